@@ -1,0 +1,1 @@
+//! Programs that show what the crate `mstmm` does; each is an example of this package.
