@@ -1,0 +1,58 @@
+//! A small generator of repeatable random numbers.
+
+/// A seeded generator (SplitMix64). The same seed gives the same numbers everywhere and for ever,
+/// so a failing test can name the seed that made it fail.
+#[derive(Clone, Debug)]
+pub struct Random {
+    state: u64,
+}
+
+impl Random {
+    /// Starts a generator from a seed.
+    pub fn new(seed: u64) -> Random {
+        Random { state: seed }
+    }
+
+    /// Returns the next 64 random bits.
+    pub fn bits(&mut self) -> u64 {
+        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut mixed = self.state;
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        mixed ^ (mixed >> 31)
+    }
+
+    /// Returns a number that is uniformly distributed from `low` to `high`.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        let fraction = (self.bits() >> 11) as f64 / (1_u64 << 53) as f64;
+        low + (high - low) * fraction
+    }
+
+    /// Returns a number like [`Random::between`], rounded to so many decimals that it is short to
+    /// print. It is never a negative zero.
+    pub fn rounded(&mut self, low: f64, high: f64, decimals: i32) -> f64 {
+        round_to(self.between(low, high), decimals)
+    }
+
+    /// Returns `true` with the given probability.
+    pub fn chance(&mut self, probability: f64) -> bool {
+        self.between(0.0, 1.0) < probability
+    }
+
+    /// Returns a number below `count`, which must not be zero.
+    pub fn below(&mut self, count: usize) -> usize {
+        // The bias for counts this small against 2⁶⁴ is beyond notice.
+        (self.bits() % count as u64) as usize
+    }
+
+    /// Returns one of `choices`, which must not be empty.
+    pub fn choose<'a, T>(&mut self, choices: &'a [T]) -> &'a T {
+        &choices[self.below(choices.len())]
+    }
+}
+
+/// Rounds to a number of decimals and turns a negative zero into zero.
+pub(crate) fn round_to(value: f64, decimals: i32) -> f64 {
+    let scale = 10_f64.powi(decimals);
+    (value * scale).round() / scale + 0.0
+}

@@ -1,0 +1,231 @@
+//! The motion of a chain in time, in the coordinates of its bodies.
+
+use crate::chain::{Chain, State};
+use crate::extrapolation::{extrapolated_step, step_factor};
+use crate::mechanism::{Freedom, Mechanism, Motion};
+use crate::rotation::{self, Mat3, Vec3};
+use crate::saddle::Saddle;
+use nalgebra::DVector;
+
+/// The error allowed in one step, far below what the comparisons look at.
+const TOLERANCE: f64 = 1e-12;
+/// The longest step in s, short enough to follow every turn of a pin.
+const LONGEST_STEP: f64 = 0.1;
+/// A step in s that is accepted whatever its error, since rounding is then all that is left of it.
+const SHORTEST_STEP: f64 = 1e-6;
+/// Entries of one body in the integrated vector: position, quaternion, velocity, angular velocity.
+const ENTRIES: usize = 13;
+
+/// A chain at one requested time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    /// The time in s since the start.
+    pub time: f64,
+    /// The motion of every body in written order.
+    pub bodies: Vec<BodySample>,
+    /// One entry to every hinge in written order: the angle of a pin in rad, counted on through
+    /// full turns, and nothing for other hinges.
+    pub pin_angles: Vec<Option<f64>>,
+    /// The same motion as coordinates and rates of the chain, measured on the bodies. Angles are
+    /// counted on through full turns and quaternions do not change their sign.
+    pub state: State,
+    /// The kinetic energy in J.
+    pub kinetic_energy: f64,
+    /// The potential energy in J, as in [`crate::Solution`].
+    pub potential_energy: f64,
+}
+
+/// The motion of one body, in inertial axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodySample {
+    /// The position of the centre of mass in m.
+    pub position: [f64; 3],
+    /// The matrix that turns body components into inertial ones, row by row.
+    pub rotation: [[f64; 3]; 3],
+    /// The velocity of the centre of mass in m/s.
+    pub velocity: [f64; 3],
+    /// The angular velocity in rad/s.
+    pub angular_velocity: [f64; 3],
+}
+
+/// Moves a chain from `start` at time zero and reports it at every one of `times`, which must not
+/// decrease and are in s.
+///
+/// `efforts` are as in [`Chain::solve`] and stay constant. What is integrated are the positions,
+/// quaternions, velocities and angular velocities of all bodies. After every step they are moved
+/// back to what the hinges allow, so the hinges do not drift apart however long the motion.
+///
+/// # Panics
+///
+/// Panics like [`Chain::solve`], and when the motion stops being finite.
+pub fn simulate(
+    chain: &Chain,
+    start: &State,
+    efforts: &[f64],
+    times: &[f64],
+    mut report: impl FnMut(&Sample),
+) {
+    chain.check_lengths(start, efforts);
+    let mechanism = Mechanism::new(chain);
+    let mut run = Run::new(&mechanism, start, efforts);
+    for &time in times {
+        run.advance(time);
+        report(&run.sample(time));
+    }
+}
+
+/// A motion under way.
+struct Run<'a> {
+    mechanism: &'a Mechanism,
+    efforts: &'a [f64],
+    time: f64,
+    /// The step to try next.
+    step: f64,
+    motions: Vec<Motion>,
+    /// The coordinates and rates the motions amount to.
+    state: State,
+}
+
+impl<'a> Run<'a> {
+    fn new(mechanism: &'a Mechanism, start: &State, efforts: &'a [f64]) -> Run<'a> {
+        let motions = mechanism.motions(start);
+        let state = mechanism.measure(&motions, &start.q);
+        Run { mechanism, efforts, time: 0.0, step: 0.01, motions, state }
+    }
+
+    /// Goes on until `time`.
+    fn advance(&mut self, time: f64) {
+        while self.time < time {
+            // Two equal steps rather than a long one and a remainder that is almost nothing.
+            let left = time - self.time;
+            let step = if left <= self.step { left } else { self.step.min(0.5 * left) };
+            let rate = |packed: &DVector<f64>| self.rate(packed);
+            let (packed, error) = extrapolated_step(&rate, &pack(&self.motions), step);
+            let longer = (step * step_factor(error, TOLERANCE)).min(LONGEST_STEP);
+            let accepted = error <= TOLERANCE || step <= SHORTEST_STEP;
+            if accepted {
+                assert!(packed.iter().all(|value| value.is_finite()), "the motion is not finite");
+                self.accept(unpack(&packed), step);
+                self.time = if step == left { time } else { self.time + step };
+                // A step cut short by `time` says little about the next one, unless it must shrink.
+                self.step = if step < self.step { longer.max(self.step) } else { longer };
+            } else {
+                self.step = longer;
+            }
+            self.step = self.step.max(SHORTEST_STEP);
+        }
+    }
+
+    /// Takes over new motions after a step.
+    fn accept(&mut self, motions: Vec<Motion>, step: f64) {
+        self.motions = closed(self.mechanism, motions);
+        let mut expected = self.state.q.clone();
+        let rates = self.mechanism.measure(&self.motions, &expected).v;
+        for joint in &self.mechanism.joints {
+            if let Freedom::About(_) = joint.freedom {
+                let k = joint.first_rate;
+                let mean_rate = 0.5 * (self.state.v[k] + rates[k]);
+                expected[joint.first_coordinate] += step * mean_rate;
+            }
+        }
+        self.state = self.mechanism.measure(&self.motions, &expected);
+    }
+
+    /// Returns the derivative of the integrated vector.
+    fn rate(&self, packed: &DVector<f64>) -> DVector<f64> {
+        let motions = unpack(packed);
+        let dynamics = Saddle::new(self.mechanism, &motions).dynamics(self.efforts);
+        let mut rate = DVector::zeros(packed.len());
+        for (body, motion) in motions.iter().enumerate() {
+            let first = ENTRIES * body;
+            let quaternion = packed.fixed_rows::<4>(first + 3).into_owned();
+            let quaternion_rate = quaternion_rate(&motion.spin, quaternion.as_slice());
+            rate.fixed_rows_mut::<3>(first).copy_from(&motion.velocity);
+            rate.fixed_rows_mut::<4>(first + 3).copy_from_slice(&quaternion_rate);
+            rate.fixed_rows_mut::<3>(first + 7).copy_from(&dynamics.linear[body]);
+            rate.fixed_rows_mut::<3>(first + 10).copy_from(&dynamics.angular[body]);
+        }
+        rate
+    }
+
+    fn sample(&self, time: f64) -> Sample {
+        let joints = &self.mechanism.joints;
+        let angle = |joint: &crate::mechanism::Joint| match joint.freedom {
+            Freedom::About(_) => Some(self.state.q[joint.first_coordinate]),
+            Freedom::None | Freedom::AnyTurn => None,
+        };
+        Sample {
+            time,
+            bodies: self.motions.iter().map(BodySample::new).collect(),
+            pin_angles: joints.iter().map(angle).collect(),
+            state: self.state.clone(),
+            kinetic_energy: self.mechanism.kinetic_energy(&self.motions),
+            potential_energy: self.mechanism.potential_energy(&self.motions),
+        }
+    }
+}
+
+impl BodySample {
+    fn new(motion: &Motion) -> BodySample {
+        BodySample {
+            position: motion.position.into(),
+            rotation: rotation::rows(&motion.rotation),
+            velocity: motion.velocity.into(),
+            angular_velocity: motion.spin.into(),
+        }
+    }
+}
+
+/// Moves the bodies back to poses, and then to velocities, that the hinges allow.
+fn closed(mechanism: &Mechanism, mut motions: Vec<Motion>) -> Vec<Motion> {
+    let saddle = Saddle::new(mechanism, &motions);
+    let moves = saddle.correction(&saddle.pose_violations());
+    for (body, motion) in motions.iter_mut().enumerate() {
+        let turn: Vec3 = moves.fixed_rows::<3>(6 * body + 3).into_owned();
+        motion.position += moves.fixed_rows::<3>(6 * body);
+        motion.rotation = rotation_of(&turn) * motion.rotation;
+    }
+    let saddle = Saddle::new(mechanism, &motions);
+    let changes = saddle.correction(&saddle.velocity_violations());
+    for (body, motion) in motions.iter_mut().enumerate() {
+        motion.velocity += changes.fixed_rows::<3>(6 * body);
+        motion.spin += changes.fixed_rows::<3>(6 * body + 3);
+    }
+    motions
+}
+
+/// Returns the rotation of a rotation vector.
+fn rotation_of(vector: &Vec3) -> Mat3 {
+    nalgebra::Rotation3::from_scaled_axis(*vector).into_inner()
+}
+
+/// Returns the derivative of a quaternion (w, x, y, z) from body to inertial components: half the
+/// product of the inertial angular velocity and the quaternion.
+fn quaternion_rate(spin: &Vec3, quaternion: &[f64]) -> [f64; 4] {
+    let vector = Vec3::from_column_slice(&quaternion[1..4]);
+    let scalar_rate = -0.5 * spin.dot(&vector);
+    let vector_rate = 0.5 * (spin * quaternion[0] + spin.cross(&vector));
+    [scalar_rate, vector_rate.x, vector_rate.y, vector_rate.z]
+}
+
+fn pack(motions: &[Motion]) -> DVector<f64> {
+    let mut packed: Vec<f64> = Vec::with_capacity(ENTRIES * motions.len());
+    for motion in motions {
+        packed.extend(motion.position.iter());
+        packed.extend(rotation::to_quaternion(&motion.rotation, &[1.0, 0.0, 0.0, 0.0]));
+        packed.extend(motion.velocity.iter());
+        packed.extend(motion.spin.iter());
+    }
+    DVector::from_vec(packed)
+}
+
+/// Reads back [`pack`], normalising the quaternions.
+fn unpack(packed: &DVector<f64>) -> Vec<Motion> {
+    let motion = |entries: &[f64]| Motion {
+        position: Vec3::from_column_slice(&entries[0..3]),
+        rotation: rotation::from_quaternion(&entries[3..7]),
+        velocity: Vec3::from_column_slice(&entries[7..10]),
+        spin: Vec3::from_column_slice(&entries[10..13]),
+    };
+    packed.as_slice().chunks_exact(ENTRIES).map(motion).collect()
+}

@@ -1,0 +1,132 @@
+//! Simulated motions: what they conserve, and that they are the motions of the chain.
+
+use crate::samples::{Case, assert_close, central_inertia, cube, hinge, matrix, random_cases};
+use mstmm_reference::{Chain, Element, End, Frame, HingeKind, Sample, State, simulate};
+use nalgebra::Vector3;
+
+const TIMES: [f64; 3] = [0.0, 0.3, 0.7];
+
+/// Returns random chains short enough to be simulated quickly by a build without optimisation.
+fn short_cases() -> Vec<Case> {
+    let cases = random_cases().into_iter();
+    cases.filter(|case| case.chain.bodies().count() <= 3).take(24).collect()
+}
+
+/// Returns what can be expected of a motion: less where it is violent.
+fn slack(chain: &Chain, state: &State) -> f64 {
+    let solution = chain.solve(state, &vec![0.0; chain.freedoms()]);
+    1e-10 * (1.0 + solution.kinetic_energy + solution.potential_energy.abs())
+}
+
+fn without_motors(case: &Case) -> Vec<f64> {
+    vec![0.0; case.efforts.len()]
+}
+
+#[test]
+fn energy_is_kept() {
+    for case in &short_cases() {
+        let efforts = without_motors(case);
+        let start = case.chain.solve(&case.state, &efforts);
+        let expected = start.kinetic_energy + start.potential_energy;
+        simulate(&case.chain, &case.state, &efforts, &TIMES, |sample| {
+            let energy = sample.kinetic_energy + sample.potential_energy;
+            let tolerance = slack(&case.chain, &case.state);
+            assert_close(energy, expected, tolerance, &case.chain.name);
+        });
+    }
+}
+
+/// The state measured on the bodies places them where they are, so the hinges have held.
+#[test]
+fn measured_states_describe_the_bodies() {
+    for case in &short_cases() {
+        simulate(&case.chain, &case.state, &case.efforts, &TIMES, |sample| {
+            let placed = case.chain.solve(&sample.state, &case.efforts);
+            let is_body = |k: &usize| matches!(case.chain.elements[*k], Element::Body(_));
+            let inputs = (0..case.chain.elements.len()).filter(is_body);
+            for (k, moved) in inputs.zip(&sample.bodies) {
+                let point = &placed.points[k];
+                let turn = matrix(&point.rotation) - matrix(&moved.rotation);
+                let spin =
+                    Vector3::from(point.angular_velocity) - Vector3::from(moved.angular_velocity);
+                assert!(turn.amax() < 1e-10, "{}: {turn}", case.chain.name);
+                assert!(spin.amax() < 1e-9, "{}: {spin}", case.chain.name);
+            }
+            assert_close(placed.kinetic_energy, sample.kinetic_energy, 1e-10, &case.chain.name);
+        });
+    }
+}
+
+/// The rates change by the accelerations that `solve` gives.
+#[test]
+fn rates_change_as_solved() {
+    let step = 1e-4;
+    for case in &short_cases() {
+        let start = case.chain.solve(&case.state, &case.efforts);
+        let mut states: Vec<State> = Vec::new();
+        let times = [0.0, step, 2.0 * step];
+        simulate(&case.chain, &case.state, &case.efforts, &times, |s| states.push(s.state.clone()));
+        let size: f64 = start.accelerations.iter().map(|a| a.abs()).sum();
+        for (k, expected) in start.accelerations.iter().enumerate() {
+            let [v0, v1, v2] = [0, 1, 2].map(|time| states[time].v[k]);
+            let slope = (4.0 * v1 - v2 - 3.0 * v0) / (2.0 * step);
+            assert_close(slope, *expected, 1e-6 * (1.0 + size * size), &case.chain.name);
+        }
+    }
+}
+
+/// Without gravity a floating chain keeps its momentum and its angular momentum.
+#[test]
+fn momenta_are_kept() {
+    for case in short_cases().iter().filter(|case| case.chain.floats()) {
+        let chain = Chain { gravity: [0.0; 3], ..case.chain.clone() };
+        let mut start: Option<[Vector3<f64>; 2]> = None;
+        simulate(&chain, &case.state, &case.efforts, &TIMES, |sample| {
+            let found = momenta(&chain, sample);
+            let expected = start.get_or_insert(found);
+            for k in 0..3 {
+                assert_close(found[0][k], expected[0][k], 1e-10, &chain.name);
+                assert_close(found[1][k], expected[1][k], 1e-10, &chain.name);
+            }
+        });
+    }
+}
+
+fn momenta(chain: &Chain, sample: &Sample) -> [Vector3<f64>; 2] {
+    let mut total = [Vector3::zeros(); 2];
+    for (body, moved) in chain.bodies().zip(&sample.bodies) {
+        let rotation = matrix(&moved.rotation);
+        let momentum = Vector3::from(moved.velocity) * body.mass;
+        let spin = rotation.transpose() * Vector3::from(moved.angular_velocity);
+        total[0] += momentum;
+        total[1] += Vector3::from(moved.position).cross(&momentum)
+            + rotation * (central_inertia(body) * spin);
+    }
+    total
+}
+
+/// A pin that goes round many times reports all of its turns.
+#[test]
+fn pins_count_their_turns() {
+    let chain = Chain {
+        name: "Wheel".to_owned(),
+        gravity: [0.0; 3],
+        start: End::Held(Frame::IDENTITY),
+        finish: End::Free,
+        elements: vec![
+            hinge("w1", HingeKind::Weld),
+            cube("b1"),
+            hinge("j1", HingeKind::Pin { axis: [-1.0, 0.0, 0.0] }),
+            cube("b2"),
+        ],
+    };
+    for rate in [20.0, -90.0] {
+        let start = State { q: vec![0.5], v: vec![rate] };
+        simulate(&chain, &start, &[0.0], &[2.0, 5.0], |sample| {
+            let angle = 0.5 + rate * sample.time;
+            assert_eq!(sample.pin_angles[0], None);
+            assert_close(sample.pin_angles[1].unwrap(), angle, 1e-11, "angle");
+            assert_close(sample.state.q[0], angle, 1e-11, "coordinate");
+        });
+    }
+}
