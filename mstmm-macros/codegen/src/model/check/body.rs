@@ -1,0 +1,49 @@
+//! Bodies.
+
+use crate::diag::Diagnostics;
+use crate::model::lower::{Draft, Stop};
+
+/// A type of body that is on no route is a slip, most likely of the route.
+pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let lost =
+        |stop: &Stop| matches!(stop, Stop::Unknown { .. } | Stop::Body { body_type: None, .. });
+    let route_is_whole = draft.def.route.as_ref().is_some_and(|route| route.whole);
+    if !route_is_whole || draft.stops.iter().any(lost) {
+        return;
+    }
+    for body in &draft.types {
+        let uses = |stop: &Stop| matches!(stop, Stop::Body { word, .. } if *word == body.name);
+        if !draft.stops.iter().any(uses) {
+            let message = format!("body `{}` is not on the route", body.name);
+            diagnostics.error(body.name.span(), message);
+        }
+    }
+}
+
+/// A type of body has mass, centre of mass and inertia, and an output if something follows it.
+pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
+    for (index, body) in draft.types.iter().enumerate() {
+        let is_followed = draft.stops.split_last().is_some_and(|(_, stops)| {
+            stops.iter().any(
+                |stop| matches!(stop, Stop::Body { body_type, .. } if *body_type == Some(index)),
+            )
+        });
+        let missing: Vec<_> =
+            body.missing(is_followed).iter().map(|name| format!("`{name}`")).collect();
+        let list = match &missing[..] {
+            [] => continue,
+            [only] => only.clone(),
+            [first @ .., last] => format!("{} and {last}", first.join(", ")),
+        };
+        diagnostics.error(body.name.span(), format!("body `{}` needs {list}", body.name));
+    }
+}
+
+/// A body without mass has no acceleration.
+pub(super) fn masses_are_positive(draft: &Draft, diagnostics: &mut Diagnostics) {
+    for mass in draft.types.iter().filter_map(|body| body.mass.as_ref()) {
+        if mass.value.known().is_some_and(|mass| mass <= 0.0) {
+            diagnostics.error_over(mass.at, "a mass must be positive");
+        }
+    }
+}

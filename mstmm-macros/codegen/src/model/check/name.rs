@@ -1,0 +1,155 @@
+//! Names.
+
+use proc_macro2::{Ident, Span};
+
+use crate::diag::Diagnostics;
+use crate::model::lower::{Draft, KINDS, LATER_KINDS, Stop};
+use crate::syntax::FUNCTIONS;
+
+/// Methods of the generated types, which no hinge, body or parameter can be named after.
+const RESERVED: &[&str] = &[
+    "q",
+    "q_mut",
+    "v",
+    "v_mut",
+    "t",
+    "time",
+    "set_time",
+    "clone",
+    "default",
+    "new",
+    "initial_state",
+    "no_inputs",
+    "workspace",
+    "solve_into",
+    "accelerations",
+    "accelerations_into",
+    "kinetic_energy",
+    "potential_energy",
+    "energy",
+    "parameters",
+    "derivative_into",
+    "normalize",
+    "points",
+];
+
+/// Words that a type of body cannot be named after, with the kinds of hinges.
+const ROUTE_WORDS: &[&str] = &["ground", "repeat", "at", "turned"];
+
+/// Words that a number cannot be named after, with the functions.
+const NUMBER_WORDS: &[&str] = &["PI", "input", "riccati", "transfer"];
+
+/// A name of a hinge, a body or a parameter.
+struct Name<'a> {
+    ident: &'a Ident,
+    /// Whether it was made from the name of the type.
+    made: bool,
+    /// Whether it has a method that ends in `_mut`.
+    has_mut: bool,
+}
+
+fn names<'a>(draft: &'a Draft) -> Vec<Name<'a>> {
+    let parameters = draft.def.parameters.iter();
+    let parameters =
+        parameters.map(|field| Name { ident: &field.name, made: false, has_mut: false });
+    let stops = draft.stops.iter().filter_map(|stop| {
+        let made = matches!(stop, Stop::Body { named: false, .. });
+        Some(Name { ident: stop.name()?, made, has_mut: true })
+    });
+    parameters.chain(stops).collect()
+}
+
+/// Names become methods and types, so they must be identifiers that are no keywords of Rust.
+pub(super) fn names_are_identifiers(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let types = draft.types.iter().map(|body| body.name);
+    let names = names(draft);
+    let all = names.iter().map(|name| name.ident).chain(types).chain([&draft.def.name]);
+    for name in all {
+        let text = name.to_string();
+        if text.starts_with("r#") || syn::parse_str::<Ident>(&text).is_err() {
+            let message = format!("`{text}` is kept by Rust and cannot be a name");
+            diagnostics.error(name.span(), message);
+        }
+    }
+}
+
+/// Hinges, bodies and parameters are called by their names: no two have the same one. A hinge or
+/// body `x` has a method `x_mut` too.
+pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let names = names(draft);
+    for (index, name) in names.iter().enumerate() {
+        let text = name.ident.to_string();
+        let before = &names[..index];
+        if before.iter().any(|other| other.ident == name.ident) {
+            let hint = match name.made {
+                true => "; write a name behind the type",
+                false => "",
+            };
+            let message = format!("the name `{text}` is used twice{hint}");
+            diagnostics.error(name.ident.span(), message);
+            continue;
+        }
+        let is_mut_of = |mutable: &str, plain: &Name| {
+            plain.has_mut && mutable.strip_suffix("_mut").is_some_and(|name| plain.ident == name)
+        };
+        let other = before.iter().find(|other| {
+            is_mut_of(&text, other) || (name.has_mut && is_mut_of(&other.ident.to_string(), name))
+        });
+        if let Some(Name { ident: other, .. }) = other {
+            let message = format!("`{text}` and `{other}` both have a method that ends in `_mut`");
+            diagnostics.error(name.ident.span(), message);
+        }
+    }
+}
+
+/// A hinge, body or parameter must leave the methods alone that every chain has.
+pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostics) {
+    for name in names(draft) {
+        let text = name.ident.to_string();
+        let mutable = format!("{text}_mut");
+        let clashes = |word: &&str| *word == text || (name.has_mut && *word == mutable);
+        if RESERVED.iter().any(clashes) {
+            let message = format!("`{text}` is a method of every chain and cannot be a name");
+            diagnostics.error(name.ident.span(), message);
+        }
+    }
+}
+
+/// A type of body is described once.
+pub(super) fn types_are_described_once(draft: &Draft, diagnostics: &mut Diagnostics) {
+    for (index, body) in draft.types.iter().enumerate() {
+        if draft.types[..index].iter().any(|other| other.name == body.name) {
+            let message = format!("body `{}` is described twice", body.name);
+            diagnostics.error(body.name.span(), message);
+        }
+    }
+}
+
+/// A type of body cannot be named after a word of the route.
+pub(super) fn types_are_not_words_of_the_language(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let kinds = KINDS.iter().map(|kind| kind.word);
+    let words: Vec<_> =
+        kinds.chain(LATER_KINDS.iter().copied()).chain(ROUTE_WORDS.iter().copied()).collect();
+    let names = draft.types.iter().map(|body| body.name);
+    refuse_words(names.map(|name| (name, name.span())), &words, diagnostics);
+}
+
+/// A parameter cannot be named after a word that stands for a number.
+pub(super) fn parameters_are_not_words_of_the_language(
+    draft: &Draft,
+    diagnostics: &mut Diagnostics,
+) {
+    let words: Vec<_> = NUMBER_WORDS.iter().chain(FUNCTIONS).copied().collect();
+    let names = draft.def.parameters.iter().map(|field| &field.name);
+    refuse_words(names.map(|name| (name, name.span())), &words, diagnostics);
+}
+
+fn refuse_words<'a>(
+    names: impl Iterator<Item = (&'a Ident, Span)>,
+    words: &[&str],
+    diagnostics: &mut Diagnostics,
+) {
+    for (name, at) in names.filter(|(name, _)| words.iter().any(|word| name == word)) {
+        diagnostics.error(at, format!("`{name}` is a word of this language and cannot be a name"));
+    }
+}

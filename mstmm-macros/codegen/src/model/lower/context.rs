@@ -1,0 +1,95 @@
+//! What the lowering knows of the chain around the place at which it works.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::ToTokens;
+
+use super::dimension::Dimension;
+use crate::diag::Diagnostics;
+use crate::model::{Symbol, Value};
+use crate::syntax::{Extent, Field, Written};
+
+/// Names, constants and mistakes.
+pub(super) struct Context<'a> {
+    /// The parameters that may be used.
+    pub parameters: Vec<(&'a Ident, Measure)>,
+    /// The parameters that may not be used yet.
+    pub later_parameters: Vec<&'a Ident>,
+    /// The Rust paths seen so far, in the order of [`Symbol::Constant`].
+    pub constants: Vec<TokenStream>,
+    /// The mistakes of all phases.
+    pub diagnostics: &'a mut Diagnostics,
+    /// Whether every item could be read. If not, an unknown name may have been in the lost one.
+    pub whole: bool,
+    /// Fields with a mistake that is reported: several hinges may share one.
+    faulty: Vec<*const Field>,
+}
+
+/// What is known of a number's unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Measure {
+    /// A literal zero, which fits anything.
+    Zero,
+    /// No unit: in SI units of whatever is expected.
+    Plain,
+    /// A Rust path, which may be anything.
+    Open,
+    /// A dimension.
+    Of(Dimension),
+}
+
+/// Something read, and where it stands.
+#[derive(Clone, Debug)]
+pub(crate) struct Given<T> {
+    /// What was read.
+    pub value: T,
+    /// Where it stands.
+    pub at: Extent,
+}
+
+impl<'a> Context<'a> {
+    /// Knows nothing yet.
+    pub fn new(whole: bool, diagnostics: &'a mut Diagnostics) -> Self {
+        Context {
+            parameters: Vec::new(),
+            later_parameters: Vec::new(),
+            constants: Vec::new(),
+            diagnostics,
+            whole,
+            faulty: Vec::new(),
+        }
+    }
+
+    /// Reports a mistake that covers `at`, in place of a result.
+    pub fn refuse<T>(&mut self, at: impl ToTokens, message: impl std::fmt::Display) -> Option<T> {
+        self.diagnostics.error_over(at, message);
+        None
+    }
+
+    /// Reads the value of a field. A mistake in it is reported once, whoever shares the field.
+    pub fn field<T>(
+        &mut self,
+        field: &Field,
+        read: impl FnOnce(&mut Self, &Written) -> Option<T>,
+    ) -> Option<Given<T>> {
+        let written = field.value.as_ref()?;
+        if self.faulty.contains(&std::ptr::from_ref(field)) {
+            return None;
+        }
+        let value = read(self, written);
+        if value.is_none() {
+            self.faulty.push(field);
+        }
+        value.map(|value| Given { value, at: written.extent() })
+    }
+
+    /// The value of a Rust path; the same path is the same constant.
+    pub fn constant(&mut self, path: TokenStream) -> Value {
+        let text = path.to_string();
+        let known = self.constants.iter().position(|other| other.to_string() == text);
+        let index = known.unwrap_or_else(|| {
+            self.constants.push(path);
+            self.constants.len() - 1
+        });
+        Value::Symbol(Symbol::Constant(index))
+    }
+}

@@ -1,0 +1,145 @@
+//! What a number measures.
+
+/// Powers of the base units. The angle is carried for the sake of messages only: it fits a plain
+/// number, as in `N*m*s/rad`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Dimension {
+    /// Power of the metre.
+    pub length: i32,
+    /// Power of the kilogram.
+    pub mass: i32,
+    /// Power of the second.
+    pub time: i32,
+    /// Power of the radian.
+    pub angle: i32,
+}
+
+/// A dimension with the words for it.
+#[derive(Debug)]
+pub(super) struct Quantity {
+    /// With its article.
+    pub name: &'static str,
+    /// Its unit in SI.
+    pub unit: &'static str,
+    /// Its dimension.
+    pub dimension: Dimension,
+}
+
+const fn quantity(name: &'static str, unit: &'static str, powers: [i32; 4]) -> Quantity {
+    let [length, mass, time, angle] = powers;
+    Quantity { name, unit, dimension: Dimension { length, mass, time, angle } }
+}
+
+/// A number without a unit.
+pub(super) const NUMBER: &Quantity = &quantity("a plain number", "", [0, 0, 0, 0]);
+pub(super) const ANGLE: &Quantity = &quantity("an angle", "rad", [0, 0, 0, 1]);
+pub(super) const LENGTH: &Quantity = &quantity("a length", "m", [1, 0, 0, 0]);
+pub(super) const MASS: &Quantity = &quantity("a mass", "kg", [0, 1, 0, 0]);
+pub(super) const VELOCITY: &Quantity = &quantity("a velocity", "m/s", [1, 0, -1, 0]);
+pub(super) const ACCELERATION: &Quantity = &quantity("an acceleration", "m/s^2", [1, 0, -2, 0]);
+pub(super) const RATE: &Quantity = &quantity("an angular velocity", "rad/s", [0, 0, -1, 1]);
+pub(super) const INERTIA: &Quantity = &quantity("a moment of inertia", "kg*m^2", [2, 1, 0, 0]);
+pub(super) const TORQUE: &Quantity = &quantity("a torque", "N*m", [2, 1, -2, 0]);
+
+/// All quantities that have a name. A dimension is called by the first line that it matches.
+const QUANTITIES: &[&Quantity] = &[
+    NUMBER,
+    ANGLE,
+    LENGTH,
+    MASS,
+    VELOCITY,
+    ACCELERATION,
+    RATE,
+    INERTIA,
+    TORQUE,
+    &quantity("a time", "s", [0, 0, 1, 0]),
+    &quantity("a frequency", "1/s", [0, 0, -1, 0]),
+    &quantity("an angular acceleration", "rad/s^2", [0, 0, -2, 1]),
+    &quantity("a force", "N", [1, 1, -2, 0]),
+    &quantity("a power", "W", [2, 1, -3, 0]),
+    &quantity("a pressure", "Pa", [-1, 1, -2, 0]),
+    &quantity("an area", "m^2", [2, 0, 0, 0]),
+    &quantity("a volume", "m^3", [3, 0, 0, 0]),
+    &quantity("a density", "kg/m^3", [-3, 1, 0, 0]),
+    &quantity("a stiffness", "N/m", [0, 1, -2, 0]),
+    &quantity("a damping", "N*s/m", [0, 1, -1, 0]),
+    &quantity("a turning damping", "N*m*s/rad", [2, 1, -1, -1]),
+    &quantity("a momentum", "kg*m/s", [1, 1, -1, 0]),
+];
+
+impl Dimension {
+    /// Of a product, where the other factor stands in it to this power.
+    pub fn times(self, other: Dimension, power: i32) -> Dimension {
+        // Powers of powers soon leave all numbers, and are a mistake long before.
+        let add = |a: i32, b: i32| a.saturating_add(b.saturating_mul(power));
+        Dimension {
+            length: add(self.length, other.length),
+            mass: add(self.mass, other.mass),
+            time: add(self.time, other.time),
+            angle: add(self.angle, other.angle),
+        }
+    }
+
+    /// Of the square root, if it has one.
+    pub fn root(self) -> Option<Dimension> {
+        let Dimension { length, mass, time, angle } = self;
+        let even = [length, mass, time, angle].iter().all(|power| power % 2 == 0);
+        let half =
+            Dimension { length: length / 2, mass: mass / 2, time: time / 2, angle: angle / 2 };
+        even.then_some(half)
+    }
+
+    /// Whether the two can be added and compared: an angle is a number.
+    pub fn fits(self, other: Dimension) -> bool {
+        Dimension { angle: 0, ..self } == Dimension { angle: 0, ..other }
+    }
+
+    /// Whether it measures nothing: a ratio or an angle.
+    pub fn is_number(self) -> bool {
+        self.fits(Dimension::default())
+    }
+
+    /// What it measures, in words.
+    pub fn name(self) -> String {
+        self.quantity().map_or_else(
+            || format!("a quantity in {}", self.unit()),
+            |quantity| quantity.name.to_owned(),
+        )
+    }
+
+    /// Its unit in SI.
+    pub fn unit(self) -> String {
+        if let Some(quantity) = self.quantity() {
+            return quantity.unit.to_owned();
+        }
+        let Dimension { length, mass, time, angle } = self;
+        let powers = [("kg", mass), ("m", length), ("s", time), ("rad", angle)];
+        let part = |(symbol, power): &(&str, i32)| match power.unsigned_abs() {
+            1 => (*symbol).to_owned(),
+            power => format!("{symbol}^{power}"),
+        };
+        let above: Vec<_> = powers.iter().filter(|(_, power)| *power > 0).map(part).collect();
+        let below: Vec<_> = powers.iter().filter(|(_, power)| *power < 0).map(part).collect();
+        let above = if above.is_empty() { "1".to_owned() } else { above.join("*") };
+        below.into_iter().fold(above, |unit, part| format!("{unit}/{part}"))
+    }
+
+    fn quantity(self) -> Option<&'static Quantity> {
+        QUANTITIES.iter().copied().find(|quantity| quantity.dimension == self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Dimension, RATE, TORQUE};
+
+    #[test]
+    fn dimensions_have_names_and_units() {
+        assert_eq!(RATE.dimension.name(), "an angular velocity");
+        let odd = TORQUE.dimension.times(RATE.dimension, -2);
+        assert_eq!(odd.unit(), "kg*m^2/rad^2");
+        assert_eq!(odd.name(), "a quantity in kg*m^2/rad^2");
+        assert!(RATE.dimension.fits(Dimension { time: -1, ..Dimension::default() }));
+        assert!(!RATE.dimension.fits(TORQUE.dimension));
+    }
+}

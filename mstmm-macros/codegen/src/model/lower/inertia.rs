@@ -1,0 +1,59 @@
+//! Inertia tensors.
+
+use super::context::Context;
+use super::dimension::{INERTIA, Quantity};
+use crate::diag::did_you_mean;
+use crate::model::{About, Inertia, Value};
+use crate::syntax::{Form, Written};
+
+/// Reads the parentheses of one way to write a tensor: xx, yy, zz, xy, xz, yz.
+type Reader = fn(&mut Context, &Form, &Quantity) -> Option<[Value; 6]>;
+
+/// The ways to write a tensor.
+const TENSORS: &[(&str, Reader)] = &[("diag", diag), ("tensor", tensor)];
+
+/// The points that a tensor can be about.
+const POINTS: &[(&str, About)] = &[("input", About::Input), ("com", About::Com)];
+
+fn diag(context: &mut Context, form: &Form, expected: &Quantity) -> Option<[Value; 6]> {
+    let [xx, yy, zz] = context.form_numbers(form, ["xx", "yy", "zz"], expected)?;
+    let zero = || Value::number(0.0);
+    Some([xx, yy, zz, zero(), zero(), zero()])
+}
+
+fn tensor(context: &mut Context, form: &Form, expected: &Quantity) -> Option<[Value; 6]> {
+    context.form_numbers(form, ["xx", "yy", "zz", "xy", "xz", "yz"], expected)
+}
+
+impl Context<'_> {
+    /// An inertia tensor behind `=`.
+    pub fn written_inertia(&mut self, written: &Written) -> Option<Inertia> {
+        const EXPECTED: &str = "expected `diag(xx, yy, zz)` or `tensor(xx, yy, zz, xy, xz, yz)`";
+        let Written::Form(form) = written else {
+            let message = format!("{EXPECTED}, found {}", written.described());
+            return self.refuse(written.extent(), message);
+        };
+        let word = form.word.to_string();
+        let Some((_, read)) = TENSORS.iter().find(|(known, _)| *known == word) else {
+            let hint = did_you_mean(&word, TENSORS.iter().map(|(known, _)| *known));
+            return self.refuse(&form.word, format!("{EXPECTED}, found `{word}`{hint}"));
+        };
+        let tensor = read(self, form, INERTIA);
+        let about = self.about(form);
+        Some(Inertia { tensor: tensor?, about: about? })
+    }
+
+    fn about(&mut self, form: &Form) -> Option<About> {
+        let Some(point) = &form.about else {
+            let message = "an inertia is about a point: end with `about com` or `about input`";
+            return self.refuse(&form.word, message);
+        };
+        let known = POINTS.iter().find(|(word, _)| point == word).map(|&(_, about)| about);
+        if known.is_none() {
+            let hint = did_you_mean(&point.to_string(), POINTS.iter().map(|(word, _)| *word));
+            let message = format!("expected `input` or `com`, found `{point}`{hint}");
+            self.diagnostics.error(point.span(), message);
+        }
+        known
+    }
+}

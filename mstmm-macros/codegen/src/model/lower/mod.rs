@@ -1,0 +1,71 @@
+//! From what was written to what was meant: the one place that knows both.
+//!
+//! Every step reads as far as it can and reports what it cannot, so that one build shows all
+//! mistakes. What is missing on account of a mistake is an empty [`Option`] in the [`Draft`].
+
+mod body;
+mod context;
+mod dimension;
+mod draft;
+mod fields;
+mod hinge;
+mod inertia;
+mod number;
+mod orientation;
+mod parameter;
+mod properties;
+mod route;
+mod setting;
+mod unit;
+mod vector;
+
+pub(super) use body::BodyType;
+pub(super) use draft::Draft;
+pub(super) use hinge::{KINDS, LATER_KINDS};
+pub(super) use route::Stop;
+
+use proc_macro2::TokenStream;
+
+use super::{Chain, check};
+use crate::diag::Diagnostics;
+use crate::syntax::{self, ChainDef, Surface};
+use context::Context;
+
+/// All chains of one macro call.
+///
+/// # Errors
+///
+/// All mistakes of all phases, each on the smallest token to edit.
+pub fn read(tokens: TokenStream) -> syn::Result<Vec<(Chain, Surface)>> {
+    let mut diagnostics = Diagnostics::default();
+    let chains: Vec<_> = syntax::parse(tokens, &mut diagnostics)
+        .iter()
+        .filter_map(|def| lower(def, &mut diagnostics))
+        .collect();
+    diagnostics.finish()?;
+    Ok(chains)
+}
+
+/// What was meant by a description, checked. Nothing if it has a mistake, which is reported then.
+pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Surface)> {
+    let before = diagnostics.count();
+    let mut context = Context::new(def.whole, diagnostics);
+    let parameters = parameter::parameters(def, &mut context);
+    let settings = setting::settings(def, &mut context);
+    let types = body::types(def, &mut context);
+    let stops = route::stops(def, &types, &mut context);
+    let motions = properties::motions(def, &stops, &mut context);
+
+    let surface = Surface {
+        visibility: def.visibility.clone(),
+        attributes: def.attributes.clone(),
+        constants: context.constants,
+    };
+    let constants = surface.constants.len();
+    let draft = Draft { def, settings, parameters, constants, types, stops, motions };
+    check::check(&draft, diagnostics);
+    if diagnostics.count() > before {
+        return None;
+    }
+    Some((draft.finish()?, surface))
+}

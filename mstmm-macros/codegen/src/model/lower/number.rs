@@ -1,0 +1,310 @@
+//! Numbers: what they are in SI units, and what they measure.
+
+use proc_macro2::Ident;
+
+use super::context::{Context, Measure};
+use super::dimension::{ACCELERATION, Dimension, Quantity, RATE};
+use super::unit::{self, Scale};
+use crate::diag::did_you_mean;
+use crate::model::{Symbol, Value};
+use crate::syntax::{Expr, ExprKind, Extent, FUNCTIONS, Factor, Term, Unit};
+
+/// A power multiplies a formula with itself, and a power of a power does so again.
+const LARGEST_FORMULA: usize = 1000;
+
+/// A number that is read.
+pub(super) struct Measured<'e> {
+    /// In SI units.
+    pub value: Value,
+    /// What is known of its unit.
+    pub measure: Measure,
+    /// The unit that it owes its dimension to, if there is a single one.
+    pub unit: Option<&'e Unit>,
+    /// Where a message about its dimension points.
+    pub at: Extent,
+}
+
+impl<'e> Measured<'e> {
+    fn new(value: Value, measure: Measure, expr: &Expr) -> Self {
+        Measured { value, measure, unit: None, at: expr.extent }
+    }
+
+    fn map(self, value: impl FnOnce(Value) -> Value) -> Measured<'e> {
+        Measured { value: value(self.value), ..self }
+    }
+}
+
+impl Context<'_> {
+    /// A number of this kind, in SI units.
+    pub fn number(&mut self, expr: &Expr, expected: &Quantity) -> Option<Value> {
+        let measured = self.measure(expr)?;
+        self.expect(&measured, expected)?;
+        self.finite(measured.value, expr.extent)
+    }
+
+    /// Refuses a number that measures something else.
+    pub fn expect(&mut self, found: &Measured, expected: &Quantity) -> Option<()> {
+        match found.measure {
+            Measure::Of(dimension) => self.expect_dimension(dimension, found, expected),
+            _ => Some(()),
+        }
+    }
+
+    fn expect_dimension(
+        &mut self,
+        dimension: Dimension,
+        found: &Measured,
+        expected: &Quantity,
+    ) -> Option<()> {
+        if let Some(message) = found.unit.and_then(|unit| misread_symbol(unit, expected)) {
+            return self.refuse(found.at, message);
+        }
+        if dimension.fits(expected.dimension) {
+            return Some(());
+        }
+        self.refuse(found.at, format!("expected {}, found {}", expected.name, dimension.name()))
+    }
+
+    /// Refuses what no number stands for, such as a root of a negative one.
+    pub fn finite(&mut self, value: Value, at: Extent) -> Option<Value> {
+        match value.known() {
+            Some(number) if !number.is_finite() => self.refuse(at, "this is no finite number"),
+            _ => Some(value),
+        }
+    }
+
+    /// Any number.
+    pub fn measure<'e>(&mut self, expr: &'e Expr) -> Option<Measured<'e>> {
+        match &expr.kind {
+            ExprKind::Number(number) => {
+                let measure = if *number == 0.0 { Measure::Zero } else { Measure::Plain };
+                Some(Measured::new(Value::number(*number), measure, expr))
+            }
+            ExprKind::Name(name) => {
+                let (value, measure) = self.name(name)?;
+                Some(Measured::new(value, measure, expr))
+            }
+            ExprKind::Path(path) => {
+                let value = self.constant(path.clone());
+                Some(Measured::new(value, Measure::Open, expr))
+            }
+            ExprKind::Negated(inner) => Some(self.measure(inner)?.map(Value::negated)),
+            ExprKind::Sum(terms) => self.sum(terms, expr),
+            ExprKind::Product(factors) => self.product(factors, expr),
+            ExprKind::Power(base, power) => self.power(base, *power, expr),
+            ExprKind::Quantity(product, unit) => self.quantity(product, unit),
+            ExprKind::Call(function, arguments) => self.call(function, arguments, expr),
+        }
+    }
+
+    fn name(&mut self, name: &Ident) -> Option<(Value, Measure)> {
+        if let Some(index) = self.parameters.iter().position(|(other, _)| *other == name) {
+            let measure = self.parameters[index].1;
+            return Some((Value::Symbol(Symbol::Parameter(index)), measure));
+        }
+        if self.later_parameters.contains(&name) {
+            return self.refuse(name, "the default of a parameter cannot use a parameter");
+        }
+        if name == "PI" {
+            return Some((Value::number(std::f64::consts::PI), Measure::Plain));
+        }
+        let text = name.to_string();
+        if text == "Self" {
+            return self.refuse(name, "`Self` is not known here; name the type itself");
+        }
+        if text.starts_with(char::is_uppercase) {
+            return Some((self.constant(quote::ToTokens::to_token_stream(name)), Measure::Open));
+        }
+        if unit::is_symbol(&text) {
+            return self.refuse(name, format!("`{text}` is a unit and stands behind a number"));
+        }
+        if !self.whole {
+            return None;
+        }
+        let mut known: Vec<String> =
+            self.parameters.iter().map(|(name, _)| name.to_string()).collect();
+        known.extend(["PI".to_owned()]);
+        let hint = did_you_mean(&text, known.iter().map(String::as_str));
+        self.refuse(name, format!("unknown name `{text}`{hint}"))
+    }
+
+    fn sum<'e>(&mut self, terms: &'e [Term], expr: &'e Expr) -> Option<Measured<'e>> {
+        // All terms are read before giving up, so that all mistakes in them are reported.
+        let parts: Vec<_> = terms.iter().map(|term| self.measure(&term.expr)).collect();
+        let parts: Vec<_> = parts.into_iter().collect::<Option<_>>()?;
+        let measure = self.common_measure(&parts, "a sum")?;
+        let value = terms.iter().zip(parts).fold(Value::number(0.0), |sum, (term, part)| {
+            if term.negative { sum.minus(part.value) } else { sum.plus(part.value) }
+        });
+        Some(Measured::new(value, measure, expr))
+    }
+
+    /// What numbers of one kind measure: of one dimension, and all with a unit or all without.
+    pub fn common_measure(&mut self, parts: &[Measured], together: &str) -> Option<Measure> {
+        let dimension = parts.iter().find_map(|part| match part.measure {
+            Measure::Of(dimension) => Some(dimension),
+            _ => None,
+        });
+        let Some(dimension) = dimension else {
+            let has = |measure| parts.iter().any(|part| part.measure == measure);
+            let all_open_or_zero = !has(Measure::Plain) && has(Measure::Open);
+            return Some(match (has(Measure::Plain), all_open_or_zero) {
+                (true, _) => Measure::Plain,
+                (_, true) => Measure::Open,
+                _ => Measure::Zero,
+            });
+        };
+        let mut all_fit = Some(Measure::Of(dimension));
+        for part in parts {
+            let message = match part.measure {
+                Measure::Plain if !dimension.is_number() || dimension.angle != 0 => format!(
+                    "a number without a unit in {together} with {}; only 0 needs none",
+                    dimension.name()
+                ),
+                Measure::Of(other) if !other.fits(dimension) => {
+                    format!("{} and {} do not belong in {together}", dimension.name(), other.name())
+                }
+                _ => continue,
+            };
+            all_fit = self.refuse(part.at, message);
+        }
+        all_fit
+    }
+
+    fn product<'e>(&mut self, factors: &'e [Factor], expr: &'e Expr) -> Option<Measured<'e>> {
+        let parts: Vec<_> = factors.iter().map(|factor| self.measure(&factor.expr)).collect();
+        let parts: Vec<_> = parts.into_iter().collect::<Option<_>>()?;
+        let mut product = Measured::new(Value::number(1.0), Measure::Plain, expr);
+        for (factor, part) in factors.iter().zip(parts) {
+            if factor.divides && part.value.is_zero() {
+                return self.refuse(factor.expr.extent, "division by zero");
+            }
+            let power = if factor.divides { -1 } else { 1 };
+            product.measure = times(product.measure, part.measure, power);
+            product.value = match factor.divides {
+                true => product.value.over(part.value),
+                false => product.value.times(part.value),
+            };
+        }
+        Some(product)
+    }
+
+    fn power<'e>(&mut self, base: &'e Expr, power: i32, expr: &'e Expr) -> Option<Measured<'e>> {
+        let base = self.measure(base)?;
+        if power < 0 && base.value.is_zero() {
+            return self.refuse(expr.extent, "division by zero");
+        }
+        if base.value.size() * power.unsigned_abs() as usize > LARGEST_FORMULA {
+            let message = "this formula is too long; give a part of it as a `const`";
+            return self.refuse(expr.extent, message);
+        }
+        let one = Value::number(1.0);
+        let value = (0..power.abs()).fold(one.clone(), |all, _| all.times(base.value.clone()));
+        let measure = (0..power.abs())
+            .fold(Measure::Plain, |all, _| times(all, base.measure, power.signum()));
+        let value = if power < 0 { one.over(value) } else { value };
+        Some(Measured::new(value, measure, expr))
+    }
+
+    fn quantity<'e>(&mut self, product: &'e Expr, unit: &'e Unit) -> Option<Measured<'e>> {
+        let (number, unit_known) = (self.measure(product), self.unit(unit));
+        let (number, (scale, dimension)) = (number?, unit_known?);
+        self.expect_no_unit(&number)?;
+        let value = scale.apply(number.value);
+        Some(Measured { value, measure: Measure::Of(dimension), unit: Some(unit), at: unit.extent })
+    }
+
+    /// Refuses a second unit on what has one.
+    pub fn expect_no_unit(&mut self, number: &Measured) -> Option<()> {
+        match number.measure {
+            Measure::Of(dimension) if dimension != Dimension::default() => self.refuse(
+                number.at,
+                format!("this is {} already; a unit makes one of a plain number", dimension.name()),
+            ),
+            _ => Some(()),
+        }
+    }
+
+    /// The scale of a unit and what it measures.
+    pub fn unit(&mut self, unit: &Unit) -> Option<(Scale, Dimension)> {
+        let unknown = match unit::resolve(unit) {
+            Ok(known) => return Some(known),
+            Err(unknown) => unknown,
+        };
+        let symbol = &unknown.symbol;
+        let is_name = self.parameters.iter().any(|(name, _)| *name == symbol)
+            || self.later_parameters.iter().any(|name| *name == symbol)
+            || symbol == "PI";
+        let hint = unit::hint(symbol);
+        let looks_like_constant = symbol.len() > 1 && !symbol.contains(char::is_lowercase);
+        let message = if is_name || (hint.is_empty() && looks_like_constant) {
+            format!("a unit closes a product: write `(2 m) * {symbol}`, not `2 m * {symbol}`")
+        } else {
+            format!("unknown unit `{symbol}`{hint}")
+        };
+        self.diagnostics.error(unknown.at, message);
+        None
+    }
+
+    fn call<'e>(
+        &mut self,
+        function: &Ident,
+        arguments: &'e [Expr],
+        expr: &'e Expr,
+    ) -> Option<Measured<'e>> {
+        if FUNCTIONS.iter().all(|known| function != known) {
+            let hint = did_you_mean(&function.to_string(), FUNCTIONS.iter().copied());
+            return self.refuse(function, format!("unknown function `{function}`{hint}"));
+        }
+        let [argument] = arguments else {
+            return self.refuse(expr.extent, format!("`{function}` takes one number"));
+        };
+        let argument = self.measure(argument)?;
+        let measure = match argument.measure {
+            Measure::Of(dimension) if function == "sqrt" => match dimension.root() {
+                Some(root) => Measure::Of(root),
+                None => {
+                    let name = dimension.name();
+                    return self.refuse(argument.at, format!("{name} has no square root"));
+                }
+            },
+            Measure::Of(dimension) if !dimension.is_number() => {
+                let name = dimension.name();
+                return self.refuse(argument.at, format!("expected an angle, found {name}"));
+            }
+            Measure::Of(_) | Measure::Zero => Measure::Plain,
+            unit_free => unit_free,
+        };
+        let value = argument.value;
+        let value = match function.to_string().as_str() {
+            "sqrt" => value.sqrt(),
+            "sin" => value.sin(),
+            _ => value.cos(),
+        };
+        Some(Measured::new(value, measure, expr))
+    }
+}
+
+/// What a product measures whose second factor stands in it to this power.
+fn times(first: Measure, second: Measure, power: i32) -> Measure {
+    match (first, second) {
+        (Measure::Open, _) | (_, Measure::Open) => Measure::Open,
+        (Measure::Of(a), Measure::Of(b)) => Measure::Of(a.times(b, power)),
+        (Measure::Of(a), _) => Measure::Of(a),
+        (_, Measure::Of(b)) => Measure::Of(Dimension::default().times(b, power)),
+        _ => Measure::Plain,
+    }
+}
+
+/// A symbol that everyone reads but the table means otherwise.
+pub(super) fn misread_symbol(unit: &Unit, expected: &Quantity) -> Option<&'static str> {
+    let is_gram = matches!(&unit.factors[..], [only] if only.symbol == "g" && only.power == 1);
+    let in_hertz = unit.factors.iter().any(|factor| factor.symbol.ends_with("Hz"));
+    if is_gram && expected.dimension == ACCELERATION.dimension {
+        return Some("`g` is gram; write 9.80665 m/s^2");
+    }
+    if in_hertz && expected.dimension == RATE.dimension {
+        return Some("`Hz` does not say turns or radians; write rev/s or rad/s");
+    }
+    None
+}

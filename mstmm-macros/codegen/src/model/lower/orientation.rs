@@ -1,0 +1,220 @@
+//! Orientations and frames.
+
+use super::context::Context;
+use super::dimension::{ANGLE, LENGTH, NUMBER};
+use super::vector::zeros;
+use crate::diag::did_you_mean;
+use crate::model::{Frame, Value};
+use crate::syntax::{Form, List, Written};
+
+/// How a frame is turned, in one of the ways to say so.
+pub(super) enum Orientation {
+    /// Roll, pitch and yaw: `A = A_z(yaw) A_y(pitch) A_x(roll)`, [P, Eq. (1)].
+    Rpy([Value; 3]),
+    /// A quaternion (w, x, y, z) of any length but zero.
+    Quaternion([Value; 4]),
+}
+
+/// Reads the parentheses of one way to write an orientation.
+type Reader = fn(&mut Context, &Form) -> Option<Orientation>;
+
+/// The ways to write an orientation.
+const ORIENTATIONS: &[(&str, Reader)] = &[("rpy", rpy), ("quaternion", quaternion)];
+const EXPECTED: &str = "expected `rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`";
+
+fn rpy(context: &mut Context, form: &Form) -> Option<Orientation> {
+    context.form_numbers(form, ["roll", "pitch", "yaw"], ANGLE).map(Orientation::Rpy)
+}
+
+fn quaternion(context: &mut Context, form: &Form) -> Option<Orientation> {
+    let entries = context.form_numbers(form, ["w", "x", "y", "z"], NUMBER)?;
+    if entries.iter().all(Value::is_zero) {
+        return context.refuse(form.list.extent, "a quaternion of zeros turns nothing");
+    }
+    Some(Orientation::Quaternion(entries))
+}
+
+impl Context<'_> {
+    /// An orientation.
+    pub fn orientation(&mut self, form: &Form) -> Option<Orientation> {
+        let word = form.word.to_string();
+        let Some((_, read)) = ORIENTATIONS.iter().find(|(known, _)| *known == word) else {
+            let hint = did_you_mean(&word, ORIENTATIONS.iter().map(|(known, _)| *known));
+            return self.refuse(&form.word, format!("{EXPECTED}, found `{word}`{hint}"));
+        };
+        if let Some(about) = &form.about {
+            return self.refuse(about, "only an inertia is about a point");
+        }
+        read(self, form)
+    }
+
+    /// An orientation behind `=`.
+    pub fn written_orientation(&mut self, written: &Written) -> Option<Orientation> {
+        match written {
+            Written::Form(form) => self.orientation(form),
+            other => {
+                let message = format!("{EXPECTED}, found {}", other.described());
+                self.refuse(other.extent(), message)
+            }
+        }
+    }
+
+    /// A position with an orientation that may be left away, behind `=`.
+    pub fn written_placement(
+        &mut self,
+        written: &Written,
+    ) -> Option<([Value; 3], Option<Orientation>)> {
+        match written {
+            Written::Placement(position, orientation) => {
+                self.placement(Some(position), Some(orientation))
+            }
+            other => Some((self.written_vector(other, LENGTH)?, None)),
+        }
+    }
+
+    /// A position and an orientation, both of which may be left away.
+    pub fn placement(
+        &mut self,
+        position: Option<&List>,
+        orientation: Option<&Form>,
+    ) -> Option<([Value; 3], Option<Orientation>)> {
+        let position = position.map_or_else(|| Some(zeros()), |list| self.vector(list, LENGTH));
+        let orientation = orientation.map(|form| self.orientation(form));
+        match orientation {
+            None => Some((position?, None)),
+            Some(orientation) => Some((position?, Some(orientation?))),
+        }
+    }
+}
+
+/// The frame at a position.
+pub(super) fn frame((position, orientation): ([Value; 3], Option<Orientation>)) -> Frame {
+    let rotation =
+        orientation.map_or_else(|| Frame::identity().rotation, |turned| turned.rotation());
+    Frame { position, rotation }
+}
+
+impl Orientation {
+    /// Rows of the rotation matrix.
+    pub fn rotation(&self) -> [[Value; 3]; 3] {
+        match self {
+            Orientation::Rpy(angles) => rpy_rotation(angles),
+            Orientation::Quaternion(entries) => quaternion_rotation(entries),
+        }
+    }
+
+    /// The unit quaternion (w, x, y, z).
+    pub fn quaternion(&self) -> [Value; 4] {
+        match self {
+            Orientation::Rpy(angles) => rpy_quaternion(angles),
+            Orientation::Quaternion(entries) => normalised(entries),
+        }
+    }
+}
+
+/// [P, Eq. (1)]: `A = A_z A_y A_x`.
+fn rpy_rotation(angles: &[Value; 3]) -> [[Value; 3]; 3] {
+    let [sx, sy, sz] = angles.clone().map(Value::sin);
+    let [cx, cy, cz] = angles.clone().map(Value::cos);
+    let product = |a: &Value, b: &Value| a.clone().times(b.clone());
+    let (sy_sx, sy_cx) = (product(&sy, &sx), product(&sy, &cx));
+    [
+        [
+            product(&cz, &cy),
+            product(&cz, &sy_sx).minus(product(&sz, &cx)),
+            product(&cz, &sy_cx).plus(product(&sz, &sx)),
+        ],
+        [
+            product(&sz, &cy),
+            product(&sz, &sy_sx).plus(product(&cz, &cx)),
+            product(&sz, &sy_cx).minus(product(&cz, &sx)),
+        ],
+        [sy.negated(), product(&cy, &sx), product(&cy, &cx)],
+    ]
+}
+
+/// The product of the quaternions of the three turns, each through its half angle.
+fn rpy_quaternion(angles: &[Value; 3]) -> [Value; 4] {
+    let half = angles.clone().map(|angle| angle.over(Value::number(2.0)));
+    let [sx, sy, sz] = half.clone().map(Value::sin);
+    let [cx, cy, cz] = half.map(Value::cos);
+    let product = |a: &Value, b: &Value, c: &Value| a.clone().times(b.clone()).times(c.clone());
+    [
+        product(&cz, &cy, &cx).plus(product(&sz, &sy, &sx)),
+        product(&cz, &cy, &sx).minus(product(&sz, &sy, &cx)),
+        product(&cz, &sy, &cx).plus(product(&sz, &cy, &sx)),
+        product(&sz, &cy, &cx).minus(product(&cz, &sy, &sx)),
+    ]
+}
+
+/// The homogeneous form, divided by the squared length: without a root, so that right angles
+/// written as `quaternion(1, 1, 0, 0)` are exact.
+fn quaternion_rotation(entries: &[Value; 4]) -> [[Value; 3]; 3] {
+    let square = squared_length(entries);
+    let product = |a: usize, b: usize| entries[a].clone().times(entries[b].clone());
+    let double = |value: Value| value.times(Value::number(2.0));
+    [0, 1, 2].map(|row| {
+        [0, 1, 2].map(|column| {
+            // Indices of the vector part: x is 1.
+            let (i, j) = (row + 1, column + 1);
+            let entry = if i == j {
+                let others = (1..4).filter(|&k| k != i);
+                others.fold(product(0, 0).plus(product(i, i)), |sum, k| sum.minus(product(k, k)))
+            } else {
+                let k = 6 - i - j;
+                let turn = product(0, k);
+                // −w z in row x, column y, and cyclically.
+                let forward = j == i % 3 + 1;
+                let turn = if forward { turn.negated() } else { turn };
+                double(product(i, j).plus(turn))
+            };
+            entry.over(square.clone())
+        })
+    })
+}
+
+fn squared_length(entries: &[Value]) -> Value {
+    entries
+        .iter()
+        .fold(Value::number(0.0), |sum, entry| sum.plus(entry.clone().times(entry.clone())))
+}
+
+fn normalised(entries: &[Value; 4]) -> [Value; 4] {
+    let length = squared_length(entries).sqrt();
+    entries.clone().map(|entry| entry.over(length.clone()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Orientation;
+    use crate::model::Value;
+
+    fn known(rows: [[Value; 3]; 3]) -> [[f64; 3]; 3] {
+        rows.map(|row| row.map(|entry| entry.known().unwrap_or(f64::NAN)))
+    }
+
+    /// Rodrigues' way from a quaternion to a matrix is independent of the products of sines.
+    #[test]
+    fn angles_and_their_quaternion_are_the_same_turn() {
+        let turned = Orientation::Rpy([0.3, -1.1, 2.5].map(Value::number));
+        let again = Orientation::Quaternion(turned.quaternion());
+        let (a, b) = (known(turned.rotation()), known(again.rotation()));
+        for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {
+            // Some ten operations on numbers up to 1.
+            assert!((a - b).abs() < 2e-15, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn right_angles_are_exact() {
+        let quarter = (-90.0_f64).to_radians();
+        let about_x = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]];
+        let turned = Orientation::Rpy([quarter, 0.0, 0.0].map(Value::number));
+        assert_eq!(known(turned.rotation()), about_x);
+        let turned = Orientation::Quaternion([1.0, -1.0, 0.0, 0.0].map(Value::number));
+        assert_eq!(known(turned.rotation()), about_x);
+        // Yaw by a right angle takes the x axis to the y axis.
+        let turned = Orientation::Rpy([0.0, 0.0, -quarter].map(Value::number));
+        assert_eq!(known(turned.rotation())[1][0], 1.0);
+    }
+}

@@ -1,0 +1,178 @@
+//! The route with its words resolved.
+
+use proc_macro2::{Ident, Span};
+
+use super::body::BodyType;
+use super::context::{Context, Given};
+use super::hinge::{KINDS, Kind, LATER_KINDS};
+use super::orientation::frame;
+use crate::diag::did_you_mean;
+use crate::model::{Frame, HingeKind};
+use crate::syntax::{self, Arguments, ChainDef};
+
+/// A stop of the route as far as it could be read.
+pub(crate) enum Stop<'a> {
+    /// A frame on the ground.
+    Ground {
+        /// The word.
+        at: Span,
+        /// The frame.
+        frame: Option<Frame>,
+    },
+    /// A hinge of a known kind.
+    Hinge {
+        /// Its kind as written.
+        word: &'a Ident,
+        /// Its name, without which a mistake is reported.
+        name: Option<&'a Ident>,
+        /// Its kind.
+        kind: &'static Kind,
+        /// What it lets free.
+        frees: Option<Given<HingeKind>>,
+    },
+    /// A body.
+    Body {
+        /// Its type as written.
+        word: &'a Ident,
+        /// Its name, given or made.
+        name: Ident,
+        /// Whether the name was written.
+        named: bool,
+        /// Index of its type, without which a mistake is reported.
+        body_type: Option<usize>,
+    },
+    /// Something that is reported already.
+    Unknown {
+        /// Its name.
+        name: Option<&'a Ident>,
+    },
+}
+
+impl Stop<'_> {
+    /// Its name on the route.
+    pub fn name(&self) -> Option<&Ident> {
+        match self {
+            Stop::Ground { .. } => None,
+            Stop::Hinge { name, .. } | Stop::Unknown { name } => *name,
+            Stop::Body { name, .. } => Some(name),
+        }
+    }
+}
+
+/// All stops.
+pub(super) fn stops<'a>(
+    def: &'a ChainDef,
+    types: &[BodyType],
+    context: &mut Context,
+) -> Vec<Stop<'a>> {
+    let stops = def.route.iter().flat_map(|route| &route.stops);
+    let resolve = |stop: &'a syntax::Stop| match stop {
+        syntax::Stop::Ground { at, position, turned } => {
+            let placement = context.placement(position.as_ref(), turned.as_ref());
+            Stop::Ground { at: *at, frame: placement.map(frame) }
+        }
+        syntax::Stop::Element { word, arguments, name } => {
+            Element { word, arguments: arguments.as_ref(), name: name.as_ref() }
+                .resolve(def, types, context)
+        }
+    };
+    stops.map(resolve).collect()
+}
+
+/// A hinge or a body as written.
+struct Element<'a> {
+    word: &'a Ident,
+    arguments: Option<&'a Arguments>,
+    name: Option<&'a Ident>,
+}
+
+impl<'a> Element<'a> {
+    fn resolve(self, def: &ChainDef, types: &[BodyType], context: &mut Context) -> Stop<'a> {
+        let Element { word, name, .. } = self;
+        if let Some(kind) = KINDS.iter().find(|kind| word == kind.word) {
+            return self.hinge(kind, context);
+        }
+        if LATER_KINDS.iter().any(|later| word == later) {
+            context.diagnostics.error(word.span(), format!("`{word}` is not supported yet"));
+            return Stop::Unknown { name };
+        }
+        let body_type = types.iter().position(|known| word == known.name);
+        let text = word.to_string();
+        if body_type.is_some() || text.starts_with(char::is_uppercase) {
+            if body_type.is_none() {
+                self.unknown_type(def, types, context);
+            }
+            return self.body(body_type, context);
+        }
+        let kinds = KINDS.iter().map(|kind| kind.word).chain(LATER_KINDS.iter().copied());
+        let hint = did_you_mean(&text, kinds.chain(["ground"]));
+        let message = format!("unknown kind of hinge `{text}`{hint}");
+        context.diagnostics.error(word.span(), message);
+        Stop::Unknown { name }
+    }
+
+    fn hinge(self, kind: &'static Kind, context: &mut Context) -> Stop<'a> {
+        let Element { word, arguments, name } = self;
+        if name.is_none() {
+            let message = format!("a hinge needs a name: `{word} name`");
+            context.diagnostics.error(word.span(), message);
+        }
+        Stop::Hinge { word, name, kind, frees: (kind.read)(word, arguments, context) }
+    }
+
+    fn body(self, body_type: Option<usize>, context: &mut Context) -> Stop<'a> {
+        let Element { word, arguments, name } = self;
+        if let Some(arguments) = arguments {
+            let message = "a body takes nothing in parentheses";
+            context.diagnostics.error_over(arguments.extent, message);
+        }
+        let made = || {
+            let plain = syn::ext::IdentExt::unraw(word).to_string();
+            Ident::new(&snake_case(&plain), word.span())
+        };
+        let named = name.is_some();
+        Stop::Body { word, name: name.cloned().unwrap_or_else(made), named, body_type }
+    }
+
+    fn unknown_type(&self, def: &ChainDef, types: &[BodyType], context: &mut Context) {
+        let word = self.word;
+        // One that stands in the wrong place or could not be read is reported there.
+        if !def.whole || def.blocks.iter().any(|block| block.names.contains(word)) {
+            return;
+        }
+        let known: Vec<String> = types.iter().map(|known| known.name.to_string()).collect();
+        let hint = did_you_mean(&word.to_string(), known.iter().map(String::as_str));
+        context.diagnostics.error(word.span(), format!("unknown type of body `{word}`{hint}"));
+    }
+}
+
+/// `UpperArm` is `upper_arm`, `L1` is `l1`, `IMUCase` is `imu_case`.
+fn snake_case(name: &str) -> String {
+    let letters: Vec<char> = name.chars().collect();
+    let mut snake = String::new();
+    for (at, &letter) in letters.iter().enumerate() {
+        let before = at.checked_sub(1).map(|before| letters[before]);
+        let after = letters.get(at + 1);
+        let begins_word = letter.is_uppercase()
+            && before.is_some_and(|before| {
+                before != '_'
+                    && (!before.is_uppercase() || after.is_some_and(|after| after.is_lowercase()))
+            });
+        if begins_word {
+            snake.push('_');
+        }
+        snake.extend(letter.to_lowercase());
+    }
+    snake
+}
+
+#[cfg(test)]
+mod tests {
+    use super::snake_case;
+
+    #[test]
+    fn type_names_become_names() {
+        let names = ["UpperArm", "L1", "IMUCase", "rod", "My_Rod"].map(snake_case);
+        assert_eq!(names, ["upper_arm", "l1", "imu_case", "rod", "my_rod"]);
+    }
+}

@@ -1,0 +1,169 @@
+//! Mistakes in numbers, vectors and units.
+
+use super::expect;
+
+/// A mass that is wrong.
+#[track_caller]
+fn expect_mass(written: &str, mistakes: &[(&str, &str)]) {
+    expect("mass = 2 kg", &format!("mass = {written}"), mistakes);
+}
+
+#[test]
+fn a_unit_must_fit() {
+    expect_mass("1 m", &[("m", "expected a mass, found a length")]);
+    expect_mass("2 kg*m^2", &[("kg*m^2", "expected a mass, found a moment of inertia")]);
+    expect_mass("-30 deg", &[("deg", "expected a mass, found an angle")]);
+    expect_mass("(1 kg)/(1 kg)", &[("(1 kg)/(1 kg)", "expected a mass, found a plain number")]);
+    expect_mass("1 kg*m/s/s/s", &[("kg*m/s/s/s", "expected a mass, found a quantity in kg*m/s^3")]);
+    expect(
+        "[0, -9.8, 0] m/s^2",
+        "[0, -9.8, 0] m/s",
+        &[("m/s", "expected an acceleration, found a velocity")],
+    );
+    expect(
+        "[0, -9.8, 0] m/s^2",
+        "[0, -9.8 m, 0]",
+        &[("m", "expected an acceleration, found a length")],
+    );
+    expect("pin(z)", "pin([0, 0, 1] m)", &[("m", "expected a plain number, found a length")]);
+}
+
+#[test]
+fn terms_have_one_dimension() {
+    expect_mass("1 kg + 2 m", &[("m", "a mass and a length do not belong in a sum")]);
+    expect_mass(
+        "1 kg + 2",
+        &[("2", "a number without a unit in a sum with a mass; only 0 needs none")],
+    );
+    expect_mass(
+        "1 kg + ratio",
+        &[("ratio", "a number without a unit in a sum with a mass; only 0 needs none")],
+    );
+    expect(
+        "com = [0.5, 0, 0] m;\n            output",
+        "com = [0.5 m, 1, 0]; output",
+        &[("1", "a number without a unit in one vector with a length; only 0 needs none")],
+    );
+}
+
+#[test]
+fn a_unit_closes_its_product() {
+    let message = "a unit closes a product: write `(… kg) * …` to go on behind it";
+    expect_mass("2 kg * 3", &[("*", message)]);
+    let message = "a unit closes a product: write `(… kg) / …` to go on behind it";
+    expect_mass("2 kg / (3 m)", &[("/", message)]);
+    let message = "a unit closes a product: write `(2 m) * ratio`, not `2 m * ratio`";
+    expect_mass("2 kg * ratio", &[("ratio", message)]);
+    let message = "a unit closes a product: write `(2 m) * MASS`, not `2 m * MASS`";
+    expect_mass("2 kg * MASS", &[("MASS", message)]);
+    let message = "this is a mass already; a unit makes one of a plain number";
+    expect_mass("(2 kg) g", &[("kg", message)]);
+    expect_mass("payload kg", &[("payload", message)]);
+    let message = "this is a length already; a unit makes one of a plain number";
+    expect("output = [1, 0, 0] m", "output = [1 mm, 0, 0] m", &[("mm", message)]);
+}
+
+#[test]
+fn units_are_known() {
+    expect_mass("1 KG", &[("KG", "unknown unit `KG`; did you mean `kg`?")]);
+    expect_mass("1 kgm", &[("kgm", "unknown unit `kgm`; units multiply with `*`: `kg*m`")]);
+    expect_mass("1 furlong", &[("furlong", "unknown unit `furlong`")]);
+    expect_mass("1kq", &[("1kq", "unknown unit `kq`; did you mean `km`?")]);
+    expect_mass("1f64", &[("1f64", "numbers have no type here: leave its suffix away")]);
+    expect_mass("1 kg^99", &[("99", "a power is a whole number up to 9")]);
+    expect_mass("1 kg^0.5", &[("0.5", "a power is a whole number up to 9")]);
+    expect("[0, -9.8, 0] m/s^2", "[0, -1, 0] g", &[("g", "`g` is gram; write 9.80665 m/s^2")]);
+    expect(
+        "[0, 0.1, 0] rad/s",
+        "[0, 0.1, 0] Hz",
+        &[("Hz", "`Hz` does not say turns or radians; write rev/s or rad/s")],
+    );
+}
+
+#[test]
+fn names_are_known() {
+    expect_mass("paylod", &[("paylod", "unknown name `paylod`; did you mean `payload`?")]);
+    expect_mass("Self", &[("Self", "`Self` is not known here; name the type itself")]);
+    expect_mass("Self::M", &[("Self", "`Self` is not known here; name the type itself")]);
+    expect_mass(
+        "a::m(1)",
+        &[("(1)", "functions of Rust cannot be called here; name a `const` instead")],
+    );
+    expect_mass("2 * srqt(4)", &[("srqt", "unknown function `srqt`; did you mean `sqrt`?")]);
+    expect_mass("sqrt(4, 5)", &[("sqrt(4, 5)", "`sqrt` takes one number")]);
+    expect_mass("sqrt(4 kg)", &[("kg", "a mass has no square root")]);
+    expect_mass("sin(4 kg)", &[("kg", "expected an angle, found a mass")]);
+    expect(
+        "= 0.5 kg",
+        "= ratio",
+        &[("ratio", "the default of a parameter cannot use a parameter")],
+    );
+    expect(
+        "= 0.5 kg",
+        "= [1, 2, 3] m",
+        &[("[1, 2, 3]", "a parameter is a number, found a vector")],
+    );
+}
+
+#[test]
+fn numbers_are_finite() {
+    expect_mass("1/0", &[("0", "division by zero")]);
+    expect_mass("1/(1 - 1)", &[("(1 - 1)", "division by zero")]);
+    expect_mass("0^-1", &[("0^-1", "division by zero")]);
+    expect_mass("1e999", &[("1e999", "this is no finite number")]);
+    expect_mass("sqrt(-1)", &[("sqrt(-1)", "this is no finite number")]);
+    expect(
+        "com = [0.5, 0, 0] m;\n            output",
+        "com = [1e308, 0, 0] km; output",
+        &[("1e308", "this is no finite number")],
+    );
+}
+
+#[test]
+fn mistakes_beside_each_other_are_all_reported() {
+    expect_mass(
+        "(1 mm + paylod) * MASS + 2 KG",
+        &[
+            ("paylod", "unknown name `paylod`; did you mean `payload`?"),
+            ("KG", "unknown unit `KG`; did you mean `kg`?"),
+        ],
+    );
+    expect(
+        "output = [1, 0, 0] m",
+        "output = [a, b, 1 q]",
+        &[("a", "unknown name `a`"), ("b", "unknown name `b`"), ("q", "unknown unit `q`")],
+    );
+}
+
+#[test]
+fn depth_and_length_have_limits() {
+    let nested = |depth: usize| format!("{}1{}", "(".repeat(depth), ")".repeat(depth));
+    expect_mass(&nested(28), &[]);
+    let too_deep = "more than 32 groups within each other";
+    expect_mass(&nested(500), &[("(", too_deep)]);
+    expect_mass(&format!("{} 1", "-".repeat(10_000)), &[]);
+    let mistake = "more than 256 parts in one sum or product";
+    expect_mass(&vec!["MASS"; 257].join(" + "), &[("MASS", mistake)]);
+    expect_mass(&vec!["MASS"; 257].join(" * "), &[("MASS", mistake)]);
+}
+
+/// Powers of powers would grow beyond all bounds.
+#[test]
+fn powers_have_limits() {
+    let tower = |base: &str| (0..20).fold(base.to_owned(), |base, _| format!("({base}^9)"));
+    expect_mass(&tower("1"), &[]);
+    let found = super::mistakes_in(&super::edited(&[("2 kg", &tower("MASS"))]));
+    assert_eq!(found.len(), 1);
+    assert_eq!(found[0].1, "this formula is too long; give a part of it as a `const`");
+    let found = super::mistakes_in(&super::edited(&[("2 kg", &tower("(1 m)"))]));
+    assert_eq!(found.len(), 1);
+}
+
+#[test]
+fn what_is_no_number_says_what_it_is() {
+    expect_mass("[1, 2, 3] kg", &[("[1, 2, 3]", "expected a mass, found a vector")]);
+    expect_mass("\"2\"", &[("\"2\"", "expected a number")]);
+    expect_mass("diag(1, 2, 3) kg", &[("diag(1, 2, 3)", "expected a mass, found `diag(…)`")]);
+    expect_mass("", &[(";", "expected a number, found `;`")]);
+    expect_mass("1 kg kg", &[("kg", "expected `;`, found `kg`")]);
+}

@@ -1,0 +1,228 @@
+//! Mistakes in bodies and in the properties of hinges.
+
+use super::{expect, expect_all};
+
+#[test]
+fn fields_that_are_missing_are_listed_together() {
+    expect(
+        "mass = 2 kg;\n            com = [0.5, 0, 0] m;",
+        "",
+        &[("Rod", "body `Rod` needs `mass` and `com`")],
+    );
+    expect("output = [1, 0, 0] m;", "", &[("Cube", "body `Cube` needs `output`")]);
+    expect(
+        "mass = 2 kg",
+        "mas = 2 kg",
+        &[("mas", "body `Rod` has no field `mas`; did you mean `mass`?")],
+    );
+    expect(
+        "mass = 2 kg",
+        "colour = 2",
+        &[("colour", "body `Rod` has no field `colour`"), ("Rod", "body `Rod` needs `mass`")],
+    );
+    // One that could not be read is not missing.
+    expect("mass = 2 kg", "mass = ?", &[("?", "expected a number, found `?`")]);
+    expect("mass = 2 kg", "mass 2 kg", &[("2", "expected `=`, found `2`")]);
+}
+
+#[test]
+fn a_missing_semicolon_costs_no_field() {
+    expect("mass = 2 kg;", "mass = 2 kg", &[("kg", "expected `;` behind this")]);
+    expect("mass = 2 kg;", "mass = 2", &[("2", "expected `;` behind this")]);
+    expect("0.1, 0] rad/s;", "0.1, 0] rad/s", &[("s", "expected `;` behind this")]);
+}
+
+#[test]
+fn fields_are_given_once() {
+    expect(
+        "mass = 2 kg;",
+        "mass = 2 kg; mass = 3 kg;",
+        &[("mass", "`mass` of body `Rod` is given twice")],
+    );
+    expect(
+        "start = 30 deg;",
+        "start = 30 deg; start = 1;",
+        &[("start", "`start` of a pin is given twice")],
+    );
+    expect(
+        "gravity = [0, -9.8, 0] m/s^2;",
+        "gravity = [0, 0, 0]; gravity = [0, 0, 0];",
+        &[("gravity", "`gravity` of chain `Pendulum` is given twice")],
+    );
+}
+
+#[test]
+fn vectors_have_three_components() {
+    expect(
+        "output = [1, 0, 0] m",
+        "output = [1, 0] m",
+        &[("[1, 0]", "a vector has 3 components, here are 2")],
+    );
+    expect(
+        "output = [1, 0, 0] m",
+        "output = 1 m",
+        &[("1 m", "expected a vector `[x, y, z]`, found a number")],
+    );
+    expect(
+        "[0, 0.1, 0] rad/s",
+        "[0, 0.1, 0] rad/s turned rpy(0, 0, 1)",
+        &[("rpy(0, 0, 1)", "nothing is turned here; `[x, y, z]` is enough")],
+    );
+}
+
+#[test]
+fn orientations_are_well_formed() {
+    let output = "output = [1, 0, 0] m";
+    let turned = |how: &str| format!("{output} turned {how}");
+    let ways = "expected `rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`";
+    expect(
+        output,
+        &turned("rpz(0, 0, 1)"),
+        &[("rpz", &format!("{ways}, found `rpz`; did you mean `rpy`?"))],
+    );
+    expect(
+        output,
+        &turned("rpy(0, 1)"),
+        &[("(0, 1)", "expected `rpy(roll, pitch, yaw)`, found 2 numbers")],
+    );
+    expect(output, &turned("rpy(0, 0, 1) m"), &[("m", "expected an angle, found a length")]);
+    expect(
+        output,
+        &turned("quaternion(0, 0, 0, 0)"),
+        &[("(0, 0, 0, 0)", "a quaternion of zeros turns nothing")],
+    );
+    expect(
+        output,
+        &turned("rpy(0, 0, 1) about com"),
+        &[("com", "only an inertia is about a point")],
+    );
+    let ways = "expected `rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`";
+    expect(output, &turned("90 deg"), &[("90", &format!("{ways}, found `90`"))]);
+    expect(
+        "start_rate = [0, 0.1, 0] rad/s",
+        "start = 90 deg",
+        &[("90 deg", &format!("{ways}, found a number"))],
+    );
+}
+
+#[test]
+fn masses_are_positive() {
+    expect("mass = 2 kg", "mass = -2 kg", &[("-2 kg", "a mass must be positive")]);
+    expect("mass = 2 kg", "mass = 0", &[("0", "a mass must be positive")]);
+}
+
+#[test]
+fn inertias_are_well_formed() {
+    let written = "diag(0, 1/6, 1/6) kg*m^2 about com";
+    expect(
+        written,
+        "diag(0, 1/6, 1/6) kg*m^2",
+        &[("diag", "an inertia is about a point: end with `about com` or `about input`")],
+    );
+    expect(
+        written,
+        "diag(0, 1/6, 1/6) kg*m^2 about con",
+        &[("con", "expected `input` or `com`, found `con`; did you mean `com`?")],
+    );
+    expect(
+        written,
+        "diag(0, 1/6) about com",
+        &[("(0, 1/6)", "expected `diag(xx, yy, zz)`, found 2 numbers")],
+    );
+    let ways = "expected `diag(xx, yy, zz)` or `tensor(xx, yy, zz, xy, xz, yz)`";
+    expect(
+        written,
+        "tenser(1, 1, 1, 0, 0, 0) about com",
+        &[("tenser", &format!("{ways}, found `tenser`; did you mean `tensor`?"))],
+    );
+    expect(written, "1 kg*m^2", &[("1 kg*m^2", &format!("{ways}, found a number"))]);
+    expect(
+        written,
+        "diag(1, 1, 1) kg about com",
+        &[("kg", "expected a moment of inertia, found a mass")],
+    );
+}
+
+#[test]
+fn inertias_are_those_of_real_bodies() {
+    let written = "diag(0, 1/6, 1/6) kg*m^2 about com";
+    expect(
+        written,
+        "diag(1, -1, 1) kg*m^2 about com",
+        &[("-1", "a moment of inertia cannot be negative")],
+    );
+    let message =
+        "no body has this inertia: a principal moment is more than the sum of the other two";
+    expect(written, "diag(0, 1/6, 1/5) about com", &[("diag(0, 1/6, 1/5)", message)]);
+    expect(
+        written,
+        "tensor(1, 1, 1, 0.6, 0, 0) about com",
+        &[("tensor(1, 1, 1, 0.6, 0, 0)", message)],
+    );
+    // A rod of 2 kg and 1 m has 2/3 kg m² about its end.
+    expect(written, "diag(0, 2/3, 2/3) about input", &[]);
+    expect(
+        written,
+        "diag(0, 0.4, 0.4) about input",
+        &[(
+            "diag(0, 0.4, 0.4)",
+            "no body with this mass and centre of mass has so little inertia about its input; is it `about com`?",
+        )],
+    );
+}
+
+#[test]
+fn properties_fit_their_owner() {
+    expect(
+        "start = 30 deg;",
+        "start_velocity = [0, 0, 0];",
+        &[("start_velocity", "a pin has no field `start_velocity`")],
+    );
+    expect(
+        "hinge wrist {",
+        "hinge wrst {",
+        &[("wrst", "no hinge `wrst` on the route; did you mean `wrist`?")],
+    );
+    expect(
+        "hinge wrist {",
+        "body wrist {",
+        &[("wrist", "`wrist` is a hinge: `hinge wrist { … }`")],
+    );
+    expect(
+        "hinge wrist { start_rate",
+        "hinge rod { start_rate",
+        &[("rod", "`rod` is a body: `body rod { … }`")],
+    );
+    expect(
+        "hinge wrist { start_rate",
+        "body rod { start_rate",
+        &[(
+            "rod",
+            "nothing can be said of `rod`: only the first body of a floating chain has a start",
+        )],
+    );
+    // Shared by two hinges, reported once.
+    expect(
+        "hinge wrist {",
+        "hinge shoulder, wrist { pitch = 1; torque = x; }\n hinge wrist {",
+        &[
+            ("pitch", "a pin has no field `pitch`"),
+            ("torque", "`torque` of a pin is given twice"),
+            ("x", "unknown name `x`"),
+        ],
+    );
+    expect("ball wrist", "weld wrist", &[("start_rate", "a weld has no field `start_rate`")]);
+}
+
+#[test]
+fn parts_stand_in_their_places() {
+    expect(
+        "ground ->",
+        "hinge wrist { torque = input; } ground ->",
+        &[("hinge", "hinges are described behind the route")],
+    );
+    let source = "chain Late { ground -> pin j -> Rod rod;
+        body Rod { mass = 1; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; } }";
+    expect_all(source, &[("Rod", "a type of body is described in front of the route")]);
+    expect("body Rod {", "body Rod, Stick {", &[("Stick", "a block describes one type of body")]);
+}

@@ -1,0 +1,121 @@
+//! Mistakes in names, settings and items.
+
+use super::{PENDULUM, edited, expect, expect_all};
+
+#[test]
+fn names_are_used_once() {
+    expect("Rod rod", "Rod upper", &[("upper", "the name `upper` is used twice")]);
+    expect("param ratio", "param rod", &[("rod", "the name `rod` is used twice")]);
+    expect(
+        "ball wrist",
+        "ball upper",
+        &[("wrist", "no hinge `wrist` on the route"), ("upper", "the name `upper` is used twice")],
+    );
+    expect(
+        "Rod rod",
+        "Rod -> pin j -> Rod",
+        &[
+            ("Rod", "the name `rod` is used twice; write a name behind the type"),
+            ("Rod", "body `Rod` needs `output`"),
+        ],
+    );
+    expect(
+        "Rod rod",
+        "Rod upper_mut",
+        &[("upper_mut", "`upper_mut` and `upper` both have a method that ends in `_mut`")],
+    );
+    expect(
+        "body Rod {",
+        "body Cube {",
+        &[("Rod", "unknown type of body `Rod`"), ("Cube", "body `Cube` is described twice")],
+    );
+}
+
+#[test]
+fn names_are_free() {
+    expect(
+        "Rod rod",
+        "Rod energy",
+        &[("energy", "`energy` is a method of every chain and cannot be a name")],
+    );
+    expect("Rod rod", "Rod q", &[("q", "`q` is a method of every chain and cannot be a name")]);
+    expect(
+        "param ratio",
+        "param time",
+        &[("time", "`time` is a method of every chain and cannot be a name")],
+    );
+    expect("Rod rod", "Rod fn", &[("fn", "`fn` is kept by Rust and cannot be a name")]);
+    expect("Rod rod", "Rod r#fn", &[("r#fn", "`r#fn` is kept by Rust and cannot be a name")]);
+    expect(
+        "param ratio",
+        "param input",
+        &[("input", "`input` is a word of this language and cannot be a name")],
+    );
+    expect(
+        "body Rod {",
+        "body pin {",
+        &[
+            ("Rod", "unknown type of body `Rod`"),
+            ("pin", "`pin` is a word of this language and cannot be a name"),
+        ],
+    );
+}
+
+#[test]
+fn settings_are_known() {
+    expect(
+        "gravity =",
+        "gravty =",
+        &[("gravty", "chain `Pendulum` has no field `gravty`; did you mean `gravity`?")],
+    );
+    expect(
+        "param ratio = 2;",
+        "method = ricati; param ratio = 2;",
+        &[("ricati", "expected `riccati` or `transfer`, found `ricati`; did you mean `riccati`?")],
+    );
+}
+
+#[test]
+fn items_are_known() {
+    expect("body Rod {", "bdy Rod {", &[("bdy", "unknown item `bdy`; did you mean `body`?")]);
+    expect("param ratio", "parm ratio", &[("parm", "unknown item `parm`; did you mean `param`?")]);
+    // The parameter is lost, but not missed where it is used.
+    let source = edited(&[("param payload", "parm payload"), ("mass = 2 kg", "mass = payload")]);
+    expect_all(&source, &[("parm", "unknown item `parm`; did you mean `param`?")]);
+    expect(
+        "param ratio",
+        "#[cfg(a)] param ratio",
+        &[("#[cfg(a)]", "only doc comments may stand here")],
+    );
+    expect("pub chain", "pub chian", &[("chian", "expected `chain`, found `chian`")]);
+    expect("body Rod {", "body {", &[("{", "expected a name, found `{`")]);
+    let source = format!("{PENDULUM} nonsense");
+    expect_all(&source, &[("nonsense", "expected `chain`, found `nonsense`")]);
+}
+
+#[test]
+fn all_mistakes_of_all_phases_are_reported() {
+    let source = "chain A {
+        gravity = [0, 1, 0] kg;
+        body B { mass = -1 kg; com = [0 0, 0] m; inertia = diag(1, 1, 3) about com; }
+        ground -> pin j -> B -> pin k -> B b;
+        hinge j { start = 3 m; }
+        hinge l { start = 3 rad; }
+    }";
+    expect_all(
+        source,
+        &[
+            ("0", "expected `,`, found `0`"),
+            ("kg", "expected an acceleration, found a mass"),
+            ("l", "no hinge `l` on the route"),
+            ("m", "expected an angle, found a length"),
+            ("b", "the name `b` is used twice"),
+            ("B", "body `B` needs `output`"),
+            ("-1 kg", "a mass must be positive"),
+            (
+                "diag(1, 1, 3)",
+                "no body has this inertia: a principal moment is more than the sum of the other two",
+            ),
+        ],
+    );
+}

@@ -1,0 +1,89 @@
+//! Descriptions and what is made of them.
+
+mod any_tokens;
+mod good;
+mod mistakes_in_numbers;
+mod mistakes_in_parts;
+mod mistakes_in_routes;
+mod mistakes_in_words;
+
+use proc_macro2::Span;
+
+use super::{Chain, read};
+use crate::syntax::Surface;
+
+/// The example of the documentation, from which the wrong ones are made by a single edit each.
+const PENDULUM: &str = "
+    pub chain Pendulum {
+        gravity = [0, -9.8, 0] m/s^2;
+        param payload = 0.5 kg;
+        param ratio = 2;
+
+        body Cube {
+            mass = 1 kg;
+            com = [0.5, 0, 0] m;
+            output = [1, 0, 0] m;
+            inertia = diag(1/6, 5/12, 5/12) kg*m^2 about input;
+        }
+        body Rod {
+            mass = 2 kg;
+            com = [0.5, 0, 0] m;
+            inertia = diag(0, 1/6, 1/6) kg*m^2 about com;
+        }
+
+        ground -> pin(z) shoulder -> Cube upper -> ball wrist -> Rod rod;
+
+        hinge wrist { start_rate = [0, 0.1, 0] rad/s; }
+        hinge shoulder { start = 30 deg; torque = input; }
+    }";
+
+/// The only chain of a description without mistakes.
+fn chain(source: &str) -> (Chain, Surface) {
+    let tokens = source.parse().expect("tokens");
+    let mut chains = read(tokens).unwrap_or_else(|error| panic!("{error}, in {source}"));
+    assert_eq!(chains.len(), 1);
+    chains.remove(0)
+}
+
+/// The example with some of its text replaced.
+fn edited(edits: &[(&str, &str)]) -> String {
+    edits.iter().fold(PENDULUM.to_owned(), |source, (from, to)| {
+        assert_eq!(source.matches(from).count(), 1, "`{from}` must stand once in {source}");
+        source.replace(from, to)
+    })
+}
+
+/// Makes one edit and expects exactly these mistakes: the text that each points at, the message.
+#[track_caller]
+fn expect(from: &str, to: &str, mistakes: &[(&str, &str)]) {
+    expect_all(&edited(&[(from, to)]), mistakes);
+}
+
+/// Expects exactly these mistakes: the text that each points at, and the message.
+#[track_caller]
+fn expect_all(source: &str, mistakes: &[(&str, &str)]) {
+    let found = mistakes_in(source);
+    let found: Vec<_> = found.iter().map(|(at, message)| (at.as_str(), message.as_str())).collect();
+    assert_eq!(found, mistakes, "in {source}");
+}
+
+/// All mistakes: the text that each points at, and the message.
+fn mistakes_in(source: &str) -> Vec<(String, String)> {
+    match read(source.parse().expect("tokens")) {
+        Ok(_) => Vec::new(),
+        Err(errors) => errors
+            .into_iter()
+            .map(|error| (text(source, error.span()), error.to_string()))
+            .collect(),
+    }
+}
+
+/// The source under a span.
+fn text(source: &str, span: Span) -> String {
+    let index = |place: proc_macro2::LineColumn| {
+        let line: usize = source.split_inclusive('\n').take(place.line - 1).map(str::len).sum();
+        let rest = &source[line..];
+        line + rest.char_indices().nth(place.column).map_or(rest.len(), |(at, _)| at)
+    };
+    source[index(span.start())..index(span.end())].to_owned()
+}

@@ -1,0 +1,40 @@
+//! What stands in front of an item.
+
+use proc_macro2::{Delimiter, TokenStream};
+use syn::parse::Parser;
+use syn::{Attribute, Error, Result, Visibility};
+
+use super::cursor::Cursor;
+
+/// Doc comments and attributes.
+pub(super) fn attributes(input: &mut Cursor) -> Result<Vec<Attribute>> {
+    let mut tokens = TokenStream::new();
+    while input.peek_punct('#') {
+        tokens.extend(input.any());
+        if !input.peek_group(Delimiter::Bracket) {
+            return Err(input.unexpected("`[`"));
+        }
+        tokens.extend(input.any());
+    }
+    Attribute::parse_outer.parse2(tokens)
+}
+
+/// Doc comments, which are for the reader of the description; nothing else may stand there.
+pub(super) fn docs(input: &mut Cursor) -> Result<()> {
+    match attributes(input)?.iter().find(|attribute| !attribute.path().is_ident("doc")) {
+        Some(other) => Err(Error::new_spanned(other, "only doc comments may stand here")),
+        None => Ok(()),
+    }
+}
+
+/// `pub`, `pub(crate)` or nothing.
+pub(super) fn visibility(input: &mut Cursor) -> Result<Visibility> {
+    let mut tokens = TokenStream::new();
+    if input.peek_ident().is_some_and(|word| word == "pub") {
+        tokens.extend(input.any());
+        if input.peek_group(Delimiter::Parenthesis) {
+            tokens.extend(input.any());
+        }
+    }
+    syn::parse2(tokens)
+}

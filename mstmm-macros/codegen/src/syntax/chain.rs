@@ -1,0 +1,176 @@
+//! `chain Name { … }`
+
+use proc_macro2::{Delimiter, Ident, Span};
+use syn::{Error, Result};
+
+use super::cursor::Cursor;
+use super::tree::{Block, BlockWord, ChainDef, Field};
+use super::{attribute, field, route};
+use crate::diag::{Diagnostics, did_you_mean};
+
+/// The words that an item can begin with.
+const ITEMS: &[&str] = &["param", "body", "hinge", "ground"];
+/// The words that a setting begins with.
+const SETTINGS: &[&str] = &["gravity", "method"];
+
+/// Whether the next word begins an item, so that it is nothing else.
+pub(super) fn begins_item(input: &Cursor) -> bool {
+    input.peek_ident().is_some_and(|word| ITEMS.iter().any(|item| word == item))
+}
+
+/// One chain; nothing if its head could not be read.
+pub(super) fn chain(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<ChainDef> {
+    let (mut def, inside) = match head(input, diagnostics) {
+        Ok(head) => head,
+        Err(error) => {
+            diagnostics.push(error);
+            input.skip_statement();
+            return None;
+        }
+    };
+    let mut inside = inside;
+    while !inside.is_empty() {
+        if let Err(error) = attribute::docs(&mut inside) {
+            diagnostics.push(error);
+        }
+        if !inside.is_empty() {
+            item(&mut inside, &mut def, diagnostics);
+        }
+    }
+    Some(def)
+}
+
+fn head<'a>(
+    input: &mut Cursor<'a>,
+    diagnostics: &mut Diagnostics,
+) -> Result<(ChainDef, Cursor<'a>)> {
+    let attributes = attribute::attributes(input)?;
+    let visibility = attribute::visibility(input)?;
+    if let Some(at) = input.word("plane") {
+        diagnostics.error(at, "`plane` is not supported yet");
+    }
+    input.word("space");
+    if input.word("chain").is_none() {
+        return Err(input.unexpected("`chain`"));
+    }
+    let name = input.ident().ok_or_else(|| input.unexpected("the chain's name"))?;
+    let (inside, _) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
+    let def = ChainDef {
+        attributes,
+        visibility,
+        name,
+        settings: Vec::new(),
+        parameters: Vec::new(),
+        blocks: Vec::new(),
+        route: None,
+        whole: true,
+    };
+    Ok((def, inside))
+}
+
+fn item(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
+    let start = *input;
+    if let Some(at) = input.word("body") {
+        block(BlockWord::Body, at, input, def, diagnostics);
+    } else if let Some(at) = input.word("hinge") {
+        block(BlockWord::Hinge, at, input, def, diagnostics);
+    } else if input.word("param").is_some() {
+        match parameter(input, diagnostics) {
+            Ok(parameter) => def.parameters.push(parameter),
+            Err(error) => lose(error, input, def, diagnostics),
+        }
+    } else if let Some(name) = setting(input) {
+        def.settings.push(field::field(name, input, diagnostics));
+    } else if route::is_route(input) {
+        let route = route::route(input, diagnostics);
+        match def.route {
+            Some(ref mut first) => {
+                diagnostics.push(route::second(start.next_span()));
+                // The two may be parts of one.
+                first.whole = false;
+            }
+            None => def.route = Some(route),
+        }
+    } else {
+        unknown(input, def, diagnostics);
+    }
+}
+
+/// The name of a setting, if one is next: its word, or any word with `=` behind it.
+fn setting(input: &mut Cursor) -> Option<Ident> {
+    let mut ahead = *input;
+    let name = ahead.ident()?;
+    if !ahead.peek_punct('=') && SETTINGS.iter().all(|setting| name != setting) {
+        return None;
+    }
+    *input = ahead;
+    Some(name)
+}
+
+fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Field> {
+    let name = input.ident().ok_or_else(|| input.unexpected("the parameter's name"))?;
+    Ok(field::field(name, input, diagnostics))
+}
+
+fn block(
+    word: BlockWord,
+    at: Span,
+    input: &mut Cursor,
+    def: &mut ChainDef,
+    diagnostics: &mut Diagnostics,
+) {
+    let after_route = def.route.is_some();
+    match block_head(input) {
+        Ok((names, inside)) => {
+            let (fields, whole) = field::fields(inside, diagnostics);
+            def.blocks.push(Block { word, at, names, fields, whole, after_route });
+        }
+        Err(error) => lose(error, input, def, diagnostics),
+    }
+}
+
+fn block_head<'a>(input: &mut Cursor<'a>) -> Result<(Vec<Ident>, Cursor<'a>)> {
+    let mut names = Vec::new();
+    loop {
+        names.push(input.ident().ok_or_else(|| input.unexpected("a name"))?);
+        if input.punct(',').is_none() {
+            break;
+        }
+    }
+    let (inside, _) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
+    Ok((names, inside))
+}
+
+/// An item that begins with no word of the language, or a route with a mistake at its start.
+fn unknown(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
+    let Some(word) = input.peek_ident() else {
+        // What stands here may be the rest of the route.
+        if let Some(route) = &mut def.route {
+            route.whole = false;
+        }
+        return lose(input.unexpected("an item"), input, def, diagnostics);
+    };
+    let hint = did_you_mean(&word.to_string(), ITEMS.iter().chain(SETTINGS).copied());
+    if hint.is_empty() && def.route.is_none() && !resembles_item(input) {
+        def.route = Some(route::route(input, diagnostics));
+        return;
+    }
+    let message = format!("unknown item `{word}`{hint}");
+    lose(Error::new(word.span(), message), input, def, diagnostics);
+}
+
+/// `word {`, `word name {` or `word name =`: an item but for its word.
+fn resembles_item(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    ahead.ident();
+    ahead.peek_group(Delimiter::Brace)
+        || (ahead.ident().is_some()
+            && (ahead.peek_group(Delimiter::Brace) || ahead.peek_punct('=')))
+}
+
+/// Reports an item that could not be read and goes on behind it.
+fn lose(error: Error, input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
+    diagnostics.push(error);
+    def.whole = false;
+    input.skip_statement();
+}

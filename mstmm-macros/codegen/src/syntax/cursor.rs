@@ -1,0 +1,160 @@
+//! A place in the tokens. Unlike `syn`'s parse stream it can be left anywhere without a complaint,
+//! so that reading goes on behind a mistake.
+
+use proc_macro2::{Delimiter, Ident, Literal, Span, TokenTree};
+use syn::{Error, Result, buffer};
+
+use super::tree::Extent;
+
+/// Groups within groups up to this depth: expressions are walked by recursion.
+const DEEPEST: usize = 32;
+
+/// The tokens that are still to be read.
+#[derive(Clone, Copy)]
+pub(super) struct Cursor<'a> {
+    rest: buffer::Cursor<'a>,
+    last: Span,
+    depth: usize,
+}
+
+impl<'a> Cursor<'a> {
+    /// At the start of all tokens.
+    pub fn new(rest: buffer::Cursor<'a>) -> Self {
+        Cursor { rest, last: Span::call_site(), depth: 0 }
+    }
+
+    /// Whether nothing is left in this group.
+    pub fn is_empty(&self) -> bool {
+        self.rest.eof()
+    }
+
+    /// The next token.
+    pub fn next_span(&self) -> Span {
+        self.rest.span()
+    }
+
+    /// The token read last.
+    pub fn last(&self) -> Extent {
+        Extent::token(self.last)
+    }
+
+    fn take<T>(&mut self, found: Option<(T, buffer::Cursor<'a>)>) -> Option<T> {
+        let (token, rest) = found?;
+        self.last = self.rest.span();
+        self.rest = rest;
+        Some(token)
+    }
+
+    /// The next token if it is an identifier, without reading it.
+    pub fn peek_ident(&self) -> Option<Ident> {
+        self.rest.ident().map(|(ident, _)| ident)
+    }
+
+    /// The next token if it is an identifier.
+    pub fn ident(&mut self) -> Option<Ident> {
+        self.take(self.rest.ident())
+    }
+
+    /// The next token if it is this word.
+    pub fn word(&mut self, word: &str) -> Option<Span> {
+        let ident = self.peek_ident().filter(|ident| ident == word)?;
+        self.ident();
+        Some(ident.span())
+    }
+
+    /// Whether this sign is next.
+    pub fn peek_punct(&self, sign: char) -> bool {
+        self.rest.punct().is_some_and(|(punct, _)| punct.as_char() == sign)
+    }
+
+    /// The next token if it is this sign.
+    pub fn punct(&mut self, sign: char) -> Option<Span> {
+        let found = self.rest.punct().filter(|(punct, _)| punct.as_char() == sign);
+        self.take(found).map(|punct| punct.span())
+    }
+
+    /// Whether `second` stands behind `first` now.
+    pub fn peek_pair(&self, first: char, second: char) -> bool {
+        let mut ahead = *self;
+        ahead.punct(first).is_some() && ahead.peek_punct(second)
+    }
+
+    /// A pair of signs such as `->` or `::`.
+    pub fn pair(&mut self, first: char, second: char) -> Option<Span> {
+        if !self.peek_pair(first, second) {
+            return None;
+        }
+        self.punct(first);
+        self.punct(second)
+    }
+
+    /// The next token if it is a number or text.
+    pub fn literal(&mut self) -> Option<Literal> {
+        self.take(self.rest.literal())
+    }
+
+    /// Whether a group of this kind is next.
+    pub fn peek_group(&self, delimiter: Delimiter) -> bool {
+        self.rest.group(delimiter).is_some()
+    }
+
+    /// The next group if it is of this kind: what is in it, and where it stands.
+    pub fn group(&mut self, delimiter: Delimiter) -> Option<(Cursor<'a>, Extent)> {
+        let (inside, span, rest) = self.rest.group(delimiter)?;
+        self.rest = rest;
+        self.last = span.close();
+        let inside = Cursor { rest: inside, last: span.open(), depth: self.depth + 1 };
+        Some((inside, Extent { first: span.open(), last: span.close() }))
+    }
+
+    /// The next token, whatever it is.
+    pub fn any(&mut self) -> Option<TokenTree> {
+        self.take(self.rest.token_tree())
+    }
+
+    /// Refuses what would be too deep to walk.
+    pub fn check_depth(&self) -> Result<()> {
+        if self.depth <= DEEPEST {
+            return Ok(());
+        }
+        Err(Error::new(self.last, format!("more than {DEEPEST} groups within each other")))
+    }
+
+    /// Refuses what is left in this group.
+    pub fn check_empty(&self, expected: &str) -> Result<()> {
+        if self.is_empty() { Ok(()) } else { Err(self.unexpected(expected)) }
+    }
+
+    /// A message at the next token, or at the last one if none is left.
+    pub fn unexpected(&self, expected: &str) -> Error {
+        let mut ahead = *self;
+        let (at, found) = match ahead.any() {
+            None => return Error::new(self.last, format!("expected {expected} behind this")),
+            Some(TokenTree::Group(group)) => match group.delimiter() {
+                Delimiter::Parenthesis => (group.span_open(), "(".into()),
+                Delimiter::Brace => (group.span_open(), "{".into()),
+                Delimiter::Bracket => (group.span_open(), "[".into()),
+                Delimiter::None => (group.span(), group.to_string()),
+            },
+            Some(token) => (token.span(), token.to_string()),
+        };
+        Error::new(at, format!("expected {expected}, found `{found}`"))
+    }
+
+    /// Reads on to the end of the statement in which a mistake was found: behind its `;`, or
+    /// behind its block unless the statement goes on there with an arrow.
+    pub fn skip_statement(&mut self) {
+        while !self.is_empty() {
+            if self.punct(';').is_some() {
+                return;
+            }
+            let block = self.group(Delimiter::Brace).is_some();
+            if block && !self.peek_pair('-', '>') && !self.peek_punct(';') {
+                return;
+            }
+            if !block {
+                self.any();
+            }
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! Numbers: sums of products, each closed by a unit.
+
+use proc_macro2::{Delimiter, Ident, Span, TokenStream};
+use syn::{Error, Lit, Result};
+
+use super::cursor::Cursor;
+use super::tree::{Expr, ExprKind, Extent, Factor, Term, Unit};
+use super::unit;
+
+/// Terms of one sum or factors of one product up to this many: formulas are walked by recursion.
+const MOST_PARTS: usize = 256;
+
+/// The functions that numbers can be made with.
+pub const FUNCTIONS: &[&str] = &["sqrt", "sin", "cos"];
+
+/// `a + b - c`
+pub(super) fn number(input: &mut Cursor) -> Result<Expr> {
+    input.check_depth()?;
+    let first = product(input)?;
+    let start = first.extent;
+    if !is_sign_next(input) {
+        return Ok(first);
+    }
+    let mut terms = vec![Term { negative: false, expr: first }];
+    while is_sign_next(input) {
+        let negative = input.peek_punct('-');
+        input.any();
+        terms.push(Term { negative, expr: product(input)? });
+        check_length(terms.len(), input)?;
+    }
+    Ok(Expr { kind: ExprKind::Sum(terms), extent: start.to(input.last()) })
+}
+
+/// Whether a sum goes on. `->` is an arrow of the route, never a minus.
+fn is_sign_next(input: &Cursor) -> bool {
+    input.peek_punct('+') || (input.peek_punct('-') && !input.peek_pair('-', '>'))
+}
+
+/// `a * b / c unit`
+fn product(input: &mut Cursor) -> Result<Expr> {
+    let mut factors = Vec::new();
+    let mut divides = false;
+    let start = Extent::token(input.next_span());
+    let unit = loop {
+        let (expr, suffix) = factor(input)?;
+        factors.push(Factor { divides, expr });
+        check_length(factors.len(), input)?;
+        let unit = match suffix {
+            Some((symbol, at)) => Some(unit::behind(input, symbol, at)?),
+            None => unit::optional(input)?,
+        };
+        if unit.is_some() || !(input.peek_punct('*') || input.peek_punct('/')) {
+            break unit;
+        }
+        divides = input.peek_punct('/');
+        input.any();
+    };
+    let extent = start.to(input.last());
+    let product = match factors.pop() {
+        Some(only) if factors.is_empty() => only.expr,
+        last => {
+            factors.extend(last);
+            let extent = factors_extent(start, &factors);
+            Expr { kind: ExprKind::Product(factors), extent }
+        }
+    };
+    let Some(unit) = unit else { return Ok(product) };
+    check_closed(input, &unit)?;
+    Ok(Expr { kind: ExprKind::Quantity(product.into(), unit), extent })
+}
+
+fn factors_extent(start: Extent, factors: &[Factor]) -> Extent {
+    factors.last().map_or(start, |last| start.to(last.expr.extent))
+}
+
+/// A unit closes its product: `2 kg * 3` would read as a unit that is multiplied.
+fn check_closed(input: &Cursor, unit: &Unit) -> Result<()> {
+    let sign = match (input.peek_punct('*'), input.peek_punct('/')) {
+        (true, _) => '*',
+        (_, true) => '/',
+        _ => return Ok(()),
+    };
+    let last = unit.factors.last().map_or("", |factor| &factor.symbol);
+    Err(Error::new(
+        input.next_span(),
+        format!("a unit closes a product: write `(… {last}) {sign} …` to go on behind it"),
+    ))
+}
+
+/// A unit written right behind the digits, as in `0.5kg`.
+type Suffix = Option<(String, Span)>;
+
+/// `-a ^ 2`
+fn factor(input: &mut Cursor) -> Result<(Expr, Suffix)> {
+    let start = Extent::token(input.next_span());
+    let mut negative = false;
+    // A loop, so that no number of signs is too deep.
+    while input.punct('-').is_some() {
+        negative = !negative;
+    }
+    let (mut expr, suffix) = primary(input)?;
+    if suffix.is_none() && input.punct('^').is_some() {
+        let power = unit::exponent(input)?;
+        let extent = expr.extent.to(input.last());
+        expr = Expr { kind: ExprKind::Power(expr.into(), power), extent };
+    }
+    let extent = start.to(expr.extent);
+    expr = match negative {
+        true => Expr { kind: ExprKind::Negated(expr.into()), extent },
+        false => Expr { extent, ..expr },
+    };
+    Ok((expr, suffix))
+}
+
+fn primary(input: &mut Cursor) -> Result<(Expr, Suffix)> {
+    // What a `macro_rules!` passes on as one expression comes in a group without brackets.
+    for delimiter in [Delimiter::None, Delimiter::Parenthesis] {
+        if let Some((mut inside, extent)) = input.group(delimiter) {
+            let expr = number(&mut inside)?;
+            inside.check_empty("an operator or `)`")?;
+            return Ok((Expr { extent, ..expr }, None));
+        }
+    }
+    if let Some(literal) = input.literal() {
+        return value(literal);
+    }
+    if input.peek_pair(':', ':') {
+        return path(input).map(|path| (path, None));
+    }
+    let Some(name) = input.peek_ident() else { return Err(input.unexpected("a number")) };
+    let mut ahead = *input;
+    ahead.ident();
+    let expr = if ahead.peek_pair(':', ':') {
+        path(input)?
+    } else if let Some((inside, parentheses)) = ahead.group(Delimiter::Parenthesis) {
+        *input = ahead;
+        let extent = Extent::token(name.span()).to(parentheses);
+        Expr { kind: ExprKind::Call(name, list(inside)?), extent }
+    } else {
+        *input = ahead;
+        Expr { extent: Extent::token(name.span()), kind: ExprKind::Name(name) }
+    };
+    Ok((expr, None))
+}
+
+/// All numbers in a group, separated by commas.
+pub(super) fn list(mut inside: Cursor) -> Result<Vec<Expr>> {
+    let mut entries = Vec::new();
+    while !inside.is_empty() {
+        entries.push(number(&mut inside)?);
+        if inside.punct(',').is_none() {
+            inside.check_empty("`,`")?;
+        }
+    }
+    Ok(entries)
+}
+
+fn value(literal: proc_macro2::Literal) -> Result<(Expr, Suffix)> {
+    let at = literal.span();
+    let (digits, suffix) = match Lit::new(literal) {
+        Lit::Int(int) => (int.base10_digits().to_owned(), int.suffix().to_owned()),
+        Lit::Float(float) => (float.base10_digits().to_owned(), float.suffix().to_owned()),
+        _ => return Err(Error::new(at, "expected a number")),
+    };
+    let value = digits.parse().map_err(|_| Error::new(at, "expected a number"))?;
+    if is_number_type(&suffix) {
+        return Err(Error::new(at, "numbers have no type here: leave its suffix away"));
+    }
+    let expr = Expr { kind: ExprKind::Number(value), extent: Extent::token(at) };
+    Ok((expr, (!suffix.is_empty()).then_some((suffix, at))))
+}
+
+fn is_number_type(suffix: &str) -> bool {
+    suffix.strip_prefix(['f', 'i', 'u']).is_some_and(|bits| {
+        bits == "size" || (!bits.is_empty() && bits.bytes().all(|digit| digit.is_ascii_digit()))
+    })
+}
+
+/// `consts::MASS`: kept unread.
+fn path(input: &mut Cursor) -> Result<Expr> {
+    let mut tokens = TokenStream::new();
+    let start = Extent::token(input.next_span());
+    if let Some(first) = input.peek_ident().filter(|first| first == "Self") {
+        return Err(Error::new(first.span(), "`Self` is not known here; name the type itself"));
+    }
+    loop {
+        if input.peek_pair(':', ':') {
+            tokens.extend(input.any());
+            tokens.extend(input.any());
+        }
+        let segment: Ident = input.ident().ok_or_else(|| input.unexpected("a name"))?;
+        tokens.extend([proc_macro2::TokenTree::Ident(segment)]);
+        if !input.peek_pair(':', ':') {
+            break;
+        }
+    }
+    if input.peek_group(Delimiter::Parenthesis) {
+        let message = "functions of Rust cannot be called here; name a `const` instead";
+        return Err(Error::new(input.next_span(), message));
+    }
+    Ok(Expr { kind: ExprKind::Path(tokens), extent: start.to(input.last()) })
+}
+
+fn check_length(parts: usize, input: &Cursor) -> Result<()> {
+    if parts <= MOST_PARTS {
+        return Ok(());
+    }
+    let message = format!("more than {MOST_PARTS} parts in one sum or product");
+    Err(Error::new(input.last().first, message))
+}

@@ -1,0 +1,266 @@
+//! The description as written: every part keeps the tokens that a message can point at.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, TokenStreamExt};
+
+/// From the first to the last token of something written.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent {
+    /// The first token.
+    pub first: Span,
+    /// The last token.
+    pub last: Span,
+}
+
+impl Extent {
+    /// A single token.
+    pub fn token(at: Span) -> Self {
+        Extent { first: at, last: at }
+    }
+
+    /// From the start of this to the end of another one.
+    pub fn to(self, end: Extent) -> Self {
+        Extent { first: self.first, last: end.last }
+    }
+}
+
+/// Two stand-in tokens with the right spans: `syn` builds the span of an error from the first and
+/// the last token, and that way works without joining spans, which not every compiler can.
+impl ToTokens for Extent {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        tokens.append(Ident::new("from", self.first));
+        tokens.append(Ident::new("to", self.last));
+    }
+}
+
+/// A chain as written.
+#[derive(Debug)]
+pub struct ChainDef {
+    /// Doc comments and attributes in front.
+    pub attributes: Vec<syn::Attribute>,
+    /// Visibility of the generated types.
+    pub visibility: syn::Visibility,
+    /// The chain's name.
+    pub name: Ident,
+    /// `gravity = …;` and `method = …;`
+    pub settings: Vec<Field>,
+    /// `param name = …;`
+    pub parameters: Vec<Field>,
+    /// `body … { … }` and `hinge … { … }`
+    pub blocks: Vec<Block>,
+    /// The route; missing if there is none.
+    pub route: Option<Route>,
+    /// Whether every item could be read. If not, nothing is missed on its account.
+    pub whole: bool,
+}
+
+/// `name = value;`
+#[derive(Debug)]
+pub struct Field {
+    /// What is given.
+    pub name: Ident,
+    /// Its value; missing where it could not be read, which is reported already.
+    pub value: Option<Written>,
+}
+
+/// Which word a block begins with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BlockWord {
+    /// `body`
+    Body,
+    /// `hinge`
+    Hinge,
+}
+
+/// `body name { … }` or `hinge name, … { … }`
+#[derive(Debug)]
+pub struct Block {
+    /// What it speaks of.
+    pub word: BlockWord,
+    /// Where that word stands.
+    pub at: Span,
+    /// Whom it speaks of, at least one.
+    pub names: Vec<Ident>,
+    /// What it says.
+    pub fields: Vec<Field>,
+    /// Whether every field has a name. If not, none is missed on its account.
+    pub whole: bool,
+    /// Whether it stands behind the route.
+    pub after_route: bool,
+}
+
+/// Stops joined by arrows.
+#[derive(Debug)]
+pub struct Route {
+    /// In the order written.
+    pub stops: Vec<Stop>,
+    /// Whether all of it could be read. If not, nothing is missed on its account.
+    pub whole: bool,
+}
+
+/// A stop of the route.
+#[derive(Debug)]
+pub enum Stop {
+    /// `ground [at vector] [turned orientation]`
+    Ground {
+        /// The word itself.
+        at: Span,
+        /// Where the frame on the ground sits.
+        position: Option<List>,
+        /// How the frame on the ground is turned.
+        turned: Option<Form>,
+    },
+    /// `kind(arguments) name` or `Type name`
+    Element {
+        /// The kind of a hinge or the type of a body.
+        word: Ident,
+        /// What stands in parentheses behind the word.
+        arguments: Option<Arguments>,
+        /// The name.
+        name: Option<Ident>,
+    },
+}
+
+/// What stands in parentheses behind the kind of a hinge.
+#[derive(Debug)]
+pub struct Arguments {
+    /// Separated by commas.
+    pub values: Vec<Written>,
+    /// The parentheses and all in them.
+    pub extent: Extent,
+}
+
+/// Anything that can stand behind `=`.
+#[derive(Debug)]
+pub enum Written {
+    /// A number, with or without a unit, or a single word.
+    Number(Expr),
+    /// `[a, b, c] unit`
+    Vector(List),
+    /// `[a, b, c] unit turned orientation`
+    Placement(List, Form),
+    /// `word(a, b, …) unit about word`
+    Form(Form),
+}
+
+impl Written {
+    /// From the first to the last token.
+    pub fn extent(&self) -> Extent {
+        match self {
+            Written::Number(expr) => expr.extent,
+            Written::Vector(list) => list.extent,
+            Written::Placement(list, form) => list.extent.to(form.extent()),
+            Written::Form(form) => form.extent(),
+        }
+    }
+
+    /// What it is, for messages.
+    pub fn described(&self) -> String {
+        match self {
+            Written::Number(Expr { kind: ExprKind::Name(word), .. }) => format!("`{word}`"),
+            Written::Number(_) => "a number".into(),
+            Written::Vector(_) => "a vector".into(),
+            Written::Placement(..) => "a turned frame".into(),
+            Written::Form(form) => format!("`{}(…)`", form.word),
+        }
+    }
+}
+
+/// Numbers with a common unit: `a, b, c` in brackets or parentheses, and the unit behind.
+#[derive(Debug)]
+pub struct List {
+    /// Between the brackets.
+    pub entries: Vec<Expr>,
+    /// Behind the brackets.
+    pub unit: Option<Unit>,
+    /// The brackets with all in them, without the unit.
+    pub extent: Extent,
+}
+
+/// `word(a, b, …) unit about word`, such as `rpy(0, 0, 90) deg`.
+#[derive(Debug)]
+pub struct Form {
+    /// In front of the parentheses.
+    pub word: Ident,
+    /// In the parentheses, with the unit behind them.
+    pub list: List,
+    /// Behind `about`.
+    pub about: Option<Ident>,
+}
+
+impl Form {
+    /// From the word to the closing parenthesis.
+    pub fn extent(&self) -> Extent {
+        Extent::token(self.word.span()).to(self.list.extent)
+    }
+}
+
+/// A number as written.
+#[derive(Debug)]
+pub struct Expr {
+    /// What it is.
+    pub kind: ExprKind,
+    /// From the first to the last token.
+    pub extent: Extent,
+}
+
+/// What a number is made of.
+#[derive(Debug)]
+pub enum ExprKind {
+    /// A literal.
+    Number(f64),
+    /// A single identifier.
+    Name(Ident),
+    /// A Rust path of several segments, unread.
+    Path(TokenStream),
+    /// `-a`
+    Negated(Box<Expr>),
+    /// `a + b - c`
+    Sum(Vec<Term>),
+    /// `a * b / c`
+    Product(Vec<Factor>),
+    /// `a ^ 2`
+    Power(Box<Expr>, i32),
+    /// `a kg`: a product and the unit that closes it.
+    Quantity(Box<Expr>, Unit),
+    /// `sqrt(a)`
+    Call(Ident, Vec<Expr>),
+}
+
+/// A term of a sum.
+#[derive(Debug)]
+pub struct Term {
+    /// Whether it is taken away.
+    pub negative: bool,
+    /// The term.
+    pub expr: Expr,
+}
+
+/// A factor of a product.
+#[derive(Debug)]
+pub struct Factor {
+    /// Whether it divides.
+    pub divides: bool,
+    /// The factor.
+    pub expr: Expr,
+}
+
+/// A unit as written: `kg*m^2`.
+#[derive(Clone, Debug)]
+pub struct Unit {
+    /// Its parts, at least one.
+    pub factors: Vec<UnitFactor>,
+    /// From the first to the last token.
+    pub extent: Extent,
+}
+
+/// A part of a unit.
+#[derive(Clone, Debug)]
+pub struct UnitFactor {
+    /// The symbol of the unit with its prefix.
+    pub symbol: String,
+    /// Where it stands.
+    pub at: Span,
+    /// Its power, negative behind `/`.
+    pub power: i32,
+}

@@ -1,0 +1,79 @@
+//! Units have a grammar of their own: `kg*m^2`, and `m/s^2` is m/(s²).
+
+use proc_macro2::{Delimiter, Span};
+use syn::{Error, Result};
+
+use super::chain;
+use super::cursor::Cursor;
+use super::tree::{Extent, Unit, UnitFactor};
+
+/// Words that may stand behind a number without being its unit.
+const NOT_UNITS: &[&str] = &["about", "turned", "at"];
+
+/// Powers beyond this one are slips of the keyboard.
+const HIGHEST_POWER: i32 = 9;
+
+/// A unit, if one is next.
+pub(super) fn optional(input: &mut Cursor) -> Result<Option<Unit>> {
+    if !is_next(input) {
+        return Ok(None);
+    }
+    let (symbol, at) = symbol(input)?;
+    behind(input, symbol, at).map(Some)
+}
+
+/// The rest of a unit whose first symbol is read already.
+pub(super) fn behind(input: &mut Cursor, symbol: String, at: Span) -> Result<Unit> {
+    let mut factors = vec![UnitFactor { symbol, at, power: power(input)? }];
+    while let Some(sign) = sign_before_unit(input) {
+        let (symbol, at) = self::symbol(input)?;
+        factors.push(UnitFactor { symbol, at, power: sign * power(input)? });
+    }
+    Ok(Unit { factors, extent: Extent::token(at).to(input.last()) })
+}
+
+/// Reads `*` or `/` if a unit stands behind it: 1 or −1.
+fn sign_before_unit(input: &mut Cursor) -> Option<i32> {
+    let mut ahead = *input;
+    let sign = if ahead.punct('*').is_some() {
+        1
+    } else {
+        ahead.punct('/')?;
+        -1
+    };
+    if !is_next(&ahead) {
+        return None;
+    }
+    *input = ahead;
+    Some(sign)
+}
+
+/// Whether the next word is a unit by its place: known or not, it is no field, path or call.
+fn is_next(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    !chain::begins_item(input)
+        && ahead.ident().is_some_and(|word| !NOT_UNITS.iter().any(|other| word == other))
+        && !ahead.peek_punct('=')
+        && !ahead.peek_pair(':', ':')
+        && !ahead.peek_group(Delimiter::Parenthesis)
+}
+
+fn symbol(input: &mut Cursor) -> Result<(String, Span)> {
+    let symbol = input.ident().ok_or_else(|| input.unexpected("a unit"))?;
+    Ok((symbol.to_string(), symbol.span()))
+}
+
+fn power(input: &mut Cursor) -> Result<i32> {
+    if input.punct('^').is_none() { Ok(1) } else { exponent(input) }
+}
+
+/// A small whole number, as it stands behind `^`.
+pub(super) fn exponent(input: &mut Cursor) -> Result<i32> {
+    let sign = if input.punct('-').is_some() { -1 } else { 1 };
+    let literal = input.literal().ok_or_else(|| input.unexpected("a whole number"))?;
+    let at = literal.span();
+    match literal.to_string().parse::<i32>() {
+        Ok(power) if power <= HIGHEST_POWER => Ok(sign * power),
+        _ => Err(Error::new(at, format!("a power is a whole number up to {HIGHEST_POWER}"))),
+    }
+}
