@@ -1,0 +1,152 @@
+//! Formulas: a graph in which equal formulas are one node, and a handle that computes like a number.
+
+mod graph;
+mod node;
+mod rules;
+
+pub use graph::{Graph, Stage};
+pub use node::{Edge, Node, NodeId};
+
+use crate::math::Scalar;
+use std::fmt;
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// A formula in a [`Graph`], or a known number. Computing with it only writes the formula down.
+#[derive(Clone, Copy)]
+pub enum Expr<'g> {
+    /// A known number; it needs no graph.
+    Number(f64),
+    /// A formula.
+    Formula(&'g Graph, Edge),
+}
+
+impl<'g> Expr<'g> {
+    /// The known number, if it is one.
+    pub fn known(self) -> Option<f64> {
+        match self {
+            Expr::Number(value) => Some(value),
+            Expr::Formula(..) => None,
+        }
+    }
+
+    fn unary(self, number: impl Fn(f64) -> f64, rule: impl Fn(&'g Graph, Edge) -> Self) -> Self {
+        match self {
+            Expr::Number(value) => Expr::Number(number(value)),
+            Expr::Formula(graph, edge) => rule(graph, edge),
+        }
+    }
+}
+
+impl Neg for Expr<'_> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.unary(|value| 0.0 - value, |graph, edge| Expr::Formula(graph, edge.negated()))
+    }
+}
+
+impl Add for Expr<'_> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        rules::sum(self, other)
+    }
+}
+
+impl Sub for Expr<'_> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        rules::sum(self, -other)
+    }
+}
+
+impl Mul for Expr<'_> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        rules::product(self, other)
+    }
+}
+
+impl Scalar for Expr<'_> {
+    fn number(value: f64) -> Self {
+        Expr::Number(value)
+    }
+
+    fn recip(self) -> Self {
+        self.unary(f64::recip, rules::reciprocal)
+    }
+
+    fn sqrt(self) -> Self {
+        self.unary(f64::sqrt, |graph, edge| graph.formula(Node::Sqrt(edge)))
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let sin = self.unary(f64::sin, |graph, edge| {
+            graph.formula(Node::Sin(edge.plain())).signed(edge.is_negative())
+        });
+        let cos = self.unary(f64::cos, |graph, edge| graph.formula(Node::Cos(edge.plain())));
+        (sin, cos)
+    }
+
+    fn copysign(self, sign: Self) -> Self {
+        rules::copysign(self, sign)
+    }
+
+    fn vanishes(self) -> bool {
+        self.known() == Some(0.0)
+    }
+}
+
+impl Expr<'_> {
+    /// Negated where `negative`.
+    fn signed(self, negative: bool) -> Self {
+        if negative { -self } else { self }
+    }
+}
+
+impl fmt::Debug for Expr<'_> {
+    fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Expr::Number(value) => write!(out, "{value:?}"),
+            Expr::Formula(_, edge) => write!(out, "{edge:?}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Expr, Graph, Stage};
+    use crate::math::Scalar;
+
+    fn edge(expr: Expr) -> super::Edge {
+        match expr {
+            Expr::Formula(_, edge) => edge,
+            Expr::Number(value) => panic!("{value} is no formula"),
+        }
+    }
+
+    #[test]
+    fn equal_formulas_are_one_node_whatever_the_order_and_the_sign() {
+        let graph = Graph::default();
+        let (x, y) = (graph.symbol(0, Stage::State), graph.symbol(1, Stage::State));
+        assert_eq!(edge(x + y), edge(y + x));
+        assert_eq!(edge(x * y), edge(y * x));
+        assert_eq!(edge(x - y), edge(-(y - x)));
+        assert_eq!(edge((-x) * y), edge(-(x * y)));
+        assert_eq!(edge((-x).recip()), edge(-x.recip()));
+        assert_eq!(edge((-x).sin_cos().1), edge(x.sin_cos().1));
+    }
+
+    #[test]
+    fn zeros_ones_and_numbers_fold() {
+        let graph = Graph::default();
+        let x = graph.symbol(0, Stage::State);
+        let number = Expr::number;
+        assert_eq!((x * number(0.0)).known(), Some(0.0));
+        assert_eq!((x - x).known(), Some(0.0));
+        assert_eq!(edge(x * number(1.0)), edge(x));
+        assert_eq!(edge(x * number(-1.0)), edge(-x));
+        assert_eq!(edge(number(2.0) * (number(3.0) * x)), edge(number(6.0) * x));
+        assert_eq!(edge(x + x), edge(number(2.0) * x));
+        assert_eq!(edge((x + number(1.0)) + number(2.0)), edge(x + number(3.0)));
+        assert_eq!(edge(x.recip().recip()), edge(x));
+    }
+}

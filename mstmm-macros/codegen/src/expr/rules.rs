@@ -1,0 +1,101 @@
+//! The canonical form of every operation: what folds, which order operands take, where signs go.
+//! All rules keep the value to the last bit, but for the two that gather known numbers.
+
+use super::{Edge, Expr, Graph, Node};
+use Expr::{Formula, Number};
+
+/// `a + b`
+pub(super) fn sum<'g>(a: Expr<'g>, b: Expr<'g>) -> Expr<'g> {
+    match (a, b) {
+        (Number(a), Number(b)) => Number(a + b),
+        (Number(0.0), x) | (x, Number(0.0)) => x,
+        (Number(value), Formula(graph, edge)) | (Formula(graph, edge), Number(value)) => {
+            sum_with_number(graph, edge, value)
+        }
+        (Formula(graph, a), Formula(_, b)) => {
+            if a == b {
+                product(Number(2.0), Formula(graph, a))
+            } else if a == b.negated() {
+                Number(0.0)
+            } else {
+                ordered_sum(graph, a, b)
+            }
+        }
+    }
+}
+
+/// `(x + 1) + 2 = x + 3`
+fn sum_with_number(graph: &Graph, edge: Edge, value: f64) -> Expr<'_> {
+    if let Node::Sum(first, second) = graph.node(edge.node()) {
+        for (number, rest) in [(first, second), (second, first)] {
+            if let Node::Number(bits) = graph.node(number.node()) {
+                let sign = if number.is_negative() != edge.is_negative() { -1.0 } else { 1.0 };
+                let rest = Formula(graph, rest).signed(edge.is_negative());
+                return sum(rest, Number(value + sign * f64::from_bits(bits)));
+            }
+        }
+    }
+    ordered_sum(graph, edge, graph.number(value))
+}
+
+/// The smaller node first and positive: `−a + b = −(a − b)`.
+fn ordered_sum(graph: &Graph, a: Edge, b: Edge) -> Expr<'_> {
+    let (a, b) = if a.node() < b.node() { (a, b) } else { (b, a) };
+    if a.is_negative() {
+        -graph.formula(Node::Sum(a.negated(), b.negated()))
+    } else {
+        graph.formula(Node::Sum(a, b))
+    }
+}
+
+/// `a · b`
+pub(super) fn product<'g>(a: Expr<'g>, b: Expr<'g>) -> Expr<'g> {
+    match (a, b) {
+        (Number(a), Number(b)) => Number(a * b),
+        (Number(0.0), _) | (_, Number(0.0)) => Number(0.0),
+        (Number(1.0), x) | (x, Number(1.0)) => x,
+        (Number(-1.0), x) | (x, Number(-1.0)) => -x,
+        (Number(value), Formula(graph, edge)) | (Formula(graph, edge), Number(value)) => {
+            product_with_number(graph, edge, value)
+        }
+        (Formula(graph, a), Formula(_, b)) => ordered_product(graph, a, b),
+    }
+}
+
+/// `2 (3 x) = 6 x`
+fn product_with_number(graph: &Graph, edge: Edge, value: f64) -> Expr<'_> {
+    if let Node::Product(first, second) = graph.node(edge.node()) {
+        for (number, rest) in [(first, second), (second, first)] {
+            if let Node::Number(bits) = graph.node(number.node()) {
+                let rest = Formula(graph, rest).signed(edge.is_negative());
+                return product(Number(value * f64::from_bits(bits)), rest);
+            }
+        }
+    }
+    ordered_product(graph, edge, graph.number(value))
+}
+
+/// The smaller node first, signs in front.
+fn ordered_product(graph: &Graph, a: Edge, b: Edge) -> Expr<'_> {
+    let negative = a.is_negative() != b.is_negative();
+    let (a, b) = (a.plain().min(b.plain()), a.plain().max(b.plain()));
+    graph.formula(Node::Product(a, b)).signed(negative)
+}
+
+/// `1 / x`, with `1 / (1 / x) = x`
+pub(super) fn reciprocal(graph: &Graph, edge: Edge) -> Expr<'_> {
+    match graph.node(edge.node()) {
+        Node::Recip(inner) => Formula(graph, inner),
+        _ => graph.formula(Node::Recip(edge.plain())),
+    }
+    .signed(edge.is_negative())
+}
+
+/// `|a|` with the sign of `b`
+pub(super) fn copysign<'g>(a: Expr<'g>, b: Expr<'g>) -> Expr<'g> {
+    match (a, b) {
+        (Number(a), Number(b)) => Number(a.copysign(b)),
+        (Formula(graph, a), b) => graph.formula(Node::CopySign(a.plain(), graph.edge(b))),
+        (a, Formula(graph, b)) => graph.formula(Node::CopySign(graph.edge(a).plain(), b)),
+    }
+}

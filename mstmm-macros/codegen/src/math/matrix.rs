@@ -1,0 +1,184 @@
+//! Matrices with three rows and columns; symmetric ones keep six entries and so stay symmetric
+//! whatever the rounding.
+
+use super::{Scalar, Vec3};
+use std::ops::{Add, Index, Mul, Neg, Sub};
+
+/// A matrix by rows. As a rotation it turns components in one frame into those in another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mat3<S>(pub [[S; 3]; 3]);
+
+impl<S: Scalar> Mat3<S> {
+    /// The matrix with `entry(row, column)`.
+    pub fn from_fn(entry: impl Fn(usize, usize) -> S) -> Self {
+        Mat3([0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j))))
+    }
+
+    /// The identity.
+    pub fn identity() -> Self {
+        Sym3::diagonal([S::one(); 3]).full()
+    }
+
+    /// The zero matrix.
+    pub fn zero() -> Self {
+        Mat3([[S::zero(); 3]; 3])
+    }
+
+    /// The transpose; of a rotation, its inverse.
+    pub fn transposed(self) -> Self {
+        Mat3::from_fn(|i, j| self[j][i])
+    }
+
+    /// Row `i`.
+    pub fn row(self, i: usize) -> Vec3<S> {
+        Vec3(self[i])
+    }
+
+    /// Column `j`.
+    pub fn column(self, j: usize) -> Vec3<S> {
+        Vec3([self[0][j], self[1][j], self[2][j]])
+    }
+
+    /// The turn by an angle with the given sine and cosine about axis `k`.
+    pub fn turn_about(k: usize, (sin, cos): (S, S)) -> Self {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        Mat3::from_fn(|row, column| match (row, column) {
+            (r, c) if r == k && c == k => S::one(),
+            (r, c) if (r == i && c == i) || (r == j && c == j) => cos,
+            (r, c) if r == j && c == i => sin,
+            (r, c) if r == i && c == j => -sin,
+            _ => S::zero(),
+        })
+    }
+
+    /// The rotation matrix of the unit quaternion (w, x, y, z).
+    pub fn from_quaternion([w, x, y, z]: [S; 4]) -> Self {
+        let (x2, y2, z2) = (x + x, y + y, z + z);
+        let (wx, wy, wz) = (w * x2, w * y2, w * z2);
+        let (xx, xy, xz) = (x * x2, x * y2, x * z2);
+        let (yy, yz, zz) = (y * y2, y * z2, z * z2);
+        let one = S::one();
+        Mat3([
+            [one - (yy + zz), xy - wz, xz + wy],
+            [xy + wz, one - (xx + zz), yz - wx],
+            [xz - wy, yz + wx, one - (xx + yy)],
+        ])
+    }
+
+    /// `self · inner · selfᵀ`
+    pub fn congruence(self, inner: Sym3<S>) -> Sym3<S> {
+        let half = self * inner.full();
+        Sym3::from_fn(|i, j| half.row(i).dot(self.row(j)))
+    }
+}
+
+impl<S> Index<usize> for Mat3<S> {
+    type Output = [S; 3];
+    fn index(&self, row: usize) -> &[S; 3] {
+        &self.0[row]
+    }
+}
+
+impl<S: Scalar> Mul for Mat3<S> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Mat3::from_fn(|i, j| self.row(i).dot(other.column(j)))
+    }
+}
+
+impl<S: Scalar> Mul<Vec3<S>> for Mat3<S> {
+    type Output = Vec3<S>;
+    fn mul(self, vector: Vec3<S>) -> Vec3<S> {
+        Vec3([0, 1, 2].map(|i| self.row(i).dot(vector)))
+    }
+}
+
+impl<S: Scalar> Add for Mat3<S> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Mat3::from_fn(|i, j| self[i][j] + other[i][j])
+    }
+}
+
+impl<S: Scalar> Sub for Mat3<S> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Mat3::from_fn(|i, j| self[i][j] - other[i][j])
+    }
+}
+
+impl<S: Scalar> Neg for Mat3<S> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Mat3(self.0.map(|row| row.map(|x| -x)))
+    }
+}
+
+impl<S: Scalar> Mul<S> for Mat3<S> {
+    type Output = Self;
+    fn mul(self, factor: S) -> Self {
+        Mat3(self.0.map(|row| row.map(|x| x * factor)))
+    }
+}
+
+/// A symmetric matrix: xx, yy, zz, xy, xz, yz.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sym3<S>(pub [S; 6]);
+
+/// Where entry (i, j) of a symmetric matrix is kept.
+const PLACE: [[usize; 3]; 3] = [[0, 3, 4], [3, 1, 5], [4, 5, 2]];
+
+impl<S: Scalar> Sym3<S> {
+    /// The matrix with `entry(row, column)`, asked for on and above the diagonal only.
+    pub fn from_fn(entry: impl Fn(usize, usize) -> S) -> Self {
+        Sym3([(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|(i, j)| entry(i, j)))
+    }
+
+    /// The diagonal matrix.
+    pub fn diagonal(entries: [S; 3]) -> Self {
+        Sym3::from_fn(|i, j| if i == j { entries[i] } else { S::zero() })
+    }
+
+    /// Entry (i, j).
+    pub fn at(&self, i: usize, j: usize) -> S {
+        self.0[PLACE[i][j]]
+    }
+
+    /// All nine entries.
+    pub fn full(self) -> Mat3<S> {
+        Mat3::from_fn(|i, j| self.at(i, j))
+    }
+
+    /// Sum of the diagonal.
+    pub fn trace(self) -> S {
+        self.0[0] + self.0[1] + self.0[2]
+    }
+
+    /// The inertia, about the same axes, of mass `mass` at `r`: `m (rᵀr 1 − r rᵀ)`.
+    pub fn of_point_mass(mass: S, r: Vec3<S>) -> Self {
+        let moment = r * mass;
+        let (x, y, z) = (moment[0] * r[0], moment[1] * r[1], moment[2] * r[2]);
+        Sym3([y + z, x + z, x + y, -(moment[0] * r[1]), -(moment[0] * r[2]), -(moment[1] * r[2])])
+    }
+}
+
+impl<S: Scalar> Add for Sym3<S> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Sym3::from_fn(|i, j| self.at(i, j) + other.at(i, j))
+    }
+}
+
+impl<S: Scalar> Sub for Sym3<S> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Sym3::from_fn(|i, j| self.at(i, j) - other.at(i, j))
+    }
+}
+
+impl<S: Scalar> Mul<Vec3<S>> for Sym3<S> {
+    type Output = Vec3<S>;
+    fn mul(self, vector: Vec3<S>) -> Vec3<S> {
+        self.full() * vector
+    }
+}

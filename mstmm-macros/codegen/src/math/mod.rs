@@ -1,0 +1,12 @@
+//! Vectors, matrices and spatial quantities of three-dimensional mechanics, generic over the
+//! scalar: the compiler runs them on formulas, the tests on plain numbers.
+
+mod matrix;
+mod scalar;
+mod spatial;
+mod vector;
+
+pub use matrix::{Mat3, Sym3};
+pub use scalar::Scalar;
+pub use spatial::{Motion, SpatialInertia, Wrench};
+pub use vector::Vec3;

@@ -1,0 +1,78 @@
+//! Vectors with three components.
+
+use super::{Mat3, Scalar};
+use std::ops::{Add, Index, Mul, Neg, Sub};
+
+/// A vector; the context says in which axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vec3<S>(pub [S; 3]);
+
+impl<S: Scalar> Vec3<S> {
+    /// The zero vector.
+    pub fn zero() -> Self {
+        Vec3([S::zero(); 3])
+    }
+
+    /// The unit vector along axis `k`.
+    pub fn unit(k: usize) -> Self {
+        Vec3([0, 1, 2].map(|i| if i == k { S::one() } else { S::zero() }))
+    }
+
+    /// `self · other`
+    pub fn dot(self, other: Self) -> S {
+        self[0] * other[0] + self[1] * other[1] + self[2] * other[2]
+    }
+
+    /// `self × other`
+    pub fn cross(self, other: Self) -> Self {
+        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+        Vec3([b * z - c * y, c * x - a * z, a * y - b * x])
+    }
+
+    /// The matrix `r̃` of `r × …`.
+    pub fn skew(self) -> Mat3<S> {
+        let ([x, y, z], o) = (self.0, S::zero());
+        Mat3([[o, -z, y], [z, o, -x], [-y, x, o]])
+    }
+
+    /// `Ω̃ Ω̃ r`, the centripetal acceleration of a point at `self` from a point at rest in a body
+    /// that turns with `omega` [P, Eq. (13)].
+    pub fn centripetal(self, omega: Self) -> Self {
+        omega.cross(omega.cross(self))
+    }
+}
+
+impl<S> Index<usize> for Vec3<S> {
+    type Output = S;
+    fn index(&self, k: usize) -> &S {
+        &self.0[k]
+    }
+}
+
+impl<S: Scalar> Add for Vec3<S> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Vec3([0, 1, 2].map(|k| self[k] + other[k]))
+    }
+}
+
+impl<S: Scalar> Sub for Vec3<S> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Vec3([0, 1, 2].map(|k| self[k] - other[k]))
+    }
+}
+
+impl<S: Scalar> Neg for Vec3<S> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Vec3(self.0.map(|x| -x))
+    }
+}
+
+impl<S: Scalar> Mul<S> for Vec3<S> {
+    type Output = Self;
+    fn mul(self, factor: S) -> Self {
+        Vec3(self.0.map(|x| x * factor))
+    }
+}
