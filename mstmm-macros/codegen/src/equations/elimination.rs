@@ -1,0 +1,134 @@
+//! One linear condition takes one unknown out of an affine relation, by a Householder reflection:
+//! no choice by value, no growth of rounding errors, whatever the length of the chain.
+//!
+//! `c x = c₀` with `H = 1 − γ v vᵀ` and `c H = −s e_p` leaves `x = H [w; y]`, `w = −c₀ / s`, with
+//! `y` free. The place `p` of the entry that leaves follows from which coefficients vanish for
+//! every state, so it is the same in every step.
+
+use crate::math::Scalar;
+
+/// Things that can be mixed by numbers: the columns that belong to unknowns.
+pub trait Mixed<S>: Copy {
+    /// `self + other · factor`
+    fn plus_scaled(self, other: Self, factor: S) -> Self;
+    /// `self · factor`
+    fn scaled(self, factor: S) -> Self;
+}
+
+/// How one condition was used.
+#[derive(Clone, Debug)]
+pub struct Reflection<S> {
+    /// `p`
+    place: usize,
+    /// `v`; empty where one coefficient alone does not vanish and nothing needs reflecting.
+    vector: Vec<S>,
+    /// `γ`
+    factor: S,
+    /// `w`, what the reflected unknown at `p` must be.
+    value: S,
+    /// `|c|`
+    pub length: S,
+}
+
+impl<S: Scalar> Reflection<S> {
+    /// Uses the condition `coefficients · x = value`.
+    pub fn of(coefficients: &[S], value: S) -> Self {
+        let present: Vec<usize> =
+            (0..coefficients.len()).filter(|&k| !coefficients[k].vanishes()).collect();
+        let place = present.first().copied().unwrap_or(0);
+        let entry = coefficients[place];
+        if present.len() <= 1 {
+            let value = value * entry.recip();
+            return Reflection {
+                place,
+                vector: Vec::new(),
+                factor: S::zero(),
+                value,
+                length: entry * S::one().copysign(entry),
+            };
+        }
+        let length = present
+            .iter()
+            .fold(S::zero(), |sum, &k| sum + coefficients[k] * coefficients[k])
+            .sqrt();
+        let s = length.copysign(entry);
+        let mut vector = coefficients.to_vec();
+        vector[place] = entry + s;
+        let factor = (vector[place] * s).recip();
+        // γ v_p = 1 / s
+        Reflection { place, value: -(value * (vector[place] * factor)), vector, factor, length }
+    }
+
+    /// Rewrites the columns of `x` as those of `y`; returns what joins the known part.
+    pub fn apply<M: Mixed<S>>(&self, columns: &mut Vec<M>) -> M {
+        if let Some(first) = self.vector.first() {
+            let mut along = columns[0].scaled(*first);
+            for (&column, &v) in columns.iter().zip(&self.vector).skip(1) {
+                along = along.plus_scaled(column, v);
+            }
+            let along = along.scaled(self.factor);
+            for (column, &v) in columns.iter_mut().zip(&self.vector) {
+                *column = column.plus_scaled(along, -v);
+            }
+        }
+        columns.remove(self.place).scaled(self.value)
+    }
+
+    /// `x` from `y`.
+    pub fn expand(&self, mut unknowns: Vec<S>) -> Vec<S> {
+        unknowns.insert(self.place, self.value);
+        if !self.vector.is_empty() {
+            let along =
+                unknowns.iter().zip(&self.vector).fold(S::zero(), |sum, (&x, &v)| sum + x * v)
+                    * self.factor;
+            for (x, &v) in unknowns.iter_mut().zip(&self.vector) {
+                *x = *x - v * along;
+            }
+        }
+        unknowns
+    }
+
+    /// `v`, for the record.
+    pub fn vector(&self) -> &[S] {
+        &self.vector
+    }
+}
+
+impl<S: Scalar> Mixed<S> for S {
+    fn plus_scaled(self, other: Self, factor: S) -> Self {
+        self + other * factor
+    }
+    fn scaled(self, factor: S) -> Self {
+        self * factor
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Reflection;
+
+    #[test]
+    fn what_is_left_satisfies_the_condition_for_every_choice() {
+        let c = [0.3, -2.0, 1e-9, 4.0];
+        let reflection = Reflection::of(&c, 1.7);
+        for y in [[0.0, 0.0, 0.0], [1.0, -2.0, 3.0], [-0.1, 7.0, 0.4]] {
+            let x = reflection.expand(y.to_vec());
+            let value: f64 = c.iter().zip(&x).map(|(c, x)| c * x).sum();
+            // Four products of size |c| |x| ≤ 40, a few roundings each.
+            assert!((value - 1.7).abs() < 40.0 * 16.0 * f64::EPSILON, "{value}");
+        }
+    }
+
+    #[test]
+    fn columns_and_unknowns_are_rewritten_alike() {
+        let c = [0.3_f64, -2.0, 0.5, 4.0];
+        let row = [1.0, 2.0, -3.0, 0.25];
+        let reflection = Reflection::of(&c, 1.7);
+        let mut columns = row.to_vec();
+        let known = reflection.apply(&mut columns);
+        let y = [0.7, -1.1, 2.0];
+        let direct: f64 = reflection.expand(y.to_vec()).iter().zip(&row).map(|(x, r)| x * r).sum();
+        let rewritten: f64 = known + y.iter().zip(&columns).map(|(y, c)| y * c).sum::<f64>();
+        assert!((direct - rewritten).abs() < 64.0 * 16.0 * f64::EPSILON);
+    }
+}

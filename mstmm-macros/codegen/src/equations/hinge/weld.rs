@@ -1,0 +1,14 @@
+//! Weld: joins two frames for good.
+
+use super::{Crossing, Freedom};
+use crate::math::{Mat3, Scalar, Vec3};
+
+/// Both frames coincide.
+pub fn crossing<S: Scalar>() -> Crossing<S> {
+    Crossing { rotation: Mat3::identity(), offset: Vec3::zero() }
+}
+
+/// Nothing is free.
+pub fn freedom<S: Scalar>() -> Freedom<S> {
+    Freedom { columns: Vec::new(), basis: Vec::new() }
+}

@@ -1,0 +1,213 @@
+//! Everything that can be asked of a chain once its accelerations are known: pose, velocity and
+//! the state vector `z` at every connection point, from the bodies as written.
+//!
+//! Accelerations go outwards from the ground, wrenches come back from the free end. Neither the
+//! trick with gravity nor the work axes of the method show here: all is inertial, `r̈` is true.
+
+use super::{Axes, LinkMotion, Situation, Trace, motion};
+use crate::math::{Mat3, Motion, Scalar, Vec3, Wrench};
+use crate::model::{Element, Place};
+
+/// A connection point, inertial frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Point<S> {
+    /// Its place.
+    pub position: Vec3<S>,
+    /// Its frame's axes to inertial ones.
+    pub rotation: Mat3<S>,
+    /// Its velocity.
+    pub velocity: Vec3<S>,
+    /// Its frame's angular velocity `Ω`.
+    pub omega: Vec3<S>,
+    /// `r̈` and `Ω̇`.
+    pub acceleration: Motion<S>,
+    /// Internal force `q` and internal moment `m`, in the signs of [P, Sect. 2.1].
+    pub force: Vec3<S>,
+    /// See `force`.
+    pub moment: Vec3<S>,
+}
+
+/// All connection points in the order written: the first element's input, then every output.
+#[derive(Clone, Debug)]
+pub struct Report<S> {
+    /// One more than there are elements.
+    pub points: Vec<Point<S>>,
+}
+
+/// A link's point as it moves.
+#[derive(Clone, Copy)]
+struct Moving<S> {
+    position: Vec3<S>,
+    velocity: Vec3<S>,
+    acceleration: Motion<S>,
+    /// Exerted on the link's body by its hinge.
+    wrench: Wrench<S>,
+}
+
+/// The report for given accelerations of all hinges.
+pub fn report<S: Scalar>(
+    situation: &Situation<S>,
+    accelerations: &[S],
+    trace: &mut Trace<S>,
+) -> Report<S> {
+    let links = motion(situation, Axes::Inertial, trace);
+    let mut moving = outwards(situation, &links, accelerations, trace);
+    inwards(situation, &links, &mut moving, trace);
+    let sheet = Sheet { situation, links: &links, moving: &moving };
+    trace.section("Connection points", "[P, Eqs. (4), (12)]");
+    Report { points: places(situation).into_iter().map(|place| sheet.point(place)).collect() }
+}
+
+/// The places of all connection points, in the order written.
+fn places<'a, S>(situation: &Situation<'a, S>) -> Vec<&'a Place> {
+    let hinge = |index: usize| &situation.chain.hinges[index];
+    let places = &situation.layout.places;
+    let mut all = Vec::new();
+    for (number, element) in situation.chain.route.iter().enumerate() {
+        let (input, output) = match *element {
+            Element::Hinge(index) => (&hinge(index).inboard, &hinge(index).outboard),
+            Element::Body(index) => (&places[index].0, &places[index].1),
+        };
+        if number == 0 {
+            all.push(input);
+        }
+        all.push(output);
+    }
+    all
+}
+
+/// Positions, velocities and true accelerations [P, Eqs. (12), (13), (36)].
+fn outwards<S: Scalar>(
+    situation: &Situation<S>,
+    links: &[LinkMotion<S>],
+    accelerations: &[S],
+    trace: &mut Trace<S>,
+) -> Vec<Moving<S>> {
+    let mut moving: Vec<Moving<S>> = Vec::new();
+    let mut points: Vec<(Vec3<S>, Vec3<S>)> = Vec::new();
+    for (link, place) in links.iter().zip(&situation.layout.links) {
+        trace.section(format!("Point of `{}`", link.name), "[P, Eqs. (12), (13), (36)]");
+        let (position, velocity) = link.place(&points, links);
+        let parent = link.parent.map_or(Motion::zero(), |parent| moving[parent].acceleration);
+        let rates = &accelerations[situation.layout.v[place.hinge].clone()];
+        let acceleration = link.carried(parent) + link.freedom.motion(rates);
+        trace.motion(&format!("{}_acc", link.name), acceleration);
+        points.push((position, velocity));
+        moving.push(Moving { position, velocity, acceleration, wrench: Wrench::zero() });
+    }
+    moving
+}
+
+/// What every hinge exerts, from the free end [P, Eqs. (18), (19)].
+fn inwards<S: Scalar>(
+    situation: &Situation<S>,
+    links: &[LinkMotion<S>],
+    moving: &mut [Moving<S>],
+    trace: &mut Trace<S>,
+) {
+    let gravity = situation.numbers.vector(&situation.chain.gravity);
+    for index in (0..links.len()).rev() {
+        let link = &links[index];
+        trace.section(format!("Load on `{}`", link.name), "[P, Eqs. (18), (19)]");
+        let free_fall = Motion { linear: -gravity, angular: Vec3::zero() };
+        let own = link.rigid().times(moving[index].acceleration + free_fall) + link.velocity_load();
+        moving[index].wrench = moving[index].wrench + own;
+        trace.wrench(&format!("{}_load", link.name), moving[index].wrench);
+        if let Some(parent) = link.parent {
+            moving[parent].wrench =
+                moving[parent].wrench + moving[index].wrench.moved_from(link.arm);
+        }
+    }
+}
+
+impl<S: Scalar> LinkMotion<S> {
+    /// Position and velocity of the point, for links in inertial axes; `points` holds those of all
+    /// links before.
+    pub(super) fn place(
+        &self,
+        points: &[(Vec3<S>, Vec3<S>)],
+        links: &[LinkMotion<S>],
+    ) -> (Vec3<S>, Vec3<S>) {
+        match self.parent {
+            None => (self.arm, self.relative.linear),
+            Some(parent) => {
+                let (position, velocity) = points[parent];
+                let turning = links[parent].omega.cross(self.arm);
+                (position + self.arm, velocity + turning + self.relative.linear)
+            }
+        }
+    }
+}
+
+/// What the connection points are read off.
+struct Sheet<'a, S> {
+    situation: &'a Situation<'a, S>,
+    links: &'a [LinkMotion<S>],
+    moving: &'a [Moving<S>],
+}
+
+impl<S: Scalar> Sheet<'_, S> {
+    fn point(&self, place: &Place) -> Point<S> {
+        let Situation { chain, layout, numbers, .. } = *self.situation;
+        let (origin, rotation) = numbers.place(chain, place);
+        let (force, moment) = self.transmitted(place);
+        let Some(index) = layout.links.iter().position(|link| Some(link.body) == place.body())
+        else {
+            return Point {
+                position: origin,
+                rotation,
+                velocity: Vec3::zero(),
+                omega: Vec3::zero(),
+                acceleration: Motion::zero(),
+                force,
+                moment,
+            };
+        };
+        let (link, moving) = (&self.links[index], &self.moving[index]);
+        let arm = link.attitude * (origin - self.point_in_body(index));
+        let acceleration = moving.acceleration.carried_to(arm);
+        Point {
+            position: moving.position + arm,
+            rotation: link.attitude * rotation,
+            velocity: moving.velocity + link.omega.cross(arm),
+            omega: link.omega,
+            acceleration: Motion {
+                linear: acceleration.linear + arm.centripetal(link.omega),
+                angular: acceleration.angular,
+            },
+            force,
+            moment,
+        }
+    }
+
+    fn point_in_body(&self, index: usize) -> Vec3<S> {
+        let Situation { chain, layout, numbers, .. } = *self.situation;
+        let link = &layout.links[index];
+        let hinge = &chain.hinges[link.hinge];
+        let place = if link.reversed { &hinge.inboard } else { &hinge.outboard };
+        numbers.place(chain, place).0
+    }
+
+    /// `q` and `m` at a place: on a body, `+q` and `−m` at its input, `−q` and `+m` at its output.
+    fn transmitted(&self, place: &Place) -> (Vec3<S>, Vec3<S>) {
+        let Situation { chain, layout, .. } = *self.situation;
+        let mut through = Wrench::zero();
+        for (index, link) in layout.links.iter().enumerate() {
+            let hinge = &chain.hinges[link.hinge];
+            let wrench = self.moving[index].wrench;
+            // Exerted by the inboard on the outboard side, about the child's point.
+            let outwards = if link.reversed { wrench.reversed() } else { wrench };
+            let (parents, childs) = if link.reversed {
+                (&hinge.outboard, &hinge.inboard)
+            } else {
+                (&hinge.inboard, &hinge.outboard)
+            };
+            if place.is(childs) {
+                through = through + outwards;
+            } else if place.is(parents) {
+                through = through + outwards.moved_from(self.links[index].offset);
+            }
+        }
+        (through.force, -through.moment)
+    }
+}

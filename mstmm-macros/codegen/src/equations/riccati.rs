@@ -1,0 +1,136 @@
+//! Riccati transfer: from the free end to the ground, the relation `F = A a + e` at every point.
+//!
+//! For every hinge, with `a = a' + S β` and the condition `Sᵀ F = τ`, one free direction `s` after
+//! the other is eliminated:
+//!
+//! (1)  `y = A s`, `d = sᵀ y`, `z = y / d`, `w = τ − sᵀ e`
+//! (2)  `A ← A − z yᵀ`, `e ← e + z w`
+//! (3)  `β = w / d − zᵀ a'`, on the way back
+//!
+//! What is left has `A s = 0` and `sᵀ e = τ`. Where `s` is an axis both are set exactly, and `A`
+//! keeps one of each pair of entries only: without that, chains of balls lose all digits.
+
+use super::hinge::Column;
+use super::{LinkMotion, Pivot, Trace};
+use crate::math::{Motion, Scalar, SpatialInertia, Wrench};
+
+/// A free direction that has been eliminated.
+struct Eliminated<S> {
+    column: Column<S>,
+    /// `z`
+    gain: Wrench<S>,
+    /// `w / d`
+    rest: S,
+}
+
+/// Amounts of every link's free columns, and the pivots.
+pub fn solve<S: Scalar>(
+    links: &[LinkMotion<S>],
+    efforts: &[Vec<S>],
+    ground: Motion<S>,
+    trace: &mut Trace<S>,
+) -> (Vec<Vec<S>>, Vec<Pivot<S>>) {
+    let mut eliminated: Vec<Vec<Eliminated<S>>> = links.iter().map(|_| Vec::new()).collect();
+    let mut pivots = Vec::new();
+    let mut own: Vec<(SpatialInertia<S>, Wrench<S>)> =
+        links.iter().map(|link| (link.rigid(), link.velocity_load())).collect();
+    for index in (0..links.len()).rev() {
+        let link = &links[index];
+        trace.section(
+            format!("Riccati transfer over `{}`", link.name),
+            "F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]",
+        );
+        let (mut inertia, mut load) = own[index];
+        trace.inertia(&link.name, inertia);
+        trace.wrench(&format!("{}_e", link.name), load);
+        for (number, (&column, &effort)) in
+            link.freedom.columns.iter().zip(&efforts[index]).enumerate()
+        {
+            let pivot = eliminate(&mut inertia, &mut load, column, effort, &mut eliminated[index]);
+            trace.number(format!("{}_d{number}", link.name), pivot);
+            trace.wrench(&format!("{}_z{number}", link.name), eliminated[index][number].gain);
+            pivots.push(Pivot { link: index, value: pivot, scale: scale(link, column) });
+        }
+        if let Some(parent) = link.parent {
+            let load = load + inertia.times(link.drift);
+            let (inertia, load) = (inertia.turned(link.to_parent), load.turned(link.to_parent));
+            own[parent].0 = own[parent].0 + inertia.moved_from(link.arm);
+            own[parent].1 = own[parent].1 + load.moved_from(link.arm);
+        }
+    }
+    (recover(links, &eliminated, ground, trace), pivots)
+}
+
+/// Equations (1) and (2) for one free direction; returns `d`.
+fn eliminate<S: Scalar>(
+    inertia: &mut SpatialInertia<S>,
+    load: &mut Wrench<S>,
+    column: Column<S>,
+    effort: S,
+    eliminated: &mut Vec<Eliminated<S>>,
+) -> S {
+    let direction = column.motion();
+    let (old, y) = (*inertia, inertia.times(direction));
+    let pivot = direction.power(y);
+    let inverse = pivot.recip();
+    let rest = (effort - direction.power(*load)) * inverse;
+    let along = |k: usize| matches!(column, Column::Axis(axis) if axis == k);
+    let gain = Wrench::from_fn(|k| if along(k) { S::one() } else { y.at(k) * inverse });
+    *inertia = SpatialInertia::from_fn(|i, j| {
+        if along(i) || along(j) { S::zero() } else { old.at(i, j) - gain.at(i) * y.at(j) }
+    });
+    let before = *load;
+    *load = Wrench::from_fn(|k| if along(k) { effort } else { before.at(k) + y.at(k) * rest });
+    eliminated.push(Eliminated { column, gain, rest });
+    pivot
+}
+
+/// Equation (3), from the ground outwards.
+fn recover<S: Scalar>(
+    links: &[LinkMotion<S>],
+    eliminated: &[Vec<Eliminated<S>>],
+    ground: Motion<S>,
+    trace: &mut Trace<S>,
+) -> Vec<Vec<S>> {
+    let mut accelerations: Vec<Motion<S>> = Vec::new();
+    let mut amounts = Vec::new();
+    for (link, eliminated) in links.iter().zip(eliminated) {
+        trace.section(format!("Acceleration of `{}`", link.name), "[P, Eqs. (13), (36), (44)]");
+        let mut acceleration = link.carried(link.parent.map_or(ground, |p| accelerations[p]));
+        let mut betas: Vec<S> = Vec::new();
+        for step in eliminated.iter().rev() {
+            betas.insert(0, advance(&mut acceleration, step));
+        }
+        trace.motion(&format!("{}_a", link.name), acceleration);
+        accelerations.push(acceleration);
+        amounts.push(betas);
+    }
+    amounts
+}
+
+/// Adds one free direction's part to `acceleration` and returns its amount `β`.
+fn advance<S: Scalar>(acceleration: &mut Motion<S>, step: &Eliminated<S>) -> S {
+    let before = *acceleration;
+    match step.column {
+        // The new component follows without the old one, which then matters to `β` alone.
+        Column::Axis(axis) => {
+            let others = Motion::from_fn(|k| if k == axis { S::zero() } else { before.at(k) });
+            let new = step.rest - others.power(step.gain);
+            *acceleration = Motion::from_fn(|k| if k == axis { new } else { before.at(k) });
+            new - before.at(axis)
+        }
+        Column::General(direction) => {
+            let beta = step.rest - before.power(step.gain);
+            *acceleration = before + direction.scaled(beta);
+            beta
+        }
+    }
+}
+
+/// What a pivot along `column` is measured by: the body's own inertia, which is known beforehand.
+fn scale<S: Scalar>(link: &LinkMotion<S>, column: Column<S>) -> S {
+    match column {
+        Column::Axis(axis) if axis < 3 => link.scale.1,
+        Column::Axis(_) | Column::General(_) => link.scale.0,
+    }
+}

@@ -1,0 +1,94 @@
+//! Accuracy does not fall with length: accelerations of long chains against the same equations in
+//! numbers of twice the precision.
+
+mod common;
+
+use common::double_double::DoubleDouble;
+use common::{compute, read};
+use mstmm_codegen::equations::Axes;
+use mstmm_codegen::math::Scalar;
+use mstmm_codegen::model::{Chain, Method};
+use mstmm_reference::Random;
+
+const LENGTHS: [usize; 3] = [3, 30, 300];
+
+const CUBE: &str = "body Cube { mass = 1 kg; com = [0.5, 0, 0] m; output = [1, 0, 0] m;
+    inertia = diag(1/6, 5/12, 5/12) kg*m^2 about input; }";
+
+/// `count` cubes on hinges of the kinds that `kind` gives in turn.
+fn chain(count: usize, kind: impl Fn(usize) -> &'static str) -> Chain {
+    let route: String = (0..count).map(|k| format!(" -> {} j{k} -> Cube b{k}", kind(k))).collect();
+    read(&format!("chain Long {{ gravity = [0, -9.8, 0] m/s^2; {CUBE} ground{route}; }}"))
+}
+
+/// The largest error of any acceleration, relative to the largest acceleration.
+fn error<S: Scalar>(chain: &Chain, way: (Method, Axes), seed: u64, number: fn(S) -> f64) -> f64 {
+    let mut random = Random::new(seed);
+    // Angles and rates that `f32` holds exactly, so that all precisions solve the same problem.
+    // Quaternions cannot be of unit length in every precision: theirs is a rounding error of input.
+    let mut short = |limit: f64| f64::from(random.between(-limit, limit) as f32);
+    let (mut q, mut v) = (Vec::new(), Vec::new());
+    for hinge in &chain.hinges {
+        q.extend((0..hinge.kind.coordinates()).map(|_| short(1.0)));
+        v.extend((0..hinge.kind.freedoms()).map(|_| short(2.0)));
+        if hinge.kind.coordinates() == 4 {
+            let quaternion = q.split_off(q.len() - 4);
+            let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
+            q.extend(quaternion.iter().map(|x| x / length));
+        }
+    }
+    let efforts = vec![0.0; v.len()];
+    let truth = compute::<DoubleDouble>(chain, (Method::Riccati, way.1), &q, &v, &efforts);
+    let computed = compute::<S>(chain, way, &q, &v, &efforts);
+    let truth: Vec<f64> = truth.accelerations.iter().map(|x| x.high).collect();
+    let computed: Vec<f64> = computed.accelerations.into_iter().map(number).collect();
+    common::difference(&computed, &truth)
+}
+
+/// Both methods, in the axes that they are used in, with `f64` and `f32`.
+fn check(name: &str, axes: &[Axes], kind: impl Fn(usize) -> &'static str + Copy) {
+    for count in LENGTHS {
+        let chain = chain(count, kind);
+        for method in [Method::Riccati, Method::Transfer] {
+            for &axes in axes {
+                for seed in 0..3 {
+                    let double = error::<f64>(&chain, (method, axes), seed, |x| x);
+                    let single = error::<f32>(&chain, (method, axes), seed, f64::from);
+                    println!(
+                        "{name} {count} {method:?} {axes:?} seed {seed}: {double:.1e} {single:.1e}"
+                    );
+                    // A plain product of 30 elements has no correct digit in either precision.
+                    assert!(double < 1e-12, "{name} {count} {method:?} {axes:?} seed {seed}");
+                    assert!(single < 1e-4, "{name} {count} {method:?} {axes:?} seed {seed}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn balls() {
+    check("balls", &[Axes::Body, Axes::Inertial], |_| "ball");
+}
+
+#[test]
+fn pins_in_a_plane() {
+    check("planar pins", &[Axes::Body], |_| "pin(z)");
+}
+
+#[test]
+fn pins_about_perpendicular_axes() {
+    check("perpendicular pins", &[Axes::Body], |k| ["pin(z)", "pin(y)"][k % 2]);
+}
+
+#[test]
+fn pins_about_oblique_axes() {
+    check("oblique pins", &[Axes::Body, Axes::Inertial], |k| {
+        ["pin([1, 2, 3])", "pin([0, 1, -1])", "pin(x)"][k % 3]
+    });
+}
+
+#[test]
+fn balls_and_pins() {
+    check("balls and pins", &[Axes::Body, Axes::Inertial], |k| ["ball", "pin(y)"][k % 2]);
+}
