@@ -1,0 +1,248 @@
+//! A program as statements.
+
+use super::Plan;
+use super::names::local;
+use crate::model::{Effort, HingeKind};
+use crate::program::{Operand, Operation, Program, Section, Statement};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+use std::ops::Range;
+
+/// The statements of a program and its results.
+pub struct Block {
+    /// All statements, reading the unknowns first.
+    pub statements: TokenStream,
+    /// The groups of results.
+    pub outputs: Vec<Vec<TokenStream>>,
+}
+
+/// Programs of more statements than this declare the names of a section before they compute them.
+///
+/// Small ones read better with one `let` a line. But every `let` opens a scope inside the one
+/// before, and rustc walks nested scopes recursively where it writes debug information: some
+/// thousands of them overflow its stack.
+const NESTED_SCOPES: usize = 1000;
+
+impl Plan<'_> {
+    /// A program of the step: it reads `state`, `inputs` and `self.derived`.
+    pub fn step_block(&self, program: &Program) -> Block {
+        let coordinates = self.read(program, self.symbols.q(), quote!(state.q.data.0));
+        let rates = self.read(program, self.symbols.v(), quote!(state.v.data.0));
+        let inputs = self.read_inputs(program);
+        let slots = read_slots(program);
+        self.block(program, quote!(#slots #coordinates #rates #inputs))
+    }
+
+    /// The program of the setup: it reads the parameters and `constants`.
+    pub fn setup_block(&self, program: &Program) -> Block {
+        let parameters = self.chain.parameters.iter().zip(self.symbols.parameters());
+        let parameters =
+            parameters.filter(|(_, number)| reads(program, *number)).map(|(parameter, number)| {
+                let (name, field) = (self.symbol(number as u32), &parameter.name);
+                quote!(let #name = parameters.#field;)
+            });
+        let constants = self.read_array(program, self.symbols.constants(), quote!(*constants));
+        self.block(program, quote!(#(#parameters)* #constants))
+    }
+
+    fn block(&self, program: &Program, reading: TokenStream) -> Block {
+        let count: usize = program.sections.iter().map(|section| section.statements.len()).sum();
+        let flat = count > NESTED_SCOPES;
+        let sections = program.sections.iter().map(|section| self.section(section, flat));
+        let statements: TokenStream = sections.collect();
+        let outputs: Vec<Vec<TokenStream>> = program
+            .outputs
+            .iter()
+            .map(|group| group.iter().map(|operand| self.operand(operand)).collect())
+            .collect();
+        let constant = uses_numbers(program).then(|| {
+            let c = local("c");
+            quote!(let #c = T::constant;)
+        });
+        Block { statements: quote!(#constant #reading #statements), outputs }
+    }
+
+    /// The statements of a section, its heading on the first.
+    fn section(&self, section: &Section, flat: bool) -> TokenStream {
+        let source =
+            if section.source.is_empty() { String::new() } else { format!(", {}", section.source) };
+        let heading = format!(" {}{source}: {}.", section.title, section.cost());
+        let declared = flat.then(|| {
+            let names = section.statements.iter().flat_map(Statement::names).map(local);
+            quote!(let (#(#names,)*);)
+        });
+        let keyword = (!flat).then(|| quote!(let));
+        let mut statements =
+            section.statements.iter().map(|statement| self.statement(statement, &keyword));
+        let first = if flat { None } else { statements.next() };
+        quote! {
+            #[doc = #heading]
+            #declared
+            #first
+            #(#statements)*
+        }
+    }
+
+    /// A statement; `keyword` is `let` unless its names are declared already.
+    fn statement(&self, statement: &Statement, keyword: &Option<TokenStream>) -> TokenStream {
+        match statement {
+            Statement::Let(name, operation) => {
+                let (name, value) = (local(name), self.operation(operation));
+                quote!(#keyword #name = #value;)
+            }
+            Statement::SinCos { sines, cosines, angles } => {
+                let variable = |name: &Option<String>| match name {
+                    None => quote!(_),
+                    Some(name) => {
+                        let name = local(name);
+                        quote!(#name)
+                    }
+                };
+                let (sines, cosines) = (sines.iter().map(variable), cosines.iter().map(variable));
+                let angles = angles.iter().map(|angle| self.operand(angle));
+                quote!(#keyword ([#(#sines),*], [#(#cosines),*]) = T::sin_cos([#(#angles),*]);)
+            }
+        }
+    }
+
+    fn operation(&self, operation: &Operation) -> TokenStream {
+        let go = |operand: &Operand| self.operand(operand);
+        match operation {
+            Operation::Sum(a, b) => {
+                let (a, b) = (go(a), go(b));
+                quote!(#a + #b)
+            }
+            Operation::Difference(a, b) => {
+                let (a, b) = (go(a), go(b));
+                quote!(#a - #b)
+            }
+            Operation::Product(a, b) => {
+                let (a, b) = (go(a), go(b));
+                quote!(#a * #b)
+            }
+            Operation::Recip(a) => {
+                let a = go(a);
+                quote!(T::recip(#a))
+            }
+            Operation::Sqrt(a) => {
+                let a = go(a);
+                quote!(T::sqrt(#a))
+            }
+            Operation::CopySign(a, b) => {
+                let (a, b) = (go(a), go(b));
+                quote!(T::copysign(#a, #b))
+            }
+        }
+    }
+
+    fn operand(&self, operand: &Operand) -> TokenStream {
+        match operand {
+            Operand::Number(value) => {
+                let (c, magnitude) = (local("c"), Literal::f64_unsuffixed(value.abs()));
+                if *value < 0.0 { quote!(#c(-#magnitude)) } else { quote!(#c(#magnitude)) }
+            }
+            Operand::Symbol(number) => {
+                let name = self.symbol(*number);
+                quote!(#name)
+            }
+            Operand::Named(name) => {
+                let name = local(name);
+                quote!(#name)
+            }
+            Operand::Minus(inner) => {
+                let inner = self.operand(inner);
+                quote!(-#inner)
+            }
+        }
+    }
+
+    fn symbol(&self, number: u32) -> proc_macro2::Ident {
+        local(&self.symbols.names()[number as usize])
+    }
+
+    /// Takes the unknowns in `range` out of the only column of a vector.
+    fn read(&self, program: &Program, range: Range<usize>, from: TokenStream) -> TokenStream {
+        let pattern = self.pattern(program, range);
+        pattern.map_or_else(TokenStream::new, |pattern| quote!(let [#pattern] = #from;))
+    }
+
+    fn read_array(&self, program: &Program, range: Range<usize>, from: TokenStream) -> TokenStream {
+        let pattern = self.pattern(program, range);
+        pattern.map_or_else(TokenStream::new, |pattern| quote!(let #pattern = #from;))
+    }
+
+    /// A pattern that names the unknowns in `range` that the program reads.
+    fn pattern(&self, program: &Program, range: Range<usize>) -> Option<TokenStream> {
+        let last = range.clone().rev().find(|&number| reads(program, number))?;
+        let entries = (range.start..=last).map(|number| {
+            let name = self.symbol(number as u32);
+            if reads(program, number) { quote!(#name) } else { quote!(_) }
+        });
+        let rest = (last + 1 < range.end).then(|| quote!(, ..));
+        Some(quote!([#(#entries),* #rest]))
+    }
+
+    fn read_inputs(&self, program: &Program) -> TokenStream {
+        let hinges = self.chain.hinges.iter().zip(&self.layout.inputs);
+        let driven = hinges.filter(|(hinge, _)| matches!(hinge.effort, Effort::Input));
+        driven
+            .map(|(hinge, range)| {
+                let start = self.symbols.inputs().start;
+                let range = start + range.start..start + range.end;
+                let field = &hinge.name;
+                match hinge.kind {
+                    HingeKind::Pin { .. } => {
+                        let name = self.symbol(range.start as u32);
+                        reads(program, range.start)
+                            .then(|| quote!(let #name = inputs.#field;))
+                            .unwrap_or_default()
+                    }
+                    _ => self.read(program, range, quote!(inputs.#field.data.0)),
+                }
+            })
+            .collect()
+    }
+}
+
+fn reads(program: &Program, number: usize) -> bool {
+    program.symbols.binary_search(&(number as u32)).is_ok()
+}
+
+/// Takes the slots that the program reads out of `self.derived`.
+fn read_slots(program: &Program) -> TokenStream {
+    let Some(last) = program.slots.iter().map(|slot| slot.index).max() else {
+        return TokenStream::new();
+    };
+    let entries =
+        (0..=last).map(|index| match program.slots.iter().find(|slot| slot.index == index) {
+            Some(slot) => {
+                let name = local(&slot.name);
+                quote!(#name)
+            }
+            None => quote!(_),
+        });
+    quote!(let [#(#entries,)* ..] = self.derived;)
+}
+
+/// Whether a known number stands anywhere in the program.
+fn uses_numbers(program: &Program) -> bool {
+    fn number(operand: &Operand) -> bool {
+        match operand {
+            Operand::Number(_) => true,
+            Operand::Minus(inner) => number(inner),
+            Operand::Symbol(_) | Operand::Named(_) => false,
+        }
+    }
+    let in_statement = |statement: &Statement| match statement {
+        Statement::SinCos { angles, .. } => angles.iter().any(number),
+        Statement::Let(_, operation) => match operation {
+            Operation::Sum(a, b)
+            | Operation::Difference(a, b)
+            | Operation::Product(a, b)
+            | Operation::CopySign(a, b) => number(a) || number(b),
+            Operation::Recip(a) | Operation::Sqrt(a) => number(a),
+        },
+    };
+    program.sections.iter().flat_map(|section| &section.statements).any(in_statement)
+        || program.outputs.iter().flatten().any(number)
+}

@@ -1,0 +1,251 @@
+//! The chain's type, its parameters, how it is made and where it starts.
+
+use super::Plan;
+use super::docs;
+use crate::model::{Parameter, Symbol, Value};
+use proc_macro2::{Literal, Span, TokenStream};
+use quote::{format_ident, quote, quote_spanned};
+
+/// `struct Chain<T>`, `struct ChainParameters<T>` and their constructors.
+pub fn emit(plan: &Plan) -> TokenStream {
+    let chain = chain_type(plan);
+    let parameters = parameters_type(plan);
+    let constructors = constructors(plan);
+    let derive = derive(plan);
+    let start = start(plan);
+    let setters = plan.chain.parameters.iter().map(|parameter| setter(plan, parameter));
+    let name = &plan.names.chain;
+    let assertions = plan.chain.bodies.iter().filter_map(|body| constant_mass(plan, body));
+    quote! {
+        #chain
+        #parameters
+        #[allow(dead_code)]
+        impl<T: ::mstmm::Scalar> #name<T> {
+            #constructors
+            #(#setters)*
+            #start
+            #derive
+        }
+        impl<T: ::mstmm::Scalar> ::core::default::Default for #name<T> {
+            fn default() -> Self {
+                Self::new()
+            }
+        }
+        #(#assertions)*
+    }
+}
+
+fn chain_type(plan: &Plan) -> TokenStream {
+    let (name, parameters) = (&plan.names.chain, &plan.names.parameters);
+    let (visibility, attributes) = (&plan.surface.visibility, &plan.surface.attributes);
+    let description = docs::chain(plan);
+    let slots = Literal::usize_unsuffixed(plan.programs.setup.outputs[0].len());
+    quote! {
+        #(#attributes)*
+        #(#[doc = #description])*
+        #[derive(Clone, Debug, PartialEq)]
+        #[allow(dead_code)]
+        #visibility struct #name<T> {
+            parameters: #parameters<T>,
+            derived: [T; #slots],
+        }
+    }
+}
+
+fn parameters_type(plan: &Plan) -> TokenStream {
+    let (name, visibility) = (&plan.names.parameters, &plan.surface.visibility);
+    let doc = format!(" Numbers of [`{}`] that may change at run time.", plan.names.chain);
+    let fields = plan.chain.parameters.iter().map(|parameter| {
+        let name = &parameter.name;
+        quote!(#name: T)
+    });
+    let getters = plan.chain.parameters.iter().map(|parameter| {
+        let (name, doc) = (&parameter.name, docs::parameter(parameter));
+        quote! {
+            #[doc = #doc]
+            #[inline]
+            #visibility fn #name(&self) -> T {
+                self.#name
+            }
+        }
+    });
+    // A struct without fields would not use `T`.
+    let marker =
+        plan.chain.parameters.is_empty().then(|| quote!(none: ::core::marker::PhantomData<T>));
+    quote! {
+        #[doc = #doc]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[allow(dead_code)]
+        #visibility struct #name<T> {
+            #(#fields,)*
+            #marker
+        }
+        #[allow(dead_code)]
+        impl<T: ::mstmm::Scalar> #name<T> {
+            #(#getters)*
+        }
+    }
+}
+
+/// `new`, `parameters` and the evaluation of constants.
+fn constructors(plan: &Plan) -> TokenStream {
+    let (parameters, visibility) = (&plan.names.parameters, &plan.surface.visibility);
+    let values = plan.chain.parameters.iter().map(|parameter| {
+        let (name, value) = (&parameter.name, value_tokens(plan, &parameter.default));
+        quote!(#name: T::constant(#value))
+    });
+    let marker =
+        plan.chain.parameters.is_empty().then(|| quote!(none: ::core::marker::PhantomData));
+    let doc = if plan.chain.parameters.is_empty() {
+        " The chain as described."
+    } else {
+        " The chain as described, its parameters at their defaults."
+    };
+    quote! {
+        #[doc = #doc]
+        #[inline]
+        #[must_use]
+        #visibility fn new() -> Self {
+            let parameters = #parameters { #(#values,)* #marker };
+            let (derived, _) = Self::derive(&parameters);
+            Self { parameters, derived }
+        }
+
+        /// The numbers that may change at run time.
+        #[inline]
+        #visibility fn parameters(&self) -> &#parameters<T> {
+            &self.parameters
+        }
+    }
+}
+
+/// What follows from parameters and constants, once for all steps; and the masses to be checked.
+fn derive(plan: &Plan) -> TokenStream {
+    let program = &plan.programs.setup;
+    let block = plan.setup_block(program);
+    let (statements, slots, masses) = (block.statements, &block.outputs[0], &block.outputs[1]);
+    let (slot_count, mass_count) = (slots.len(), masses.len());
+    let (slot_count, mass_count) =
+        (Literal::usize_unsuffixed(slot_count), Literal::usize_unsuffixed(mass_count));
+    let constants = plan.surface.constants.iter();
+    let evaluate = (!plan.surface.constants.is_empty()).then(|| {
+        let count = Literal::usize_unsuffixed(plan.surface.constants.len());
+        quote!(let constants: &[T; #count] = &[#(T::constant(#constants)),*];)
+    });
+    let parameters = &plan.names.parameters;
+    let doc = format!(" Quantities derived from parameters and constants: {}.", program.cost());
+    quote_spanned! {Span::mixed_site()=>
+        #[doc = #doc]
+        #[allow(unused_doc_comments, unused_variables, clippy::all)]
+        fn derive(parameters: &#parameters<T>) -> ([T; #slot_count], [T; #mass_count]) {
+            #evaluate
+            #statements
+            ([#(#slots),*], [#(#masses),*])
+        }
+    }
+}
+
+/// `set_x`: takes effect only if the chain stays a physical one.
+fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
+    let (name, visibility) = (&parameter.name, &plan.surface.visibility);
+    let set = format_ident!("set_{name}", span = name.span());
+    let text = name.to_string();
+    let doc = format!(" Sets {}", docs::parameter(parameter).trim_start());
+    let reasons = plan.programs.checked_masses.iter().map(|&body| {
+        format!("must leave the mass of body `{}` positive", plan.chain.bodies[body].name)
+    });
+    quote! {
+        #[doc = #doc]
+        ///
+        /// # Errors
+        ///
+        /// [`Error::Parameter`](::mstmm::Error::Parameter) if the number is not finite or would
+        /// make a mass zero or negative; the old one is kept then.
+        #visibility fn #set(&mut self, value: T) -> ::core::result::Result<(), ::mstmm::Error> {
+            let mut parameters = self.parameters;
+            parameters.#name = value;
+            let (derived, masses) = Self::derive(&parameters);
+            ::mstmm::generated::check_parameter(#text, value, &masses, &[#(#reasons),*])?;
+            *self = Self { parameters, derived };
+            ::core::result::Result::Ok(())
+        }
+    }
+}
+
+fn start(plan: &Plan) -> TokenStream {
+    let (state, visibility) = (&plan.names.state, &plan.surface.visibility);
+    let block = plan.step_block(&plan.programs.start);
+    let (statements, q, v) = (block.statements, &block.outputs[0], &block.outputs[1]);
+    quote! {
+        /// The state that the description starts from, at time zero.
+        #[must_use]
+        #[allow(unused_doc_comments, clippy::all)]
+        #visibility fn initial_state(&self) -> #state<T> {
+            #statements
+            #state {
+                q: ::mstmm::nalgebra::SVector::from([#(#q),*]),
+                v: ::mstmm::nalgebra::SVector::from([#(#v),*]),
+                t: T::constant(0.0),
+            }
+        }
+    }
+}
+
+/// A mass that hangs on Rust constants is checked while the user's crate compiles.
+fn constant_mass(plan: &Plan, body: &crate::model::Body) -> Option<TokenStream> {
+    let constant = body.mass.known().is_none() && !body.mass.has_parameter();
+    let value = (constant && is_const(&body.mass)).then(|| value_tokens(plan, &body.mass))?;
+    let message = format!("the mass of body `{}` must be positive", body.name);
+    Some(quote!(
+        const _: () = ::core::assert!(#value > 0.0, #message);
+    ))
+}
+
+/// Whether a formula can be evaluated in a `const` item.
+fn is_const(value: &Value) -> bool {
+    match value {
+        Value::Number(_) | Value::Symbol(Symbol::Constant(_)) => true,
+        Value::Sum(a, b) | Value::Product(a, b) | Value::Quotient(a, b) => {
+            is_const(a) && is_const(b)
+        }
+        Value::Symbol(Symbol::Parameter(_)) | Value::Sqrt(_) | Value::Sin(_) | Value::Cos(_) => {
+            false
+        }
+    }
+}
+
+/// A formula of constants as an `f64` expression.
+fn value_tokens(plan: &Plan, value: &Value) -> TokenStream {
+    let go = |value: &Value| value_tokens(plan, value);
+    match value {
+        Value::Number(number) => {
+            let magnitude = Literal::f64_suffixed(number.abs());
+            if *number < 0.0 { quote!((-#magnitude)) } else { quote!(#magnitude) }
+        }
+        Value::Symbol(Symbol::Constant(index)) => plan.surface.constants[*index].clone(),
+        Value::Symbol(Symbol::Parameter(index)) => {
+            unreachable!("mstmm bug: parameter {index} in a constant expression")
+        }
+        Value::Sum(a, b) => {
+            let (a, b) = (go(a), go(b));
+            quote!((#a + #b))
+        }
+        Value::Product(a, b) => {
+            let (a, b) = (go(a), go(b));
+            quote!((#a * #b))
+        }
+        Value::Quotient(a, b) => {
+            let (a, b) = (go(a), go(b));
+            quote!((#a / #b))
+        }
+        Value::Sqrt(a) => function("sqrt", go(a)),
+        Value::Sin(a) => function("sin", go(a)),
+        Value::Cos(a) => function("cos", go(a)),
+    }
+}
+
+/// `core` has no such functions of `f64`; the runtime has.
+fn function(name: &str, argument: TokenStream) -> TokenStream {
+    let name = format_ident!("{name}");
+    quote!(::mstmm::generated::#name(#argument))
+}

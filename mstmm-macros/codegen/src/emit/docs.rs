@@ -1,0 +1,100 @@
+//! What the generated docs say of a chain.
+
+use super::Plan;
+use super::dynamics::method_name;
+use crate::model::{Element, HingeKind, Parameter, Place};
+use crate::program::{Cost, Program};
+
+/// The chain at a glance: its route, its elements, its freedoms, its method and costs.
+pub fn chain(plan: &Plan) -> Vec<String> {
+    let mut lines = vec![String::new(), " # The chain".into(), String::new()];
+    lines.push(format!(" `{}`", route(plan)));
+    lines.push(String::new());
+    lines.push(" | element | kind | freedoms |".into());
+    lines.push(" |---|---|---|".into());
+    lines.extend(plan.chain.route.iter().map(|&element| row(plan, element)));
+    lines.push(String::new());
+    let cost = plan.programs.accelerations.cost();
+    lines.push(format!(
+        " {} degrees of freedom; accelerations by `{}`, {} operations ({cost}); with everything at \
+         every connection point {} operations.",
+        plan.layout.freedoms(),
+        method_name(plan.programs.method),
+        cost.arithmetic(),
+        plan.programs.solution.cost().arithmetic(),
+    ));
+    lines
+}
+
+fn route(plan: &Plan) -> String {
+    let chain = plan.chain;
+    let ground = |place: &Place| matches!(place, Place::Ground(_)).then(|| "ground".to_owned());
+    let hinge = |element: Option<&Element>| match element {
+        Some(Element::Hinge(index)) => Some(&chain.hinges[*index]),
+        _ => None,
+    };
+    let start = hinge(chain.route.first()).and_then(|hinge| ground(&hinge.inboard));
+    let finish = hinge(chain.route.last()).and_then(|hinge| ground(&hinge.outboard));
+    let elements = chain.route.iter().map(|element| match *element {
+        Element::Body(index) => chain.bodies[index].name.to_string(),
+        Element::Hinge(index) => {
+            format!("{} {}", kind_name(&chain.hinges[index].kind), chain.hinges[index].name)
+        }
+    });
+    start.into_iter().chain(elements).chain(finish).collect::<Vec<_>>().join(" -> ")
+}
+
+fn row(plan: &Plan, element: Element) -> String {
+    match element {
+        Element::Body(index) => {
+            let body = &plan.chain.bodies[index];
+            let floats =
+                plan.chain.hinges.iter().find(|hinge| {
+                    matches!(hinge.kind, HingeKind::Floating) && hinge.name == body.name
+                });
+            let freedoms = floats.map_or(String::new(), |hinge| hinge.kind.freedoms().to_string());
+            format!(" | `{}` | body `{}` | {freedoms} |", body.name, body.type_name)
+        }
+        Element::Hinge(index) => {
+            let hinge = &plan.chain.hinges[index];
+            format!(
+                " | `{}` | {} | {} |",
+                hinge.name,
+                kind_name(&hinge.kind),
+                hinge.kind.freedoms()
+            )
+        }
+    }
+}
+
+fn kind_name(kind: &HingeKind) -> &'static str {
+    match kind {
+        HingeKind::Weld => "weld",
+        HingeKind::Pin { .. } => "pin",
+        HingeKind::Ball => "ball",
+        HingeKind::Floating => "floating",
+    }
+}
+
+/// The operations of a program, section by section.
+pub fn cost(program: &Program) -> Vec<String> {
+    let total = program.cost();
+    let mut lines = vec![
+        format!(" {} operations: {total}.", total.arithmetic()),
+        String::new(),
+        " | section | mul | add | reciprocal | square root | sin/cos |".into(),
+        " |---|---|---|---|---|---|".into(),
+    ];
+    lines.extend(program.sections.iter().map(|section| {
+        let Cost { mul, add, recip, sqrt, trig } = section.cost();
+        format!(" | {} | {mul} | {add} | {recip} | {sqrt} | {trig} |", section.title)
+    }));
+    lines
+}
+
+/// A parameter with its unit.
+pub fn parameter(parameter: &Parameter) -> String {
+    let unit =
+        if parameter.unit.is_empty() { String::new() } else { format!(" in {}", parameter.unit) };
+    format!(" `{}`{unit}.", parameter.name)
+}

@@ -1,0 +1,50 @@
+//! From programs to Rust: the only place that writes tokens.
+
+mod block;
+mod construction;
+mod docs;
+mod dynamics;
+mod names;
+mod state;
+mod workspace;
+
+use crate::compile::Programs;
+use crate::model::{Chain, Layout};
+use crate::symbols::Symbols;
+use crate::syntax::Surface;
+use names::Names;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// All that the parts of the expansion are written from.
+struct Plan<'a> {
+    chain: &'a Chain,
+    surface: &'a Surface,
+    layout: &'a Layout,
+    programs: &'a Programs,
+    symbols: Symbols,
+    names: Names,
+}
+
+/// The items that stand for `chain` in the user's crate.
+pub fn expand(
+    chain: &Chain,
+    surface: &Surface,
+    layout: &Layout,
+    programs: &Programs,
+) -> TokenStream {
+    let symbols = Symbols::of(chain, layout);
+    let plan = Plan { chain, surface, layout, programs, symbols, names: Names::of(chain) };
+    let construction = construction::emit(&plan);
+    let dynamics = dynamics::emit(&plan);
+    let state = state::emit(&plan);
+    let inputs = state::emit_inputs(&plan);
+    let workspace = workspace::emit(&plan);
+    quote! {
+        #construction
+        #dynamics
+        #state
+        #inputs
+        #workspace
+    }
+}

@@ -1,0 +1,49 @@
+//! All identifiers of the expansion.
+
+use crate::model::Chain;
+use proc_macro2::{Ident, Span};
+use quote::format_ident;
+
+/// Names of the generated types.
+pub struct Names {
+    /// The chain's own.
+    pub chain: Ident,
+    /// Coordinates, rates, time.
+    pub state: Ident,
+    /// What the caller gives at every step.
+    pub inputs: Ident,
+    /// Numbers that may change at run time.
+    pub parameters: Ident,
+    /// Where results are written.
+    pub workspace: Ident,
+}
+
+impl Names {
+    /// The names of `chain`.
+    pub fn of(chain: &Chain) -> Self {
+        let named = |suffix: &str| format_ident!("{}{suffix}", chain.name);
+        Names {
+            chain: chain.name.clone(),
+            state: named("State"),
+            inputs: named("Inputs"),
+            parameters: named("Parameters"),
+            workspace: named("Workspace"),
+        }
+    }
+}
+
+/// A local variable: out of reach of the user's names, and they of it.
+pub fn local(name: &str) -> Ident {
+    // A prefix keeps words of the language apart, `type` say, and costs nothing elsewhere.
+    match syn::parse_str::<Ident>(name) {
+        Ok(_) => Ident::new(name, Span::mixed_site()),
+        Err(_) => Ident::new(&format!("_{name}"), Span::mixed_site()),
+    }
+}
+
+/// A variable to write through `&mut`: `x_mut` for the name `x`.
+pub fn accessor_mut(name: &Ident) -> Ident {
+    let mut ident = format_ident!("{name}_mut");
+    ident.set_span(name.span());
+    ident
+}

@@ -1,0 +1,208 @@
+//! The state with named access, and the inputs.
+
+use super::Plan;
+use super::names::accessor_mut;
+use crate::model::{Effort, Hinge, HingeKind};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+use std::ops::Range;
+
+/// `struct ChainState<T>`.
+pub fn emit(plan: &Plan) -> TokenStream {
+    let (name, visibility) = (&plan.names.state, &plan.surface.visibility);
+    let doc = format!(" Coordinates and rates of [`{}`] at a time.", plan.names.chain);
+    let coordinates = Literal::usize_unsuffixed(plan.layout.coordinates());
+    let freedoms = Literal::usize_unsuffixed(plan.layout.freedoms());
+    let accessors = (0..plan.chain.hinges.len()).map(|index| accessors(plan, index));
+    let rest = rest(plan);
+    quote! {
+        #[doc = #doc]
+        ///
+        /// The hinges lie one after the other in the order written. [`Default`] is every hinge at
+        /// rest in its zero position.
+        #[derive(Clone, Debug, PartialEq)]
+        #[allow(dead_code)]
+        #visibility struct #name<T> {
+            /// Coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
+            #visibility q: ::mstmm::nalgebra::SVector<T, #coordinates>,
+            /// Rates in rad/s and m/s.
+            #visibility v: ::mstmm::nalgebra::SVector<T, #freedoms>,
+            /// Time in s.
+            #visibility t: T,
+        }
+        #[allow(dead_code)]
+        impl<T: ::mstmm::Scalar> #name<T> {
+            #(#accessors)*
+        }
+        impl<T: ::mstmm::Scalar> ::core::default::Default for #name<T> {
+            fn default() -> Self {
+                let (zero, one) = (T::constant(0.0), T::constant(1.0));
+                let _ = one;
+                Self {
+                    q: ::mstmm::nalgebra::SVector::from([#(#rest),*]),
+                    v: ::mstmm::nalgebra::SVector::from([zero; #freedoms]),
+                    t: zero,
+                }
+            }
+        }
+        impl<T: ::mstmm::Scalar> ::mstmm::ChainState for #name<T> {
+            type Scalar = T;
+            #[inline]
+            fn q(&self) -> &[T] {
+                self.q.as_slice()
+            }
+            #[inline]
+            fn q_mut(&mut self) -> &mut [T] {
+                self.q.as_mut_slice()
+            }
+            #[inline]
+            fn v(&self) -> &[T] {
+                self.v.as_slice()
+            }
+            #[inline]
+            fn v_mut(&mut self) -> &mut [T] {
+                self.v.as_mut_slice()
+            }
+            #[inline]
+            fn time(&self) -> T {
+                self.t
+            }
+            #[inline]
+            fn set_time(&mut self, time: T) {
+                self.t = time;
+            }
+        }
+    }
+}
+
+/// All coordinates with every hinge in its zero position.
+fn rest(plan: &Plan) -> Vec<TokenStream> {
+    let of = |hinge: &Hinge| -> &[bool] {
+        match hinge.kind {
+            HingeKind::Weld => &[],
+            HingeKind::Pin { .. } => &[false],
+            HingeKind::Ball => &[true, false, false, false],
+            HingeKind::Floating => &[false, false, false, true, false, false, false],
+        }
+    };
+    let ones = plan.chain.hinges.iter().flat_map(of);
+    ones.map(|&one| if one { quote!(one) } else { quote!(zero) }).collect()
+}
+
+/// The views of one hinge's coordinates, for reading and for writing.
+fn accessors(plan: &Plan, index: usize) -> TokenStream {
+    let hinge = &plan.chain.hinges[index];
+    let (q, v) = (plan.layout.q[index].clone(), plan.layout.v[index].clone());
+    let (view, groups): (&str, Vec<(bool, Range<usize>)>) = match hinge.kind {
+        HingeKind::Weld => return TokenStream::new(),
+        HingeKind::Pin { .. } => ("PinState", vec![(true, q), (false, v)]),
+        HingeKind::Ball => ("BallState", vec![(true, q), (false, v)]),
+        HingeKind::Floating => (
+            "FloatingState",
+            vec![
+                (true, q.start..q.start + 3),
+                (true, q.start + 3..q.end),
+                (false, v.start..v.start + 3),
+                (false, v.start + 3..v.end),
+            ],
+        ),
+    };
+    let (name, name_mut) = (&hinge.name, accessor_mut(&hinge.name));
+    let (view, view_mut) = (format_ident!("{view}"), format_ident!("{view}Mut"));
+    let visibility = &plan.surface.visibility;
+    let kind = if matches!(hinge.kind, HingeKind::Floating) { "body" } else { "hinge" };
+    let doc = format!(" Coordinates and rates of {kind} `{name}`.");
+    let doc_mut = format!(" Coordinates and rates of {kind} `{name}`, to be changed.");
+    let takes = [(true, &plan.layout.q[index]), (false, &plan.layout.v[index])];
+    let (from_q, from_v) = (pattern(takes[0]), pattern(takes[1]));
+    let arguments = groups.iter().map(|(is_q, range)| {
+        let names = range.clone().map(|number| variable(*is_q, number));
+        if range.len() == 1 { quote!(#(#names),*) } else { quote!([#(#names),*]) }
+    });
+    let arguments = quote!(#(#arguments),*);
+    quote! {
+        #[doc = #doc]
+        #[inline]
+        #[must_use]
+        #visibility fn #name(&self) -> ::mstmm::#view<T> {
+            let [#from_q] = self.q.data.0;
+            let [#from_v] = self.v.data.0;
+            ::mstmm::#view::new(#arguments)
+        }
+
+        #[doc = #doc_mut]
+        #[inline]
+        #visibility fn #name_mut(&mut self) -> ::mstmm::#view_mut<'_, T> {
+            let [#from_q] = &mut self.q.data.0;
+            let [#from_v] = &mut self.v.data.0;
+            ::mstmm::#view_mut::new(#arguments)
+        }
+    }
+}
+
+fn variable(is_q: bool, number: usize) -> Ident {
+    if is_q { format_ident!("q{number}") } else { format_ident!("v{number}") }
+}
+
+/// A pattern that takes `range` out of an array.
+fn pattern((is_q, range): (bool, &Range<usize>)) -> TokenStream {
+    let skipped = (0..range.start).map(|_| quote!(_,));
+    let names = range.clone().map(|number| variable(is_q, number));
+    quote!([#(#skipped)* #(#names,)* ..])
+}
+
+/// `struct ChainInputs<T>` and how to get one.
+pub fn emit_inputs(plan: &Plan) -> TokenStream {
+    let (name, visibility) = (&plan.names.inputs, &plan.surface.visibility);
+    let chain = &plan.names.chain;
+    let doc = format!(" What drives [`{chain}`] from outside, given at every step.");
+    let driven: Vec<&Hinge> =
+        plan.chain.hinges.iter().filter(|hinge| matches!(hinge.effort, Effort::Input)).collect();
+    let fields = driven.iter().map(|hinge| {
+        let name = &hinge.name;
+        let (ty, doc) = match hinge.kind {
+            HingeKind::Pin { .. } => (quote!(T), format!(" Torque of `{name}` in N m.")),
+            _ => (
+                quote!(::mstmm::nalgebra::Vector3<T>),
+                format!(" Torque of `{name}` in N m, outboard frame."),
+            ),
+        };
+        quote!(#[doc = #doc] #visibility #name: #ty)
+    });
+    let zeros = driven.iter().map(|hinge| {
+        let name = &hinge.name;
+        match hinge.kind {
+            HingeKind::Pin { .. } => quote!(#name: T::constant(0.0)),
+            _ => quote!(#name: ::mstmm::nalgebra::Vector3::from([T::constant(0.0); 3])),
+        }
+    });
+    let (marker, marker_value) = if driven.is_empty() {
+        (quote!(none: ::core::marker::PhantomData<T>), quote!(none: ::core::marker::PhantomData))
+    } else {
+        (TokenStream::new(), TokenStream::new())
+    };
+    quote! {
+        #[doc = #doc]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[allow(dead_code)]
+        #visibility struct #name<T> {
+            #(#fields,)*
+            #marker
+        }
+        impl<T: ::mstmm::Scalar> ::core::default::Default for #name<T> {
+            #[inline]
+            fn default() -> Self {
+                Self { #(#zeros,)* #marker_value }
+            }
+        }
+        #[allow(dead_code)]
+        impl<T: ::mstmm::Scalar> #chain<T> {
+            /// Inputs that are all zero.
+            #[inline]
+            #[must_use]
+            #visibility fn no_inputs(&self) -> #name<T> {
+                ::core::default::Default::default()
+            }
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! The unknowns of a chain: their numbers in the graph and their names in the program.
+
+use crate::model::{Chain, Hinge, HingeKind, Layout};
+use std::ops::Range;
+
+/// Numbers and names of all unknowns: parameters, constants, coordinates, rates, inputs.
+#[derive(Clone, Debug)]
+pub struct Symbols {
+    names: Vec<String>,
+    /// Where each of the five groups ends.
+    ends: [usize; 5],
+}
+
+impl Symbols {
+    /// The unknowns of `chain`.
+    pub fn of(chain: &Chain, layout: &Layout) -> Self {
+        let parameters = chain.parameters.iter().map(|parameter| text(&parameter.name));
+        let constants = (0..chain.constants).map(|number| format!("constant{number}"));
+        let names_of = |suffixes: fn(&HingeKind) -> &'static [&'static str]| {
+            let hinge = move |hinge: &Hinge| {
+                let name = text(&hinge.name);
+                suffixes(&hinge.kind).iter().map(move |suffix| format!("{name}_{suffix}"))
+            };
+            chain.hinges.iter().flat_map(hinge)
+        };
+        let driven = chain.hinges.iter().zip(&layout.inputs).filter(|(_, range)| !range.is_empty());
+        let inputs = driven.flat_map(|(hinge, range)| {
+            let name = text(&hinge.name);
+            (0..range.len()).map(move |k| format!("{name}_input{k}"))
+        });
+        let mut names = Vec::new();
+        let mut ends = [0; 5];
+        names.extend(parameters);
+        ends[0] = names.len();
+        names.extend(constants);
+        ends[1] = names.len();
+        names.extend(names_of(coordinate_names));
+        ends[2] = names.len();
+        names.extend(names_of(rate_names));
+        ends[3] = names.len();
+        names.extend(inputs);
+        ends[4] = names.len();
+        Symbols { names, ends }
+    }
+
+    /// The names by number.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// Numbers of the parameters.
+    pub fn parameters(&self) -> Range<usize> {
+        0..self.ends[0]
+    }
+
+    /// Numbers of the constants.
+    pub fn constants(&self) -> Range<usize> {
+        self.ends[0]..self.ends[1]
+    }
+
+    /// Numbers of the coordinates.
+    pub fn q(&self) -> Range<usize> {
+        self.ends[1]..self.ends[2]
+    }
+
+    /// Numbers of the rates.
+    pub fn v(&self) -> Range<usize> {
+        self.ends[2]..self.ends[3]
+    }
+
+    /// Numbers of the inputs.
+    pub fn inputs(&self) -> Range<usize> {
+        self.ends[3]..self.ends[4]
+    }
+}
+
+/// An identifier without the mark of a raw one.
+fn text(ident: &proc_macro2::Ident) -> String {
+    let text = ident.to_string();
+    text.strip_prefix("r#").map_or(text.clone(), str::to_owned)
+}
+
+fn coordinate_names(kind: &HingeKind) -> &'static [&'static str] {
+    match kind {
+        HingeKind::Weld => &[],
+        HingeKind::Pin { .. } => &["angle"],
+        HingeKind::Ball => &["qw", "qx", "qy", "qz"],
+        HingeKind::Floating => &["x", "y", "z", "qw", "qx", "qy", "qz"],
+    }
+}
+
+fn rate_names(kind: &HingeKind) -> &'static [&'static str] {
+    match kind {
+        HingeKind::Weld => &[],
+        HingeKind::Pin { .. } => &["rate"],
+        HingeKind::Ball => &["wx", "wy", "wz"],
+        HingeKind::Floating => &["vx", "vy", "vz", "wx", "wy", "wz"],
+    }
+}

@@ -1,0 +1,42 @@
+//! The generated code of small chains, committed to be read: `MSTMM_BLESS=1 cargo test -p
+//! mstmm-codegen --test expand` writes it anew, and a diff then shows what a change has moved.
+
+use std::path::{Path, PathBuf};
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/expand")
+}
+
+/// The expansion of a chain as `rustfmt` would print it.
+fn expand(text: &str) -> String {
+    let items = mstmm_codegen::compile(text.parse().expect("tokens")).expect("a right chain");
+    let file = syn::parse2(items.clone()).unwrap_or_else(|error| panic!("{error}\n{items}"));
+    prettyplease::unparse(&file)
+}
+
+fn check(name: &str) {
+    let text = std::fs::read_to_string(folder().join(format!("{name}.chain"))).expect("a chain");
+    let path = folder().join(format!("{name}.expanded.rs"));
+    let expanded = expand(&text);
+    assert_eq!(expanded, expand(&text), "the expansion differs from one run to the next");
+    if std::env::var_os("MSTMM_BLESS").is_some() {
+        std::fs::write(&path, &expanded).expect("a writable folder");
+    }
+    let golden = std::fs::read_to_string(&path).expect("the committed expansion");
+    if let Some((line, (now, then))) =
+        expanded.lines().zip(golden.lines()).enumerate().find(|(_, (now, then))| now != then)
+    {
+        panic!("{name}, line {}:\n  was {then}\n  is  {now}\nMSTMM_BLESS=1 accepts it", line + 1);
+    }
+    assert_eq!(expanded.len(), golden.len(), "{name}: MSTMM_BLESS=1 accepts it");
+}
+
+#[test]
+fn pendulum_with_a_motor_and_a_parameter() {
+    check("pendulum");
+}
+
+#[test]
+fn two_bodies_on_balls() {
+    check("double_ball");
+}

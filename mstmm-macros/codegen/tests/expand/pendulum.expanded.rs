@@ -1,0 +1,514 @@
+/// A rod on a motor.
+///
+/// # The chain
+///
+/// `ground -> pin joint -> rod`
+///
+/// | element | kind | freedoms |
+/// |---|---|---|
+/// | `joint` | pin | 1 |
+/// | `rod` | body `Rod` |  |
+///
+/// 1 degrees of freedom; accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 32 operations.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pendulum<T> {
+    parameters: PendulumParameters<T>,
+    derived: [T; 7],
+}
+/// Numbers of [`Pendulum`] that may change at run time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PendulumParameters<T> {
+    payload: T,
+}
+impl<T: ::mstmm::Scalar> PendulumParameters<T> {
+    /// `payload` in kg.
+    #[inline]
+    pub fn payload(&self) -> T {
+        self.payload
+    }
+}
+impl<T: ::mstmm::Scalar> Pendulum<T> {
+    /// The chain as described, its parameters at their defaults.
+    #[inline]
+    #[must_use]
+    pub fn new() -> Self {
+        let parameters = PendulumParameters {
+            payload: T::constant(0.5f64),
+        };
+        let (derived, _) = Self::derive(&parameters);
+        Self { parameters, derived }
+    }
+    /// The numbers that may change at run time.
+    #[inline]
+    pub fn parameters(&self) -> &PendulumParameters<T> {
+        &self.parameters
+    }
+    /// Sets `payload` in kg.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Parameter`](::mstmm::Error::Parameter) if the number is not finite or would
+    /// make a mass zero or negative; the old one is kept then.
+    pub fn set_payload(
+        &mut self,
+        value: T,
+    ) -> ::core::result::Result<(), ::mstmm::Error> {
+        let mut parameters = self.parameters;
+        parameters.payload = value;
+        let (derived, masses) = Self::derive(&parameters);
+        ::mstmm::generated::check_parameter(
+            "payload",
+            value,
+            &masses,
+            &["must leave the mass of body `rod` positive"],
+        )?;
+        *self = Self { parameters, derived };
+        ::core::result::Result::Ok(())
+    }
+    /// The state that the description starts from, at time zero.
+    #[must_use]
+    #[allow(unused_doc_comments, clippy::all)]
+    pub fn initial_state(&self) -> PendulumState<T> {
+        let c = T::constant;
+        PendulumState {
+            q: ::mstmm::nalgebra::SVector::from([c(-1.5707963267948966)]),
+            v: ::mstmm::nalgebra::SVector::from([c(0.0)]),
+            t: T::constant(0.0),
+        }
+    }
+    /// Quantities derived from parameters and constants: 4 mul, 4 add, 1 reciprocal.
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    fn derive(parameters: &PendulumParameters<T>) -> ([T; 7], [T; 1]) {
+        let c = T::constant;
+        let payload = parameters.payload;
+        /// Quantities derived from parameters and constants: 4 mul, 4 add, 1 reciprocal.
+        let joint_k_xx = payload + c(1.0);
+        let joint_b_y_z = joint_k_xx * c(0.5);
+        let t0 = joint_k_xx * c(0.25);
+        let joint_j_yy = t0 + c(0.08333333333333333);
+        let p4 = T::recip(joint_j_yy);
+        let joint_z0_force_y = joint_b_y_z * p4;
+        let t1 = t0 + c(0.09333333333333332);
+        let p5 = joint_j_yy + t1;
+        let p6 = joint_k_xx * c(9.8);
+        (
+            [joint_k_xx, joint_b_y_z, joint_j_yy, joint_z0_force_y, p4, p5, p6],
+            [joint_k_xx],
+        )
+    }
+}
+impl<T: ::mstmm::Scalar> ::core::default::Default for Pendulum<T> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+impl<T: ::mstmm::Scalar> Pendulum<T> {
+    /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
+    ///
+    /// 4 operations: 3 mul, 1 add, 0 reciprocal, 1 sin/cos.
+    ///
+    /// | section | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|
+    /// | Motion across `joint` | 0 | 0 | 0 | 0 | 1 |
+    /// | Acceleration of `joint` | 3 | 1 | 0 | 0 | 0 |
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Singular`](::mstmm::Error::Singular) if nothing with inertia lies beyond a
+    /// hinge, [`Error::NotFinite`](::mstmm::Error::NotFinite) if a number of the state or the
+    /// inputs is not finite. `accelerations` is not touched then.
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    pub fn accelerations_into(
+        &self,
+        state: &PendulumState<T>,
+        inputs: &PendulumInputs<T>,
+        accelerations: &mut ::mstmm::nalgebra::SVector<T, 1>,
+    ) -> ::core::result::Result<(), ::mstmm::Error> {
+        let c = T::constant;
+        let [known_joint_k_xx, known_joint_b_y_z, known_joint_j_yy,
+        known_joint_z0_force_y, known_p4, known_p5, ..] = self.derived;
+        let [[joint_angle]] = state.q.data.0;
+        let joint_input0 = inputs.joint;
+        /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
+        let ([_], [cos_joint_angle]) = T::sin_cos([joint_angle]);
+        /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 3 mul, 1 add, 0 reciprocal.
+        let joint_a_lin_y = cos_joint_angle * c(9.8);
+        let t0 = joint_input0 * known_p4;
+        let t1 = known_joint_z0_force_y * joint_a_lin_y;
+        let joint_a_ang_z = t0 - t1;
+        ::mstmm::generated::regular(
+            &["joint"],
+            [known_joint_j_yy],
+            [known_p5],
+            [joint_a_ang_z],
+        )?;
+        accelerations.data.0 = [[joint_a_ang_z]];
+        ::core::result::Result::Ok(())
+    }
+    /// The accelerations `v̇` of all hinges by value; see
+    /// [`accelerations_into`](Self::accelerations_into).
+    ///
+    /// # Errors
+    ///
+    /// As [`accelerations_into`](Self::accelerations_into).
+    #[inline]
+    pub fn accelerations(
+        &self,
+        state: &PendulumState<T>,
+        inputs: &PendulumInputs<T>,
+    ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, 1>, ::mstmm::Error> {
+        let mut accelerations = ::mstmm::nalgebra::SVector::from([T::constant(0.0); 1]);
+        self.accelerations_into(state, inputs, &mut accelerations)?;
+        ::core::result::Result::Ok(accelerations)
+    }
+    /// Everything: accelerations, efforts, energies and, at every connection point, pose,
+    /// velocity and the state vector `z`, written into `at`.
+    ///
+    /// 32 operations: 25 mul, 7 add, 0 reciprocal, 1 sin/cos.
+    ///
+    /// | section | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|
+    /// | Motion across `joint` | 0 | 0 | 0 | 0 | 1 |
+    /// | Acceleration of `joint` | 3 | 1 | 0 | 0 | 0 |
+    /// | Load on `joint` | 12 | 4 | 0 | 0 | 0 |
+    /// | Results | 10 | 2 | 0 | 0 | 0 |
+    ///
+    /// # Errors
+    ///
+    /// As [`accelerations_into`](Self::accelerations_into); `at` is not touched then.
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    pub fn solve_into(
+        &self,
+        state: &PendulumState<T>,
+        inputs: &PendulumInputs<T>,
+        at: &mut PendulumWorkspace<T>,
+    ) -> ::core::result::Result<(), ::mstmm::Error> {
+        let c = T::constant;
+        let [known_joint_k_xx, known_joint_b_y_z, known_joint_j_yy,
+        known_joint_z0_force_y, known_p4, known_p5, known_p6, ..] = self.derived;
+        let [[joint_angle]] = state.q.data.0;
+        let [[joint_rate]] = state.v.data.0;
+        let joint_input0 = inputs.joint;
+        /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
+        let ([sin_joint_angle], [cos_joint_angle]) = T::sin_cos([joint_angle]);
+        /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 3 mul, 1 add, 0 reciprocal.
+        let joint_a_lin_y = cos_joint_angle * c(9.8);
+        let t0 = joint_input0 * known_p4;
+        let t1 = known_joint_z0_force_y * joint_a_lin_y;
+        let joint_a_ang_z = t0 - t1;
+        /// Load on `joint`, [P, Eqs. (18), (19)]: 12 mul, 4 add, 0 reciprocal.
+        let t2 = cos_joint_angle * c(0.5);
+        let t3 = sin_joint_angle * c(0.5);
+        let t4 = known_joint_k_xx * t2;
+        let t5 = known_joint_k_xx * t3;
+        let t6 = joint_a_ang_z * t5;
+        let t7 = joint_rate * t4;
+        let t8 = joint_rate * t7;
+        let minus_joint_load_force_x = t6 + t8;
+        let t9 = joint_a_ang_z * t4;
+        let t10 = known_p6 + t9;
+        let t11 = joint_rate * t5;
+        let t12 = joint_rate * t11;
+        let joint_load_force_y = t10 - t12;
+        let t13 = c(9.8) * t4;
+        let t14 = known_joint_j_yy * joint_a_ang_z;
+        let joint_load_moment_z = t13 + t14;
+        /// Results: 10 mul, 2 add, 0 reciprocal.
+        let t15 = joint_rate * t3;
+        let t16 = joint_rate * t2;
+        let t17 = joint_rate * c(0.08333333333333333);
+        let t18 = joint_rate * t17;
+        let t19 = t15 * t15;
+        let t20 = t16 * t16;
+        let t21 = t19 + t20;
+        let t22 = known_joint_k_xx * t21;
+        let t23 = t18 + t22;
+        let t24 = c(0.5) * t23;
+        let t25 = sin_joint_angle * c(4.9);
+        let t26 = known_joint_k_xx * t25;
+        ::mstmm::generated::regular(
+            &["joint"],
+            [known_joint_j_yy],
+            [known_p5],
+            [joint_a_ang_z],
+        )?;
+        at.accelerations.data.0 = [[joint_a_ang_z]];
+        at.efforts.data.0 = [[joint_input0]];
+        at.kinetic_energy = t24;
+        at.potential_energy = t26;
+        at.points = [
+            ::mstmm::Point::new(
+                [c(0.0), c(0.0), c(0.0)],
+                [
+                    [c(1.0), c(0.0), c(0.0)],
+                    [c(0.0), c(1.0), c(0.0)],
+                    [c(0.0), c(0.0), c(1.0)],
+                ],
+                [c(0.0), c(0.0), c(0.0)],
+                [c(0.0), c(0.0), c(0.0)],
+                ::mstmm::StateVector::new(
+                    [c(0.0), c(0.0), c(0.0)],
+                    [c(0.0), c(0.0), c(0.0)],
+                    [c(0.0), c(0.0), -joint_load_moment_z],
+                    [-minus_joint_load_force_x, joint_load_force_y, c(0.0)],
+                ),
+            ),
+            ::mstmm::Point::new(
+                [c(0.0), c(0.0), c(0.0)],
+                [
+                    [cos_joint_angle, -sin_joint_angle, c(0.0)],
+                    [sin_joint_angle, cos_joint_angle, c(0.0)],
+                    [c(0.0), c(0.0), c(1.0)],
+                ],
+                [c(0.0), c(0.0), c(0.0)],
+                [c(0.0), c(0.0), joint_rate],
+                ::mstmm::StateVector::new(
+                    [c(0.0), c(0.0), c(0.0)],
+                    [c(0.0), c(0.0), joint_a_ang_z],
+                    [c(0.0), c(0.0), -joint_load_moment_z],
+                    [-minus_joint_load_force_x, joint_load_force_y, c(0.0)],
+                ),
+            ),
+            ::mstmm::Point::new(
+                [c(0.0), c(0.0), c(0.0)],
+                [
+                    [cos_joint_angle, -sin_joint_angle, c(0.0)],
+                    [sin_joint_angle, cos_joint_angle, c(0.0)],
+                    [c(0.0), c(0.0), c(1.0)],
+                ],
+                [c(0.0), c(0.0), c(0.0)],
+                [c(0.0), c(0.0), joint_rate],
+                ::mstmm::StateVector::new(
+                    [c(0.0), c(0.0), c(0.0)],
+                    [c(0.0), c(0.0), joint_a_ang_z],
+                    [c(0.0), c(0.0), c(0.0)],
+                    [c(0.0), c(0.0), c(0.0)],
+                ),
+            ),
+        ];
+        ::core::result::Result::Ok(())
+    }
+    /// Kinetic and potential energy in J; the potential is zero with every centre of mass at
+    /// the inertial origin.
+    ///
+    /// 14 operations: 12 mul, 2 add, 0 reciprocal, 1 sin/cos.
+    ///
+    /// | section | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|
+    /// | Motion across `joint` | 0 | 0 | 0 | 0 | 1 |
+    /// | Results | 12 | 2 | 0 | 0 | 0 |
+    #[must_use]
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    pub fn energy(&self, state: &PendulumState<T>) -> ::mstmm::Energy<T> {
+        let c = T::constant;
+        let [known_joint_k_xx, ..] = self.derived;
+        let [[joint_angle]] = state.q.data.0;
+        let [[joint_rate]] = state.v.data.0;
+        /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
+        let ([sin_joint_angle], [cos_joint_angle]) = T::sin_cos([joint_angle]);
+        /// Results: 12 mul, 2 add, 0 reciprocal.
+        let t0 = cos_joint_angle * c(0.5);
+        let t1 = sin_joint_angle * c(0.5);
+        let t2 = joint_rate * t1;
+        let t3 = joint_rate * t0;
+        let t4 = joint_rate * c(0.08333333333333333);
+        let t5 = joint_rate * t4;
+        let t6 = t2 * t2;
+        let t7 = t3 * t3;
+        let t8 = t6 + t7;
+        let t9 = known_joint_k_xx * t8;
+        let t10 = t5 + t9;
+        let t11 = c(0.5) * t10;
+        let t12 = sin_joint_angle * c(4.9);
+        let t13 = known_joint_k_xx * t12;
+        ::mstmm::Energy {
+            kinetic: t11,
+            potential: t13,
+        }
+    }
+}
+impl<T: ::mstmm::Scalar> ::mstmm::Chain for Pendulum<T> {
+    type Scalar = T;
+    type State = PendulumState<T>;
+    type Inputs = PendulumInputs<T>;
+    #[inline]
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    fn derivative_into(
+        &self,
+        state: &PendulumState<T>,
+        inputs: &PendulumInputs<T>,
+        rate: &mut PendulumState<T>,
+    ) -> ::core::result::Result<(), ::mstmm::Error> {
+        self.accelerations_into(state, inputs, &mut rate.v)?;
+        rate.q.data.0 = {
+            let [[joint_rate]] = state.v.data.0;
+            [[joint_rate]]
+        };
+        ::core::result::Result::Ok(())
+    }
+    #[inline]
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    fn normalize(&self, state: &mut PendulumState<T>) {
+        state.q.data.0 = {
+            let [[joint_angle]] = state.q.data.0;
+            [[joint_angle]]
+        };
+    }
+}
+/// Coordinates and rates of [`Pendulum`] at a time.
+///
+/// The hinges lie one after the other in the order written. [`Default`] is every hinge at
+/// rest in its zero position.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PendulumState<T> {
+    /// Coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
+    pub q: ::mstmm::nalgebra::SVector<T, 1>,
+    /// Rates in rad/s and m/s.
+    pub v: ::mstmm::nalgebra::SVector<T, 1>,
+    /// Time in s.
+    pub t: T,
+}
+impl<T: ::mstmm::Scalar> PendulumState<T> {
+    /// Coordinates and rates of hinge `joint`.
+    #[inline]
+    #[must_use]
+    pub fn joint(&self) -> ::mstmm::PinState<T> {
+        let [[q0, ..]] = self.q.data.0;
+        let [[v0, ..]] = self.v.data.0;
+        ::mstmm::PinState::new(q0, v0)
+    }
+    /// Coordinates and rates of hinge `joint`, to be changed.
+    #[inline]
+    pub fn joint_mut(&mut self) -> ::mstmm::PinStateMut<'_, T> {
+        let [[q0, ..]] = &mut self.q.data.0;
+        let [[v0, ..]] = &mut self.v.data.0;
+        ::mstmm::PinStateMut::new(q0, v0)
+    }
+}
+impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumState<T> {
+    fn default() -> Self {
+        let (zero, one) = (T::constant(0.0), T::constant(1.0));
+        let _ = one;
+        Self {
+            q: ::mstmm::nalgebra::SVector::from([zero]),
+            v: ::mstmm::nalgebra::SVector::from([zero; 1]),
+            t: zero,
+        }
+    }
+}
+impl<T: ::mstmm::Scalar> ::mstmm::ChainState for PendulumState<T> {
+    type Scalar = T;
+    #[inline]
+    fn q(&self) -> &[T] {
+        self.q.as_slice()
+    }
+    #[inline]
+    fn q_mut(&mut self) -> &mut [T] {
+        self.q.as_mut_slice()
+    }
+    #[inline]
+    fn v(&self) -> &[T] {
+        self.v.as_slice()
+    }
+    #[inline]
+    fn v_mut(&mut self) -> &mut [T] {
+        self.v.as_mut_slice()
+    }
+    #[inline]
+    fn time(&self) -> T {
+        self.t
+    }
+    #[inline]
+    fn set_time(&mut self, time: T) {
+        self.t = time;
+    }
+}
+/// What drives [`Pendulum`] from outside, given at every step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PendulumInputs<T> {
+    /// Torque of `joint` in N m.
+    pub joint: T,
+}
+impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumInputs<T> {
+    #[inline]
+    fn default() -> Self {
+        Self { joint: T::constant(0.0) }
+    }
+}
+impl<T: ::mstmm::Scalar> Pendulum<T> {
+    /// Inputs that are all zero.
+    #[inline]
+    #[must_use]
+    pub fn no_inputs(&self) -> PendulumInputs<T> {
+        ::core::default::Default::default()
+    }
+}
+/// Results of [`Pendulum::solve_into`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct PendulumWorkspace<T> {
+    accelerations: ::mstmm::nalgebra::SVector<T, 1>,
+    efforts: ::mstmm::nalgebra::SVector<T, 1>,
+    kinetic_energy: T,
+    potential_energy: T,
+    points: [::mstmm::Point<T>; 3],
+}
+impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
+    /// Accelerations `v̇` of all hinges, in the order of the rates.
+    #[inline]
+    pub fn accelerations(&self) -> &::mstmm::nalgebra::SVector<T, 1> {
+        &self.accelerations
+    }
+    /// Kinetic energy in J.
+    #[inline]
+    pub fn kinetic_energy(&self) -> T {
+        self.kinetic_energy
+    }
+    /// Potential energy in J; zero with every centre of mass at the inertial origin.
+    #[inline]
+    pub fn potential_energy(&self) -> T {
+        self.potential_energy
+    }
+    /// All connection points in the order written: the first element's input, then every
+    /// element's output.
+    #[inline]
+    pub fn points(&self) -> &[::mstmm::Point<T>; 3] {
+        &self.points
+    }
+    /// Acceleration, effort, input and output of hinge `joint`.
+    #[inline]
+    pub fn joint(&self) -> ::mstmm::HingeResult<'_, T, T> {
+        let [input, output, ..] = &self.points;
+        ::mstmm::HingeResult::new(
+            {
+                let [[value, ..]] = self.accelerations.data.0;
+                value
+            },
+            {
+                let [[value, ..]] = self.efforts.data.0;
+                value
+            },
+            input,
+            output,
+        )
+    }
+    /// Input and output of body `rod`.
+    #[inline]
+    pub fn rod(&self) -> ::mstmm::BodyResult<'_, T> {
+        let [_, input, output, ..] = &self.points;
+        ::mstmm::BodyResult::new(input, output)
+    }
+}
+impl<T: ::mstmm::Scalar> Pendulum<T> {
+    /// Room for the results of [`solve_into`](Self::solve_into).
+    #[must_use]
+    pub fn workspace(&self) -> PendulumWorkspace<T> {
+        let zero = T::constant(0.0);
+        PendulumWorkspace {
+            accelerations: ::mstmm::nalgebra::SVector::from([zero; 1]),
+            efforts: ::mstmm::nalgebra::SVector::from([zero; 1]),
+            kinetic_energy: zero,
+            potential_energy: zero,
+            points: [::core::default::Default::default(); 3],
+        }
+    }
+}
