@@ -1,0 +1,66 @@
+//! What an integrator needs to know of a chain.
+
+use crate::{Error, Scalar};
+
+/// The state of a simulation: coordinates, rates and the time.
+///
+/// The coordinates of all hinges lie one after the other in `q`, their rates in `v`, in the chain's
+/// order. `v` is shorter than `q` where an orientation is kept as a quaternion. All states of one
+/// chain have arrays of the same lengths.
+pub trait ChainState: Clone {
+    /// The numbers the state is kept in.
+    type Scalar: Scalar;
+
+    /// The coordinates: rad, m, and the components w, x, y, z of unit quaternions.
+    fn q(&self) -> &[Self::Scalar];
+
+    /// The coordinates, to be changed.
+    fn q_mut(&mut self) -> &mut [Self::Scalar];
+
+    /// The rates: rad/s and m/s.
+    fn v(&self) -> &[Self::Scalar];
+
+    /// The rates, to be changed.
+    fn v_mut(&mut self) -> &mut [Self::Scalar];
+
+    /// The time in s.
+    fn time(&self) -> Self::Scalar;
+
+    /// Sets the time in s.
+    fn set_time(&mut self, time: Self::Scalar);
+}
+
+/// A mechanical system that can be integrated in time.
+///
+/// `mstmm_chain!` implements it for the chains it generates.
+pub trait Chain {
+    /// The numbers the chain is computed with.
+    type Scalar: Scalar;
+
+    /// The state of the chain. Integrators fill their buffers with default states, whose values do
+    /// not matter.
+    type State: ChainState<Scalar = Self::Scalar> + Default;
+
+    /// What acts on the chain from outside during a step: torques, forces, prescribed motions.
+    type Inputs;
+
+    /// The time derivative of `state`: afterwards `rate.q()` is q̇ and `rate.v()` is v̇. The time
+    /// of `rate` means nothing.
+    ///
+    /// The quaternions of `state` need be of unit length only up to the error of an integrator's
+    /// stage.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] if the state or the inputs are not finite, [`Error::Singular`] if
+    /// nothing with inertia lies beyond a hinge. `rate` means nothing then.
+    fn derivative_into(
+        &self,
+        state: &Self::State,
+        inputs: &Self::Inputs,
+        rate: &mut Self::State,
+    ) -> Result<(), Error>;
+
+    /// Brings quaternions back to unit length, from which a step moves them by no more than its
+    /// error.
+    fn normalize(&self, state: &mut Self::State);
+}

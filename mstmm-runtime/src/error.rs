@@ -1,0 +1,50 @@
+//! What can go wrong at run time.
+
+use core::fmt;
+
+/// What can go wrong at run time.
+///
+/// Nothing panics: whatever fails says so with one of these and leaves the state as it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Error {
+    /// Nothing with inertia lies beyond the hinge in some direction in which it is free, so its
+    /// acceleration has no answer.
+    Singular {
+        /// The hinge's name in the chain's description.
+        hinge: &'static str,
+    },
+    /// A coordinate, a rate, an input or the time is NaN or infinite.
+    NotFinite,
+    /// A value was refused; the one set before is kept.
+    Parameter {
+        /// The parameter's name.
+        name: &'static str,
+        /// What it must be, such as "must be positive".
+        reason: &'static str,
+    },
+    /// Step size control could not reach the tolerance with any step that still moves the clock.
+    StepTooSmall,
+    /// The time asked for lies outside the last step, or no step was taken yet.
+    OutsideStep,
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::Singular { hinge } => {
+                write!(f, "nothing with inertia lies beyond hinge `{hinge}`")
+            }
+            Error::NotFinite => {
+                f.write_str("a coordinate, rate, input or time is not a finite number")
+            }
+            Error::Parameter { name, reason } => write!(f, "`{name}` {reason}"),
+            Error::StepTooSmall => {
+                f.write_str("the tolerance cannot be reached: the step became too small")
+            }
+            Error::OutsideStep => f.write_str("the time lies outside the last step"),
+        }
+    }
+}
+
+impl core::error::Error for Error {}

@@ -1,0 +1,99 @@
+//! What generated code calls besides the public items: the parts of it that are the same for every chain.
+//!
+//! Not for use by hand; it may change with every version.
+
+use crate::{Error, Mask, Scalar};
+
+/// How many units in the last place of its scale a pivot must exceed to count as positive: a pivot that should vanish is
+/// the difference of a few rounded products of that size.
+const NOISE: f64 = 8.0;
+
+/// Whether all pivots are positive beyond rounding, and all results finite.
+#[inline]
+pub fn is_regular<T: Scalar, const P: usize, const N: usize>(
+    pivots: [T; P],
+    scales: [T; P],
+    results: [T; N],
+) -> bool {
+    let noise = T::epsilon() * T::constant(NOISE);
+    let mut regular = T::Mask::splat(true);
+    for (pivot, scale) in pivots.into_iter().zip(scales) {
+        regular = regular & pivot.greater(noise * scale);
+    }
+    // A NaN or an infinity anywhere survives in the sum.
+    let sum = results.into_iter().fold(T::constant(0.0), |sum, result| sum + result);
+    (regular & sum.finite()).all()
+}
+
+/// Fails with the name of the first hinge whose pivot vanishes, or because something is not finite.
+///
+/// # Errors
+/// [`Error::Singular`], [`Error::NotFinite`].
+#[inline]
+pub fn regular<T: Scalar, const P: usize, const N: usize>(
+    hinges: &[&'static str; P],
+    pivots: [T; P],
+    scales: [T; P],
+    results: [T; N],
+) -> Result<(), Error> {
+    if is_regular(pivots, scales, results) {
+        Ok(())
+    } else {
+        Err(diagnosis(hinges, pivots, scales))
+    }
+}
+
+/// Why a chain has no accelerations.
+#[cold]
+pub fn diagnosis<T: Scalar, const P: usize>(
+    hinges: &[&'static str; P],
+    pivots: [T; P],
+    scales: [T; P],
+) -> Error {
+    let noise = T::epsilon() * T::constant(NOISE);
+    for ((&hinge, pivot), scale) in hinges.iter().zip(pivots).zip(scales) {
+        if pivot.finite().all() && !pivot.greater(noise * scale).all() {
+            return Error::Singular { hinge };
+        }
+    }
+    Error::NotFinite
+}
+
+/// Whether a parameter may be set: to a finite number that leaves all masses positive.
+///
+/// # Errors
+/// [`Error::Parameter`] with the reason that belongs to the first mass that is not positive.
+#[cold]
+pub fn check_parameter<T: Scalar>(
+    name: &'static str,
+    value: T,
+    masses: &[T],
+    reasons: &[&'static str],
+) -> Result<(), Error> {
+    if !value.finite().all() {
+        return Err(Error::Parameter { name, reason: "must be a finite number" });
+    }
+    for (mass, &reason) in masses.iter().zip(reasons) {
+        if !(mass.greater(T::constant(0.0)) & mass.finite()).all() {
+            return Err(Error::Parameter { name, reason });
+        }
+    }
+    Ok(())
+}
+
+/// Square root of a number in a chain's description.
+pub fn sqrt(value: f64) -> f64 {
+    Scalar::sqrt(value)
+}
+
+/// Sine of an angle in rad in a chain's description.
+pub fn sin(value: f64) -> f64 {
+    let ([sine], _) = <f64 as Scalar>::sin_cos([value]);
+    sine
+}
+
+/// Cosine of an angle in rad in a chain's description.
+pub fn cos(value: f64) -> f64 {
+    let (_, [cosine]) = <f64 as Scalar>::sin_cos([value]);
+    cosine
+}

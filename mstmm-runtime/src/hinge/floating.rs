@@ -1,0 +1,114 @@
+//! The floating hinge, which holds nothing: the "acceleration hinge" of `[P, Section 3]`.
+
+use nalgebra::{UnitQuaternion, Vector3};
+
+use super::orientation::{from_bryan_angles, store, to_array, to_unit_quaternion};
+use crate::Scalar;
+
+/// Position, orientation and their rates of a floating hinge, copied from a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FloatingState<T> {
+    position: [T; 3],
+    orientation: [T; 4],
+    velocity: [T; 3],
+    rate: [T; 3],
+}
+
+impl<T: Scalar> FloatingState<T> {
+    /// Puts the view together; the orientation is the quaternion's w, x, y, z. Generated code does.
+    #[inline]
+    pub fn new(position: [T; 3], orientation: [T; 4], velocity: [T; 3], rate: [T; 3]) -> Self {
+        Self { position, orientation, velocity, rate }
+    }
+
+    /// The position of the outboard frame's origin in m, along inboard axes, from the inboard
+    /// frame's origin.
+    #[inline]
+    pub fn position(&self) -> Vector3<T> {
+        Vector3::from(self.position)
+    }
+
+    /// The rotation that turns outboard components into inboard components.
+    ///
+    /// With nalgebra's feature `std` its `euler_angles()` are the Bryan angles θ₁, θ₂, θ₃ of `[P,
+    /// Eq. (1)]` in this order, which is also roll, pitch and yaw. They are not unique at θ₂ =
+    /// ±90°.
+    #[inline]
+    pub fn orientation(&self) -> UnitQuaternion<T> {
+        to_unit_quaternion(self.orientation)
+    }
+
+    /// The rate of the position in m/s, along inboard axes.
+    #[inline]
+    pub fn velocity(&self) -> Vector3<T> {
+        Vector3::from(self.velocity)
+    }
+
+    /// The angular velocity of the outboard frame against the inboard one, in rad/s, in outboard
+    /// components.
+    #[inline]
+    pub fn rate(&self) -> Vector3<T> {
+        Vector3::from(self.rate)
+    }
+}
+
+/// Position, orientation and their rates of a floating hinge, to be changed in a state.
+#[derive(Debug)]
+pub struct FloatingStateMut<'a, T> {
+    position: [&'a mut T; 3],
+    orientation: [&'a mut T; 4],
+    velocity: [&'a mut T; 3],
+    rate: [&'a mut T; 3],
+}
+
+impl<'a, T: Scalar> FloatingStateMut<'a, T> {
+    /// Puts the view together from places; the orientation is the quaternion's w, x, y, z.
+    /// Generated code does.
+    #[inline]
+    pub fn new(
+        position: [&'a mut T; 3],
+        orientation: [&'a mut T; 4],
+        velocity: [&'a mut T; 3],
+        rate: [&'a mut T; 3],
+    ) -> Self {
+        Self { position, orientation, velocity, rate }
+    }
+
+    /// Sets the position of the outboard frame's origin in m, along inboard axes, from the inboard
+    /// frame's origin.
+    #[inline]
+    pub fn set_position(&mut self, position: Vector3<T>) -> &mut Self {
+        store(&mut self.position, position.into());
+        self
+    }
+
+    /// Sets the rotation that turns outboard components into inboard components.
+    #[inline]
+    pub fn set_orientation(&mut self, orientation: UnitQuaternion<T>) -> &mut Self {
+        store(&mut self.orientation, to_array(orientation));
+        self
+    }
+
+    /// Sets the rotation A = A_z(θ₃) A_y(θ₂) A_x(θ₁) by Bryan angles in rad, `[P, Eq. (1)]`; these
+    /// are also roll, pitch and yaw.
+    #[inline]
+    pub fn set_bryan_angles(&mut self, angles: [T; 3]) -> &mut Self {
+        store(&mut self.orientation, from_bryan_angles(angles));
+        self
+    }
+
+    /// Sets the rate of the position in m/s, along inboard axes.
+    #[inline]
+    pub fn set_velocity(&mut self, velocity: Vector3<T>) -> &mut Self {
+        store(&mut self.velocity, velocity.into());
+        self
+    }
+
+    /// Sets the angular velocity of the outboard frame against the inboard one, in rad/s, in
+    /// outboard components.
+    #[inline]
+    pub fn set_rate(&mut self, rate: Vector3<T>) -> &mut Self {
+        store(&mut self.rate, rate.into());
+        self
+    }
+}

@@ -1,0 +1,58 @@
+//! The pin hinge: one angle about an axis fixed in both elements.
+
+/// Angle and rate of a pin hinge, copied from a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PinState<T> {
+    angle: T,
+    rate: T,
+}
+
+impl<T: Copy> PinState<T> {
+    /// Puts the view together; generated code does.
+    #[inline]
+    pub fn new(angle: T, rate: T) -> Self {
+        Self { angle, rate }
+    }
+
+    /// The angle in rad by which the outboard frame is turned against the inboard one, right-handed
+    /// about the axis. It is not wrapped.
+    #[inline]
+    pub fn angle(&self) -> T {
+        self.angle
+    }
+
+    /// The angle's rate in rad/s.
+    #[inline]
+    pub fn rate(&self) -> T {
+        self.rate
+    }
+}
+
+/// Angle and rate of a pin hinge, to be changed in a state.
+#[derive(Debug)]
+pub struct PinStateMut<'a, T> {
+    angle: &'a mut T,
+    rate: &'a mut T,
+}
+
+impl<'a, T> PinStateMut<'a, T> {
+    /// Puts the view together; generated code does.
+    #[inline]
+    pub fn new(angle: &'a mut T, rate: &'a mut T) -> Self {
+        Self { angle, rate }
+    }
+
+    /// Sets the angle in rad.
+    #[inline]
+    pub fn set_angle(&mut self, angle: T) -> &mut Self {
+        *self.angle = angle;
+        self
+    }
+
+    /// Sets the angle's rate in rad/s.
+    #[inline]
+    pub fn set_rate(&mut self, rate: T) -> &mut Self {
+        *self.rate = rate;
+        self
+    }
+}

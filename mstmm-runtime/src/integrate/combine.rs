@@ -1,0 +1,60 @@
+//! Arithmetic on whole states, entry by entry in place: states may be large, and never pass through
+//! the stack.
+
+use crate::{ChainState, Mask, Scalar};
+
+/// Changes every coordinate and every rate of `state` by what stands at its place in `other`.
+#[inline(always)]
+fn change<S: ChainState>(state: &mut S, other: &S, change: impl Fn(&mut S::Scalar, S::Scalar)) {
+    state.q_mut().iter_mut().zip(other.q()).for_each(|(entry, &given)| change(entry, given));
+    state.v_mut().iter_mut().zip(other.v()).for_each(|(entry, &given)| change(entry, given));
+}
+
+/// `to` = `from`, with its time.
+pub(super) fn copy<S: ChainState>(to: &mut S, from: &S) {
+    change(to, from, |entry, given| *entry = given);
+    to.set_time(from.time());
+}
+
+/// `sum` += weight · `rate`; its time stays.
+pub(super) fn add_scaled<S: ChainState>(sum: &mut S, weight: S::Scalar, rate: &S) {
+    change(sum, rate, |entry, given| *entry += weight * given);
+}
+
+/// `sum` = Σ weight · rate; its time stays.
+#[inline(always)]
+pub(super) fn weighted_sum<S: ChainState, const N: usize>(
+    sum: &mut S,
+    weights: [S::Scalar; N],
+    rates: [&S; N],
+) {
+    let zero = S::Scalar::default();
+    sum.q_mut().iter_mut().for_each(|entry| *entry = zero);
+    sum.v_mut().iter_mut().for_each(|entry| *entry = zero);
+    for (weight, rate) in weights.into_iter().zip(rates) {
+        add_scaled(sum, weight, rate);
+    }
+}
+
+/// `end` = `start` + step · `end`; its time stays.
+///
+/// The mean rate is summed up first and `start` added last, so that `start` is rounded once.
+pub(super) fn start_plus_scaled<S: ChainState>(end: &mut S, start: &S, step: S::Scalar) {
+    change(end, start, |entry, given| *entry = given + step * *entry);
+}
+
+/// Whether every coordinate, every rate and the time are finite, in every lane.
+pub(super) fn is_finite<S: ChainState>(state: &S) -> bool {
+    state.time().finite().all() && has_finite_entries(state)
+}
+
+/// Whether every coordinate and every rate is finite, in every lane; for rates of change, whose
+/// time means nothing.
+pub(super) fn has_finite_entries<S: ChainState>(state: &S) -> bool {
+    entries(state).fold(S::Scalar::default().finite(), |all, value| all & value.finite()).all()
+}
+
+/// All coordinates, then all rates.
+pub(super) fn entries<S: ChainState>(state: &S) -> impl Iterator<Item = S::Scalar> {
+    state.q().iter().chain(state.v()).copied()
+}

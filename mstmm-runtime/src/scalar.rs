@@ -1,0 +1,178 @@
+//! The numbers a chain is computed with.
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, BitAnd, BitOr, Mul, MulAssign, Neg, Not, Sub, SubAssign};
+
+use crate::trig;
+
+/// The answer to a question asked of a [`Scalar`]: one truth value per lane.
+///
+/// For `f32` and `f64` it is `bool`.
+pub trait Mask:
+    Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
+{
+    /// The same truth value in every lane.
+    fn splat(value: bool) -> Self;
+
+    /// Whether every lane is true.
+    fn all(self) -> bool;
+}
+
+impl Mask for bool {
+    #[inline(always)]
+    fn splat(value: bool) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn all(self) -> bool {
+        self
+    }
+}
+
+/// A number that generated dynamics can be computed with.
+///
+/// It has arithmetic but no order, so that SIMD lanes and dual numbers fit as well as `f32` and
+/// `f64`: what would be a branch on a comparison is a [`select`](Scalar::select) under a [`Mask`].
+/// Nothing here is fused or reassociated, so a type's results are the same bits on every target.
+pub trait Scalar:
+    nalgebra::Scalar
+    + Copy
+    + Default
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+{
+    /// The answer to a comparison, one truth value per lane.
+    type Mask: Mask;
+
+    /// The ordered number that stands for all lanes where a single decision must be taken, such as
+    /// the size of a step.
+    ///
+    /// It is of the same precision as the lanes; for `f32` and `f64` it is the type itself.
+    type Real: Scalar<Real = Self::Real, Mask = bool> + PartialOrd;
+
+    /// The number nearest to `value`. For a literal it is computed while compiling.
+    fn constant(value: f64) -> Self;
+
+    /// The unit in the last place of one.
+    fn epsilon() -> Self;
+
+    /// One divided by `self`.
+    fn recip(self) -> Self;
+
+    /// The square root, correctly rounded; NaN for negative numbers.
+    fn sqrt(self) -> Self;
+
+    /// The magnitude of `self` with the sign of `sign`.
+    fn copysign(self, sign: Self) -> Self;
+
+    /// The magnitude.
+    fn abs(self) -> Self;
+
+    /// Sines and cosines of angles in radians, in this order, all computed side by side without a
+    /// branch.
+    ///
+    /// For `f32` and `f64` each is within one unit in the last place for angles up to 10⁴ rad; see
+    /// the section on accuracy of [the crate](crate#sines-and-cosines) for larger ones. NaN and
+    /// infinite angles give NaN.
+    fn sin_cos<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]);
+
+    /// Where `self` is greater than `other`; false where either is NaN.
+    fn greater(self, other: Self) -> Self::Mask;
+
+    /// Where `self` is neither infinite nor NaN.
+    fn finite(self) -> Self::Mask;
+
+    /// `yes` where `mask` is true, `no` elsewhere.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// The largest lane, NaN if any lane is NaN. A number without lanes gives its value, a dual
+    /// number its real part.
+    fn worst(self) -> Self::Real;
+
+    /// The same number in every lane.
+    fn splat(value: Self::Real) -> Self;
+}
+
+/// Implements [`Scalar`] for a primitive: everything but sine, cosine and square root reads the
+/// same for all of them.
+macro_rules! primitive {
+    ($real:ident, $trig:path, $libm_sqrt:path) => {
+        impl Scalar for $real {
+            type Mask = bool;
+            type Real = $real;
+
+            #[inline(always)]
+            fn constant(value: f64) -> Self {
+                value as $real
+            }
+
+            #[inline(always)]
+            fn epsilon() -> Self {
+                $real::EPSILON
+            }
+
+            #[inline(always)]
+            fn recip(self) -> Self {
+                1.0 / self
+            }
+
+            // Both are correctly rounded, hence the same bits.
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                #[cfg(feature = "std")]
+                return $real::sqrt(self);
+                #[cfg(not(feature = "std"))]
+                return $libm_sqrt(self);
+            }
+
+            #[inline(always)]
+            fn copysign(self, sign: Self) -> Self {
+                $real::copysign(self, sign)
+            }
+
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $real::abs(self)
+            }
+
+            #[inline]
+            fn sin_cos<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+                $trig(angles)
+            }
+
+            #[inline(always)]
+            fn greater(self, other: Self) -> bool {
+                self > other
+            }
+
+            #[inline(always)]
+            fn finite(self) -> bool {
+                self.is_finite()
+            }
+
+            #[inline(always)]
+            fn select(mask: bool, yes: Self, no: Self) -> Self {
+                if mask { yes } else { no }
+            }
+
+            #[inline(always)]
+            fn worst(self) -> Self {
+                self
+            }
+
+            #[inline(always)]
+            fn splat(value: Self) -> Self {
+                value
+            }
+        }
+    };
+}
+
+primitive!(f32, trig::single::sin_cos, libm::sqrtf);
+primitive!(f64, trig::double::sin_cos, libm::sqrt);

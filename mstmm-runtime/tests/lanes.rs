@@ -1,0 +1,181 @@
+//! The traits leave room for numbers that have no order: two lanes of `f64` go through both
+//! integrators.
+
+mod common;
+
+use core::ops::{Add, AddAssign, BitAnd, BitOr, Mul, MulAssign, Neg, Not, Sub, SubAssign};
+
+use common::{Pendulum, State};
+use mstmm_runtime::{Chain, ChainState, Dopri5, Mask, Rk4, Scalar};
+
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Pair(f64, f64);
+
+#[derive(Clone, Copy, Debug)]
+struct PairMask(bool, bool);
+
+macro_rules! lanewise {
+    ($type:ident: $($trait:ident $method:ident),*) => {
+        $(impl $trait for $type {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                $type(self.0.$method(other.0), self.1.$method(other.1))
+            }
+        })*
+    };
+}
+
+lanewise!(Pair: Add add, Sub sub, Mul mul);
+lanewise!(PairMask: BitAnd bitand, BitOr bitor);
+
+macro_rules! lanewise_assign {
+    ($($trait:ident $method:ident),*) => {
+        $(impl $trait for Pair {
+            fn $method(&mut self, other: Self) {
+                self.0.$method(other.0);
+                self.1.$method(other.1);
+            }
+        })*
+    };
+}
+
+lanewise_assign!(AddAssign add_assign, SubAssign sub_assign, MulAssign mul_assign);
+
+impl Neg for Pair {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Pair(-self.0, -self.1)
+    }
+}
+
+impl Not for PairMask {
+    type Output = Self;
+    fn not(self) -> Self {
+        PairMask(!self.0, !self.1)
+    }
+}
+
+impl Mask for PairMask {
+    fn splat(value: bool) -> Self {
+        PairMask(value, value)
+    }
+
+    fn all(self) -> bool {
+        self.0 && self.1
+    }
+}
+
+impl Scalar for Pair {
+    type Mask = PairMask;
+    type Real = f64;
+
+    fn constant(value: f64) -> Self {
+        Pair(value, value)
+    }
+
+    fn epsilon() -> Self {
+        Pair(f64::EPSILON, f64::EPSILON)
+    }
+
+    fn recip(self) -> Self {
+        Pair(self.0.recip(), self.1.recip())
+    }
+
+    fn sqrt(self) -> Self {
+        Pair(self.0.sqrt(), self.1.sqrt())
+    }
+
+    fn copysign(self, sign: Self) -> Self {
+        Pair(self.0.copysign(sign.0), self.1.copysign(sign.1))
+    }
+
+    fn abs(self) -> Self {
+        Pair(self.0.abs(), self.1.abs())
+    }
+
+    fn sin_cos<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        let (first_sine, first_cosine) = <f64 as Scalar>::sin_cos(angles.map(|x| x.0));
+        let (second_sine, second_cosine) = <f64 as Scalar>::sin_cos(angles.map(|x| x.1));
+        let sines = core::array::from_fn(|i| Pair(first_sine[i], second_sine[i]));
+        (sines, core::array::from_fn(|i| Pair(first_cosine[i], second_cosine[i])))
+    }
+
+    fn greater(self, other: Self) -> PairMask {
+        PairMask(self.0 > other.0, self.1 > other.1)
+    }
+
+    fn finite(self) -> PairMask {
+        PairMask(self.0.is_finite(), self.1.is_finite())
+    }
+
+    fn select(mask: PairMask, yes: Self, no: Self) -> Self {
+        Pair(if mask.0 { yes.0 } else { no.0 }, if mask.1 { yes.1 } else { no.1 })
+    }
+
+    fn worst(self) -> f64 {
+        // `max` would drop a NaN.
+        if self.0 >= self.1 || self.0.is_nan() { self.0 } else { self.1 }
+    }
+
+    fn splat(value: f64) -> Self {
+        Pair(value, value)
+    }
+}
+
+fn lane<const Q: usize, const V: usize>(
+    state: &State<Pair, Q, V>,
+    which: fn(Pair) -> f64,
+) -> State<f64, Q, V> {
+    State { q: state.q.map(which), v: state.v.map(which), t: which(state.t) }
+}
+
+fn two_pendulums() -> State<Pair, 1, 1> {
+    State { q: [Pair(0.1, 2.9)], v: [Pair(0.0, 3.0)], t: Pair(0.0, 0.0) }
+}
+
+#[test]
+fn lanes_give_the_bits_of_single_runs() {
+    let (chain, mut both, mut rk4) =
+        (Pendulum::<Pair>::new(), two_pendulums(), Rk4::new(Pair::constant(0.01)));
+    for _ in 0..200 {
+        rk4.step(&chain, &mut both, |_, _| Pair::default()).unwrap();
+    }
+    for (which, mut single) in [
+        ((|x| x.0) as fn(Pair) -> f64, Pendulum::at(0.1, 0.0)),
+        ((|x| x.1) as fn(Pair) -> f64, Pendulum::at(2.9, 3.0)),
+    ] {
+        let mut rk4 = Rk4::new(0.01);
+        for _ in 0..200 {
+            rk4.step(&Pendulum::new(), &mut single, |_, _| 0.0).unwrap();
+        }
+        assert_eq!(lane(&both, which), single);
+    }
+}
+
+#[test]
+fn the_worst_lane_decides_the_step() {
+    let (chain, mut both) = (Pendulum::<Pair>::new(), two_pendulums());
+    let mut integrator = Dopri5::new(1e-9, 1e-9);
+    integrator.advance(&chain, &mut both, 5.0, |_, _| Pair::default()).unwrap();
+    assert_eq!(both.time(), Pair(5.0, 5.0));
+
+    let steps = |start: State<f64, 1, 1>| {
+        let (mut state, mut integrator) = (start, Dopri5::new(1e-9, 1e-9));
+        integrator.advance(&Pendulum::new(), &mut state, 5.0, |_, _| 0.0).unwrap();
+        (integrator.statistics().accepted, state)
+    };
+    let ((_, easy), (hard_steps, hard)) =
+        (steps(Pendulum::at(0.1, 0.0)), steps(Pendulum::at(2.9, 3.0)));
+    let taken = integrator.statistics().accepted;
+    assert!(taken.abs_diff(hard_steps) <= hard_steps / 10, "{taken} {hard_steps}");
+    assert!((both.q[0].0 - easy.q[0]).abs() < 1e-7 && (both.q[0].1 - hard.q[0]).abs() < 1e-7);
+}
+
+#[test]
+fn one_lane_that_is_not_finite_stops_both() {
+    let (chain, mut both) = (Pendulum::<Pair>::new(), two_pendulums());
+    let mut rate = <Pendulum<Pair> as Chain>::State::default();
+    both.v[0].1 = f64::NAN;
+    assert!(chain.derivative_into(&both, &Pair::default(), &mut rate).is_err());
+    assert!(Rk4::new(Pair::constant(0.1)).step(&chain, &mut both, |_, _| Pair::default()).is_err());
+}
