@@ -13,16 +13,20 @@
 ///
 /// 6 degrees of freedom; accelerations by `riccati`, 250 operations (147 mul, 101 add, 2 reciprocal); with everything at every connection point 787 operations.
 #[derive(Clone, Debug, PartialEq)]
+#[allow(dead_code)]
 struct DoubleBall<T> {
     parameters: DoubleBallParameters<T>,
     derived: [T; 0],
 }
 /// Numbers of [`DoubleBall`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(dead_code)]
 struct DoubleBallParameters<T> {
     none: ::core::marker::PhantomData<T>,
 }
+#[allow(dead_code)]
 impl<T: ::mstmm::Scalar> DoubleBallParameters<T> {}
+#[allow(dead_code)]
 impl<T: ::mstmm::Scalar> DoubleBall<T> {
     /// The chain as described.
     #[inline]
@@ -77,6 +81,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for DoubleBall<T> {
         Self::new()
     }
 }
+#[allow(dead_code)]
 impl<T: ::mstmm::Scalar> DoubleBall<T> {
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
@@ -1778,6 +1783,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for DoubleBall<T> {
 /// The hinges lie one after the other in the order written. [`Default`] is every hinge at
 /// rest in its zero position.
 #[derive(Clone, Debug, PartialEq)]
+#[allow(dead_code)]
 struct DoubleBallState<T> {
     /// Coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
     q: ::mstmm::nalgebra::SVector<T, 8>,
@@ -1786,6 +1792,7 @@ struct DoubleBallState<T> {
     /// Time in s.
     t: T,
 }
+#[allow(dead_code)]
 impl<T: ::mstmm::Scalar> DoubleBallState<T> {
     /// Coordinates and rates of hinge `shoulder`.
     #[inline]
@@ -1867,6 +1874,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::ChainState for DoubleBallState<T> {
 }
 /// What drives [`DoubleBall`] from outside, given at every step.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(dead_code)]
 struct DoubleBallInputs<T> {
     none: ::core::marker::PhantomData<T>,
 }
@@ -1878,6 +1886,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for DoubleBallInputs<T> {
         }
     }
 }
+#[allow(dead_code)]
 impl<T: ::mstmm::Scalar> DoubleBall<T> {
     /// Inputs that are all zero.
     #[inline]
@@ -1888,6 +1897,7 @@ impl<T: ::mstmm::Scalar> DoubleBall<T> {
 }
 /// Results of [`DoubleBall::solve_into`].
 #[derive(Clone, Debug, PartialEq)]
+#[allow(dead_code)]
 struct DoubleBallWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 6>,
     efforts: ::mstmm::nalgebra::SVector<T, 6>,
@@ -1895,6 +1905,7 @@ struct DoubleBallWorkspace<T> {
     potential_energy: T,
     points: [::mstmm::Point<T>; 5],
 }
+#[allow(dead_code)]
 impl<T: ::mstmm::Scalar> DoubleBallWorkspace<T> {
     /// Accelerations `v̇` of all hinges, in the order of the rates.
     #[inline]
@@ -1964,6 +1975,7 @@ impl<T: ::mstmm::Scalar> DoubleBallWorkspace<T> {
         ::mstmm::BodyResult::new(input, output)
     }
 }
+#[allow(dead_code)]
 impl<T: ::mstmm::Scalar> DoubleBall<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]

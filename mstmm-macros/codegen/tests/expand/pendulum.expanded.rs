@@ -11,15 +11,18 @@
 ///
 /// 1 degrees of freedom; accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 32 operations.
 #[derive(Clone, Debug, PartialEq)]
+#[allow(dead_code)]
 pub struct Pendulum<T> {
     parameters: PendulumParameters<T>,
     derived: [T; 7],
 }
 /// Numbers of [`Pendulum`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(dead_code)]
 pub struct PendulumParameters<T> {
     payload: T,
 }
+#[allow(dead_code)]
 impl<T: ::mstmm::Scalar> PendulumParameters<T> {
     /// `payload` in kg.
     #[inline]
@@ -27,6 +30,7 @@ impl<T: ::mstmm::Scalar> PendulumParameters<T> {
         self.payload
     }
 }
+#[allow(dead_code)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// The chain as described, its parameters at their defaults.
     #[inline]
@@ -102,6 +106,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for Pendulum<T> {
         Self::new()
     }
 }
+#[allow(dead_code)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
@@ -360,6 +365,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Pendulum<T> {
 /// The hinges lie one after the other in the order written. [`Default`] is every hinge at
 /// rest in its zero position.
 #[derive(Clone, Debug, PartialEq)]
+#[allow(dead_code)]
 pub struct PendulumState<T> {
     /// Coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
     pub q: ::mstmm::nalgebra::SVector<T, 1>,
@@ -368,6 +374,7 @@ pub struct PendulumState<T> {
     /// Time in s.
     pub t: T,
 }
+#[allow(dead_code)]
 impl<T: ::mstmm::Scalar> PendulumState<T> {
     /// Coordinates and rates of hinge `joint`.
     #[inline]
@@ -425,6 +432,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::ChainState for PendulumState<T> {
 }
 /// What drives [`Pendulum`] from outside, given at every step.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(dead_code)]
 pub struct PendulumInputs<T> {
     /// Torque of `joint` in N m.
     pub joint: T,
@@ -435,6 +443,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumInputs<T> {
         Self { joint: T::constant(0.0) }
     }
 }
+#[allow(dead_code)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// Inputs that are all zero.
     #[inline]
@@ -445,6 +454,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
 }
 /// Results of [`Pendulum::solve_into`].
 #[derive(Clone, Debug, PartialEq)]
+#[allow(dead_code)]
 pub struct PendulumWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 1>,
     efforts: ::mstmm::nalgebra::SVector<T, 1>,
@@ -452,6 +462,7 @@ pub struct PendulumWorkspace<T> {
     potential_energy: T,
     points: [::mstmm::Point<T>; 3],
 }
+#[allow(dead_code)]
 impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
     /// Accelerations `v̇` of all hinges, in the order of the rates.
     #[inline]
@@ -498,6 +509,7 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
         ::mstmm::BodyResult::new(input, output)
     }
 }
+#[allow(dead_code)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]
