@@ -3,7 +3,7 @@
 
 use super::hinge::{self, Freedom, WorkAxes};
 use super::{Situation, Trace};
-use crate::math::{Mat3, Motion, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
+use crate::math::{Mat3, Motion, Rotation, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
 use crate::model::{HingeKind, Link, Place};
 
 /// The axes in which the equations of the links are written.
@@ -26,7 +26,7 @@ pub struct LinkMotion<S> {
     /// Body axes to work axes.
     pub attitude: Mat3<S>,
     /// Work axes to those of the parent.
-    pub to_parent: Mat3<S>,
+    pub to_parent: Rotation<S>,
     /// From the parent's point to this link's point, parent's work axes.
     pub arm: Vec3<S>,
     /// The part of `arm` that is the hinge's: from its parent's side to the point.
@@ -66,7 +66,7 @@ impl<S: Scalar> LinkMotion<S> {
 
     /// The acceleration of the point, but for the hinge's own `q̈`, from that of the parent's point.
     pub fn carried(&self, parent: Motion<S>) -> Motion<S> {
-        parent.carried_to(self.arm).turned_back(self.to_parent) + self.drift
+        parent.carried_to(self.arm).turned_back(&self.to_parent) + self.drift
     }
 }
 
@@ -81,7 +81,7 @@ pub fn motion<S: Scalar>(
         let hinge = &situation.chain.hinges[link.hinge];
         let next = cross(situation, axes, link, link.parent.map(|parent| &links[parent]));
         trace.section(format!("Motion across `{}`", hinge.name), "[P, Eqs. (1), (13), (36)]");
-        trace.matrix(&format!("{}_turn", hinge.name), next.to_parent);
+        trace.matrix(&format!("{}_turn", hinge.name), next.to_parent.matrix());
         trace.matrix(&format!("{}_axes", hinge.name), next.attitude);
         trace.vector(&format!("{}_omega", hinge.name), next.omega);
         trace.motion(&format!("{}_drift", hinge.name), next.drift);
@@ -111,7 +111,7 @@ fn cross<S: Scalar>(
     let from_parent_side = parent_attitude * (from_rotation * alignment);
     let (to_parent, work) = match axes {
         Axes::Body => (
-            from_parent_side * crossing.rotation,
+            crossing.mounted_on(from_parent_side),
             WorkAxes {
                 aligned: true,
                 from_parent: crossing.rotation.transposed(),
@@ -119,7 +119,7 @@ fn cross<S: Scalar>(
             },
         ),
         Axes::Inertial => (
-            Mat3::identity(),
+            Rotation::general(Mat3::identity()),
             WorkAxes {
                 aligned: false,
                 from_parent: from_parent_side,
@@ -134,7 +134,7 @@ fn cross<S: Scalar>(
     let freedom = hinge::freedom(&hinge.kind, numbers, work, link.reversed);
     let relative = freedom.motion(&v[layout.v[link.hinge].clone()]);
     let parent_omega = parent.map_or(Vec3::zero(), |parent| parent.omega);
-    let carried_omega = to_parent.transposed() * parent_omega;
+    let carried_omega = to_parent.back(parent_omega);
     let (point_inertia, com) =
         (numbers.inertia_about(body, to, to_origin), numbers.vector(&body.com) - to_origin);
     let mass = numbers.scalar(&body.mass);
@@ -147,7 +147,7 @@ fn cross<S: Scalar>(
         offset,
         omega: carried_omega + relative.angular,
         relative,
-        drift: drift(arm.centripetal(parent_omega), to_parent, carried_omega, relative),
+        drift: drift(arm.centripetal(parent_omega), &to_parent, carried_omega, relative),
         freedom,
         mass,
         com: attitude * com,
@@ -159,13 +159,13 @@ fn cross<S: Scalar>(
 /// `[Ω_p × (Ω_p × arm) + 2 Ω_p × v_rel; Ω_p × ω_rel]`, as in [P, Eqs. (13), (36)].
 fn drift<S: Scalar>(
     centripetal: Vec3<S>,
-    to_parent: Mat3<S>,
+    to_parent: &Rotation<S>,
     parent_omega: Vec3<S>,
     relative: Motion<S>,
 ) -> Motion<S> {
     let coriolis = parent_omega.cross(relative.linear) * S::number(2.0);
     Motion {
-        linear: to_parent.transposed() * centripetal + coriolis,
+        linear: to_parent.back(centripetal) + coriolis,
         angular: parent_omega.cross(relative.angular),
     }
 }
@@ -182,7 +182,7 @@ fn crossing<S: Scalar>(
     q: &[S],
 ) -> hinge::Crossing<S> {
     let outwards = hinge::crossing(kind, situation.numbers, q);
-    if link.reversed { hinge::reversed(outwards) } else { outwards }
+    if link.reversed { outwards.reversed() } else { outwards }
 }
 
 /// Where, in its body's frame, the point of the link at `index` lies.

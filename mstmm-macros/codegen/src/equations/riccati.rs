@@ -53,7 +53,8 @@ pub fn solve<S: Scalar>(
         }
         if let Some(parent) = link.parent {
             let load = load + inertia.times(link.drift);
-            let (inertia, load) = (inertia.turned(link.to_parent), load.turned(link.to_parent));
+            let (inertia, load) =
+                (link.to_parent.of_inertia(&inertia), load.turned(&link.to_parent));
             own[parent].0 = own[parent].0 + inertia.moved_from(link.arm);
             own[parent].1 = own[parent].1 + load.moved_from(link.arm);
         }

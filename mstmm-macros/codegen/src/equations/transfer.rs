@@ -75,10 +75,10 @@ impl<S: Scalar> Product<S> {
     /// Over the body at `from` [P, Eqs. (17) to (19)] and into the axes of `to`.
     fn cross(&mut self, from: &LinkMotion<S>, to: &LinkMotion<S>) {
         let inertia = from.rigid();
-        let over = |f: Wrench<S>| f.moved_from(-to.arm).turned(to.to_parent.transposed());
+        let over = |f: Wrench<S>| f.moved_from(-to.arm).turned_back(&to.to_parent);
         for part in &mut self.columns {
             let f = over(part.f - inertia.times(part.a));
-            *part = Part { a: part.a.carried_to(to.arm).turned_back(to.to_parent), f };
+            *part = Part { a: part.a.carried_to(to.arm).turned_back(&to.to_parent), f };
         }
         let Part { a, f } = self.known;
         let f = over(f - inertia.times(a) - from.velocity_load());

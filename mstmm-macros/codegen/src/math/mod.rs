@@ -2,11 +2,13 @@
 //! scalar: the compiler runs them on formulas, the tests on plain numbers.
 
 mod matrix;
+mod rotation;
 mod scalar;
 mod spatial;
 mod vector;
 
 pub use matrix::{Mat3, Sym3};
+pub use rotation::{Rotation, Turn};
 pub use scalar::Scalar;
 pub use spatial::{Motion, SpatialInertia, Wrench};
 pub use vector::Vec3;

@@ -1,7 +1,7 @@
 //! Spatial quantities: what a connection point does, what is transmitted there, and the inertia
 //! that links both.
 
-use super::{Mat3, Scalar, Sym3, Vec3};
+use super::{Mat3, Rotation, Scalar, Sym3, Vec3};
 use std::ops::{Add, Sub};
 
 /// `a = [r̈; Ω̇]`, or a rate of the same shape.
@@ -44,9 +44,8 @@ impl<S: Scalar> Motion<S> {
     }
 
     /// In the axes from which `rotation` leads here.
-    pub fn turned_back(self, rotation: Mat3<S>) -> Self {
-        let inverse = rotation.transposed();
-        Motion { linear: inverse * self.linear, angular: inverse * self.angular }
+    pub fn turned_back(self, rotation: &Rotation<S>) -> Self {
+        Motion { linear: rotation.back(self.linear), angular: rotation.back(self.angular) }
     }
 
     /// Power of a wrench on this motion.
@@ -82,8 +81,13 @@ impl<S: Scalar> Wrench<S> {
     }
 
     /// In the axes that `rotation` leads to.
-    pub fn turned(self, rotation: Mat3<S>) -> Self {
-        Wrench { force: rotation * self.force, moment: rotation * self.moment }
+    pub fn turned(self, rotation: &Rotation<S>) -> Self {
+        Wrench { force: rotation.of_vector(self.force), moment: rotation.of_vector(self.moment) }
+    }
+
+    /// In the axes from which `rotation` leads here.
+    pub fn turned_back(self, rotation: &Rotation<S>) -> Self {
+        Wrench { force: rotation.back(self.force), moment: rotation.back(self.moment) }
     }
 
     /// The opposite load.

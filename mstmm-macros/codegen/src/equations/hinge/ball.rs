@@ -9,7 +9,7 @@ use crate::math::{Mat3, Scalar, Vec3};
 /// A turn by the quaternion.
 pub fn crossing<S: Scalar>(q: &[S]) -> Crossing<S> {
     let rotation = Mat3::from_quaternion([q[0], q[1], q[2], q[3]]);
-    Crossing { rotation, offset: Vec3::zero() }
+    Crossing { rotation, turn: None, offset: Vec3::zero() }
 }
 
 /// Turns about all axes are free; the moment vanishes, as [P, Eq. (25)] has it for the next hinge.

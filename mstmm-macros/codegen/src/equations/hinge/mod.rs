@@ -12,7 +12,7 @@ mod pin;
 mod weld;
 
 use super::Numbers;
-use crate::math::{Mat3, Motion, Scalar, Vec3};
+use crate::math::{Mat3, Motion, Rotation, Scalar, Turn, Vec3};
 use crate::model::HingeKind;
 
 /// The geometry of a hinge at given coordinates.
@@ -20,6 +20,8 @@ use crate::model::HingeKind;
 pub struct Crossing<S> {
     /// Aligned child axes to aligned parent axes.
     pub rotation: Mat3<S>,
+    /// The same, if it is a turn about one of the aligned axes.
+    pub turn: Option<Turn<S>>,
     /// From the parent's point to the child's, aligned parent axes.
     pub offset: Vec3<S>,
 }
@@ -149,10 +151,21 @@ pub fn normalized<S: Scalar>(kind: &HingeKind, q: &[S]) -> Vec<S> {
     }
 }
 
-/// The crossing in the other direction.
-pub fn reversed<S: Scalar>(crossing: Crossing<S>) -> Crossing<S> {
-    let rotation = crossing.rotation.transposed();
-    Crossing { rotation, offset: -(rotation * crossing.offset) }
+impl<S: Scalar> Crossing<S> {
+    /// The crossing in the other direction.
+    pub fn reversed(self) -> Self {
+        let rotation = self.rotation.transposed();
+        let turn = self.turn.map(Turn::reversed);
+        Crossing { rotation, turn, offset: -(rotation * self.offset) }
+    }
+
+    /// Its rotation followed by the fixed one of the parent's side.
+    pub fn mounted_on(&self, side: Mat3<S>) -> Rotation<S> {
+        match self.turn {
+            Some(turn) => Rotation::mounted(side, turn),
+            None => Rotation::general(side * self.rotation),
+        }
+    }
 }
 
 /// A square block of a basis.

@@ -6,7 +6,7 @@
 
 use super::{Column, Crossing, Freedom, WorkAxes};
 use crate::equations::Numbers;
-use crate::math::{Mat3, Motion, Scalar, Vec3};
+use crate::math::{Mat3, Motion, Scalar, Turn, Vec3};
 use crate::model::Value;
 
 /// Axes one of which is the pin's.
@@ -60,8 +60,8 @@ fn frame_along<S: Scalar>(k: usize, unit: Vec3<S>) -> Mat3<S> {
 pub fn crossing<S: Scalar>(axis: &[Value; 3], numbers: &Numbers<S>, q: &[S]) -> Crossing<S> {
     let Alignment { axis, opposite, .. } = alignment(axis, numbers);
     let (sin, cos) = q[0].sin_cos();
-    let sin = if opposite { -sin } else { sin };
-    Crossing { rotation: Mat3::turn_about(axis, (sin, cos)), offset: Vec3::zero() }
+    let turn = Turn { axis, sin: if opposite { -sin } else { sin }, cos };
+    Crossing { rotation: turn.matrix(), turn: Some(turn), offset: Vec3::zero() }
 }
 
 /// Turns about the axis are free: `Ω_O = Ω_I + A_O ω_r` [P, Eq. (36)].

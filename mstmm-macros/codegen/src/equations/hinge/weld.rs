@@ -5,7 +5,7 @@ use crate::math::{Mat3, Scalar, Vec3};
 
 /// Both frames coincide.
 pub fn crossing<S: Scalar>() -> Crossing<S> {
-    Crossing { rotation: Mat3::identity(), offset: Vec3::zero() }
+    Crossing { rotation: Mat3::identity(), turn: None, offset: Vec3::zero() }
 }
 
 /// Nothing is free.
