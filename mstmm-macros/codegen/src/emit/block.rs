@@ -193,9 +193,8 @@ impl Plan<'_> {
                 match hinge.kind {
                     HingeKind::Pin { .. } => {
                         let name = self.symbol(range.start as u32);
-                        reads(program, range.start)
-                            .then(|| quote!(let #name = inputs.#field;))
-                            .unwrap_or_default()
+                        let read = reads(program, range.start);
+                        if read { quote!(let #name = inputs.#field;) } else { TokenStream::new() }
                     }
                     _ => self.read(program, range, quote!(inputs.#field.data.0)),
                 }
