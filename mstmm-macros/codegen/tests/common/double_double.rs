@@ -106,7 +106,7 @@ impl Scalar for DoubleDouble {
 
 #[test]
 fn identities_hold_to_thirty_digits() {
-    for angle in [0.1, 1.0, -2.5, 3.14, 1e-9] {
+    for angle in [0.1, 1.0, -2.5, 3.1, 1e-9] {
         let (sin, cos) = DoubleDouble::number(angle).sin_cos();
         let one = sin * sin + cos * cos - DoubleDouble::number(1.0);
         assert!(one.high.abs() < 1e-29, "{one:?}");

@@ -1,0 +1,116 @@
+//! The numerical examples of Rui, Bestle, Zhang and Zhou, *A new version of transfer matrix method
+//! for multibody systems* (Multibody System Dynamics, 2016), computed by generated code and, in
+//! the same run, by an independent Newton–Euler solver.
+//!
+//! `cargo run --release --example paper -- --help` tells what it takes.
+
+mod compare;
+mod csv_file;
+mod document;
+mod generated;
+mod newton_euler;
+mod output_folder;
+mod plot;
+mod progress;
+mod section;
+mod section_4_1;
+mod section_4_2;
+mod system;
+mod table;
+
+use std::error::Error;
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use compare::Comparison;
+use document::Document;
+use progress::Progress;
+use section::{Outcome, Section};
+
+/// Computes the examples of Rui et al. (2016), sections 4.1 and 4.2, by generated code and by an
+/// independent Newton–Euler solver, and compares them.
+///
+/// Prints tables of angles, accelerations and energies; writes time series (CSV) and the paper's
+/// figures (SVG) to the folder `paper` in cargo's target folder. Fails if the two disagree.
+#[derive(Parser)]
+#[command(name = "paper")]
+struct Arguments {
+    /// The section of the paper to compute; all of them if none is named
+    section: Option<Section>,
+
+    /// Print all numbers as one JSON document, and nothing else, on standard output
+    #[arg(long)]
+    json: bool,
+
+    /// The largest difference that passes, in rad for angles and in rad/s² for accelerations
+    #[arg(long, value_name = "LARGEST", default_value_t = 1e-8)]
+    tolerance: f64,
+}
+
+fn main() -> ExitCode {
+    match run(&Arguments::parse()) {
+        Ok(complaints) if complaints.is_empty() => ExitCode::SUCCESS,
+        Ok(complaints) => {
+            complaints.iter().for_each(|complaint| eprintln!("error: {complaint}"));
+            ExitCode::FAILURE
+        }
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Does what was asked and returns what does not agree.
+fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
+    let sections = arguments.section.map_or(Section::ALL.to_vec(), |section| vec![section]);
+    let outcome = compute(&sections)?;
+    let files = write_files(&outcome)?;
+    let Outcome { comparisons, .. } = outcome;
+    if arguments.json {
+        let document = Document::new(&comparisons, &files, arguments.tolerance);
+        document.print()?;
+    } else {
+        print_tables(&comparisons, &files)?;
+    }
+    let complaints = comparisons.iter().flat_map(|one| one.complaints(arguments.tolerance));
+    Ok(complaints.collect())
+}
+
+fn compute(sections: &[Section]) -> Result<Outcome, mstmm::Error> {
+    let systems: usize = sections.iter().map(|section| section.systems()).sum();
+    let progress = Progress::new(systems * compare::MOTIONS_PER_SYSTEM);
+    let mut outcome = Outcome::default();
+    for section in sections {
+        outcome.extend(section.run(&progress)?);
+    }
+    progress.finish();
+    Ok(outcome)
+}
+
+fn write_files(outcome: &Outcome) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+    let folder = output_folder::create()?;
+    let mut files = Vec::new();
+    for comparison in &outcome.comparisons {
+        files.extend(csv_file::write(&folder, comparison)?);
+    }
+    for figure in &outcome.figures {
+        files.push(figure.write(&folder)?);
+    }
+    Ok(files)
+}
+
+fn print_tables(comparisons: &[Comparison], files: &[PathBuf]) -> Result<(), io::Error> {
+    let mut out = io::stdout().lock();
+    for comparison in comparisons {
+        writeln!(out, "{}", table::of(comparison))?;
+    }
+    writeln!(out, "Written:")?;
+    for file in files {
+        writeln!(out, "  {}", output_folder::shown(file).display())?;
+    }
+    Ok(())
+}

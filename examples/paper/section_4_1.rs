@@ -1,0 +1,145 @@
+//! Section 4.1: three unit cubes on ball-and-socket hinges, let go straight and level.
+//!
+//! The paper counts hinges and bodies together, so `upper`, `middle` and `lower` are its bodies 2, 4
+//! and 6.
+
+use mstmm::prelude::*;
+use mstmm::{Energy, Error};
+use mstmm_reference::{BodySample, HingeKind, State};
+
+use crate::compare::{Comparison, compare};
+use crate::generated::PaperChain;
+use crate::newton_euler::{NewtonEuler, three_cubes};
+use crate::plot::{Figure, Panel};
+use crate::progress::Progress;
+use crate::section::Outcome;
+use crate::system::{Angle, GRAVITY, KnownAcceleration, System};
+
+// The chain is written once and compiled by either method.
+macro_rules! ball_pendulum {
+    ($name:ident, $method:ident) => {
+        mstmm_chain! {
+            /// Three unit cubes on ball-and-socket hinges.
+            pub chain $name {
+                method = $method;
+                gravity = [0, -9.8, 0] m/s^2;
+
+                body Cube {
+                    mass = 1 kg;
+                    com = [0.5, 0, 0] m;
+                    output = [1, 0, 0] m;
+                    inertia = diag(1/6, 5/12, 5/12) kg*m^2 about input;
+                }
+
+                ground -> ball shoulder -> Cube upper
+                       -> ball elbow    -> Cube middle
+                       -> ball wrist    -> Cube lower;
+
+                hinge wrist { start_rate = [0, 0.1, 0] rad/s; }
+            }
+        }
+
+        impl PaperChain for $name<f64> {
+            fn start(&self) -> Self::State {
+                self.initial_state()
+            }
+
+            fn energy(&self, state: &Self::State) -> Energy<f64> {
+                self.energy(state)
+            }
+
+            /// The Bryan angles of all bodies, `[P, Eq. (1)]`.
+            fn angles(&self, state: &Self::State) -> Result<Vec<f64>, Error> {
+                let mut at = self.workspace();
+                self.solve_into(state, &self.no_inputs(), &mut at)?;
+                let angles = [at.upper(), at.middle(), at.lower()].map(|body| {
+                    let (first, second, third) = body.input().orientation().euler_angles();
+                    [first, second, third]
+                });
+                Ok(angles.concat())
+            }
+
+            /// As long as all angles are zero, θ̈₃ = Ω̇_z + θ̇₁ θ̇₂, and here every θ̇₁ is zero.
+            fn accelerations(&self, state: &Self::State) -> Result<Vec<f64>, Error> {
+                let mut at = self.workspace();
+                self.solve_into(state, &self.no_inputs(), &mut at)?;
+                let bodies = [at.upper(), at.middle(), at.lower()];
+                Ok(bodies.map(|body| body.input().angular_acceleration().z).to_vec())
+            }
+        }
+    };
+}
+
+ball_pendulum!(BallPendulum, riccati);
+ball_pendulum!(BallPendulumByTransfer, transfer);
+
+pub fn run(progress: &Progress) -> Result<Outcome, Error> {
+    let comparison = compare(
+        system(),
+        &BallPendulum::new(),
+        &BallPendulumByTransfer::new(),
+        &newton_euler(),
+        progress,
+    )?;
+    let figures = vec![figure_4(&comparison)];
+    Ok(Outcome { comparisons: vec![comparison], figures })
+}
+
+fn system() -> System {
+    let bodies = [("body 2", "body_2"), ("body 4", "body_4"), ("body 6", "body_6")];
+    let symbols = [("θ₁", "theta_1"), ("θ₂", "theta_2"), ("θ₃", "theta_3")];
+    let angles_of = |(group, body)| {
+        symbols.map(|(symbol, name)| Angle { symbol, group, column: format!("{body}_{name}_rad") })
+    };
+    System {
+        label: "4.1",
+        title: "three unit cubes on ball-and-socket hinges, Bryan angles",
+        file_stem: "4_1_ball_hinges",
+        angles: bodies.into_iter().flat_map(angles_of).collect(),
+        // Straight and level, the planar equations of motion have rational coefficients.
+        start: vec![
+            KnownAcceleration {
+                name: "θ̈₃ of body 2 = −534/485 g/l",
+                value: -106.8 / 97.0 * GRAVITY,
+            },
+            KnownAcceleration {
+                name: "θ̈₃ of body 4 =   54/485 g/l", value: 10.8 / 97.0 * GRAVITY
+            },
+            KnownAcceleration {
+                name: "θ̈₃ of body 6 =   −6/485 g/l", value: -1.2 / 97.0 * GRAVITY
+            },
+        ],
+    }
+}
+
+fn newton_euler() -> NewtonEuler {
+    let level = [1.0, 0.0, 0.0, 0.0];
+    let [none, slow] = [[0.0; 3], [0.0, 0.1, 0.0]];
+    NewtonEuler {
+        chain: three_cubes([HingeKind::Ball, HingeKind::Ball, HingeKind::Ball]),
+        start: State { q: [level; 3].concat(), v: [none, none, slow].concat() },
+        angles: |sample| sample.bodies.iter().flat_map(bryan_angles).collect(),
+        // The points are the ends of the elements; a body's input is the output of its hinge.
+        accelerations: |solution| {
+            [1, 3, 5].map(|point| solution.points[point].angular_acceleration[2]).to_vec()
+        },
+    }
+}
+
+/// The angles of A = A_z(θ₃) A_y(θ₂) A_x(θ₁), `[P, Eq. (1)]`.
+fn bryan_angles(body: &BodySample) -> [f64; 3] {
+    let [[xx, _, _], [yx, _, _], [zx, zy, zz]] = body.rotation;
+    [zy.atan2(zz), (-zx).atan2(zy.hypot(zz)), yx.atan2(xx)]
+}
+
+/// The angles of body 2. In one panel, the first two would not be told from zero.
+fn figure_4(comparison: &Comparison) -> Figure {
+    Figure {
+        file_name: "figure_4.svg",
+        title: "Figure 4: rotation angles of body 2 on ball-and-socket hinges",
+        panels: vec![
+            Panel { axis: "θ₁, θ₂ in rad", curves: comparison.curves(0..2) },
+            Panel { axis: "θ₃ in rad", curves: comparison.curves(2..3) },
+        ],
+    }
+}
