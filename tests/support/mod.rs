@@ -1,6 +1,10 @@
 //! Comparing what generated code computes with what the independent solver says.
 #![allow(dead_code)]
 
+pub mod dual;
+pub mod matter;
+pub mod mechanism;
+
 use mstmm::Point;
 use mstmm_reference::Solution;
 

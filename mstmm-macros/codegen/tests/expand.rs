@@ -37,6 +37,11 @@ fn pendulum_with_a_motor_and_a_parameter() {
 }
 
 #[test]
-fn two_bodies_on_balls() {
-    check("double_ball");
+fn a_body_on_a_ball() {
+    check("top");
+}
+
+#[test]
+fn two_pins_by_transfer() {
+    check("two_pins");
 }

@@ -15,10 +15,13 @@ pub fn chain(plan: &Plan) -> Vec<String> {
     lines.extend(plan.chain.route.iter().map(|&element| row(plan, element)));
     lines.push(String::new());
     let cost = plan.programs.accelerations.cost();
+    let freedoms = match plan.layout.freedoms() {
+        1 => "1 degree of freedom".to_owned(),
+        count => format!("{count} degrees of freedom"),
+    };
     lines.push(format!(
-        " {} degrees of freedom; accelerations by `{}`, {} operations ({cost}); with everything at \
+        " {freedoms}; accelerations by `{}`, {} operations ({cost}); with everything at \
          every connection point {} operations.",
-        plan.layout.freedoms(),
         method_name(plan.programs.method),
         cost.arithmetic(),
         plan.programs.solution.cost().arithmetic(),

@@ -58,7 +58,7 @@ pub fn solve<S: Scalar>(
     }
     trace.section("Boundary solve at the free end", "[P, Eq. (11)]");
     let last = links.len() - 1;
-    let (unknowns, pivots) = boundary(product.beyond(&links[last]), last);
+    let (unknowns, pivots) = boundary(product.beyond(&links[last]), last, trace);
     (recover(unknowns, &used, trace, links), pivots)
 }
 
@@ -135,7 +135,11 @@ impl<S: Scalar> Product<S> {
 }
 
 /// Solves six conditions `row · x + known = 0`, one after the other.
-fn boundary<S: Scalar>(mut rows: Vec<(Vec<S>, S)>, link: usize) -> (Vec<S>, Vec<Pivot<S>>) {
+fn boundary<S: Scalar>(
+    mut rows: Vec<(Vec<S>, S)>,
+    link: usize,
+    trace: &mut Trace<S>,
+) -> (Vec<S>, Vec<Pivot<S>>) {
     let length = |row: &[S]| row.iter().fold(S::zero(), |sum, &c| sum + c * c).sqrt();
     let scales: Vec<S> = rows.iter().map(|(row, _)| length(row)).collect();
     let mut reflections = Vec::new();
@@ -150,6 +154,9 @@ fn boundary<S: Scalar>(mut rows: Vec<(Vec<S>, S)>, link: usize) -> (Vec<S>, Vec<
         reflections.push(reflection);
     }
     let unknowns = reflections.iter().rev().fold(Vec::new(), |y, reflection| reflection.expand(y));
+    for (number, &unknown) in unknowns.iter().enumerate() {
+        trace.number(format!("end_x{number}"), unknown);
+    }
     (unknowns, pivots)
 }
 

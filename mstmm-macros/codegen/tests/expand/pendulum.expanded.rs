@@ -9,7 +9,7 @@
 /// | `joint` | pin | 1 |
 /// | `rod` | body `Rod` |  |
 ///
-/// 1 degrees of freedom; accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 32 operations.
+/// 1 degree of freedom; accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 32 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code)]
 pub struct Pendulum<T> {

@@ -1,0 +1,1003 @@
+/// Two rods in a plane, by the forward product.
+///
+/// # The chain
+///
+/// `ground -> pin shoulder -> upper -> pin elbow -> lower`
+///
+/// | element | kind | freedoms |
+/// |---|---|---|
+/// | `shoulder` | pin | 1 |
+/// | `upper` | body `Rod` |  |
+/// | `elbow` | pin | 1 |
+/// | `lower` | body `Rod` |  |
+///
+/// 2 degrees of freedom; accelerations by `transfer`, 151 operations (82 mul, 58 add, 4 reciprocal, 7 square root, 2 sin/cos); with everything at every connection point 238 operations.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(dead_code)]
+pub struct TwoPins<T> {
+    parameters: TwoPinsParameters<T>,
+    derived: [T; 0],
+}
+/// Numbers of [`TwoPins`] that may change at run time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(dead_code)]
+pub struct TwoPinsParameters<T> {
+    none: ::core::marker::PhantomData<T>,
+}
+#[allow(dead_code)]
+impl<T: ::mstmm::Scalar> TwoPinsParameters<T> {}
+#[allow(dead_code)]
+impl<T: ::mstmm::Scalar> TwoPins<T> {
+    /// The chain as described.
+    #[inline]
+    #[must_use]
+    pub fn new() -> Self {
+        let parameters = TwoPinsParameters {
+            none: ::core::marker::PhantomData,
+        };
+        let (derived, _) = Self::derive(&parameters);
+        Self { parameters, derived }
+    }
+    /// The numbers that may change at run time.
+    #[inline]
+    pub fn parameters(&self) -> &TwoPinsParameters<T> {
+        &self.parameters
+    }
+    /// The state that the description starts from, at time zero.
+    #[must_use]
+    #[allow(unused_doc_comments, clippy::all)]
+    pub fn initial_state(&self) -> TwoPinsState<T> {
+        let c = T::constant;
+        TwoPinsState {
+            q: ::mstmm::nalgebra::SVector::from([c(0.0), c(0.0)]),
+            v: ::mstmm::nalgebra::SVector::from([c(0.0), c(0.0)]),
+            t: T::constant(0.0),
+        }
+    }
+    /// Quantities derived from parameters and constants: 0 mul, 0 add, 0 reciprocal.
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    fn derive(parameters: &TwoPinsParameters<T>) -> ([T; 0], [T; 0]) {
+        ([], [])
+    }
+}
+impl<T: ::mstmm::Scalar> ::core::default::Default for TwoPins<T> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+#[allow(dead_code)]
+impl<T: ::mstmm::Scalar> TwoPins<T> {
+    /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
+    ///
+    /// 151 operations: 82 mul, 58 add, 4 reciprocal, 7 square root, 2 sin/cos.
+    ///
+    /// | section | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|
+    /// | Motion across `shoulder` | 0 | 0 | 0 | 0 | 2 |
+    /// | Motion across `elbow` | 3 | 1 | 0 | 0 | 0 |
+    /// | Transfer to `shoulder` | 2 | 0 | 0 | 0 | 0 |
+    /// | Transfer to `elbow` | 24 | 18 | 0 | 0 | 0 |
+    /// | Boundary solve at the free end | 41 | 28 | 3 | 2 | 0 |
+    /// | Back to `shoulder` | 3 | 2 | 0 | 0 | 0 |
+    /// | Results | 9 | 9 | 1 | 5 | 0 |
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Singular`](::mstmm::Error::Singular) if nothing with inertia lies beyond a
+    /// hinge, [`Error::NotFinite`](::mstmm::Error::NotFinite) if a number of the state or the
+    /// inputs is not finite. `accelerations` is not touched then.
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    pub fn accelerations_into(
+        &self,
+        state: &TwoPinsState<T>,
+        inputs: &TwoPinsInputs<T>,
+        accelerations: &mut ::mstmm::nalgebra::SVector<T, 2>,
+    ) -> ::core::result::Result<(), ::mstmm::Error> {
+        let c = T::constant;
+        let [[shoulder_angle, elbow_angle]] = state.q.data.0;
+        let [[shoulder_rate, elbow_rate]] = state.v.data.0;
+        /// Motion across `shoulder`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 2 sin/cos.
+        let (
+            [sin_shoulder_angle,
+            sin_elbow_angle,
+            ],
+            [cos_shoulder_angle,
+            cos_elbow_angle,
+            ],
+        ) = T::sin_cos([shoulder_angle, elbow_angle]);
+        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 3 mul, 1 add, 0 reciprocal.
+        let elbow_omega_z = shoulder_rate + elbow_rate;
+        let t0 = shoulder_rate * shoulder_rate;
+        let minus_elbow_drift_lin_x = cos_elbow_angle * t0;
+        let elbow_drift_lin_y = sin_elbow_angle * t0;
+        /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
+        let shoulder_a_lin_x = sin_shoulder_angle * c(9.8);
+        let shoulder_a_lin_y = cos_shoulder_angle * c(9.8);
+        /// Transfer to `elbow`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 24 mul, 18 add, 0 reciprocal.
+        let t1 = sin_elbow_angle * c(0.013606076167856269);
+        let elbow_a4_lin_x = sin_elbow_angle - t1;
+        let t2 = cos_elbow_angle * c(0.013606076167856269);
+        let elbow_a4_lin_y = cos_elbow_angle - t2;
+        let t3 = sin_elbow_angle * c(0.5);
+        let t4 = sin_elbow_angle * c(0.17120202538928544);
+        let minus_elbow_f4_force_x = t3 - t4;
+        let t5 = cos_elbow_angle * c(0.5);
+        let t6 = cos_elbow_angle * c(0.17120202538928544);
+        let minus_elbow_f4_force_y = t5 - t6;
+        let t7 = cos_shoulder_angle * c(4.9);
+        let t8 = shoulder_a_lin_y - t7;
+        let t9 = sin_elbow_angle * shoulder_a_lin_y;
+        let t10 = cos_elbow_angle * shoulder_a_lin_x;
+        let t11 = t9 + t10;
+        let t12 = minus_elbow_drift_lin_x - t11;
+        let t13 = t8 * c(0.9863939238321437);
+        let t14 = sin_elbow_angle * c(0.16439898730535732);
+        let t15 = t13 * t14;
+        let minus_elbow_a_lin_x = t12 + t15;
+        let t16 = cos_elbow_angle * shoulder_a_lin_y;
+        let t17 = sin_elbow_angle * shoulder_a_lin_x;
+        let t18 = t16 - t17;
+        let t19 = elbow_drift_lin_y + t18;
+        let t20 = cos_elbow_angle * c(0.16439898730535732);
+        let t21 = t13 * t20;
+        let elbow_a_lin_y = t19 - t21;
+        let t22 = shoulder_rate * c(0.5);
+        let t23 = shoulder_rate * t22;
+        let t24 = shoulder_a_lin_x - t23;
+        let t25 = cos_elbow_angle * t24;
+        let t26 = t25 + t9;
+        let t27 = sin_elbow_angle * c(2.0685934174848226);
+        let t28 = sin_elbow_angle - t27;
+        let t29 = t13 * t28;
+        let minus_elbow_f_force_x = t26 + t29;
+        let t30 = sin_elbow_angle * t24;
+        let t31 = t30 - t16;
+        let t32 = cos_elbow_angle * c(2.0685934174848226);
+        let t33 = cos_elbow_angle - t32;
+        let t34 = t13 * t33;
+        let elbow_f_force_y = t31 - t34;
+        /// Boundary solve at the free end, [P, Eq. (11)]: 41 mul, 28 add, 3 reciprocal, 2 square root.
+        let t35 = t8 * c(0.0810810810810811);
+        let t36 = elbow_a_lin_y - t35;
+        let t37 = c(0.5) * elbow_a_lin_y;
+        let t38 = t8 * c(0.054054054054054064);
+        let t39 = t37 - t38;
+        let t40 = elbow_omega_z * c(0.5);
+        let t41 = elbow_omega_z * t40;
+        let t42 = elbow_a4_lin_y + c(0.4931969619160719);
+        let t43 = c(0.5) * elbow_a4_lin_y;
+        let t44 = t43 + c(0.3287979746107146);
+        let t45 = cos_elbow_angle * cos_elbow_angle;
+        let t46 = minus_elbow_a_lin_x - minus_elbow_f_force_x;
+        let t47 = t36 - elbow_f_force_y;
+        let t48 = t41 + t46;
+        let t49 = elbow_a4_lin_x + minus_elbow_f4_force_x;
+        let t50 = t42 + minus_elbow_f4_force_y;
+        let t51 = t49 * t49;
+        let t52 = t45 + t51;
+        let t53 = T::sqrt(t52);
+        let t54 = T::copysign(t53, cos_elbow_angle);
+        let t55 = cos_elbow_angle + t54;
+        let t56 = t54 * t55;
+        let t57 = T::recip(t56);
+        let t58 = t55 * t57;
+        let t59 = t48 * t58;
+        let t60 = sin_elbow_angle * t55;
+        let t61 = t49 * t50;
+        let t62 = t60 - t61;
+        let t63 = t57 * t62;
+        let t64 = t55 * t63;
+        let t65 = sin_elbow_angle - t64;
+        let t66 = t49 * t63;
+        let t67 = t50 + t66;
+        let t68 = t59 * t65;
+        let t69 = t47 + t68;
+        let t70 = t44 * t49;
+        let t71 = t57 * t70;
+        let t72 = t55 * t71;
+        let t73 = t49 * t71;
+        let t74 = t44 - t73;
+        let t75 = t59 * t72;
+        let t76 = t39 + t75;
+        let t77 = t67 * t67;
+        let t78 = c(0.25) + t77;
+        let t79 = T::sqrt(t78);
+        let t80 = T::copysign(t79, -t67);
+        let t81 = t67 - t80;
+        let t82 = t80 * t81;
+        let t83 = T::recip(t82);
+        let t84 = t81 * t83;
+        let t85 = t69 * t84;
+        let t86 = t74 * t81;
+        let t87 = c(0.16666666666666666) + t86;
+        let t88 = t83 * t87;
+        let t89 = t81 * t88;
+        let t90 = t74 + t89;
+        let t91 = c(0.5) * t88;
+        let t92 = c(0.3333333333333333) + t91;
+        let t93 = t85 * t90;
+        let t94 = t76 - t93;
+        let t95 = T::recip(t92);
+        let t96 = t94 * t95;
+        let t97 = t81 * t85;
+        let t98 = c(0.5) * t96;
+        let t99 = t97 + t98;
+        let t100 = t83 * t99;
+        let t101 = t81 * t100;
+        let t102 = t85 + t101;
+        let t103 = t55 * t59;
+        let t104 = t49 * t102;
+        let t105 = t103 + t104;
+        let t106 = t57 * t105;
+        let t107 = t49 * t106;
+        let minus_end_x4 = t102 - t107;
+        let t108 = c(0.5) * t100;
+        let minus_end_x5 = t96 + t108;
+        /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
+        let t109 = t8 * c(1.9863939238321437);
+        let t110 = c(0.16666666666666669) * minus_end_x4;
+        let t111 = t109 - t110;
+        let t112 = c(0.0816364570071376) * t111;
+        let minus_shoulder_beta0 = minus_end_x4 + t112;
+        /// Results: 9 mul, 9 add, 1 reciprocal, 5 square root.
+        let t113 = sin_elbow_angle * sin_elbow_angle;
+        let t114 = t45 + t113;
+        let t115 = T::sqrt(t114);
+        let t116 = T::copysign(t115, cos_elbow_angle);
+        let t117 = cos_elbow_angle + t116;
+        let t118 = t116 * t117;
+        let t119 = T::recip(t118);
+        let t120 = cos_elbow_angle - t117;
+        let t121 = sin_elbow_angle * t120;
+        let t122 = t119 * t121;
+        let t123 = sin_elbow_angle * t122;
+        let t124 = cos_elbow_angle - t123;
+        let t125 = T::copysign(c(1.0), t124);
+        let t126 = t124 * t125;
+        let t127 = T::copysign(c(1.0), -t92);
+        let t128 = t92 * t127;
+        let t129 = t50 * t50;
+        let t130 = t113 + t129;
+        let t131 = c(0.25) + t130;
+        let t132 = T::sqrt(t131);
+        let t133 = t113 + t114;
+        let t134 = T::sqrt(t133);
+        let t135 = t45 + t114;
+        let t136 = T::sqrt(t135);
+        let t137 = t44 * t44;
+        let t138 = t137 + c(0.1111111111111111);
+        let t139 = T::sqrt(t138);
+        if !::mstmm::generated::is_regular(
+            [t53, t79, c(1.0), t115, t126, -t128],
+            [t53, t132, c(1.0), t134, t136, t139],
+            [-minus_shoulder_beta0, -minus_end_x5],
+        ) {
+            return ::core::result::Result::Err(self.diagnose(state));
+        }
+        accelerations.data.0 = [[-minus_shoulder_beta0, -minus_end_x5]];
+        ::core::result::Result::Ok(())
+    }
+    /// The accelerations `v̇` of all hinges by value; see
+    /// [`accelerations_into`](Self::accelerations_into).
+    ///
+    /// # Errors
+    ///
+    /// As [`accelerations_into`](Self::accelerations_into).
+    #[inline]
+    pub fn accelerations(
+        &self,
+        state: &TwoPinsState<T>,
+        inputs: &TwoPinsInputs<T>,
+    ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, 2>, ::mstmm::Error> {
+        let mut accelerations = ::mstmm::nalgebra::SVector::from([T::constant(0.0); 2]);
+        self.accelerations_into(state, inputs, &mut accelerations)?;
+        ::core::result::Result::Ok(accelerations)
+    }
+    /// Everything: accelerations, efforts, energies and, at every connection point, pose,
+    /// velocity and the state vector `z`, written into `at`.
+    ///
+    /// 238 operations: 131 mul, 96 add, 4 reciprocal, 7 square root, 2 sin/cos.
+    ///
+    /// | section | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|
+    /// | Motion across `shoulder` | 0 | 0 | 0 | 0 | 2 |
+    /// | Motion across `elbow` | 3 | 1 | 0 | 0 | 0 |
+    /// | Transfer to `shoulder` | 2 | 0 | 0 | 0 | 0 |
+    /// | Transfer to `elbow` | 24 | 18 | 0 | 0 | 0 |
+    /// | Boundary solve at the free end | 41 | 28 | 3 | 2 | 0 |
+    /// | Back to `shoulder` | 3 | 2 | 0 | 0 | 0 |
+    /// | Motion across `elbow` | 8 | 2 | 0 | 0 | 0 |
+    /// | Point of `elbow` | 2 | 3 | 0 | 0 | 0 |
+    /// | Load on `elbow` | 11 | 7 | 0 | 0 | 0 |
+    /// | Load on `shoulder` | 11 | 9 | 0 | 0 | 0 |
+    /// | Results | 26 | 26 | 1 | 5 | 0 |
+    ///
+    /// # Errors
+    ///
+    /// As [`accelerations_into`](Self::accelerations_into); `at` is not touched then.
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    pub fn solve_into(
+        &self,
+        state: &TwoPinsState<T>,
+        inputs: &TwoPinsInputs<T>,
+        at: &mut TwoPinsWorkspace<T>,
+    ) -> ::core::result::Result<(), ::mstmm::Error> {
+        let c = T::constant;
+        let [[shoulder_angle, elbow_angle]] = state.q.data.0;
+        let [[shoulder_rate, elbow_rate]] = state.v.data.0;
+        /// Motion across `shoulder`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 2 sin/cos.
+        let (
+            [sin_shoulder_angle,
+            sin_elbow_angle,
+            ],
+            [cos_shoulder_angle,
+            cos_elbow_angle,
+            ],
+        ) = T::sin_cos([shoulder_angle, elbow_angle]);
+        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 3 mul, 1 add, 0 reciprocal.
+        let elbow_omega_z = shoulder_rate + elbow_rate;
+        let t0 = shoulder_rate * shoulder_rate;
+        let minus_elbow_drift_lin_x = cos_elbow_angle * t0;
+        let elbow_drift_lin_y = sin_elbow_angle * t0;
+        /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
+        let shoulder_a_lin_x = sin_shoulder_angle * c(9.8);
+        let shoulder_a_lin_y = cos_shoulder_angle * c(9.8);
+        /// Transfer to `elbow`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 24 mul, 18 add, 0 reciprocal.
+        let t1 = sin_elbow_angle * c(0.013606076167856269);
+        let elbow_a4_lin_x = sin_elbow_angle - t1;
+        let t2 = cos_elbow_angle * c(0.013606076167856269);
+        let elbow_a4_lin_y = cos_elbow_angle - t2;
+        let t3 = sin_elbow_angle * c(0.5);
+        let t4 = sin_elbow_angle * c(0.17120202538928544);
+        let minus_elbow_f4_force_x = t3 - t4;
+        let t5 = cos_elbow_angle * c(0.5);
+        let t6 = cos_elbow_angle * c(0.17120202538928544);
+        let minus_elbow_f4_force_y = t5 - t6;
+        let t7 = cos_shoulder_angle * c(4.9);
+        let t8 = shoulder_a_lin_y - t7;
+        let t9 = sin_elbow_angle * shoulder_a_lin_y;
+        let t10 = cos_elbow_angle * shoulder_a_lin_x;
+        let t11 = t9 + t10;
+        let t12 = minus_elbow_drift_lin_x - t11;
+        let t13 = t8 * c(0.9863939238321437);
+        let t14 = sin_elbow_angle * c(0.16439898730535732);
+        let t15 = t13 * t14;
+        let minus_elbow_a_lin_x = t12 + t15;
+        let t16 = cos_elbow_angle * shoulder_a_lin_y;
+        let t17 = sin_elbow_angle * shoulder_a_lin_x;
+        let t18 = t16 - t17;
+        let t19 = elbow_drift_lin_y + t18;
+        let t20 = cos_elbow_angle * c(0.16439898730535732);
+        let t21 = t13 * t20;
+        let elbow_a_lin_y = t19 - t21;
+        let t22 = shoulder_rate * c(0.5);
+        let t23 = shoulder_rate * t22;
+        let t24 = shoulder_a_lin_x - t23;
+        let t25 = cos_elbow_angle * t24;
+        let t26 = t25 + t9;
+        let t27 = sin_elbow_angle * c(2.0685934174848226);
+        let t28 = sin_elbow_angle - t27;
+        let t29 = t13 * t28;
+        let minus_elbow_f_force_x = t26 + t29;
+        let t30 = sin_elbow_angle * t24;
+        let t31 = t30 - t16;
+        let t32 = cos_elbow_angle * c(2.0685934174848226);
+        let t33 = cos_elbow_angle - t32;
+        let t34 = t13 * t33;
+        let elbow_f_force_y = t31 - t34;
+        /// Boundary solve at the free end, [P, Eq. (11)]: 41 mul, 28 add, 3 reciprocal, 2 square root.
+        let t35 = t8 * c(0.0810810810810811);
+        let t36 = elbow_a_lin_y - t35;
+        let t37 = c(0.5) * elbow_a_lin_y;
+        let t38 = t8 * c(0.054054054054054064);
+        let t39 = t37 - t38;
+        let t40 = elbow_omega_z * c(0.5);
+        let t41 = elbow_omega_z * t40;
+        let t42 = elbow_a4_lin_y + c(0.4931969619160719);
+        let t43 = c(0.5) * elbow_a4_lin_y;
+        let t44 = t43 + c(0.3287979746107146);
+        let t45 = cos_elbow_angle * cos_elbow_angle;
+        let t46 = minus_elbow_a_lin_x - minus_elbow_f_force_x;
+        let t47 = t36 - elbow_f_force_y;
+        let t48 = t41 + t46;
+        let t49 = elbow_a4_lin_x + minus_elbow_f4_force_x;
+        let t50 = t42 + minus_elbow_f4_force_y;
+        let t51 = t49 * t49;
+        let t52 = t45 + t51;
+        let t53 = T::sqrt(t52);
+        let t54 = T::copysign(t53, cos_elbow_angle);
+        let t55 = cos_elbow_angle + t54;
+        let t56 = t54 * t55;
+        let t57 = T::recip(t56);
+        let t58 = t55 * t57;
+        let t59 = t48 * t58;
+        let t60 = sin_elbow_angle * t55;
+        let t61 = t49 * t50;
+        let t62 = t60 - t61;
+        let t63 = t57 * t62;
+        let t64 = t55 * t63;
+        let t65 = sin_elbow_angle - t64;
+        let t66 = t49 * t63;
+        let t67 = t50 + t66;
+        let t68 = t59 * t65;
+        let t69 = t47 + t68;
+        let t70 = t44 * t49;
+        let t71 = t57 * t70;
+        let t72 = t55 * t71;
+        let t73 = t49 * t71;
+        let t74 = t44 - t73;
+        let t75 = t59 * t72;
+        let t76 = t39 + t75;
+        let t77 = t67 * t67;
+        let t78 = c(0.25) + t77;
+        let t79 = T::sqrt(t78);
+        let t80 = T::copysign(t79, -t67);
+        let t81 = t67 - t80;
+        let t82 = t80 * t81;
+        let t83 = T::recip(t82);
+        let t84 = t81 * t83;
+        let t85 = t69 * t84;
+        let t86 = t74 * t81;
+        let t87 = c(0.16666666666666666) + t86;
+        let t88 = t83 * t87;
+        let t89 = t81 * t88;
+        let t90 = t74 + t89;
+        let t91 = c(0.5) * t88;
+        let t92 = c(0.3333333333333333) + t91;
+        let t93 = t85 * t90;
+        let t94 = t76 - t93;
+        let t95 = T::recip(t92);
+        let t96 = t94 * t95;
+        let t97 = t81 * t85;
+        let t98 = c(0.5) * t96;
+        let t99 = t97 + t98;
+        let t100 = t83 * t99;
+        let t101 = t81 * t100;
+        let t102 = t85 + t101;
+        let t103 = t55 * t59;
+        let t104 = t49 * t102;
+        let t105 = t103 + t104;
+        let t106 = t57 * t105;
+        let t107 = t49 * t106;
+        let minus_end_x4 = t102 - t107;
+        let t108 = c(0.5) * t100;
+        let minus_end_x5 = t96 + t108;
+        /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
+        let t109 = t8 * c(1.9863939238321437);
+        let t110 = c(0.16666666666666669) * minus_end_x4;
+        let t111 = t109 - t110;
+        let t112 = c(0.0816364570071376) * t111;
+        let minus_shoulder_beta0 = minus_end_x4 + t112;
+        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 8 mul, 2 add, 0 reciprocal.
+        let t113 = cos_shoulder_angle * cos_elbow_angle;
+        let t114 = sin_shoulder_angle * sin_elbow_angle;
+        let elbow_axes_x_x = t113 - t114;
+        let t115 = cos_shoulder_angle * sin_elbow_angle;
+        let t116 = sin_shoulder_angle * cos_elbow_angle;
+        let minus_elbow_axes_x_y = t115 + t116;
+        let t117 = shoulder_rate * cos_shoulder_angle;
+        let minus_elbow_drift_lin_x_2 = shoulder_rate * t117;
+        let t118 = shoulder_rate * sin_shoulder_angle;
+        let minus_elbow_drift_lin_y = shoulder_rate * t118;
+        /// Point of `elbow`, [P, Eqs. (12), (13), (36)]: 2 mul, 3 add, 0 reciprocal.
+        let t119 = sin_shoulder_angle * minus_shoulder_beta0;
+        let minus_elbow_acc_lin_x = minus_elbow_drift_lin_x_2 - t119;
+        let t120 = cos_shoulder_angle * minus_shoulder_beta0;
+        let minus_elbow_acc_lin_y = minus_elbow_drift_lin_y + t120;
+        let minus_elbow_acc_ang_z = minus_end_x5 + minus_shoulder_beta0;
+        /// Load on `elbow`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
+        let t121 = c(0.5) * elbow_axes_x_x;
+        let t122 = c(0.5) * minus_elbow_axes_x_y;
+        let t123 = elbow_omega_z * t121;
+        let t124 = elbow_omega_z * t123;
+        let t125 = t122 * minus_elbow_acc_ang_z;
+        let t126 = minus_elbow_acc_lin_x - t125;
+        let minus_elbow_load_force_x = t124 + t126;
+        let t127 = elbow_omega_z * t122;
+        let t128 = elbow_omega_z * t127;
+        let t129 = c(9.8) - minus_elbow_acc_lin_y;
+        let t130 = t121 * minus_elbow_acc_ang_z;
+        let t131 = t129 - t130;
+        let minus_elbow_load_force_y = t128 - t131;
+        let t132 = t122 * minus_elbow_acc_lin_x;
+        let t133 = t121 * t129;
+        let t134 = t132 + t133;
+        let t135 = c(0.3333333333333333) * minus_elbow_acc_ang_z;
+        let elbow_load_moment_z = t134 - t135;
+        /// Load on `shoulder`, [P, Eqs. (18), (19)]: 11 mul, 9 add, 0 reciprocal.
+        let t136 = cos_shoulder_angle * c(0.5);
+        let t137 = sin_shoulder_angle * c(0.5);
+        let t138 = shoulder_rate * t136;
+        let t139 = shoulder_rate * t138;
+        let t140 = minus_shoulder_beta0 * t137;
+        let t141 = t139 - t140;
+        let minus_shoulder_load_force_x = minus_elbow_load_force_x + t141;
+        let t142 = shoulder_rate * t137;
+        let t143 = shoulder_rate * t142;
+        let t144 = minus_shoulder_beta0 * t136;
+        let t145 = c(9.8) - t144;
+        let t146 = t143 - t145;
+        let minus_shoulder_load_force_y = minus_elbow_load_force_y + t146;
+        let t147 = cos_shoulder_angle * minus_elbow_load_force_y;
+        let t148 = sin_shoulder_angle * minus_elbow_load_force_x;
+        let t149 = t147 - t148;
+        let t150 = elbow_load_moment_z - t149;
+        let t151 = c(0.3333333333333333) * minus_shoulder_beta0;
+        let t152 = t7 - t151;
+        let shoulder_load_moment_z = t150 + t152;
+        /// Results: 26 mul, 26 add, 1 reciprocal, 5 square root.
+        let t153 = sin_elbow_angle * sin_elbow_angle;
+        let t154 = t45 + t153;
+        let t155 = T::sqrt(t154);
+        let t156 = T::copysign(t155, cos_elbow_angle);
+        let t157 = cos_elbow_angle + t156;
+        let t158 = t156 * t157;
+        let t159 = T::recip(t158);
+        let t160 = cos_elbow_angle - t157;
+        let t161 = sin_elbow_angle * t160;
+        let t162 = t159 * t161;
+        let t163 = sin_elbow_angle * t162;
+        let t164 = cos_elbow_angle - t163;
+        let t165 = T::copysign(c(1.0), t164);
+        let t166 = t164 * t165;
+        let t167 = T::copysign(c(1.0), -t92);
+        let t168 = t92 * t167;
+        let t169 = t50 * t50;
+        let t170 = t153 + t169;
+        let t171 = c(0.25) + t170;
+        let t172 = T::sqrt(t171);
+        let t173 = t153 + t154;
+        let t174 = T::sqrt(t173);
+        let t175 = t45 + t154;
+        let t176 = T::sqrt(t175);
+        let t177 = t44 * t44;
+        let t178 = t177 + c(0.1111111111111111);
+        let t179 = T::sqrt(t178);
+        let t180 = shoulder_rate * c(0.08333333333333333);
+        let t181 = shoulder_rate * t180;
+        let t182 = t142 * t142;
+        let t183 = t138 * t138;
+        let t184 = t182 + t183;
+        let t185 = t181 + t184;
+        let t186 = t118 + t127;
+        let t187 = t117 + t123;
+        let t188 = elbow_omega_z * c(0.08333333333333333);
+        let t189 = elbow_omega_z * t188;
+        let t190 = t186 * t186;
+        let t191 = t187 * t187;
+        let t192 = t190 + t191;
+        let t193 = t189 + t192;
+        let t194 = t185 + t193;
+        let t195 = c(0.5) * t194;
+        let t196 = sin_shoulder_angle * c(4.9);
+        let t197 = sin_shoulder_angle + t122;
+        let t198 = c(9.8) * t197;
+        let t199 = t196 + t198;
+        let t200 = cos_shoulder_angle + elbow_axes_x_x;
+        let t201 = sin_shoulder_angle + minus_elbow_axes_x_y;
+        let t202 = elbow_omega_z * minus_elbow_axes_x_y;
+        let t203 = t118 + t202;
+        let t204 = elbow_omega_z * elbow_axes_x_x;
+        let t205 = t117 + t204;
+        let t206 = elbow_omega_z * t204;
+        let t207 = minus_elbow_axes_x_y * minus_elbow_acc_ang_z;
+        let t208 = minus_elbow_acc_lin_x - t207;
+        let t209 = t206 + t208;
+        let t210 = elbow_omega_z * t202;
+        let t211 = elbow_axes_x_x * minus_elbow_acc_ang_z;
+        let t212 = minus_elbow_acc_lin_y + t211;
+        let t213 = t210 + t212;
+        if !::mstmm::generated::is_regular(
+            [t53, t79, c(1.0), t155, t166, -t168],
+            [t53, t172, c(1.0), t174, t176, t179],
+            [-minus_shoulder_beta0, -minus_end_x5],
+        ) {
+            return ::core::result::Result::Err(self.diagnose(state));
+        }
+        at.accelerations.data.0 = [[-minus_shoulder_beta0, -minus_end_x5]];
+        at.efforts.data.0 = [[c(0.0), c(0.0)]];
+        at.kinetic_energy = t195;
+        at.potential_energy = t199;
+        at.points = [
+            ::mstmm::Point::new(
+                [c(0.0), c(0.0), c(0.0)],
+                [
+                    [c(1.0), c(0.0), c(0.0)],
+                    [c(0.0), c(1.0), c(0.0)],
+                    [c(0.0), c(0.0), c(1.0)],
+                ],
+                [c(0.0), c(0.0), c(0.0)],
+                [c(0.0), c(0.0), c(0.0)],
+                ::mstmm::StateVector::new(
+                    [c(0.0), c(0.0), c(0.0)],
+                    [c(0.0), c(0.0), c(0.0)],
+                    [c(0.0), c(0.0), -shoulder_load_moment_z],
+                    [-minus_shoulder_load_force_x, -minus_shoulder_load_force_y, c(0.0)],
+                ),
+            ),
+            ::mstmm::Point::new(
+                [c(0.0), c(0.0), c(0.0)],
+                [
+                    [cos_shoulder_angle, -sin_shoulder_angle, c(0.0)],
+                    [sin_shoulder_angle, cos_shoulder_angle, c(0.0)],
+                    [c(0.0), c(0.0), c(1.0)],
+                ],
+                [c(0.0), c(0.0), c(0.0)],
+                [c(0.0), c(0.0), shoulder_rate],
+                ::mstmm::StateVector::new(
+                    [c(0.0), c(0.0), c(0.0)],
+                    [c(0.0), c(0.0), -minus_shoulder_beta0],
+                    [c(0.0), c(0.0), -shoulder_load_moment_z],
+                    [-minus_shoulder_load_force_x, -minus_shoulder_load_force_y, c(0.0)],
+                ),
+            ),
+            ::mstmm::Point::new(
+                [cos_shoulder_angle, sin_shoulder_angle, c(0.0)],
+                [
+                    [cos_shoulder_angle, -sin_shoulder_angle, c(0.0)],
+                    [sin_shoulder_angle, cos_shoulder_angle, c(0.0)],
+                    [c(0.0), c(0.0), c(1.0)],
+                ],
+                [-t118, t117, c(0.0)],
+                [c(0.0), c(0.0), shoulder_rate],
+                ::mstmm::StateVector::new(
+                    [-minus_elbow_acc_lin_x, -minus_elbow_acc_lin_y, c(0.0)],
+                    [c(0.0), c(0.0), -minus_shoulder_beta0],
+                    [c(0.0), c(0.0), -elbow_load_moment_z],
+                    [-minus_elbow_load_force_x, -minus_elbow_load_force_y, c(0.0)],
+                ),
+            ),
+            ::mstmm::Point::new(
+                [cos_shoulder_angle, sin_shoulder_angle, c(0.0)],
+                [
+                    [elbow_axes_x_x, -minus_elbow_axes_x_y, c(0.0)],
+                    [minus_elbow_axes_x_y, elbow_axes_x_x, c(0.0)],
+                    [c(0.0), c(0.0), c(1.0)],
+                ],
+                [-t118, t117, c(0.0)],
+                [c(0.0), c(0.0), elbow_omega_z],
+                ::mstmm::StateVector::new(
+                    [-minus_elbow_acc_lin_x, -minus_elbow_acc_lin_y, c(0.0)],
+                    [c(0.0), c(0.0), -minus_elbow_acc_ang_z],
+                    [c(0.0), c(0.0), -elbow_load_moment_z],
+                    [-minus_elbow_load_force_x, -minus_elbow_load_force_y, c(0.0)],
+                ),
+            ),
+            ::mstmm::Point::new(
+                [t200, t201, c(0.0)],
+                [
+                    [elbow_axes_x_x, -minus_elbow_axes_x_y, c(0.0)],
+                    [minus_elbow_axes_x_y, elbow_axes_x_x, c(0.0)],
+                    [c(0.0), c(0.0), c(1.0)],
+                ],
+                [-t203, t205, c(0.0)],
+                [c(0.0), c(0.0), elbow_omega_z],
+                ::mstmm::StateVector::new(
+                    [-t209, -t213, c(0.0)],
+                    [c(0.0), c(0.0), -minus_elbow_acc_ang_z],
+                    [c(0.0), c(0.0), c(0.0)],
+                    [c(0.0), c(0.0), c(0.0)],
+                ),
+            ),
+        ];
+        ::core::result::Result::Ok(())
+    }
+    /// Kinetic and potential energy in J; the potential is zero with every centre of mass at
+    /// the inertial origin.
+    ///
+    /// 37 operations: 25 mul, 12 add, 0 reciprocal, 2 sin/cos.
+    ///
+    /// | section | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|
+    /// | Motion across `shoulder` | 0 | 0 | 0 | 0 | 2 |
+    /// | Motion across `elbow` | 4 | 3 | 0 | 0 | 0 |
+    /// | Results | 21 | 9 | 0 | 0 | 0 |
+    #[must_use]
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    pub fn energy(&self, state: &TwoPinsState<T>) -> ::mstmm::Energy<T> {
+        let c = T::constant;
+        let [[shoulder_angle, elbow_angle]] = state.q.data.0;
+        let [[shoulder_rate, elbow_rate]] = state.v.data.0;
+        /// Motion across `shoulder`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 2 sin/cos.
+        let (
+            [sin_shoulder_angle,
+            sin_elbow_angle,
+            ],
+            [cos_shoulder_angle,
+            cos_elbow_angle,
+            ],
+        ) = T::sin_cos([shoulder_angle, elbow_angle]);
+        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
+        let t0 = cos_shoulder_angle * cos_elbow_angle;
+        let t1 = sin_shoulder_angle * sin_elbow_angle;
+        let elbow_axes_x_x = t0 - t1;
+        let t2 = cos_shoulder_angle * sin_elbow_angle;
+        let t3 = sin_shoulder_angle * cos_elbow_angle;
+        let minus_elbow_axes_x_y = t2 + t3;
+        let elbow_omega_z = shoulder_rate + elbow_rate;
+        /// Results: 21 mul, 9 add, 0 reciprocal.
+        let t4 = cos_shoulder_angle * c(0.5);
+        let t5 = sin_shoulder_angle * c(0.5);
+        let t6 = shoulder_rate * sin_shoulder_angle;
+        let t7 = shoulder_rate * cos_shoulder_angle;
+        let t8 = c(0.5) * elbow_axes_x_x;
+        let t9 = c(0.5) * minus_elbow_axes_x_y;
+        let t10 = elbow_omega_z * t9;
+        let t11 = elbow_omega_z * t8;
+        let t12 = shoulder_rate * t5;
+        let t13 = shoulder_rate * t4;
+        let t14 = shoulder_rate * c(0.08333333333333333);
+        let t15 = shoulder_rate * t14;
+        let t16 = t12 * t12;
+        let t17 = t13 * t13;
+        let t18 = t16 + t17;
+        let t19 = t15 + t18;
+        let t20 = t6 + t10;
+        let t21 = t7 + t11;
+        let t22 = elbow_omega_z * c(0.08333333333333333);
+        let t23 = elbow_omega_z * t22;
+        let t24 = t20 * t20;
+        let t25 = t21 * t21;
+        let t26 = t24 + t25;
+        let t27 = t23 + t26;
+        let t28 = t19 + t27;
+        let t29 = c(0.5) * t28;
+        let t30 = sin_shoulder_angle * c(4.9);
+        let t31 = sin_shoulder_angle + t9;
+        let t32 = c(9.8) * t31;
+        let t33 = t30 + t32;
+        ::mstmm::Energy {
+            kinetic: t29,
+            potential: t33,
+        }
+    }
+    /// Why there are no accelerations.
+    #[cold]
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    fn diagnose(&self, state: &TwoPinsState<T>) -> ::mstmm::Error {
+        let c = T::constant;
+        let [[_, elbow_angle]] = state.q.data.0;
+        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
+        let ([sin_elbow_angle], [_]) = T::sin_cos([elbow_angle]);
+        /// Riccati transfer over `shoulder`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 1 add, 0 reciprocal.
+        let t0 = sin_elbow_angle * c(0.75);
+        let t1 = sin_elbow_angle * t0;
+        let shoulder_j_zz = t1 + c(0.5833333333333333);
+        ::mstmm::generated::diagnosis(
+            &["elbow", "shoulder"],
+            [c(0.3333333333333333), shoulder_j_zz],
+            [c(0.6766666666666666), c(0.6766666666666666)],
+        )
+    }
+}
+impl<T: ::mstmm::Scalar> ::mstmm::Chain for TwoPins<T> {
+    type Scalar = T;
+    type State = TwoPinsState<T>;
+    type Inputs = TwoPinsInputs<T>;
+    #[inline]
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    fn derivative_into(
+        &self,
+        state: &TwoPinsState<T>,
+        inputs: &TwoPinsInputs<T>,
+        rate: &mut TwoPinsState<T>,
+    ) -> ::core::result::Result<(), ::mstmm::Error> {
+        self.accelerations_into(state, inputs, &mut rate.v)?;
+        rate.q.data.0 = {
+            let [[shoulder_rate, elbow_rate]] = state.v.data.0;
+            [[shoulder_rate, elbow_rate]]
+        };
+        ::core::result::Result::Ok(())
+    }
+    #[inline]
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    fn normalize(&self, state: &mut TwoPinsState<T>) {
+        state.q.data.0 = {
+            let [[shoulder_angle, elbow_angle]] = state.q.data.0;
+            [[shoulder_angle, elbow_angle]]
+        };
+    }
+}
+/// Coordinates and rates of [`TwoPins`] at a time.
+///
+/// The hinges lie one after the other in the order written. [`Default`] is every hinge at
+/// rest in its zero position.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(dead_code)]
+pub struct TwoPinsState<T> {
+    /// Coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
+    pub q: ::mstmm::nalgebra::SVector<T, 2>,
+    /// Rates in rad/s and m/s.
+    pub v: ::mstmm::nalgebra::SVector<T, 2>,
+    /// Time in s.
+    pub t: T,
+}
+#[allow(dead_code)]
+impl<T: ::mstmm::Scalar> TwoPinsState<T> {
+    /// Coordinates and rates of hinge `shoulder`.
+    #[inline]
+    #[must_use]
+    pub fn shoulder(&self) -> ::mstmm::PinState<T> {
+        let [[q0, ..]] = self.q.data.0;
+        let [[v0, ..]] = self.v.data.0;
+        ::mstmm::PinState::new(q0, v0)
+    }
+    /// Coordinates and rates of hinge `shoulder`, to be changed.
+    #[inline]
+    pub fn shoulder_mut(&mut self) -> ::mstmm::PinStateMut<'_, T> {
+        let [[q0, ..]] = &mut self.q.data.0;
+        let [[v0, ..]] = &mut self.v.data.0;
+        ::mstmm::PinStateMut::new(q0, v0)
+    }
+    /// Coordinates and rates of hinge `elbow`.
+    #[inline]
+    #[must_use]
+    pub fn elbow(&self) -> ::mstmm::PinState<T> {
+        let [[_, q1, ..]] = self.q.data.0;
+        let [[_, v1, ..]] = self.v.data.0;
+        ::mstmm::PinState::new(q1, v1)
+    }
+    /// Coordinates and rates of hinge `elbow`, to be changed.
+    #[inline]
+    pub fn elbow_mut(&mut self) -> ::mstmm::PinStateMut<'_, T> {
+        let [[_, q1, ..]] = &mut self.q.data.0;
+        let [[_, v1, ..]] = &mut self.v.data.0;
+        ::mstmm::PinStateMut::new(q1, v1)
+    }
+}
+impl<T: ::mstmm::Scalar> ::core::default::Default for TwoPinsState<T> {
+    fn default() -> Self {
+        let (zero, one) = (T::constant(0.0), T::constant(1.0));
+        let _ = one;
+        Self {
+            q: ::mstmm::nalgebra::SVector::from([zero, zero]),
+            v: ::mstmm::nalgebra::SVector::from([zero; 2]),
+            t: zero,
+        }
+    }
+}
+impl<T: ::mstmm::Scalar> ::mstmm::ChainState for TwoPinsState<T> {
+    type Scalar = T;
+    #[inline]
+    fn q(&self) -> &[T] {
+        self.q.as_slice()
+    }
+    #[inline]
+    fn q_mut(&mut self) -> &mut [T] {
+        self.q.as_mut_slice()
+    }
+    #[inline]
+    fn v(&self) -> &[T] {
+        self.v.as_slice()
+    }
+    #[inline]
+    fn v_mut(&mut self) -> &mut [T] {
+        self.v.as_mut_slice()
+    }
+    #[inline]
+    fn time(&self) -> T {
+        self.t
+    }
+    #[inline]
+    fn set_time(&mut self, time: T) {
+        self.t = time;
+    }
+}
+/// What drives [`TwoPins`] from outside, given at every step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(dead_code)]
+pub struct TwoPinsInputs<T> {
+    none: ::core::marker::PhantomData<T>,
+}
+impl<T: ::mstmm::Scalar> ::core::default::Default for TwoPinsInputs<T> {
+    #[inline]
+    fn default() -> Self {
+        Self {
+            none: ::core::marker::PhantomData,
+        }
+    }
+}
+#[allow(dead_code)]
+impl<T: ::mstmm::Scalar> TwoPins<T> {
+    /// Inputs that are all zero.
+    #[inline]
+    #[must_use]
+    pub fn no_inputs(&self) -> TwoPinsInputs<T> {
+        ::core::default::Default::default()
+    }
+}
+/// Results of [`TwoPins::solve_into`].
+#[derive(Clone, Debug, PartialEq)]
+#[allow(dead_code)]
+pub struct TwoPinsWorkspace<T> {
+    accelerations: ::mstmm::nalgebra::SVector<T, 2>,
+    efforts: ::mstmm::nalgebra::SVector<T, 2>,
+    kinetic_energy: T,
+    potential_energy: T,
+    points: [::mstmm::Point<T>; 5],
+}
+#[allow(dead_code)]
+impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
+    /// Accelerations `v̇` of all hinges, in the order of the rates.
+    #[inline]
+    pub fn accelerations(&self) -> &::mstmm::nalgebra::SVector<T, 2> {
+        &self.accelerations
+    }
+    /// Kinetic energy in J.
+    #[inline]
+    pub fn kinetic_energy(&self) -> T {
+        self.kinetic_energy
+    }
+    /// Potential energy in J; zero with every centre of mass at the inertial origin.
+    #[inline]
+    pub fn potential_energy(&self) -> T {
+        self.potential_energy
+    }
+    /// All connection points in the order written: the first element's input, then every
+    /// element's output.
+    #[inline]
+    pub fn points(&self) -> &[::mstmm::Point<T>; 5] {
+        &self.points
+    }
+    /// Acceleration, effort, input and output of hinge `shoulder`.
+    #[inline]
+    pub fn shoulder(&self) -> ::mstmm::HingeResult<'_, T, T> {
+        let [input, output, ..] = &self.points;
+        ::mstmm::HingeResult::new(
+            {
+                let [[value, ..]] = self.accelerations.data.0;
+                value
+            },
+            {
+                let [[value, ..]] = self.efforts.data.0;
+                value
+            },
+            input,
+            output,
+        )
+    }
+    /// Input and output of body `upper`.
+    #[inline]
+    pub fn upper(&self) -> ::mstmm::BodyResult<'_, T> {
+        let [_, input, output, ..] = &self.points;
+        ::mstmm::BodyResult::new(input, output)
+    }
+    /// Acceleration, effort, input and output of hinge `elbow`.
+    #[inline]
+    pub fn elbow(&self) -> ::mstmm::HingeResult<'_, T, T> {
+        let [_, _, input, output, ..] = &self.points;
+        ::mstmm::HingeResult::new(
+            {
+                let [[_, value, ..]] = self.accelerations.data.0;
+                value
+            },
+            {
+                let [[_, value, ..]] = self.efforts.data.0;
+                value
+            },
+            input,
+            output,
+        )
+    }
+    /// Input and output of body `lower`.
+    #[inline]
+    pub fn lower(&self) -> ::mstmm::BodyResult<'_, T> {
+        let [_, _, _, input, output, ..] = &self.points;
+        ::mstmm::BodyResult::new(input, output)
+    }
+}
+#[allow(dead_code)]
+impl<T: ::mstmm::Scalar> TwoPins<T> {
+    /// Room for the results of [`solve_into`](Self::solve_into).
+    #[must_use]
+    pub fn workspace(&self) -> TwoPinsWorkspace<T> {
+        let zero = T::constant(0.0);
+        TwoPinsWorkspace {
+            accelerations: ::mstmm::nalgebra::SVector::from([zero; 2]),
+            efforts: ::mstmm::nalgebra::SVector::from([zero; 2]),
+            kinetic_energy: zero,
+            potential_energy: zero,
+            points: [::core::default::Default::default(); 5],
+        }
+    }
+}
