@@ -135,3 +135,31 @@ fn scale<S: Scalar>(link: &LinkMotion<S>, column: Column<S>) -> S {
         Column::Axis(_) | Column::General(_) => link.scale.0,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Column, SpatialInertia, Wrench, eliminate};
+    use crate::math::{Mat3, Sym3, Vec3};
+
+    /// Without exact zeros, rounding leaks back into the angular block of every ball and grows from
+    /// one to the next until no digit is left.
+    #[test]
+    fn what_a_ball_lets_go_is_exactly_zero() {
+        let mut inertia = SpatialInertia {
+            linear: Sym3([3.1, 2.7, 4.3, 0.3, -0.2, 0.7]),
+            coupling: Mat3([[0.1, 0.7, -0.3], [0.2, -0.6, 0.9], [0.4, 0.3, 0.8]]),
+            angular: Sym3([2.3, 3.7, 2.9, 0.11, -0.23, 0.37]),
+        };
+        let mut load = Wrench { force: Vec3([0.3, -0.7, 1.1]), moment: Vec3([1.3, 0.9, -0.1]) };
+        let efforts = [0.25, -0.5, 0.125];
+        let mut eliminated = Vec::new();
+        for (k, effort) in efforts.into_iter().enumerate() {
+            let pivot =
+                eliminate(&mut inertia, &mut load, Column::Axis(3 + k), effort, &mut eliminated);
+            assert!(pivot > 0.0);
+        }
+        assert_eq!(inertia.angular, Sym3([0.0; 6]));
+        assert_eq!(inertia.coupling, Mat3([[0.0; 3]; 3]));
+        assert_eq!(load.moment, Vec3(efforts));
+    }
+}

@@ -180,19 +180,22 @@ impl<'a> Scheduler<'a> {
     fn require(&mut self, node: NodeId) {
         let mut needed = Vec::new();
         let mut open = vec![node];
+        let mut seen = HashSet::new();
         while let Some(id) = open.pop() {
-            if std::mem::replace(&mut self.done[id as usize], true) {
-                continue;
-            }
-            needed.push(id);
-            if !self.is_slot(id) {
-                open.extend(self.graph.node(id).operands().map(Edge::node));
+            if !self.done[id as usize] && seen.insert(id) {
+                needed.push(id);
+                if !self.is_slot(id) {
+                    open.extend(self.graph.node(id).operands().map(Edge::node));
+                }
             }
         }
         // Operands have smaller numbers than their users.
         needed.sort_unstable();
         for id in needed {
-            self.compute(id);
+            // A group of angles may have stated some of them meanwhile.
+            if !std::mem::replace(&mut self.done[id as usize], true) {
+                self.compute(id);
+            }
         }
     }
 

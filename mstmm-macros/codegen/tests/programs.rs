@@ -1,0 +1,193 @@
+//! Programs compute what the equations say: an interpreter runs them on `f64` for random chains,
+//! without rustc, and the passes keep the value of random formulas.
+
+mod common;
+
+use common::{compute, difference, read};
+use mstmm_codegen::compile::{self, Programs};
+use mstmm_codegen::equations::Axes;
+use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
+use mstmm_codegen::math::Scalar;
+use mstmm_codegen::model::{Layout, Method};
+use mstmm_codegen::passes::{Setup, factor, schedule};
+use mstmm_codegen::program::{Operand, Operation, Program, Statement};
+use mstmm_reference::{Ends, Joining, Random, random_chain, random_efforts, random_state};
+use std::collections::HashMap;
+
+/// Runs a program; `symbols` by number, `slots` by index.
+fn run(program: &Program, symbols: &[f64], slots: &[f64]) -> Vec<Vec<f64>> {
+    let mut named: HashMap<String, f64> = HashMap::new();
+    for slot in &program.slots {
+        named.insert(slot.name.clone(), slots[slot.index]);
+    }
+    for statement in program.sections.iter().flat_map(|section| &section.statements) {
+        let value = |operand: &Operand| value(operand, symbols, &named);
+        match statement {
+            Statement::Let(name, operation) => {
+                let result = match operation {
+                    Operation::Sum(a, b) => value(a) + value(b),
+                    Operation::Difference(a, b) => value(a) - value(b),
+                    Operation::Product(a, b) => value(a) * value(b),
+                    Operation::Recip(a) => value(a).recip(),
+                    Operation::Sqrt(a) => value(a).sqrt(),
+                    Operation::CopySign(a, b) => value(a).copysign(value(b)),
+                };
+                assert!(named.insert(name.clone(), result).is_none(), "`{name}` is named twice");
+            }
+            Statement::SinCos { sines, cosines, angles } => {
+                let angles: Vec<f64> = angles.iter().map(value).collect();
+                for (k, angle) in angles.into_iter().enumerate() {
+                    let both = [(&sines[k], angle.sin()), (&cosines[k], angle.cos())];
+                    named.extend(both.into_iter().filter_map(|(n, x)| Some((n.clone()?, x))));
+                }
+            }
+        }
+    }
+    let group = |group: &Vec<Operand>| {
+        group.iter().map(|operand| value(operand, symbols, &named)).collect()
+    };
+    program.outputs.iter().map(group).collect()
+}
+
+fn value(operand: &Operand, symbols: &[f64], named: &HashMap<String, f64>) -> f64 {
+    match operand {
+        Operand::Number(number) => *number,
+        Operand::Symbol(number) => symbols[*number as usize],
+        Operand::Named(name) => *named.get(name).unwrap_or_else(|| panic!("`{name}` has no value")),
+        Operand::Minus(inner) => -value(inner, symbols, named),
+    }
+}
+
+/// One random chain in a random state: programs against equations.
+fn one_chain(seed: u64) {
+    let mut random = Random::new(seed);
+    let ends = *random.choose(&[Ends::HeldFree, Ends::FreeFree, Ends::FreeHeld]);
+    let kinds = [Joining::Weld, Joining::Pin, Joining::Ball];
+    let bodies = 1 + random.below(5);
+    let description = random_chain(&mut random, "Random", bodies, ends, &kinds);
+    let state = random_state(&mut random, &description);
+    let efforts = random_efforts(&mut random, &description);
+    for (word, method) in [("riccati", Method::Riccati), ("transfer", Method::Transfer)] {
+        let chain = read(&description.to_macro_text(Some(word)));
+        let layout = Layout::of(&chain);
+        let programs = compile::programs(&chain, &layout);
+        let driven = (0..chain.hinges.len()).filter(|&hinge| !layout.inputs[hinge].is_empty());
+        let inputs = driven.flat_map(|hinge| efforts[layout.v[hinge].clone()].to_vec());
+        let symbols: Vec<f64> = state.q.iter().chain(&state.v).copied().chain(inputs).collect();
+        let expected = compute::<f64>(&chain, (method, Axes::Body), &state.q, &state.v, &efforts);
+        let Programs { accelerations, solution, energy, .. } = &programs;
+        let fast = run(accelerations, &symbols, &[]);
+        let full = run(solution, &symbols, &[]);
+        let energies = [expected.energy.kinetic, expected.energy.potential];
+        let forces: Vec<f64> =
+            expected.report.points.iter().flat_map(|point| point.force.0).collect();
+        let full_forces: Vec<f64> =
+            full[5..].iter().flat_map(|point| point[27..30].to_vec()).collect();
+        for (what, size) in [
+            ("fast accelerations", difference(&fast[0], &expected.accelerations)),
+            ("accelerations", difference(&full[0], &expected.accelerations)),
+            ("energies", difference(&full[4], &energies)),
+            ("energies alone", difference(&run(energy, &symbols, &[])[0], &energies)),
+            ("forces", difference(&full_forces, &forces)),
+        ] {
+            // The same operations but for reordering: condition numbers of a few thousand.
+            assert!(size < 1e-11, "seed {seed}, {method:?}: {what} differ by {size:e}");
+        }
+    }
+}
+
+#[test]
+fn programs_compute_the_equations() {
+    (0..100).for_each(one_chain);
+}
+
+#[test]
+fn parameters_are_folded_into_slots_once() {
+    let text = |mass: &str| {
+        format!(
+            "chain Arm {{ gravity = [0, -9.8, 0]; param extra = 0.7 kg;
+             body Rod {{ mass = {mass}; com = [0.5, 0, 0]; output = [1, 0, 0];
+                 inertia = diag(0.1, 1, 1) about com; }}
+             ground -> pin(z) a -> Rod upper -> pin(y) b -> Rod lower; }}"
+        )
+    };
+    let (q, v) = ([0.3, -0.4], [1.0, 2.0]);
+    let with = read(&text("1.3 kg + extra"));
+    let programs = compile::programs(&with, &Layout::of(&with));
+    let slots = run(&programs.setup, &[0.7], &[]);
+    let symbols = [0.7, q[0], q[1], v[0], v[1]];
+    let computed = run(&programs.accelerations, &symbols, &slots[0]);
+    let expected =
+        compute::<f64>(&read(&text("2 kg")), (Method::Riccati, Axes::Body), &q, &v, &[0.0, 0.0]);
+    assert!(difference(&computed[0], &expected.accelerations) < 1e-14);
+    assert_eq!(slots[1], [2.0, 2.0], "both masses hang on the parameter");
+    let step = programs.accelerations.symbols;
+    assert!(!step.contains(&0), "the step reads the parameter's slots, not the parameter");
+}
+
+/// A random formula of every kind of node.
+fn formula<'g>(random: &mut Random, unknowns: &[Expr<'g>], depth: usize) -> Expr<'g> {
+    if depth == 0 || random.chance(0.1) {
+        return if random.chance(0.2) {
+            Expr::number(*random.choose(&[0.0, 1.0, -1.0, 2.0, -0.5]))
+        } else {
+            *random.choose(unknowns)
+        };
+    }
+    let a = formula(random, unknowns, depth - 1);
+    let b = formula(random, unknowns, depth - 1);
+    let positive = Expr::number(1.0) + a * a;
+    match random.below(10) {
+        0 | 1 => a + b,
+        2 | 3 => a - b,
+        4 | 5 => a * b,
+        6 => a * b + a * formula(random, unknowns, depth - 1),
+        7 => positive.recip(),
+        8 => positive.sqrt().copysign(b + Expr::number(0.3)),
+        _ => (a + b).sin_cos().0 * b.sin_cos().1,
+    }
+}
+
+/// The value of a formula straight from the graph.
+fn evaluate(graph: &Graph, edge: Edge, unknowns: &[f64]) -> f64 {
+    let go = |edge| evaluate(graph, edge, unknowns);
+    let plain = match graph.node(edge.node()) {
+        Node::Number(bits) => f64::from_bits(bits),
+        Node::Symbol(number) => unknowns[number as usize],
+        Node::Sum(a, b) => go(a) + go(b),
+        Node::Product(a, b) => go(a) * go(b),
+        Node::Recip(a) => go(a).recip(),
+        Node::Sqrt(a) => go(a).sqrt(),
+        Node::Sin(a) => go(a).sin(),
+        Node::Cos(a) => go(a).cos(),
+        Node::CopySign(a, b) => go(a).copysign(go(b)),
+    };
+    if edge.is_negative() { -plain } else { plain }
+}
+
+#[test]
+fn passes_keep_the_value_of_every_formula() {
+    for seed in 0..500 {
+        let mut random = Random::new(seed);
+        let graph = Graph::default();
+        let unknowns: Vec<Expr> = (0..4).map(|k| graph.symbol(k, Stage::State)).collect();
+        let names: Vec<String> = (0..4).map(|k| format!("x{k}")).collect();
+        let values: Vec<f64> = (0..4).map(|_| random.between(-2.0, 2.0)).collect();
+        let edges: Vec<Edge> =
+            (0..3).map(|_| graph.edge(formula(&mut random, &unknowns, 5))).collect();
+        let expected: Vec<f64> = edges.iter().map(|&e| evaluate(&graph, e, &values)).collect();
+        let image = factor(&graph, &edges);
+        let moved = |edge: Edge| {
+            let image = image[edge.node() as usize].expect("results are live");
+            if edge.is_negative() { image.negated() } else { image }
+        };
+        let factored: Vec<Edge> = edges.iter().map(|&edge| moved(edge)).collect();
+        let direct: Vec<f64> = factored.iter().map(|&e| evaluate(&graph, e, &values)).collect();
+        let program =
+            schedule(&graph, &names, Stage::State, &[], &[factored], &mut Setup::default());
+        let scheduled = &run(&program, &values, &[])[0];
+        // Factoring rounds anew: a few dozen operations on numbers that may grow to thousands.
+        assert!(difference(&direct, &expected) < 1e-12, "seed {seed}: factor");
+        assert!(difference(scheduled, &direct) == 0.0, "seed {seed}: schedule");
+    }
+}
