@@ -50,27 +50,28 @@ fn text() -> String {
 
 /// A function that takes a chain's inputs out of all its efforts.
 fn inputs(chain: &Chain) -> String {
-    let name = &chain.name;
-    let mut text = format!(
-        "\npub fn inputs_{}(efforts: &[f64]) -> {name}Inputs<f64> {{\n    let _ = efforts;\n    \
-         #[allow(unused_mut)]\n    let mut inputs = {name}Inputs::default();\n",
-        name.to_lowercase()
-    );
     let mut place = if chain.floats() { 6 } else { 0 };
+    let mut fields = Vec::new();
     for hinge in chain.hinges() {
-        if hinge.motor {
-            let value = match hinge.kind {
-                HingeKind::Ball => {
-                    format!("[{}, {}, {}].map(|k| efforts[k]).into()", place, place + 1, place + 2)
-                }
-                _ => format!("efforts[{place}]"),
-            };
-            writeln!(text, "    inputs.{} = {value};", hinge.name).expect("text can be written");
+        let (a, b, c) = (place, place + 1, place + 2);
+        match hinge.kind {
+            HingeKind::Ball if hinge.motor => {
+                fields.push(format!("{}: [{a}, {b}, {c}].map(|k| efforts[k]).into()", hinge.name));
+            }
+            _ if hinge.motor => fields.push(format!("{}: efforts[{a}]", hinge.name)),
+            _ => {}
         }
         place += hinge.kind.freedoms();
     }
-    text.push_str("    inputs\n}\n");
-    text
+    let (name, function) = (&chain.name, chain.name.to_lowercase());
+    let (argument, value) = if fields.is_empty() {
+        ("_efforts", format!("{name}Inputs::default()"))
+    } else {
+        ("efforts", format!("{name}Inputs {{ {} }}", fields.join(", ")))
+    };
+    format!(
+        "\npub fn inputs_{function}({argument}: &[f64]) -> {name}Inputs<f64> {{\n    {value}\n}}\n"
+    )
 }
 
 #[test]

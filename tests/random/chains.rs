@@ -16,11 +16,7 @@ pub chain Random0R {
 }
 
 pub fn inputs_random0r(efforts: &[f64]) -> Random0RInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random0RInputs::default();
-    inputs.j1 = efforts[0];
-    inputs
+    Random0RInputs { j1: efforts[0] }
 }
 
 mstmm::mstmm_chain! {
@@ -39,11 +35,7 @@ pub chain Random0T {
 }
 
 pub fn inputs_random0t(efforts: &[f64]) -> Random0TInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random0TInputs::default();
-    inputs.j1 = efforts[0];
-    inputs
+    Random0TInputs { j1: efforts[0] }
 }
 
 mstmm::mstmm_chain! {
@@ -92,11 +84,7 @@ pub chain Random1R {
 }
 
 pub fn inputs_random1r(efforts: &[f64]) -> Random1RInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random1RInputs::default();
-    inputs.j5 = efforts[9];
-    inputs
+    Random1RInputs { j5: efforts[9] }
 }
 
 mstmm::mstmm_chain! {
@@ -145,11 +133,7 @@ pub chain Random1T {
 }
 
 pub fn inputs_random1t(efforts: &[f64]) -> Random1TInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random1TInputs::default();
-    inputs.j5 = efforts[9];
-    inputs
+    Random1TInputs { j5: efforts[9] }
 }
 
 mstmm::mstmm_chain! {
@@ -182,13 +166,7 @@ pub chain Random2R {
 }
 
 pub fn inputs_random2r(efforts: &[f64]) -> Random2RInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random2RInputs::default();
-    inputs.j1 = [0, 1, 2].map(|k| efforts[k]).into();
-    inputs.j2 = [3, 4, 5].map(|k| efforts[k]).into();
-    inputs.j3 = [6, 7, 8].map(|k| efforts[k]).into();
-    inputs
+    Random2RInputs { j1: [0, 1, 2].map(|k| efforts[k]).into(), j2: [3, 4, 5].map(|k| efforts[k]).into(), j3: [6, 7, 8].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -221,13 +199,7 @@ pub chain Random2T {
 }
 
 pub fn inputs_random2t(efforts: &[f64]) -> Random2TInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random2TInputs::default();
-    inputs.j1 = [0, 1, 2].map(|k| efforts[k]).into();
-    inputs.j2 = [3, 4, 5].map(|k| efforts[k]).into();
-    inputs.j3 = [6, 7, 8].map(|k| efforts[k]).into();
-    inputs
+    Random2TInputs { j1: [0, 1, 2].map(|k| efforts[k]).into(), j2: [3, 4, 5].map(|k| efforts[k]).into(), j3: [6, 7, 8].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -289,12 +261,7 @@ pub chain Random3R {
 }
 
 pub fn inputs_random3r(efforts: &[f64]) -> Random3RInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random3RInputs::default();
-    inputs.j7 = [5, 6, 7].map(|k| efforts[k]).into();
-    inputs.j8 = [8, 9, 10].map(|k| efforts[k]).into();
-    inputs
+    Random3RInputs { j7: [5, 6, 7].map(|k| efforts[k]).into(), j8: [8, 9, 10].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -356,12 +323,7 @@ pub chain Random3T {
 }
 
 pub fn inputs_random3t(efforts: &[f64]) -> Random3TInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random3TInputs::default();
-    inputs.j7 = [5, 6, 7].map(|k| efforts[k]).into();
-    inputs.j8 = [8, 9, 10].map(|k| efforts[k]).into();
-    inputs
+    Random3TInputs { j7: [5, 6, 7].map(|k| efforts[k]).into(), j8: [8, 9, 10].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -405,12 +367,7 @@ pub chain Random4R {
 }
 
 pub fn inputs_random4r(efforts: &[f64]) -> Random4RInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random4RInputs::default();
-    inputs.j3 = efforts[7];
-    inputs.j4 = [8, 9, 10].map(|k| efforts[k]).into();
-    inputs
+    Random4RInputs { j3: efforts[7], j4: [8, 9, 10].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -454,12 +411,7 @@ pub chain Random4T {
 }
 
 pub fn inputs_random4t(efforts: &[f64]) -> Random4TInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random4TInputs::default();
-    inputs.j3 = efforts[7];
-    inputs.j4 = [8, 9, 10].map(|k| efforts[k]).into();
-    inputs
+    Random4TInputs { j3: efforts[7], j4: [8, 9, 10].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -484,11 +436,7 @@ pub chain Random5R {
 }
 
 pub fn inputs_random5r(efforts: &[f64]) -> Random5RInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random5RInputs::default();
-    inputs.j1 = efforts[0];
-    inputs
+    Random5RInputs { j1: efforts[0] }
 }
 
 mstmm::mstmm_chain! {
@@ -513,11 +461,7 @@ pub chain Random5T {
 }
 
 pub fn inputs_random5t(efforts: &[f64]) -> Random5TInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random5TInputs::default();
-    inputs.j1 = efforts[0];
-    inputs
+    Random5TInputs { j1: efforts[0] }
 }
 
 mstmm::mstmm_chain! {
@@ -572,11 +516,7 @@ pub chain Random6R {
 }
 
 pub fn inputs_random6r(efforts: &[f64]) -> Random6RInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random6RInputs::default();
-    inputs.j2 = efforts[0];
-    inputs
+    Random6RInputs { j2: efforts[0] }
 }
 
 mstmm::mstmm_chain! {
@@ -631,11 +571,7 @@ pub chain Random6T {
 }
 
 pub fn inputs_random6t(efforts: &[f64]) -> Random6TInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random6TInputs::default();
-    inputs.j2 = efforts[0];
-    inputs
+    Random6TInputs { j2: efforts[0] }
 }
 
 mstmm::mstmm_chain! {
@@ -673,12 +609,7 @@ pub chain Random7R {
 }
 
 pub fn inputs_random7r(efforts: &[f64]) -> Random7RInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random7RInputs::default();
-    inputs.j1 = [6, 7, 8].map(|k| efforts[k]).into();
-    inputs.j3 = [10, 11, 12].map(|k| efforts[k]).into();
-    inputs
+    Random7RInputs { j1: [6, 7, 8].map(|k| efforts[k]).into(), j3: [10, 11, 12].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -716,12 +647,7 @@ pub chain Random7T {
 }
 
 pub fn inputs_random7t(efforts: &[f64]) -> Random7TInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random7TInputs::default();
-    inputs.j1 = [6, 7, 8].map(|k| efforts[k]).into();
-    inputs.j3 = [10, 11, 12].map(|k| efforts[k]).into();
-    inputs
+    Random7TInputs { j1: [6, 7, 8].map(|k| efforts[k]).into(), j3: [10, 11, 12].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -740,11 +666,7 @@ pub chain Random8R {
 }
 
 pub fn inputs_random8r(efforts: &[f64]) -> Random8RInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random8RInputs::default();
-    inputs.j1 = [0, 1, 2].map(|k| efforts[k]).into();
-    inputs
+    Random8RInputs { j1: [0, 1, 2].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -763,11 +685,7 @@ pub chain Random8T {
 }
 
 pub fn inputs_random8t(efforts: &[f64]) -> Random8TInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random8TInputs::default();
-    inputs.j1 = [0, 1, 2].map(|k| efforts[k]).into();
-    inputs
+    Random8TInputs { j1: [0, 1, 2].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -817,12 +735,7 @@ pub chain Random9R {
 }
 
 pub fn inputs_random9r(efforts: &[f64]) -> Random9RInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random9RInputs::default();
-    inputs.j2 = [1, 2, 3].map(|k| efforts[k]).into();
-    inputs.j5 = [5, 6, 7].map(|k| efforts[k]).into();
-    inputs
+    Random9RInputs { j2: [1, 2, 3].map(|k| efforts[k]).into(), j5: [5, 6, 7].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -872,12 +785,7 @@ pub chain Random9T {
 }
 
 pub fn inputs_random9t(efforts: &[f64]) -> Random9TInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random9TInputs::default();
-    inputs.j2 = [1, 2, 3].map(|k| efforts[k]).into();
-    inputs.j5 = [5, 6, 7].map(|k| efforts[k]).into();
-    inputs
+    Random9TInputs { j2: [1, 2, 3].map(|k| efforts[k]).into(), j5: [5, 6, 7].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -908,11 +816,7 @@ pub chain Random10R {
 }
 
 pub fn inputs_random10r(efforts: &[f64]) -> Random10RInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random10RInputs::default();
-    inputs.j1 = [6, 7, 8].map(|k| efforts[k]).into();
-    inputs
+    Random10RInputs { j1: [6, 7, 8].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -943,11 +847,7 @@ pub chain Random10T {
 }
 
 pub fn inputs_random10t(efforts: &[f64]) -> Random10TInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random10TInputs::default();
-    inputs.j1 = [6, 7, 8].map(|k| efforts[k]).into();
-    inputs
+    Random10TInputs { j1: [6, 7, 8].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -1011,14 +911,7 @@ pub chain Random11R {
 }
 
 pub fn inputs_random11r(efforts: &[f64]) -> Random11RInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random11RInputs::default();
-    inputs.j2 = efforts[0];
-    inputs.j5 = [2, 3, 4].map(|k| efforts[k]).into();
-    inputs.j7 = [8, 9, 10].map(|k| efforts[k]).into();
-    inputs.j8 = [11, 12, 13].map(|k| efforts[k]).into();
-    inputs
+    Random11RInputs { j2: efforts[0], j5: [2, 3, 4].map(|k| efforts[k]).into(), j7: [8, 9, 10].map(|k| efforts[k]).into(), j8: [11, 12, 13].map(|k| efforts[k]).into() }
 }
 
 mstmm::mstmm_chain! {
@@ -1082,12 +975,5 @@ pub chain Random11T {
 }
 
 pub fn inputs_random11t(efforts: &[f64]) -> Random11TInputs<f64> {
-    let _ = efforts;
-    #[allow(unused_mut)]
-    let mut inputs = Random11TInputs::default();
-    inputs.j2 = efforts[0];
-    inputs.j5 = [2, 3, 4].map(|k| efforts[k]).into();
-    inputs.j7 = [8, 9, 10].map(|k| efforts[k]).into();
-    inputs.j8 = [11, 12, 13].map(|k| efforts[k]).into();
-    inputs
+    Random11TInputs { j2: efforts[0], j5: [2, 3, 4].map(|k| efforts[k]).into(), j7: [8, 9, 10].map(|k| efforts[k]).into(), j8: [11, 12, 13].map(|k| efforts[k]).into() }
 }

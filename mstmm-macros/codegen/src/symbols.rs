@@ -1,7 +1,11 @@
 //! The unknowns of a chain: their numbers in the graph and their names in the program.
 
 use crate::model::{Chain, Hinge, HingeKind, Layout};
+use std::collections::HashSet;
 use std::ops::Range;
+
+/// Names that generated functions keep for themselves.
+const KEPT: &[&str] = &["c", "constants", "parameters"];
 
 /// Numbers and names of all unknowns: parameters, constants, coordinates, rates, inputs.
 #[derive(Clone, Debug)]
@@ -40,7 +44,7 @@ impl Symbols {
         ends[3] = names.len();
         names.extend(inputs);
         ends[4] = names.len();
-        Symbols { names, ends }
+        Symbols { names: distinct(names), ends }
     }
 
     /// The names by number.
@@ -72,6 +76,19 @@ impl Symbols {
     pub fn inputs(&self) -> Range<usize> {
         self.ends[3]..self.ends[4]
     }
+}
+
+/// Makes names differ, from each other and from those that are kept: a parameter `elbow_angle` may
+/// stand beside a hinge `elbow`.
+fn distinct(names: Vec<String>) -> Vec<String> {
+    let mut taken: HashSet<String> = KEPT.iter().map(|&name| name.to_owned()).collect();
+    let one = |mut name: String| {
+        while !taken.insert(name.clone()) {
+            name.push('_');
+        }
+        name
+    };
+    names.into_iter().map(one).collect()
 }
 
 /// An identifier without the mark of a raw one.

@@ -125,6 +125,67 @@ fn parameters_are_folded_into_slots_once() {
     assert!(!step.contains(&0), "the step reads the parameter's slots, not the parameter");
 }
 
+/// Every kind of number may be a parameter: the program with parameters at their defaults computes
+/// what the same chain with plain numbers does.
+#[test]
+fn parameters_may_stand_anywhere() {
+    let text = |value: fn(&str, f64) -> String, params: &str| {
+        let n = |name: &str, number: f64| value(name, number);
+        format!(
+            "chain Arm {{ gravity = [{}, {}, -1]; {params}
+             body Rod {{ mass = 1 + {}; com = [{}, 0.1, 0];
+                 output = [1, {}, 0] turned rpy({}, 0, 0.3);
+                 inertia = tensor({}, 1.5, 1.4, 0.1, 0, 0) about com; }}
+             ground at [0, {}, 0] -> pin([1, {}, 0]) a -> Rod upper -> ball b -> Rod lower
+                 -> pin([0, 0, {}]) c -> Rod last; }}",
+            n("g", 0.5),
+            n("h", -9.8),
+            n("m", 0.7),
+            n("x", 0.4),
+            n("y", -0.2),
+            n("r", 0.6),
+            n("i", 1.1),
+            n("s", 2.0),
+            n("axis", 0.5),
+            n("z", -3.0),
+        )
+    };
+    let defaults = [
+        ("g", 0.5),
+        ("h", -9.8),
+        ("m", 0.7),
+        ("x", 0.4),
+        ("y", -0.2),
+        ("r", 0.6),
+        ("i", 1.1),
+        ("s", 2.0),
+        ("axis", 0.5),
+        ("z", -3.0),
+        ("a_angle", 1.0),
+    ];
+    let params: String =
+        defaults.iter().map(|(name, number)| format!("param {name} = {number};")).collect();
+    let (with, without) = (
+        read(&text(|name, _| name.to_owned(), &params)),
+        read(&text(|_, number| format!("({number})"), "")),
+    );
+    let q = [0.3, 0.5, -0.5, 0.5, 0.5, -0.8];
+    let v = [1.0, -0.5, 0.7, 0.2, 2.0];
+    let layout = Layout::of(&with);
+    for method in [Method::Riccati, Method::Transfer] {
+        let mut with = with.clone();
+        with.method = Some(method);
+        let programs = compile::programs(&with, &layout);
+        let symbols: Vec<f64> = defaults.iter().map(|&(_, x)| x).chain(q).chain(v).collect();
+        let slots = run(&programs.setup, &symbols, &[]);
+        let computed = run(&programs.solution, &symbols, &slots[0]);
+        let expected = compute::<f64>(&without, (method, Axes::Body), &q, &v, &[0.0; 5]);
+        let energies = [expected.energy.kinetic, expected.energy.potential];
+        assert!(difference(&computed[0], &expected.accelerations) < 1e-12, "{method:?}");
+        assert!(difference(&computed[4], &energies) < 1e-13, "{method:?}");
+    }
+}
+
 /// A random formula of every kind of node.
 fn formula<'g>(random: &mut Random, unknowns: &[Expr<'g>], depth: usize) -> Expr<'g> {
     if depth == 0 || random.chance(0.1) {

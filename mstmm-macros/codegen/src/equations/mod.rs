@@ -1,5 +1,5 @@
-//! The paper's equations [P] and what METHOD needs besides, generic over the scalar: the compiler
-//! runs them on formulas, the tests on plain numbers.
+//! The paper's equations and what a general chain needs besides, generic over the scalar: the
+//! compiler runs them on formulas, the tests on plain numbers.
 //!
 //! # Notation
 //!
@@ -16,7 +16,7 @@
 //!
 //! # References
 //!
-//! [P] X. Rui, D. Bestle, J. Zhang, Q. Zhou: A new version of transfer matrix method for multibody
+//! `[P]` X. Rui, D. Bestle, J. Zhang, Q. Zhou: A new version of transfer matrix method for multibody
 //! systems. Multibody System Dynamics 38 (2016).
 
 mod accelerations;

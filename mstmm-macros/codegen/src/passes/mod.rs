@@ -1,8 +1,8 @@
 //! From formulas to a program, one step a file:
 //!
-//! 1. [`live`] finds what the results need: the rest is dead.
-//! 2. [`factor`] rewrites sums of products that share a factor.
-//! 3. [`schedule`] orders what is live under the headings of a trace and names it.
+//! 1. `live` finds what the results need: the rest is dead.
+//! 2. [`factor()`] rewrites sums of products that share a factor.
+//! 3. [`schedule()`] orders what is live under the headings of a trace and names it.
 //!
 //! Folding, signs and common subexpressions need no pass: the graph's rules see to them while the
 //! formulas are written down.
