@@ -81,8 +81,8 @@ pub fn compare(
         difference_between_methods: largest_difference(&system, method.iter(), &by_transfer),
         energy_drift: energy_drift(&method),
         accelerations: Accelerations {
-            riccati: riccati.accelerations(&riccati.start())?,
-            transfer: transfer.accelerations(&transfer.start())?,
+            riccati: riccati.accelerations(&riccati.initial_state())?,
+            transfer: transfer.accelerations(&transfer.initial_state())?,
             newton_euler: newton_euler.start_accelerations(),
         },
         method,

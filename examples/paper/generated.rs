@@ -1,7 +1,7 @@
 //! The motion by the code that `mstmm_chain!` generates.
 
 use mstmm::prelude::*;
-use mstmm::{Energy, Error};
+use mstmm::{Energy, Error, GeneratedChain};
 
 use crate::progress::Progress;
 use crate::system::{DURATION, RECORDS_PER_SECOND, Record};
@@ -14,12 +14,7 @@ const STEPS_PER_RECORD: u32 = STEPS_PER_SECOND / RECORDS_PER_SECOND;
 pub const STEP: f64 = 1.0 / STEPS_PER_SECOND as f64;
 
 /// A generated chain, together with what is compared of it.
-pub trait PaperChain: Chain<Scalar = f64, Inputs: Default> {
-    /// The state at time zero.
-    fn start(&self) -> Self::State;
-
-    fn energy(&self, state: &Self::State) -> Energy<f64>;
-
+pub trait PaperChain: GeneratedChain<Scalar = f64> {
     /// The angles in rad, in the order of [`crate::system::System::angles`].
     fn angles(&self, state: &Self::State) -> Result<Vec<f64>, Error>;
 
@@ -30,12 +25,12 @@ pub trait PaperChain: Chain<Scalar = f64, Inputs: Default> {
 
 /// Integrates the motion with the classical method of order four and records it.
 pub fn motion<C: PaperChain>(chain: &C, progress: &Progress) -> Result<Vec<Record>, Error> {
-    let mut state = chain.start();
+    let mut state = chain.initial_state();
     let mut integrator = Rk4::new(STEP);
     let mut records = vec![record(chain, &state, 0.0)?];
     for count in 1..=DURATION * RECORDS_PER_SECOND {
         for _ in 0..STEPS_PER_RECORD {
-            integrator.step(chain, &mut state, |_time, _state| C::Inputs::default())?;
+            integrator.step(chain, &mut state, |_time, _state| chain.no_inputs())?;
         }
         // Rather than the state's own time: the nearest number to a whole count of hundredths.
         let time = f64::from(count) / f64::from(RECORDS_PER_SECOND);

@@ -3,8 +3,8 @@
 //! The paper counts hinges and bodies together, so `upper`, `middle` and `lower` are its bodies 2, 4
 //! and 6.
 
+use mstmm::Error;
 use mstmm::prelude::*;
-use mstmm::{Energy, Error};
 use mstmm_reference::{BodySample, HingeKind, State};
 
 use crate::compare::{Comparison, compare};
@@ -40,14 +40,6 @@ macro_rules! ball_pendulum {
         }
 
         impl PaperChain for $name<f64> {
-            fn start(&self) -> Self::State {
-                self.initial_state()
-            }
-
-            fn energy(&self, state: &Self::State) -> Energy<f64> {
-                self.energy(state)
-            }
-
             /// The Bryan angles of all bodies, `[P, Eq. (1)]`.
             fn angles(&self, state: &Self::State) -> Result<Vec<f64>, Error> {
                 let mut at = self.workspace();

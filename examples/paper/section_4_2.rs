@@ -4,8 +4,8 @@
 //! z. System A has all of them about z and moves in a plane; system B has the second one about y,
 //! the order of axes of many robot arms.
 
+use mstmm::Error;
 use mstmm::prelude::*;
-use mstmm::{Energy, Error};
 use mstmm_reference::{HingeKind, State};
 
 use crate::compare::{Comparison, compare};
@@ -41,14 +41,6 @@ macro_rules! pin_arm {
         }
 
         impl PaperChain for $name<f64> {
-            fn start(&self) -> Self::State {
-                self.initial_state()
-            }
-
-            fn energy(&self, state: &Self::State) -> Energy<f64> {
-                self.energy(state)
-            }
-
             fn angles(&self, state: &Self::State) -> Result<Vec<f64>, Error> {
                 let pins = [state.shoulder(), state.elbow(), state.wrist()];
                 Ok(pins.map(|pin| pin.angle()).to_vec())

@@ -1,6 +1,6 @@
 //! What an integrator needs to know of a chain.
 
-use crate::{Error, Scalar};
+use crate::{Energy, Error, Scalar};
 
 /// The state of a simulation: coordinates, rates and the time.
 ///
@@ -63,4 +63,35 @@ pub trait Chain {
     /// Brings quaternions back to unit length, from which a step moves them by no more than its
     /// error.
     fn normalize(&self, state: &mut Self::State);
+}
+
+/// A chain made by `mstmm_chain!`: what every one of them can do, for code that works with any.
+///
+/// The methods are those of the generated type itself, which documents them.
+pub trait GeneratedChain: Chain {
+    /// Where results are written.
+    type Workspace;
+
+    /// The state that the description starts from, at time zero.
+    fn initial_state(&self) -> Self::State;
+
+    /// Inputs that are all zero.
+    fn no_inputs(&self) -> Self::Inputs;
+
+    /// Room for the results of [`solve_into`](Self::solve_into).
+    fn workspace(&self) -> Self::Workspace;
+
+    /// Everything at every connection point, written into `at`.
+    ///
+    /// # Errors
+    /// As [`Chain::derivative_into`]; `at` is not touched then.
+    fn solve_into(
+        &self,
+        state: &Self::State,
+        inputs: &Self::Inputs,
+        at: &mut Self::Workspace,
+    ) -> Result<(), Error>;
+
+    /// Kinetic and potential energy.
+    fn energy(&self, state: &Self::State) -> Energy<Self::Scalar>;
 }

@@ -105,7 +105,7 @@ mod point;
 mod scalar;
 mod trig;
 
-pub use chain::{Chain, ChainState};
+pub use chain::{Chain, ChainState, GeneratedChain};
 pub use energy::Energy;
 pub use error::Error;
 pub use hinge::{

@@ -16,6 +16,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let energy = energy(plan);
     let diagnosis = diagnosis(plan);
     let integrable = integrable(plan);
+    let generated = generated(plan);
     quote! {
         #[allow(dead_code)]
         impl<T: ::mstmm::Scalar> #name<T> {
@@ -25,6 +26,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
             #diagnosis
         }
         #integrable
+        #generated
     }
 }
 
@@ -236,6 +238,47 @@ fn integrable(plan: &Plan) -> TokenStream {
             #[allow(unused_doc_comments, unused_variables, clippy::all)]
             fn normalize(&self, state: &mut #state<T>) {
                 state.q.data.0 = { #normalized };
+            }
+        }
+    }
+}
+
+/// The chain as generic code sees it.
+fn generated(plan: &Plan) -> TokenStream {
+    let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
+    let workspace = &plan.names.workspace;
+    quote! {
+        impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for #name<T> {
+            type Workspace = #workspace<T>;
+
+            #[inline]
+            fn initial_state(&self) -> #state<T> {
+                self.initial_state()
+            }
+
+            #[inline]
+            fn no_inputs(&self) -> #inputs<T> {
+                self.no_inputs()
+            }
+
+            #[inline]
+            fn workspace(&self) -> #workspace<T> {
+                self.workspace()
+            }
+
+            #[inline]
+            fn solve_into(
+                &self,
+                state: &#state<T>,
+                inputs: &#inputs<T>,
+                at: &mut #workspace<T>,
+            ) -> ::core::result::Result<(), ::mstmm::Error> {
+                self.solve_into(state, inputs, at)
+            }
+
+            #[inline]
+            fn energy(&self, state: &#state<T>) -> ::mstmm::Energy<T> {
+                self.energy(state)
             }
         }
     }

@@ -360,6 +360,34 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Pendulum<T> {
         };
     }
 }
+impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Pendulum<T> {
+    type Workspace = PendulumWorkspace<T>;
+    #[inline]
+    fn initial_state(&self) -> PendulumState<T> {
+        self.initial_state()
+    }
+    #[inline]
+    fn no_inputs(&self) -> PendulumInputs<T> {
+        self.no_inputs()
+    }
+    #[inline]
+    fn workspace(&self) -> PendulumWorkspace<T> {
+        self.workspace()
+    }
+    #[inline]
+    fn solve_into(
+        &self,
+        state: &PendulumState<T>,
+        inputs: &PendulumInputs<T>,
+        at: &mut PendulumWorkspace<T>,
+    ) -> ::core::result::Result<(), ::mstmm::Error> {
+        self.solve_into(state, inputs, at)
+    }
+    #[inline]
+    fn energy(&self, state: &PendulumState<T>) -> ::mstmm::Energy<T> {
+        self.energy(state)
+    }
+}
 /// Coordinates and rates of [`Pendulum`] at a time.
 ///
 /// The hinges lie one after the other in the order written. [`Default`] is every hinge at

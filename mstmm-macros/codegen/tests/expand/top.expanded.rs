@@ -670,6 +670,34 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Top<T> {
         };
     }
 }
+impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Top<T> {
+    type Workspace = TopWorkspace<T>;
+    #[inline]
+    fn initial_state(&self) -> TopState<T> {
+        self.initial_state()
+    }
+    #[inline]
+    fn no_inputs(&self) -> TopInputs<T> {
+        self.no_inputs()
+    }
+    #[inline]
+    fn workspace(&self) -> TopWorkspace<T> {
+        self.workspace()
+    }
+    #[inline]
+    fn solve_into(
+        &self,
+        state: &TopState<T>,
+        inputs: &TopInputs<T>,
+        at: &mut TopWorkspace<T>,
+    ) -> ::core::result::Result<(), ::mstmm::Error> {
+        self.solve_into(state, inputs, at)
+    }
+    #[inline]
+    fn energy(&self, state: &TopState<T>) -> ::mstmm::Energy<T> {
+        self.energy(state)
+    }
+}
 /// Coordinates and rates of [`Top`] at a time.
 ///
 /// The hinges lie one after the other in the order written. [`Default`] is every hinge at

@@ -798,6 +798,34 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for TwoPins<T> {
         };
     }
 }
+impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for TwoPins<T> {
+    type Workspace = TwoPinsWorkspace<T>;
+    #[inline]
+    fn initial_state(&self) -> TwoPinsState<T> {
+        self.initial_state()
+    }
+    #[inline]
+    fn no_inputs(&self) -> TwoPinsInputs<T> {
+        self.no_inputs()
+    }
+    #[inline]
+    fn workspace(&self) -> TwoPinsWorkspace<T> {
+        self.workspace()
+    }
+    #[inline]
+    fn solve_into(
+        &self,
+        state: &TwoPinsState<T>,
+        inputs: &TwoPinsInputs<T>,
+        at: &mut TwoPinsWorkspace<T>,
+    ) -> ::core::result::Result<(), ::mstmm::Error> {
+        self.solve_into(state, inputs, at)
+    }
+    #[inline]
+    fn energy(&self, state: &TwoPinsState<T>) -> ::mstmm::Energy<T> {
+        self.energy(state)
+    }
+}
 /// Coordinates and rates of [`TwoPins`] at a time.
 ///
 /// The hinges lie one after the other in the order written. [`Default`] is every hinge at
