@@ -102,7 +102,7 @@ use proc_macro::TokenStream;
 /// | setting | unit | if left away |
 /// |---|---|---|
 /// | `gravity` | m/s², inertial frame: the acceleration of free fall | no gravity |
-/// | `method` | `riccati` or `transfer` | the one with fewer operations |
+/// | `method` | `riccati` or `transfer` | the one with fewer operations, or `riccati` for more than two bodies |
 ///
 /// `param name = number;` is a number that may change at run time, by a setter. Everything else is
 /// folded into the generated code. A default may use Rust constants, but no other parameter.
@@ -229,8 +229,9 @@ use proc_macro::TokenStream;
 /// `kinetic_energy()` and `potential_energy()`. Points know their position, orientation, velocity,
 /// angular velocity and z.
 ///
-/// `Name` implements `mstmm::Chain`, which the integrators `Rk4` and `Dopri5` step. The documentation
-/// of the generated items tells how many operations each function costs.
+/// `Name` implements `mstmm::Chain`, which the integrators `Rk4` and `Dopri5` step, and
+/// `mstmm::GeneratedChain`, for code that works with any chain. The documentation of the generated
+/// items tells how many operations each function costs.
 ///
 /// # Errors
 ///

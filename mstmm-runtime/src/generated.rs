@@ -97,3 +97,9 @@ pub fn cos(value: f64) -> f64 {
     let (_, [cosine]) = <f64 as Scalar>::sin_cos([value]);
     cosine
 }
+
+/// A vector of nalgebra's from its entries.
+#[inline]
+pub fn vector<T: Scalar, const N: usize>(entries: [T; N]) -> nalgebra::SVector<T, N> {
+    nalgebra::SVector::from(entries)
+}

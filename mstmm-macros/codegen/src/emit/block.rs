@@ -137,6 +137,12 @@ impl Plan<'_> {
 
     fn operand(&self, operand: &Operand) -> TokenStream {
         match operand {
+            // A pivot that vanishes in every state leaves its reciprocal behind: the test of the
+            // pivots comes first, but the number has to be written.
+            Operand::Number(value) if !value.is_finite() => {
+                let c = local("c");
+                quote!(#c(::core::f64::NAN))
+            }
             Operand::Number(value) => {
                 let (c, magnitude) = (local("c"), Literal::f64_unsuffixed(value.abs()));
                 if *value < 0.0 { quote!(#c(-#magnitude)) } else { quote!(#c(#magnitude)) }

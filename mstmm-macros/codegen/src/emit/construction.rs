@@ -3,8 +3,8 @@
 use super::Plan;
 use super::docs;
 use crate::model::{Parameter, Symbol, Value};
-use proc_macro2::{Literal, Span, TokenStream};
-use quote::{format_ident, quote, quote_spanned};
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
 
 /// `struct Chain<T>`, `struct ChainParameters<T>` and their constructors.
 pub fn emit(plan: &Plan) -> TokenStream {
@@ -19,7 +19,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     quote! {
         #chain
         #parameters
-        #[allow(dead_code)]
+        #[allow(dead_code, non_snake_case)]
         impl<T: ::mstmm::Scalar> #name<T> {
             #constructors
             #(#setters)*
@@ -44,7 +44,7 @@ fn chain_type(plan: &Plan) -> TokenStream {
         #(#attributes)*
         #(#[doc = #description])*
         #[derive(Clone, Debug, PartialEq)]
-        #[allow(dead_code)]
+        #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
             parameters: #parameters<T>,
             derived: [T; #slots],
@@ -75,12 +75,12 @@ fn parameters_type(plan: &Plan) -> TokenStream {
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug, PartialEq)]
-        #[allow(dead_code)]
+        #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
             #(#fields,)*
             #marker
         }
-        #[allow(dead_code)]
+        #[allow(dead_code, non_snake_case)]
         impl<T: ::mstmm::Scalar> #name<T> {
             #(#getters)*
         }
@@ -105,6 +105,7 @@ fn constructors(plan: &Plan) -> TokenStream {
         #[doc = #doc]
         #[inline]
         #[must_use]
+        #[allow(clippy::all)]
         #visibility fn new() -> Self {
             let parameters = #parameters { #(#values,)* #marker };
             let (derived, _) = Self::derive(&parameters);
@@ -134,7 +135,7 @@ fn derive(plan: &Plan) -> TokenStream {
     });
     let parameters = &plan.names.parameters;
     let doc = format!(" Quantities derived from parameters and constants: {}.", program.cost());
-    quote_spanned! {Span::mixed_site()=>
+    quote! {
         #[doc = #doc]
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         fn derive(parameters: &#parameters<T>) -> ([T; #slot_count], [T; #mass_count]) {
@@ -183,8 +184,8 @@ fn start(plan: &Plan) -> TokenStream {
         #visibility fn initial_state(&self) -> #state<T> {
             #statements
             #state {
-                q: ::mstmm::nalgebra::SVector::from([#(#q),*]),
-                v: ::mstmm::nalgebra::SVector::from([#(#v),*]),
+                q: ::mstmm::generated::vector([#(#q),*]),
+                v: ::mstmm::generated::vector([#(#v),*]),
                 t: T::constant(0.0),
             }
         }
@@ -196,9 +197,10 @@ fn constant_mass(plan: &Plan, body: &crate::model::Body) -> Option<TokenStream> 
     let constant = body.mass.known().is_none() && !body.mass.has_parameter();
     let value = (constant && is_const(&body.mass)).then(|| value_tokens(plan, &body.mass))?;
     let message = format!("the mass of body `{}` must be positive", body.name);
-    Some(quote!(
+    Some(quote! {
+        #[allow(clippy::all)]
         const _: () = ::core::assert!(#value > 0.0, #message);
-    ))
+    })
 }
 
 /// Whether a formula can be evaluated in a `const` item.

@@ -18,7 +18,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let integrable = integrable(plan);
     let generated = generated(plan);
     quote! {
-        #[allow(dead_code)]
+        #[allow(dead_code, non_snake_case)]
         impl<T: ::mstmm::Scalar> #name<T> {
             #accelerations
             #solution
@@ -75,7 +75,7 @@ fn accelerations(plan: &Plan) -> TokenStream {
             inputs: &#inputs<T>,
         ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, #freedoms>, ::mstmm::Error> {
             let mut accelerations =
-                ::mstmm::nalgebra::SVector::from([T::constant(0.0); #freedoms]);
+                ::mstmm::generated::vector([T::constant(0.0); #freedoms]);
             self.accelerations_into(state, inputs, &mut accelerations)?;
             ::core::result::Result::Ok(accelerations)
         }
@@ -167,7 +167,7 @@ fn check(plan: &Plan, outputs: &[Vec<TokenStream>]) -> TokenStream {
     let (results, pivots, scales) = (&outputs[0], &outputs[1], &outputs[2]);
     if plan.programs.diagnosis.is_some() {
         return quote! {
-            if !::mstmm::generated::is_regular(
+            if !::mstmm::generated::is_regular::<T, _, _>(
                 [#(#pivots),*],
                 [#(#scales),*],
                 [#(#results),*],
@@ -178,7 +178,7 @@ fn check(plan: &Plan, outputs: &[Vec<TokenStream>]) -> TokenStream {
     }
     let names = hinge_names(plan, &plan.programs.pivots);
     quote! {
-        ::mstmm::generated::regular(
+        ::mstmm::generated::regular::<T, _, _>(
             &[#(#names),*],
             [#(#pivots),*],
             [#(#scales),*],
@@ -200,7 +200,7 @@ fn diagnosis(plan: &Plan) -> TokenStream {
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         fn diagnose(&self, state: &#state<T>) -> ::mstmm::Error {
             #statements
-            ::mstmm::generated::diagnosis(&[#(#names),*], [#(#pivots),*], [#(#scales),*])
+            ::mstmm::generated::diagnosis::<T, _>(&[#(#names),*], [#(#pivots),*], [#(#scales),*])
         }
     }
 }

@@ -21,7 +21,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
         /// The hinges lie one after the other in the order written. [`Default`] is every hinge at
         /// rest in its zero position.
         #[derive(Clone, Debug, PartialEq)]
-        #[allow(dead_code)]
+        #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
             /// Coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
             #visibility q: ::mstmm::nalgebra::SVector<T, #coordinates>,
@@ -30,7 +30,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
             /// Time in s.
             #visibility t: T,
         }
-        #[allow(dead_code)]
+        #[allow(dead_code, non_snake_case)]
         impl<T: ::mstmm::Scalar> #name<T> {
             #(#accessors)*
         }
@@ -39,8 +39,8 @@ pub fn emit(plan: &Plan) -> TokenStream {
                 let (zero, one) = (T::constant(0.0), T::constant(1.0));
                 let _ = one;
                 Self {
-                    q: ::mstmm::nalgebra::SVector::from([#(#rest),*]),
-                    v: ::mstmm::nalgebra::SVector::from([zero; #freedoms]),
+                    q: ::mstmm::generated::vector([#(#rest),*]),
+                    v: ::mstmm::generated::vector([zero; #freedoms]),
                     t: zero,
                 }
             }
@@ -173,7 +173,7 @@ pub fn emit_inputs(plan: &Plan) -> TokenStream {
         let name = &hinge.name;
         match hinge.kind {
             HingeKind::Pin { .. } => quote!(#name: T::constant(0.0)),
-            _ => quote!(#name: ::mstmm::nalgebra::Vector3::from([T::constant(0.0); 3])),
+            _ => quote!(#name: ::mstmm::generated::vector([T::constant(0.0); 3])),
         }
     });
     let (marker, marker_value) = if driven.is_empty() {
@@ -184,7 +184,7 @@ pub fn emit_inputs(plan: &Plan) -> TokenStream {
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug, PartialEq)]
-        #[allow(dead_code)]
+        #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
             #(#fields,)*
             #marker
@@ -195,7 +195,7 @@ pub fn emit_inputs(plan: &Plan) -> TokenStream {
                 Self { #(#zeros,)* #marker_value }
             }
         }
-        #[allow(dead_code)]
+        #[allow(dead_code, non_snake_case)]
         impl<T: ::mstmm::Scalar> #chain<T> {
             /// Inputs that are all zero.
             #[inline]

@@ -20,7 +20,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     quote! {
         #[doc = #doc]
         #[derive(Clone, Debug, PartialEq)]
-        #[allow(dead_code)]
+        #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
             accelerations: ::mstmm::nalgebra::SVector<T, #freedoms>,
             efforts: ::mstmm::nalgebra::SVector<T, #freedoms>,
@@ -28,7 +28,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
             potential_energy: T,
             points: [::mstmm::Point<T>; #point_count],
         }
-        #[allow(dead_code)]
+        #[allow(dead_code, non_snake_case)]
         impl<T: ::mstmm::Scalar> #name<T> {
             /// Accelerations `v̇` of all hinges, in the order of the rates.
             #[inline]
@@ -57,15 +57,15 @@ pub fn emit(plan: &Plan) -> TokenStream {
 
             #(#elements)*
         }
-        #[allow(dead_code)]
+        #[allow(dead_code, non_snake_case)]
         impl<T: ::mstmm::Scalar> #chain<T> {
             /// Room for the results of [`solve_into`](Self::solve_into).
             #[must_use]
             #visibility fn workspace(&self) -> #name<T> {
                 let zero = T::constant(0.0);
                 #name {
-                    accelerations: ::mstmm::nalgebra::SVector::from([zero; #freedoms]),
-                    efforts: ::mstmm::nalgebra::SVector::from([zero; #freedoms]),
+                    accelerations: ::mstmm::generated::vector([zero; #freedoms]),
+                    efforts: ::mstmm::generated::vector([zero; #freedoms]),
                     kinetic_energy: zero,
                     potential_energy: zero,
                     points: [::core::default::Default::default(); #point_count],
@@ -134,6 +134,6 @@ fn vector(range: &Range<usize>, field: &str) -> TokenStream {
     let (field, skipped) = (quote::format_ident!("{field}"), (0..range.start).map(|_| quote!(_,)));
     quote!({
         let [[#(#skipped)* x, y, z, ..]] = self.#field.data.0;
-        ::mstmm::nalgebra::Vector3::from([x, y, z])
+        ::mstmm::generated::vector([x, y, z])
     })
 }

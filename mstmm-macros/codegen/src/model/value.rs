@@ -127,6 +127,21 @@ impl Value {
         }
     }
 
+    /// The number with the parameters at `values`, if that makes it known.
+    pub fn at(&self, values: &[Option<f64>]) -> Option<f64> {
+        match self {
+            Number(value) => Some(*value),
+            Value::Symbol(Symbol::Parameter(index)) => *values.get(*index)?,
+            Value::Symbol(Symbol::Constant(_)) => None,
+            Sum(a, b) => Some(a.at(values)? + b.at(values)?),
+            Product(a, b) => Some(a.at(values)? * b.at(values)?),
+            Quotient(a, b) => Some(a.at(values)? / b.at(values)?),
+            Value::Sqrt(a) => Some(a.at(values)?.sqrt()),
+            Value::Sin(a) => Some(sin_cos(a.at(values)?).0),
+            Value::Cos(a) => Some(sin_cos(a.at(values)?).1),
+        }
+    }
+
     /// Whether a run-time parameter stands in it.
     pub fn has_parameter(&self) -> bool {
         match self {

@@ -7,7 +7,7 @@ use syn::{Attribute, Error, Result, Visibility};
 use super::cursor::Cursor;
 
 /// Doc comments and attributes.
-pub(super) fn attributes(input: &mut Cursor) -> Result<Vec<Attribute>> {
+fn attributes(input: &mut Cursor) -> Result<Vec<Attribute>> {
     let mut tokens = TokenStream::new();
     while input.peek_punct('#') {
         tokens.extend(input.any());
@@ -24,6 +24,22 @@ pub(super) fn docs(input: &mut Cursor) -> Result<()> {
     match attributes(input)?.iter().find(|attribute| !attribute.path().is_ident("doc")) {
         Some(other) => Err(Error::new_spanned(other, "only doc comments may stand here")),
         None => Ok(()),
+    }
+}
+
+/// What may stand in front of a chain. A chain becomes several items, and a condition would be
+/// one of the first only.
+pub(super) fn of_chain(input: &mut Cursor) -> Result<Vec<Attribute>> {
+    let attributes = attributes(input)?;
+    let conditional = |attribute: &&Attribute| {
+        attribute.path().is_ident("cfg") || attribute.path().is_ident("cfg_attr")
+    };
+    match attributes.iter().find(conditional) {
+        Some(cfg) => {
+            let message = "put the condition before `mstmm_chain!`, not inside";
+            Err(Error::new_spanned(cfg, message))
+        }
+        None => Ok(attributes),
     }
 }
 

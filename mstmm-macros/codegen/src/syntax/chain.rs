@@ -44,7 +44,7 @@ fn head<'a>(
     input: &mut Cursor<'a>,
     diagnostics: &mut Diagnostics,
 ) -> Result<(ChainDef, Cursor<'a>)> {
-    let attributes = attribute::attributes(input)?;
+    let attributes = attribute::of_chain(input)?;
     let visibility = attribute::visibility(input)?;
     if let Some(at) = input.word("plane") {
         diagnostics.error(at, "`plane` is not supported yet");

@@ -129,7 +129,7 @@ impl<'a> Cursor<'a> {
     pub fn unexpected(&self, expected: &str) -> Error {
         let mut ahead = *self;
         let (at, found) = match ahead.any() {
-            None => return Error::new(self.last, format!("expected {expected} behind this")),
+            None => return Error::new(self.last, format!("expected {expected} after this")),
             Some(TokenTree::Group(group)) => match group.delimiter() {
                 Delimiter::Parenthesis => (group.span_open(), "(".into()),
                 Delimiter::Brace => (group.span_open(), "{".into()),

@@ -59,7 +59,7 @@ fn semicolon(input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
     let mut ahead = *input;
     let next_field = ahead.ident().is_some() && ahead.peek_punct('=');
     if next_field || input.is_empty() || chain::begins_item(input) {
-        diagnostics.error(input.last().first, "expected `;` behind this");
+        diagnostics.error(input.last().first, "expected `;` after this");
         return true;
     }
     diagnostics.push(input.unexpected("`;`"));

@@ -83,7 +83,7 @@ fn check_closed(input: &Cursor, unit: &Unit) -> Result<()> {
     let last = unit.factors.last().map_or("", |factor| &factor.symbol);
     Err(Error::new(
         input.next_span(),
-        format!("a unit closes a product: write `(… {last}) {sign} …` to go on behind it"),
+        format!("a unit closes a product: write `(… {last}) {sign} …` to go on after it"),
     ))
 }
 

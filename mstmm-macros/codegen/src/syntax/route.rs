@@ -35,7 +35,7 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route 
             return route;
         }
         if chain::begins_item(input) || input.is_empty() {
-            diagnostics.error(input.last().first, "expected `;` behind this");
+            diagnostics.error(input.last().first, "expected `;` after this");
             return route;
         }
         if input.pair('-', '>').is_none() {

@@ -11,18 +11,18 @@
 ///
 /// 1 degree of freedom; accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 32 operations.
 #[derive(Clone, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 pub struct Pendulum<T> {
     parameters: PendulumParameters<T>,
     derived: [T; 7],
 }
 /// Numbers of [`Pendulum`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 pub struct PendulumParameters<T> {
     payload: T,
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> PendulumParameters<T> {
     /// `payload` in kg.
     #[inline]
@@ -30,11 +30,12 @@ impl<T: ::mstmm::Scalar> PendulumParameters<T> {
         self.payload
     }
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// The chain as described, its parameters at their defaults.
     #[inline]
     #[must_use]
+    #[allow(clippy::all)]
     pub fn new() -> Self {
         let parameters = PendulumParameters {
             payload: T::constant(0.5f64),
@@ -75,8 +76,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     pub fn initial_state(&self) -> PendulumState<T> {
         let c = T::constant;
         PendulumState {
-            q: ::mstmm::nalgebra::SVector::from([c(-1.5707963267948966)]),
-            v: ::mstmm::nalgebra::SVector::from([c(0.0)]),
+            q: ::mstmm::generated::vector([c(-1.5707963267948966)]),
+            v: ::mstmm::generated::vector([c(0.0)]),
             t: T::constant(0.0),
         }
     }
@@ -106,7 +107,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for Pendulum<T> {
         Self::new()
     }
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
@@ -141,12 +142,11 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t0 = joint_input0 * known_p4;
         let t1 = joint_a_lin_y * known_joint_z0_force_y;
         let joint_a_ang_z = t0 - t1;
-        ::mstmm::generated::regular(
-            &["joint"],
-            [known_joint_j_yy],
-            [known_p5],
-            [joint_a_ang_z],
-        )?;
+        ::mstmm::generated::regular::<
+            T,
+            _,
+            _,
+        >(&["joint"], [known_joint_j_yy], [known_p5], [joint_a_ang_z])?;
         accelerations.data.0 = [[joint_a_ang_z]];
         ::core::result::Result::Ok(())
     }
@@ -162,7 +162,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         state: &PendulumState<T>,
         inputs: &PendulumInputs<T>,
     ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, 1>, ::mstmm::Error> {
-        let mut accelerations = ::mstmm::nalgebra::SVector::from([T::constant(0.0); 1]);
+        let mut accelerations = ::mstmm::generated::vector([T::constant(0.0); 1]);
         self.accelerations_into(state, inputs, &mut accelerations)?;
         ::core::result::Result::Ok(accelerations)
     }
@@ -231,12 +231,11 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t24 = c(0.5) * t23;
         let t25 = sin_joint_angle * c(4.9);
         let t26 = known_joint_k_xx * t25;
-        ::mstmm::generated::regular(
-            &["joint"],
-            [known_joint_j_yy],
-            [known_p5],
-            [joint_a_ang_z],
-        )?;
+        ::mstmm::generated::regular::<
+            T,
+            _,
+            _,
+        >(&["joint"], [known_joint_j_yy], [known_p5], [joint_a_ang_z])?;
         at.accelerations.data.0 = [[joint_a_ang_z]];
         at.efforts.data.0 = [[joint_input0]];
         at.kinetic_energy = t24;
@@ -393,7 +392,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Pendulum<T> {
 /// The hinges lie one after the other in the order written. [`Default`] is every hinge at
 /// rest in its zero position.
 #[derive(Clone, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 pub struct PendulumState<T> {
     /// Coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
     pub q: ::mstmm::nalgebra::SVector<T, 1>,
@@ -402,7 +401,7 @@ pub struct PendulumState<T> {
     /// Time in s.
     pub t: T,
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> PendulumState<T> {
     /// Coordinates and rates of hinge `joint`.
     #[inline]
@@ -425,8 +424,8 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumState<T> {
         let (zero, one) = (T::constant(0.0), T::constant(1.0));
         let _ = one;
         Self {
-            q: ::mstmm::nalgebra::SVector::from([zero]),
-            v: ::mstmm::nalgebra::SVector::from([zero; 1]),
+            q: ::mstmm::generated::vector([zero]),
+            v: ::mstmm::generated::vector([zero; 1]),
             t: zero,
         }
     }
@@ -460,7 +459,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::ChainState for PendulumState<T> {
 }
 /// What drives [`Pendulum`] from outside, given at every step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 pub struct PendulumInputs<T> {
     /// Torque of `joint` in N m.
     pub joint: T,
@@ -471,7 +470,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumInputs<T> {
         Self { joint: T::constant(0.0) }
     }
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// Inputs that are all zero.
     #[inline]
@@ -482,7 +481,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
 }
 /// Results of [`Pendulum::solve_into`].
 #[derive(Clone, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 pub struct PendulumWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 1>,
     efforts: ::mstmm::nalgebra::SVector<T, 1>,
@@ -490,7 +489,7 @@ pub struct PendulumWorkspace<T> {
     potential_energy: T,
     points: [::mstmm::Point<T>; 3],
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
     /// Accelerations `v̇` of all hinges, in the order of the rates.
     #[inline]
@@ -537,15 +536,15 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
         ::mstmm::BodyResult::new(input, output)
     }
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]
     pub fn workspace(&self) -> PendulumWorkspace<T> {
         let zero = T::constant(0.0);
         PendulumWorkspace {
-            accelerations: ::mstmm::nalgebra::SVector::from([zero; 1]),
-            efforts: ::mstmm::nalgebra::SVector::from([zero; 1]),
+            accelerations: ::mstmm::generated::vector([zero; 1]),
+            efforts: ::mstmm::generated::vector([zero; 1]),
             kinetic_energy: zero,
             potential_energy: zero,
             points: [::core::default::Default::default(); 3],

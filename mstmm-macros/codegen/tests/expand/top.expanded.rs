@@ -11,24 +11,25 @@
 ///
 /// 3 degrees of freedom; accelerations by `riccati`, 28 operations (21 mul, 7 add, 0 reciprocal); with everything at every connection point 236 operations.
 #[derive(Clone, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 struct Top<T> {
     parameters: TopParameters<T>,
     derived: [T; 0],
 }
 /// Numbers of [`Top`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 struct TopParameters<T> {
     none: ::core::marker::PhantomData<T>,
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TopParameters<T> {}
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Top<T> {
     /// The chain as described.
     #[inline]
     #[must_use]
+    #[allow(clippy::all)]
     fn new() -> Self {
         let parameters = TopParameters {
             none: ::core::marker::PhantomData,
@@ -47,13 +48,13 @@ impl<T: ::mstmm::Scalar> Top<T> {
     fn initial_state(&self) -> TopState<T> {
         let c = T::constant;
         TopState {
-            q: ::mstmm::nalgebra::SVector::from([
+            q: ::mstmm::generated::vector([
                 c(0.9961946980917455),
                 c(0.08715574274765817),
                 c(0.0),
                 c(0.0),
             ]),
-            v: ::mstmm::nalgebra::SVector::from([c(0.0), c(0.0), c(300.0)]),
+            v: ::mstmm::generated::vector([c(0.0), c(0.0), c(300.0)]),
             t: T::constant(0.0),
         }
     }
@@ -68,7 +69,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for Top<T> {
         Self::new()
     }
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Top<T> {
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
@@ -126,7 +127,11 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t19 = minus_tip_turn_z_x * c(117.60000000000001);
         let minus_tip_a_ang_y = t18 - t19;
         let minus_tip_a_ang_z = tip_e_moment_z * c(10000.0);
-        ::mstmm::generated::regular(
+        ::mstmm::generated::regular::<
+            T,
+            _,
+            _,
+        >(
             &["tip", "tip", "tip"],
             [c(0.001), c(0.001), c(0.0001)],
             [c(0.0021), c(0.0021), c(0.0021)],
@@ -149,7 +154,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         state: &TopState<T>,
         inputs: &TopInputs<T>,
     ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, 3>, ::mstmm::Error> {
-        let mut accelerations = ::mstmm::nalgebra::SVector::from([T::constant(0.0); 3]);
+        let mut accelerations = ::mstmm::generated::vector([T::constant(0.0); 3]);
         self.accelerations_into(state, inputs, &mut accelerations)?;
         ::core::result::Result::Ok(accelerations)
     }
@@ -424,7 +429,11 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t206 = t199 + t205;
         let t207 = t206 * c(0.5);
         let t208 = tip_turn_z_z * c(0.1176);
-        ::mstmm::generated::regular(
+        ::mstmm::generated::regular::<
+            T,
+            _,
+            _,
+        >(
             &["tip", "tip", "tip"],
             [c(0.001), c(0.001), c(0.0001)],
             [c(0.0021), c(0.0021), c(0.0021)],
@@ -703,7 +712,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Top<T> {
 /// The hinges lie one after the other in the order written. [`Default`] is every hinge at
 /// rest in its zero position.
 #[derive(Clone, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 struct TopState<T> {
     /// Coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
     q: ::mstmm::nalgebra::SVector<T, 4>,
@@ -712,7 +721,7 @@ struct TopState<T> {
     /// Time in s.
     t: T,
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TopState<T> {
     /// Coordinates and rates of hinge `tip`.
     #[inline]
@@ -735,8 +744,8 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for TopState<T> {
         let (zero, one) = (T::constant(0.0), T::constant(1.0));
         let _ = one;
         Self {
-            q: ::mstmm::nalgebra::SVector::from([one, zero, zero, zero]),
-            v: ::mstmm::nalgebra::SVector::from([zero; 3]),
+            q: ::mstmm::generated::vector([one, zero, zero, zero]),
+            v: ::mstmm::generated::vector([zero; 3]),
             t: zero,
         }
     }
@@ -770,7 +779,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::ChainState for TopState<T> {
 }
 /// What drives [`Top`] from outside, given at every step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 struct TopInputs<T> {
     none: ::core::marker::PhantomData<T>,
 }
@@ -782,7 +791,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for TopInputs<T> {
         }
     }
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Top<T> {
     /// Inputs that are all zero.
     #[inline]
@@ -793,7 +802,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
 }
 /// Results of [`Top::solve_into`].
 #[derive(Clone, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 struct TopWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 3>,
     efforts: ::mstmm::nalgebra::SVector<T, 3>,
@@ -801,7 +810,7 @@ struct TopWorkspace<T> {
     potential_energy: T,
     points: [::mstmm::Point<T>; 3],
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TopWorkspace<T> {
     /// Accelerations `v̇` of all hinges, in the order of the rates.
     #[inline]
@@ -831,11 +840,11 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
         ::mstmm::HingeResult::new(
             {
                 let [[x, y, z, ..]] = self.accelerations.data.0;
-                ::mstmm::nalgebra::Vector3::from([x, y, z])
+                ::mstmm::generated::vector([x, y, z])
             },
             {
                 let [[x, y, z, ..]] = self.efforts.data.0;
-                ::mstmm::nalgebra::Vector3::from([x, y, z])
+                ::mstmm::generated::vector([x, y, z])
             },
             input,
             output,
@@ -848,15 +857,15 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
         ::mstmm::BodyResult::new(input, output)
     }
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Top<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]
     fn workspace(&self) -> TopWorkspace<T> {
         let zero = T::constant(0.0);
         TopWorkspace {
-            accelerations: ::mstmm::nalgebra::SVector::from([zero; 3]),
-            efforts: ::mstmm::nalgebra::SVector::from([zero; 3]),
+            accelerations: ::mstmm::generated::vector([zero; 3]),
+            efforts: ::mstmm::generated::vector([zero; 3]),
             kinetic_energy: zero,
             potential_energy: zero,
             points: [::core::default::Default::default(); 3],

@@ -13,24 +13,25 @@
 ///
 /// 2 degrees of freedom; accelerations by `transfer`, 151 operations (82 mul, 58 add, 4 reciprocal, 7 square root, 2 sin/cos); with everything at every connection point 238 operations.
 #[derive(Clone, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 pub struct TwoPins<T> {
     parameters: TwoPinsParameters<T>,
     derived: [T; 0],
 }
 /// Numbers of [`TwoPins`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 pub struct TwoPinsParameters<T> {
     none: ::core::marker::PhantomData<T>,
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TwoPinsParameters<T> {}
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// The chain as described.
     #[inline]
     #[must_use]
+    #[allow(clippy::all)]
     pub fn new() -> Self {
         let parameters = TwoPinsParameters {
             none: ::core::marker::PhantomData,
@@ -49,8 +50,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     pub fn initial_state(&self) -> TwoPinsState<T> {
         let c = T::constant;
         TwoPinsState {
-            q: ::mstmm::nalgebra::SVector::from([c(0.0), c(0.0)]),
-            v: ::mstmm::nalgebra::SVector::from([c(0.0), c(0.0)]),
+            q: ::mstmm::generated::vector([c(0.0), c(0.0)]),
+            v: ::mstmm::generated::vector([c(0.0), c(0.0)]),
             t: T::constant(0.0),
         }
     }
@@ -65,7 +66,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for TwoPins<T> {
         Self::new()
     }
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
@@ -267,7 +268,11 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t137 = t44 * t44;
         let t138 = t137 + c(0.1111111111111111);
         let t139 = T::sqrt(t138);
-        if !::mstmm::generated::is_regular(
+        if !::mstmm::generated::is_regular::<
+            T,
+            _,
+            _,
+        >(
             [t53, t79, c(1.0), t115, t126, -t128],
             [t53, t132, c(1.0), t134, t136, t139],
             [-minus_shoulder_beta0, -minus_end_x5],
@@ -289,7 +294,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         state: &TwoPinsState<T>,
         inputs: &TwoPinsInputs<T>,
     ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, 2>, ::mstmm::Error> {
-        let mut accelerations = ::mstmm::nalgebra::SVector::from([T::constant(0.0); 2]);
+        let mut accelerations = ::mstmm::generated::vector([T::constant(0.0); 2]);
         self.accelerations_into(state, inputs, &mut accelerations)?;
         ::core::result::Result::Ok(accelerations)
     }
@@ -587,7 +592,11 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t211 = elbow_axes_x_x * minus_elbow_acc_ang_z;
         let t212 = minus_elbow_acc_lin_y + t211;
         let t213 = t210 + t212;
-        if !::mstmm::generated::is_regular(
+        if !::mstmm::generated::is_regular::<
+            T,
+            _,
+            _,
+        >(
             [t53, t79, c(1.0), t155, t166, -t168],
             [t53, t172, c(1.0), t174, t176, t179],
             [-minus_shoulder_beta0, -minus_end_x5],
@@ -763,7 +772,10 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t0 = sin_elbow_angle * c(0.75);
         let t1 = sin_elbow_angle * t0;
         let shoulder_j_zz = t1 + c(0.5833333333333333);
-        ::mstmm::generated::diagnosis(
+        ::mstmm::generated::diagnosis::<
+            T,
+            _,
+        >(
             &["elbow", "shoulder"],
             [c(0.3333333333333333), shoulder_j_zz],
             [c(0.6766666666666666), c(0.6766666666666666)],
@@ -831,7 +843,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for TwoPins<T> {
 /// The hinges lie one after the other in the order written. [`Default`] is every hinge at
 /// rest in its zero position.
 #[derive(Clone, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 pub struct TwoPinsState<T> {
     /// Coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
     pub q: ::mstmm::nalgebra::SVector<T, 2>,
@@ -840,7 +852,7 @@ pub struct TwoPinsState<T> {
     /// Time in s.
     pub t: T,
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TwoPinsState<T> {
     /// Coordinates and rates of hinge `shoulder`.
     #[inline]
@@ -878,8 +890,8 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for TwoPinsState<T> {
         let (zero, one) = (T::constant(0.0), T::constant(1.0));
         let _ = one;
         Self {
-            q: ::mstmm::nalgebra::SVector::from([zero, zero]),
-            v: ::mstmm::nalgebra::SVector::from([zero; 2]),
+            q: ::mstmm::generated::vector([zero, zero]),
+            v: ::mstmm::generated::vector([zero; 2]),
             t: zero,
         }
     }
@@ -913,7 +925,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::ChainState for TwoPinsState<T> {
 }
 /// What drives [`TwoPins`] from outside, given at every step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 pub struct TwoPinsInputs<T> {
     none: ::core::marker::PhantomData<T>,
 }
@@ -925,7 +937,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for TwoPinsInputs<T> {
         }
     }
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// Inputs that are all zero.
     #[inline]
@@ -936,7 +948,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
 }
 /// Results of [`TwoPins::solve_into`].
 #[derive(Clone, Debug, PartialEq)]
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 pub struct TwoPinsWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 2>,
     efforts: ::mstmm::nalgebra::SVector<T, 2>,
@@ -944,7 +956,7 @@ pub struct TwoPinsWorkspace<T> {
     potential_energy: T,
     points: [::mstmm::Point<T>; 5],
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     /// Accelerations `v̇` of all hinges, in the order of the rates.
     #[inline]
@@ -1014,15 +1026,15 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
         ::mstmm::BodyResult::new(input, output)
     }
 }
-#[allow(dead_code)]
+#[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]
     pub fn workspace(&self) -> TwoPinsWorkspace<T> {
         let zero = T::constant(0.0);
         TwoPinsWorkspace {
-            accelerations: ::mstmm::nalgebra::SVector::from([zero; 2]),
-            efforts: ::mstmm::nalgebra::SVector::from([zero; 2]),
+            accelerations: ::mstmm::generated::vector([zero; 2]),
+            efforts: ::mstmm::generated::vector([zero; 2]),
             kinetic_energy: zero,
             potential_energy: zero,
             points: [::core::default::Default::default(); 5],

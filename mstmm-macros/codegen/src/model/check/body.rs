@@ -41,9 +41,18 @@ pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
 
 /// A body without mass has no acceleration.
 pub(super) fn masses_are_positive(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let defaults: Vec<_> =
+        draft.parameters.iter().map(|parameter| parameter.default.known()).collect();
     for mass in draft.types.iter().filter_map(|body| body.mass.as_ref()) {
-        if mass.value.known().is_some_and(|mass| mass <= 0.0) {
-            diagnostics.error_over(mass.at, "a mass must be positive");
-        }
+        let message = match (mass.value.known(), mass.value.at(&defaults)) {
+            (Some(known), _) if known <= 0.0 => "a mass must be positive".to_owned(),
+            (None, Some(at_start)) if at_start <= 0.0 => {
+                format!(
+                    "a mass must be positive; with its parameters' defaults it is {at_start} kg"
+                )
+            }
+            _ => continue,
+        };
+        diagnostics.error_over(mass.at, message);
     }
 }

@@ -16,6 +16,7 @@ type Rule = fn(&Draft, &mut Diagnostics);
 /// All rules.
 const RULES: &[Rule] = &[
     name::names_are_identifiers,
+    name::chains_are_not_called_like_their_numbers,
     name::names_are_used_once,
     name::names_are_not_reserved,
     name::types_are_described_once,

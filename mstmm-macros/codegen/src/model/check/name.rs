@@ -39,6 +39,9 @@ const ROUTE_WORDS: &[&str] = &["ground", "repeat", "at", "turned"];
 /// Words that a number cannot be named after, with the functions.
 const NUMBER_WORDS: &[&str] = &["PI", "input", "riccati", "transfer"];
 
+/// Keywords that older editions of Rust, and so the parser, let pass.
+const LATER_KEYWORDS: &[&str] = &["gen"];
+
 /// A name of a hinge, a body or a parameter.
 struct Name<'a> {
     ident: &'a Ident,
@@ -66,10 +69,23 @@ pub(super) fn names_are_identifiers(draft: &Draft, diagnostics: &mut Diagnostics
     let all = names.iter().map(|name| name.ident).chain(types).chain([&draft.def.name]);
     for name in all {
         let text = name.to_string();
-        if text.starts_with("r#") || syn::parse_str::<Ident>(&text).is_err() {
-            let message = format!("`{text}` is kept by Rust and cannot be a name");
+        let keyword = syn::parse_str::<Ident>(&text).is_err() || LATER_KEYWORDS.contains(&&*text);
+        if text.starts_with("r#") || keyword {
+            let message = format!("`{text}` is a keyword of Rust and cannot be a name");
             diagnostics.error(name.span(), message);
         }
+    }
+}
+
+/// The generated types are generic over their numbers, `T`.
+pub(super) fn chains_are_not_called_like_their_numbers(
+    draft: &Draft,
+    diagnostics: &mut Diagnostics,
+) {
+    let name = &draft.def.name;
+    if name == "T" {
+        let message = "`T` stands for the numbers of a chain and cannot be its name";
+        diagnostics.error(name.span(), message);
     }
 }
 
@@ -82,7 +98,7 @@ pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) 
         let before = &names[..index];
         if before.iter().any(|other| other.ident == name.ident) {
             let hint = match name.made {
-                true => "; write a name behind the type",
+                true => "; write a name after the type",
                 false => "",
             };
             let message = format!("the name `{text}` is used twice{hint}");

@@ -68,7 +68,7 @@ impl Context<'_> {
     /// Refuses what no number stands for, such as a root of a negative one.
     pub fn finite(&mut self, value: Value, at: Extent) -> Option<Value> {
         match value.known() {
-            Some(number) if !number.is_finite() => self.refuse(at, "this is no finite number"),
+            Some(number) if !number.is_finite() => self.refuse(at, "this is not a finite number"),
             _ => Some(value),
         }
     }
@@ -116,7 +116,7 @@ impl Context<'_> {
             return Some((self.constant(quote::ToTokens::to_token_stream(name)), Measure::Open));
         }
         if unit::is_symbol(&text) {
-            return self.refuse(name, format!("`{text}` is a unit and stands behind a number"));
+            return self.refuse(name, format!("`{text}` is a unit and stands after a number"));
         }
         if !self.whole {
             return None;

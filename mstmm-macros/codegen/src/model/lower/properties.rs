@@ -20,7 +20,7 @@ pub(super) fn motions(
     let mut fields = vec![Fields::default(); stops.len()];
     for block in def.blocks.iter().filter(|block| !body::is_type(block)) {
         if !block.after_route && def.route.is_some() {
-            context.diagnostics.error(block.at, "hinges are described behind the route");
+            context.diagnostics.error(block.at, "hinges are described after the route");
         }
         assign(block, def, stops, &mut fields, context);
     }
@@ -117,7 +117,7 @@ fn unknown_name(
     let has_type =
         def.blocks.iter().any(|other| body::is_type(other) && other.names.contains(name));
     if block.word == BlockWord::Body && !has_type && stops.iter().any(is_body) {
-        let message = "a type of body is described in front of the route";
+        let message = "a type of body is described before the route";
         context.diagnostics.error(name.span(), message);
         return;
     }

@@ -7,7 +7,7 @@ use crate::model::Value;
 use crate::syntax::{Form, List, Written};
 
 impl Context<'_> {
-    /// A number behind `=`.
+    /// A number after `=`.
     pub fn written_number(&mut self, written: &Written, expected: &Quantity) -> Option<Value> {
         match written {
             Written::Number(expr) => self.number(expr, expected),
@@ -18,7 +18,7 @@ impl Context<'_> {
         }
     }
 
-    /// A vector behind `=`.
+    /// A vector after `=`.
     pub fn written_vector(&mut self, written: &Written, expected: &Quantity) -> Option<[Value; 3]> {
         match written {
             Written::Vector(list) => self.vector(list, expected),
@@ -63,9 +63,8 @@ impl Context<'_> {
         let mut parts: Vec<_> = parts.into_iter().collect::<Option<_>>()?;
         if let Some((unit, known)) = unit {
             let (scale, dimension) = known?;
-            for part in &parts {
-                self.expect_no_unit(part)?;
-            }
+            let bare = parts.iter().map(|part| self.expect_no_unit(part)).fold(Some(()), and);
+            bare?;
             let whole = Measured {
                 value: Value::number(1.0),
                 measure: Measure::Of(dimension),
@@ -82,9 +81,9 @@ impl Context<'_> {
             self.common_measure(&parts, "one vector")?;
         }
         let values = parts.into_iter().zip(&list.entries);
-        let values: Option<Vec<_>> =
+        let values: Vec<_> =
             values.map(|(part, entry)| self.finite(part.value, entry.extent)).collect();
-        values?.try_into().ok()
+        values.into_iter().collect::<Option<Vec<_>>>()?.try_into().ok()
     }
 
     /// A field that may be left away.

@@ -48,9 +48,9 @@ fn terms_have_one_dimension() {
 
 #[test]
 fn a_unit_closes_its_product() {
-    let message = "a unit closes a product: write `(… kg) * …` to go on behind it";
+    let message = "a unit closes a product: write `(… kg) * …` to go on after it";
     expect_mass("2 kg * 3", &[("*", message)]);
-    let message = "a unit closes a product: write `(… kg) / …` to go on behind it";
+    let message = "a unit closes a product: write `(… kg) / …` to go on after it";
     expect_mass("2 kg / (3 m)", &[("/", message)]);
     let message = "a unit closes a product: write `(2 m) * ratio`, not `2 m * ratio`";
     expect_mass("2 kg * ratio", &[("ratio", message)]);
@@ -110,12 +110,12 @@ fn numbers_are_finite() {
     expect_mass("1/0", &[("0", "division by zero")]);
     expect_mass("1/(1 - 1)", &[("(1 - 1)", "division by zero")]);
     expect_mass("0^-1", &[("0^-1", "division by zero")]);
-    expect_mass("1e999", &[("1e999", "this is no finite number")]);
-    expect_mass("sqrt(-1)", &[("sqrt(-1)", "this is no finite number")]);
+    expect_mass("1e999", &[("1e999", "this is not a finite number")]);
+    expect_mass("sqrt(-1)", &[("sqrt(-1)", "this is not a finite number")]);
     expect(
         "com = [0.5, 0, 0] m;\n            output",
         "com = [1e308, 0, 0] km; output",
-        &[("1e308", "this is no finite number")],
+        &[("1e308", "this is not a finite number")],
     );
 }
 

@@ -27,9 +27,9 @@ fn fields_that_are_missing_are_listed_together() {
 
 #[test]
 fn a_missing_semicolon_costs_no_field() {
-    expect("mass = 2 kg;", "mass = 2 kg", &[("kg", "expected `;` behind this")]);
-    expect("mass = 2 kg;", "mass = 2", &[("2", "expected `;` behind this")]);
-    expect("0.1, 0] rad/s;", "0.1, 0] rad/s", &[("s", "expected `;` behind this")]);
+    expect("mass = 2 kg;", "mass = 2 kg", &[("kg", "expected `;` after this")]);
+    expect("mass = 2 kg;", "mass = 2", &[("2", "expected `;` after this")]);
+    expect("0.1, 0] rad/s;", "0.1, 0] rad/s", &[("s", "expected `;` after this")]);
 }
 
 #[test]
@@ -219,10 +219,10 @@ fn parts_stand_in_their_places() {
     expect(
         "ground ->",
         "hinge wrist { torque = input; } ground ->",
-        &[("hinge", "hinges are described behind the route")],
+        &[("hinge", "hinges are described after the route")],
     );
     let source = "chain Late { ground -> pin j -> Rod rod;
         body Rod { mass = 1; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; } }";
-    expect_all(source, &[("Rod", "a type of body is described in front of the route")]);
+    expect_all(source, &[("Rod", "a type of body is described before the route")]);
     expect("body Rod {", "body Rod, Stick {", &[("Stick", "a block describes one type of body")]);
 }

@@ -138,8 +138,8 @@ fn a_route_that_cannot_be_read_is_not_judged() {
         "Cube upper ball wrist",
         &[("ball", "expected `->` or `;`, found `ball`")],
     );
-    expect("Rod rod;", "Rod rod", &[("rod", "expected `;` behind this")]);
-    expect("Rod rod;", "Rod", &[("Rod", "expected `;` behind this")]);
+    expect("Rod rod;", "Rod rod", &[("rod", "expected `;` after this")]);
+    expect("Rod rod;", "Rod", &[("Rod", "expected `;` after this")]);
     expect("upper -> ball", "upper; -> ball", &[("-", "expected an item, found `-`")]);
     expect("upper -> ball", "upper; ball", &[("ball", "a second route; a chain has one")]);
     expect("Rod rod;", "Rod rod ->;", &[(";", "expected a hinge, a body or `ground`, found `;`")]);

@@ -15,7 +15,7 @@ fn names_are_used_once() {
         "Rod rod",
         "Rod -> pin j -> Rod",
         &[
-            ("Rod", "the name `rod` is used twice; write a name behind the type"),
+            ("Rod", "the name `rod` is used twice; write a name after the type"),
             ("Rod", "body `Rod` needs `output`"),
         ],
     );
@@ -44,8 +44,8 @@ fn names_are_free() {
         "param time",
         &[("time", "`time` is a method of every chain and cannot be a name")],
     );
-    expect("Rod rod", "Rod fn", &[("fn", "`fn` is kept by Rust and cannot be a name")]);
-    expect("Rod rod", "Rod r#fn", &[("r#fn", "`r#fn` is kept by Rust and cannot be a name")]);
+    expect("Rod rod", "Rod fn", &[("fn", "`fn` is a keyword of Rust and cannot be a name")]);
+    expect("Rod rod", "Rod r#fn", &[("r#fn", "`r#fn` is a keyword of Rust and cannot be a name")]);
     expect(
         "param ratio",
         "param input",

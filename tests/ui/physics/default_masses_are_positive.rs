@@ -1,0 +1,13 @@
+mstmm::mstmm_chain! {
+    chain Arm {
+        param payload = -2 kg;
+        body Rod {
+            mass = 1 kg + payload;
+            com = [0.5, 0, 0] m;
+            inertia = diag(0.01, 1, 1) kg*m^2 about com;
+        }
+        ground -> pin(z) joint -> Rod rod;
+    }
+}
+
+fn main() {}

@@ -1,0 +1,15 @@
+mstmm::mstmm_chain! {
+    chain Pendulum {
+        body Rod {
+            mass = 2 kg;
+            com = [0.5, 0, 0] m;
+            inertia = diag(0, 1/6, 1/6) kg*m^2 about com;
+        }
+        ground turned quaternion(0, 0, 0, 0) -> ball joint -> Rod rod;
+        hinge joint {
+            start = 30 deg;
+        }
+    }
+}
+
+fn main() {}

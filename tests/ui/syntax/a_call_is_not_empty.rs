@@ -1,0 +1,3 @@
+mstmm::mstmm_chain! {}
+
+fn main() {}

@@ -1,0 +1,6 @@
+mstmm::mstmm_chain! {
+    chian Pendulum {}
+    chain {}
+}
+
+fn main() {}

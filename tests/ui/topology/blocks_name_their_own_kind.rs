@@ -1,0 +1,21 @@
+mstmm::mstmm_chain! {
+    chain Pendulum {
+        body Rod {
+            mass = 2 kg;
+            com = [0.5, 0, 0] m;
+            inertia = diag(0, 1/6, 1/6) kg*m^2 about com;
+        }
+        ground -> pin joint -> Rod rod;
+        body joint {
+            start = 30 deg;
+        }
+        hinge rod {
+            start = 30 deg;
+        }
+        body rod {
+            start = [1, 0, 0] m;
+        }
+    }
+}
+
+fn main() {}

@@ -1,0 +1,13 @@
+mstmm::mstmm_chain! {
+    chain Pendulum {
+        param load = 1 kg;
+        body Rod {
+            mass = lode;
+            com = [sqr(4), 0, 0] m;
+            inertia = diag(0, mm, inertia) kg*m^2 about com;
+        }
+        ground -> pin joint -> Rod rod;
+    }
+}
+
+fn main() {}
