@@ -1,0 +1,72 @@
+//! Numbers that change at run time.
+
+use mstmm::{Error, mstmm_chain};
+
+const HALF: f64 = 0.5;
+
+mstmm_chain! {
+    chain Lift {
+        gravity = [0, -10, 0] m/s^2;
+        param load = 0.5 kg;
+        param arm = 500 mm;
+        param tilt = 30 deg;
+        param ratio = 2 * HALF;
+        body Beam {
+            mass = 1 kg + load;
+            com = [arm, 0, 0];
+            output = [2 * arm, 0, 0] turned rpy(0, 0, tilt);
+            inertia = diag(2 kg*m^2, ratio * (1 kg*m^2), load * (2 m^2)) about com;
+        }
+        ground -> pin hub -> Beam beam -> pin wrist -> Beam tip;
+        hinge hub { start = -tilt; start_rate = ratio rpm; torque = ratio * (3 N*m); }
+    }
+
+    // The same with the parameters' other values written in.
+    chain Loaded {
+        gravity = [0, -10, 0] m/s^2;
+        body Beam {
+            mass = 3 kg;
+            com = [250 mm, 0, 0];
+            output = [0.5, 0, 0] m turned rpy(0, 0, 45) deg;
+            inertia = diag(2, 3, 4) kg*m^2 about com;
+        }
+        ground -> pin hub -> Beam beam -> pin wrist -> Beam tip;
+        hinge hub { start = -45 deg; start_rate = 3 rpm; torque = 9 N*m; }
+    }
+}
+
+#[test]
+fn parameters_have_defaults_in_si_units() {
+    let lift = Lift::<f64>::new();
+    let parameters = lift.parameters();
+    assert_eq!(
+        [parameters.load(), parameters.arm(), parameters.tilt(), parameters.ratio()],
+        [0.5, 0.5, 30_f64.to_radians(), 1.0]
+    );
+    assert_eq!(lift, Lift::default());
+}
+
+#[test]
+fn a_parameter_is_as_good_as_its_number() {
+    let (mut lift, loaded) = (Lift::<f64>::new(), Loaded::<f64>::new());
+    lift.set_load(2.0).expect("a positive mass");
+    lift.set_arm(0.25).expect("a finite length");
+    lift.set_tilt(45_f64.to_radians()).expect("a finite angle");
+    lift.set_ratio(3.0).expect("a finite number");
+    let (a, b) = (lift.initial_state(), loaded.initial_state());
+    crate::assert_close(a.q, b.q);
+    crate::assert_close(a.v, b.v);
+    let accelerations = lift.accelerations(&a, &lift.no_inputs()).expect("a regular chain");
+    let expected = loaded.accelerations(&b, &loaded.no_inputs()).expect("a regular chain");
+    crate::assert_close(accelerations, expected);
+}
+
+#[test]
+fn a_parameter_that_is_refused_changes_nothing() {
+    let mut lift = Lift::<f64>::new();
+    let reason = "must leave the mass of body `beam` positive";
+    assert_eq!(lift.set_load(-1.0), Err(Error::Parameter { name: "load", reason }));
+    let reason = "must be a finite number";
+    assert_eq!(lift.set_arm(f64::NAN), Err(Error::Parameter { name: "arm", reason }));
+    assert_eq!(lift, Lift::new());
+}
