@@ -32,7 +32,8 @@ both! { ArmA ArmAByTransfer [Pin, Pin, Pin] {
         output = [1, 0, 0] m;
         inertia = diag(1/6, 5/12, 5/12) kg*m^2 about input;
     }
-    ground -> pin(z) first -> Cube upper -> pin(z) second -> Cube middle -> pin(z) third -> Cube lower;
+    ground
+        -> pin(z) first -> Cube upper -> pin(z) second -> Cube middle -> pin(z) third -> Cube lower;
     hinge second { start_rate = 1 rad/s; }
 } }
 
@@ -44,7 +45,8 @@ both! { ArmB ArmBByTransfer [Pin, Pin, Pin] {
         output = [1, 0, 0] m;
         inertia = diag(1/6, 5/12, 5/12) kg*m^2 about input;
     }
-    ground -> pin(z) first -> Cube upper -> pin(y) second -> Cube middle -> pin(z) third -> Cube lower;
+    ground
+        -> pin(z) first -> Cube upper -> pin(y) second -> Cube middle -> pin(z) third -> Cube lower;
     hinge second { start_rate = 1 rad/s; }
 } }
 
@@ -205,8 +207,9 @@ const PINS: [[f64; 6]; 5] = [
 /// Rounding of the goldens, and of a step of each method.
 const AT_START: f64 = 1e-12;
 
-/// The goldens are known to 1.2e-11. With a step of 0.01 s the classical method is off by 5e-5 after one second in the
-/// fastest rate, so with `STEP` by 5e-5 / 40⁴ = 2e-11; neighbouring motions part by about ten times until 5 s.
+/// The goldens are known to 1.2e-11. With a step of 0.01 s the classical method is off by 5e-5
+/// after one second in the fastest rate, so with `STEP` by 5e-5 / 40⁴ = 2e-11; neighbouring motions
+/// part by about ten times until 5 s.
 const ALONG: f64 = 1e-9;
 
 /// Of the classical method, in s.

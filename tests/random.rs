@@ -5,6 +5,8 @@
 //! `MSTMM_BLESS=1 cargo test --test random` writes it anew.
 
 mod random {
+    // Kept as printed.
+    #[rustfmt::skip]
     pub mod chains;
 }
 mod support;

@@ -1,0 +1,286 @@
+//! What cannot be computed is refused with its reason, and nothing is changed: parameters,
+//! mechanisms without an answer, numbers that are not finite.
+
+mod support;
+
+use mstmm::Error;
+use mstmm::prelude::*;
+use mstmm_reference::Random;
+use support::difference;
+use support::mechanism::{Mechanism, both, mechanisms};
+
+mstmm_chain! {
+    chain Loaded {
+        gravity = [0, -9.8, 0] m/s^2;
+        param payload = 0.5 kg;
+        param length = 1 m;
+        body Link {
+            mass = 2 kg;
+            com = [0.5, 0, 0.1] m;
+            output = [length, 0, 0];
+            inertia = diag(0.1, 0.2, 0.2) kg*m^2 about com;
+        }
+        body Hand {
+            mass = 1 kg + payload;
+            com = [0.2, 0.1, 0] m;
+            inertia = diag(0.05, 0.04, 0.03) kg*m^2 about com;
+        }
+        ground -> ball shoulder -> Link link -> pin(y) wrist -> Hand hand;
+        hinge wrist { torque = input; }
+    }
+
+    /// The same with numbers in place of the parameters: 0.7 kg and 1.2 m.
+    chain Fixed {
+        gravity = [0, -9.8, 0] m/s^2;
+        body Link {
+            mass = 2 kg;
+            com = [0.5, 0, 0.1] m;
+            output = [1.2, 0, 0] m;
+            inertia = diag(0.1, 0.2, 0.2) kg*m^2 about com;
+        }
+        body Hand {
+            mass = 1.7 kg;
+            com = [0.2, 0.1, 0] m;
+            inertia = diag(0.05, 0.04, 0.03) kg*m^2 about com;
+        }
+        ground -> ball shoulder -> Link link -> pin(y) wrist -> Hand hand;
+        hinge wrist { torque = input; }
+    }
+}
+
+mechanisms! {
+    Loaded [Ball, Pin];
+    Fixed [Ball, Pin];
+}
+
+#[test]
+fn a_parameter_counts_like_the_number_written() -> Result<(), Error> {
+    let mut loaded = Loaded::<f64>::new();
+    assert_eq!((loaded.parameters().payload(), loaded.parameters().length()), (0.5, 1.0));
+    loaded.set_payload(0.7)?;
+    loaded.set_length(1.2)?;
+    assert_eq!((loaded.parameters().payload(), loaded.parameters().length()), (0.7, 1.2));
+    let fixed = Fixed::<f64>::new();
+    for seed in 0..20 {
+        let mut random = Random::new(seed);
+        let state = loaded.random_state(&mut random);
+        let mut same = fixed.initial_state();
+        same.q.copy_from(&state.q);
+        same.v.copy_from(&state.v);
+        let torque = random.between(-5.0, 5.0);
+        let with_parameters = loaded.answer(&state, &LoadedInputs { wrist: torque })?;
+        let with_numbers = fixed.answer(&same, &FixedInputs { wrist: torque })?;
+        let off = difference(&with_parameters.accelerations, &with_numbers.accelerations);
+        // 1 + 0.7 may round otherwise than 1.7, and constants fold in another order.
+        assert!(off < 1e-12, "seed {seed}: {off:e}");
+        let energies = [&with_parameters, &with_numbers].map(|answer| answer.energy.total());
+        assert!(difference(&energies[..1], &energies[1..]) < 1e-13, "seed {seed}");
+    }
+    Ok(())
+}
+
+#[test]
+fn a_refused_parameter_leaves_the_old_one() {
+    let mut chain = Loaded::<f64>::new();
+    chain.set_payload(0.25).expect("a good number");
+    let before = chain.clone();
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, -1.5] {
+        let refused = chain.set_payload(bad);
+        let Err(Error::Parameter { name, reason }) = refused else { panic!("{bad}: {refused:?}") };
+        assert_eq!(name, "payload");
+        assert!(reason.contains(if bad.is_finite() { "hand" } else { "finite" }), "{reason}");
+        assert_eq!(chain, before, "{bad}");
+    }
+    assert!(matches!(chain.set_length(f64::NAN), Err(Error::Parameter { name: "length", .. })));
+    assert_eq!(chain, before);
+    // A mass that is small but there, and a length of any sign, are physical.
+    chain.set_payload(-0.999).expect("a mass of a gram");
+    chain.set_length(-3.0).expect("a length on the other side");
+}
+
+/// A rod along x and a link on a route. Without thickness nothing of the rod resists a turn about
+/// x.
+macro_rules! with_a_thin_rod {
+    ($riccati:ident $transfer:ident $hinges:tt $thickness:tt { $($route:tt)* }) => {
+        both! { $riccati $transfer $hinges {
+            gravity = [0, -9.8, 0] m/s^2;
+            param thickness = 0;
+            body Link {
+                mass = 2 kg;
+                com = [0.5, 0.1, -0.2] m;
+                output = [1, 0.3, 0] m turned rpy(10, 70, -20) deg;
+                inertia = tensor(0.3, 0.5, 0.6, 0.1, -0.04, 0.02) kg*m^2 about com;
+            }
+            body Rod {
+                mass = 1 kg;
+                com = [0.5, 0, 0] m;
+                output = [1, 0, 0] m;
+                inertia = diag($thickness, 1/12, 1/12) kg*m^2 about com;
+            }
+            $($route)*
+        } }
+    };
+}
+
+with_a_thin_rod! { Tip TipByTransfer [Pin, Ball] thickness {
+    ground -> pin(z) arm -> Link link -> ball loose -> Rod rod;
+} }
+
+with_a_thin_rod! { Balls BallsByTransfer [Ball, Ball] thickness {
+    ground -> ball shoulder -> Link link -> ball loose -> Rod rod;
+} }
+
+with_a_thin_rod! { Deep DeepByTransfer [Pin, Ball, Ball] thickness {
+    ground -> pin(y) arm -> Link link -> ball loose -> Rod rod -> ball wrist -> Link hand;
+} }
+
+with_a_thin_rod! { Axle AxleByTransfer [Pin, Ball] thickness {
+    ground -> pin(x) loose -> Rod rod -> ball wrist -> Link hand;
+} }
+
+// The same where the compiler can see it.
+with_a_thin_rod! { Needle NeedleByTransfer [Pin, Ball] 0 {
+    ground -> pin(z) arm -> Link link -> ball loose -> Rod rod;
+} }
+
+/// Solves in many states; each must be refused with the loose hinge's name, and say nothing else.
+macro_rules! is_loose {
+    ($($name:ident)*) => { $(
+        let chain = $name::<f64>::new();
+        let single = $name::<f32>::new();
+        for seed in 0..200 {
+            let state = chain.random_state(&mut Random::new(seed));
+            let expected = Err(Error::Singular { hinge: "loose" });
+            let mut at = chain.workspace();
+            let empty = at.clone();
+            let found = chain.solve_into(&state, &chain.no_inputs(), &mut at);
+            assert_eq!(found, expected, "{}, seed {seed}", stringify!($name));
+            assert_eq!(at, empty);
+            let mut accelerations = *at.accelerations();
+            accelerations.fill(7.0);
+            let untouched = accelerations;
+            let found = chain.accelerations_into(&state, &chain.no_inputs(), &mut accelerations);
+            assert_eq!((found, accelerations), (expected, untouched));
+            let mut stepped = state.clone();
+            let found = Rk4::new(1e-3).step(&chain, &mut stepped, |_, _| chain.no_inputs());
+            assert_eq!(found, expected);
+            assert_eq!(stepped, state);
+
+            let mut short = single.initial_state();
+            short.q_mut().iter_mut().zip(state.q()).for_each(|(to, &from)| *to = from as f32);
+            let found = single.accelerations(&short, &single.no_inputs()).map(|_| ());
+            assert_eq!(found, expected, "{} in single precision, seed {seed}", stringify!($name));
+        }
+    )* };
+}
+
+#[test]
+fn a_thin_rod_on_a_ball_at_the_tip_has_no_answer() {
+    is_loose! { Tip }
+    is_loose! { Balls }
+    is_loose! { Needle }
+}
+
+#[test]
+fn a_thin_rod_on_a_ball_at_the_tip_has_no_answer_by_transfer() {
+    is_loose! { TipByTransfer }
+    is_loose! { BallsByTransfer }
+    is_loose! { NeedleByTransfer }
+}
+
+#[test]
+fn a_thin_rod_on_the_way_has_no_answer() {
+    is_loose! { Deep }
+    is_loose! { Axle }
+}
+
+#[test]
+fn a_thin_rod_on_the_way_has_no_answer_by_transfer() {
+    is_loose! { DeepByTransfer }
+    is_loose! { AxleByTransfer }
+}
+
+/// A rod of a ten-millionth of the inertia about its axis turns fast, but has an answer.
+#[test]
+fn a_wire_has_an_answer() {
+    let (mut riccati, mut transfer) = (Deep::<f64>::new(), DeepByTransfer::<f64>::new());
+    riccati.set_thickness(1e-7).expect("a physical inertia");
+    transfer.set_thickness(1e-7).expect("a physical inertia");
+    for seed in 0..50 {
+        let state = riccati.random_state(&mut Random::new(seed));
+        let mut same = transfer.initial_state();
+        same.q.copy_from(&state.q);
+        same.v.copy_from(&state.v);
+        let a = riccati.fast_accelerations(&state, &riccati.no_inputs());
+        let b = transfer.fast_accelerations(&same, &transfer.no_inputs());
+        // The mass ratio of 1e7 costs as many units in the last place.
+        assert!(difference(&a, &b) < 1e-7, "seed {seed}: {:e}", difference(&a, &b));
+    }
+}
+
+both! { Driven DrivenByTransfer [Pin, Ball] {
+    gravity = [0, -9.8, 0] m/s^2;
+    body Link {
+        mass = 2 kg;
+        com = [0.5, 0.1, -0.2] m;
+        output = [1, 0.3, 0] m turned rpy(10, 70, -20) deg;
+        inertia = tensor(0.3, 0.5, 0.6, 0.1, -0.04, 0.02) kg*m^2 about com;
+    }
+    ground -> pin(x) base -> Link link -> ball wrist -> Link hand;
+    hinge base, wrist { torque = input; }
+} }
+
+/// Puts each bad number at every place of state and inputs.
+macro_rules! refuses_what_is_not_finite {
+    ($($name:ident)*) => { $(
+        let chain = $name::<f64>::new();
+        let state = chain.random_state(&mut Random::new(3));
+        let solve = |state: &_, inputs: &_, what: String| {
+            let mut at = chain.workspace();
+            let empty = at.clone();
+            let found = chain.solve_into(state, inputs, &mut at);
+            assert_eq!(found, Err(Error::NotFinite), "{}, {what}", stringify!($name));
+            assert_eq!(at, empty, "{}, {what}", stringify!($name));
+            let fast = chain.accelerations(state, inputs).map(|_| ());
+            assert_eq!(fast, Err(Error::NotFinite), "{}, {what}", stringify!($name));
+        };
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for place in 0..state.q().len() {
+                let mut broken = state.clone();
+                broken.q_mut()[place] = bad;
+                solve(&broken, &chain.no_inputs(), format!("{bad} in q[{place}]"));
+            }
+            for place in 0..state.v().len() {
+                let mut broken = state.clone();
+                broken.v_mut()[place] = bad;
+                solve(&broken, &chain.no_inputs(), format!("{bad} in v[{place}]"));
+            }
+            let mut inputs = chain.no_inputs();
+            inputs.base = bad;
+            solve(&state, &inputs, format!("{bad} at the base"));
+            for place in 0..3 {
+                let mut inputs = chain.no_inputs();
+                inputs.wrist[place] = bad;
+                solve(&state, &inputs, format!("{bad} at the wrist, {place}"));
+            }
+        }
+        let (mut stepped, mut rk4) = (state.clone(), Rk4::new(1e-3));
+        let late = |time: f64, _: &_| {
+            let mut inputs = $name::<f64>::new().no_inputs();
+            inputs.base = if time > 0.0 { f64::NAN } else { 0.0 };
+            inputs
+        };
+        assert_eq!(rk4.step(&chain, &mut stepped, late), Err(Error::NotFinite));
+        assert_eq!(stepped, state);
+    )* };
+}
+
+#[test]
+fn what_is_not_finite_is_refused() {
+    refuses_what_is_not_finite! { Driven }
+}
+
+#[test]
+fn what_is_not_finite_is_refused_by_transfer() {
+    refuses_what_is_not_finite! { DrivenByTransfer }
+}
