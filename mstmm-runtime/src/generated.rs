@@ -10,7 +10,7 @@ const NOISE: f64 = 8.0;
 
 /// Whether all pivots are positive beyond rounding, and all results finite.
 #[inline]
-pub fn is_regular<T: Scalar, const P: usize, const N: usize>(
+fn is_regular<T: Scalar, const P: usize, const N: usize>(
     pivots: [T; P],
     scales: [T; P],
     results: [T; N],
@@ -45,7 +45,7 @@ pub fn regular<T: Scalar, const P: usize, const N: usize>(
 
 /// Why a chain has no accelerations.
 #[cold]
-pub fn diagnosis<T: Scalar, const P: usize>(
+fn diagnosis<T: Scalar, const P: usize>(
     hinges: &[&'static str; P],
     pivots: [T; P],
     scales: [T; P],

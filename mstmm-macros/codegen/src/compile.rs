@@ -23,8 +23,6 @@ pub struct Programs {
     pub accelerations: Program,
     /// Links that the pivots belong to.
     pub pivots: Vec<usize>,
-    /// `q` to the Riccati pivots and their scales, where the method has no pivot for each hinge.
-    pub diagnosis: Option<(Program, Vec<usize>)>,
     /// `q`, `v`, inputs to `v̇`, pivots, scales, efforts, energies, then one group a point.
     pub solution: Program,
     /// `q`, `v` to kinetic and potential energy.
@@ -51,7 +49,6 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
     let mut setup = Setup::default();
     let method = scene.cheapest();
     let (accelerations, pivots) = scene.accelerations(method, &mut setup);
-    let diagnosis = (method == Method::Transfer).then(|| scene.diagnosis(&mut setup));
     let solution = scene.solution(method, &mut setup);
     let energy = scene.energy(&mut setup);
     let coordinate_rates = scene.coordinates(&mut setup, equations::hinge::coordinate_rates);
@@ -66,7 +63,6 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
         start,
         accelerations,
         pivots,
-        diagnosis,
         solution,
         energy,
         coordinate_rates,
@@ -183,13 +179,6 @@ impl<'a, 'g> Scene<'a, 'g> {
         let solved = equations::accelerations(&self.situation(), method, AXES, &mut trace);
         let (groups, links) = split(&solved);
         (self.program(Stage::State, &trace, &groups, setup), links)
-    }
-
-    fn diagnosis(&self, setup: &mut Setup) -> (Program, Vec<usize>) {
-        let mut trace = Trace::new();
-        let solved = equations::accelerations(&self.situation(), Method::Riccati, AXES, &mut trace);
-        let (groups, links) = split(&solved);
-        (self.program(Stage::State, &trace, &groups[1..], setup), links)
     }
 
     fn solution(&self, method: Method, setup: &mut Setup) -> Program {

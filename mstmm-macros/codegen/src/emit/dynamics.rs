@@ -14,7 +14,6 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let accelerations = accelerations(plan);
     let solution = solution(plan);
     let energy = energy(plan);
-    let diagnosis = diagnosis(plan);
     let integrable = integrable(plan);
     let generated = generated(plan);
     quote! {
@@ -23,7 +22,6 @@ pub fn emit(plan: &Plan) -> TokenStream {
             #accelerations
             #solution
             #energy
-            #diagnosis
         }
         #integrable
         #generated
@@ -165,17 +163,6 @@ fn energy(plan: &Plan) -> TokenStream {
 /// The test that comes before any result is written.
 fn check(plan: &Plan, outputs: &[Vec<TokenStream>]) -> TokenStream {
     let (results, pivots, scales) = (&outputs[0], &outputs[1], &outputs[2]);
-    if plan.programs.diagnosis.is_some() {
-        return quote! {
-            if !::mstmm::generated::is_regular::<T, _, _>(
-                [#(#pivots),*],
-                [#(#scales),*],
-                [#(#results),*],
-            ) {
-                return ::core::result::Result::Err(self.diagnose(state));
-            }
-        };
-    }
     let names = hinge_names(plan, &plan.programs.pivots);
     quote! {
         ::mstmm::generated::regular::<T, _, _>(
@@ -184,24 +171,6 @@ fn check(plan: &Plan, outputs: &[Vec<TokenStream>]) -> TokenStream {
             [#(#scales),*],
             [#(#results),*],
         )?;
-    }
-}
-
-/// For methods that cannot name the hinge at fault: asks the Riccati pivots.
-fn diagnosis(plan: &Plan) -> TokenStream {
-    let Some((program, links)) = &plan.programs.diagnosis else { return TokenStream::new() };
-    let state = &plan.names.state;
-    let block = plan.step_block(program);
-    let (statements, pivots, scales) = (block.statements, &block.outputs[0], &block.outputs[1]);
-    let names = hinge_names(plan, links);
-    quote! {
-        /// Why there are no accelerations.
-        #[cold]
-        #[allow(unused_doc_comments, unused_variables, clippy::all)]
-        fn diagnose(&self, state: &#state<T>) -> ::mstmm::Error {
-            #statements
-            ::mstmm::generated::diagnosis::<T, _>(&[#(#names),*], [#(#pivots),*], [#(#scales),*])
-        }
     }
 }
 

@@ -40,7 +40,10 @@ pub fn accelerations<S: Scalar>(
     };
     let (amounts, pivots) = match method {
         Method::Riccati => riccati::solve(&links, &efforts, ground, trace),
-        Method::Transfer => transfer::solve(&links, &efforts, ground, trace),
+        Method::Transfer => {
+            let amounts = transfer::solve(&links, &efforts, ground, trace);
+            (amounts, riccati::pivots(&links, trace))
+        }
     };
     let layout = situation.layout;
     let mut accelerations = vec![S::zero(); layout.freedoms()];

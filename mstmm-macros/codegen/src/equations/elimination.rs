@@ -26,8 +26,6 @@ pub struct Reflection<S> {
     factor: S,
     /// `w`, what the reflected unknown at `p` must be.
     value: S,
-    /// `|c|`
-    pub length: S,
 }
 
 impl<S: Scalar> Reflection<S> {
@@ -39,13 +37,7 @@ impl<S: Scalar> Reflection<S> {
         let entry = coefficients[place];
         if present.len() <= 1 {
             let value = value * entry.recip();
-            return Reflection {
-                place,
-                vector: Vec::new(),
-                factor: S::zero(),
-                value,
-                length: entry * S::one().copysign(entry),
-            };
+            return Reflection { place, vector: Vec::new(), factor: S::zero(), value };
         }
         let length = present
             .iter()
@@ -56,7 +48,7 @@ impl<S: Scalar> Reflection<S> {
         vector[place] = entry + s;
         let factor = (vector[place] * s).recip();
         // γ v_p = 1 / s
-        Reflection { place, value: -(value * (vector[place] * factor)), vector, factor, length }
+        Reflection { place, value: -(value * (vector[place] * factor)), vector, factor }
     }
 
     /// Rewrites the columns of `x` as those of `y`; returns what joins the known part.

@@ -98,20 +98,24 @@ fn outwards<S: Scalar>(
     moving
 }
 
-/// What every hinge exerts, from the free end [P, Eqs. (18), (19)].
+/// What every hinge exerts, from the free end [P, Eqs. (18), (19)]; along its free axes that is its
+/// effort and nothing else [P, Eqs. (25), (57), (58)].
 fn inwards<S: Scalar>(
     situation: &Situation<S>,
     links: &[LinkMotion<S>],
     moving: &mut [Moving<S>],
     trace: &mut Trace<S>,
 ) {
-    let gravity = situation.numbers.vector(&situation.chain.gravity);
+    let Situation { chain, layout, numbers, inputs, .. } = *situation;
+    let gravity = numbers.vector(&chain.gravity);
+    let efforts = numbers.efforts(chain, layout, inputs);
     for index in (0..links.len()).rev() {
         let link = &links[index];
         trace.section(format!("Load on `{}`", link.name), "[P, Eqs. (18), (19)]");
         let free_fall = Motion { linear: -gravity, angular: Vec3::zero() };
         let own = link.rigid().times(moving[index].acceleration + free_fall) + link.velocity_load();
-        moving[index].wrench = moving[index].wrench + own;
+        let efforts = &efforts[layout.v[layout.links[index].hinge].clone()];
+        moving[index].wrench = link.freedom.released(moving[index].wrench + own, efforts);
         trace.wrench(&format!("{}_load", link.name), moving[index].wrench);
         if let Some(parent) = link.parent {
             moving[parent].wrench =

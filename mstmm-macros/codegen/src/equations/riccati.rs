@@ -23,13 +23,38 @@ struct Eliminated<S> {
     rest: S,
 }
 
-/// Amounts of every link's free columns, and the pivots.
+/// Amounts of every link's free columns, and the pivots `d`.
 pub fn solve<S: Scalar>(
     links: &[LinkMotion<S>],
     efforts: &[Vec<S>],
     ground: Motion<S>,
     trace: &mut Trace<S>,
 ) -> (Vec<Vec<S>>, Vec<Pivot<S>>) {
+    let (eliminated, pivots) = reduce(links, efforts, trace);
+    (recover(links, &eliminated, ground, trace), pivots)
+}
+
+/// The pivots alone, for methods that have none of their own for each hinge.
+pub fn pivots<S: Scalar>(links: &[LinkMotion<S>], trace: &mut Trace<S>) -> Vec<Pivot<S>> {
+    let no_efforts: Vec<Vec<S>> =
+        links.iter().map(|link| vec![S::zero(); link.freedom.columns.len()]).collect();
+    let (_, pivots) = reduce(links, &no_efforts, &mut Trace::new());
+    trace.section(
+        "Inertia beyond the hinges, to be divided by",
+        "the pivots of the Riccati transfer",
+    );
+    for pivot in &pivots {
+        trace.number(format!("{}_d", links[pivot.link].name), pivot.value);
+    }
+    pivots
+}
+
+/// From the free end to the ground: what each link has eliminated, and the pivots.
+fn reduce<S: Scalar>(
+    links: &[LinkMotion<S>],
+    efforts: &[Vec<S>],
+    trace: &mut Trace<S>,
+) -> (Vec<Vec<Eliminated<S>>>, Vec<Pivot<S>>) {
     let mut eliminated: Vec<Vec<Eliminated<S>>> = links.iter().map(|_| Vec::new()).collect();
     let mut pivots = Vec::new();
     let mut own: Vec<(SpatialInertia<S>, Wrench<S>)> =
@@ -59,7 +84,7 @@ pub fn solve<S: Scalar>(
             own[parent].1 = own[parent].1 + load.moved_from(link.arm);
         }
     }
-    (recover(links, &eliminated, ground, trace), pivots)
+    (eliminated, pivots)
 }
 
 /// Equations (1) and (2) for one free direction; returns `d`.

@@ -9,7 +9,7 @@
 
 use super::elimination::{Mixed, Reflection};
 use super::hinge::Column;
-use super::{LinkMotion, Pivot, Trace};
+use super::{LinkMotion, Trace};
 use crate::math::{Motion, Scalar, Wrench};
 
 /// A column of the product: what belongs to one unknown, or the known part.
@@ -34,14 +34,17 @@ struct Product<S> {
     columns: Vec<Part<S>>,
 }
 
-/// Amounts of every link's free columns, and the pivots of the boundary solve.
+/// Amounts of every link's free columns.
+///
+/// Where nothing with inertia lies beyond a hinge the boundary solve has no answer, but rounding
+/// hides it: whoever calls has to look at the pivots of the Riccati transfer.
 pub fn solve<S: Scalar>(
     links: &[LinkMotion<S>],
     efforts: &[Vec<S>],
     ground: Motion<S>,
     trace: &mut Trace<S>,
-) -> (Vec<Vec<S>>, Vec<Pivot<S>>) {
-    let Some(first) = links.first() else { return Default::default() };
+) -> Vec<Vec<S>> {
+    let Some(first) = links.first() else { return Vec::new() };
     let mut product = Product::at_ground(first, ground);
     let mut used: Vec<Vec<Reflection<S>>> = Vec::new();
     for (index, link) in links.iter().enumerate() {
@@ -57,9 +60,8 @@ pub fn solve<S: Scalar>(
         product.record(link, trace);
     }
     trace.section("Boundary solve at the free end", "[P, Eq. (11)]");
-    let last = links.len() - 1;
-    let (unknowns, pivots) = boundary(product.beyond(&links[last]), last, trace);
-    (recover(unknowns, &used, trace, links), pivots)
+    let unknowns = boundary(product.beyond(&links[links.len() - 1]), trace);
+    recover(unknowns, &used, trace, links)
 }
 
 impl<S: Scalar> Product<S> {
@@ -135,29 +137,21 @@ impl<S: Scalar> Product<S> {
 }
 
 /// Solves six conditions `row · x + known = 0`, one after the other.
-fn boundary<S: Scalar>(
-    mut rows: Vec<(Vec<S>, S)>,
-    link: usize,
-    trace: &mut Trace<S>,
-) -> (Vec<S>, Vec<Pivot<S>>) {
-    let length = |row: &[S]| row.iter().fold(S::zero(), |sum, &c| sum + c * c).sqrt();
-    let scales: Vec<S> = rows.iter().map(|(row, _)| length(row)).collect();
+fn boundary<S: Scalar>(mut rows: Vec<(Vec<S>, S)>, trace: &mut Trace<S>) -> Vec<S> {
     let mut reflections = Vec::new();
-    let mut pivots = Vec::new();
     for number in 0..rows.len() {
         let (row, known) = rows[number].clone();
         let reflection = Reflection::of(&row, -known);
         for (row, known) in rows.iter_mut().skip(number + 1) {
             *known = *known + reflection.apply(row);
         }
-        pivots.push(Pivot { link, value: reflection.length, scale: scales[number] });
         reflections.push(reflection);
     }
     let unknowns = reflections.iter().rev().fold(Vec::new(), |y, reflection| reflection.expand(y));
     for (number, &unknown) in unknowns.iter().enumerate() {
         trace.number(format!("end_x{number}"), unknown);
     }
-    (unknowns, pivots)
+    unknowns
 }
 
 /// Back through the hinges: each gives up its `β` and gets its eliminated unknown.

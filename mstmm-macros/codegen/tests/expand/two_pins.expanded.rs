@@ -11,7 +11,7 @@
 /// | `elbow` | pin | 1 |
 /// | `lower` | body `Rod` |  |
 ///
-/// 2 degrees of freedom; accelerations by `transfer`, 151 operations (82 mul, 58 add, 4 reciprocal, 7 square root, 2 sin/cos); with everything at every connection point 238 operations.
+/// 2 degrees of freedom; accelerations by `transfer`, 130 operations (75 mul, 50 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 217 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPins<T> {
@@ -70,7 +70,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for TwoPins<T> {
 impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
-    /// 151 operations: 82 mul, 58 add, 4 reciprocal, 7 square root, 2 sin/cos.
+    /// 130 operations: 75 mul, 50 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
     /// | section | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|
@@ -80,7 +80,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// | Transfer to `elbow` | 24 | 18 | 0 | 0 | 0 |
     /// | Boundary solve at the free end | 41 | 28 | 3 | 2 | 0 |
     /// | Back to `shoulder` | 3 | 2 | 0 | 0 | 0 |
-    /// | Results | 9 | 9 | 1 | 5 | 0 |
+    /// | Inertia beyond the hinges, to be divided by | 2 | 1 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -240,45 +240,20 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t111 = t109 - t110;
         let t112 = c(0.0816364570071376) * t111;
         let minus_shoulder_beta0 = minus_end_x4 + t112;
-        /// Results: 9 mul, 9 add, 1 reciprocal, 5 square root.
-        let t113 = sin_elbow_angle * sin_elbow_angle;
-        let t114 = t45 + t113;
-        let t115 = T::sqrt(t114);
-        let t116 = T::copysign(t115, cos_elbow_angle);
-        let t117 = cos_elbow_angle + t116;
-        let t118 = t116 * t117;
-        let t119 = T::recip(t118);
-        let t120 = cos_elbow_angle - t117;
-        let t121 = sin_elbow_angle * t120;
-        let t122 = t119 * t121;
-        let t123 = sin_elbow_angle * t122;
-        let t124 = cos_elbow_angle - t123;
-        let t125 = T::copysign(c(1.0), t124);
-        let t126 = t124 * t125;
-        let t127 = T::copysign(c(1.0), -t92);
-        let t128 = t92 * t127;
-        let t129 = t50 * t50;
-        let t130 = t113 + t129;
-        let t131 = c(0.25) + t130;
-        let t132 = T::sqrt(t131);
-        let t133 = t113 + t114;
-        let t134 = T::sqrt(t133);
-        let t135 = t45 + t114;
-        let t136 = T::sqrt(t135);
-        let t137 = t44 * t44;
-        let t138 = t137 + c(0.1111111111111111);
-        let t139 = T::sqrt(t138);
-        if !::mstmm::generated::is_regular::<
+        /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
+        let t113 = sin_elbow_angle * c(0.75);
+        let t114 = sin_elbow_angle * t113;
+        let shoulder_d = t114 + c(0.5833333333333333);
+        ::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
-            [t53, t79, c(1.0), t115, t126, -t128],
-            [t53, t132, c(1.0), t134, t136, t139],
+            &["elbow", "shoulder"],
+            [c(0.3333333333333333), shoulder_d],
+            [c(0.6766666666666666), c(0.6766666666666666)],
             [-minus_shoulder_beta0, -minus_end_x5],
-        ) {
-            return ::core::result::Result::Err(self.diagnose(state));
-        }
+        )?;
         accelerations.data.0 = [[-minus_shoulder_beta0, -minus_end_x5]];
         ::core::result::Result::Ok(())
     }
@@ -301,7 +276,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 238 operations: 131 mul, 96 add, 4 reciprocal, 7 square root, 2 sin/cos.
+    /// 217 operations: 124 mul, 88 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
     /// | section | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|
@@ -311,11 +286,12 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// | Transfer to `elbow` | 24 | 18 | 0 | 0 | 0 |
     /// | Boundary solve at the free end | 41 | 28 | 3 | 2 | 0 |
     /// | Back to `shoulder` | 3 | 2 | 0 | 0 | 0 |
+    /// | Inertia beyond the hinges, to be divided by | 2 | 1 | 0 | 0 | 0 |
     /// | Motion across `elbow` | 8 | 2 | 0 | 0 | 0 |
     /// | Point of `elbow` | 2 | 3 | 0 | 0 | 0 |
     /// | Load on `elbow` | 11 | 7 | 0 | 0 | 0 |
     /// | Load on `shoulder` | 11 | 9 | 0 | 0 | 0 |
-    /// | Results | 26 | 26 | 1 | 5 | 0 |
+    /// | Results | 17 | 17 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -473,140 +449,116 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t111 = t109 - t110;
         let t112 = c(0.0816364570071376) * t111;
         let minus_shoulder_beta0 = minus_end_x4 + t112;
+        /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
+        let t113 = sin_elbow_angle * c(0.75);
+        let t114 = sin_elbow_angle * t113;
+        let shoulder_d = t114 + c(0.5833333333333333);
         /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 8 mul, 2 add, 0 reciprocal.
-        let t113 = cos_shoulder_angle * cos_elbow_angle;
-        let t114 = sin_shoulder_angle * sin_elbow_angle;
-        let elbow_axes_x_x = t113 - t114;
-        let t115 = cos_shoulder_angle * sin_elbow_angle;
-        let t116 = sin_shoulder_angle * cos_elbow_angle;
-        let minus_elbow_axes_x_y = t115 + t116;
-        let t117 = shoulder_rate * cos_shoulder_angle;
-        let minus_elbow_drift_lin_x_2 = shoulder_rate * t117;
-        let t118 = shoulder_rate * sin_shoulder_angle;
-        let minus_elbow_drift_lin_y = shoulder_rate * t118;
+        let t115 = cos_shoulder_angle * cos_elbow_angle;
+        let t116 = sin_shoulder_angle * sin_elbow_angle;
+        let elbow_axes_x_x = t115 - t116;
+        let t117 = cos_shoulder_angle * sin_elbow_angle;
+        let t118 = sin_shoulder_angle * cos_elbow_angle;
+        let minus_elbow_axes_x_y = t117 + t118;
+        let t119 = shoulder_rate * cos_shoulder_angle;
+        let minus_elbow_drift_lin_x_2 = shoulder_rate * t119;
+        let t120 = shoulder_rate * sin_shoulder_angle;
+        let minus_elbow_drift_lin_y = shoulder_rate * t120;
         /// Point of `elbow`, [P, Eqs. (12), (13), (36)]: 2 mul, 3 add, 0 reciprocal.
-        let t119 = sin_shoulder_angle * minus_shoulder_beta0;
-        let minus_elbow_acc_lin_x = minus_elbow_drift_lin_x_2 - t119;
-        let t120 = cos_shoulder_angle * minus_shoulder_beta0;
-        let minus_elbow_acc_lin_y = minus_elbow_drift_lin_y + t120;
+        let t121 = sin_shoulder_angle * minus_shoulder_beta0;
+        let minus_elbow_acc_lin_x = minus_elbow_drift_lin_x_2 - t121;
+        let t122 = cos_shoulder_angle * minus_shoulder_beta0;
+        let minus_elbow_acc_lin_y = minus_elbow_drift_lin_y + t122;
         let minus_elbow_acc_ang_z = minus_end_x5 + minus_shoulder_beta0;
         /// Load on `elbow`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
-        let t121 = c(0.5) * elbow_axes_x_x;
-        let t122 = c(0.5) * minus_elbow_axes_x_y;
-        let t123 = elbow_omega_z * t121;
-        let t124 = elbow_omega_z * t123;
-        let t125 = t122 * minus_elbow_acc_ang_z;
-        let t126 = minus_elbow_acc_lin_x - t125;
-        let minus_elbow_load_force_x = t124 + t126;
-        let t127 = elbow_omega_z * t122;
-        let t128 = elbow_omega_z * t127;
-        let t129 = c(9.8) - minus_elbow_acc_lin_y;
-        let t130 = t121 * minus_elbow_acc_ang_z;
-        let t131 = t129 - t130;
-        let minus_elbow_load_force_y = t128 - t131;
-        let t132 = t122 * minus_elbow_acc_lin_x;
-        let t133 = t121 * t129;
-        let t134 = t132 + t133;
-        let t135 = c(0.3333333333333333) * minus_elbow_acc_ang_z;
-        let elbow_load_moment_z = t134 - t135;
+        let t123 = c(0.5) * elbow_axes_x_x;
+        let t124 = c(0.5) * minus_elbow_axes_x_y;
+        let t125 = elbow_omega_z * t123;
+        let t126 = elbow_omega_z * t125;
+        let t127 = t124 * minus_elbow_acc_ang_z;
+        let t128 = minus_elbow_acc_lin_x - t127;
+        let minus_elbow_load_force_x = t126 + t128;
+        let t129 = elbow_omega_z * t124;
+        let t130 = elbow_omega_z * t129;
+        let t131 = c(9.8) - minus_elbow_acc_lin_y;
+        let t132 = t123 * minus_elbow_acc_ang_z;
+        let t133 = t131 - t132;
+        let minus_elbow_load_force_y = t130 - t133;
+        let t134 = t124 * minus_elbow_acc_lin_x;
+        let t135 = t123 * t131;
+        let t136 = t134 + t135;
+        let t137 = c(0.3333333333333333) * minus_elbow_acc_ang_z;
+        let elbow_load_moment_z = t136 - t137;
         /// Load on `shoulder`, [P, Eqs. (18), (19)]: 11 mul, 9 add, 0 reciprocal.
-        let t136 = cos_shoulder_angle * c(0.5);
-        let t137 = sin_shoulder_angle * c(0.5);
-        let t138 = shoulder_rate * t136;
-        let t139 = shoulder_rate * t138;
-        let t140 = minus_shoulder_beta0 * t137;
-        let t141 = t139 - t140;
-        let minus_shoulder_load_force_x = minus_elbow_load_force_x + t141;
-        let t142 = shoulder_rate * t137;
-        let t143 = shoulder_rate * t142;
-        let t144 = minus_shoulder_beta0 * t136;
-        let t145 = c(9.8) - t144;
-        let t146 = t143 - t145;
-        let minus_shoulder_load_force_y = minus_elbow_load_force_y + t146;
-        let t147 = cos_shoulder_angle * minus_elbow_load_force_y;
-        let t148 = sin_shoulder_angle * minus_elbow_load_force_x;
-        let t149 = t147 - t148;
-        let t150 = elbow_load_moment_z - t149;
-        let t151 = c(0.3333333333333333) * minus_shoulder_beta0;
-        let t152 = t7 - t151;
-        let shoulder_load_moment_z = t150 + t152;
-        /// Results: 26 mul, 26 add, 1 reciprocal, 5 square root.
-        let t153 = sin_elbow_angle * sin_elbow_angle;
-        let t154 = t45 + t153;
-        let t155 = T::sqrt(t154);
-        let t156 = T::copysign(t155, cos_elbow_angle);
-        let t157 = cos_elbow_angle + t156;
-        let t158 = t156 * t157;
-        let t159 = T::recip(t158);
-        let t160 = cos_elbow_angle - t157;
-        let t161 = sin_elbow_angle * t160;
-        let t162 = t159 * t161;
-        let t163 = sin_elbow_angle * t162;
-        let t164 = cos_elbow_angle - t163;
-        let t165 = T::copysign(c(1.0), t164);
-        let t166 = t164 * t165;
-        let t167 = T::copysign(c(1.0), -t92);
-        let t168 = t92 * t167;
-        let t169 = t50 * t50;
-        let t170 = t153 + t169;
-        let t171 = c(0.25) + t170;
-        let t172 = T::sqrt(t171);
-        let t173 = t153 + t154;
-        let t174 = T::sqrt(t173);
-        let t175 = t45 + t154;
-        let t176 = T::sqrt(t175);
-        let t177 = t44 * t44;
-        let t178 = t177 + c(0.1111111111111111);
-        let t179 = T::sqrt(t178);
-        let t180 = shoulder_rate * c(0.08333333333333333);
-        let t181 = shoulder_rate * t180;
-        let t182 = t142 * t142;
-        let t183 = t138 * t138;
-        let t184 = t182 + t183;
-        let t185 = t181 + t184;
-        let t186 = t118 + t127;
-        let t187 = t117 + t123;
-        let t188 = elbow_omega_z * c(0.08333333333333333);
-        let t189 = elbow_omega_z * t188;
-        let t190 = t186 * t186;
-        let t191 = t187 * t187;
-        let t192 = t190 + t191;
-        let t193 = t189 + t192;
-        let t194 = t185 + t193;
-        let t195 = c(0.5) * t194;
-        let t196 = sin_shoulder_angle * c(4.9);
-        let t197 = sin_shoulder_angle + t122;
-        let t198 = c(9.8) * t197;
-        let t199 = t196 + t198;
-        let t200 = cos_shoulder_angle + elbow_axes_x_x;
-        let t201 = sin_shoulder_angle + minus_elbow_axes_x_y;
-        let t202 = elbow_omega_z * minus_elbow_axes_x_y;
-        let t203 = t118 + t202;
-        let t204 = elbow_omega_z * elbow_axes_x_x;
-        let t205 = t117 + t204;
-        let t206 = elbow_omega_z * t204;
-        let t207 = minus_elbow_axes_x_y * minus_elbow_acc_ang_z;
-        let t208 = minus_elbow_acc_lin_x - t207;
-        let t209 = t206 + t208;
-        let t210 = elbow_omega_z * t202;
-        let t211 = elbow_axes_x_x * minus_elbow_acc_ang_z;
-        let t212 = minus_elbow_acc_lin_y + t211;
-        let t213 = t210 + t212;
-        if !::mstmm::generated::is_regular::<
+        let t138 = cos_shoulder_angle * c(0.5);
+        let t139 = sin_shoulder_angle * c(0.5);
+        let t140 = shoulder_rate * t138;
+        let t141 = shoulder_rate * t140;
+        let t142 = minus_shoulder_beta0 * t139;
+        let t143 = t141 - t142;
+        let minus_shoulder_load_force_x = minus_elbow_load_force_x + t143;
+        let t144 = shoulder_rate * t139;
+        let t145 = shoulder_rate * t144;
+        let t146 = minus_shoulder_beta0 * t138;
+        let t147 = c(9.8) - t146;
+        let t148 = t145 - t147;
+        let minus_shoulder_load_force_y = minus_elbow_load_force_y + t148;
+        let t149 = cos_shoulder_angle * minus_elbow_load_force_y;
+        let t150 = sin_shoulder_angle * minus_elbow_load_force_x;
+        let t151 = t149 - t150;
+        let t152 = elbow_load_moment_z - t151;
+        let t153 = c(0.3333333333333333) * minus_shoulder_beta0;
+        let t154 = t7 - t153;
+        let shoulder_load_moment_z = t152 + t154;
+        /// Results: 17 mul, 17 add, 0 reciprocal.
+        let t155 = shoulder_rate * c(0.08333333333333333);
+        let t156 = shoulder_rate * t155;
+        let t157 = t144 * t144;
+        let t158 = t140 * t140;
+        let t159 = t157 + t158;
+        let t160 = t156 + t159;
+        let t161 = t120 + t129;
+        let t162 = t119 + t125;
+        let t163 = elbow_omega_z * c(0.08333333333333333);
+        let t164 = elbow_omega_z * t163;
+        let t165 = t161 * t161;
+        let t166 = t162 * t162;
+        let t167 = t165 + t166;
+        let t168 = t164 + t167;
+        let t169 = t160 + t168;
+        let t170 = c(0.5) * t169;
+        let t171 = sin_shoulder_angle * c(4.9);
+        let t172 = sin_shoulder_angle + t124;
+        let t173 = c(9.8) * t172;
+        let t174 = t171 + t173;
+        let t175 = cos_shoulder_angle + elbow_axes_x_x;
+        let t176 = sin_shoulder_angle + minus_elbow_axes_x_y;
+        let t177 = elbow_omega_z * minus_elbow_axes_x_y;
+        let t178 = t120 + t177;
+        let t179 = elbow_omega_z * elbow_axes_x_x;
+        let t180 = t119 + t179;
+        let t181 = elbow_omega_z * t179;
+        let t182 = minus_elbow_axes_x_y * minus_elbow_acc_ang_z;
+        let t183 = minus_elbow_acc_lin_x - t182;
+        let t184 = t181 + t183;
+        let t185 = elbow_omega_z * t177;
+        let t186 = elbow_axes_x_x * minus_elbow_acc_ang_z;
+        let t187 = minus_elbow_acc_lin_y + t186;
+        let t188 = t185 + t187;
+        ::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
-            [t53, t79, c(1.0), t155, t166, -t168],
-            [t53, t172, c(1.0), t174, t176, t179],
+            &["elbow", "shoulder"],
+            [c(0.3333333333333333), shoulder_d],
+            [c(0.6766666666666666), c(0.6766666666666666)],
             [-minus_shoulder_beta0, -minus_end_x5],
-        ) {
-            return ::core::result::Result::Err(self.diagnose(state));
-        }
+        )?;
         at.accelerations.data.0 = [[-minus_shoulder_beta0, -minus_end_x5]];
         at.efforts.data.0 = [[c(0.0), c(0.0)]];
-        at.kinetic_energy = t195;
-        at.potential_energy = t199;
+        at.kinetic_energy = t170;
+        at.potential_energy = t174;
         at.points = [
             ::mstmm::Point::new(
                 [c(0.0), c(0.0), c(0.0)],
@@ -647,7 +599,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                     [sin_shoulder_angle, cos_shoulder_angle, c(0.0)],
                     [c(0.0), c(0.0), c(1.0)],
                 ],
-                [-t118, t117, c(0.0)],
+                [-t120, t119, c(0.0)],
                 [c(0.0), c(0.0), shoulder_rate],
                 ::mstmm::StateVector::new(
                     [-minus_elbow_acc_lin_x, -minus_elbow_acc_lin_y, c(0.0)],
@@ -663,7 +615,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                     [minus_elbow_axes_x_y, elbow_axes_x_x, c(0.0)],
                     [c(0.0), c(0.0), c(1.0)],
                 ],
-                [-t118, t117, c(0.0)],
+                [-t120, t119, c(0.0)],
                 [c(0.0), c(0.0), elbow_omega_z],
                 ::mstmm::StateVector::new(
                     [-minus_elbow_acc_lin_x, -minus_elbow_acc_lin_y, c(0.0)],
@@ -673,16 +625,16 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                 ),
             ),
             ::mstmm::Point::new(
-                [t200, t201, c(0.0)],
+                [t175, t176, c(0.0)],
                 [
                     [elbow_axes_x_x, -minus_elbow_axes_x_y, c(0.0)],
                     [minus_elbow_axes_x_y, elbow_axes_x_x, c(0.0)],
                     [c(0.0), c(0.0), c(1.0)],
                 ],
-                [-t203, t205, c(0.0)],
+                [-t178, t180, c(0.0)],
                 [c(0.0), c(0.0), elbow_omega_z],
                 ::mstmm::StateVector::new(
-                    [-t209, -t213, c(0.0)],
+                    [-t184, -t188, c(0.0)],
                     [c(0.0), c(0.0), -minus_elbow_acc_ang_z],
                     [c(0.0), c(0.0), c(0.0)],
                     [c(0.0), c(0.0), c(0.0)],
@@ -759,27 +711,6 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             kinetic: t29,
             potential: t33,
         }
-    }
-    /// Why there are no accelerations.
-    #[cold]
-    #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn diagnose(&self, state: &TwoPinsState<T>) -> ::mstmm::Error {
-        let c = T::constant;
-        let [[_, elbow_angle]] = state.q.data.0;
-        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
-        let ([sin_elbow_angle], [_]) = T::sin_cos([elbow_angle]);
-        /// Riccati transfer over `shoulder`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 1 add, 0 reciprocal.
-        let t0 = sin_elbow_angle * c(0.75);
-        let t1 = sin_elbow_angle * t0;
-        let shoulder_j_zz = t1 + c(0.5833333333333333);
-        ::mstmm::generated::diagnosis::<
-            T,
-            _,
-        >(
-            &["elbow", "shoulder"],
-            [c(0.3333333333333333), shoulder_j_zz],
-            [c(0.6766666666666666), c(0.6766666666666666)],
-        )
     }
 }
 impl<T: ::mstmm::Scalar> ::mstmm::Chain for TwoPins<T> {

@@ -12,7 +12,7 @@ mod pin;
 mod weld;
 
 use super::Numbers;
-use crate::math::{Mat3, Motion, Rotation, Scalar, Turn, Vec3};
+use crate::math::{Mat3, Motion, Rotation, Scalar, Turn, Vec3, Wrench};
 use crate::model::HingeKind;
 
 /// The geometry of a hinge at given coordinates.
@@ -87,6 +87,16 @@ impl<S: Scalar> Freedom<S> {
                 self.basis.iter().zip(amounts).fold(S::zero(), |sum, (row, &x)| sum + row[j] * x)
             })
             .collect()
+    }
+
+    /// A wrench over the hinge, with the efforts put where the free axes leave nothing else.
+    pub fn released(&self, wrench: Wrench<S>, efforts: &[S]) -> Wrench<S> {
+        let amounts = self.amounts(efforts);
+        let along = |k: usize| {
+            let is_axis = |column: &Column<S>| matches!(column, Column::Axis(axis) if *axis == k);
+            self.columns.iter().position(is_axis)
+        };
+        Wrench::from_fn(|k| along(k).map_or(wrench.at(k), |column| amounts[column]))
     }
 
     /// The motion of the child against the parent at `rates`.
