@@ -1,6 +1,6 @@
 //! The unknowns of a chain: their numbers in the graph and their names in the program.
 
-use crate::model::{Chain, Hinge, HingeKind, Layout};
+use crate::model::{Chain, Hinge, Layout, Shape};
 use std::collections::HashSet;
 use std::ops::Range;
 
@@ -20,10 +20,12 @@ impl Symbols {
     pub fn of(chain: &Chain, layout: &Layout) -> Self {
         let parameters = chain.parameters.iter().map(|parameter| text(&parameter.name));
         let constants = (0..chain.constants).map(|number| format!("constant{number}"));
-        let names_of = |suffixes: fn(&HingeKind) -> &'static [&'static str]| {
+        let names_of = |suffixes: fn(&'static Shape) -> Vec<&'static str>| {
             let hinge = move |hinge: &Hinge| {
                 let name = text(&hinge.name);
-                suffixes(&hinge.kind).iter().map(move |suffix| format!("{name}_{suffix}"))
+                suffixes(hinge.kind.shape())
+                    .into_iter()
+                    .map(move |suffix| format!("{name}_{suffix}"))
             };
             chain.hinges.iter().flat_map(hinge)
         };
@@ -38,9 +40,9 @@ impl Symbols {
         ends[0] = names.len();
         names.extend(constants);
         ends[1] = names.len();
-        names.extend(names_of(coordinate_names));
+        names.extend(names_of(|shape| shape.coordinates.iter().map(|c| c.name).collect()));
         ends[2] = names.len();
-        names.extend(names_of(rate_names));
+        names.extend(names_of(|shape| shape.rates.to_vec()));
         ends[3] = names.len();
         names.extend(inputs);
         ends[4] = names.len();
@@ -91,26 +93,7 @@ fn distinct(names: Vec<String>) -> Vec<String> {
     names.into_iter().map(one).collect()
 }
 
-/// An identifier without the mark of a raw one.
+/// A name as a variable is written: an upper-case one could be taken for a constant of the user's.
 fn text(ident: &proc_macro2::Ident) -> String {
-    let text = ident.to_string();
-    text.strip_prefix("r#").map_or(text.clone(), str::to_owned)
-}
-
-fn coordinate_names(kind: &HingeKind) -> &'static [&'static str] {
-    match kind {
-        HingeKind::Weld => &[],
-        HingeKind::Pin { .. } => &["angle"],
-        HingeKind::Ball => &["qw", "qx", "qy", "qz"],
-        HingeKind::Floating => &["x", "y", "z", "qw", "qx", "qy", "qz"],
-    }
-}
-
-fn rate_names(kind: &HingeKind) -> &'static [&'static str] {
-    match kind {
-        HingeKind::Weld => &[],
-        HingeKind::Pin { .. } => &["rate"],
-        HingeKind::Ball => &["wx", "wy", "wz"],
-        HingeKind::Floating => &["vx", "vy", "vz", "wx", "wy", "wz"],
-    }
+    ident.to_string().to_lowercase()
 }

@@ -2,7 +2,7 @@
 
 use super::Plan;
 use super::names::local;
-use crate::model::{Effort, HingeKind};
+use crate::model::{Effort, Results};
 use crate::program::{Operand, Operation, Program, Section, Statement};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -196,13 +196,14 @@ impl Plan<'_> {
                 let start = self.symbols.inputs().start;
                 let range = start + range.start..start + range.end;
                 let field = &hinge.name;
-                match hinge.kind {
-                    HingeKind::Pin { .. } => {
+                match hinge.kind.shape().results {
+                    Results::Nothing => TokenStream::new(),
+                    Results::Number => {
                         let name = self.symbol(range.start as u32);
                         let read = reads(program, range.start);
                         if read { quote!(let #name = inputs.#field;) } else { TokenStream::new() }
                     }
-                    _ => self.read(program, range, quote!(inputs.#field.data.0)),
+                    Results::Vector => self.read(program, range, quote!(inputs.#field.data.0)),
                 }
             })
             .collect()

@@ -41,7 +41,7 @@ fn route(plan: &Plan) -> String {
     let elements = chain.route.iter().map(|element| match *element {
         Element::Body(index) => chain.bodies[index].name.to_string(),
         Element::Hinge(index) => {
-            format!("{} {}", kind_name(&chain.hinges[index].kind), chain.hinges[index].name)
+            format!("{} {}", chain.hinges[index].kind.shape().word, chain.hinges[index].name)
         }
     });
     start.into_iter().chain(elements).chain(finish).collect::<Vec<_>>().join(" -> ")
@@ -63,19 +63,10 @@ fn row(plan: &Plan, element: Element) -> String {
             format!(
                 " | `{}` | {} | {} |",
                 hinge.name,
-                kind_name(&hinge.kind),
+                hinge.kind.shape().word,
                 hinge.kind.freedoms()
             )
         }
-    }
-}
-
-fn kind_name(kind: &HingeKind) -> &'static str {
-    match kind {
-        HingeKind::Weld => "weld",
-        HingeKind::Pin { .. } => "pin",
-        HingeKind::Ball => "ball",
-        HingeKind::Floating => "floating",
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Plan;
 use super::names::accessor_mut;
-use crate::model::{Effort, Hinge, HingeKind};
+use crate::model::{Effort, Group, Hinge, HingeKind, Results};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
@@ -77,49 +77,31 @@ pub fn emit(plan: &Plan) -> TokenStream {
 
 /// All coordinates with every hinge in its zero position.
 fn rest(plan: &Plan) -> Vec<TokenStream> {
-    let of = |hinge: &Hinge| -> &[bool] {
-        match hinge.kind {
-            HingeKind::Weld => &[],
-            HingeKind::Pin { .. } => &[false],
-            HingeKind::Ball => &[true, false, false, false],
-            HingeKind::Floating => &[false, false, false, true, false, false, false],
-        }
-    };
-    let ones = plan.chain.hinges.iter().flat_map(of);
-    ones.map(|&one| if one { quote!(one) } else { quote!(zero) }).collect()
+    let coordinates = plan.chain.hinges.iter().flat_map(|hinge| hinge.kind.shape().coordinates);
+    coordinates.map(|c| if c.rest == 1.0 { quote!(one) } else { quote!(zero) }).collect()
 }
 
 /// The views of one hinge's coordinates, for reading and for writing.
 fn accessors(plan: &Plan, index: usize) -> TokenStream {
     let hinge = &plan.chain.hinges[index];
-    let (q, v) = (plan.layout.q[index].clone(), plan.layout.v[index].clone());
-    let (view, groups): (&str, Vec<(bool, Range<usize>)>) = match hinge.kind {
-        HingeKind::Weld => return TokenStream::new(),
-        HingeKind::Pin { .. } => ("PinState", vec![(true, q), (false, v)]),
-        HingeKind::Ball => ("BallState", vec![(true, q), (false, v)]),
-        HingeKind::Floating => (
-            "FloatingState",
-            vec![
-                (true, q.start..q.start + 3),
-                (true, q.start + 3..q.end),
-                (false, v.start..v.start + 3),
-                (false, v.start + 3..v.end),
-            ],
-        ),
-    };
     let (name, name_mut) = (&hinge.name, accessor_mut(&hinge.name));
-    let (view, view_mut) = (format_ident!("{view}"), format_ident!("{view}Mut"));
+    let Some(view) = &hinge.kind.shape().view else { return TokenStream::new() };
+    let (q, v) = (&plan.layout.q[index], &plan.layout.v[index]);
+    let arguments = view.groups.iter().map(|group| {
+        let (is_q, range) = match group {
+            Group::Coordinates(range) => (true, q.start + range.start..q.start + range.end),
+            Group::Rates(range) => (false, v.start + range.start..v.start + range.end),
+        };
+        let names = range.clone().map(|number| variable(is_q, number));
+        if range.len() == 1 { quote!(#(#names),*) } else { quote!([#(#names),*]) }
+    });
+    let arguments = quote!(#(#arguments),*);
+    let (view, view_mut) = (format_ident!("{}", view.name), format_ident!("{}Mut", view.name));
     let visibility = &plan.surface.visibility;
     let kind = if matches!(hinge.kind, HingeKind::Floating) { "body" } else { "hinge" };
     let doc = format!(" Coordinates and rates of {kind} `{name}`.");
     let doc_mut = format!(" Coordinates and rates of {kind} `{name}`, to be changed.");
-    let takes = [(true, &plan.layout.q[index]), (false, &plan.layout.v[index])];
-    let (from_q, from_v) = (pattern(takes[0]), pattern(takes[1]));
-    let arguments = groups.iter().map(|(is_q, range)| {
-        let names = range.clone().map(|number| variable(*is_q, number));
-        if range.len() == 1 { quote!(#(#names),*) } else { quote!([#(#names),*]) }
-    });
-    let arguments = quote!(#(#arguments),*);
+    let (from_q, from_v) = (pattern((true, q)), pattern((false, v)));
     quote! {
         #[doc = #doc]
         #[inline]
@@ -151,6 +133,15 @@ fn pattern((is_q, range): (bool, &Range<usize>)) -> TokenStream {
     quote!([#(#skipped)* #(#names,)* ..])
 }
 
+/// The type of a hinge's acceleration or effort.
+pub fn result_type(results: Results) -> TokenStream {
+    match results {
+        Results::Nothing => quote!(()),
+        Results::Number => quote!(T),
+        Results::Vector => quote!(::mstmm::nalgebra::Vector3<T>),
+    }
+}
+
 /// `struct ChainInputs<T>` and how to get one.
 pub fn emit_inputs(plan: &Plan) -> TokenStream {
     let (name, visibility) = (&plan.names.inputs, &plan.surface.visibility);
@@ -160,20 +151,16 @@ pub fn emit_inputs(plan: &Plan) -> TokenStream {
         plan.chain.hinges.iter().filter(|hinge| matches!(hinge.effort, Effort::Input)).collect();
     let fields = driven.iter().map(|hinge| {
         let name = &hinge.name;
-        let (ty, doc) = match hinge.kind {
-            HingeKind::Pin { .. } => (quote!(T), format!(" Torque of `{name}` in N m.")),
-            _ => (
-                quote!(::mstmm::nalgebra::Vector3<T>),
-                format!(" Torque of `{name}` in N m, outboard frame."),
-            ),
-        };
+        let doc = format!(" {} of `{name}`.", hinge.kind.shape().effort);
+        let ty = result_type(hinge.kind.shape().results);
         quote!(#[doc = #doc] #visibility #name: #ty)
     });
     let zeros = driven.iter().map(|hinge| {
         let name = &hinge.name;
-        match hinge.kind {
-            HingeKind::Pin { .. } => quote!(#name: T::constant(0.0)),
-            _ => quote!(#name: ::mstmm::generated::vector([T::constant(0.0); 3])),
+        match hinge.kind.shape().results {
+            Results::Nothing => quote!(#name: ()),
+            Results::Number => quote!(#name: T::constant(0.0)),
+            Results::Vector => quote!(#name: ::mstmm::generated::vector([T::constant(0.0); 3])),
         }
     });
     let (marker, marker_value) = if driven.is_empty() {

@@ -1,7 +1,8 @@
 //! Where results are written, with named access to every element's connection points.
 
 use super::Plan;
-use crate::model::{Element, Hinge, HingeKind};
+use super::state::result_type;
+use crate::model::{Element, Hinge, Results};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use std::ops::Range;
@@ -93,17 +94,13 @@ fn hinge(plan: &Plan, index: usize, place: usize) -> TokenStream {
     let Hinge { name, kind, .. } = &plan.chain.hinges[index];
     let visibility = &plan.surface.visibility;
     let range = &plan.layout.v[index];
-    let (ty, acceleration, effort) = match kind {
-        HingeKind::Weld => (quote!(()), quote!(()), quote!(())),
-        HingeKind::Pin { .. } => {
-            (quote!(T), scalar(range, "accelerations"), scalar(range, "efforts"))
-        }
-        HingeKind::Ball | HingeKind::Floating => (
-            quote!(::mstmm::nalgebra::Vector3<T>),
-            vector(range, "accelerations"),
-            vector(range, "efforts"),
-        ),
-    };
+    let results = kind.shape().results;
+    let (ty, of) = (result_type(results), |field| match results {
+        Results::Nothing => quote!(()),
+        Results::Number => scalar(range, field),
+        Results::Vector => vector(range, field),
+    });
+    let (acceleration, effort) = (of("accelerations"), of("efforts"));
     let doc = format!(" Acceleration, effort, input and output of hinge `{name}`.");
     let ends = ends(place);
     quote! {

@@ -4,7 +4,7 @@
 use super::hinge::{self, Freedom, WorkAxes};
 use super::{Situation, Trace};
 use crate::math::{Mat3, Motion, Rotation, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
-use crate::model::{HingeKind, Link, Place};
+use crate::model::{Chain, Hinge, HingeKind, Link, Place};
 
 /// The axes in which the equations of the links are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,10 +100,10 @@ fn cross<S: Scalar>(
     let Situation { chain, layout, numbers, q, v, .. } = *situation;
     let hinge = &chain.hinges[link.hinge];
     let body = &chain.bodies[link.body];
-    let (from, to) = sides(link, &hinge.inboard, &hinge.outboard);
+    let (from, to) = sides(chain, link);
     let (from_origin, from_rotation) = numbers.place(chain, from);
     let (to_origin, to_rotation) = numbers.place(chain, to);
-    let from_point = parent.map_or(Vec3::zero(), |_| point_of(situation, link.parent));
+    let from_point = link.parent.map_or(Vec3::zero(), |parent| point_of(situation, parent));
 
     let crossing = crossing(situation, link, &hinge.kind, &q[layout.q[link.hinge].clone()]);
     let alignment = hinge::alignment(&hinge.kind, numbers);
@@ -170,8 +170,9 @@ fn drift<S: Scalar>(
     }
 }
 
-/// The hinge's places: the parent's, then the child's.
-fn sides<'a>(link: &Link, inboard: &'a Place, outboard: &'a Place) -> (&'a Place, &'a Place) {
+/// The places of a link's hinge: the parent's, then the child's.
+pub(super) fn sides<'a>(chain: &'a Chain, link: &Link) -> (&'a Place, &'a Place) {
+    let Hinge { inboard, outboard, .. } = &chain.hinges[link.hinge];
     if link.reversed { (outboard, inboard) } else { (inboard, outboard) }
 }
 
@@ -186,11 +187,7 @@ fn crossing<S: Scalar>(
 }
 
 /// Where, in its body's frame, the point of the link at `index` lies.
-fn point_of<S: Scalar>(situation: &Situation<S>, index: Option<usize>) -> Vec3<S> {
-    index.map_or(Vec3::zero(), |index| {
-        let link = &situation.layout.links[index];
-        let hinge = &situation.chain.hinges[link.hinge];
-        let (_, to) = sides(link, &hinge.inboard, &hinge.outboard);
-        situation.numbers.place(situation.chain, to).0
-    })
+pub(super) fn point_of<S: Scalar>(situation: &Situation<S>, index: usize) -> Vec3<S> {
+    let (_, to) = sides(situation.chain, &situation.layout.links[index]);
+    situation.numbers.place(situation.chain, to).0
 }

@@ -4,9 +4,10 @@
 //! Accelerations go outwards from the ground, wrenches come back from the free end. Neither the
 //! trick with gravity nor the work axes of the method show here: all is inertial, `r̈` is true.
 
+use super::motion::{point_of, sides};
 use super::{Axes, LinkMotion, Situation, Trace, motion};
 use crate::math::{Mat3, Motion, Scalar, Vec3, Wrench};
-use crate::model::{Element, Place};
+use crate::model::{Element, HingeId, Place};
 
 /// A connection point, inertial frame.
 #[derive(Clone, Copy, Debug)]
@@ -55,25 +56,33 @@ pub fn report<S: Scalar>(
     inwards(situation, &links, &mut moving, trace);
     let sheet = Sheet { situation, links: &links, moving: &moving };
     trace.section("Connection points", "[P, Eqs. (4), (12)]");
-    Report { points: places(situation).into_iter().map(|place| sheet.point(place)).collect() }
+    Report { points: spots(situation).iter().map(|spot| sheet.point(spot)).collect() }
 }
 
-/// The places of all connection points, in the order written.
-fn places<'a, S>(situation: &Situation<'a, S>) -> Vec<&'a Place> {
-    let hinge = |index: usize| &situation.chain.hinges[index];
-    let places = &situation.layout.places;
-    let mut all = Vec::new();
+/// Where a connection point is.
+struct Spot {
+    place: Place,
+    /// The hinge that it belongs to, if it is on the ground.
+    hinge: Option<HingeId>,
+}
+
+/// All connection points, in the order written.
+fn spots<S>(situation: &Situation<S>) -> Vec<Spot> {
+    let mut spots = Vec::new();
     for (number, element) in situation.chain.route.iter().enumerate() {
-        let (input, output) = match *element {
-            Element::Hinge(index) => (&hinge(index).inboard, &hinge(index).outboard),
-            Element::Body(index) => (&places[index].0, &places[index].1),
+        let (input, output, hinge) = match *element {
+            Element::Hinge(index) => {
+                let hinge = &situation.chain.hinges[index];
+                (hinge.inboard.clone(), hinge.outboard.clone(), Some(index))
+            }
+            Element::Body(index) => (Place::Input(index), Place::Output(index), None),
         };
         if number == 0 {
-            all.push(input);
+            spots.push(Spot { place: input, hinge });
         }
-        all.push(output);
+        spots.push(Spot { place: output, hinge });
     }
-    all
+    spots
 }
 
 /// Positions, velocities and true accelerations [P, Eqs. (12), (13), (36)].
@@ -151,11 +160,11 @@ struct Sheet<'a, S> {
 }
 
 impl<S: Scalar> Sheet<'_, S> {
-    fn point(&self, place: &Place) -> Point<S> {
+    fn point(&self, spot: &Spot) -> Point<S> {
         let Situation { chain, layout, numbers, .. } = *self.situation;
-        let (origin, rotation) = numbers.place(chain, place);
-        let (force, moment) = self.transmitted(place);
-        let Some(index) = layout.links.iter().position(|link| Some(link.body) == place.body())
+        let (origin, rotation) = numbers.place(chain, &spot.place);
+        let (force, moment) = self.transmitted(spot);
+        let Some(index) = layout.links.iter().position(|link| Some(link.body) == spot.place.body())
         else {
             return Point {
                 position: origin,
@@ -168,7 +177,7 @@ impl<S: Scalar> Sheet<'_, S> {
             };
         };
         let (link, moving) = (&self.links[index], &self.moving[index]);
-        let arm = link.attitude * (origin - self.point_in_body(index));
+        let arm = link.attitude * (origin - point_of(self.situation, index));
         let acceleration = moving.acceleration.carried_to(arm);
         Point {
             position: moving.position + arm,
@@ -184,34 +193,32 @@ impl<S: Scalar> Sheet<'_, S> {
         }
     }
 
-    fn point_in_body(&self, index: usize) -> Vec3<S> {
-        let Situation { chain, layout, numbers, .. } = *self.situation;
-        let link = &layout.links[index];
-        let hinge = &chain.hinges[link.hinge];
-        let place = if link.reversed { &hinge.inboard } else { &hinge.outboard };
-        numbers.place(chain, place).0
-    }
-
     /// `q` and `m` at a place: on a body, `+q` and `−m` at its input, `−q` and `+m` at its output.
-    fn transmitted(&self, place: &Place) -> (Vec3<S>, Vec3<S>) {
+    fn transmitted(&self, spot: &Spot) -> (Vec3<S>, Vec3<S>) {
         let Situation { chain, layout, .. } = *self.situation;
         let mut through = Wrench::zero();
         for (index, link) in layout.links.iter().enumerate() {
-            let hinge = &chain.hinges[link.hinge];
             let wrench = self.moving[index].wrench;
             // Exerted by the inboard on the outboard side, about the child's point.
             let outwards = if link.reversed { wrench.reversed() } else { wrench };
-            let (parents, childs) = if link.reversed {
-                (&hinge.outboard, &hinge.inboard)
-            } else {
-                (&hinge.inboard, &hinge.outboard)
-            };
-            if place.is(childs) {
+            let (parents, childs) = sides(chain, link);
+            if spot.is(childs, link.hinge) {
                 through = through + outwards;
-            } else if place.is(parents) {
+            } else if spot.is(parents, link.hinge) {
                 through = through + outwards.moved_from(self.links[index].offset);
             }
         }
         (through.force, -through.moment)
+    }
+}
+
+impl Spot {
+    /// Whether it is on this side of this hinge.
+    fn is(&self, side: &Place, hinge: HingeId) -> bool {
+        match (&self.place, side) {
+            (Place::Input(a), Place::Input(b)) | (Place::Output(a), Place::Output(b)) => a == b,
+            (Place::Ground(_), Place::Ground(_)) => self.hinge == Some(hinge),
+            _ => false,
+        }
     }
 }

@@ -28,8 +28,6 @@ pub struct Layout {
     pub v: Vec<Range<usize>>,
     /// Each hinge's part of the inputs; empty where it takes none.
     pub inputs: Vec<Range<usize>>,
-    /// Each body's input and output.
-    pub places: Vec<(Place, Place)>,
 }
 
 impl Layout {
@@ -44,9 +42,6 @@ impl Layout {
                 Effort::Input => hinge.kind.freedoms(),
                 Effort::Free | Effort::Constant(_) => 0,
             })),
-            places: (0..chain.bodies.len())
-                .map(|body| (Place::Input(body), Place::Output(body)))
-                .collect(),
         }
     }
 
@@ -66,44 +61,12 @@ impl Layout {
     }
 }
 
-impl HingeKind {
-    /// How many coordinates it has.
-    pub fn coordinates(&self) -> usize {
-        match self {
-            HingeKind::Weld => 0,
-            HingeKind::Pin { .. } => 1,
-            HingeKind::Ball => 4,
-            HingeKind::Floating => 7,
-        }
-    }
-
-    /// How many degrees of freedom it has.
-    pub fn freedoms(&self) -> usize {
-        match self {
-            HingeKind::Weld => 0,
-            HingeKind::Pin { .. } => 1,
-            HingeKind::Ball => 3,
-            HingeKind::Floating => 6,
-        }
-    }
-}
-
 impl Place {
     /// The body that it is on, unless it is on the ground.
     pub fn body(&self) -> Option<BodyId> {
         match self {
             Place::Ground(_) => None,
             Place::Input(body) | Place::Output(body) => Some(*body),
-        }
-    }
-
-    /// Whether both are the same place of the chain. (Two ground places are one only if they are
-    /// the same side of the same hinge.)
-    pub fn is(&self, other: &Place) -> bool {
-        match (self, other) {
-            (Place::Input(a), Place::Input(b)) | (Place::Output(a), Place::Output(b)) => a == b,
-            (Place::Ground(_), Place::Ground(_)) => std::ptr::eq(self, other),
-            _ => false,
         }
     }
 }

@@ -4,12 +4,14 @@
 //! such graph; nothing here but [`Chain::route`] knows that each body has one input and one output.
 
 mod check;
+mod hinge;
 mod layout;
 mod lower;
 #[cfg(test)]
 mod tests;
 mod value;
 
+pub use hinge::{Coordinate, Group, Results, Shape, View};
 pub use layout::{Layout, Link};
 pub use lower::{lower, read};
 pub use value::{Symbol, Value};

@@ -461,7 +461,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::ChainState for PendulumState<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumInputs<T> {
-    /// Torque of `joint` in N m.
+    /// Torque in N m of `joint`.
     pub joint: T,
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumInputs<T> {
