@@ -20,9 +20,21 @@ fn is_regular<T: Scalar, const P: usize, const N: usize>(
     for (pivot, scale) in pivots.into_iter().zip(scales) {
         regular = regular & pivot.greater(noise * scale);
     }
-    // A NaN or an infinity anywhere survives in the sum.
-    let sum = results.into_iter().fold(T::constant(0.0), |sum, result| sum + result);
-    (regular & sum.finite()).all()
+    results.into_iter().fold(regular, |all, result| all & result.finite()).all()
+}
+
+/// Fails if any of the numbers is NaN or infinite. What a chain computes need not depend on all of them.
+///
+/// # Errors
+/// [`Error::NotFinite`].
+#[inline]
+pub fn finite<T: Scalar>(numbers: &[&[T]]) -> Result<(), Error> {
+    let all = numbers.iter().copied().flatten();
+    if all.fold(T::Mask::splat(true), |all, number| all & number.finite()).all() {
+        Ok(())
+    } else {
+        Err(Error::NotFinite)
+    }
 }
 
 /// Fails with the name of the first hinge whose pivot vanishes, or because something is not finite.

@@ -1,6 +1,6 @@
 //! The phases in their order.
 
-use crate::equations::{self, Axes, Numbers, Situation, Solved, Trace};
+use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
 use crate::expr::{Edge, Expr, Graph, Stage};
 use crate::model::{Chain, Hinge, HingeKind, Layout, Method, Value};
 use crate::passes::{Heading, Setup, factor, schedule};
@@ -251,9 +251,17 @@ impl<'a, 'g> Scene<'a, 'g> {
     }
 }
 
+/// Whether a pivot is known, and known to be positive beyond rounding, so that no step has to look.
+fn is_positive(pivot: &Pivot<Expr>) -> bool {
+    match (pivot.value.known(), pivot.scale.known()) {
+        (Some(value), Some(scale)) => value > 8.0 * f64::EPSILON * scale,
+        _ => false,
+    }
+}
+
 /// `v̇`, pivots and scales as groups of outputs, and the links of the pivots.
 fn split<'g>(solved: &Solved<Expr<'g>>) -> (Vec<Vec<Expr<'g>>>, Vec<usize>) {
-    let pivots = &solved.pivots;
+    let pivots: Vec<_> = solved.pivots.iter().filter(|pivot| !is_positive(pivot)).collect();
     let groups = vec![
         solved.accelerations.clone(),
         pivots.iter().map(|pivot| pivot.value).collect(),

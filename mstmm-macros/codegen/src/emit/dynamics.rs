@@ -3,7 +3,7 @@
 
 use super::Plan;
 use super::docs;
-use crate::model::Method;
+use crate::model::{Effort, Method, Results};
 use crate::program::Program;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -164,7 +164,21 @@ fn energy(plan: &Plan) -> TokenStream {
 fn check(plan: &Plan, outputs: &[Vec<TokenStream>]) -> TokenStream {
     let (results, pivots, scales) = (&outputs[0], &outputs[1], &outputs[2]);
     let names = hinge_names(plan, &plan.programs.pivots);
+    let inputs = plan.chain.hinges.iter().filter(|hinge| matches!(hinge.effort, Effort::Input));
+    let inputs = inputs.map(|hinge| {
+        let name = &hinge.name;
+        match hinge.kind.shape().results {
+            Results::Nothing => quote!(),
+            Results::Number => quote!(&[inputs.#name],),
+            Results::Vector => quote!(inputs.#name.as_slice(),),
+        }
+    });
     quote! {
+        ::mstmm::generated::finite::<T>(&[
+            state.q.as_slice(),
+            state.v.as_slice(),
+            #(#inputs)*
+        ])?;
         ::mstmm::generated::regular::<T, _, _>(
             &[#(#names),*],
             [#(#pivots),*],

@@ -45,8 +45,6 @@ pub struct LinkMotion<S> {
     pub com: Vec3<S>,
     /// Inertia about the point.
     pub inertia: Sym3<S>,
-    /// Trace of the inertia and mass, free of the state: what the hinge's pivots are measured by.
-    pub scale: (S, S),
 }
 
 impl<S: Scalar> LinkMotion<S> {
@@ -152,7 +150,6 @@ fn cross<S: Scalar>(
         mass,
         com: attitude * com,
         inertia: attitude.congruence(point_inertia),
-        scale: (point_inertia.trace(), mass),
     }
 }
 

@@ -59,6 +59,9 @@ fn reduce<S: Scalar>(
     let mut pivots = Vec::new();
     let mut own: Vec<(SpatialInertia<S>, Wrench<S>)> =
         links.iter().map(|link| (link.rigid(), link.velocity_load())).collect();
+    // Sizes of what a pivot is the sum of: a pivot that should vanish is what rounding leaves of them.
+    let mut scales: Vec<(S, S)> =
+        links.iter().map(|link| (link.mass, link.inertia.trace())).collect();
     for index in (0..links.len()).rev() {
         let link = &links[index];
         trace.section(
@@ -74,9 +77,14 @@ fn reduce<S: Scalar>(
             let pivot = eliminate(&mut inertia, &mut load, column, effort, &mut eliminated[index]);
             trace.number(format!("{}_d{number}", link.name), pivot);
             trace.wrench(&format!("{}_z{number}", link.name), eliminated[index][number].gain);
-            pivots.push(Pivot { link: index, value: pivot, scale: scale(link, column) });
+            let (linear, angular) = scales[index];
+            let scale = if column.is_linear() { linear } else { angular };
+            pivots.push(Pivot { link: index, value: pivot, scale });
         }
         if let Some(parent) = link.parent {
+            let carried = inertia.linear.trace();
+            scales[parent].0 = scales[parent].0 + carried;
+            scales[parent].1 = scales[parent].1 + carried * link.arm.dot(link.arm);
             let load = load + inertia.times(link.drift);
             let (inertia, load) =
                 (link.to_parent.of_inertia(&inertia), load.turned(&link.to_parent));
@@ -150,14 +158,6 @@ fn advance<S: Scalar>(acceleration: &mut Motion<S>, step: &Eliminated<S>) -> S {
             *acceleration = before + direction.scaled(beta);
             beta
         }
-    }
-}
-
-/// What a pivot along `column` is measured by: the body's own inertia, which is known beforehand.
-fn scale<S: Scalar>(link: &LinkMotion<S>, column: Column<S>) -> S {
-    match column {
-        Column::Axis(axis) if axis < 3 => link.scale.1,
-        Column::Axis(_) | Column::General(_) => link.scale.0,
     }
 }
 

@@ -142,6 +142,9 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t0 = joint_input0 * known_p4;
         let t1 = joint_a_lin_y * known_joint_z0_force_y;
         let joint_a_ang_z = t0 - t1;
+        ::mstmm::generated::finite::<
+            T,
+        >(&[state.q.as_slice(), state.v.as_slice(), &[inputs.joint]])?;
         ::mstmm::generated::regular::<
             T,
             _,
@@ -231,6 +234,9 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t24 = c(0.5) * t23;
         let t25 = sin_joint_angle * c(4.9);
         let t26 = known_joint_k_xx * t25;
+        ::mstmm::generated::finite::<
+            T,
+        >(&[state.q.as_slice(), state.v.as_slice(), &[inputs.joint]])?;
         ::mstmm::generated::regular::<
             T,
             _,

@@ -127,16 +127,12 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t19 = minus_tip_turn_z_x * c(117.60000000000001);
         let minus_tip_a_ang_y = t18 - t19;
         let minus_tip_a_ang_z = tip_e_moment_z * c(10000.0);
+        ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
-        >(
-            &["tip", "tip", "tip"],
-            [c(0.001), c(0.001), c(0.0001)],
-            [c(0.0021), c(0.0021), c(0.0021)],
-            [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z],
-        )?;
+        >(&[], [], [], [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z])?;
         accelerations.data.0 = [
             [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z],
         ];
@@ -344,16 +340,12 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t124 = t117 + t123;
         let t125 = t124 * c(0.5);
         let t126 = tip_turn_z_z * c(0.1176);
+        ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
-        >(
-            &["tip", "tip", "tip"],
-            [c(0.001), c(0.001), c(0.0001)],
-            [c(0.0021), c(0.0021), c(0.0021)],
-            [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z],
-        )?;
+        >(&[], [], [], [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z])?;
         at.accelerations.data.0 = [
             [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z],
         ];

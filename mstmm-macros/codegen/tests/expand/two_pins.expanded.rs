@@ -244,14 +244,15 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t113 = sin_elbow_angle * c(0.75);
         let t114 = sin_elbow_angle * t113;
         let shoulder_d = t114 + c(0.5833333333333333);
+        ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
-            &["elbow", "shoulder"],
-            [c(0.3333333333333333), shoulder_d],
-            [c(0.6766666666666666), c(0.6766666666666666)],
+            &["shoulder"],
+            [shoulder_d],
+            [c(2.9266666666666667)],
             [-minus_shoulder_beta0, -minus_end_x5],
         )?;
         accelerations.data.0 = [[-minus_shoulder_beta0, -minus_end_x5]];
@@ -545,14 +546,15 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t186 = elbow_axes_x_x * minus_elbow_acc_ang_z;
         let t187 = minus_elbow_acc_lin_y + t186;
         let t188 = t185 + t187;
+        ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
-            &["elbow", "shoulder"],
-            [c(0.3333333333333333), shoulder_d],
-            [c(0.6766666666666666), c(0.6766666666666666)],
+            &["shoulder"],
+            [shoulder_d],
+            [c(2.9266666666666667)],
             [-minus_shoulder_beta0, -minus_end_x5],
         )?;
         at.accelerations.data.0 = [[-minus_shoulder_beta0, -minus_end_x5]];

@@ -60,6 +60,11 @@ pub enum Column<S> {
 }
 
 impl<S: Scalar> Column<S> {
+    /// Whether it is a shift along an axis; anything else is measured by moments of inertia.
+    pub fn is_linear(&self) -> bool {
+        matches!(self, Column::Axis(axis) if *axis < 3)
+    }
+
     /// The direction's six entries.
     pub fn motion(&self) -> Motion<S> {
         match self {
