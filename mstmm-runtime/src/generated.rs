@@ -71,7 +71,8 @@ fn diagnosis<T: Scalar, const P: usize>(
     Error::NotFinite
 }
 
-/// Whether a parameter may be set: to a finite number that leaves all masses positive.
+/// Whether a parameter may be set: to a finite number that leaves everything derived from it finite and all masses
+/// positive.
 ///
 /// # Errors
 /// [`Error::Parameter`] with the reason that belongs to the first mass that is not positive.
@@ -79,11 +80,18 @@ fn diagnosis<T: Scalar, const P: usize>(
 pub fn check_parameter<T: Scalar>(
     name: &'static str,
     value: T,
+    derived: &[T],
     masses: &[T],
     reasons: &[&'static str],
 ) -> Result<(), Error> {
     if !value.finite().all() {
         return Err(Error::Parameter { name, reason: "must be a finite number" });
+    }
+    if finite(&[derived]).is_err() {
+        return Err(Error::Parameter {
+            name,
+            reason: "must leave all quantities derived from it finite",
+        });
     }
     for (mass, &reason) in masses.iter().zip(reasons) {
         if !(mass.greater(T::constant(0.0)) & mass.finite()).all() {

@@ -1,4 +1,4 @@
-//! The phases in their order.
+//! From a model to its programs: the equations written down, simplified and ordered.
 
 use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
 use crate::expr::{Edge, Expr, Graph, Stage};
@@ -10,6 +10,8 @@ use crate::symbols::Symbols;
 /// Everything that is computed for a chain, as programs.
 #[derive(Clone, Debug)]
 pub struct Programs {
+    /// Numbers and names of the unknowns that all programs read.
+    pub symbols: Symbols,
     /// The method that the accelerations are solved with.
     pub method: Method,
     /// Parameters and constants to the slots of all other programs, then to the masses that
@@ -33,8 +35,8 @@ pub struct Programs {
     pub normalized: Program,
 }
 
-/// The axes of the sweeps. Inertial ones cost a third more in the best case measured (30 balls,
-/// `riccati`, 13 238 operations against 9 126) and four times as much in the worst.
+/// The axes of the sweeps. Inertial ones cost a third more in the best case measured (thirty
+/// balls, `riccati`, 13 238 operations against 9 126) and four times as much in the worst.
 const AXES: Axes = Axes::Body;
 
 /// Chains of up to this many bodies are also counted with `transfer`; for longer ones `riccati`
@@ -57,6 +59,7 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
     let start = scene.start(&mut setup);
     let (setup, checked_masses) = scene.setup(setup);
     Programs {
+        symbols: symbols.clone(),
         method,
         setup,
         checked_masses,

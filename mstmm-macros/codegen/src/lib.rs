@@ -6,15 +6,17 @@
 //!
 //! | module | holds | may use |
 //! |---|---|---|
+//! | [`diag`] | mistakes, collected | nothing of ours |
 //! | [`syntax`] | what was written, with spans | `diag` |
-//! | [`model`] | names resolved, units and constants evaluated, every rule on models | `syntax` (only `lower`), `diag` |
+//! | [`model`] | names resolved, units and constants evaluated, every rule on models | `diag`; `syntax` where it is lowered and checked |
 //! | [`math`] | scalars, vectors, spatial blocks | nothing of ours |
 //! | [`equations`] | the paper, generic over [`math::Scalar`] | `math`, `model` |
 //! | [`expr`] | formulas as a graph without repetitions | `math` |
 //! | [`program`] | straight-line programs and their costs | nothing of ours |
-//! | [`passes`] | one optimisation a file | `expr`, `program` |
-//! | [`compile`](mod@compile) | the order of the phases | all |
-//! | [`emit`] | the only `quote!` | `model`, `program`, `compile` |
+//! | [`passes`] | one optimisation a file | `expr`, `math`, `program` |
+//! | [`symbols`] | numbers and names of a chain's unknowns | `model` |
+//! | [`compile`](mod@compile) | from a model to its programs | `equations`, `expr`, `model`, `passes`, `program`, `symbols` |
+//! | [`emit`] | the only `quote!` of items | `compile`, `model`, `program`, `symbols`, `syntax` |
 
 #![deny(missing_docs)]
 
@@ -27,24 +29,38 @@ pub mod math;
 pub mod model;
 pub mod passes;
 pub mod program;
-mod symbols;
+pub mod symbols;
 pub mod syntax;
 
+use diag::Diagnostics;
 use proc_macro2::TokenStream;
 
-/// Compiles the text inside `mstmm_chain!`.
+/// Compiles the text inside `mstmm_chain!`: the phases in their order.
 ///
 /// # Errors
 ///
 /// All mistakes of the text, each on the token to edit.
 pub fn compile(tokens: TokenStream) -> syn::Result<TokenStream> {
-    let chains = model::read(tokens)?;
-    Ok(chains.iter().map(|(chain, surface)| expand(chain, surface)).collect())
+    let chains = read(tokens)?;
+    // From here on no mistake of the user is possible.
+    let expand = |(chain, surface): &(model::Chain, syntax::Surface)| {
+        let layout = model::Layout::of(chain);
+        let programs = compile::programs(chain, &layout);
+        emit::expand(chain, surface, &layout, &programs)
+    };
+    Ok(chains.iter().map(expand).collect())
 }
 
-/// From here on no mistake of the user is possible.
-fn expand(chain: &model::Chain, surface: &syntax::Surface) -> TokenStream {
-    let layout = model::Layout::of(chain);
-    let programs = compile::programs(chain, &layout);
-    emit::expand(chain, surface, &layout, &programs)
+/// Reads all chains of one macro call: what can be said of a text before anything is computed.
+///
+/// # Errors
+///
+/// All mistakes of the text, each on the token to edit.
+pub fn read(tokens: TokenStream) -> syn::Result<Vec<(model::Chain, syntax::Surface)>> {
+    let mut diagnostics = Diagnostics::default();
+    let written = syntax::parse(tokens, &mut diagnostics);
+    let meant: Vec<_> =
+        written.iter().filter_map(|def| model::lower(def, &mut diagnostics)).collect();
+    diagnostics.finish()?;
+    Ok(meant)
 }

@@ -1,4 +1,4 @@
-//! `EQUATIONS.md` and the tags in the equations' files say the same.
+//! `EQUATIONS.md` and the tags in the compiler's and the runtime's files say the same.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -27,7 +27,7 @@ fn numbers(tag: &str) -> Vec<u32> {
     all
 }
 
-/// All tags of the files in `folder`, below `src/equations` or beside it.
+/// All tags of the files in `folder`, under their names with `prefix` before.
 fn tags(folder: &str, prefix: &str, index: &mut Index) {
     for entry in fs::read_dir(root().join(folder)).expect("a readable folder") {
         let path = entry.expect("an entry").path();
@@ -68,8 +68,8 @@ fn rows() -> (Index, Vec<u32>) {
 #[test]
 fn the_index_and_the_tags_agree() {
     let mut tagged = Index::new();
-    tags("src/equations", "", &mut tagged);
-    tags("src/math", "../math/", &mut tagged);
+    tags("src", "", &mut tagged);
+    tags("../../mstmm-runtime/src", "runtime/", &mut tagged);
     let (rows, silent) = rows();
     let mut differences = Vec::new();
     for number in 1..=LAST_EQUATION {

@@ -43,8 +43,7 @@ impl<'a, T, V: Copy> HingeResult<'a, T, V> {
     }
 
     /// The torque (N·m) or force (N) along the hinge's free directions, positive where it drives
-    /// the rates up: motor, spring, damper and friction together, or what a prescribed motion
-    /// takes.
+    /// the rates up.
     #[inline]
     pub fn effort(&self) -> V {
         self.effort

@@ -26,8 +26,8 @@ const NESTED_SCOPES: usize = 1000;
 impl Plan<'_> {
     /// A program of the step: it reads `state`, `inputs` and `self.derived`.
     pub fn step_block(&self, program: &Program) -> Block {
-        let coordinates = self.read(program, self.symbols.q(), quote!(state.q.data.0));
-        let rates = self.read(program, self.symbols.v(), quote!(state.v.data.0));
+        let coordinates = self.read(program, self.programs.symbols.q(), quote!(state.q.data.0));
+        let rates = self.read(program, self.programs.symbols.v(), quote!(state.v.data.0));
         let inputs = self.read_inputs(program);
         let slots = read_slots(program);
         self.block(program, quote!(#slots #coordinates #rates #inputs))
@@ -35,13 +35,14 @@ impl Plan<'_> {
 
     /// The program of the setup: it reads the parameters and `constants`.
     pub fn setup_block(&self, program: &Program) -> Block {
-        let parameters = self.chain.parameters.iter().zip(self.symbols.parameters());
+        let parameters = self.chain.parameters.iter().zip(self.programs.symbols.parameters());
         let parameters =
             parameters.filter(|(_, number)| reads(program, *number)).map(|(parameter, number)| {
                 let (name, field) = (self.symbol(number as u32), &parameter.name);
                 quote!(let #name = parameters.#field;)
             });
-        let constants = self.read_array(program, self.symbols.constants(), quote!(*constants));
+        let constants =
+            self.read_array(program, self.programs.symbols.constants(), quote!(*constants));
         self.block(program, quote!(#(#parameters)* #constants))
     }
 
@@ -163,7 +164,7 @@ impl Plan<'_> {
     }
 
     fn symbol(&self, number: u32) -> proc_macro2::Ident {
-        local(&self.symbols.names()[number as usize])
+        local(&self.programs.symbols.names()[number as usize])
     }
 
     /// Takes the unknowns in `range` out of the only column of a vector.
@@ -193,7 +194,7 @@ impl Plan<'_> {
         let driven = hinges.filter(|(hinge, _)| matches!(hinge.effort, Effort::Input));
         driven
             .map(|(hinge, range)| {
-                let start = self.symbols.inputs().start;
+                let start = self.programs.symbols.inputs().start;
                 let range = start + range.start..start + range.end;
                 let field = &hinge.name;
                 match hinge.kind.shape().results {

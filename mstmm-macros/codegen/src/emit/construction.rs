@@ -161,12 +161,13 @@ fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
         /// # Errors
         ///
         /// [`Error::Parameter`](::mstmm::Error::Parameter) if the number is not finite or would
-        /// make a mass zero or negative; the old one is kept then.
+        /// leave the chain with a mass that is not positive or a quantity that is not finite; the
+        /// old one is kept then.
         #visibility fn #set(&mut self, value: T) -> ::core::result::Result<(), ::mstmm::Error> {
             let mut parameters = self.parameters;
             parameters.#name = value;
             let (derived, masses) = Self::derive(&parameters);
-            ::mstmm::generated::check_parameter(#text, value, &masses, &[#(#reasons),*])?;
+            ::mstmm::generated::check_parameter(#text, value, &derived, &masses, &[#(#reasons),*])?;
             *self = Self { parameters, derived };
             ::core::result::Result::Ok(())
         }
@@ -192,10 +193,13 @@ fn start(plan: &Plan) -> TokenStream {
     }
 }
 
-/// A mass that hangs on Rust constants is checked while the user's crate compiles.
+/// A mass that hangs on Rust constants is checked while the user's crate compiles, with the
+/// parameters at their defaults.
 fn constant_mass(plan: &Plan, body: &crate::model::Body) -> Option<TokenStream> {
-    let constant = body.mass.known().is_none() && !body.mass.has_parameter();
-    let value = (constant && is_const(&body.mass)).then(|| value_tokens(plan, &body.mass))?;
+    let defaults: Vec<_> =
+        plan.chain.parameters.iter().map(|parameter| parameter.default.known()).collect();
+    let checked = body.mass.at(&defaults).is_some();
+    let value = (!checked && is_const(plan, &body.mass)).then(|| value_tokens(plan, &body.mass))?;
     let message = format!("the mass of body `{}` must be positive", body.name);
     Some(quote! {
         #[allow(clippy::all)]
@@ -204,19 +208,19 @@ fn constant_mass(plan: &Plan, body: &crate::model::Body) -> Option<TokenStream> 
 }
 
 /// Whether a formula can be evaluated in a `const` item.
-fn is_const(value: &Value) -> bool {
+fn is_const(plan: &Plan, value: &Value) -> bool {
+    let is_const = |value: &Value| is_const(plan, value);
     match value {
         Value::Number(_) | Value::Symbol(Symbol::Constant(_)) => true,
         Value::Sum(a, b) | Value::Product(a, b) | Value::Quotient(a, b) => {
             is_const(a) && is_const(b)
         }
-        Value::Symbol(Symbol::Parameter(_)) | Value::Sqrt(_) | Value::Sin(_) | Value::Cos(_) => {
-            false
-        }
+        Value::Symbol(Symbol::Parameter(index)) => is_const(&plan.chain.parameters[*index].default),
+        Value::Sqrt(_) | Value::Sin(_) | Value::Cos(_) => false,
     }
 }
 
-/// A formula of constants as an `f64` expression.
+/// A formula of constants as an `f64` expression, with parameters at their defaults.
 fn value_tokens(plan: &Plan, value: &Value) -> TokenStream {
     let go = |value: &Value| value_tokens(plan, value);
     match value {
@@ -225,9 +229,7 @@ fn value_tokens(plan: &Plan, value: &Value) -> TokenStream {
             if *number < 0.0 { quote!((-#magnitude)) } else { quote!(#magnitude) }
         }
         Value::Symbol(Symbol::Constant(index)) => plan.surface.constants[*index].clone(),
-        Value::Symbol(Symbol::Parameter(index)) => {
-            unreachable!("mstmm bug: parameter {index} in a constant expression")
-        }
+        Value::Symbol(Symbol::Parameter(index)) => go(&plan.chain.parameters[*index].default),
         Value::Sum(a, b) => {
             let (a, b) = (go(a), go(b));
             quote!((#a + #b))

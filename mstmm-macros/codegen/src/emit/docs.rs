@@ -76,12 +76,15 @@ pub fn cost(program: &Program) -> Vec<String> {
     let mut lines = vec![
         format!(" {} operations: {total}.", total.arithmetic()),
         String::new(),
-        " | section | mul | add | reciprocal | square root | sin/cos |".into(),
-        " |---|---|---|---|---|---|".into(),
+        " | section | equations | mul | add | reciprocal | square root | sin/cos |".into(),
+        " |---|---|---|---|---|---|---|".into(),
     ];
     lines.extend(program.sections.iter().map(|section| {
         let Cost { mul, add, recip, sqrt, trig } = section.cost();
-        format!(" | {} | {mul} | {add} | {recip} | {sqrt} | {trig} |", section.title)
+        // Brackets would make links of the tags.
+        let source = section.source.replace('[', "\\[").replace(']', "\\]");
+        let title = &section.title;
+        format!(" | {title} | {source} | {mul} | {add} | {recip} | {sqrt} | {trig} |")
     }));
     lines
 }

@@ -10,7 +10,6 @@ mod workspace;
 
 use crate::compile::Programs;
 use crate::model::{Chain, Layout};
-use crate::symbols::Symbols;
 use crate::syntax::Surface;
 use names::Names;
 use proc_macro2::TokenStream;
@@ -22,7 +21,6 @@ struct Plan<'a> {
     surface: &'a Surface,
     layout: &'a Layout,
     programs: &'a Programs,
-    symbols: Symbols,
     names: Names,
 }
 
@@ -33,8 +31,7 @@ pub fn expand(
     layout: &Layout,
     programs: &Programs,
 ) -> TokenStream {
-    let symbols = Symbols::of(chain, layout);
-    let plan = Plan { chain, surface, layout, programs, symbols, names: Names::of(chain) };
+    let plan = Plan { chain, surface, layout, programs, names: Names::of(chain) };
     let construction = construction::emit(&plan);
     let dynamics = dynamics::emit(&plan);
     let state = state::emit(&plan);

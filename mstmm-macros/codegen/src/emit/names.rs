@@ -41,7 +41,7 @@ pub fn local(name: &str) -> Ident {
     }
 }
 
-/// A variable to write through `&mut`: `x_mut` for the name `x`.
+/// The method that hands out `x` to be changed: `x_mut`.
 pub fn accessor_mut(name: &Ident) -> Ident {
     let mut ident = format_ident!("{name}_mut");
     ident.set_span(name.span());

@@ -107,8 +107,8 @@ fn outwards<S: Scalar>(
     moving
 }
 
-/// What every hinge exerts, from the free end [P, Eqs. (18), (19)]; along its free axes that is its
-/// effort and nothing else [P, Eqs. (25), (57), (58)].
+/// What every hinge exerts, from the free end [P, Eqs. (18), (19)]; where it frees whole axes of
+/// the inertial frame that is its effort and nothing else [P, Eqs. (25), (57), (58)].
 fn inwards<S: Scalar>(
     situation: &Situation<S>,
     links: &[LinkMotion<S>],

@@ -1,5 +1,6 @@
 //! The canonical form of every operation: what folds, which order operands take, where signs go.
-//! All rules keep the value to the last bit, but for the two that gather known numbers.
+//! The rules are those of real numbers. Rounding may differ where known numbers are gathered and
+//! where a reciprocal is undone, and `0 x` is zero even where `x` is not finite.
 
 use super::{Edge, Expr, Graph, Node};
 use Expr::{Formula, Number};

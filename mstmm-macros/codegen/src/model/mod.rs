@@ -13,7 +13,7 @@ mod value;
 
 pub use hinge::{Coordinate, Group, Results, Shape, View};
 pub use layout::{Layout, Link};
-pub use lower::{lower, read};
+pub use lower::lower;
 pub use value::{Symbol, Value};
 
 use proc_macro2::Ident;

@@ -141,16 +141,6 @@ impl Value {
             Value::Cos(a) => Some(sin_cos(a.at(values)?).1),
         }
     }
-
-    /// Whether a run-time parameter stands in it.
-    pub fn has_parameter(&self) -> bool {
-        match self {
-            Number(_) | Value::Symbol(Symbol::Constant(_)) => false,
-            Value::Symbol(Symbol::Parameter(_)) => true,
-            Sum(a, b) | Product(a, b) | Quotient(a, b) => a.has_parameter() || b.has_parameter(),
-            Value::Sqrt(a) | Value::Sin(a) | Value::Cos(a) => a.has_parameter(),
-        }
-    }
 }
 
 /// Sine and cosine that take an angle within rounding of a right angle for the right angle, so

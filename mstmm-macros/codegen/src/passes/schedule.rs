@@ -31,16 +31,6 @@ impl Setup {
         self.names.iter().map(String::as_str).zip(self.nodes.iter().map(|&node| Edge::to(node)))
     }
 
-    /// How many there are.
-    pub fn len(&self) -> usize {
-        self.nodes.len()
-    }
-
-    /// Whether there is none.
-    pub fn is_empty(&self) -> bool {
-        self.nodes.is_empty()
-    }
-
     /// The slot of `node`, a new one under `name` if it has none yet.
     pub fn slot(&mut self, node: NodeId, name: impl FnOnce(usize) -> String) -> usize {
         *self.index.entry(node).or_insert_with(|| {

@@ -5,7 +5,7 @@ pub mod double_double;
 
 use mstmm_codegen::equations::{self, Axes, Energy, Numbers, Report, Situation, Trace};
 use mstmm_codegen::math::Scalar;
-use mstmm_codegen::model::{self, Chain, Layout, Method};
+use mstmm_codegen::model::{Chain, Layout, Method};
 
 /// All that the equations say of a chain in a state.
 pub struct Computed<S> {
@@ -17,7 +17,7 @@ pub struct Computed<S> {
 /// The only chain in `text`, which must be right.
 pub fn read(text: &str) -> Chain {
     let tokens = text.parse().unwrap_or_else(|error| panic!("{error}\n{text}"));
-    let chains = model::read(tokens).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let chains = mstmm_codegen::read(tokens).unwrap_or_else(|error| panic!("{error}\n{text}"));
     chains.into_iter().next().expect("a chain").0
 }
 

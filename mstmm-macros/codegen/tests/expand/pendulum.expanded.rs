@@ -53,7 +53,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// # Errors
     ///
     /// [`Error::Parameter`](::mstmm::Error::Parameter) if the number is not finite or would
-    /// make a mass zero or negative; the old one is kept then.
+    /// leave the chain with a mass that is not positive or a quantity that is not finite; the
+    /// old one is kept then.
     pub fn set_payload(
         &mut self,
         value: T,
@@ -64,6 +65,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         ::mstmm::generated::check_parameter(
             "payload",
             value,
+            &derived,
             &masses,
             &["must leave the mass of body `rod` positive"],
         )?;
@@ -113,10 +115,10 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// 4 operations: 3 mul, 1 add, 0 reciprocal, 1 sin/cos.
     ///
-    /// | section | mul | add | reciprocal | square root | sin/cos |
-    /// |---|---|---|---|---|---|
-    /// | Motion across `joint` | 0 | 0 | 0 | 0 | 1 |
-    /// | Acceleration of `joint` | 3 | 1 | 0 | 0 | 0 |
+    /// | section | equations | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|---|
+    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
+    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 3 | 1 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -174,12 +176,12 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// 32 operations: 25 mul, 7 add, 0 reciprocal, 1 sin/cos.
     ///
-    /// | section | mul | add | reciprocal | square root | sin/cos |
-    /// |---|---|---|---|---|---|
-    /// | Motion across `joint` | 0 | 0 | 0 | 0 | 1 |
-    /// | Acceleration of `joint` | 3 | 1 | 0 | 0 | 0 |
-    /// | Load on `joint` | 12 | 4 | 0 | 0 | 0 |
-    /// | Results | 10 | 2 | 0 | 0 | 0 |
+    /// | section | equations | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|---|
+    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
+    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 3 | 1 | 0 | 0 | 0 |
+    /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 12 | 4 | 0 | 0 | 0 |
+    /// | Results |  | 10 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -303,10 +305,10 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// 14 operations: 12 mul, 2 add, 0 reciprocal, 1 sin/cos.
     ///
-    /// | section | mul | add | reciprocal | square root | sin/cos |
-    /// |---|---|---|---|---|---|
-    /// | Motion across `joint` | 0 | 0 | 0 | 0 | 1 |
-    /// | Results | 12 | 2 | 0 | 0 | 0 |
+    /// | section | equations | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|---|
+    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
+    /// | Results |  | 12 | 2 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state: &PendulumState<T>) -> ::mstmm::Energy<T> {

@@ -75,11 +75,11 @@ impl<T: ::mstmm::Scalar> Top<T> {
     ///
     /// 28 operations: 21 mul, 7 add, 0 reciprocal.
     ///
-    /// | section | mul | add | reciprocal | square root | sin/cos |
-    /// |---|---|---|---|---|---|
-    /// | Motion across `tip` | 7 | 2 | 0 | 0 | 0 |
-    /// | Riccati transfer over `tip` | 9 | 3 | 0 | 0 | 0 |
-    /// | Acceleration of `tip` | 5 | 2 | 0 | 0 | 0 |
+    /// | section | equations | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|---|
+    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 7 | 2 | 0 | 0 | 0 |
+    /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 9 | 3 | 0 | 0 | 0 |
+    /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 5 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -159,15 +159,15 @@ impl<T: ::mstmm::Scalar> Top<T> {
     ///
     /// 151 operations: 95 mul, 56 add, 0 reciprocal.
     ///
-    /// | section | mul | add | reciprocal | square root | sin/cos |
-    /// |---|---|---|---|---|---|
-    /// | Motion across `tip` | 12 | 12 | 0 | 0 | 0 |
-    /// | Riccati transfer over `tip` | 9 | 3 | 0 | 0 | 0 |
-    /// | Acceleration of `tip` | 5 | 2 | 0 | 0 | 0 |
-    /// | Motion across `tip` | 9 | 6 | 0 | 0 | 0 |
-    /// | Point of `tip` | 9 | 6 | 0 | 0 | 0 |
-    /// | Load on `tip` | 21 | 13 | 0 | 0 | 0 |
-    /// | Results | 30 | 14 | 0 | 0 | 0 |
+    /// | section | equations | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|---|
+    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 12 | 12 | 0 | 0 | 0 |
+    /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 9 | 3 | 0 | 0 | 0 |
+    /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 5 | 2 | 0 | 0 | 0 |
+    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 9 | 6 | 0 | 0 | 0 |
+    /// | Point of `tip` | \[P, Eqs. (12), (13), (36)\] | 9 | 6 | 0 | 0 | 0 |
+    /// | Load on `tip` | \[P, Eqs. (18), (19)\] | 21 | 13 | 0 | 0 | 0 |
+    /// | Results |  | 30 | 14 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -409,10 +409,10 @@ impl<T: ::mstmm::Scalar> Top<T> {
     ///
     /// 83 operations: 51 mul, 32 add, 0 reciprocal.
     ///
-    /// | section | mul | add | reciprocal | square root | sin/cos |
-    /// |---|---|---|---|---|---|
-    /// | Motion across `tip` | 21 | 18 | 0 | 0 | 0 |
-    /// | Results | 30 | 14 | 0 | 0 | 0 |
+    /// | section | equations | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|---|
+    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 21 | 18 | 0 | 0 | 0 |
+    /// | Results |  | 30 | 14 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn energy(&self, state: &TopState<T>) -> ::mstmm::Energy<T> {

@@ -72,15 +72,15 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     ///
     /// 130 operations: 75 mul, 50 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
-    /// | section | mul | add | reciprocal | square root | sin/cos |
-    /// |---|---|---|---|---|---|
-    /// | Motion across `shoulder` | 0 | 0 | 0 | 0 | 2 |
-    /// | Motion across `elbow` | 3 | 1 | 0 | 0 | 0 |
-    /// | Transfer to `shoulder` | 2 | 0 | 0 | 0 | 0 |
-    /// | Transfer to `elbow` | 24 | 18 | 0 | 0 | 0 |
-    /// | Boundary solve at the free end | 41 | 28 | 3 | 2 | 0 |
-    /// | Back to `shoulder` | 3 | 2 | 0 | 0 | 0 |
-    /// | Inertia beyond the hinges, to be divided by | 2 | 1 | 0 | 0 | 0 |
+    /// | section | equations | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|---|
+    /// | Motion across `shoulder` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 2 |
+    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 3 | 1 | 0 | 0 | 0 |
+    /// | Transfer to `shoulder` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 2 | 0 | 0 | 0 | 0 |
+    /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 24 | 18 | 0 | 0 | 0 |
+    /// | Boundary solve at the free end | \[P, Eq. (11)\] | 41 | 28 | 3 | 2 | 0 |
+    /// | Back to `shoulder` | \[P, Eqs. (8), (11)\] | 3 | 2 | 0 | 0 | 0 |
+    /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -279,20 +279,20 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     ///
     /// 217 operations: 124 mul, 88 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
-    /// | section | mul | add | reciprocal | square root | sin/cos |
-    /// |---|---|---|---|---|---|
-    /// | Motion across `shoulder` | 0 | 0 | 0 | 0 | 2 |
-    /// | Motion across `elbow` | 3 | 1 | 0 | 0 | 0 |
-    /// | Transfer to `shoulder` | 2 | 0 | 0 | 0 | 0 |
-    /// | Transfer to `elbow` | 24 | 18 | 0 | 0 | 0 |
-    /// | Boundary solve at the free end | 41 | 28 | 3 | 2 | 0 |
-    /// | Back to `shoulder` | 3 | 2 | 0 | 0 | 0 |
-    /// | Inertia beyond the hinges, to be divided by | 2 | 1 | 0 | 0 | 0 |
-    /// | Motion across `elbow` | 8 | 2 | 0 | 0 | 0 |
-    /// | Point of `elbow` | 2 | 3 | 0 | 0 | 0 |
-    /// | Load on `elbow` | 11 | 7 | 0 | 0 | 0 |
-    /// | Load on `shoulder` | 11 | 9 | 0 | 0 | 0 |
-    /// | Results | 17 | 17 | 0 | 0 | 0 |
+    /// | section | equations | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|---|
+    /// | Motion across `shoulder` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 2 |
+    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 3 | 1 | 0 | 0 | 0 |
+    /// | Transfer to `shoulder` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 2 | 0 | 0 | 0 | 0 |
+    /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 24 | 18 | 0 | 0 | 0 |
+    /// | Boundary solve at the free end | \[P, Eq. (11)\] | 41 | 28 | 3 | 2 | 0 |
+    /// | Back to `shoulder` | \[P, Eqs. (8), (11)\] | 3 | 2 | 0 | 0 | 0 |
+    /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
+    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 8 | 2 | 0 | 0 | 0 |
+    /// | Point of `elbow` | \[P, Eqs. (12), (13), (36)\] | 2 | 3 | 0 | 0 | 0 |
+    /// | Load on `elbow` | \[P, Eqs. (18), (19)\] | 11 | 7 | 0 | 0 | 0 |
+    /// | Load on `shoulder` | \[P, Eqs. (18), (19)\] | 11 | 9 | 0 | 0 | 0 |
+    /// | Results |  | 17 | 17 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -650,11 +650,11 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     ///
     /// 37 operations: 25 mul, 12 add, 0 reciprocal, 2 sin/cos.
     ///
-    /// | section | mul | add | reciprocal | square root | sin/cos |
-    /// |---|---|---|---|---|---|
-    /// | Motion across `shoulder` | 0 | 0 | 0 | 0 | 2 |
-    /// | Motion across `elbow` | 4 | 3 | 0 | 0 | 0 |
-    /// | Results | 21 | 9 | 0 | 0 | 0 |
+    /// | section | equations | mul | add | reciprocal | square root | sin/cos |
+    /// |---|---|---|---|---|---|---|
+    /// | Motion across `shoulder` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 2 |
+    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 4 | 3 | 0 | 0 | 0 |
+    /// | Results |  | 21 | 9 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state: &TwoPinsState<T>) -> ::mstmm::Energy<T> {

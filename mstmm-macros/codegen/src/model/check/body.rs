@@ -41,8 +41,7 @@ pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
 
 /// A body without mass has no acceleration.
 pub(super) fn masses_are_positive(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let defaults: Vec<_> =
-        draft.parameters.iter().map(|parameter| parameter.default.known()).collect();
+    let defaults = draft.defaults();
     for mass in draft.types.iter().filter_map(|body| body.mass.as_ref()) {
         let message = match (mass.value.known(), mass.value.at(&defaults)) {
             (Some(known), _) if known <= 0.0 => "a mass must be positive".to_owned(),

@@ -12,12 +12,13 @@ const TOLERANCE: f64 = 5e-3;
 /// Symmetric: xx, yy, zz, xy, xz, yz.
 type Tensor = [f64; 6];
 
-/// No moment of inertia is negative.
+/// No moment of inertia is negative; parameters count with their defaults.
 pub(super) fn moments_are_not_negative(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let defaults = draft.defaults();
     for body in &draft.types {
         let Some(inertia) = &body.inertia else { continue };
         for (index, moment) in inertia.value.tensor[..3].iter().enumerate() {
-            if is_negative(moment) {
+            if is_negative(moment, &defaults) {
                 let at = body.inertia_entry(index).unwrap_or(inertia.at);
                 diagnostics.error_over(at, "a moment of inertia cannot be negative");
             }
@@ -25,18 +26,19 @@ pub(super) fn moments_are_not_negative(draft: &Draft, diagnostics: &mut Diagnost
     }
 }
 
-fn is_negative(value: &Value) -> bool {
-    value.known().is_some_and(|value| value < 0.0)
+fn is_negative(value: &Value, defaults: &[Option<f64>]) -> bool {
+    value.at(defaults).is_some_and(|value| value < 0.0)
 }
 
 /// A real body has mass nowhere less than zero, so its second moments `∫ x xᵀ dm = ½ tr(J) 1 − J`
 /// are positive or zero in all directions. That is the triangle inequality of its principal
 /// moments. It holds about any point, and about the centre of mass it is the sharpest.
 pub(super) fn inertias_are_those_of_real_bodies(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let defaults = draft.defaults();
     for body in &draft.types {
         let Some(inertia) = &body.inertia else { continue };
-        let Some(tensor) = known(&inertia.value.tensor) else { continue };
-        if inertia.value.tensor[..3].iter().any(is_negative) {
+        let Some(tensor) = known(&inertia.value.tensor, &defaults) else { continue };
+        if inertia.value.tensor[..3].iter().any(|moment| is_negative(moment, &defaults)) {
             continue;
         }
         let slack = TOLERANCE * trace(&tensor);
@@ -44,8 +46,8 @@ pub(super) fn inertias_are_those_of_real_bodies(draft: &Draft, diagnostics: &mut
             let message = "no body has this inertia: \
                            a principal moment is more than the sum of the other two";
             diagnostics.error_over(inertia.at, message);
-        } else if let Some(central) = about_com(body, &inertia.value, tensor)
-            && !has_second_moments(&central, slack)
+        } else if let Some(central) = about_com(body, &inertia.value, tensor, &defaults)
+            && !has_second_moments(&central, central_slack(&central, &tensor))
         {
             let message = "no body with this mass and centre of mass has so little inertia \
                            about its input; is it `about com`?";
@@ -54,8 +56,15 @@ pub(super) fn inertias_are_those_of_real_bodies(draft: &Draft, diagnostics: &mut
     }
 }
 
-fn known<const N: usize>(values: &[Value; N]) -> Option<[f64; N]> {
-    values.each_ref().map(Value::known).iter().copied().collect::<Option<Vec<_>>>()?.try_into().ok()
+fn known<const N: usize>(values: &[Value; N], defaults: &[Option<f64>]) -> Option<[f64; N]> {
+    let numbers: Option<Vec<f64>> = values.iter().map(|value| value.at(defaults)).collect();
+    numbers?.try_into().ok()
+}
+
+/// A tensor about a far input is mostly that of its mass in a point, and only what is left of it
+/// has the digits written; the difference itself is exact but for rounding.
+fn central_slack(central: &Tensor, about_input: &Tensor) -> f64 {
+    TOLERANCE * trace(central).max(0.0) + 1e-9 * trace(about_input)
 }
 
 fn trace(tensor: &Tensor) -> f64 {
@@ -64,12 +73,17 @@ fn trace(tensor: &Tensor) -> f64 {
 
 /// The tensor of the input shifted to the centre of mass, `J_C = J_I − m (cᵀc 1 − c cᵀ)`, if the
 /// mass is known and where it is.
-fn about_com(body: &BodyType, inertia: &Inertia, tensor: Tensor) -> Option<Tensor> {
+fn about_com(
+    body: &BodyType,
+    inertia: &Inertia,
+    tensor: Tensor,
+    defaults: &[Option<f64>],
+) -> Option<Tensor> {
     if inertia.about == About::Com {
         return None;
     }
-    let mass = body.mass.as_ref()?.value.known().filter(|mass| *mass > 0.0)?;
-    let [x, y, z] = known(&body.com.as_ref()?.value)?;
+    let mass = body.mass.as_ref()?.value.at(defaults).filter(|mass| *mass > 0.0)?;
+    let [x, y, z] = known(&body.com.as_ref()?.value, defaults)?;
     let steiner = [y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z];
     let mut central = tensor;
     for (entry, steiner) in central.iter_mut().zip(steiner) {

@@ -28,6 +28,11 @@ pub(crate) struct Draft<'a> {
 }
 
 impl Draft<'_> {
+    /// The defaults of the parameters, where they are known.
+    pub fn defaults(&self) -> Vec<Option<f64>> {
+        self.parameters.iter().map(|parameter| parameter.default.known()).collect()
+    }
+
     /// The chain; nothing where a part is missing, which is reported then.
     pub fn finish(self) -> Option<Chain> {
         let mut chain = Chain {

@@ -24,27 +24,10 @@ pub(super) use draft::Draft;
 pub(super) use hinge::{KINDS, LATER_KINDS};
 pub(super) use route::Stop;
 
-use proc_macro2::TokenStream;
-
 use super::{Chain, check};
 use crate::diag::Diagnostics;
-use crate::syntax::{self, ChainDef, Surface};
+use crate::syntax::{ChainDef, Surface};
 use context::Context;
-
-/// All chains of one macro call.
-///
-/// # Errors
-///
-/// All mistakes of all phases, each on the smallest token to edit.
-pub fn read(tokens: TokenStream) -> syn::Result<Vec<(Chain, Surface)>> {
-    let mut diagnostics = Diagnostics::default();
-    let chains: Vec<_> = syntax::parse(tokens, &mut diagnostics)
-        .iter()
-        .filter_map(|def| lower(def, &mut diagnostics))
-        .collect();
-    diagnostics.finish()?;
-    Ok(chains)
-}
 
 /// What was meant by a description, checked. Nothing if it has a mistake, which is reported then.
 pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Surface)> {

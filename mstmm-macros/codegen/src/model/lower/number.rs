@@ -85,6 +85,11 @@ impl Context<'_> {
                 Some(Measured::new(value, measure, expr))
             }
             ExprKind::Path(path) => {
+                let first = path.clone().into_iter().next();
+                if first.is_some_and(|token| token.to_string() == "T") {
+                    let message = "`T` stands for the numbers of a chain; reach it by another path";
+                    return self.refuse(expr.extent, message);
+                }
                 let value = self.constant(path.clone());
                 Some(Measured::new(value, Measure::Open, expr))
             }

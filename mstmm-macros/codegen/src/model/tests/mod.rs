@@ -9,7 +9,8 @@ mod mistakes_in_words;
 
 use proc_macro2::Span;
 
-use super::{Chain, read};
+use super::Chain;
+use crate::read;
 use crate::syntax::Surface;
 
 /// The example of the documentation, from which the wrong ones are made by a single edit each.

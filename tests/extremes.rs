@@ -1,0 +1,110 @@
+//! Mechanisms at the edge: numbers that the dynamics does not even read, masses far apart, bodies
+//! that hardly resist a turn, parameters that leave nothing finite.
+
+mod support;
+
+use mstmm::prelude::*;
+use mstmm::{Error, GeneratedChain};
+use mstmm_reference::Random;
+
+mstmm_chain! {
+    /// Where it is, and how far the first pin is turned, does not matter to the motion.
+    chain Drifter {
+        body Hub { mass = 3 kg; com = [0.1, 0, 0] m; output = [1, 0, 0] m;
+            inertia = diag(0.3, 0.4, 0.5) kg*m^2 about com; }
+        body Boom { mass = 1 kg; com = [0.5, 0, 0] m;
+            inertia = diag(0.1, 0.2, 0.2) kg*m^2 about com; }
+        Hub hub -> pin(y) hinge_line -> Boom boom;
+    }
+
+    /// A turntable: its pin is along gravity.
+    chain Turntable {
+        gravity = [0, 0, -9.8] m/s^2;
+        body Plate { mass = 1 kg; com = [0, 0, 0] m;
+            inertia = diag(0.1, 0.1, 0.2) kg*m^2 about com; }
+        ground -> pin(z) axle -> Plate plate;
+    }
+
+    /// A gram of rod, free to spin about its own axis, between the ground and a heavy body.
+    chain Thread {
+        gravity = [0, -9.8, 0] m/s^2;
+        param thickness = 0;
+        body Rod { mass = 1 g; com = [0.5, 0, 0] m; output = [1, 0, 0] m;
+            inertia = diag(thickness, 1/12000, 1/12000) kg*m^2 about com; }
+        body Weight { mass = 100 kg; com = [0.2, -0.1, 0.3] m;
+            inertia = diag(2, 3, 4) kg*m^2 about com; }
+        ground turned rpy(10, 20, 30) deg -> ball loose -> Rod rod -> ball end -> Weight weight;
+    }
+
+    /// A wire that turns about its own axis: a tiny number, but an exact one.
+    chain Wire {
+        body Rod { mass = 1 kg; com = [0.5, 0, 0] m;
+            inertia = diag(1e-9, 1/12, 1/12) kg*m^2 about com; }
+        ground -> pin(x) spin -> Rod rod;
+        hinge spin { torque = input; }
+    }
+
+    chain Lever {
+        param length = 2;
+        param slant = 1;
+        body Arm { mass = 1 kg; com = [1 / length, 0, 0];
+            inertia = diag(0.1, 0.2, 0.2) kg*m^2 about com; }
+        ground -> pin([0, 0, slant]) fulcrum -> Arm arm;
+    }
+}
+
+/// Every number of a state must be finite, also those that nothing is computed from.
+fn refuses_every_nan<C: GeneratedChain<Scalar = f64>>(chain: &C) {
+    let state = chain.initial_state();
+    let (q, v) = (state.q().len(), state.v().len());
+    for place in 0..q + v {
+        let mut broken = state.clone();
+        match place.checked_sub(q) {
+            None => broken.q_mut()[place] = f64::NAN,
+            Some(place) => broken.v_mut()[place] = f64::NAN,
+        }
+        let found = chain.solve_into(&broken, &chain.no_inputs(), &mut chain.workspace());
+        assert_eq!(found, Err(Error::NotFinite), "number {place}");
+    }
+}
+
+#[test]
+fn numbers_that_the_motion_does_not_depend_on_must_be_finite_too() {
+    refuses_every_nan(&Drifter::<f64>::new());
+    refuses_every_nan(&Turntable::<f64>::new());
+}
+
+/// What rounding leaves of a hundred kilograms must not pass for the inertia of a gram.
+#[test]
+fn a_loose_thread_under_a_heavy_weight_has_no_answer() {
+    let chain = Thread::<f64>::new();
+    for seed in 0..200 {
+        let mut random = Random::new(seed);
+        let mut state = chain.initial_state();
+        state.q.iter_mut().for_each(|q| *q = random.between(-1.0, 1.0));
+        state.v.iter_mut().for_each(|v| *v = random.between(-1.0, 1.0));
+        mstmm::Chain::normalize(&chain, &mut state);
+        let found = chain.accelerations(&state, &chain.no_inputs());
+        assert_eq!(found.err(), Some(Error::Singular { hinge: "loose" }), "seed {seed}");
+    }
+}
+
+#[test]
+fn a_tiny_inertia_that_is_exact_has_an_answer_in_single_precision() {
+    let chain = Wire::<f32>::new();
+    let inputs = WireInputs { spin: 2e-9 };
+    let found = chain.accelerations(&chain.initial_state(), &inputs).expect("an answer");
+    // One quotient of two rounded numbers.
+    assert!((found[0] - 2.0).abs() < 4.0 * f32::EPSILON, "{found}");
+}
+
+#[test]
+fn a_parameter_that_leaves_nothing_finite_is_refused() {
+    let mut chain = Lever::<f64>::new();
+    let before = chain.clone();
+    for refused in [chain.set_length(0.0), chain.set_slant(0.0), chain.set_length(f64::INFINITY)] {
+        assert!(matches!(refused, Err(Error::Parameter { .. })), "{refused:?}");
+    }
+    assert_eq!(chain, before);
+    chain.set_slant(-3.0).expect("the axis the other way round");
+}
