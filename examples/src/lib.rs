@@ -1,1 +1,3 @@
 //! Programs that show what the crate `mstmm` does; each is an example of this package.
+
+pub mod step;

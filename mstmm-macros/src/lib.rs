@@ -177,7 +177,7 @@ use proc_macro::TokenStream;
 ///
 /// | | symbols |
 /// |---|---|
-/// | with the prefixes n, u, µ, m, c, d, k, M | `m`, `g`, `s`, `N`, `J`, `W`, `Pa`, `Hz`, `rad` |
+/// | with the prefixes n, u, m, c, d, k, M | `m`, `g`, `s`, `N`, `J`, `W`, `Pa`, `Hz`, `rad` |
 /// | without | `deg`, `rev`, `rpm`, `min`, `h`, `t` |
 ///
 /// `g` is gram, and `Hz` is no angular velocity: `rev/s` and `rad/s` say which is meant.

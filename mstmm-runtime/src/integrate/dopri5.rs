@@ -47,6 +47,32 @@ pub struct Dopri5<C: Chain> {
     taken: bool,
 }
 
+// Derived, both would ask the same of the chain's own type.
+impl<C: Chain> Clone for Dopri5<C> {
+    fn clone(&self) -> Self {
+        Self {
+            relative: self.relative,
+            absolute: self.absolute,
+            control: self.control,
+            statistics: self.statistics,
+            rates: self.rates.clone(),
+            start: self.start.clone(),
+            end: self.end.clone(),
+            taken: self.taken,
+        }
+    }
+}
+
+impl<C: Chain> core::fmt::Debug for Dopri5<C> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Dopri5")
+            .field("relative", &self.relative)
+            .field("absolute", &self.absolute)
+            .field("statistics", &self.statistics)
+            .finish_non_exhaustive()
+    }
+}
+
 impl<C: Chain> Dopri5<C> {
     /// An integrator with these tolerances for the error of one step: `relative` to each entry of
     /// the state, and `absolute` in its unit. One of them may be zero.

@@ -20,6 +20,25 @@ pub struct Rk4<C: Chain> {
     sum: C::State,
 }
 
+// Derived, both would ask the same of the chain's own type.
+impl<C: Chain> Clone for Rk4<C> {
+    fn clone(&self) -> Self {
+        Self {
+            step: self.step,
+            clock: self.clock,
+            stage: self.stage.clone(),
+            rate: self.rate.clone(),
+            sum: self.sum.clone(),
+        }
+    }
+}
+
+impl<C: Chain> core::fmt::Debug for Rk4<C> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Rk4").field("step_size", &self.step).finish_non_exhaustive()
+    }
+}
+
 impl<C: Chain> Rk4<C> {
     /// An integrator whose step is `step` seconds; a negative one goes back in time.
     pub fn new(step: C::Scalar) -> Self {

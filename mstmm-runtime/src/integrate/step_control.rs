@@ -16,6 +16,7 @@ const ERROR_EXPONENT: u32 = 22;
 const MEMORY_EXPONENT: u32 = 5;
 
 /// The size of steps, as a magnitude in s, and the memory of the control.
+#[derive(Clone, Copy)]
 pub(super) struct StepControl<R> {
     /// The next step; zero as long as nothing is known.
     pub(super) step: R,

@@ -10,6 +10,10 @@ pub(super) struct Fields<'a> {
     fields: Vec<&'a Field>,
 }
 
+/// Fields that are kept for later.
+const LATER_FIELDS: &[&str] =
+    &["stiffness", "damping", "armature", "rest", "friction", "limits", "motion"];
+
 impl<'a> Fields<'a> {
     /// Takes a field, unless it is not `known` or given twice, which is reported.
     /// `owner` is whom it speaks of.
@@ -24,6 +28,9 @@ impl<'a> Fields<'a> {
         if !known.contains(&name.as_str()) {
             // One without a value is reported already: it may be no field at all.
             field.value.as_ref()?;
+            if LATER_FIELDS.contains(&name.as_str()) {
+                return context.refuse(&field.name, format!("`{name}` is not supported yet"));
+            }
             let hint = did_you_mean(&name, known.iter().copied());
             return context.refuse(&field.name, format!("{owner} has no field `{name}`{hint}"));
         }

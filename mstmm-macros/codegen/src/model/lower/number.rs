@@ -224,7 +224,10 @@ impl Context<'_> {
         match number.measure {
             Measure::Of(dimension) if dimension != Dimension::default() => self.refuse(
                 number.at,
-                format!("this is {} already; a unit makes one of a plain number", dimension.name()),
+                format!(
+                    "this is {} already: give every plain number beside it its own unit instead",
+                    dimension.name()
+                ),
             ),
             _ => Some(()),
         }

@@ -56,10 +56,11 @@ fn a_unit_closes_its_product() {
     expect_mass("2 kg * ratio", &[("ratio", message)]);
     let message = "a unit closes a product: write `(2 m) * MASS`, not `2 m * MASS`";
     expect_mass("2 kg * MASS", &[("MASS", message)]);
-    let message = "this is a mass already; a unit makes one of a plain number";
+    let message = "this is a mass already: give every plain number beside it its own unit instead";
     expect_mass("(2 kg) g", &[("kg", message)]);
     expect_mass("payload kg", &[("payload", message)]);
-    let message = "this is a length already; a unit makes one of a plain number";
+    let message =
+        "this is a length already: give every plain number beside it its own unit instead";
     expect("output = [1, 0, 0] m", "output = [1 mm, 0, 0] m", &[("mm", message)]);
 }
 
