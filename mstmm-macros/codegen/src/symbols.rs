@@ -1,6 +1,7 @@
 //! The unknowns of a chain: their numbers in the graph and their names in the program.
 
 use crate::model::{Chain, Hinge, Layout, Shape};
+use proc_macro2::Ident;
 use std::collections::HashSet;
 use std::ops::Range;
 
@@ -85,7 +86,8 @@ impl Symbols {
 fn distinct(names: Vec<String>) -> Vec<String> {
     let mut taken: HashSet<String> = KEPT.iter().map(|&name| name.to_owned()).collect();
     let one = |mut name: String| {
-        while !taken.insert(name.clone()) {
+        // In lower case a name may have become a word of Rust.
+        while syn::parse_str::<Ident>(&name).is_err() || !taken.insert(name.clone()) {
             name.push('_');
         }
         name
@@ -94,6 +96,6 @@ fn distinct(names: Vec<String>) -> Vec<String> {
 }
 
 /// A name as a variable is written: an upper-case one could be taken for a constant of the user's.
-fn text(ident: &proc_macro2::Ident) -> String {
+fn text(ident: &Ident) -> String {
     ident.to_string().to_lowercase()
 }

@@ -20,7 +20,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
 ];
 
 /// Words that name foreign crates, and who alone may use them.
-const MAY_QUOTE: &[&str] = &["emit", "lib.rs", "diag.rs", "syntax", "model"];
+const MAY_QUOTE: &[&str] = &["emit", "lib.rs", "diag.rs", "symbols.rs", "syntax", "model"];
 
 const LONGEST_FILE: usize = 400;
 

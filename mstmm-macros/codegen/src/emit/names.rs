@@ -34,11 +34,7 @@ impl Names {
 
 /// A local variable: out of reach of the user's names, and they of it.
 pub fn local(name: &str) -> Ident {
-    // A prefix keeps words of the language apart, `type` say, and costs nothing elsewhere.
-    match syn::parse_str::<Ident>(name) {
-        Ok(_) => Ident::new(name, Span::mixed_site()),
-        Err(_) => Ident::new(&format!("_{name}"), Span::mixed_site()),
-    }
+    Ident::new(name, Span::mixed_site())
 }
 
 /// The method that hands out `x` to be changed: `x_mut`.
