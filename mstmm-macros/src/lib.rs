@@ -187,6 +187,12 @@ use proc_macro::TokenStream;
 /// serves a chain in that function. Constants, statics and unit structs with lower-case names in scope
 /// can clash with the generated variables.
 ///
+/// # Names
+///
+/// Hinges, bodies and parameters share one set of names, which become methods: none may be a word of
+/// Rust or a method that every state or workspace has, such as `q`, `t`, `points` or `energy`. The
+/// generated code calls `::mstmm`, so the dependency has to keep its name.
+///
 /// # Conventions
 ///
 /// | | |
@@ -216,7 +222,7 @@ use proc_macro::TokenStream;
 /// | method of `Name` | |
 /// |---|---|
 /// | `new()` | as described, parameters at their defaults |
-/// | `parameters()`, `set_name(value)` | SI units; a setter refuses what is not finite or leaves a mass not positive |
+/// | `parameters()`, `set_name(value)` | SI units; a setter refuses what is not finite, or leaves something derived from it not finite or a mass not positive |
 /// | `initial_state()`, `no_inputs()`, `workspace()` | to start with; inputs are zero |
 /// | `accelerations(&state, &inputs)`, `accelerations_into(…, &mut accelerations)` | accelerations alone, the fast path |
 /// | `solve_into(&state, &inputs, &mut workspace)` | accelerations, efforts, energies and everything at every connection point |
@@ -235,8 +241,9 @@ use proc_macro::TokenStream;
 ///
 /// # Errors
 ///
-/// All mistakes in a description are reported in one build, each at the place to edit; a mass that
-/// hangs on Rust constants is checked while they are evaluated. At run time `accelerations`,
+/// All mistakes in a description are reported in one build, each at the place to edit; parameters are
+/// judged by their defaults. Of what hangs on Rust constants only a mass is checked, while they are
+/// evaluated. At run time `accelerations`,
 /// `solve_into` and steps return `Error::Singular`, with the hinge beyond which nothing has inertia, or
 /// `Error::NotFinite` for a state or inputs that are not finite; setters return `Error::Parameter`.
 /// What was there before is kept then.

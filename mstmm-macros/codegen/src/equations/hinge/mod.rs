@@ -1,6 +1,10 @@
 //! Hinges: how each turns and shifts its outboard frame against its inboard one, and which
 //! directions it leaves free. One file a kind, the same functions in the same order.
 //!
+//! A new kind is a variant of [`HingeKind`] and four files, each with its line in the list beside
+//! it: its words in `model/lower/hinge`, its numbers in `model/hinge`, its equations here, and the
+//! view of its coordinates in the runtime's `hinge`.
+//!
 //! A hinge is crossed from the side that motion comes from (the *parent*) to the other (the
 //! *child*). The parent is the inboard side, unless the chain is held at its end only: then the
 //! crossing is *reversed*. Each kind may choose axes that suit it, *aligned* with its free
