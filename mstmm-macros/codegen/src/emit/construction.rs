@@ -3,8 +3,8 @@
 use super::Plan;
 use super::docs;
 use crate::model::{Parameter, Symbol, Value};
-use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Literal, Span, TokenStream};
+use quote::{format_ident, quote, quote_spanned};
 
 /// `struct Chain<T>`, `struct ChainParameters<T>` and their constructors.
 pub fn emit(plan: &Plan) -> TokenStream {
@@ -201,7 +201,9 @@ fn constant_mass(plan: &Plan, body: &crate::model::Body) -> Option<TokenStream> 
     let checked = body.mass.at(&defaults).is_some();
     let value = (!checked && is_const(plan, &body.mass)).then(|| value_tokens(plan, &body.mass))?;
     let message = format!("the mass of body `{}` must be positive", body.name);
-    Some(quote! {
+    // At the name of the type, for the compiler to point there.
+    let place = body.type_name.span().resolved_at(Span::call_site());
+    Some(quote_spanned! {place=>
         #[allow(clippy::all)]
         const _: () = ::core::assert!(#value > 0.0, #message);
     })
