@@ -1,8 +1,7 @@
 //! What the generated docs say of a chain.
 
 use super::Plan;
-use super::dynamics::method_name;
-use crate::model::{Element, HingeKind, Parameter, Place};
+use crate::model::{Element, HingeKind, Method, Parameter, Place};
 use crate::program::{Cost, Program};
 
 /// The chain at a glance: its route, its elements, its freedoms, its method and costs.
@@ -94,4 +93,12 @@ pub fn parameter(parameter: &Parameter) -> String {
     let unit =
         if parameter.unit.is_empty() { String::new() } else { format!(" in {}", parameter.unit) };
     format!(" `{}`{unit}.", parameter.name)
+}
+
+/// The method's name.
+fn method_name(method: Method) -> &'static str {
+    match method {
+        Method::Riccati => "riccati",
+        Method::Transfer => "transfer",
+    }
 }

@@ -3,7 +3,7 @@
 
 use super::Plan;
 use super::docs;
-use crate::model::{Effort, Method, Results};
+use crate::model::{Effort, Results};
 use crate::program::Program;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -272,12 +272,4 @@ fn map(plan: &Plan, program: &Program) -> TokenStream {
     let block = plan.step_block(program);
     let (statements, results) = (block.statements, &block.outputs[0]);
     quote!(#statements [[#(#results),*]])
-}
-
-/// The method's name.
-pub fn method_name(method: Method) -> &'static str {
-    match method {
-        Method::Riccati => "riccati",
-        Method::Transfer => "transfer",
-    }
 }

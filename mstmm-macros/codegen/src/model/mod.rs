@@ -13,9 +13,10 @@ mod value;
 
 pub use hinge::{Coordinate, Group, Results, Shape, View};
 pub use layout::{Layout, Link};
-pub use lower::lower;
 pub use value::{Symbol, Value};
 
+use crate::diag::Diagnostics;
+use crate::syntax::{ChainDef, Surface};
 use proc_macro2::Ident;
 
 /// Index into [`Chain::bodies`].
@@ -44,6 +45,17 @@ pub struct Chain {
     pub route: Vec<Element>,
     /// The method that the user asked for, if any.
     pub method: Option<Method>,
+}
+
+/// What was meant by a description, checked. Nothing if it has a mistake, which is reported then.
+pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Surface)> {
+    let before = diagnostics.count();
+    let (draft, surface) = lower::draft(def, diagnostics);
+    check::check(&draft, diagnostics);
+    if diagnostics.count() > before {
+        return None;
+    }
+    Some((draft.finish()?, surface))
 }
 
 /// An element of the route.

@@ -24,31 +24,23 @@ pub(super) use draft::Draft;
 pub(super) use hinge::{KINDS, LATER_KINDS};
 pub(super) use route::Stop;
 
-use super::{Chain, check};
 use crate::diag::Diagnostics;
 use crate::syntax::{ChainDef, Surface};
 use context::Context;
 
-/// What was meant by a description, checked. Nothing if it has a mistake, which is reported then.
-pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Surface)> {
-    let before = diagnostics.count();
+/// What was meant by a description, as far as it could be read; mistakes are reported.
+pub(super) fn draft<'a>(def: &'a ChainDef, diagnostics: &mut Diagnostics) -> (Draft<'a>, Surface) {
     let mut context = Context::new(def.whole, diagnostics);
     let parameters = parameter::parameters(def, &mut context);
     let settings = setting::settings(def, &mut context);
     let types = body::types(def, &mut context);
     let stops = route::stops(def, &types, &mut context);
     let motions = properties::motions(def, &stops, &mut context);
-
     let surface = Surface {
         visibility: def.visibility.clone(),
         attributes: def.attributes.clone(),
         constants: context.constants,
     };
     let constants = surface.constants.len();
-    let draft = Draft { def, settings, parameters, constants, types, stops, motions };
-    check::check(&draft, diagnostics);
-    if diagnostics.count() > before {
-        return None;
-    }
-    Some((draft.finish()?, surface))
+    (Draft { def, settings, parameters, constants, types, stops, motions }, surface)
 }
