@@ -1,12 +1,12 @@
 //! Everything that can be asked of a chain once its accelerations are known: pose, velocity and
 //! the state vector `z` at every connection point, from the bodies as written.
 //!
-//! Accelerations go outwards from the ground, wrenches come back from the free end. Neither the
-//! trick with gravity nor the work axes of the method show here: all is inertial, `r̈` is true.
+//! Accelerations go outwards from the ground, wrenches come back from the free end. What comes out
+//! is inertial, and `r̈` is true, whatever axes and tricks the sums are made with.
 
 use super::motion::{point_of, sides};
 use super::{Axes, LinkMotion, Situation, Trace, motion};
-use crate::math::{Mat3, Motion, Scalar, Vec3, Wrench};
+use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::{Element, HingeId, Place};
 
 /// A connection point, inertial frame.
@@ -53,7 +53,8 @@ pub fn report<S: Scalar>(
 ) -> Report<S> {
     let links = motion(situation, Axes::Inertial, trace);
     let mut moving = outwards(situation, &links, accelerations, trace);
-    inwards(situation, &links, &mut moving, trace);
+    let loads = own_loads(situation, &links, accelerations, trace);
+    inwards(situation, &links, &loads, &mut moving, trace);
     let sheet = Sheet { situation, links: &links, moving: &moving };
     trace.section("Connection points", "[P, Eqs. (4), (12)]");
     Report { points: spots(situation).iter().map(|spot| sheet.point(spot)).collect() }
@@ -107,24 +108,52 @@ fn outwards<S: Scalar>(
     moving
 }
 
+/// The load that every body's own motion takes, about its link's point, inertial axes: the parts of
+/// [P, Eqs. (18), (19)] without its ends. Inertias are constant in body axes, so the sums are made
+/// there.
+fn own_loads<S: Scalar>(
+    situation: &Situation<S>,
+    inertial: &[LinkMotion<S>],
+    accelerations: &[S],
+    trace: &mut Trace<S>,
+) -> Vec<Wrench<S>> {
+    let links = motion(situation, Axes::Body, trace);
+    // What a body at rest feels: gravity counts as an acceleration of the ground.
+    let gravity = situation.numbers.vector(&situation.chain.gravity);
+    let ground = Motion { linear: -gravity, angular: Vec3::zero() };
+    let mut felt: Vec<Motion<S>> = Vec::new();
+    let mut loads = Vec::new();
+    for (index, link) in links.iter().enumerate() {
+        trace.section(format!("Load of the body at `{}`", link.name), "[P, Eqs. (18), (19)]");
+        let rates = &accelerations[situation.layout.v[situation.layout.links[index].hinge].clone()];
+        let carried = link.carried(link.parent.map_or(ground, |parent| felt[parent]));
+        let own = carried + link.freedom.motion(rates);
+        let load = link.rigid().times(own) + link.velocity_load();
+        let to_inertial = inertial[index].attitude * link.attitude.transposed();
+        let load = load.turned(&Rotation::general(to_inertial));
+        trace.wrench(&format!("{}_own", link.name), load);
+        felt.push(own);
+        loads.push(load);
+    }
+    loads
+}
+
 /// What every hinge exerts, from the free end [P, Eqs. (18), (19)]; where it frees whole axes of
 /// the inertial frame that is its effort and nothing else [P, Eqs. (25), (57), (58)].
 fn inwards<S: Scalar>(
     situation: &Situation<S>,
     links: &[LinkMotion<S>],
+    loads: &[Wrench<S>],
     moving: &mut [Moving<S>],
     trace: &mut Trace<S>,
 ) {
     let Situation { chain, layout, numbers, inputs, .. } = *situation;
-    let gravity = numbers.vector(&chain.gravity);
     let efforts = numbers.efforts(chain, layout, inputs);
     for index in (0..links.len()).rev() {
         let link = &links[index];
         trace.section(format!("Load on `{}`", link.name), "[P, Eqs. (18), (19)]");
-        let free_fall = Motion { linear: -gravity, angular: Vec3::zero() };
-        let own = link.rigid().times(moving[index].acceleration + free_fall) + link.velocity_load();
         let efforts = &efforts[layout.v[layout.links[index].hinge].clone()];
-        moving[index].wrench = link.freedom.released(moving[index].wrench + own, efforts);
+        moving[index].wrench = link.freedom.released(moving[index].wrench + loads[index], efforts);
         trace.wrench(&format!("{}_load", link.name), moving[index].wrench);
         if let Some(parent) = link.parent {
             moving[parent].wrench =

@@ -148,5 +148,9 @@ mod tests {
         assert_eq!(edge(x + x), edge(number(2.0) * x));
         assert_eq!(edge((x + number(1.0)) + number(2.0)), edge(x + number(3.0)));
         assert_eq!(edge(x.recip().recip()), edge(x));
+        let y = graph.symbol(1, Stage::State);
+        assert_eq!(edge((x + y) - y), edge(x));
+        assert_eq!(edge(x - (x - y)), edge(y));
+        assert_eq!(edge((y - x) + (x - y) + x), edge(x));
     }
 }

@@ -1,6 +1,6 @@
 //! The canonical form of every operation: what folds, which order operands take, where signs go.
 //! The rules are those of real numbers. Rounding may differ where known numbers are gathered and
-//! where a reciprocal is undone, and `0 x` is zero even where `x` is not finite.
+//! where a sum or a reciprocal is undone, and `0 x` is zero even where `x` is not finite.
 
 use super::{Edge, Expr, Graph, Node};
 use Expr::{Formula, Number};
@@ -18,10 +18,24 @@ pub(super) fn sum<'g>(a: Expr<'g>, b: Expr<'g>) -> Expr<'g> {
                 product(Number(2.0), Formula(graph, a))
             } else if a == b.negated() {
                 Number(0.0)
+            } else if let Some(rest) = without(graph, a, b).or_else(|| without(graph, b, a)) {
+                Formula(graph, rest)
             } else {
                 ordered_sum(graph, a, b)
             }
         }
+    }
+}
+
+/// `(x + y) − y = x`: what is left of the sum `a` with its term `−b` taken away.
+fn without(graph: &Graph, a: Edge, b: Edge) -> Option<Edge> {
+    let Node::Sum(x, y) = graph.node(a.node()) else { return None };
+    let sign = |edge: Edge| if a.is_negative() { edge.negated() } else { edge };
+    let (x, y) = (sign(x), sign(y));
+    match b.negated() {
+        taken if taken == y => Some(x),
+        taken if taken == x => Some(y),
+        _ => None,
     }
 }
 

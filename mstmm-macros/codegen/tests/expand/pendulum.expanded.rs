@@ -9,12 +9,12 @@
 /// | `joint` | pin | 1 |
 /// | `rod` | body `Rod` |  |
 ///
-/// 1 degree of freedom; accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 32 operations.
+/// 1 degree of freedom; accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 35 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Pendulum<T> {
     parameters: PendulumParameters<T>,
-    derived: [T; 7],
+    derived: [T; 6],
 }
 /// Numbers of [`Pendulum`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,12 +83,12 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             t: T::constant(0.0),
         }
     }
-    /// Quantities derived from parameters and constants: 4 mul, 4 add, 1 reciprocal.
+    /// Quantities derived from parameters and constants: 3 mul, 4 add, 1 reciprocal.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn derive(parameters: &PendulumParameters<T>) -> ([T; 7], [T; 1]) {
+    fn derive(parameters: &PendulumParameters<T>) -> ([T; 6], [T; 1]) {
         let c = T::constant;
         let payload = parameters.payload;
-        /// Quantities derived from parameters and constants: 4 mul, 4 add, 1 reciprocal.
+        /// Quantities derived from parameters and constants: 3 mul, 4 add, 1 reciprocal.
         let joint_k_xx = payload + c(1.0);
         let joint_b_y_z = joint_k_xx * c(0.5);
         let t0 = joint_k_xx * c(0.25);
@@ -97,11 +97,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let joint_z0_force_y = joint_b_y_z * p4;
         let t1 = t0 + c(0.09333333333333332);
         let p5 = joint_j_yy + t1;
-        let p6 = joint_k_xx * c(9.8);
-        (
-            [joint_k_xx, joint_b_y_z, joint_j_yy, joint_z0_force_y, p4, p5, p6],
-            [joint_k_xx],
-        )
+        ([joint_k_xx, joint_b_y_z, joint_j_yy, joint_z0_force_y, p4, p5], [joint_k_xx])
     }
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for Pendulum<T> {
@@ -174,14 +170,15 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 32 operations: 25 mul, 7 add, 0 reciprocal, 1 sin/cos.
+    /// 35 operations: 27 mul, 8 add, 0 reciprocal, 1 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 3 | 1 | 0 | 0 | 0 |
-    /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 12 | 4 | 0 | 0 | 0 |
-    /// | Results |  | 10 | 2 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
+    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 4 | 1 | 0 | 0 | 0 |
+    /// | Load of the body at `joint` | \[P, Eqs. (18), (19)\] | 9 | 5 | 0 | 0 | 0 |
+    /// | Results |  | 12 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -195,47 +192,51 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         let c = T::constant;
         let [known_joint_k_xx, known_joint_b_y_z, known_joint_j_yy,
-        known_joint_z0_force_y, known_p4, known_p5, known_p6, ..] = self.derived;
+        known_joint_z0_force_y, known_p4, known_p5, ..] = self.derived;
         let [[joint_angle]] = state.q.data.0;
         let [[joint_rate]] = state.v.data.0;
         let joint_input0 = inputs.joint;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_joint_angle], [cos_joint_angle]) = T::sin_cos([joint_angle]);
-        /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 3 mul, 1 add, 0 reciprocal.
+        /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
+        let t0 = joint_rate * known_joint_b_y_z;
+        let minus_joint_e_force_x = joint_rate * t0;
+        /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 1 add, 0 reciprocal.
+        let joint_a_lin_x = sin_joint_angle * c(9.8);
         let joint_a_lin_y = cos_joint_angle * c(9.8);
-        let t0 = joint_input0 * known_p4;
-        let t1 = joint_a_lin_y * known_joint_z0_force_y;
-        let joint_a_ang_z = t0 - t1;
-        /// Load on `joint`, [P, Eqs. (18), (19)]: 12 mul, 4 add, 0 reciprocal.
-        let t2 = cos_joint_angle * c(0.5);
-        let t3 = sin_joint_angle * c(0.5);
-        let t4 = known_joint_k_xx * t2;
-        let t5 = known_joint_k_xx * t3;
-        let t6 = joint_a_ang_z * t5;
-        let t7 = joint_rate * t4;
-        let t8 = joint_rate * t7;
-        let minus_joint_load_force_x = t6 + t8;
-        let t9 = joint_a_ang_z * t4;
-        let t10 = known_p6 + t9;
-        let t11 = joint_rate * t5;
-        let t12 = joint_rate * t11;
-        let joint_load_force_y = t10 - t12;
-        let t13 = c(9.8) * t4;
-        let t14 = known_joint_j_yy * joint_a_ang_z;
-        let joint_load_moment_z = t13 + t14;
-        /// Results: 10 mul, 2 add, 0 reciprocal.
-        let t15 = joint_rate * t3;
-        let t16 = joint_rate * t2;
-        let t17 = joint_rate * c(0.08333333333333333);
-        let t18 = joint_rate * t17;
-        let t19 = t15 * t15;
+        let t1 = joint_input0 * known_p4;
+        let t2 = joint_a_lin_y * known_joint_z0_force_y;
+        let joint_a_ang_z = t1 - t2;
+        /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 9 mul, 5 add, 0 reciprocal.
+        let t3 = known_joint_k_xx * joint_a_lin_x;
+        let t4 = known_joint_k_xx * joint_a_lin_y;
+        let t5 = t3 - minus_joint_e_force_x;
+        let t6 = known_joint_b_y_z * joint_a_ang_z;
+        let t7 = t4 + t6;
+        let t8 = cos_joint_angle * t5;
+        let t9 = sin_joint_angle * t7;
+        let joint_own_force_x = t8 - t9;
+        let t10 = sin_joint_angle * t5;
+        let t11 = cos_joint_angle * t7;
+        let joint_own_force_y = t10 + t11;
+        let t12 = known_joint_b_y_z * joint_a_lin_y;
+        let t13 = known_joint_j_yy * joint_a_ang_z;
+        let joint_own_moment_z = t12 + t13;
+        /// Results: 12 mul, 2 add, 0 reciprocal.
+        let t14 = cos_joint_angle * c(0.5);
+        let t15 = sin_joint_angle * c(0.5);
+        let t16 = joint_rate * t15;
+        let t17 = joint_rate * t14;
+        let t18 = joint_rate * c(0.08333333333333333);
+        let t19 = joint_rate * t18;
         let t20 = t16 * t16;
-        let t21 = t19 + t20;
-        let t22 = known_joint_k_xx * t21;
-        let t23 = t18 + t22;
-        let t24 = c(0.5) * t23;
-        let t25 = sin_joint_angle * c(4.9);
-        let t26 = known_joint_k_xx * t25;
+        let t21 = t17 * t17;
+        let t22 = t20 + t21;
+        let t23 = known_joint_k_xx * t22;
+        let t24 = t19 + t23;
+        let t25 = c(0.5) * t24;
+        let t26 = sin_joint_angle * c(4.9);
+        let t27 = known_joint_k_xx * t26;
         ::mstmm::generated::finite::<
             T,
         >(&[state.q.as_slice(), state.v.as_slice(), &[inputs.joint]])?;
@@ -246,8 +247,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         >(&["joint"], [known_joint_j_yy], [known_p5], [joint_a_ang_z])?;
         at.accelerations.data.0 = [[joint_a_ang_z]];
         at.efforts.data.0 = [[joint_input0]];
-        at.kinetic_energy = t24;
-        at.potential_energy = t26;
+        at.kinetic_energy = t25;
+        at.potential_energy = t27;
         at.points = [
             ::mstmm::Point::new(
                 [c(0.0), c(0.0), c(0.0)],
@@ -261,8 +262,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
                 ::mstmm::StateVector::new(
                     [c(0.0), c(0.0), c(0.0)],
                     [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), -joint_load_moment_z],
-                    [-minus_joint_load_force_x, joint_load_force_y, c(0.0)],
+                    [c(0.0), c(0.0), -joint_own_moment_z],
+                    [joint_own_force_x, joint_own_force_y, c(0.0)],
                 ),
             ),
             ::mstmm::Point::new(
@@ -277,8 +278,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
                 ::mstmm::StateVector::new(
                     [c(0.0), c(0.0), c(0.0)],
                     [c(0.0), c(0.0), joint_a_ang_z],
-                    [c(0.0), c(0.0), -joint_load_moment_z],
-                    [-minus_joint_load_force_x, joint_load_force_y, c(0.0)],
+                    [c(0.0), c(0.0), -joint_own_moment_z],
+                    [joint_own_force_x, joint_own_force_y, c(0.0)],
                 ),
             ),
             ::mstmm::Point::new(

@@ -9,7 +9,7 @@
 /// | `tip` | ball | 3 |
 /// | `cone` | body `Cone` |  |
 ///
-/// 3 degrees of freedom; accelerations by `riccati`, 28 operations (21 mul, 7 add, 0 reciprocal); with everything at every connection point 151 operations.
+/// 3 degrees of freedom; accelerations by `riccati`, 28 operations (21 mul, 7 add, 0 reciprocal); with everything at every connection point 149 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 struct Top<T> {
@@ -157,16 +157,16 @@ impl<T: ::mstmm::Scalar> Top<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 151 operations: 95 mul, 56 add, 0 reciprocal.
+    /// 149 operations: 94 mul, 55 add, 0 reciprocal.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 12 | 12 | 0 | 0 | 0 |
-    /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 9 | 3 | 0 | 0 | 0 |
+    /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 15 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 5 | 2 | 0 | 0 | 0 |
     /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 9 | 6 | 0 | 0 | 0 |
     /// | Point of `tip` | \[P, Eqs. (12), (13), (36)\] | 9 | 6 | 0 | 0 | 0 |
-    /// | Load on `tip` | \[P, Eqs. (18), (19)\] | 21 | 13 | 0 | 0 | 0 |
+    /// | Load of the body at `tip` | \[P, Eqs. (18), (19)\] | 14 | 11 | 0 | 0 | 0 |
     /// | Results |  | 30 | 14 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -207,139 +207,137 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let tip_turn_z_y = t12 + t13;
         let t14 = t10 + t2;
         let tip_turn_z_z = c(1.0) - t14;
-        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 9 mul, 3 add, 0 reciprocal.
-        let t15 = tip_wy * c(0.001);
-        let t16 = tip_wz * c(0.0001);
-        let t17 = tip_wy * t16;
-        let t18 = tip_wz * t15;
-        let tip_e_moment_x = t17 - t18;
-        let t19 = tip_wx * c(0.001);
-        let t20 = tip_wz * t19;
-        let t21 = tip_wx * t16;
-        let tip_e_moment_y = t20 - t21;
-        let t22 = tip_wx * t15;
-        let t23 = tip_wy * t19;
-        let tip_e_moment_z = t22 - t23;
+        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 15 mul, 4 add, 0 reciprocal.
+        let t15 = tip_wx * c(0.012);
+        let tip_e_force_x = tip_wz * t15;
+        let t16 = tip_wy * c(0.012);
+        let tip_e_force_y = tip_wz * t16;
+        let t17 = tip_wx * t15;
+        let t18 = tip_wy * t16;
+        let minus_tip_e_force_z = t17 + t18;
+        let t19 = tip_wy * c(0.001);
+        let t20 = tip_wz * c(0.0001);
+        let t21 = tip_wy * t20;
+        let t22 = tip_wz * t19;
+        let tip_e_moment_x = t21 - t22;
+        let t23 = tip_wx * c(0.001);
+        let t24 = tip_wz * t23;
+        let t25 = tip_wx * t20;
+        let tip_e_moment_y = t24 - t25;
+        let t26 = tip_wx * t19;
+        let t27 = tip_wy * t23;
+        let tip_e_moment_z = t26 - t27;
         /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 5 mul, 2 add, 0 reciprocal.
-        let t24 = tip_e_moment_x * c(1000.0);
-        let t25 = tip_turn_z_y * c(117.60000000000001);
-        let minus_tip_a_ang_x = t24 - t25;
-        let t26 = tip_e_moment_y * c(1000.0);
-        let t27 = minus_tip_turn_z_x * c(117.60000000000001);
-        let minus_tip_a_ang_y = t26 - t27;
+        let t28 = tip_e_moment_x * c(1000.0);
+        let t29 = tip_turn_z_y * c(117.60000000000001);
+        let minus_tip_a_ang_x = t28 - t29;
+        let t30 = tip_e_moment_y * c(1000.0);
+        let t31 = minus_tip_turn_z_x * c(117.60000000000001);
+        let minus_tip_a_ang_y = t30 - t31;
         let minus_tip_a_ang_z = tip_e_moment_z * c(10000.0);
         /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
-        let t28 = tip_wx * minus_tip_turn_x_x;
-        let t29 = tip_wy * minus_tip_turn_x_y;
-        let t30 = t28 + t29;
-        let t31 = tip_wz * tip_turn_x_z;
-        let minus_tip_omega_x = t30 - t31;
-        let t32 = tip_wx * tip_turn_y_x;
-        let t33 = tip_wy * tip_turn_y_y;
+        let t32 = tip_wx * minus_tip_turn_x_x;
+        let t33 = tip_wy * minus_tip_turn_x_y;
         let t34 = t32 + t33;
-        let t35 = tip_wz * minus_tip_turn_y_z;
-        let tip_omega_y = t34 - t35;
-        let t36 = tip_wx * minus_tip_turn_z_x;
-        let t37 = tip_wy * tip_turn_z_y;
-        let t38 = t36 - t37;
-        let t39 = tip_wz * tip_turn_z_z;
-        let minus_tip_omega_z = t38 - t39;
+        let t35 = tip_wz * tip_turn_x_z;
+        let minus_tip_omega_x = t34 - t35;
+        let t36 = tip_wx * tip_turn_y_x;
+        let t37 = tip_wy * tip_turn_y_y;
+        let t38 = t36 + t37;
+        let t39 = tip_wz * minus_tip_turn_y_z;
+        let tip_omega_y = t38 - t39;
+        let t40 = tip_wx * minus_tip_turn_z_x;
+        let t41 = tip_wy * tip_turn_z_y;
+        let t42 = t40 - t41;
+        let t43 = tip_wz * tip_turn_z_z;
+        let minus_tip_omega_z = t42 - t43;
         /// Point of `tip`, [P, Eqs. (12), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
-        let t40 = minus_tip_turn_x_x * minus_tip_a_ang_x;
-        let t41 = minus_tip_turn_x_y * minus_tip_a_ang_y;
-        let t42 = t40 + t41;
-        let t43 = tip_turn_x_z * minus_tip_a_ang_z;
-        let tip_acc_ang_x = t42 - t43;
-        let t44 = tip_turn_y_x * minus_tip_a_ang_x;
-        let t45 = tip_turn_y_y * minus_tip_a_ang_y;
+        let t44 = minus_tip_turn_x_x * minus_tip_a_ang_x;
+        let t45 = minus_tip_turn_x_y * minus_tip_a_ang_y;
         let t46 = t44 + t45;
-        let t47 = minus_tip_turn_y_z * minus_tip_a_ang_z;
-        let minus_tip_acc_ang_y = t46 - t47;
-        let t48 = minus_tip_turn_z_x * minus_tip_a_ang_x;
-        let t49 = tip_turn_z_y * minus_tip_a_ang_y;
-        let t50 = t48 - t49;
-        let t51 = tip_turn_z_z * minus_tip_a_ang_z;
-        let tip_acc_ang_z = t50 - t51;
-        /// Load on `tip`, [P, Eqs. (18), (19)]: 21 mul, 13 add, 0 reciprocal.
-        let t52 = tip_turn_x_z * c(0.012);
-        let t53 = minus_tip_turn_y_z * c(0.012);
-        let t54 = tip_turn_z_z * c(0.012);
-        let t55 = minus_tip_acc_ang_y * t54;
-        let t56 = tip_acc_ang_z * t53;
-        let t57 = t55 - t56;
-        let t58 = minus_tip_omega_z * t52;
-        let t59 = minus_tip_omega_x * t54;
-        let t60 = t58 - t59;
-        let t61 = minus_tip_omega_x * t53;
-        let t62 = tip_omega_y * t52;
-        let t63 = t61 - t62;
-        let t64 = tip_omega_y * t63;
-        let t65 = minus_tip_omega_z * t60;
-        let t66 = t64 - t65;
-        let minus_tip_load_force_x = t57 - t66;
-        let t67 = tip_acc_ang_x * t54;
-        let t68 = tip_acc_ang_z * t52;
-        let t69 = t67 - t68;
-        let t70 = tip_omega_y * t54;
-        let t71 = minus_tip_omega_z * t53;
-        let t72 = t70 - t71;
-        let t73 = minus_tip_omega_z * t72;
-        let t74 = minus_tip_omega_x * t63;
-        let t75 = t73 - t74;
-        let minus_tip_load_force_y = t69 + t75;
-        let t76 = tip_acc_ang_x * t53;
-        let t77 = minus_tip_acc_ang_y * t52;
-        let t78 = t76 - t77;
-        let t79 = c(1.9600000000000002) - t78;
-        let t80 = minus_tip_omega_x * t60;
-        let t81 = tip_omega_y * t72;
-        let t82 = t80 - t81;
-        let tip_load_force_z = t79 + t82;
+        let t47 = tip_turn_x_z * minus_tip_a_ang_z;
+        let tip_acc_ang_x = t46 - t47;
+        let t48 = tip_turn_y_x * minus_tip_a_ang_x;
+        let t49 = tip_turn_y_y * minus_tip_a_ang_y;
+        let t50 = t48 + t49;
+        let t51 = minus_tip_turn_y_z * minus_tip_a_ang_z;
+        let minus_tip_acc_ang_y = t50 - t51;
+        let t52 = minus_tip_turn_z_x * minus_tip_a_ang_x;
+        let t53 = tip_turn_z_y * minus_tip_a_ang_y;
+        let t54 = t52 - t53;
+        let t55 = tip_turn_z_z * minus_tip_a_ang_z;
+        let tip_acc_ang_z = t54 - t55;
+        /// Load of the body at `tip`, [P, Eqs. (18), (19)]: 14 mul, 11 add, 0 reciprocal.
+        let t56 = minus_tip_turn_z_x * c(1.9600000000000002);
+        let t57 = tip_turn_z_y * c(1.9600000000000002);
+        let t58 = tip_turn_z_z * c(1.9600000000000002);
+        let t59 = t58 - minus_tip_e_force_z;
+        let t60 = c(0.012) * minus_tip_a_ang_y;
+        let t61 = c(0.012) * minus_tip_a_ang_x;
+        let t62 = t56 + t60;
+        let t63 = t57 + t61;
+        let t64 = tip_e_force_x - t62;
+        let t65 = tip_e_force_y + t63;
+        let t66 = minus_tip_turn_x_x * t64;
+        let t67 = minus_tip_turn_x_y * t65;
+        let t68 = t66 + t67;
+        let t69 = tip_turn_x_z * t59;
+        let minus_tip_own_force_x = t68 - t69;
+        let t70 = tip_turn_y_x * t64;
+        let t71 = tip_turn_y_y * t65;
+        let t72 = t70 + t71;
+        let t73 = minus_tip_turn_y_z * t59;
+        let tip_own_force_y = t72 - t73;
+        let t74 = minus_tip_turn_z_x * t64;
+        let t75 = tip_turn_z_y * t65;
+        let t76 = t74 - t75;
+        let t77 = tip_turn_z_z * t59;
+        let minus_tip_own_force_z = t76 - t77;
         /// Results: 30 mul, 14 add, 0 reciprocal.
-        let t83 = tip_turn_x_z * c(0.06);
-        let t84 = minus_tip_turn_y_z * c(0.06);
-        let t85 = tip_turn_z_z * c(0.06);
-        let t86 = tip_omega_y * t85;
-        let t87 = minus_tip_omega_z * t84;
-        let t88 = t86 - t87;
-        let t89 = minus_tip_omega_z * t83;
-        let t90 = minus_tip_omega_x * t85;
-        let t91 = t89 - t90;
-        let t92 = minus_tip_omega_x * t84;
-        let t93 = tip_omega_y * t83;
-        let t94 = t92 - t93;
-        let t95 = minus_tip_turn_x_x * minus_tip_omega_x;
-        let t96 = tip_turn_y_x * tip_omega_y;
+        let t78 = tip_turn_x_z * c(0.06);
+        let t79 = minus_tip_turn_y_z * c(0.06);
+        let t80 = tip_turn_z_z * c(0.06);
+        let t81 = tip_omega_y * t80;
+        let t82 = minus_tip_omega_z * t79;
+        let t83 = t81 - t82;
+        let t84 = minus_tip_omega_z * t78;
+        let t85 = minus_tip_omega_x * t80;
+        let t86 = t84 - t85;
+        let t87 = minus_tip_omega_x * t79;
+        let t88 = tip_omega_y * t78;
+        let t89 = t87 - t88;
+        let t90 = minus_tip_turn_x_x * minus_tip_omega_x;
+        let t91 = tip_turn_y_x * tip_omega_y;
+        let t92 = t90 + t91;
+        let t93 = minus_tip_turn_z_x * minus_tip_omega_z;
+        let t94 = t92 + t93;
+        let t95 = minus_tip_turn_x_y * minus_tip_omega_x;
+        let t96 = tip_turn_y_y * tip_omega_y;
         let t97 = t95 + t96;
-        let t98 = minus_tip_turn_z_x * minus_tip_omega_z;
-        let t99 = t97 + t98;
-        let t100 = minus_tip_turn_x_y * minus_tip_omega_x;
-        let t101 = tip_turn_y_y * tip_omega_y;
+        let t98 = tip_turn_z_y * minus_tip_omega_z;
+        let t99 = t97 - t98;
+        let t100 = tip_turn_x_z * minus_tip_omega_x;
+        let t101 = minus_tip_turn_y_z * tip_omega_y;
         let t102 = t100 + t101;
-        let t103 = tip_turn_z_y * minus_tip_omega_z;
-        let t104 = t102 - t103;
-        let t105 = tip_turn_x_z * minus_tip_omega_x;
-        let t106 = minus_tip_turn_y_z * tip_omega_y;
-        let t107 = t105 + t106;
-        let t108 = tip_turn_z_z * minus_tip_omega_z;
-        let t109 = t107 + t108;
-        let t110 = t99 * c(0.0002800000000000001);
-        let t111 = t104 * c(0.0002800000000000001);
-        let t112 = c(0.0001) * t109;
-        let t113 = t99 * t110;
-        let t114 = t104 * t111;
+        let t103 = tip_turn_z_z * minus_tip_omega_z;
+        let t104 = t102 + t103;
+        let t105 = t94 * c(0.0002800000000000001);
+        let t106 = t99 * c(0.0002800000000000001);
+        let t107 = c(0.0001) * t104;
+        let t108 = t94 * t105;
+        let t109 = t99 * t106;
+        let t110 = t108 + t109;
+        let t111 = t104 * t107;
+        let t112 = t110 + t111;
+        let t113 = t83 * t83;
+        let t114 = t86 * t86;
         let t115 = t113 + t114;
-        let t116 = t109 * t112;
+        let t116 = t89 * t89;
         let t117 = t115 + t116;
-        let t118 = t88 * t88;
-        let t119 = t91 * t91;
-        let t120 = t118 + t119;
-        let t121 = t94 * t94;
-        let t122 = t120 + t121;
-        let t123 = t122 * c(0.2);
-        let t124 = t117 + t123;
-        let t125 = t124 * c(0.5);
-        let t126 = tip_turn_z_z * c(0.1176);
+        let t118 = t117 * c(0.2);
+        let t119 = t112 + t118;
+        let t120 = t119 * c(0.5);
+        let t121 = tip_turn_z_z * c(0.1176);
         ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
         ::mstmm::generated::regular::<
             T,
@@ -350,8 +348,8 @@ impl<T: ::mstmm::Scalar> Top<T> {
             [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z],
         ];
         at.efforts.data.0 = [[c(0.0), c(0.0), c(0.0)]];
-        at.kinetic_energy = t125;
-        at.potential_energy = t126;
+        at.kinetic_energy = t120;
+        at.potential_energy = t121;
         at.points = [
             ::mstmm::Point::new(
                 [c(0.0), c(0.0), c(0.0)],
@@ -366,7 +364,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
                     [c(0.0), c(0.0), c(0.0)],
                     [c(0.0), c(0.0), c(0.0)],
                     [c(0.0), c(0.0), c(0.0)],
-                    [-minus_tip_load_force_x, -minus_tip_load_force_y, tip_load_force_z],
+                    [-minus_tip_own_force_x, tip_own_force_y, -minus_tip_own_force_z],
                 ),
             ),
             ::mstmm::Point::new(
@@ -382,7 +380,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
                     [c(0.0), c(0.0), c(0.0)],
                     [tip_acc_ang_x, -minus_tip_acc_ang_y, tip_acc_ang_z],
                     [c(0.0), c(0.0), c(0.0)],
-                    [-minus_tip_load_force_x, -minus_tip_load_force_y, tip_load_force_z],
+                    [-minus_tip_own_force_x, tip_own_force_y, -minus_tip_own_force_z],
                 ),
             ),
             ::mstmm::Point::new(

@@ -11,7 +11,7 @@
 /// | `elbow` | pin | 1 |
 /// | `lower` | body `Rod` |  |
 ///
-/// 2 degrees of freedom; accelerations by `transfer`, 130 operations (75 mul, 50 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 217 operations.
+/// 2 degrees of freedom; accelerations by `transfer`, 130 operations (75 mul, 50 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 223 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPins<T> {
@@ -277,7 +277,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 217 operations: 124 mul, 88 add, 3 reciprocal, 2 square root, 2 sin/cos.
+    /// 223 operations: 127 mul, 91 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -290,9 +290,10 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
     /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 8 | 2 | 0 | 0 | 0 |
     /// | Point of `elbow` | \[P, Eqs. (12), (13), (36)\] | 2 | 3 | 0 | 0 | 0 |
-    /// | Load on `elbow` | \[P, Eqs. (18), (19)\] | 11 | 7 | 0 | 0 | 0 |
-    /// | Load on `shoulder` | \[P, Eqs. (18), (19)\] | 11 | 9 | 0 | 0 | 0 |
-    /// | Results |  | 17 | 17 | 0 | 0 | 0 |
+    /// | Load of the body at `shoulder` | \[P, Eqs. (18), (19)\] | 6 | 4 | 0 | 0 | 0 |
+    /// | Load of the body at `elbow` | \[P, Eqs. (18), (19)\] | 9 | 10 | 0 | 0 | 0 |
+    /// | Load on `shoulder` | \[P, Eqs. (18), (19)\] | 2 | 5 | 0 | 0 | 0 |
+    /// | Results |  | 25 | 17 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -471,81 +472,88 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t122 = cos_shoulder_angle * minus_shoulder_beta0;
         let minus_elbow_acc_lin_y = minus_elbow_drift_lin_y + t122;
         let minus_elbow_acc_ang_z = minus_end_x5 + minus_shoulder_beta0;
-        /// Load on `elbow`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
-        let t123 = c(0.5) * elbow_axes_x_x;
-        let t124 = c(0.5) * minus_elbow_axes_x_y;
-        let t125 = elbow_omega_z * t123;
-        let t126 = elbow_omega_z * t125;
-        let t127 = t124 * minus_elbow_acc_ang_z;
-        let t128 = minus_elbow_acc_lin_x - t127;
-        let minus_elbow_load_force_x = t126 + t128;
-        let t129 = elbow_omega_z * t124;
-        let t130 = elbow_omega_z * t129;
-        let t131 = c(9.8) - minus_elbow_acc_lin_y;
-        let t132 = t123 * minus_elbow_acc_ang_z;
-        let t133 = t131 - t132;
-        let minus_elbow_load_force_y = t130 - t133;
-        let t134 = t124 * minus_elbow_acc_lin_x;
-        let t135 = t123 * t131;
-        let t136 = t134 + t135;
-        let t137 = c(0.3333333333333333) * minus_elbow_acc_ang_z;
-        let elbow_load_moment_z = t136 - t137;
-        /// Load on `shoulder`, [P, Eqs. (18), (19)]: 11 mul, 9 add, 0 reciprocal.
-        let t138 = cos_shoulder_angle * c(0.5);
-        let t139 = sin_shoulder_angle * c(0.5);
-        let t140 = shoulder_rate * t138;
-        let t141 = shoulder_rate * t140;
-        let t142 = minus_shoulder_beta0 * t139;
-        let t143 = t141 - t142;
-        let minus_shoulder_load_force_x = minus_elbow_load_force_x + t143;
-        let t144 = shoulder_rate * t139;
-        let t145 = shoulder_rate * t144;
-        let t146 = minus_shoulder_beta0 * t138;
-        let t147 = c(9.8) - t146;
-        let t148 = t145 - t147;
-        let minus_shoulder_load_force_y = minus_elbow_load_force_y + t148;
-        let t149 = cos_shoulder_angle * minus_elbow_load_force_y;
-        let t150 = sin_shoulder_angle * minus_elbow_load_force_x;
-        let t151 = t149 - t150;
-        let t152 = elbow_load_moment_z - t151;
-        let t153 = c(0.3333333333333333) * minus_shoulder_beta0;
-        let t154 = t7 - t153;
-        let shoulder_load_moment_z = t152 + t154;
-        /// Results: 17 mul, 17 add, 0 reciprocal.
-        let t155 = shoulder_rate * c(0.08333333333333333);
-        let t156 = shoulder_rate * t155;
-        let t157 = t144 * t144;
-        let t158 = t140 * t140;
-        let t159 = t157 + t158;
-        let t160 = t156 + t159;
-        let t161 = t120 + t129;
-        let t162 = t119 + t125;
-        let t163 = elbow_omega_z * c(0.08333333333333333);
-        let t164 = elbow_omega_z * t163;
-        let t165 = t161 * t161;
-        let t166 = t162 * t162;
-        let t167 = t165 + t166;
-        let t168 = t164 + t167;
-        let t169 = t160 + t168;
-        let t170 = c(0.5) * t169;
-        let t171 = sin_shoulder_angle * c(4.9);
-        let t172 = sin_shoulder_angle + t124;
-        let t173 = c(9.8) * t172;
-        let t174 = t171 + t173;
-        let t175 = cos_shoulder_angle + elbow_axes_x_x;
-        let t176 = sin_shoulder_angle + minus_elbow_axes_x_y;
-        let t177 = elbow_omega_z * minus_elbow_axes_x_y;
-        let t178 = t120 + t177;
-        let t179 = elbow_omega_z * elbow_axes_x_x;
-        let t180 = t119 + t179;
-        let t181 = elbow_omega_z * t179;
-        let t182 = minus_elbow_axes_x_y * minus_elbow_acc_ang_z;
-        let t183 = minus_elbow_acc_lin_x - t182;
-        let t184 = t181 + t183;
-        let t185 = elbow_omega_z * t177;
-        let t186 = elbow_axes_x_x * minus_elbow_acc_ang_z;
-        let t187 = minus_elbow_acc_lin_y + t186;
-        let t188 = t185 + t187;
+        /// Load of the body at `shoulder`, [P, Eqs. (18), (19)]: 6 mul, 4 add, 0 reciprocal.
+        let t123 = cos_shoulder_angle * t24;
+        let t124 = c(0.5) * minus_shoulder_beta0;
+        let t125 = shoulder_a_lin_y - t124;
+        let t126 = sin_shoulder_angle * t125;
+        let shoulder_own_force_x = t123 - t126;
+        let t127 = sin_shoulder_angle * t24;
+        let t128 = cos_shoulder_angle * t125;
+        let shoulder_own_force_y = t127 + t128;
+        let t129 = c(0.3333333333333333) * minus_shoulder_beta0;
+        let shoulder_own_moment_z = t7 - t129;
+        /// Load of the body at `elbow`, [P, Eqs. (18), (19)]: 9 mul, 10 add, 0 reciprocal.
+        let t130 = shoulder_a_lin_y - minus_shoulder_beta0;
+        let t131 = sin_elbow_angle * t130;
+        let t132 = t10 + t131;
+        let t133 = cos_elbow_angle * t130;
+        let t134 = t17 - t133;
+        let t135 = minus_elbow_drift_lin_x - t132;
+        let t136 = elbow_drift_lin_y - t134;
+        let t137 = c(0.5) * minus_elbow_acc_ang_z;
+        let t138 = t136 - t137;
+        let t139 = t41 + t135;
+        let t140 = elbow_axes_x_x * t139;
+        let t141 = minus_elbow_axes_x_y * t138;
+        let minus_elbow_own_force_x = t140 + t141;
+        let t142 = minus_elbow_axes_x_y * t139;
+        let t143 = elbow_axes_x_x * t138;
+        let minus_elbow_own_force_y = t142 - t143;
+        let t144 = c(0.5) * t136;
+        let t145 = c(0.3333333333333333) * minus_elbow_acc_ang_z;
+        let elbow_own_moment_z = t144 - t145;
+        /// Load on `shoulder`, [P, Eqs. (18), (19)]: 2 mul, 5 add, 0 reciprocal.
+        let shoulder_load_force_x = shoulder_own_force_x - minus_elbow_own_force_x;
+        let shoulder_load_force_y = shoulder_own_force_y - minus_elbow_own_force_y;
+        let t146 = cos_shoulder_angle * minus_elbow_own_force_y;
+        let t147 = sin_shoulder_angle * minus_elbow_own_force_x;
+        let t148 = t146 - t147;
+        let t149 = elbow_own_moment_z - t148;
+        let shoulder_load_moment_z = shoulder_own_moment_z + t149;
+        /// Results: 25 mul, 17 add, 0 reciprocal.
+        let t150 = cos_shoulder_angle * c(0.5);
+        let t151 = sin_shoulder_angle * c(0.5);
+        let t152 = c(0.5) * elbow_axes_x_x;
+        let t153 = c(0.5) * minus_elbow_axes_x_y;
+        let t154 = shoulder_rate * t151;
+        let t155 = shoulder_rate * t150;
+        let t156 = shoulder_rate * c(0.08333333333333333);
+        let t157 = shoulder_rate * t156;
+        let t158 = t154 * t154;
+        let t159 = t155 * t155;
+        let t160 = t158 + t159;
+        let t161 = t157 + t160;
+        let t162 = elbow_omega_z * t153;
+        let t163 = elbow_omega_z * t152;
+        let t164 = t120 + t162;
+        let t165 = t119 + t163;
+        let t166 = elbow_omega_z * c(0.08333333333333333);
+        let t167 = elbow_omega_z * t166;
+        let t168 = t164 * t164;
+        let t169 = t165 * t165;
+        let t170 = t168 + t169;
+        let t171 = t167 + t170;
+        let t172 = t161 + t171;
+        let t173 = c(0.5) * t172;
+        let t174 = sin_shoulder_angle * c(4.9);
+        let t175 = sin_shoulder_angle + t153;
+        let t176 = c(9.8) * t175;
+        let t177 = t174 + t176;
+        let t178 = cos_shoulder_angle + elbow_axes_x_x;
+        let t179 = sin_shoulder_angle + minus_elbow_axes_x_y;
+        let t180 = elbow_omega_z * minus_elbow_axes_x_y;
+        let t181 = t120 + t180;
+        let t182 = elbow_omega_z * elbow_axes_x_x;
+        let t183 = t119 + t182;
+        let t184 = elbow_omega_z * t182;
+        let t185 = minus_elbow_axes_x_y * minus_elbow_acc_ang_z;
+        let t186 = minus_elbow_acc_lin_x - t185;
+        let t187 = t184 + t186;
+        let t188 = elbow_omega_z * t180;
+        let t189 = elbow_axes_x_x * minus_elbow_acc_ang_z;
+        let t190 = minus_elbow_acc_lin_y + t189;
+        let t191 = t188 + t190;
         ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
         ::mstmm::generated::regular::<
             T,
@@ -559,8 +567,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         )?;
         at.accelerations.data.0 = [[-minus_shoulder_beta0, -minus_end_x5]];
         at.efforts.data.0 = [[c(0.0), c(0.0)]];
-        at.kinetic_energy = t170;
-        at.potential_energy = t174;
+        at.kinetic_energy = t173;
+        at.potential_energy = t177;
         at.points = [
             ::mstmm::Point::new(
                 [c(0.0), c(0.0), c(0.0)],
@@ -575,7 +583,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                     [c(0.0), c(0.0), c(0.0)],
                     [c(0.0), c(0.0), c(0.0)],
                     [c(0.0), c(0.0), -shoulder_load_moment_z],
-                    [-minus_shoulder_load_force_x, -minus_shoulder_load_force_y, c(0.0)],
+                    [shoulder_load_force_x, shoulder_load_force_y, c(0.0)],
                 ),
             ),
             ::mstmm::Point::new(
@@ -591,7 +599,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                     [c(0.0), c(0.0), c(0.0)],
                     [c(0.0), c(0.0), -minus_shoulder_beta0],
                     [c(0.0), c(0.0), -shoulder_load_moment_z],
-                    [-minus_shoulder_load_force_x, -minus_shoulder_load_force_y, c(0.0)],
+                    [shoulder_load_force_x, shoulder_load_force_y, c(0.0)],
                 ),
             ),
             ::mstmm::Point::new(
@@ -606,8 +614,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                 ::mstmm::StateVector::new(
                     [-minus_elbow_acc_lin_x, -minus_elbow_acc_lin_y, c(0.0)],
                     [c(0.0), c(0.0), -minus_shoulder_beta0],
-                    [c(0.0), c(0.0), -elbow_load_moment_z],
-                    [-minus_elbow_load_force_x, -minus_elbow_load_force_y, c(0.0)],
+                    [c(0.0), c(0.0), -elbow_own_moment_z],
+                    [-minus_elbow_own_force_x, -minus_elbow_own_force_y, c(0.0)],
                 ),
             ),
             ::mstmm::Point::new(
@@ -622,21 +630,21 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                 ::mstmm::StateVector::new(
                     [-minus_elbow_acc_lin_x, -minus_elbow_acc_lin_y, c(0.0)],
                     [c(0.0), c(0.0), -minus_elbow_acc_ang_z],
-                    [c(0.0), c(0.0), -elbow_load_moment_z],
-                    [-minus_elbow_load_force_x, -minus_elbow_load_force_y, c(0.0)],
+                    [c(0.0), c(0.0), -elbow_own_moment_z],
+                    [-minus_elbow_own_force_x, -minus_elbow_own_force_y, c(0.0)],
                 ),
             ),
             ::mstmm::Point::new(
-                [t175, t176, c(0.0)],
+                [t178, t179, c(0.0)],
                 [
                     [elbow_axes_x_x, -minus_elbow_axes_x_y, c(0.0)],
                     [minus_elbow_axes_x_y, elbow_axes_x_x, c(0.0)],
                     [c(0.0), c(0.0), c(1.0)],
                 ],
-                [-t178, t180, c(0.0)],
+                [-t181, t183, c(0.0)],
                 [c(0.0), c(0.0), elbow_omega_z],
                 ::mstmm::StateVector::new(
-                    [-t184, -t188, c(0.0)],
+                    [-t187, -t191, c(0.0)],
                     [c(0.0), c(0.0), -minus_elbow_acc_ang_z],
                     [c(0.0), c(0.0), c(0.0)],
                     [c(0.0), c(0.0), c(0.0)],
@@ -685,25 +693,25 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t7 = shoulder_rate * cos_shoulder_angle;
         let t8 = c(0.5) * elbow_axes_x_x;
         let t9 = c(0.5) * minus_elbow_axes_x_y;
-        let t10 = elbow_omega_z * t9;
-        let t11 = elbow_omega_z * t8;
-        let t12 = shoulder_rate * t5;
-        let t13 = shoulder_rate * t4;
-        let t14 = shoulder_rate * c(0.08333333333333333);
-        let t15 = shoulder_rate * t14;
-        let t16 = t12 * t12;
-        let t17 = t13 * t13;
-        let t18 = t16 + t17;
-        let t19 = t15 + t18;
-        let t20 = t6 + t10;
-        let t21 = t7 + t11;
+        let t10 = shoulder_rate * t5;
+        let t11 = shoulder_rate * t4;
+        let t12 = shoulder_rate * c(0.08333333333333333);
+        let t13 = shoulder_rate * t12;
+        let t14 = t10 * t10;
+        let t15 = t11 * t11;
+        let t16 = t14 + t15;
+        let t17 = t13 + t16;
+        let t18 = elbow_omega_z * t9;
+        let t19 = elbow_omega_z * t8;
+        let t20 = t6 + t18;
+        let t21 = t7 + t19;
         let t22 = elbow_omega_z * c(0.08333333333333333);
         let t23 = elbow_omega_z * t22;
         let t24 = t20 * t20;
         let t25 = t21 * t21;
         let t26 = t24 + t25;
         let t27 = t23 + t26;
-        let t28 = t19 + t27;
+        let t28 = t17 + t27;
         let t29 = c(0.5) * t28;
         let t30 = sin_shoulder_angle * c(4.9);
         let t31 = sin_shoulder_angle + t9;
