@@ -16,7 +16,7 @@
 //! | [`passes`] | one optimisation a file | `expr`, `math`, `program` |
 //! | [`symbols`] | numbers and names of a chain's unknowns | `model` |
 //! | [`compile`](mod@compile) | from a model to its programs | `equations`, `expr`, `model`, `passes`, `program`, `symbols` |
-//! | [`emit`] | the only `quote!` of items | `compile`, `model`, `program`, `symbols`, `syntax` |
+//! | [`emit`] | the only `quote!` of items | `compile`, `model`, `program`, `syntax` |
 
 #![deny(missing_docs)]
 

@@ -1,7 +1,7 @@
 //! Accelerations of all hinges, by either method.
 
 use super::{Axes, LinkMotion, Situation, Trace, motion, riccati, transfer};
-use crate::math::{Motion, Scalar, Vec3};
+use crate::math::Scalar;
 use crate::model::Method;
 
 /// A number that must be positive if the accelerations are to mean anything.
@@ -33,11 +33,7 @@ pub fn accelerations<S: Scalar>(
 ) -> Solved<S> {
     let links = motion(situation, axes, trace);
     let efforts = efforts(situation, &links);
-    // Gravity as an acceleration of the ground: cheaper than a force on every body.
-    let ground = Motion {
-        linear: -situation.numbers.vector(&situation.chain.gravity),
-        angular: Vec3::zero(),
-    };
+    let ground = situation.ground();
     let (amounts, pivots) = match method {
         Method::Riccati => riccati::solve(&links, &efforts, ground, trace),
         Method::Transfer => {

@@ -5,7 +5,7 @@
 //!
 //! | symbol | in code | meaning |
 //! |---|---|---|
-//! | `a = [r̈; Ω̇]` | [`Motion`](crate::math::Motion) | accelerations at a connection point |
+//! | `a = [r̈; Ω̇]` | [`Motion`] | accelerations at a connection point |
 //! | `F = [q; n]`, `n = −m` | [`Wrench`](crate::math::Wrench) | what a hinge exerts on its child's side |
 //! | `A`, `e` | [`SpatialInertia`](crate::math::SpatialInertia), `Wrench` | Riccati pair, `F = A a + e` |
 //! | `S`, `v` | [`hinge::Freedom`] | free directions of a hinge and its rates |
@@ -37,6 +37,7 @@ pub use numbers::Numbers;
 pub use report::{Point, Report, report};
 pub use trace::{Section, Trace};
 
+use crate::math::{Motion, Scalar, Vec3};
 use crate::model::{Chain, Layout};
 
 /// A chain in a given state: what every set of equations starts from.
@@ -54,4 +55,12 @@ pub struct Situation<'a, S> {
     pub v: &'a [S],
     /// Inputs.
     pub inputs: &'a [S],
+}
+
+impl<S: Scalar> Situation<'_, S> {
+    /// Gravity as an acceleration of the ground: cheaper than a force on every body.
+    fn ground(&self) -> Motion<S> {
+        let gravity = self.numbers.vector(&self.chain.gravity);
+        Motion { linear: -gravity, angular: Vec3::zero() }
+    }
 }

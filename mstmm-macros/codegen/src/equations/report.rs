@@ -118,9 +118,7 @@ fn own_loads<S: Scalar>(
     trace: &mut Trace<S>,
 ) -> Vec<Wrench<S>> {
     let links = motion(situation, Axes::Body, trace);
-    // What a body at rest feels: gravity counts as an acceleration of the ground.
-    let gravity = situation.numbers.vector(&situation.chain.gravity);
-    let ground = Motion { linear: -gravity, angular: Vec3::zero() };
+    let ground = situation.ground();
     let mut felt: Vec<Motion<S>> = Vec::new();
     let mut loads = Vec::new();
     for (index, link) in links.iter().enumerate() {

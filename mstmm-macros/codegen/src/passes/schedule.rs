@@ -46,8 +46,9 @@ impl Setup {
     }
 }
 
-/// Orders what `outputs` need, with `symbols` as the names of the unknowns. A program of stage [`Stage::State`] reads what is known since
-/// setup from `setup`'s slots; a program of stage [`Stage::Setup`] computes it.
+/// Orders what `outputs` need, with `symbols` as the names of the unknowns. A program of stage
+/// [`Stage::State`] reads what is known since setup from `setup`'s slots; a program of stage
+/// [`Stage::Setup`] computes it.
 pub fn schedule(
     graph: &Graph,
     symbols: &[String],
