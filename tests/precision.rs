@@ -9,7 +9,7 @@
 mod support;
 
 use mstmm::{ChainState, Error, Scalar};
-use mstmm_reference::{About, Body, Chain, Element, End, Frame, Hinge, HingeKind, Random, State};
+use mstmm_reference::{About, Body, Chain, Element, Frame, Hinge, HingeKind, Random, State};
 use support::difference;
 use support::mechanism::random_quaternion;
 
@@ -82,16 +82,10 @@ fn reference(kind: impl Fn(usize) -> HingeKind) -> Chain {
         inertia: [1.0 / 6.0, 5.0 / 12.0, 5.0 / 12.0, 0.0, 0.0, 0.0],
         about: About::Input,
     };
-    let hinge = |n| Hinge { name: format!("h{n}"), kind: kind(n), motor: false };
-    Chain {
-        name: "Thirty".to_owned(),
-        gravity: [0.0, -9.8, 0.0],
-        start: End::Held(Frame::IDENTITY),
-        finish: End::Free,
-        elements: (1..=BODIES)
-            .flat_map(|n| [Element::Hinge(hinge(n)), Element::Body(cube(n))])
-            .collect(),
-    }
+    let hinge = |n| Hinge::new(&format!("h{n}"), kind(n));
+    let elements =
+        (1..=BODIES).flat_map(|n| [Element::Hinge(hinge(n)), Element::Body(cube(n))]).collect();
+    Chain::new("Thirty", [0.0, -9.8, 0.0], elements)
 }
 
 /// Poses and rates that `f32` holds exactly but for quaternions, which cannot be of unit length in

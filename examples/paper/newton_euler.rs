@@ -48,9 +48,7 @@ impl NewtonEuler {
 
 /// Three unit cubes of 1 kg one after the other, each hung by a hinge of the given kind.
 pub fn three_cubes(hinges: [HingeKind; 3]) -> Chain {
-    let hinge = |(name, kind): (&str, HingeKind)| {
-        Element::Hinge(Hinge { name: name.to_owned(), kind, motor: false })
-    };
+    let hinge = |(name, kind): (&str, HingeKind)| Element::Hinge(Hinge::new(name, kind));
     let cube = |name: &str| {
         Element::Body(Body {
             name: name.to_owned(),
@@ -63,11 +61,6 @@ pub fn three_cubes(hinges: [HingeKind; 3]) -> Chain {
     };
     let hinges = ["shoulder", "elbow", "wrist"].into_iter().zip(hinges).map(hinge);
     let bodies = ["upper", "middle", "lower"].map(cube);
-    Chain {
-        name: "ThreeCubes".to_owned(),
-        gravity: [0.0, -GRAVITY, 0.0],
-        start: End::Held(Frame::IDENTITY),
-        finish: End::Free,
-        elements: hinges.zip(bodies).flat_map(|(hinge, body)| [hinge, body]).collect(),
-    }
+    let elements = hinges.zip(bodies).flat_map(|(hinge, body)| [hinge, body]).collect();
+    Chain::new("ThreeCubes", [0.0, -GRAVITY, 0.0], elements)
 }

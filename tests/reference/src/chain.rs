@@ -1,22 +1,55 @@
 //! The description of a chain and of its state, as plain data.
 
-/// An open chain of rigid bodies and hinges.
+use crate::hinge::Hinge;
+use crate::load::{Load, Spring};
+
+/// A chain of rigid bodies and hinges.
 ///
-/// The elements alternate between hinges and bodies. A chain that starts [`End::Held`] begins with
-/// a hinge, one that starts [`End::Free`] begins with a body, and likewise at the finish. At least
-/// one end must be free.
+/// The elements alternate between hinges and bodies. At an end that is [`End::Free`] stands a body,
+/// at any other end a hinge. Both ends may be attached: the chain is closed then, and its last hinge
+/// has coordinates and rates of its own that have to agree with those of the others.
+///
+/// In a chain of the plane all vectors have a z component of zero and all turns are about z; of an
+/// inertia only the entry zz counts. In a chain along a line all vectors lie along x, nothing turns,
+/// and inertias do not count.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chain {
     /// The CamelCase name of the chain in the description language.
     pub name: String,
-    /// The acceleration of free fall in m/s², in inertial axes.
-    pub gravity: [f64; 3],
+    /// Where the chain moves.
+    pub dimension: Dimension,
+    /// The acceleration of free fall.
+    pub gravity: Gravity,
     /// What the input of the first element is attached to.
     pub start: End,
     /// What the output of the last element is attached to.
     pub finish: End,
     /// The hinges and bodies in written order.
     pub elements: Vec<Element>,
+    /// The loads from outside on bodies.
+    pub loads: Vec<Load>,
+    /// The springs between bodies and the ground.
+    pub springs: Vec<Spring>,
+}
+
+/// Where a chain moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dimension {
+    /// Anywhere.
+    Space,
+    /// In the plane of x and y, turning about z.
+    Plane,
+    /// Along x, without turning.
+    Line,
+}
+
+/// The acceleration of free fall in m/s², in inertial axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Gravity {
+    /// Always the same.
+    Constant([f64; 3]),
+    /// Given at every instant, [`crate::Drives::gravity`]; it has no potential.
+    Input,
 }
 
 /// What one end of a chain is attached to.
@@ -26,6 +59,12 @@ pub enum End {
     Free,
     /// The end is a hinge to this frame, which is fixed in the inertial frame.
     Held(Frame),
+    /// The end is a hinge to a frame that moves as it is told, [`crate::Drives::start`] or
+    /// [`crate::Drives::finish`].
+    Moving {
+        /// The snake_case name of the frame.
+        name: String,
+    },
 }
 
 /// A place: a position together with an orientation.
@@ -40,6 +79,7 @@ pub struct Frame {
 
 /// One element of a chain.
 #[derive(Clone, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "chains have few elements, and tests many literals")]
 pub enum Element {
     /// A rigid body.
     Body(Body),
@@ -74,46 +114,15 @@ pub enum About {
     Com,
 }
 
-/// A hinge from an inboard place (ground, or the output frame of the body before it) to an outboard
-/// place (the body after it, or ground). The origins of the two places coincide.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Hinge {
-    /// The snake_case name of the hinge.
-    pub name: String,
-    /// Which relative motion the hinge allows.
-    pub kind: HingeKind,
-    /// Whether the description declares a torque input. The solver itself applies whatever effort
-    /// it is given.
-    pub motor: bool,
-}
-
-/// The relative motion a hinge allows.
-#[derive(Clone, Debug, PartialEq)]
-pub enum HingeKind {
-    /// No motion at all: the two frames are the same.
-    Weld,
-    /// The outboard frame is turned against the inboard one about an axis, right-handed. The
-    /// coordinate is the angle in rad, the rate its derivative, the effort a torque in N·m that
-    /// acts positively on the outboard side.
-    Pin {
-        /// The direction of the axis, of any length but zero; its components are the same on both
-        /// sides.
-        axis: [f64; 3],
-    },
-    /// Any turn. The coordinates are a quaternion (w, x, y, z) that turns outboard components into
-    /// inboard ones. The rates are the angular velocity in rad/s of the outboard side relative to
-    /// the inboard one, and the efforts a torque in N·m on the outboard side, both in
-    /// outboard-frame components.
-    Ball,
-}
-
 /// The coordinates and rates of a chain.
 ///
 /// A floating chain (both ends free) comes first with the pose of its first body: position of the
 /// input point (m, inertial), then the quaternion (w, x, y, z) from body to inertial components.
 /// Its rates are the velocity of the input point (m/s, inertial axes), then the angular velocity
-/// (rad/s, body axes). The hinges follow in written order, also when the chain is held only at its
-/// finish. Quaternions need not be normalised exactly.
+/// (rad/s, body axes). In the plane these are x, y and the angle, and their derivatives; along a
+/// line x and its derivative. The hinges follow in written order, also when the chain is held only
+/// at its finish; hinges with prescribed motions have no entries. Quaternions need not be
+/// normalised exactly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// The coordinates, [`Chain::coordinates`] of them.
@@ -123,21 +132,55 @@ pub struct State {
 }
 
 impl Chain {
-    /// Returns how many coordinates a state of this chain has.
-    pub fn coordinates(&self) -> usize {
-        let base = if self.floats() { 7 } else { 0 };
-        base + self.hinges().map(|hinge| hinge.kind.coordinates()).sum::<usize>()
+    /// An open chain in space, without loads and springs: held at the inertial frame and free at
+    /// its finish.
+    pub fn new(name: &str, gravity: [f64; 3], elements: Vec<Element>) -> Chain {
+        Chain {
+            name: name.to_owned(),
+            dimension: Dimension::Space,
+            gravity: Gravity::Constant(gravity),
+            start: End::Held(Frame::IDENTITY),
+            finish: End::Free,
+            elements,
+            loads: Vec::new(),
+            springs: Vec::new(),
+        }
     }
 
-    /// Returns how many rates a state of this chain has, which is the number of its freedoms.
+    /// Returns how many coordinates a state of this chain has.
+    pub fn coordinates(&self) -> usize {
+        self.base_coordinates() + self.hinges().map(Hinge::coordinates).sum::<usize>()
+    }
+
+    /// Returns how many rates a state of this chain has. It is the number of its freedoms where the
+    /// chain is not closed.
     pub fn freedoms(&self) -> usize {
-        let base = if self.floats() { 6 } else { 0 };
-        base + self.hinges().map(|hinge| hinge.kind.freedoms()).sum::<usize>()
+        self.base_freedoms() + self.hinges().map(Hinge::freedoms).sum::<usize>()
+    }
+
+    /// Returns how many coordinates come before those of the hinges: some where the chain floats.
+    pub fn base_coordinates(&self) -> usize {
+        match self.dimension {
+            _ if !self.floats() => 0,
+            Dimension::Space => 7,
+            Dimension::Plane => 3,
+            Dimension::Line => 1,
+        }
+    }
+
+    /// Returns how many rates come before those of the hinges: some where the chain floats.
+    pub fn base_freedoms(&self) -> usize {
+        if self.floats() { self.dimension.directions().len() } else { 0 }
     }
 
     /// Returns whether both ends are free.
     pub fn floats(&self) -> bool {
         self.start == End::Free && self.finish == End::Free
+    }
+
+    /// Returns whether neither end is free.
+    pub fn closed(&self) -> bool {
+        self.start != End::Free && self.finish != End::Free
     }
 
     /// Returns the bodies in written order.
@@ -157,23 +200,21 @@ impl Chain {
     }
 }
 
-impl HingeKind {
-    /// Returns how many coordinates a hinge of this kind has.
-    pub fn coordinates(&self) -> usize {
+impl Dimension {
+    /// Returns which components of velocities and angular velocities (x, y, z, about x, about y,
+    /// about z) can be other than zero.
+    pub(crate) fn directions(self) -> &'static [usize] {
         match self {
-            HingeKind::Weld => 0,
-            HingeKind::Pin { .. } => 1,
-            HingeKind::Ball => 4,
+            Dimension::Space => &[0, 1, 2, 3, 4, 5],
+            Dimension::Plane => &[0, 1, 5],
+            Dimension::Line => &[0],
         }
     }
+}
 
-    /// Returns how many rates, and efforts, a hinge of this kind has.
-    pub fn freedoms(&self) -> usize {
-        match self {
-            HingeKind::Weld => 0,
-            HingeKind::Pin { .. } => 1,
-            HingeKind::Ball => 3,
-        }
+impl From<[f64; 3]> for Gravity {
+    fn from(acceleration: [f64; 3]) -> Gravity {
+        Gravity::Constant(acceleration)
     }
 }
 

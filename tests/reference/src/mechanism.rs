@@ -1,25 +1,23 @@
 //! A chain made ready for computing: bodies about their centres of mass, and hinges that know
 //! their two sides.
 
-use crate::chain::{About, Body, Chain, Element, End, Frame, Hinge, HingeKind};
+use crate::chain::{About, Body, Chain, Element, End, Frame, Gravity, State};
+use crate::drives::{Drives, FrameMotion, HingeMotion};
+use crate::hinge::{Group, Hinge, HingeKind, Source};
+use crate::outside::Outside;
 use crate::rotation::{self, Mat3, Vec3};
+use std::ops::Range;
 
-/// A chain as the solver sees it.
-pub(crate) struct Mechanism {
+/// A chain as the solver sees it, at one instant.
+pub(crate) struct Mechanism<'a> {
+    pub(crate) chain: &'a Chain,
     pub(crate) gravity: Vec3,
     pub(crate) bodies: Vec<Rigid>,
-    pub(crate) joints: Vec<Joint>,
-    pub(crate) base: Base,
-}
-
-/// What the pose of the chain is reckoned from.
-pub(crate) enum Base {
-    /// The ground before the first hinge.
-    Start,
-    /// The ground after the last hinge.
-    Finish,
-    /// The first seven coordinates of the state.
-    Floating,
+    pub(crate) joints: Vec<Joint<'a>>,
+    pub(crate) outside: Vec<Outside>,
+    /// The frames that the start and the finish are attached to.
+    pub(crate) start: Option<Place>,
+    pub(crate) finish: Option<Place>,
 }
 
 /// A body, with everything counted from its centre of mass in body axes.
@@ -41,26 +39,23 @@ pub(crate) struct Motion {
 }
 
 /// A hinge, and where its entries are in coordinates and rates.
-pub(crate) struct Joint {
+pub(crate) struct Joint<'a> {
+    pub(crate) hinge: &'a Hinge,
     pub(crate) inboard: Side,
     pub(crate) outboard: Side,
-    pub(crate) freedom: Freedom,
-    pub(crate) first_coordinate: usize,
+    /// The prescribed motion; without one the hinge has entries in the state.
+    pub(crate) prescribed: Option<&'a HingeMotion>,
+    first_coordinate: usize,
     pub(crate) first_rate: usize,
+    /// The motor's efforts, one to every rate.
+    pub(crate) motor: Vec<f64>,
 }
 
-/// What a hinge leaves free.
-pub(crate) enum Freedom {
-    None,
-    /// Turning about this unit vector.
-    About(Vec3),
-    AnyTurn,
-}
-
-/// A place on a body or on the ground.
+/// A frame on a body, or the one an end of the chain is attached to.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Side {
-    Ground { position: Vec3, rotation: Mat3 },
+    Start,
+    Finish,
     Input(usize),
     Output(usize),
 }
@@ -68,7 +63,7 @@ pub(crate) enum Side {
 /// The motion of a [`Side`] in inertial axes.
 #[derive(Clone)]
 pub(crate) struct Place {
-    /// The body the place is fixed to, unless it is the ground.
+    /// The body the place is fixed to, if any.
     pub(crate) body: Option<usize>,
     /// From the body's centre of mass to the place.
     pub(crate) arm: Vec3,
@@ -76,33 +71,40 @@ pub(crate) struct Place {
     pub(crate) rotation: Mat3,
     pub(crate) velocity: Vec3,
     pub(crate) spin: Vec3,
+    /// The acceleration without what the body's acceleration and angular acceleration contribute.
+    pub(crate) known_acceleration: Vec3,
+    /// The angular acceleration without that of the body.
+    pub(crate) known_angular: Vec3,
 }
 
-impl Mechanism {
+impl<'a> Mechanism<'a> {
     /// Reads a chain.
     ///
     /// # Panics
     ///
-    /// Panics when hinges and bodies do not alternate as the ends of the chain demand.
-    pub(crate) fn new(chain: &Chain) -> Mechanism {
-        let base = match (&chain.start, &chain.finish) {
-            (End::Held(_), End::Free) => Base::Start,
-            (End::Free, End::Held(_)) => Base::Finish,
-            (End::Free, End::Free) => Base::Floating,
-            (End::Held(_), End::Held(_)) => panic!("chain {}: both ends are held", chain.name),
+    /// Panics when hinges and bodies do not alternate as the ends of the chain demand, and when a
+    /// load or a spring names a body that there is not.
+    pub(crate) fn new(chain: &'a Chain, drives: &'a Drives) -> Mechanism<'a> {
+        let gravity = match chain.gravity {
+            Gravity::Constant(acceleration) => acceleration,
+            Gravity::Input => drives.gravity,
         };
-        let (first_coordinate, first_rate) =
-            if matches!(base, Base::Floating) { (7, 6) } else { (0, 0) };
-        let gravity = Vec3::from(chain.gravity);
-        let bodies = chain.bodies().map(Rigid::new).collect();
-        let joints = joints_of(chain, first_coordinate, first_rate);
-        Mechanism { gravity, bodies, joints, base }
+        Mechanism {
+            chain,
+            gravity: Vec3::from(gravity),
+            bodies: chain.bodies().map(Rigid::new).collect(),
+            joints: joints_of(chain, drives),
+            outside: Outside::all(chain, drives),
+            start: attached(&chain.start, &drives.start),
+            finish: attached(&chain.finish, &drives.finish),
+        }
     }
 
     /// Returns how a place moves when the bodies move as given.
     pub(crate) fn place(&self, side: &Side, motions: &[Motion]) -> Place {
         match *side {
-            Side::Ground { position, rotation } => Place::at_rest(position, rotation),
+            Side::Start => self.start.clone().expect("a start that is attached"),
+            Side::Finish => self.finish.clone().expect("a finish that is attached"),
             Side::Input(body) => {
                 Place::on(body, &motions[body], &self.bodies[body].input, &Mat3::identity())
             }
@@ -117,16 +119,11 @@ impl Mechanism {
     pub(crate) fn connection_points(&self) -> Vec<Side> {
         let on_bodies =
             (0..self.bodies.len()).flat_map(|body| [Side::Input(body), Side::Output(body)]);
-        let mut points: Vec<Side> = on_bodies.collect();
-        match self.base {
-            Base::Start => points.insert(0, self.joints[0].inboard),
-            Base::Finish => points.push(self.joints[self.joints.len() - 1].outboard),
-            Base::Floating => {}
-        }
-        points
+        let start = self.start.iter().map(|_| Side::Start);
+        start.chain(on_bodies).chain(self.finish.iter().map(|_| Side::Finish)).collect()
     }
 
-    /// Returns the kinetic energy in J.
+    /// Returns the kinetic energy of the bodies in J.
     pub(crate) fn kinetic_energy(&self, motions: &[Motion]) -> f64 {
         let of_body = |(rigid, motion): (&Rigid, &Motion)| {
             let spin = motion.rotation.transpose() * motion.spin;
@@ -136,33 +133,65 @@ impl Mechanism {
         self.bodies.iter().zip(motions).map(of_body).sum()
     }
 
-    /// Returns the potential energy in J, zero with every centre of mass at the inertial origin.
+    /// Returns the potential energy in J of constant gravity, zero with every centre of mass at the
+    /// inertial origin, and of the springs to the ground.
     pub(crate) fn potential_energy(&self, motions: &[Motion]) -> f64 {
+        let gravity = match self.chain.gravity {
+            Gravity::Constant(_) => self.gravity,
+            Gravity::Input => Vec3::zeros(),
+        };
         let of_body =
-            |(rigid, motion): (&Rigid, &Motion)| -rigid.mass * self.gravity.dot(&motion.position);
-        self.bodies.iter().zip(motions).map(of_body).sum()
+            |(rigid, motion): (&Rigid, &Motion)| -rigid.mass * gravity.dot(&motion.position);
+        let of_bodies: f64 = self.bodies.iter().zip(motions).map(of_body).sum();
+        of_bodies + self.outside.iter().map(|outside| outside.energy(motions)).sum::<f64>()
+    }
+}
+
+impl Joint<'_> {
+    pub(crate) fn kind(&self) -> &HingeKind {
+        &self.hinge.kind
+    }
+
+    /// Returns the coordinates of the hinge.
+    pub(crate) fn q<'b>(&'b self, state: &'b State) -> &'b [f64] {
+        match self.prescribed {
+            Some(motion) => &motion.q,
+            None => &state.q[self.first_coordinate..][..self.kind().coordinates()],
+        }
+    }
+
+    /// Returns the rates of the hinge.
+    pub(crate) fn v<'b>(&'b self, state: &'b State) -> &'b [f64] {
+        match self.prescribed {
+            Some(motion) => &motion.v,
+            None => &state.v[self.first_rate..][..self.kind().freedoms()],
+        }
     }
 }
 
 /// Pairs every hinge with the places it joins.
-fn joints_of(chain: &Chain, mut coordinate: usize, mut rate: usize) -> Vec<Joint> {
-    let mut joints = Vec::new();
-    let mut join = |hinge: &Hinge, inboard: Side, outboard: Side| {
-        joints.push(Joint {
-            inboard,
-            outboard,
-            freedom: Freedom::new(&hinge.kind),
-            first_coordinate: coordinate,
-            first_rate: rate,
-        });
-        coordinate += hinge.kind.coordinates();
-        rate += hinge.kind.freedoms();
-    };
+fn joints_of<'a>(chain: &'a Chain, drives: &'a Drives) -> Vec<Joint<'a>> {
     let misplaced = |name: &str| -> ! {
         panic!("chain {}: {name} is not where hinges and bodies alternate", chain.name)
     };
-    let mut reached = ground(&chain.start);
+    let (mut coordinate, mut rate) = (chain.base_coordinates(), chain.base_freedoms());
+    let mut motions = drives.motions.iter();
+    let mut joints: Vec<Joint> = Vec::new();
+    let mut reached = (chain.start != End::Free).then_some(Side::Start);
     let mut waiting: Option<&Hinge> = None;
+    let mut join = |hinge: &'a Hinge, inboard: Side, outboard: Side| {
+        joints.push(Joint {
+            hinge,
+            inboard,
+            outboard,
+            prescribed: if hinge.prescribed { motions.next() } else { None },
+            first_coordinate: coordinate,
+            first_rate: rate,
+            motor: motor_efforts(hinge, &drives.efforts[rate..]),
+        });
+        coordinate += hinge.coordinates();
+        rate += hinge.freedoms();
+    };
     let mut bodies = 0;
     for element in &chain.elements {
         match (element, waiting.take(), reached) {
@@ -180,22 +209,33 @@ fn joints_of(chain: &Chain, mut coordinate: usize, mut rate: usize) -> Vec<Joint
             (Element::Body(body), ..) => misplaced(&body.name),
         }
     }
-    match (waiting, ground(&chain.finish), reached) {
-        (Some(hinge), Some(finish), Some(inboard)) => join(hinge, inboard, finish),
-        (None, None, Some(_)) => {}
+    match (waiting, chain.finish != End::Free, reached) {
+        (Some(hinge), true, Some(inboard)) if bodies > 0 => join(hinge, inboard, Side::Finish),
+        (None, false, Some(_)) => {}
         _ => misplaced("the finish"),
     }
     joints
 }
 
-/// Returns the place an end is held at, if it is.
-fn ground(end: &End) -> Option<Side> {
+/// Returns the efforts of a hinge's motors, given those of its rates and all later ones.
+fn motor_efforts(hinge: &Hinge, given: &[f64]) -> Vec<f64> {
+    let of_group = |(group, rates): (&Group, Range<usize>)| match &group.motor {
+        Source::Constant(efforts) => efforts.clone(),
+        _ if hinge.prescribed => vec![0.0; rates.len()],
+        _ => given[rates].to_vec(),
+    };
+    hinge.groups().map(of_group).concat()
+}
+
+/// Returns the frame that an end is attached to, if it is.
+fn attached(end: &End, motion: &FrameMotion) -> Option<Place> {
     match end {
         End::Free => None,
-        End::Held(Frame { position, rpy_degrees }) => Some(Side::Ground {
-            position: Vec3::from(*position),
-            rotation: rotation::from_rpy_degrees(rpy_degrees),
-        }),
+        End::Held(Frame { position, rpy_degrees }) => {
+            let rotation = rotation::from_rpy_degrees(rpy_degrees);
+            Some(Place::at_rest(Vec3::from(*position), rotation))
+        }
+        End::Moving { .. } => Some(Place::moving(motion)),
     }
 }
 
@@ -220,33 +260,33 @@ impl Rigid {
     }
 }
 
-impl Freedom {
-    fn new(kind: &HingeKind) -> Freedom {
-        match kind {
-            HingeKind::Weld => Freedom::None,
-            HingeKind::Pin { axis } => Freedom::About(Vec3::from(*axis).normalize()),
-            HingeKind::Ball => Freedom::AnyTurn,
-        }
-    }
-
-    /// Returns the directions, fixed in the inboard frame, about which the hinge cannot turn.
-    pub(crate) fn locked_directions(&self) -> Vec<Vec3> {
-        match self {
-            Freedom::None => vec![Vec3::x(), Vec3::y(), Vec3::z()],
-            Freedom::About(axis) => {
-                // The axis of the frame least along the pin gives the best conditioned normals.
-                let across = axis.cross(&Vec3::ith(axis.iamin(), 1.0)).normalize();
-                vec![across, axis.cross(&across)]
-            }
-            Freedom::AnyTurn => Vec::new(),
-        }
-    }
-}
-
 impl Place {
     pub(crate) fn at_rest(position: Vec3, rotation: Mat3) -> Place {
         let rest = Vec3::zeros();
-        Place { body: None, arm: rest, position, rotation, velocity: rest, spin: rest }
+        Place {
+            body: None,
+            arm: rest,
+            position,
+            rotation,
+            velocity: rest,
+            spin: rest,
+            known_acceleration: rest,
+            known_angular: rest,
+        }
+    }
+
+    /// A frame that moves as it is told.
+    fn moving(motion: &FrameMotion) -> Place {
+        let rotation = rotation::from_quaternion(&motion.orientation);
+        Place {
+            velocity: Vec3::from(motion.velocity),
+            spin: rotation * Vec3::from(motion.rate),
+            known_acceleration: Vec3::from(motion.acceleration),
+            // The derivative seen from the frame itself is that seen from outside: they differ by
+            // the product of the angular velocity with itself.
+            known_angular: rotation * Vec3::from(motion.rate_derivative),
+            ..Place::at_rest(Vec3::from(motion.position), rotation)
+        }
     }
 
     fn on(body: usize, motion: &Motion, arm: &Vec3, turn: &Mat3) -> Place {
@@ -258,11 +298,8 @@ impl Place {
             rotation: motion.rotation * turn,
             velocity: motion.velocity + motion.spin.cross(&arm),
             spin: motion.spin,
+            known_acceleration: motion.spin.cross(&motion.spin.cross(&arm)),
+            known_angular: Vec3::zeros(),
         }
-    }
-
-    /// Returns the part of the place's acceleration that depends on the velocities alone.
-    pub(crate) fn centripetal(&self) -> Vec3 {
-        self.spin.cross(&self.spin.cross(&self.arm))
     }
 }

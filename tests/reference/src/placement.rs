@@ -1,50 +1,47 @@
 //! From hinge coordinates to the motions of the bodies, and back.
 
-use crate::chain::State;
-use crate::mechanism::{Base, Freedom, Joint, Mechanism, Motion, Place, Rigid};
-use crate::rotation::{self, Mat3, Vec3};
-use std::f64::consts::TAU;
+use crate::chain::{End, State};
+use crate::hinge::HingeKind;
+use crate::mechanism::{Joint, Mechanism, Motion, Place, Rigid, Side};
+use crate::relative::{Relative, Twist, twist};
+use crate::rotation::{Mat3, Vec3};
 
-/// The outboard side of a hinge relative to its inboard side.
-struct Turn {
-    /// Turns outboard components into inboard ones.
-    rotation: Mat3,
-    /// The relative angular velocity in inboard components.
-    spin: Vec3,
-}
-
-impl Mechanism {
+impl Mechanism<'_> {
     /// Places every body according to the coordinates and rates of the chain.
     pub(crate) fn motions(&self, state: &State) -> Vec<Motion> {
-        match self.base {
-            Base::Start => {
-                let ground = self.place(&self.joints[0].inboard, &[]);
-                let first = self.joints[0].turn(state).outboard(&ground);
-                self.motions_onwards(state, &first)
-            }
-            Base::Floating => self.motions_onwards(state, &floating_input(state)),
-            Base::Finish => self.motions_backwards(state),
+        if self.chain.floats() {
+            let kind = HingeKind::of_base(self.chain.dimension);
+            let (q, v) = (&state.q[..kind.coordinates()], &state.v[..kind.freedoms()]);
+            let first = outboard(&kind.relative(q, v), v, &inertial());
+            self.motions_onwards(state, self.bodies[0].motion_from_input(&first))
+        } else if self.chain.start == End::Free {
+            self.motions_backwards(state)
+        } else {
+            let start = self.place(&Side::Start, &[]);
+            let first = self.joints[0].outboard_place(state, &start);
+            self.motions_onwards(state, self.bodies[0].motion_from_input(&first))
         }
     }
 
-    /// Places the bodies one after the other, given the input of the first.
-    fn motions_onwards(&self, state: &State, first_input: &Place) -> Vec<Motion> {
-        let held = self.joints.len() + 1 - self.bodies.len();
-        let mut motions: Vec<Motion> = vec![self.bodies[0].motion_from_input(first_input)];
-        for (joint, rigid) in self.joints[held..].iter().zip(&self.bodies[1..]) {
-            let inboard = self.place(&joint.inboard, &motions);
-            motions.push(rigid.motion_from_input(&joint.turn(state).outboard(&inboard)));
+    /// Places the bodies one after the other, given the motion of the first.
+    fn motions_onwards(&self, state: &State, first: Motion) -> Vec<Motion> {
+        let mut motions = vec![first];
+        for joint in &self.joints {
+            if let (Side::Output(_), Side::Input(body)) = (joint.inboard, joint.outboard) {
+                let inboard = self.place(&joint.inboard, &motions);
+                let input = joint.outboard_place(state, &inboard);
+                motions.push(self.bodies[body].motion_from_input(&input));
+            }
         }
         motions
     }
 
-    /// Places the bodies from the last to the first, starting at the ground after the last hinge.
+    /// Places the bodies from the last to the first, starting at the frame after the last hinge.
     fn motions_backwards(&self, state: &State) -> Vec<Motion> {
         let mut motions: Vec<Motion> = Vec::new();
-        let last = &self.joints[self.joints.len() - 1];
-        let mut outboard = self.place(&last.outboard, &[]);
+        let mut outboard = self.place(&Side::Finish, &[]);
         for (joint, rigid) in self.joints.iter().zip(&self.bodies).rev() {
-            let motion = rigid.motion_from_output(&joint.turn(state).inboard(&outboard));
+            let motion = rigid.motion_from_output(&joint.inboard_place(state, &outboard));
             outboard = rigid.input_place(&motion);
             motions.push(motion);
         }
@@ -55,85 +52,83 @@ impl Mechanism {
     /// Measures the coordinates and rates of moving bodies.
     ///
     /// Angles are given without jumps and quaternions without changes of sign: of all values that
-    /// say the same, the ones nearest to the coordinates `near` are taken.
-    pub(crate) fn measure(&self, motions: &[Motion], near: &[f64]) -> State {
+    /// say the same, the ones nearest to the coordinates of `near` are taken.
+    pub(crate) fn measure(&self, motions: &[Motion], near: &State) -> State {
         let mut state = State { q: Vec::new(), v: Vec::new() };
-        if let Base::Floating = self.base {
-            let input = self.bodies[0].input_place(&motions[0]);
-            state.q.extend(input.position.iter());
-            state.q.extend(rotation::to_quaternion(&input.rotation, &near[3..7]));
-            state.v.extend(input.velocity.iter());
-            state.v.extend((input.rotation.transpose() * input.spin).iter());
+        let mut add = |kind: &HingeKind, inboard: &Place, outboard: &Place, near: &[f64]| {
+            let (rotation, offset) = relative_pose(inboard, outboard);
+            let q = kind.measure(&rotation, &offset, near);
+            // The twist is linear in the rates, so any will do to find its directions.
+            let relative = kind.relative(&q, &vec![0.0; kind.freedoms()]);
+            state.v.extend(relative.rates(&relative_twist(inboard, outboard)));
+            state.q.extend(q);
+        };
+        if self.chain.floats() {
+            let kind = HingeKind::of_base(self.chain.dimension);
+            add(&kind, &inertial(), &self.place(&Side::Input(0), motions), &near.q);
         }
-        for joint in &self.joints {
+        for joint in self.joints.iter().filter(|joint| joint.prescribed.is_none()) {
             let inboard = self.place(&joint.inboard, motions);
             let outboard = self.place(&joint.outboard, motions);
-            joint.measure(&inboard, &outboard, &near[joint.first_coordinate..], &mut state);
+            add(joint.kind(), &inboard, &outboard, joint.q(near));
         }
         state
     }
 }
 
-/// Returns the input of the first body of a floating chain.
-fn floating_input(state: &State) -> Place {
-    let (q, v) = (&state.q, &state.v);
-    let rotation = rotation::from_quaternion(&q[3..7]);
+/// The inertial frame.
+fn inertial() -> Place {
+    Place::at_rest(Vec3::zeros(), Mat3::identity())
+}
+
+/// Returns the rotation and the offset of one place seen from another, in the axes of the latter.
+pub(crate) fn relative_pose(inboard: &Place, outboard: &Place) -> (Mat3, Vec3) {
+    let back = inboard.rotation.transpose();
+    (back * outboard.rotation, back * (outboard.position - inboard.position))
+}
+
+/// Returns how one place moves seen from another, in the axes of the latter.
+pub(crate) fn relative_twist(inboard: &Place, outboard: &Place) -> Twist {
+    let back = inboard.rotation.transpose();
+    let carried = inboard.spin.cross(&(outboard.position - inboard.position));
+    let velocity = outboard.velocity - inboard.velocity - carried;
+    twist(back * velocity, back * (outboard.spin - inboard.spin))
+}
+
+/// Returns the outboard side of a hinge, given its inboard side.
+fn outboard(relative: &Relative, v: &[f64], inboard: &Place) -> Place {
+    let moving = relative.twist(v);
+    let offset = inboard.rotation * relative.offset;
+    let velocity = inboard.rotation * moving.fixed_rows::<3>(0);
     Place {
-        velocity: Vec3::from_column_slice(&v[0..3]),
-        spin: rotation * Vec3::from_column_slice(&v[3..6]),
-        ..Place::at_rest(Vec3::from_column_slice(&q[0..3]), rotation)
+        velocity: inboard.velocity + inboard.spin.cross(&offset) + velocity,
+        spin: inboard.spin + inboard.rotation * moving.fixed_rows::<3>(3),
+        ..Place::at_rest(inboard.position + offset, inboard.rotation * relative.rotation)
     }
 }
 
-impl Joint {
-    fn turn(&self, state: &State) -> Turn {
-        let q = &state.q[self.first_coordinate..];
-        let v = &state.v[self.first_rate..];
-        match &self.freedom {
-            Freedom::None => Turn { rotation: Mat3::identity(), spin: Vec3::zeros() },
-            Freedom::About(axis) => {
-                Turn { rotation: rotation::about_axis(axis, q[0]), spin: axis * v[0] }
-            }
-            Freedom::AnyTurn => {
-                let rotation = rotation::from_quaternion(&q[..4]);
-                Turn { rotation, spin: rotation * Vec3::from_column_slice(&v[..3]) }
-            }
-        }
+impl Joint<'_> {
+    /// Returns the outboard side of the hinge, given its inboard side. Accelerations are left out.
+    pub(crate) fn outboard_place(&self, state: &State, inboard: &Place) -> Place {
+        let v = self.v(state);
+        outboard(&self.kind().relative(self.q(state), v), v, inboard)
     }
 
-    /// Adds the coordinates and rates of this hinge to `state`.
-    fn measure(&self, inboard: &Place, outboard: &Place, near: &[f64], state: &mut State) {
-        let relative = inboard.rotation.transpose() * outboard.rotation;
-        let spin = outboard.spin - inboard.spin;
-        match &self.freedom {
-            Freedom::None => {}
-            Freedom::About(axis) => {
-                let angle = rotation::angle_about(axis, &relative);
-                state.q.push(angle + TAU * ((near[0] - angle) / TAU).round());
-                state.v.push((inboard.rotation * axis).dot(&spin));
-            }
-            Freedom::AnyTurn => {
-                state.q.extend(rotation::to_quaternion(&relative, &near[..4]));
-                state.v.extend((outboard.rotation.transpose() * spin).iter());
-            }
-        }
-    }
-}
-
-impl Turn {
-    /// Returns the outboard side of the hinge, given its inboard side.
-    fn outboard(&self, inboard: &Place) -> Place {
+    /// Returns the inboard side of the hinge, given its outboard side. Accelerations are left out.
+    fn inboard_place(&self, state: &State, outboard: &Place) -> Place {
+        let v = self.v(state);
+        let relative = self.kind().relative(self.q(state), v);
+        let moving = relative.twist(v);
+        let rotation = outboard.rotation * relative.rotation.transpose();
+        let offset = rotation * relative.offset;
+        let spin = outboard.spin - rotation * moving.fixed_rows::<3>(3);
         Place {
-            rotation: inboard.rotation * self.rotation,
-            spin: inboard.spin + inboard.rotation * self.spin,
-            ..inboard.clone()
+            velocity: outboard.velocity
+                - spin.cross(&offset)
+                - rotation * moving.fixed_rows::<3>(0),
+            spin,
+            ..Place::at_rest(outboard.position - offset, rotation)
         }
-    }
-
-    /// Returns the inboard side of the hinge, given its outboard side.
-    fn inboard(&self, outboard: &Place) -> Place {
-        let rotation = outboard.rotation * self.rotation.transpose();
-        Place { rotation, spin: outboard.spin - rotation * self.spin, ..outboard.clone() }
     }
 }
 

@@ -2,42 +2,27 @@
 //!
 //! Code that leaves out what is zero or one by construction has to be tested where there is
 //! something to leave out. So offsets are often zero or along an axis, frames often untouched or
-//! turned by quarter turns, and pins often along an axis, one way or the other.
+//! turned by quarter turns, and axes of hinges often those of frames, one way or the other.
 
-use crate::chain::{About, Body, Chain, Element, End, Frame, Hinge, HingeKind, State};
+use crate::chain::{About, Body, Chain, Dimension, Element, End, Frame, Gravity};
+use crate::hinge::{Axis, Hinge, HingeKind};
 use crate::random::{Random, round_to};
+use crate::random_acting::{add_acting, add_motors};
+use crate::random_state::{closing_frame, has_states, random_quaternion};
+use crate::recipe::{Ends, Joining, Recipe};
 use crate::rotation::{self, Mat3, Vec3};
-use std::f64::consts::PI;
 
-/// Which ends of a random chain are held.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ends {
-    /// The start is held and the finish free.
-    HeldFree,
-    /// Both ends are free: the chain floats.
-    FreeFree,
-    /// The start is free and the finish held.
-    FreeHeld,
-}
+/// Chains that are tried before giving up.
+const TRIES: usize = 1000;
 
-/// The kinds of hinges a random chain may have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Joining {
-    /// Bodies welded together.
-    Weld,
-    /// Pins about axes of all directions.
-    Pin,
-    /// Balls.
-    Ball,
-}
-
-/// Makes a chain of `bodies` bodies, joined by hinges of the given kinds.
+/// Makes a chain in space of `bodies` bodies, joined by hinges of the given kinds, with nothing
+/// acting but gravity and the motors.
 ///
 /// All numbers are short decimals. Bodies are called `b1`, `b2`, … and hinges `j1`, `j2`, ….
 ///
 /// # Panics
 ///
-/// Panics when there are no bodies or no kinds to choose from.
+/// Panics like [`random_mechanism`].
 pub fn random_chain(
     random: &mut Random,
     name: &str,
@@ -45,70 +30,147 @@ pub fn random_chain(
     ends: Ends,
     kinds: &[Joining],
 ) -> Chain {
-    assert!(bodies > 0 && !kinds.is_empty(), "a chain needs bodies and kinds of hinges");
+    random_mechanism(random, name, &Recipe::plain(bodies, ends, kinds))
+}
+
+/// Makes a chain by a recipe. Loads are called `l1`, …, springs `s1`, …, named points `p1`, …, and
+/// the moving frames at the ends `base` and `tip`.
+///
+/// A closed chain has states in which it closes and in which its hinges decide about that firmly.
+///
+/// # Panics
+///
+/// Panics when there are no bodies or no kinds to choose from, and when no chain is found
+/// that has states, as with too few freedoms in a closed one.
+pub fn random_mechanism(random: &mut Random, name: &str, recipe: &Recipe) -> Chain {
+    let mut recipe = recipe.clone();
+    let layout = recipe.layout();
+    recipe.kinds.retain(|kind| kind.exists_in(layout));
+    assert!(recipe.bodies > 0 && !recipe.kinds.is_empty(), "a chain needs bodies and hinges");
+    for _ in 0..TRIES {
+        let mut chain = bare_chain(random, name, &recipe);
+        add_acting(random, &mut chain, &recipe);
+        if recipe.flat {
+            chain = chain.in_space();
+        }
+        if !recipe.ends.closed() && chain.springs.is_empty() {
+            return chain;
+        }
+        if recipe.ends == Ends::HeldHeld {
+            chain.finish = End::Held(closing_frame(random, &chain));
+        }
+        if has_states(random, &chain) {
+            return chain;
+        }
+    }
+    panic!("chain {name}: no chain like this has been found");
+}
+
+impl Recipe {
+    /// Returns the dimension in which everything lies.
+    fn layout(&self) -> Dimension {
+        if self.flat { Dimension::Plane } else { self.dimension }
+    }
+}
+
+impl Chain {
+    /// Returns a chain of the plane or of a line as one in space: hinges with the same freedoms
+    /// leave it in its plane or on its line.
+    ///
+    /// # Panics
+    ///
+    /// Panics at an elastic hinge of the plane, since the elastic hinge in space has more freedoms.
+    pub fn in_space(&self) -> Chain {
+        let mut chain = Chain { dimension: Dimension::Space, ..self.clone() };
+        for element in &mut chain.elements {
+            let Element::Hinge(hinge) = element else { continue };
+            match hinge.kind {
+                HingeKind::PlaneFloating => hinge.kind = HingeKind::Planar { normal: Axis::Z },
+                HingeKind::LineFloating | HingeKind::LineElastic => {
+                    hinge.kind = HingeKind::Slider { axis: [1.0, 0.0, 0.0] };
+                }
+                HingeKind::PlaneElastic => panic!("hinge {}: elastic in the plane", hinge.name),
+                _ => {}
+            }
+        }
+        chain
+    }
+}
+
+/// Makes a chain with motors, and gravity. A finish that is held is at the inertial frame still
+/// where the chain is closed.
+fn bare_chain(random: &mut Random, name: &str, recipe: &Recipe) -> Chain {
+    let layout = recipe.layout();
     let mut elements = Vec::new();
     let mut hinges = 0;
     let mut hinge = |random: &mut Random| {
         hinges += 1;
-        Element::Hinge(random_hinge(random, format!("j{hinges}"), kinds))
+        Element::Hinge(random_hinge(random, format!("j{hinges}"), recipe))
     };
-    for body in 1..=bodies {
-        if body > 1 || ends == Ends::HeldFree {
+    for body in 1..=recipe.bodies {
+        if body > 1 || !recipe.ends.free_start() {
             elements.push(hinge(random));
         }
-        elements.push(Element::Body(random_body(random, format!("b{body}"))));
+        elements.push(Element::Body(random_body(random, format!("b{body}"), layout)));
     }
-    if ends == Ends::FreeHeld {
+    if !recipe.ends.free_finish() {
         elements.push(hinge(random));
     }
-    let (start, finish) = match ends {
-        Ends::HeldFree => (End::Held(random_ground(random)), End::Free),
+    let (start, finish) = random_ends(random, recipe);
+    let gravity = Gravity::Constant(random_gravity(random, layout));
+    let plain = Chain::new(name, [0.0; 3], elements);
+    Chain { dimension: layout, gravity, start, finish, ..plain }
+}
+
+fn random_ends(random: &mut Random, recipe: &Recipe) -> (End, End) {
+    let [base, tip] = ["base", "tip"].map(|name| End::Moving { name: name.to_owned() });
+    let mut held = || End::Held(random_ground(random, recipe.layout()));
+    match recipe.ends {
+        Ends::HeldFree => (held(), End::Free),
         Ends::FreeFree => (End::Free, End::Free),
-        Ends::FreeHeld => (End::Free, End::Held(random_ground(random))),
-    };
-    Chain { name: name.to_owned(), gravity: random_gravity(random), start, finish, elements }
+        Ends::FreeHeld => (End::Free, held()),
+        Ends::HeldHeld => (held(), End::Held(Frame::IDENTITY)),
+        Ends::MovingFree => (base, End::Free),
+        Ends::FreeMoving => (End::Free, tip),
+        Ends::HeldMoving => (held(), tip),
+        Ends::MovingHeld => (base, held()),
+        Ends::MovingMoving => (base, tip),
+    }
 }
 
-/// Makes a state of the chain: any orientations and angles, rates up to two either way, and a
-/// floating base within two metres of the origin.
-pub fn random_state(random: &mut Random, chain: &Chain) -> State {
-    let mut q: Vec<f64> = Vec::new();
-    if chain.floats() {
-        q.extend((0..3).map(|_| random.between(-2.0, 2.0)));
-        q.extend(random_quaternion(random));
-    }
-    for hinge in chain.hinges() {
-        match hinge.kind {
-            HingeKind::Weld => {}
-            HingeKind::Pin { .. } => q.push(random.between(-PI, PI)),
-            HingeKind::Ball => q.extend(random_quaternion(random)),
+fn random_hinge(random: &mut Random, name: String, recipe: &Recipe) -> Hinge {
+    let layout = recipe.layout();
+    let kind = match (random.choose(&recipe.kinds), layout) {
+        (Joining::Weld, _) => HingeKind::Weld,
+        (Joining::Pin, Dimension::Plane) => HingeKind::Pin { axis: [0.0, 0.0, 1.0] },
+        (Joining::Pin, _) => HingeKind::Pin { axis: random_axis(random) },
+        (Joining::Ball, _) => HingeKind::Ball,
+        (Joining::Slider, Dimension::Line) => HingeKind::Slider { axis: [1.0, 0.0, 0.0] },
+        (Joining::Slider, _) => HingeKind::Slider { axis: random_axis_in(random, layout) },
+        (Joining::Screw, _) => {
+            let pitch = random.rounded(0.05, 0.6, 2);
+            let axis = random_axis(random);
+            HingeKind::Screw { axis, pitch: if random.chance(0.7) { pitch } else { -pitch } }
         }
-    }
-    let v = (0..chain.freedoms()).map(|_| random.between(-2.0, 2.0)).collect();
-    State { q, v }
-}
-
-/// Makes efforts up to five newton metres either way at the motors and zero elsewhere.
-pub fn random_efforts(random: &mut Random, chain: &Chain) -> Vec<f64> {
-    let mut efforts = vec![0.0; if chain.floats() { 6 } else { 0 }];
-    for hinge in chain.hinges() {
-        let of_hinge = |_| if hinge.motor { random.between(-5.0, 5.0) } else { 0.0 };
-        efforts.extend((0..hinge.kind.freedoms()).map(of_hinge));
-    }
-    efforts
-}
-
-fn random_hinge(random: &mut Random, name: String, kinds: &[Joining]) -> Hinge {
-    let kind = match random.choose(kinds) {
-        Joining::Weld => HingeKind::Weld,
-        Joining::Pin => HingeKind::Pin { axis: random_axis(random) },
-        Joining::Ball => HingeKind::Ball,
+        (Joining::Cylindrical, _) => HingeKind::Cylindrical { axis: random_axis(random) },
+        (Joining::Universal, _) => random_universal(random),
+        (Joining::Planar, Dimension::Plane) => HingeKind::Planar { normal: Axis::Z },
+        (Joining::Planar, _) => {
+            HingeKind::Planar { normal: *random.choose(&[Axis::X, Axis::Y, Axis::Z]) }
+        }
+        (Joining::Floating, Dimension::Space) => HingeKind::Floating,
+        (Joining::Floating, Dimension::Plane) => HingeKind::PlaneFloating,
+        (Joining::Floating, Dimension::Line) => HingeKind::LineFloating,
+        (Joining::Elastic, Dimension::Space) => HingeKind::Elastic,
+        (Joining::Elastic, Dimension::Plane) => HingeKind::PlaneElastic,
+        (Joining::Elastic, Dimension::Line) => HingeKind::LineElastic,
     };
-    let motor = kind.freedoms() > 0 && random.chance(0.5);
-    Hinge { name, kind, motor }
+    let mut hinge = Hinge { name, ..Hinge::new("", kind) };
+    add_motors(random, &mut hinge, recipe);
+    hinge
 }
 
-/// Makes the direction of a pin: along an axis, in a plane of two axes, or askew.
+/// Makes the direction of an axis: along one of the frame, in a plane of two, or askew.
 fn random_axis(random: &mut Random) -> [f64; 3] {
     let mut axis = [0.0; 3];
     if random.chance(0.6) {
@@ -124,17 +186,41 @@ fn random_axis(random: &mut Random) -> [f64; 3] {
     axis
 }
 
-fn random_body(random: &mut Random, name: String) -> Body {
+/// Makes the direction of an axis in the plane, where the chain is one of the plane.
+fn random_axis_in(random: &mut Random, dimension: Dimension) -> [f64; 3] {
+    loop {
+        let [x, y, z] = random_axis(random);
+        match dimension {
+            Dimension::Plane if x == 0.0 && y == 0.0 => {}
+            Dimension::Plane => return [x, y, 0.0],
+            _ => return [x, y, z],
+        }
+    }
+}
+
+/// Makes a universal hinge whose axes are at least 30 degrees apart.
+fn random_universal(random: &mut Random) -> HingeKind {
+    loop {
+        let (first, second) = (random_axis(random), random_axis(random));
+        let [a, b] = [first, second].map(|axis| Vec3::from(axis).normalize());
+        if a.cross(&b).norm() > 0.5 {
+            return HingeKind::Universal { first, second };
+        }
+    }
+}
+
+fn random_body(random: &mut Random, name: String, dimension: Dimension) -> Body {
     let mass = random.rounded(0.2, 5.0, 2);
-    let com = random_offset(random, 0.6);
-    let output = Frame { position: random_offset(random, 1.2), rpy_degrees: random_turn(random) };
+    let com = random_offset(random, 0.6, dimension);
+    let position = random_offset(random, 1.2, dimension);
+    let output = Frame { position, rpy_degrees: random_turn(random, dimension) };
     let about = *random.choose(&[About::Input, About::Com]);
     let inertia = random_inertia(random, mass, com, about);
     Body { name, mass, com, output, inertia, about }
 }
 
 /// Makes an offset in m: none, along an axis, or askew.
-fn random_offset(random: &mut Random, size: f64) -> [f64; 3] {
+pub(crate) fn random_offset(random: &mut Random, size: f64, dimension: Dimension) -> [f64; 3] {
     let mut offset = [0.0; 3];
     if random.chance(0.15) {
         return offset;
@@ -142,25 +228,38 @@ fn random_offset(random: &mut Random, size: f64) -> [f64; 3] {
     if random.chance(0.5) {
         let length = random.rounded(0.1, size, 2);
         offset[random.below(3)] = if random.chance(0.7) { length } else { -length };
-        return offset;
+        return flattened(offset, dimension);
     }
-    offset.map(|_: f64| random.rounded(-size, size, 2))
+    flattened(offset.map(|_: f64| random.rounded(-size, size, 2)), dimension)
+}
+
+/// Returns a vector without what the dimension does not have.
+pub(crate) fn flattened([x, y, z]: [f64; 3], dimension: Dimension) -> [f64; 3] {
+    match dimension {
+        Dimension::Space => [x, y, z],
+        Dimension::Plane => [x, y, 0.0],
+        Dimension::Line => [x, 0.0, 0.0],
+    }
 }
 
 /// Makes roll, pitch and yaw in degrees: none, quarter turns, or any.
-fn random_turn(random: &mut Random) -> [f64; 3] {
+fn random_turn(random: &mut Random, dimension: Dimension) -> [f64; 3] {
     let mut turn = [0.0; 3];
     if random.chance(0.4) {
         return turn;
     }
     if random.chance(0.3) {
         turn[random.below(3)] = *random.choose(&[90.0, -90.0, 180.0]);
-        return turn;
+    } else if random.chance(0.3) {
+        turn = turn.map(|_: f64| *random.choose(&[0.0, 90.0, -90.0, 180.0]));
+    } else {
+        turn = turn.map(|_: f64| random.rounded(-180.0, 180.0, 1));
     }
-    if random.chance(0.3) {
-        return turn.map(|_: f64| *random.choose(&[0.0, 90.0, -90.0, 180.0]));
+    match dimension {
+        Dimension::Space => turn,
+        Dimension::Plane => [0.0, 0.0, turn[2]],
+        Dimension::Line => [0.0; 3],
     }
-    turn.map(|_: f64| random.rounded(-180.0, 180.0, 1))
 }
 
 /// Makes the inertia of a solid box, along the body axes or askew, about the point asked for.
@@ -185,28 +284,19 @@ fn random_inertia(random: &mut Random, mass: f64, com: [f64; 3], about: About) -
     entries.map(|entry| round_to(tensor[entry], 6))
 }
 
-fn random_ground(random: &mut Random) -> Frame {
+fn random_ground(random: &mut Random, dimension: Dimension) -> Frame {
     if random.chance(0.5) {
         return Frame::IDENTITY;
     }
-    Frame { position: random_offset(random, 2.0), rpy_degrees: random_turn(random) }
+    let position = random_offset(random, 2.0, dimension);
+    Frame { position, rpy_degrees: random_turn(random, dimension) }
 }
 
-fn random_gravity(random: &mut Random) -> [f64; 3] {
-    if random.chance(0.3) {
-        return [0.0; 3].map(|_: f64| random.rounded(-6.0, 6.0, 2));
-    }
-    *random.choose(&[[0.0, -9.8, 0.0], [0.0, 0.0, -9.81], [9.81, 0.0, 0.0], [0.0, 0.0, 0.0]])
-}
-
-/// Makes a unit quaternion (w, x, y, z), all orientations being equally likely.
-fn random_quaternion(random: &mut Random) -> [f64; 4] {
-    loop {
-        let candidate = [0.0; 4].map(|_: f64| random.between(-1.0, 1.0));
-        let length = candidate.iter().map(|component| component * component).sum::<f64>().sqrt();
-        // What is left of the cube is a ball, without the middle where dividing loses digits.
-        if (0.1..=1.0).contains(&length) {
-            return candidate.map(|component| component / length);
-        }
-    }
+fn random_gravity(random: &mut Random, dimension: Dimension) -> [f64; 3] {
+    let gravity = if random.chance(0.3) {
+        [0.0; 3].map(|_: f64| random.rounded(-6.0, 6.0, 2))
+    } else {
+        *random.choose(&[[0.0, -9.8, 0.0], [0.0, 0.0, -9.81], [9.81, 0.0, 0.0], [0.0, 0.0, 0.0]])
+    };
+    flattened(gravity, dimension)
 }

@@ -45,6 +45,29 @@ pub(crate) fn from_quaternion(wxyz: &[f64]) -> Mat3 {
     UnitQuaternion::from_quaternion(quaternion).to_rotation_matrix().into_inner()
 }
 
+/// Returns the rotation of a rotation vector.
+pub(crate) fn from_vector(vector: &Vec3) -> Mat3 {
+    Rotation3::from_scaled_axis(*vector).into_inner()
+}
+
+/// Returns the rotation vector of a rotation, at most half a turn long.
+pub(crate) fn to_vector(rotation: &Mat3) -> Vec3 {
+    let identity = [1.0, 0.0, 0.0, 0.0];
+    vector_between(&identity, &to_quaternion(rotation, &identity))
+}
+
+/// Returns the rotation vector, at most half a turn long, that leads from the orientation `from` to
+/// the orientation `to`, both quaternions (w, x, y, z) of any length but zero. Its components are
+/// those in the frame turned by either.
+pub(crate) fn vector_between(from: &[f64], to: &[f64]) -> Vec3 {
+    let quaternion = |wxyz: &[f64]| Quaternion::new(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+    let turn = quaternion(from).conjugate() * quaternion(to);
+    let (cosine, sines) =
+        if turn.w < 0.0 { (-turn.w, -turn.imag()) } else { (turn.w, turn.imag()) };
+    let sine = sines.norm();
+    if sine == 0.0 { Vec3::zeros() } else { sines * (2.0 * sine.atan2(cosine) / sine) }
+}
+
 /// Returns the quaternion (w, x, y, z) of a rotation; of the two, the one nearer to `near`.
 pub(crate) fn to_quaternion(rotation: &Mat3, near: &[f64]) -> [f64; 4] {
     let unit = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(*rotation));

@@ -1,10 +1,14 @@
 //! The motion of a chain in time, in the coordinates of its bodies.
 
-use crate::chain::{Chain, State};
+use crate::chain::{Chain, Dimension, State};
+use crate::drives::Drives;
+use crate::equations::Equations;
 use crate::extrapolation::{extrapolated_step, step_factor};
-use crate::mechanism::{Freedom, Mechanism, Motion};
-use crate::rotation::{self, Mat3, Vec3};
-use crate::saddle::Saddle;
+use crate::hinge::HingeKind;
+use crate::mechanism::{Joint, Mechanism, Motion};
+use crate::passive::Passive;
+use crate::rotation::{self, Vec3};
+use crate::strain::Strains;
 use nalgebra::DVector;
 
 /// The error allowed in one step, far below what the comparisons look at.
@@ -51,23 +55,42 @@ pub struct BodySample {
 /// Moves a chain from `start` at time zero and reports it at every one of `times`, which must not
 /// decrease and are in s.
 ///
-/// `efforts` are as in [`Chain::solve`] and stay constant. What is integrated are the positions,
-/// quaternions, velocities and angular velocities of all bodies. After every step they are moved
-/// back to what the hinges allow, so the hinges do not drift apart however long the motion.
+/// `efforts` are as in [`Chain::solve`] and stay constant.
 ///
 /// # Panics
 ///
-/// Panics like [`Chain::solve`], and when the motion stops being finite.
+/// Panics like [`simulate_driven`].
 pub fn simulate(
     chain: &Chain,
     start: &State,
     efforts: &[f64],
     times: &[f64],
+    report: impl FnMut(&Sample),
+) {
+    let drives = Drives { efforts: efforts.to_vec(), ..Drives::none(chain) };
+    simulate_driven(chain, start, &drives, times, report);
+}
+
+/// Moves a chain like [`simulate`], with constant drives. Hinges with prescribed motions and moving
+/// ends have to be at rest.
+///
+/// What is integrated are the positions, quaternions, velocities and angular velocities of all
+/// bodies, and the hinges' coordinates only to count turns. After every step the bodies are moved
+/// back to what the hinges allow, so the hinges do not drift apart however long the motion.
+///
+/// # Panics
+///
+/// Panics like [`Chain::solve_driven`], and when the motion stops being finite.
+pub fn simulate_driven(
+    chain: &Chain,
+    start: &State,
+    drives: &Drives,
+    times: &[f64],
     mut report: impl FnMut(&Sample),
 ) {
-    chain.check_lengths(start, efforts);
-    let mechanism = Mechanism::new(chain);
-    let mut run = Run::new(&mechanism, start, efforts);
+    chain.check_lengths(start, drives);
+    let mechanism = Mechanism::new(chain, drives);
+    let mut run = Run::new(&mechanism, start);
     for &time in times {
         run.advance(time);
         report(&run.sample(time));
@@ -76,8 +99,7 @@ pub fn simulate(
 
 /// A motion under way.
 struct Run<'a> {
-    mechanism: &'a Mechanism,
-    efforts: &'a [f64],
+    mechanism: &'a Mechanism<'a>,
     time: f64,
     /// The step to try next.
     step: f64,
@@ -87,10 +109,10 @@ struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    fn new(mechanism: &'a Mechanism, start: &State, efforts: &'a [f64]) -> Run<'a> {
+    fn new(mechanism: &'a Mechanism<'a>, start: &State) -> Run<'a> {
         let motions = mechanism.motions(start);
-        let state = mechanism.measure(&motions, &start.q);
-        Run { mechanism, efforts, time: 0.0, step: 0.01, motions, state }
+        let state = mechanism.measure(&motions, start);
+        Run { mechanism, time: 0.0, step: 0.01, motions, state }
     }
 
     /// Goes on until `time`.
@@ -100,12 +122,13 @@ impl<'a> Run<'a> {
             let left = time - self.time;
             let step = if left <= self.step { left } else { self.step.min(0.5 * left) };
             let rate = |packed: &DVector<f64>| self.rate(packed);
-            let (packed, error) = extrapolated_step(&rate, &pack(&self.motions), step);
+            let (packed, error) =
+                extrapolated_step(&rate, &pack(&self.motions, &self.state.q), step);
             let longer = (step * step_factor(error, TOLERANCE)).min(LONGEST_STEP);
             let accepted = error <= TOLERANCE || step <= SHORTEST_STEP;
             if accepted {
                 assert!(packed.iter().all(|value| value.is_finite()), "the motion is not finite");
-                self.accept(unpack(&packed), step);
+                self.accept(&packed);
                 self.time = if step == left { time } else { self.time + step };
                 // A step cut short by `time` says little about the next one, unless it must shrink.
                 self.step = if step < self.step { longer.max(self.step) } else { longer };
@@ -117,24 +140,29 @@ impl<'a> Run<'a> {
     }
 
     /// Takes over new motions after a step.
-    fn accept(&mut self, motions: Vec<Motion>, step: f64) {
-        self.motions = closed(self.mechanism, motions);
-        let mut expected = self.state.q.clone();
-        let rates = self.mechanism.measure(&self.motions, &expected).v;
-        for joint in &self.mechanism.joints {
-            if let Freedom::About(_) = joint.freedom {
-                let k = joint.first_rate;
-                let mean_rate = 0.5 * (self.state.v[k] + rates[k]);
-                expected[joint.first_coordinate] += step * mean_rate;
-            }
-        }
-        self.state = self.mechanism.measure(&self.motions, &expected);
+    fn accept(&mut self, packed: &DVector<f64>) {
+        let (motions, state) = self.unpack(packed);
+        self.motions = closed(self.mechanism, motions, &state);
+        self.state = self.mechanism.measure(&self.motions, &state);
+    }
+
+    /// Returns the motions in an integrated vector, and the state they amount to.
+    fn unpack(&self, packed: &DVector<f64>) -> (Vec<Motion>, State) {
+        let (of_bodies, q) = packed.as_slice().split_at(ENTRIES * self.motions.len());
+        let motions = motions_from(of_bodies);
+        let near = State { q: q.to_vec(), v: self.state.v.clone() };
+        let state = self.mechanism.measure(&motions, &near);
+        (motions, state)
     }
 
     /// Returns the derivative of the integrated vector.
     fn rate(&self, packed: &DVector<f64>) -> DVector<f64> {
-        let motions = unpack(packed);
-        let dynamics = Saddle::new(self.mechanism, &motions).dynamics(self.efforts);
+        if packed.iter().any(|value| !value.is_finite()) {
+            // The step is far too long and will be refused.
+            return DVector::repeat(packed.len(), f64::NAN);
+        }
+        let (motions, state) = self.unpack(packed);
+        let dynamics = Equations::new(self.mechanism, &motions, &state).dynamics();
         let mut rate = DVector::zeros(packed.len());
         for (body, motion) in motions.iter().enumerate() {
             let first = ENTRIES * body;
@@ -145,22 +173,42 @@ impl<'a> Run<'a> {
             rate.fixed_rows_mut::<3>(first + 7).copy_from(&dynamics.linear[body]);
             rate.fixed_rows_mut::<3>(first + 10).copy_from(&dynamics.angular[body]);
         }
+        let mut place = ENTRIES * motions.len();
+        if let Dimension::Plane | Dimension::Line = self.mechanism.chain.dimension {
+            let base = self.mechanism.chain.base_freedoms();
+            rate.rows_mut(place, base).copy_from_slice(&state.v[..base]);
+        }
+        place += self.mechanism.chain.base_coordinates();
+        for joint in self.mechanism.joints.iter().filter(|joint| joint.prescribed.is_none()) {
+            // Quaternions know no turns: only signs, which the last state tells.
+            if !joint.kind().has_quaternion() {
+                let strains = Strains::new(joint.hinge, joint.q(&state), joint.v(&state));
+                rate.rows_mut(place, strains.rates.len()).copy_from(&strains.rates);
+            }
+            place += joint.hinge.coordinates();
+        }
         rate
     }
 
     fn sample(&self, time: f64) -> Sample {
         let joints = &self.mechanism.joints;
-        let angle = |joint: &crate::mechanism::Joint| match joint.freedom {
-            Freedom::About(_) => Some(self.state.q[joint.first_coordinate]),
-            Freedom::None | Freedom::AnyTurn => None,
+        let angle = |joint: &Joint| match joint.kind() {
+            HingeKind::Pin { .. } => Some(joint.q(&self.state)[0]),
+            _ => None,
         };
+        let passive = joints.iter().map(|joint| {
+            let passive = Passive::new(joint.hinge, joint.q(&self.state), joint.v(&self.state));
+            [passive.kinetic_energy, passive.potential_energy]
+        });
+        let [kinetic, potential] =
+            passive.fold([0.0; 2], |sum, next| [sum[0] + next[0], sum[1] + next[1]]);
         Sample {
             time,
             bodies: self.motions.iter().map(BodySample::new).collect(),
             pin_angles: joints.iter().map(angle).collect(),
             state: self.state.clone(),
-            kinetic_energy: self.mechanism.kinetic_energy(&self.motions),
-            potential_energy: self.mechanism.potential_energy(&self.motions),
+            kinetic_energy: self.mechanism.kinetic_energy(&self.motions) + kinetic,
+            potential_energy: self.mechanism.potential_energy(&self.motions) + potential,
         }
     }
 }
@@ -177,26 +225,22 @@ impl BodySample {
 }
 
 /// Moves the bodies back to poses, and then to velocities, that the hinges allow.
-fn closed(mechanism: &Mechanism, mut motions: Vec<Motion>) -> Vec<Motion> {
-    let saddle = Saddle::new(mechanism, &motions);
-    let moves = saddle.correction(&saddle.pose_violations());
+fn closed(mechanism: &Mechanism, mut motions: Vec<Motion>, state: &State) -> Vec<Motion> {
+    let moves =
+        Equations::new(mechanism, &motions, state).correction(|contact| -contact.pose_violation());
     for (body, motion) in motions.iter_mut().enumerate() {
         let turn: Vec3 = moves.fixed_rows::<3>(6 * body + 3).into_owned();
         motion.position += moves.fixed_rows::<3>(6 * body);
-        motion.rotation = rotation_of(&turn) * motion.rotation;
+        motion.rotation = rotation::from_vector(&turn) * motion.rotation;
     }
-    let saddle = Saddle::new(mechanism, &motions);
-    let changes = saddle.correction(&saddle.velocity_violations());
+    let state = mechanism.measure(&motions, state);
+    let changes = Equations::new(mechanism, &motions, &state)
+        .correction(|contact| -contact.velocity_violation());
     for (body, motion) in motions.iter_mut().enumerate() {
         motion.velocity += changes.fixed_rows::<3>(6 * body);
         motion.spin += changes.fixed_rows::<3>(6 * body + 3);
     }
     motions
-}
-
-/// Returns the rotation of a rotation vector.
-fn rotation_of(vector: &Vec3) -> Mat3 {
-    nalgebra::Rotation3::from_scaled_axis(*vector).into_inner()
 }
 
 /// Returns the derivative of a quaternion (w, x, y, z) from body to inertial components: half the
@@ -208,24 +252,26 @@ fn quaternion_rate(spin: &Vec3, quaternion: &[f64]) -> [f64; 4] {
     [scalar_rate, vector_rate.x, vector_rate.y, vector_rate.z]
 }
 
-fn pack(motions: &[Motion]) -> DVector<f64> {
-    let mut packed: Vec<f64> = Vec::with_capacity(ENTRIES * motions.len());
+/// Puts together the vector that is integrated: the motions of the bodies, then the coordinates.
+fn pack(motions: &[Motion], q: &[f64]) -> DVector<f64> {
+    let mut packed: Vec<f64> = Vec::with_capacity(ENTRIES * motions.len() + q.len());
     for motion in motions {
         packed.extend(motion.position.iter());
         packed.extend(rotation::to_quaternion(&motion.rotation, &[1.0, 0.0, 0.0, 0.0]));
         packed.extend(motion.velocity.iter());
         packed.extend(motion.spin.iter());
     }
+    packed.extend(q);
     DVector::from_vec(packed)
 }
 
-/// Reads back [`pack`], normalising the quaternions.
-fn unpack(packed: &DVector<f64>) -> Vec<Motion> {
+/// Reads back the motions of [`pack`], normalising the quaternions.
+fn motions_from(packed: &[f64]) -> Vec<Motion> {
     let motion = |entries: &[f64]| Motion {
         position: Vec3::from_column_slice(&entries[0..3]),
         rotation: rotation::from_quaternion(&entries[3..7]),
         velocity: Vec3::from_column_slice(&entries[7..10]),
         spin: Vec3::from_column_slice(&entries[10..13]),
     };
-    packed.as_slice().chunks_exact(ENTRIES).map(motion).collect()
+    packed.chunks_exact(ENTRIES).map(motion).collect()
 }

@@ -1,33 +1,48 @@
 //! Accelerations, internal loads and energies at one instant.
 
 use crate::chain::{Chain, State};
-use crate::mechanism::{Base, Freedom, Joint, Mechanism, Motion, Place, Side};
+use crate::drives::Drives;
+use crate::equations::{Dynamics, Equations};
+use crate::mechanism::{Mechanism, Motion, Place, Side};
+use crate::relative::{Twist, twist};
 use crate::rotation::{self, Vec3};
-use crate::saddle::{Contact, Dynamics, Saddle};
+
+/// How far, in m and rad, m/s and rad/s, a state may be from closing a closed chain.
+const GAP: f64 = 1e-6;
 
 /// Everything about a chain at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     /// The derivatives of the rates, in the order and the axes of [`State::v`], in m/s² and rad/s².
     pub accelerations: Vec<f64>,
+    /// The efforts of every hinge in written order, one to every rate of its kind: those of its
+    /// motor, or what its drive has to supply where its motion is prescribed.
+    pub efforts: Vec<Vec<f64>>,
     /// The connection points in written order: the input of the first element, then the output of
     /// every element.
     pub points: Vec<Point>,
-    /// The kinetic energy in J.
+    /// The kinetic energy in J, that of rotors included.
     pub kinetic_energy: f64,
-    /// The potential energy −Σ m g·r in J, zero with every centre of mass at the inertial origin.
+    /// The potential energy in J: of constant gravity, −Σ m g·r, which is zero with every centre of
+    /// mass at the inertial origin, and of springs and limits.
     pub potential_energy: f64,
+    /// Whether the internal loads are determined by the equations. Where they are not, as in a
+    /// planar loop in space, those of least norm are given, and only the accelerations can be
+    /// compared.
+    pub reactions_unique: bool,
 }
 
 /// The state of one connection point. All vectors are in inertial axes.
 ///
 /// The frame at a body's output, which is the input of the hinge after it, is the body's output
-/// frame. The frame at a hinge's output is the frame of the body after it, or that of the ground.
+/// frame. The frame at a hinge's output is the frame of the body after it, or the frame that the
+/// end of the chain is attached to.
 ///
 /// The signs of the loads are those of the method: the point's force acts as it stands on the body
 /// whose input is here and reversed on the body whose output is here; its moment acts reversed on
 /// the body whose input is here and as it stands on the body whose output is here. A hinge passes
-/// on both, so its two points carry the same; a free end carries none.
+/// on both, so its two points carry the same, but for the moment of the force where they are apart;
+/// a free end carries none.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     /// The position in m.
@@ -49,91 +64,82 @@ pub struct Point {
 }
 
 impl Chain {
-    /// Solves the equations of motion in the given state.
+    /// Solves the equations of motion in the given state, with nothing given but efforts.
     ///
-    /// `efforts` holds one torque for every rate. Those of hinges are applied, whether or not the
-    /// hinge is described as a motor; the six of a floating base are ignored.
+    /// `efforts` are those of [`Drives`].
     ///
     /// # Panics
     ///
-    /// Panics when the elements do not alternate, when both ends are held, or when the state or the
-    /// efforts have the wrong length.
+    /// Panics like [`Chain::solve_driven`].
     pub fn solve(&self, state: &State, efforts: &[f64]) -> Solution {
-        self.check_lengths(state, efforts);
-        let mechanism = Mechanism::new(self);
-        let motions = mechanism.motions(state);
-        let saddle = Saddle::new(&mechanism, &motions);
-        let dynamics = saddle.dynamics(efforts);
-        let point = |side: &Side| point_at(&mechanism, &motions, &dynamics, side);
-        Solution {
-            accelerations: chain_accelerations(&mechanism, &motions, &saddle, &dynamics),
-            points: mechanism.connection_points().iter().map(point).collect(),
-            kinetic_energy: mechanism.kinetic_energy(&motions),
-            potential_energy: mechanism.potential_energy(&motions),
-        }
+        let drives = Drives { efforts: efforts.to_vec(), ..Drives::none(self) };
+        self.solve_driven(state, &drives)
     }
 
-    pub(crate) fn check_lengths(&self, state: &State, efforts: &[f64]) {
-        assert_eq!(state.q.len(), self.coordinates(), "chain {}: coordinates", self.name);
-        assert_eq!(state.v.len(), self.freedoms(), "chain {}: rates", self.name);
-        assert_eq!(efforts.len(), self.freedoms(), "chain {}: efforts", self.name);
+    /// Solves the equations of motion in the given state.
+    ///
+    /// # Panics
+    ///
+    /// Panics when the elements do not alternate, when the state or the drives have the wrong
+    /// length, and when a closed chain does not close in this state.
+    pub fn solve_driven(&self, state: &State, drives: &Drives) -> Solution {
+        self.check_lengths(state, drives);
+        let mechanism = Mechanism::new(self, drives);
+        let motions = mechanism.motions(state);
+        let equations = Equations::new(&mechanism, &motions, state);
+        let last = equations.contacts.last().filter(|_| self.closed());
+        let gap = last
+            .map_or(0.0, |last| last.pose_violation().amax().max(last.velocity_violation().amax()));
+        assert!(gap <= GAP, "chain {}: the state leaves a gap of {gap:e}", self.name);
+        let dynamics = equations.dynamics();
+        let point = |side: &Side| point_at(&mechanism, &motions, &dynamics, side);
+        let passive = || equations.contacts.iter().map(|contact| &contact.passive);
+        Solution {
+            accelerations: chain_accelerations(&mechanism, &motions, &dynamics),
+            points: mechanism.connection_points().iter().map(point).collect(),
+            kinetic_energy: mechanism.kinetic_energy(&motions)
+                + passive().map(|passive| passive.kinetic_energy).sum::<f64>(),
+            potential_energy: mechanism.potential_energy(&motions)
+                + passive().map(|passive| passive.potential_energy).sum::<f64>(),
+            reactions_unique: equations.saddle.multipliers_are_unique(),
+            efforts: dynamics.efforts,
+        }
     }
 }
 
 /// Returns the derivatives of the chain's rates.
-fn chain_accelerations(
-    mechanism: &Mechanism,
-    motions: &[Motion],
-    saddle: &Saddle,
-    dynamics: &Dynamics,
-) -> Vec<f64> {
+fn chain_accelerations(mechanism: &Mechanism, motions: &[Motion], dynamics: &Dynamics) -> Vec<f64> {
     let mut accelerations: Vec<f64> = Vec::new();
-    if let Base::Floating = mechanism.base {
+    if mechanism.chain.floats() {
         let input = mechanism.place(&Side::Input(0), motions);
         let (acceleration, angular) = accelerations_at(&input, dynamics);
-        accelerations.extend(acceleration.iter());
         // In body axes: a vector's derivative and its derivative seen from the body differ by its
         // product with the angular velocity, which for the angular velocity itself is nothing.
-        accelerations.extend((input.rotation.transpose() * angular).iter());
+        let angular = input.rotation.transpose() * angular;
+        let all = twist(acceleration, angular);
+        let directions = mechanism.chain.dimension.directions();
+        accelerations.extend(directions.iter().map(|direction| all[*direction]));
     }
-    for (joint, contact) in mechanism.joints.iter().zip(saddle.contacts()) {
-        accelerations.extend(hinge_accelerations(joint, contact, dynamics));
+    for (joint, own) in mechanism.joints.iter().zip(&dynamics.hinge_accelerations) {
+        if joint.prescribed.is_none() {
+            accelerations.extend(own);
+        }
     }
     accelerations
 }
 
-/// Returns the derivatives of one hinge's rates.
-fn hinge_accelerations(joint: &Joint, contact: &Contact, dynamics: &Dynamics) -> Vec<f64> {
-    let Contact { inboard, outboard, .. } = contact;
-    let relative = accelerations_at(outboard, dynamics).1 - accelerations_at(inboard, dynamics).1;
-    match &joint.freedom {
-        Freedom::None => Vec::new(),
-        // The turning of the axis contributes only across the axis.
-        Freedom::About(axis) => vec![(inboard.rotation * axis).dot(&relative)],
-        Freedom::AnyTurn => {
-            let spin = outboard.spin - inboard.spin;
-            let seen_from_outboard = relative - outboard.spin.cross(&spin);
-            (outboard.rotation.transpose() * seen_from_outboard).iter().copied().collect()
-        }
-    }
-}
-
 /// Returns the acceleration and the angular acceleration of a place.
 fn accelerations_at(place: &Place, dynamics: &Dynamics) -> (Vec3, Vec3) {
-    let Some(body) = place.body else { return (Vec3::zeros(), Vec3::zeros()) };
+    let known = (place.known_acceleration, place.known_angular);
+    let Some(body) = place.body else { return known };
     let angular = dynamics.angular[body];
-    let linear = dynamics.linear[body] + angular.cross(&place.arm) + place.centripetal();
-    (linear, angular)
+    (dynamics.linear[body] + angular.cross(&place.arm) + known.0, angular)
 }
 
 fn point_at(mechanism: &Mechanism, motions: &[Motion], dynamics: &Dynamics, side: &Side) -> Point {
     let place = mechanism.place(side, motions);
     let (acceleration, angular_acceleration) = accelerations_at(&place, dynamics);
-    let touches = |joint: &Joint| joint.inboard == *side || joint.outboard == *side;
-    let (force, moment) = match mechanism.joints.iter().position(touches) {
-        Some(hinge) => (dynamics.hinge_forces[hinge], -dynamics.hinge_moments[hinge]),
-        None => (Vec3::zeros(), Vec3::zeros()),
-    };
+    let (force, moment) = internal_loads(mechanism, motions, dynamics, side);
     Point {
         position: place.position.into(),
         rotation: rotation::rows(&place.rotation),
@@ -144,4 +150,27 @@ fn point_at(mechanism: &Mechanism, motions: &[Motion], dynamics: &Dynamics, side
         moment: moment.into(),
         force: force.into(),
     }
+}
+
+/// Returns the force and the moment at a connection point, with the signs of [`Point`].
+fn internal_loads(
+    mechanism: &Mechanism,
+    motions: &[Motion],
+    dynamics: &Dynamics,
+    side: &Side,
+) -> (Vec3, Vec3) {
+    let parts =
+        |wrench: &Twist| (wrench.fixed_rows::<3>(0).into(), wrench.fixed_rows::<3>(3).into());
+    for (joint, wrench) in mechanism.joints.iter().zip(&dynamics.wrenches) {
+        let (force, moment): (Vec3, Vec3) = parts(wrench);
+        if joint.outboard == *side {
+            return (force, -moment);
+        }
+        if joint.inboard == *side {
+            let outboard = mechanism.place(&joint.outboard, motions).position;
+            let arm = outboard - mechanism.place(side, motions).position;
+            return (force, -(moment + arm.cross(&force)));
+        }
+    }
+    (Vec3::zeros(), Vec3::zeros())
 }

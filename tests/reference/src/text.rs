@@ -1,6 +1,9 @@
 //! A chain written in the description language of the project.
 
-use crate::chain::{About, Body, Chain, Element, End, Frame, Hinge, HingeKind};
+use crate::chain::{About, Body, Chain, Dimension, Element, End, Frame, Gravity};
+use crate::hinge::Source;
+use crate::load::{Axes, Load, Spot, Spring};
+use crate::text_hinge;
 
 impl Chain {
     /// Writes the chain in the description language, with every number such that reading it gives
@@ -9,86 +12,168 @@ impl Chain {
     /// `method` is the name after `method =`; without one the line is left out. Every body has a
     /// type of its own, named like the body in CamelCase.
     pub fn to_macro_text(&self, method: Option<&str>) -> String {
-        let mut lines = vec![format!("pub chain {} {{", self.name)];
+        let word = match self.dimension {
+            Dimension::Space => "",
+            Dimension::Plane => "plane ",
+            Dimension::Line => "line ",
+        };
+        let mut lines = vec![format!("pub {word}chain {} {{", self.name)];
         if let Some(method) = method {
             lines.push(format!("    method = {method};"));
         }
-        lines.push(format!("    gravity = {} m/s^2;", vector(&self.gravity)));
-        lines.extend(self.bodies().map(body_type));
+        lines.push(match &self.gravity {
+            Gravity::Constant(gravity) => format!("    gravity = {} m/s^2;", self.vector(gravity)),
+            Gravity::Input => "    gravity = input;".to_owned(),
+        });
+        lines.extend(self.bodies().map(|body| self.body_type(body)));
         lines.push(format!("    {};", self.written_elements()));
-        let motors = self.hinges().filter(|hinge| hinge.motor);
-        lines.extend(motors.map(|hinge| format!("    hinge {} {{ torque = input; }}", hinge.name)));
+        lines.extend(self.hinges().filter_map(text_hinge::section_of));
+        lines.extend(self.loads.iter().map(|load| self.load_section(load)));
+        lines.extend(self.springs.iter().map(|spring| self.spring_section(spring)));
         lines.push("}\n".to_owned());
         lines.join("\n")
     }
 
     /// Returns the elements from end to end, joined by arrows.
     fn written_elements(&self) -> String {
-        let start = ground(&self.start).into_iter();
-        let finish = ground(&self.finish).into_iter();
+        let start = self.end(&self.start).into_iter();
+        let finish = self.end(&self.finish).into_iter();
         let elements = self.elements.iter().map(|element| match element {
             Element::Body(body) => format!("{} {}", camel_case(&body.name), body.name),
-            Element::Hinge(written) => hinge(written),
+            Element::Hinge(hinge) => {
+                format!("{} {}", text_hinge::word(&hinge.kind, self.dimension), hinge.name)
+            }
         });
         start.chain(elements).chain(finish).collect::<Vec<_>>().join(" -> ")
     }
-}
 
-fn body_type(body: &Body) -> String {
-    let about = match body.about {
-        About::Input => "input",
-        About::Com => "com",
-    };
-    let [xx, yy, zz, xy, xz, yz] = body.inertia;
-    let inertia = if [xy, xz, yz] == [0.0; 3] {
-        format!("diag({xx:?}, {yy:?}, {zz:?})")
-    } else {
-        format!("tensor({xx:?}, {yy:?}, {zz:?}, {xy:?}, {xz:?}, {yz:?})")
-    };
-    [
-        format!("    body {} {{", camel_case(&body.name)),
-        format!("        mass = {:?} kg;", body.mass),
-        format!("        com = {} m;", vector(&body.com)),
-        format!("        output = {};", frame(&body.output)),
-        format!("        inertia = {inertia} kg*m^2 about {about};"),
-        "    }".to_owned(),
-    ]
-    .join("\n")
-}
+    /// Returns how an end is written: nothing where it is free.
+    fn end(&self, end: &End) -> Option<String> {
+        match end {
+            End::Free => None,
+            End::Held(place) if *place == Frame::IDENTITY => Some("ground".to_owned()),
+            End::Held(place) => Some(format!("ground at {}", self.frame(place))),
+            End::Moving { name } => Some(format!("moving {name}")),
+        }
+    }
 
-fn hinge(hinge: &Hinge) -> String {
-    let kind = match hinge.kind {
-        HingeKind::Weld => "weld".to_owned(),
-        HingeKind::Ball => "ball".to_owned(),
-        HingeKind::Pin { axis: [1.0, 0.0, 0.0] } => "pin(x)".to_owned(),
-        HingeKind::Pin { axis: [0.0, 1.0, 0.0] } => "pin(y)".to_owned(),
-        HingeKind::Pin { axis: [0.0, 0.0, 1.0] } => "pin(z)".to_owned(),
-        HingeKind::Pin { axis } => format!("pin({})", vector(&axis)),
-    };
-    format!("{kind} {}", hinge.name)
-}
+    fn body_type(&self, body: &Body) -> String {
+        let mut fields = vec![
+            format!("mass = {:?} kg", body.mass),
+            format!("com = {} m", self.vector(&body.com)),
+            format!("output = {}", self.frame(&body.output)),
+        ];
+        fields.extend(self.inertia(body).map(|inertia| format!("inertia = {inertia}")));
+        let spots = self.loads.iter().map(|load| (&load.body, &load.at));
+        let spots = spots.chain(self.springs.iter().map(|spring| (&spring.body, &spring.at)));
+        for (on, spot) in spots {
+            if let Spot::Named { name, position } = spot {
+                let point = format!("point {name} = {} m", self.vector(position));
+                if *on == body.name && !fields.contains(&point) {
+                    fields.push(point);
+                }
+            }
+        }
+        let lines: Vec<String> = fields.iter().map(|field| format!("        {field};")).collect();
+        format!("    body {} {{\n{}\n    }}", camel_case(&body.name), lines.join("\n"))
+    }
 
-/// Returns how an end is written: nothing where it is free.
-fn ground(end: &End) -> Option<String> {
-    match end {
-        End::Free => None,
-        End::Held(place) if *place == Frame::IDENTITY => Some("ground".to_owned()),
-        End::Held(place) => Some(format!("ground at {}", frame(place))),
+    fn inertia(&self, body: &Body) -> Option<String> {
+        let about = match body.about {
+            About::Input => "input",
+            About::Com => "com",
+        };
+        let [xx, yy, zz, xy, xz, yz] = body.inertia;
+        let inertia = match self.dimension {
+            Dimension::Space if [xy, xz, yz] == [0.0; 3] => format!("diag({xx:?}, {yy:?}, {zz:?})"),
+            Dimension::Space => format!("tensor({xx:?}, {yy:?}, {zz:?}, {xy:?}, {xz:?}, {yz:?})"),
+            Dimension::Plane => format!("{zz:?}"),
+            Dimension::Line => return None,
+        };
+        Some(format!("{inertia} kg*m^2 about {about}"))
+    }
+
+    fn load_section(&self, load: &Load) -> String {
+        let mut fields = vec![format!("on = {}", load.body)];
+        if load.at != Spot::Com {
+            fields.push(self.spot(&load.at));
+        }
+        fields.extend(source("force", &load.force, |force| format!("{} N", self.vector(force))));
+        fields.extend(source("torque", &load.torque, |torque| match self.dimension {
+            Dimension::Space => format!("{} N*m", self.vector(torque)),
+            Dimension::Plane | Dimension::Line => format!("{:?} N*m", torque[2]),
+        }));
+        if load.axes == Axes::Body && self.dimension != Dimension::Line {
+            fields.push("axes = body".to_owned());
+        }
+        section("load", &load.name, &fields)
+    }
+
+    fn spring_section(&self, spring: &Spring) -> String {
+        let mut fields = vec![
+            format!("on = {}", spring.body),
+            self.spot(&spring.at),
+            format!("to = {} m", self.vector(&spring.to)),
+        ];
+        let numbers = [
+            ("stiffness", spring.stiffness, "N/m"),
+            ("damping", spring.damping, "N*s/m"),
+            ("length", spring.length, "m"),
+        ];
+        let given = numbers.iter().filter(|(_, number, _)| *number != 0.0);
+        fields.extend(given.map(|(field, number, unit)| format!("{field} = {number:?} {unit}")));
+        section("spring", &spring.name, &fields)
+    }
+
+    /// Returns the field for a point of a body.
+    fn spot(&self, spot: &Spot) -> String {
+        let spot = match spot {
+            Spot::Com => "com".to_owned(),
+            Spot::Input => "input".to_owned(),
+            Spot::Output => "output".to_owned(),
+            Spot::At(position) => format!("{} m", self.vector(position)),
+            Spot::Named { name, .. } => name.clone(),
+        };
+        format!("at = {spot}")
+    }
+
+    fn frame(&self, frame: &Frame) -> String {
+        let position = format!("{} m", self.vector(&frame.position));
+        let [roll, pitch, yaw] = frame.rpy_degrees;
+        match self.dimension {
+            _ if frame.rpy_degrees == [0.0; 3] => position,
+            Dimension::Space => format!("{position} turned rpy({roll:?}, {pitch:?}, {yaw:?}) deg"),
+            Dimension::Plane | Dimension::Line => format!("{position} turned {yaw:?} deg"),
+        }
+    }
+
+    /// Returns as many of the components as the chain's dimension has.
+    fn vector(&self, components: &[f64; 3]) -> String {
+        match self.dimension {
+            Dimension::Space => format!("{components:?}"),
+            Dimension::Plane => format!("{:?}", &components[..2]),
+            Dimension::Line => format!("{:?}", components[0]),
+        }
     }
 }
 
-fn frame(frame: &Frame) -> String {
-    let position = format!("{} m", vector(&frame.position));
-    let [roll, pitch, yaw] = frame.rpy_degrees;
-    if frame.rpy_degrees == [0.0; 3] {
-        position
-    } else {
-        format!("{position} turned rpy({roll:?}, {pitch:?}, {yaw:?}) deg")
-    }
+/// Returns what is said of something that has a name.
+pub(crate) fn section(word: &str, name: &str, fields: &[String]) -> String {
+    let fields: Vec<String> = fields.iter().map(|field| format!("{field};")).collect();
+    format!("    {word} {name} {{ {} }}", fields.join(" "))
 }
 
-fn vector(components: &[f64; 3]) -> String {
-    format!("{components:?}")
+/// Returns the field for something that may be constant or an input.
+pub(crate) fn source<T>(
+    field: &str,
+    source: &Source<T>,
+    constant: impl Fn(&T) -> String,
+) -> Option<String> {
+    match source {
+        Source::None => None,
+        Source::Constant(value) => Some(format!("{field} = {}", constant(value))),
+        Source::Input => Some(format!("{field} = input")),
+    }
 }
 
 /// Returns a snake_case name in CamelCase.

@@ -10,13 +10,8 @@ use nalgebra::Vector3;
 /// its hinge carries what the circular motion and the weight leave over.
 #[test]
 fn pin_pendulum() {
-    let chain = Chain {
-        name: "Pendulum".to_owned(),
-        gravity: [0.0, -9.8, 0.0],
-        start: End::Held(Frame::IDENTITY),
-        finish: End::Free,
-        elements: vec![hinge("j1", HingeKind::Pin { axis: [0.0, 0.0, 3.0] }), cube("b1")],
-    };
+    let pin = hinge("j1", HingeKind::Pin { axis: [0.0, 0.0, 3.0] });
+    let chain = Chain::new("Pendulum", [0.0, -9.8, 0.0], vec![pin, cube("b1")]);
     let (angle, rate, torque) = (0.7_f64, 1.3, 2.0);
     let solution = chain.solve(&State { q: vec![angle], v: vec![rate] }, &[torque]);
     let falling = (torque - 9.8 * 0.5 * angle.cos()) / (5.0 / 12.0);
@@ -96,5 +91,5 @@ fn symmetric_top() {
 
 fn floating(gravity: [f64; 3], body: Body) -> Chain {
     let elements = vec![Element::Body(body)];
-    Chain { name: "Body".to_owned(), gravity, start: End::Free, finish: End::Free, elements }
+    Chain { start: End::Free, ..Chain::new("Body", gravity, elements) }
 }

@@ -3,8 +3,12 @@
 
 mod balances;
 mod closed_forms;
+mod compounds;
 mod derivatives;
 mod descriptions;
+mod equivalents;
 mod golden_motions;
+mod hinge_forms;
 mod motions;
+mod outside;
 mod samples;

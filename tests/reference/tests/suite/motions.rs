@@ -1,15 +1,79 @@
 //! Simulated motions: what they conserve, and that they are the motions of the chain.
 
-use crate::samples::{Case, assert_close, central_inertia, cube, hinge, matrix, random_cases};
-use mstmm_reference::{Chain, Element, End, Frame, HingeKind, Sample, State, simulate};
+use crate::samples::{
+    Case, assert_close, central_inertia, cube, flat_case, hinge, matrix, plain_cases,
+};
+use mstmm_reference::{
+    Chain, Dimension, Drives, Element, Ends, Gravity, HingeKind, Joining, Random, Recipe, Sample,
+    Source, State, random_mechanism, random_motion, simulate,
+};
 use nalgebra::Vector3;
 
 const TIMES: [f64; 3] = [0.0, 0.3, 0.7];
 
-/// Returns random chains short enough to be simulated quickly by a build without optimisation.
+/// Returns random chains short enough to be simulated quickly by a build without optimisation:
+/// plain ones, and others with hinges of all kinds, closed ones among them, and with springs and
+/// rotors, but with nothing that takes energy away.
 fn short_cases() -> Vec<Case> {
-    let cases = random_cases().into_iter();
-    cases.filter(|case| case.chain.bodies().count() <= 3).take(24).collect()
+    let plain = plain_cases().into_iter().filter(|case| case.chain.bodies().count() <= 3);
+    let mut cases: Vec<Case> = plain.take(24).collect();
+    for dimension in [Dimension::Space, Dimension::Plane, Dimension::Line] {
+        for ends in [Ends::HeldFree, Ends::FreeFree, Ends::FreeHeld, Ends::HeldHeld] {
+            for seed in 0..3 {
+                cases.push(conservative_case(seed, dimension, ends, &Joining::ALL));
+            }
+        }
+    }
+    let elastic = [Joining::Elastic];
+    let pair = |seed| conservative_case(seed, Dimension::Space, Ends::FreeFree, &elastic);
+    cases.extend((1..4).map(pair));
+    cases.extend((0..3).map(|seed| {
+        let mut case = flat_case(seed);
+        conserve(&mut case.chain);
+        case.drives = Drives::none(&case.chain);
+        case
+    }));
+    cases
+}
+
+fn conservative_case(seed: u64, dimension: Dimension, ends: Ends, kinds: &[Joining]) -> Case {
+    let mut random = Random::new(seed);
+    let recipe =
+        Recipe { prescribed: 0.0, ..Recipe::rich(dimension, 1 + seed as usize, ends, kinds) };
+    let name = format!("Short{dimension:?}{ends:?}{seed}");
+    let mut chain = random_mechanism(&mut random, &name, &recipe);
+    conserve(&mut chain);
+    let (state, drives) = random_motion(&mut random, &chain);
+    Case { chain, state, drives }
+}
+
+/// Takes away what takes energy away or brings it in, but for motors by input.
+fn conserve(chain: &mut Chain) {
+    if chain.gravity == Gravity::Input {
+        chain.gravity = [0.0; 3].into();
+    }
+    chain.loads.clear();
+    for spring in &mut chain.springs {
+        spring.damping = 0.0;
+        // A motion along a line can pass the point on the ground, where the force would jump.
+        spring.length = 0.0;
+    }
+    for element in &mut chain.elements {
+        let Element::Hinge(hinge) = element else { continue };
+        for group in [&mut hinge.linear, &mut hinge.turning] {
+            group.damping.clear();
+            group.friction.clear();
+            group.limits = None;
+            if let Source::Constant(_) = group.motor {
+                group.motor = Source::None;
+            }
+        }
+        if hinge.kind == HingeKind::Elastic {
+            // The second angle must not come near a right one.
+            hinge.turning.stiffness = vec![60.0, 80.0, 70.0];
+            hinge.rest = Vec::new();
+        }
+    }
 }
 
 /// Returns what can be expected of a motion: less where it is violent.
@@ -19,7 +83,7 @@ fn slack(chain: &Chain, state: &State) -> f64 {
 }
 
 fn without_motors(case: &Case) -> Vec<f64> {
-    vec![0.0; case.efforts.len()]
+    vec![0.0; case.drives.efforts.len()]
 }
 
 #[test]
@@ -40,8 +104,8 @@ fn energy_is_kept() {
 #[test]
 fn measured_states_describe_the_bodies() {
     for case in &short_cases() {
-        simulate(&case.chain, &case.state, &case.efforts, &TIMES, |sample| {
-            let placed = case.chain.solve(&sample.state, &case.efforts);
+        simulate(&case.chain, &case.state, &case.drives.efforts, &TIMES, |sample| {
+            let placed = case.chain.solve(&sample.state, &case.drives.efforts);
             let is_body = |k: &usize| matches!(case.chain.elements[*k], Element::Body(_));
             let inputs = (0..case.chain.elements.len()).filter(is_body);
             for (k, moved) in inputs.zip(&sample.bodies) {
@@ -62,10 +126,12 @@ fn measured_states_describe_the_bodies() {
 fn rates_change_as_solved() {
     let step = 1e-4;
     for case in &short_cases() {
-        let start = case.chain.solve(&case.state, &case.efforts);
+        let start = case.chain.solve(&case.state, &case.drives.efforts);
         let mut states: Vec<State> = Vec::new();
         let times = [0.0, step, 2.0 * step];
-        simulate(&case.chain, &case.state, &case.efforts, &times, |s| states.push(s.state.clone()));
+        simulate(&case.chain, &case.state, &case.drives.efforts, &times, |s| {
+            states.push(s.state.clone())
+        });
         let size: f64 = start.accelerations.iter().map(|a| a.abs()).sum();
         for (k, expected) in start.accelerations.iter().enumerate() {
             let [v0, v1, v2] = [0, 1, 2].map(|time| states[time].v[k]);
@@ -78,10 +144,12 @@ fn rates_change_as_solved() {
 /// Without gravity a floating chain keeps its momentum and its angular momentum.
 #[test]
 fn momenta_are_kept() {
-    for case in short_cases().iter().filter(|case| case.chain.floats()) {
-        let chain = Chain { gravity: [0.0; 3], ..case.chain.clone() };
+    let floats = |case: &&Case| case.chain.floats() && case.chain.dimension == Dimension::Space;
+    for case in short_cases().iter().filter(floats) {
+        let springs = Vec::new();
+        let chain = Chain { gravity: [0.0; 3].into(), springs, ..case.chain.clone() };
         let mut start: Option<[Vector3<f64>; 2]> = None;
-        simulate(&chain, &case.state, &case.efforts, &TIMES, |sample| {
+        simulate(&chain, &case.state, &case.drives.efforts, &TIMES, |sample| {
             let found = momenta(&chain, sample);
             let expected = start.get_or_insert(found);
             for k in 0..3 {
@@ -108,18 +176,9 @@ fn momenta(chain: &Chain, sample: &Sample) -> [Vector3<f64>; 2] {
 /// A pin that goes round many times reports all of its turns.
 #[test]
 fn pins_count_their_turns() {
-    let chain = Chain {
-        name: "Wheel".to_owned(),
-        gravity: [0.0; 3],
-        start: End::Held(Frame::IDENTITY),
-        finish: End::Free,
-        elements: vec![
-            hinge("w1", HingeKind::Weld),
-            cube("b1"),
-            hinge("j1", HingeKind::Pin { axis: [-1.0, 0.0, 0.0] }),
-            cube("b2"),
-        ],
-    };
+    let pin = hinge("j1", HingeKind::Pin { axis: [-1.0, 0.0, 0.0] });
+    let elements = vec![hinge("w1", HingeKind::Weld), cube("b1"), pin, cube("b2")];
+    let chain = Chain::new("Wheel", [0.0; 3], elements);
     for rate in [20.0, -90.0] {
         let start = State { q: vec![0.5], v: vec![rate] };
         simulate(&chain, &start, &[0.0], &[2.0, 5.0], |sample| {

@@ -1,0 +1,139 @@
+//! States in which closed chains close.
+
+use crate::chain::{Chain, State};
+use crate::drives::Drives;
+use crate::mechanism::{Mechanism, Place, Side};
+use crate::moved::moved_coordinates;
+use crate::relative::{Twist, to_inertial, twist};
+use crate::rotation::{self, Vec3};
+use nalgebra::{DMatrix, DVector, Dyn, Matrix6xX, SVD};
+
+/// The steps of Newton's method that are tried.
+const STEPS: usize = 60;
+/// How far, in m and rad, a closed chain may be from closing.
+const GAP: f64 = 1e-12;
+/// The longest step in the hinges' coordinates.
+const LONGEST_STEP: f64 = 0.5;
+/// Singular values of the closure below this, relative to the greatest, count as zero.
+const RANK_TOLERANCE: f64 = 1e-8;
+
+/// How a closed chain misses the frame at its finish, and how the hinges change that.
+struct Closure {
+    /// The displacement of the end of the chain from the frame: a shift and a rotation vector in
+    /// inertial axes, of these the directions that the dimension has.
+    gap: DVector<f64>,
+    /// The velocity of the end of the chain relative to the frame, in the same way.
+    gap_rate: DVector<f64>,
+    /// The latter for every rate of the state alone, in columns.
+    jacobian: DMatrix<f64>,
+    /// The jacobian's decomposition, if there are any rates.
+    decomposed: Option<SVD<f64, Dyn, Dyn>>,
+}
+
+impl Chain {
+    /// Changes a state of a closed chain such that it closes, first the coordinates and then the
+    /// rates, each by little. Returns `None` where that does not succeed.
+    pub fn close(&self, guess: &State, drives: &Drives) -> Option<State> {
+        self.check_lengths(guess, drives);
+        let mechanism = Mechanism::new(self, drives);
+        let mut state = guess.clone();
+        let mut closure = Closure::new(&mechanism, &state);
+        for _ in 0..STEPS {
+            // One step more than needed, as far as rounding lets it help.
+            let close_enough = closure.gap.amax() < GAP;
+            let mut step = closure.least(&-&closure.gap);
+            step *= (LONGEST_STEP / step.norm()).min(1.0);
+            state.q = stepped(&mechanism, &state, &step);
+            closure = Closure::new(&mechanism, &state);
+            if close_enough {
+                break;
+            }
+        }
+        let change = closure.least(&-&closure.gap_rate);
+        state.v.iter_mut().zip(change.iter()).for_each(|(rate, change)| *rate += change);
+        let closure = Closure::new(&mechanism, &state);
+        let closes = closure.gap.amax() < GAP && closure.gap_rate.amax() < 1e3 * GAP;
+        closes.then_some(state)
+    }
+
+    /// Returns how firmly the closure of a closed chain determines the motion, in the given state:
+    /// the least singular value of how rates move the end of the chain, of those that are not zero;
+    /// and how many there are.
+    pub fn closure_strength(&self, state: &State, drives: &Drives) -> (f64, usize) {
+        let mechanism = Mechanism::new(self, drives);
+        let decomposed = Closure::new(&mechanism, state).decomposed;
+        let values: Vec<f64> =
+            decomposed.iter().flat_map(|d| d.singular_values.iter().copied()).collect();
+        let greatest = values.iter().copied().fold(0.0, f64::max);
+        let counting = values.iter().filter(|value| **value > RANK_TOLERANCE * greatest);
+        (counting.clone().fold(f64::INFINITY, |least, value| least.min(*value)), counting.count())
+    }
+}
+
+impl Closure {
+    fn new(mechanism: &Mechanism, state: &State) -> Closure {
+        let finish = mechanism.place(&Side::Finish, &[]);
+        let (end, turned) = reached(mechanism, state);
+        let mut columns: Vec<Twist> = Vec::new();
+        for (origin, directions) in turned {
+            columns.extend(directions.column_iter().map(|direction| {
+                let spin: Vec3 = direction.fixed_rows::<3>(3).into();
+                let velocity = direction.fixed_rows::<3>(0) + spin.cross(&(end.position - origin));
+                twist(velocity, spin)
+            }));
+        }
+        let turn = rotation::to_vector(&(end.rotation * finish.rotation.transpose()));
+        let gap = twist(end.position - finish.position, turn);
+        let gap_rate = twist(end.velocity - finish.velocity, end.spin - finish.spin);
+        let kept = mechanism.chain.dimension.directions();
+        let select = |all: Twist| DVector::from_iterator(kept.len(), kept.iter().map(|k| all[*k]));
+        let jacobian =
+            DMatrix::from_fn(kept.len(), columns.len(), |row, column| columns[column][kept[row]]);
+        let decomposed = (!columns.is_empty()).then(|| jacobian.clone().svd(true, true));
+        Closure { gap: select(gap), gap_rate: select(gap_rate), jacobian, decomposed }
+    }
+
+    /// Returns the least change of the rates by which the end of the chain moves as wanted, as far
+    /// as it can.
+    fn least(&self, wanted: &DVector<f64>) -> DVector<f64> {
+        let change = self.decomposed.as_ref().map(|decomposed| {
+            let tolerance = RANK_TOLERANCE * decomposed.singular_values.max();
+            decomposed.solve(wanted, tolerance).expect("both sides have been decomposed")
+        });
+        change.unwrap_or_else(|| DVector::zeros(self.jacobian.ncols()))
+    }
+}
+
+/// Returns the end of a closed chain that its hinges lead to from the start.
+pub(crate) fn end_of_chain(mechanism: &Mechanism, state: &State) -> Place {
+    reached(mechanism, state).0
+}
+
+/// Returns the end of the chain that its hinges lead to, and for every hinge that is not prescribed
+/// the outboard origin with the twists of its rates, in inertial axes.
+fn reached(mechanism: &Mechanism, state: &State) -> (Place, Vec<(Vec3, Matrix6xX<f64>)>) {
+    let motions = mechanism.motions(state);
+    let mut end = Place::at_rest(Vec3::zeros(), rotation::from_vector(&Vec3::zeros()));
+    let mut moving = Vec::new();
+    for joint in &mechanism.joints {
+        let inboard = mechanism.place(&joint.inboard, &motions);
+        end = joint.outboard_place(state, &inboard);
+        if joint.prescribed.is_none() {
+            let relative = joint.kind().relative(joint.q(state), joint.v(state));
+            let directions = to_inertial(&inboard.rotation) * relative.directions;
+            moving.push((end.position, directions));
+        }
+    }
+    (end, moving)
+}
+
+/// Returns the coordinates of a closed chain after a small step along its rates.
+fn stepped(mechanism: &Mechanism, state: &State, step: &DVector<f64>) -> Vec<f64> {
+    let free = mechanism.joints.iter().filter(|joint| joint.prescribed.is_none());
+    let own = free.map(|joint| {
+        let step = step.rows(joint.first_rate, joint.kind().freedoms());
+        let still = vec![0.0; step.len()];
+        moved_coordinates(joint.hinge, joint.q(state), [step.into_owned().as_slice(), &still], 1.0)
+    });
+    own.collect::<Vec<_>>().concat()
+}

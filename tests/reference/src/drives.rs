@@ -1,0 +1,122 @@
+//! What is given to a chain at one instant besides its state.
+
+use crate::chain::{Chain, End, Gravity, State};
+use crate::hinge::Source;
+
+/// Everything a chain is driven by at one instant. What the chain does not ask for does not count.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drives {
+    /// One effort to every rate of the state. Those of hinges are applied, whether or not the chain
+    /// declares an input there, except where it declares a constant, which acts in their place. Those
+    /// of a floating chain's base are ignored.
+    pub efforts: Vec<f64>,
+    /// The motion of every prescribed hinge, in written order.
+    pub motions: Vec<HingeMotion>,
+    /// The motion of the frame that the start of the chain is attached to.
+    pub start: FrameMotion,
+    /// The motion of the frame that the finish of the chain is attached to.
+    pub finish: FrameMotion,
+    /// The values of the inputs of every load, in the order of [`Chain::loads`].
+    pub loads: Vec<LoadInput>,
+    /// The acceleration of free fall in m/s², inertial axes.
+    pub gravity: [f64; 3],
+}
+
+/// The prescribed motion of a hinge at one instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HingeMotion {
+    /// The coordinates.
+    pub q: Vec<f64>,
+    /// The rates.
+    pub v: Vec<f64>,
+    /// The derivatives of the rates.
+    pub a: Vec<f64>,
+}
+
+/// The motion of a frame at one instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameMotion {
+    /// The position of the origin in m, inertial.
+    pub position: [f64; 3],
+    /// The quaternion (w, x, y, z) from the frame's components to inertial ones.
+    pub orientation: [f64; 4],
+    /// The velocity of the origin in m/s, inertial axes.
+    pub velocity: [f64; 3],
+    /// The angular velocity in rad/s, the frame's own axes.
+    pub rate: [f64; 3],
+    /// The acceleration of the origin in m/s², inertial axes.
+    pub acceleration: [f64; 3],
+    /// The derivatives of the components of the angular velocity in rad/s², own axes.
+    pub rate_derivative: [f64; 3],
+}
+
+/// The values of a load's inputs, in the axes of the load.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LoadInput {
+    /// The force in N.
+    pub force: [f64; 3],
+    /// The couple in N·m.
+    pub torque: [f64; 3],
+}
+
+impl Drives {
+    /// Drives a chain by nothing: no efforts, no loads, no gravity by input, prescribed hinges at
+    /// rest in their zero positions, and moving frames at rest at the inertial frame.
+    pub fn none(chain: &Chain) -> Drives {
+        let prescribed = chain.hinges().filter(|hinge| hinge.prescribed);
+        let at_rest = |freedoms: usize| vec![0.0; freedoms];
+        Drives {
+            efforts: at_rest(chain.freedoms()),
+            motions: prescribed
+                .map(|hinge| HingeMotion {
+                    q: hinge.kind.zero_position(),
+                    v: at_rest(hinge.kind.freedoms()),
+                    a: at_rest(hinge.kind.freedoms()),
+                })
+                .collect(),
+            start: FrameMotion::AT_REST,
+            finish: FrameMotion::AT_REST,
+            loads: vec![LoadInput::default(); chain.loads.len()],
+            gravity: [0.0; 3],
+        }
+    }
+}
+
+impl FrameMotion {
+    /// The frame that is always the inertial one.
+    pub const AT_REST: FrameMotion = FrameMotion {
+        position: [0.0; 3],
+        orientation: [1.0, 0.0, 0.0, 0.0],
+        velocity: [0.0; 3],
+        rate: [0.0; 3],
+        acceleration: [0.0; 3],
+        rate_derivative: [0.0; 3],
+    };
+}
+
+impl Chain {
+    /// Returns whether anything has to be given at an instant besides the state and the efforts: a
+    /// moving frame, a prescribed motion, a load or gravity.
+    pub fn needs_drives(&self) -> bool {
+        let moving = |end: &End| matches!(end, End::Moving { .. });
+        moving(&self.start)
+            || moving(&self.finish)
+            || self.gravity == Gravity::Input
+            || self.hinges().any(|hinge| hinge.prescribed)
+            || self.loads.iter().any(|l| l.force == Source::Input || l.torque == Source::Input)
+    }
+
+    pub(crate) fn check_lengths(&self, state: &State, drives: &Drives) {
+        assert_eq!(state.q.len(), self.coordinates(), "chain {}: coordinates", self.name);
+        assert_eq!(state.v.len(), self.freedoms(), "chain {}: rates", self.name);
+        assert_eq!(drives.efforts.len(), self.freedoms(), "chain {}: efforts", self.name);
+        assert_eq!(drives.loads.len(), self.loads.len(), "chain {}: loads", self.name);
+        let prescribed: Vec<_> = self.hinges().filter(|hinge| hinge.prescribed).collect();
+        assert_eq!(drives.motions.len(), prescribed.len(), "chain {}: motions", self.name);
+        for (hinge, motion) in prescribed.iter().zip(&drives.motions) {
+            let found = [motion.q.len(), motion.v.len(), motion.a.len()];
+            let (coordinates, rates) = (hinge.kind.coordinates(), hinge.kind.freedoms());
+            assert_eq!(found, [coordinates, rates, rates], "chain {}: {}", self.name, hinge.name);
+        }
+    }
+}

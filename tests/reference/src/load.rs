@@ -1,0 +1,68 @@
+//! Loads from outside, and springs between a body and the ground.
+
+use crate::hinge::Source;
+
+/// A force at a point of a body and a pure couple.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Load {
+    /// The snake_case name of the load.
+    pub name: String,
+    /// The name of the body it acts on.
+    pub body: String,
+    /// The point the force acts at.
+    pub at: Spot,
+    /// The force in N.
+    pub force: Source<[f64; 3]>,
+    /// The couple in N·m.
+    pub torque: Source<[f64; 3]>,
+    /// The axes both are given in.
+    pub axes: Axes,
+}
+
+/// A spring with a damper from a point of a body to a point of the ground.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spring {
+    /// The snake_case name of the spring.
+    pub name: String,
+    /// The name of the body it pulls at.
+    pub body: String,
+    /// The point of the body.
+    pub at: Spot,
+    /// The point of the ground in m, inertial.
+    pub to: [f64; 3],
+    /// The stiffness in N/m.
+    pub stiffness: f64,
+    /// The damping constant in N·s/m, against the change of length.
+    pub damping: f64,
+    /// The length without force in m.
+    pub length: f64,
+}
+
+/// A point of a body.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Spot {
+    /// The centre of mass.
+    Com,
+    /// The input.
+    Input,
+    /// The output.
+    Output,
+    /// A place in m, in the body frame.
+    At([f64; 3]),
+    /// A place that the body's type gives a name to.
+    Named {
+        /// The snake_case name.
+        name: String,
+        /// The place in m, in the body frame.
+        position: [f64; 3],
+    },
+}
+
+/// The axes of a load.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axes {
+    /// The inertial axes.
+    Inertial,
+    /// The axes of the body.
+    Body,
+}
