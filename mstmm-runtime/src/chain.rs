@@ -60,9 +60,43 @@ pub trait Chain {
         rate: &mut Self::State,
     ) -> Result<(), Error>;
 
+    /// The rate of a linearly implicit step of Euler's method of `step` seconds: afterwards
+    /// `rate.v()` is the v̇ of (M + h C + h² K) v̇ = τ − h K v, where M v̇ = τ are the equations of
+    /// motion, h is the step, and K and C are stiffness and damping of the springs, dampers and
+    /// limits in hinges: −∂τ/∂q ∂q̇/∂v and −∂τ/∂v of those alone. `rate.q()` is q̇ of `state`.
+    ///
+    /// With K and C zero it is [`derivative_into`](Chain::derivative_into), which is the default.
+    ///
+    /// # Errors
+    /// As [`derivative_into`](Chain::derivative_into).
+    fn implicit_derivative_into(
+        &self,
+        state: &Self::State,
+        inputs: &Self::Inputs,
+        step: Self::Scalar,
+        rate: &mut Self::State,
+    ) -> Result<(), Error> {
+        let _ = step;
+        self.derivative_into(state, inputs, rate)
+    }
+
+    /// The rates of the coordinates alone, which follow from coordinates and rates without any
+    /// dynamics: afterwards `rate.q()` is q̇, and all else in `rate` is as it was.
+    ///
+    /// It is linear in the rates. What is not finite gives what is not finite.
+    fn configuration_rate_into(&self, state: &Self::State, rate: &mut Self::State);
+
     /// Brings quaternions back to unit length, from which a step moves them by no more than its
     /// error.
     fn normalize(&self, state: &mut Self::State);
+
+    /// Brings a chain that is held at both ends back onto its closure, in positions and in
+    /// velocities, by one correction: a step moves it off by no more than its error, of which about
+    /// the square is left. Integrators ask for it after every step; `inputs` are asked at its end,
+    /// by chains that need them. Other chains are closed always.
+    fn close(&self, state: &mut Self::State, inputs: impl FnOnce(&Self::State) -> Self::Inputs) {
+        let _ = (state, inputs);
+    }
 }
 
 /// A chain made by `mstmm_chain!`: what every one of them can do, for code that works with any.
@@ -91,6 +125,16 @@ pub trait GeneratedChain: Chain {
         inputs: &Self::Inputs,
         at: &mut Self::Workspace,
     ) -> Result<(), Error>;
+
+    /// Closes a chain that is held at both ends: moves `state` to coordinates and rates nearby that
+    /// fulfil the closure, with prescribed motions as `inputs` say. Other chains are closed always.
+    ///
+    /// # Errors
+    /// [`Error::NotAssembled`] if that leads nowhere; `state` is left as it was.
+    fn assemble(&self, state: &mut Self::State, inputs: &Self::Inputs) -> Result<(), Error> {
+        let _ = (state, inputs);
+        Ok(())
+    }
 
     /// Kinetic and potential energy.
     fn energy(&self, state: &Self::State) -> Energy<Self::Scalar>;

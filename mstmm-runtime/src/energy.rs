@@ -5,9 +5,11 @@ use crate::Scalar;
 /// Kinetic and potential energy in J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy<T> {
-    /// Of all bodies, from the velocities of their centres of mass and their angular velocities.
+    /// Of all bodies, from the velocities of their centres of mass and their angular velocities,
+    /// and of the rotors in hinges.
     pub kinetic: T,
-    /// Of gravity; zero with every centre of mass at the inertial origin.
+    /// Of gravity, springs and limits; zero with every centre of mass at the inertial origin and
+    /// every spring at rest.
     pub potential: T,
 }
 

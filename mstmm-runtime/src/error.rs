@@ -27,6 +27,8 @@ pub enum Error {
     StepTooSmall,
     /// The time asked for lies outside the last step, or no step was taken yet.
     OutsideStep,
+    /// A chain that is held at both ends cannot be closed from the coordinates it was given.
+    NotAssembled,
 }
 
 impl fmt::Display for Error {
@@ -43,6 +45,7 @@ impl fmt::Display for Error {
                 f.write_str("the tolerance cannot be reached: the step became too small")
             }
             Error::OutsideStep => f.write_str("the time lies outside the last step"),
+            Error::NotAssembled => f.write_str("the chain cannot be closed from this start"),
         }
     }
 }

@@ -13,21 +13,22 @@
 //!
 //! | here | in the paper | meaning |
 //! |---|---|---|
-//! | `q`, `v` | – | coordinates and rates of all hinges; v is q̇ but for quaternions |
+//! | `q`, `v` | – | coordinates and rates of all hinges; v is q̇ but for quaternions and elastic hinges |
 //! | `orientation` | A | turns components in the outboard, or the point's, frame into inboard, or inertial, ones |
 //! | quaternion | – | of such a rotation; w, x, y, z in a state's array, nalgebra's type in the interface |
 //! | Bryan angles θ₁, θ₂, θ₃ | θ, Eq. (1) | A = A_z(θ₃) A_y(θ₂) A_x(θ₁), that is, roll, pitch and yaw |
-//! | `rate` | – | pin: θ̇; ball and floating: angular velocity in the outboard frame |
-//! | `position`, `velocity` | r, ṙ | of a point; of a floating hinge along inboard axes |
+//! | `rate` | – | of one angle θ: θ̇; ball, floating and elastic: angular velocity in the outboard frame |
+//! | `position`, `velocity` | r, ṙ | of a point; of the outboard end of a hinge along inboard axes |
+//! | `displacement` | Δ, Appendix A.1 | of an elastic hinge along axes that turn with θ₃ |
 //! | `acceleration` | r̈ | true acceleration: a body at rest under gravity has none |
 //! | `angular_velocity`, `angular_acceleration` | Ω, Ω̇ | of the frame at a point |
 //! | `force` | q | internal force: on a body +q at its input end, −q at its output end |
 //! | `moment` | m | internal moment: on a body −m at its input end, +m at its output end |
-//! | `z` | z, Eq. (3) | \[r̈, Ω̇, m, q, 1\] at a connection point: [`StateVector`] |
+//! | `z` | z, Eq. (3) | \[r̈, Ω̇, m, q, 1\] at a connection point: [`StateVector`]; what is left of it in a plane or on a line: [`PlaneStateVector`], [`LineStateVector`] |
 //! | input, output | I, O | the inboard and the outboard end of an element |
-//! | `effort` | – | torque or force along the free directions of a hinge |
+//! | `effort` | – | torque or force of a hinge's motor along its free directions |
 //!
-//! # Sines and cosines
+//! # Sines, cosines and angles
 //!
 //! [`Scalar::sin_cos`] of `f32` and `f64` is this crate's own: branch-free, many angles side by
 //! side, `f32` in single precision alone. Errors in units in the last place of the true value,
@@ -42,6 +43,10 @@
 //!
 //! ε is [`Scalar::epsilon`], so far out the error is that of the angle itself, whose last place is
 //! by then a good part of a turn. NaN and infinite angles give NaN.
+//!
+//! [`Scalar::atan2`] is made likewise. Its error, measured over samples of all directions and
+//! beside the seams of its computation, is below 0.85 units in the last place for `f32` and below
+//! 0.75 for `f64`, over the whole range of both numbers.
 //!
 //! # Integration
 //!
@@ -75,6 +80,10 @@
 //!         Ok(())
 //!     }
 //!
+//!     fn configuration_rate_into(&self, state: &Swing, rate: &mut Swing) {
+//!         rate.q = state.v;
+//!     }
+//!
 //!     fn normalize(&self, _: &mut Swing) {} // no quaternions here
 //! }
 //!
@@ -95,6 +104,7 @@
 extern crate std;
 
 mod chain;
+mod closure;
 mod energy;
 mod error;
 #[doc(hidden)]
@@ -106,13 +116,18 @@ mod scalar;
 mod trig;
 
 pub use chain::{Chain, ChainState, GeneratedChain};
+pub use closure::Closure;
 pub use energy::Energy;
 pub use error::Error;
 pub use hinge::{
-    BallState, BallStateMut, BodyResult, FloatingState, FloatingStateMut, HingeResult, PinState,
-    PinStateMut,
+    BallState, BallStateMut, BodyResult, CylindricalState, CylindricalStateMut, ElasticState,
+    ElasticStateMut, FloatingState, FloatingStateMut, HingeMotion, HingeResult, PinState,
+    PinStateMut, PlanarState, PlanarStateMut, PlaneElasticState, PlaneElasticStateMut, ScrewState,
+    ScrewStateMut, SliderState, SliderStateMut, UniversalState, UniversalStateMut,
 };
-pub use integrate::{Dopri5, Rk4, Statistics};
+pub use integrate::{Dopri5, LinearlyImplicitEuler, Newmark, Rk4, SemiImplicitEuler, Statistics};
 pub use nalgebra;
-pub use point::{Point, StateVector};
+pub use point::{
+    ConnectionPoint, LinePoint, LineStateVector, PlanePoint, PlaneStateVector, Point, StateVector,
+};
 pub use scalar::{Mask, Scalar};

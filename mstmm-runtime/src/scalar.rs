@@ -78,9 +78,17 @@ pub trait Scalar:
     /// branch.
     ///
     /// For `f32` and `f64` each is within one unit in the last place for angles up to 10⁴ rad; see
-    /// the section on accuracy of [the crate](crate#sines-and-cosines) for larger ones. NaN and
-    /// infinite angles give NaN.
+    /// the section on accuracy of [the crate](crate#sines-cosines-and-angles) for larger ones. NaN
+    /// and infinite angles give NaN.
     fn sin_cos<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]);
+
+    /// The angle in rad, within ±π, from the x axis to the point of the plane whose y is `self` and
+    /// whose x is `x`, computed without a branch.
+    ///
+    /// For `f32` and `f64` it is within one unit in the last place; see the section on accuracy of
+    /// [the crate](crate#sines-cosines-and-angles). Zeros with their signs and infinities have the
+    /// angles of IEEE 754: that of the origin is zero, and ±π if x is −0. NaN gives NaN.
+    fn atan2(self, x: Self) -> Self;
 
     /// Where `self` is greater than `other`; false where either is NaN.
     fn greater(self, other: Self) -> Self::Mask;
@@ -99,10 +107,10 @@ pub trait Scalar:
     fn splat(value: Self::Real) -> Self;
 }
 
-/// Implements [`Scalar`] for a primitive: everything but sine, cosine and square root reads the
-/// same for all of them.
+/// Implements [`Scalar`] for a primitive: everything but sine, cosine, angle and square root
+/// reads the same for all of them.
 macro_rules! primitive {
-    ($real:ident, $trig:path, $libm_sqrt:path) => {
+    ($real:ident, $sin_cos:path, $atan2:path, $libm_sqrt:path) => {
         impl Scalar for $real {
             type Mask = bool;
             type Real = $real;
@@ -143,7 +151,12 @@ macro_rules! primitive {
 
             #[inline]
             fn sin_cos<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
-                $trig(angles)
+                $sin_cos(angles)
+            }
+
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                $atan2(self, x)
             }
 
             #[inline(always)]
@@ -174,5 +187,5 @@ macro_rules! primitive {
     };
 }
 
-primitive!(f32, trig::single::sin_cos, libm::sqrtf);
-primitive!(f64, trig::double::sin_cos, libm::sqrt);
+primitive!(f32, trig::single::sin_cos, trig::atan2::single::atan2, libm::sqrtf);
+primitive!(f64, trig::double::sin_cos, trig::atan2::double::atan2, libm::sqrt);

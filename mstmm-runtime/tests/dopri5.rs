@@ -241,6 +241,10 @@ impl Chain for Runaway {
         Ok(())
     }
 
+    fn configuration_rate_into(&self, state: &Self::State, rate: &mut Self::State) {
+        rate.q = state.v;
+    }
+
     fn normalize(&self, _state: &mut Self::State) {}
 }
 

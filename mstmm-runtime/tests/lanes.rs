@@ -1,4 +1,4 @@
-//! The traits leave room for numbers that have no order: two lanes of `f64` go through both
+//! The traits leave room for numbers that have no order: two lanes of `f64` go through all
 //! integrators.
 
 mod common;
@@ -6,7 +6,9 @@ mod common;
 use core::ops::{Add, AddAssign, BitAnd, BitOr, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
 use common::{Pendulum, State};
-use mstmm_runtime::{Chain, ChainState, Dopri5, Mask, Rk4, Scalar};
+use mstmm_runtime::{
+    Chain, ChainState, Dopri5, LinearlyImplicitEuler, Mask, Newmark, Rk4, Scalar, SemiImplicitEuler,
+};
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Pair(f64, f64);
@@ -100,6 +102,10 @@ impl Scalar for Pair {
         (sines, core::array::from_fn(|i| Pair(first_cosine[i], second_cosine[i])))
     }
 
+    fn atan2(self, x: Self) -> Self {
+        Pair(Scalar::atan2(self.0, x.0), Scalar::atan2(self.1, x.1))
+    }
+
     fn greater(self, other: Self) -> PairMask {
         PairMask(self.0 > other.0, self.1 > other.1)
     }
@@ -133,23 +139,43 @@ fn two_pendulums() -> State<Pair, 1, 1> {
     State { q: [Pair(0.1, 2.9)], v: [Pair(0.0, 3.0)], t: Pair(0.0, 0.0) }
 }
 
+/// Steps one by one, and then a longer way to an end time.
+macro_rules! lanes_give_the_bits_of_single_runs {
+    ($($test:ident: $method:ident;)*) => {
+        $(#[test]
+        fn $test() {
+            let (chain, mut both) = (Pendulum::<Pair>::new(), two_pendulums());
+            let mut method = $method::new(Pair::constant(0.01));
+            for _ in 0..200 {
+                method.step(&chain, &mut both, |_, _| Pair::default()).unwrap();
+            }
+            method.advance(&chain, &mut both, 2.555, |_, _| Pair::default()).unwrap();
+            for (which, mut single) in [
+                ((|x| x.0) as fn(Pair) -> f64, Pendulum::at(0.1, 0.0)),
+                ((|x| x.1) as fn(Pair) -> f64, Pendulum::at(2.9, 3.0)),
+            ] {
+                let mut method = $method::new(0.01);
+                for _ in 0..200 {
+                    method.step(&Pendulum::new(), &mut single, |_, _| 0.0).unwrap();
+                }
+                method.advance(&Pendulum::new(), &mut single, 2.555, |_, _| 0.0).unwrap();
+                assert_eq!(lane(&both, which), single);
+            }
+        })*
+    };
+}
+
+lanes_give_the_bits_of_single_runs! {
+    rk4_in_lanes: Rk4;
+    newmark_in_lanes: Newmark;
+    semi_implicit_euler_in_lanes: SemiImplicitEuler;
+    linearly_implicit_euler_in_lanes: LinearlyImplicitEuler;
+}
+
 #[test]
-fn lanes_give_the_bits_of_single_runs() {
-    let (chain, mut both, mut rk4) =
-        (Pendulum::<Pair>::new(), two_pendulums(), Rk4::new(Pair::constant(0.01)));
-    for _ in 0..200 {
-        rk4.step(&chain, &mut both, |_, _| Pair::default()).unwrap();
-    }
-    for (which, mut single) in [
-        ((|x| x.0) as fn(Pair) -> f64, Pendulum::at(0.1, 0.0)),
-        ((|x| x.1) as fn(Pair) -> f64, Pendulum::at(2.9, 3.0)),
-    ] {
-        let mut rk4 = Rk4::new(0.01);
-        for _ in 0..200 {
-            rk4.step(&Pendulum::new(), &mut single, |_, _| 0.0).unwrap();
-        }
-        assert_eq!(lane(&both, which), single);
-    }
+fn angles_in_lanes() {
+    let angle = Scalar::atan2(Pair(1.0, -2.0), Pair(3.0, -4.0));
+    assert_eq!(angle, Pair(<f64 as Scalar>::atan2(1.0, 3.0), <f64 as Scalar>::atan2(-2.0, -4.0)));
 }
 
 #[test]

@@ -3,7 +3,8 @@
 mod common;
 
 use common::{
-    Pendulum, State, Top, assert_order, norm_error, swing, swing_error, top_at, top_error,
+    Pendulum, Spring, State, Top, assert_order, norm_error, spring_error, swing, swing_error,
+    top_at, top_error,
 };
 use mstmm_runtime::{Error, Rk4};
 
@@ -37,6 +38,34 @@ fn order_four_with_quaternions() {
         top_error(&state)
     });
     assert_order(4.0, &samples);
+}
+
+#[test]
+fn order_four_on_a_spring() {
+    let samples = halved(|h, _| {
+        let (chain, mut state) = (Spring::new(1.0, 0.0), Spring::at(1.0, 0.0));
+        Rk4::new(h).advance(&chain, &mut state, 2.0, |_, _| 0.0).unwrap();
+        spring_error(&state)
+    });
+    assert_order(4.0, &samples);
+}
+
+/// An undamped spring loses (hω)⁶/72 of its energy a step, and is stable up to hω = √8.
+#[test]
+fn energy_is_lost_by_the_sixth_power_of_the_step() {
+    let kept = |h: f64| {
+        let (chain, mut state) = (Spring::new(1.0, 0.0), Spring::at(1.0, 0.0));
+        let mut rk4 = Rk4::new(h);
+        for _ in 0..10_000 {
+            rk4.step(&chain, &mut state, |_, _| 0.0).unwrap();
+        }
+        state.q[0].powi(2) + state.v[0].powi(2)
+    };
+    for h in [0.05f64, 0.1, 0.2, 0.5] {
+        let (lost, expected) = (-kept(h).ln() / 1e4, h.powi(6) / 72.0);
+        assert!((lost / expected - 1.0).abs() < 0.1, "{h} {lost:e} {expected:e}");
+    }
+    assert!(kept(2.82) < 1.0 && kept(2.84) > 1e6);
 }
 
 #[test]

@@ -1,10 +1,11 @@
-//! Views of hinges, connection points and errors: what goes in comes out, in the documented frames
-//! and orders.
+//! Views of hinges: what goes in comes out, in the documented frames and orders.
 
-use mstmm_runtime::nalgebra::{Rotation3, UnitQuaternion, Vector3};
+use mstmm_runtime::nalgebra::{Rotation3, UnitQuaternion, Vector2, Vector3, Vector6};
 use mstmm_runtime::{
-    BallState, BallStateMut, BodyResult, Error, FloatingState, FloatingStateMut, HingeResult,
-    PinState, PinStateMut, Point, StateVector,
+    BallState, BallStateMut, CylindricalState, CylindricalStateMut, ElasticState, ElasticStateMut,
+    FloatingState, FloatingStateMut, HingeMotion, PinState, PinStateMut, PlanarState,
+    PlanarStateMut, PlaneElasticState, PlaneElasticStateMut, ScrewState, ScrewStateMut,
+    SliderState, SliderStateMut, UniversalState, UniversalStateMut,
 };
 
 const ANGLES: [f64; 3] = [0.4, -0.7, 1.9];
@@ -79,48 +80,134 @@ fn floating() {
 }
 
 #[test]
-fn points_and_results() {
-    let z = StateVector::new([1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0], [10.0, 11.0, 12.0]);
-    let all = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 1.0];
-    assert_eq!(z.to_vector().as_slice(), all);
-
-    let quarter = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
-    let point = Point::new([0.1, 0.2, 0.3], quarter, [0.4, 0.5, 0.6], [0.7, 0.8, 0.9], z);
-    assert_eq!(point.position(), Vector3::new(0.1, 0.2, 0.3));
-    assert_eq!(point.velocity(), Vector3::new(0.4, 0.5, 0.6));
-    assert_eq!(point.angular_velocity(), Vector3::new(0.7, 0.8, 0.9));
-    assert_eq!(point.orientation() * Vector3::x(), Vector3::y());
-    assert_eq!(*point.z(), z);
-    assert_eq!(point.acceleration(), Vector3::new(1.0, 2.0, 3.0));
-    assert_eq!(point.angular_acceleration(), Vector3::new(4.0, 5.0, 6.0));
-    assert_eq!(point.moment(), Vector3::new(7.0, 8.0, 9.0));
-    assert_eq!(point.force(), Vector3::new(10.0, 11.0, 12.0));
-
-    let rest = Point::<f64>::default();
-    assert_eq!(rest.orientation(), Rotation3::identity());
-    assert_eq!(rest.force(), Vector3::zeros());
-
-    let hinge = HingeResult::new(3.0, -1.0, &rest, &point);
-    assert_eq!((hinge.acceleration(), hinge.effort()), (3.0, -1.0));
-    assert_eq!((hinge.input(), hinge.output()), (&rest, &point));
-    let body = BodyResult::new(&point, &rest);
-    assert_eq!((body.input(), body.output()), (&point, &rest));
+fn slider() {
+    let (mut q, mut v) = ([0.0f32; 2], [0.0f32; 2]);
+    SliderStateMut::new(&mut q[1], &mut v[0]).set_position(0.5).set_velocity(-2.0);
+    assert_eq!((q, v), ([0.0, 0.5], [-2.0, 0.0]));
+    let view = SliderState::new(q[1], v[0]);
+    assert_eq!((view.position(), view.velocity()), (0.5, -2.0));
+    assert_eq!(view.into_groups(), (0.5, -2.0));
 }
 
 #[test]
-fn errors_speak_plainly() {
-    let told = |error: Error| error.to_string();
-    assert_eq!(
-        told(Error::Singular { hinge: "elbow" }),
-        "nothing with inertia lies beyond hinge `elbow`"
-    );
-    assert_eq!(told(Error::NotFinite), "a coordinate, rate, input or time is not a finite number");
-    let refused = Error::Parameter { name: "payload", reason: "must not be negative" };
-    assert_eq!(told(refused), "`payload` must not be negative");
-    assert_eq!(
-        told(Error::StepTooSmall),
-        "the tolerance cannot be reached: the step became too small"
-    );
-    assert_eq!(told(Error::OutsideStep), "the time lies outside the last step");
-    let _: &dyn core::error::Error = &refused;
+fn screw() {
+    let (mut q, mut v) = ([0.0; 2], [0.0; 2]);
+    ScrewStateMut::new(&mut q[1], &mut v[0]).set_angle(0.5).set_rate(-2.0);
+    assert_eq!((q, v), ([0.0, 0.5], [-2.0, 0.0]));
+    let view = ScrewState::new(q[1], v[0]);
+    assert_eq!((view.angle(), view.rate()), (0.5, -2.0));
+    assert_eq!(view.into_groups(), (0.5, -2.0));
+}
+
+#[test]
+fn cylindrical() {
+    let ([mut x, mut angle], [mut velocity, mut rate]) = ([0.0; 2], [0.0; 2]);
+    CylindricalStateMut::new(&mut x, &mut angle, &mut velocity, &mut rate)
+        .set_position(1.0)
+        .set_angle(2.0)
+        .set_velocity(3.0)
+        .set_rate(4.0);
+    assert_eq!([x, angle, velocity, rate], [1.0, 2.0, 3.0, 4.0]);
+    let view = CylindricalState::new(x, angle, velocity, rate);
+    assert_eq!((view.position(), view.angle()), (1.0, 2.0));
+    assert_eq!((view.velocity(), view.rate()), (3.0, 4.0));
+    assert_eq!(view.into_groups(), (1.0, 2.0, 3.0, 4.0));
+}
+
+#[test]
+fn universal() {
+    let (mut q, mut v) = ([0.0; 2], [0.0; 2]);
+    UniversalStateMut::new(q.each_mut(), v.each_mut())
+        .set_angles(Vector2::new(1.0, 2.0))
+        .set_rates(Vector2::new(3.0, 4.0));
+    assert_eq!((q, v), ([1.0, 2.0], [3.0, 4.0]));
+    let view = UniversalState::new(q, v);
+    assert_eq!(view.angles(), Vector2::new(1.0, 2.0));
+    assert_eq!(view.rates(), Vector2::new(3.0, 4.0));
+    assert_eq!(view.into_groups(), (q, v));
+}
+
+#[test]
+fn planar() {
+    let (mut q, mut v) = ([0.0; 3], [0.0; 3]);
+    let ([u, w, angle], [du, dw, rate]) = (q.each_mut(), v.each_mut());
+    PlanarStateMut::new([u, w], angle, [du, dw], rate)
+        .set_position(Vector2::new(1.0, 2.0))
+        .set_angle(3.0)
+        .set_velocity(Vector2::new(4.0, 5.0))
+        .set_rate(6.0);
+    assert_eq!((q, v), ([1.0, 2.0, 3.0], [4.0, 5.0, 6.0]));
+    let view = PlanarState::new([1.0, 2.0], 3.0, [4.0, 5.0], 6.0);
+    assert_eq!((view.position(), view.angle()), (Vector2::new(1.0, 2.0), 3.0));
+    assert_eq!((view.velocity(), view.rate()), (Vector2::new(4.0, 5.0), 6.0));
+    assert_eq!(view.into_groups(), ([1.0, 2.0], 3.0, [4.0, 5.0], 6.0));
+}
+
+#[test]
+fn elastic() {
+    let [mut displacement, mut angles, mut velocity, mut rate] = [[0.0; 3]; 4];
+    ElasticStateMut::new(
+        displacement.each_mut(),
+        angles.each_mut(),
+        velocity.each_mut(),
+        rate.each_mut(),
+    )
+    .set_displacement(Vector3::new(1.0, 2.0, 3.0))
+    .set_angles(Vector3::from(ANGLES))
+    .set_velocity(Vector3::new(4.0, 5.0, 6.0))
+    .set_rate(Vector3::new(7.0, 8.0, 9.0));
+    let groups = ([1.0, 2.0, 3.0], ANGLES, [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]);
+    assert_eq!((displacement, angles, velocity, rate), groups);
+    let view = ElasticState::new(displacement, angles, velocity, rate);
+    assert_eq!(view.displacement(), Vector3::new(1.0, 2.0, 3.0));
+    assert_eq!(view.angles(), Vector3::from(ANGLES));
+    assert_eq!(view.velocity(), Vector3::new(4.0, 5.0, 6.0));
+    assert_eq!(view.rate(), Vector3::new(7.0, 8.0, 9.0));
+    assert_eq!(view.into_groups(), groups);
+}
+
+#[test]
+fn plane_elastic() {
+    let (mut q, mut v) = ([0.0; 3], [0.0; 3]);
+    let ([x, y, angle], [vx, vy, rate]) = (q.each_mut(), v.each_mut());
+    PlaneElasticStateMut::new([x, y], angle, [vx, vy], rate)
+        .set_displacement(Vector2::new(1.0, 2.0))
+        .set_angle(3.0)
+        .set_velocity(Vector2::new(4.0, 5.0))
+        .set_rate(6.0);
+    assert_eq!((q, v), ([1.0, 2.0, 3.0], [4.0, 5.0, 6.0]));
+    let view = PlaneElasticState::new([1.0, 2.0], 3.0, [4.0, 5.0], 6.0);
+    assert_eq!((view.displacement(), view.angle()), (Vector2::new(1.0, 2.0), 3.0));
+    assert_eq!((view.velocity(), view.rate()), (Vector2::new(4.0, 5.0), 6.0));
+    assert_eq!(view.into_groups(), ([1.0, 2.0], 3.0, [4.0, 5.0], 6.0));
+}
+
+#[test]
+fn what_is_not_said_rests_at_the_zero_position() {
+    let (one, zero) = ([1.0, 0.0, 0.0, 0.0], [0.0; 3]);
+    assert_eq!(PinState::default().into_groups(), (0.0, 0.0));
+    assert_eq!(SliderState::default().into_groups(), (0.0, 0.0));
+    assert_eq!(ScrewState::default().into_groups(), (0.0, 0.0));
+    assert_eq!(CylindricalState::default().into_groups(), (0.0, 0.0, 0.0, 0.0));
+    assert_eq!(UniversalState::default().into_groups(), ([0.0; 2], [0.0; 2]));
+    assert_eq!(BallState::default().into_groups(), (one, zero));
+    assert_eq!(PlanarState::default().into_groups(), ([0.0; 2], 0.0, [0.0; 2], 0.0));
+    assert_eq!(FloatingState::default().into_groups(), (zero, one, zero, zero));
+    assert_eq!(ElasticState::default().into_groups(), (zero, zero, zero, zero));
+    assert_eq!(PlaneElasticState::default().into_groups(), ([0.0; 2], 0.0, [0.0; 2], 0.0));
+    assert_eq!(BallState::<f64>::default().orientation(), UnitQuaternion::identity());
+}
+
+#[test]
+fn prescribed_motions_are_views_with_accelerations() {
+    let still = HingeMotion::<PinState<f64>, f64>::default();
+    assert_eq!(still, HingeMotion { state: PinState::new(0.0, 0.0), acceleration: 0.0 });
+    let frame = HingeMotion {
+        state: FloatingState::new([1.0, 2.0, 3.0], [0.0, 0.0, 0.0, 1.0], [0.5; 3], [0.25; 3]),
+        acceleration: Vector6::<f64>::repeat(0.125),
+    };
+    let copy = frame;
+    assert_eq!(copy.state.position(), Vector3::new(1.0, 2.0, 3.0));
+    let resting = HingeMotion::<FloatingState<f64>, Vector6<f64>>::default();
+    assert_eq!(resting.acceleration, Vector6::zeros());
 }

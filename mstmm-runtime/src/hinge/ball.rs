@@ -2,7 +2,7 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::orientation::{from_bryan_angles, store, to_array, to_unit_quaternion};
+use super::orientation::{aligned, from_bryan_angles, store, to_array, to_unit_quaternion};
 use crate::Scalar;
 
 /// Orientation and rate of a ball hinge, copied from a state.
@@ -13,7 +13,7 @@ pub struct BallState<T> {
 }
 
 impl<T: Scalar> BallState<T> {
-    /// Puts the view together from the quaternion's w, x, y, z and the rate; generated code does.
+    /// Puts the view together from the quaternion's w, x, y, z and the rate.
     #[inline]
     pub fn new(orientation: [T; 4], rate: [T; 3]) -> Self {
         Self { orientation, rate }
@@ -34,6 +34,20 @@ impl<T: Scalar> BallState<T> {
     #[inline]
     pub fn rate(&self) -> Vector3<T> {
         Vector3::from(self.rate)
+    }
+
+    /// What [`new`](Self::new) was given.
+    #[doc(hidden)]
+    #[inline]
+    pub fn into_groups(self) -> ([T; 4], [T; 3]) {
+        (self.orientation, self.rate)
+    }
+}
+
+/// At rest, both frames aligned.
+impl<T: Scalar> Default for BallState<T> {
+    fn default() -> Self {
+        Self::new(aligned(), [T::default(); 3])
     }
 }
 

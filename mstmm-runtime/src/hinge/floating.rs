@@ -2,7 +2,7 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::orientation::{from_bryan_angles, store, to_array, to_unit_quaternion};
+use super::orientation::{aligned, from_bryan_angles, store, to_array, to_unit_quaternion};
 use crate::Scalar;
 
 /// Position, orientation and their rates of a floating hinge, copied from a state.
@@ -15,7 +15,7 @@ pub struct FloatingState<T> {
 }
 
 impl<T: Scalar> FloatingState<T> {
-    /// Puts the view together; the orientation is the quaternion's w, x, y, z. Generated code does.
+    /// Puts the view together; the orientation is the quaternion's w, x, y, z.
     #[inline]
     pub fn new(position: [T; 3], orientation: [T; 4], velocity: [T; 3], rate: [T; 3]) -> Self {
         Self { position, orientation, velocity, rate }
@@ -49,6 +49,21 @@ impl<T: Scalar> FloatingState<T> {
     #[inline]
     pub fn rate(&self) -> Vector3<T> {
         Vector3::from(self.rate)
+    }
+
+    /// What [`new`](Self::new) was given.
+    #[doc(hidden)]
+    #[inline]
+    pub fn into_groups(self) -> ([T; 3], [T; 4], [T; 3], [T; 3]) {
+        (self.position, self.orientation, self.velocity, self.rate)
+    }
+}
+
+/// At rest, both frames in the same place and aligned.
+impl<T: Scalar> Default for FloatingState<T> {
+    fn default() -> Self {
+        let zero = [T::default(); 3];
+        Self::new(zero, aligned(), zero, zero)
     }
 }
 

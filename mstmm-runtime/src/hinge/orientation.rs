@@ -4,6 +4,13 @@ use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector4};
 
 use crate::Scalar;
 
+/// The quaternion w, x, y, z of no rotation.
+#[inline]
+pub(super) fn aligned<T: Scalar>() -> [T; 4] {
+    let zero = T::default();
+    [T::constant(1.0), zero, zero, zero]
+}
+
 /// The quaternion stored as w, x, y, z; it is of unit length already.
 #[inline]
 pub(super) fn to_unit_quaternion<T: Scalar>([w, x, y, z]: [T; 4]) -> UnitQuaternion<T> {

@@ -1,14 +1,14 @@
 //! The pin hinge: one angle about an axis fixed in both elements.
 
 /// Angle and rate of a pin hinge, copied from a state.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PinState<T> {
     angle: T,
     rate: T,
 }
 
 impl<T: Copy> PinState<T> {
-    /// Puts the view together; generated code does.
+    /// Puts the view together.
     #[inline]
     pub fn new(angle: T, rate: T) -> Self {
         Self { angle, rate }
@@ -25,6 +25,13 @@ impl<T: Copy> PinState<T> {
     #[inline]
     pub fn rate(&self) -> T {
         self.rate
+    }
+
+    /// What [`new`](Self::new) was given.
+    #[doc(hidden)]
+    #[inline]
+    pub fn into_groups(self) -> (T, T) {
+        (self.angle, self.rate)
     }
 }
 

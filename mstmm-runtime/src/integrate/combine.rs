@@ -21,6 +21,16 @@ pub(super) fn add_scaled<S: ChainState>(sum: &mut S, weight: S::Scalar, rate: &S
     change(sum, rate, |entry, given| *entry += weight * given);
 }
 
+/// The coordinates of `sum` += weight · those of `rate`; all else stays.
+pub(super) fn add_scaled_coordinates<S: ChainState>(sum: &mut S, weight: S::Scalar, rate: &S) {
+    sum.q_mut().iter_mut().zip(rate.q()).for_each(|(entry, &given)| *entry += weight * given);
+}
+
+/// The rates of `sum` += weight · those of `rate`; all else stays.
+pub(super) fn add_scaled_rates<S: ChainState>(sum: &mut S, weight: S::Scalar, rate: &S) {
+    sum.v_mut().iter_mut().zip(rate.v()).for_each(|(entry, &given)| *entry += weight * given);
+}
+
 /// `sum` = Σ weight · rate; its time stays.
 #[inline(always)]
 pub(super) fn weighted_sum<S: ChainState, const N: usize>(

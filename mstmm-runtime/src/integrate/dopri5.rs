@@ -340,6 +340,8 @@ impl<C: Chain> Dopri5<C> {
         // Before the last evaluation and not after it: so it is that of the state the next step
         // starts from. The estimate moves by as little as the state does, which is of higher order.
         chain.normalize(state);
+        let time = state.time();
+        chain.close(state, |state| inputs(time, state));
         evaluate(chain, state, inputs, count, k7)?;
         if !is_finite(state) {
             return Err(Error::NotFinite);

@@ -1,5 +1,5 @@
-//! Sine and cosine of many angles side by side: without a branch, without a table, without a fused
-//! operation.
+//! Sine and cosine of many angles side by side, and the angle of a point: without a branch, without
+//! a table, without a fused operation.
 //!
 //! An angle is reduced to [−π/4, π/4] by subtracting the nearest multiple k of π/2, which is kept
 //! as a sum of parts with so few digits that k times a part is exact (Cody and Waite 1980). What is
@@ -12,5 +12,6 @@
 //! 80 digits. Coefficients were rounded one after the other, from the lowest power on, and those
 //! left fitted again each time.
 
+pub(crate) mod atan2;
 pub(crate) mod double;
 pub(crate) mod single;

@@ -1,4 +1,4 @@
-//! Two mechanical systems written by hand whose motion is known in closed form.
+//! Mechanical systems written by hand whose motion is known in closed form.
 #![allow(dead_code, reason = "each test uses a part")]
 
 use mstmm_runtime::{Chain, ChainState, Error, Scalar};
@@ -91,6 +91,10 @@ impl<T: Scalar> Chain for Pendulum<T> {
         Ok(())
     }
 
+    fn configuration_rate_into(&self, state: &Self::State, rate: &mut Self::State) {
+        rate.q = state.v;
+    }
+
     fn normalize(&self, _state: &mut Self::State) {}
 }
 
@@ -101,21 +105,102 @@ pub fn swing<T: Scalar>(time: T) -> T {
     sine - wanted
 }
 
-/// A free rigid body with moments of inertia 1, 1 and `axial`: quaternion w, x, y, z and the
-/// angular velocity in the body.
+/// ẍ = u − k x − c ẋ: a unit mass on a spring and a damper.
+pub struct Spring<T> {
+    pub stiffness: T,
+    pub damping: T,
+}
+
+impl<T: Scalar> Spring<T> {
+    pub fn new(stiffness: f64, damping: f64) -> Self {
+        Self { stiffness: T::constant(stiffness), damping: T::constant(damping) }
+    }
+
+    pub fn at(position: f64, velocity: f64) -> State<T, 1, 1> {
+        Pendulum::at(position, velocity)
+    }
+}
+
+impl<T: Scalar> Chain for Spring<T> {
+    type Scalar = T;
+    type State = State<T, 1, 1>;
+    type Inputs = T;
+
+    fn derivative_into(
+        &self,
+        state: &Self::State,
+        inputs: &T,
+        rate: &mut Self::State,
+    ) -> Result<(), Error> {
+        let ([x], [v]) = (state.q, state.v);
+        rate.q = [v];
+        rate.v = [*inputs - self.stiffness * x - self.damping * v];
+        Ok(())
+    }
+
+    fn implicit_derivative_into(
+        &self,
+        state: &Self::State,
+        inputs: &T,
+        step: T,
+        rate: &mut Self::State,
+    ) -> Result<(), Error> {
+        self.derivative_into(state, inputs, rate)?;
+        let ahead = step * self.stiffness;
+        let inertia = T::constant(1.0) + step * (self.damping + ahead);
+        rate.v = [(rate.v[0] - ahead * state.v[0]) * inertia.recip()];
+        Ok(())
+    }
+
+    fn configuration_rate_into(&self, state: &Self::State, rate: &mut Self::State) {
+        rate.q = state.v;
+    }
+
+    fn normalize(&self, _state: &mut Self::State) {}
+}
+
+/// The distance of an undamped spring of unit stiffness, let go at 1 at time zero, from cos t and
+/// −sin t.
+pub fn spring_error(state: &State<f64, 1, 1>) -> f64 {
+    (state.q[0] - state.t.cos()).abs().max((state.v[0] + state.t.sin()).abs())
+}
+
+/// A rigid body with moments of inertia 1, 1 and `axial`: quaternion w, x, y, z and the angular
+/// velocity in the body. It is free, or hangs on a ball by a point of its own z axis.
 pub struct Top<T> {
     pub axial: T,
+    /// Weight times the distance of the centre of mass from the ball, positive where it stands up.
+    pub weight: T,
 }
 
 impl<T: Scalar> Top<T> {
     pub fn new() -> Self {
-        Self { axial: T::constant(2.0) }
+        Self { axial: T::constant(2.0), weight: T::default() }
+    }
+
+    /// A pendulum in space.
+    pub fn hanging() -> Self {
+        Self { axial: T::constant(0.3), weight: T::constant(-2.0) }
+    }
+
+    /// Kinetic and potential energy.
+    pub fn energy(&self, state: &State<T, 4, 3>) -> T {
+        let [a, b, c] = state.v;
+        let half = T::constant(0.5);
+        let [_, _, up] = vertical(state.q);
+        half * (a * a + b * b + self.axial * c * c) + self.weight * up
     }
 
     pub fn start() -> State<T, 4, 3> {
         let [w, x, y, z] = START.map(T::constant);
         State { q: [w, x, y, z], v: RATE.map(T::constant), t: T::default() }
     }
+}
+
+/// The inertial z axis in the body.
+fn vertical<T: Scalar>([w, x, y, z]: [T; 4]) -> [T; 3] {
+    let (one, two) = (T::constant(1.0), T::constant(2.0));
+    [two * (x * z - w * y), two * (y * z + w * x), one - two * (x * x + y * y)]
 }
 
 /// Of unit length: 16 + 4 + 4 + 1 = 25.
@@ -133,6 +218,19 @@ impl<T: Scalar> Chain for Top<T> {
         (): &(),
         rate: &mut Self::State,
     ) -> Result<(), Error> {
+        self.configuration_rate_into(state, rate);
+        let [a, b, c] = state.v;
+        let difference = T::constant(1.0) - self.axial;
+        let [east, north, _] = vertical(state.q);
+        rate.v = [
+            difference * b * c + self.weight * north,
+            -(difference * c * a) - self.weight * east,
+            T::default(),
+        ];
+        Ok(())
+    }
+
+    fn configuration_rate_into(&self, state: &Self::State, rate: &mut Self::State) {
         let ([w, x, y, z], [a, b, c]) = (state.q, state.v);
         let half = T::constant(0.5);
         rate.q = [
@@ -141,9 +239,6 @@ impl<T: Scalar> Chain for Top<T> {
             half * (w * b + z * a - x * c),
             half * (w * c + x * b - y * a),
         ];
-        let difference = T::constant(1.0) - self.axial;
-        rate.v = [difference * b * c, -(difference * c * a), T::default()];
-        Ok(())
     }
 
     /// One step of Newton's method, as generated chains do.
@@ -154,7 +249,7 @@ impl<T: Scalar> Chain for Top<T> {
     }
 }
 
-/// The top's motion in closed form, for an axial moment of 2: the angular momentum L stays, and the
+/// The free top's motion in closed form, for an axial moment of 2: the angular momentum L stays, and the
 /// rotation is a turn about L by |L| t after the start after a turn about the body's axis by (1 −
 /// 2) ω₃ t.
 pub fn top_at(time: f64) -> ([f64; 4], [f64; 3]) {
@@ -170,9 +265,14 @@ pub fn top_at(time: f64) -> ([f64; 4], [f64; 3]) {
     ([now.w, now.i, now.j, now.k].map(|q| q * sign), [rate.x, rate.y, rate.z / 2.0])
 }
 
-/// The distance of a state from the closed form at its own time; q and −q are the same orientation.
+/// The distance of a state from the closed form at its own time.
 pub fn top_error(state: &State<f64, 4, 3>) -> f64 {
     let (q, v) = top_at(state.t);
+    distance(state, q, v)
+}
+
+/// The distance of a state from a quaternion and a rate; q and −q are the same orientation.
+pub fn distance(state: &State<f64, 4, 3>, q: [f64; 4], v: [f64; 3]) -> f64 {
     let distance =
         |sign: f64| state.q.iter().zip(q).map(|(a, b)| (a - sign * b).abs()).fold(0.0, f64::max);
     let rates = state.v.iter().zip(v).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);

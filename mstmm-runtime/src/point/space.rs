@@ -1,4 +1,4 @@
-//! Motion and internal loads at a connection point.
+//! Motion and internal loads at a connection point in space.
 
 use nalgebra::{Matrix3, Rotation3, SVector, Vector3};
 

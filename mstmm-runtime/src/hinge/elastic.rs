@@ -1,0 +1,119 @@
+//! The elastic hinge of `[P, Appendix A.1]`: free in all six directions, with springs and dampers
+//! along its own coordinates.
+
+use nalgebra::Vector3;
+
+use super::orientation::store;
+use crate::Scalar;
+
+/// Displacement, angles and their rates of an elastic hinge, copied from a state.
+///
+/// The intermediate frame is the inboard frame turned by θ₃ about its z axis; the displacement is
+/// measured along its axes, the springs' own. θ₃, the paper's θ_r, may be any number of turns; θ₁
+/// and θ₂ are small, and |θ₂| less than 90°.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ElasticState<T> {
+    displacement: [T; 3],
+    angles: [T; 3],
+    velocity: [T; 3],
+    rate: [T; 3],
+}
+
+impl<T: Scalar> ElasticState<T> {
+    /// Puts the view together from Δ, the angles θ₁, θ₂, θ₃, the velocity along inboard axes and
+    /// the angular velocity in outboard components.
+    #[inline]
+    pub fn new(displacement: [T; 3], angles: [T; 3], velocity: [T; 3], rate: [T; 3]) -> Self {
+        Self { displacement, angles, velocity, rate }
+    }
+
+    /// The displacement Δ in m of the outboard frame's origin from the inboard frame's origin, in
+    /// components of the intermediate frame. Along inboard axes it is A_z(θ₃) Δ.
+    #[inline]
+    pub fn displacement(&self) -> Vector3<T> {
+        Vector3::from(self.displacement)
+    }
+
+    /// The angles θ₁, θ₂ and θ₃ = θ_r in rad: A_z(θ₃) A_y(θ₂) A_x(θ₁) turns outboard components
+    /// into inboard components, `[P, Eq. (1)]`. They are not wrapped.
+    #[inline]
+    pub fn angles(&self) -> Vector3<T> {
+        Vector3::from(self.angles)
+    }
+
+    /// The velocity in m/s of the outboard frame's origin against the inboard frame, along inboard
+    /// axes. It is not the rate of the displacement, whose axes turn.
+    #[inline]
+    pub fn velocity(&self) -> Vector3<T> {
+        Vector3::from(self.velocity)
+    }
+
+    /// The angular velocity of the outboard frame against the inboard one, in rad/s, in outboard
+    /// components. These are not the rates of the angles.
+    #[inline]
+    pub fn rate(&self) -> Vector3<T> {
+        Vector3::from(self.rate)
+    }
+
+    /// What [`new`](Self::new) was given.
+    #[doc(hidden)]
+    #[inline]
+    pub fn into_groups(self) -> ([T; 3], [T; 3], [T; 3], [T; 3]) {
+        (self.displacement, self.angles, self.velocity, self.rate)
+    }
+}
+
+/// Displacement, angles and their rates of an elastic hinge, to be changed in a state.
+///
+/// The intermediate frame is that of [`ElasticState`].
+#[derive(Debug)]
+pub struct ElasticStateMut<'a, T> {
+    displacement: [&'a mut T; 3],
+    angles: [&'a mut T; 3],
+    velocity: [&'a mut T; 3],
+    rate: [&'a mut T; 3],
+}
+
+impl<'a, T: Scalar> ElasticStateMut<'a, T> {
+    /// Puts the view together from places; generated code does.
+    #[inline]
+    pub fn new(
+        displacement: [&'a mut T; 3],
+        angles: [&'a mut T; 3],
+        velocity: [&'a mut T; 3],
+        rate: [&'a mut T; 3],
+    ) -> Self {
+        Self { displacement, angles, velocity, rate }
+    }
+
+    /// Sets the displacement Δ in m of the outboard frame's origin from the inboard frame's origin,
+    /// in components of the intermediate frame.
+    #[inline]
+    pub fn set_displacement(&mut self, displacement: Vector3<T>) -> &mut Self {
+        store(&mut self.displacement, displacement.into());
+        self
+    }
+
+    /// Sets the angles θ₁, θ₂ and θ₃ = θ_r in rad of A_z(θ₃) A_y(θ₂) A_x(θ₁), `[P, Eq. (1)]`.
+    #[inline]
+    pub fn set_angles(&mut self, angles: Vector3<T>) -> &mut Self {
+        store(&mut self.angles, angles.into());
+        self
+    }
+
+    /// Sets the velocity in m/s of the outboard frame's origin against the inboard frame, along
+    /// inboard axes.
+    #[inline]
+    pub fn set_velocity(&mut self, velocity: Vector3<T>) -> &mut Self {
+        store(&mut self.velocity, velocity.into());
+        self
+    }
+
+    /// Sets the angular velocity of the outboard frame against the inboard one, in rad/s, in
+    /// outboard components.
+    #[inline]
+    pub fn set_rate(&mut self, rate: Vector3<T>) -> &mut Self {
+        store(&mut self.rate, rate.into());
+        self
+    }
+}

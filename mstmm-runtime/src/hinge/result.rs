@@ -1,0 +1,77 @@
+//! What a solution says of hinges and bodies.
+
+use core::marker::PhantomData;
+
+use crate::{ConnectionPoint, Point};
+
+/// What a solution says of one hinge. `V` is a number for a hinge with one coordinate, a vector for
+/// others; `P` is the kind of connection point, [`Point`] in space.
+#[derive(Clone, Copy, Debug)]
+pub struct HingeResult<'a, T, V, P = Point<T>> {
+    acceleration: V,
+    effort: V,
+    input: &'a P,
+    output: &'a P,
+    number: PhantomData<T>,
+}
+
+impl<'a, T, V: Copy, P: ConnectionPoint<Scalar = T>> HingeResult<'a, T, V, P> {
+    /// Puts the result together; generated code does.
+    #[inline]
+    pub fn new(acceleration: V, effort: V, input: &'a P, output: &'a P) -> Self {
+        Self { acceleration, effort, input, output, number: PhantomData }
+    }
+
+    /// The time derivative of the hinge's rates, in the frame of the rates: rad/s² and m/s².
+    #[inline]
+    pub fn acceleration(&self) -> V {
+        self.acceleration
+    }
+
+    /// The torque (N·m) or force (N) of the hinge's motor along its free directions, positive where
+    /// it drives the rates up; of a hinge that moves as prescribed, what its drive must supply.
+    #[inline]
+    pub fn effort(&self) -> V {
+        self.effort
+    }
+
+    /// The hinge's input end, on the inboard side.
+    #[inline]
+    pub fn input(&self) -> &'a P {
+        self.input
+    }
+
+    /// The hinge's output end, on the outboard side.
+    #[inline]
+    pub fn output(&self) -> &'a P {
+        self.output
+    }
+}
+
+/// What a solution says of one body. `P` is the kind of connection point, [`Point`] in space.
+#[derive(Clone, Copy, Debug)]
+pub struct BodyResult<'a, T, P = Point<T>> {
+    input: &'a P,
+    output: &'a P,
+    number: PhantomData<T>,
+}
+
+impl<'a, T, P: ConnectionPoint<Scalar = T>> BodyResult<'a, T, P> {
+    /// Puts the result together; generated code does.
+    #[inline]
+    pub fn new(input: &'a P, output: &'a P) -> Self {
+        Self { input, output, number: PhantomData }
+    }
+
+    /// The body's input end. The force on the body there is +q, the torque −m.
+    #[inline]
+    pub fn input(&self) -> &'a P {
+        self.input
+    }
+
+    /// The body's output end. The force on the body there is −q, the torque +m.
+    #[inline]
+    pub fn output(&self) -> &'a P {
+        self.output
+    }
+}

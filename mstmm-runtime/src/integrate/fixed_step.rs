@@ -1,0 +1,166 @@
+//! What methods with a fixed step share: the clock, the way to an end time, the end of a step.
+
+use super::Real;
+use super::combine::{copy, is_finite};
+use crate::{Chain, ChainState, Error, Scalar};
+
+/// A method that takes steps of a size that it is told.
+pub(super) trait FixedStep<C: Chain> {
+    /// The size of its steps and its clock.
+    fn pace(&mut self) -> &mut Pace<C::Scalar>;
+
+    /// Takes `state` from its own time over `span`.
+    ///
+    /// # Errors
+    /// Those of [`Chain::derivative_into`], and [`Error::NotFinite`] if the result is not finite.
+    /// `state` is left as it was.
+    fn take(
+        &mut self,
+        chain: &C,
+        state: &mut C::State,
+        span: Span<C::Scalar>,
+        inputs: &mut impl FnMut(C::Scalar, &C::State) -> C::Inputs,
+    ) -> Result<(), Error>;
+}
+
+/// One whole step.
+pub(super) fn step<C: Chain>(
+    method: &mut impl FixedStep<C>,
+    chain: &C,
+    state: &mut C::State,
+    mut inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
+) -> Result<(), Error> {
+    let pace = method.pace();
+    let (span, clock) = pace.whole(state.time(), pace.step);
+    method.take(chain, state, span, &mut inputs)?;
+    method.pace().clock = clock;
+    Ok(())
+}
+
+/// Whole steps and a shorter one that ends at the time `end`.
+pub(super) fn advance<C: Chain>(
+    method: &mut impl FixedStep<C>,
+    chain: &C,
+    state: &mut C::State,
+    end: Real<C>,
+    mut inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
+) -> Result<(), Error> {
+    if !end.finite() {
+        return Err(Error::NotFinite);
+    }
+    while state.time().worst() != end {
+        let (span, clock) = method.pace().towards(state.time(), end);
+        if span.end == state.time() {
+            return Err(Error::Parameter { name: "step", reason: "must move the clock" });
+        }
+        method.take(chain, state, span, &mut inputs)?;
+        method.pace().clock = clock;
+    }
+    Ok(())
+}
+
+/// The end of every step: sets the time of `result`, projects it, and writes it to `state`.
+pub(super) fn arrive<C: Chain>(
+    chain: &C,
+    result: &mut C::State,
+    time: C::Scalar,
+    state: &mut C::State,
+    inputs: &mut impl FnMut(C::Scalar, &C::State) -> C::Inputs,
+) -> Result<(), Error> {
+    result.set_time(time);
+    chain.normalize(result);
+    chain.close(result, |state| inputs(time, state));
+    if !is_finite(result) {
+        return Err(Error::NotFinite);
+    }
+    copy(state, result);
+    Ok(())
+}
+
+/// How long one step is, and the time at its end.
+#[derive(Clone, Copy)]
+pub(super) struct Span<T> {
+    pub(super) step: T,
+    pub(super) end: T,
+}
+
+/// The size of steps, and the clock that adds them up.
+#[derive(Clone, Copy)]
+pub(super) struct Pace<T> {
+    pub(super) step: T,
+    clock: Clock<T>,
+}
+
+impl<T: Scalar> Pace<T> {
+    pub(super) fn new(step: T) -> Self {
+        Self { step, clock: Clock { time: T::default(), lost: T::default() } }
+    }
+
+    /// A step of full size from `now`, and the clock after it.
+    fn whole(&self, now: T, step: T) -> (Span<T>, Clock<T>) {
+        let clock = self.clock.advanced(now, step);
+        (Span { step, end: clock.time }, clock)
+    }
+
+    /// The next step towards `end`: a whole one, or what is left if that is shorter, or longer by
+    /// no more than rounding of the times. Of several lanes the worst one decides.
+    fn towards(&self, now: T, end: T::Real) -> (Span<T>, Clock<T>) {
+        let time = now.worst();
+        let left = (end - time) - self.clock.owed(now).worst();
+        let size = self.step.worst().abs();
+        let latest = if end.abs() > time.abs() { end.abs() } else { time.abs() };
+        // Of `end` itself and of the time it is counted from.
+        let rounding = T::Real::epsilon() * latest;
+        if left.abs() <= size + rounding {
+            let clock = Clock { time: T::splat(end), lost: T::default() };
+            (Span { step: T::splat(left), end: clock.time }, clock)
+        } else {
+            self.whole(now, T::splat(size.copysign(left)))
+        }
+    }
+}
+
+/// A time and what rounding took from it.
+#[derive(Clone, Copy)]
+struct Clock<T> {
+    time: T,
+    lost: T,
+}
+
+impl<T: Scalar> Clock<T> {
+    /// What rounding took from the time `now`. If that is not what this clock last said, nothing is
+    /// owed to it.
+    fn owed(self, now: T) -> T {
+        if self.time == now { self.lost } else { T::default() }
+    }
+
+    /// The clock one step after `now`.
+    fn advanced(self, now: T, step: T) -> Self {
+        let change = step + self.owed(now);
+        let time = now + change;
+        // Knuth's two-sum: exact whichever of the two is larger.
+        let back = time - now;
+        Self { time, lost: (now - (time - back)) + (change - back) }
+    }
+}
+
+/// `Clone` and `Debug` of a method, whose first field is its [`Pace`]. Derived, both would ask the
+/// same of the chain's own type.
+macro_rules! clone_and_debug {
+    ($method:ident { $($field:ident),* }) => {
+        impl<C: Chain> Clone for $method<C> {
+            fn clone(&self) -> Self {
+                Self { pace: self.pace, $($field: self.$field.clone()),* }
+            }
+        }
+
+        impl<C: Chain> core::fmt::Debug for $method<C> {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                f.debug_struct(stringify!($method))
+                    .field("step_size", &self.pace.step)
+                    .finish_non_exhaustive()
+            }
+        }
+    };
+}
+pub(super) use clone_and_debug;

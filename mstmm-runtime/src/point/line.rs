@@ -1,0 +1,90 @@
+//! Motion and internal force at a connection point of a line chain.
+
+use nalgebra::SVector;
+
+use crate::Scalar;
+
+/// The method's state vector `[P, Eq. (7)]`, z = [ẍ, q_x, 1] at a connection point of a line chain.
+///
+/// These are the entries of [`StateVector`](crate::StateVector) that motion along x leaves, with
+/// the same signs: on a **body**, the force at its input end is +q and at its output end −q.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LineStateVector<T> {
+    acceleration: T,
+    force: T,
+}
+
+impl<T: Scalar> LineStateVector<T> {
+    /// Puts z together: m/s² and N, along x.
+    #[inline]
+    pub fn new(acceleration: T, force: T) -> Self {
+        Self { acceleration, force }
+    }
+
+    /// The acceleration ẍ of the point in m/s². It is the true one: a body at rest under gravity
+    /// has none.
+    #[inline]
+    pub fn acceleration(&self) -> T {
+        self.acceleration
+    }
+
+    /// The internal force q_x in N: +q pulls the outboard element, −q the inboard one.
+    #[inline]
+    pub fn force(&self) -> T {
+        self.force
+    }
+
+    /// All three entries of z in the paper's order, the last one being 1.
+    #[inline]
+    pub fn to_vector(&self) -> SVector<T, 3> {
+        SVector::from([self.acceleration, self.force, T::constant(1.0)])
+    }
+}
+
+/// Everything known of a connection point of a line chain: where it is, how it moves, and what
+/// passes through it, all along x. By default it rests at the origin.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LinePoint<T> {
+    position: T,
+    velocity: T,
+    z: LineStateVector<T>,
+}
+
+impl<T: Scalar> LinePoint<T> {
+    /// Puts a point together from its position (m), velocity (m/s) and z.
+    #[inline]
+    pub fn new(position: T, velocity: T, z: LineStateVector<T>) -> Self {
+        Self { position, velocity, z }
+    }
+
+    /// The position x in m, from the inertial frame's origin.
+    #[inline]
+    pub fn position(&self) -> T {
+        self.position
+    }
+
+    /// The velocity ẋ in m/s.
+    #[inline]
+    pub fn velocity(&self) -> T {
+        self.velocity
+    }
+
+    /// The method's state vector; its documentation tells the sign of the force.
+    #[inline]
+    pub fn z(&self) -> &LineStateVector<T> {
+        &self.z
+    }
+
+    /// The acceleration ẍ in m/s².
+    #[inline]
+    pub fn acceleration(&self) -> T {
+        self.z.acceleration()
+    }
+
+    /// The internal force q_x in N. On a body it acts as +q at the input end and −q at the output
+    /// end.
+    #[inline]
+    pub fn force(&self) -> T {
+        self.z.force()
+    }
+}

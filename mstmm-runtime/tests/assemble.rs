@@ -1,0 +1,148 @@
+//! Closing a chain by corrections that generated code supplies.
+
+mod common;
+
+use common::State;
+use mstmm_runtime::generated::assemble;
+use mstmm_runtime::{ChainState, Error};
+
+type Start<T> = State<T, 1, 1>;
+
+fn start(q: f64) -> Start<f64> {
+    State { q: [q], v: [1.0], t: 3.0 }
+}
+
+/// Newton's method on q² = 2; the rate is to be 2q.
+fn toward_the_root_of_two(state: &mut Start<f64>) -> f64 {
+    let [q] = state.q;
+    state.q = [q - (q * q - 2.0) / (2.0 * q)];
+    state.v = [2.0 * state.q[0]];
+    (state.q[0] * state.q[0] - 2.0).abs()
+}
+
+#[test]
+fn a_start_nearby_is_closed() {
+    for q in [1.0, 0.01, 300.0] {
+        let mut state = start(q);
+        assert_eq!(assemble(&mut state, toward_the_root_of_two), Ok(()));
+        assert!((state.q[0] - 2f64.sqrt()).abs() < 1e-15);
+        assert_eq!((state.v[0], state.t), (2.0 * state.q[0], 3.0));
+    }
+}
+
+#[test]
+fn single_precision_is_closed_to_its_own_accuracy() {
+    let mut state = State { q: [1.0f32], v: [0.0], t: 0.0 };
+    let closed = assemble(&mut state, |state: &mut Start<f32>| {
+        let [q] = state.q;
+        state.q = [q - (q * q - 2.0) / (2.0 * q)];
+        (state.q[0] * state.q[0] - 2.0).abs()
+    });
+    assert_eq!(closed, Ok(()));
+    // 64 ε in q² are 23 in q.
+    assert!((state.q[0] - 2f32.sqrt()).abs() < 23.0 * f32::EPSILON);
+}
+
+/// q² = −2 has no root: corrections go astray until they are given up.
+#[test]
+fn a_chain_that_cannot_be_closed_is_refused_and_left_alone() {
+    let mut state = start(1.0);
+    let mut corrections = 0;
+    let refused = assemble(&mut state, |state| {
+        corrections += 1;
+        let [q] = state.q;
+        state.q = [q - (q * q + 2.0) / (2.0 * q)];
+        state.q_mut()[0].powi(2) + 2.0
+    });
+    assert_eq!((refused, corrections), (Err(Error::NotAssembled), 50));
+    assert_eq!(state, start(1.0));
+}
+
+#[test]
+fn what_is_not_finite_is_refused_at_once() {
+    for broken in [f64::NAN, f64::INFINITY] {
+        let (mut state, mut corrections) = (start(1.0), 0);
+        let refused = assemble(&mut state, |state| {
+            corrections += 1;
+            state.q = [broken];
+            // Near before it breaks.
+            if corrections == 1 { 1e-11 } else { broken }
+        });
+        assert_eq!((refused, corrections), (Err(Error::NotAssembled), 2));
+        assert_eq!(state, start(1.0));
+    }
+}
+
+/// Long chains leave more than 64 ε; what no longer shrinks below ε^⅝ is rounding.
+#[test]
+fn rounding_that_stays_is_accepted() {
+    let told = |residuals: &[f64]| {
+        let (mut state, mut corrections) = (start(1.0), 0);
+        let outcome = assemble(&mut state, |_| {
+            corrections += 1;
+            residuals.get(corrections - 1).copied().unwrap_or(*residuals.last().unwrap())
+        });
+        (outcome, corrections)
+    };
+    assert_eq!(told(&[1e-3, 1e-6, 1e-12, 2e-13, 3e-13]), (Ok(()), 5));
+    assert_eq!(told(&[1e-3, 1e-15]), (Ok(()), 2));
+    assert_eq!(told(&[1e-3, 2e-3, 1e-3, 1e-12, 1e-12]), (Ok(()), 5));
+    assert_eq!(told(&[1e-9]), (Err(Error::NotAssembled), 50));
+}
+
+mod chains {
+    use super::*;
+    use mstmm_runtime::{Chain, Energy, GeneratedChain};
+
+    struct Open;
+
+    impl Chain for Open {
+        type Scalar = f64;
+        type State = Start<f64>;
+        type Inputs = ();
+
+        fn derivative_into(
+            &self,
+            _: &Start<f64>,
+            (): &(),
+            rate: &mut Start<f64>,
+        ) -> Result<(), Error> {
+            (rate.q, rate.v) = ([5.0], [7.0]);
+            Ok(())
+        }
+
+        fn configuration_rate_into(&self, _: &Start<f64>, _: &mut Start<f64>) {}
+
+        fn normalize(&self, _: &mut Start<f64>) {}
+    }
+
+    impl GeneratedChain for Open {
+        type Workspace = ();
+
+        fn initial_state(&self) -> Start<f64> {
+            start(1.0)
+        }
+
+        fn no_inputs(&self) {}
+
+        fn workspace(&self) {}
+
+        fn solve_into(&self, _: &Start<f64>, (): &(), (): &mut ()) -> Result<(), Error> {
+            Ok(())
+        }
+
+        fn energy(&self, _: &Start<f64>) -> Energy<f64> {
+            Energy::default()
+        }
+    }
+
+    /// What a chain without springs and without a closure need not say.
+    #[test]
+    fn open_chains_are_closed_and_not_stiff() {
+        let (mut state, mut rate) = (start(1.0), start(0.0));
+        assert_eq!(Open.assemble(&mut state, &()), Ok(()));
+        assert_eq!(state, start(1.0));
+        Open.implicit_derivative_into(&state, &(), 0.1, &mut rate).unwrap();
+        assert_eq!((rate.q, rate.v), ([5.0], [7.0]));
+    }
+}

@@ -1,0 +1,22 @@
+//! What errors say.
+
+use mstmm_runtime::Error;
+
+#[test]
+fn errors_speak_plainly() {
+    let told = |error: Error| error.to_string();
+    assert_eq!(
+        told(Error::Singular { hinge: "elbow" }),
+        "nothing with inertia lies beyond hinge `elbow`"
+    );
+    assert_eq!(told(Error::NotFinite), "a coordinate, rate, input or time is not a finite number");
+    let refused = Error::Parameter { name: "payload", reason: "must not be negative" };
+    assert_eq!(told(refused), "`payload` must not be negative");
+    assert_eq!(
+        told(Error::StepTooSmall),
+        "the tolerance cannot be reached: the step became too small"
+    );
+    assert_eq!(told(Error::OutsideStep), "the time lies outside the last step");
+    assert_eq!(told(Error::NotAssembled), "the chain cannot be closed from this start");
+    let _: &dyn core::error::Error = &refused;
+}

@@ -1,0 +1,88 @@
+//! Connection points and results: what goes in comes out, in the documented frames and orders.
+
+use mstmm_runtime::nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
+use mstmm_runtime::{
+    BodyResult, Closure, HingeResult, LinePoint, LineStateVector, PlanePoint, PlaneStateVector,
+    Point, StateVector,
+};
+
+#[test]
+fn points_in_space_and_results() {
+    let z = StateVector::new([1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0], [10.0, 11.0, 12.0]);
+    let all = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 1.0];
+    assert_eq!(z.to_vector().as_slice(), all);
+
+    let quarter = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+    let point = Point::new([0.1, 0.2, 0.3], quarter, [0.4, 0.5, 0.6], [0.7, 0.8, 0.9], z);
+    assert_eq!(point.position(), Vector3::new(0.1, 0.2, 0.3));
+    assert_eq!(point.velocity(), Vector3::new(0.4, 0.5, 0.6));
+    assert_eq!(point.angular_velocity(), Vector3::new(0.7, 0.8, 0.9));
+    assert_eq!(point.orientation() * Vector3::x(), Vector3::y());
+    assert_eq!(*point.z(), z);
+    assert_eq!(point.acceleration(), Vector3::new(1.0, 2.0, 3.0));
+    assert_eq!(point.angular_acceleration(), Vector3::new(4.0, 5.0, 6.0));
+    assert_eq!(point.moment(), Vector3::new(7.0, 8.0, 9.0));
+    assert_eq!(point.force(), Vector3::new(10.0, 11.0, 12.0));
+
+    let rest = Point::<f64>::default();
+    assert_eq!(rest.orientation(), Rotation3::identity());
+    assert_eq!(rest.force(), Vector3::zeros());
+
+    let hinge = HingeResult::new(3.0, -1.0, &rest, &point);
+    assert_eq!((hinge.acceleration(), hinge.effort()), (3.0, -1.0));
+    assert_eq!((hinge.input(), hinge.output()), (&rest, &point));
+    let body: BodyResult<f64> = BodyResult::new(&point, &rest);
+    assert_eq!((body.input(), body.output()), (&point, &rest));
+}
+
+#[test]
+fn points_in_the_plane() {
+    let z = PlaneStateVector::new([1.0, 2.0], 3.0, 4.0, [5.0, 6.0]);
+    assert_eq!(z.to_vector().as_slice(), [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 1.0]);
+
+    let turn = Rotation2::new(0.3);
+    let point = PlanePoint::new([0.1, 0.2], [turn[(0, 0)], turn[(1, 0)]], [0.4, 0.5], 0.6, z);
+    assert_eq!(point.position(), Vector2::new(0.1, 0.2));
+    assert_eq!(point.orientation(), turn);
+    assert_eq!(point.cos_sin(), (turn[(0, 0)], turn[(1, 0)]));
+    assert_eq!(point.velocity(), Vector2::new(0.4, 0.5));
+    assert_eq!(point.angular_velocity(), 0.6);
+    assert_eq!(*point.z(), z);
+    assert_eq!(point.acceleration(), Vector2::new(1.0, 2.0));
+    assert_eq!(point.angular_acceleration(), 3.0);
+    assert_eq!(point.moment(), 4.0);
+    assert_eq!(point.force(), Vector2::new(5.0, 6.0));
+
+    let rest = PlanePoint::<f64>::default();
+    assert_eq!(rest.orientation(), Rotation2::identity());
+    let body: BodyResult<f64, PlanePoint<f64>> = BodyResult::new(&point, &rest);
+    assert_eq!((body.input(), body.output()), (&point, &rest));
+    let hinge = HingeResult::new(Vector2::new(1.0, 2.0), Vector2::new(3.0, 4.0), &point, &rest);
+    assert_eq!((hinge.input(), hinge.output()), (&point, &rest));
+    assert_eq!(hinge.effort(), Vector2::new(3.0, 4.0));
+}
+
+#[test]
+fn points_on_a_line() {
+    let z = LineStateVector::new(1.0f32, 2.0);
+    assert_eq!(z.to_vector().as_slice(), [1.0, 2.0, 1.0]);
+    let point = LinePoint::new(0.1, 0.2, z);
+    assert_eq!((point.position(), point.velocity()), (0.1, 0.2));
+    assert_eq!((point.acceleration(), point.force()), (1.0, 2.0));
+    assert_eq!(*point.z(), z);
+    let rest = LinePoint::default();
+    let hinge: HingeResult<f32, f32, LinePoint<f32>> = HingeResult::new(3.0, 4.0, &point, &rest);
+    assert_eq!((hinge.acceleration(), hinge.effort()), (3.0, 4.0));
+    let body = BodyResult::new(hinge.input(), hinge.output());
+    assert_eq!((body.input(), body.output()), (&point, &rest));
+}
+
+#[test]
+fn closures_tell_what_is_redundant() {
+    let none = Closure::<f64, 6>::default();
+    assert_eq!((none.redundant(), none.undetermined()), (0, &[[0.0; 6]; 6]));
+    let across = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+    let loop_in_a_plane = Closure::new([[0.0; 6], across], [0.0, 1.0]);
+    assert_eq!(loop_in_a_plane.redundant(), 1);
+    assert_eq!(loop_in_a_plane.undetermined(), &[[0.0; 6], across]);
+}
