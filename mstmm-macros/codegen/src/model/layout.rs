@@ -1,19 +1,42 @@
 //! Where things lie: the order in which motion spreads from the ground, and the places of every
 //! hinge's numbers in the coordinates `q`, the rates `v` and the inputs.
 
-use super::{BodyId, Chain, Effort, HingeId, HingeKind, Place};
+use super::{BodyId, Chain, Drive, Effort, Hinge, HingeId, HingeKind, Load, Place, Seam, Source};
+use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// A body and the hinge that ties it to where its motion comes from.
+/// A rigid part and the hinge that ties it to where its motion comes from.
 #[derive(Clone, Debug)]
 pub struct Link {
     /// The hinge.
     pub hinge: HingeId,
-    /// The body.
+    /// The body that the hinge sits on; the part's frame is that body's.
     pub body: BodyId,
-    /// The link of the body on the hinge's other side; none if that is the ground.
+    /// All bodies of the part, that one first: the others are welded to it.
+    pub members: Vec<BodyId>,
+    /// The link of the part on the hinge's other side; none if that is the ground.
     pub parent: Option<usize>,
-    /// Whether the body is on the inboard side of its hinge, as in a chain held at its end.
+    /// Whether the part is on the inboard side of its hinge, as in a chain held at its end.
+    pub reversed: bool,
+    /// Whether it is a place where a repeated part begins or ends.
+    pub seam: Option<Seam>,
+}
+
+/// What a body belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// What does not move.
+    Ground,
+    /// The part of this link.
+    Link(usize),
+}
+
+/// A weld that was merged away.
+#[derive(Clone, Copy, Debug)]
+pub struct Joined {
+    /// The weld.
+    pub weld: HingeId,
+    /// Whether the body is on the inboard side of its weld.
     pub reversed: bool,
 }
 
@@ -22,26 +45,77 @@ pub struct Link {
 pub struct Layout {
     /// From the ground outwards: each link stands after its parent.
     pub links: Vec<Link>,
-    /// Each hinge's part of `q`.
+    /// Hinges that close loops: both sides move already without them.
+    pub closings: Vec<HingeId>,
+    /// What each body belongs to.
+    pub parts: Vec<Part>,
+    /// The weld by which a body joined its part, unless it is the part's first.
+    pub joined: Vec<Option<Joined>>,
+    /// Each hinge's part of `q`; empty where its motion is prescribed.
     pub q: Vec<Range<usize>>,
-    /// Each hinge's part of `v`.
+    /// Each hinge's part of `v`; empty where its motion is prescribed.
     pub v: Vec<Range<usize>>,
-    /// Each hinge's part of the inputs; empty where it takes none.
-    pub inputs: Vec<Range<usize>>,
+    /// Each hinge's part of what is reported of rates: accelerations and efforts.
+    pub rates: Vec<Range<usize>>,
+    /// What the caller gives at every step, in the order of the inputs.
+    pub inputs: Vec<Input>,
+}
+
+/// Something that the caller gives at every step.
+#[derive(Clone, Debug)]
+pub struct Input {
+    /// What it is.
+    pub what: Driven,
+    /// Its part of the inputs.
+    pub range: Range<usize>,
+}
+
+/// What is given by the caller.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Driven {
+    /// Acceleration of free fall.
+    Gravity,
+    /// Those efforts of a hinge that are inputs.
+    Efforts(HingeId),
+    /// Coordinates, rates and accelerations of a hinge.
+    Motion(HingeId),
+    /// The force of a load.
+    Force(usize),
+    /// The torque of a load.
+    Torque(usize),
 }
 
 impl Layout {
-    /// The layout of `chain`.
+    /// The layout of `chain` with every body a part of its own.
     pub fn of(chain: &Chain) -> Self {
-        let kinds = || chain.hinges.iter().map(|hinge| &hinge.kind);
+        Layout::new(chain, false)
+    }
+
+    /// The layout of `chain` with welded bodies merged: otherwise the same.
+    pub fn merged(chain: &Chain) -> Self {
+        Layout::new(chain, true)
+    }
+
+    fn new(chain: &Chain, merge: bool) -> Self {
+        // What is on a seam is no part of what lies on its other side.
+        let at_seam = |hinge: &Hinge| {
+            chain.seam(&hinge.inboard).or_else(|| chain.seam(&hinge.outboard)).is_some()
+        };
+        let is_weld = |index: HingeId| {
+            let hinge = &chain.hinges[index];
+            hinge.kind == HingeKind::Weld && !at_seam(hinge)
+        };
+        let free = |hinge: &Hinge, count: usize| if hinge.is_prescribed() { 0 } else { count };
+        let Tree { links, closings, parts, joined } = Tree::of(chain, is_weld, merge);
         Layout {
-            links: links(chain),
-            q: consecutive(kinds().map(HingeKind::coordinates)),
-            v: consecutive(kinds().map(HingeKind::freedoms)),
-            inputs: consecutive(chain.hinges.iter().map(|hinge| match hinge.effort {
-                Effort::Input => hinge.kind.freedoms(),
-                Effort::Free | Effort::Constant(_) => 0,
-            })),
+            links,
+            closings,
+            parts,
+            joined,
+            q: consecutive(chain.hinges.iter().map(|hinge| free(hinge, hinge.kind.coordinates()))),
+            v: consecutive(chain.hinges.iter().map(|hinge| free(hinge, hinge.kind.freedoms()))),
+            rates: consecutive(chain.hinges.iter().map(|hinge| hinge.kind.freedoms())),
+            inputs: inputs(chain),
         }
     }
 
@@ -50,14 +124,25 @@ impl Layout {
         self.q.last().map_or(0, |range| range.end)
     }
 
-    /// Length of `v`: the degrees of freedom.
+    /// Length of `v`: the degrees of freedom, but for those that closures take.
     pub fn freedoms(&self) -> usize {
         self.v.last().map_or(0, |range| range.end)
     }
 
-    /// How many inputs there are.
+    /// How many rates of hinges there are, prescribed ones as well.
+    pub fn rate_count(&self) -> usize {
+        self.rates.last().map_or(0, |range| range.end)
+    }
+
+    /// How many numbers the inputs are.
     pub fn input_count(&self) -> usize {
-        self.inputs.last().map_or(0, |range| range.end)
+        self.inputs.last().map_or(0, |input| input.range.end)
+    }
+
+    /// The part of the inputs that gives `what`; empty if that is not given.
+    pub fn input(&self, what: Driven) -> Range<usize> {
+        let found = self.inputs.iter().find(|input| input.what == what);
+        found.map_or(0..0, |input| input.range.clone())
     }
 }
 
@@ -81,34 +166,98 @@ fn consecutive(lengths: impl Iterator<Item = usize>) -> Vec<Range<usize>> {
         .collect()
 }
 
-/// Spreads from the ground over the hinges, nearest first.
-fn links(chain: &Chain) -> Vec<Link> {
-    let mut links: Vec<Link> = Vec::new();
-    let mut left: Vec<HingeId> = (0..chain.hinges.len()).collect();
-    loop {
-        let reached = |body: Option<BodyId>| match body {
-            None => Some(None),
-            Some(body) => links.iter().position(|link| link.body == body).map(Some),
-        };
-        let next = left.iter().find_map(|&hinge| {
-            let sides =
-                [&chain.hinges[hinge].inboard, &chain.hinges[hinge].outboard].map(Place::body);
-            match (sides, sides.map(reached)) {
-                ([_, Some(body)], [Some(parent), None]) => {
-                    Some(Link { hinge, body, parent, reversed: false })
-                }
-                ([Some(body), _], [None, Some(parent)]) => {
-                    Some(Link { hinge, body, parent, reversed: true })
-                }
-                _ => None,
+fn inputs(chain: &Chain) -> Vec<Input> {
+    let mut given: Vec<(Driven, usize)> = Vec::new();
+    let (shifts, turns) = (chain.dimension.shifts().len(), chain.dimension.turns().len());
+    if chain.gravity == Source::Input {
+        given.push((Driven::Gravity, shifts));
+    }
+    for (index, hinge) in chain.hinges.iter().enumerate() {
+        match &hinge.drive {
+            Drive::Motion => {
+                let count = hinge.kind.coordinates() + 2 * hinge.kind.freedoms();
+                given.push((Driven::Motion(index), count));
             }
-        });
-        match next {
-            Some(link) => {
-                left.retain(|&hinge| hinge != link.hinge);
-                links.push(link);
+            Drive::Efforts(efforts) => {
+                let count = efforts.iter().filter(|effort| **effort == Effort::Input).count();
+                given.push((Driven::Efforts(index), count));
             }
-            None => return links,
         }
+    }
+    for (index, Load { force, torque, .. }) in chain.loads.iter().enumerate() {
+        for (source, what, count) in
+            [(force, Driven::Force(index), shifts), (torque, Driven::Torque(index), turns)]
+        {
+            if *source == Source::Input {
+                given.push((what, count));
+            }
+        }
+    }
+    given.retain(|(_, count)| *count > 0);
+    let ranges = consecutive(given.iter().map(|(_, count)| *count));
+    given.iter().zip(ranges).map(|(&(what, _), range)| Input { what, range }).collect()
+}
+
+/// How motion spreads from the ground.
+struct Tree {
+    links: Vec<Link>,
+    closings: Vec<HingeId>,
+    parts: Vec<Part>,
+    joined: Vec<Option<Joined>>,
+}
+
+impl Tree {
+    /// Over the hinges, those written first before the others; welds, which may be merged, before
+    /// all others.
+    fn of(chain: &Chain, is_weld: impl Fn(HingeId) -> bool, merge: bool) -> Tree {
+        let sides = |hinge: HingeId| {
+            [&chain.hinges[hinge].inboard, &chain.hinges[hinge].outboard].map(Place::body)
+        };
+        let mut touching: Vec<Vec<HingeId>> = vec![Vec::new(); chain.bodies.len()];
+        let mut next: BTreeSet<(bool, HingeId)> = BTreeSet::new();
+        for hinge in 0..chain.hinges.len() {
+            for side in sides(hinge) {
+                match side {
+                    Some(body) => touching[body].push(hinge),
+                    None => _ = next.insert((!is_weld(hinge), hinge)),
+                }
+            }
+        }
+        let mut reached: Vec<Option<Part>> = vec![None; chain.bodies.len()];
+        let (mut links, mut closings) = (Vec::<Link>::new(), Vec::new());
+        let mut joined = vec![None; chain.bodies.len()];
+        while let Some((is_free, hinge)) = next.pop_first() {
+            let part = |side: Option<BodyId>| side.map_or(Some(Part::Ground), |body| reached[body]);
+            let [inboard, outboard] = sides(hinge);
+            let (body, from, reversed) =
+                match [(inboard, part(inboard)), (outboard, part(outboard))] {
+                    [(_, Some(from)), (Some(body), None)] => (body, from, false),
+                    [(Some(body), None), (_, Some(from))] => (body, from, true),
+                    _ => {
+                        closings.push(hinge);
+                        continue;
+                    }
+                };
+            let part = if is_free || !merge {
+                let parent = match from {
+                    Part::Ground => None,
+                    Part::Link(link) => Some(link),
+                };
+                let seam = chain.seam(&Place::Input(body));
+                links.push(Link { hinge, body, members: vec![body], parent, reversed, seam });
+                Part::Link(links.len() - 1)
+            } else {
+                if let Part::Link(link) = from {
+                    links[link].members.push(body);
+                }
+                joined[body] = Some(Joined { weld: hinge, reversed });
+                from
+            };
+            reached[body] = Some(part);
+            let others = touching[body].iter().filter(|&&other| other != hinge);
+            next.extend(others.map(|&other| (!is_weld(other), other)));
+        }
+        let parts = reached.into_iter().map(|part| part.unwrap_or(Part::Ground)).collect();
+        Tree { links, closings, parts, joined }
     }
 }

@@ -6,18 +6,25 @@
 mod check;
 mod hinge;
 mod layout;
+mod load;
 mod lower;
+mod seams;
 #[cfg(test)]
 mod tests;
 mod value;
 
-pub use hinge::{Coordinate, Group, Results, Shape, View};
-pub use layout::{Layout, Link};
+pub use hinge::{
+    Coordinate, Drive, Effort, Form, Freedoms, Friction, Group, Hinge, HingeKind, Limits, Passive,
+    Shape, View,
+};
+pub use layout::{Driven, Input, Joined, Layout, Link, Part};
+pub use load::{Load, LoadAxes, Source, Spring};
 pub use value::{Symbol, Value};
 
 use crate::diag::Diagnostics;
 use crate::syntax::{ChainDef, Surface};
 use proc_macro2::Ident;
+use std::ops::Range;
 
 /// Index into [`Chain::bodies`].
 pub type BodyId = usize;
@@ -29,20 +36,31 @@ pub type HingeId = usize;
 pub struct Chain {
     /// The name of the generated type.
     pub name: Ident,
+    /// In how many directions it moves.
+    pub dimension: Dimension,
     /// Acceleration of free fall in m/s², inertial frame.
-    pub gravity: [Value; 3],
+    pub gravity: Source,
     /// Numbers that may change at run time, in the order written.
     pub parameters: Vec<Parameter>,
     /// How many constants are given as Rust paths: [`Symbol::Constant`] indexes them.
     pub constants: usize,
     /// The bodies on the route, in the order written.
     pub bodies: Vec<Body>,
-    /// The hinges on the route, in the order written. A chain that starts and ends with a body
-    /// floats: its first hinge is then an implied [`HingeKind::Floating`] from the ground to the
-    /// input of the first body, under the first body's name.
+    /// The hinges on the route, in the order written, behind the implied ones. A chain that starts
+    /// and ends with a body floats: an implied hinge from the ground to the input of the first
+    /// body leaves it everything that its dimension has, under the first body's name. A moving end
+    /// is a massless body behind an implied hinge from the ground that is driven by a prescribed
+    /// motion, both under the end's name.
     pub hinges: Vec<Hinge>,
-    /// The elements in the order written, without the implied hinge.
+    /// The elements in the order written, without implied hinges and moving ends.
     pub route: Vec<Element>,
+    /// What acts on bodies from outside, in the order written.
+    pub loads: Vec<Load>,
+    /// Springs from bodies to the ground, in the order written.
+    pub springs: Vec<Spring>,
+    /// Parts of the route that stand for several in a row, in the order written. Where one begins
+    /// and where it ends a massless body is welded in, behind all other bodies and hinges.
+    pub repeats: Vec<Repeat>,
     /// The method that the user asked for, if any.
     pub method: Option<Method>,
 }
@@ -55,7 +73,48 @@ pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Su
     if diagnostics.count() > before {
         return None;
     }
-    Some((draft.finish()?, surface))
+    Some((seams::with_seams(draft.finish()?), surface))
+}
+
+/// In how many directions a chain moves. A model is spatial whatever its dimension: in a plane
+/// chain nothing lies outside of the plane z = 0, in a line chain nothing off the x axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dimension {
+    /// In all of them.
+    Space,
+    /// Along x and y, and turning about z.
+    Plane,
+    /// Along x.
+    Line,
+}
+
+impl Dimension {
+    /// The directions of motion among the six of space: shifts along x, y, z, then turns about them.
+    pub fn axes(self) -> &'static [usize] {
+        match self {
+            Dimension::Space => &[0, 1, 2, 3, 4, 5],
+            Dimension::Plane => &[0, 1, 5],
+            Dimension::Line => &[0],
+        }
+    }
+
+    /// The axes that it moves along.
+    pub fn shifts(self) -> &'static [usize] {
+        match self {
+            Dimension::Space => &[0, 1, 2],
+            Dimension::Plane => &[0, 1],
+            Dimension::Line => &[0],
+        }
+    }
+
+    /// The axes that it turns about.
+    pub fn turns(self) -> &'static [usize] {
+        match self {
+            Dimension::Space => &[0, 1, 2],
+            Dimension::Plane => &[2],
+            Dimension::Line => &[],
+        }
+    }
 }
 
 /// An element of the route.
@@ -65,6 +124,20 @@ pub enum Element {
     Body(BodyId),
     /// A hinge with an inboard and an outboard side.
     Hinge(HingeId),
+}
+
+/// A part of the route that stands for several in a row. Its elements are listed once: hinges and
+/// bodies in turn, a hinge first and a body last.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Repeat {
+    /// How many times, at least once.
+    pub count: usize,
+    /// Its hinges.
+    pub hinges: Range<HingeId>,
+    /// Its bodies.
+    pub bodies: Range<BodyId>,
+    /// Its elements in [`Chain::route`].
+    pub route: Range<usize>,
 }
 
 /// How the accelerations are solved for.
@@ -102,6 +175,28 @@ pub struct Body {
     pub inertia: Inertia,
     /// The output point and the frame there.
     pub output: Frame,
+    /// What it stands for.
+    pub role: Role,
+}
+
+/// What a body of the model stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// A body on the route.
+    Matter,
+    /// A moving end; it has no mass.
+    End,
+    /// A place where a repeated part begins or ends; it has no mass.
+    Seam(Seam),
+}
+
+/// Where a repeated part begins, or where it ends. What lies between is the same every time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Seam {
+    /// Index into [`Chain::repeats`].
+    pub repeat: usize,
+    /// Whether the part ends there.
+    pub at_end: bool,
 }
 
 /// An inertia tensor.
@@ -142,27 +237,8 @@ impl Frame {
     }
 }
 
-/// A hinge between two places. It turns or moves the outboard frame against the inboard one.
-#[derive(Clone, Debug)]
-pub struct Hinge {
-    /// The name on the route.
-    pub name: Ident,
-    /// What it lets free.
-    pub kind: HingeKind,
-    /// Where its inboard side sits.
-    pub inboard: Place,
-    /// Where its outboard side sits.
-    pub outboard: Place,
-    /// Start coordinates, as many as the kind has: see [`HingeKind`].
-    pub start: Vec<Value>,
-    /// Start rates, as many as the kind has degrees of freedom.
-    pub start_rate: Vec<Value>,
-    /// The effort that drives its coordinates.
-    pub effort: Effort,
-}
-
 /// Where a hinge sits.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 // A chain has two places on the ground at most.
 #[allow(clippy::large_enum_variant)]
 pub enum Place {
@@ -172,34 +248,4 @@ pub enum Place {
     Input(BodyId),
     /// The output frame of a body.
     Output(BodyId),
-}
-
-/// What a hinge lets free.
-#[derive(Clone, Debug)]
-pub enum HingeKind {
-    /// Nothing.
-    Weld,
-    /// A turn about an axis fixed on both sides; coordinate: the angle in rad.
-    Pin {
-        /// The axis as written (any length but zero), components the same on both sides.
-        axis: [Value; 3],
-    },
-    /// All turns; coordinates: the unit quaternion (w, x, y, z) that turns outboard into inboard
-    /// components; rates: angular velocity of the outboard side against the inboard one in
-    /// rad/s, outboard frame.
-    Ball,
-    /// Everything. Coordinates: the outboard origin in m, inboard axes, then a quaternion as for
-    /// a ball; rates: its velocity in m/s, inboard axes, then the angular velocity as for a ball.
-    Floating,
-}
-
-/// The effort that drives a hinge's coordinates: power is effort times rate.
-#[derive(Clone, Debug)]
-pub enum Effort {
-    /// None.
-    Free,
-    /// The same always, in N m (turns) or N (slides).
-    Constant(Vec<Value>),
-    /// Given by the caller at every step.
-    Input,
 }

@@ -4,23 +4,43 @@ use proc_macro2::{Delimiter, Ident, Span};
 use syn::{Error, Result};
 
 use super::cursor::Cursor;
-use super::tree::{Block, BlockWord, ChainDef, Field};
+use super::field::Content;
+use super::tree::{Block, BlockWord, ChainDef, DimensionWord, Field};
 use super::{attribute, field, route};
 use crate::diag::{Diagnostics, did_you_mean};
 
 /// The words that an item can begin with.
-const ITEMS: &[&str] = &["param", "body", "hinge", "ground"];
+const ITEMS: &[&str] = &["param", "body", "hinge", "load", "spring", "ground", "moving"];
+/// Those of them that may be names too: they begin an item where a name follows.
+const ALSO_NAMES: &[&str] = &["load", "spring", "moving"];
+/// The words that blocks begin with.
+const BLOCKS: &[(&str, BlockWord)] = &[
+    ("body", BlockWord::Body),
+    ("hinge", BlockWord::Hinge),
+    ("load", BlockWord::Load),
+    ("spring", BlockWord::Spring),
+];
+/// The words that may stand before `chain`.
+const DIMENSIONS: &[(&str, DimensionWord)] = &[
+    ("space", DimensionWord::Space),
+    ("plane", DimensionWord::Plane),
+    ("line", DimensionWord::Line),
+];
 /// The words that a setting begins with.
 const SETTINGS: &[&str] = &["gravity", "method"];
 
 /// Whether the next word begins an item, so that it is nothing else.
 pub(super) fn begins_item(input: &Cursor) -> bool {
-    input.peek_ident().is_some_and(|word| ITEMS.iter().any(|item| word == item))
+    let mut ahead = *input;
+    ahead.ident().is_some_and(|word| {
+        let may_be_name = ALSO_NAMES.iter().any(|name| word == name);
+        ITEMS.iter().any(|item| word == item) && (!may_be_name || ahead.ident().is_some())
+    })
 }
 
 /// One chain; nothing if its head could not be read.
 pub(super) fn chain(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<ChainDef> {
-    let (mut def, inside) = match head(input, diagnostics) {
+    let (mut def, mut inside) = match head(input) {
         Ok(head) => head,
         Err(error) => {
             diagnostics.push(error);
@@ -28,7 +48,6 @@ pub(super) fn chain(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option
             return None;
         }
     };
-    let mut inside = inside;
     while !inside.is_empty() {
         if let Err(error) = attribute::docs(&mut inside) {
             diagnostics.push(error);
@@ -40,16 +59,10 @@ pub(super) fn chain(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option
     Some(def)
 }
 
-fn head<'a>(
-    input: &mut Cursor<'a>,
-    diagnostics: &mut Diagnostics,
-) -> Result<(ChainDef, Cursor<'a>)> {
+fn head<'a>(input: &mut Cursor<'a>) -> Result<(ChainDef, Cursor<'a>)> {
     let attributes = attribute::of_chain(input)?;
     let visibility = attribute::visibility(input)?;
-    if let Some(at) = input.word("plane") {
-        diagnostics.error(at, "`plane` is not supported yet");
-    }
-    input.word("space");
+    let dimension = dimension(input);
     if input.word("chain").is_none() {
         return Err(input.unexpected("`chain`"));
     }
@@ -58,6 +71,7 @@ fn head<'a>(
     let def = ChainDef {
         attributes,
         visibility,
+        dimension,
         name,
         settings: Vec::new(),
         parameters: Vec::new(),
@@ -68,12 +82,16 @@ fn head<'a>(
     Ok((def, inside))
 }
 
+/// The word before `chain`; none stands for `space`.
+fn dimension(input: &mut Cursor) -> DimensionWord {
+    let known = DIMENSIONS.iter().find(|(word, _)| input.word(word).is_some());
+    known.map_or(DimensionWord::Space, |&(_, dimension)| dimension)
+}
+
 fn item(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
     let start = *input;
-    if let Some(at) = input.word("body") {
-        block(BlockWord::Body, at, input, def, diagnostics);
-    } else if let Some(at) = input.word("hinge") {
-        block(BlockWord::Hinge, at, input, def, diagnostics);
+    if let Some((word, at)) = block_word(input) {
+        block(word, at, input, def, diagnostics);
     } else if input.word("param").is_some() {
         match parameter(input, diagnostics) {
             Ok(parameter) => def.parameters.push(parameter),
@@ -94,6 +112,11 @@ fn item(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
     } else {
         unknown(input, def, diagnostics);
     }
+}
+
+/// The word of a block, if one is next.
+fn block_word(input: &mut Cursor) -> Option<(BlockWord, Span)> {
+    BLOCKS.iter().find_map(|&(word, block)| Some((block, input.word(word)?)))
 }
 
 /// The name of a setting, if one is next: its word, or any word with `=` behind it.
@@ -122,8 +145,8 @@ fn block(
     let after_route = def.route.is_some();
     match block_head(input) {
         Ok((names, inside)) => {
-            let (fields, whole) = field::fields(inside, diagnostics);
-            def.blocks.push(Block { word, at, names, fields, whole, after_route });
+            let Content { fields, points, whole } = field::content(inside, diagnostics);
+            def.blocks.push(Block { word, at, names, fields, points, whole, after_route });
         }
         Err(error) => lose(error, input, def, diagnostics),
     }

@@ -1,13 +1,18 @@
 //! What was written, with spans: parse errors only, no meaning.
 //!
 //! ```text
-//! chain  := attributes visibility [`space`] `chain` Name `{` item* `}`
-//! item   := `gravity` `=` vector `;`  |  `method` `=` word `;`  |  `param` name `=` number `;`
-//!         | `body` name,… `{` field* `}`  |  `hinge` name,… `{` field* `}`  |  route `;`
+//! chain  := attributes visibility [`space` | `plane` | `line`] `chain` Name `{` item* `}`
+//! item   := `gravity` `=` value `;`  |  `method` `=` word `;`  |  `param` name `=` number `;`
+//!         | (`body` | `hinge` | `load` | `spring`) name,… `{` (field | point)* `}`  |  route `;`
 //! field  := name `=` value `;`
-//! value  := number | vector [`turned` form] | form
-//! route  := stop (`->` stop)*
-//! stop   := `ground` [`at` vector] [`turned` form] | word [`(` value,… `)`] [name]
+//! point  := `point` name `=` value `;`
+//! value  := position [`turned` turn] | number `about` word | form
+//! position := number | vector
+//! turn   := number | form
+//! route  := (stop | repeat) (`->` (stop | repeat))*
+//! repeat := `repeat` integer `{` stop (`->` stop)* `}`
+//! stop   := `ground` [`at` position] [`turned` turn] | `moving` name
+//!         | word [`(` value,… `)`] [name]
 //! vector := `[` number,… `]` [unit]
 //! form   := word `(` number,… `)` [unit] [`about` word]
 //! number := product ((`+` | `-`) product)*

@@ -1,35 +1,32 @@
 //! The route: stops joined by arrows.
 
-use proc_macro2::Delimiter;
+use proc_macro2::{Delimiter, Ident, Span};
 use syn::{Error, Result};
 
 use super::cursor::Cursor;
-use super::tree::{Arguments, Route, Stop, Written};
+use super::tree::{Arguments, Repeat, Route, Stop, Written};
 use super::{chain, field};
 use crate::diag::Diagnostics;
 
+/// The largest count of a `repeat`.
+const MOST_TIMES: usize = 10_000_000;
+
 /// All stops up to and with the `;`. Behind a mistake it goes on with the next statement.
 pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route {
-    let mut route = Route { stops: Vec::new(), whole: true };
+    let mut route = Route { stops: Vec::new(), repeats: Vec::new(), whole: true };
     loop {
         let before = *input;
-        if let Some(at) = input.word("repeat") {
-            diagnostics.error(at, "`repeat` is not supported yet");
+        let read = match input.word("repeat") {
+            Some(at) => repeat(at, input, &mut route, diagnostics),
+            None => stop(input).map(|stop| route.stops.push(stop)),
+        };
+        if let Err(error) = read {
+            diagnostics.push(error);
+            // A `;` may be just what was found in place of a stop.
+            *input = before;
+            input.skip_statement();
             route.whole = false;
-            input.literal();
-            input.group(Delimiter::Brace);
-        } else {
-            match stop(input) {
-                Ok(stop) => route.stops.push(stop),
-                Err(error) => {
-                    diagnostics.push(error);
-                    // A `;` may be just what was found in place of a stop.
-                    *input = before;
-                    input.skip_statement();
-                    route.whole = false;
-                    return route;
-                }
-            }
+            return route;
         }
         if input.punct(';').is_some() {
             return route;
@@ -49,18 +46,84 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route 
     }
 }
 
+/// What stands behind `repeat`. A mistake in its count or in its stops is reported, and the route
+/// goes on behind it.
+fn repeat(
+    at: Span,
+    input: &mut Cursor,
+    route: &mut Route,
+    diagnostics: &mut Diagnostics,
+) -> Result<()> {
+    let count = count(input)?;
+    let (inside, braces) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
+    let start = route.stops.len();
+    let read = if inside.is_empty() {
+        let message = format!("nothing is repeated here: {}", Repeat::EXAMPLE);
+        Err(Error::new_spanned(braces, message))
+    } else {
+        contents(inside, &mut route.stops)
+    };
+    match (count, read) {
+        (Ok(count), Ok(())) => {
+            route.repeats.push(Repeat { at, count, stops: start..route.stops.len() });
+        }
+        (count, read) => {
+            for error in [count.err(), read.err()].into_iter().flatten() {
+                diagnostics.push(error);
+            }
+            route.whole = false;
+        }
+    }
+    Ok(())
+}
+
+/// How many times: what is no number in its place is an error, a wrong number only the other one.
+fn count(input: &mut Cursor) -> Result<Result<usize>> {
+    let literal = input.literal().ok_or_else(|| input.unexpected("how many times, a number"))?;
+    let count = literal.to_string().replace('_', "").parse::<usize>();
+    let known = count.ok().filter(|count| (1..=MOST_TIMES).contains(count));
+    Ok(known.ok_or_else(|| {
+        let message = format!("how many times is a whole number from 1 to {MOST_TIMES}");
+        Error::new(literal.span(), message)
+    }))
+}
+
+/// The stops in the braces of a `repeat`.
+fn contents(mut inside: Cursor, stops: &mut Vec<Stop>) -> Result<()> {
+    loop {
+        if let Some(at) = inside.word("repeat") {
+            return Err(Error::new(at, "`repeat` cannot stand within `repeat`"));
+        }
+        stops.push(stop(&mut inside)?);
+        if inside.is_empty() {
+            return Ok(());
+        }
+        if inside.pair('-', '>').is_none() {
+            return Err(inside.unexpected("`->` or `}`"));
+        }
+    }
+}
+
 fn stop(input: &mut Cursor) -> Result<Stop> {
     if let Some(at) = input.word("ground") {
-        let position = if input.word("at").is_some() { Some(field::vector(input)?) } else { None };
-        return Ok(Stop::Ground { at, position, turned: field::turned(input)? });
+        let position =
+            if input.word("at").is_some() { Some(field::position(input)?.into()) } else { None };
+        return Ok(Stop::Ground { at, position, turned: field::turned(input)?.map(Box::new) });
+    }
+    if let Some(at) = input.word("moving") {
+        return Ok(Stop::Moving { at, name: name(input) });
     }
     let word = input.ident().ok_or_else(|| input.unexpected("a hinge, a body or `ground`"))?;
     let arguments = match input.group(Delimiter::Parenthesis) {
         None => None,
         Some((inside, extent)) => Some(Arguments { values: values(inside)?, extent }),
     };
-    let name = if chain::begins_item(input) { None } else { input.ident() };
-    Ok(Stop::Element { word, arguments, name })
+    Ok(Stop::Element { word, arguments, name: name(input) })
+}
+
+/// The name of a stop, if it has one.
+fn name(input: &mut Cursor) -> Option<Ident> {
+    if chain::begins_item(input) { None } else { input.ident() }
 }
 
 fn values(mut inside: Cursor) -> Result<Vec<Written>> {
@@ -82,6 +145,6 @@ pub(super) fn is_route(input: &Cursor) -> bool {
 }
 
 /// A route that stands where one is already.
-pub(super) fn second(at: proc_macro2::Span) -> Error {
+pub(super) fn second(at: Span) -> Error {
     Error::new(at, "a second route; a chain has one")
 }

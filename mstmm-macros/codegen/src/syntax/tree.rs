@@ -2,6 +2,7 @@
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, TokenStreamExt};
+use std::ops::Range;
 
 /// From the first to the last token of something written.
 #[derive(Clone, Copy, Debug)]
@@ -40,18 +41,31 @@ pub struct ChainDef {
     pub attributes: Vec<syn::Attribute>,
     /// Visibility of the generated types.
     pub visibility: syn::Visibility,
+    /// In how many directions it moves.
+    pub dimension: DimensionWord,
     /// The chain's name.
     pub name: Ident,
     /// `gravity = …;` and `method = …;`
     pub settings: Vec<Field>,
     /// `param name = …;`
     pub parameters: Vec<Field>,
-    /// `body … { … }` and `hinge … { … }`
+    /// `body … { … }`, `hinge … { … }`, `load … { … }` and `spring … { … }`
     pub blocks: Vec<Block>,
     /// The route; missing if there is none.
     pub route: Option<Route>,
     /// Whether every item could be read. If not, nothing is missed on its account.
     pub whole: bool,
+}
+
+/// Which word stands before `chain`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DimensionWord {
+    /// `space`, or none
+    Space,
+    /// `plane`
+    Plane,
+    /// `line`
+    Line,
 }
 
 /// `name = value;`
@@ -70,9 +84,13 @@ pub enum BlockWord {
     Body,
     /// `hinge`
     Hinge,
+    /// `load`
+    Load,
+    /// `spring`
+    Spring,
 }
 
-/// `body name { … }` or `hinge name, … { … }`
+/// `body name { … }`, `hinge name, … { … }`, `load name { … }` or `spring name { … }`
 #[derive(Debug)]
 pub struct Block {
     /// What it speaks of.
@@ -83,6 +101,8 @@ pub struct Block {
     pub names: Vec<Ident>,
     /// What it says.
     pub fields: Vec<Field>,
+    /// `point name = …;`
+    pub points: Vec<Field>,
     /// Whether every field has a name. If not, none is missed on its account.
     pub whole: bool,
     /// Whether it stands behind the route.
@@ -92,23 +112,48 @@ pub struct Block {
 /// Stops joined by arrows.
 #[derive(Debug)]
 pub struct Route {
-    /// In the order written.
+    /// In the order written; those that are repeated stand here once.
     pub stops: Vec<Stop>,
+    /// The parts of it that are repeated, in the order written.
+    pub repeats: Vec<Repeat>,
     /// Whether all of it could be read. If not, nothing is missed on its account.
     pub whole: bool,
+}
+
+/// `repeat count { stop -> … }`
+#[derive(Debug)]
+pub struct Repeat {
+    /// Where the word stands.
+    pub at: Span,
+    /// How many times its stops stand in a row, at least once.
+    pub count: usize,
+    /// Its stops, at least one, among those of the route.
+    pub stops: Range<usize>,
+}
+
+impl Repeat {
+    /// How one is written, for messages.
+    pub const EXAMPLE: &str = "write it as in `repeat 100 { pin joint -> Rod rod }`";
 }
 
 /// A stop of the route.
 #[derive(Debug)]
 pub enum Stop {
-    /// `ground [at vector] [turned orientation]`
+    /// `ground [at position] [turned …]`
     Ground {
         /// The word itself.
         at: Span,
         /// Where the frame on the ground sits.
-        position: Option<List>,
+        position: Option<Box<Written>>,
         /// How the frame on the ground is turned.
-        turned: Option<Form>,
+        turned: Option<Box<Turn>>,
+    },
+    /// `moving name`
+    Moving {
+        /// The word itself.
+        at: Span,
+        /// The name.
+        name: Option<Ident>,
     },
     /// `kind(arguments) name` or `Type name`
     Element {
@@ -137,10 +182,31 @@ pub enum Written {
     Number(Expr),
     /// `[a, b, c] unit`
     Vector(List),
-    /// `[a, b, c] unit turned orientation`
-    Placement(List, Form),
+    /// `[a, b, c] unit turned orientation`, or with a number in place of the vector
+    Turned(Box<Written>, Turn),
     /// `word(a, b, …) unit about word`
     Form(Form),
+    /// `a unit about word`
+    About(Expr, Ident),
+}
+
+/// What stands behind `turned`.
+#[derive(Debug)]
+pub enum Turn {
+    /// The angle of a turn about an axis that needs not be named.
+    Angle(Expr),
+    /// `word(a, b, …) unit`
+    Form(Form),
+}
+
+impl Turn {
+    /// From the first to the last token.
+    pub fn extent(&self) -> Extent {
+        match self {
+            Turn::Angle(angle) => angle.extent,
+            Turn::Form(form) => form.extent(),
+        }
+    }
 }
 
 impl Written {
@@ -149,8 +215,9 @@ impl Written {
         match self {
             Written::Number(expr) => expr.extent,
             Written::Vector(list) => list.extent,
-            Written::Placement(list, form) => list.extent.to(form.extent()),
+            Written::Turned(position, turn) => position.extent().to(turn.extent()),
             Written::Form(form) => form.extent(),
+            Written::About(expr, point) => expr.extent.to(Extent::token(point.span())),
         }
     }
 
@@ -160,8 +227,9 @@ impl Written {
             Written::Number(Expr { kind: ExprKind::Name(word), .. }) => format!("`{word}`"),
             Written::Number(_) => "a number".into(),
             Written::Vector(_) => "a vector".into(),
-            Written::Placement(..) => "a turned frame".into(),
+            Written::Turned(..) => "a turned frame".into(),
             Written::Form(form) => format!("`{}(…)`", form.word),
+            Written::About(..) => "a number about a point".into(),
         }
     }
 }

@@ -8,7 +8,7 @@ use super::cursor::Cursor;
 use super::tree::{Extent, Unit, UnitFactor};
 
 /// Words that may stand behind a number without being its unit.
-const NOT_UNITS: &[&str] = &["about", "turned", "at"];
+const NOT_UNITS: &[&str] = &["about", "turned", "at", "point"];
 
 /// Powers beyond this one are slips of the keyboard.
 const HIGHEST_POWER: i32 = 9;

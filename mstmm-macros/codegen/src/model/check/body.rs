@@ -1,7 +1,7 @@
 //! Bodies.
 
 use crate::diag::Diagnostics;
-use crate::model::lower::{Draft, Stop};
+use crate::model::lower::{Draft, POINTS, Stop, listed};
 
 /// A type of body that is on no route is a slip, most likely of the route.
 pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
@@ -22,20 +22,41 @@ pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
 
 /// A type of body has mass, centre of mass and inertia, and an output if something follows it.
 pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let (last, stops) = match draft.stops.split_last() {
+        Some((last, stops)) => (Some(last), stops),
+        None => (None, &draft.stops[..]),
+    };
+    let last_is_followed = draft.def.route.iter().flat_map(|route| &route.repeats).any(|repeat| {
+        // By its own hinge, but for the last time.
+        repeat.count > 1 && repeat.stops.end == draft.stops.len()
+    });
     for (index, body) in draft.types.iter().enumerate() {
-        let is_followed = draft.stops.split_last().is_some_and(|(_, stops)| {
-            stops.iter().any(
-                |stop| matches!(stop, Stop::Body { body_type, .. } if *body_type == Some(index)),
-            )
-        });
+        let is_it =
+            |stop: &Stop| matches!(stop, Stop::Body { body_type, .. } if *body_type == Some(index));
+        let is_followed = stops.iter().any(is_it) || (last_is_followed && last.is_some_and(is_it));
         let missing: Vec<_> =
             body.missing(is_followed).iter().map(|name| format!("`{name}`")).collect();
-        let list = match &missing[..] {
-            [] => continue,
-            [only] => only.clone(),
-            [first @ .., last] => format!("{} and {last}", first.join(", ")),
-        };
-        diagnostics.error(body.name.span(), format!("body `{}` needs {list}", body.name));
+        if !missing.is_empty() {
+            let message = format!("body `{}` needs {}", body.name, listed(&missing));
+            diagnostics.error(body.name.span(), message);
+        }
+    }
+}
+
+/// A type of body has a point of a name once, and not one that every body has.
+pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics) {
+    for body in &draft.types {
+        for (index, point) in body.points.iter().enumerate() {
+            let name = point.name;
+            let message = if POINTS.iter().any(|known| name == known) {
+                format!("every body has a point `{name}`")
+            } else if body.points[..index].iter().any(|other| other.name == name) {
+                format!("body `{}` has two points `{name}`", body.name)
+            } else {
+                continue;
+            };
+            diagnostics.error(name.span(), message);
+        }
     }
 }
 

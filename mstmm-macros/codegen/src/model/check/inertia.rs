@@ -2,7 +2,7 @@
 
 use crate::diag::Diagnostics;
 use crate::model::lower::{BodyType, Draft};
-use crate::model::{About, Inertia, Value};
+use crate::model::{About, Dimension, Inertia, Value};
 
 /// How far below zero a second moment may be against the trace of the tensor. Thin rods and flat
 /// plates have second moments of zero, and tensors are often written with two decimals only: this
@@ -42,12 +42,12 @@ pub(super) fn inertias_are_those_of_real_bodies(draft: &Draft, diagnostics: &mut
             continue;
         }
         let slack = TOLERANCE * trace(&tensor);
-        if !has_second_moments(&tensor, slack) {
+        if !is_real(draft.space, &tensor, slack) {
             let message = "no body has this inertia: \
                            a principal moment is more than the sum of the other two";
             diagnostics.error_over(inertia.at, message);
         } else if let Some(central) = about_com(body, &inertia.value, tensor, &defaults)
-            && !has_second_moments(&central, central_slack(&central, &tensor))
+            && !is_real(draft.space, &central, central_slack(&central, &tensor))
         {
             let message = "no body with this mass and centre of mass has so little inertia \
                            about its input; is it `about com`?";
@@ -90,6 +90,14 @@ fn about_com(
         *entry -= mass * steiner;
     }
     Some(central)
+}
+
+/// Whether a body can have this tensor. In a plane nothing is known but its entry about z.
+fn is_real(space: Dimension, tensor: &Tensor, slack: f64) -> bool {
+    match space {
+        Dimension::Space => has_second_moments(tensor, slack),
+        Dimension::Plane | Dimension::Line => tensor[2] + slack >= 0.0,
+    }
 }
 
 /// Whether `½ tr(J) 1 − J + slack 1` is positive definite: whether its pivots are positive. The

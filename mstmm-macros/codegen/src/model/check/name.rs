@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Span};
 
 use crate::diag::Diagnostics;
-use crate::model::lower::{Draft, KINDS, LATER_KINDS, Stop};
+use crate::model::lower::{Draft, KINDS, Stop};
 use crate::syntax::FUNCTIONS;
 
 /// Methods of the generated types, which no hinge, body or parameter can be named after.
@@ -29,12 +29,19 @@ const RESERVED: &[&str] = &[
     "energy",
     "parameters",
     "derivative_into",
+    "implicit_derivative_into",
+    "configuration_rate_into",
     "normalize",
     "points",
+    "closure",
+    "assemble",
 ];
 
+/// Fields that the inputs of a chain may have.
+const INPUTS: &[&str] = &["gravity"];
+
 /// Words that a type of body cannot be named after, with the kinds of hinges.
-const ROUTE_WORDS: &[&str] = &["ground", "repeat", "at", "turned"];
+const ROUTE_WORDS: &[&str] = &["ground", "moving", "repeat", "at", "turned"];
 
 /// Words that a number cannot be named after, with the functions.
 const NUMBER_WORDS: &[&str] = &["PI", "input", "riccati", "transfer"];
@@ -42,7 +49,7 @@ const NUMBER_WORDS: &[&str] = &["PI", "input", "riccati", "transfer"];
 /// Keywords that older editions of Rust, and so the parser, let pass.
 const LATER_KEYWORDS: &[&str] = &["gen"];
 
-/// A name of a hinge, a body or a parameter.
+/// A name of a hinge, a body, a moving end, a parameter, a load or a spring.
 struct Name<'a> {
     ident: &'a Ident,
     /// Whether it was made from the name of the type.
@@ -59,7 +66,14 @@ fn names<'a>(draft: &'a Draft) -> Vec<Name<'a>> {
         let made = matches!(stop, Stop::Body { named: false, .. });
         Some(Name { ident: stop.name()?, made, has_mut: true })
     });
-    parameters.chain(stops).collect()
+    let acting = acting(draft).map(|ident| Name { ident, made: false, has_mut: false });
+    parameters.chain(stops).chain(acting).collect()
+}
+
+/// The names of loads and springs.
+fn acting<'a>(draft: &'a Draft) -> impl Iterator<Item = &'a Ident> {
+    let springs = draft.springs.iter().map(|spring| spring.name);
+    draft.loads.iter().map(|load| load.name).chain(springs)
 }
 
 /// Names become methods and types, so they must be identifiers that are no keywords of Rust.
@@ -89,7 +103,7 @@ pub(super) fn chains_are_not_called_like_their_numbers(
     }
 }
 
-/// Hinges, bodies and parameters are called by their names: no two have the same one. A hinge or
+/// Hinges, bodies, parameters and what acts on bodies are called by their names: no two have the same one. A hinge or
 /// body `x` has a method `x_mut` too.
 pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) {
     let names = names(draft);
@@ -118,6 +132,22 @@ pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) 
     }
 }
 
+/// The inputs of a load `x` are called `x_force` and `x_torque`.
+pub(super) fn inputs_of_loads_have_a_name_of_their_own(
+    draft: &Draft,
+    diagnostics: &mut Diagnostics,
+) {
+    let names = names(draft);
+    for load in draft.loads.iter().map(|load| load.name) {
+        for input in [format!("{load}_force"), format!("{load}_torque")] {
+            if let Some(other) = names.iter().find(|other| other.ident == &input) {
+                let message = format!("`{input}` is what an input of load `{load}` is called");
+                diagnostics.error(other.ident.span(), message);
+            }
+        }
+    }
+}
+
 /// A hinge, body or parameter must leave the methods alone that every chain has.
 pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostics) {
     for name in names(draft) {
@@ -126,6 +156,10 @@ pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostic
         let clashes = |word: &&str| *word == text || (name.has_mut && *word == mutable);
         if RESERVED.iter().any(clashes) {
             let message = format!("`{text}` is a method of every chain and cannot be a name");
+            diagnostics.error(name.ident.span(), message);
+        }
+        if INPUTS.contains(&&*text) {
+            let message = format!("`{text}` is an input of chains and cannot be a name");
             diagnostics.error(name.ident.span(), message);
         }
     }
@@ -144,8 +178,7 @@ pub(super) fn types_are_described_once(draft: &Draft, diagnostics: &mut Diagnost
 /// A type of body cannot be named after a word of the route.
 pub(super) fn types_are_not_words_of_the_language(draft: &Draft, diagnostics: &mut Diagnostics) {
     let kinds = KINDS.iter().map(|kind| kind.word);
-    let words: Vec<_> =
-        kinds.chain(LATER_KINDS.iter().copied()).chain(ROUTE_WORDS.iter().copied()).collect();
+    let words: Vec<_> = kinds.chain(ROUTE_WORDS.iter().copied()).collect();
     let names = draft.types.iter().map(|body| body.name);
     refuse_words(names.map(|name| (name, name.span())), &words, diagnostics);
 }

@@ -3,10 +3,12 @@
 use proc_macro2::Span;
 
 use crate::diag::Diagnostics;
-use crate::model::lower::{Draft, Stop};
+use crate::model::Drive;
+use crate::model::lower::{Draft, Properties, Stop};
+use crate::syntax::Repeat;
 
 /// The stops, if all of the route could be read; what is lost cannot be judged.
-fn whole_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [Stop<'a>] {
+pub(super) fn whole_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [Stop<'a>] {
     match &draft.def.route {
         Some(route) if route.whole => &draft.stops,
         _ => &[],
@@ -14,9 +16,13 @@ fn whole_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [Stop<'a>] {
 }
 
 /// What a message about a stop points at, and how it calls the stop.
-fn called(stop: &Stop) -> Option<(Span, String)> {
+pub(super) fn called(stop: &Stop) -> Option<(Span, String)> {
     match stop {
         Stop::Ground { at, .. } => Some((*at, "`ground`".into())),
+        Stop::Moving { at, name } => Some((
+            *at,
+            name.map_or_else(|| "`moving`".into(), |name| format!("moving end `{name}`")),
+        )),
         Stop::Hinge { word, name, .. } => Some(match name {
             Some(name) => (name.span(), format!("hinge `{name}`")),
             None => (word.span(), format!("`{word}`")),
@@ -40,21 +46,37 @@ pub(super) fn there_is_a_route_with_a_body(draft: &Draft, diagnostics: &mut Diag
     }
 }
 
-/// The ground holds an end of the chain.
+/// The repeated part that a stop is in.
+fn repeat_around<'d>(draft: &'d Draft, stop: usize) -> Option<&'d Repeat> {
+    let mut repeats = draft.def.route.iter().flat_map(|route| &route.repeats);
+    repeats.find(|repeat| repeat.stops.contains(&stop))
+}
+
+/// Only the ends of the chain are held or moved.
 pub(super) fn ground_is_at_the_ends(draft: &Draft, diagnostics: &mut Diagnostics) {
     let [_, middle @ .., _] = whole_route(draft) else { return };
-    for stop in middle {
-        if let Stop::Ground { at, .. } = stop {
-            diagnostics.error(*at, "`ground` can only stand at an end of the route");
+    for (index, stop) in middle.iter().enumerate() {
+        let (at, word) = match stop {
+            Stop::Ground { at, .. } => (*at, "ground"),
+            Stop::Moving { at, .. } => (*at, "moving"),
+            _ => continue,
+        };
+        // One in a repeated part is reported there.
+        if repeat_around(draft, index + 1).is_none() {
+            let message = format!("`{word}` can only stand at an end of the route");
+            diagnostics.error(at, message);
         }
     }
 }
 
-/// Between two bodies, and between the ground and a body, there is one hinge.
+/// Between two bodies, and between an end and a body, there is one hinge.
 pub(super) fn hinges_and_bodies_alternate(draft: &Draft, diagnostics: &mut Diagnostics) {
     let stops = whole_route(draft);
     for (index, pair) in stops.windows(2).enumerate() {
         let [first, second] = pair else { continue };
+        if seam_is_wrong(draft, index) {
+            continue;
+        }
         let at_start = index == 0;
         let at_end = index + 2 == stops.len();
         let (Some((_, first_name)), Some((at, second_name))) = (called(first), called(second))
@@ -72,10 +94,10 @@ pub(super) fn hinges_and_bodies_alternate(draft: &Draft, diagnostics: &mut Diagn
                     [&first_name, &second_name].map(|name| name.trim_start_matches("body "));
                 format!("bodies {first} and {second} have no hinge between them")
             }
-            (Stop::Ground { .. }, Stop::Body { .. }) if at_start => {
+            (Stop::Ground { .. } | Stop::Moving { .. }, Stop::Body { .. }) if at_start => {
                 format!("{first_name} and {second_name} have no hinge between them")
             }
-            (Stop::Body { .. }, Stop::Ground { .. }) if at_end => {
+            (Stop::Body { .. }, Stop::Ground { .. } | Stop::Moving { .. }) if at_end => {
                 format!("{first_name} and {second_name} have no hinge between them")
             }
             _ => continue,
@@ -84,12 +106,24 @@ pub(super) fn hinges_and_bodies_alternate(draft: &Draft, diagnostics: &mut Diagn
     }
 }
 
+/// Whether a repeated part begins or ends between this stop and the next one and does so with the
+/// wrong stop, which is reported there.
+fn seam_is_wrong(draft: &Draft, stop: usize) -> bool {
+    let begins = repeat_around(draft, stop + 1).filter(|repeat| repeat.stops.start == stop + 1);
+    let ends = repeat_around(draft, stop).filter(|repeat| repeat.stops.end == stop + 1);
+    (begins.is_some() && !matches!(draft.stops[stop + 1], Stop::Hinge { .. }))
+        || (ends.is_some() && !matches!(draft.stops[stop], Stop::Body { .. }))
+}
+
 /// A free end is a body's: a hinge at the end would join it to nothing.
 pub(super) fn hinges_join_something_on_both_sides(draft: &Draft, diagnostics: &mut Diagnostics) {
     let stops = whole_route(draft);
-    let ends = [(stops.first(), "begin"), (stops.last(), "end")];
-    for (stop, verb) in ends {
-        let Some(stop @ Stop::Hinge { .. }) = stop else { continue };
+    let Some(last) = stops.len().checked_sub(1) else { return };
+    for (index, verb) in [(0, "begin"), (last, "end")] {
+        let stop = &stops[index];
+        if !matches!(stop, Stop::Hinge { .. }) || repeat_around(draft, index).is_some() {
+            continue;
+        }
         let Some((at, name)) = called(stop) else { continue };
         let message =
             format!("{name} joins nothing: {verb} the route with a body or with `ground`");
@@ -97,9 +131,28 @@ pub(super) fn hinges_join_something_on_both_sides(draft: &Draft, diagnostics: &m
     }
 }
 
-/// A chain that is held at both ends is a loop.
-pub(super) fn one_end_at_most_is_held(draft: &Draft, diagnostics: &mut Diagnostics) {
-    if let [Stop::Ground { .. }, .., Stop::Ground { at, .. }] = whole_route(draft) {
-        diagnostics.error(*at, "a chain held at both ends is not supported yet");
+/// Between two ends that are held or moved, something must give way.
+pub(super) fn closed_chains_can_move(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let is_end = |stop: &Stop| matches!(stop, Stop::Ground { .. } | Stop::Moving { .. });
+    let [first, middle @ .., last] = whole_route(draft) else { return };
+    if !(is_end(first) && is_end(last)) {
+        return;
+    }
+    let properties = draft.properties.iter().skip(1);
+    let is_rigid = |(stop, properties): (&Stop, &Properties)| match stop {
+        Stop::Body { .. } => true,
+        Stop::Hinge { shape, .. } => {
+            let motion = properties.motion.as_ref();
+            shape.groups.is_empty() || motion.is_some_and(|motion| motion.drive == Drive::Motion)
+        }
+        Stop::Ground { .. } | Stop::Moving { .. } | Stop::Unknown { .. } => false,
+    };
+    let has_body = middle.iter().any(|stop| matches!(stop, Stop::Body { .. }));
+    if let Some((at, _)) = called(last)
+        && has_body
+        && middle.iter().zip(properties).all(is_rigid)
+    {
+        let message = "the chain is held at both ends and no hinge between them is free to move";
+        diagnostics.error(at, message);
     }
 }

@@ -1,12 +1,13 @@
 //! Floating: a place in m and a unit quaternion (w, x, y, z); a velocity in m/s and an angular
 //! velocity in rad/s.
 
-use super::{Group, Results, Shape, View, one, zero};
+use super::{Group, Shape, View, one, quaternion, shifts, zero};
 
 pub(super) const SHAPE: Shape = Shape {
     word: "floating",
     coordinates: &[zero("x"), zero("y"), zero("z"), one("qw"), zero("qx"), zero("qy"), zero("qz")],
     rates: &["vx", "vy", "vz", "wx", "wy", "wz"],
+    groups: &[shifts(3), quaternion(3)],
     view: Some(View {
         name: "FloatingState",
         groups: &[
@@ -16,7 +17,4 @@ pub(super) const SHAPE: Shape = Shape {
             Group::Rates(3..6),
         ],
     }),
-    // Implied hinges have no results of their own: their body has.
-    results: Results::Nothing,
-    effort: "",
 };

@@ -1,12 +1,6 @@
-//! Weld: no numbers.
+//! Weld: nothing.
 
-use super::{Results, Shape};
+use super::Shape;
 
-pub(super) const SHAPE: Shape = Shape {
-    word: "weld",
-    coordinates: &[],
-    rates: &[],
-    view: None,
-    results: Results::Nothing,
-    effort: "",
-};
+pub(super) const SHAPE: Shape =
+    Shape { word: "weld", coordinates: &[], rates: &[], groups: &[], view: None };

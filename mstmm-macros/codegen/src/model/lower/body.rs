@@ -5,12 +5,14 @@ use proc_macro2::Ident;
 use super::context::{Context, Given};
 use super::dimension::{LENGTH, MASS};
 use super::fields::{self, Fields};
-use super::orientation::frame;
-use crate::model::{Frame, Inertia, Value};
-use crate::syntax::{Block, BlockWord, ChainDef, Extent, Written};
+use super::vector::zeros;
+use crate::model::{About, Dimension, Frame, Inertia, Value};
+use crate::syntax::{Block, BlockWord, ChainDef, Extent, Field, Written};
 
 /// The fields of a type of body.
 const FIELDS: &[&str] = &["mass", "com", "inertia", "output"];
+/// Its fields in a line chain, where nothing turns.
+const LINE_FIELDS: &[&str] = &["mass", "com", "output"];
 
 /// A type of body as far as it could be read.
 pub(crate) struct BodyType<'a> {
@@ -24,7 +26,18 @@ pub(crate) struct BodyType<'a> {
     pub inertia: Option<Given<Inertia>>,
     /// The output frame.
     pub output: Option<Given<Frame>>,
+    /// Its points that have a name, in m.
+    pub points: Vec<Point<'a>>,
     block: &'a Block,
+    space: Dimension,
+}
+
+/// A point that has a name.
+pub(crate) struct Point<'a> {
+    /// The name.
+    pub name: &'a Ident,
+    /// Where it is in the body frame, in m.
+    pub position: Option<[Value; 3]>,
 }
 
 /// Whether a block describes a type of body.
@@ -44,37 +57,72 @@ fn body_type<'a>(block: &'a Block, context: &mut Context) -> Option<BodyType<'a>
         context.diagnostics.error(other.span(), "a block describes one type of body");
     }
     let mut given = Fields::default();
-    let owner = format!("body `{name}`");
+    let owner = format!("body `{name}`{}", context.of_chain());
     for field in &block.fields {
-        given.add(field, FIELDS, &owner, context);
+        given.add(field, known(context.space), &owner, context);
     }
     let [mass, com, inertia, output] = ["mass", "com", "inertia", "output"].map(|f| given.get(f));
-    Some(BodyType {
+    let body_type = BodyType {
         name,
         mass: mass.and_then(|f| context.field(f, |all, it| all.written_number(it, MASS))),
         com: com.and_then(|f| context.field(f, |all, it| all.written_vector(it, LENGTH))),
         inertia: inertia.and_then(|f| context.field(f, |all, it| all.written_inertia(it))),
-        output: output
-            .and_then(|f| context.field(f, |all, it| all.written_placement(it).map(frame))),
+        output: output.and_then(|f| context.field(f, |all, it| all.written_frame(it))),
+        points: block.points.iter().map(|point| self::point(point, context)).collect(),
         block,
-    })
+        space: context.space,
+    };
+    Some(body_type.with_line_defaults(Extent::token(name.span())))
+}
+
+fn point<'a>(point: &'a Field, context: &mut Context) -> Point<'a> {
+    let position = context.field(point, |all, it| all.written_vector(it, LENGTH));
+    Point { name: &point.name, position: position.map(|given| given.value) }
+}
+
+fn known(space: Dimension) -> &'static [&'static str] {
+    match space {
+        Dimension::Line => LINE_FIELDS,
+        Dimension::Space | Dimension::Plane => FIELDS,
+    }
 }
 
 impl BodyType<'_> {
+    /// In a line chain nothing turns: there is no inertia, and the centre of mass plays no part.
+    fn with_line_defaults(mut self, at: Extent) -> Self {
+        if self.space == Dimension::Line {
+            let tensor = [(); 6].map(|()| Value::number(0.0));
+            self.inertia = Some(Given { value: Inertia { tensor, about: About::Com }, at });
+            if self.gives("com").is_none() {
+                self.com = Some(Given { value: zeros(), at });
+            }
+        }
+        self
+    }
+
+    fn gives(&self, name: &str) -> Option<&Field> {
+        self.block.fields.iter().find(|field| field.name == name)
+    }
+
     /// The fields that it lacks; it needs an output where something follows on the route.
     pub fn missing(&self, output_is_used: bool) -> Vec<&'static str> {
-        let required = if output_is_used { FIELDS } else { &FIELDS[..3] };
         if !self.block.whole {
             return Vec::new();
         }
-        fields::missing(&self.block.fields, required, FIELDS)
+        let may_miss = |field: &&str| {
+            (*field == "output" && !output_is_used)
+                || (*field == "com" && self.space == Dimension::Line)
+        };
+        let known = known(self.space);
+        let required: Vec<_> = known.iter().copied().filter(|field| !may_miss(field)).collect();
+        fields::missing(&self.block.fields, &required, known)
     }
 
     /// Where an entry of the inertia tensor stands.
     pub fn inertia_entry(&self, index: usize) -> Option<Extent> {
-        let field = self.block.fields.iter().find(|field| field.name == "inertia")?;
-        match field.value.as_ref()? {
+        match self.gives("inertia")?.value.as_ref()? {
             Written::Form(form) => form.list.entries.get(index).map(|entry| entry.extent),
+            Written::Number(expr) | Written::About(expr, _) => Some(expr.extent),
             _ => None,
         }
     }

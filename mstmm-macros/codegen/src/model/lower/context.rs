@@ -5,11 +5,13 @@ use quote::ToTokens;
 
 use super::dimension::Dimension;
 use crate::diag::Diagnostics;
-use crate::model::{Symbol, Value};
+use crate::model::{self, Symbol, Value};
 use crate::syntax::{Extent, Field, Written};
 
 /// Names, constants and mistakes.
 pub(super) struct Context<'a> {
+    /// In how many directions the chain moves.
+    pub space: model::Dimension,
     /// The parameters that may be used.
     pub parameters: Vec<(&'a Ident, Measure)>,
     /// The parameters that may not be used yet.
@@ -48,8 +50,9 @@ pub(crate) struct Given<T> {
 
 impl<'a> Context<'a> {
     /// Knows nothing yet.
-    pub fn new(whole: bool, diagnostics: &'a mut Diagnostics) -> Self {
+    pub fn new(space: model::Dimension, whole: bool, diagnostics: &'a mut Diagnostics) -> Self {
         Context {
+            space,
             parameters: Vec::new(),
             later_parameters: Vec::new(),
             constants: Vec::new(),
@@ -63,6 +66,15 @@ impl<'a> Context<'a> {
     pub fn refuse<T>(&mut self, at: impl ToTokens, message: impl std::fmt::Display) -> Option<T> {
         self.diagnostics.error_over(at, message);
         None
+    }
+
+    /// What the chain is, where that is worth a word: ` of a plane chain`.
+    pub fn of_chain(&self) -> &'static str {
+        match self.space {
+            model::Dimension::Space => "",
+            model::Dimension::Plane => " of a plane chain",
+            model::Dimension::Line => " of a line chain",
+        }
     }
 
     /// Reads the value of a field. A mistake in it is reported once, whoever shares the field.

@@ -39,7 +39,15 @@ pub(super) const VELOCITY: &Quantity = &quantity("a velocity", "m/s", [1, 0, -1,
 pub(super) const ACCELERATION: &Quantity = &quantity("an acceleration", "m/s^2", [1, 0, -2, 0]);
 pub(super) const RATE: &Quantity = &quantity("an angular velocity", "rad/s", [0, 0, -1, 1]);
 pub(super) const INERTIA: &Quantity = &quantity("a moment of inertia", "kg*m^2", [2, 1, 0, 0]);
+pub(super) const FORCE: &Quantity = &quantity("a force", "N", [1, 1, -2, 0]);
 pub(super) const TORQUE: &Quantity = &quantity("a torque", "N*m", [2, 1, -2, 0]);
+pub(super) const STIFFNESS: &Quantity = &quantity("a stiffness", "N/m", [0, 1, -2, 0]);
+pub(super) const DAMPING: &Quantity = &quantity("a damping", "N*s/m", [0, 1, -1, 0]);
+pub(super) const TURNING_STIFFNESS: &Quantity =
+    &quantity("a turning stiffness", "N*m/rad", [2, 1, -2, -1]);
+pub(super) const TURNING_DAMPING: &Quantity =
+    &quantity("a turning damping", "N*m*s/rad", [2, 1, -1, -1]);
+pub(super) const PITCH: &Quantity = &quantity("a pitch", "m/rad", [1, 0, 0, -1]);
 
 /// All quantities that have a name. A dimension is called by the first line that it matches.
 const QUANTITIES: &[&Quantity] = &[
@@ -51,19 +59,21 @@ const QUANTITIES: &[&Quantity] = &[
     ACCELERATION,
     RATE,
     INERTIA,
+    FORCE,
     TORQUE,
+    STIFFNESS,
+    DAMPING,
+    TURNING_STIFFNESS,
+    TURNING_DAMPING,
+    PITCH,
     &quantity("a time", "s", [0, 0, 1, 0]),
     &quantity("a frequency", "1/s", [0, 0, -1, 0]),
     &quantity("an angular acceleration", "rad/s^2", [0, 0, -2, 1]),
-    &quantity("a force", "N", [1, 1, -2, 0]),
     &quantity("a power", "W", [2, 1, -3, 0]),
     &quantity("a pressure", "Pa", [-1, 1, -2, 0]),
     &quantity("an area", "m^2", [2, 0, 0, 0]),
     &quantity("a volume", "m^3", [3, 0, 0, 0]),
     &quantity("a density", "kg/m^3", [-3, 1, 0, 0]),
-    &quantity("a stiffness", "N/m", [0, 1, -2, 0]),
-    &quantity("a damping", "N*s/m", [0, 1, -1, 0]),
-    &quantity("a turning damping", "N*m*s/rad", [2, 1, -1, -1]),
     &quantity("a momentum", "kg*m/s", [1, 1, -1, 0]),
 ];
 

@@ -1,18 +1,28 @@
 //! A chain on its way from what was written to what was meant.
 
+use proc_macro2::Ident;
+
 use super::body::BodyType;
 use super::context::Given;
-use super::hinge::Motion;
-use super::properties;
+use super::hinge::{Motion, of_everything};
+use super::load::{LoadDraft, SpringDraft};
+use super::numbering::Numbers;
+use super::properties::{self, Properties};
 use super::route::Stop;
 use super::setting::Settings;
-use crate::model::{Body, Chain, Element, Frame, Hinge, HingeKind, Parameter, Place};
-use crate::syntax::ChainDef;
+use super::vector::zeros;
+use crate::model::{
+    About, Body, BodyId, Chain, Dimension, Drive, Element, Frame, Hinge, HingeKind, Inertia,
+    Parameter, Place, Repeat, Role, Value,
+};
+use crate::syntax::{self, ChainDef};
 
 /// A chain as far as it could be read.
 pub(crate) struct Draft<'a> {
     /// As written.
     pub def: &'a ChainDef,
+    /// In how many directions it moves.
+    pub space: Dimension,
     /// Settings of the whole chain.
     pub(super) settings: Settings,
     /// Numbers that may change at run time.
@@ -23,8 +33,12 @@ pub(crate) struct Draft<'a> {
     pub types: Vec<BodyType<'a>>,
     /// All stops of the route.
     pub stops: Vec<Stop<'a>>,
-    /// How the stops move at first, one for each.
-    pub motions: Vec<Option<Motion>>,
+    /// What is said of the stops, one for each.
+    pub properties: Vec<Properties<'a>>,
+    /// All loads.
+    pub loads: Vec<LoadDraft<'a>>,
+    /// All springs to the ground.
+    pub springs: Vec<SpringDraft<'a>>,
 }
 
 impl Draft<'_> {
@@ -35,63 +49,78 @@ impl Draft<'_> {
 
     /// The chain; nothing where a part is missing, which is reported then.
     pub fn finish(self) -> Option<Chain> {
-        let mut chain = Chain {
-            name: self.def.name.clone(),
-            gravity: self.settings.gravity.clone()?,
-            parameters: self.parameters.clone(),
-            constants: self.constants,
-            bodies: Vec::new(),
-            hinges: Vec::new(),
-            route: Vec::new(),
-            method: self.settings.method,
-        };
-        chain.hinges.extend(self.implied_hinge());
+        let numbers = Numbers::of(&self.stops);
+        let mut bodies = Vec::new();
+        let mut hinges = self.implied_hinges(&numbers)?;
+        let mut route = Vec::new();
         for (index, stop) in self.stops.iter().enumerate() {
             match stop {
-                Stop::Ground { .. } => {}
-                Stop::Hinge { name, frees, .. } => {
-                    // As many bodies as there are so far: the next one has this index.
-                    let next = chain.bodies.len();
-                    let inboard = match self.stops.get(index.checked_sub(1)?)? {
-                        Stop::Ground { frame, .. } => Place::Ground(frame.clone()?),
-                        _ => Place::Output(next.checked_sub(1)?),
-                    };
-                    let outboard = match self.stops.get(index + 1)? {
-                        Stop::Ground { frame, .. } => Place::Ground(frame.clone()?),
-                        _ => Place::Input(next),
-                    };
-                    let Given { value: kind, .. } = frees.clone()?;
-                    let Motion { start, start_rate, effort } = self.motions[index].clone()?;
-                    let name = (*name)?.clone();
-                    chain.route.push(Element::Hinge(chain.hinges.len()));
-                    let hinge = Hinge { name, kind, inboard, outboard, start, start_rate, effort };
-                    chain.hinges.push(hinge);
+                Stop::Ground { .. } | Stop::Moving { .. } => {}
+                Stop::Hinge { .. } => {
+                    route.push(Element::Hinge(hinges.len()));
+                    hinges.push(self.hinge(index, &numbers)?);
                 }
                 Stop::Body { .. } => {
-                    chain.route.push(Element::Body(chain.bodies.len()));
-                    chain.bodies.push(self.body(stop)?);
+                    route.push(Element::Body(bodies.len()));
+                    bodies.push(self.body(stop)?);
                 }
                 Stop::Unknown { .. } => return None,
             }
         }
-        Some(chain)
+        let ends = self.stops.iter().filter(|stop| matches!(stop, Stop::Moving { .. }));
+        for end in ends {
+            bodies.push(end_body(end.name()?));
+        }
+        Some(Chain {
+            name: self.def.name.clone(),
+            dimension: self.space,
+            gravity: self.settings.gravity.clone()?,
+            parameters: self.parameters.clone(),
+            constants: self.constants,
+            bodies,
+            hinges,
+            route,
+            repeats: self.repeats(&numbers),
+            loads: self.loads.into_iter().map(LoadDraft::finish).collect::<Option<_>>()?,
+            springs: self.springs.into_iter().map(SpringDraft::finish).collect::<Option<_>>()?,
+            method: self.settings.method,
+        })
     }
 
-    /// The hinge by which a floating chain is free of the ground.
-    fn implied_hinge(&self) -> Option<Hinge> {
-        if !properties::floats(&self.stops) {
-            return None;
+    /// The hinges that are not on the route, all from the ground to the input of a body: that by
+    /// which a floating chain is free of it, or those that move the moving ends.
+    fn implied_hinges(&self, numbers: &Numbers) -> Option<Vec<Hinge>> {
+        let kind = || of_everything(self.space);
+        let implied = |name: &Ident, body: BodyId, motion: Motion| {
+            let inboard = Place::Ground(Frame::identity());
+            hinge(name.clone(), kind(), [inboard, Place::Input(body)], motion)
+        };
+        if properties::floats(&self.stops) {
+            let motion = self.properties.first()?.motion.clone()?;
+            return Some(vec![implied(self.stops.first()?.name()?, 0, motion)]);
         }
-        let Motion { start, start_rate, effort } = self.motions.first()?.clone()?;
-        Some(Hinge {
-            name: self.stops.first()?.name()?.clone(),
-            kind: HingeKind::Floating,
-            inboard: Place::Ground(Frame::identity()),
-            outboard: Place::Input(0),
-            start,
-            start_rate,
-            effort,
-        })
+        let ends = self.stops.iter().enumerate();
+        let ends = ends.filter(|(_, stop)| matches!(stop, Stop::Moving { .. }));
+        let end = |(index, stop): (usize, &Stop)| {
+            let motion = Motion { drive: Drive::Motion, ..Motion::none(kind().shape()) };
+            Some(implied(stop.name()?, numbers.body(index), motion))
+        };
+        ends.map(end).collect()
+    }
+
+    /// The hinge at this stop.
+    fn hinge(&self, index: usize, numbers: &Numbers) -> Option<Hinge> {
+        let Stop::Hinge { name, frees, .. } = self.stops.get(index)? else { return None };
+        let Given { value: kind, .. } = frees.clone()?;
+        let motion = self.properties.get(index)?.motion.clone()?;
+        let place = |index: usize, on: fn(BodyId) -> Place| match self.stops.get(index)? {
+            Stop::Ground { frame, .. } => Some(Place::Ground(frame.clone()?)),
+            // A moving end is a body whose output is its input.
+            Stop::Body { .. } | Stop::Moving { .. } => Some(on(numbers.body(index))),
+            Stop::Hinge { .. } | Stop::Unknown { .. } => None,
+        };
+        let sides = [place(index.checked_sub(1)?, Place::Output)?, place(index + 1, Place::Input)?];
+        Some(hinge((*name)?.clone(), kind, sides, motion))
     }
 
     fn body(&self, stop: &Stop) -> Option<Body> {
@@ -104,6 +133,40 @@ impl Draft<'_> {
             com: body_type.com.clone()?.value,
             inertia: body_type.inertia.clone()?.value,
             output: body_type.output.clone().map_or_else(Frame::identity, |given| given.value),
+            role: Role::Matter,
         })
+    }
+
+    fn repeats(&self, numbers: &Numbers) -> Vec<Repeat> {
+        let written = self.def.route.iter().flat_map(|route| &route.repeats);
+        let repeat = |repeat: &syntax::Repeat| {
+            let stops = repeat.stops.clone();
+            Repeat {
+                count: repeat.count,
+                hinges: numbers.hinges(stops.clone()),
+                bodies: numbers.bodies(stops.clone()),
+                route: numbers.elements(stops),
+            }
+        };
+        written.map(repeat).collect()
+    }
+}
+
+fn hinge(name: Ident, kind: HingeKind, [inboard, outboard]: [Place; 2], motion: Motion) -> Hinge {
+    let Motion { start, start_rate, rest, drive, passive } = motion;
+    Hinge { name, kind, inboard, outboard, start, start_rate, rest, drive, passive }
+}
+
+/// What stands for a moving end: it has no mass.
+fn end_body(name: &Ident) -> Body {
+    let zero = || Value::number(0.0);
+    Body {
+        name: name.clone(),
+        type_name: name.clone(),
+        mass: zero(),
+        com: zeros(),
+        inertia: Inertia { tensor: [(); 6].map(|()| zero()), about: About::Com },
+        output: Frame::identity(),
+        role: Role::End,
     }
 }

@@ -6,39 +6,50 @@ use crate::syntax::Field;
 
 /// Fields by name, each known and given once.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Fields<'a> {
+pub(crate) struct Fields<'a> {
     fields: Vec<&'a Field>,
+    refused: bool,
 }
-
-/// Fields that are kept for later.
-const LATER_FIELDS: &[&str] =
-    &["stiffness", "damping", "armature", "rest", "friction", "limits", "motion"];
 
 impl<'a> Fields<'a> {
     /// Takes a field, unless it is not `known` or given twice, which is reported.
     /// `owner` is whom it speaks of.
-    pub fn add(
+    pub(in crate::model::lower) fn add(
         &mut self,
         field: &'a Field,
         known: &[&str],
         owner: &str,
         context: &mut Context,
     ) -> Option<()> {
+        let message = self.fault(field, known, owner);
+        let Some(message) = message else {
+            self.fields.push(field);
+            return Some(());
+        };
+        self.refuse();
+        // One without a value is reported already: it may be no field at all.
+        field.value.as_ref()?;
+        context.refuse(&field.name, message)
+    }
+
+    /// What is wrong with a field.
+    fn fault(&self, field: &Field, known: &[&str], owner: &str) -> Option<String> {
         let name = field.name.to_string();
         if !known.contains(&name.as_str()) {
-            // One without a value is reported already: it may be no field at all.
-            field.value.as_ref()?;
-            if LATER_FIELDS.contains(&name.as_str()) {
-                return context.refuse(&field.name, format!("`{name}` is not supported yet"));
-            }
             let hint = did_you_mean(&name, known.iter().copied());
-            return context.refuse(&field.name, format!("{owner} has no field `{name}`{hint}"));
+            return Some(format!("{owner} has no field `{name}`{hint}"));
         }
-        if self.get(&name).is_some() {
-            return context.refuse(&field.name, format!("`{name}` of {owner} is given twice"));
-        }
-        self.fields.push(field);
-        Some(())
+        self.get(&name).map(|_| format!("`{name}` of {owner} is given twice"))
+    }
+
+    /// Notes that a field could not be taken, so that none is missed on its account.
+    pub fn refuse(&mut self) {
+        self.refused = true;
+    }
+
+    /// Whether the field of this name is missing.
+    pub fn lacks(&self, name: &str) -> bool {
+        !self.refused && self.get(name).is_none()
     }
 
     /// The field of this name.
@@ -62,4 +73,14 @@ pub(super) fn missing<'r>(fields: &[Field], required: &[&'r str], known: &[&str]
         })
     };
     required.iter().copied().filter(|name| !is_meant(name)).collect()
+}
+
+/// `a`, `a and b`, `a, b and c`
+pub(crate) fn listed(words: &[impl AsRef<str>]) -> String {
+    let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
+    match &words[..] {
+        [] => String::new(),
+        [only] => (*only).to_owned(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
 }

@@ -1,10 +1,12 @@
 //! Inertia tensors.
 
+use proc_macro2::Ident;
+
 use super::context::Context;
 use super::dimension::{INERTIA, Quantity};
 use crate::diag::did_you_mean;
-use crate::model::{About, Inertia, Value};
-use crate::syntax::{Form, Written};
+use crate::model::{About, Dimension, Inertia, Value};
+use crate::syntax::{Extent, Form, Written};
 
 /// Reads the parentheses of one way to write a tensor: xx, yy, zz, xy, xz, yz.
 type Reader = fn(&mut Context, &Form, &Quantity) -> Option<[Value; 6]>;
@@ -29,6 +31,9 @@ impl Context<'_> {
     /// An inertia tensor behind `=`.
     pub fn written_inertia(&mut self, written: &Written) -> Option<Inertia> {
         const EXPECTED: &str = "expected `diag(xx, yy, zz)` or `tensor(xx, yy, zz, xy, xz, yz)`";
+        if self.space == Dimension::Plane {
+            return self.plane_inertia(written);
+        }
         let Written::Form(form) = written else {
             let message = format!("{EXPECTED}, found {}", written.described());
             return self.refuse(written.extent(), message);
@@ -39,14 +44,34 @@ impl Context<'_> {
             return self.refuse(&form.word, format!("{EXPECTED}, found `{word}`{hint}"));
         };
         let tensor = read(self, form, INERTIA);
-        let about = self.about(form);
+        let about = self.about(Extent::token(form.word.span()), form.about.as_ref());
         Some(Inertia { tensor: tensor?, about: about? })
     }
 
-    fn about(&mut self, form: &Form) -> Option<About> {
-        let Some(point) = &form.about else {
+    /// In a plane only turns about z count.
+    fn plane_inertia(&mut self, written: &Written) -> Option<Inertia> {
+        let (expr, point) = match written {
+            Written::Number(expr) => (expr, None),
+            Written::About(expr, point) => (expr, Some(point)),
+            other => {
+                let found = other.described();
+                let message = format!(
+                    "in a plane chain an inertia is a number as in `0.1 kg*m^2 about com`, found {found}"
+                );
+                return self.refuse(other.extent(), message);
+            }
+        };
+        let about_z = self.number(expr, INERTIA);
+        let about = self.about(expr.extent, point);
+        let mut tensor = [(); 6].map(|()| Value::number(0.0));
+        tensor[2] = about_z?;
+        Some(Inertia { tensor, about: about? })
+    }
+
+    fn about(&mut self, inertia: Extent, point: Option<&Ident>) -> Option<About> {
+        let Some(point) = point else {
             let message = "an inertia is about a point: end with `about com` or `about input`";
-            return self.refuse(&form.word, message);
+            return self.refuse(inertia, message);
         };
         let known = POINTS.iter().find(|(word, _)| point == word).map(|&(_, about)| about);
         if known.is_none() {

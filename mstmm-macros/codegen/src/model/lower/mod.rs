@@ -10,7 +10,9 @@ mod draft;
 mod fields;
 mod hinge;
 mod inertia;
+mod load;
 mod number;
+mod numbering;
 mod orientation;
 mod parameter;
 mod properties;
@@ -20,27 +22,50 @@ mod unit;
 mod vector;
 
 pub(super) use body::BodyType;
+pub(super) use context::Given;
 pub(super) use draft::Draft;
-pub(super) use hinge::{KINDS, LATER_KINDS};
+pub(super) use fields::{Fields, listed};
+pub(super) use hinge::{KINDS, Words, groups};
+pub(super) use load::POINTS;
+pub(super) use properties::Properties;
 pub(super) use route::Stop;
 
 use crate::diag::Diagnostics;
-use crate::syntax::{ChainDef, Surface};
+use crate::model::Dimension;
+use crate::syntax::{ChainDef, DimensionWord, Surface};
 use context::Context;
 
 /// What was meant by a description, as far as it could be read; mistakes are reported.
 pub(super) fn draft<'a>(def: &'a ChainDef, diagnostics: &mut Diagnostics) -> (Draft<'a>, Surface) {
-    let mut context = Context::new(def.whole, diagnostics);
+    let space = match def.dimension {
+        DimensionWord::Space => Dimension::Space,
+        DimensionWord::Plane => Dimension::Plane,
+        DimensionWord::Line => Dimension::Line,
+    };
+    let mut context = Context::new(space, def.whole, diagnostics);
     let parameters = parameter::parameters(def, &mut context);
     let settings = setting::settings(def, &mut context);
     let types = body::types(def, &mut context);
     let stops = route::stops(def, &types, &mut context);
-    let motions = properties::motions(def, &stops, &mut context);
+    let properties = properties::properties(def, &stops, &mut context);
+    let (loads, springs) = load::loads(def, &stops, &types, &mut context);
     let surface = Surface {
         visibility: def.visibility.clone(),
         attributes: def.attributes.clone(),
         constants: context.constants,
     };
     let constants = surface.constants.len();
-    (Draft { def, settings, parameters, constants, types, stops, motions }, surface)
+    let draft = Draft {
+        def,
+        space,
+        settings,
+        parameters,
+        constants,
+        types,
+        stops,
+        properties,
+        loads,
+        springs,
+    };
+    (draft, surface)
 }

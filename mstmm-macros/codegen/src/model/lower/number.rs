@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use super::context::{Context, Measure};
-use super::dimension::{ACCELERATION, Dimension, Quantity, RATE};
+use super::dimension::{ACCELERATION, Dimension, LENGTH, PITCH, Quantity, RATE};
 use super::unit::{self, Scale};
 use crate::diag::did_you_mean;
 use crate::model::{Symbol, Value};
@@ -57,6 +57,10 @@ impl Context<'_> {
         expected: &Quantity,
     ) -> Option<()> {
         if let Some(message) = found.unit.and_then(|unit| misread_symbol(unit, expected)) {
+            return self.refuse(found.at, message);
+        }
+        if expected.dimension == PITCH.dimension && dimension == LENGTH.dimension {
+            let message = "a pitch is a length for a turn: write `5 mm/rev` or `5 mm/rad`";
             return self.refuse(found.at, message);
         }
         if dimension.fits(expected.dimension) {

@@ -4,8 +4,8 @@ use super::context::Context;
 use super::dimension::{ANGLE, LENGTH, NUMBER};
 use super::vector::zeros;
 use crate::diag::did_you_mean;
-use crate::model::{Frame, Value};
-use crate::syntax::{Form, List, Written};
+use crate::model::{Dimension, Frame, Value};
+use crate::syntax::{Form, Turn, Written};
 
 /// How a frame is turned, in one of the ways to say so.
 pub(super) enum Orientation {
@@ -59,42 +59,64 @@ impl Context<'_> {
         }
     }
 
-    /// A position with an orientation that may be left away, behind `=`.
-    pub fn written_placement(
-        &mut self,
-        written: &Written,
-    ) -> Option<([Value; 3], Option<Orientation>)> {
-        match written {
-            Written::Placement(position, orientation) => {
-                self.placement(Some(position), Some(orientation))
+    /// How something is turned in a chain of this dimension.
+    fn turn(&mut self, turn: &Turn) -> Option<Orientation> {
+        match self.space {
+            Dimension::Space => self.turned(turn),
+            Dimension::Plane => self.angle(turn).map(Orientation::about_z),
+            Dimension::Line => self.refuse(turn.extent(), "nothing is turned in a line chain"),
+        }
+    }
+
+    /// An orientation behind `turned`.
+    pub fn turned(&mut self, turn: &Turn) -> Option<Orientation> {
+        match turn {
+            Turn::Form(form) => self.orientation(form),
+            Turn::Angle(angle) => self.refuse(angle.extent, format!("{EXPECTED}, found a number")),
+        }
+    }
+
+    /// The angle of a turn about an axis that is known.
+    pub fn angle(&mut self, turn: &Turn) -> Option<Value> {
+        match turn {
+            Turn::Angle(angle) => self.number(angle, ANGLE),
+            Turn::Form(form) => {
+                let message = format!("expected an angle, found `{}(…)`", form.word);
+                self.refuse(form.extent(), message)
             }
-            other => Some((self.written_vector(other, LENGTH)?, None)),
         }
     }
 
-    /// A position and an orientation, both of which may be left away.
-    pub fn placement(
-        &mut self,
-        position: Option<&List>,
-        orientation: Option<&Form>,
-    ) -> Option<([Value; 3], Option<Orientation>)> {
-        let position = position.map_or_else(|| Some(zeros()), |list| self.vector(list, LENGTH));
-        let orientation = orientation.map(|form| self.orientation(form));
-        match orientation {
-            None => Some((position?, None)),
-            Some(orientation) => Some((position?, Some(orientation?))),
+    /// A frame behind `=`: its position, and how it is turned if it is.
+    pub fn written_frame(&mut self, written: &Written) -> Option<Frame> {
+        match written {
+            Written::Turned(position, turn) => self.frame(Some(position), Some(turn)),
+            other => self.frame(Some(other), None),
         }
     }
-}
 
-/// The frame at a position.
-pub(super) fn frame((position, orientation): ([Value; 3], Option<Orientation>)) -> Frame {
-    let rotation =
-        orientation.map_or_else(|| Frame::identity().rotation, |turned| turned.rotation());
-    Frame { position, rotation }
+    /// A frame from its position and its orientation, both of which may be left away.
+    pub fn frame(&mut self, position: Option<&Written>, turn: Option<&Turn>) -> Option<Frame> {
+        let position = match position {
+            None => Some(zeros()),
+            Some(written) => self.written_vector(written, LENGTH),
+        };
+        let turned = turn.map(|turn| self.turn(turn));
+        let rotation = match turned {
+            None => Frame::identity().rotation,
+            Some(turned) => turned?.rotation(),
+        };
+        Some(Frame { position: position?, rotation })
+    }
 }
 
 impl Orientation {
+    /// A turn about z.
+    fn about_z(angle: Value) -> Self {
+        let zero = || Value::number(0.0);
+        Orientation::Rpy([zero(), zero(), angle])
+    }
+
     /// Rows of the rotation matrix.
     pub fn rotation(&self) -> [[Value; 3]; 3] {
         match self {

@@ -5,32 +5,56 @@ use proc_macro2::Ident;
 use super::body;
 use super::context::Context;
 use super::fields::Fields;
-use super::hinge::{FLOATING_FIELDS, Motion, floating_motion};
+use super::hinge::{self, Motion, motion, of_everything};
 use super::route::Stop;
 use crate::diag::did_you_mean;
 use crate::syntax::{Block, BlockWord, ChainDef, Route};
 
-/// How the hinges move at first, one for each stop: of a hinge its own, of the first body of a
-/// floating chain that of the implied hinge.
-pub(super) fn motions(
-    def: &ChainDef,
+/// What is said of a stop.
+#[derive(Clone, Default)]
+pub(crate) struct Properties<'a> {
+    /// As written.
+    pub fields: Fields<'a>,
+    /// How it moves: a hinge itself, the first body of a floating chain by the implied hinge.
+    pub motion: Option<Motion>,
+}
+
+/// What is said of each stop.
+pub(super) fn properties<'a>(
+    def: &'a ChainDef,
     stops: &[Stop],
     context: &mut Context,
-) -> Vec<Option<Motion>> {
+) -> Vec<Properties<'a>> {
     let mut fields = vec![Fields::default(); stops.len()];
     for block in def.blocks.iter().filter(|block| !body::is_type(block)) {
+        refuse_points(block, context);
+        if !matches!(block.word, BlockWord::Body | BlockWord::Hinge) {
+            continue;
+        }
         if !block.after_route && def.route.is_some() {
             context.diagnostics.error(block.at, "hinges are described after the route");
         }
         assign(block, def, stops, &mut fields, context);
     }
     let floats = floats(stops);
-    let motion = |(index, (stop, fields)): (usize, (&Stop, &Fields))| match stop {
-        Stop::Hinge { kind, .. } => (kind.motion)(fields, context),
-        Stop::Body { .. } if index == 0 && floats => floating_motion(fields, context),
-        _ => None,
+    let read = |(index, (stop, fields)): (usize, (&Stop, Fields<'a>))| {
+        let shape = match stop {
+            Stop::Hinge { shape, .. } => Some(*shape),
+            Stop::Body { .. } if index == 0 && floats => Some(of_everything(context.space).shape()),
+            _ => None,
+        };
+        let motion = shape.and_then(|shape| motion(shape, &fields, context));
+        Properties { fields, motion }
     };
-    stops.iter().zip(&fields).enumerate().map(motion).collect()
+    stops.iter().zip(fields).enumerate().map(read).collect()
+}
+
+/// Only types of bodies have points.
+fn refuse_points(block: &Block, context: &mut Context) {
+    for point in &block.points {
+        let message = "points are described with a type of body, before the route";
+        context.diagnostics.error(point.name.span(), message);
+    }
 }
 
 /// Whether no end of the chain is held.
@@ -51,14 +75,21 @@ fn assign<'a>(
     for name in &block.names {
         let Some(index) = target(block, name, def, stops, context) else { continue };
         let (known, owner) = match &stops[index] {
-            Stop::Hinge { kind, .. } => (kind.fields, kind.name.to_owned()),
-            Stop::Body { .. } => (FLOATING_FIELDS, format!("body `{name}`")),
+            Stop::Hinge { kind, shape, .. } => (hinge::fields(shape), kind.name.to_owned()),
+            Stop::Body { .. } => {
+                let implied = of_everything(context.space).shape();
+                (hinge::start_fields(implied), format!("body `{name}`"))
+            }
             _ => continue,
         };
+        let fields = &mut fields[index];
+        if !block.whole {
+            fields.refuse();
+        }
         for (at, field) in block.fields.iter().enumerate() {
-            let accepted =
-                refused.contains(&at) || fields[index].add(field, known, &owner, context).is_some();
-            if !accepted {
+            if refused.contains(&at) {
+                fields.refuse();
+            } else if fields.add(field, &known, &owner, context).is_none() {
                 refused.push(at);
             }
         }
@@ -80,6 +111,11 @@ fn target(
     match (block.word, &stops[index]) {
         (BlockWord::Body, Stop::Hinge { .. }) => {
             context.refuse(name, format!("`{name}` is a hinge: `hinge {name} {{ … }}`"))
+        }
+        (_, Stop::Moving { .. }) => {
+            let message =
+                format!("nothing can be said of `{name}`: its motion is given at each step");
+            context.refuse(name, message)
         }
         (BlockWord::Hinge, Stop::Body { .. }) => {
             context.refuse(name, format!("`{name}` is a body: `body {name} {{ … }}`"))
@@ -125,9 +161,7 @@ fn unknown_name(
         BlockWord::Body => {
             ("body", stops.iter().filter(|stop| matches!(stop, Stop::Body { .. })).collect())
         }
-        BlockWord::Hinge => {
-            ("hinge", stops.iter().filter(|stop| !matches!(stop, Stop::Body { .. })).collect())
-        }
+        _ => ("hinge", stops.iter().filter(|stop| !matches!(stop, Stop::Body { .. })).collect()),
     };
     let known: Vec<String> =
         stops.iter().filter_map(|stop| stop.name()).map(ToString::to_string).collect();

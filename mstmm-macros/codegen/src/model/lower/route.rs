@@ -4,10 +4,10 @@ use proc_macro2::{Ident, Span};
 
 use super::body::BodyType;
 use super::context::{Context, Given};
-use super::hinge::{KINDS, Kind, LATER_KINDS};
-use super::orientation::frame;
+use super::fields::listed;
+use super::hinge::{KINDS, Kind};
 use crate::diag::did_you_mean;
-use crate::model::{Frame, HingeKind};
+use crate::model::{Frame, HingeKind, Shape};
 use crate::syntax::{self, Arguments, ChainDef};
 
 /// A stop of the route as far as it could be read.
@@ -19,6 +19,13 @@ pub(crate) enum Stop<'a> {
         /// The frame.
         frame: Option<Frame>,
     },
+    /// An end that moves as the caller prescribes.
+    Moving {
+        /// The word.
+        at: Span,
+        /// Its name, without which a mistake is reported.
+        name: Option<&'a Ident>,
+    },
     /// A hinge of a known kind.
     Hinge {
         /// Its kind as written.
@@ -27,6 +34,10 @@ pub(crate) enum Stop<'a> {
         name: Option<&'a Ident>,
         /// Its kind.
         kind: &'static Kind,
+        /// The numbers of its kind.
+        shape: &'static Shape,
+        /// What stands in parentheses behind its kind.
+        arguments: Option<&'a Arguments>,
         /// What it lets free.
         frees: Option<Given<HingeKind>>,
     },
@@ -53,7 +64,7 @@ impl Stop<'_> {
     pub fn name(&self) -> Option<&Ident> {
         match self {
             Stop::Ground { .. } => None,
-            Stop::Hinge { name, .. } | Stop::Unknown { name } => *name,
+            Stop::Moving { name, .. } | Stop::Hinge { name, .. } | Stop::Unknown { name } => *name,
             Stop::Body { name, .. } => Some(name),
         }
     }
@@ -68,8 +79,13 @@ pub(super) fn stops<'a>(
     let stops = def.route.iter().flat_map(|route| &route.stops);
     let resolve = |stop: &'a syntax::Stop| match stop {
         syntax::Stop::Ground { at, position, turned } => {
-            let placement = context.placement(position.as_ref(), turned.as_ref());
-            Stop::Ground { at: *at, frame: placement.map(frame) }
+            Stop::Ground { at: *at, frame: context.frame(position.as_deref(), turned.as_deref()) }
+        }
+        syntax::Stop::Moving { at, name } => {
+            if name.is_none() {
+                context.diagnostics.error(*at, "a moving end needs a name: `moving name`");
+            }
+            Stop::Moving { at: *at, name: name.as_ref() }
         }
         syntax::Stop::Element { word, arguments, name } => {
             Element { word, arguments: arguments.as_ref(), name: name.as_ref() }
@@ -92,10 +108,6 @@ impl<'a> Element<'a> {
         if let Some(kind) = KINDS.iter().find(|kind| word == kind.word) {
             return self.hinge(kind, context);
         }
-        if LATER_KINDS.iter().any(|later| word == later) {
-            context.diagnostics.error(word.span(), format!("`{word}` is not supported yet"));
-            return Stop::Unknown { name };
-        }
         let body_type = types.iter().position(|known| word == known.name);
         let text = word.to_string();
         if body_type.is_some() || text.starts_with(char::is_uppercase) {
@@ -104,8 +116,8 @@ impl<'a> Element<'a> {
             }
             return self.body(body_type, context);
         }
-        let kinds = KINDS.iter().map(|kind| kind.word).chain(LATER_KINDS.iter().copied());
-        let hint = did_you_mean(&text, kinds.chain(["ground"]));
+        let kinds = KINDS.iter().map(|kind| kind.word);
+        let hint = did_you_mean(&text, kinds.chain(["ground", "moving", "repeat"]));
         let message = format!("unknown kind of hinge `{text}`{hint}");
         context.diagnostics.error(word.span(), message);
         Stop::Unknown { name }
@@ -113,11 +125,16 @@ impl<'a> Element<'a> {
 
     fn hinge(self, kind: &'static Kind, context: &mut Context) -> Stop<'a> {
         let Element { word, arguments, name } = self;
+        let Some(plain) = kind.plain(context.space) else {
+            no_such_hinge(word, context);
+            return Stop::Unknown { name };
+        };
         if name.is_none() {
             let message = format!("a hinge needs a name: `{word} name`");
             context.diagnostics.error(word.span(), message);
         }
-        Stop::Hinge { word, name, kind, frees: (kind.read)(word, arguments, context) }
+        let frees = kind.read(word, arguments, context);
+        Stop::Hinge { word, name, kind, shape: plain.shape(), arguments, frees }
     }
 
     fn body(self, body_type: Option<usize>, context: &mut Context) -> Stop<'a> {
@@ -144,6 +161,18 @@ impl<'a> Element<'a> {
         let hint = did_you_mean(&word.to_string(), known.iter().map(String::as_str));
         context.diagnostics.error(word.span(), format!("unknown type of body `{word}`{hint}"));
     }
+}
+
+/// Refuses a kind of hinge that leads out of the plane or off the line.
+fn no_such_hinge(word: &Ident, context: &mut Context) {
+    let kinds = KINDS.iter().filter(|kind| kind.plain(context.space).is_some());
+    let kinds: Vec<_> = kinds.map(|kind| format!("`{}`", kind.word)).collect();
+    let message = format!(
+        "{} has no `{word}`: its hinges are {}",
+        context.of_chain().trim_start_matches(" of "),
+        listed(&kinds)
+    );
+    context.diagnostics.error(word.span(), message);
 }
 
 /// `UpperArm` is `upper_arm`, `L1` is `l1`, `IMUCase` is `imu_case`.

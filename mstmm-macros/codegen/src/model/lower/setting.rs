@@ -3,9 +3,8 @@
 use super::context::Context;
 use super::dimension::ACCELERATION;
 use super::fields::Fields;
-use super::vector::zeros;
 use crate::diag::{did_you_mean, nearest};
-use crate::model::{Method, Value};
+use crate::model::{Method, Source};
 use crate::syntax::{ChainDef, Written};
 
 const SETTINGS: &[&str] = &["gravity", "method"];
@@ -14,7 +13,7 @@ const METHODS: &[(&str, Method)] = &[("riccati", Method::Riccati), ("transfer", 
 /// Settings of the whole chain, as far as they could be read.
 pub(super) struct Settings {
     /// Acceleration of free fall.
-    pub gravity: Option<[Value; 3]>,
+    pub gravity: Option<Source>,
     /// How the accelerations are solved for.
     pub method: Option<Method>,
 }
@@ -34,7 +33,7 @@ pub(super) fn settings(def: &ChainDef, context: &mut Context) -> Settings {
         }
         given.add(field, SETTINGS, &owner, context);
     }
-    let gravity = context.optional(given.get("gravity"), zeros, |context, written| {
+    let gravity = context.source(given.get("gravity"), |context, written| {
         context.written_vector(written, ACCELERATION)
     });
     let method = given.get("method").and_then(|field| context.field(field, method));

@@ -3,8 +3,8 @@
 use super::context::{Context, Given, Measure};
 use super::dimension::Quantity;
 use super::number::Measured;
-use crate::model::Value;
-use crate::syntax::{Form, List, Written};
+use crate::model::{Source, Value};
+use crate::syntax::{Field, Form, List, Written};
 
 impl Context<'_> {
     /// A number after `=`.
@@ -18,24 +18,79 @@ impl Context<'_> {
         }
     }
 
-    /// A vector after `=`.
+    /// A vector of the chain's dimension after `=`, a number in a line chain: with zeros where the
+    /// chain does not move.
     pub fn written_vector(&mut self, written: &Written, expected: &Quantity) -> Option<[Value; 3]> {
+        let mut vector = zeros();
+        let shifts = self.space.shifts();
+        for (&axis, part) in shifts.iter().zip(self.components(written, shifts.len(), expected)?) {
+            vector[axis] = part;
+        }
+        Some(vector)
+    }
+
+    /// What a turn of the chain's dimension has for its axes, after `=`: a vector in space, a number
+    /// in a plane chain.
+    pub fn written_turning(
+        &mut self,
+        written: &Written,
+        expected: &Quantity,
+    ) -> Option<[Value; 3]> {
+        let mut vector = zeros();
+        let turns = self.space.turns();
+        for (&axis, part) in turns.iter().zip(self.components(written, turns.len(), expected)?) {
+            vector[axis] = part;
+        }
+        Some(vector)
+    }
+
+    /// So many numbers after `=`: a single one without brackets.
+    pub fn components(
+        &mut self,
+        written: &Written,
+        count: usize,
+        expected: &Quantity,
+    ) -> Option<Vec<Value>> {
+        if count == 1 {
+            return self.written_number(written, expected).map(|number| vec![number]);
+        }
         match written {
-            Written::Vector(list) => self.vector(list, expected),
-            Written::Placement(_, orientation) => {
-                self.refuse(orientation.extent(), "nothing is turned here; `[x, y, z]` is enough")
+            Written::Vector(list) => self.vector(list, count, expected),
+            Written::Turned(_, turn) => {
+                let message = format!("nothing is turned here; `{}` is enough", brackets(count));
+                self.refuse(turn.extent(), message)
             }
             other => {
-                let message = format!("expected a vector `[x, y, z]`, found {}", other.described());
+                let found = other.described();
+                let message = format!("expected a vector `{}`, found {found}", brackets(count));
                 self.refuse(other.extent(), message)
             }
         }
     }
 
-    /// Three components.
-    pub fn vector(&mut self, list: &List, expected: &Quantity) -> Option<[Value; 3]> {
-        if list.entries.len() != 3 {
-            let message = format!("a vector has 3 components, here are {}", list.entries.len());
+    /// So many numbers after `=`, or a single one that stands for all of them.
+    pub fn each(
+        &mut self,
+        written: &Written,
+        count: usize,
+        expected: &Quantity,
+    ) -> Option<Vec<Value>> {
+        match written {
+            Written::Vector(list) if count > 1 => self.vector(list, count, expected),
+            other => self.written_number(other, expected).map(|number| vec![number; count]),
+        }
+    }
+
+    /// So many components.
+    pub fn vector(&mut self, list: &List, count: usize, expected: &Quantity) -> Option<Vec<Value>> {
+        let found = list.entries.len();
+        if found != count {
+            let message = if count == self.space.shifts().len() {
+                let chain = self.of_chain();
+                format!("a vector{chain} has {count} components, here are {found}")
+            } else {
+                format!("expected {count} numbers `{}`, here are {found}", brackets(count))
+            };
             return self.refuse(list.extent, message);
         }
         self.numbers(list, expected)
@@ -53,10 +108,10 @@ impl Context<'_> {
             let message = format!("expected `{word}({})`, found {found} numbers", names.join(", "));
             return self.refuse(form.list.extent, message);
         }
-        self.numbers(&form.list, expected)
+        self.numbers(&form.list, expected)?.try_into().ok()
     }
 
-    fn numbers<const N: usize>(&mut self, list: &List, expected: &Quantity) -> Option<[Value; N]> {
+    fn numbers(&mut self, list: &List, expected: &Quantity) -> Option<Vec<Value>> {
         // All entries are read before giving up, so that all mistakes in them are reported.
         let parts: Vec<_> = list.entries.iter().map(|entry| self.measure(entry)).collect();
         let unit = list.unit.as_ref().map(|unit| (unit, self.unit(unit)));
@@ -83,13 +138,29 @@ impl Context<'_> {
         let values = parts.into_iter().zip(&list.entries);
         let values: Vec<_> =
             values.map(|(part, entry)| self.finite(part.value, entry.extent)).collect();
-        values.into_iter().collect::<Option<Vec<_>>>()?.try_into().ok()
+        values.into_iter().collect()
+    }
+
+    /// A vector that may be left away or be `input`.
+    pub fn source(
+        &mut self,
+        field: Option<&Field>,
+        read: impl FnOnce(&mut Self, &Written) -> Option<[Value; 3]>,
+    ) -> Option<Source> {
+        self.optional(
+            field,
+            || Source::Nothing,
+            |context, written| match written.word() {
+                Some(word) if word == "input" => Some(Source::Input),
+                _ => read(context, written).map(Source::Constant),
+            },
+        )
     }
 
     /// A field that may be left away.
     pub fn optional<T>(
         &mut self,
-        field: Option<&crate::syntax::Field>,
+        field: Option<&Field>,
         default: impl FnOnce() -> T,
         read: impl FnOnce(&mut Self, &Written) -> Option<T>,
     ) -> Option<T> {
@@ -102,6 +173,14 @@ impl Context<'_> {
 
 fn and(all: Option<()>, next: Option<()>) -> Option<()> {
     all.and(next)
+}
+
+/// How a vector of so many components is written.
+fn brackets(count: usize) -> &'static str {
+    match count {
+        2 => "[a, b]",
+        _ => "[x, y, z]",
+    }
 }
 
 /// Three zeros.

@@ -1,12 +1,14 @@
 //! Whatever is written, the answer is a chain or a list of mistakes, never a panic.
 
 use super::{PENDULUM, read};
+use crate::model::Chain;
 use proc_macro2::{Group, TokenStream, TokenTree};
 
 /// What a slip of the keyboard may leave behind, and what no one would write.
 const SLIPS: &[&str] = &[
     "", ";", "->", "-", ",", "=", "::", "^", "*", "/", "#", "'a", "0", "1e999", "2kg", "\"text\"",
-    "x", "X", "Self", "_", "r#x", "ground", "repeat", "turned", "about", "( )", "[1]", "{ }",
+    "x", "X", "Self", "_", "r#x", "ground", "moving", "repeat", "turned", "about", "point",
+    "input", "load", "( )", "[1]", "{ }",
 ];
 
 /// All streams in which one token is replaced.
@@ -27,18 +29,79 @@ fn replaced(tokens: &TokenStream, by: &TokenStream, each: &mut dyn FnMut(TokenSt
     }
 }
 
+/// What the example of the documentation leaves out.
+const MORE: &str = "
+    chain Loop {
+        gravity = input;
+        param k = 2 N/m;
+        body Rod {
+            mass = 1 kg; com = [1, 0, 0] m; inertia = diag(0, 1, 1) about com; output = [2, 0, 0] m;
+            point tip = [1, 1, 0] m;
+        }
+        moving hand -> screw(x, 5 mm/rev) a -> Rod b -> repeat 3 { universal(x, [0, 1, 0]) c -> Rod d }
+            -> elastic e -> Rod f -> planar(y) g -> ground at [1, 0, 0] m;
+        hinge a { motion = input; stiffness = 3; }
+        hinge c, g { friction = 1; friction_speed = 2; limits = [-1, 2]; limit_stiffness = 3; }
+        hinge e { start = [0, 0, 0] m turned rpy(0, 0, 3); rest = [1, 0, 0]; stiffness = [k, k, k]; }
+        load push { on = d; at = tip; force = input; torque = [0, 0, 1] N*m; axes = body; }
+        spring rope { on = b; at = output; to = [1, 1, 1] m; stiffness = k; length = 1 m; }
+    }";
+
+/// The other dimensions.
+const FLAT: &str = "
+    plane chain Swing {
+        gravity = [0, -9.8];
+        body Rod { mass = 1 kg; com = [0.5, 0]; output = [1, 0] turned 1; inertia = 1 about com; }
+        Rod first -> slider([1, 2]) a -> Rod second -> floating b -> moving hand;
+        load push { on = first; force = [1, 2]; torque = 3; }
+    }
+    line chain Train {
+        body Car { mass = 1 kg; output = 1 m; point hook = 1 m; }
+        Car first -> repeat 3 { elastic a -> Car next };
+        body first { start = 1; start_velocity = 2; }
+        load push { on = next; at = hook; force = 3; }
+    }";
+
 #[test]
 fn one_token_replaced_by_anything() {
-    let tokens: TokenStream = PENDULUM.parse().expect("tokens");
-    let mut count = 0;
-    for slip in SLIPS {
+    for source in [PENDULUM, MORE, FLAT] {
+        read(source.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error}"));
+        replace_each(source);
+    }
+}
+
+/// The ranges of what a chain refers to lie in what it has.
+fn is_closed(chain: &Chain) -> bool {
+    let bodies = chain.bodies.len();
+    let on_bodies = chain.loads.iter().map(|load| load.body);
+    let on_bodies = on_bodies.chain(chain.springs.iter().map(|spring| spring.body));
+    let places = chain.hinges.iter().flat_map(|hinge| [&hinge.inboard, &hinge.outboard]);
+    on_bodies.chain(places.filter_map(|place| place.body())).all(|body| body < bodies)
+        && chain.repeats.iter().all(|repeat| {
+            repeat.hinges.end <= chain.hinges.len()
+                && repeat.bodies.end <= bodies
+                && repeat.route.end <= chain.route.len()
+        })
+}
+
+/// Every slip in every third place, another third for the next slip.
+fn replace_each(source: &str) {
+    let tokens: TokenStream = source.parse().expect("tokens");
+    for (index, slip) in SLIPS.iter().enumerate() {
+        let mut place = index;
         replaced(&tokens, &slip.parse().expect("tokens"), &mut |wrong| {
-            count += 1;
+            place += 1;
+            if !place.is_multiple_of(3) {
+                return;
+            }
             // A chain, or mistakes with a message each.
-            if let Err(errors) = read(wrong) {
-                assert!(errors.into_iter().all(|error| !error.to_string().is_empty()));
+            match read(wrong) {
+                Ok(chains) => assert!(chains.iter().all(|(chain, _)| is_closed(chain))),
+                Err(errors) => {
+                    assert!(errors.into_iter().all(|error| !error.to_string().is_empty()));
+                }
             }
         });
+        assert!(place > 140, "only {place} places");
     }
-    assert!(count > 4000, "only {count} tries");
 }

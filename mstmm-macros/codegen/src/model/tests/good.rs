@@ -1,15 +1,11 @@
 //! Descriptions without mistakes.
 
 use super::{PENDULUM, chain, edited};
-use crate::model::{About, Effort, Element, Frame, HingeKind, Method, Place, Symbol, Value};
-
-fn known<const N: usize>(values: &[Value; N]) -> [f64; N] {
-    values.each_ref().map(|value| value.known().expect("a known number"))
-}
-
-fn all_known(values: &[Value]) -> Vec<f64> {
-    values.iter().map(|value| value.known().expect("a known number")).collect()
-}
+use super::{all_known, constants, known};
+use crate::model::{
+    About, Dimension, Drive, Effort, Element, Frame, HingeKind, Method, Passive, Place, Source,
+    Symbol, Value,
+};
 
 /// A number in the place of the rod's mass.
 fn mass(written: &str) -> Value {
@@ -41,7 +37,8 @@ fn the_pendulum_of_the_paper() {
     );
     assert_eq!(chain.name, "BallPendulum");
     assert_eq!(surface.attributes.len(), 1);
-    assert_eq!(known(&chain.gravity), [0.0, -9.8, 0.0]);
+    assert_eq!(chain.dimension, Dimension::Space);
+    assert_eq!(chain.gravity, Source::Constant([0.0, -9.8, 0.0].map(Value::number)));
     let names: Vec<_> = chain.bodies.iter().map(|body| body.name.to_string()).collect();
     assert_eq!(names, ["upper", "middle", "lower"]);
     let body = &chain.bodies[2];
@@ -57,7 +54,9 @@ fn the_pendulum_of_the_paper() {
     assert!(matches!(shoulder.outboard, Place::Input(0)));
     assert!(matches!((&elbow.inboard, &elbow.outboard), (Place::Output(0), Place::Input(1))));
     assert!(matches!(wrist.kind, HingeKind::Ball));
-    assert!(matches!(wrist.effort, Effort::Free));
+    assert_eq!(wrist.drive, Drive::Efforts(vec![Effort::Free; 3]));
+    assert_eq!(wrist.passive, vec![Passive::none(); 3]);
+    assert_eq!(all_known(&wrist.rest), [1.0, 0.0, 0.0, 0.0]);
     assert_eq!(all_known(&wrist.start), [1.0, 0.0, 0.0, 0.0]);
     assert_eq!(all_known(&wrist.start_rate), [0.0, 0.1, 0.0]);
     assert_eq!(chain.route[..2], [Element::Hinge(0), Element::Body(0)]);
@@ -103,7 +102,8 @@ fn an_arm_with_a_payload() {
     assert_eq!(known(axis), [-1.0, 0.0, 0.0]);
     assert_eq!(all_known(&chain.hinges[1].start), [-std::f64::consts::FRAC_PI_2]);
     assert_eq!(all_known(&chain.hinges[1].start_rate), [std::f64::consts::PI / 15.0]);
-    assert!(chain.hinges.iter().all(|hinge| matches!(hinge.effort, Effort::Input)));
+    let input = Drive::Efforts(vec![Effort::Input]);
+    assert!(chain.hinges.iter().all(|hinge| hinge.drive == input));
 }
 
 #[test]
@@ -204,8 +204,7 @@ fn angles_fit_numbers() {
         ("torque = input", "torque = (2 N*m/rad) * (0.5 rad)"),
     ]));
     assert_eq!(all_known(&chain.hinges[0].start), [std::f64::consts::FRAC_PI_2]);
-    let Effort::Constant(torque) = &chain.hinges[0].effort else { panic!("a constant") };
-    assert_eq!(all_known(torque), [1.0]);
+    assert_eq!(constants(&chain.hinges[0].drive), [1.0]);
 }
 
 #[test]
@@ -215,14 +214,13 @@ fn a_ball_starts_turned_and_driven() {
         "start = rpy(0, 0, 180 deg); torque = [0, 0, 5] N*mm;",
     )]));
     assert_eq!(all_known(&chain.hinges[1].start), [0.0, 0.0, 0.0, 1.0]);
-    let Effort::Constant(torque) = &chain.hinges[1].effort else { panic!("a constant") };
-    assert_eq!(all_known(torque), [0.0, 0.0, 0.005]);
+    assert_eq!(constants(&chain.hinges[1].drive), [0.0, 0.0, 0.005]);
 }
 
 #[test]
 fn what_is_left_away_is_zero() {
     let (chain, _) = chain(&edited(&[("gravity = [0, -9.8, 0] m/s^2;", "")]));
-    assert_eq!(known(&chain.gravity), [0.0; 3]);
+    assert_eq!(chain.gravity, Source::Nothing);
     assert_eq!(chain.bodies[1].output, Frame::identity());
 }
 

@@ -96,8 +96,7 @@ fn orientations_are_well_formed() {
         &turned("rpy(0, 0, 1) about com"),
         &[("com", "only an inertia is about a point")],
     );
-    let ways = "expected `rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`";
-    expect(output, &turned("90 deg"), &[("90", &format!("{ways}, found `90`"))]);
+    expect(output, &turned("90 deg"), &[("90 deg", &format!("{ways}, found a number"))]);
     expect(
         "start_rate = [0, 0.1, 0] rad/s",
         "start = 90 deg",

@@ -2,6 +2,10 @@
 
 mod any_tokens;
 mod good;
+mod good_chains;
+mod good_hinges;
+mod mistakes_in_chains;
+mod mistakes_in_hinges;
 mod mistakes_in_numbers;
 mod mistakes_in_parts;
 mod mistakes_in_routes;
@@ -9,7 +13,7 @@ mod mistakes_in_words;
 
 use proc_macro2::Span;
 
-use super::Chain;
+use super::{Chain, Drive, Effort, Value};
 use crate::read;
 use crate::syntax::Surface;
 
@@ -44,6 +48,24 @@ fn chain(source: &str) -> (Chain, Surface) {
     let mut chains = read(tokens).unwrap_or_else(|error| panic!("{error}, in {source}"));
     assert_eq!(chains.len(), 1);
     chains.remove(0)
+}
+
+fn known<const N: usize>(values: &[Value; N]) -> [f64; N] {
+    values.each_ref().map(|value| value.known().expect("a known number"))
+}
+
+fn all_known(values: &[Value]) -> Vec<f64> {
+    values.iter().map(|value| value.known().expect("a known number")).collect()
+}
+
+/// The constant efforts of a hinge.
+fn constants(drive: &Drive) -> Vec<f64> {
+    let Drive::Efforts(efforts) = drive else { panic!("no efforts") };
+    let constant = |effort: &Effort| match effort {
+        Effort::Constant(value) => value.known().expect("a known number"),
+        other => panic!("{other:?}"),
+    };
+    efforts.iter().map(constant).collect()
 }
 
 /// The example with some of its text replaced.

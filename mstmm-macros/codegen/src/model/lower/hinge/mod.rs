@@ -1,19 +1,30 @@
-//! Kinds of hinges: a file each, and a line in [`KINDS`].
+//! Kinds of hinges: a file each, and a line in [`KINDS`]. What is said of them behind the route is
+//! read the same way for all.
 
+mod axis;
 mod ball;
+mod cylindrical;
+mod elastic;
 mod floating;
+mod motion;
+mod passive;
 mod pin;
+mod planar;
+mod screw;
+mod slider;
+mod universal;
 mod weld;
+mod words;
 
-pub(super) use floating::FIELDS as FLOATING_FIELDS;
-pub(super) use floating::motion as floating_motion;
+pub(super) use floating::of_everything;
+pub(crate) use motion::{Motion, motion};
+pub(crate) use words::{Words, fields, groups, start_fields};
 
 use proc_macro2::Ident;
 
 use super::context::{Context, Given};
-use super::fields::Fields;
-use crate::model::{Effort, HingeKind, Value};
-use crate::syntax::{Arguments, Field, Written};
+use crate::model::{Dimension, HingeKind};
+use crate::syntax::{Arguments, Extent};
 
 /// A kind of hinge in the language.
 pub(crate) struct Kind {
@@ -21,54 +32,75 @@ pub(crate) struct Kind {
     pub word: &'static str,
     /// With its article, for messages.
     pub name: &'static str,
-    /// What can be said of it behind the route.
-    pub fields: &'static [&'static str],
-    /// Reads what stands in parentheses behind the word.
-    pub(super) read: fn(&Ident, Option<&Arguments>, &mut Context) -> Option<Given<HingeKind>>,
-    /// Reads what is said of it behind the route.
-    pub(super) motion: fn(&Fields, &mut Context) -> Option<Motion>,
+    /// What it lets free where nothing stands in parentheses; nothing if a chain of this dimension
+    /// has no such hinge.
+    plain: fn(Dimension) -> Option<HingeKind>,
+    /// What stands in parentheses behind the word.
+    takes: Takes,
 }
 
-/// How a hinge starts and what drives it.
-#[derive(Clone, Debug)]
-pub(crate) struct Motion {
-    /// Start coordinates.
-    pub start: Vec<Value>,
-    /// Start rates.
-    pub start_rate: Vec<Value>,
-    /// The effort.
-    pub effort: Effort,
+/// What stands in parentheses behind a kind of hinge.
+enum Takes {
+    /// Nothing.
+    Nothing,
+    /// Something, or nothing.
+    Something(Reader),
+    /// Something; an example of how it is written.
+    Needed(Reader, &'static str),
 }
 
-/// The kinds that can be used.
-pub(crate) const KINDS: &[Kind] = &[pin::KIND, ball::KIND, weld::KIND];
+/// Reads what stands in parentheses behind a kind of hinge.
+type Reader = fn(&Arguments, &mut Context) -> Option<HingeKind>;
 
-/// The kinds that are kept for later.
-pub(crate) const LATER_KINDS: &[&str] =
-    &["slider", "screw", "cylindrical", "universal", "planar", "floating", "elastic"];
+/// All kinds.
+pub(crate) const KINDS: &[Kind] = &[
+    weld::KIND,
+    pin::KIND,
+    slider::KIND,
+    screw::KIND,
+    cylindrical::KIND,
+    universal::KIND,
+    ball::KIND,
+    planar::KIND,
+    floating::KIND,
+    elastic::KIND,
+];
 
-/// `input`, or numbers read by `read`.
-fn effort(
-    field: Option<&Field>,
-    context: &mut Context,
-    read: impl FnOnce(&mut Context, &Written) -> Option<Vec<Value>>,
-) -> Option<Effort> {
-    context.optional(
-        field,
-        || Effort::Free,
-        |context, written| match written.word() {
-            Some(word) if word == "input" => Some(Effort::Input),
-            _ => read(context, written).map(Effort::Constant),
-        },
-    )
+impl Kind {
+    /// Whether a chain of this dimension has such hinges; what they are like there.
+    pub(super) fn plain(&self, space: Dimension) -> Option<HingeKind> {
+        (self.plain)(space)
+    }
+
+    /// What a hinge of this kind lets free.
+    pub(super) fn read(
+        &self,
+        word: &Ident,
+        arguments: Option<&Arguments>,
+        context: &mut Context,
+    ) -> Option<Given<HingeKind>> {
+        let at = Extent::token(word.span());
+        let value = match (&self.takes, arguments) {
+            (Takes::Needed(_, example), None) => {
+                let message = format!("`{word}` needs more: write it as in `{example}`");
+                return context.refuse(word, message);
+            }
+            (_, None) => self.plain(context.space),
+            (Takes::Something(read) | Takes::Needed(read, _), Some(arguments)) => {
+                read(arguments, context)
+            }
+            (Takes::Nothing, Some(arguments)) => nothing(word, arguments, context),
+        };
+        Some(Given { value: value?, at })
+    }
 }
 
 /// Refuses parentheses behind a kind that needs none.
-fn no_arguments(word: &Ident, arguments: Option<&Arguments>, context: &mut Context) -> Option<()> {
-    match arguments {
-        None => Some(()),
-        Some(arguments) => {
-            context.refuse(arguments.extent, format!("`{word}` takes nothing in parentheses"))
-        }
-    }
+fn nothing<T>(
+    word: impl std::fmt::Display,
+    arguments: &Arguments,
+    context: &mut Context,
+) -> Option<T> {
+    let chain = context.of_chain();
+    context.refuse(arguments.extent, format!("`{word}`{chain} takes nothing in parentheses"))
 }

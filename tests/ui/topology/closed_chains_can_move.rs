@@ -6,7 +6,8 @@ mstmm::mstmm_chain! {
             output = [1, 0, 0] m;
             inertia = diag(0, 1/6, 1/6) kg*m^2 about com;
         }
-        ground -> pin a -> Bar bar -> pin b -> ground at [1, 0, 0] m;
+        ground -> weld a -> Bar bar -> pin b -> ground at [1, 0, 0] m;
+        hinge b { motion = input; }
     }
 }
 

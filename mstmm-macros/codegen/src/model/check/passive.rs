@@ -1,0 +1,167 @@
+//! Springs, dampers, friction, limits and rotors of hinges.
+
+use crate::diag::Diagnostics;
+use crate::model::lower::{Draft, Fields, Stop, Words, groups};
+use crate::model::{Form, Limits, Passive, Value};
+use crate::syntax::{Extent, Field, Written};
+
+/// Fields that say nothing without another one.
+const NEEDED: &[(Name, Name)] = &[
+    (|words| words.friction, |words| words.friction_speed),
+    (|words| words.limits, |words| words.limit_stiffness),
+    (|words| words.friction_speed, |words| words.friction),
+    (|words| words.limit_stiffness, |words| words.limits),
+    (|words| words.limit_damping, |words| words.limits),
+];
+
+/// Numbers that are not negative, and what to call them.
+const NOT_NEGATIVE: &[(Name, Number, &str)] = &[
+    (|words| words.stiffness, |passive| Some(&passive.stiffness), "a stiffness"),
+    (|words| words.damping, |passive| Some(&passive.damping), "a damping"),
+    (|words| words.armature, |passive| Some(&passive.armature), "an armature"),
+    (|words| words.friction, |passive| Some(&passive.friction.as_ref()?.effort), "friction"),
+    (|words| words.limit_damping, |passive| Some(&passive.limits.as_ref()?.damping), "a damping"),
+];
+
+/// Numbers that are positive, and what to call them.
+const POSITIVE: &[(Name, Number, &str)] = &[
+    (
+        |words| words.friction_speed,
+        |passive| Some(&passive.friction.as_ref()?.speed),
+        "the speed of friction",
+    ),
+    (
+        |words| words.limit_stiffness,
+        |passive| Some(&passive.limits.as_ref()?.stiffness),
+        "the stiffness of limits",
+    ),
+];
+
+type Name = fn(&Words) -> &'static str;
+type Number = fn(&Passive) -> Option<&Value>;
+
+/// What is said of a group of degrees of freedom.
+struct Group<'d> {
+    fields: &'d Fields<'d>,
+    words: &'static Words,
+    form: Form,
+    passive: &'d [Passive],
+}
+
+/// All groups of all hinges that could be read.
+fn all_groups<'d>(draft: &'d Draft) -> impl Iterator<Item = Group<'d>> {
+    let hinges = draft.stops.iter().zip(&draft.properties).filter_map(|(stop, properties)| {
+        let Stop::Hinge { shape, .. } = stop else { return None };
+        Some((*shape, &properties.fields, properties.motion.as_ref()?))
+    });
+    hinges.flat_map(|(shape, fields, motion)| {
+        groups(shape).map(move |(group, words)| {
+            let passive = &motion.passive[group.rates.clone()];
+            Group { fields, words, form: group.form, passive }
+        })
+    })
+}
+
+/// Mistakes in fields that several hinges may share: each is reported once.
+#[derive(Default)]
+struct Once<'d> {
+    reported: Vec<(&'d Field, usize)>,
+}
+
+impl<'d> Once<'d> {
+    /// Whether this is the first mistake in this entry of the field.
+    fn is_new(&mut self, field: &'d Field, entry: usize) -> bool {
+        let same = |(other, at): &(&Field, usize)| std::ptr::eq(*other, field) && *at == entry;
+        let new = !self.reported.iter().any(same);
+        if new {
+            self.reported.push((field, entry));
+        }
+        new
+    }
+}
+
+/// Friction needs the speed that makes it smooth, limits their stiffness; neither is of use alone.
+pub(super) fn friction_and_limits_are_complete(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let mut once = Once::default();
+    for Group { fields, words, .. } in all_groups(draft) {
+        for (given, needed) in NEEDED {
+            let needed = needed(words);
+            if let Some(field) = fields.get(given(words))
+                && fields.lacks(needed)
+                && once.is_new(field, 0)
+            {
+                let message = format!("`{}` needs `{needed}` beside it", field.name);
+                diagnostics.error(field.name.span(), message);
+            }
+        }
+    }
+}
+
+/// What is passive gives no energy; parameters count with their defaults.
+pub(super) fn passive_numbers_are_not_negative(draft: &Draft, diagnostics: &mut Diagnostics) {
+    judge(draft, NOT_NEGATIVE, |value| value < 0.0, "cannot be negative", diagnostics);
+}
+
+/// By a speed of zero friction would divide by zero, and limits without stiffness are none;
+/// parameters count with their defaults.
+pub(super) fn speeds_and_limits_are_positive(draft: &Draft, diagnostics: &mut Diagnostics) {
+    judge(draft, POSITIVE, |value| value <= 0.0, "must be positive", diagnostics);
+}
+
+fn judge(
+    draft: &Draft,
+    numbers: &[(Name, Number, &str)],
+    is_wrong: impl Fn(f64) -> bool,
+    verdict: &str,
+    diagnostics: &mut Diagnostics,
+) {
+    let defaults = draft.defaults();
+    let mut once = Once::default();
+    for Group { fields, words, passive, .. } in all_groups(draft) {
+        for (name, number, called) in numbers {
+            let Some(field) = fields.get(name(words)) else { continue };
+            for (index, value) in passive.iter().enumerate() {
+                let at_start = number(value).and_then(|value| value.at(&defaults));
+                let Some(at_start) = at_start.filter(|value| is_wrong(*value)) else { continue };
+                let Some((entry, at)) = entry(field, index) else { continue };
+                if once.is_new(field, entry) {
+                    let known = number(value).is_some_and(|value| value.known().is_some());
+                    let message = super::verdict(&format!("{called} {verdict}"), known, at_start);
+                    diagnostics.error_over(at, message);
+                }
+            }
+        }
+    }
+}
+
+/// Which number of a field speaks of this strain, and where it stands.
+fn entry(field: &Field, strain: usize) -> Option<(usize, Extent)> {
+    match field.value.as_ref()? {
+        Written::Vector(list) => Some((strain, list.entries.get(strain)?.extent)),
+        other => Some((0, other.extent())),
+    }
+}
+
+/// The lowest limit is below the highest one; parameters count with their defaults.
+pub(super) fn limits_are_in_order(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let defaults = draft.defaults();
+    let mut once = Once::default();
+    for Group { fields, words, form, passive } in all_groups(draft) {
+        let limits = passive.first().and_then(|passive| passive.limits.as_ref());
+        let (Some(field), Some(Limits { low, high, .. })) = (fields.get(words.limits), limits)
+        else {
+            continue;
+        };
+        let (Some(low), Some(high)) = (low.at(&defaults), high.at(&defaults)) else { continue };
+        if low >= high
+            && once.is_new(field, 0)
+            && let Some(written) = &field.value
+        {
+            let message = match form {
+                Form::Quaternion => "the largest angle must be positive",
+                Form::Numbers | Form::Angles => "the first limit must be below the second one",
+            };
+            diagnostics.error_over(written.extent(), message);
+        }
+    }
+}

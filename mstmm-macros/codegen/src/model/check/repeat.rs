@@ -1,0 +1,57 @@
+//! Parts of the route that are repeated.
+
+use super::route::{called, whole_route};
+use crate::diag::Diagnostics;
+use crate::model::lower::{Draft, Stop};
+use crate::syntax::Repeat;
+
+/// The repeated parts of a route that could be read, each with its stops.
+fn repeats<'d, 'a>(draft: &'d Draft<'a>) -> impl Iterator<Item = (&'d Repeat, &'d [Stop<'a>])> {
+    let stops = whole_route(draft);
+    let written = draft.def.route.iter().flat_map(|route| &route.repeats);
+    written.filter_map(|repeat| Some((repeat, stops.get(repeat.stops.clone())?)))
+}
+
+/// The first hinge of a repeated part joins it to what stands before.
+pub(super) fn repeats_follow_something(draft: &Draft, diagnostics: &mut Diagnostics) {
+    for (repeat, _) in repeats(draft) {
+        if repeat.stops.start == 0 {
+            let message = "a route cannot begin with `repeat`: \
+                           begin it with a body, with `ground` or with `moving`";
+            diagnostics.error(repeat.at, message);
+        }
+    }
+}
+
+/// The contents of a repeated part follow on themselves: a hinge comes first and a body last.
+pub(super) fn repeats_begin_with_a_hinge_and_end_with_a_body(
+    draft: &Draft,
+    diagnostics: &mut Diagnostics,
+) {
+    for (_, stops) in repeats(draft) {
+        let (first, last) = (stops.first(), stops.last());
+        let wrong = [
+            (first.filter(|stop| matches!(stop, Stop::Body { .. })), "begins with a hinge"),
+            (last.filter(|stop| matches!(stop, Stop::Hinge { .. })), "ends with a body"),
+        ];
+        for (stop, verdict) in wrong {
+            if let Some((at, name)) = stop.and_then(called) {
+                let example = Repeat::EXAMPLE;
+                let message = format!("`repeat` {verdict}, not with {name}: {example}");
+                diagnostics.error(at, message);
+            }
+        }
+    }
+}
+
+/// An end of the chain is there once.
+pub(super) fn repeats_hold_no_ends(draft: &Draft, diagnostics: &mut Diagnostics) {
+    for stop in repeats(draft).flat_map(|(_, stops)| stops) {
+        let (at, word) = match stop {
+            Stop::Ground { at, .. } => (*at, "ground"),
+            Stop::Moving { at, .. } => (*at, "moving"),
+            _ => continue,
+        };
+        diagnostics.error(at, format!("`{word}` cannot stand in `repeat`"));
+    }
+}

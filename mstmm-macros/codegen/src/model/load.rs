@@ -1,0 +1,60 @@
+//! What acts on bodies from outside.
+
+use super::{BodyId, Frame, Value};
+use proc_macro2::Ident;
+
+/// Where a vector comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Source {
+    /// There is none.
+    Nothing,
+    /// The same always.
+    Constant([Value; 3]),
+    /// Given by the caller at every step.
+    Input,
+}
+
+/// A force and a torque on a body.
+#[derive(Clone, Debug)]
+pub struct Load {
+    /// Its name.
+    pub name: Ident,
+    /// The body that it acts on.
+    pub body: BodyId,
+    /// Where the force acts, body frame. Its axes are those of a load in body axes.
+    pub at: Frame,
+    /// The axes in which both are given.
+    pub axes: LoadAxes,
+    /// The force in N.
+    pub force: Source,
+    /// The torque in N m, besides the moment of the force.
+    pub torque: Source,
+}
+
+/// The axes in which a load is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoadAxes {
+    /// Those of the inertial frame.
+    Inertial,
+    /// Those of the body.
+    Body,
+}
+
+/// A spring with a damper, from a body to a point fixed on the ground.
+#[derive(Clone, Debug)]
+pub struct Spring {
+    /// Its name.
+    pub name: Ident,
+    /// The body that it pulls at.
+    pub body: BodyId,
+    /// Where it pulls, in m, body frame.
+    pub at: [Value; 3],
+    /// The point on the ground in m, inertial frame.
+    pub to: [Value; 3],
+    /// Stiffness in N/m.
+    pub stiffness: Value,
+    /// Damping along the spring in N s/m.
+    pub damping: Value,
+    /// Its length without load in m.
+    pub length: Value,
+}

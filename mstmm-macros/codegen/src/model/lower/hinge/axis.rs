@@ -1,0 +1,55 @@
+//! Axes in the parentheses behind a kind of hinge.
+
+use crate::model::lower::context::Context;
+use crate::model::lower::dimension::NUMBER;
+use crate::model::lower::vector::zeros;
+use crate::model::{Dimension, Value};
+use crate::syntax::{Expr, ExprKind, Written};
+
+const NAMES: [&str; 3] = ["x", "y", "z"];
+
+/// The axis of this index.
+pub(super) fn unit(index: usize) -> [Value; 3] {
+    let mut axis = zeros();
+    if let Some(entry) = axis.get_mut(index) {
+        *entry = Value::number(1.0);
+    }
+    axis
+}
+
+/// A word for an axis, with its sign.
+fn word(written: &Written) -> Option<(f64, usize)> {
+    let Written::Number(expr) = written else { return None };
+    let (sign, expr) = match &expr.kind {
+        ExprKind::Negated(inner) => (-1.0, &**inner),
+        _ => (1.0, expr),
+    };
+    let Expr { kind: ExprKind::Name(word), .. } = expr else { return None };
+    Some((sign, NAMES.iter().position(|name| word == name)?))
+}
+
+/// An axis: a word or a vector. In a plane chain it lies in the plane.
+pub(super) fn axis(written: &Written, context: &mut Context) -> Option<[Value; 3]> {
+    if let Written::Vector(_) = written {
+        return context.written_vector(written, NUMBER);
+    }
+    let known = word(written).filter(|(_, index)| context.space.shifts().contains(index));
+    let Some((sign, index)) = known else {
+        let ways = match context.space {
+            Dimension::Space => "`x`, `y`, `z`, `-x`, `-y`, `-z` or `[a, b, c]`",
+            Dimension::Plane => "`x`, `y`, `-x`, `-y` or `[a, b]`",
+            Dimension::Line => "`x` or `-x`",
+        };
+        return context.refuse(written.extent(), format!("expected an axis: {ways}"));
+    };
+    // `0 −` instead of `−`: the sign of a zero has no meaning here.
+    Some(if sign < 0.0 { unit(index).map(Value::negated) } else { unit(index) })
+}
+
+/// Which axis a normal is: a word without a sign.
+pub(super) fn normal(written: &Written, context: &mut Context) -> Option<usize> {
+    match word(written) {
+        Some((sign, index)) if sign > 0.0 => Some(index),
+        _ => context.refuse(written.extent(), "expected a normal: `x`, `y` or `z`"),
+    }
+}

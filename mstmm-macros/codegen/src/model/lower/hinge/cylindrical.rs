@@ -1,0 +1,22 @@
+//! `cylindrical(z) name`: shifts along and turns about the same axis.
+
+use super::axis::{axis, unit};
+use super::{Kind, Takes};
+use crate::model::lower::context::Context;
+use crate::model::{Dimension, HingeKind};
+use crate::syntax::Arguments;
+
+pub(super) const KIND: Kind =
+    Kind { word: "cylindrical", name: "a cylindrical hinge", plain, takes: Takes::Something(read) };
+
+fn plain(space: Dimension) -> Option<HingeKind> {
+    (space == Dimension::Space).then(|| HingeKind::Cylindrical { axis: unit(2) })
+}
+
+fn read(arguments: &Arguments, context: &mut Context) -> Option<HingeKind> {
+    let [written] = &arguments.values[..] else {
+        let message = "a cylindrical hinge has one axis, such as `cylindrical(z)`";
+        return context.refuse(arguments.extent, message);
+    };
+    axis(written, context).map(|axis| HingeKind::Cylindrical { axis })
+}

@@ -1,0 +1,18 @@
+//! `elastic name`: lets everything free and holds it by springs.
+
+use super::axis::unit;
+use super::{Kind, Takes};
+use crate::model::{Dimension, HingeKind};
+
+pub(super) const KIND: Kind = Kind {
+    word: "elastic",
+    name: "an elastic hinge",
+    plain: |space| {
+        Some(match space {
+            Dimension::Space => HingeKind::Elastic,
+            Dimension::Plane => HingeKind::PlaneElastic,
+            Dimension::Line => HingeKind::Slider { axis: unit(0) },
+        })
+    },
+    takes: Takes::Nothing,
+};

@@ -1,0 +1,163 @@
+//! How a hinge starts, where it is at rest, and what moves it: read by the groups of its degrees of
+//! freedom, the same way for all kinds.
+
+use super::passive::passive;
+use super::words::{groups, measures};
+use crate::model::lower::context::Context;
+use crate::model::lower::fields::Fields;
+use crate::model::lower::orientation::Orientation;
+use crate::model::{Drive, Effort, Form, Freedoms, Passive, Shape, Value};
+use crate::syntax::{Field, Turn, Written};
+
+/// How a hinge starts and what moves it.
+#[derive(Clone, Debug)]
+pub(crate) struct Motion {
+    /// Start coordinates.
+    pub start: Vec<Value>,
+    /// Start rates.
+    pub start_rate: Vec<Value>,
+    /// The coordinates at rest.
+    pub rest: Vec<Value>,
+    /// What moves it.
+    pub drive: Drive,
+    /// What acts on its strains.
+    pub passive: Vec<Passive>,
+}
+
+impl Motion {
+    /// That of a hinge of which nothing is said.
+    pub fn none(shape: &Shape) -> Self {
+        let numbers = |count| vec![Value::number(0.0); count];
+        let freedoms = shape.rates.len();
+        Motion {
+            start: zero_position(shape),
+            start_rate: numbers(freedoms),
+            rest: zero_position(shape),
+            drive: Drive::Efforts(vec![Effort::Free; freedoms]),
+            passive: vec![Passive::none(); freedoms],
+        }
+    }
+}
+
+fn zero_position(shape: &Shape) -> Vec<Value> {
+    shape.coordinates.iter().map(|coordinate| Value::number(coordinate.rest)).collect()
+}
+
+/// What is said of a hinge.
+pub(crate) fn motion(
+    shape: &'static Shape,
+    fields: &Fields,
+    context: &mut Context,
+) -> Option<Motion> {
+    let [start, rest] = ["start", "rest"].map(|name| {
+        context.optional(
+            fields.get(name),
+            || zero_position(shape),
+            |context, written| position(shape, written, context),
+        )
+    });
+    // All of it is read before giving up, so that all mistakes in it are reported.
+    let rates: Vec<_> = groups(shape)
+        .map(|(group, words)| rates(group, fields.get(words.start_rate), context))
+        .collect();
+    let drive = drive(shape, fields, context);
+    let passives: Vec<_> =
+        groups(shape).map(|(group, words)| passive(group, words, fields, context)).collect();
+    Some(Motion {
+        start: start?,
+        rest: rest?,
+        start_rate: rates.into_iter().collect::<Option<Vec<_>>>()?.concat(),
+        drive: drive?,
+        passive: passives.into_iter().collect::<Option<Vec<_>>>()?.concat(),
+    })
+}
+
+/// The coordinates of a position.
+fn position(shape: &'static Shape, written: &Written, context: &mut Context) -> Option<Vec<Value>> {
+    let shifts = |written, group: &Freedoms, context: &mut Context| {
+        context.components(written, group.rates.len(), measures(group).strain)
+    };
+    match shape.groups {
+        [group] if group.form == Form::Quaternion => {
+            Some(context.written_orientation(written)?.quaternion().to_vec())
+        }
+        [group] => shifts(written, group, context),
+        [first, second, ..] => match written {
+            Written::Turned(position, turn) => {
+                let (way, turned) =
+                    (shifts(position, first, context), turned(second, turn, context));
+                Some([way?, turned?].concat())
+            }
+            other => {
+                let mut coordinates = zero_position(shape);
+                coordinates.splice(first.coordinates.clone(), shifts(other, first, context)?);
+                Some(coordinates)
+            }
+        },
+        [] => Some(Vec::new()),
+    }
+}
+
+/// The coordinates of turns that stand behind `turned`.
+fn turned(group: &Freedoms, turn: &Turn, context: &mut Context) -> Option<Vec<Value>> {
+    match group.form {
+        Form::Numbers => context.angle(turn).map(|angle| vec![angle]),
+        Form::Quaternion => Some(context.turned(turn)?.quaternion().to_vec()),
+        Form::Angles => match context.turned(turn)? {
+            Orientation::Rpy(angles) => Some(angles.to_vec()),
+            Orientation::Quaternion(_) => {
+                let message = "an elastic hinge is turned by its angles: `rpy(roll, pitch, yaw)`";
+                context.refuse(turn.extent(), message)
+            }
+        },
+    }
+}
+
+/// The start rates of a group.
+fn rates(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Option<Vec<Value>> {
+    let count = group.rates.len();
+    context.optional(
+        field,
+        || vec![Value::number(0.0); count],
+        |context, written| context.components(written, count, measures(group).rate),
+    )
+}
+
+/// What moves it: a motor for each group, or a motion that is given. Together they are a mistake
+/// that a rule reports.
+fn drive(shape: &'static Shape, fields: &Fields, context: &mut Context) -> Option<Drive> {
+    let efforts: Vec<_> = groups(shape)
+        .map(|(group, words)| efforts(group, fields.get(words.effort), context))
+        .collect();
+    let prescribed = context.optional(
+        fields.get("motion"),
+        || false,
+        |context, written| match written.word() {
+            Some(word) if word == "input" => Some(true),
+            _ => {
+                let found = written.described();
+                let message =
+                    format!("expected `input`, the motion given at each step, found {found}");
+                context.refuse(written.extent(), message)
+            }
+        },
+    );
+    let efforts = efforts.into_iter().collect::<Option<Vec<_>>>()?.concat();
+    Some(if prescribed? { Drive::Motion } else { Drive::Efforts(efforts) })
+}
+
+/// The efforts of a group's motor.
+fn efforts(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Option<Vec<Effort>> {
+    let count = group.rates.len();
+    context.optional(
+        field,
+        || vec![Effort::Free; count],
+        |context, written| match written.word() {
+            Some(word) if word == "input" => Some(vec![Effort::Input; count]),
+            _ => {
+                let numbers = context.components(written, count, measures(group).effort)?;
+                Some(numbers.into_iter().map(Effort::Constant).collect())
+            }
+        },
+    )
+}

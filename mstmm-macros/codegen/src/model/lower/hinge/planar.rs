@@ -1,0 +1,25 @@
+//! `planar(z) name`: shifts in a plane and turns about its normal.
+
+use super::axis::normal;
+use super::{Kind, Takes, nothing};
+use crate::model::lower::context::Context;
+use crate::model::{Dimension, HingeKind};
+use crate::syntax::Arguments;
+
+pub(super) const KIND: Kind = Kind {
+    word: "planar",
+    name: "a planar hinge",
+    plain: |space| (space != Dimension::Line).then_some(HingeKind::Planar { normal: 2 }),
+    takes: Takes::Something(read),
+};
+
+fn read(arguments: &Arguments, context: &mut Context) -> Option<HingeKind> {
+    if context.space == Dimension::Plane {
+        return nothing("planar", arguments, context);
+    }
+    let [written] = &arguments.values[..] else {
+        let message = "a planar hinge has one normal, such as `planar(z)`";
+        return context.refuse(arguments.extent, message);
+    };
+    normal(written, context).map(|normal| HingeKind::Planar { normal })
+}

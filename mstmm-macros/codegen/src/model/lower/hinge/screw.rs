@@ -1,0 +1,31 @@
+//! `screw(z, 5 mm/rev) name`: turns about an axis and shifts along it with the turn.
+
+use super::axis::{axis, unit};
+use super::{Kind, Takes};
+use crate::model::lower::context::Context;
+use crate::model::lower::dimension::PITCH;
+use crate::model::{Dimension, HingeKind, Value};
+use crate::syntax::Arguments;
+
+const EXAMPLE: &str = "screw(z, 5 mm/rev)";
+
+pub(super) const KIND: Kind =
+    Kind { word: "screw", name: "a screw", plain, takes: Takes::Needed(read, EXAMPLE) };
+
+fn plain(space: Dimension) -> Option<HingeKind> {
+    let screw = || HingeKind::Screw { axis: unit(2), pitch: Value::number(0.0) };
+    (space == Dimension::Space).then(screw)
+}
+
+fn read(arguments: &Arguments, context: &mut Context) -> Option<HingeKind> {
+    let (along, pitch) = match &arguments.values[..] {
+        [pitch] => (Some(unit(2)), pitch),
+        [along, pitch] => (axis(along, context), pitch),
+        _ => {
+            let message = format!("a screw has an axis and a pitch, such as `{EXAMPLE}`");
+            return context.refuse(arguments.extent, message);
+        }
+    };
+    let pitch = context.written_number(pitch, PITCH);
+    Some(HingeKind::Screw { axis: along?, pitch: pitch? })
+}

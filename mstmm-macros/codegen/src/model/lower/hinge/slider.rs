@@ -1,0 +1,29 @@
+//! `slider(x) name`: shifts along an axis.
+
+use super::axis::{axis, unit};
+use super::{Kind, Takes, nothing};
+use crate::model::lower::context::Context;
+use crate::model::{Dimension, HingeKind};
+use crate::syntax::Arguments;
+
+pub(super) const KIND: Kind = Kind {
+    word: "slider",
+    name: "a slider",
+    plain: |space| Some(plain(space)),
+    takes: Takes::Something(read),
+};
+
+/// Along z in space as a pin turns about it, otherwise along x.
+fn plain(space: Dimension) -> HingeKind {
+    HingeKind::Slider { axis: unit(if space == Dimension::Space { 2 } else { 0 }) }
+}
+
+fn read(arguments: &Arguments, context: &mut Context) -> Option<HingeKind> {
+    if context.space == Dimension::Line {
+        return nothing("slider", arguments, context);
+    }
+    let [written] = &arguments.values[..] else {
+        return context.refuse(arguments.extent, "a slider has one axis, such as `slider(x)`");
+    };
+    axis(written, context).map(|axis| HingeKind::Slider { axis })
+}

@@ -1,0 +1,133 @@
+//! What can be said of a hinge behind the route, by the groups of its degrees of freedom.
+
+use crate::model::lower::dimension::{
+    ANGLE, DAMPING, FORCE, INERTIA, LENGTH, MASS, Quantity, RATE, STIFFNESS, TORQUE,
+    TURNING_DAMPING, TURNING_STIFFNESS, VELOCITY,
+};
+use crate::model::{Freedoms, Shape};
+
+/// The fields of a group of degrees of freedom.
+pub(crate) struct Words {
+    /// Rates at the start.
+    pub start_rate: &'static str,
+    /// What a motor gives.
+    pub effort: &'static str,
+    /// See [`crate::model::Passive`].
+    pub stiffness: &'static str,
+    /// See [`crate::model::Passive`].
+    pub damping: &'static str,
+    /// See [`crate::model::Passive`].
+    pub armature: &'static str,
+    /// See [`crate::model::Friction`].
+    pub friction: &'static str,
+    /// See [`crate::model::Friction`].
+    pub friction_speed: &'static str,
+    /// See [`crate::model::Limits`].
+    pub limits: &'static str,
+    /// See [`crate::model::Limits`].
+    pub limit_stiffness: &'static str,
+    /// See [`crate::model::Limits`].
+    pub limit_damping: &'static str,
+}
+
+/// Of shifts.
+const SHIFTS: Words = Words {
+    start_rate: "start_velocity",
+    effort: "force",
+    stiffness: "stiffness",
+    damping: "damping",
+    armature: "armature",
+    friction: "friction",
+    friction_speed: "friction_speed",
+    limits: "limits",
+    limit_stiffness: "limit_stiffness",
+    limit_damping: "limit_damping",
+};
+
+/// Of turns.
+const TURNS: Words = Words { start_rate: "start_rate", effort: "torque", ..SHIFTS };
+
+/// Of turns beside shifts.
+const TURNS_BESIDE_SHIFTS: Words = Words {
+    stiffness: "turning_stiffness",
+    damping: "turning_damping",
+    armature: "turning_armature",
+    friction: "turning_friction",
+    friction_speed: "turning_friction_speed",
+    limits: "turning_limits",
+    limit_stiffness: "turning_limit_stiffness",
+    limit_damping: "turning_limit_damping",
+    ..TURNS
+};
+
+/// What the fields of a group measure.
+pub(super) struct Measures {
+    pub strain: &'static Quantity,
+    pub rate: &'static Quantity,
+    pub effort: &'static Quantity,
+    pub stiffness: &'static Quantity,
+    pub damping: &'static Quantity,
+    pub inertia: &'static Quantity,
+}
+
+const OF_SHIFTS: Measures = Measures {
+    strain: LENGTH,
+    rate: VELOCITY,
+    effort: FORCE,
+    stiffness: STIFFNESS,
+    damping: DAMPING,
+    inertia: MASS,
+};
+
+const OF_TURNS: Measures = Measures {
+    strain: ANGLE,
+    rate: RATE,
+    effort: TORQUE,
+    stiffness: TURNING_STIFFNESS,
+    damping: TURNING_DAMPING,
+    inertia: INERTIA,
+};
+
+/// The groups of a hinge, each with its fields.
+pub(crate) fn groups(
+    shape: &'static Shape,
+) -> impl Iterator<Item = (&'static Freedoms, &'static Words)> {
+    let beside_shifts = shape.groups.len() > 1;
+    shape.groups.iter().map(move |group| match (group.turns, beside_shifts) {
+        (false, _) => (group, &SHIFTS),
+        (true, false) => (group, &TURNS),
+        (true, true) => (group, &TURNS_BESIDE_SHIFTS),
+    })
+}
+
+/// What the fields of a group measure.
+pub(super) fn measures(group: &Freedoms) -> &'static Measures {
+    if group.turns { &OF_TURNS } else { &OF_SHIFTS }
+}
+
+/// The fields of a hinge on the route.
+pub(crate) fn fields(shape: &'static Shape) -> Vec<&'static str> {
+    let of_group = |(_, words): (_, &Words)| {
+        [
+            words.stiffness,
+            words.damping,
+            words.armature,
+            words.friction,
+            words.friction_speed,
+            words.limits,
+            words.limit_stiffness,
+            words.limit_damping,
+            words.effort,
+        ]
+    };
+    let more = groups(shape).flat_map(of_group).chain(["rest", "motion"]);
+    let any = !shape.groups.is_empty();
+    start_fields(shape).into_iter().chain(more.filter(|_| any)).collect()
+}
+
+/// The fields that say how it starts.
+pub(crate) fn start_fields(shape: &'static Shape) -> Vec<&'static str> {
+    let rates = groups(shape).map(|(_, words)| words.start_rate);
+    let any = !shape.groups.is_empty();
+    any.then_some("start").into_iter().chain(rates).collect()
+}

@@ -1,0 +1,306 @@
+//! What acts on bodies from outside: `load name { … }` and `spring name { … }`.
+
+use proc_macro2::Ident;
+
+use super::body::BodyType;
+use super::context::{Context, Given};
+use super::dimension::{DAMPING, FORCE, LENGTH, STIFFNESS, TORQUE};
+use super::fields::{self, Fields};
+use super::route::Stop;
+use super::vector::zeros;
+use crate::diag::did_you_mean;
+use crate::model::{BodyId, Dimension, Frame, LoadAxes, Source, Value};
+use crate::syntax::{Block, BlockWord, ChainDef, Field, Written};
+
+const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"];
+/// In a line chain nothing turns.
+const LINE_LOAD_FIELDS: &[&str] = &["on", "at", "force"];
+const SPRING_FIELDS: &[&str] = &["on", "at", "to", "stiffness", "damping", "length"];
+/// The points that every body has.
+pub(crate) const POINTS: &[&str] = &["input", "output", "com"];
+const AXES: &[(&str, LoadAxes)] = &[("inertial", LoadAxes::Inertial), ("body", LoadAxes::Body)];
+
+/// A load as far as it could be read.
+pub(crate) struct LoadDraft<'a> {
+    block: &'a Block,
+    /// Its name.
+    pub name: &'a Ident,
+    /// The body that it acts on.
+    pub body: Option<BodyId>,
+    /// Where the force acts.
+    pub at: Option<[Value; 3]>,
+    /// The axes in which both are given.
+    pub axes: Option<LoadAxes>,
+    /// The force.
+    pub force: Option<Source>,
+    /// The torque.
+    pub torque: Option<Source>,
+}
+
+/// A spring to the ground as far as it could be read.
+pub(crate) struct SpringDraft<'a> {
+    block: &'a Block,
+    /// Its name.
+    pub name: &'a Ident,
+    /// The body that it pulls at.
+    pub body: Option<BodyId>,
+    /// Where it pulls.
+    pub at: Option<[Value; 3]>,
+    /// The point on the ground.
+    pub to: Option<[Value; 3]>,
+    /// Its stiffness.
+    pub stiffness: Option<Given<Value>>,
+    /// Its damping; nothing inside where none is given.
+    pub damping: Option<Option<Given<Value>>>,
+    /// Its length; nothing inside where none is given.
+    pub length: Option<Option<Given<Value>>>,
+}
+
+/// The fields of a block of this word.
+fn known_fields(word: BlockWord, space: Dimension) -> &'static [&'static str] {
+    match (word, space) {
+        (BlockWord::Load, Dimension::Line) => LINE_LOAD_FIELDS,
+        (BlockWord::Load, _) => LOAD_FIELDS,
+        _ => SPRING_FIELDS,
+    }
+}
+
+/// All loads and springs.
+pub(super) fn loads<'a>(
+    def: &'a ChainDef,
+    stops: &[Stop],
+    types: &[BodyType],
+    context: &mut Context,
+) -> (Vec<LoadDraft<'a>>, Vec<SpringDraft<'a>>) {
+    let (mut loads, mut springs) = (Vec::new(), Vec::new());
+    for block in &def.blocks {
+        let word = match block.word {
+            BlockWord::Load => "load",
+            BlockWord::Spring => "spring",
+            BlockWord::Body | BlockWord::Hinge => continue,
+        };
+        if !block.after_route && def.route.is_some() {
+            context.diagnostics.error(block.at, format!("{word}s are described after the route"));
+        }
+        let Some((name, others)) = block.names.split_first() else { continue };
+        if let Some(other) = others.first() {
+            context.diagnostics.error(other.span(), format!("a block describes one {word}"));
+        }
+        let mut fields = Fields::default();
+        let owner = format!("{word} `{name}`{}", context.of_chain());
+        for field in &block.fields {
+            fields.add(field, known_fields(block.word, context.space), &owner, context);
+        }
+        let on = fields.get("on").and_then(|field| {
+            context.field(field, |context, written| on(written, def, stops, context))
+        });
+        let target = Target { stops, types, body: on.map(|on| on.value) };
+        match block.word {
+            BlockWord::Load => loads.push(load(block, name, &fields, &target, context)),
+            _ => springs.push(spring(block, name, &fields, &target, context)),
+        }
+    }
+    (loads, springs)
+}
+
+/// The body that is meant.
+fn on(written: &Written, def: &ChainDef, stops: &[Stop], context: &mut Context) -> Option<BodyId> {
+    let bodies = || stops.iter().filter(|stop| matches!(stop, Stop::Body { .. }));
+    let Some(word) = written.word() else {
+        let found = written.described();
+        let message = format!("expected the name of a body on the route, found {found}");
+        return context.refuse(written.extent(), message);
+    };
+    if let Some(body) = bodies().position(|stop| stop.name() == Some(word)) {
+        return Some(body);
+    }
+    if !def.route.as_ref().is_some_and(|route| route.whole) {
+        return None;
+    }
+    if stops
+        .iter()
+        .any(|stop| matches!(stop, Stop::Hinge { name: Some(name), .. } if *name == word))
+    {
+        return context.refuse(word, format!("`{word}` is a hinge: only a body can be pulled at"));
+    }
+    let names: Vec<String> = bodies().filter_map(Stop::name).map(ToString::to_string).collect();
+    let hint = did_you_mean(&word.to_string(), names.iter().map(String::as_str));
+    context.refuse(word, format!("no body `{word}` on the route{hint}"))
+}
+
+/// What something acts on.
+struct Target<'t, 'a> {
+    stops: &'t [Stop<'a>],
+    types: &'t [BodyType<'a>],
+    body: Option<BodyId>,
+}
+
+impl Target<'_, '_> {
+    fn body_type(&self) -> Option<&BodyType<'_>> {
+        let types = self.stops.iter().filter_map(|stop| match stop {
+            Stop::Body { body_type, .. } => Some(*body_type),
+            _ => None,
+        });
+        self.types.get(types.collect::<Vec<_>>().get(self.body?).copied()??)
+    }
+
+    /// The point at which something acts: the centre of mass unless something else is said.
+    fn at(&self, field: Option<&Field>, context: &mut Context) -> Option<[Value; 3]> {
+        let com = || self.body_type()?.com.as_ref().map(|com| com.value.clone());
+        match field {
+            None => com(),
+            Some(field) => {
+                let at = |context: &mut Context, written: &Written| match written.word() {
+                    Some(word) if word == "com" => Some(com()),
+                    Some(word) => self.point(word, written, context),
+                    None => context.written_vector(written, LENGTH).map(Some),
+                };
+                context.field(field, at)?.value
+            }
+        }
+    }
+
+    /// A point that has a name; nothing inside where it has no position, which is reported.
+    fn point(
+        &self,
+        word: &Ident,
+        written: &Written,
+        context: &mut Context,
+    ) -> Option<Option<[Value; 3]>> {
+        if word == "input" {
+            return Some(Some(zeros()));
+        }
+        let Some(body_type) = self.body_type() else { return Some(None) };
+        if word == "output" {
+            if body_type.missing(true).contains(&"output") {
+                let message = format!("body `{}` has no output", body_type.name);
+                return context.refuse(word, message);
+            }
+            return Some(body_type.output.as_ref().map(|output| output.value.position.clone()));
+        }
+        if let Some(point) = body_type.points.iter().find(|point| word == point.name) {
+            return Some(point.position.clone());
+        }
+        if context.space == Dimension::Line {
+            return context.written_vector(written, LENGTH).map(Some);
+        }
+        let names: Vec<String> =
+            body_type.points.iter().map(|point| point.name.to_string()).collect();
+        let known = names.iter().map(String::as_str).chain(POINTS.iter().copied());
+        let hint = did_you_mean(&word.to_string(), known);
+        context.refuse(word, format!("body `{}` has no point `{word}`{hint}", body_type.name))
+    }
+}
+
+fn load<'a>(
+    block: &'a Block,
+    name: &'a Ident,
+    fields: &Fields,
+    target: &Target,
+    context: &mut Context,
+) -> LoadDraft<'a> {
+    LoadDraft {
+        block,
+        name,
+        body: target.body,
+        at: target.at(fields.get("at"), context),
+        axes: context.optional(fields.get("axes"), || LoadAxes::Inertial, axes),
+        force: context.source(fields.get("force"), |context, it| context.written_vector(it, FORCE)),
+        torque: context
+            .source(fields.get("torque"), |context, it| context.written_turning(it, TORQUE)),
+    }
+}
+
+fn axes(context: &mut Context, written: &Written) -> Option<LoadAxes> {
+    let word = written.word().map_or_else(String::new, ToString::to_string);
+    let known = AXES.iter().find(|(name, _)| *name == word).map(|&(_, axes)| axes);
+    if known.is_none() {
+        let hint = did_you_mean(&word, AXES.iter().map(|(name, _)| *name));
+        let message = format!("expected `inertial` or `body`, found {}{hint}", written.described());
+        context.diagnostics.error_over(written.extent(), message);
+    }
+    known
+}
+
+fn spring<'a>(
+    block: &'a Block,
+    name: &'a Ident,
+    fields: &Fields,
+    target: &Target,
+    context: &mut Context,
+) -> SpringDraft<'a> {
+    let vector = |context: &mut Context, it: &Written| context.written_vector(it, LENGTH);
+    let [stiffness, damping, length] =
+        [("stiffness", STIFFNESS), ("damping", DAMPING), ("length", LENGTH)].map(
+            |(name, expected)| match fields.get(name) {
+                None => Some(None),
+                Some(field) => context
+                    .field(field, |context, it| context.written_number(it, expected))
+                    .map(Some),
+            },
+        );
+    SpringDraft {
+        block,
+        name,
+        body: target.body,
+        at: target.at(fields.get("at"), context),
+        to: fields.get("to").and_then(|to| context.field(to, vector)).map(|to| to.value),
+        stiffness: stiffness.flatten(),
+        damping,
+        length,
+    }
+}
+
+/// Those of `required` that a block lacks.
+fn missing<'r>(block: &Block, required: &[&'r str]) -> Vec<&'r str> {
+    if !block.whole {
+        return Vec::new();
+    }
+    fields::missing(&block.fields, required, known_fields(block.word, Dimension::Space))
+}
+
+impl LoadDraft<'_> {
+    /// The fields that it lacks, in words.
+    pub fn missing(&self) -> Vec<&'static str> {
+        let on = missing(self.block, &["on"]).into_iter().map(|_| "`on`");
+        let acting = missing(self.block, &["force", "torque"]);
+        let acting = (acting.len() == 2).then_some("a `force` or a `torque`");
+        on.chain(acting).collect()
+    }
+
+    /// The load; nothing where a part is missing, which is reported then.
+    pub(super) fn finish(self) -> Option<crate::model::Load> {
+        let at = Frame { position: self.at?, ..Frame::identity() };
+        Some(crate::model::Load {
+            name: self.name.clone(),
+            body: self.body?,
+            at,
+            axes: self.axes?,
+            force: self.force?,
+            torque: self.torque?,
+        })
+    }
+}
+
+impl SpringDraft<'_> {
+    /// The fields that it lacks, in words.
+    pub fn missing(&self) -> Vec<String> {
+        let missing = missing(self.block, &["on", "to", "stiffness"]);
+        missing.iter().map(|name| format!("`{name}`")).collect()
+    }
+
+    /// The spring; nothing where a part is missing, which is reported then.
+    pub(super) fn finish(self) -> Option<crate::model::Spring> {
+        let number =
+            |given: Option<Given<Value>>| given.map_or(Value::number(0.0), |given| given.value);
+        Some(crate::model::Spring {
+            name: self.name.clone(),
+            body: self.body?,
+            at: self.at?,
+            to: self.to?,
+            stiffness: self.stiffness?.value,
+            damping: number(self.damping?),
+            length: number(self.length?),
+        })
+    }
+}

@@ -1,0 +1,67 @@
+//! Which body and which hinge of the model each stop of the route is.
+
+use std::ops::Range;
+
+use super::properties;
+use super::route::Stop;
+use crate::model::{BodyId, HingeId};
+
+/// How many bodies, moving ends and hinges stand before each stop, and before the end of the route.
+pub(super) struct Numbers {
+    before: Vec<Counts>,
+    /// Which stops are moving ends.
+    moving: Vec<bool>,
+    implied: HingeId,
+}
+
+#[derive(Clone, Copy, Default)]
+struct Counts {
+    bodies: usize,
+    ends: usize,
+    hinges: usize,
+}
+
+impl Numbers {
+    /// Bodies in the order of the route, then those of the moving ends; implied hinges, then those
+    /// of the route.
+    pub fn of(stops: &[Stop]) -> Self {
+        let mut counts = Counts::default();
+        let mut before = vec![counts];
+        for stop in stops {
+            match stop {
+                Stop::Body { .. } => counts.bodies += 1,
+                Stop::Moving { .. } => counts.ends += 1,
+                Stop::Hinge { .. } => counts.hinges += 1,
+                Stop::Ground { .. } | Stop::Unknown { .. } => {}
+            }
+            before.push(counts);
+        }
+        let moving = stops.iter().map(|stop| matches!(stop, Stop::Moving { .. })).collect();
+        let implied = if properties::floats(stops) { 1 } else { counts.ends };
+        Numbers { before, moving, implied }
+    }
+
+    /// The body of a stop that is a body or a moving end.
+    pub fn body(&self, stop: usize) -> BodyId {
+        let Counts { bodies, ends, .. } = self.before[stop];
+        let all = self.before.last().map_or(0, |all| all.bodies);
+        if self.moving[stop] { all + ends } else { bodies }
+    }
+
+    /// The bodies among these stops.
+    pub fn bodies(&self, stops: Range<usize>) -> Range<BodyId> {
+        self.before[stops.start].bodies..self.before[stops.end].bodies
+    }
+
+    /// The hinges among these stops.
+    pub fn hinges(&self, stops: Range<usize>) -> Range<HingeId> {
+        let hinge = |stop: usize| self.implied + self.before[stop].hinges;
+        hinge(stops.start)..hinge(stops.end)
+    }
+
+    /// The elements among these stops, as the route counts them.
+    pub fn elements(&self, stops: Range<usize>) -> Range<usize> {
+        let element = |stop: usize| self.before[stop].bodies + self.before[stop].hinges;
+        element(stops.start)..element(stops.end)
+    }
+}

@@ -1,0 +1,103 @@
+//! Seams: where a repeated part begins and ends, a massless body is welded in. All that the part
+//! shares with what is around it passes through there, so it is the same every time.
+
+use super::{
+    About, Body, BodyId, Chain, Frame, Hinge, HingeKind, Inertia, Place, Role, Seam, Value,
+};
+use super::{Drive, Driven, Element};
+use proc_macro2::Span;
+use quote::format_ident;
+
+/// The chain with its seams.
+pub(super) fn with_seams(mut chain: Chain) -> Chain {
+    for repeat in 0..chain.repeats.len() {
+        let part = chain.repeats[repeat].clone();
+        let first = part.hinges.start;
+        let last = part.bodies.end - 1;
+        let before = chain.hinges[first].inboard.clone();
+        let start = add_seam(&mut chain, Seam { repeat, at_end: false }, before);
+        chain.hinges[first].inboard = Place::Input(start);
+        let behind = Place::Output(last);
+        let next = chain.hinges.iter().position(|hinge| hinge.inboard == behind);
+        let end = add_seam(&mut chain, Seam { repeat, at_end: true }, behind);
+        if let Some(next) = next {
+            chain.hinges[next].inboard = Place::Input(end);
+        }
+    }
+    chain
+}
+
+/// Welds a seam to a place.
+fn add_seam(chain: &mut Chain, seam: Seam, at: Place) -> BodyId {
+    let word = if seam.at_end { "end" } else { "start" };
+    let name = format_ident!("{word}_of_repeat{}", seam.repeat, span = Span::call_site());
+    let zero = || Value::number(0.0);
+    let body = chain.bodies.len();
+    chain.bodies.push(Body {
+        name: name.clone(),
+        type_name: name.clone(),
+        mass: zero(),
+        com: [(); 3].map(|()| zero()),
+        inertia: Inertia { tensor: [(); 6].map(|()| zero()), about: About::Com },
+        output: Frame::identity(),
+        role: Role::Seam(seam),
+    });
+    chain.hinges.push(Hinge {
+        name,
+        kind: HingeKind::Weld,
+        inboard: at,
+        outboard: Place::Input(body),
+        start: Vec::new(),
+        start_rate: Vec::new(),
+        rest: Vec::new(),
+        drive: Drive::Efforts(Vec::new()),
+        passive: Vec::new(),
+    });
+    body
+}
+
+impl Chain {
+    /// The seam that a place is on.
+    pub fn seam(&self, place: &Place) -> Option<Seam> {
+        match self.bodies[place.body()?].role {
+            Role::Seam(seam) => Some(seam),
+            Role::Matter | Role::End => None,
+        }
+    }
+
+    /// The weld that joins a seam to what is before it.
+    pub fn weld_of(&self, seam: Seam) -> Option<usize> {
+        let is_it = |hinge: &Hinge| self.seam(&hinge.outboard) == Some(seam);
+        self.hinges.iter().position(is_it)
+    }
+
+    /// The repeated part that a hinge belongs to.
+    pub fn repeat_of_hinge(&self, hinge: usize) -> Option<usize> {
+        self.repeats.iter().position(|repeat| repeat.hinges.contains(&hinge))
+    }
+
+    /// The repeated part that a body belongs to.
+    pub fn repeat_of_body(&self, body: BodyId) -> Option<usize> {
+        self.repeats.iter().position(|repeat| repeat.bodies.contains(&body))
+    }
+
+    /// The repeated part that an input belongs to.
+    pub fn repeat_of_input(&self, what: Driven) -> Option<usize> {
+        match what {
+            Driven::Gravity => None,
+            Driven::Efforts(hinge) | Driven::Motion(hinge) => self.repeat_of_hinge(hinge),
+            Driven::Force(load) | Driven::Torque(load) => {
+                self.repeat_of_body(self.loads[load].body)
+            }
+        }
+    }
+
+    /// How often an element stands in the chain.
+    pub fn times(&self, element: Element) -> usize {
+        let repeat = match element {
+            Element::Hinge(hinge) => self.repeat_of_hinge(hinge),
+            Element::Body(body) => self.repeat_of_body(body),
+        };
+        repeat.map_or(1, |repeat| self.repeats[repeat].count)
+    }
+}

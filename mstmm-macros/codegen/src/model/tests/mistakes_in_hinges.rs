@@ -1,0 +1,249 @@
+//! Mistakes in kinds of hinges and in what is said of them.
+
+use super::{expect, expect_all};
+
+/// Another kind of hinge with other properties in the place of the example's ball.
+#[track_caller]
+fn expect_hinge(kind: &str, properties: &str, mistakes: &[(&str, &str)]) {
+    let source = super::edited(&[
+        ("ball wrist", &format!("{kind} wrist")),
+        ("start_rate = [0, 0.1, 0] rad/s;", properties),
+    ]);
+    expect_all(&source, mistakes);
+}
+
+#[test]
+fn parentheses_hold_what_a_kind_needs() {
+    expect_hinge("slider(x, y)", "", &[("(x, y)", "a slider has one axis, such as `slider(x)`")]);
+    expect_hinge(
+        "screw",
+        "",
+        &[("screw", "`screw` needs more: write it as in `screw(z, 5 mm/rev)`")],
+    );
+    expect_hinge(
+        "screw(x, y, z)",
+        "",
+        &[("(x, y, z)", "a screw has an axis and a pitch, such as `screw(z, 5 mm/rev)`")],
+    );
+    expect_hinge(
+        "screw(z, 5 mm)",
+        "",
+        &[("mm", "a pitch is a length for a turn: write `5 mm/rev` or `5 mm/rad`")],
+    );
+    expect_hinge(
+        "screw(w, 5 s)",
+        "",
+        &[
+            ("w", "expected an axis: `x`, `y`, `z`, `-x`, `-y`, `-z` or `[a, b, c]`"),
+            ("s", "expected a pitch, found a time"),
+        ],
+    );
+    expect_hinge("screw(x)", "", &[("x", "unknown name `x`")]);
+    expect_hinge(
+        "cylindrical()",
+        "",
+        &[("()", "a cylindrical hinge has one axis, such as `cylindrical(z)`")],
+    );
+    expect_hinge(
+        "universal(x)",
+        "",
+        &[("(x)", "a universal hinge has two axes, such as `universal(x, y)`")],
+    );
+    expect_hinge("planar(-z)", "", &[("-z", "expected a normal: `x`, `y` or `z`")]);
+    expect_hinge(
+        "planar(x, y)",
+        "",
+        &[("(x, y)", "a planar hinge has one normal, such as `planar(z)`")],
+    );
+    expect_hinge("floating(x)", "", &[("(x)", "`floating` takes nothing in parentheses")]);
+    expect_hinge("elastic(x)", "", &[("(x)", "`elastic` takes nothing in parentheses")]);
+}
+
+#[test]
+fn axes_have_directions_of_their_own() {
+    expect_hinge("slider([0, 0, 0])", "", &[("[0, 0, 0]", "an axis of zeros has no direction")]);
+    expect_hinge("screw([0, 0, 0], 1)", "", &[("[0, 0, 0]", "an axis of zeros has no direction")]);
+    expect_hinge(
+        "universal(x, [0, 0, 0])",
+        "",
+        &[("[0, 0, 0]", "an axis of zeros has no direction")],
+    );
+    let message = "the two axes of a universal hinge must not be parallel";
+    expect_hinge("universal(x, -x)", "", &[("-x", message)]);
+    expect_hinge("universal(x, [ratio, 0, 0])", "", &[("[ratio, 0, 0]", message)]);
+    expect_hinge("universal(x, [1e-200, 1e-200, 0])", "", &[]);
+    let infinite = "with its parameters' defaults this pitch is not finite";
+    expect_hinge("screw(z, 1 / (ratio - 2))", "", &[("1 / (ratio - 2)", infinite)]);
+}
+
+#[test]
+fn fields_fit_their_group() {
+    expect_hinge("slider", "torque = 1;", &[("torque", "a slider has no field `torque`")]);
+    expect_hinge(
+        "pin",
+        "turning_damping = 1;",
+        &[("turning_damping", "a pin has no field `turning_damping`")],
+    );
+    expect_hinge(
+        "cylindrical",
+        "turning_dampng = 1;",
+        &[(
+            "turning_dampng",
+            "a cylindrical hinge has no field `turning_dampng`; did you mean `turning_damping`?",
+        )],
+    );
+    expect_hinge(
+        "slider",
+        "damping = 1 N*m*s/rad;",
+        &[("N*m*s/rad", "expected a damping, found a turning damping")],
+    );
+    expect_hinge(
+        "pin",
+        "stiffness = 1 N/m;",
+        &[("N/m", "expected a turning stiffness, found a stiffness")],
+    );
+    expect_hinge(
+        "ball",
+        "stiffness = [1, 2, 3];",
+        &[("[1, 2, 3]", "expected a turning stiffness, found a vector")],
+    );
+    expect_hinge("universal", "start = 3;", &[("3", "expected a vector `[a, b]`, found a number")]);
+    expect_hinge(
+        "universal",
+        "start = [1, 2, 3];",
+        &[("[1, 2, 3]", "expected 2 numbers `[a, b]`, here are 3")],
+    );
+    expect_hinge(
+        "planar",
+        "stiffness = [1, 2, 3];",
+        &[("[1, 2, 3]", "expected 2 numbers `[a, b]`, here are 3")],
+    );
+    expect_hinge(
+        "cylindrical",
+        "start = 1 m turned rpy(0, 0, 1);",
+        &[("rpy(0, 0, 1)", "expected an angle, found `rpy(…)`")],
+    );
+    expect_hinge(
+        "pin",
+        "start = 1 turned 2;",
+        &[("1 turned 2", "expected an angle, found a turned frame")],
+    );
+    expect_hinge(
+        "elastic",
+        "start = [0, 0, 0] m turned quaternion(1, 0, 0, 0);",
+        &[(
+            "quaternion(1, 0, 0, 0)",
+            "an elastic hinge is turned by its angles: `rpy(roll, pitch, yaw)`",
+        )],
+    );
+    expect_hinge(
+        "pin",
+        "limits = 3;",
+        &[("3", "limits are two: `[lowest, highest]`, found a number")],
+    );
+    expect_hinge("ball", "limits = [1, 2];", &[("[1, 2]", "expected an angle, found a vector")]);
+}
+
+#[test]
+fn friction_and_limits_are_complete() {
+    expect_hinge(
+        "pin",
+        "friction = 1;",
+        &[("friction", "`friction` needs `friction_speed` beside it")],
+    );
+    expect_hinge(
+        "pin",
+        "friction_speed = 1;",
+        &[("friction_speed", "`friction_speed` needs `friction` beside it")],
+    );
+    expect_hinge(
+        "floating",
+        "turning_limits = 1;",
+        &[("turning_limits", "`turning_limits` needs `turning_limit_stiffness` beside it")],
+    );
+    expect_hinge(
+        "ball",
+        "limit_damping = 1;",
+        &[("limit_damping", "`limit_damping` needs `limits` beside it")],
+    );
+    // A misspelt one is not missed.
+    expect_hinge(
+        "pin",
+        "friction = 1; friction_sped = 1;",
+        &[("friction_sped", "a pin has no field `friction_sped`; did you mean `friction_speed`?")],
+    );
+}
+
+#[test]
+fn passive_numbers_give_no_energy() {
+    expect_hinge("pin", "stiffness = -1;", &[("-1", "a stiffness cannot be negative")]);
+    expect_hinge(
+        "elastic",
+        "damping = [1, -2, 3]; turning_damping = -1;",
+        &[("-2", "a damping cannot be negative"), ("-1", "a damping cannot be negative")],
+    );
+    expect_hinge("ball", "armature = -1;", &[("-1", "an armature cannot be negative")]);
+    expect_hinge(
+        "pin",
+        "friction = -1; friction_speed = 0;",
+        &[("-1", "friction cannot be negative"), ("0", "the speed of friction must be positive")],
+    );
+    expect_hinge(
+        "pin",
+        "limits = [2, 1]; limit_stiffness = 0; limit_damping = -1;",
+        &[
+            ("-1", "a damping cannot be negative"),
+            ("0", "the stiffness of limits must be positive"),
+            ("[2, 1]", "the first limit must be below the second one"),
+        ],
+    );
+    expect_hinge(
+        "ball",
+        "limits = -1; limit_stiffness = 1;",
+        &[("-1", "the largest angle must be positive")],
+    );
+    expect_hinge(
+        "pin",
+        "damping = 1 - ratio;",
+        &[("1 - ratio", "a damping cannot be negative; with its parameters' defaults it is -1")],
+    );
+    // Shared by two hinges, reported once.
+    expect(
+        "hinge wrist {",
+        "hinge shoulder, wrist { damping = -1; friction = 2; } hinge wrist {",
+        &[
+            ("friction", "`friction` needs `friction_speed` beside it"),
+            ("-1", "a damping cannot be negative"),
+        ],
+    );
+}
+
+#[test]
+fn a_given_motion_stands_alone() {
+    let message =
+        |name: &str| format!("`{name}` says nothing here: the motion is given at each step");
+    expect_hinge(
+        "ball",
+        "motion = input; torque = [1, 0, 0]; start_rate = [1, 0, 0];",
+        &[("torque", &message("torque")), ("start_rate", &message("start_rate"))],
+    );
+    expect_hinge("slider", "motion = input; start = 1;", &[("start", &message("start"))]);
+    expect_hinge(
+        "slider",
+        "motion = 3;",
+        &[("3", "expected `input`, the motion given at each step, found a number")],
+    );
+    expect_hinge("weld", "motion = input;", &[("motion", "a weld has no field `motion`")]);
+}
+
+#[test]
+fn elastic_hinges_do_not_stand_upright() {
+    let message = "the pitch of an elastic hinge lies between -90 deg and 90 deg";
+    expect_hinge("elastic", "start = [0, 0, 0] m turned rpy(0, 90, 0) deg;", &[("90", message)]);
+    expect_hinge(
+        "elastic",
+        "rest = [0, 0, 0] m turned rpy(0, -ratio, 500);",
+        &[("-ratio", message)],
+    );
+    expect_hinge("elastic", "start = [0, 0, 0] m turned rpy(200, 80, 500) deg;", &[]);
+}

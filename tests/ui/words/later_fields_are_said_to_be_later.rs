@@ -1,9 +1,0 @@
-mstmm::mstmm_chain! {
-    chain Arm {
-        body Rod { mass = 1 kg; com = [0.5, 0, 0] m; inertia = diag(0.01, 1, 1) kg*m^2 about com; }
-        ground -> pin(z) joint -> Rod rod;
-        hinge joint { damping = 0.5 N*m*s/rad; }
-    }
-}
-
-fn main() {}
