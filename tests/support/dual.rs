@@ -1,6 +1,6 @@
 //! Numbers that carry a derivative: exact rates of change without a step to choose.
 
-use mstmm::Scalar;
+use mstmm::{Chain, ChainState, GeneratedChain, Scalar};
 use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// `value + rate ε` with ε² = 0.
@@ -86,6 +86,11 @@ impl Scalar for Dual {
     fn abs(self) -> Self {
         self.copysign(Self::constant(1.0))
     }
+    fn atan2(self, x: Self) -> Self {
+        let square = self.value * self.value + x.value * x.value;
+        let rate = (x.value * self.rate - self.value * x.rate) / square;
+        Self::new(Scalar::atan2(self.value, x.value), rate)
+    }
     fn sin_cos<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
         let (sines, cosines) = <f64 as Scalar>::sin_cos(angles.map(|angle| angle.value));
         let sine = |k: usize| Self::new(sines[k], cosines[k] * angles[k].rate);
@@ -107,4 +112,33 @@ impl Scalar for Dual {
     fn splat(value: f64) -> Self {
         Self::constant(value)
     }
+}
+
+/// The rate of a chain's total energy, exact, with the state moving as the chain says. `C` and `D`
+/// are the same chain.
+pub fn energy_rate<C, D>(chain: &C, same: &D, state: &C::State, inputs: &C::Inputs) -> f64
+where
+    C: GeneratedChain<Scalar = f64>,
+    D: GeneratedChain<Scalar = Dual>,
+{
+    same.energy(&moving(chain, same, state, inputs)).total().rate
+}
+
+/// The state as it moves.
+pub fn moving<C, D>(chain: &C, same: &D, state: &C::State, inputs: &C::Inputs) -> D::State
+where
+    C: GeneratedChain<Scalar = f64>,
+    D: GeneratedChain<Scalar = Dual>,
+{
+    let mut rate = chain.initial_state();
+    Chain::derivative_into(chain, state, inputs, &mut rate).expect("a regular chain");
+    let mut moving = same.initial_state();
+    let join = |to: &mut [Dual], values: &[f64], rates: &[f64]| {
+        for (to, (&value, &rate)) in to.iter_mut().zip(values.iter().zip(rates)) {
+            *to = Dual::new(value, rate);
+        }
+    };
+    join(moving.q_mut(), state.q(), rate.q());
+    join(moving.v_mut(), state.v(), rate.v());
+    moving
 }

@@ -15,7 +15,8 @@
 //! | [`program`] | straight-line programs and their costs | nothing of ours |
 //! | [`passes`] | one optimisation a file | `expr`, `math`, `program` |
 //! | [`symbols`] | numbers and names of a chain's unknowns | `model` |
-//! | [`compile`](mod@compile) | from a model to its programs | `equations`, `expr`, `model`, `passes`, `program`, `symbols` |
+//! | [`weave`] | repeated parts as loops | `equations`, `expr` |
+//! | [`compile`](mod@compile) | from a model to its programs | `equations`, `expr`, `model`, `passes`, `program`, `symbols`, `weave` |
 //! | [`emit`] | the only `quote!` of items | `compile`, `model`, `program`, `syntax` |
 
 #![deny(missing_docs)]
@@ -31,6 +32,7 @@ pub mod passes;
 pub mod program;
 pub mod symbols;
 pub mod syntax;
+pub mod weave;
 
 use diag::Diagnostics;
 use proc_macro2::TokenStream;

@@ -8,10 +8,54 @@ pub struct Program {
     pub symbols: Vec<u32>,
     /// Values known since setup that it reads, in the order of their slots.
     pub slots: Vec<Slot>,
+    /// The statements, in the order in which they run.
+    pub blocks: Vec<Block>,
+    /// What it computes, in the groups that were asked for. What a loop computes is
+    /// [`Operand::Repeated`] here.
+    pub outputs: Vec<Vec<Operand>>,
+}
+
+/// A part of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Block {
+    /// Statements that run once, by sections.
+    Once(Vec<Section>),
+    /// Statements that run for every time of a repeated part.
+    Loop(Loop),
+}
+
+/// A loop over the times of a repeated part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loop {
+    /// Which part.
+    pub repeat: usize,
+    /// Whether it goes from the last time to the first.
+    pub inwards: bool,
+    /// What it carries: they change from time to time, and keep their last value.
+    pub carries: Vec<Carried>,
+    /// Unknowns of a time that it reads, in the order of their numbers.
+    pub symbols: Vec<u32>,
+    /// Values of the same time from earlier loops, by the number of the loop's block.
+    pub loads: Vec<(usize, Vec<String>)>,
+    /// Values that later loops read at the same time.
+    pub stores: Vec<String>,
     /// The statements by sections.
     pub sections: Vec<Section>,
-    /// What it computes, in the groups that were asked for.
-    pub outputs: Vec<Vec<Operand>>,
+    /// What it computes: group, place in the group, and value.
+    pub outputs: Vec<(usize, usize, Operand)>,
+}
+
+/// A number that a loop carries.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Carried {
+    /// Its name, under which the last value is kept.
+    pub name: String,
+    /// The name of the value that a time begins with.
+    pub entering: String,
+    /// What the first time begins with.
+    pub first: Operand,
+    /// What any time hands on.
+    pub next: Operand,
 }
 
 /// A value known since setup.
@@ -76,6 +120,10 @@ pub enum Operation {
     Sqrt(Operand),
     /// `|a|` with the sign of `b`
     CopySign(Operand, Operand),
+    /// The angle of the point at `a` upwards and `b` to the right
+    Atan2(Operand, Operand),
+    /// `1 / a` where `a` exceeds what rounding can leave of `b`, zero elsewhere
+    RecipAbove(Operand, Operand),
 }
 
 /// What an operation works on.
@@ -89,6 +137,8 @@ pub enum Operand {
     Named(String),
     /// The negative of a symbol or a named value.
     Minus(Box<Operand>),
+    /// What a loop computes for every time of a repeated part.
+    Repeated,
 }
 
 /// How many operations of each kind a program has.
@@ -102,7 +152,7 @@ pub struct Cost {
     pub recip: usize,
     /// Square roots.
     pub sqrt: usize,
-    /// Pairs of sine and cosine.
+    /// Pairs of sine and cosine, and arctangents.
     pub trig: usize,
 }
 
@@ -150,7 +200,10 @@ impl Section {
                     Cost { add: 1, ..Cost::default() }
                 }
                 Operation::Product(..) => Cost { mul: 1, ..Cost::default() },
-                Operation::Recip(_) => Cost { recip: 1, ..Cost::default() },
+                Operation::Recip(_) | Operation::RecipAbove(..) => {
+                    Cost { recip: 1, ..Cost::default() }
+                }
+                Operation::Atan2(..) => Cost { trig: 1, ..Cost::default() },
                 Operation::Sqrt(_) => Cost { sqrt: 1, ..Cost::default() },
                 Operation::CopySign(..) => Cost::default(),
             },
@@ -160,8 +213,24 @@ impl Section {
 }
 
 impl Program {
-    /// Its operations.
+    /// Its operations; those of loops once.
     pub fn cost(&self) -> Cost {
-        self.sections.iter().map(Section::cost).fold(Cost::default(), |sum, cost| sum + cost)
+        self.sections().map(Section::cost).fold(Cost::default(), |sum, cost| sum + cost)
+    }
+
+    /// All sections, those of loops once.
+    pub fn sections(&self) -> impl Iterator<Item = &Section> {
+        self.blocks.iter().flat_map(|block| match block {
+            Block::Once(sections) => sections,
+            Block::Loop(turn) => &turn.sections,
+        })
+    }
+
+    /// Its loops.
+    pub fn loops(&self) -> impl Iterator<Item = &Loop> {
+        self.blocks.iter().filter_map(|block| match block {
+            Block::Once(_) => None,
+            Block::Loop(turn) => Some(turn),
+        })
     }
 }

@@ -1,19 +1,23 @@
 //! The unknowns of a chain: their numbers in the graph and their names in the program.
 
-use crate::model::{Chain, Hinge, Layout, Shape};
+use crate::model::{Chain, Driven, Hinge, Input, Layout, Shape};
 use proc_macro2::Ident;
 use std::collections::HashSet;
 use std::ops::Range;
 
 /// Names that generated functions keep for themselves.
 const KEPT: &[&str] = &["c", "constants", "parameters"];
+const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Numbers and names of all unknowns: parameters, constants, coordinates, rates, inputs.
+/// Numbers and names of all unknowns: parameters, constants, coordinates, rates, inputs, and the
+/// length of an implicit step.
 #[derive(Clone, Debug)]
 pub struct Symbols {
     names: Vec<String>,
-    /// Where each of the five groups ends.
-    ends: [usize; 5],
+    /// Which belong to which repeated part.
+    parts: Vec<Option<usize>>,
+    /// Where each of the six groups ends.
+    ends: [usize; 6],
 }
 
 impl Symbols {
@@ -21,38 +25,33 @@ impl Symbols {
     pub fn of(chain: &Chain, layout: &Layout) -> Self {
         let parameters = chain.parameters.iter().map(|parameter| text(&parameter.name));
         let constants = (0..chain.constants).map(|number| format!("constant{number}"));
-        let names_of = |suffixes: fn(&'static Shape) -> Vec<&'static str>| {
-            let hinge = move |hinge: &Hinge| {
-                let name = text(&hinge.name);
-                suffixes(hinge.kind.shape())
-                    .into_iter()
-                    .map(move |suffix| format!("{name}_{suffix}"))
-            };
-            chain.hinges.iter().flat_map(hinge)
-        };
-        let driven = chain.hinges.iter().zip(&layout.inputs).filter(|(_, range)| !range.is_empty());
-        let inputs = driven.flat_map(|(hinge, range)| {
-            let name = text(&hinge.name);
-            (0..range.len()).map(move |k| format!("{name}_input{k}"))
-        });
+        let free = || chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
+        let inputs = || layout.inputs.iter().flat_map(|input| input_names(chain, input));
+        let groups: [Vec<String>; 6] = [
+            parameters.collect(),
+            constants.collect(),
+            free().flat_map(|hinge| named(hinge, coordinates(hinge.kind.shape()))).collect(),
+            free().flat_map(|hinge| named(hinge, hinge.kind.shape().rates.to_vec())).collect(),
+            inputs().collect(),
+            vec!["step".to_owned()],
+        ];
         let mut names = Vec::new();
-        let mut ends = [0; 5];
-        names.extend(parameters);
-        ends[0] = names.len();
-        names.extend(constants);
-        ends[1] = names.len();
-        names.extend(names_of(|shape| shape.coordinates.iter().map(|c| c.name).collect()));
-        ends[2] = names.len();
-        names.extend(names_of(|shape| shape.rates.to_vec()));
-        ends[3] = names.len();
-        names.extend(inputs);
-        ends[4] = names.len();
-        Symbols { names: distinct(names), ends }
+        let ends = groups.map(|group| {
+            names.extend(group);
+            names.len()
+        });
+        let parts = parts(chain, layout, &ends);
+        Symbols { names: distinct(names), parts, ends }
     }
 
     /// The names by number.
     pub fn names(&self) -> &[String] {
         &self.names
+    }
+
+    /// Which unknowns belong to which repeated part, by number.
+    pub fn parts(&self) -> &[Option<usize>] {
+        &self.parts
     }
 
     /// Numbers of the parameters.
@@ -78,6 +77,64 @@ impl Symbols {
     /// Numbers of the inputs.
     pub fn inputs(&self) -> Range<usize> {
         self.ends[3]..self.ends[4]
+    }
+
+    /// The number of the implicit step.
+    pub fn step(&self) -> Range<usize> {
+        self.ends[4]..self.ends[5]
+    }
+}
+
+/// Which unknowns belong to which repeated part; `ends` are those of the groups.
+fn parts(chain: &Chain, layout: &Layout, ends: &[usize; 6]) -> Vec<Option<usize>> {
+    let mut parts = vec![None; ends[5]];
+    for (index, repeat) in chain.repeats.iter().enumerate() {
+        for hinge in repeat.hinges.clone() {
+            parts[ends[1]..][layout.q[hinge].clone()].fill(Some(index));
+            parts[ends[2]..][layout.v[hinge].clone()].fill(Some(index));
+        }
+    }
+    for input in &layout.inputs {
+        parts[ends[3]..][input.range.clone()].fill(chain.repeat_of_input(input.what));
+    }
+    parts
+}
+
+fn coordinates(shape: &Shape) -> Vec<&'static str> {
+    shape.coordinates.iter().map(|coordinate| coordinate.name).collect()
+}
+
+fn named(hinge: &Hinge, suffixes: Vec<&str>) -> Vec<String> {
+    let name = text(&hinge.name);
+    suffixes.into_iter().map(|suffix| format!("{name}_{suffix}")).collect()
+}
+
+fn input_names(chain: &Chain, input: &Input) -> Vec<String> {
+    let along = |name: &str, axes: &[usize]| -> Vec<String> {
+        axes.iter().map(|&axis| format!("{name}_{}", AXES[axis])).collect()
+    };
+    match input.what {
+        Driven::Gravity => along("gravity", chain.dimension.shifts()),
+        Driven::Force(load) => {
+            along(&format!("{}_force", text(&chain.loads[load].name)), chain.dimension.shifts())
+        }
+        Driven::Torque(load) => {
+            along(&format!("{}_torque", text(&chain.loads[load].name)), chain.dimension.turns())
+        }
+        Driven::Efforts(hinge) => {
+            let name = text(&chain.hinges[hinge].name);
+            (0..input.range.len()).map(|k| format!("{name}_input{k}")).collect()
+        }
+        Driven::Motion(index) => {
+            let hinge = &chain.hinges[index];
+            let shape = hinge.kind.shape();
+            let accelerations: Vec<String> =
+                shape.rates.iter().map(|rate| format!("{rate}_dot")).collect();
+            let mut names = named(hinge, coordinates(shape));
+            names.extend(named(hinge, shape.rates.to_vec()));
+            names.extend(named(hinge, accelerations.iter().map(String::as_str).collect()));
+            names
+        }
     }
 }
 

@@ -14,7 +14,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("program.rs", &[]),
     ("passes", &["expr", "math", "program"]),
     ("symbols.rs", &["model"]),
-    ("compile.rs", &["equations", "expr", "model", "passes", "program", "symbols"]),
+    ("weave.rs", &["equations", "expr"]),
+    ("compile", &["equations", "expr", "model", "passes", "program", "symbols", "weave"]),
     ("emit", &["compile", "model", "program", "syntax"]),
     ("lib.rs", &[]),
 ];

@@ -1,9 +1,11 @@
 //! From a model to its programs: the equations written down, simplified and ordered.
 
-use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
-use crate::expr::{Edge, Expr, Graph, Stage};
-use crate::model::{Chain, Hinge, HingeKind, Layout, Method, Value};
-use crate::passes::{Heading, Setup, factor, schedule};
+mod arrange;
+
+use crate::equations::{self, Axes, Numbers, Pivot, Point, Situation, Solved, Trace};
+use crate::expr::{Expr, Graph, Stage};
+use crate::model::{Chain, Dimension, Hinge, HingeId, HingeKind, Layout, Method, Passive, Value};
+use crate::passes::Setup;
 use crate::program::Program;
 use crate::symbols::Symbols;
 
@@ -23,16 +25,24 @@ pub struct Programs {
     pub start: Program,
     /// `q`, `v`, inputs to `v̇`, pivots and their scales.
     pub accelerations: Program,
-    /// Links that the pivots belong to.
-    pub pivots: Vec<usize>,
-    /// `q`, `v`, inputs to `v̇`, pivots, scales, efforts, energies, then one group a point.
+    /// The same for a linearly implicit step, where that makes a difference, and the hinges that its
+    /// pivots belong to.
+    pub implicit: Option<(Program, Vec<HingeId>)>,
+    /// Hinges that the pivots belong to.
+    pub pivots: Vec<HingeId>,
+    /// `q`, `v`, inputs to `v̇`, pivots, scales, accelerations and efforts of all hinges, energies,
+    /// undetermined reactions of a closing hinge, connection points.
     pub solution: Program,
-    /// `q`, `v` to kinetic and potential energy.
+    /// How many directions the closing hinge holds, if there is one.
+    pub held: Option<usize>,
+    /// `q`, `v`, inputs to kinetic and potential energy.
     pub energy: Program,
     /// `q`, `v` to `q̇`.
     pub coordinate_rates: Program,
     /// `q` to `q` with unit quaternions.
     pub normalized: Program,
+    /// `q`, `v`, inputs to both put back onto the closure, and to how far off they were.
+    pub correction: Option<Program>,
 }
 
 /// The axes of the sweeps. In inertial axes `riccati` took 45 % more operations in the best case
@@ -46,16 +56,20 @@ const COUNTED_WITH_TRANSFER: usize = 2;
 /// Writes down, simplifies and orders all equations of `chain`.
 pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
     let symbols = Symbols::of(chain, layout);
+    let merged = Layout::merged(chain);
     let graph = Graph::default();
-    let scene = Scene::new(chain, layout, &symbols, &graph);
+    let scene = Scene::new(chain, (layout, &merged), &symbols, &graph);
     let mut setup = Setup::default();
     let method = scene.cheapest();
     let (accelerations, pivots) = scene.accelerations(method, &mut setup);
-    let solution = scene.solution(method, &mut setup);
+    let yields = chain.hinges.iter().flat_map(|hinge| &hinge.passive).any(Passive::has_effort);
+    let implicit = yields.then(|| scene.implicit(method, &mut setup));
+    let (solution, held) = scene.solution(method, &mut setup);
     let energy = scene.energy(&mut setup);
     let coordinate_rates = scene.coordinates(&mut setup, equations::hinge::coordinate_rates);
     let normalized =
         scene.coordinates(&mut setup, |kind, q, _| equations::hinge::normalized(kind, q));
+    let correction = scene.correction(&mut setup);
     let start = scene.start(&mut setup);
     let (setup, checked_masses) = scene.setup(setup);
     Programs {
@@ -65,11 +79,14 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
         checked_masses,
         start,
         accelerations,
+        implicit,
         pivots,
         solution,
+        held,
         energy,
         coordinate_rates,
         normalized,
+        correction,
     }
 }
 
@@ -77,22 +94,31 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
 struct Scene<'a, 'g> {
     chain: &'a Chain,
     layout: &'a Layout,
+    /// The layout with welded bodies merged, which has the same hinges in the same places.
+    merged: &'a Layout,
     symbols: &'a Symbols,
     graph: &'g Graph,
     numbers: Numbers<Expr<'g>>,
     q: Vec<Expr<'g>>,
     v: Vec<Expr<'g>>,
     inputs: Vec<Expr<'g>>,
+    step: Expr<'g>,
 }
 
 impl<'a, 'g> Scene<'a, 'g> {
-    fn new(chain: &'a Chain, layout: &'a Layout, symbols: &'a Symbols, graph: &'g Graph) -> Self {
+    fn new(
+        chain: &'a Chain,
+        (layout, merged): (&'a Layout, &'a Layout),
+        symbols: &'a Symbols,
+        graph: &'g Graph,
+    ) -> Self {
         let unknowns = |range: std::ops::Range<usize>, stage| {
             range.map(|number| graph.symbol(number as u32, stage)).collect()
         };
         Scene {
             chain,
             layout,
+            merged,
             symbols,
             graph,
             numbers: Numbers {
@@ -102,60 +128,12 @@ impl<'a, 'g> Scene<'a, 'g> {
             q: unknowns(symbols.q(), Stage::State),
             v: unknowns(symbols.v(), Stage::State),
             inputs: unknowns(symbols.inputs(), Stage::State),
+            step: graph.symbol(symbols.step().start as u32, Stage::State),
         }
     }
 
-    fn situation(&self) -> Situation<'_, Expr<'g>> {
-        Situation {
-            chain: self.chain,
-            layout: self.layout,
-            numbers: &self.numbers,
-            q: &self.q,
-            v: &self.v,
-            inputs: &self.inputs,
-        }
-    }
-
-    /// Simplifies and orders what leads to `outputs`.
-    fn program(
-        &self,
-        stage: Stage,
-        trace: &Trace<Expr<'g>>,
-        outputs: &[Vec<Expr<'g>>],
-        setup: &mut Setup,
-    ) -> Program {
-        let edges: Vec<Vec<Edge>> = outputs
-            .iter()
-            .map(|group| group.iter().map(|&expr| self.graph.edge(expr)).collect())
-            .collect();
-        let results: Vec<Edge> = edges.iter().flatten().copied().collect();
-        let image = factor(self.graph, &results);
-        let go = |edge: Edge| {
-            image[edge.node() as usize]
-                .map(|image| if edge.is_negative() { image.negated() } else { image })
-        };
-        let outputs: Vec<Vec<Edge>> =
-            edges.iter().map(|group| group.iter().filter_map(|&edge| go(edge)).collect()).collect();
-        let headings: Vec<Heading> = trace
-            .sections
-            .iter()
-            .map(|section| Heading {
-                title: section.title.clone(),
-                source: section.source.to_owned(),
-                values: section
-                    .values
-                    .iter()
-                    .filter_map(|(name, expr)| match expr {
-                        Expr::Formula(_, edge) => image
-                            .get(edge.node() as usize)
-                            .and_then(|_| go(*edge))
-                            .map(|edge| (name.clone(), edge)),
-                        Expr::Number(_) => None,
-                    })
-                    .collect(),
-            })
-            .collect();
-        schedule(self.graph, self.symbols.names(), stage, &headings, &outputs, setup)
+    fn situation<'b>(&'b self, layout: &'b Layout) -> Situation<'b, Expr<'g>> {
+        Situation::new(self.chain, layout, &self.numbers, (&self.q, &self.v, &self.inputs))
     }
 
     /// The method asked for, or the cheapest.
@@ -177,40 +155,78 @@ impl<'a, 'g> Scene<'a, 'g> {
         }
     }
 
-    fn accelerations(&self, method: Method, setup: &mut Setup) -> (Program, Vec<usize>) {
-        let mut trace = Trace::new();
-        let solved = equations::accelerations(&self.situation(), method, AXES, &mut trace);
-        let (groups, links) = split(&solved);
-        (self.program(Stage::State, &trace, &groups, setup), links)
+    fn accelerations(&self, method: Method, setup: &mut Setup) -> (Program, Vec<HingeId>) {
+        self.solved(method, setup, |situation| situation)
     }
 
-    fn solution(&self, method: Method, setup: &mut Setup) -> Program {
-        let mut trace = Trace::new();
-        let situation = self.situation();
-        let solved = equations::accelerations(&situation, method, AXES, &mut trace);
-        let report = equations::report(&situation, &solved.accelerations, &mut trace);
-        let energy = equations::energy(&situation, &mut trace);
-        let (mut groups, _) = split(&solved);
-        groups.push(self.numbers.efforts(self.chain, self.layout, &self.inputs));
+    fn implicit(&self, method: Method, setup: &mut Setup) -> (Program, Vec<HingeId>) {
+        self.solved(method, setup, |situation| situation.within(self.step))
+    }
+
+    fn solved(
+        &self,
+        method: Method,
+        setup: &mut Setup,
+        set: impl for<'b> Fn(Situation<'b, Expr<'g>>) -> Situation<'b, Expr<'g>>,
+    ) -> (Program, Vec<HingeId>) {
+        let (solved, trace, turns) = self.woven(|loom, trace| {
+            let situation = set(self.situation(self.merged)).woven(loom);
+            equations::accelerations(&situation, method, AXES, trace)
+        });
+        let (groups, hinges) = self.split(&solved);
+        (self.program(Stage::State, &trace, &groups, &turns, setup), hinges)
+    }
+
+    fn solution(&self, method: Method, setup: &mut Setup) -> (Program, Option<usize>) {
+        let ((solved, report, energy), trace, turns) = self.woven(|loom, trace| {
+            let merged = self.situation(self.merged).woven(loom);
+            let solved = equations::accelerations(&merged, method, AXES, trace);
+            let situation = self.situation(self.layout).woven(loom);
+            let report = equations::report(&situation, &solved, trace);
+            let energy = equations::energy(&situation, trace);
+            (solved, report, energy)
+        });
+        let (mut groups, _) = self.split(&solved);
+        groups.push(report.accelerations);
+        groups.push(report.efforts);
         groups.push(vec![energy.kinetic, energy.potential]);
-        groups.extend(report.points.iter().map(|point| {
-            let mut all = point.position.0.to_vec();
-            all.extend(point.rotation.0.iter().flatten());
-            all.extend(point.velocity.0);
-            all.extend(point.omega.0);
-            all.extend(point.acceleration.linear.0);
-            all.extend(point.acceleration.angular.0);
-            all.extend(point.moment.0);
-            all.extend(point.force.0);
-            all
-        }));
-        self.program(Stage::State, &trace, &groups, setup)
+        let undetermined = solved.reaction.map(|reaction| reaction.undetermined);
+        let held = undetermined.as_ref().map(Vec::len);
+        let wrenches = undetermined.into_iter().flatten();
+        groups.push(wrenches.flat_map(|w| w.force.0.into_iter().chain(w.moment.0)).collect());
+        let points = report.points.iter().flat_map(|point| entries(point, self.chain.dimension));
+        groups.push(points.collect());
+        (self.program(Stage::State, &trace, &groups, &turns, setup), held)
     }
 
     fn energy(&self, setup: &mut Setup) -> Program {
-        let mut trace = Trace::new();
-        let energy = equations::energy(&self.situation(), &mut trace);
-        self.program(Stage::State, &trace, &[vec![energy.kinetic, energy.potential]], setup)
+        let (energy, trace, turns) = self.woven(|loom, trace| {
+            equations::energy(&self.situation(self.layout).woven(loom), trace)
+        });
+        let groups = [vec![energy.kinetic, energy.potential]];
+        self.program(Stage::State, &trace, &groups, &turns, setup)
+    }
+
+    fn correction(&self, setup: &mut Setup) -> Option<Program> {
+        let (correction, trace, turns) = self.woven(|loom, trace| {
+            equations::correction(&self.situation(self.merged).woven(loom), trace)
+        });
+        let correction = correction?;
+        let layout = self.layout;
+        let corrected = |(index, hinge): (usize, &Hinge)| -> Vec<Expr<'g>> {
+            if hinge.is_prescribed() {
+                return Vec::new();
+            }
+            let q = &self.q[layout.q[index].clone()];
+            let along = &correction.coordinates[layout.v[index].clone()];
+            let change = equations::hinge::coordinate_rates(&hinge.kind, q, along);
+            let moved: Vec<_> = q.iter().zip(change).map(|(&q, change)| q + change).collect();
+            equations::hinge::normalized(&hinge.kind, &moved)
+        };
+        let q = self.chain.hinges.iter().enumerate().flat_map(corrected).collect();
+        let v = self.v.iter().zip(correction.rates).map(|(&v, change)| v + change).collect();
+        let groups = [q, v, vec![correction.residual]];
+        Some(self.program(Stage::State, &trace, &groups, &turns, setup))
     }
 
     /// A program that maps every hinge's coordinates (and rates).
@@ -221,19 +237,34 @@ impl<'a, 'g> Scene<'a, 'g> {
     ) -> Program {
         let layout = self.layout;
         let one = |(index, hinge): (usize, &Hinge)| {
+            if hinge.is_prescribed() {
+                return Vec::new();
+            }
             map(&hinge.kind, &self.q[layout.q[index].clone()], &self.v[layout.v[index].clone()])
         };
         let outputs = self.chain.hinges.iter().enumerate().flat_map(one).collect();
-        self.program(Stage::State, &Trace::new(), &[outputs], setup)
+        self.program(Stage::State, &Trace::new(), &[outputs], &[], setup)
+    }
+
+    /// `v̇`, pivots and scales as groups of outputs, and the hinges of the pivots.
+    fn split(&self, solved: &Solved<Expr<'g>>) -> (Vec<Vec<Expr<'g>>>, Vec<HingeId>) {
+        let pivots: Vec<_> = solved.pivots.iter().filter(|pivot| !is_positive(pivot)).collect();
+        let groups = vec![
+            solved.accelerations.clone(),
+            pivots.iter().map(|pivot| pivot.value).collect(),
+            pivots.iter().map(|pivot| pivot.scale).collect(),
+        ];
+        (groups, pivots.iter().map(|pivot| self.merged.links[pivot.link].hinge).collect())
     }
 
     fn start(&self, setup: &mut Setup) -> Program {
         let values = |all: fn(&Hinge) -> &Vec<Value>| {
-            let values = self.chain.hinges.iter().flat_map(all);
+            let values =
+                self.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed()).flat_map(all);
             values.map(|value| self.numbers.scalar(value)).collect::<Vec<_>>()
         };
         let outputs = [values(|hinge| &hinge.start), values(|hinge| &hinge.start_rate)];
-        self.program(Stage::State, &Trace::new(), &outputs, setup)
+        self.program(Stage::State, &Trace::new(), &outputs, &[], setup)
     }
 
     fn setup(&self, setup: Setup) -> (Program, Vec<usize>) {
@@ -249,7 +280,8 @@ impl<'a, 'g> Scene<'a, 'g> {
             slots.push(value);
         }
         let masses = checked.iter().map(|&body| self.numbers.scalar(&bodies[body].mass)).collect();
-        let program = self.program(Stage::Setup, &trace, &[slots, masses], &mut Setup::default());
+        let program =
+            self.program(Stage::Setup, &trace, &[slots, masses], &[], &mut Setup::default());
         (program, checked)
     }
 }
@@ -265,13 +297,27 @@ fn is_positive(pivot: &Pivot<Expr>) -> bool {
     }
 }
 
-/// `v̇`, pivots and scales as groups of outputs, and the links of the pivots.
-fn split<'g>(solved: &Solved<Expr<'g>>) -> (Vec<Vec<Expr<'g>>>, Vec<usize>) {
-    let pivots: Vec<_> = solved.pivots.iter().filter(|pivot| !is_positive(pivot)).collect();
-    let groups = vec![
-        solved.accelerations.clone(),
-        pivots.iter().map(|pivot| pivot.value).collect(),
-        pivots.iter().map(|pivot| pivot.scale).collect(),
-    ];
-    (groups, pivots.iter().map(|pivot| pivot.link).collect())
+/// What a point is made from, in the order of its constructor in the runtime.
+fn entries<'g>(point: &Point<Expr<'g>>, dimension: Dimension) -> Vec<Expr<'g>> {
+    let (shifts, turns) = (dimension.shifts(), dimension.turns());
+    let pick = |vector: [Expr<'g>; 3], axes: &[usize]| -> Vec<Expr<'g>> {
+        axes.iter().map(|&axis| vector[axis]).collect()
+    };
+    let rotation: Vec<Expr<'g>> = match dimension {
+        Dimension::Space => point.rotation.0.concat(),
+        // Cosine and sine.
+        Dimension::Plane => vec![point.rotation[0][0], point.rotation[1][0]],
+        Dimension::Line => Vec::new(),
+    };
+    [
+        pick(point.position.0, shifts),
+        rotation,
+        pick(point.velocity.0, shifts),
+        pick(point.omega.0, turns),
+        pick(point.acceleration.linear.0, shifts),
+        pick(point.acceleration.angular.0, turns),
+        pick(point.moment.0, turns),
+        pick(point.force.0, shifts),
+    ]
+    .concat()
 }

@@ -1,19 +1,26 @@
 //! A program as statements.
 
 use super::Plan;
+use super::looped::{self, Masks, Target};
 use super::names::local;
-use crate::model::{Effort, Results};
-use crate::program::{Operand, Operation, Program, Section, Statement};
+use super::spread::Spread;
+use crate::program::{Loop, Operand, Operation, Program, Section, Statement};
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 use std::ops::Range;
 
 /// The statements of a program and its results.
-pub struct Block {
+pub struct Results {
     /// All statements, reading the unknowns first.
     pub statements: TokenStream,
-    /// The groups of results.
+    /// The groups of results, those of repeated parts left out.
     pub outputs: Vec<Vec<TokenStream>>,
+    /// The groups of results as arrays.
+    pub arrays: Vec<TokenStream>,
+    /// Whether the program has loops.
+    pub looped: bool,
+    /// The pivots of repeated parts.
+    pub masks: Masks,
 }
 
 /// Programs of more statements than this declare the names of a section before they compute them.
@@ -24,17 +31,43 @@ pub struct Block {
 const NESTED_SCOPES: usize = 1000;
 
 impl Plan<'_> {
-    /// A program of the step: it reads `state`, `inputs` and `self.derived`.
-    pub fn step_block(&self, program: &Program) -> Block {
-        let coordinates = self.read(program, self.programs.symbols.q(), quote!(state.q.data.0));
-        let rates = self.read(program, self.programs.symbols.v(), quote!(state.v.data.0));
-        let inputs = self.read_inputs(program);
-        let slots = read_slots(program);
-        self.block(program, quote!(#slots #coordinates #rates #inputs))
+    /// A program of the step: it reads `state`, `inputs` and `self.derived`. Where parts are repeated
+    /// its results go into arrays as `targets` say, and its second and third groups are pivots and
+    /// scales if `pivoted`.
+    pub fn step(&self, program: &Program, targets: &[Target], pivoted: bool) -> Results {
+        let looped = !self.chain.repeats.is_empty();
+        let reading = if looped {
+            let once = self.read_once(program);
+            let (slots, inputs) = (read_slots(program), self.read_inputs(program));
+            quote!(#slots #once #inputs)
+        } else {
+            let coordinates = self.read(program, self.programs.symbols.q(), quote!(state.q.data.0));
+            let rates = self.read(program, self.programs.symbols.v(), quote!(state.v.data.0));
+            let (slots, inputs) = (read_slots(program), self.read_inputs(program));
+            quote!(#slots #coordinates #rates #inputs)
+        };
+        let masks: Masks = if pivoted {
+            let values = program.outputs[looped::PIVOTS].iter().enumerate();
+            let repeated = values.filter(|(_, value)| **value == Operand::Repeated);
+            repeated.map(|(k, _)| (k, local(&format!("regular{k}")))).collect()
+        } else {
+            Masks::new()
+        };
+        let mut results = self.results(program, reading);
+        if looped {
+            let blocks = self.looped(program, targets, &masks);
+            results.statements.extend(blocks);
+            for target in targets {
+                results.arrays[target.group] = looped::array(target.group).to_token_stream();
+            }
+        } else {
+            results.statements.extend(self.plain(program));
+        }
+        Results { looped, masks, ..results }
     }
 
     /// The program of the setup: it reads the parameters and `constants`.
-    pub fn setup_block(&self, program: &Program) -> Block {
+    pub fn setup_block(&self, program: &Program) -> Results {
         let parameters = self.chain.parameters.iter().zip(self.programs.symbols.parameters());
         let parameters =
             parameters.filter(|(_, number)| reads(program, *number)).map(|(parameter, number)| {
@@ -43,24 +76,70 @@ impl Plan<'_> {
             });
         let constants =
             self.read_array(program, self.programs.symbols.constants(), quote!(*constants));
-        self.block(program, quote!(#(#parameters)* #constants))
+        let mut results = self.results(program, quote!(#(#parameters)* #constants));
+        results.statements.extend(self.plain(program));
+        results
     }
 
-    fn block(&self, program: &Program, reading: TokenStream) -> Block {
-        let count: usize = program.sections.iter().map(|section| section.statements.len()).sum();
-        let flat = count > NESTED_SCOPES;
-        let sections = program.sections.iter().map(|section| self.section(section, flat));
-        let statements: TokenStream = sections.collect();
-        let outputs: Vec<Vec<TokenStream>> = program
-            .outputs
-            .iter()
-            .map(|group| group.iter().map(|operand| self.operand(operand)).collect())
-            .collect();
+    /// The results of a program whose statements are still to come.
+    fn results(&self, program: &Program, reading: TokenStream) -> Results {
+        let operands = |group: &Vec<Operand>| -> Vec<TokenStream> {
+            group.iter().map(|operand| self.operand(operand)).collect()
+        };
+        let outputs: Vec<Vec<TokenStream>> = program.outputs.iter().map(operands).collect();
+        let arrays = outputs.iter().map(|group| quote!([#(#group),*])).collect();
         let constant = uses_numbers(program).then(|| {
             let c = local("c");
             quote!(let #c = T::constant;)
         });
-        Block { statements: quote!(#constant #reading #statements), outputs }
+        let statements = quote!(#constant #reading);
+        Results { statements, outputs, arrays, looped: false, masks: Masks::new() }
+    }
+
+    /// The statements of a program without loops.
+    fn plain(&self, program: &Program) -> TokenStream {
+        let count: usize = program.sections().map(|section| section.statements.len()).sum();
+        let sections =
+            program.sections().map(|section| self.section(section, count > NESTED_SCOPES));
+        sections.collect()
+    }
+
+    /// Some sections.
+    pub fn sections(&self, sections: &[Section], flat: bool) -> TokenStream {
+        sections.iter().map(|section| self.section(section, flat)).collect()
+    }
+
+    /// Takes the unknowns that stand once out of arrays that hold those of repeated parts as well.
+    fn read_once(&self, program: &Program) -> TokenStream {
+        let symbols = &self.programs.symbols;
+        let both = [
+            (symbols.q(), Spread::coordinates(self), quote!(state.q)),
+            (symbols.v(), Spread::freedoms(self), quote!(state.v)),
+        ];
+        let mut reading = TokenStream::new();
+        for (range, spread, from) in both {
+            for piece in spread.pieces.iter().filter(|piece| piece.repeat.is_none()) {
+                let first = range.start + piece.first;
+                if let Some(pattern) = self.whole_pattern(program, first..first + piece.count) {
+                    let [count, place] = [piece.count, piece.place].map(looped::usize_literal);
+                    reading.extend(quote! {
+                        let #pattern =
+                            ::mstmm::generated::piece::<T, #count>(#from.as_slice(), #place);
+                    });
+                }
+            }
+        }
+        reading
+    }
+
+    /// A pattern of all unknowns in `range`, naming those that the program reads.
+    fn whole_pattern(&self, program: &Program, range: Range<usize>) -> Option<TokenStream> {
+        let any = range.clone().any(|number| reads(program, number));
+        let entries = range.map(|number| {
+            let name = self.symbol(number as u32);
+            if reads(program, number) { quote!(#name) } else { quote!(_) }
+        });
+        any.then(|| quote!([#(#entries),*]))
     }
 
     /// The statements of a section, its heading on the first.
@@ -133,10 +212,18 @@ impl Plan<'_> {
                 let (a, b) = (go(a), go(b));
                 quote!(T::copysign(#a, #b))
             }
+            Operation::Atan2(a, b) => {
+                let (a, b) = (go(a), go(b));
+                quote!(T::atan2(#a, #b))
+            }
+            Operation::RecipAbove(a, b) => {
+                let (a, b) = (go(a), go(b));
+                quote!(::mstmm::generated::recip_above(#a, #b))
+            }
         }
     }
 
-    fn operand(&self, operand: &Operand) -> TokenStream {
+    pub fn operand(&self, operand: &Operand) -> TokenStream {
         match operand {
             // A pivot that vanishes in every state leaves its reciprocal behind: the test of the
             // pivots comes first, but the number has to be written.
@@ -160,6 +247,8 @@ impl Plan<'_> {
                 let inner = self.operand(inner);
                 quote!(-#inner)
             }
+            // It is written by its loop.
+            Operand::Repeated => TokenStream::new(),
         }
     }
 
@@ -187,27 +276,6 @@ impl Plan<'_> {
         });
         let rest = (last + 1 < range.end).then(|| quote!(, ..));
         Some(quote!([#(#entries),* #rest]))
-    }
-
-    fn read_inputs(&self, program: &Program) -> TokenStream {
-        let hinges = self.chain.hinges.iter().zip(&self.layout.inputs);
-        let driven = hinges.filter(|(hinge, _)| matches!(hinge.effort, Effort::Input));
-        driven
-            .map(|(hinge, range)| {
-                let start = self.programs.symbols.inputs().start;
-                let range = start + range.start..start + range.end;
-                let field = &hinge.name;
-                match hinge.kind.shape().results {
-                    Results::Nothing => TokenStream::new(),
-                    Results::Number => {
-                        let name = self.symbol(range.start as u32);
-                        let read = reads(program, range.start);
-                        if read { quote!(let #name = inputs.#field;) } else { TokenStream::new() }
-                    }
-                    Results::Vector => self.read(program, range, quote!(inputs.#field.data.0)),
-                }
-            })
-            .collect()
     }
 }
 
@@ -237,7 +305,7 @@ fn uses_numbers(program: &Program) -> bool {
         match operand {
             Operand::Number(_) => true,
             Operand::Minus(inner) => number(inner),
-            Operand::Symbol(_) | Operand::Named(_) => false,
+            Operand::Symbol(_) | Operand::Named(_) | Operand::Repeated => false,
         }
     }
     let in_statement = |statement: &Statement| match statement {
@@ -246,10 +314,15 @@ fn uses_numbers(program: &Program) -> bool {
             Operation::Sum(a, b)
             | Operation::Difference(a, b)
             | Operation::Product(a, b)
-            | Operation::CopySign(a, b) => number(a) || number(b),
+            | Operation::CopySign(a, b)
+            | Operation::Atan2(a, b)
+            | Operation::RecipAbove(a, b) => number(a) || number(b),
             Operation::Recip(a) | Operation::Sqrt(a) => number(a),
         },
     };
-    program.sections.iter().flat_map(|section| &section.statements).any(in_statement)
+    let carried = |turn: &Loop| turn.carries.iter().any(|c| number(&c.first) || number(&c.next));
+    let written = |turn: &Loop| turn.outputs.iter().any(|(_, _, value)| number(value));
+    program.sections().flat_map(|section| &section.statements).any(in_statement)
         || program.outputs.iter().flatten().any(number)
+        || program.loops().any(|turn| carried(turn) || written(turn))
 }

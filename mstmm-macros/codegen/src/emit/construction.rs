@@ -2,6 +2,8 @@
 
 use super::Plan;
 use super::docs;
+use super::looped::Target;
+use super::spread::Spread;
 use crate::model::{Parameter, Symbol, Value};
 use proc_macro2::{Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
@@ -176,8 +178,10 @@ fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
 
 fn start(plan: &Plan) -> TokenStream {
     let (state, visibility) = (&plan.names.state, &plan.surface.visibility);
-    let block = plan.step_block(&plan.programs.start);
-    let (statements, q, v) = (block.statements, &block.outputs[0], &block.outputs[1]);
+    let targets = [(0, Spread::coordinates(plan)), (1, Spread::freedoms(plan))];
+    let targets = targets.map(|(group, spread)| Target { group, spread });
+    let block = plan.step(&plan.programs.start, &targets, false);
+    let (statements, q, v) = (block.statements, &block.arrays[0], &block.arrays[1]);
     quote! {
         /// The state that the description starts from, at time zero.
         #[must_use]
@@ -185,8 +189,8 @@ fn start(plan: &Plan) -> TokenStream {
         #visibility fn initial_state(&self) -> #state<T> {
             #statements
             #state {
-                q: ::mstmm::generated::vector([#(#q),*]),
-                v: ::mstmm::generated::vector([#(#v),*]),
+                q: ::mstmm::generated::vector(#q),
+                v: ::mstmm::generated::vector(#v),
                 t: T::constant(0.0),
             }
         }

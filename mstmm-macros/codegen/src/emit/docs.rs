@@ -78,7 +78,7 @@ pub fn cost(program: &Program) -> Vec<String> {
         " | section | equations | mul | add | reciprocal | square root | sin/cos |".into(),
         " |---|---|---|---|---|---|---|".into(),
     ];
-    lines.extend(program.sections.iter().map(|section| {
+    lines.extend(program.sections().map(|section| {
         let Cost { mul, add, recip, sqrt, trig } = section.cost();
         // Brackets would make links of the tags.
         let source = section.source.replace('[', "\\[").replace(']', "\\]");

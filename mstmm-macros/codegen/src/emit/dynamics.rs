@@ -2,10 +2,14 @@
 //! integrator sees it.
 
 use super::Plan;
+use super::block::Results;
 use super::docs;
-use crate::model::{Effort, Results};
-use crate::program::Program;
-use proc_macro2::{Literal, TokenStream};
+use super::integrable::{generated, integrable};
+use super::looped::{Target, usize_literal};
+use super::names::local;
+use super::spread::{Spread, numbers_of_point};
+use crate::model::{Dimension, Hinge, HingeId};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 /// The chain's methods and its `Chain` implementation.
@@ -31,13 +35,17 @@ pub fn emit(plan: &Plan) -> TokenStream {
 fn accelerations(plan: &Plan) -> TokenStream {
     let (state, inputs) = (&plan.names.state, &plan.names.inputs);
     let visibility = &plan.surface.visibility;
-    let freedoms = Literal::usize_unsuffixed(plan.layout.freedoms());
+    let freedoms = usize_literal(Spread::freedoms(plan).total);
     let program = &plan.programs.accelerations;
-    let block = plan.step_block(program);
-    let (statements, results) = (block.statements, &block.outputs[0]);
-    let check = check(plan, &block.outputs);
+    let target = Target { group: 0, spread: Spread::freedoms(plan) };
+    let block = plan.step(program, &[target], true);
+    let check = check(plan, &block, &plan.programs.pivots);
+    let (statements, results) = (block.statements, &block.arrays[0]);
     let cost = docs::cost(program);
+    let implicit = implicit(plan);
     quote! {
+        #implicit
+
         /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
         ///
         #(#[doc = #cost])*
@@ -56,7 +64,7 @@ fn accelerations(plan: &Plan) -> TokenStream {
         ) -> ::core::result::Result<(), ::mstmm::Error> {
             #statements
             #check
-            accelerations.data.0 = [[#(#results),*]];
+            accelerations.data.0 = [#results];
             ::core::result::Result::Ok(())
         }
 
@@ -80,16 +88,55 @@ fn accelerations(plan: &Plan) -> TokenStream {
     }
 }
 
+/// The accelerations of a linearly implicit step.
+fn implicit(plan: &Plan) -> Option<TokenStream> {
+    let (program, pivots) = plan.programs.implicit.as_ref()?;
+    let (state, inputs) = (&plan.names.state, &plan.names.inputs);
+    let freedoms = usize_literal(Spread::freedoms(plan).total);
+    let target = Target { group: 0, spread: Spread::freedoms(plan) };
+    let block = plan.step(program, &[target], true);
+    let check = check(plan, &block, pivots);
+    let (statements, results) = (block.statements, &block.arrays[0]);
+    let cost = docs::cost(program);
+    let step = local(&plan.programs.symbols.names()[plan.programs.symbols.step().start]);
+    Some(quote! {
+        /// The accelerations of a linearly implicit step of Euler's method.
+        ///
+        #(#[doc = #cost])*
+        #[allow(unused_doc_comments, unused_variables, clippy::all)]
+        fn implicit_accelerations_into(
+            &self,
+            state: &#state<T>,
+            inputs: &#inputs<T>,
+            #step: T,
+            accelerations: &mut ::mstmm::nalgebra::SVector<T, #freedoms>,
+        ) -> ::core::result::Result<(), ::mstmm::Error> {
+            #statements
+            #check
+            accelerations.data.0 = [#results];
+            ::core::result::Result::Ok(())
+        }
+    })
+}
+
 fn solution(plan: &Plan) -> TokenStream {
     let (state, inputs) = (&plan.names.state, &plan.names.inputs);
     let (workspace, visibility) = (&plan.names.workspace, &plan.surface.visibility);
     let program = &plan.programs.solution;
-    let block = plan.step_block(program);
+    let (freedoms, rates) = (Spread::freedoms(plan), Spread::rates(plan));
+    let targets = [(0, freedoms), (3, rates.clone()), (4, rates), (7, Spread::points(plan))];
+    let targets = targets.map(|(group, spread)| Target { group, spread });
+    let block = plan.step(program, &targets, true);
+    let check = check(plan, &block, &plan.programs.pivots);
+    let points = points(plan, &block);
     let statements = block.statements;
-    let check = check(plan, &block.outputs);
-    let (results, efforts, energies) = (&block.outputs[0], &block.outputs[3], &block.outputs[4]);
+    let [results, _, _, rates, efforts, ..] = &block.arrays[..] else { return TokenStream::new() };
+    let (energies, undetermined) = (&block.outputs[5], &block.outputs[6]);
     let (kinetic, potential) = (&energies[0], &energies[1]);
-    let points = block.outputs[5..].iter().map(|group| point(group));
+    let closure = plan.programs.held.map(|_| {
+        let wrenches = undetermined.chunks(6).map(|wrench| quote!([#(#wrench),*]));
+        quote!(at.closure = ::mstmm::generated::closure([#(#wrenches),*]);)
+    });
     let cost = docs::cost(program);
     quote! {
         /// Everything: accelerations, efforts, energies and, at every connection point, pose,
@@ -109,167 +156,170 @@ fn solution(plan: &Plan) -> TokenStream {
         ) -> ::core::result::Result<(), ::mstmm::Error> {
             #statements
             #check
-            at.accelerations.data.0 = [[#(#results),*]];
-            at.efforts.data.0 = [[#(#efforts),*]];
+            at.accelerations.data.0 = [#results];
+            at.rate_accelerations.data.0 = [#rates];
+            at.efforts.data.0 = [#efforts];
+            #closure
             at.kinetic_energy = #kinetic;
             at.potential_energy = #potential;
-            at.points = [#(#points),*];
+            #points
             ::core::result::Result::Ok(())
         }
     }
 }
 
-/// A connection point from its thirty numbers: position, rotation by rows, velocity, `Ω`, `z`.
-fn point(numbers: &[TokenStream]) -> TokenStream {
-    let triple = |start: usize| {
-        let entries = &numbers[start..start + 3];
-        quote!([#(#entries),*])
-    };
-    let (position, rows) = (triple(0), [triple(3), triple(6), triple(9)]);
-    let (velocity, omega) = (triple(12), triple(15));
-    let z = [triple(18), triple(21), triple(24), triple(27)];
+/// Writes all connection points.
+fn points(plan: &Plan, block: &Results) -> TokenStream {
+    let each = numbers_of_point(plan.chain.dimension);
+    if !block.looped {
+        let points = block.outputs[7].chunks(each).map(|numbers| point(plan, numbers));
+        return quote!(at.points = [#(#points),*];);
+    }
+    let names: Vec<TokenStream> = (0..each)
+        .map(|k| {
+            let name = local(&format!("p{k}"));
+            quote!(#name)
+        })
+        .collect();
+    let (point, numbers, each) = (point(plan, &names), &block.arrays[7], usize_literal(each));
     quote! {
-        ::mstmm::Point::new(
-            #position,
-            [#(#rows),*],
-            #velocity,
-            #omega,
-            ::mstmm::StateVector::new(#(#z),*),
-        )
+        for (point, &[#(#names),*]) in at.points.iter_mut().zip(#numbers.as_chunks::<#each>().0) {
+            *point = #point;
+        }
+    }
+}
+
+/// A connection point from its numbers.
+fn point(plan: &Plan, numbers: &[TokenStream]) -> TokenStream {
+    let mut rest = numbers.iter();
+    let mut take = |count: usize| {
+        let entries: Vec<&TokenStream> = rest.by_ref().take(count).collect();
+        if count == 1 { quote!(#(#entries)*) } else { quote!([#(#entries),*]) }
+    };
+    match plan.chain.dimension {
+        Dimension::Space => {
+            let (position, rows) = (take(3), [take(3), take(3), take(3)]);
+            let (velocity, omega) = (take(3), take(3));
+            let z = [take(3), take(3), take(3), take(3)];
+            quote! {
+                ::mstmm::Point::new(
+                    #position,
+                    [#(#rows),*],
+                    #velocity,
+                    #omega,
+                    ::mstmm::StateVector::new(#(#z),*),
+                )
+            }
+        }
+        Dimension::Plane => {
+            let (position, turn, velocity, omega) = (take(2), take(2), take(2), take(1));
+            let z = [take(2), take(1), take(1), take(2)];
+            quote! {
+                ::mstmm::PlanePoint::new(
+                    #position,
+                    #turn,
+                    #velocity,
+                    #omega,
+                    ::mstmm::PlaneStateVector::new(#(#z),*),
+                )
+            }
+        }
+        Dimension::Line => {
+            let (position, velocity, z) = (take(1), take(1), [take(1), take(1)]);
+            quote! {
+                ::mstmm::LinePoint::new(
+                    #position,
+                    #velocity,
+                    ::mstmm::LineStateVector::new(#(#z),*),
+                )
+            }
+        }
     }
 }
 
 fn energy(plan: &Plan) -> TokenStream {
-    let (state, visibility) = (&plan.names.state, &plan.surface.visibility);
+    let (state, inputs) = (&plan.names.state, &plan.names.inputs);
+    let visibility = &plan.surface.visibility;
     let program = &plan.programs.energy;
-    let block = plan.step_block(program);
+    let block = plan.step(program, &[], false);
     let (statements, kinetic, potential) =
         (block.statements, &block.outputs[0][0], &block.outputs[0][1]);
     let cost = docs::cost(program);
+    let body = quote! {
+        #statements
+        ::mstmm::Energy { kinetic: #kinetic, potential: #potential }
+    };
+    if !plan.chain.hinges.iter().any(Hinge::is_prescribed) {
+        return quote! {
+            /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
+            /// of mass at the inertial origin.
+            ///
+            #(#[doc = #cost])*
+            #[must_use]
+            #[allow(unused_doc_comments, unused_variables, clippy::all)]
+            #visibility fn energy(&self, state: &#state<T>) -> ::mstmm::Energy<T> {
+                #body
+            }
+        };
+    }
     quote! {
-        /// Kinetic and potential energy in J; the potential is zero with every centre of mass at
-        /// the inertial origin.
+        /// Kinetic and potential energy in J, with prescribed motions at rest in the zero position.
+        #[inline]
+        #[must_use]
+        #visibility fn energy(&self, state: &#state<T>) -> ::mstmm::Energy<T> {
+            self.energy_with(state, &self.no_inputs())
+        }
+
+        /// Kinetic and potential energy in J; the potential of gravity is zero with every centre of
+        /// mass at the inertial origin.
         ///
         #(#[doc = #cost])*
         #[must_use]
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
-        #visibility fn energy(&self, state: &#state<T>) -> ::mstmm::Energy<T> {
-            #statements
-            ::mstmm::Energy { kinetic: #kinetic, potential: #potential }
+        #visibility fn energy_with(
+            &self,
+            state: &#state<T>,
+            inputs: &#inputs<T>,
+        ) -> ::mstmm::Energy<T> {
+            #body
         }
     }
 }
 
 /// The test that comes before any result is written.
-fn check(plan: &Plan, outputs: &[Vec<TokenStream>]) -> TokenStream {
-    let (results, pivots, scales) = (&outputs[0], &outputs[1], &outputs[2]);
-    let names = hinge_names(plan, &plan.programs.pivots);
-    let inputs = plan.chain.hinges.iter().filter(|hinge| matches!(hinge.effort, Effort::Input));
-    let inputs = inputs.map(|hinge| {
-        let name = &hinge.name;
-        match hinge.kind.shape().results {
-            Results::Nothing => quote!(),
-            Results::Number => quote!(&[inputs.#name],),
-            Results::Vector => quote!(inputs.#name.as_slice(),),
-        }
+fn check(plan: &Plan, block: &Results, pivots: &[HingeId]) -> TokenStream {
+    let name = |&hinge: &HingeId| plan.chain.hinges[hinge].name.to_string();
+    let once = |number: &usize| block.masks.iter().all(|(repeated, _)| repeated != number);
+    let numbers: Vec<usize> = (0..pivots.len()).filter(once).collect();
+    let names = numbers.iter().map(|&number| name(&pivots[number]));
+    let values = numbers.iter().map(|&number| &block.outputs[1][number]);
+    let scales = numbers.iter().map(|&number| &block.outputs[2][number]);
+    let results = &block.arrays[0];
+    let (taken, inputs) = plan.input_slices();
+    let repeated = block.masks.iter().map(|(number, mask)| {
+        let name = name(&pivots[*number]);
+        quote!(::mstmm::generated::require(#mask, #name)?;)
     });
+    // An array of many numbers is not handed over by value.
+    let (few, many) = if block.looped {
+        (quote!([]), Some(quote!(::mstmm::generated::finite::<T>(&[#results.as_slice()])?;)))
+    } else {
+        (quote!(#results), None)
+    };
     quote! {
+        #taken
         ::mstmm::generated::finite::<T>(&[
             state.q.as_slice(),
             state.v.as_slice(),
-            #(#inputs)*
+            #(#inputs,)*
         ])?;
         ::mstmm::generated::regular::<T, _, _>(
             &[#(#names),*],
-            [#(#pivots),*],
+            [#(#values),*],
             [#(#scales),*],
-            [#(#results),*],
+            #few,
         )?;
+        #(#repeated)*
+        #many
     }
-}
-
-fn hinge_names(plan: &Plan, links: &[usize]) -> Vec<String> {
-    let hinge = |&link: &usize| &plan.chain.hinges[plan.layout.links[link].hinge];
-    links.iter().map(|link| hinge(link).name.to_string()).collect()
-}
-
-/// The chain as integrators see it.
-fn integrable(plan: &Plan) -> TokenStream {
-    let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
-    let rates = map(plan, &plan.programs.coordinate_rates);
-    let normalized = map(plan, &plan.programs.normalized);
-    quote! {
-        impl<T: ::mstmm::Scalar> ::mstmm::Chain for #name<T> {
-            type Scalar = T;
-            type State = #state<T>;
-            type Inputs = #inputs<T>;
-
-            #[inline]
-            #[allow(unused_doc_comments, unused_variables, clippy::all)]
-            fn derivative_into(
-                &self,
-                state: &#state<T>,
-                inputs: &#inputs<T>,
-                rate: &mut #state<T>,
-            ) -> ::core::result::Result<(), ::mstmm::Error> {
-                self.accelerations_into(state, inputs, &mut rate.v)?;
-                rate.q.data.0 = { #rates };
-                ::core::result::Result::Ok(())
-            }
-
-            #[inline]
-            #[allow(unused_doc_comments, unused_variables, clippy::all)]
-            fn normalize(&self, state: &mut #state<T>) {
-                state.q.data.0 = { #normalized };
-            }
-        }
-    }
-}
-
-/// The chain as generic code sees it.
-fn generated(plan: &Plan) -> TokenStream {
-    let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
-    let workspace = &plan.names.workspace;
-    quote! {
-        impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for #name<T> {
-            type Workspace = #workspace<T>;
-
-            #[inline]
-            fn initial_state(&self) -> #state<T> {
-                self.initial_state()
-            }
-
-            #[inline]
-            fn no_inputs(&self) -> #inputs<T> {
-                self.no_inputs()
-            }
-
-            #[inline]
-            fn workspace(&self) -> #workspace<T> {
-                self.workspace()
-            }
-
-            #[inline]
-            fn solve_into(
-                &self,
-                state: &#state<T>,
-                inputs: &#inputs<T>,
-                at: &mut #workspace<T>,
-            ) -> ::core::result::Result<(), ::mstmm::Error> {
-                self.solve_into(state, inputs, at)
-            }
-
-            #[inline]
-            fn energy(&self, state: &#state<T>) -> ::mstmm::Energy<T> {
-                self.energy(state)
-            }
-        }
-    }
-}
-
-/// A program with one group of results, as the only column of a vector.
-fn map(plan: &Plan, program: &Program) -> TokenStream {
-    let block = plan.step_block(program);
-    let (statements, results) = (block.statements, &block.outputs[0]);
-    quote!(#statements [[#(#results),*]])
 }

@@ -4,7 +4,12 @@ mod block;
 mod construction;
 mod docs;
 mod dynamics;
+mod inputs;
+mod integrable;
+mod looped;
 mod names;
+mod repeated;
+mod spread;
 mod state;
 mod workspace;
 
@@ -35,7 +40,7 @@ pub fn expand(
     let construction = construction::emit(&plan);
     let dynamics = dynamics::emit(&plan);
     let state = state::emit(&plan);
-    let inputs = state::emit_inputs(&plan);
+    let inputs = inputs::emit(&plan);
     let workspace = workspace::emit(&plan);
     quote! {
         #construction

@@ -1,9 +1,11 @@
 //! The state with named access, and the inputs.
 
-use super::Plan;
+use super::looped::{slices_mut, usize_literal};
 use super::names::accessor_mut;
-use crate::model::{Effort, Group, Hinge, HingeKind, Results};
-use proc_macro2::{Ident, Literal, TokenStream};
+use super::spread::Spread;
+use super::{Plan, repeated};
+use crate::model::{Element, Group};
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
 
@@ -11,8 +13,8 @@ use std::ops::Range;
 pub fn emit(plan: &Plan) -> TokenStream {
     let (name, visibility) = (&plan.names.state, &plan.surface.visibility);
     let doc = format!(" Coordinates and rates of [`{}`] at a time.", plan.names.chain);
-    let coordinates = Literal::usize_unsuffixed(plan.layout.coordinates());
-    let freedoms = Literal::usize_unsuffixed(plan.layout.freedoms());
+    let coordinates = usize_literal(Spread::coordinates(plan).total);
+    let freedoms = usize_literal(Spread::freedoms(plan).total);
     let accessors = (0..plan.chain.hinges.len()).map(|index| accessors(plan, index));
     let rest = rest(plan);
     quote! {
@@ -39,7 +41,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
                 let (zero, one) = (T::constant(0.0), T::constant(1.0));
                 let _ = one;
                 Self {
-                    q: ::mstmm::generated::vector([#(#rest),*]),
+                    q: ::mstmm::generated::vector(#rest),
                     v: ::mstmm::generated::vector([zero; #freedoms]),
                     t: zero,
                 }
@@ -76,16 +78,43 @@ pub fn emit(plan: &Plan) -> TokenStream {
 }
 
 /// All coordinates with every hinge in its zero position.
-fn rest(plan: &Plan) -> Vec<TokenStream> {
-    let coordinates = plan.chain.hinges.iter().flat_map(|hinge| hinge.kind.shape().coordinates);
-    coordinates.map(|c| if c.rest == 1.0 { quote!(one) } else { quote!(zero) }).collect()
+fn rest(plan: &Plan) -> TokenStream {
+    let free = plan.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
+    let coordinates = free.flat_map(|hinge| hinge.kind.shape().coordinates);
+    let rest: Vec<TokenStream> =
+        coordinates.map(|c| if c.rest == 1.0 { quote!(one) } else { quote!(zero) }).collect();
+    let spread = Spread::coordinates(plan);
+    if plan.chain.repeats.is_empty() {
+        return quote!([#(#rest),*]);
+    }
+    let total = usize_literal(spread.total);
+    let fill = spread.pieces.iter().map(|piece| {
+        let own = &rest[piece.first..piece.first + piece.count];
+        let slices = slices_mut(&quote!(rest), piece);
+        quote! {
+            for part in #slices {
+                *part = [#(#own),*];
+            }
+        }
+    });
+    quote!({
+        let mut rest = [zero; #total];
+        #(#fill)*
+        rest
+    })
 }
 
 /// The views of one hinge's coordinates, for reading and for writing.
 fn accessors(plan: &Plan, index: usize) -> TokenStream {
     let hinge = &plan.chain.hinges[index];
+    if hinge.is_prescribed() {
+        return TokenStream::new();
+    }
     let (name, name_mut) = (&hinge.name, accessor_mut(&hinge.name));
     let Some(view) = &hinge.kind.shape().view else { return TokenStream::new() };
+    if let Some(repeat) = plan.chain.repeat_of_hinge(index) {
+        return repeated::state_accessors(plan, index, plan.chain.repeats[repeat].count);
+    }
     let (q, v) = (&plan.layout.q[index], &plan.layout.v[index]);
     let arguments = view.groups.iter().map(|group| {
         let (is_q, range) = match group {
@@ -98,9 +127,13 @@ fn accessors(plan: &Plan, index: usize) -> TokenStream {
     let arguments = quote!(#(#arguments),*);
     let (view, view_mut) = (format_ident!("{}", view.name), format_ident!("{}Mut", view.name));
     let visibility = &plan.surface.visibility;
-    let kind = if matches!(hinge.kind, HingeKind::Floating) { "body" } else { "hinge" };
+    let on_route = plan.chain.route.contains(&Element::Hinge(index));
+    let kind = if on_route { "hinge" } else { "body" };
     let doc = format!(" Coordinates and rates of {kind} `{name}`.");
     let doc_mut = format!(" Coordinates and rates of {kind} `{name}`, to be changed.");
+    if !plan.chain.repeats.is_empty() {
+        return repeated::single_accessors(plan, index, (&doc, &doc_mut));
+    }
     let (from_q, from_v) = (pattern((true, q)), pattern((false, v)));
     quote! {
         #[doc = #doc]
@@ -131,65 +164,4 @@ fn pattern((is_q, range): (bool, &Range<usize>)) -> TokenStream {
     let skipped = (0..range.start).map(|_| quote!(_,));
     let names = range.clone().map(|number| variable(is_q, number));
     quote!([#(#skipped)* #(#names,)* ..])
-}
-
-/// The type of a hinge's acceleration or effort.
-pub fn result_type(results: Results) -> TokenStream {
-    match results {
-        Results::Nothing => quote!(()),
-        Results::Number => quote!(T),
-        Results::Vector => quote!(::mstmm::nalgebra::Vector3<T>),
-    }
-}
-
-/// `struct ChainInputs<T>` and how to get one.
-pub fn emit_inputs(plan: &Plan) -> TokenStream {
-    let (name, visibility) = (&plan.names.inputs, &plan.surface.visibility);
-    let chain = &plan.names.chain;
-    let doc = format!(" What drives [`{chain}`] from outside, given at every step.");
-    let driven: Vec<&Hinge> =
-        plan.chain.hinges.iter().filter(|hinge| matches!(hinge.effort, Effort::Input)).collect();
-    let fields = driven.iter().map(|hinge| {
-        let name = &hinge.name;
-        let doc = format!(" {} of `{name}`.", hinge.kind.shape().effort);
-        let ty = result_type(hinge.kind.shape().results);
-        quote!(#[doc = #doc] #visibility #name: #ty)
-    });
-    let zeros = driven.iter().map(|hinge| {
-        let name = &hinge.name;
-        match hinge.kind.shape().results {
-            Results::Nothing => quote!(#name: ()),
-            Results::Number => quote!(#name: T::constant(0.0)),
-            Results::Vector => quote!(#name: ::mstmm::generated::vector([T::constant(0.0); 3])),
-        }
-    });
-    let (marker, marker_value) = if driven.is_empty() {
-        (quote!(none: ::core::marker::PhantomData<T>), quote!(none: ::core::marker::PhantomData))
-    } else {
-        (TokenStream::new(), TokenStream::new())
-    };
-    quote! {
-        #[doc = #doc]
-        #[derive(Clone, Copy, Debug, PartialEq)]
-        #[allow(dead_code, non_snake_case)]
-        #visibility struct #name<T> {
-            #(#fields,)*
-            #marker
-        }
-        impl<T: ::mstmm::Scalar> ::core::default::Default for #name<T> {
-            #[inline]
-            fn default() -> Self {
-                Self { #(#zeros,)* #marker_value }
-            }
-        }
-        #[allow(dead_code, non_snake_case)]
-        impl<T: ::mstmm::Scalar> #chain<T> {
-            /// Inputs that are all zero.
-            #[inline]
-            #[must_use]
-            #visibility fn no_inputs(&self) -> #name<T> {
-                ::core::default::Default::default()
-            }
-        }
-    }
 }

@@ -1,10 +1,12 @@
 //! Where results are written, with named access to every element's connection points.
 
-use super::Plan;
-use super::state::result_type;
-use crate::model::{Element, Hinge, Results};
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use super::inputs::numbers_type;
+use super::looped::usize_literal;
+use super::spread::{Spread, numbers_of_point};
+use super::{Plan, repeated};
+use crate::model::{Dimension, Element, Hinge};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
 use std::ops::Range;
 
 /// `struct ChainWorkspace<T>` and how to get one.
@@ -12,11 +14,23 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let (name, chain) = (&plan.names.workspace, &plan.names.chain);
     let visibility = &plan.surface.visibility;
     let doc = format!(" Results of [`{chain}::solve_into`].");
-    let freedoms = Literal::usize_unsuffixed(plan.layout.freedoms());
-    let point_count = Literal::usize_unsuffixed(plan.chain.route.len() + 1);
+    let freedoms = usize_literal(Spread::freedoms(plan).total);
+    let points = Spread::points(plan).total / numbers_of_point(plan.chain.dimension);
+    let point_count = usize_literal(points);
+    let rates = usize_literal(Spread::rates(plan).total);
+    let point = point_type(plan);
+    let closure = closure(plan);
+    let (closure_field, closure_zero, closure_method) =
+        (&closure.field, &closure.zero, &closure.method);
     let elements = plan.chain.route.iter().enumerate().map(|(place, element)| match *element {
-        Element::Body(index) => body(plan, index, place),
-        Element::Hinge(index) => hinge(plan, index, place),
+        Element::Body(index) => match plan.chain.times(*element) {
+            _ if plan.chain.repeat_of_body(index).is_none() => body(plan, index, place),
+            count => repeated::body(plan, (&plan.chain.bodies[index].name, place), count),
+        },
+        Element::Hinge(index) => match plan.chain.times(*element) {
+            _ if plan.chain.repeat_of_hinge(index).is_none() => hinge(plan, index, place),
+            count => repeated::hinge(plan, (index, place), count),
+        },
     });
     quote! {
         #[doc = #doc]
@@ -24,10 +38,12 @@ pub fn emit(plan: &Plan) -> TokenStream {
         #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
             accelerations: ::mstmm::nalgebra::SVector<T, #freedoms>,
-            efforts: ::mstmm::nalgebra::SVector<T, #freedoms>,
+            rate_accelerations: ::mstmm::nalgebra::SVector<T, #rates>,
+            efforts: ::mstmm::nalgebra::SVector<T, #rates>,
             kinetic_energy: T,
             potential_energy: T,
-            points: [::mstmm::Point<T>; #point_count],
+            #closure_field
+            points: [::mstmm::#point<T>; #point_count],
         }
         #[allow(dead_code, non_snake_case)]
         impl<T: ::mstmm::Scalar> #name<T> {
@@ -43,7 +59,8 @@ pub fn emit(plan: &Plan) -> TokenStream {
                 self.kinetic_energy
             }
 
-            /// Potential energy in J; zero with every centre of mass at the inertial origin.
+            /// Potential energy in J: of gravity, zero with every centre of mass at the inertial
+            /// origin, and of springs.
             #[inline]
             #visibility fn potential_energy(&self) -> T {
                 self.potential_energy
@@ -52,9 +69,11 @@ pub fn emit(plan: &Plan) -> TokenStream {
             /// All connection points in the order written: the first element's input, then every
             /// element's output.
             #[inline]
-            #visibility fn points(&self) -> &[::mstmm::Point<T>; #point_count] {
+            #visibility fn points(&self) -> &[::mstmm::#point<T>; #point_count] {
                 &self.points
             }
+
+            #closure_method
 
             #(#elements)*
         }
@@ -66,9 +85,11 @@ pub fn emit(plan: &Plan) -> TokenStream {
                 let zero = T::constant(0.0);
                 #name {
                     accelerations: ::mstmm::generated::vector([zero; #freedoms]),
-                    efforts: ::mstmm::generated::vector([zero; #freedoms]),
+                    rate_accelerations: ::mstmm::generated::vector([zero; #rates]),
+                    efforts: ::mstmm::generated::vector([zero; #rates]),
                     kinetic_energy: zero,
                     potential_energy: zero,
+                    #closure_zero
                     points: [::core::default::Default::default(); #point_count],
                 }
             }
@@ -76,14 +97,51 @@ pub fn emit(plan: &Plan) -> TokenStream {
     }
 }
 
+/// The type of a connection point.
+pub fn point_type(plan: &Plan) -> Ident {
+    let name = match plan.chain.dimension {
+        Dimension::Space => "Point",
+        Dimension::Plane => "PlanePoint",
+        Dimension::Line => "LinePoint",
+    };
+    format_ident!("{name}")
+}
+
+/// What the workspace of a closed chain has besides.
+struct Closure {
+    field: TokenStream,
+    zero: TokenStream,
+    method: TokenStream,
+}
+
+fn closure(plan: &Plan) -> Closure {
+    let Some(held) = plan.programs.held else {
+        let [field, zero, method] = [(); 3].map(|()| TokenStream::new());
+        return Closure { field, zero, method };
+    };
+    let (held, visibility) = (Literal::usize_unsuffixed(held), &plan.surface.visibility);
+    Closure {
+        field: quote!(closure: ::mstmm::Closure<T, #held>,),
+        zero: quote!(closure: ::core::default::Default::default(),),
+        method: quote! {
+            /// Which reactions of the closing hinge, the last one, the motion does not determine:
+            /// wrenches in axes of its inboard frame.
+            #[inline]
+            #visibility fn closure(&self) -> &::mstmm::Closure<T, #held> {
+                &self.closure
+            }
+        },
+    }
+}
+
 fn body(plan: &Plan, index: usize, place: usize) -> TokenStream {
     let (name, visibility) = (&plan.chain.bodies[index].name, &plan.surface.visibility);
     let doc = format!(" Input and output of body `{name}`.");
-    let ends = ends(place);
+    let (ends, point) = (ends(plan, place), point_type(plan));
     quote! {
         #[doc = #doc]
         #[inline]
-        #visibility fn #name(&self) -> ::mstmm::BodyResult<'_, T> {
+        #visibility fn #name(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::#point<T>> {
             #ends
             ::mstmm::BodyResult::new(input, output)
         }
@@ -93,20 +151,20 @@ fn body(plan: &Plan, index: usize, place: usize) -> TokenStream {
 fn hinge(plan: &Plan, index: usize, place: usize) -> TokenStream {
     let Hinge { name, kind, .. } = &plan.chain.hinges[index];
     let visibility = &plan.surface.visibility;
-    let range = &plan.layout.v[index];
-    let results = kind.shape().results;
-    let (ty, of) = (result_type(results), |field| match results {
-        Results::Nothing => quote!(()),
-        Results::Number => scalar(range, field),
-        Results::Vector => vector(range, field),
-    });
-    let (acceleration, effort) = (of("accelerations"), of("efforts"));
+    let range = &plan.layout.rates[index];
+    let ty = numbers_type(kind.freedoms());
+    let of = |field| match range.len() {
+        0 => quote!(()),
+        1 => scalar(plan, range, field),
+        _ => vector(plan, range, field),
+    };
+    let (acceleration, effort) = (of("rate_accelerations"), of("efforts"));
     let doc = format!(" Acceleration, effort, input and output of hinge `{name}`.");
-    let ends = ends(place);
+    let (ends, point) = (ends(plan, place), point_type(plan));
     quote! {
         #[doc = #doc]
         #[inline]
-        #visibility fn #name(&self) -> ::mstmm::HingeResult<'_, T, #ty> {
+        #visibility fn #name(&self) -> ::mstmm::HingeResult<'_, T, #ty, ::mstmm::#point<T>> {
             #ends
             ::mstmm::HingeResult::new(#acceleration, #effort, input, output)
         }
@@ -114,23 +172,37 @@ fn hinge(plan: &Plan, index: usize, place: usize) -> TokenStream {
 }
 
 /// Binds `input` and `output` of the element at `place` on the route.
-fn ends(place: usize) -> TokenStream {
-    let skipped = (0..place).map(|_| quote!(_,));
-    quote!(let [#(#skipped)* input, output, ..] = &self.points;)
+fn ends(plan: &Plan, place: usize) -> TokenStream {
+    if plan.chain.repeats.is_empty() {
+        let skipped = (0..place).map(|_| quote!(_,));
+        return quote!(let [#(#skipped)* input, output, ..] = &self.points;);
+    }
+    let (first, _) = repeated::points_of(plan, place);
+    let [input, output] = [first, first + 1].map(usize_literal);
+    // The places are known to be within the array.
+    quote!(let (input, output) = (&self.points[#input], &self.points[#output]);)
 }
 
-fn scalar(range: &Range<usize>, field: &str) -> TokenStream {
-    let (field, skipped) = (quote::format_ident!("{field}"), (0..range.start).map(|_| quote!(_,)));
+fn scalar(plan: &Plan, range: &Range<usize>, field: &str) -> TokenStream {
+    let numbers = numbers(plan, range, field);
     quote!({
-        let [[#(#skipped)* value, ..]] = self.#field.data.0;
+        let [value] = #numbers;
         value
     })
 }
 
-fn vector(range: &Range<usize>, field: &str) -> TokenStream {
-    let (field, skipped) = (quote::format_ident!("{field}"), (0..range.start).map(|_| quote!(_,)));
-    quote!({
-        let [[#(#skipped)* x, y, z, ..]] = self.#field.data.0;
-        ::mstmm::generated::vector([x, y, z])
-    })
+fn vector(plan: &Plan, range: &Range<usize>, field: &str) -> TokenStream {
+    let numbers = numbers(plan, range, field);
+    quote!(::mstmm::generated::vector(#numbers))
+}
+
+/// Some of the numbers of all rates.
+fn numbers(plan: &Plan, range: &Range<usize>, field: &str) -> TokenStream {
+    let field = format_ident!("{field}");
+    let spread = Spread::rates(plan);
+    let place = spread
+        .piece_of(range.start)
+        .map_or(range.start, |piece| piece.place + range.start - piece.first);
+    let [count, place] = [range.len(), place].map(usize_literal);
+    quote!(::mstmm::generated::piece::<T, #count>(self.#field.as_slice(), #place))
 }

@@ -1,7 +1,11 @@
 //! Accelerations of all hinges, by either method.
 
-use super::{Axes, LinkMotion, Situation, Trace, motion, riccati, transfer};
-use crate::math::Scalar;
+use super::closing::{Closing, closing};
+use super::load::loads;
+use super::motion::LinkMotion;
+use super::problem::{Demand, Movement, Problem};
+use super::{Axes, Situation, Trace, motion, riccati, transfer};
+use crate::math::{Mat3, Motion, Rotation, Scalar, Wrench};
 use crate::model::Method;
 
 /// A number that must be positive if the accelerations are to mean anything.
@@ -15,6 +19,16 @@ pub struct Pivot<S> {
     pub scale: S,
 }
 
+/// What the closing hinge exerts.
+#[derive(Clone, Debug)]
+pub struct Reaction<S> {
+    /// On its outboard side at the hinge, in axes of its inboard frame.
+    pub wrench: Wrench<S>,
+    /// Unit wrenches, in the same axes, that could be added without any difference to the motion,
+    /// one for each direction that the hinge holds; zeros where there is none.
+    pub undetermined: Vec<Wrench<S>>,
+}
+
 /// The result of a method.
 #[derive(Clone, Debug)]
 pub struct Solved<S> {
@@ -22,6 +36,8 @@ pub struct Solved<S> {
     pub accelerations: Vec<S>,
     /// The numbers divided by on the way.
     pub pivots: Vec<Pivot<S>>,
+    /// What the closing hinge exerts, if there is one.
+    pub reaction: Option<Reaction<S>>,
 }
 
 /// Solves for the accelerations of all hinges.
@@ -32,30 +48,100 @@ pub fn accelerations<S: Scalar>(
     trace: &mut Trace<S>,
 ) -> Solved<S> {
     let links = motion(situation, axes, trace);
-    let efforts = efforts(situation, &links);
-    let ground = situation.ground();
-    let (amounts, pivots) = match method {
-        Method::Riccati => riccati::solve(&links, &efforts, ground, trace),
+    let closing = closing(situation, axes, &links);
+    let problem = forces(situation, &links, closing.as_ref());
+    let (movement, pivots) = match method {
+        Method::Riccati => riccati::solve(&problem, trace),
         Method::Transfer => {
-            let amounts = transfer::solve(&links, &efforts, ground, trace);
-            (amounts, riccati::pivots(&links, trace))
+            let movement = transfer::solve(&problem, trace);
+            (movement, riccati::pivots(&problem, trace))
         }
     };
     let layout = situation.layout;
     let mut accelerations = vec![S::zero(); layout.freedoms()];
-    for (index, link) in links.iter().enumerate() {
-        let range = layout.v[layout.links[index].hinge].clone();
-        accelerations[range].copy_from_slice(&link.freedom.rates(&amounts[index]));
+    for (link, amounts) in links.iter().zip(&movement.amounts) {
+        let range = layout.v[link.over.hinge].clone();
+        accelerations[range].copy_from_slice(&link.over.freedom.rates(amounts));
     }
-    Solved { accelerations, pivots }
+    if let Some(demand) = &problem.closing {
+        let a = reached(demand.closing, problem.ground, &movement);
+        let a_child = child(demand.closing, &links, &problem);
+        let relative = a_child - a - demand.closing.over.drift;
+        let range = layout.v[demand.closing.over.hinge].clone();
+        let rates = demand.closing.rates(relative);
+        if !range.is_empty() {
+            accelerations[range].copy_from_slice(&rates);
+        }
+    }
+    let reaction =
+        problem.closing.as_ref().map(|demand| reaction(situation, demand, &links, &movement));
+    Solved { accelerations, pivots, reaction }
 }
 
-/// Each link's efforts along its columns.
-fn efforts<S: Scalar>(situation: &Situation<S>, links: &[LinkMotion<S>]) -> Vec<Vec<S>> {
-    let Situation { chain, layout, numbers, inputs, .. } = *situation;
-    let all = numbers.efforts(chain, layout, inputs);
-    let of = |(index, link): (usize, &LinkMotion<S>)| {
-        link.freedom.amounts(&all[layout.v[layout.links[index].hinge].clone()])
+/// Newton's and Euler's laws as a problem: forces, efforts and velocities.
+fn forces<'a, S: Scalar>(
+    situation: &Situation<'a, S>,
+    links: &'a [LinkMotion<S>],
+    closing: Option<&'a Closing<S>>,
+) -> Problem<'a, S> {
+    let outer = loads(situation, links);
+    let mut problem = Problem {
+        links,
+        dimension: situation.chain.dimension,
+        passage: situation.passage,
+        drift: links.iter().map(|link| link.over.drift).collect(),
+        loads: links.iter().zip(outer).map(|(link, load)| link.velocity_load() - load).collect(),
+        efforts: links.iter().map(|link| link.over.freedom.loads(&link.over.efforts)).collect(),
+        ground: situation.ground(),
+        closing: None,
     };
-    links.iter().enumerate().map(of).collect()
+    problem.closing = closing.map(|closing| {
+        let a = child(closing, links, &problem) - closing.over.drift;
+        let efforts = &closing.over.efforts;
+        let reached = closing.held.iter().map(|held| a.power(held.wrench));
+        Demand { closing, reached: reached.collect(), given: closing.given(efforts) }
+    });
+    problem
+}
+
+/// The acceleration that the outboard side of the closing hinge has of itself.
+fn child<S: Scalar>(
+    closing: &Closing<S>,
+    links: &[LinkMotion<S>],
+    problem: &Problem<S>,
+) -> Motion<S> {
+    let own = match closing.child {
+        None => problem.ground,
+        // A moving end hangs on the ground, its motion prescribed.
+        Some(link) => problem.carried(link, &[]),
+    };
+    closing.of_child(own) + closing.child_drift(links)
+}
+
+/// The acceleration at the closing hinge that comes over from its inboard side.
+fn reached<S: Scalar>(
+    closing: &Closing<S>,
+    ground: Motion<S>,
+    movement: &Movement<S>,
+) -> Motion<S> {
+    closing.over.carried(closing.parent.map_or(ground, |link| movement.points[link]))
+}
+
+fn reaction<S: Scalar>(
+    situation: &Situation<S>,
+    demand: &Demand<S>,
+    links: &[LinkMotion<S>],
+    movement: &Movement<S>,
+) -> Reaction<S> {
+    let closing = demand.closing;
+    let attitude = closing.parent.map_or(Mat3::identity(), |link| links[link].attitude);
+    let hinge = &situation.chain.hinges[closing.over.hinge];
+    let (_, _, rotation) = situation.place(&hinge.inboard);
+    let to_hinge = Rotation::general(attitude * rotation);
+    let of = |wrench: Wrench<S>| wrench.turned(&closing.over.to_parent).turned_back(&to_hinge);
+    let along = |amounts: &Vec<S>| of(closing.wrench(Wrench::zero(), amounts));
+    Reaction {
+        wrench: of(closing.wrench(demand.given, &movement.reactions)),
+        undetermined: movement.undetermined.iter().map(along).collect(),
+    }
 }

@@ -24,20 +24,20 @@ pub struct Reflection<S> {
     vector: Vec<S>,
     /// `γ`
     factor: S,
-    /// `w`, what the reflected unknown at `p` must be.
-    value: S,
+    /// `−1 / s`
+    inverse: S,
 }
 
 impl<S: Scalar> Reflection<S> {
-    /// Uses the condition `coefficients · x = value`.
-    pub fn of(coefficients: &[S], value: S) -> Self {
+    /// Uses a condition with these coefficients.
+    pub fn of(coefficients: &[S]) -> Self {
         let present: Vec<usize> =
             (0..coefficients.len()).filter(|&k| !coefficients[k].vanishes()).collect();
         let place = present.first().copied().unwrap_or(0);
         let entry = coefficients[place];
         if present.len() <= 1 {
-            let value = value * entry.recip();
-            return Reflection { place, vector: Vec::new(), factor: S::zero(), value };
+            let (vector, factor) = (Vec::new(), S::zero());
+            return Reflection { place, vector, factor, inverse: entry.recip() };
         }
         let length = present
             .iter()
@@ -48,10 +48,15 @@ impl<S: Scalar> Reflection<S> {
         vector[place] = entry + s;
         let factor = (vector[place] * s).recip();
         // γ v_p = 1 / s
-        Reflection { place, value: -(value * (vector[place] * factor)), vector, factor }
+        Reflection { place, inverse: -(vector[place] * factor), vector, factor }
     }
 
-    /// Rewrites the columns of `x` as those of `y`; returns what joins the known part.
+    /// `w`, what the reflected unknown at `p` must be if the condition's value is `value`.
+    pub fn settled(&self, value: S) -> S {
+        value * self.inverse
+    }
+
+    /// Rewrites the columns of `x` as those of `y`; returns the one that belongs to `w`.
     pub fn apply<M: Mixed<S>>(&self, columns: &mut Vec<M>) -> M {
         if let Some(first) = self.vector.first() {
             let mut along = columns[0].scaled(*first);
@@ -63,12 +68,12 @@ impl<S: Scalar> Reflection<S> {
                 *column = column.plus_scaled(along, -v);
             }
         }
-        columns.remove(self.place).scaled(self.value)
+        columns.remove(self.place)
     }
 
-    /// `x` from `y`.
-    pub fn expand(&self, mut unknowns: Vec<S>) -> Vec<S> {
-        unknowns.insert(self.place, self.value);
+    /// `x` from `y` and `w`.
+    pub fn expand(&self, mut unknowns: Vec<S>, settled: S) -> Vec<S> {
+        unknowns.insert(self.place, settled);
         if !self.vector.is_empty() {
             let along =
                 unknowns.iter().zip(&self.vector).fold(S::zero(), |sum, (&x, &v)| sum + x * v)
@@ -102,9 +107,9 @@ mod tests {
     #[test]
     fn what_is_left_satisfies_the_condition_for_every_choice() {
         let c = [0.3, -2.0, 1e-9, 4.0];
-        let reflection = Reflection::of(&c, 1.7);
+        let reflection = Reflection::of(&c);
         for y in [[0.0, 0.0, 0.0], [1.0, -2.0, 3.0], [-0.1, 7.0, 0.4]] {
-            let x = reflection.expand(y.to_vec());
+            let x = reflection.expand(y.to_vec(), reflection.settled(1.7));
             let value: f64 = c.iter().zip(&x).map(|(c, x)| c * x).sum();
             // Four products of size |c| |x| ≤ 40, a few roundings each.
             assert!((value - 1.7).abs() < 40.0 * 16.0 * f64::EPSILON, "{value}");
@@ -115,11 +120,16 @@ mod tests {
     fn columns_and_unknowns_are_rewritten_alike() {
         let c = [0.3_f64, -2.0, 0.5, 4.0];
         let row = [1.0, 2.0, -3.0, 0.25];
-        let reflection = Reflection::of(&c, 1.7);
+        let reflection = Reflection::of(&c);
         let mut columns = row.to_vec();
-        let known = reflection.apply(&mut columns);
+        let known = reflection.apply(&mut columns) * reflection.settled(1.7);
         let y = [0.7, -1.1, 2.0];
-        let direct: f64 = reflection.expand(y.to_vec()).iter().zip(&row).map(|(x, r)| x * r).sum();
+        let direct: f64 = reflection
+            .expand(y.to_vec(), reflection.settled(1.7))
+            .iter()
+            .zip(&row)
+            .map(|(x, r)| x * r)
+            .sum();
         let rewritten: f64 = known + y.iter().zip(&columns).map(|(y, c)| y * c).sum::<f64>();
         assert!((direct - rewritten).abs() < 64.0 * 16.0 * f64::EPSILON);
     }

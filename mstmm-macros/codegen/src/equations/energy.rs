@@ -1,35 +1,61 @@
 //! Kinetic and potential energy.
 
+use super::closing::closing;
+use super::hinge::Passives;
+use super::load::{poses, spring_energy};
 use super::{Axes, Situation, Trace, motion};
 use crate::math::{Scalar, Vec3};
+use crate::model::Source;
 
 /// The energy of a chain in J.
 #[derive(Clone, Copy, Debug)]
 pub struct Energy<S> {
-    /// `Σ ½ m ṙ_Cᵀ ṙ_C + ½ Ωᵀ J_C Ω`
+    /// `Σ ½ m ṙ_Cᵀ ṙ_C + ½ Ωᵀ J_C Ω`, and of rotors `Σ ½ I ṡ²`
     pub kinetic: S,
-    /// `−Σ m gᵀ r_C`: zero with every centre of mass at the inertial origin.
+    /// `−Σ m gᵀ r_C`, zero with every centre of mass at the inertial origin, and what springs and
+    /// stops hold. Gravity that is an input has no potential.
     pub potential: S,
 }
 
-/// The energy in the given situation.
+/// The energy in the given situation, whose layout has every body for itself.
 pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Energy<S> {
     let links = motion(situation, Axes::Inertial, trace);
     trace.section("Energy", "");
-    let numbers = situation.numbers;
-    let gravity = numbers.vector(&situation.chain.gravity);
-    let mut points: Vec<(Vec3<S>, Vec3<S>)> = Vec::new();
-    let mut energy = Energy { kinetic: S::zero(), potential: S::zero() };
-    for (link, place) in links.iter().zip(&situation.layout.links) {
+    let half = S::number(0.5);
+    let gravity = match &situation.chain.gravity {
+        Source::Constant(values) => situation.numbers.vector(values),
+        Source::Nothing | Source::Input => Vec3::zero(),
+    };
+    let poses = poses(situation, &links);
+    let mut energy =
+        Energy { kinetic: S::zero(), potential: spring_energy(situation, &links, &poses) };
+    for (index, ((link, pose), place)) in
+        links.iter().zip(&poses).zip(&situation.layout.links).enumerate()
+    {
         let body = &situation.chain.bodies[place.body];
-        let (position, velocity) = link.place(&points, &links);
-        points.push((position, velocity));
-        let velocity = velocity + link.omega.cross(link.com);
+        let com = link.attitude * (situation.numbers.vector(&body.com) - link.point);
+        let velocity = pose.velocity + link.omega.cross(com);
+        // The inertia is constant in body axes.
         let spin = link.attitude.transposed() * link.omega;
-        let momentum = spin.dot(numbers.central_inertia(body) * spin);
-        energy.kinetic =
-            energy.kinetic + (link.mass * velocity.dot(velocity) + momentum) * S::number(0.5);
-        energy.potential = energy.potential - gravity.dot(position + link.com) * link.mass;
+        let turning = spin.dot(situation.numbers.central_inertia(body) * spin);
+        energy.kinetic = energy.kinetic + (link.mass * velocity.dot(velocity) + turning) * half;
+        energy.potential = energy.potential - gravity.dot(pose.position + com) * link.mass;
+        energy.add_passives(&link.over.passives);
+        let sums = (energy.kinetic, energy.potential);
+        (energy.kinetic, energy.potential) = situation.passage.outwards(index, sums);
+    }
+    if let Some(closing) = closing(situation, Axes::Inertial, &links) {
+        energy.add_passives(&closing.over.passives);
     }
     energy
+}
+
+impl<S: Scalar> Energy<S> {
+    /// Adds what a hinge holds.
+    fn add_passives(&mut self, passives: &Passives<S>) {
+        self.potential = self.potential + passives.energy;
+        for (&inertia, &rate) in passives.rotors.iter().zip(&passives.rates) {
+            self.kinetic = self.kinetic + inertia * (rate * rate) * S::number(0.5);
+        }
+    }
 }

@@ -20,47 +20,29 @@
 //! systems. Multibody System Dynamics 38 (2016).
 
 mod accelerations;
+mod closing;
+mod closure;
+mod correction;
 mod elimination;
 mod energy;
 pub mod hinge;
+mod load;
 mod motion;
 mod numbers;
+mod passage;
+mod problem;
 mod report;
 mod riccati;
+mod situation;
 mod trace;
 mod transfer;
 
-pub use accelerations::{Pivot, Solved, accelerations};
+pub use accelerations::{Pivot, Reaction, Solved, accelerations};
+pub use correction::{Correction, correction};
 pub use energy::{Energy, energy};
 pub use motion::{Axes, LinkMotion, motion};
 pub use numbers::Numbers;
+pub use passage::{Passage, Weave};
 pub use report::{Point, Report, report};
+pub use situation::Situation;
 pub use trace::{Section, Trace};
-
-use crate::math::{Motion, Scalar, Vec3};
-use crate::model::{Chain, Layout};
-
-/// A chain in a given state: what every set of equations starts from.
-#[derive(Clone, Debug)]
-pub struct Situation<'a, S> {
-    /// The chain.
-    pub chain: &'a Chain,
-    /// Its layout.
-    pub layout: &'a Layout,
-    /// What stands for its symbols.
-    pub numbers: &'a Numbers<S>,
-    /// Coordinates.
-    pub q: &'a [S],
-    /// Rates.
-    pub v: &'a [S],
-    /// Inputs.
-    pub inputs: &'a [S],
-}
-
-impl<S: Scalar> Situation<'_, S> {
-    /// Gravity as an acceleration of the ground: cheaper than a force on every body.
-    fn ground(&self) -> Motion<S> {
-        let gravity = self.numbers.vector(&self.chain.gravity);
-        Motion { linear: -gravity, angular: Vec3::zero() }
-    }
-}

@@ -1,48 +1,70 @@
-//! From the ground outwards: how every body is turned, how fast, and what its velocities add to
+//! From the ground outwards: how every part is turned, how fast, and what its velocities add to
 //! the accelerations.
 
-use super::hinge::{self, Freedom, WorkAxes};
+use super::hinge::{self, Freedom, Passives, WorkAxes};
 use super::{Situation, Trace};
 use crate::math::{Mat3, Motion, Rotation, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
-use crate::model::{Chain, Hinge, HingeKind, Link, Place};
+use crate::model::{Chain, Hinge, HingeId, Link, Part, Place};
 
 /// The axes in which the equations of the links are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axes {
-    /// Axes fixed in each body, aligned with the hinge that it hangs on: inertias stay constant,
+    /// Axes fixed in each part, aligned with the hinge that it hangs on: inertias stay constant,
     /// what is transferred turns at every hinge.
     Body,
     /// The inertial axes: nothing turns at a hinge, the inertias do.
     Inertial,
 }
 
-/// A body in motion, in its link's work axes unless another frame is named.
+/// A hinge that was crossed, in the work axes of its child unless another frame is named.
 #[derive(Clone, Debug)]
-pub struct LinkMotion<S> {
-    /// The name of the hinge.
+pub struct Crossed<S> {
+    /// The hinge.
+    pub hinge: HingeId,
+    /// Its name.
     pub name: String,
-    /// Index of the link of the body that it hangs on; none if that is the ground.
-    pub parent: Option<usize>,
-    /// Body axes to work axes.
-    pub attitude: Mat3<S>,
     /// Work axes to those of the parent.
     pub to_parent: Rotation<S>,
-    /// From the parent's point to this link's point, parent's work axes.
+    /// From the parent's point to the child's, parent's work axes.
     pub arm: Vec3<S>,
     /// The part of `arm` that is the hinge's: from its parent's side to the point.
     pub offset: Vec3<S>,
+    /// `S`, the motion of the child against the parent for each rate.
+    pub subspace: Vec<Motion<S>>,
+    /// The same in aligned child axes of the hinge, where it has most zeros.
+    pub aligned: Vec<Motion<S>>,
     /// What the hinge leaves free.
     pub freedom: Freedom<S>,
-    /// Angular velocity `Ω`.
-    pub omega: Vec3<S>,
+    /// What acts along its free directions of itself.
+    pub passives: Passives<S>,
+    /// Efforts of motor and passive elements, one for each rate.
+    pub efforts: Vec<S>,
     /// Motion against the parent, at the point.
     pub relative: Motion<S>,
-    /// What the velocities add to the acceleration of the point on the way from the parent's.
+    /// What velocities and prescribed accelerations add to the acceleration of the point on the way
+    /// from the parent's.
     pub drift: Motion<S>,
+    /// Aligned child axes of the hinge to work axes.
+    pub from_child: Mat3<S>,
+}
+
+/// A part in motion, in its link's work axes unless another frame is named.
+#[derive(Clone, Debug)]
+pub struct LinkMotion<S> {
+    /// The hinge that it hangs on.
+    pub over: Crossed<S>,
+    /// Index of the link of the part that it hangs on; none if that is the ground.
+    pub parent: Option<usize>,
+    /// Where its point lies, in its own frame.
+    pub point: Vec3<S>,
+    /// Its frame's axes to work axes.
+    pub attitude: Mat3<S>,
+    /// Angular velocity `Ω`.
+    pub omega: Vec3<S>,
     /// Mass.
     pub mass: S,
-    /// Centre of mass from the point.
-    pub com: Vec3<S>,
+    /// First moment `m r_C` about the point.
+    pub moment: Vec3<S>,
     /// Inertia about the point.
     pub inertia: Sym3<S>,
 }
@@ -50,21 +72,28 @@ pub struct LinkMotion<S> {
 impl<S: Scalar> LinkMotion<S> {
     /// The inertia that links `a` and `F` at the point.
     pub fn rigid(&self) -> SpatialInertia<S> {
-        SpatialInertia::rigid(self.mass, self.com, self.inertia)
+        SpatialInertia::rigid(self.mass, self.moment, self.inertia)
     }
 
     /// The load that the velocities take: `[m Ω̃Ω̃ r_C; Ω × J Ω]`, of [P, Eq. (20)] `−E_5` and, about
     /// the point, the gyroscopic part of `E_9`.
     pub fn velocity_load(&self) -> Wrench<S> {
         Wrench {
-            force: (self.com * self.mass).centripetal(self.omega),
+            force: self.moment.centripetal(self.omega),
             moment: self.omega.cross(self.inertia * self.omega),
         }
     }
+}
 
-    /// The acceleration of the point, but for the hinge's own `q̈`, from that of the parent's point.
+impl<S: Scalar> Crossed<S> {
+    /// The part of the parent's motion, or acceleration, that comes over to the point.
     pub fn carried(&self, parent: Motion<S>) -> Motion<S> {
-        parent.carried_to(self.arm).turned_back(&self.to_parent) + self.drift
+        parent.carried_to(self.arm).turned_back(&self.to_parent)
+    }
+
+    /// A wrench on the child at the point, as one at the parent's point in its work axes.
+    pub fn returned(&self, wrench: Wrench<S>) -> Wrench<S> {
+        wrench.turned(&self.to_parent).moved_from(self.arm)
     }
 }
 
@@ -75,81 +104,140 @@ pub fn motion<S: Scalar>(
     trace: &mut Trace<S>,
 ) -> Vec<LinkMotion<S>> {
     let mut links: Vec<LinkMotion<S>> = Vec::new();
-    for link in &situation.layout.links {
-        let hinge = &situation.chain.hinges[link.hinge];
-        let next = cross(situation, axes, link, link.parent.map(|parent| &links[parent]));
-        trace.section(format!("Motion across `{}`", hinge.name), "[P, Eqs. (1), (13), (36)]");
-        trace.matrix(&format!("{}_turn", hinge.name), next.to_parent.matrix());
-        trace.matrix(&format!("{}_axes", hinge.name), next.attitude);
-        trace.vector(&format!("{}_omega", hinge.name), next.omega);
-        trace.motion(&format!("{}_drift", hinge.name), next.drift);
+    for (index, link) in situation.layout.links.iter().enumerate() {
+        let mut next = link_motion(situation, axes, link, &links);
+        let (attitude, omega) = (next.attitude, next.omega);
+        (next.attitude, next.omega) = situation.passage.outwards(index, (attitude, omega));
+        let name = &next.over.name;
+        trace.section(format!("Motion across `{name}`"), "[P, Eqs. (1), (13), (36)]");
+        trace.matrix(&format!("{name}_turn"), next.over.to_parent.matrix());
+        trace.matrix(&format!("{name}_axes"), next.attitude);
+        trace.vector(&format!("{name}_omega"), next.omega);
+        trace.motion(&format!("{name}_drift"), next.over.drift);
         links.push(next);
     }
     links
 }
 
-/// Crosses the hinge of `link` and comes to its body.
-fn cross<S: Scalar>(
+/// Crosses the hinge of `link` and comes to its part.
+fn link_motion<S: Scalar>(
     situation: &Situation<S>,
     axes: Axes,
     link: &Link,
-    parent: Option<&LinkMotion<S>>,
+    links: &[LinkMotion<S>],
 ) -> LinkMotion<S> {
-    let Situation { chain, layout, numbers, q, v, .. } = *situation;
-    let hinge = &chain.hinges[link.hinge];
-    let body = &chain.bodies[link.body];
-    let (from, to) = sides(chain, link);
-    let (from_origin, from_rotation) = numbers.place(chain, from);
-    let (to_origin, to_rotation) = numbers.place(chain, to);
-    let from_point = link.parent.map_or(Vec3::zero(), |parent| point_of(situation, parent));
+    let parent = link.parent.map(|parent| &links[parent]);
+    let over = cross(situation, axes, (link.hinge, link.reversed), parent);
+    let (_, to) = sides(situation.chain, link);
+    let (_, point, rotation) = situation.place(to);
+    let alignment = hinge::alignment(&situation.chain.hinges[link.hinge].kind, situation.numbers);
+    let attitude = over.from_child * (rotation * alignment).transposed();
+    let carried = parent.map_or(Vec3::zero(), |parent| over.to_parent.back(parent.omega));
+    let rigid = rigid_part(situation, link, to, point);
+    LinkMotion {
+        parent: link.parent,
+        point,
+        attitude,
+        omega: carried + over.relative.angular,
+        mass: rigid.mass,
+        moment: attitude * rigid.moment,
+        inertia: attitude.congruence(rigid.inertia),
+        over,
+    }
+}
 
-    let crossing = crossing(situation, link, &hinge.kind, &q[layout.q[link.hinge].clone()]);
+/// Mass, first moment and inertia of a part about a point, in its own axes.
+struct Rigid<S> {
+    mass: S,
+    moment: Vec3<S>,
+    inertia: Sym3<S>,
+}
+
+fn rigid_part<S: Scalar>(
+    situation: &Situation<S>,
+    link: &Link,
+    to: &Place,
+    point: Vec3<S>,
+) -> Rigid<S> {
+    let numbers = situation.numbers;
+    let mut all = Rigid { mass: S::zero(), moment: Vec3::zero(), inertia: Sym3([S::zero(); 6]) };
+    for &member in &link.members {
+        let body = &situation.chain.bodies[member];
+        let (origin, rotation) = situation.frame(member);
+        // The point as seen from the member.
+        let seen = rotation.transposed() * (point - origin);
+        let mass = numbers.scalar(&body.mass);
+        let inertia = match to {
+            Place::Input(input) if *input == member => numbers.inertia_about_input(body),
+            _ => numbers.inertia_about(body, seen),
+        };
+        all.mass = all.mass + mass;
+        all.moment = all.moment + rotation * ((numbers.vector(&body.com) - seen) * mass);
+        all.inertia = all.inertia + rotation.congruence(inertia);
+    }
+    all
+}
+
+/// Crosses a hinge from the side of `parent`, the ground if there is none.
+pub fn cross<S: Scalar>(
+    situation: &Situation<S>,
+    axes: Axes,
+    (index, reversed): (HingeId, bool),
+    parent: Option<&LinkMotion<S>>,
+) -> Crossed<S> {
+    let numbers = situation.numbers;
+    let hinge = &situation.chain.hinges[index];
+    let from = if reversed { &hinge.outboard } else { &hinge.inboard };
+    let (_, from_origin, from_rotation) = situation.place(from);
+    let (q, v) = (situation.coordinates(index), situation.rates(index));
+    let crossing = hinge::crossing(&hinge.kind, numbers, q, reversed);
     let alignment = hinge::alignment(&hinge.kind, numbers);
     let parent_attitude = parent.map_or(Mat3::identity(), |parent| parent.attitude);
+    let from_point = parent.map_or(Vec3::zero(), |parent| parent.point);
     let from_parent_side = parent_attitude * (from_rotation * alignment);
+    let of_child =
+        WorkAxes { from_parent: crossing.rotation.transposed(), from_child: Mat3::identity() };
     let (to_parent, work) = match axes {
-        Axes::Body => (
-            crossing.mounted_on(from_parent_side),
-            WorkAxes {
-                aligned: true,
-                from_parent: crossing.rotation.transposed(),
-                from_child: Mat3::identity(),
-            },
-        ),
+        Axes::Body => (crossing.mounted_on(from_parent_side), of_child),
         Axes::Inertial => (
             Rotation::general(Mat3::identity()),
             WorkAxes {
-                aligned: false,
                 from_parent: from_parent_side,
                 from_child: from_parent_side * crossing.rotation,
             },
         ),
     };
-    let attitude = work.from_child * (to_rotation * alignment).transposed();
     let offset = from_parent_side * crossing.offset;
     let arm = parent_attitude * (from_origin - from_point) + offset;
-
-    let freedom = hinge::freedom(&hinge.kind, numbers, work, link.reversed);
-    let relative = freedom.motion(&v[layout.v[link.hinge].clone()]);
-    let parent_omega = parent.map_or(Vec3::zero(), |parent| parent.omega);
-    let carried_omega = to_parent.back(parent_omega);
-    let (point_inertia, com) =
-        (numbers.inertia_about(body, to, to_origin), numbers.vector(&body.com) - to_origin);
-    let mass = numbers.scalar(&body.mass);
-    LinkMotion {
+    let subspace = crossing.subspace(&work);
+    let relative = hinge::combine(subspace.iter(), v);
+    let own_drift = crossing.drift(&subspace, v, &work);
+    let omega = parent.map_or(Vec3::zero(), |parent| parent.omega);
+    let mut drift = drift(arm.centripetal(omega), &to_parent, omega, relative) + own_drift;
+    let passives = hinge::passives(hinge, numbers, q, v, situation.implicit);
+    let freedom = match situation.prescribed_accelerations(index) {
+        Some(accelerations) => {
+            drift = drift + hinge::combine(subspace.iter(), accelerations);
+            hinge::prescribed()
+        }
+        None => hinge::freedom(&subspace, &passives.strains, &passives.inertias),
+    };
+    let motor = situation.motor(index);
+    let efforts = motor.iter().zip(&passives.efforts).map(|(&motor, &own)| motor + own).collect();
+    Crossed {
+        hinge: index,
         name: hinge.name.to_string(),
-        parent: link.parent,
-        attitude,
         to_parent,
         arm,
         offset,
-        omega: carried_omega + relative.angular,
-        relative,
-        drift: drift(arm.centripetal(parent_omega), &to_parent, carried_omega, relative),
+        subspace,
+        aligned: crossing.subspace(&of_child),
         freedom,
-        mass,
-        com: attitude * com,
-        inertia: attitude.congruence(point_inertia),
+        passives,
+        efforts,
+        relative,
+        drift,
+        from_child: work.from_child,
     }
 }
 
@@ -160,6 +248,7 @@ fn drift<S: Scalar>(
     parent_omega: Vec3<S>,
     relative: Motion<S>,
 ) -> Motion<S> {
+    let parent_omega = to_parent.back(parent_omega);
     let coriolis = parent_omega.cross(relative.linear) * S::number(2.0);
     Motion {
         linear: to_parent.back(centripetal) + coriolis,
@@ -173,18 +262,10 @@ pub(super) fn sides<'a>(chain: &'a Chain, link: &Link) -> (&'a Place, &'a Place)
     if link.reversed { (outboard, inboard) } else { (inboard, outboard) }
 }
 
-fn crossing<S: Scalar>(
-    situation: &Situation<S>,
-    link: &Link,
-    kind: &HingeKind,
-    q: &[S],
-) -> hinge::Crossing<S> {
-    let outwards = hinge::crossing(kind, situation.numbers, q);
-    if link.reversed { outwards.reversed() } else { outwards }
-}
-
-/// Where, in its body's frame, the point of the link at `index` lies.
-pub(super) fn point_of<S: Scalar>(situation: &Situation<S>, index: usize) -> Vec3<S> {
-    let (_, to) = sides(situation.chain, &situation.layout.links[index]);
-    situation.numbers.place(situation.chain, to).0
+/// The link that a part moves with; none on the ground.
+pub(super) fn link_of(part: Part) -> Option<usize> {
+    match part {
+        Part::Ground => None,
+        Part::Link(link) => Some(link),
+    }
 }

@@ -1,7 +1,7 @@
 //! The numbers of a chain as scalars.
 
 use crate::math::{Mat3, Scalar, Sym3, Vec3};
-use crate::model::{About, Body, Chain, Effort, Frame, Hinge, Layout, Place, Symbol, Value};
+use crate::model::{About, Body, Chain, Frame, Place, Symbol, Value};
 
 /// What stands for the symbols of a chain's numbers.
 #[derive(Clone, Debug)]
@@ -54,34 +54,45 @@ impl<S: Scalar> Numbers<S> {
 
     /// Inertia of a body about its centre of mass, body axes.
     pub fn central_inertia(&self, body: &Body) -> Sym3<S> {
-        let tensor = Sym3([0, 1, 2, 3, 4, 5].map(|k| self.scalar(&body.inertia.tensor[k])));
+        let tensor = self.tensor(body);
         match body.inertia.about {
             About::Com => tensor,
             About::Input => tensor - self.inertia_of_com(body, Vec3::zero()),
         }
     }
 
-    /// Inertia of a body about `point`, body axes. As written where it was written about there.
-    pub fn inertia_about(&self, body: &Body, place: &Place, point: Vec3<S>) -> Sym3<S> {
-        let tensor = Sym3([0, 1, 2, 3, 4, 5].map(|k| self.scalar(&body.inertia.tensor[k])));
-        match (body.inertia.about, place) {
-            (About::Input, Place::Input(_)) => tensor,
-            _ => self.central_inertia(body) + self.inertia_of_com(body, point),
+    /// The unit vector along `axis`.
+    pub fn unit(&self, axis: &[Value; 3]) -> Vec3<S> {
+        let zero = [0, 1, 2].map(|k| axis[k].is_zero());
+        if let Some(k) = (0..3).find(|&k| zero[(k + 1) % 3] && zero[(k + 2) % 3])
+            && let Some(length) = axis[k].known()
+        {
+            let unit = Vec3::unit(k);
+            return if length < 0.0 { -unit } else { unit };
         }
+        let axis = self.vector(axis);
+        axis * axis.dot(axis).sqrt().recip()
+    }
+
+    /// Inertia of a body about its input point, body axes. As written where it was written so.
+    pub fn inertia_about_input(&self, body: &Body) -> Sym3<S> {
+        match body.inertia.about {
+            About::Input => self.tensor(body),
+            About::Com => self.tensor(body) + self.inertia_of_com(body, Vec3::zero()),
+        }
+    }
+
+    /// Inertia of a body about `point`, body axes.
+    pub fn inertia_about(&self, body: &Body, point: Vec3<S>) -> Sym3<S> {
+        self.central_inertia(body) + self.inertia_of_com(body, point)
+    }
+
+    fn tensor(&self, body: &Body) -> Sym3<S> {
+        Sym3([0, 1, 2, 3, 4, 5].map(|k| self.scalar(&body.inertia.tensor[k])))
     }
 
     fn inertia_of_com(&self, body: &Body, point: Vec3<S>) -> Sym3<S> {
         let arm = self.vector(&body.com) - point;
         Sym3::of_point_mass(self.scalar(&body.mass), arm)
-    }
-
-    /// The efforts in all hinges' coordinates, in the order of the rates.
-    pub fn efforts(&self, chain: &Chain, layout: &Layout, inputs: &[S]) -> Vec<S> {
-        let one = |(index, hinge): (usize, &Hinge)| match &hinge.effort {
-            Effort::Free => vec![S::zero(); hinge.kind.freedoms()],
-            Effort::Constant(values) => values.iter().map(|value| self.scalar(value)).collect(),
-            Effort::Input => inputs[layout.inputs[index].clone()].to_vec(),
-        };
-        chain.hinges.iter().enumerate().flat_map(one).collect()
     }
 }

@@ -4,10 +4,12 @@
 //! Accelerations go outwards from the ground, wrenches come back from the free end. What comes out
 //! is inertial, and `r̈` is true, whatever axes and tricks the sums are made with.
 
-use super::motion::{point_of, sides};
-use super::{Axes, LinkMotion, Situation, Trace, motion};
+use super::closing::closing;
+use super::load::{Pose, loads, point_acceleration, poses};
+use super::motion::{Crossed, LinkMotion};
+use super::{Axes, Situation, Solved, Trace, hinge, motion};
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
-use crate::model::{Element, HingeId, Place};
+use crate::model::{Element, HingeId, Part, Place};
 
 /// A connection point, inertial frame.
 #[derive(Clone, Copy, Debug)]
@@ -28,89 +30,95 @@ pub struct Point<S> {
     pub moment: Vec3<S>,
 }
 
-/// All connection points in the order written: the first element's input, then every output.
+/// Everything but the accelerations themselves.
 #[derive(Clone, Debug)]
 pub struct Report<S> {
+    /// All connection points in the order written: the first element's input, then every output.
     /// One more than there are elements.
     pub points: Vec<Point<S>>,
+    /// Accelerations of all hinges' rates, prescribed ones as well.
+    pub accelerations: Vec<S>,
+    /// What drives every rate: the efforts of motors, and what prescribed motions take.
+    pub efforts: Vec<S>,
 }
 
-/// A link's point as it moves.
-#[derive(Clone, Copy)]
-struct Moving<S> {
-    position: Vec3<S>,
-    velocity: Vec3<S>,
-    acceleration: Motion<S>,
-    /// Exerted on the link's body by its hinge.
+/// A hinge and what it transmits, inertial axes.
+struct Transmitting<S> {
+    over: Crossed<S>,
+    /// Exerted by the inboard on the outboard side, about the outboard side's origin.
     wrench: Wrench<S>,
+    /// Exerted by the inboard on the outboard side, about the inboard side's origin.
+    at_inboard: Wrench<S>,
+    /// Exerted on the child, about its point.
+    on_child: Wrench<S>,
 }
 
 /// The report for given accelerations of all hinges.
 pub fn report<S: Scalar>(
     situation: &Situation<S>,
-    accelerations: &[S],
+    solved: &Solved<S>,
     trace: &mut Trace<S>,
 ) -> Report<S> {
     let links = motion(situation, Axes::Inertial, trace);
-    let mut moving = outwards(situation, &links, accelerations, trace);
-    let loads = own_loads(situation, &links, accelerations, trace);
-    inwards(situation, &links, &loads, &mut moving, trace);
-    let sheet = Sheet { situation, links: &links, moving: &moving };
+    let poses = poses(situation, &links);
+    let accelerations = rate_accelerations(situation, &solved.accelerations);
+    let points = outwards(situation, &links, &accelerations, trace);
+    let loads = own_loads(situation, &links, &accelerations, trace);
+    let hinges = inwards(situation, &links, loads, solved, trace);
+    let sheet = Sheet { situation, links: &links, poses: &poses, points: &points, hinges: &hinges };
     trace.section("Connection points", "[P, Eqs. (4), (12)]");
-    Report { points: spots(situation).iter().map(|spot| sheet.point(spot)).collect() }
-}
-
-/// Where a connection point is.
-struct Spot {
-    place: Place,
-    /// The hinge that it belongs to, if it is on the ground.
-    hinge: Option<HingeId>,
-}
-
-/// All connection points, in the order written.
-fn spots<S>(situation: &Situation<S>) -> Vec<Spot> {
-    let mut spots = Vec::new();
-    for (number, element) in situation.chain.route.iter().enumerate() {
-        let (input, output, hinge) = match *element {
-            Element::Hinge(index) => {
-                let hinge = &situation.chain.hinges[index];
-                (hinge.inboard.clone(), hinge.outboard.clone(), Some(index))
-            }
-            Element::Body(index) => (Place::Input(index), Place::Output(index), None),
-        };
-        if number == 0 {
-            spots.push(Spot { place: input, hinge });
-        }
-        spots.push(Spot { place: output, hinge });
+    Report {
+        points: spots(situation).iter().map(|spot| sheet.point(spot)).collect(),
+        efforts: efforts(situation, &hinges, &accelerations),
+        accelerations,
     }
-    spots
 }
 
-/// Positions, velocities and true accelerations [P, Eqs. (12), (13), (36)].
+/// The accelerations of all rates, in the layout's order of all rates.
+fn rate_accelerations<S: Scalar>(situation: &Situation<S>, free: &[S]) -> Vec<S> {
+    let of = |hinge: HingeId| match situation.prescribed_accelerations(hinge) {
+        Some(given) => given.to_vec(),
+        None => free[situation.layout.v[hinge].clone()].to_vec(),
+    };
+    (0..situation.chain.hinges.len()).flat_map(of).collect()
+}
+
+/// True accelerations of all points [P, Eqs. (13), (36)].
 fn outwards<S: Scalar>(
     situation: &Situation<S>,
     links: &[LinkMotion<S>],
     accelerations: &[S],
     trace: &mut Trace<S>,
-) -> Vec<Moving<S>> {
-    let mut moving: Vec<Moving<S>> = Vec::new();
-    let mut points: Vec<(Vec3<S>, Vec3<S>)> = Vec::new();
-    for (link, place) in links.iter().zip(&situation.layout.links) {
-        trace.section(format!("Point of `{}`", link.name), "[P, Eqs. (12), (13), (36)]");
-        let (position, velocity) = link.place(&points, links);
-        let parent = link.parent.map_or(Motion::zero(), |parent| moving[parent].acceleration);
-        let rates = &accelerations[situation.layout.v[place.hinge].clone()];
-        let acceleration = link.carried(parent) + link.freedom.motion(rates);
-        trace.motion(&format!("{}_acc", link.name), acceleration);
-        points.push((position, velocity));
-        moving.push(Moving { position, velocity, acceleration, wrench: Wrench::zero() });
+) -> Vec<Motion<S>> {
+    let mut points: Vec<Motion<S>> = Vec::new();
+    for (index, link) in links.iter().enumerate() {
+        let over = &link.over;
+        trace.section(format!("Point of `{}`", over.name), "[P, Eqs. (12), (13), (36)]");
+        let parent = link.parent.map_or(Motion::zero(), |parent| points[parent]);
+        let acceleration =
+            over.carried(parent) + over.drift + own_acceleration(situation, over, accelerations);
+        trace.motion(&format!("{}_acc", over.name), acceleration);
+        points.push(situation.passage.outwards(index, acceleration));
     }
-    moving
+    points
 }
 
-/// The load that every body's own motion takes, about its link's point, inertial axes: the parts of
-/// [P, Eqs. (18), (19)] without its ends. Inertias are constant in body axes, so the sums are made
-/// there.
+/// What a hinge's own accelerations make; prescribed ones are part of its drift.
+fn own_acceleration<S: Scalar>(
+    situation: &Situation<S>,
+    over: &Crossed<S>,
+    accelerations: &[S],
+) -> Motion<S> {
+    if situation.chain.hinges[over.hinge].is_prescribed() {
+        return Motion::zero();
+    }
+    let own = &accelerations[situation.layout.rates[over.hinge].clone()];
+    hinge::combine(over.subspace.iter(), own)
+}
+
+/// The load that every body's own motion takes, less what acts on it from outside, about its link's
+/// point, inertial axes: the parts of [P, Eqs. (18), (19)] without its ends. Inertias are constant
+/// in body axes, so the sums are made there.
 fn own_loads<S: Scalar>(
     situation: &Situation<S>,
     inertial: &[LinkMotion<S>],
@@ -118,81 +126,169 @@ fn own_loads<S: Scalar>(
     trace: &mut Trace<S>,
 ) -> Vec<Wrench<S>> {
     let links = motion(situation, Axes::Body, trace);
+    let outer = loads(situation, &links);
     let ground = situation.ground();
     let mut felt: Vec<Motion<S>> = Vec::new();
-    let mut loads = Vec::new();
+    let mut all = Vec::new();
     for (index, link) in links.iter().enumerate() {
-        trace.section(format!("Load of the body at `{}`", link.name), "[P, Eqs. (18), (19)]");
-        let rates = &accelerations[situation.layout.v[situation.layout.links[index].hinge].clone()];
-        let carried = link.carried(link.parent.map_or(ground, |parent| felt[parent]));
-        let own = carried + link.freedom.motion(rates);
-        let load = link.rigid().times(own) + link.velocity_load();
+        let over = &link.over;
+        trace.section(format!("Load of the body at `{}`", over.name), "[P, Eqs. (18), (19)]");
+        let carried = over.carried(link.parent.map_or(ground, |parent| felt[parent]));
+        let own = carried + over.drift + own_acceleration(situation, over, accelerations);
+        let load = link.rigid().times(own) + link.velocity_load() - outer[index];
         let to_inertial = inertial[index].attitude * link.attitude.transposed();
         let load = load.turned(&Rotation::general(to_inertial));
-        trace.wrench(&format!("{}_own", link.name), load);
-        felt.push(own);
-        loads.push(load);
+        trace.wrench(&format!("{}_own", over.name), load);
+        felt.push(situation.passage.outwards(index, own));
+        all.push(load);
     }
-    loads
+    all
 }
 
-/// What every hinge exerts, from the free end [P, Eqs. (18), (19)]; where it frees whole axes of
-/// the inertial frame that is its effort and nothing else [P, Eqs. (25), (57), (58)].
+/// What every hinge transmits, from the free end or from the closing hinge [P, Eqs. (18), (19)];
+/// where it frees whole axes of the inertial frame that is its effort and nothing else
+/// [P, Eqs. (25), (57), (58)].
 fn inwards<S: Scalar>(
     situation: &Situation<S>,
     links: &[LinkMotion<S>],
-    loads: &[Wrench<S>],
-    moving: &mut [Moving<S>],
+    mut loads: Vec<Wrench<S>>,
+    solved: &Solved<S>,
     trace: &mut Trace<S>,
-) {
-    let Situation { chain, layout, numbers, inputs, .. } = *situation;
-    let efforts = numbers.efforts(chain, layout, inputs);
-    for index in (0..links.len()).rev() {
-        let link = &links[index];
-        trace.section(format!("Load on `{}`", link.name), "[P, Eqs. (18), (19)]");
-        let efforts = &efforts[layout.v[layout.links[index].hinge].clone()];
-        moving[index].wrench = link.freedom.released(moving[index].wrench + loads[index], efforts);
-        trace.wrench(&format!("{}_load", link.name), moving[index].wrench);
-        if let Some(parent) = link.parent {
-            moving[parent].wrench =
-                moving[parent].wrench + moving[index].wrench.moved_from(link.arm);
+) -> Vec<Option<Transmitting<S>>> {
+    let mut hinges: Vec<Option<Transmitting<S>>> =
+        situation.chain.hinges.iter().map(|_| None).collect();
+    if let (Some(closing), Some(reaction)) =
+        (closing(situation, Axes::Inertial, links), &solved.reaction)
+    {
+        trace.section(format!("Load on `{}`", closing.over.name), "[P, Eqs. (18), (19)]");
+        let attitude = closing.parent.map_or(Mat3::identity(), |link| links[link].attitude);
+        let inboard = &situation.chain.hinges[closing.over.hinge].inboard;
+        let (_, _, rotation) = situation.place(inboard);
+        let wrench = reaction.wrench.turned(&Rotation::general(attitude * rotation));
+        trace.wrench(&format!("{}_load", closing.over.name), wrench);
+        if let Some(parent) = closing.parent {
+            loads[parent] = loads[parent] + wrench.moved_from(closing.over.arm);
         }
+        if let Some((child, on_child)) = closing.on_child(wrench) {
+            loads[child] = loads[child] - on_child;
+        }
+        let index = closing.over.hinge;
+        hinges[index] = Some(Transmitting::of(closing.over, wrench, false));
+    }
+    for index in (0..links.len()).rev() {
+        loads[index] = situation.passage.inwards(index, loads[index]);
+        let link = &links[index];
+        let over = &link.over;
+        trace.section(format!("Load on `{}`", over.name), "[P, Eqs. (18), (19)]");
+        let wrench = over.freedom.released(loads[index], &over.efforts);
+        trace.wrench(&format!("{}_load", over.name), wrench);
+        if let Some(parent) = link.parent {
+            loads[parent] = loads[parent] + wrench.moved_from(over.arm);
+        }
+        let reversed = situation.layout.links[index].reversed;
+        hinges[over.hinge] = Some(Transmitting::of(over.clone(), wrench, reversed));
+    }
+    hinges
+}
+
+impl<S: Scalar> Transmitting<S> {
+    /// From the wrench on the child about its point.
+    fn of(over: Crossed<S>, on_child: Wrench<S>, reversed: bool) -> Self {
+        let at_parent = on_child.moved_from(over.offset);
+        let (wrench, at_inboard) = if reversed {
+            (at_parent.reversed(), on_child.reversed())
+        } else {
+            (on_child, at_parent)
+        };
+        Transmitting { over, wrench, at_inboard, on_child }
     }
 }
 
-impl<S: Scalar> LinkMotion<S> {
-    /// Position and velocity of the point, for links in inertial axes; `points` holds those of all
-    /// links before.
-    pub(super) fn place(
-        &self,
-        points: &[(Vec3<S>, Vec3<S>)],
-        links: &[LinkMotion<S>],
-    ) -> (Vec3<S>, Vec3<S>) {
-        match self.parent {
-            None => (self.arm, self.relative.linear),
-            Some(parent) => {
-                let (position, velocity) = points[parent];
-                let turning = links[parent].omega.cross(self.arm);
-                (position + self.arm, velocity + turning + self.relative.linear)
+/// What drives every rate: of a prescribed motion `Sᵀ F` and what its rotors take, less what acts
+/// along it of itself.
+fn efforts<S: Scalar>(
+    situation: &Situation<S>,
+    hinges: &[Option<Transmitting<S>>],
+    accelerations: &[S],
+) -> Vec<S> {
+    let of = |(index, transmitting): (HingeId, &Option<Transmitting<S>>)| {
+        let (true, Some(Transmitting { over, on_child, .. })) =
+            (situation.chain.hinges[index].is_prescribed(), transmitting)
+        else {
+            return situation.motor(index);
+        };
+        let own = &accelerations[situation.layout.rates[index].clone()];
+        let rotors = over.passives.rotor_loads(own);
+        let taken = over.subspace.iter().map(|s| s.power(*on_child));
+        let less = rotors.iter().zip(&over.passives.efforts);
+        taken.zip(less).map(|(taken, (&rotor, &passive))| taken + rotor - passive).collect()
+    };
+    hinges.iter().enumerate().flat_map(of).collect()
+}
+
+/// Where a connection point is.
+struct Spot {
+    place: Place,
+    /// The hinge there, if there is one, and whether its outboard side is meant.
+    hinge: Option<(HingeId, bool)>,
+}
+
+/// All connection points, in the order written; those of repeated parts once.
+fn spots<S>(situation: &Situation<S>) -> Vec<Spot> {
+    let chain = situation.chain;
+    let mut spots: Vec<Spot> = Vec::new();
+    let add = |spots: &mut Vec<Spot>, number: usize, spot: Spot| match spots.get_mut(number) {
+        // A body's end, and now the hinge at it; or a hinge's side, and now the body that it is on.
+        Some(known) if known.hinge.is_none() => *known = spot,
+        Some(_) => {}
+        None => spots.push(spot),
+    };
+    // On a seam what passes is what the seam's weld passes on.
+    let side = |hinge: HingeId, place: &Place, outboard: bool| {
+        let weld = chain.seam(place).and_then(|seam| chain.weld_of(seam));
+        weld.map_or(Spot { place: place.clone(), hinge: Some((hinge, outboard)) }, |weld| Spot {
+            place: chain.hinges[weld].inboard.clone(),
+            hinge: Some((weld, false)),
+        })
+    };
+    for (number, element) in chain.route.iter().enumerate() {
+        let (input, output) = match *element {
+            Element::Hinge(index) => {
+                let hinge = &chain.hinges[index];
+                (side(index, &hinge.inboard, false), side(index, &hinge.outboard, true))
             }
-        }
+            Element::Body(index) => {
+                let output = Place::Output(index);
+                let last = chain.hinges.iter().position(|hinge| {
+                    hinge.inboard == output && chain.seam(&hinge.outboard).is_some()
+                });
+                (
+                    Spot { place: Place::Input(index), hinge: None },
+                    Spot { place: output, hinge: last.map(|weld| (weld, false)) },
+                )
+            }
+        };
+        add(&mut spots, number, input);
+        add(&mut spots, number + 1, output);
     }
+    spots
 }
 
 /// What the connection points are read off.
 struct Sheet<'a, S> {
     situation: &'a Situation<'a, S>,
     links: &'a [LinkMotion<S>],
-    moving: &'a [Moving<S>],
+    poses: &'a [Pose<S>],
+    points: &'a [Motion<S>],
+    hinges: &'a [Option<Transmitting<S>>],
 }
 
 impl<S: Scalar> Sheet<'_, S> {
     fn point(&self, spot: &Spot) -> Point<S> {
-        let Situation { chain, layout, numbers, .. } = *self.situation;
-        let (origin, rotation) = numbers.place(chain, &spot.place);
-        let (force, moment) = self.transmitted(spot);
-        let Some(index) = layout.links.iter().position(|link| Some(link.body) == spot.place.body())
-        else {
+        let (part, origin, rotation) = self.situation.place(&spot.place);
+        let transmitted = self.transmitted(spot);
+        let (force, moment) = (transmitted.force, -transmitted.moment);
+        let Part::Link(index) = part else {
             return Point {
                 position: origin,
                 rotation,
@@ -203,49 +299,25 @@ impl<S: Scalar> Sheet<'_, S> {
                 moment,
             };
         };
-        let (link, moving) = (&self.links[index], &self.moving[index]);
-        let arm = link.attitude * (origin - point_of(self.situation, index));
-        let acceleration = moving.acceleration.carried_to(arm);
+        let (link, pose) = (&self.links[index], &self.poses[index]);
+        let arm = link.attitude * (origin - link.point);
         Point {
-            position: moving.position + arm,
+            position: pose.position + arm,
             rotation: link.attitude * rotation,
-            velocity: moving.velocity + link.omega.cross(arm),
+            velocity: pose.velocity + link.omega.cross(arm),
             omega: link.omega,
-            acceleration: Motion {
-                linear: acceleration.linear + arm.centripetal(link.omega),
-                angular: acceleration.angular,
-            },
+            acceleration: point_acceleration(self.points[index], link.omega, arm),
             force,
             moment,
         }
     }
 
-    /// `q` and `m` at a place: on a body, `+q` and `−m` at its input, `−q` and `+m` at its output.
-    fn transmitted(&self, spot: &Spot) -> (Vec3<S>, Vec3<S>) {
-        let Situation { chain, layout, .. } = *self.situation;
-        let mut through = Wrench::zero();
-        for (index, link) in layout.links.iter().enumerate() {
-            let wrench = self.moving[index].wrench;
-            // Exerted by the inboard on the outboard side, about the child's point.
-            let outwards = if link.reversed { wrench.reversed() } else { wrench };
-            let (parents, childs) = sides(chain, link);
-            if spot.is(childs, link.hinge) {
-                through = through + outwards;
-            } else if spot.is(parents, link.hinge) {
-                through = through + outwards.moved_from(self.links[index].offset);
-            }
-        }
-        (through.force, -through.moment)
-    }
-}
-
-impl Spot {
-    /// Whether it is on this side of this hinge.
-    fn is(&self, side: &Place, hinge: HingeId) -> bool {
-        match (&self.place, side) {
-            (Place::Input(a), Place::Input(b)) | (Place::Output(a), Place::Output(b)) => a == b,
-            (Place::Ground(_), Place::Ground(_)) => self.hinge == Some(hinge),
-            _ => false,
-        }
+    /// `q` and `−m` at a place: on a body, `+q` and `−m` at its input, `−q` and `+m` at its output.
+    fn transmitted(&self, spot: &Spot) -> Wrench<S> {
+        let at = |(index, outboard): (HingeId, bool)| {
+            let hinge = self.hinges[index].as_ref()?;
+            Some(if outboard { hinge.wrench } else { hinge.at_inboard })
+        };
+        spot.hinge.and_then(at).unwrap_or(Wrench::zero())
     }
 }

@@ -9,9 +9,18 @@
 //!
 //! What is left has `A s = 0` and `sᵀ e = τ`. Where `s` is an axis both are set exactly, and `A`
 //! keeps one of each pair of entries only: without that, chains of balls lose all digits.
+//!
+//! A closing hinge pulls at its link with unknown reactions, `F = A a + e + E λ`, and demands what
+//! `a` of that link is to be along them. The same sweep carries both to the ground:
+//!
+//! (4)  `u = Eᵀ s`, `E ← E − z uᵀ`, `γ ← γ + u w / d`, `G ← G + u uᵀ / d`
+//! (5)  `Tᵀ a = γ + Eᵀ a_ground − G λ`
 
+use super::closure::{self, Closure};
 use super::hinge::Column;
-use super::{LinkMotion, Pivot, Trace};
+use super::passage::Bundle;
+use super::problem::{Movement, Problem};
+use super::{Pivot, Trace};
 use crate::math::{Motion, Scalar, SpatialInertia, Wrench};
 
 /// A free direction that has been eliminated.
@@ -21,141 +30,284 @@ struct Eliminated<S> {
     gain: Wrench<S>,
     /// `w / d`
     rest: S,
+    /// `u / d`
+    pulls: Vec<S>,
 }
 
-/// Amounts of every link's free columns, and the pivots `d`.
+/// What is carried inwards.
+#[derive(Clone)]
+struct Carried<S> {
+    /// `A`
+    inertia: SpatialInertia<S>,
+    /// `e`
+    load: Wrench<S>,
+    /// `E`, by columns.
+    pulls: Vec<Wrench<S>>,
+    /// What a pivot along a shift or a turn is the sum of: one that should vanish is what rounding
+    /// leaves of it.
+    scales: (S, S),
+}
+
+/// What has been summed up for a closing hinge.
+#[derive(Clone)]
+struct Sums<S> {
+    /// `γ`
+    gamma: Vec<S>,
+    /// `G`
+    matrix: Vec<Vec<S>>,
+}
+
+/// The movement, and the pivots `d`.
 pub fn solve<S: Scalar>(
-    links: &[LinkMotion<S>],
-    efforts: &[Vec<S>],
-    ground: Motion<S>,
+    problem: &Problem<S>,
     trace: &mut Trace<S>,
-) -> (Vec<Vec<S>>, Vec<Pivot<S>>) {
-    let (eliminated, pivots) = reduce(links, efforts, trace);
-    (recover(links, &eliminated, ground, trace), pivots)
+) -> (Movement<S>, Vec<Pivot<S>>) {
+    let (mut eliminated, sums, pivots) = reduce(problem, trace);
+    let Closure { reactions, undetermined } = close(problem, sums, trace);
+    for step in eliminated.iter_mut().flatten() {
+        let pulled = super::hinge::dot(&step.pulls, &reactions);
+        step.rest = step.rest - pulled;
+    }
+    let (amounts, points) = recover(problem, &eliminated, trace);
+    (Movement { amounts, points, reactions, undetermined }, pivots)
 }
 
 /// The pivots alone, for methods that have none of their own for each hinge.
-pub fn pivots<S: Scalar>(links: &[LinkMotion<S>], trace: &mut Trace<S>) -> Vec<Pivot<S>> {
-    let no_efforts: Vec<Vec<S>> =
-        links.iter().map(|link| vec![S::zero(); link.freedom.columns.len()]).collect();
-    let (_, pivots) = reduce(links, &no_efforts, &mut Trace::new());
+pub fn pivots<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Vec<Pivot<S>> {
+    let alone = Problem { closing: None, ..problem.clone() };
+    let (_, _, pivots) = reduce(&alone, &mut Trace::new());
     trace.section(
         "Inertia beyond the hinges, to be divided by",
         "the pivots of the Riccati transfer",
     );
     for pivot in &pivots {
-        trace.number(format!("{}_d", links[pivot.link].name), pivot.value);
+        trace.number(format!("{}_d", problem.links[pivot.link].over.name), pivot.value);
     }
     pivots
 }
 
 /// From the free end to the ground: what each link has eliminated, and the pivots.
 fn reduce<S: Scalar>(
-    links: &[LinkMotion<S>],
-    efforts: &[Vec<S>],
+    problem: &Problem<S>,
     trace: &mut Trace<S>,
-) -> (Vec<Vec<Eliminated<S>>>, Vec<Pivot<S>>) {
+) -> (Vec<Vec<Eliminated<S>>>, Sums<S>, Vec<Pivot<S>>) {
+    let links = problem.links;
     let mut eliminated: Vec<Vec<Eliminated<S>>> = links.iter().map(|_| Vec::new()).collect();
     let mut pivots = Vec::new();
-    let mut own: Vec<(SpatialInertia<S>, Wrench<S>)> =
-        links.iter().map(|link| (link.rigid(), link.velocity_load())).collect();
-    // Sizes of what a pivot is the sum of: a pivot that should vanish is what rounding leaves of them.
-    let mut scales: Vec<(S, S)> =
-        links.iter().map(|link| (link.mass, link.inertia.trace())).collect();
+    let mut sums = Sums::of(problem.closing.as_ref().map_or(0, |it| it.closing.held.len()));
+    let mut carried = own(problem);
     for index in (0..links.len()).rev() {
-        let link = &links[index];
+        (carried[index], sums) = problem.passage.inwards(index, (carried[index].clone(), sums));
+        let over = &links[index].over;
         trace.section(
-            format!("Riccati transfer over `{}`", link.name),
+            format!("Riccati transfer over `{}`", over.name),
             "F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]",
         );
-        let (mut inertia, mut load) = own[index];
-        trace.inertia(&link.name, inertia);
-        trace.wrench(&format!("{}_e", link.name), load);
-        for (number, (&column, &effort)) in
-            link.freedom.columns.iter().zip(&efforts[index]).enumerate()
+        let mut here = carried[index].clone();
+        trace.inertia(&over.name, here.inertia);
+        trace.wrench(&format!("{}_e", over.name), here.load);
+        let conditions = problem.efforts[index].iter().zip(&over.freedom.armature);
+        for (number, (&column, (&effort, &armature))) in
+            over.freedom.columns.iter().zip(conditions).enumerate()
         {
-            let pivot = eliminate(&mut inertia, &mut load, column, effort, &mut eliminated[index]);
-            trace.number(format!("{}_d{number}", link.name), pivot);
-            trace.wrench(&format!("{}_z{number}", link.name), eliminated[index][number].gain);
-            let (linear, angular) = scales[index];
-            let scale = if column.is_linear() { linear } else { angular };
+            let scale = column.scale(here.scales.0, here.scales.1) + armature;
+            let condition = Condition { column, effort, armature };
+            let (pivot, step) = eliminate(&mut here, &mut sums, &condition);
+            trace.number(format!("{}_d{number}", over.name), pivot);
+            trace.wrench(&format!("{}_z{number}", over.name), step.gain);
+            eliminated[index].push(step);
             pivots.push(Pivot { link: index, value: pivot, scale });
         }
-        if let Some(parent) = link.parent {
-            let carried = inertia.linear.trace();
-            scales[parent].0 = scales[parent].0 + carried;
-            scales[parent].1 = scales[parent].1 + carried * link.arm.dot(link.arm);
-            let load = load + inertia.times(link.drift);
-            let (inertia, load) =
-                (link.to_parent.of_inertia(&inertia), load.turned(&link.to_parent));
-            own[parent].0 = own[parent].0 + inertia.moved_from(link.arm);
-            own[parent].1 = own[parent].1 + load.moved_from(link.arm);
+        for (gamma, pull) in sums.gamma.iter_mut().zip(&here.pulls) {
+            *gamma = *gamma + problem.drift[index].power(*pull);
+        }
+        match links[index].parent {
+            Some(parent) => hand_over(&here, problem, index, &mut carried[parent]),
+            None => sums.arrive(&here, over.carried(problem.ground)),
         }
     }
-    (eliminated, pivots)
+    (eliminated, sums, pivots)
 }
 
-/// Equations (1) and (2) for one free direction; returns `d`.
-fn eliminate<S: Scalar>(
-    inertia: &mut SpatialInertia<S>,
-    load: &mut Wrench<S>,
+/// What every link carries of its own part, and of the closing hinge.
+fn own<S: Scalar>(problem: &Problem<S>) -> Vec<Carried<S>> {
+    let none = problem.closing.as_ref().map_or(0, |it| it.closing.held.len());
+    let mut all: Vec<Carried<S>> = problem
+        .links
+        .iter()
+        .zip(&problem.loads)
+        .map(|(link, &load)| Carried {
+            inertia: link.rigid(),
+            load,
+            pulls: vec![Wrench::zero(); none],
+            scales: (link.mass, link.inertia.trace()),
+        })
+        .collect();
+    if let (Some(demand), Some((link, pulls))) = (&problem.closing, problem.pulls()) {
+        all[link].load = all[link].load + demand.closing.over.returned(demand.given);
+        all[link].pulls = pulls;
+    }
+    all
+}
+
+/// From a link's point, behind its hinge, to its parent's.
+fn hand_over<S: Scalar>(
+    here: &Carried<S>,
+    problem: &Problem<S>,
+    index: usize,
+    parent: &mut Carried<S>,
+) {
+    let over = &problem.links[index].over;
+    let mass = here.inertia.linear.trace();
+    parent.scales.0 = parent.scales.0 + mass;
+    parent.scales.1 = parent.scales.1 + mass * over.arm.dot(over.arm);
+    let load = here.load + here.inertia.times(problem.drift[index]);
+    let inertia = over.to_parent.of_inertia(&here.inertia);
+    parent.inertia = parent.inertia + inertia.moved_from(over.arm);
+    parent.load = parent.load + over.returned(load);
+    for (pull, &more) in parent.pulls.iter_mut().zip(&here.pulls) {
+        *pull = *pull + over.returned(more);
+    }
+}
+
+impl<S: Scalar> Bundle<S> for Carried<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        let inertia = self.inertia.visit(replace);
+        let load = self.load.visit(replace);
+        let pulls = self.pulls.visit(replace);
+        Carried { inertia, load, pulls, scales: self.scales.visit(replace) }
+    }
+}
+
+impl<S: Scalar> Bundle<S> for Sums<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        let gamma = self.gamma.visit(replace);
+        // Symmetric: each pair of entries is one number.
+        let mut matrix = self.matrix;
+        for i in 0..matrix.len() {
+            for j in 0..=i {
+                let number = replace(matrix[i][j]);
+                (matrix[i][j], matrix[j][i]) = (number, number);
+            }
+        }
+        Sums { gamma, matrix }
+    }
+}
+
+impl<S: Scalar> Sums<S> {
+    fn of(count: usize) -> Self {
+        let zero = || vec![S::zero(); count];
+        Sums { gamma: zero(), matrix: (0..count).map(|_| zero()).collect() }
+    }
+
+    /// The part of equation (5) that the ground makes, from its `a` at the first link's point.
+    fn arrive(&mut self, here: &Carried<S>, ground: Motion<S>) {
+        for (gamma, pull) in self.gamma.iter_mut().zip(&here.pulls) {
+            *gamma = *gamma + ground.power(*pull);
+        }
+    }
+}
+
+/// Equation (5) solved for the reactions.
+fn close<S: Scalar>(problem: &Problem<S>, sums: Sums<S>, trace: &mut Trace<S>) -> Closure<S> {
+    let Some(demand) = &problem.closing else {
+        return Closure { reactions: Vec::new(), undetermined: Vec::new() };
+    };
+    trace.section("Closure", "[P, Eqs. (9) to (11)] at the held end");
+    let Sums { gamma, matrix: mut left } = sums;
+    // Where the closing hinge hangs on the ground, nothing it does moves anything.
+    let gamma = if demand.closing.parent.is_some() { gamma } else { problem.at_rest() };
+    for (k, held) in demand.closing.held.iter().enumerate() {
+        left[k][k] = left[k][k] + held.inertia;
+    }
+    let right: Vec<S> = gamma.iter().zip(&demand.reached).map(|(&g, &r)| g - r).collect();
+    closure::solve(&left, &right, trace)
+}
+
+/// A free direction with its effort and the inertia of its rotor.
+struct Condition<S> {
     column: Column<S>,
     effort: S,
-    eliminated: &mut Vec<Eliminated<S>>,
-) -> S {
+    armature: S,
+}
+
+/// Equations (1), (2) and (4) for one free direction; returns `d` as well.
+fn eliminate<S: Scalar>(
+    here: &mut Carried<S>,
+    sums: &mut Sums<S>,
+    condition: &Condition<S>,
+) -> (S, Eliminated<S>) {
+    let &Condition { column, effort, armature } = condition;
     let direction = column.motion();
-    let (old, y) = (*inertia, inertia.times(direction));
-    let pivot = direction.power(y);
+    let (old, before) = (here.inertia, here.load);
+    let y = old.times(direction);
+    let pivot = direction.power(y) + armature;
     let inverse = pivot.recip();
-    let rest = (effort - direction.power(*load)) * inverse;
-    let along = |k: usize| matches!(column, Column::Axis(axis) if axis == k);
+    let rest = (effort - direction.power(before)) * inverse;
+    // Beside a rotor nothing becomes zero.
+    let axis = match column {
+        Column::Axis(axis) if armature.vanishes() => Some(axis),
+        _ => None,
+    };
+    let along = |k: usize| axis == Some(k);
     let gain = Wrench::from_fn(|k| if along(k) { S::one() } else { y.at(k) * inverse });
-    *inertia = SpatialInertia::from_fn(|i, j| {
+    here.inertia = SpatialInertia::from_fn(|i, j| {
         if along(i) || along(j) { S::zero() } else { old.at(i, j) - gain.at(i) * y.at(j) }
     });
-    let before = *load;
-    *load = Wrench::from_fn(|k| if along(k) { effort } else { before.at(k) + y.at(k) * rest });
-    eliminated.push(Eliminated { column, gain, rest });
-    pivot
+    here.load = Wrench::from_fn(|k| if along(k) { effort } else { before.at(k) + y.at(k) * rest });
+    let u: Vec<S> = here.pulls.iter().map(|&pull| direction.power(pull)).collect();
+    let pulls: Vec<S> = u.iter().map(|&u| u * inverse).collect();
+    for (i, pull) in here.pulls.iter_mut().enumerate() {
+        let old = *pull;
+        *pull =
+            Wrench::from_fn(|k| if along(k) { S::zero() } else { old.at(k) - gain.at(k) * u[i] });
+        sums.gamma[i] = sums.gamma[i] + u[i] * rest;
+        for j in 0..=i {
+            let sum = sums.matrix[i][j] + u[i] * pulls[j];
+            (sums.matrix[i][j], sums.matrix[j][i]) = (sum, sum);
+        }
+    }
+    (pivot, Eliminated { column, gain, rest, pulls })
 }
 
 /// Equation (3), from the ground outwards.
 fn recover<S: Scalar>(
-    links: &[LinkMotion<S>],
+    problem: &Problem<S>,
     eliminated: &[Vec<Eliminated<S>>],
-    ground: Motion<S>,
     trace: &mut Trace<S>,
-) -> Vec<Vec<S>> {
-    let mut accelerations: Vec<Motion<S>> = Vec::new();
+) -> (Vec<Vec<S>>, Vec<Motion<S>>) {
+    let mut points: Vec<Motion<S>> = Vec::new();
     let mut amounts = Vec::new();
-    for (link, eliminated) in links.iter().zip(eliminated) {
-        trace.section(format!("Acceleration of `{}`", link.name), "[P, Eqs. (13), (36), (44)]");
-        let mut acceleration = link.carried(link.parent.map_or(ground, |p| accelerations[p]));
+    for (index, (link, eliminated)) in problem.links.iter().zip(eliminated).enumerate() {
+        let over = &link.over;
+        trace.section(format!("Acceleration of `{}`", over.name), "[P, Eqs. (13), (36), (44)]");
+        let mut acceleration = problem.carried(index, &points);
         let mut betas: Vec<S> = Vec::new();
-        for step in eliminated.iter().rev() {
-            betas.insert(0, advance(&mut acceleration, step));
+        let steps = eliminated.iter().zip(&over.freedom.armature);
+        for (step, &armature) in steps.rev() {
+            betas.insert(0, advance(&mut acceleration, step, armature));
         }
-        trace.motion(&format!("{}_a", link.name), acceleration);
-        accelerations.push(acceleration);
+        trace.motion(&format!("{}_a", over.name), acceleration);
+        points.push(problem.passage.outwards(index, acceleration));
         amounts.push(betas);
     }
-    amounts
+    (amounts, points)
 }
 
 /// Adds one free direction's part to `acceleration` and returns its amount `β`.
-fn advance<S: Scalar>(acceleration: &mut Motion<S>, step: &Eliminated<S>) -> S {
+fn advance<S: Scalar>(acceleration: &mut Motion<S>, step: &Eliminated<S>, armature: S) -> S {
     let before = *acceleration;
     match step.column {
         // The new component follows without the old one, which then matters to `β` alone.
-        Column::Axis(axis) => {
+        Column::Axis(axis) if armature.vanishes() => {
             let others = Motion::from_fn(|k| if k == axis { S::zero() } else { before.at(k) });
             let new = step.rest - others.power(step.gain);
             *acceleration = Motion::from_fn(|k| if k == axis { new } else { before.at(k) });
             new - before.at(axis)
         }
-        Column::General(direction) => {
+        column => {
             let beta = step.rest - before.power(step.gain);
-            *acceleration = before + direction.scaled(beta);
+            *acceleration = before + column.motion().scaled(beta);
             beta
         }
     }
@@ -163,28 +315,36 @@ fn advance<S: Scalar>(acceleration: &mut Motion<S>, step: &Eliminated<S>) -> S {
 
 #[cfg(test)]
 mod tests {
-    use super::{Column, SpatialInertia, Wrench, eliminate};
-    use crate::math::{Mat3, Sym3, Vec3};
+    use super::{Carried, Column, Condition, SpatialInertia, Sums, Wrench, eliminate};
+    use crate::math::{Mat3, Scalar, Structured, Sym3, Vec3};
 
     /// Without exact zeros, rounding leaks back into the angular block of every ball and grows from
     /// one to the next until no digit is left.
     #[test]
     fn what_a_ball_lets_go_is_exactly_zero() {
-        let mut inertia = SpatialInertia {
-            linear: Sym3([3.1, 2.7, 4.3, 0.3, -0.2, 0.7]),
-            coupling: Mat3([[0.1, 0.7, -0.3], [0.2, -0.6, 0.9], [0.4, 0.3, 0.8]]),
-            angular: Sym3([2.3, 3.7, 2.9, 0.11, -0.23, 0.37]),
+        let some = |value: f64| Structured::variable(value);
+        let inertia = SpatialInertia {
+            linear: Sym3([3.1, 2.7, 4.3, 0.3, -0.2, 0.7].map(some)),
+            coupling: Mat3(
+                [[0.1, 0.7, -0.3], [0.2, -0.6, 0.9], [0.4, 0.3, 0.8]].map(|row| row.map(some)),
+            ),
+            angular: Sym3([2.3, 3.7, 2.9, 0.11, -0.23, 0.37].map(some)),
         };
-        let mut load = Wrench { force: Vec3([0.3, -0.7, 1.1]), moment: Vec3([1.3, 0.9, -0.1]) };
-        let efforts = [0.25, -0.5, 0.125];
-        let mut eliminated = Vec::new();
+        let load = Wrench {
+            force: Vec3([0.3, -0.7, 1.1].map(some)),
+            moment: Vec3([1.3, 0.9, -0.1].map(some)),
+        };
+        let mut here =
+            Carried { inertia, load, pulls: Vec::new(), scales: (some(10.0), some(7.0)) };
+        let efforts = [0.25, -0.5, 0.125].map(some);
         for (k, effort) in efforts.into_iter().enumerate() {
-            let pivot =
-                eliminate(&mut inertia, &mut load, Column::Axis(3 + k), effort, &mut eliminated);
-            assert!(pivot > 0.0);
+            let armature = Structured::zero();
+            let condition = Condition { column: Column::Axis(3 + k), effort, armature };
+            let (pivot, _) = eliminate(&mut here, &mut Sums::of(0), &condition);
+            assert!(pivot.value() > 0.0);
         }
-        assert_eq!(inertia.angular, Sym3([0.0; 6]));
-        assert_eq!(inertia.coupling, Mat3([[0.0; 3]; 3]));
-        assert_eq!(load.moment, Vec3(efforts));
+        assert!(here.inertia.angular.0.iter().all(|x| x.vanishes()));
+        assert!(here.inertia.coupling.0.iter().flatten().all(|x| x.vanishes()));
+        assert_eq!(here.load.moment.0.map(|x| x.value()), [0.25, -0.5, 0.125]);
     }
 }

@@ -6,10 +6,16 @@
 //! chain), each hinge here uses its own condition `Sᵀ F = τ` at once to take out as many unknowns
 //! as its `β` bring in. The free end's `F = 0` is the boundary solve [P, Eq. (11)]; going back
 //! through the eliminations gives every `β`.
+//!
+//! A closing hinge adds its reactions to the wrench at the far end. The boundary solve then answers
+//! for each of them apart, which gives the same equations for them as the Riccati transfer does.
 
+use super::Trace;
+use super::closure::{self, Closure};
 use super::elimination::{Mixed, Reflection};
 use super::hinge::Column;
-use super::{LinkMotion, Trace};
+use super::passage::Bundle;
+use super::problem::{Movement, Problem, moved};
 use crate::math::{Motion, Scalar, Wrench};
 
 /// A column of the product: what belongs to one unknown, or the known part.
@@ -29,82 +35,155 @@ impl<S: Scalar> Mixed<S> for Part<S> {
 }
 
 /// The state vector at a connection point as a function of the unknowns.
+#[derive(Clone)]
 struct Product<S> {
     known: Part<S>,
     columns: Vec<Part<S>>,
 }
 
-/// Amounts of every link's free columns.
+/// A condition that was used, and what it settled.
+struct Used<S> {
+    reflection: Reflection<S>,
+    settled: S,
+}
+
+/// The movement.
 ///
 /// Where nothing with inertia lies beyond a hinge the boundary solve has no answer, but rounding
 /// hides it: whoever calls has to look at the pivots of the Riccati transfer.
-pub fn solve<S: Scalar>(
-    links: &[LinkMotion<S>],
-    efforts: &[Vec<S>],
-    ground: Motion<S>,
-    trace: &mut Trace<S>,
-) -> Vec<Vec<S>> {
-    let Some(first) = links.first() else { return Vec::new() };
-    let mut product = Product::at_ground(first, ground);
-    let mut used: Vec<Vec<Reflection<S>>> = Vec::new();
-    for (index, link) in links.iter().enumerate() {
+pub fn solve<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Movement<S> {
+    let path = path(problem);
+    let mut used: Vec<Vec<Used<S>>> = Vec::new();
+    let mut product: Option<Product<S>> = None;
+    for (place, &index) in path.iter().enumerate() {
+        let over = &problem.links[index].over;
         trace.section(
-            format!("Transfer to `{}`", link.name),
+            format!("Transfer to `{}`", over.name),
             "[P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge",
         );
-        if index > 0 {
-            product.cross(&links[index - 1], link);
-        }
-        let conditions = link.freedom.columns.iter().zip(&efforts[index]);
-        used.push(conditions.map(|(&s, &tau)| product.free(s, tau, link, trace)).collect());
-        product.record(link, trace);
+        let mut here = match (product, place.checked_sub(1)) {
+            (Some(before), Some(last)) => before.across(problem, path[last], index),
+            _ => Product::at_ground(problem, index),
+        };
+        used.push(here.cross_hinge(problem, index, trace));
+        here.record(&over.name, trace);
+        product = Some(problem.passage.outwards(index, here));
     }
-    trace.section("Boundary solve at the free end", "[P, Eq. (11)]");
-    let unknowns = boundary(product.beyond(&links[links.len() - 1]), trace);
-    recover(unknowns, &used, trace, links)
+    let (unknowns, closure) = match (&product, path.last()) {
+        (Some(product), Some(&last)) => far_end(problem, product, last, trace),
+        _ => (Vec::new(), at_rest(problem, trace)),
+    };
+    let along_path = recover(unknowns, &used, trace, problem, &path);
+    let mut amounts = vec![Vec::new(); problem.links.len()];
+    for (&index, betas) in path.iter().zip(along_path) {
+        amounts[index] = betas;
+    }
+    let Closure { reactions, undetermined } = closure;
+    Movement { points: points(problem, &amounts), amounts, reactions, undetermined }
+}
+
+/// The links from the ground to the far end; a moving end at the far side is not among them.
+fn path<S: Scalar>(problem: &Problem<S>) -> Vec<usize> {
+    let last = match &problem.closing {
+        Some(demand) => demand.closing.parent,
+        None => problem.links.len().checked_sub(1),
+    };
+    let mut path: Vec<usize> =
+        std::iter::successors(last, |&link| problem.links[link].parent).collect();
+    path.reverse();
+    path
+}
+
+/// `a` of all points, from the amounts of all columns.
+fn points<S: Scalar>(problem: &Problem<S>, amounts: &[Vec<S>]) -> Vec<Motion<S>> {
+    let mut points: Vec<Motion<S>> = Vec::new();
+    for (index, link) in problem.links.iter().enumerate() {
+        let point = problem.carried(index, &points) + moved(link, &amounts[index]);
+        points.push(problem.passage.outwards(index, point));
+    }
+    points
+}
+
+impl<S: Scalar> Bundle<S> for Part<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        let a = self.a.visit(replace);
+        Part { a, f: self.f.visit(replace) }
+    }
+}
+
+impl<S: Scalar> Bundle<S> for Product<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        let known = self.known.visit(replace);
+        Product { known, columns: self.columns.visit(replace) }
+    }
 }
 
 impl<S: Scalar> Product<S> {
     /// The start of the chain: its acceleration is known, its wrench is the unknown.
-    fn at_ground(first: &LinkMotion<S>, ground: Motion<S>) -> Self {
-        let unit = |k| Wrench::from_fn(|i| if i == k { S::one() } else { S::zero() });
+    fn at_ground(problem: &Problem<S>, first: usize) -> Self {
+        let unknown = |&k: &usize| Part { a: Motion::zero(), f: Wrench::unit(k) };
         Product {
-            known: Part { a: first.carried(ground), f: Wrench::zero() },
-            columns: (0..6).map(|k| Part { a: Motion::zero(), f: unit(k) }).collect(),
+            known: Part { a: problem.carried(first, &[]), f: Wrench::zero() },
+            columns: problem.dimension.axes().iter().map(unknown).collect(),
         }
     }
 
     /// Over the body at `from` [P, Eqs. (17) to (19)] and into the axes of `to`.
-    fn cross(&mut self, from: &LinkMotion<S>, to: &LinkMotion<S>) {
-        let inertia = from.rigid();
-        let over = |f: Wrench<S>| f.moved_from(-to.arm).turned_back(&to.to_parent);
-        for part in &mut self.columns {
-            let f = over(part.f - inertia.times(part.a));
-            *part = Part { a: part.a.carried_to(to.arm).turned_back(&to.to_parent), f };
+    fn across(self, problem: &Problem<S>, from: usize, to: usize) -> Self {
+        let over = &problem.links[to].over;
+        let beyond = |f: Wrench<S>| f.moved_from(-over.arm).turned_back(&over.to_parent);
+        let Product { known, columns } = self.beyond(problem, from);
+        let cross = |part: Part<S>| Part { a: over.carried(part.a), f: beyond(part.f) };
+        let known = cross(known);
+        Product {
+            known: Part { a: known.a + problem.drift[to], f: known.f },
+            columns: columns.into_iter().map(cross).collect(),
         }
-        let Part { a, f } = self.known;
-        let f = over(f - inertia.times(a) - from.velocity_load());
-        self.known = Part { a: to.carried(a), f };
     }
 
-    /// Uses the hinge's condition `sᵀ F = τ` and lets its direction `s` go.
-    fn free(
-        &mut self,
-        s: Column<S>,
-        tau: S,
-        link: &LinkMotion<S>,
-        trace: &mut Trace<S>,
-    ) -> Reflection<S> {
-        let direction = s.motion();
-        let coefficients: Vec<S> =
-            self.columns.iter().map(|part| direction.power(part.f)).collect();
-        let reflection = Reflection::of(&coefficients, tau - direction.power(self.known.f));
-        for (number, &v) in reflection.vector().iter().enumerate() {
-            trace.number(format!("{}_v{number}", link.name), v);
+    /// The wrench behind the body at a link, about its point, in place of the one in front of it.
+    fn beyond(&self, problem: &Problem<S>, link: usize) -> Self {
+        let inertia = problem.links[link].rigid();
+        let taken = |part: &Part<S>| Part { a: part.a, f: part.f - inertia.times(part.a) };
+        let known = taken(&self.known);
+        Product {
+            known: Part { a: known.a, f: known.f - problem.loads[link] },
+            columns: self.columns.iter().map(taken).collect(),
         }
-        let settled = reflection.apply(&mut self.columns);
-        self.known = self.known.plus_scaled(settled, S::one());
-        if let Column::Axis(axis) = s {
+    }
+
+    /// Uses all conditions of a hinge.
+    fn cross_hinge(
+        &mut self,
+        problem: &Problem<S>,
+        index: usize,
+        trace: &mut Trace<S>,
+    ) -> Vec<Used<S>> {
+        let over = &problem.links[index].over;
+        let conditions = problem.efforts[index].iter().zip(&over.freedom.armature);
+        let mut used = Vec::new();
+        for (&column, (&effort, &armature)) in over.freedom.columns.iter().zip(conditions) {
+            let step = self.free(column, effort, armature);
+            for (number, &v) in step.reflection.vector().iter().enumerate() {
+                trace.number(format!("{}_v{number}", over.name), v);
+            }
+            used.push(step);
+        }
+        used
+    }
+
+    /// Uses the condition `sᵀ F + I β = τ` and lets the direction `s` go, `β` being a new unknown.
+    fn free(&mut self, s: Column<S>, tau: S, armature: S) -> Used<S> {
+        let direction = s.motion();
+        let mut coefficients: Vec<S> =
+            self.columns.iter().map(|part| direction.power(part.f)).collect();
+        coefficients.push(armature);
+        self.columns.push(Part { a: direction, f: Wrench::zero() });
+        let reflection = Reflection::of(&coefficients);
+        let settled = reflection.settled(tau - direction.power(self.known.f));
+        let leaving = reflection.apply(&mut self.columns);
+        self.known = self.known.plus_scaled(leaving, settled);
+        if let (Column::Axis(axis), true) = (s, armature.vanishes()) {
             // What the reflection has made zero but for rounding is zero.
             let set =
                 |f: Wrench<S>, value| Wrench::from_fn(|k| if k == axis { value } else { f.at(k) });
@@ -113,65 +192,141 @@ impl<S: Scalar> Product<S> {
                 part.f = set(part.f, S::zero());
             }
         }
-        self.columns.push(Part { a: direction, f: Wrench::zero() });
-        reflection
+        Used { reflection, settled }
     }
 
-    /// The wrench beyond the body at `link`, about its point, by rows of unknowns and known part.
-    fn beyond(&self, link: &LinkMotion<S>) -> Vec<(Vec<S>, S)> {
-        let inertia = link.rigid();
-        let known = self.known.f - inertia.times(self.known.a) - link.velocity_load();
-        let columns: Vec<Wrench<S>> =
-            self.columns.iter().map(|part| part.f - inertia.times(part.a)).collect();
-        (0..6).map(|k| (columns.iter().map(|f| f.at(k)).collect(), known.at(k))).collect()
-    }
-
-    fn record(&self, link: &LinkMotion<S>, trace: &mut Trace<S>) {
+    fn record(&self, name: &str, trace: &mut Trace<S>) {
         for (number, part) in self.columns.iter().enumerate() {
-            trace.motion(&format!("{}_a{number}", link.name), part.a);
-            trace.wrench(&format!("{}_f{number}", link.name), part.f);
+            trace.motion(&format!("{name}_a{number}"), part.a);
+            trace.wrench(&format!("{name}_f{number}"), part.f);
         }
-        trace.motion(&format!("{}_a", link.name), self.known.a);
-        trace.wrench(&format!("{}_f", link.name), self.known.f);
+        trace.motion(&format!("{name}_a"), self.known.a);
+        trace.wrench(&format!("{name}_f"), self.known.f);
     }
 }
 
-/// Solves six conditions `row · x + known = 0`, one after the other.
-fn boundary<S: Scalar>(mut rows: Vec<(Vec<S>, S)>, trace: &mut Trace<S>) -> Vec<S> {
-    let mut reflections = Vec::new();
-    for number in 0..rows.len() {
-        let (row, known) = rows[number].clone();
-        let reflection = Reflection::of(&row, -known);
-        for (row, known) in rows.iter_mut().skip(number + 1) {
-            *known = *known + reflection.apply(row);
+/// The boundary conditions behind the last body: the unknowns, and the closing's reactions.
+fn far_end<S: Scalar>(
+    problem: &Problem<S>,
+    product: &Product<S>,
+    last: usize,
+    trace: &mut Trace<S>,
+) -> (Vec<S>, Closure<S>) {
+    trace.section("Boundary solve at the far end", "[P, Eqs. (9) to (11)]");
+    let end = product.beyond(problem, last);
+    let pulls = problem.pulls().map_or(Vec::new(), |(_, pulls)| pulls);
+    let demand = problem.closing.as_ref();
+    let given = demand.map_or(Wrench::zero(), |it| it.closing.over.returned(it.given));
+    let rows = problem.dimension.axes().iter().map(|&k| Row {
+        coefficients: end.columns.iter().map(|part| part.f.at(k)).collect(),
+        // What the wrench has to be, without reactions, then what each of them adds.
+        values: std::iter::once(given.at(k) - end.known.f.at(k))
+            .chain(pulls.iter().map(|pull| pull.at(k)))
+            .collect(),
+    });
+    let mut answers = boundary(rows.collect());
+    let unknowns = answers.remove(0);
+    let Some(demand) = demand else {
+        for (number, &unknown) in unknowns.iter().enumerate() {
+            trace.number(format!("end_x{number}"), unknown);
         }
-        reflections.push(reflection);
+        let closure = Closure { reactions: Vec::new(), undetermined: Vec::new() };
+        return (unknowns, closure);
+    };
+    let moved = |x: &[S]| {
+        end.columns.iter().zip(x).fold(Motion::zero(), |sum, (part, &x)| sum + part.a.scaled(x))
+    };
+    let a = end.known.a + moved(&unknowns);
+    let mut matrix: Vec<Vec<S>> = Vec::new();
+    for (i, pull) in pulls.iter().enumerate() {
+        let row = answers[..=i].iter().map(|x| -moved(x).power(*pull)).collect();
+        matrix.push(row);
     }
-    let unknowns = reflections.iter().rev().fold(Vec::new(), |y, reflection| reflection.expand(y));
-    for (number, &unknown) in unknowns.iter().enumerate() {
-        trace.number(format!("end_x{number}"), unknown);
+    let mut matrix = mirrored(&matrix);
+    let mut right = Vec::new();
+    for (k, held) in demand.closing.held.iter().enumerate() {
+        matrix[k][k] = matrix[k][k] + held.inertia;
+        right.push(a.power(pulls[k]) - demand.reached[k]);
     }
-    unknowns
+    let closure = closure::solve(&matrix, &right, trace);
+    let with_reactions = |(k, &x): (usize, &S)| {
+        answers.iter().zip(&closure.reactions).fold(x, |x, (answer, &r)| x + answer[k] * r)
+    };
+    (unknowns.iter().enumerate().map(with_reactions).collect(), closure)
+}
+
+/// A symmetric matrix from its lower half.
+fn mirrored<S: Scalar>(lower: &[Vec<S>]) -> Vec<Vec<S>> {
+    let entry = |i: usize, j: usize| lower[i.max(j)][i.min(j)];
+    (0..lower.len()).map(|i| (0..lower.len()).map(|j| entry(i, j)).collect()).collect()
+}
+
+/// The reactions of a closing hinge between two sides that nothing moves.
+fn at_rest<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Closure<S> {
+    let Some(demand) = &problem.closing else {
+        return Closure { reactions: Vec::new(), undetermined: Vec::new() };
+    };
+    let count = demand.closing.held.len();
+    let mut matrix = vec![vec![S::zero(); count]; count];
+    let at_rest = problem.at_rest();
+    let mut right = Vec::new();
+    for (k, held) in demand.closing.held.iter().enumerate() {
+        matrix[k][k] = held.inertia;
+        right.push(at_rest[k] - demand.reached[k]);
+    }
+    closure::solve(&matrix, &right, trace)
+}
+
+/// A condition on the unknowns, with several values that it may have.
+struct Row<S> {
+    coefficients: Vec<S>,
+    values: Vec<S>,
+}
+
+/// Solves all conditions, one after the other, for all values.
+fn boundary<S: Scalar>(mut rows: Vec<Row<S>>) -> Vec<Vec<S>> {
+    let count = rows.first().map_or(1, |row| row.values.len());
+    let mut used: Vec<(Reflection<S>, Vec<S>)> = Vec::new();
+    for number in 0..rows.len() {
+        let reflection = Reflection::of(&rows[number].coefficients);
+        let settled: Vec<S> =
+            rows[number].values.iter().map(|&value| reflection.settled(value)).collect();
+        for row in rows.iter_mut().skip(number + 1) {
+            let leaving = reflection.apply(&mut row.coefficients);
+            for (value, &w) in row.values.iter_mut().zip(&settled) {
+                *value = *value - leaving * w;
+            }
+        }
+        used.push((reflection, settled));
+    }
+    let solution = |k: usize| {
+        let steps = used.iter().rev();
+        steps.fold(Vec::new(), |y, (reflection, settled)| reflection.expand(y, settled[k]))
+    };
+    (0..count).map(solution).collect()
 }
 
 /// Back through the hinges: each gives up its `β` and gets its eliminated unknown.
 fn recover<S: Scalar>(
     mut unknowns: Vec<S>,
-    used: &[Vec<Reflection<S>>],
+    used: &[Vec<Used<S>>],
     trace: &mut Trace<S>,
-    links: &[LinkMotion<S>],
+    problem: &Problem<S>,
+    path: &[usize],
 ) -> Vec<Vec<S>> {
     let mut amounts: Vec<Vec<S>> = Vec::new();
-    for (link, reflections) in links.iter().zip(used).rev() {
-        trace.section(format!("Back to `{}`", link.name), "[P, Eqs. (8), (11)]");
+    for (&link, steps) in path.iter().zip(used).rev() {
+        unknowns = problem.passage.inwards(link, unknowns);
+        let name = &problem.links[link].over.name;
+        trace.section(format!("Back to `{name}`"), "[P, Eqs. (8), (11)]");
         let mut betas = Vec::new();
-        for reflection in reflections.iter().rev() {
+        for step in steps.iter().rev() {
+            unknowns = step.reflection.expand(unknowns, step.settled);
             betas.extend(unknowns.pop());
-            unknowns = reflection.expand(unknowns);
         }
         betas.reverse();
         for (number, &beta) in betas.iter().enumerate() {
-            trace.number(format!("{}_beta{number}", link.name), beta);
+            trace.number(format!("{name}_beta{number}"), beta);
         }
         amounts.push(betas);
     }

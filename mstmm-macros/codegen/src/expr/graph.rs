@@ -82,6 +82,14 @@ impl Graph {
         self.inner.borrow().stages[id as usize]
     }
 
+    /// The number of the unknown at `id`, if it is one.
+    pub fn symbol_number(&self, id: NodeId) -> Option<u32> {
+        match self.node(id) {
+            Node::Symbol(number) => Some(number),
+            _ => None,
+        }
+    }
+
     /// How many nodes there are.
     pub fn len(&self) -> usize {
         self.inner.borrow().nodes.len()

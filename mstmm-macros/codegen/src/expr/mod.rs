@@ -90,6 +90,14 @@ impl Scalar for Expr<'_> {
         rules::copysign(self, sign)
     }
 
+    fn atan2(self, x: Self) -> Self {
+        rules::binary(self, x, Scalar::atan2, Node::Atan2)
+    }
+
+    fn recip_above(self, scale: Self) -> Self {
+        rules::binary(self, scale, Scalar::recip_above, Node::RecipAbove)
+    }
+
     fn vanishes(self) -> bool {
         self.known() == Some(0.0)
     }

@@ -63,6 +63,11 @@ pub enum Node {
     Cos(Edge),
     /// The magnitude of the first edge, which is positive, with the sign of the second.
     CopySign(Edge, Edge),
+    /// The angle of the point at the first edge upwards and the second to the right.
+    Atan2(Edge, Edge),
+    /// The reciprocal of the first edge where it exceeds what rounding can leave of the second, zero
+    /// elsewhere.
+    RecipAbove(Edge, Edge),
 }
 
 impl Node {
@@ -70,7 +75,11 @@ impl Node {
     pub fn operands(self) -> impl Iterator<Item = Edge> {
         let (first, second) = match self {
             Node::Number(_) | Node::Symbol(_) => (None, None),
-            Node::Sum(a, b) | Node::Product(a, b) | Node::CopySign(a, b) => (Some(a), Some(b)),
+            Node::Sum(a, b)
+            | Node::Product(a, b)
+            | Node::CopySign(a, b)
+            | Node::Atan2(a, b)
+            | Node::RecipAbove(a, b) => (Some(a), Some(b)),
             Node::Recip(a) | Node::Sqrt(a) | Node::Sin(a) | Node::Cos(a) => (Some(a), None),
         };
         first.into_iter().chain(second)

@@ -114,3 +114,17 @@ pub(super) fn copysign<'g>(a: Expr<'g>, b: Expr<'g>) -> Expr<'g> {
         (a, Formula(graph, b)) => graph.formula(Node::CopySign(graph.edge(a).plain(), b)),
     }
 }
+
+/// An operation without rules of its own but for known numbers.
+pub(super) fn binary<'g>(
+    a: Expr<'g>,
+    b: Expr<'g>,
+    fold: impl Fn(f64, f64) -> f64,
+    node: impl Fn(Edge, Edge) -> Node,
+) -> Expr<'g> {
+    match (a, b) {
+        (Number(a), Number(b)) => Number(fold(a, b)),
+        (Formula(graph, a), b) => graph.formula(node(a, graph.edge(b))),
+        (a, Formula(graph, b)) => graph.formula(node(graph.edge(a), b)),
+    }
+}

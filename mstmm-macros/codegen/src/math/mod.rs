@@ -1,14 +1,18 @@
 //! Vectors, matrices and spatial quantities of three-dimensional mechanics, generic over the
 //! scalar: the compiler runs them on formulas, the tests on plain numbers.
 
+mod dual;
 mod matrix;
 mod rotation;
 mod scalar;
 mod spatial;
+mod structured;
 mod vector;
 
+pub use dual::Dual;
 pub use matrix::{Mat3, Sym3};
 pub use rotation::{Rotation, Turn};
 pub use scalar::Scalar;
 pub use spatial::{Motion, SpatialInertia, Wrench};
+pub use structured::Structured;
 pub use vector::Vec3;

@@ -21,6 +21,10 @@ pub trait Scalar:
     fn sin_cos(self) -> (Self, Self);
     /// The magnitude of `self` with the sign of `sign`.
     fn copysign(self, sign: Self) -> Self;
+    /// The angle in rad of the point at `self` upwards and `x` to the right.
+    fn atan2(self, x: Self) -> Self;
+    /// `1 / self` where `self` exceeds what rounding can leave of `scale`, zero elsewhere.
+    fn recip_above(self, scale: Self) -> Self;
     /// Whether it vanishes for every state of the chain. A plain number never says so, however
     /// small it is: the structure of a computation must not depend on values.
     fn vanishes(self) -> bool;
@@ -34,7 +38,26 @@ pub trait Scalar:
     fn one() -> Self {
         Self::number(1.0)
     }
+
+    /// The magnitude.
+    fn abs(self) -> Self {
+        self.copysign(Self::one())
+    }
+
+    /// `self` where it is positive, zero elsewhere.
+    fn positive_part(self) -> Self {
+        (self + Scalar::abs(self)) * Self::number(0.5)
+    }
+
+    /// One where `self` is positive or zero, zero elsewhere.
+    fn is_positive(self) -> Self {
+        (Self::one() + Scalar::copysign(Self::one(), self)) * Self::number(0.5)
+    }
 }
+
+/// How many units in the last place of its scale a number must exceed to count as not zero, where
+/// equations ask with [`Scalar::recip_above`].
+pub const NOISE: f64 = 1024.0;
 
 macro_rules! plain_number {
     ($($float:ty),*) => { $(
@@ -53,6 +76,13 @@ macro_rules! plain_number {
             }
             fn copysign(self, sign: Self) -> Self {
                 <$float>::copysign(self, sign)
+            }
+            fn atan2(self, x: Self) -> Self {
+                <$float>::atan2(self, x)
+            }
+            fn recip_above(self, scale: Self) -> Self {
+                let vanishes = self <= NOISE as $float * <$float>::EPSILON * scale;
+                if vanishes { 0.0 } else { <$float>::recip(self) }
             }
             fn vanishes(self) -> bool {
                 false

@@ -28,6 +28,11 @@ impl<S: Scalar> Motion<S> {
         Motion { linear: Vec3::zero(), angular: Vec3::zero() }
     }
 
+    /// Along or about axis `k` of the six.
+    pub fn unit(k: usize) -> Self {
+        Motion::from_fn(|i| if i == k { S::one() } else { S::zero() })
+    }
+
     /// Entry `k` of the six: linear, then angular.
     pub fn at(&self, k: usize) -> S {
         if k < 3 { self.linear[k] } else { self.angular[k - 3] }
@@ -41,6 +46,11 @@ impl<S: Scalar> Motion<S> {
     /// The part linear in the motion of the law of rigid bodies: the motion of the point at `r`.
     pub fn carried_to(self, r: Vec3<S>) -> Self {
         Motion { linear: self.linear + self.angular.cross(r), angular: self.angular }
+    }
+
+    /// In the axes that `rotation` leads to.
+    pub fn turned(self, rotation: Mat3<S>) -> Self {
+        Motion { linear: rotation * self.linear, angular: rotation * self.angular }
     }
 
     /// In the axes from which `rotation` leads here.
@@ -63,6 +73,11 @@ impl<S: Scalar> Wrench<S> {
     /// No load.
     pub fn zero() -> Self {
         Wrench { force: Vec3::zero(), moment: Vec3::zero() }
+    }
+
+    /// Along or about axis `k` of the six.
+    pub fn unit(k: usize) -> Self {
+        Wrench::from_fn(|i| if i == k { S::one() } else { S::zero() })
     }
 
     /// Entry `k` of the six: force, then moment.
@@ -115,6 +130,13 @@ impl<S: Scalar> Add for Wrench<S> {
     }
 }
 
+impl<S: Scalar> Sub for Motion<S> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Motion { linear: self.linear - other.linear, angular: self.angular - other.angular }
+    }
+}
+
 impl<S: Scalar> Sub for Wrench<S> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
@@ -134,13 +156,13 @@ pub struct SpatialInertia<S> {
 }
 
 impl<S: Scalar> SpatialInertia<S> {
-    /// Of a rigid body about a point: mass, centre of mass from there, inertia about there.
+    /// Of a rigid body about a point: mass, first moment `m r_C` and inertia about there.
     ///
     /// `M = [[m 1, −m r̃_C], [m r̃_C, J]]`, the acceleration columns of [P, Eqs. (18), (19)].
-    pub fn rigid(mass: S, com: Vec3<S>, inertia: Sym3<S>) -> Self {
+    pub fn rigid(mass: S, moment: Vec3<S>, inertia: Sym3<S>) -> Self {
         SpatialInertia {
             linear: Sym3::diagonal([mass; 3]),
-            coupling: -(com * mass).skew(),
+            coupling: -moment.skew(),
             angular: inertia,
         }
     }

@@ -39,6 +39,8 @@ fn rewritten<'g>(graph: &'g Graph, live: &Live, image: &[Option<Edge>], id: Node
         Node::Sin(a) => go(a).sin_cos().0,
         Node::Cos(a) => go(a).sin_cos().1,
         Node::CopySign(a, b) => go(a).copysign(go(b)),
+        Node::Atan2(a, b) => go(a).atan2(go(b)),
+        Node::RecipAbove(a, b) => go(a).recip_above(go(b)),
     }
 }
 

@@ -1,10 +1,11 @@
 //! The order of a program: under each heading, what its live values need, in the order in which
 //! the equations wrote it down.
 
-use super::Live;
+use super::angles::angles;
+use super::{Home, Live, Setup, Turn, Turns};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
-use crate::program::{Operand, Operation, Program, Section, Slot, Statement};
-use std::collections::{BTreeMap, HashMap, HashSet};
+use crate::program::{Block, Operand, Operation, Program, Section, Slot, Statement};
+use std::collections::{HashMap, HashSet};
 
 /// Named values under a heading.
 #[derive(Clone, Debug)]
@@ -17,83 +18,64 @@ pub struct Heading {
     pub values: Vec<(String, Edge)>,
 }
 
-/// The values that all programs of a chain share because they are known since setup.
-#[derive(Clone, Debug, Default)]
-pub struct Setup {
-    nodes: Vec<NodeId>,
-    names: Vec<String>,
-    index: HashMap<NodeId, usize>,
+/// The unknowns of a program.
+#[derive(Clone, Copy, Debug)]
+pub struct Unknowns<'a> {
+    /// Their names by number; behind them come those that loops carry.
+    pub names: &'a [String],
+    /// Which of them belong to which repeated part.
+    pub parts: &'a [Option<usize>],
+    /// Loops over repeated parts, in their order, with what they carry.
+    pub turns: &'a [Turn],
 }
 
-impl Setup {
-    /// The values in the order of their slots.
-    pub fn values(&self) -> impl Iterator<Item = (&str, Edge)> {
-        self.names.iter().map(String::as_str).zip(self.nodes.iter().map(|&node| Edge::to(node)))
-    }
-
-    /// The slot of `node`, a new one under `name` if it has none yet.
-    pub fn slot(&mut self, node: NodeId, name: impl FnOnce(usize) -> String) -> usize {
-        *self.index.entry(node).or_insert_with(|| {
-            self.nodes.push(node);
-            self.names.push(name(self.names.len()));
-            self.names.len() - 1
-        })
-    }
-
-    /// The name of a slot.
-    pub fn name(&self, slot: usize) -> &str {
-        &self.names[slot]
-    }
-}
-
-/// Orders what `outputs` need, with `symbols` as the names of the unknowns. A program of stage
-/// [`Stage::State`] reads what is known since setup from `setup`'s slots; a program of stage
-/// [`Stage::Setup`] computes it.
+/// Orders what `outputs` need. A program of stage [`Stage::State`] reads what is known since setup
+/// from `setup`'s slots; a program of stage [`Stage::Setup`] computes it.
 pub fn schedule(
     graph: &Graph,
-    symbols: &[String],
+    unknowns: &Unknowns,
     stage: Stage,
     headings: &[Heading],
     outputs: &[Vec<Edge>],
     setup: &mut Setup,
 ) -> Program {
-    let live = Live::of(graph, outputs.iter().flatten().copied());
-    let mut scheduler = Scheduler::new(graph, symbols, stage, live, setup);
+    let carried = unknowns.turns.iter().flat_map(|turn| &turn.carries);
+    let carried: Vec<Edge> = carried.flat_map(|carry| [carry.first, carry.next]).collect();
+    let live = Live::of(graph, outputs.iter().flatten().copied().chain(carried));
+    let turns = Turns::of(graph, unknowns.turns.to_vec(), unknowns.parts);
+    let mut scheduler = Scheduler::new(graph, unknowns.names, stage, (live, &turns), setup);
+    scheduler.name_carries();
     for (name, edge) in headings.iter().flat_map(|heading| &heading.values) {
         scheduler.christen(name, *edge);
     }
-    for heading in headings {
-        scheduler.open(&heading.title, &heading.source);
-        for (_, edge) in &heading.values {
-            if scheduler.live.has(edge.node()) {
-                scheduler.require(edge.node());
-            }
+    for done in 0..=turns.all.len() {
+        scheduler.once(done, headings, outputs);
+        if done < turns.all.len() {
+            scheduler.turn(done, headings, outputs);
         }
     }
-    scheduler.open("Results", "");
-    for edge in outputs.iter().flatten() {
-        scheduler.require(edge.node());
-    }
-    let outputs = outputs
-        .iter()
-        .map(|group| group.iter().map(|&edge| scheduler.operand(edge)).collect())
-        .collect();
     scheduler.finish(outputs)
 }
 
-struct Scheduler<'a> {
-    graph: &'a Graph,
+pub(super) struct Scheduler<'a> {
+    pub(super) graph: &'a Graph,
     symbols: &'a [String],
     stage: Stage,
     setup: &'a mut Setup,
-    live: Live,
-    /// Angles by how many sines and cosines deep they lie.
-    angles: BTreeMap<u32, Vec<NodeId>>,
+    pub(super) live: Live,
+    pub(super) turns: &'a Turns,
+    /// Angles by how many sines and cosines deep they lie, and by where they are computed.
+    angles: HashMap<(u32, Home), Vec<NodeId>>,
     depths: Vec<u32>,
-    names: HashMap<NodeId, String>,
+    pub(super) names: HashMap<NodeId, String>,
+    /// Names of what loops carry, by the number of the unknown.
+    pub(super) carried: HashMap<u32, String>,
+    /// The blocks of the loops that are done.
+    pub(super) blocks: HashMap<usize, usize>,
     taken: HashSet<String>,
     done: Vec<bool>,
-    program: Program,
+    sections: Vec<Section>,
+    pub(super) program: Program,
     temporaries: usize,
 }
 
@@ -102,27 +84,31 @@ impl<'a> Scheduler<'a> {
         graph: &'a Graph,
         symbols: &'a [String],
         stage: Stage,
-        live: Live,
+        (live, turns): (Live, &'a Turns),
         setup: &'a mut Setup,
     ) -> Self {
-        let (angles, depths) = angles(graph, &live, stage);
+        let (angles, depths) = angles(graph, &live, turns, stage);
         Scheduler {
             graph,
             symbols,
             stage,
             setup,
             live,
+            turns,
             angles,
             depths,
             names: HashMap::new(),
+            carried: HashMap::new(),
+            blocks: HashMap::new(),
             taken: symbols.iter().cloned().collect(),
             done: vec![false; graph.len()],
             program: Program {
                 symbols: Vec::new(),
                 slots: Vec::new(),
-                sections: Vec::new(),
+                blocks: Vec::new(),
                 outputs: Vec::new(),
             },
+            sections: Vec::new(),
             temporaries: 0,
         }
     }
@@ -148,8 +134,70 @@ impl<'a> Scheduler<'a> {
         name
     }
 
+    /// Names what loops carry.
+    fn name_carries(&mut self) {
+        for (number, turn) in self.turns.all.iter().enumerate() {
+            for (place, carry) in turn.carries.iter().enumerate() {
+                let name = self.fresh(format!("carry{number}_{place}"));
+                let entering = self.fresh(format!("{name}_before"));
+                self.carried.insert(carry.entering, entering);
+                self.carried.insert(carry.leaving, name);
+            }
+        }
+    }
+
+    /// Whether a node is computed at `home`.
+    fn belongs(&self, node: NodeId, home: Home) -> bool {
+        self.live.has(node) && (self.is_slot(node) || self.turns.home(node) == home)
+    }
+
+    /// States what lives at `home`, under its headings and then the rest.
+    pub(super) fn state_all(
+        &mut self,
+        home: Home,
+        headings: &[Heading],
+        rest: impl Iterator<Item = NodeId>,
+    ) {
+        for heading in headings {
+            self.open(&heading.title, &heading.source);
+            for (_, edge) in &heading.values {
+                if self.belongs(edge.node(), home) {
+                    self.require(edge.node());
+                }
+            }
+        }
+        self.open("Results", "");
+        for node in rest {
+            if self.belongs(node, home) {
+                self.require(node);
+            }
+        }
+    }
+
+    /// What is computed once, when so many loops are done.
+    fn once(&mut self, done: usize, headings: &[Heading], outputs: &[Vec<Edge>]) {
+        let home = Home::Once(done);
+        // Without loops only the results are needed; what loops read may be anywhere.
+        let rest: Vec<NodeId> = if self.turns.all.is_empty() {
+            outputs.iter().flatten().map(|edge| edge.node()).collect()
+        } else {
+            (0..self.graph.len() as NodeId).collect()
+        };
+        self.state_all(home, headings, rest.into_iter());
+        let sections = self.take_sections();
+        if !sections.is_empty() {
+            self.program.blocks.push(Block::Once(sections));
+        }
+    }
+
+    pub(super) fn take_sections(&mut self) -> Vec<Section> {
+        let mut sections = std::mem::take(&mut self.sections);
+        sections.retain(|section| !section.statements.is_empty());
+        sections
+    }
+
     fn open(&mut self, title: &str, source: &str) {
-        self.program.sections.push(Section {
+        self.sections.push(Section {
             title: title.to_owned(),
             source: source.to_owned(),
             statements: Vec::new(),
@@ -157,13 +205,13 @@ impl<'a> Scheduler<'a> {
     }
 
     fn state(&mut self, statement: Statement) {
-        if let Some(section) = self.program.sections.last_mut() {
+        if let Some(section) = self.sections.last_mut() {
             section.statements.push(statement);
         }
     }
 
     /// Whether a node is read from a slot.
-    fn is_slot(&self, node: NodeId) -> bool {
+    pub(super) fn is_slot(&self, node: NodeId) -> bool {
         self.stage == Stage::State && self.graph.stage(node) == Stage::Setup
     }
 
@@ -196,16 +244,25 @@ impl<'a> Scheduler<'a> {
         }
         let operation = match self.graph.node(id) {
             Node::Number(_) => return,
-            Node::Symbol(number) => return self.program.symbols.push(number),
-            Node::Sin(_) | Node::Cos(_) => return self.compute_angles(self.depths[id as usize]),
+            Node::Symbol(number) => return self.read_symbol(number, id),
+            Node::Sin(_) | Node::Cos(_) => return self.compute_angles(id),
             Node::Sum(a, b) => self.sum(a, b),
             Node::Product(a, b) => Operation::Product(self.operand(a), self.operand(b)),
             Node::Recip(a) => Operation::Recip(self.operand(a)),
             Node::Sqrt(a) => Operation::Sqrt(self.operand(a)),
             Node::CopySign(a, b) => Operation::CopySign(self.operand(a), self.operand(b)),
+            Node::Atan2(a, b) => Operation::Atan2(self.operand(a), self.operand(b)),
+            Node::RecipAbove(a, b) => Operation::RecipAbove(self.operand(a), self.operand(b)),
         };
         let name = self.name(id);
         self.state(Statement::Let(name, operation));
+    }
+
+    fn read_symbol(&mut self, number: u32, id: NodeId) {
+        let is_once = matches!(self.turns.home(id), Home::Once(_));
+        if is_once && !self.carried.contains_key(&number) {
+            self.program.symbols.push(number);
+        }
     }
 
     fn read_slot(&mut self, id: NodeId) {
@@ -231,8 +288,9 @@ impl<'a> Scheduler<'a> {
     }
 
     /// Sines and cosines of all angles of one depth, side by side.
-    fn compute_angles(&mut self, depth: u32) {
-        let Some(angles) = self.angles.remove(&depth) else { return };
+    fn compute_angles(&mut self, id: NodeId) {
+        let key = (self.depths[id as usize], self.turns.home(id));
+        let Some(angles) = self.angles.remove(&key) else { return };
         for &angle in &angles {
             self.require(angle);
         }
@@ -248,7 +306,7 @@ impl<'a> Scheduler<'a> {
                     Some(node) => {
                         self.done[node as usize] = true;
                         let name = match graph.node(angle) {
-                            Node::Symbol(symbol) => {
+                            Node::Symbol(symbol) if !self.carried.contains_key(&symbol) => {
                                 format!("{prefix}_{}", self.symbols[symbol as usize])
                             }
                             _ => format!("{prefix}_{number}"),
@@ -275,45 +333,30 @@ impl<'a> Scheduler<'a> {
         name
     }
 
-    fn operand(&self, edge: Edge) -> Operand {
+    pub(super) fn operand(&self, edge: Edge) -> Operand {
         let node = edge.node();
         let plain = match self.graph.node(node) {
             Node::Number(bits) => {
                 let value = f64::from_bits(bits);
                 return Operand::Number(if edge.is_negative() { 0.0 - value } else { value });
             }
-            Node::Symbol(number) if !self.is_slot(node) => Operand::Symbol(number),
+            Node::Symbol(number) if !self.is_slot(node) => match self.carried.get(&number) {
+                Some(name) => Operand::Named(name.clone()),
+                None => Operand::Symbol(number),
+            },
             _ => Operand::Named(self.names.get(&node).cloned().unwrap_or_default()),
         };
         if edge.is_negative() { Operand::Minus(Box::new(plain)) } else { plain }
     }
 
-    fn finish(mut self, outputs: Vec<Vec<Operand>>) -> Program {
-        self.program.sections.retain(|section| !section.statements.is_empty());
+    fn finish(mut self, outputs: &[Vec<Edge>]) -> Program {
+        let output = |edge: &Edge| match self.turns.home(edge.node()) {
+            Home::Turn(_) if !self.is_slot(edge.node()) => Operand::Repeated,
+            _ => self.operand(*edge),
+        };
+        let outputs = outputs.iter().map(|group| group.iter().map(output).collect()).collect();
         self.program.symbols.sort_unstable();
         self.program.outputs = outputs;
         self.program
     }
-}
-
-/// The live angles by depth, and every live node's depth: how many sines and cosines are nested.
-fn angles(graph: &Graph, live: &Live, stage: Stage) -> (BTreeMap<u32, Vec<NodeId>>, Vec<u32>) {
-    let mut depths = vec![0; graph.len()];
-    let mut angles: BTreeMap<u32, Vec<NodeId>> = BTreeMap::new();
-    for id in (0..depths.len()).filter(|&id| live.has(id as NodeId)) {
-        let node = graph.node(id as NodeId);
-        if stage == Stage::State && graph.stage(id as NodeId) < Stage::State {
-            continue;
-        }
-        let below = node.operands().map(|edge| depths[edge.node() as usize]).max().unwrap_or(0);
-        depths[id] = below;
-        if let Node::Sin(angle) | Node::Cos(angle) = node {
-            depths[id] = below + 1;
-            let group = angles.entry(depths[id]).or_default();
-            if !group.contains(&angle.node()) {
-                group.push(angle.node());
-            }
-        }
-    }
-    (angles, depths)
 }

@@ -99,6 +99,18 @@ impl Scalar for DoubleDouble {
         if (self.high < 0.0) == sign.high.is_sign_negative() { self } else { -self }
     }
 
+    /// One Newton step, `θ + (y cos θ − x sin θ) / r`, doubles the digits of the `f64` angle.
+    fn atan2(self, x: Self) -> Self {
+        let angle = Self::number(self.high.atan2(x.high));
+        let (sin, cos) = angle.sin_cos();
+        angle + (self * cos - x * sin) * (self * self + x * x).sqrt().recip()
+    }
+
+    fn recip_above(self, scale: Self) -> Self {
+        let vanishes = self.high <= 1e-24 * scale.high;
+        if vanishes { Self::number(0.0) } else { self.recip() }
+    }
+
     fn vanishes(self) -> bool {
         false
     }
@@ -114,6 +126,8 @@ fn identities_hold_to_thirty_digits() {
         let root = DoubleDouble::number(angle.abs() + 0.3).sqrt();
         let back = root * root - DoubleDouble::number(angle.abs() + 0.3);
         assert!(back.high.abs() < 1e-30);
+        let back = sin.atan2(cos) - DoubleDouble::number(angle);
+        assert!(back.high.abs() < 1e-29, "{back:?}");
         let unit = root * root.recip() - DoubleDouble::number(1.0);
         assert!(unit.high.abs() < 1e-30);
     }

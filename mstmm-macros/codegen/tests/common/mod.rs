@@ -2,16 +2,18 @@
 #![allow(dead_code)]
 
 pub mod double_double;
+pub mod drives;
 
-use mstmm_codegen::equations::{self, Axes, Energy, Numbers, Report, Situation, Trace};
-use mstmm_codegen::math::Scalar;
+use mstmm_codegen::equations::{self, Axes, Energy, Numbers, Report, Situation, Solved, Trace};
+use mstmm_codegen::math::{Scalar, Structured};
 use mstmm_codegen::model::{Chain, Layout, Method};
 
 /// All that the equations say of a chain in a state.
 pub struct Computed<S> {
     pub accelerations: Vec<S>,
-    pub report: Report<S>,
-    pub energy: Energy<S>,
+    pub report: Report<Structured<S>>,
+    pub energy: Energy<Structured<S>>,
+    pub solved: Solved<Structured<S>>,
 }
 
 /// The only chain in `text`, which must be right.
@@ -21,34 +23,47 @@ pub fn read(text: &str) -> Chain {
     chains.into_iter().next().expect("a chain").0
 }
 
-/// Runs the equations on `S` with the parameters at their defaults.
+/// Plain numbers that the compiler would not know.
+pub fn variables<S: Scalar>(values: &[f64]) -> Vec<Structured<S>> {
+    values.iter().map(|&value| Structured::variable(S::number(value))).collect()
+}
+
+/// The parameters at their defaults.
+pub fn numbers<S: Scalar>(chain: &Chain) -> Numbers<Structured<S>> {
+    let none = Numbers::<S> { parameters: Vec::new(), constants: Vec::new() };
+    let default = |value| Structured::variable(none.scalar(value));
+    let defaults = chain.parameters.iter().map(|parameter| default(&parameter.default));
+    Numbers { parameters: defaults.collect(), constants: Vec::new() }
+}
+
+/// Runs the equations on `S` with the parameters at their defaults; `efforts` are those of all rates.
 pub fn compute<S: Scalar>(
     chain: &Chain,
-    (method, axes): (Method, Axes),
+    way: (Method, Axes),
     q: &[f64],
     v: &[f64],
     efforts: &[f64],
 ) -> Computed<S> {
-    let convert = |values: &[f64]| values.iter().map(|&value| S::number(value)).collect();
-    let layout = Layout::of(chain);
-    let none = Numbers::<S> { parameters: Vec::new(), constants: Vec::new() };
-    let defaults = chain.parameters.iter().map(|parameter| none.scalar(&parameter.default));
-    let numbers = Numbers { parameters: defaults.collect(), constants: Vec::new() };
-    let inputs: Vec<f64> = chain
-        .hinges
-        .iter()
-        .enumerate()
-        .filter(|&(index, _)| !layout.inputs[index].is_empty())
-        .flat_map(|(index, _)| efforts[layout.v[index].clone()].to_vec())
-        .collect();
-    let (q, v, inputs): (Vec<S>, Vec<S>, Vec<S>) = (convert(q), convert(v), convert(&inputs));
-    let situation =
-        Situation { chain, layout: &layout, numbers: &numbers, q: &q, v: &v, inputs: &inputs };
+    compute_with(chain, way, (q, v, &drives::of_motors(chain, efforts)))
+}
+
+/// Runs the equations on `S` with the parameters at their defaults.
+pub fn compute_with<S: Scalar>(
+    chain: &Chain,
+    (method, axes): (Method, Axes),
+    (q, v, inputs): (&[f64], &[f64], &[f64]),
+) -> Computed<S> {
+    let (layout, merged) = (Layout::of(chain), Layout::merged(chain));
+    let numbers = numbers(chain);
+    let (q, v, inputs) = (variables::<S>(q), variables(v), variables(inputs));
     let mut trace = Trace::new();
+    let situation = Situation::new(chain, &merged, &numbers, (&q, &v, &inputs));
     let solved = equations::accelerations(&situation, method, axes, &mut trace);
-    let report = equations::report(&situation, &solved.accelerations, &mut trace);
+    let situation = Situation::new(chain, &layout, &numbers, (&q, &v, &inputs));
+    let report = equations::report(&situation, &solved, &mut trace);
     let energy = equations::energy(&situation, &mut trace);
-    Computed { accelerations: solved.accelerations, report, energy }
+    let accelerations = solved.accelerations.iter().map(|x| x.value()).collect();
+    Computed { accelerations, report, energy, solved }
 }
 
 /// Every method in all axes.

@@ -9,7 +9,7 @@
 /// | `joint` | pin | 1 |
 /// | `rod` | body `Rod` |  |
 ///
-/// 1 degree of freedom; accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 35 operations.
+/// 1 degree of freedom; accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 32 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Pendulum<T> {
@@ -170,14 +170,14 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 35 operations: 27 mul, 8 add, 0 reciprocal, 1 sin/cos.
+    /// 32 operations: 25 mul, 7 add, 0 reciprocal, 1 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
     /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 4 | 1 | 0 | 0 | 0 |
-    /// | Load of the body at `joint` | \[P, Eqs. (18), (19)\] | 9 | 5 | 0 | 0 | 0 |
+    /// | Load of the body at `joint` | \[P, Eqs. (18), (19)\] | 7 | 4 | 0 | 0 | 0 |
     /// | Results |  | 12 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -207,36 +207,33 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t1 = joint_input0 * known_p4;
         let t2 = joint_a_lin_y * known_joint_z0_force_y;
         let joint_a_ang_z = t1 - t2;
-        /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 9 mul, 5 add, 0 reciprocal.
+        /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
         let t3 = known_joint_k_xx * joint_a_lin_x;
         let t4 = known_joint_k_xx * joint_a_lin_y;
-        let t5 = t3 - minus_joint_e_force_x;
+        let t5 = minus_joint_e_force_x - t3;
         let t6 = known_joint_b_y_z * joint_a_ang_z;
         let t7 = t4 + t6;
         let t8 = cos_joint_angle * t5;
         let t9 = sin_joint_angle * t7;
-        let joint_own_force_x = t8 - t9;
+        let minus_joint_own_force_x = t8 + t9;
         let t10 = sin_joint_angle * t5;
         let t11 = cos_joint_angle * t7;
-        let joint_own_force_y = t10 + t11;
-        let t12 = known_joint_b_y_z * joint_a_lin_y;
-        let t13 = known_joint_j_yy * joint_a_ang_z;
-        let joint_own_moment_z = t12 + t13;
+        let minus_joint_own_force_y = t10 - t11;
         /// Results: 12 mul, 2 add, 0 reciprocal.
-        let t14 = cos_joint_angle * c(0.5);
-        let t15 = sin_joint_angle * c(0.5);
-        let t16 = joint_rate * t15;
-        let t17 = joint_rate * t14;
-        let t18 = joint_rate * c(0.08333333333333333);
-        let t19 = joint_rate * t18;
-        let t20 = t16 * t16;
-        let t21 = t17 * t17;
-        let t22 = t20 + t21;
-        let t23 = known_joint_k_xx * t22;
-        let t24 = t19 + t23;
-        let t25 = c(0.5) * t24;
-        let t26 = sin_joint_angle * c(4.9);
-        let t27 = known_joint_k_xx * t26;
+        let t12 = cos_joint_angle * c(0.5);
+        let t13 = sin_joint_angle * c(0.5);
+        let t14 = joint_rate * t13;
+        let t15 = joint_rate * t12;
+        let t16 = joint_rate * c(0.08333333333333333);
+        let t17 = joint_rate * t16;
+        let t18 = t14 * t14;
+        let t19 = t15 * t15;
+        let t20 = t18 + t19;
+        let t21 = known_joint_k_xx * t20;
+        let t22 = t17 + t21;
+        let t23 = c(0.5) * t22;
+        let t24 = sin_joint_angle * c(4.9);
+        let t25 = known_joint_k_xx * t24;
         ::mstmm::generated::finite::<
             T,
         >(&[state.q.as_slice(), state.v.as_slice(), &[inputs.joint]])?;
@@ -246,9 +243,10 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             _,
         >(&["joint"], [known_joint_j_yy], [known_p5], [joint_a_ang_z])?;
         at.accelerations.data.0 = [[joint_a_ang_z]];
+        at.rate_accelerations.data.0 = [[joint_a_ang_z]];
         at.efforts.data.0 = [[joint_input0]];
-        at.kinetic_energy = t25;
-        at.potential_energy = t27;
+        at.kinetic_energy = t23;
+        at.potential_energy = t25;
         at.points = [
             ::mstmm::Point::new(
                 [c(0.0), c(0.0), c(0.0)],
@@ -262,8 +260,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
                 ::mstmm::StateVector::new(
                     [c(0.0), c(0.0), c(0.0)],
                     [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), -joint_own_moment_z],
-                    [joint_own_force_x, joint_own_force_y, c(0.0)],
+                    [c(0.0), c(0.0), -joint_input0],
+                    [-minus_joint_own_force_x, -minus_joint_own_force_y, c(0.0)],
                 ),
             ),
             ::mstmm::Point::new(
@@ -278,8 +276,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
                 ::mstmm::StateVector::new(
                     [c(0.0), c(0.0), c(0.0)],
                     [c(0.0), c(0.0), joint_a_ang_z],
-                    [c(0.0), c(0.0), -joint_own_moment_z],
-                    [joint_own_force_x, joint_own_force_y, c(0.0)],
+                    [c(0.0), c(0.0), -joint_input0],
+                    [-minus_joint_own_force_x, -minus_joint_own_force_y, c(0.0)],
                 ),
             ),
             ::mstmm::Point::new(
@@ -301,8 +299,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         ];
         ::core::result::Result::Ok(())
     }
-    /// Kinetic and potential energy in J; the potential is zero with every centre of mass at
-    /// the inertial origin.
+    /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
+    /// of mass at the inertial origin.
     ///
     /// 14 operations: 12 mul, 2 add, 0 reciprocal, 1 sin/cos.
     ///
@@ -353,11 +351,20 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Pendulum<T> {
         rate: &mut PendulumState<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         self.accelerations_into(state, inputs, &mut rate.v)?;
+        self.configuration_rate_into(state, rate);
+        ::core::result::Result::Ok(())
+    }
+    #[inline]
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    fn configuration_rate_into(
+        &self,
+        state: &PendulumState<T>,
+        rate: &mut PendulumState<T>,
+    ) {
         rate.q.data.0 = {
             let [[joint_rate]] = state.v.data.0;
             [[joint_rate]]
         };
-        ::core::result::Result::Ok(())
     }
     #[inline]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
@@ -470,7 +477,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::ChainState for PendulumState<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumInputs<T> {
-    /// Torque in N m of `joint`.
+    /// Efforts in N m that drive `joint`, in the order of its rates.
     pub joint: T,
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumInputs<T> {
@@ -481,7 +488,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumInputs<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
-    /// Inputs that are all zero.
+    /// Inputs that are all zero; prescribed motions rest in the zero position.
     #[inline]
     #[must_use]
     pub fn no_inputs(&self) -> PendulumInputs<T> {
@@ -493,6 +500,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 1>,
+    rate_accelerations: ::mstmm::nalgebra::SVector<T, 1>,
     efforts: ::mstmm::nalgebra::SVector<T, 1>,
     kinetic_energy: T,
     potential_energy: T,
@@ -510,7 +518,8 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
     pub fn kinetic_energy(&self) -> T {
         self.kinetic_energy
     }
-    /// Potential energy in J; zero with every centre of mass at the inertial origin.
+    /// Potential energy in J: of gravity, zero with every centre of mass at the inertial
+    /// origin, and of springs.
     #[inline]
     pub fn potential_energy(&self) -> T {
         self.potential_energy
@@ -523,15 +532,21 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
     }
     /// Acceleration, effort, input and output of hinge `joint`.
     #[inline]
-    pub fn joint(&self) -> ::mstmm::HingeResult<'_, T, T> {
+    pub fn joint(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::Point<T>> {
         let [input, output, ..] = &self.points;
         ::mstmm::HingeResult::new(
             {
-                let [[value, ..]] = self.accelerations.data.0;
+                let [value] = ::mstmm::generated::piece::<
+                    T,
+                    1,
+                >(self.rate_accelerations.as_slice(), 0);
                 value
             },
             {
-                let [[value, ..]] = self.efforts.data.0;
+                let [value] = ::mstmm::generated::piece::<
+                    T,
+                    1,
+                >(self.efforts.as_slice(), 0);
                 value
             },
             input,
@@ -540,7 +555,7 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
     }
     /// Input and output of body `rod`.
     #[inline]
-    pub fn rod(&self) -> ::mstmm::BodyResult<'_, T> {
+    pub fn rod(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::Point<T>> {
         let [_, input, output, ..] = &self.points;
         ::mstmm::BodyResult::new(input, output)
     }
@@ -553,6 +568,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let zero = T::constant(0.0);
         PendulumWorkspace {
             accelerations: ::mstmm::generated::vector([zero; 1]),
+            rate_accelerations: ::mstmm::generated::vector([zero; 1]),
             efforts: ::mstmm::generated::vector([zero; 1]),
             kinetic_energy: zero,
             potential_energy: zero,

@@ -271,7 +271,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t56 = minus_tip_turn_z_x * c(1.9600000000000002);
         let t57 = tip_turn_z_y * c(1.9600000000000002);
         let t58 = tip_turn_z_z * c(1.9600000000000002);
-        let t59 = t58 - minus_tip_e_force_z;
+        let t59 = minus_tip_e_force_z - t58;
         let t60 = c(0.012) * minus_tip_a_ang_y;
         let t61 = c(0.012) * minus_tip_a_ang_x;
         let t62 = t56 + t60;
@@ -282,17 +282,17 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t67 = minus_tip_turn_x_y * t65;
         let t68 = t66 + t67;
         let t69 = tip_turn_x_z * t59;
-        let minus_tip_own_force_x = t68 - t69;
+        let minus_tip_own_force_x = t68 + t69;
         let t70 = tip_turn_y_x * t64;
         let t71 = tip_turn_y_y * t65;
         let t72 = t70 + t71;
         let t73 = minus_tip_turn_y_z * t59;
-        let tip_own_force_y = t72 - t73;
+        let tip_own_force_y = t72 + t73;
         let t74 = minus_tip_turn_z_x * t64;
         let t75 = tip_turn_z_y * t65;
         let t76 = t74 - t75;
         let t77 = tip_turn_z_z * t59;
-        let minus_tip_own_force_z = t76 - t77;
+        let minus_tip_own_force_z = t76 + t77;
         /// Results: 30 mul, 14 add, 0 reciprocal.
         let t78 = tip_turn_x_z * c(0.06);
         let t79 = minus_tip_turn_y_z * c(0.06);
@@ -345,6 +345,9 @@ impl<T: ::mstmm::Scalar> Top<T> {
             _,
         >(&[], [], [], [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z])?;
         at.accelerations.data.0 = [
+            [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z],
+        ];
+        at.rate_accelerations.data.0 = [
             [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z],
         ];
         at.efforts.data.0 = [[c(0.0), c(0.0), c(0.0)]];
@@ -402,8 +405,8 @@ impl<T: ::mstmm::Scalar> Top<T> {
         ];
         ::core::result::Result::Ok(())
     }
-    /// Kinetic and potential energy in J; the potential is zero with every centre of mass at
-    /// the inertial origin.
+    /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
+    /// of mass at the inertial origin.
     ///
     /// 83 operations: 51 mul, 32 add, 0 reciprocal.
     ///
@@ -521,6 +524,12 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Top<T> {
         rate: &mut TopState<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         self.accelerations_into(state, inputs, &mut rate.v)?;
+        self.configuration_rate_into(state, rate);
+        ::core::result::Result::Ok(())
+    }
+    #[inline]
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    fn configuration_rate_into(&self, state: &TopState<T>, rate: &mut TopState<T>) {
         rate.q.data.0 = {
             let c = T::constant;
             let [[tip_qw, tip_qx, tip_qy, tip_qz]] = state.q.data.0;
@@ -551,7 +560,6 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Top<T> {
             let t22 = t18 + t21;
             [[-t7, t12, t17, t22]]
         };
-        ::core::result::Result::Ok(())
     }
     #[inline]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
@@ -690,7 +698,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for TopInputs<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Top<T> {
-    /// Inputs that are all zero.
+    /// Inputs that are all zero; prescribed motions rest in the zero position.
     #[inline]
     #[must_use]
     fn no_inputs(&self) -> TopInputs<T> {
@@ -702,6 +710,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
 #[allow(dead_code, non_snake_case)]
 struct TopWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 3>,
+    rate_accelerations: ::mstmm::nalgebra::SVector<T, 3>,
     efforts: ::mstmm::nalgebra::SVector<T, 3>,
     kinetic_energy: T,
     potential_energy: T,
@@ -719,7 +728,8 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
     fn kinetic_energy(&self) -> T {
         self.kinetic_energy
     }
-    /// Potential energy in J; zero with every centre of mass at the inertial origin.
+    /// Potential energy in J: of gravity, zero with every centre of mass at the inertial
+    /// origin, and of springs.
     #[inline]
     fn potential_energy(&self) -> T {
         self.potential_energy
@@ -732,24 +742,29 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
     }
     /// Acceleration, effort, input and output of hinge `tip`.
     #[inline]
-    fn tip(&self) -> ::mstmm::HingeResult<'_, T, ::mstmm::nalgebra::Vector3<T>> {
+    fn tip(
+        &self,
+    ) -> ::mstmm::HingeResult<
+        '_,
+        T,
+        ::mstmm::nalgebra::SVector<T, 3usize>,
+        ::mstmm::Point<T>,
+    > {
         let [input, output, ..] = &self.points;
         ::mstmm::HingeResult::new(
-            {
-                let [[x, y, z, ..]] = self.accelerations.data.0;
-                ::mstmm::generated::vector([x, y, z])
-            },
-            {
-                let [[x, y, z, ..]] = self.efforts.data.0;
-                ::mstmm::generated::vector([x, y, z])
-            },
+            ::mstmm::generated::vector(
+                ::mstmm::generated::piece::<T, 3>(self.rate_accelerations.as_slice(), 0),
+            ),
+            ::mstmm::generated::vector(
+                ::mstmm::generated::piece::<T, 3>(self.efforts.as_slice(), 0),
+            ),
             input,
             output,
         )
     }
     /// Input and output of body `cone`.
     #[inline]
-    fn cone(&self) -> ::mstmm::BodyResult<'_, T> {
+    fn cone(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::Point<T>> {
         let [_, input, output, ..] = &self.points;
         ::mstmm::BodyResult::new(input, output)
     }
@@ -762,6 +777,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let zero = T::constant(0.0);
         TopWorkspace {
             accelerations: ::mstmm::generated::vector([zero; 3]),
+            rate_accelerations: ::mstmm::generated::vector([zero; 3]),
             efforts: ::mstmm::generated::vector([zero; 3]),
             kinetic_energy: zero,
             potential_energy: zero,

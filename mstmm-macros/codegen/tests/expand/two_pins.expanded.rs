@@ -11,7 +11,7 @@
 /// | `elbow` | pin | 1 |
 /// | `lower` | body `Rod` |  |
 ///
-/// 2 degrees of freedom; accelerations by `transfer`, 130 operations (75 mul, 50 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 223 operations.
+/// 2 degrees of freedom; accelerations by `transfer`, 130 operations (75 mul, 50 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 213 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPins<T> {
@@ -78,7 +78,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 3 | 1 | 0 | 0 | 0 |
     /// | Transfer to `shoulder` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 2 | 0 | 0 | 0 | 0 |
     /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 24 | 18 | 0 | 0 | 0 |
-    /// | Boundary solve at the free end | \[P, Eq. (11)\] | 41 | 28 | 3 | 2 | 0 |
+    /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 41 | 28 | 3 | 2 | 0 |
     /// | Back to `shoulder` | \[P, Eqs. (8), (11)\] | 3 | 2 | 0 | 0 | 0 |
     /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
     ///
@@ -126,52 +126,52 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t6 = cos_elbow_angle * c(0.17120202538928544);
         let minus_elbow_f4_force_y = t5 - t6;
         let t7 = cos_shoulder_angle * c(4.9);
-        let t8 = shoulder_a_lin_y - t7;
+        let t8 = cos_elbow_angle * shoulder_a_lin_x;
         let t9 = sin_elbow_angle * shoulder_a_lin_y;
-        let t10 = cos_elbow_angle * shoulder_a_lin_x;
-        let t11 = t9 + t10;
-        let t12 = minus_elbow_drift_lin_x - t11;
-        let t13 = t8 * c(0.9863939238321437);
+        let t10 = t8 + t9;
+        let t11 = shoulder_a_lin_y - t7;
+        let t12 = minus_elbow_drift_lin_x - t10;
+        let t13 = t11 * c(0.9863939238321437);
         let t14 = sin_elbow_angle * c(0.16439898730535732);
         let t15 = t13 * t14;
         let minus_elbow_a_lin_x = t12 + t15;
-        let t16 = cos_elbow_angle * shoulder_a_lin_y;
-        let t17 = sin_elbow_angle * shoulder_a_lin_x;
+        let t16 = sin_elbow_angle * shoulder_a_lin_x;
+        let t17 = cos_elbow_angle * shoulder_a_lin_y;
         let t18 = t16 - t17;
-        let t19 = elbow_drift_lin_y + t18;
+        let t19 = elbow_drift_lin_y - t18;
         let t20 = cos_elbow_angle * c(0.16439898730535732);
         let t21 = t13 * t20;
         let elbow_a_lin_y = t19 - t21;
         let t22 = shoulder_rate * c(0.5);
         let t23 = shoulder_rate * t22;
-        let t24 = shoulder_a_lin_x - t23;
+        let t24 = t23 - shoulder_a_lin_x;
         let t25 = cos_elbow_angle * t24;
-        let t26 = t25 + t9;
+        let t26 = t9 - t25;
         let t27 = sin_elbow_angle * c(2.0685934174848226);
         let t28 = sin_elbow_angle - t27;
         let t29 = t13 * t28;
         let minus_elbow_f_force_x = t26 + t29;
         let t30 = sin_elbow_angle * t24;
-        let t31 = t30 - t16;
+        let t31 = t17 + t30;
         let t32 = cos_elbow_angle * c(2.0685934174848226);
         let t33 = cos_elbow_angle - t32;
         let t34 = t13 * t33;
-        let elbow_f_force_y = t31 - t34;
-        /// Boundary solve at the free end, [P, Eq. (11)]: 41 mul, 28 add, 3 reciprocal, 2 square root.
-        let t35 = t8 * c(0.0810810810810811);
-        let t36 = elbow_a_lin_y - t35;
-        let t37 = c(0.5) * elbow_a_lin_y;
-        let t38 = t8 * c(0.054054054054054064);
-        let t39 = t37 - t38;
-        let t40 = elbow_omega_z * c(0.5);
-        let t41 = elbow_omega_z * t40;
+        let minus_elbow_f_force_y = t31 + t34;
+        /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 41 mul, 28 add, 3 reciprocal, 2 square root.
+        let t35 = elbow_omega_z * c(0.5);
+        let t36 = elbow_omega_z * t35;
+        let t37 = t11 * c(0.0810810810810811);
+        let t38 = elbow_a_lin_y - t37;
+        let t39 = c(0.5) * elbow_a_lin_y;
+        let t40 = t11 * c(0.054054054054054064);
+        let t41 = t39 - t40;
         let t42 = elbow_a4_lin_y + c(0.4931969619160719);
         let t43 = c(0.5) * elbow_a4_lin_y;
         let t44 = t43 + c(0.3287979746107146);
         let t45 = cos_elbow_angle * cos_elbow_angle;
         let t46 = minus_elbow_a_lin_x - minus_elbow_f_force_x;
-        let t47 = t36 - elbow_f_force_y;
-        let t48 = t41 + t46;
+        let t47 = t38 + minus_elbow_f_force_y;
+        let t48 = t36 + t46;
         let t49 = elbow_a4_lin_x + minus_elbow_f4_force_x;
         let t50 = t42 + minus_elbow_f4_force_y;
         let t51 = t49 * t49;
@@ -199,7 +199,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t73 = t49 * t71;
         let t74 = t44 - t73;
         let t75 = t59 * t72;
-        let t76 = t39 + t75;
+        let t76 = t41 + t75;
         let t77 = t67 * t67;
         let t78 = c(0.25) + t77;
         let t79 = T::sqrt(t78);
@@ -235,7 +235,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t108 = c(0.5) * t100;
         let minus_end_x5 = t96 + t108;
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t109 = t8 * c(1.9863939238321437);
+        let t109 = t11 * c(1.9863939238321437);
         let t110 = c(0.16666666666666669) * minus_end_x4;
         let t111 = t109 - t110;
         let t112 = c(0.0816364570071376) * t111;
@@ -277,7 +277,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 223 operations: 127 mul, 91 add, 3 reciprocal, 2 square root, 2 sin/cos.
+    /// 213 operations: 122 mul, 86 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -285,14 +285,14 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 3 | 1 | 0 | 0 | 0 |
     /// | Transfer to `shoulder` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 2 | 0 | 0 | 0 | 0 |
     /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 24 | 18 | 0 | 0 | 0 |
-    /// | Boundary solve at the free end | \[P, Eq. (11)\] | 41 | 28 | 3 | 2 | 0 |
+    /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 41 | 28 | 3 | 2 | 0 |
     /// | Back to `shoulder` | \[P, Eqs. (8), (11)\] | 3 | 2 | 0 | 0 | 0 |
     /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
     /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 8 | 2 | 0 | 0 | 0 |
     /// | Point of `elbow` | \[P, Eqs. (12), (13), (36)\] | 2 | 3 | 0 | 0 | 0 |
-    /// | Load of the body at `shoulder` | \[P, Eqs. (18), (19)\] | 6 | 4 | 0 | 0 | 0 |
-    /// | Load of the body at `elbow` | \[P, Eqs. (18), (19)\] | 9 | 10 | 0 | 0 | 0 |
-    /// | Load on `shoulder` | \[P, Eqs. (18), (19)\] | 2 | 5 | 0 | 0 | 0 |
+    /// | Load of the body at `shoulder` | \[P, Eqs. (18), (19)\] | 5 | 3 | 0 | 0 | 0 |
+    /// | Load of the body at `elbow` | \[P, Eqs. (18), (19)\] | 7 | 9 | 0 | 0 | 0 |
+    /// | Load on `shoulder` | \[P, Eqs. (18), (19)\] | 0 | 2 | 0 | 0 | 0 |
     /// | Results |  | 25 | 17 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -337,52 +337,52 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t6 = cos_elbow_angle * c(0.17120202538928544);
         let minus_elbow_f4_force_y = t5 - t6;
         let t7 = cos_shoulder_angle * c(4.9);
-        let t8 = shoulder_a_lin_y - t7;
+        let t8 = cos_elbow_angle * shoulder_a_lin_x;
         let t9 = sin_elbow_angle * shoulder_a_lin_y;
-        let t10 = cos_elbow_angle * shoulder_a_lin_x;
-        let t11 = t9 + t10;
-        let t12 = minus_elbow_drift_lin_x - t11;
-        let t13 = t8 * c(0.9863939238321437);
+        let t10 = t8 + t9;
+        let t11 = shoulder_a_lin_y - t7;
+        let t12 = minus_elbow_drift_lin_x - t10;
+        let t13 = t11 * c(0.9863939238321437);
         let t14 = sin_elbow_angle * c(0.16439898730535732);
         let t15 = t13 * t14;
         let minus_elbow_a_lin_x = t12 + t15;
-        let t16 = cos_elbow_angle * shoulder_a_lin_y;
-        let t17 = sin_elbow_angle * shoulder_a_lin_x;
+        let t16 = sin_elbow_angle * shoulder_a_lin_x;
+        let t17 = cos_elbow_angle * shoulder_a_lin_y;
         let t18 = t16 - t17;
-        let t19 = elbow_drift_lin_y + t18;
+        let t19 = elbow_drift_lin_y - t18;
         let t20 = cos_elbow_angle * c(0.16439898730535732);
         let t21 = t13 * t20;
         let elbow_a_lin_y = t19 - t21;
         let t22 = shoulder_rate * c(0.5);
         let t23 = shoulder_rate * t22;
-        let t24 = shoulder_a_lin_x - t23;
+        let t24 = t23 - shoulder_a_lin_x;
         let t25 = cos_elbow_angle * t24;
-        let t26 = t25 + t9;
+        let t26 = t9 - t25;
         let t27 = sin_elbow_angle * c(2.0685934174848226);
         let t28 = sin_elbow_angle - t27;
         let t29 = t13 * t28;
         let minus_elbow_f_force_x = t26 + t29;
         let t30 = sin_elbow_angle * t24;
-        let t31 = t30 - t16;
+        let t31 = t17 + t30;
         let t32 = cos_elbow_angle * c(2.0685934174848226);
         let t33 = cos_elbow_angle - t32;
         let t34 = t13 * t33;
-        let elbow_f_force_y = t31 - t34;
-        /// Boundary solve at the free end, [P, Eq. (11)]: 41 mul, 28 add, 3 reciprocal, 2 square root.
-        let t35 = t8 * c(0.0810810810810811);
-        let t36 = elbow_a_lin_y - t35;
-        let t37 = c(0.5) * elbow_a_lin_y;
-        let t38 = t8 * c(0.054054054054054064);
-        let t39 = t37 - t38;
-        let t40 = elbow_omega_z * c(0.5);
-        let t41 = elbow_omega_z * t40;
+        let minus_elbow_f_force_y = t31 + t34;
+        /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 41 mul, 28 add, 3 reciprocal, 2 square root.
+        let t35 = elbow_omega_z * c(0.5);
+        let t36 = elbow_omega_z * t35;
+        let t37 = t11 * c(0.0810810810810811);
+        let t38 = elbow_a_lin_y - t37;
+        let t39 = c(0.5) * elbow_a_lin_y;
+        let t40 = t11 * c(0.054054054054054064);
+        let t41 = t39 - t40;
         let t42 = elbow_a4_lin_y + c(0.4931969619160719);
         let t43 = c(0.5) * elbow_a4_lin_y;
         let t44 = t43 + c(0.3287979746107146);
         let t45 = cos_elbow_angle * cos_elbow_angle;
         let t46 = minus_elbow_a_lin_x - minus_elbow_f_force_x;
-        let t47 = t36 - elbow_f_force_y;
-        let t48 = t41 + t46;
+        let t47 = t38 + minus_elbow_f_force_y;
+        let t48 = t36 + t46;
         let t49 = elbow_a4_lin_x + minus_elbow_f4_force_x;
         let t50 = t42 + minus_elbow_f4_force_y;
         let t51 = t49 * t49;
@@ -410,7 +410,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t73 = t49 * t71;
         let t74 = t44 - t73;
         let t75 = t59 * t72;
-        let t76 = t39 + t75;
+        let t76 = t41 + t75;
         let t77 = t67 * t67;
         let t78 = c(0.25) + t77;
         let t79 = T::sqrt(t78);
@@ -446,7 +446,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t108 = c(0.5) * t100;
         let minus_end_x5 = t96 + t108;
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t109 = t8 * c(1.9863939238321437);
+        let t109 = t11 * c(1.9863939238321437);
         let t110 = c(0.16666666666666669) * minus_end_x4;
         let t111 = t109 - t110;
         let t112 = c(0.0816364570071376) * t111;
@@ -472,88 +472,80 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t122 = cos_shoulder_angle * minus_shoulder_beta0;
         let minus_elbow_acc_lin_y = minus_elbow_drift_lin_y + t122;
         let minus_elbow_acc_ang_z = minus_end_x5 + minus_shoulder_beta0;
-        /// Load of the body at `shoulder`, [P, Eqs. (18), (19)]: 6 mul, 4 add, 0 reciprocal.
+        /// Load of the body at `shoulder`, [P, Eqs. (18), (19)]: 5 mul, 3 add, 0 reciprocal.
         let t123 = cos_shoulder_angle * t24;
         let t124 = c(0.5) * minus_shoulder_beta0;
         let t125 = shoulder_a_lin_y - t124;
         let t126 = sin_shoulder_angle * t125;
-        let shoulder_own_force_x = t123 - t126;
+        let minus_shoulder_own_force_x = t123 + t126;
         let t127 = sin_shoulder_angle * t24;
         let t128 = cos_shoulder_angle * t125;
-        let shoulder_own_force_y = t127 + t128;
-        let t129 = c(0.3333333333333333) * minus_shoulder_beta0;
-        let shoulder_own_moment_z = t7 - t129;
-        /// Load of the body at `elbow`, [P, Eqs. (18), (19)]: 9 mul, 10 add, 0 reciprocal.
-        let t130 = shoulder_a_lin_y - minus_shoulder_beta0;
-        let t131 = sin_elbow_angle * t130;
-        let t132 = t10 + t131;
-        let t133 = cos_elbow_angle * t130;
-        let t134 = t17 - t133;
-        let t135 = minus_elbow_drift_lin_x - t132;
-        let t136 = elbow_drift_lin_y - t134;
-        let t137 = c(0.5) * minus_elbow_acc_ang_z;
-        let t138 = t136 - t137;
-        let t139 = t41 + t135;
-        let t140 = elbow_axes_x_x * t139;
+        let minus_shoulder_own_force_y = t127 - t128;
+        /// Load of the body at `elbow`, [P, Eqs. (18), (19)]: 7 mul, 9 add, 0 reciprocal.
+        let t129 = shoulder_a_lin_y - minus_shoulder_beta0;
+        let t130 = sin_elbow_angle * t129;
+        let t131 = t8 + t130;
+        let t132 = cos_elbow_angle * t129;
+        let t133 = t16 - t132;
+        let t134 = minus_elbow_drift_lin_x - t131;
+        let t135 = elbow_drift_lin_y - t133;
+        let t136 = c(0.5) * minus_elbow_acc_ang_z;
+        let t137 = t135 - t136;
+        let t138 = t36 + t134;
+        let t139 = elbow_axes_x_x * t138;
+        let t140 = minus_elbow_axes_x_y * t137;
+        let minus_elbow_own_force_x = t139 + t140;
         let t141 = minus_elbow_axes_x_y * t138;
-        let minus_elbow_own_force_x = t140 + t141;
-        let t142 = minus_elbow_axes_x_y * t139;
-        let t143 = elbow_axes_x_x * t138;
-        let minus_elbow_own_force_y = t142 - t143;
-        let t144 = c(0.5) * t136;
-        let t145 = c(0.3333333333333333) * minus_elbow_acc_ang_z;
-        let elbow_own_moment_z = t144 - t145;
-        /// Load on `shoulder`, [P, Eqs. (18), (19)]: 2 mul, 5 add, 0 reciprocal.
-        let shoulder_load_force_x = shoulder_own_force_x - minus_elbow_own_force_x;
-        let shoulder_load_force_y = shoulder_own_force_y - minus_elbow_own_force_y;
-        let t146 = cos_shoulder_angle * minus_elbow_own_force_y;
-        let t147 = sin_shoulder_angle * minus_elbow_own_force_x;
-        let t148 = t146 - t147;
-        let t149 = elbow_own_moment_z - t148;
-        let shoulder_load_moment_z = shoulder_own_moment_z + t149;
+        let t142 = elbow_axes_x_x * t137;
+        let minus_elbow_own_force_y = t141 - t142;
+        /// Load on `shoulder`, [P, Eqs. (18), (19)]: 0 mul, 2 add, 0 reciprocal.
+        let minus_shoulder_load_force_x = minus_shoulder_own_force_x
+            + minus_elbow_own_force_x;
+        let minus_shoulder_load_force_y = minus_shoulder_own_force_y
+            + minus_elbow_own_force_y;
         /// Results: 25 mul, 17 add, 0 reciprocal.
-        let t150 = cos_shoulder_angle * c(0.5);
-        let t151 = sin_shoulder_angle * c(0.5);
-        let t152 = c(0.5) * elbow_axes_x_x;
-        let t153 = c(0.5) * minus_elbow_axes_x_y;
-        let t154 = shoulder_rate * t151;
-        let t155 = shoulder_rate * t150;
-        let t156 = shoulder_rate * c(0.08333333333333333);
-        let t157 = shoulder_rate * t156;
-        let t158 = t154 * t154;
-        let t159 = t155 * t155;
-        let t160 = t158 + t159;
-        let t161 = t157 + t160;
-        let t162 = elbow_omega_z * t153;
-        let t163 = elbow_omega_z * t152;
-        let t164 = t120 + t162;
-        let t165 = t119 + t163;
-        let t166 = elbow_omega_z * c(0.08333333333333333);
-        let t167 = elbow_omega_z * t166;
-        let t168 = t164 * t164;
-        let t169 = t165 * t165;
-        let t170 = t168 + t169;
-        let t171 = t167 + t170;
-        let t172 = t161 + t171;
-        let t173 = c(0.5) * t172;
-        let t174 = sin_shoulder_angle * c(4.9);
-        let t175 = sin_shoulder_angle + t153;
-        let t176 = c(9.8) * t175;
-        let t177 = t174 + t176;
-        let t178 = cos_shoulder_angle + elbow_axes_x_x;
-        let t179 = sin_shoulder_angle + minus_elbow_axes_x_y;
-        let t180 = elbow_omega_z * minus_elbow_axes_x_y;
-        let t181 = t120 + t180;
-        let t182 = elbow_omega_z * elbow_axes_x_x;
-        let t183 = t119 + t182;
-        let t184 = elbow_omega_z * t182;
-        let t185 = minus_elbow_axes_x_y * minus_elbow_acc_ang_z;
-        let t186 = minus_elbow_acc_lin_x - t185;
-        let t187 = t184 + t186;
-        let t188 = elbow_omega_z * t180;
-        let t189 = elbow_axes_x_x * minus_elbow_acc_ang_z;
-        let t190 = minus_elbow_acc_lin_y + t189;
-        let t191 = t188 + t190;
+        let t143 = cos_shoulder_angle * c(0.5);
+        let t144 = sin_shoulder_angle * c(0.5);
+        let t145 = c(0.5) * elbow_axes_x_x;
+        let t146 = c(0.5) * minus_elbow_axes_x_y;
+        let t147 = shoulder_rate * t144;
+        let t148 = shoulder_rate * t143;
+        let t149 = shoulder_rate * c(0.08333333333333333);
+        let t150 = shoulder_rate * t149;
+        let t151 = t147 * t147;
+        let t152 = t148 * t148;
+        let t153 = t151 + t152;
+        let t154 = t150 + t153;
+        let t155 = elbow_omega_z * t146;
+        let t156 = elbow_omega_z * t145;
+        let t157 = t120 + t155;
+        let t158 = t119 + t156;
+        let t159 = elbow_omega_z * c(0.08333333333333333);
+        let t160 = elbow_omega_z * t159;
+        let t161 = t157 * t157;
+        let t162 = t158 * t158;
+        let t163 = t161 + t162;
+        let t164 = t160 + t163;
+        let t165 = t154 + t164;
+        let t166 = c(0.5) * t165;
+        let t167 = sin_shoulder_angle * c(4.9);
+        let t168 = sin_shoulder_angle + t146;
+        let t169 = c(9.8) * t168;
+        let t170 = t167 + t169;
+        let t171 = cos_shoulder_angle + elbow_axes_x_x;
+        let t172 = sin_shoulder_angle + minus_elbow_axes_x_y;
+        let t173 = elbow_omega_z * minus_elbow_axes_x_y;
+        let t174 = t120 + t173;
+        let t175 = elbow_omega_z * elbow_axes_x_x;
+        let t176 = t119 + t175;
+        let t177 = elbow_omega_z * t175;
+        let t178 = minus_elbow_axes_x_y * minus_elbow_acc_ang_z;
+        let t179 = minus_elbow_acc_lin_x - t178;
+        let t180 = t177 + t179;
+        let t181 = elbow_omega_z * t173;
+        let t182 = elbow_axes_x_x * minus_elbow_acc_ang_z;
+        let t183 = minus_elbow_acc_lin_y + t182;
+        let t184 = t181 + t183;
         ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
         ::mstmm::generated::regular::<
             T,
@@ -566,9 +558,10 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             [-minus_shoulder_beta0, -minus_end_x5],
         )?;
         at.accelerations.data.0 = [[-minus_shoulder_beta0, -minus_end_x5]];
+        at.rate_accelerations.data.0 = [[-minus_shoulder_beta0, -minus_end_x5]];
         at.efforts.data.0 = [[c(0.0), c(0.0)]];
-        at.kinetic_energy = t173;
-        at.potential_energy = t177;
+        at.kinetic_energy = t166;
+        at.potential_energy = t170;
         at.points = [
             ::mstmm::Point::new(
                 [c(0.0), c(0.0), c(0.0)],
@@ -582,8 +575,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                 ::mstmm::StateVector::new(
                     [c(0.0), c(0.0), c(0.0)],
                     [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), -shoulder_load_moment_z],
-                    [shoulder_load_force_x, shoulder_load_force_y, c(0.0)],
+                    [c(0.0), c(0.0), c(0.0)],
+                    [-minus_shoulder_load_force_x, -minus_shoulder_load_force_y, c(0.0)],
                 ),
             ),
             ::mstmm::Point::new(
@@ -598,8 +591,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                 ::mstmm::StateVector::new(
                     [c(0.0), c(0.0), c(0.0)],
                     [c(0.0), c(0.0), -minus_shoulder_beta0],
-                    [c(0.0), c(0.0), -shoulder_load_moment_z],
-                    [shoulder_load_force_x, shoulder_load_force_y, c(0.0)],
+                    [c(0.0), c(0.0), c(0.0)],
+                    [-minus_shoulder_load_force_x, -minus_shoulder_load_force_y, c(0.0)],
                 ),
             ),
             ::mstmm::Point::new(
@@ -614,7 +607,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                 ::mstmm::StateVector::new(
                     [-minus_elbow_acc_lin_x, -minus_elbow_acc_lin_y, c(0.0)],
                     [c(0.0), c(0.0), -minus_shoulder_beta0],
-                    [c(0.0), c(0.0), -elbow_own_moment_z],
+                    [c(0.0), c(0.0), c(0.0)],
                     [-minus_elbow_own_force_x, -minus_elbow_own_force_y, c(0.0)],
                 ),
             ),
@@ -630,21 +623,21 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                 ::mstmm::StateVector::new(
                     [-minus_elbow_acc_lin_x, -minus_elbow_acc_lin_y, c(0.0)],
                     [c(0.0), c(0.0), -minus_elbow_acc_ang_z],
-                    [c(0.0), c(0.0), -elbow_own_moment_z],
+                    [c(0.0), c(0.0), c(0.0)],
                     [-minus_elbow_own_force_x, -minus_elbow_own_force_y, c(0.0)],
                 ),
             ),
             ::mstmm::Point::new(
-                [t178, t179, c(0.0)],
+                [t171, t172, c(0.0)],
                 [
                     [elbow_axes_x_x, -minus_elbow_axes_x_y, c(0.0)],
                     [minus_elbow_axes_x_y, elbow_axes_x_x, c(0.0)],
                     [c(0.0), c(0.0), c(1.0)],
                 ],
-                [-t181, t183, c(0.0)],
+                [-t174, t176, c(0.0)],
                 [c(0.0), c(0.0), elbow_omega_z],
                 ::mstmm::StateVector::new(
-                    [-t187, -t191, c(0.0)],
+                    [-t180, -t184, c(0.0)],
                     [c(0.0), c(0.0), -minus_elbow_acc_ang_z],
                     [c(0.0), c(0.0), c(0.0)],
                     [c(0.0), c(0.0), c(0.0)],
@@ -653,8 +646,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         ];
         ::core::result::Result::Ok(())
     }
-    /// Kinetic and potential energy in J; the potential is zero with every centre of mass at
-    /// the inertial origin.
+    /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
+    /// of mass at the inertial origin.
     ///
     /// 37 operations: 25 mul, 12 add, 0 reciprocal, 2 sin/cos.
     ///
@@ -736,11 +729,20 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for TwoPins<T> {
         rate: &mut TwoPinsState<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         self.accelerations_into(state, inputs, &mut rate.v)?;
+        self.configuration_rate_into(state, rate);
+        ::core::result::Result::Ok(())
+    }
+    #[inline]
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    fn configuration_rate_into(
+        &self,
+        state: &TwoPinsState<T>,
+        rate: &mut TwoPinsState<T>,
+    ) {
         rate.q.data.0 = {
             let [[shoulder_rate, elbow_rate]] = state.v.data.0;
             [[shoulder_rate, elbow_rate]]
         };
-        ::core::result::Result::Ok(())
     }
     #[inline]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
@@ -880,7 +882,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for TwoPinsInputs<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TwoPins<T> {
-    /// Inputs that are all zero.
+    /// Inputs that are all zero; prescribed motions rest in the zero position.
     #[inline]
     #[must_use]
     pub fn no_inputs(&self) -> TwoPinsInputs<T> {
@@ -892,6 +894,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPinsWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 2>,
+    rate_accelerations: ::mstmm::nalgebra::SVector<T, 2>,
     efforts: ::mstmm::nalgebra::SVector<T, 2>,
     kinetic_energy: T,
     potential_energy: T,
@@ -909,7 +912,8 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     pub fn kinetic_energy(&self) -> T {
         self.kinetic_energy
     }
-    /// Potential energy in J; zero with every centre of mass at the inertial origin.
+    /// Potential energy in J: of gravity, zero with every centre of mass at the inertial
+    /// origin, and of springs.
     #[inline]
     pub fn potential_energy(&self) -> T {
         self.potential_energy
@@ -922,15 +926,21 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     }
     /// Acceleration, effort, input and output of hinge `shoulder`.
     #[inline]
-    pub fn shoulder(&self) -> ::mstmm::HingeResult<'_, T, T> {
+    pub fn shoulder(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::Point<T>> {
         let [input, output, ..] = &self.points;
         ::mstmm::HingeResult::new(
             {
-                let [[value, ..]] = self.accelerations.data.0;
+                let [value] = ::mstmm::generated::piece::<
+                    T,
+                    1,
+                >(self.rate_accelerations.as_slice(), 0);
                 value
             },
             {
-                let [[value, ..]] = self.efforts.data.0;
+                let [value] = ::mstmm::generated::piece::<
+                    T,
+                    1,
+                >(self.efforts.as_slice(), 0);
                 value
             },
             input,
@@ -939,21 +949,27 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     }
     /// Input and output of body `upper`.
     #[inline]
-    pub fn upper(&self) -> ::mstmm::BodyResult<'_, T> {
+    pub fn upper(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::Point<T>> {
         let [_, input, output, ..] = &self.points;
         ::mstmm::BodyResult::new(input, output)
     }
     /// Acceleration, effort, input and output of hinge `elbow`.
     #[inline]
-    pub fn elbow(&self) -> ::mstmm::HingeResult<'_, T, T> {
+    pub fn elbow(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::Point<T>> {
         let [_, _, input, output, ..] = &self.points;
         ::mstmm::HingeResult::new(
             {
-                let [[_, value, ..]] = self.accelerations.data.0;
+                let [value] = ::mstmm::generated::piece::<
+                    T,
+                    1,
+                >(self.rate_accelerations.as_slice(), 1);
                 value
             },
             {
-                let [[_, value, ..]] = self.efforts.data.0;
+                let [value] = ::mstmm::generated::piece::<
+                    T,
+                    1,
+                >(self.efforts.as_slice(), 1);
                 value
             },
             input,
@@ -962,7 +978,7 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     }
     /// Input and output of body `lower`.
     #[inline]
-    pub fn lower(&self) -> ::mstmm::BodyResult<'_, T> {
+    pub fn lower(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::Point<T>> {
         let [_, _, _, input, output, ..] = &self.points;
         ::mstmm::BodyResult::new(input, output)
     }
@@ -975,6 +991,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let zero = T::constant(0.0);
         TwoPinsWorkspace {
             accelerations: ::mstmm::generated::vector([zero; 2]),
+            rate_accelerations: ::mstmm::generated::vector([zero; 2]),
             efforts: ::mstmm::generated::vector([zero; 2]),
             kinetic_energy: zero,
             potential_energy: zero,

@@ -3,19 +3,22 @@
 //! Coordinates: the unit quaternion (w, x, y, z) that turns outboard components into inboard ones.
 //! Rates: the angular velocity of the outboard frame against the inboard one, outboard axes.
 
-use super::{Column, Crossing, Freedom, WorkAxes, rows};
+use super::{Direction, Geometry};
 use crate::math::{Mat3, Scalar, Vec3};
 
-/// A turn by the quaternion.
-pub fn crossing<S: Scalar>(q: &[S]) -> Crossing<S> {
-    let rotation = Mat3::from_quaternion([q[0], q[1], q[2], q[3]]);
-    Crossing { rotation, turn: None, offset: Vec3::zero() }
+/// A turn by the quaternion, free about all axes: the moment vanishes, as [P, Eq. (25)] has it for
+/// the next hinge.
+pub fn geometry<S: Scalar>(q: &[S]) -> Geometry<S> {
+    Geometry {
+        rotation: Mat3::from_quaternion([q[0], q[1], q[2], q[3]]),
+        directions: turns(),
+        ..Geometry::fixed()
+    }
 }
 
-/// Turns about all axes are free; the moment vanishes, as [P, Eq. (25)] has it for the next hinge.
-pub fn freedom<S: Scalar>(axes: WorkAxes<S>, reversed: bool) -> Freedom<S> {
-    let basis = if reversed { -axes.from_parent } else { axes.from_child };
-    Freedom { columns: (3..6).map(Column::Axis).collect(), basis: rows(basis) }
+/// The turns about the three outboard axes.
+pub fn turns<S: Scalar>() -> Vec<Direction<S>> {
+    (0..3).map(|k| Direction::about(Vec3::unit(k)).outboard()).collect()
 }
 
 /// `½ (w, x, y, z) ∘ (0, ω)`
@@ -33,4 +36,43 @@ pub fn normalized<S: Scalar>(q: &[S]) -> Vec<S> {
     let square = q.iter().fold(S::zero(), |sum, &x| sum + x * x);
     let scale = square.sqrt().recip();
     q.iter().map(|&x| x * scale).collect()
+}
+
+/// The rotation vector that leads from the quaternion `rest` to `q`, outboard axes: of the two that
+/// do, the shorter one.
+pub fn rotation_vector<S: Scalar>(rest: &[S], q: &[S]) -> Vec3<S> {
+    let (w0, r0) = (rest[0], Vec3([rest[1], rest[2], rest[3]]));
+    let (w1, r1) = (q[0], Vec3([q[1], q[2], q[3]]));
+    let cos = w0 * w1 + r0.dot(r1);
+    let sin = r1 * w0 - r0 * w1 - r0.cross(r1);
+    // So small that it only keeps 0/0 away: angle and sine shrink alike.
+    let length = (sin.dot(sin) + S::number(1e-30)).sqrt();
+    let half = length.atan2(cos.abs());
+    sin * (S::number(2.0).copysign(cos) * half * length.recip())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rotation_vector;
+
+    fn turned(angle: f64) -> [f64; 4] {
+        let (sin, cos) = (0.5 * angle).sin_cos();
+        [cos, 0.6 * sin, 0.0, -0.8 * sin]
+    }
+
+    #[test]
+    fn rotation_vectors_are_angle_times_axis() {
+        for angle in [0.0, 1e-20, 1e-9, 0.3, 2.0, 3.1] {
+            for rest in [0.0, 0.7, -2.0] {
+                for sign in [1.0, -1.0] {
+                    let q = turned(rest + angle).map(|x| sign * x);
+                    let found = rotation_vector(&turned(rest), &q).0;
+                    for (found, axis) in found.into_iter().zip([0.6, 0.0, -0.8]) {
+                        // Products of unit quaternions round a dozen times.
+                        assert!((found - angle * axis).abs() < 2e-15, "{found} at {angle}");
+                    }
+                }
+            }
+        }
+    }
 }

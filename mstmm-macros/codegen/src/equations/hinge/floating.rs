@@ -3,28 +3,22 @@
 //! Coordinates: the outboard origin in inboard axes, then the quaternion as for a ball. Rates: the
 //! velocity of that origin in inboard axes, then the angular velocity as for a ball.
 
-use super::{Column, Crossing, Freedom, WorkAxes, ball, rows};
+use super::{Direction, Geometry, ball};
 use crate::math::{Scalar, Vec3};
 
-/// A shift and a turn.
-pub fn crossing<S: Scalar>(q: &[S]) -> Crossing<S> {
-    Crossing { offset: Vec3([q[0], q[1], q[2]]), ..ball::crossing(&q[3..]) }
+/// A shift and a turn, both free: `m = 0` and `q = 0` [P, Eqs. (57), (58)].
+pub fn geometry<S: Scalar>(q: &[S]) -> Geometry<S> {
+    Geometry {
+        offset: Vec3([q[0], q[1], q[2]]),
+        directions: directions(),
+        ..ball::geometry(&q[3..])
+    }
 }
 
-/// Everything is free: `m = 0` and `q = 0` [P, Eqs. (57), (58)].
-///
-/// Only the ground is crossed from, outwards: the shift has no part in the free turns.
-pub fn freedom<S: Scalar>(axes: WorkAxes<S>, reversed: bool) -> Freedom<S> {
-    debug_assert!(!reversed, "a floating base is tied to the ground from its inboard side");
-    let mut basis: Vec<Vec<S>> = Vec::new();
-    for mut row in rows(axes.from_parent) {
-        row.extend([S::zero(); 3]);
-        basis.push(row);
-    }
-    for row in rows(axes.from_child) {
-        basis.push([S::zero(); 3].into_iter().chain(row).collect());
-    }
-    Freedom { columns: (0..6).map(Column::Axis).collect(), basis }
+/// The shifts along the inboard axes, then the turns about the outboard ones.
+pub fn directions<S: Scalar>() -> Vec<Direction<S>> {
+    let shifts = (0..3).map(|k| Direction::along(Vec3::unit(k)));
+    shifts.chain(ball::turns()).collect()
 }
 
 /// The rates of the origin and of the quaternion.

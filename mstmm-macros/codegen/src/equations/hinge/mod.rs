@@ -1,193 +1,155 @@
 //! Hinges: how each turns and shifts its outboard frame against its inboard one, and which
-//! directions it leaves free. One file a kind, the same functions in the same order.
+//! directions it leaves free. One file a kind.
 //!
 //! A new kind is a variant of [`HingeKind`] and four files, each with its line in the list beside
-//! it: its words in `model/lower/hinge`, its numbers in `model/hinge`, its equations here, and the
-//! view of its coordinates in the runtime's `hinge`.
+//! it: its words in `model/lower/hinge`, its numbers in `model/hinge`, its [`Geometry`] here, and the
+//! view of its coordinates in the runtime's `hinge`. What follows from the geometry, what acts along
+//! the free directions and how hinges close a loop is the same for all.
 //!
 //! A hinge is crossed from the side that motion comes from (the *parent*) to the other (the
 //! *child*). The parent is the inboard side, unless the chain is held at its end only: then the
 //! crossing is *reversed*. Each kind may choose axes that suit it, *aligned* with its free
 //! directions and fixed in both of its frames.
 
+mod axis;
 mod ball;
+mod crossing;
+mod cylindrical;
+mod effort;
+mod elastic;
 mod floating;
+mod freedom;
+mod passive;
 mod pin;
+mod planar;
+mod plane_elastic;
+mod screw;
+mod slider;
+mod strain;
+mod universal;
 mod weld;
 
+pub use crossing::{Crossing, WorkAxes, combine, crossing};
+pub use effort::{Passives, passives};
+pub use freedom::{Column, Freedom, dot, freedom, identity, prescribed};
+pub use strain::{Strains, strains};
+
 use super::Numbers;
-use crate::math::{Mat3, Motion, Rotation, Scalar, Turn, Vec3, Wrench};
+use crate::math::{Mat3, Motion, Scalar, Turn, Vec3};
 use crate::model::HingeKind;
+use axis::Alignment;
 
-/// The geometry of a hinge at given coordinates.
+/// A hinge at given coordinates, in aligned axes.
 #[derive(Clone, Debug)]
-pub struct Crossing<S> {
-    /// Aligned child axes to aligned parent axes.
+pub struct Geometry<S> {
+    /// Outboard axes to inboard ones.
     pub rotation: Mat3<S>,
-    /// The same, if it is a turn about one of the aligned axes.
+    /// The same, if it is a turn about one of the axes.
     pub turn: Option<Turn<S>>,
-    /// From the parent's point to the child's, aligned parent axes.
+    /// From the inboard origin to the outboard one, inboard axes.
     pub offset: Vec3<S>,
+    /// What each rate does: `S`, column by column.
+    pub directions: Vec<Direction<S>>,
 }
 
-/// Aligned axes of a hinge's two sides, to the axes that the child's equations are written in.
+/// A free direction, constant in the axes of one side: the motion of the outboard origin and frame
+/// against the inboard frame.
 #[derive(Clone, Copy, Debug)]
-pub struct WorkAxes<S> {
-    /// Whether the work axes are the aligned child axes.
-    pub aligned: bool,
-    /// From aligned parent axes.
-    pub from_parent: Mat3<S>,
-    /// From aligned child axes.
-    pub from_child: Mat3<S>,
+pub struct Direction<S> {
+    /// Whether it is fixed on the outboard side.
+    pub on_outboard: bool,
+    /// Its six entries, in aligned axes of that side.
+    pub motion: Motion<S>,
 }
 
-/// The directions that a hinge leaves free, in the work axes of the child.
-///
-/// The child moves against the parent by `Σ columns[i] · basis[i][j] · v[j]`. The basis is
-/// orthogonal, so that `columnsᵀ F = basis · τ` and `v̇ = basisᵀ β` for `a = … + Σ columns[i] β[i]`.
-#[derive(Clone, Debug)]
-pub struct Freedom<S> {
-    /// The free directions.
-    pub columns: Vec<Column<S>>,
-    /// From rates to the amounts of the columns.
-    pub basis: Vec<Vec<S>>,
-}
-
-/// A free direction.
-#[derive(Clone, Copy, Debug)]
-pub enum Column<S> {
-    /// Along (0 to 2) or about (3 to 5) one of the work axes: what is eliminated along it can be
-    /// set to exactly zero.
-    Axis(usize),
-    /// Any other.
-    General(Motion<S>),
-}
-
-impl<S: Scalar> Column<S> {
-    /// Whether it is a shift along an axis; anything else is measured by moments of inertia.
-    pub fn is_linear(&self) -> bool {
-        matches!(self, Column::Axis(axis) if *axis < 3)
-    }
-
-    /// The direction's six entries.
-    pub fn motion(&self) -> Motion<S> {
-        match self {
-            Column::Axis(axis) => {
-                Motion::from_fn(|k| if k == *axis { S::one() } else { S::zero() })
-            }
-            Column::General(motion) => *motion,
+impl<S: Scalar> Geometry<S> {
+    /// Both frames coincide, and nothing is free.
+    fn fixed() -> Self {
+        Geometry {
+            rotation: Mat3::identity(),
+            turn: None,
+            offset: Vec3::zero(),
+            directions: Vec::new(),
         }
     }
+
+    /// The outboard frame is turned about an axis.
+    fn turned(turn: Turn<S>) -> Self {
+        Geometry { rotation: turn.matrix(), turn: Some(turn), ..Geometry::fixed() }
+    }
 }
 
-impl<S: Scalar> Freedom<S> {
-    /// The amounts of the columns that belong to `rates`, or to efforts.
-    pub fn amounts(&self, rates: &[S]) -> Vec<S> {
-        self.basis
-            .iter()
-            .map(|row| row.iter().zip(rates).fold(S::zero(), |sum, (&b, &v)| sum + b * v))
-            .collect()
+impl<S: Scalar> Direction<S> {
+    /// Fixed on the inboard side.
+    fn inboard(motion: Motion<S>) -> Self {
+        Direction { on_outboard: false, motion }
     }
 
-    /// The rates, or accelerations, that belong to `amounts` of the columns.
-    pub fn rates(&self, amounts: &[S]) -> Vec<S> {
-        (0..amounts.len())
-            .map(|j| {
-                self.basis.iter().zip(amounts).fold(S::zero(), |sum, (row, &x)| sum + row[j] * x)
-            })
-            .collect()
+    /// A shift along a vector fixed on the inboard side.
+    fn along(linear: Vec3<S>) -> Self {
+        Direction::inboard(Motion { linear, angular: Vec3::zero() })
     }
 
-    /// A wrench over the hinge, with the efforts put where the free axes leave nothing else.
-    pub fn released(&self, wrench: Wrench<S>, efforts: &[S]) -> Wrench<S> {
-        let amounts = self.amounts(efforts);
-        let along = |k: usize| {
-            let is_axis = |column: &Column<S>| matches!(column, Column::Axis(axis) if *axis == k);
-            self.columns.iter().position(is_axis)
-        };
-        Wrench::from_fn(|k| along(k).map_or(wrench.at(k), |column| amounts[column]))
+    /// A turn about a vector fixed on the inboard side.
+    fn about(angular: Vec3<S>) -> Self {
+        Direction::inboard(Motion { linear: Vec3::zero(), angular })
     }
 
-    /// The motion of the child against the parent at `rates`.
-    pub fn motion(&self, rates: &[S]) -> Motion<S> {
-        let amounts = self.amounts(rates);
-        self.columns
-            .iter()
-            .zip(amounts)
-            .fold(Motion::zero(), |sum, (column, x)| sum + column.motion().scaled(x))
+    /// The same entries, but fixed on the outboard side.
+    fn outboard(self) -> Self {
+        Direction { on_outboard: true, ..self }
+    }
+}
+
+/// The geometry of a hinge.
+pub fn geometry<S: Scalar>(kind: &HingeKind, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
+    match kind {
+        HingeKind::Weld => weld::geometry(),
+        HingeKind::Pin { axis } => pin::geometry(axis, numbers, q),
+        HingeKind::Slider { axis } => slider::geometry(axis, numbers, q),
+        HingeKind::Screw { axis, pitch } => screw::geometry(axis, pitch, numbers, q),
+        HingeKind::Cylindrical { axis } => cylindrical::geometry(axis, numbers, q),
+        HingeKind::Universal { axes } => universal::geometry(axes, numbers, q),
+        HingeKind::Ball => ball::geometry(q),
+        HingeKind::Planar { normal } => planar::geometry(*normal, q),
+        HingeKind::Floating => floating::geometry(q),
+        HingeKind::Elastic => elastic::geometry(q),
+        HingeKind::PlaneElastic => plane_elastic::geometry(q),
     }
 }
 
 /// The rotation from aligned axes to those of the hinge's frames.
 pub fn alignment<S: Scalar>(kind: &HingeKind, numbers: &Numbers<S>) -> Mat3<S> {
     match kind {
-        HingeKind::Pin { axis } => pin::alignment(axis, numbers).rotation,
-        HingeKind::Weld | HingeKind::Ball | HingeKind::Floating => Mat3::identity(),
-    }
-}
-
-/// The crossing of a hinge from inboard to outboard.
-pub fn crossing<S: Scalar>(kind: &HingeKind, numbers: &Numbers<S>, q: &[S]) -> Crossing<S> {
-    match kind {
-        HingeKind::Weld => weld::crossing(),
-        HingeKind::Pin { axis } => pin::crossing(axis, numbers, q),
-        HingeKind::Ball => ball::crossing(q),
-        HingeKind::Floating => floating::crossing(q),
-    }
-}
-
-/// What a hinge leaves free.
-pub fn freedom<S: Scalar>(
-    kind: &HingeKind,
-    numbers: &Numbers<S>,
-    axes: WorkAxes<S>,
-    reversed: bool,
-) -> Freedom<S> {
-    match kind {
-        HingeKind::Weld => weld::freedom(),
-        HingeKind::Pin { axis } => pin::freedom(axis, numbers, axes, reversed),
-        HingeKind::Ball => ball::freedom(axes, reversed),
-        HingeKind::Floating => floating::freedom(axes, reversed),
+        HingeKind::Pin { axis }
+        | HingeKind::Slider { axis }
+        | HingeKind::Screw { axis, .. }
+        | HingeKind::Cylindrical { axis }
+        | HingeKind::Universal { axes: [_, axis] } => Alignment::with(axis, numbers).rotation,
+        HingeKind::Weld
+        | HingeKind::Ball
+        | HingeKind::Planar { .. }
+        | HingeKind::Floating
+        | HingeKind::Elastic
+        | HingeKind::PlaneElastic => Mat3::identity(),
     }
 }
 
 /// The time derivative of the coordinates.
 pub fn coordinate_rates<S: Scalar>(kind: &HingeKind, q: &[S], v: &[S]) -> Vec<S> {
     match kind {
-        HingeKind::Weld => Vec::new(),
-        HingeKind::Pin { .. } => pin::coordinate_rates(v),
         HingeKind::Ball => ball::coordinate_rates(q, v),
         HingeKind::Floating => floating::coordinate_rates(q, v),
+        HingeKind::Elastic | HingeKind::PlaneElastic => strain::rates(&strains(kind, q).rows, v),
+        _ => v.to_vec(),
     }
 }
 
 /// The coordinates with quaternions put back to unit length.
 pub fn normalized<S: Scalar>(kind: &HingeKind, q: &[S]) -> Vec<S> {
     match kind {
-        HingeKind::Weld | HingeKind::Pin { .. } => q.to_vec(),
         HingeKind::Ball => ball::normalized(q),
         HingeKind::Floating => floating::normalized(q),
+        _ => q.to_vec(),
     }
-}
-
-impl<S: Scalar> Crossing<S> {
-    /// The crossing in the other direction.
-    pub fn reversed(self) -> Self {
-        let rotation = self.rotation.transposed();
-        let turn = self.turn.map(Turn::reversed);
-        Crossing { rotation, turn, offset: -(rotation * self.offset) }
-    }
-
-    /// Its rotation followed by the fixed one of the parent's side.
-    pub fn mounted_on(&self, side: Mat3<S>) -> Rotation<S> {
-        match self.turn {
-            Some(turn) => Rotation::mounted(side, turn),
-            None => Rotation::general(side * self.rotation),
-        }
-    }
-}
-
-/// A square block of a basis.
-fn rows<S: Scalar>(matrix: Mat3<S>) -> Vec<Vec<S>> {
-    matrix.0.iter().map(|row| row.to_vec()).collect()
 }

@@ -1,14 +1,9 @@
 //! Weld: joins two frames for good.
 
-use super::{Crossing, Freedom};
-use crate::math::{Mat3, Scalar, Vec3};
+use super::Geometry;
+use crate::math::Scalar;
 
-/// Both frames coincide.
-pub fn crossing<S: Scalar>() -> Crossing<S> {
-    Crossing { rotation: Mat3::identity(), turn: None, offset: Vec3::zero() }
-}
-
-/// Nothing is free.
-pub fn freedom<S: Scalar>() -> Freedom<S> {
-    Freedom { columns: Vec::new(), basis: Vec::new() }
+/// Both frames coincide, and nothing is free.
+pub fn geometry<S: Scalar>() -> Geometry<S> {
+    Geometry::fixed()
 }

@@ -1,0 +1,96 @@
+//! From formulas to programs: simplified, ordered, repeated parts as loops.
+
+use super::Scene;
+use crate::equations::Trace;
+use crate::expr::{Edge, Expr, Stage};
+use crate::passes::{Carry, Heading, Setup, Turn, Unknowns, factor, needed_carries, schedule};
+use crate::program::Program;
+use crate::weave::{self, Loom};
+
+impl<'g> Scene<'_, 'g> {
+    /// Simplifies and orders what leads to `outputs`.
+    pub(super) fn program(
+        &self,
+        stage: Stage,
+        trace: &Trace<Expr<'g>>,
+        outputs: &[Vec<Expr<'g>>],
+        turns: &[weave::Turn<'g>],
+        setup: &mut Setup,
+    ) -> Program {
+        let edges: Vec<Vec<Edge>> = outputs
+            .iter()
+            .map(|group| group.iter().map(|&expr| self.graph.edge(expr)).collect())
+            .collect();
+        let results: Vec<Edge> = edges.iter().flatten().copied().collect();
+        let turns: Vec<Turn> = turns.iter().map(|turn| self.turn(turn)).collect();
+        let (turns, roots) = needed_carries(self.graph, &turns, &results);
+        let image = factor(self.graph, &roots);
+        let go = |edge: Edge| {
+            image[edge.node() as usize]
+                .map(|image| if edge.is_negative() { image.negated() } else { image })
+        };
+        let moved = |carry: &Carry| {
+            let [first, next] = [carry.first, carry.next].map(|edge| go(edge).unwrap_or(edge));
+            Carry { first, next, ..*carry }
+        };
+        let turns: Vec<Turn> = turns
+            .iter()
+            .map(|turn| Turn { carries: turn.carries.iter().map(moved).collect(), ..turn.clone() })
+            .collect();
+        let outputs: Vec<Vec<Edge>> =
+            edges.iter().map(|group| group.iter().filter_map(|&edge| go(edge)).collect()).collect();
+        let headings: Vec<Heading> = trace
+            .sections
+            .iter()
+            .map(|section| Heading {
+                title: section.title.clone(),
+                source: section.source.to_owned(),
+                values: section
+                    .values
+                    .iter()
+                    .filter_map(|(name, expr)| match expr {
+                        Expr::Formula(_, edge) => image
+                            .get(edge.node() as usize)
+                            .and_then(|_| go(*edge))
+                            .map(|edge| (name.clone(), edge)),
+                        Expr::Number(_) => None,
+                    })
+                    .collect(),
+            })
+            .collect();
+        let unknowns = Unknowns {
+            names: self.symbols.names(),
+            // What is derived at setup is the same for all times of a repeated part.
+            parts: if stage == Stage::Setup { &[] } else { self.symbols.parts() },
+            turns: &turns,
+        };
+        schedule(self.graph, &unknowns, stage, &headings, &outputs, setup)
+    }
+
+    /// A loop, with what it carries as edges.
+    fn turn(&self, turn: &weave::Turn<'g>) -> Turn {
+        let carry = |carry: &weave::Carry<'g>| Carry {
+            first: self.graph.edge(carry.first),
+            next: self.graph.edge(carry.next),
+            entering: carry.entering,
+            leaving: carry.leaving,
+        };
+        let carries = turn.carries.iter().map(carry).collect();
+        Turn { repeat: turn.repeat, inwards: turn.inwards, carries }
+    }
+
+    /// Runs equations with repeated parts as loops.
+    pub(super) fn woven<R>(
+        &self,
+        equations: impl Fn(&Loom<'g>, &mut Trace<Expr<'g>>) -> R,
+    ) -> (R, Trace<Expr<'g>>, Vec<weave::Turn<'g>>) {
+        let loom = Loom::new(self.graph, self.symbols.names().len() as u32);
+        let run = |loom: &Loom<'g>| {
+            let mut trace = Trace::new();
+            let result = equations(loom, &mut trace);
+            (result, trace)
+        };
+        let ((result, trace), turns) = loom.run(run);
+        (result, trace, turns)
+    }
+}

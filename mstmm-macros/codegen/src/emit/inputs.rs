@@ -1,0 +1,259 @@
+//! What the caller gives at every step.
+
+use super::Plan;
+use super::looped::{Stream, usize_literal};
+use super::names::local;
+use crate::model::{Driven, Group, Hinge, HingeId, Input};
+use crate::program::{Loop, Program};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// `struct ChainInputs<T>` and how to get one.
+pub fn emit(plan: &Plan) -> TokenStream {
+    let (name, visibility) = (&plan.names.inputs, &plan.surface.visibility);
+    let chain = &plan.names.chain;
+    let doc = format!(" What drives [`{chain}`] from outside, given at every step.");
+    let inputs = &plan.layout.inputs;
+    let fields = inputs.iter().map(|input| {
+        let (name, doc, one) = (field(plan, input), doc_of(plan, input), type_of(plan, input));
+        let ty = times(plan, input).map_or(one.clone(), |times| quote!([#one; #times]));
+        quote!(#[doc = #doc] #visibility #name: #ty)
+    });
+    let zeros = inputs.iter().map(|input| {
+        let (name, one) = (field(plan, input), zero_of(plan, input));
+        let zero = times(plan, input).map_or(one.clone(), |times| quote!([#one; #times]));
+        quote!(#name: #zero)
+    });
+    // A struct without fields would not use `T`.
+    let (marker, marker_value) = if inputs.is_empty() {
+        (quote!(none: ::core::marker::PhantomData<T>), quote!(none: ::core::marker::PhantomData))
+    } else {
+        (TokenStream::new(), TokenStream::new())
+    };
+    quote! {
+        #[doc = #doc]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[allow(dead_code, non_snake_case)]
+        #visibility struct #name<T> {
+            #(#fields,)*
+            #marker
+        }
+        impl<T: ::mstmm::Scalar> ::core::default::Default for #name<T> {
+            #[inline]
+            fn default() -> Self {
+                Self { #(#zeros,)* #marker_value }
+            }
+        }
+        #[allow(dead_code, non_snake_case)]
+        impl<T: ::mstmm::Scalar> #chain<T> {
+            /// Inputs that are all zero; prescribed motions rest in the zero position.
+            #[inline]
+            #[must_use]
+            #visibility fn no_inputs(&self) -> #name<T> {
+                ::core::default::Default::default()
+            }
+        }
+    }
+}
+
+/// How many there are of an input to a repeated part.
+fn times(plan: &Plan, input: &Input) -> Option<Literal> {
+    let repeat = plan.chain.repeat_of_input(input.what)?;
+    Some(usize_literal(plan.chain.repeats[repeat].count))
+}
+
+/// What a loop reads of the inputs: streams, and statements that take their items apart.
+pub fn streams(plan: &Plan, turn: &Loop) -> (Vec<Stream>, TokenStream) {
+    let first = plan.programs.symbols.inputs().start;
+    let (mut streams, mut taken) = (Vec::new(), TokenStream::new());
+    for input in &plan.layout.inputs {
+        let is_read = input.range.clone().any(|k| plan.read_in(turn, first + k).is_some());
+        if plan.chain.repeat_of_input(input.what) == Some(turn.repeat) && is_read {
+            let name = field(plan, input);
+            let item = local(&format!("input_{name}"));
+            streams.push((quote!(&#item), quote!(inputs.#name.iter())));
+            taken.extend(plan.read_input(input, &quote!(#item)));
+        }
+    }
+    (streams, taken)
+}
+
+/// The name of an input's field.
+fn field(plan: &Plan, input: &Input) -> Ident {
+    match input.what {
+        Driven::Gravity => format_ident!("gravity"),
+        Driven::Efforts(hinge) | Driven::Motion(hinge) => plan.chain.hinges[hinge].name.clone(),
+        Driven::Force(load) => of_load(&plan.chain.loads[load].name, "force"),
+        Driven::Torque(load) => of_load(&plan.chain.loads[load].name, "torque"),
+    }
+}
+
+fn of_load(name: &Ident, what: &str) -> Ident {
+    format_ident!("{name}_{what}", span = name.span())
+}
+
+fn doc_of(plan: &Plan, input: &Input) -> String {
+    match input.what {
+        Driven::Gravity => " The acceleration of free fall in m/s², inertial frame.".to_owned(),
+        Driven::Efforts(index) => {
+            let Hinge { name, kind, .. } = &plan.chain.hinges[index];
+            let unit = |turns: bool| if turns { "N m" } else { "N" };
+            let units: Vec<&str> = kind.shape().groups.iter().map(|g| unit(g.turns)).collect();
+            let unit = units.join(", ");
+            format!(" Efforts in {unit} that drive `{name}`, in the order of its rates.")
+        }
+        Driven::Motion(index) => {
+            let Hinge { name, .. } = &plan.chain.hinges[index];
+            format!(" The motion of `{name}`.")
+        }
+        Driven::Force(load) => format!(" The force of `{}` in N.", plan.chain.loads[load].name),
+        Driven::Torque(load) => {
+            format!(" The torque of `{}` in N m.", plan.chain.loads[load].name)
+        }
+    }
+}
+
+fn type_of(plan: &Plan, input: &Input) -> TokenStream {
+    match input.what {
+        Driven::Motion(hinge) => {
+            let view = view_name(plan, hinge);
+            let acceleration = numbers_type(plan.chain.hinges[hinge].kind.freedoms());
+            quote!(::mstmm::HingeMotion<::mstmm::#view<T>, #acceleration>)
+        }
+        _ => numbers_type(input.range.len()),
+    }
+}
+
+fn zero_of(plan: &Plan, input: &Input) -> TokenStream {
+    let zero = |count: usize| match count {
+        1 => quote!(T::constant(0.0)),
+        _ => quote!(::mstmm::generated::vector([T::constant(0.0); #count])),
+    };
+    match input.what {
+        Driven::Motion(hinge) => {
+            let view = view_name(plan, hinge);
+            let acceleration = zero(plan.chain.hinges[hinge].kind.freedoms());
+            quote! {
+                ::mstmm::HingeMotion {
+                    state: <::mstmm::#view<T> as ::core::default::Default>::default(),
+                    acceleration: #acceleration,
+                }
+            }
+        }
+        _ => zero(input.range.len()),
+    }
+}
+
+fn view_name(plan: &Plan, hinge: HingeId) -> Ident {
+    // A hinge without coordinates has no motion to prescribe.
+    let view = plan.chain.hinges[hinge].kind.shape().view.as_ref();
+    format_ident!("{}", view.map_or("", |view| view.name))
+}
+
+/// The type of so many numbers: a number, or a vector.
+pub fn numbers_type(count: usize) -> TokenStream {
+    match count {
+        0 => quote!(()),
+        1 => quote!(T),
+        _ => quote!(::mstmm::nalgebra::SVector<T, #count>),
+    }
+}
+
+impl Plan<'_> {
+    /// Takes the inputs that a program reads into variables.
+    pub fn read_inputs(&self, program: &Program) -> TokenStream {
+        let first = self.programs.symbols.inputs().start;
+        let needed = self.layout.inputs.iter().filter(|input| {
+            let mut numbers = input.range.clone();
+            numbers.any(|k| program.symbols.binary_search(&((first + k) as u32)).is_ok())
+        });
+        let read = |input: &Input| {
+            let name = field(self, input);
+            self.read_input(input, &quote!(inputs.#name))
+        };
+        needed.map(read).collect()
+    }
+
+    /// Takes an input apart.
+    fn read_input(&self, input: &Input, from: &TokenStream) -> TokenStream {
+        let symbols = self.input_variables(input);
+        match input.what {
+            Driven::Motion(hinge) => {
+                let kind = &self.chain.hinges[hinge].kind;
+                let (coordinates, freedoms) = (kind.coordinates(), kind.freedoms());
+                let groups = kind.shape().view.iter().flat_map(|view| view.groups);
+                let groups = groups.map(|group| match group {
+                    Group::Coordinates(range) => tuple_or_one(&symbols[range.clone()]),
+                    Group::Rates(range) => {
+                        let range = coordinates + range.start..coordinates + range.end;
+                        tuple_or_one(&symbols[range])
+                    }
+                });
+                let accelerations = &symbols[coordinates + freedoms..];
+                let taken = take(accelerations, quote!(#from.acceleration));
+                quote! {
+                    let (#(#groups,)*) = #from.state.into_groups();
+                    #taken
+                }
+            }
+            _ => take(&symbols, quote!(#from)),
+        }
+    }
+
+    fn input_variables(&self, input: &Input) -> Vec<Ident> {
+        let symbols = &self.programs.symbols;
+        let first = symbols.inputs().start;
+        input.range.clone().map(|k| local(&symbols.names()[first + k])).collect()
+    }
+
+    /// Slices that together hold all numbers of the inputs that stand once, and statements before,
+    /// which look at all others.
+    pub fn input_slices(&self) -> (TokenStream, Vec<TokenStream>) {
+        let mut before = TokenStream::new();
+        let mut slices = Vec::new();
+        for input in &self.layout.inputs {
+            let name = field(self, input);
+            if times(self, input).is_some() {
+                let (taken, slice) = self.input_slice(input, &quote!(item));
+                before.extend(quote! {
+                    for item in inputs.#name.iter().copied() {
+                        #taken
+                        ::mstmm::generated::finite::<T>(&[#slice])?;
+                    }
+                });
+            } else {
+                let (taken, slice) = self.input_slice(input, &quote!(inputs.#name));
+                before.extend(taken);
+                slices.push(slice);
+            }
+        }
+        (before, slices)
+    }
+
+    /// All numbers of an input as a slice, and what it borrows from.
+    fn input_slice(&self, input: &Input, from: &TokenStream) -> (TokenStream, TokenStream) {
+        match input.what {
+            Driven::Motion(_) => {
+                let variables = self.input_variables(input);
+                (self.read_input(input, from), quote!(&[#(#variables),*]))
+            }
+            _ if input.range.len() == 1 => (TokenStream::new(), quote!(&[#from])),
+            _ => (TokenStream::new(), quote!(#from.as_slice())),
+        }
+    }
+}
+
+/// Takes numbers out of a number, or out of a vector.
+fn take(variables: &[Ident], from: TokenStream) -> TokenStream {
+    match variables {
+        [one] => quote!(let #one = #from;),
+        _ => quote!(let [[#(#variables),*]] = #from.data.0;),
+    }
+}
+
+fn tuple_or_one(variables: &[Ident]) -> TokenStream {
+    match variables {
+        [one] => quote!(#one),
+        _ => quote!([#(#variables),*]),
+    }
+}

@@ -1,0 +1,210 @@
+//! The chain as integrators and generic code see it, and how a closed one is put back onto its
+//! closure.
+
+use super::Plan;
+use super::docs;
+use super::looped::Target;
+use super::names::local;
+use super::spread::Spread;
+use crate::program::Program;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The chain as integrators see it.
+pub fn integrable(plan: &Plan) -> TokenStream {
+    let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
+    let rates = map(plan, &plan.programs.coordinate_rates);
+    let normalized = map(plan, &plan.programs.normalized);
+    let step = local(&plan.programs.symbols.names()[plan.programs.symbols.step().start]);
+    let implicit = plan.programs.implicit.as_ref().map(|_| {
+        quote! {
+            #[inline]
+            fn implicit_derivative_into(
+                &self,
+                state: &#state<T>,
+                inputs: &#inputs<T>,
+                #step: T,
+                rate: &mut #state<T>,
+            ) -> ::core::result::Result<(), ::mstmm::Error> {
+                self.implicit_accelerations_into(state, inputs, #step, &mut rate.v)?;
+                self.configuration_rate_into(state, rate);
+                ::core::result::Result::Ok(())
+            }
+        }
+    });
+    let correction = correction(plan);
+    let (correct, close, assemble) = (&correction.correct, &correction.close, &correction.assemble);
+    quote! {
+        impl<T: ::mstmm::Scalar> ::mstmm::Chain for #name<T> {
+            type Scalar = T;
+            type State = #state<T>;
+            type Inputs = #inputs<T>;
+
+            #[inline]
+            #[allow(unused_doc_comments, unused_variables, clippy::all)]
+            fn derivative_into(
+                &self,
+                state: &#state<T>,
+                inputs: &#inputs<T>,
+                rate: &mut #state<T>,
+            ) -> ::core::result::Result<(), ::mstmm::Error> {
+                self.accelerations_into(state, inputs, &mut rate.v)?;
+                self.configuration_rate_into(state, rate);
+                ::core::result::Result::Ok(())
+            }
+
+            #implicit
+
+            #[inline]
+            #[allow(unused_doc_comments, unused_variables, clippy::all)]
+            fn configuration_rate_into(&self, state: &#state<T>, rate: &mut #state<T>) {
+                rate.q.data.0 = { #rates };
+            }
+
+            #[inline]
+            #[allow(unused_doc_comments, unused_variables, clippy::all)]
+            fn normalize(&self, state: &mut #state<T>) {
+                state.q.data.0 = { #normalized };
+            }
+
+            #close
+        }
+
+        #correct
+        #assemble
+    }
+}
+
+/// How a closed chain is put back onto its closure.
+struct Correction {
+    correct: TokenStream,
+    close: TokenStream,
+    assemble: TokenStream,
+}
+
+fn correction(plan: &Plan) -> Correction {
+    let Some(program) = &plan.programs.correction else {
+        let [correct, close, assemble] = [(); 3].map(|()| TokenStream::new());
+        return Correction { correct, close, assemble };
+    };
+    let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
+    let visibility = &plan.surface.visibility;
+    let targets = [(0, Spread::coordinates(plan)), (1, Spread::freedoms(plan))];
+    let targets = targets.map(|(group, spread)| Target { group, spread });
+    let block = plan.step(program, &targets, false);
+    let (statements, q, v, residual) =
+        (block.statements, &block.arrays[0], &block.arrays[1], &block.outputs[2]);
+    let cost = docs::cost(program);
+    Correction {
+        correct: quote! {
+            #[allow(dead_code)]
+            impl<T: ::mstmm::Scalar> #name<T> {
+                /// Corrects coordinates and rates once by the smallest motion that closes the
+                /// chain, and returns how far it was from closed.
+                ///
+                #(#[doc = #cost])*
+                #[allow(unused_doc_comments, unused_variables, clippy::all)]
+                fn correct(&self, state: &mut #state<T>, inputs: &#inputs<T>) -> T {
+                    #statements
+                    let residual = #(#residual)*;
+                    state.q.data.0 = [#q];
+                    state.v.data.0 = [#v];
+                    residual
+                }
+            }
+        },
+        close: quote! {
+            #[inline]
+            fn close(
+                &self,
+                state: &mut #state<T>,
+                inputs: impl ::core::ops::FnOnce(&#state<T>) -> #inputs<T>,
+            ) {
+                let inputs = inputs(state);
+                self.correct(state, &inputs);
+            }
+        },
+        assemble: quote! {
+            impl<T: ::mstmm::Scalar> #name<T> {
+                /// Closes the chain: moves `state` to coordinates and rates nearby, measured by
+                /// the kinetic energy that it takes, that fulfil the closure.
+                ///
+                /// # Errors
+                ///
+                /// [`Error::NotAssembled`](::mstmm::Error::NotAssembled) if that leads nowhere;
+                /// `state` is left as it was.
+                #[allow(dead_code)]
+                #visibility fn assemble(
+                    &self,
+                    state: &mut #state<T>,
+                    inputs: &#inputs<T>,
+                ) -> ::core::result::Result<(), ::mstmm::Error> {
+                    ::mstmm::generated::assemble(state, |state| self.correct(state, inputs))
+                }
+            }
+        },
+    }
+}
+
+/// The chain as generic code sees it.
+pub fn generated(plan: &Plan) -> TokenStream {
+    let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
+    let workspace = &plan.names.workspace;
+    let assemble = plan.programs.correction.as_ref().map(|_| {
+        quote! {
+            #[inline]
+            fn assemble(
+                &self,
+                state: &mut #state<T>,
+                inputs: &#inputs<T>,
+            ) -> ::core::result::Result<(), ::mstmm::Error> {
+                self.assemble(state, inputs)
+            }
+        }
+    });
+    quote! {
+        impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for #name<T> {
+            type Workspace = #workspace<T>;
+
+            #[inline]
+            fn initial_state(&self) -> #state<T> {
+                self.initial_state()
+            }
+
+            #[inline]
+            fn no_inputs(&self) -> #inputs<T> {
+                self.no_inputs()
+            }
+
+            #[inline]
+            fn workspace(&self) -> #workspace<T> {
+                self.workspace()
+            }
+
+            #[inline]
+            fn solve_into(
+                &self,
+                state: &#state<T>,
+                inputs: &#inputs<T>,
+                at: &mut #workspace<T>,
+            ) -> ::core::result::Result<(), ::mstmm::Error> {
+                self.solve_into(state, inputs, at)
+            }
+
+            #assemble
+
+            #[inline]
+            fn energy(&self, state: &#state<T>) -> ::mstmm::Energy<T> {
+                self.energy(state)
+            }
+        }
+    }
+}
+
+/// A program that maps coordinates, as the only column of a vector.
+fn map(plan: &Plan, program: &Program) -> TokenStream {
+    let target = Target { group: 0, spread: Spread::coordinates(plan) };
+    let block = plan.step(program, &[target], false);
+    let (statements, results) = (block.statements, &block.arrays[0]);
+    quote!(#statements [#results])
+}

@@ -1,0 +1,257 @@
+//! Loops over the times of repeated parts, and the arrays that they fill.
+
+use super::Plan;
+use super::inputs;
+use super::names::local;
+use super::spread::{Piece, Spread};
+use crate::program::{Block, Loop, Operand, Program};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+/// A group of results that go into an array.
+#[derive(Clone, Debug)]
+pub struct Target {
+    /// Which group.
+    pub group: usize,
+    /// Where the numbers of the group lie in the array.
+    pub spread: Spread,
+}
+
+/// The pivots of repeated parts: their number among all pivots, and whether all times of them are
+/// positive.
+pub type Masks = Vec<(usize, Ident)>;
+
+/// The groups of pivots and of their scales.
+pub const PIVOTS: usize = 1;
+pub const SCALES: usize = 2;
+
+/// The array of a group.
+pub fn array(group: usize) -> Ident {
+    local(&format!("results{group}"))
+}
+
+/// A pattern and the iterator whose items it takes apart.
+pub type Stream = (TokenStream, TokenStream);
+
+impl Plan<'_> {
+    /// The blocks of a program with loops, and the arrays that they fill for `targets`.
+    pub fn looped(&self, program: &Program, targets: &[Target], masks: &Masks) -> TokenStream {
+        let arrays = targets.iter().map(|target| {
+            let (array, total) = (array(target.group), usize_literal(target.spread.total));
+            quote!(let mut #array = [T::constant(0.0); #total];)
+        });
+        let mask_names = masks.iter().map(|(_, name)| name);
+        let stores = program.blocks.iter().enumerate().map(|(number, block)| match block {
+            Block::Loop(turn) if !turn.stores.is_empty() => {
+                let (store, count) = (store_name(number), usize_literal(turn.stores.len()));
+                let times = usize_literal(self.chain.repeats[turn.repeat].count);
+                quote!(let mut #store = [[T::constant(0.0); #count]; #times];)
+            }
+            _ => TokenStream::new(),
+        });
+        let blocks = program.blocks.iter().enumerate().map(|(number, block)| match block {
+            Block::Once(sections) => self.sections(sections, false),
+            Block::Loop(turn) => self.turn(program, (number, turn), targets, masks),
+        });
+        let fill = targets.iter().map(|target| self.fill(program, target));
+        quote! {
+            #(#arrays)*
+            #(let mut #mask_names = <T::Mask as ::mstmm::Mask>::splat(true);)*
+            #(#stores)*
+            #(#blocks)*
+            #(#fill)*
+        }
+    }
+
+    /// Results that are the same every time, or stand once.
+    fn fill(&self, program: &Program, target: &Target) -> TokenStream {
+        let outputs = &program.outputs[target.group];
+        let fill = |piece: &Piece| {
+            let own = &outputs[piece.first..piece.first + piece.count];
+            let names: Vec<Option<Ident>> = own
+                .iter()
+                .enumerate()
+                .map(|(k, value)| (*value != Operand::Repeated).then(|| format_ident!("o{k}")))
+                .collect();
+            if names.iter().all(Option::is_none) {
+                return TokenStream::new();
+            }
+            let set = own.iter().zip(&names).filter_map(|(value, name)| {
+                let (value, name) = (self.operand(value), name.as_ref()?);
+                Some(quote!(*#name = #value;))
+            });
+            let (pattern, slices) = (pattern(&names), slices_mut(&array(target.group), piece));
+            quote! {
+                for #pattern in #slices {
+                    #(#set)*
+                }
+            }
+        };
+        target.spread.pieces.iter().map(fill).collect()
+    }
+
+    /// A loop.
+    fn turn(
+        &self,
+        program: &Program,
+        (number, turn): (usize, &Loop),
+        targets: &[Target],
+        masks: &Masks,
+    ) -> TokenStream {
+        let mut streams = self.state_streams(turn);
+        let (inputs, taken) = inputs::streams(self, turn);
+        streams.extend(inputs);
+        streams.extend(turn.loads.iter().filter_map(|load| load_stream(program, load)));
+        let mut writes = TokenStream::new();
+        if !turn.stores.is_empty() {
+            let (store, names) = (store_name(number), turn.stores.iter().map(|name| local(name)));
+            streams.push((quote!(store), quote!(#store.iter_mut())));
+            writes.extend(quote!(*store = [#(#names),*];));
+        }
+        for target in targets {
+            let own = target.spread.pieces.iter();
+            for piece in own.filter(|piece| piece.repeat == Some(turn.repeat)) {
+                let (stream, write) = self.write(turn, target, piece);
+                streams.extend(stream);
+                writes.extend(write);
+            }
+        }
+        writes.extend(masks.iter().filter_map(|mask| self.check(program, turn, mask)));
+        let names: Vec<Ident> = turn.carries.iter().map(|carry| local(&carry.name)).collect();
+        let firsts = turn.carries.iter().map(|carry| self.operand(&carry.first));
+        let nexts = turn.carries.iter().map(|carry| self.operand(&carry.next));
+        let entering = turn.carries.iter().map(|carry| local(&carry.entering));
+        let sections = self.sections(&turn.sections, false);
+        let times = usize_literal(self.chain.repeats[turn.repeat].count);
+        let (pattern, iterator) = zipped(streams, &times, turn.inwards);
+        quote! {
+            #(let mut #names = #firsts;)*
+            for #pattern in #iterator {
+                #taken
+                #(let #entering = #names;)*
+                #sections
+                #writes
+                (#(#names,)*) = (#(#nexts,)*);
+            }
+        }
+    }
+
+    /// What a loop reads of the state.
+    fn state_streams(&self, turn: &Loop) -> Vec<Stream> {
+        let symbols = &self.programs.symbols;
+        let both = [
+            (symbols.q(), Spread::coordinates(self), quote!(state.q)),
+            (symbols.v(), Spread::freedoms(self), quote!(state.v)),
+        ];
+        let mut streams = Vec::new();
+        for (range, spread, from) in both {
+            for piece in spread.pieces.iter().filter(|piece| piece.repeat == Some(turn.repeat)) {
+                let numbers = range.start + piece.first..range.start + piece.first + piece.count;
+                let names: Vec<Option<Ident>> =
+                    numbers.map(|number| self.read_in(turn, number)).collect();
+                if names.iter().any(Option::is_some) {
+                    let pattern = pattern(&names);
+                    streams.push((quote!(&#pattern), slices(&from, piece)));
+                }
+            }
+        }
+        streams
+    }
+
+    /// The variable of an unknown, if a loop reads it.
+    pub fn read_in(&self, turn: &Loop, number: usize) -> Option<Ident> {
+        let read = turn.symbols.binary_search(&(number as u32)).is_ok();
+        read.then(|| local(&self.programs.symbols.names()[number]))
+    }
+
+    /// Writes what a loop has for a piece of an array.
+    fn write(&self, turn: &Loop, target: &Target, piece: &Piece) -> (Option<Stream>, TokenStream) {
+        let mut writes = TokenStream::new();
+        let mut names = Vec::new();
+        for place in piece.first..piece.first + piece.count {
+            let here =
+                |(group, at, _): &&(usize, usize, Operand)| *group == target.group && *at == place;
+            names.push(turn.outputs.iter().find(here).map(|(_, _, value)| {
+                let (name, value) =
+                    (format_ident!("o{}_{place}", target.group), self.operand(value));
+                writes.extend(quote!(*#name = #value;));
+                name
+            }));
+        }
+        let any = names.iter().any(Option::is_some);
+        let stream = any.then(|| (pattern(&names), slices_mut(&array(target.group), piece)));
+        (stream, writes)
+    }
+
+    /// Takes down whether a pivot of this loop is positive.
+    fn check(
+        &self,
+        program: &Program,
+        turn: &Loop,
+        (number, mask): &(usize, Ident),
+    ) -> Option<TokenStream> {
+        let find = |group: usize| {
+            let here = |(g, place, _): &&(usize, usize, Operand)| *g == group && place == number;
+            turn.outputs.iter().find(here).map(|(_, _, value)| self.operand(value))
+        };
+        let value = find(PIVOTS)?;
+        let once = || self.operand(&program.outputs[SCALES][*number]);
+        let scale = find(SCALES).unwrap_or_else(once);
+        Some(quote!(#mask = #mask & ::mstmm::generated::exceeds_noise(#value, #scale);))
+    }
+}
+
+/// What a loop reads of what an earlier one has stored.
+fn load_stream(program: &Program, (from, names): &(usize, Vec<String>)) -> Option<Stream> {
+    let Some(Block::Loop(earlier)) = program.blocks.get(*from) else { return None };
+    let wanted: Vec<Option<Ident>> =
+        earlier.stores.iter().map(|name| names.contains(name).then(|| local(name))).collect();
+    let (pattern, store) = (pattern(&wanted), store_name(*from));
+    Some((quote!(&#pattern), quote!(#store.iter())))
+}
+
+fn store_name(block: usize) -> Ident {
+    local(&format!("store{block}"))
+}
+
+/// A literal without a suffix.
+pub fn usize_literal(value: usize) -> Literal {
+    Literal::usize_unsuffixed(value)
+}
+
+/// A pattern of an array's numbers.
+fn pattern(names: &[Option<Ident>]) -> TokenStream {
+    let names = names.iter().map(|name| match name {
+        Some(name) => quote!(#name),
+        None => quote!(_),
+    });
+    quote!([#(#names),*])
+}
+
+/// The numbers of a piece, time by time.
+pub fn slices(array: &impl ToTokens, piece: &Piece) -> TokenStream {
+    let [count, place, times] = [piece.count, piece.place, piece.times].map(usize_literal);
+    quote!(::mstmm::generated::times::<T, #count>(#array.as_slice(), #place, #times).iter())
+}
+
+/// The numbers of a piece, time by time, to be written.
+pub fn slices_mut(array: &impl ToTokens, piece: &Piece) -> TokenStream {
+    let [count, place, times] = [piece.count, piece.place, piece.times].map(usize_literal);
+    quote! {
+        ::mstmm::generated::times_mut::<T, #count>(#array.as_mut_slice(), #place, #times).iter_mut()
+    }
+}
+
+/// One pattern and one iterator for several.
+fn zipped(streams: Vec<Stream>, times: &Literal, inwards: bool) -> Stream {
+    let mut streams = streams.into_iter();
+    let (mut pattern, mut iterator) = streams.next().unwrap_or((quote!(_), quote!((0..#times))));
+    for (next_pattern, next_iterator) in streams {
+        pattern = quote!((#pattern, #next_pattern));
+        iterator = quote!(#iterator.zip(#next_iterator));
+    }
+    if inwards {
+        iterator = quote!(#iterator.rev());
+    }
+    (pattern, iterator)
+}

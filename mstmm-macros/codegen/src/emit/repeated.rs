@@ -1,0 +1,277 @@
+//! Access by index to the hinges and bodies of repeated parts, and access to all others of such a
+//! chain.
+
+use super::Plan;
+use super::inputs::numbers_type;
+use super::looped::{slices, slices_mut, usize_literal};
+use super::names::accessor_mut;
+use super::spread::{Piece, Spread, numbers_of_point};
+use super::workspace::point_type;
+use crate::model::{Group, HingeId};
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+use std::ops::Range;
+
+/// Where a hinge's numbers lie: the piece of each array, and the numbers' places in the piece.
+struct Parts {
+    q: Option<(Piece, Range<usize>)>,
+    v: Option<(Piece, Range<usize>)>,
+}
+
+impl Parts {
+    fn of(plan: &Plan, hinge: HingeId) -> Self {
+        let within = |spread: Spread, range: &Range<usize>| {
+            let piece = *spread.piece_of(range.start)?;
+            Some((piece, range.start - piece.first..range.end - piece.first))
+        };
+        Parts {
+            q: within(Spread::coordinates(plan), &plan.layout.q[hinge]),
+            v: within(Spread::freedoms(plan), &plan.layout.v[hinge]),
+        }
+    }
+
+    /// What takes the numbers of one time out of the arrays.
+    fn taken(&self, at: &TokenStream, change: bool) -> TokenStream {
+        let take = |part: &Option<(Piece, Range<usize>)>, letter: &str, array: TokenStream| {
+            let Some((piece, range)) = part else { return TokenStream::new() };
+            let names = (0..piece.count).map(|k| {
+                if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
+            });
+            if change {
+                let slices = slices_mut(&array, piece);
+                quote!(let [#(#names),*] = #slices.nth(#at)?;)
+            } else {
+                let slices = slices(&array, piece);
+                quote!(let &[#(#names),*] = #slices.nth(#at)?;)
+            }
+        };
+        let (q, v) = (take(&self.q, "q", quote!(self.q)), take(&self.v, "v", quote!(self.v)));
+        quote!(#q #v)
+    }
+}
+
+fn variable(letter: &str, number: usize) -> TokenStream {
+    let name = format_ident!("{letter}{number}");
+    quote!(#name)
+}
+
+/// The arguments of a view's constructor, group by group, under names that begin with `prefix`.
+fn groups(plan: &Plan, hinge: HingeId, prefix: &str) -> Vec<TokenStream> {
+    let view = plan.chain.hinges[hinge].kind.shape().view.iter().flat_map(|view| view.groups);
+    let group = |group: &Group| {
+        let (letter, range) = match group {
+            Group::Coordinates(range) => ("q", range.clone()),
+            Group::Rates(range) => ("v", range.clone()),
+        };
+        let letter = format!("{prefix}{letter}");
+        let names: Vec<TokenStream> = range.map(|k| variable(&letter, k)).collect();
+        if names.len() == 1 { quote!(#(#names)*) } else { quote!([#(#names),*]) }
+    };
+    view.map(group).collect()
+}
+
+fn view_name(plan: &Plan, hinge: HingeId, suffix: &str) -> Ident {
+    let view = plan.chain.hinges[hinge].kind.shape().view.as_ref();
+    format_ident!("{}{suffix}", view.map_or("", |view| view.name))
+}
+
+/// The views of a repeated hinge.
+pub fn state_accessors(plan: &Plan, hinge: HingeId, count: usize) -> TokenStream {
+    let name = &plan.chain.hinges[hinge].name;
+    let (name_mut, set_each) = (accessor_mut(name), format_ident!("set_each_{name}"));
+    let visibility = &plan.surface.visibility;
+    let parts = Parts::of(plan, hinge);
+    let index = quote!(index);
+    let (read, change) = (parts.taken(&index, false), parts.taken(&index, true));
+    let (groups, new_groups) = (groups(plan, hinge, ""), groups(plan, hinge, "new_"));
+    let (view, view_mut) = (view_name(plan, hinge, ""), view_name(plan, hinge, "Mut"));
+    let kind = &plan.chain.hinges[hinge].kind;
+    let given =
+        |letter: &'static str, count: usize| (0..count).map(move |k| format_ident!("{letter}{k}"));
+    let all: Vec<Ident> =
+        given("q", kind.coordinates()).chain(given("v", kind.freedoms())).collect();
+    let new: Vec<Ident> = all.iter().map(|name| format_ident!("new_{name}")).collect();
+    let times = usize_literal(count);
+    let doc = format!(" Coordinates and rates of hinge `{name}` number `index` of {count}.");
+    let doc_mut = format!("{doc} To be changed.");
+    let doc_set = format!(" Sets coordinates and rates of all hinges `{name}` by their index.");
+    quote! {
+        #[doc = #doc]
+        #[inline]
+        #[must_use]
+        #visibility fn #name(
+            &self,
+            index: usize,
+        ) -> ::core::option::Option<::mstmm::#view<T>> {
+            #read
+            ::core::option::Option::Some(::mstmm::#view::new(#(#groups),*))
+        }
+
+        #[doc = #doc_mut]
+        #[inline]
+        #visibility fn #name_mut(
+            &mut self,
+            index: usize,
+        ) -> ::core::option::Option<::mstmm::#view_mut<'_, T>> {
+            #change
+            ::core::option::Option::Some(::mstmm::#view_mut::new(#(#groups),*))
+        }
+
+        #[doc = #doc_set]
+        #visibility fn #set_each(&mut self, mut view: impl ::core::ops::FnMut(usize) -> ::mstmm::#view<T>) {
+            let mut set = |index: usize| -> ::core::option::Option<()> {
+                let (#(#new_groups,)*) = view(index).into_groups();
+                #change
+                #(*#all = #new;)*
+                ::core::option::Option::Some(())
+            };
+            for index in 0..#times {
+                set(index);
+            }
+        }
+    }
+}
+
+/// The views of a hinge that stands once.
+pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str)) -> TokenStream {
+    let name = &plan.chain.hinges[hinge].name;
+    let (name_mut, visibility) = (accessor_mut(name), &plan.surface.visibility);
+    let (view, view_mut) = (view_name(plan, hinge, ""), view_name(plan, hinge, "Mut"));
+    let Parts { q: Some((q, q_range)), v: Some((v, v_range)) } = Parts::of(plan, hinge) else {
+        return TokenStream::new();
+    };
+    let read = |(piece, range): (&Piece, &Range<usize>), letter: &str, array: TokenStream| {
+        let [count, place] = [piece.count, piece.place].map(usize_literal);
+        let names = (0..piece.count).map(|k| {
+            if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
+        });
+        quote! {
+            let [#(#names),*] = ::mstmm::generated::piece::<T, #count>(#array.as_slice(), #place);
+        }
+    };
+    let (read_q, read_v) =
+        (read((&q, &q_range), "q", quote!(self.q)), read((&v, &v_range), "v", quote!(self.v)));
+    // Counted from the nearer end, so that it stays short behind a long repeated part.
+    let change = |spread: Spread, (piece, range): (&Piece, &Range<usize>), letter, array| {
+        let names = (0..range.len()).map(|k| variable(letter, k));
+        let before = piece.place + range.start;
+        let after = spread.total - before - range.len();
+        let pattern = if before <= after {
+            let skipped = (0..before).map(|_| quote!(_,));
+            quote!([#(#skipped)* #(#names,)* ..])
+        } else {
+            let skipped = (0..after).map(|_| quote!(_,));
+            quote!([.., #(#names,)* #(#skipped)*])
+        };
+        let array: TokenStream = array;
+        quote!(let [#pattern] = &mut #array.data.0;)
+    };
+    let groups = groups(plan, hinge, "");
+    let (change_q, change_v) = (
+        change(Spread::coordinates(plan), (&q, &q_range), "q", quote!(self.q)),
+        change(Spread::freedoms(plan), (&v, &v_range), "v", quote!(self.v)),
+    );
+    quote! {
+        #[doc = #doc]
+        #[inline]
+        #[must_use]
+        #visibility fn #name(&self) -> ::mstmm::#view<T> {
+            #read_q
+            #read_v
+            ::mstmm::#view::new(#(#groups),*)
+        }
+
+        #[doc = #doc_mut]
+        #[inline]
+        #visibility fn #name_mut(&mut self) -> ::mstmm::#view_mut<'_, T> {
+            #change_q
+            #change_v
+            ::mstmm::#view_mut::new(#(#groups),*)
+        }
+    }
+}
+
+/// Where an element's input point lies among all points: the first time, and how many points on from
+/// there every further time.
+pub fn points_of(plan: &Plan, place: usize) -> (usize, usize) {
+    let each = numbers_of_point(plan.chain.dimension);
+    let spread = Spread::points(plan);
+    let Some(piece) = spread.piece_of((place + 1) * each) else { return (0, 0) };
+    let output = piece.place / each + (place + 1 - piece.first / each);
+    (output - 1, piece.count / each)
+}
+
+/// The result of a repeated body.
+pub fn body(plan: &Plan, (name, place): (&Ident, usize), count: usize) -> TokenStream {
+    let (visibility, point) = (&plan.surface.visibility, point_type(plan));
+    let doc = format!(" Input and output of body `{name}` number `index` of {count}.");
+    let ends = ends(plan, place, count);
+    quote! {
+        #[doc = #doc]
+        #[inline]
+        #visibility fn #name(
+            &self,
+            index: usize,
+        ) -> ::core::option::Option<::mstmm::BodyResult<'_, T, ::mstmm::#point<T>>> {
+            #ends
+            ::core::option::Option::Some(::mstmm::BodyResult::new(input, output))
+        }
+    }
+}
+
+/// The result of a repeated hinge.
+pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> TokenStream {
+    let name = &plan.chain.hinges[index].name;
+    let (visibility, point) = (&plan.surface.visibility, point_type(plan));
+    let range = &plan.layout.rates[index];
+    let ty = numbers_type(range.len());
+    let spread = Spread::rates(plan);
+    let of = |field: TokenStream| match (spread.piece_of(range.start), range.len()) {
+        (Some(piece), 1..) => {
+            let slices = slices(&field, piece);
+            let names = (0..piece.count).map(|k| {
+                let inside = (piece.first + k >= range.start) && (piece.first + k < range.end);
+                if inside { variable("x", piece.first + k - range.start) } else { quote!(_) }
+            });
+            let own: Vec<TokenStream> = (0..range.len()).map(|k| variable("x", k)).collect();
+            let value = match &own[..] {
+                [one] => quote!(#one),
+                _ => quote!(::mstmm::generated::vector([#(#own),*])),
+            };
+            quote!({
+                let &[#(#names),*] = #slices.nth(index)?;
+                #value
+            })
+        }
+        _ => quote!(()),
+    };
+    let (acceleration, effort) = (of(quote!(self.rate_accelerations)), of(quote!(self.efforts)));
+    let doc = format!(
+        " Acceleration, effort, input and output of hinge `{name}` number `index` of {count}."
+    );
+    let ends = ends(plan, place, count);
+    quote! {
+        #[doc = #doc]
+        #[inline]
+        #visibility fn #name(
+            &self,
+            index: usize,
+        ) -> ::core::option::Option<::mstmm::HingeResult<'_, T, #ty, ::mstmm::#point<T>>> {
+            #ends
+            let result = ::mstmm::HingeResult::new(#acceleration, #effort, input, output);
+            ::core::option::Option::Some(result)
+        }
+    }
+}
+
+/// Binds `input` and `output` of a repeated element.
+fn ends(plan: &Plan, place: usize, count: usize) -> TokenStream {
+    let (first, stride) = points_of(plan, place);
+    let [first, stride, count] = [first, stride, count].map(usize_literal);
+    quote! {
+        if index >= #count {
+            return ::core::option::Option::None;
+        }
+        let [input, output] = self.points.get(#first + index * #stride..)?.first_chunk()?;
+    }
+}

@@ -1,0 +1,89 @@
+//! Where numbers lie in arrays: those of a repeated part once for every time.
+
+use super::Plan;
+use crate::model::{Dimension, Element};
+
+/// An array that holds numbers of all hinges, or of all connection points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spread {
+    /// How many numbers the array holds.
+    pub total: usize,
+    /// Its pieces, in their order.
+    pub pieces: Vec<Piece>,
+}
+
+/// Numbers that follow on each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// Where they begin among the numbers of the model, which has every repeated part once.
+    pub first: usize,
+    /// How many the model has.
+    pub count: usize,
+    /// Where they begin in the array.
+    pub place: usize,
+    /// The repeated part that they belong to.
+    pub repeat: Option<usize>,
+    /// How often they stand there.
+    pub times: usize,
+}
+
+impl Spread {
+    fn of(plan: &Plan, items: impl Iterator<Item = (usize, Option<usize>)>) -> Self {
+        let mut pieces: Vec<Piece> = Vec::new();
+        let (mut first, mut place) = (0, 0);
+        for (count, repeat) in items.filter(|(count, _)| *count > 0) {
+            let times = repeat.map_or(1, |repeat| plan.chain.repeats[repeat].count);
+            match pieces.last_mut() {
+                Some(last) if last.repeat == repeat => last.count += count,
+                _ => pieces.push(Piece { first, count, place, repeat, times }),
+            }
+            first += count;
+            place += count * times;
+        }
+        Spread { total: place, pieces }
+    }
+
+    /// The coordinates `q`.
+    pub fn coordinates(plan: &Plan) -> Self {
+        Spread::of_hinges(plan, |hinge| plan.layout.q[hinge].len())
+    }
+
+    /// The rates `v`.
+    pub fn freedoms(plan: &Plan) -> Self {
+        Spread::of_hinges(plan, |hinge| plan.layout.v[hinge].len())
+    }
+
+    /// Accelerations and efforts of all rates.
+    pub fn rates(plan: &Plan) -> Self {
+        Spread::of_hinges(plan, |hinge| plan.layout.rates[hinge].len())
+    }
+
+    fn of_hinges(plan: &Plan, count: impl Fn(usize) -> usize) -> Self {
+        let hinges = 0..plan.chain.hinges.len();
+        Spread::of(plan, hinges.map(|hinge| (count(hinge), plan.chain.repeat_of_hinge(hinge))))
+    }
+
+    /// The numbers of all connection points.
+    pub fn points(plan: &Plan) -> Self {
+        let each = numbers_of_point(plan.chain.dimension);
+        let outputs = plan.chain.route.iter().map(|element| match *element {
+            Element::Hinge(hinge) => (each, plan.chain.repeat_of_hinge(hinge)),
+            Element::Body(body) => (each, plan.chain.repeat_of_body(body)),
+        });
+        Spread::of(plan, std::iter::once((each, None)).chain(outputs))
+    }
+
+    /// The piece that a number of the model belongs to.
+    pub fn piece_of(&self, number: usize) -> Option<&Piece> {
+        self.pieces.iter().find(|piece| (piece.first..piece.first + piece.count).contains(&number))
+    }
+}
+
+/// How many numbers a connection point is made from.
+pub fn numbers_of_point(dimension: Dimension) -> usize {
+    match dimension {
+        Dimension::Space => 30,
+        Dimension::Plane => 13,
+        Dimension::Line => 4,
+    }
+}

@@ -1,0 +1,197 @@
+//! The hinge that closes a chain held at both ends: which directions it holds, what it demands of
+//! the points that it joins, and what it exerts.
+//!
+//! With `a_p` of the link on its inboard side and `a_c` of its outboard side, both known but for
+//! `a_p`, and directions `T` that it holds, `Tᵀ S = 0`:
+//!
+//! (1)  `Tᵀ (a_c − X a_p − b) = 0`, `F = T λ + W τ`
+//! (2)  `q̈ = Wᵀ (a_c − X a_p − b)`, `Wᵀ S = 1`
+//!
+//! A rotor with inertia `I` along a free direction holds that one with an inertia: the direction is
+//! `−I W`, and its `λ` is the acceleration `q̈ = Wᵀ (a_c − X a_p − b)`, so that `F = W (τ − I q̈)`.
+
+use super::motion::{Crossed, LinkMotion, cross, link_of};
+use super::{Axes, Situation, hinge};
+use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
+use crate::model::HingeId;
+
+/// The hinge that closes a chain.
+#[derive(Clone, Debug)]
+pub struct Closing<S> {
+    /// The hinge, crossed from its inboard side.
+    pub over: Crossed<S>,
+    /// The link on its inboard side; none if that is the ground.
+    pub parent: Option<usize>,
+    /// The link on its outboard side; none if that is the ground.
+    pub child: Option<usize>,
+    /// From the point of the outboard link to the hinge, work axes of that link.
+    child_arm: Vec3<S>,
+    /// Work axes of the outboard link to those of the hinge.
+    child_to_work: Mat3<S>,
+    /// The directions that it holds.
+    pub held: Vec<Held<S>>,
+    /// `W`: wrenches that do work on one rate each.
+    pub duals: Vec<Wrench<S>>,
+}
+
+/// A direction that a closing hinge holds.
+#[derive(Clone, Copy, Debug)]
+pub struct Held<S> {
+    /// The wrench along it, on the outboard side at the hinge, work axes.
+    pub wrench: Wrench<S>,
+    /// The inertia of the rotor, if that alone holds it; zero otherwise.
+    pub inertia: S,
+}
+
+/// The closing hinge, if there is one.
+pub fn closing<S: Scalar>(
+    situation: &Situation<S>,
+    axes: Axes,
+    links: &[LinkMotion<S>],
+) -> Option<Closing<S>> {
+    let &index = situation.layout.closings.first()?;
+    let hinge = &situation.chain.hinges[index];
+    let (inboard, ..) = situation.place(&hinge.inboard);
+    let (outboard, origin, rotation) = situation.place(&hinge.outboard);
+    let (parent, child) = (link_of(inboard), link_of(outboard));
+    let over = cross(situation, axes, (index, false), parent.map(|link| &links[link]));
+    let alignment = hinge::alignment(&hinge.kind, situation.numbers);
+    let (attitude, point) = match child {
+        None => (Mat3::identity(), Vec3::zero()),
+        Some(link) => (links[link].attitude, links[link].point),
+    };
+    let child_to_work = over.from_child * (attitude * (rotation * alignment)).transposed();
+    let child_arm = attitude * (origin - point);
+    let to_work = Rotation::general(over.from_child);
+    let duals: Vec<Wrench<S>> =
+        duals(&over.aligned).into_iter().map(|dual| dual.turned(&to_work)).collect();
+    let held = held(situation, index, &over, &duals);
+    Some(Closing { over, parent, child, child_arm, child_to_work, held, duals })
+}
+
+fn held<S: Scalar>(
+    situation: &Situation<S>,
+    index: HingeId,
+    over: &Crossed<S>,
+    duals: &[Wrench<S>],
+) -> Vec<Held<S>> {
+    let axes = situation.chain.dimension.axes();
+    let fixed = |wrench| Held { wrench, inertia: S::zero() };
+    if situation.chain.hinges[index].is_prescribed() {
+        return axes.iter().map(|&axis| fixed(Wrench::unit(axis))).collect();
+    }
+    let to_work = Rotation::general(over.from_child);
+    let complement = complement(&over.aligned, axes).into_iter();
+    let mut all: Vec<Held<S>> = complement.map(|held| fixed(held.turned(&to_work))).collect();
+    let inertias = over.passives.inertias.iter().enumerate();
+    for (strain, &inertia) in inertias.filter(|(_, inertia)| !inertia.vanishes()) {
+        let wrench = along_strain(over, duals, strain).scaled(-inertia);
+        all.push(Held { wrench, inertia });
+    }
+    all
+}
+
+/// The wrench that does work on one strain rate only.
+fn along_strain<S: Scalar>(over: &Crossed<S>, duals: &[Wrench<S>], strain: usize) -> Wrench<S> {
+    let rates = duals.iter().zip(&over.passives.strains.rows[strain]);
+    rates.fold(Wrench::zero(), |sum, (&dual, &x)| sum + dual.scaled(x))
+}
+
+/// Wrenches that do no work on any of the motions, among the axes that matter.
+fn complement<S: Scalar>(motions: &[Motion<S>], axes: &[usize]) -> Vec<Wrench<S>> {
+    let present = |k: usize| motions.iter().any(|motion| !motion.at(k).vanishes());
+    let (rows, free): (Vec<usize>, Vec<usize>) = axes.iter().partition(|&&k| present(k));
+    let mut all: Vec<Wrench<S>> = free.into_iter().map(Wrench::unit).collect();
+    match (&rows[..], motions) {
+        // A screw: shift and turn together.
+        (&[i, j], [motion]) => {
+            let (a, b) = (motion.at(i), motion.at(j));
+            all.push(Wrench::unit(j).scaled(a) - Wrench::unit(i).scaled(b));
+        }
+        // A universal hinge: two turns.
+        (&[_, _, _], [first, second]) => {
+            let moment = first.angular.cross(second.angular);
+            all.push(Wrench { force: Vec3::zero(), moment });
+        }
+        _ => {}
+    }
+    all
+}
+
+/// Wrenches each of which does work on one of the motions and none on the others.
+fn duals<S: Scalar>(motions: &[Motion<S>]) -> Vec<Wrench<S>> {
+    let as_wrench = |m: Motion<S>| Wrench { force: m.linear, moment: m.angular };
+    let products: Vec<Vec<S>> =
+        motions.iter().map(|a| motions.iter().map(|&b| a.power(as_wrench(b))).collect()).collect();
+    let inverse = inverse_of_products(&products);
+    let dual = |row: &Vec<S>| {
+        motions.iter().zip(row).fold(Wrench::zero(), |sum, (&m, &x)| sum + as_wrench(m).scaled(x))
+    };
+    inverse.iter().map(dual).collect()
+}
+
+/// The inverse of a symmetric positive matrix, by Gauß and Jordan.
+fn inverse_of_products<S: Scalar>(products: &[Vec<S>]) -> Vec<Vec<S>> {
+    let count = products.len();
+    let mut left = products.to_vec();
+    let (mut right, _) = hinge::identity(count);
+    for k in 0..count {
+        let scale = left[k][k].recip();
+        for side in [&mut left, &mut right] {
+            side[k] = side[k].iter().map(|&x| x * scale).collect();
+        }
+        for i in (0..count).filter(|&i| i != k) {
+            let factor = left[i][k];
+            for side in [&mut left, &mut right] {
+                let row = side[k].clone();
+                side[i] = side[i].iter().zip(row).map(|(&x, y)| x - factor * y).collect();
+            }
+        }
+    }
+    right
+}
+
+impl<S: Scalar> Closing<S> {
+    /// The motion of its outboard side at the hinge, work axes.
+    pub fn of_child(&self, motion: Motion<S>) -> Motion<S> {
+        motion.carried_to(self.child_arm).turned(self.child_to_work)
+    }
+
+    /// The wrench on its outboard side, as one about the point of the outboard link in that link's
+    /// work axes, and that link.
+    pub fn on_child(&self, wrench: Wrench<S>) -> Option<(usize, Wrench<S>)> {
+        let back = Rotation::general(self.child_to_work);
+        Some((self.child?, wrench.turned_back(&back).moved_from(self.child_arm)))
+    }
+
+    /// What the turning of the outboard side adds to the acceleration of the hinge, work axes.
+    pub fn child_drift(&self, links: &[LinkMotion<S>]) -> Motion<S> {
+        let omega = self.child.map_or(Vec3::zero(), |child| links[child].omega);
+        let linear = self.child_to_work * self.child_arm.centripetal(omega);
+        Motion { linear, angular: Vec3::zero() }
+    }
+
+    /// Rates of the hinge, or their changes, that belong to a motion against the inboard side.
+    pub fn rates(&self, relative: Motion<S>) -> Vec<S> {
+        self.duals.iter().map(|&dual| relative.power(dual)).collect()
+    }
+
+    /// The wrench on its outboard side that efforts along its rates exert.
+    pub fn given(&self, efforts: &[S]) -> Wrench<S> {
+        if self.is_prescribed() {
+            return Wrench::zero();
+        }
+        let all = self.duals.iter().zip(efforts);
+        all.fold(Wrench::zero(), |sum, (&dual, &effort)| sum + dual.scaled(effort))
+    }
+
+    fn is_prescribed(&self) -> bool {
+        self.over.freedom.columns.is_empty()
+    }
+
+    /// The wrench on its outboard side.
+    pub fn wrench(&self, given: Wrench<S>, reactions: &[S]) -> Wrench<S> {
+        let all = self.held.iter().zip(reactions);
+        all.fold(given, |sum, (held, &reaction)| sum + held.wrench.scaled(reaction))
+    }
+}

@@ -1,0 +1,134 @@
+//! Back onto the closure: the smallest motion, measured by the kinetic energy that it would take,
+//! that closes a chain whose closing hinge has drifted apart; for coordinates and for rates.
+//!
+//! It is the motion that an impulse at the closing hinge makes, so the equations are those of the
+//! accelerations without velocities, efforts and loads.
+
+use super::closing::{Closing, closing};
+use super::hinge::{alignment, dot};
+use super::load::{Pose, poses};
+use super::motion::LinkMotion;
+use super::problem::{Demand, Movement, Problem};
+use super::{Axes, Situation, Trace, motion, riccati};
+use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
+
+/// What brings a chain back onto its closure.
+#[derive(Clone, Debug)]
+pub struct Correction<S> {
+    /// A motion along the rates, to be made by the coordinates.
+    pub coordinates: Vec<S>,
+    /// What the rates lack.
+    pub rates: Vec<S>,
+    /// How far the closing hinge's sides are apart, in m and rad, and how fast they part, in m/s and
+    /// rad/s: the root of the sum of squares.
+    pub residual: S,
+}
+
+/// The correction; nothing for a chain that is not closed.
+pub fn correction<S: Scalar>(
+    situation: &Situation<S>,
+    trace: &mut Trace<S>,
+) -> Option<Correction<S>> {
+    let links = motion(situation, Axes::Body, trace);
+    let closing = closing(situation, Axes::Body, &links)?;
+    let poses = poses(situation, &links);
+    let apart = gap(situation, &links, &closing, &poses);
+    let parting = parting(&links, &closing, &poses);
+    let size = |motion: Motion<S>| {
+        let axes = situation.chain.dimension.axes();
+        let entries: Vec<S> = axes.iter().map(|&k| motion.at(k)).collect();
+        dot(&entries, &entries)
+    };
+    Some(Correction {
+        coordinates: along(situation, &links, &closing, apart, trace),
+        rates: along(situation, &links, &closing, parting, trace),
+        residual: (size(apart) + size(parting)).sqrt(),
+    })
+}
+
+/// From where the closing hinge arrives to where it should: a shift and a small turn, its axes.
+fn gap<S: Scalar>(
+    situation: &Situation<S>,
+    links: &[LinkMotion<S>],
+    closing: &Closing<S>,
+    poses: &[Pose<S>],
+) -> Motion<S> {
+    let hinge = &situation.chain.hinges[closing.over.hinge];
+    let (_, origin, rotation) = situation.place(&hinge.outboard);
+    let aligned = rotation * alignment(&hinge.kind, situation.numbers);
+    let from = pose_of(closing.parent, poses);
+    let reached = from.position + from.to_inertial * closing.over.arm;
+    let axes = Rotation::general(from.to_inertial * closing.over.to_parent.matrix());
+    let to = pose_of(closing.child, poses);
+    let (attitude, point) = match closing.child {
+        None => (Mat3::identity(), Vec3::zero()),
+        Some(link) => (links[link].attitude, links[link].point),
+    };
+    let wanted = to.position + to.to_inertial * (attitude * (origin - point));
+    let turn = axes.matrix().transposed() * (to.to_inertial * (attitude * aligned));
+    let half = S::number(0.5);
+    let angular =
+        Vec3([turn[2][1] - turn[1][2], turn[0][2] - turn[2][0], turn[1][0] - turn[0][1]]) * half;
+    Motion { linear: axes.back(wanted - reached), angular }
+}
+
+/// How the closing hinge's outboard side moves against what arrives there, its axes.
+fn parting<S: Scalar>(
+    links: &[LinkMotion<S>],
+    closing: &Closing<S>,
+    poses: &[Pose<S>],
+) -> Motion<S> {
+    let velocity = |link: Option<usize>| match link {
+        None => Motion::zero(),
+        Some(link) => Motion { linear: poses[link].velocity, angular: links[link].omega },
+    };
+    let arriving = closing.over.carried(velocity(closing.parent)) + closing.over.relative;
+    closing.of_child(velocity(closing.child)) - arriving
+}
+
+fn pose_of<S: Scalar>(link: Option<usize>, poses: &[Pose<S>]) -> Pose<S> {
+    link.map_or(
+        Pose { position: Vec3::zero(), to_inertial: Mat3::identity(), velocity: Vec3::zero() },
+        |link| poses[link],
+    )
+}
+
+/// The motion of all hinges that moves the closing hinge by `wanted`.
+fn along<S: Scalar>(
+    situation: &Situation<S>,
+    links: &[LinkMotion<S>],
+    closing: &Closing<S>,
+    wanted: Motion<S>,
+    trace: &mut Trace<S>,
+) -> Vec<S> {
+    let problem = Problem {
+        links,
+        dimension: situation.chain.dimension,
+        passage: situation.passage,
+        drift: links.iter().map(|_| Motion::zero()).collect(),
+        loads: links.iter().map(|_| Wrench::zero()).collect(),
+        efforts: links
+            .iter()
+            .map(|link| vec![S::zero(); link.over.freedom.columns.len()])
+            .collect(),
+        ground: Motion::zero(),
+        closing: Some(Demand {
+            closing,
+            reached: closing.held.iter().map(|held| wanted.power(held.wrench)).collect(),
+            given: Wrench::zero(),
+        }),
+    };
+    let (Movement { amounts, points, .. }, _) = riccati::solve(&problem, trace);
+    let layout = situation.layout;
+    let mut rates = vec![S::zero(); layout.freedoms()];
+    for (link, amounts) in links.iter().zip(&amounts) {
+        let range = layout.v[link.over.hinge].clone();
+        rates[range].copy_from_slice(&link.over.freedom.rates(amounts));
+    }
+    let arriving = closing.over.carried(closing.parent.map_or(Motion::zero(), |link| points[link]));
+    let own = layout.v[closing.over.hinge].clone();
+    if !own.is_empty() {
+        rates[own].copy_from_slice(&closing.rates(wanted - arriving));
+    }
+    rates
+}

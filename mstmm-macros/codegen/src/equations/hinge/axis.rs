@@ -1,0 +1,73 @@
+//! Axes of hinges: frames aligned with them, and turns about them.
+
+use crate::equations::Numbers;
+use crate::math::{Mat3, Scalar, Turn, Vec3};
+use crate::model::Value;
+
+/// Axes one of which is a hinge's.
+pub struct Alignment<S> {
+    /// Which of the aligned axes lies along the hinge's.
+    pub axis: usize,
+    /// Whether it points the opposite way.
+    pub opposite: bool,
+    /// Aligned axes to those of the hinge's frames.
+    pub rotation: Mat3<S>,
+}
+
+impl<S: Scalar> Alignment<S> {
+    /// Axes aligned with `axis`; the frame's own where it is one of them.
+    pub fn with(axis: &[Value; 3], numbers: &Numbers<S>) -> Self {
+        let zero = [0, 1, 2].map(|k| axis[k].is_zero());
+        if let Some(k) = (0..3).find(|&k| zero[(k + 1) % 3] && zero[(k + 2) % 3])
+            && let Some(length) = axis[k].known()
+        {
+            return Alignment { axis: k, opposite: length < 0.0, rotation: Mat3::identity() };
+        }
+        // An axis in a coordinate plane: turning the plane leaves most of the matrix zero.
+        let k = (0..3).find(|&k| !zero[k] && zero[(k + 2) % 3]).unwrap_or(2);
+        let unit = numbers.unit(axis);
+        Alignment { axis: k, opposite: false, rotation: frame_along(k, unit) }
+    }
+
+    /// The hinge's axis in aligned axes.
+    pub fn direction(&self) -> Vec3<S> {
+        let unit = Vec3::unit(self.axis);
+        if self.opposite { -unit } else { unit }
+    }
+
+    /// A turn about the hinge's axis.
+    pub fn turn(&self, angle: S) -> Turn<S> {
+        let (sin, cos) = angle.sin_cos();
+        Turn { axis: self.axis, sin: if self.opposite { -sin } else { sin }, cos }
+    }
+}
+
+/// A rotation whose column `k` is `unit`, by a formula without a branch or a singular place:
+/// T. Duff et al., Building an orthonormal basis, revisited, J. Computer Graphics Techniques 2017.
+fn frame_along<S: Scalar>(k: usize, unit: Vec3<S>) -> Mat3<S> {
+    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+    let (x, y, z) = (unit[i], unit[j], unit[k]);
+    let sign = S::one().copysign(z);
+    let a = -(sign + z).recip();
+    let b = x * y * a;
+    let columns = [
+        (i, [S::one() + sign * x * x * a, sign * b, -(sign * x)]),
+        (j, [b, sign + y * y * a, -y]),
+        (k, [x, y, z]),
+    ];
+    let mut rotation = Mat3::zero();
+    for (column, entries) in columns {
+        for (row, entry) in [i, j, k].into_iter().zip(entries) {
+            rotation.0[row][column] = entry;
+        }
+    }
+    rotation
+}
+
+/// The turn by an angle with the given sine and cosine about a unit vector:
+/// `cos 1 + sin ẽ + (1 − cos) e eᵀ`.
+pub fn turn_about<S: Scalar>(unit: Vec3<S>, (sin, cos): (S, S)) -> Mat3<S> {
+    let scaled = unit * (S::one() - cos);
+    let outer = Mat3::from_fn(|i, j| scaled[i] * unit[j]);
+    Mat3::identity() * cos + unit.skew() * sin + outer
+}

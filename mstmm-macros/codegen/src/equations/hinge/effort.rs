@@ -1,0 +1,92 @@
+//! What acts along the free directions of a hinge of itself: springs, dampers, friction, stops and
+//! the inertia of rotors, each along one strain.
+
+use super::passive::{Acting, Along, along_group};
+use super::strain::{self, Strains, strains};
+use crate::equations::Numbers;
+use crate::math::Scalar;
+use crate::model::{Hinge, Passive};
+
+/// What acts along the free directions.
+#[derive(Clone, Debug)]
+pub struct Passives<S> {
+    /// How rates become strain rates.
+    pub strains: Strains<S>,
+    /// Strain rates.
+    pub rates: Vec<S>,
+    /// Efforts, one for each of the hinge's rates; what the rates alone demand of rotors is taken off.
+    pub efforts: Vec<S>,
+    /// Inertia along each strain: of rotors and, in an implicit step, what the step adds.
+    pub inertias: Vec<S>,
+    /// Inertia of rotors along each strain.
+    pub rotors: Vec<S>,
+    /// Energy of springs and stops.
+    pub energy: S,
+}
+
+/// What acts at coordinates `q` and rates `v`. In a linearly implicit Euler step of length `h` the
+/// effort is the one that the change of strain over the step would make,
+/// `σ(s + h ṡ⁺, ṡ⁺) ≈ σ − h k ṡ − (h c + h² k) s̈`: its last part counts as inertia.
+pub fn passives<S: Scalar>(
+    hinge: &Hinge,
+    numbers: &Numbers<S>,
+    q: &[S],
+    v: &[S],
+    implicit: Option<S>,
+) -> Passives<S> {
+    let strains = strains(&hinge.kind, q);
+    let rates = strain::rates(&strains.rows, v);
+    let rotors: Vec<S> = hinge.passive.iter().map(|p| numbers.scalar(&p.armature)).collect();
+    let mut inertias = rotors.clone();
+    let (mut alongs, energy) = acting(hinge, numbers, q, &rates);
+    if let Some(h) = implicit {
+        for ((along, inertia), &rate) in alongs.iter_mut().zip(&mut inertias).zip(&rates) {
+            let step = h * along.stiffness;
+            along.effort = along.effort - step * rate;
+            *inertia = *inertia + h * (along.damping + step);
+        }
+    }
+    let drift = strain::drift(&hinge.kind, q, v, &rotors);
+    let along = alongs.iter().zip(&rotors).zip(drift);
+    let along: Vec<S> =
+        along.map(|((along, &rotor), drift)| along.effort - rotor * drift).collect();
+    let efforts = strain::returned(&strains.rows, &along);
+    Passives { strains, rates, efforts, inertias, rotors, energy }
+}
+
+/// What acts along each strain, and the energy of it.
+fn acting<S: Scalar>(
+    hinge: &Hinge,
+    numbers: &Numbers<S>,
+    q: &[S],
+    rates: &[S],
+) -> (Vec<Along<S>>, S) {
+    if !hinge.passive.iter().any(Passive::has_effort) {
+        return (rates.iter().map(|_| Along::nothing()).collect(), S::zero());
+    }
+    let rest: Vec<S> = hinge.rest.iter().map(|value| numbers.scalar(value)).collect();
+    let strains = strain::values(&hinge.kind, &rest, q);
+    let (mut alongs, mut energy) = (Vec::new(), S::zero());
+    for group in hinge.kind.shape().groups {
+        let (along, stored) = along_group(&Acting {
+            group,
+            passive: &hinge.passive[group.rates.clone()],
+            numbers,
+            strains: &strains[group.rates.clone()],
+            rates: &rates[group.rates.clone()],
+            coordinates: &q[group.coordinates.clone()],
+        });
+        alongs.extend(along);
+        energy = energy + stored;
+    }
+    (alongs, energy)
+}
+
+impl<S: Scalar> Passives<S> {
+    /// What accelerations of the rates take to move the rotors, along the rates.
+    pub fn rotor_loads(&self, accelerations: &[S]) -> Vec<S> {
+        let along = strain::rates(&self.strains.rows, accelerations);
+        let taken: Vec<S> = along.iter().zip(&self.rotors).map(|(&a, &i)| a * i).collect();
+        strain::returned(&self.strains.rows, &taken)
+    }
+}

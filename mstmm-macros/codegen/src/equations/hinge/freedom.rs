@@ -1,0 +1,188 @@
+//! The directions that a hinge leaves free, as the sweeps use them.
+
+use super::crossing::combine;
+use super::strain::Strains;
+use crate::math::{Motion, Scalar, Wrench};
+
+/// The directions that a hinge leaves free, in the work axes of the child.
+///
+/// The child moves against the parent by `Σ columns[i] β[i]` with `β = basis · v`, which `inverse`
+/// undoes. The hinge's condition is `columnsᵀ F = inverseᵀ τ − armature β̇`.
+#[derive(Clone, Debug)]
+pub struct Freedom<S> {
+    /// The free directions; none where the motion is prescribed.
+    pub columns: Vec<Column<S>>,
+    /// Inertia of rotors along each column.
+    pub armature: Vec<S>,
+    basis: Vec<Vec<S>>,
+    inverse: Vec<Vec<S>>,
+}
+
+/// A free direction.
+#[derive(Clone, Copy, Debug)]
+pub enum Column<S> {
+    /// Along (0 to 2) or about (3 to 5) one of the work axes: what is eliminated along it can be
+    /// set to exactly zero.
+    Axis(usize),
+    /// Any other.
+    General(Motion<S>),
+}
+
+impl<S: Scalar> Column<S> {
+    /// `motion` as a column: an axis where it is one.
+    fn of(motion: Motion<S>) -> Self {
+        let present: Vec<usize> = (0..6).filter(|&k| !motion.at(k).vanishes()).collect();
+        match present[..] {
+            [k] if (motion.at(k) - S::one()).vanishes() => Column::Axis(k),
+            _ => Column::General(motion),
+        }
+    }
+
+    /// The direction's six entries.
+    pub fn motion(&self) -> Motion<S> {
+        match self {
+            Column::Axis(axis) => Motion::unit(*axis),
+            Column::General(motion) => *motion,
+        }
+    }
+
+    /// What a pivot along it is measured by, from a mass and a moment of inertia.
+    pub fn scale(&self, mass: S, moment: S) -> S {
+        match self {
+            Column::Axis(axis) if *axis < 3 => mass,
+            Column::Axis(_) => moment,
+            Column::General(Motion { linear, angular }) => {
+                mass * linear.dot(*linear) + moment * angular.dot(*angular)
+            }
+        }
+    }
+}
+
+/// The free directions of a hinge that moves by `subspace`, in work axes; `strains` are those that
+/// its passive elements act on and `armature` the inertias of rotors along them.
+pub fn freedom<S: Scalar>(
+    subspace: &[Motion<S>],
+    strains: &Strains<S>,
+    armature: &[S],
+) -> Freedom<S> {
+    if armature.iter().all(|inertia| inertia.vanishes()) {
+        let on_axes = axes_of(subspace).and_then(|axes| on_axes(subspace, axes, armature));
+        return on_axes
+            .unwrap_or_else(|| along(subspace.to_vec(), identity(subspace.len()), armature));
+    }
+    // Along the strains rotors have one inertia each.
+    let column = |k: usize| {
+        let amounts: Vec<S> = strains.inverse.iter().map(|row| row[k]).collect();
+        combine(subspace.iter(), &amounts)
+    };
+    let columns = (0..subspace.len()).map(column).collect();
+    along(columns, (strains.rows.clone(), strains.inverse.clone()), armature)
+}
+
+/// Nothing is free.
+pub fn prescribed<S>() -> Freedom<S> {
+    Freedom { columns: Vec::new(), armature: Vec::new(), basis: Vec::new(), inverse: Vec::new() }
+}
+
+/// The axes that motions have entries along, if there are as many as motions.
+fn axes_of<S: Scalar>(subspace: &[Motion<S>]) -> Option<Vec<usize>> {
+    let present = |&k: &usize| subspace.iter().any(|motion| !motion.at(k).vanishes());
+    let axes: Vec<usize> = (0..6).filter(present).collect();
+    (axes.len() == subspace.len()).then_some(axes)
+}
+
+/// Whole axes as free directions. The inverse of the basis follows from its blocks: shifts among
+/// themselves, and turns among themselves, are orthogonal.
+///
+/// ```text
+/// basis = [L N]   inverse = [Lᵀ −Lᵀ N Tᵀ]
+///         [0 T]             [0        Tᵀ]
+/// ```
+fn on_axes<S: Scalar>(
+    subspace: &[Motion<S>],
+    axes: Vec<usize>,
+    armature: &[S],
+) -> Option<Freedom<S>> {
+    let count = axes.len();
+    let shifts = axes.iter().filter(|&&axis| axis < 3).count();
+    let basis: Vec<Vec<S>> =
+        axes.iter().map(|&axis| subspace.iter().map(|motion| motion.at(axis)).collect()).collect();
+    // Shifts come first among the rates of every kind, and only turns can turn.
+    let block = |i: usize, j: usize| i >= shifts && j < shifts;
+    let pure = (0..count).all(|i| (0..count).all(|j| !block(i, j) || basis[i][j].vanishes()));
+    if !pure {
+        return None;
+    }
+    let mut inverse = vec![vec![S::zero(); count]; count];
+    for i in 0..count {
+        for j in 0..count {
+            inverse[i][j] = if (i < shifts) == (j < shifts) {
+                basis[j][i]
+            } else if i < shifts {
+                let over = |k: usize| {
+                    let turned =
+                        (shifts..count).fold(S::zero(), |sum, l| sum + basis[k][l] * basis[j][l]);
+                    basis[k][i] * turned
+                };
+                -(0..shifts).fold(S::zero(), |sum, k| sum + over(k))
+            } else {
+                S::zero()
+            };
+        }
+    }
+    let columns = axes.into_iter().map(Column::Axis).collect();
+    Some(Freedom { columns, armature: armature.to_vec(), basis, inverse })
+}
+
+fn along<S: Scalar>(
+    motions: Vec<Motion<S>>,
+    (basis, inverse): (Vec<Vec<S>>, Vec<Vec<S>>),
+    armature: &[S],
+) -> Freedom<S> {
+    let columns = motions.into_iter().map(Column::of).collect();
+    Freedom { columns, armature: armature.to_vec(), basis, inverse }
+}
+
+/// The identity and its inverse.
+pub fn identity<S: Scalar>(count: usize) -> (Vec<Vec<S>>, Vec<Vec<S>>) {
+    let entry = |on| if on { S::one() } else { S::zero() };
+    let rows: Vec<Vec<S>> =
+        (0..count).map(|i| (0..count).map(|j| entry(i == j)).collect()).collect();
+    (rows.clone(), rows)
+}
+
+impl<S: Scalar> Freedom<S> {
+    /// Efforts along the columns, from those that belong to the rates.
+    pub fn loads(&self, efforts: &[S]) -> Vec<S> {
+        (0..self.columns.len())
+            .map(|j| {
+                self.inverse.iter().zip(efforts).fold(S::zero(), |sum, (row, &x)| sum + row[j] * x)
+            })
+            .collect()
+    }
+
+    /// The rates, or accelerations, that belong to `amounts` of the columns.
+    pub fn rates(&self, amounts: &[S]) -> Vec<S> {
+        self.inverse.iter().map(|row| dot(row, amounts)).collect()
+    }
+
+    /// The amounts of the columns that belong to rates, or accelerations.
+    pub fn amounts(&self, rates: &[S]) -> Vec<S> {
+        self.basis.iter().map(|row| dot(row, rates)).collect()
+    }
+
+    /// A wrench over the hinge, with the efforts put where the free axes leave nothing else.
+    pub fn released(&self, wrench: Wrench<S>, efforts: &[S]) -> Wrench<S> {
+        let loads = self.loads(efforts);
+        let along = |k: usize| {
+            let is_axis = |column: &Column<S>| matches!(column, Column::Axis(axis) if *axis == k);
+            self.columns.iter().position(is_axis).filter(|&i| self.armature[i].vanishes())
+        };
+        Wrench::from_fn(|k| along(k).map_or(wrench.at(k), |column| loads[column]))
+    }
+}
+
+/// `Σ a b`
+pub fn dot<S: Scalar>(a: &[S], b: &[S]) -> S {
+    a.iter().zip(b).fold(S::zero(), |sum, (&a, &b)| sum + a * b)
+}

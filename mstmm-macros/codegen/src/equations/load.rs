@@ -1,0 +1,158 @@
+//! What acts on bodies from outside: `f_C`, `m_C` of [P, Eqs. (14), (15)].
+
+use super::Situation;
+use super::motion::{LinkMotion, link_of};
+use super::passage::Bundle;
+use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
+use crate::model::{BodyId, Driven, Load, LoadAxes, Source, Spring};
+
+/// Where a link's part is.
+#[derive(Clone, Copy, Debug)]
+pub struct Pose<S> {
+    /// Its point, inertial frame.
+    pub position: Vec3<S>,
+    /// Its work axes to inertial ones.
+    pub to_inertial: Mat3<S>,
+    /// The velocity of its point, work axes.
+    pub velocity: Vec3<S>,
+}
+
+impl<S: Scalar> Bundle<S> for Pose<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        let position = self.position.visit(replace);
+        let to_inertial = self.to_inertial.visit(replace);
+        Pose { position, to_inertial, velocity: self.velocity.visit(replace) }
+    }
+}
+
+/// Where all links are [P, Eq. (12)].
+pub fn poses<S: Scalar>(situation: &Situation<S>, links: &[LinkMotion<S>]) -> Vec<Pose<S>> {
+    let mut poses: Vec<Pose<S>> = Vec::new();
+    for (index, link) in links.iter().enumerate() {
+        let over = &link.over;
+        let ground =
+            Pose { position: Vec3::zero(), to_inertial: Mat3::identity(), velocity: Vec3::zero() };
+        let (from, omega) = match link.parent {
+            Some(parent) => (poses[parent], links[parent].omega),
+            None => (ground, Vec3::zero()),
+        };
+        let carried = from.velocity + omega.cross(over.arm);
+        let pose = Pose {
+            position: from.position + from.to_inertial * over.arm,
+            to_inertial: from.to_inertial * over.to_parent.matrix(),
+            velocity: over.to_parent.back(carried) + over.relative.linear,
+        };
+        poses.push(situation.passage.outwards(index, pose));
+    }
+    poses
+}
+
+/// The loads on every link's part about its point, work axes.
+pub fn loads<S: Scalar>(situation: &Situation<S>, links: &[LinkMotion<S>]) -> Vec<Wrench<S>> {
+    let chain = situation.chain;
+    let mut all = vec![Wrench::zero(); links.len()];
+    if chain.loads.is_empty() && chain.springs.is_empty() {
+        return all;
+    }
+    let poses = poses(situation, links);
+    let mut add = |body: BodyId, wrench: &dyn Fn(usize) -> Wrench<S>| {
+        // What acts on the ground moves nothing.
+        if let Some(link) = link_of(situation.layout.parts[body]) {
+            all[link] = all[link] + wrench(link);
+        }
+    };
+    for (index, load) in chain.loads.iter().enumerate() {
+        add(load.body, &|link| load_on(situation, (index, load), &links[link], &poses[link]));
+    }
+    for spring in &chain.springs {
+        add(spring.body, &|link| spring_on(situation, spring, &links[link], &poses[link]));
+    }
+    all
+}
+
+fn load_on<S: Scalar>(
+    situation: &Situation<S>,
+    (index, load): (usize, &Load),
+    link: &LinkMotion<S>,
+    pose: &Pose<S>,
+) -> Wrench<S> {
+    let dimension = situation.chain.dimension;
+    let (origin, rotation) = situation.frame_on(load.body, &load.at);
+    let to_work = match load.axes {
+        LoadAxes::Body => link.attitude * rotation,
+        LoadAxes::Inertial => pose.to_inertial.transposed(),
+    };
+    let vector = |source: &Source, what, axes| to_work * situation.vector(source, what, axes);
+    let wrench = Wrench {
+        force: vector(&load.force, Driven::Force(index), dimension.shifts()),
+        moment: vector(&load.torque, Driven::Torque(index), dimension.turns()),
+    };
+    wrench.moved_from(link.attitude * (origin - link.point))
+}
+
+/// The pull of a spring with length `l`, `−(k (l − l₀) + c l̇) n`.
+fn spring_on<S: Scalar>(
+    situation: &Situation<S>,
+    spring: &Spring,
+    link: &LinkMotion<S>,
+    pose: &Pose<S>,
+) -> Wrench<S> {
+    let numbers = situation.numbers;
+    let arm = link.attitude * (spring_point(situation, spring) - link.point);
+    let inertial = pose.position + pose.to_inertial * arm - numbers.vector(&spring.to);
+    let way = Rotation::general(pose.to_inertial).back(inertial);
+    let velocity = pose.velocity + link.omega.cross(arm);
+    let [stiffness, damping, length] =
+        [&spring.stiffness, &spring.damping, &spring.length].map(|value| numbers.scalar(value));
+    let inverse = inverse_length(way);
+    // c l̇ / l and k (l − l₀) / l, both finite where the spring has no length.
+    let damped = damping * way.dot(velocity) * (inverse * inverse);
+    let force = -(way * (stiffness - stiffness * length * inverse + damped));
+    Wrench { force, moment: Vec3::zero() }.moved_from(arm)
+}
+
+/// Where a spring pulls, frame of the body's part.
+fn spring_point<S: Scalar>(situation: &Situation<S>, spring: &Spring) -> Vec3<S> {
+    let (origin, rotation) = situation.frame(spring.body);
+    origin + rotation * situation.numbers.vector(&spring.at)
+}
+
+/// `1 / |way|`, kept finite by a length far below any that matters.
+fn inverse_length<S: Scalar>(way: Vec3<S>) -> S {
+    (way.dot(way) + S::number(1e-30)).sqrt().recip()
+}
+
+/// The energy of the springs to the ground.
+pub fn spring_energy<S: Scalar>(
+    situation: &Situation<S>,
+    links: &[LinkMotion<S>],
+    poses: &[Pose<S>],
+) -> S {
+    let mut energy = S::zero();
+    for spring in &situation.chain.springs {
+        let numbers = situation.numbers;
+        let point = spring_point(situation, spring);
+        let position = match link_of(situation.layout.parts[spring.body]) {
+            None => point,
+            Some(index) => {
+                let (link, pose) = (&links[index], &poses[index]);
+                pose.position + pose.to_inertial * (link.attitude * (point - link.point))
+            }
+        };
+        let way = position - numbers.vector(&spring.to);
+        let stretch = if spring.length.is_zero() {
+            way.dot(way)
+        } else {
+            let more = way.dot(way) * inverse_length(way) - numbers.scalar(&spring.length);
+            more * more
+        };
+        energy = energy + numbers.scalar(&spring.stiffness) * stretch * S::number(0.5);
+    }
+    energy
+}
+
+/// The acceleration of a motion's origin carried to an arm, velocities included.
+pub fn point_acceleration<S: Scalar>(at: Motion<S>, omega: Vec3<S>, arm: Vec3<S>) -> Motion<S> {
+    let carried = at.carried_to(arm);
+    Motion { linear: carried.linear + arm.centripetal(omega), angular: carried.angular }
+}

@@ -1,0 +1,194 @@
+//! A chain in a given state: what every set of equations starts from.
+
+use super::{Numbers, Passage, Weave};
+use crate::math::{Mat3, Motion, Scalar, Vec3};
+use crate::model::{
+    BodyId, Chain, Drive, Driven, Effort, Frame, HingeId, Joined, Layout, Part, Place, Source,
+};
+
+/// A chain in a given state.
+#[derive(Clone, Debug)]
+pub struct Situation<'a, S> {
+    /// The chain.
+    pub chain: &'a Chain,
+    /// Its layout.
+    pub layout: &'a Layout,
+    /// What stands for its symbols.
+    pub numbers: &'a Numbers<S>,
+    /// Coordinates.
+    pub q: &'a [S],
+    /// Rates.
+    pub v: &'a [S],
+    /// Inputs.
+    pub inputs: &'a [S],
+    /// The length of the linearly implicit Euler step to be taken, if that is what is computed.
+    pub implicit: Option<S>,
+    /// What happens at the seams of repeated parts.
+    pub passage: Passage<'a, S>,
+    /// Every body's frame in that of its part.
+    frames: Vec<(Vec3<S>, Mat3<S>)>,
+}
+
+impl<'a, S: Scalar> Situation<'a, S> {
+    /// `chain` at coordinates `q` and rates `v`, driven by `inputs`.
+    pub fn new(
+        chain: &'a Chain,
+        layout: &'a Layout,
+        numbers: &'a Numbers<S>,
+        (q, v, inputs): (&'a [S], &'a [S], &'a [S]),
+    ) -> Self {
+        let passage = Passage::plain(layout);
+        let (implicit, frames) = (None, Vec::new());
+        let mut situation =
+            Situation { chain, layout, numbers, q, v, inputs, implicit, passage, frames };
+        situation.frames = situation.part_frames();
+        situation
+    }
+
+    /// The same in a linearly implicit Euler step of length `step`.
+    pub fn within(self, step: S) -> Self {
+        Situation { implicit: Some(step), ..self }
+    }
+
+    /// The same with `weave` at the seams of repeated parts.
+    pub fn woven(self, weave: &'a dyn Weave<S>) -> Self {
+        Situation { passage: Passage::woven(self.layout, weave), ..self }
+    }
+
+    /// The frames of merged bodies, each behind those that it is welded to.
+    fn part_frames(&self) -> Vec<(Vec3<S>, Mat3<S>)> {
+        let mut frames = vec![None; self.chain.bodies.len()];
+        for body in 0..frames.len() {
+            let mut open = vec![body];
+            while let Some(&last) = open.last() {
+                match self.frame_behind(last, &frames) {
+                    Ok(frame) => {
+                        frames[last] = Some(frame);
+                        open.pop();
+                    }
+                    Err(needed) => open.push(needed),
+                }
+            }
+        }
+        let identity = (Vec3::zero(), Mat3::identity());
+        frames.into_iter().map(|frame| frame.unwrap_or(identity)).collect()
+    }
+
+    /// The frame of a body, or the body whose frame has to be known before.
+    fn frame_behind(
+        &self,
+        body: BodyId,
+        known: &[Option<(Vec3<S>, Mat3<S>)>],
+    ) -> Result<(Vec3<S>, Mat3<S>), BodyId> {
+        let identity = (Vec3::zero(), Mat3::identity());
+        let Some(Joined { weld, reversed }) = self.layout.joined[body] else { return Ok(identity) };
+        let hinge = &self.chain.hinges[weld];
+        let (from, to) = if reversed {
+            (&hinge.outboard, &hinge.inboard)
+        } else {
+            (&hinge.inboard, &hinge.outboard)
+        };
+        let outer = match from.body() {
+            None => identity,
+            Some(other) => known[other].ok_or(other)?,
+        };
+        let (from, to) = (self.numbers.place(self.chain, from), self.numbers.place(self.chain, to));
+        let (origin, rotation) = compose(outer, from);
+        let rotation = rotation * to.1.transposed();
+        Ok((origin - rotation * to.0, rotation))
+    }
+
+    /// The part that a place belongs to, and origin and rotation there: in the frame of the part,
+    /// or in the inertial frame.
+    pub fn place(&self, place: &Place) -> (Part, Vec3<S>, Mat3<S>) {
+        let own = self.numbers.place(self.chain, place);
+        match place.body() {
+            None => (Part::Ground, own.0, own.1),
+            Some(body) => {
+                let (origin, rotation) = compose(self.frames[body], own);
+                (self.layout.parts[body], origin, rotation)
+            }
+        }
+    }
+
+    /// A body's frame in that of its part.
+    pub fn frame(&self, body: BodyId) -> (Vec3<S>, Mat3<S>) {
+        self.frames[body]
+    }
+
+    /// A frame on a body in that of its part.
+    pub fn frame_on(&self, body: BodyId, frame: &Frame) -> (Vec3<S>, Mat3<S>) {
+        compose(self.frames[body], self.numbers.frame(frame))
+    }
+
+    /// The coordinates of a hinge.
+    pub fn coordinates(&self, hinge: HingeId) -> &'a [S] {
+        let count = self.chain.hinges[hinge].kind.coordinates();
+        match self.prescribed(hinge) {
+            Some(given) => &given[..count],
+            None => &self.q[self.layout.q[hinge].clone()],
+        }
+    }
+
+    /// The rates of a hinge.
+    pub fn rates(&self, hinge: HingeId) -> &'a [S] {
+        let kind = &self.chain.hinges[hinge].kind;
+        let (first, count) = (kind.coordinates(), kind.freedoms());
+        match self.prescribed(hinge) {
+            Some(given) => &given[first..first + count],
+            None => &self.v[self.layout.v[hinge].clone()],
+        }
+    }
+
+    /// The accelerations of a hinge whose motion is prescribed.
+    pub fn prescribed_accelerations(&self, hinge: HingeId) -> Option<&'a [S]> {
+        let kind = &self.chain.hinges[hinge].kind;
+        self.prescribed(hinge).map(|given| &given[kind.coordinates() + kind.freedoms()..])
+    }
+
+    fn prescribed(&self, hinge: HingeId) -> Option<&'a [S]> {
+        let prescribed = self.chain.hinges[hinge].is_prescribed();
+        prescribed.then(|| &self.inputs[self.layout.input(Driven::Motion(hinge))])
+    }
+
+    /// The efforts of a hinge's motor, one for each rate.
+    pub fn motor(&self, hinge: HingeId) -> Vec<S> {
+        let Drive::Efforts(efforts) = &self.chain.hinges[hinge].drive else {
+            return vec![S::zero(); self.chain.hinges[hinge].kind.freedoms()];
+        };
+        let mut given = self.inputs[self.layout.input(Driven::Efforts(hinge))].iter();
+        let one = |effort: &Effort| match effort {
+            Effort::Free => S::zero(),
+            Effort::Constant(value) => self.numbers.scalar(value),
+            Effort::Input => given.next().copied().unwrap_or(S::zero()),
+        };
+        efforts.iter().map(one).collect()
+    }
+
+    /// A vector that may be given by the caller, who gives the components along `axes` only.
+    pub fn vector(&self, source: &Source, what: Driven, axes: &[usize]) -> Vec3<S> {
+        match source {
+            Source::Nothing => Vec3::zero(),
+            Source::Constant(values) => self.numbers.vector(values),
+            Source::Input => {
+                let given = &self.inputs[self.layout.input(what)];
+                Vec3([0, 1, 2].map(|k| {
+                    let place = axes.iter().position(|&axis| axis == k);
+                    place.and_then(|place| given.get(place).copied()).unwrap_or(S::zero())
+                }))
+            }
+        }
+    }
+
+    /// Gravity as an acceleration of the ground: cheaper than a force on every body.
+    pub fn ground(&self) -> Motion<S> {
+        let Chain { gravity, dimension, .. } = self.chain;
+        let gravity = self.vector(gravity, Driven::Gravity, dimension.shifts());
+        Motion { linear: -gravity, angular: Vec3::zero() }
+    }
+}
+
+/// A frame inside another one.
+fn compose<S: Scalar>(outer: (Vec3<S>, Mat3<S>), inner: (Vec3<S>, Mat3<S>)) -> (Vec3<S>, Mat3<S>) {
+    (outer.0 + outer.1 * inner.0, outer.1 * inner.1)
+}

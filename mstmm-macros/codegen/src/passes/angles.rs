@@ -1,0 +1,33 @@
+//! Sines and cosines that can be computed side by side.
+
+use super::{Home, Live, Turns};
+use crate::expr::{Graph, Node, NodeId, Stage};
+use std::collections::HashMap;
+
+/// The live angles by depth and home, and every live node's depth: how many sines and cosines are
+/// nested.
+pub(super) fn angles(
+    graph: &Graph,
+    live: &Live,
+    turns: &Turns,
+    stage: Stage,
+) -> (HashMap<(u32, Home), Vec<NodeId>>, Vec<u32>) {
+    let mut depths = vec![0; graph.len()];
+    let mut angles: HashMap<(u32, Home), Vec<NodeId>> = HashMap::new();
+    for id in (0..depths.len()).filter(|&id| live.has(id as NodeId)) {
+        let node = graph.node(id as NodeId);
+        if stage == Stage::State && graph.stage(id as NodeId) < Stage::State {
+            continue;
+        }
+        let below = node.operands().map(|edge| depths[edge.node() as usize]).max().unwrap_or(0);
+        depths[id] = below;
+        if let Node::Sin(angle) | Node::Cos(angle) = node {
+            depths[id] = below + 1;
+            let group = angles.entry((depths[id], turns.home(id as NodeId))).or_default();
+            if !group.contains(&angle.node()) {
+                group.push(angle.node());
+            }
+        }
+    }
+    (angles, depths)
+}

@@ -1,0 +1,72 @@
+//! What drives a chain, from the words of the reference to the inputs of the compiler.
+
+use mstmm_codegen::model::{
+    Chain, Drive, Driven, Effort, Element, HingeId, HingeKind, Input, Layout, Place,
+};
+use mstmm_reference::{Drives, FrameMotion};
+
+/// The inputs where nothing but motors is driven; `efforts` are those of all rates.
+pub fn of_motors(chain: &Chain, efforts: &[f64]) -> Vec<f64> {
+    let layout = Layout::of(chain);
+    let of = |input: &Input| match input.what {
+        Driven::Efforts(hinge) => motor(chain, &layout, hinge, efforts),
+        _ => vec![0.0; input.range.len()],
+    };
+    layout.inputs.iter().flat_map(of).collect()
+}
+
+/// The inputs that `drives` are.
+pub fn inputs(chain: &Chain, drives: &Drives) -> Vec<f64> {
+    let layout = Layout::of(chain);
+    let (shifts, turns) = (chain.dimension.shifts(), chain.dimension.turns());
+    let pick = |vector: &[f64; 3], axes: &[usize]| axes.iter().map(|&k| vector[k]).collect();
+    let of = |input: &Input| -> Vec<f64> {
+        match input.what {
+            Driven::Gravity => pick(&drives.gravity, shifts),
+            Driven::Force(load) => pick(&drives.loads[load].force, shifts),
+            Driven::Torque(load) => pick(&drives.loads[load].torque, turns),
+            Driven::Efforts(hinge) => motor(chain, &layout, hinge, &drives.efforts),
+            Driven::Motion(hinge) => motion(chain, hinge, drives),
+        }
+    };
+    layout.inputs.iter().flat_map(of).collect()
+}
+
+fn motor(chain: &Chain, layout: &Layout, hinge: HingeId, efforts: &[f64]) -> Vec<f64> {
+    let Drive::Efforts(kinds) = &chain.hinges[hinge].drive else { return Vec::new() };
+    let own = &efforts[layout.v[hinge].clone()];
+    let given = kinds.iter().zip(own).filter(|(kind, _)| **kind == Effort::Input);
+    given.map(|(_, &effort)| effort).collect()
+}
+
+fn motion(chain: &Chain, hinge: HingeId, drives: &Drives) -> Vec<f64> {
+    let on_route = |&&element: &&Element| match element {
+        Element::Hinge(index) => chain.hinges[index].is_prescribed(),
+        Element::Body(_) => false,
+    };
+    let mut prescribed = chain.route.iter().filter(on_route);
+    if let Some(place) = prescribed.position(|&element| element == Element::Hinge(hinge)) {
+        let motion = &drives.motions[place];
+        return [&motion.q[..], &motion.v, &motion.a].concat();
+    }
+    let body = chain.hinges[hinge].outboard.body();
+    let is_start = chain
+        .hinges
+        .iter()
+        .any(|hinge| matches!(hinge.inboard, Place::Output(at) if Some(at) == body));
+    let frame = if is_start { &drives.start } else { &drives.finish };
+    frame_motion(&chain.hinges[hinge].kind, frame)
+}
+
+fn frame_motion(kind: &HingeKind, frame: &FrameMotion) -> Vec<f64> {
+    let FrameMotion { position: r, orientation, velocity: v, rate, acceleration: a, .. } = frame;
+    let turning = frame.rate_derivative;
+    match kind {
+        HingeKind::Floating => [&r[..], orientation, v, rate, a, &turning].concat(),
+        HingeKind::Planar { .. } => {
+            let angle = 2.0 * orientation[3].atan2(orientation[0]);
+            vec![r[0], r[1], angle, v[0], v[1], rate[2], a[0], a[1], turning[2]]
+        }
+        _ => vec![r[0], v[0], a[0]],
+    }
+}
