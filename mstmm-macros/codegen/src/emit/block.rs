@@ -47,9 +47,12 @@ impl Plan<'_> {
             quote!(#slots #coordinates #rates #inputs)
         };
         let masks: Masks = if pivoted {
-            let values = program.outputs[looped::PIVOTS].iter().enumerate();
-            let repeated = values.filter(|(_, value)| **value == Operand::Repeated);
-            repeated.map(|(k, _)| (k, local(&format!("regular{k}")))).collect()
+            let is_repeated =
+                |group: usize, k: usize| program.outputs[group][k] == Operand::Repeated;
+            let all = 0..program.outputs[looped::PIVOTS].len();
+            let repeated =
+                all.filter(|&k| is_repeated(looped::PIVOTS, k) || is_repeated(looped::SCALES, k));
+            repeated.map(|k| (k, local(&format!("regular{k}")))).collect()
         } else {
             Masks::new()
         };

@@ -194,9 +194,14 @@ impl Plan<'_> {
             let here = |(g, place, _): &&(usize, usize, Operand)| *g == group && place == number;
             turn.outputs.iter().find(here).map(|(_, _, value)| self.operand(value))
         };
-        let value = find(PIVOTS)?;
-        let once = || self.operand(&program.outputs[SCALES][*number]);
-        let scale = find(SCALES).unwrap_or_else(once);
+        let once = |group: usize| match &program.outputs[group][*number] {
+            Operand::Repeated => None,
+            operand => Some(self.operand(operand)),
+        };
+        let (value, scale) = match (find(PIVOTS), find(SCALES)) {
+            (None, None) => return None,
+            (value, scale) => (value.or_else(|| once(PIVOTS))?, scale.or_else(|| once(SCALES))?),
+        };
         Some(quote!(#mask = #mask & ::mstmm::generated::exceeds_noise(#value, #scale);))
     }
 }

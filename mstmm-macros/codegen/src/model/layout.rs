@@ -207,26 +207,28 @@ struct Tree {
 }
 
 impl Tree {
-    /// Over the hinges, those written first before the others; welds, which may be merged, before
-    /// all others.
+    /// Over the hinges, those written first before the others; welds, which may be merged, and those
+    /// of seams before all others.
     fn of(chain: &Chain, is_weld: impl Fn(HingeId) -> bool, merge: bool) -> Tree {
         let sides = |hinge: HingeId| {
             [&chain.hinges[hinge].inboard, &chain.hinges[hinge].outboard].map(Place::body)
         };
+        let is_free =
+            |hinge: HingeId| !is_weld(hinge) && chain.seam(&chain.hinges[hinge].outboard).is_none();
         let mut touching: Vec<Vec<HingeId>> = vec![Vec::new(); chain.bodies.len()];
         let mut next: BTreeSet<(bool, HingeId)> = BTreeSet::new();
         for hinge in 0..chain.hinges.len() {
             for side in sides(hinge) {
                 match side {
                     Some(body) => touching[body].push(hinge),
-                    None => _ = next.insert((!is_weld(hinge), hinge)),
+                    None => _ = next.insert((is_free(hinge), hinge)),
                 }
             }
         }
         let mut reached: Vec<Option<Part>> = vec![None; chain.bodies.len()];
         let (mut links, mut closings) = (Vec::<Link>::new(), Vec::new());
         let mut joined = vec![None; chain.bodies.len()];
-        while let Some((is_free, hinge)) = next.pop_first() {
+        while let Some((_, hinge)) = next.pop_first() {
             let part = |side: Option<BodyId>| side.map_or(Some(Part::Ground), |body| reached[body]);
             let [inboard, outboard] = sides(hinge);
             let (body, from, reversed) =
@@ -238,7 +240,7 @@ impl Tree {
                         continue;
                     }
                 };
-            let part = if is_free || !merge {
+            let part = if !(is_weld(hinge) && merge) {
                 let parent = match from {
                     Part::Ground => None,
                     Part::Link(link) => Some(link),
@@ -255,7 +257,7 @@ impl Tree {
             };
             reached[body] = Some(part);
             let others = touching[body].iter().filter(|&&other| other != hinge);
-            next.extend(others.map(|&other| (!is_weld(other), other)));
+            next.extend(others.map(|&other| (is_free(other), other)));
         }
         let parts = reached.into_iter().map(|part| part.unwrap_or(Part::Ground)).collect();
         Tree { links, closings, parts, joined }

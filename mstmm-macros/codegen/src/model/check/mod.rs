@@ -34,6 +34,7 @@ const RULES: &[Rule] = &[
     repeat::repeats_follow_something,
     repeat::repeats_begin_with_a_hinge_and_end_with_a_body,
     repeat::repeats_hold_no_ends,
+    repeat::repeats_follow_the_held_end,
     body::types_are_used,
     body::fields_are_given,
     body::points_are_named_once,

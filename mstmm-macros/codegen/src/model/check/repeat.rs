@@ -55,3 +55,15 @@ pub(super) fn repeats_hold_no_ends(draft: &Draft, diagnostics: &mut Diagnostics)
         diagnostics.error(at, format!("`{word}` cannot stand in `repeat`"));
     }
 }
+
+/// A repeated part is run through from the side that the chain is held at, or floats from: its start.
+pub(super) fn repeats_follow_the_held_end(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let stops = whole_route(draft);
+    let [Stop::Body { .. }, .., Stop::Ground { .. } | Stop::Moving { .. }] = stops else { return };
+    // An end inside a repeated part is reported there.
+    for (repeat, _) in repeats(draft).filter(|(repeat, _)| repeat.stops.end < stops.len()) {
+        let message = "a chain that is held at its end alone cannot `repeat`: \
+                       write it the other way round, from there on";
+        diagnostics.error(repeat.at, message);
+    }
+}
