@@ -71,30 +71,43 @@ fn diagnosis<T: Scalar, const P: usize>(
     Error::NotFinite
 }
 
-/// Whether a parameter may be set: to a finite number that leaves everything derived from it finite and all masses
-/// positive.
+/// Whether a parameter may be set: to a finite number that leaves everything derived from it finite.
 ///
 /// # Errors
-/// [`Error::Parameter`] with the reason that belongs to the first mass that is not positive.
+/// [`Error::Parameter`] with the reason.
 #[cold]
 pub fn check_parameter<T: Scalar>(
     name: &'static str,
-    value: T,
-    derived: &[T],
-    masses: &[T],
-    reasons: &[&'static str],
+    values: &[T],
+    derived: &[&[T]],
 ) -> Result<(), Error> {
-    if !value.finite().all() {
+    if finite(&[values]).is_err() {
         return Err(Error::Parameter { name, reason: "must be a finite number" });
     }
-    if finite(&[derived]).is_err() {
+    if finite(derived).is_err() {
         return Err(Error::Parameter {
             name,
             reason: "must leave all quantities derived from it finite",
         });
     }
-    for (mass, &reason) in masses.iter().zip(reasons) {
-        if !(mass.greater(T::constant(0.0)) & mass.finite()).all() {
+    Ok(())
+}
+
+/// Whether numbers that hang on a parameter are what they must be: positive where the first part of a rule says so,
+/// not negative elsewhere.
+///
+/// # Errors
+/// [`Error::Parameter`] with the reason of the first rule that is broken.
+#[cold]
+pub fn check_numbers<T: Scalar, const N: usize>(
+    name: &'static str,
+    numbers: &[T; N],
+    rules: &[(bool, &'static str); N],
+) -> Result<(), Error> {
+    let zero = T::constant(0.0);
+    for (number, &(positive, reason)) in numbers.iter().zip(rules) {
+        let holds = if positive { number.greater(zero) } else { !zero.greater(*number) };
+        if !(holds & number.finite()).all() {
             return Err(Error::Parameter { name, reason });
         }
     }

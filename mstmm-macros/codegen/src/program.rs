@@ -35,6 +35,8 @@ pub struct Loop {
     pub carries: Vec<Carried>,
     /// Unknowns of a time that it reads, in the order of their numbers.
     pub symbols: Vec<u32>,
+    /// Values of a time known since setup that it reads.
+    pub slots: Vec<Slot>,
     /// Values of the same time from earlier loops, by the number of the loop's block.
     pub loads: Vec<(usize, Vec<String>)>,
     /// Values that later loops read at the same time.

@@ -94,6 +94,11 @@ fn parts(chain: &Chain, layout: &Layout, ends: &[usize; 6]) -> Vec<Option<usize>
             parts[ends[2]..][layout.v[hinge].clone()].fill(Some(index));
         }
     }
+    for (index, parameter) in chain.parameters.iter().enumerate() {
+        if parameter.times.is_some() {
+            parts[index] = chain.repeat_of_parameter(index);
+        }
+    }
     for input in &layout.inputs {
         parts[ends[3]..][input.range.clone()].fill(chain.repeat_of_input(input.what));
     }

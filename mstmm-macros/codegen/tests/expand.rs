@@ -45,3 +45,26 @@ fn a_body_on_a_ball() {
 fn two_pins_by_transfer() {
     check("two_pins");
 }
+
+#[test]
+fn a_rope_as_loops() {
+    check("rope");
+}
+
+#[test]
+fn a_four_bar_in_the_plane() {
+    check("four_bar");
+}
+
+/// A repeated part is a loop: the code for ten thousand is that for ten, but for the numbers in it.
+#[test]
+fn code_does_not_grow_with_the_count_of_a_repeat() {
+    let rope = std::fs::read_to_string(folder().join("rope.chain")).expect("a chain");
+    let length = |count: &str| {
+        let text = rope.replace("repeat 10 ", &format!("repeat {count} "));
+        let text = text.replace("[10]", &format!("[{count}]"));
+        let items = mstmm_codegen::compile(text.parse().expect("tokens")).expect("a right chain");
+        items.to_string().chars().filter(|letter| !letter.is_ascii_digit()).count()
+    };
+    assert_eq!(length("10"), length("10000"));
+}

@@ -58,12 +58,8 @@ impl<'g> Scene<'_, 'g> {
                     .collect(),
             })
             .collect();
-        let unknowns = Unknowns {
-            names: self.symbols.names(),
-            // What is derived at setup is the same for all times of a repeated part.
-            parts: if stage == Stage::Setup { &[] } else { self.symbols.parts() },
-            turns: &turns,
-        };
+        let unknowns =
+            Unknowns { names: self.symbols.names(), parts: self.symbols.parts(), turns: &turns };
         schedule(self.graph, &unknowns, stage, &headings, &outputs, setup)
     }
 

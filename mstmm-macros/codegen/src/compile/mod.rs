@@ -1,6 +1,9 @@
 //! From a model to its programs: the equations written down, simplified and ordered.
 
 mod arrange;
+mod checks;
+
+pub use checks::Check;
 
 use crate::equations::{self, Axes, Numbers, Pivot, Point, Situation, Solved, Trace};
 use crate::expr::{Expr, Graph, Stage};
@@ -16,11 +19,11 @@ pub struct Programs {
     pub symbols: Symbols,
     /// The method that the accelerations are solved with.
     pub method: Method,
-    /// Parameters and constants to the slots of all other programs, then to the masses that
-    /// [`Programs::checked_masses`] names.
+    /// Parameters and constants to the slots of all other programs that stand once, to the numbers
+    /// of [`Programs::checks`], then to the slots of every repeated part.
     pub setup: Program,
-    /// Bodies whose mass is known at run time only.
-    pub checked_masses: Vec<usize>,
+    /// Numbers that are known at run time only, and what they must be.
+    pub checks: Vec<Check>,
     /// To the start values of `q` and `v`.
     pub start: Program,
     /// `q`, `v`, inputs to `v̇`, pivots and their scales.
@@ -71,12 +74,12 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
         scene.coordinates(&mut setup, |kind, q, _| equations::hinge::normalized(kind, q));
     let correction = scene.correction(&mut setup);
     let start = scene.start(&mut setup);
-    let (setup, checked_masses) = scene.setup(setup);
+    let (setup, checks) = scene.setup(setup);
     Programs {
         symbols: symbols.clone(),
         method,
         setup,
-        checked_masses,
+        checks,
         start,
         accelerations,
         implicit,
@@ -267,22 +270,26 @@ impl<'a, 'g> Scene<'a, 'g> {
         self.program(Stage::State, &Trace::new(), &outputs, &[], setup)
     }
 
-    fn setup(&self, setup: Setup) -> (Program, Vec<usize>) {
-        let bodies = &self.chain.bodies;
-        let checked: Vec<usize> =
-            (0..bodies.len()).filter(|&body| bodies[body].mass.known().is_none()).collect();
+    fn setup(&self, setup: Setup) -> (Program, Vec<Check>) {
+        let checks = checks::of(self.chain);
         let mut trace = Trace::new();
         trace.section("Quantities derived from parameters and constants", "");
-        let mut slots = Vec::new();
-        for (name, edge) in setup.values() {
-            let value = self.graph.expr(edge);
-            trace.number(name, value);
-            slots.push(value);
-        }
-        let masses = checked.iter().map(|&body| self.numbers.scalar(&bodies[body].mass)).collect();
-        let program =
-            self.program(Stage::Setup, &trace, &[slots, masses], &[], &mut Setup::default());
-        (program, checked)
+        let mut group = |part: Option<usize>| {
+            let mut slots = Vec::new();
+            for (name, edge) in setup.values(part) {
+                let value = self.graph.expr(edge);
+                trace.number(name, value);
+                slots.push(value);
+            }
+            slots
+        };
+        let once = group(None);
+        let parts: Vec<Vec<Expr<'g>>> =
+            (0..self.chain.repeats.len()).map(|part| group(Some(part))).collect();
+        let checked = checks.iter().map(|check| self.numbers.scalar(&check.value)).collect();
+        let groups: Vec<Vec<Expr<'g>>> = [once, checked].into_iter().chain(parts).collect();
+        let program = self.program(Stage::Setup, &trace, &groups, &[], &mut Setup::default());
+        (program, checks)
     }
 }
 

@@ -39,7 +39,9 @@ impl Plan<'_> {
         let reading = if looped {
             let once = self.read_once(program);
             let (slots, inputs) = (read_slots(program), self.read_inputs(program));
-            quote!(#slots #once #inputs)
+            let has_times = self.chain.parameters.iter().any(|parameter| parameter.times.is_some());
+            let parameters = has_times.then(|| quote!(let parameters = &self.parameters;));
+            quote!(#parameters #slots #once #inputs)
         } else {
             let coordinates = self.read(program, self.programs.symbols.q(), quote!(state.q.data.0));
             let rates = self.read(program, self.programs.symbols.v(), quote!(state.v.data.0));
@@ -56,21 +58,12 @@ impl Plan<'_> {
         } else {
             Masks::new()
         };
-        let mut results = self.results(program, reading);
-        if looped {
-            let blocks = self.looped(program, targets, &masks);
-            results.statements.extend(blocks);
-            for target in targets {
-                results.arrays[target.group] = looped::array(target.group).to_token_stream();
-            }
-        } else {
-            results.statements.extend(self.plain(program));
-        }
-        Results { looped, masks, ..results }
+        let results = Results { masks, ..self.results(program, reading) };
+        self.finished(results, program, targets)
     }
 
-    /// The program of the setup: it reads the parameters and `constants`.
-    pub fn setup_block(&self, program: &Program) -> Results {
+    /// The program of the setup: it reads `parameters` and `constants`.
+    pub fn setup_block(&self, program: &Program, targets: &[Target]) -> Results {
         let parameters = self.chain.parameters.iter().zip(self.programs.symbols.parameters());
         let parameters =
             parameters.filter(|(_, number)| reads(program, *number)).map(|(parameter, number)| {
@@ -79,8 +72,21 @@ impl Plan<'_> {
             });
         let constants =
             self.read_array(program, self.programs.symbols.constants(), quote!(*constants));
-        let mut results = self.results(program, quote!(#(#parameters)* #constants));
-        results.statements.extend(self.plain(program));
+        let results = self.results(program, quote!(#(#parameters)* #constants));
+        self.finished(results, program, targets)
+    }
+
+    /// Results with the statements of a program that may have loops.
+    fn finished(&self, mut results: Results, program: &Program, targets: &[Target]) -> Results {
+        if self.chain.repeats.is_empty() {
+            results.statements.extend(self.plain(program));
+            return results;
+        }
+        results.looped = true;
+        results.statements.extend(self.looped(program, targets, &results.masks));
+        for target in targets {
+            results.arrays[target.group] = looped::array(target.group).to_token_stream();
+        }
         results
     }
 

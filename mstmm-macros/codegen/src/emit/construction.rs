@@ -2,10 +2,10 @@
 
 use super::Plan;
 use super::docs;
-use super::looped::Target;
+use super::looped::{Target, slices, usize_literal};
 use super::spread::Spread;
 use crate::model::{Parameter, Symbol, Value};
-use proc_macro2::{Literal, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
 /// `struct Chain<T>`, `struct ChainParameters<T>` and their constructors.
@@ -42,6 +42,10 @@ fn chain_type(plan: &Plan) -> TokenStream {
     let (visibility, attributes) = (&plan.surface.visibility, &plan.surface.attributes);
     let description = docs::chain(plan);
     let slots = Literal::usize_unsuffixed(plan.programs.setup.outputs[0].len());
+    let parts = parts(plan).into_iter().map(|(name, spread)| {
+        let total = usize_literal(spread.total);
+        quote!(#name: [T; #total],)
+    });
     quote! {
         #(#attributes)*
         #(#[doc = #description])*
@@ -50,6 +54,7 @@ fn chain_type(plan: &Plan) -> TokenStream {
         #visibility struct #name<T> {
             parameters: #parameters<T>,
             derived: [T; #slots],
+            #(#parts)*
         }
     }
 }
@@ -58,16 +63,21 @@ fn parameters_type(plan: &Plan) -> TokenStream {
     let (name, visibility) = (&plan.names.parameters, &plan.surface.visibility);
     let doc = format!(" Numbers of [`{}`] that may change at run time.", plan.names.chain);
     let fields = plan.chain.parameters.iter().map(|parameter| {
-        let name = &parameter.name;
-        quote!(#name: T)
+        let (name, ty) = (&parameter.name, type_of(parameter));
+        quote!(#name: #ty)
     });
     let getters = plan.chain.parameters.iter().map(|parameter| {
         let (name, doc) = (&parameter.name, docs::parameter(parameter));
+        let ty = type_of(parameter);
+        let (ty, value) = match parameter.times {
+            None => (ty, quote!(self.#name)),
+            Some(_) => (quote!(&#ty), quote!(&self.#name)),
+        };
         quote! {
             #[doc = #doc]
             #[inline]
-            #visibility fn #name(&self) -> T {
-                self.#name
+            #visibility fn #name(&self) -> #ty {
+                #value
             }
         }
     });
@@ -94,7 +104,11 @@ fn constructors(plan: &Plan) -> TokenStream {
     let (parameters, visibility) = (&plan.names.parameters, &plan.surface.visibility);
     let values = plan.chain.parameters.iter().map(|parameter| {
         let (name, value) = (&parameter.name, value_tokens(plan, &parameter.default));
-        quote!(#name: T::constant(#value))
+        let one = quote!(T::constant(#value));
+        match parameter.times.map(usize_literal) {
+            None => quote!(#name: #one),
+            Some(times) => quote!(#name: [#one; #times]),
+        }
     });
     let marker =
         plan.chain.parameters.is_empty().then(|| quote!(none: ::core::marker::PhantomData));
@@ -110,8 +124,8 @@ fn constructors(plan: &Plan) -> TokenStream {
         #[allow(clippy::all)]
         #visibility fn new() -> Self {
             let parameters = #parameters { #(#values,)* #marker };
-            let (derived, _) = Self::derive(&parameters);
-            Self { parameters, derived }
+            let (chain, _) = Self::derive(parameters);
+            chain
         }
 
         /// The numbers that may change at run time.
@@ -122,14 +136,38 @@ fn constructors(plan: &Plan) -> TokenStream {
     }
 }
 
-/// What follows from parameters and constants, once for all steps; and the masses to be checked.
+/// The type of a parameter.
+fn type_of(parameter: &Parameter) -> TokenStream {
+    match parameter.times.map(usize_literal) {
+        None => quote!(T),
+        Some(times) => quote!([T; #times]),
+    }
+}
+
+/// The fields for what is known of every time of repeated parts, and how it lies there.
+fn parts(plan: &Plan) -> Vec<(Ident, Spread)> {
+    let field = |part: usize| Some((format_ident!("derived{part}"), plan.slots_of_part(part)?));
+    (0..plan.chain.repeats.len()).filter_map(field).collect()
+}
+
+/// The chain with what follows from parameters and constants, once for all steps; and the numbers to
+/// be checked.
 fn derive(plan: &Plan) -> TokenStream {
     let program = &plan.programs.setup;
-    let block = plan.setup_block(program);
-    let (statements, slots, masses) = (block.statements, &block.outputs[0], &block.outputs[1]);
-    let (slot_count, mass_count) = (slots.len(), masses.len());
-    let (slot_count, mass_count) =
-        (Literal::usize_unsuffixed(slot_count), Literal::usize_unsuffixed(mass_count));
+    let checked = checked(plan);
+    let own = (0..plan.chain.repeats.len())
+        .filter_map(|part| Some((2 + part, plan.slots_of_part(part)?)));
+    let targets: Vec<Target> = std::iter::once((1, checked.clone()))
+        .chain(own)
+        .map(|(group, spread)| Target { group, spread })
+        .collect();
+    let block = plan.setup_block(program, &targets);
+    let (statements, slots, checks) = (&block.statements, &block.arrays[0], &block.arrays[1]);
+    let check_count = usize_literal(checked.total);
+    let (names, arrays): (Vec<Ident>, Vec<&TokenStream>) = (0..plan.chain.repeats.len())
+        .filter(|&part| plan.slots_of_part(part).is_some())
+        .map(|part| (format_ident!("derived{part}"), &block.arrays[2 + part]))
+        .unzip();
     let constants = plan.surface.constants.iter();
     let evaluate = (!plan.surface.constants.is_empty()).then(|| {
         let count = Literal::usize_unsuffixed(plan.surface.constants.len());
@@ -139,13 +177,19 @@ fn derive(plan: &Plan) -> TokenStream {
     let doc = format!(" Quantities derived from parameters and constants: {}.", program.cost());
     quote! {
         #[doc = #doc]
-        #[allow(unused_doc_comments, unused_variables, clippy::all)]
-        fn derive(parameters: &#parameters<T>) -> ([T; #slot_count], [T; #mass_count]) {
+        #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
+        fn derive(parameters: #parameters<T>) -> (Self, [T; #check_count]) {
             #evaluate
             #statements
-            ([#(#slots),*], [#(#masses),*])
+            let (derived, checks) = (#slots, #checks);
+            (Self { parameters, derived, #(#names: #arrays,)* }, checks)
         }
     }
+}
+
+/// How the numbers lie that are checked when a parameter is set.
+fn checked(plan: &Plan) -> Spread {
+    Spread::of_parts(plan, plan.programs.checks.iter().map(|check| check.part))
 }
 
 /// `set_x`: takes effect only if the chain stays a physical one.
@@ -154,23 +198,60 @@ fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
     let set = format_ident!("set_{name}", span = name.span());
     let text = name.to_string();
     let doc = format!(" Sets {}", docs::parameter(parameter).trim_start());
-    let reasons = plan.programs.checked_masses.iter().map(|&body| {
-        format!("must leave the mass of body `{}` positive", plan.chain.bodies[body].name)
+    let rules = checked(plan).pieces.into_iter().map(|piece| {
+        let rules = plan.programs.checks[piece.first..piece.first + piece.count].iter();
+        let rules = rules.map(|check| {
+            let (positive, reason) = (check.positive, &check.reason);
+            quote!((#positive, #reason))
+        });
+        if piece.times == 1 && piece.place == 0 && piece.count == plan.programs.checks.len() {
+            return quote!(::mstmm::generated::check_numbers(#text, &checks, &[#(#rules),*])?;);
+        }
+        let slices = slices(&quote!(checks), &piece);
+        quote! {
+            for numbers in #slices {
+                ::mstmm::generated::check_numbers(#text, numbers, &[#(#rules),*])?;
+            }
+        }
+    });
+    let derived = parts(plan).into_iter().map(|(name, _)| quote!(&chain.#name));
+    let (arguments, change, values) = match parameter.times {
+        None => (quote!(value: T), quote!(parameters.#name = value;), quote!(&[value])),
+        Some(_) => (
+            quote!(mut value: impl ::core::ops::FnMut(usize) -> T),
+            quote! {
+                for (index, place) in parameters.#name.iter_mut().enumerate() {
+                    *place = value(index);
+                }
+            },
+            quote!(&parameters.#name),
+        ),
+    };
+    let each = parameter.times.map(|times| {
+        let doc = format!(" One number for each of {times} times, from `value` by index.");
+        quote! {
+            ///
+            #[doc = #doc]
+        }
     });
     quote! {
         #[doc = #doc]
+        #each
         ///
         /// # Errors
         ///
         /// [`Error::Parameter`](::mstmm::Error::Parameter) if the number is not finite or would
-        /// leave the chain with a mass that is not positive or a quantity that is not finite; the
-        /// old one is kept then.
-        #visibility fn #set(&mut self, value: T) -> ::core::result::Result<(), ::mstmm::Error> {
+        /// leave the chain with a mass that is not positive, a stiffness or damping that is negative
+        /// or a quantity that is not finite; the old one is kept then.
+        #[allow(unused_variables, clippy::all)]
+        #visibility fn #set(&mut self, #arguments) -> ::core::result::Result<(), ::mstmm::Error> {
             let mut parameters = self.parameters;
-            parameters.#name = value;
-            let (derived, masses) = Self::derive(&parameters);
-            ::mstmm::generated::check_parameter(#text, value, &derived, &masses, &[#(#reasons),*])?;
-            *self = Self { parameters, derived };
+            #change
+            let values = #values;
+            let (chain, checks) = Self::derive(parameters);
+            ::mstmm::generated::check_parameter(#text, values, &[&chain.derived, #(#derived),*])?;
+            #(#rules)*
+            *self = chain;
             ::core::result::Result::Ok(())
         }
     }

@@ -101,6 +101,8 @@ impl Plan<'_> {
         let mut streams = self.state_streams(turn);
         let (inputs, taken) = inputs::streams(self, turn);
         streams.extend(inputs);
+        streams.extend(self.parameter_streams(turn));
+        streams.extend(self.slot_stream(turn));
         streams.extend(turn.loads.iter().filter_map(|load| load_stream(program, load)));
         let mut writes = TokenStream::new();
         if !turn.stores.is_empty() {
@@ -156,6 +158,34 @@ impl Plan<'_> {
             }
         }
         streams
+    }
+
+    /// What a loop reads of the parameters that have a number for every time.
+    fn parameter_streams(&self, turn: &Loop) -> Vec<Stream> {
+        let parameters = self.chain.parameters.iter().zip(self.programs.symbols.parameters());
+        let read = parameters.filter_map(|(parameter, number)| {
+            let (name, field) = (self.read_in(turn, number)?, &parameter.name);
+            Some((quote!(&#name), quote!(parameters.#field.iter())))
+        });
+        read.collect()
+    }
+
+    /// What a loop reads of what is known of every time since setup.
+    fn slot_stream(&self, turn: &Loop) -> Option<Stream> {
+        let slots = self.slots_of_part(turn.repeat)?;
+        let name_of = |index| turn.slots.iter().find(|slot| slot.index == index);
+        let names: Vec<Option<Ident>> =
+            (0..slots.pieces[0].count).map(|k| name_of(k).map(|slot| local(&slot.name))).collect();
+        let derived = format_ident!("derived{}", turn.repeat);
+        let pattern = pattern(&names);
+        let any = names.iter().any(Option::is_some);
+        any.then(|| (quote!(&#pattern), slices(&quote!(self.#derived), &slots.pieces[0])))
+    }
+
+    /// How the slots of a repeated part lie in their array; nothing if it has none.
+    pub fn slots_of_part(&self, part: usize) -> Option<Spread> {
+        let count = self.programs.setup.outputs.get(2 + part)?.len();
+        (count > 0).then(|| Spread::each(count, part, self.chain.repeats[part].count))
     }
 
     /// The variable of an unknown, if a loop reads it.

@@ -73,6 +73,17 @@ impl Spread {
         Spread::of(plan, std::iter::once((each, None)).chain(outputs))
     }
 
+    /// So many numbers for every time of one repeated part.
+    pub fn each(count: usize, repeat: usize, times: usize) -> Self {
+        let piece = Piece { first: 0, count, place: 0, repeat: Some(repeat), times };
+        Spread { total: count * times, pieces: vec![piece] }
+    }
+
+    /// Numbers each of which may belong to a repeated part.
+    pub fn of_parts(plan: &Plan, parts: impl Iterator<Item = Option<usize>>) -> Self {
+        Spread::of(plan, parts.map(|part| (1, part)))
+    }
+
     /// The piece that a number of the model belongs to.
     pub fn piece_of(&self, number: usize) -> Option<&Piece> {
         self.pieces.iter().find(|piece| (piece.first..piece.first + piece.count).contains(&number))

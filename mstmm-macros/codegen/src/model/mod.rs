@@ -11,6 +11,7 @@ mod lower;
 mod seams;
 #[cfg(test)]
 mod tests;
+mod uses;
 mod value;
 
 pub use hinge::{
@@ -73,7 +74,9 @@ pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Su
     if diagnostics.count() > before {
         return None;
     }
-    Some((seams::with_seams(draft.finish()?), surface))
+    let chain = draft.finish()?;
+    uses::parameters_of_times_stay_in_their_part(&chain, diagnostics);
+    (diagnostics.count() == before).then(|| (seams::with_seams(chain), surface))
 }
 
 /// In how many directions a chain moves. A model is spatial whatever its dimension: in a plane
@@ -158,6 +161,8 @@ pub struct Parameter {
     pub default: Value,
     /// Its SI unit as text, for the docs; empty for a plain number.
     pub unit: String,
+    /// How many there are, if it is one for every time of a repeated part.
+    pub times: Option<usize>,
 }
 
 /// A rigid body. Its frame has its origin at the input point `I`.

@@ -118,6 +118,16 @@ impl Value {
         }
     }
 
+    /// Whether a parameter stands in it.
+    pub fn uses(&self, parameter: usize) -> bool {
+        match self {
+            Number(_) => false,
+            Value::Symbol(symbol) => *symbol == Symbol::Parameter(parameter),
+            Sum(a, b) | Product(a, b) | Quotient(a, b) => a.uses(parameter) || b.uses(parameter),
+            Value::Sqrt(a) | Value::Sin(a) | Value::Cos(a) => a.uses(parameter),
+        }
+    }
+
     /// How many numbers, symbols and operations stand in it.
     pub fn size(&self) -> usize {
         match self {

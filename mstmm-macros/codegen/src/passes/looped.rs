@@ -24,8 +24,12 @@ impl Scheduler<'_> {
         }
         let read = self.read_by(home, turn, all);
         let mut loads: Vec<(usize, Vec<String>)> = Vec::new();
-        let mut symbols = Vec::new();
+        let (mut symbols, mut slots) = (Vec::new(), Vec::new());
         for node in read {
+            if self.is_slot(node) {
+                slots.extend(self.slots.get(&node).cloned());
+                continue;
+            }
             match (self.graph.symbol_number(node), self.turns.home(node)) {
                 (Some(symbol), Home::Turn(_)) if !self.carried.contains_key(&symbol) => {
                     symbols.push(symbol);
@@ -56,6 +60,7 @@ impl Scheduler<'_> {
             inwards,
             carries,
             symbols,
+            slots,
             loads,
             stores,
             sections,

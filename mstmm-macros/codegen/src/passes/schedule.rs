@@ -70,6 +70,8 @@ pub(super) struct Scheduler<'a> {
     pub(super) names: HashMap<NodeId, String>,
     /// Names of what loops carry, by the number of the unknown.
     pub(super) carried: HashMap<u32, String>,
+    /// Slots of repeated parts, which their loops read.
+    pub(super) slots: HashMap<NodeId, Slot>,
     /// The blocks of the loops that are done.
     pub(super) blocks: HashMap<usize, usize>,
     taken: HashSet<String>,
@@ -100,6 +102,7 @@ impl<'a> Scheduler<'a> {
             names: HashMap::new(),
             carried: HashMap::new(),
             blocks: HashMap::new(),
+            slots: HashMap::new(),
             taken: symbols.iter().cloned().collect(),
             done: vec![false; graph.len()],
             program: Program {
@@ -148,7 +151,8 @@ impl<'a> Scheduler<'a> {
 
     /// Whether a node is computed at `home`.
     fn belongs(&self, node: NodeId, home: Home) -> bool {
-        self.live.has(node) && (self.is_slot(node) || self.turns.home(node) == home)
+        let is_known = self.is_slot(node) && matches!(self.turns.home(node), Home::Once(_));
+        self.live.has(node) && (is_known || self.turns.home(node) == home)
     }
 
     /// States what lives at `home`, under its headings and then the rest.
@@ -266,16 +270,34 @@ impl<'a> Scheduler<'a> {
     }
 
     fn read_slot(&mut self, id: NodeId) {
-        let graph = self.graph;
-        let given = self.names.get(&id).cloned();
-        let symbols = self.symbols;
-        let index = self.setup.slot(id, |number| match graph.node(id) {
+        let slot = self.slot_of(id);
+        if self.part_of(id).is_none() {
+            self.program.slots.push(slot);
+        } else {
+            self.slots.insert(id, slot);
+        }
+    }
+
+    /// The repeated part that a node belongs to.
+    fn part_of(&self, id: NodeId) -> Option<usize> {
+        match self.turns.home(id) {
+            Home::Once(_) => None,
+            Home::Turn(turn) => self.turns.all.get(turn).map(|turn| turn.repeat),
+        }
+    }
+
+    /// The slot of a value that is known since setup, under a name of this program.
+    fn slot_of(&mut self, id: NodeId) -> Slot {
+        let (graph, symbols) = (self.graph, self.symbols);
+        let (given, part) = (self.names.get(&id).cloned(), self.part_of(id));
+        let (index, name) = self.setup.slot(part, id, |number| match graph.node(id) {
             Node::Symbol(symbol) => symbols[symbol as usize].clone(),
             _ => given.unwrap_or_else(|| format!("p{number}")),
         });
-        let name = self.fresh(format!("known_{}", self.setup.name(index)));
+        let wanted = format!("known_{name}");
+        let name = self.fresh(wanted);
         self.names.insert(id, name.clone());
-        self.program.slots.push(Slot { index, name });
+        Slot { index, name }
     }
 
     /// `a + b` with the sign of `b` in the operation.
@@ -351,7 +373,7 @@ impl<'a> Scheduler<'a> {
 
     fn finish(mut self, outputs: &[Vec<Edge>]) -> Program {
         let output = |edge: &Edge| match self.turns.home(edge.node()) {
-            Home::Turn(_) if !self.is_slot(edge.node()) => Operand::Repeated,
+            Home::Turn(_) => Operand::Repeated,
             _ => self.operand(*edge),
         };
         let outputs = outputs.iter().map(|group| group.iter().map(output).collect()).collect();

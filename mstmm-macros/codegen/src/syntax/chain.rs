@@ -5,7 +5,7 @@ use syn::{Error, Result};
 
 use super::cursor::Cursor;
 use super::field::Content;
-use super::tree::{Block, BlockWord, ChainDef, DimensionWord, Field};
+use super::tree::{Block, BlockWord, ChainDef, DimensionWord, ParameterDef};
 use super::{attribute, field, route};
 use crate::diag::{Diagnostics, did_you_mean};
 
@@ -130,9 +130,17 @@ fn setting(input: &mut Cursor) -> Option<Ident> {
     Some(name)
 }
 
-fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Field> {
+fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<ParameterDef> {
     let name = input.ident().ok_or_else(|| input.unexpected("the parameter's name"))?;
-    Ok(field::field(name, input, diagnostics))
+    let times = match input.group(Delimiter::Bracket) {
+        None => None,
+        Some((mut inside, _)) => {
+            let times = route::count(&mut inside)??;
+            inside.check_empty("`]`")?;
+            Some(times)
+        }
+    };
+    Ok(ParameterDef { field: field::field(name, input, diagnostics), times })
 }
 
 fn block(

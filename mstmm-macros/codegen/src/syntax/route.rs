@@ -78,7 +78,7 @@ fn repeat(
 }
 
 /// How many times: what is no number in its place is an error, a wrong number only the other one.
-fn count(input: &mut Cursor) -> Result<Result<usize>> {
+pub(super) fn count(input: &mut Cursor) -> Result<Result<usize>> {
     let literal = input.literal().ok_or_else(|| input.unexpected("how many times, a number"))?;
     let count = literal.to_string().replace('_', "").parse::<usize>();
     let known = count.ok().filter(|count| (1..=MOST_TIMES).contains(count));

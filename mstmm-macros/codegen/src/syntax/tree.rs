@@ -47,8 +47,8 @@ pub struct ChainDef {
     pub name: Ident,
     /// `gravity = …;` and `method = …;`
     pub settings: Vec<Field>,
-    /// `param name = …;`
-    pub parameters: Vec<Field>,
+    /// `param name = …;` and `param name[times] = …;`
+    pub parameters: Vec<ParameterDef>,
     /// `body … { … }`, `hinge … { … }`, `load … { … }` and `spring … { … }`
     pub blocks: Vec<Block>,
     /// The route; missing if there is none.
@@ -66,6 +66,15 @@ pub enum DimensionWord {
     Plane,
     /// `line`
     Line,
+}
+
+/// `name = value;` or `name[times] = value;`
+#[derive(Debug)]
+pub struct ParameterDef {
+    /// Name and value.
+    pub field: Field,
+    /// How many there are, if it is one for every time of a repeated part.
+    pub times: Option<usize>,
 }
 
 /// `name = value;`

@@ -40,8 +40,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let parameters = PendulumParameters {
             payload: T::constant(0.5f64),
         };
-        let (derived, _) = Self::derive(&parameters);
-        Self { parameters, derived }
+        let (chain, _) = Self::derive(parameters);
+        chain
     }
     /// The numbers that may change at run time.
     #[inline]
@@ -53,23 +53,24 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// # Errors
     ///
     /// [`Error::Parameter`](::mstmm::Error::Parameter) if the number is not finite or would
-    /// leave the chain with a mass that is not positive or a quantity that is not finite; the
-    /// old one is kept then.
+    /// leave the chain with a mass that is not positive, a stiffness or damping that is negative
+    /// or a quantity that is not finite; the old one is kept then.
+    #[allow(unused_variables, clippy::all)]
     pub fn set_payload(
         &mut self,
         value: T,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         let mut parameters = self.parameters;
         parameters.payload = value;
-        let (derived, masses) = Self::derive(&parameters);
-        ::mstmm::generated::check_parameter(
+        let values = &[value];
+        let (chain, checks) = Self::derive(parameters);
+        ::mstmm::generated::check_parameter("payload", values, &[&chain.derived])?;
+        ::mstmm::generated::check_numbers(
             "payload",
-            value,
-            &derived,
-            &masses,
-            &["must leave the mass of body `rod` positive"],
+            &checks,
+            &[(true, "must leave the mass of body `rod` positive")],
         )?;
-        *self = Self { parameters, derived };
+        *self = chain;
         ::core::result::Result::Ok(())
     }
     /// The state that the description starts from, at time zero.
@@ -84,8 +85,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         }
     }
     /// Quantities derived from parameters and constants: 3 mul, 4 add, 1 reciprocal.
-    #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn derive(parameters: &PendulumParameters<T>) -> ([T; 6], [T; 1]) {
+    #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
+    fn derive(parameters: PendulumParameters<T>) -> (Self, [T; 1]) {
         let c = T::constant;
         let payload = parameters.payload;
         /// Quantities derived from parameters and constants: 3 mul, 4 add, 1 reciprocal.
@@ -97,7 +98,11 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let joint_z0_force_y = joint_b_y_z * p4;
         let t1 = t0 + c(0.09333333333333332);
         let p5 = joint_j_yy + t1;
-        ([joint_k_xx, joint_b_y_z, joint_j_yy, joint_z0_force_y, p4, p5], [joint_k_xx])
+        let (derived, checks) = (
+            [joint_k_xx, joint_b_y_z, joint_j_yy, joint_z0_force_y, p4, p5],
+            [joint_k_xx],
+        );
+        (Self { parameters, derived }, checks)
     }
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for Pendulum<T> {

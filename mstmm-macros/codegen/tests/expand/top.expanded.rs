@@ -34,8 +34,8 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let parameters = TopParameters {
             none: ::core::marker::PhantomData,
         };
-        let (derived, _) = Self::derive(&parameters);
-        Self { parameters, derived }
+        let (chain, _) = Self::derive(parameters);
+        chain
     }
     /// The numbers that may change at run time.
     #[inline]
@@ -59,9 +59,10 @@ impl<T: ::mstmm::Scalar> Top<T> {
         }
     }
     /// Quantities derived from parameters and constants: 0 mul, 0 add, 0 reciprocal.
-    #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn derive(parameters: &TopParameters<T>) -> ([T; 0], [T; 0]) {
-        ([], [])
+    #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
+    fn derive(parameters: TopParameters<T>) -> (Self, [T; 0]) {
+        let (derived, checks) = ([], []);
+        (Self { parameters, derived }, checks)
     }
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for Top<T> {

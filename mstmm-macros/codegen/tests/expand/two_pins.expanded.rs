@@ -36,8 +36,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let parameters = TwoPinsParameters {
             none: ::core::marker::PhantomData,
         };
-        let (derived, _) = Self::derive(&parameters);
-        Self { parameters, derived }
+        let (chain, _) = Self::derive(parameters);
+        chain
     }
     /// The numbers that may change at run time.
     #[inline]
@@ -56,9 +56,10 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         }
     }
     /// Quantities derived from parameters and constants: 0 mul, 0 add, 0 reciprocal.
-    #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn derive(parameters: &TwoPinsParameters<T>) -> ([T; 0], [T; 0]) {
-        ([], [])
+    #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
+    fn derive(parameters: TwoPinsParameters<T>) -> (Self, [T; 0]) {
+        let (derived, checks) = ([], []);
+        (Self { parameters, derived }, checks)
     }
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for TwoPins<T> {

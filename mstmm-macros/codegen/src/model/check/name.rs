@@ -61,7 +61,7 @@ struct Name<'a> {
 fn names<'a>(draft: &'a Draft) -> Vec<Name<'a>> {
     let parameters = draft.def.parameters.iter();
     let parameters =
-        parameters.map(|field| Name { ident: &field.name, made: false, has_mut: false });
+        parameters.map(|def| Name { ident: &def.field.name, made: false, has_mut: false });
     let stops = draft.stops.iter().filter_map(|stop| {
         let made = matches!(stop, Stop::Body { named: false, .. });
         Some(Name { ident: stop.name()?, made, has_mut: true })
@@ -189,7 +189,7 @@ pub(super) fn parameters_are_not_words_of_the_language(
     diagnostics: &mut Diagnostics,
 ) {
     let words: Vec<_> = NUMBER_WORDS.iter().chain(FUNCTIONS).copied().collect();
-    let names = draft.def.parameters.iter().map(|field| &field.name);
+    let names = draft.def.parameters.iter().map(|def| &def.field.name);
     refuse_words(names.map(|name| (name, name.span())), &words, diagnostics);
 }
 

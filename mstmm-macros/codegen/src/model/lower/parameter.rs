@@ -2,16 +2,16 @@
 
 use super::context::{Context, Measure};
 use crate::model::{Parameter, Value};
-use crate::syntax::{ChainDef, Field, Written};
+use crate::syntax::{ChainDef, Field, ParameterDef, Written};
 
 /// All parameters. From here on they may be used.
 pub(super) fn parameters<'a>(def: &'a ChainDef, context: &mut Context<'a>) -> Vec<Parameter> {
-    context.later_parameters = def.parameters.iter().map(|field| &field.name).collect();
+    context.later_parameters = def.parameters.iter().map(|def| &def.field.name).collect();
     let read: Vec<_> =
-        def.parameters.iter().map(|field| (&field.name, parameter(field, context))).collect();
+        def.parameters.iter().map(|def| (def, parameter(&def.field, context))).collect();
     context.later_parameters.clear();
     let mut parameters = Vec::new();
-    for (name, read) in read {
+    for (ParameterDef { field: Field { name, .. }, times }, read) in read {
         // One with a mistake is known all the same, and fits anything.
         let (default, measure) = read.unwrap_or((Value::number(0.0), Measure::Open));
         let unit = match measure {
@@ -19,7 +19,7 @@ pub(super) fn parameters<'a>(def: &'a ChainDef, context: &mut Context<'a>) -> Ve
             _ => String::new(),
         };
         context.parameters.push((name, measure));
-        parameters.push(Parameter { name: name.clone(), default, unit });
+        parameters.push(Parameter { name: name.clone(), default, unit, times: *times });
     }
     parameters
 }

@@ -1,0 +1,139 @@
+//! Where parameters are used.
+
+use super::{
+    Body, Chain, Drive, Effort, Frame, Friction, Hinge, HingeKind, Limits, Load, Passive, Place,
+    Source, Spring, Value,
+};
+use crate::diag::Diagnostics;
+
+/// A parameter with one number for every time of a repeated part is used in one such part alone.
+pub(super) fn parameters_of_times_stay_in_their_part(chain: &Chain, diagnostics: &mut Diagnostics) {
+    for (index, parameter) in chain.parameters.iter().enumerate() {
+        let Some(times) = parameter.times else { continue };
+        let name = &parameter.name;
+        let mut parts = chain.parts_that_use(index);
+        parts.dedup();
+        let message = match parts[..] {
+            [] => continue,
+            [Some(part)] if chain.repeats[part].count == times => continue,
+            [Some(part)] => {
+                let count = chain.repeats[part].count;
+                format!("`{name}` has {times} numbers for a part that is repeated {count} times")
+            }
+            [None] => format!(
+                "`{name}` has {times} numbers: only a part that is repeated as often can use it"
+            ),
+            _ => format!(
+                "`{name}` has a number for every time of one repeated part, and is used elsewhere too"
+            ),
+        };
+        diagnostics.error(name.span(), message);
+    }
+}
+
+impl Chain {
+    /// The repeated part that a parameter belongs to.
+    pub fn repeat_of_parameter(&self, parameter: usize) -> Option<usize> {
+        self.parameters[parameter].times?;
+        self.parts_that_use(parameter).into_iter().flatten().next()
+    }
+
+    /// The repeated parts in which a parameter is used, in their order; nothing stands for all else.
+    fn parts_that_use(&self, parameter: usize) -> Vec<Option<usize>> {
+        let used = |values: Vec<&Value>| values.into_iter().any(|value| value.uses(parameter));
+        let bodies = self.bodies.iter().enumerate();
+        let bodies = bodies.map(|(index, body)| (self.repeat_of_body(index), of_body(body)));
+        let hinges = self.hinges.iter().enumerate();
+        let hinges = hinges.map(|(index, hinge)| (self.repeat_of_hinge(index), of_hinge(hinge)));
+        let loads = self.loads.iter();
+        let loads = loads.map(|load| (self.repeat_of_body(load.body), of_load(load)));
+        let springs = self.springs.iter();
+        let springs = springs.map(|spring| (self.repeat_of_body(spring.body), of_spring(spring)));
+        let places = self.hinges.iter().map(|hinge| (None, of_places(hinge)));
+        let gravity = std::iter::once((None, of_source(&self.gravity)));
+        let all = bodies.chain(hinges).chain(loads).chain(springs).chain(places).chain(gravity);
+        let mut parts: Vec<Option<usize>> =
+            all.filter(|(_, values)| used(values.clone())).map(|(part, _)| part).collect();
+        parts.sort();
+        parts
+    }
+}
+
+fn of_frame(frame: &Frame) -> Vec<&Value> {
+    frame.position.iter().chain(frame.rotation.iter().flatten()).collect()
+}
+
+fn of_source(source: &Source) -> Vec<&Value> {
+    match source {
+        Source::Constant(values) => values.iter().collect(),
+        Source::Nothing | Source::Input => Vec::new(),
+    }
+}
+
+fn of_body(body: &Body) -> Vec<&Value> {
+    let mut values = vec![&body.mass];
+    values.extend(&body.com);
+    values.extend(&body.inertia.tensor);
+    values.extend(of_frame(&body.output));
+    values
+}
+
+fn of_hinge(hinge: &Hinge) -> Vec<&Value> {
+    let Hinge { kind, start, start_rate, rest, drive, passive, .. } = hinge;
+    let mut values: Vec<&Value> = start.iter().chain(start_rate).chain(rest).collect();
+    match kind {
+        HingeKind::Pin { axis } | HingeKind::Slider { axis } | HingeKind::Cylindrical { axis } => {
+            values.extend(axis);
+        }
+        HingeKind::Screw { axis, pitch } => values.extend(axis.iter().chain([pitch])),
+        HingeKind::Universal { axes } => values.extend(axes.iter().flatten()),
+        HingeKind::Weld
+        | HingeKind::Ball
+        | HingeKind::Planar { .. }
+        | HingeKind::Floating
+        | HingeKind::Elastic
+        | HingeKind::PlaneElastic => {}
+    }
+    if let Drive::Efforts(efforts) = drive {
+        values.extend(efforts.iter().filter_map(|effort| match effort {
+            Effort::Constant(value) => Some(value),
+            Effort::Free | Effort::Input => None,
+        }));
+    }
+    values.extend(passive.iter().flat_map(of_passive));
+    values
+}
+
+fn of_passive(passive: &Passive) -> Vec<&Value> {
+    let Passive { stiffness, damping, armature, friction, limits } = passive;
+    let mut values = vec![stiffness, damping, armature];
+    if let Some(Friction { effort, speed }) = friction {
+        values.extend([effort, speed]);
+    }
+    if let Some(Limits { low, high, stiffness, damping }) = limits {
+        values.extend([low, high, stiffness, damping]);
+    }
+    values
+}
+
+fn of_places(hinge: &Hinge) -> Vec<&Value> {
+    let mut values = Vec::new();
+    for place in [&hinge.inboard, &hinge.outboard] {
+        if let Place::Ground(frame) = place {
+            values.extend(of_frame(frame));
+        }
+    }
+    values
+}
+
+fn of_load(load: &Load) -> Vec<&Value> {
+    let mut values = of_frame(&load.at);
+    values.extend(of_source(&load.force));
+    values.extend(of_source(&load.torque));
+    values
+}
+
+fn of_spring(spring: &Spring) -> Vec<&Value> {
+    let Spring { at, to, stiffness, damping, length, .. } = spring;
+    at.iter().chain(to).chain([stiffness, damping, length]).collect()
+}
