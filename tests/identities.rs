@@ -4,11 +4,11 @@
 
 mod support;
 
-use mstmm::{Chain, ChainState, Dopri5, Error};
+use mstmm::{ChainState, Dopri5, Error};
 use mstmm_reference::Random;
 use nalgebra::{UnitQuaternion, Vector3};
 use support::difference;
-use support::dual::Dual;
+use support::dual::{self, Dual};
 use support::matter::{Lump, ends, momenta, momentum_rate};
 use support::mechanism::{Answer, Mechanism, both};
 
@@ -115,18 +115,7 @@ macro_rules! driven {
             }
 
             fn energy_rate(&self, state: &Self::State, inputs: &Self::Inputs) -> f64 {
-                let mut rate = self.initial_state();
-                self.derivative_into(state, inputs, &mut rate).expect("a regular chain");
-                let chain = $name::<Dual>::new();
-                let mut moving = chain.initial_state();
-                let join = |to: &mut [Dual], values: &[f64], rates: &[f64]| {
-                    for (to, (&value, &rate)) in to.iter_mut().zip(values.iter().zip(rates)) {
-                        *to = Dual::new(value, rate);
-                    }
-                };
-                join(moving.q_mut(), state.q(), rate.q());
-                join(moving.v_mut(), state.v(), rate.v());
-                chain.energy(&moving).total().rate
+                dual::energy_rate(self, &$name::<Dual>::new(), state, inputs)
             }
         }
     )* };

@@ -1,5 +1,6 @@
-//! A seeded set of random chains, compiled through the macro, against the independent solver:
-//! accelerations, every quantity at every connection point, energies, in both methods.
+//! A seeded set of random chains of everything the language has, compiled through the macro,
+//! against the independent solver: accelerations, efforts, every quantity at every connection
+//! point, energies, in both methods.
 //!
 //! `random/chains.rs` holds the chains as they are printed from the seeds; a test keeps it so, and
 //! `MSTMM_BLESS=1 cargo test --test random` writes it anew.
@@ -8,72 +9,62 @@ mod random {
     // Kept as printed.
     #[rustfmt::skip]
     pub mod chains;
+    pub mod face;
+    pub mod print;
 }
 mod support;
 
 use mstmm_reference::{
-    Chain, Ends, HingeKind, Joining, Random, random_chain, random_efforts, random_state,
+    Chain, Dimension, End, Ends, Gravity, HingeKind, Joining, Random, Recipe, Solution, Source,
+    random_mechanism, random_motion,
 };
 use random::chains;
-use std::fmt::Write;
-use support::{Entries, difference, matches};
+use random::face::{Answer, Printed};
+use random::print::printed;
+use support::{ComparedPoint, difference, loads_match, motions_match, worst};
 
-/// States tried for each chain.
-const STATES: u64 = 20;
+/// Motions tried for each chain.
+const MOTIONS: u64 = 20;
 
 /// The condition numbers of these chains reach a few thousand, and the reference solves a dense
-/// system of up to 96 unknowns.
+/// system of up to 54 unknowns.
 const TOLERANCE: f64 = 1e-10;
 
-/// The chain of a seed: one to eight bodies, all ends, all hinges.
+/// The chain of a seed: up to four bodies, all ends and dimensions, a chance of everything.
 fn chain(seed: u64) -> Chain {
-    let mut random = Random::new(seed);
-    let ends = [Ends::HeldFree, Ends::FreeFree, Ends::FreeHeld][seed as usize % 3];
-    let kinds = [Joining::Pin, Joining::Ball, Joining::Weld, Joining::Pin, Joining::Ball];
-    let bodies = 1 + (seed as usize * 5) % 8;
-    random_chain(&mut random, &format!("Random{seed}"), bodies, ends, &kinds)
+    let ends = Ends::ALL[seed as usize % Ends::ALL.len()];
+    let dimension = match seed {
+        4 | 14 => Dimension::Line,
+        _ if seed % 5 == 1 && seed != FLAT => Dimension::Plane,
+        _ => Dimension::Space,
+    };
+    let bodies = if seed == FLAT { 4 } else { 1 + (seed as usize * 3 + 1) % 4 };
+    let recipe = if seed == FLAT {
+        let kinds = [Joining::Pin, Joining::Slider];
+        Recipe { flat: true, ..Recipe::rich(dimension, bodies, ends, &kinds) }
+    } else {
+        let recipe = Recipe::rich(dimension, bodies, ends, &Joining::ALL);
+        Recipe { prescribed: 0.25, springs: 0.4, ..recipe }
+    };
+    random_mechanism(&mut Random::new(seed), &format!("Random{seed}"), &recipe)
 }
 
+/// A seed whose chain is closed, and lies in a plane: its hinges are redundant in space.
+const FLAT: u64 = 21;
+
 fn text() -> String {
-    let mut text =
-        String::from("//! Printed from the seeds in `../random.rs`; not to be edited.\n");
+    let mut text = String::from(
+        "//! Printed from the seeds in `../random.rs`; not to be edited.\n\n\
+         use super::face::printed;\nuse crate::support::motion::*;\n",
+    );
     for seed in SEEDS {
-        let chain = chain(seed);
-        for method in ["riccati", "transfer"] {
-            let mut chain = chain.clone();
-            chain.name = format!("{}{}", chain.name, ["R", "T"][usize::from(method == "transfer")]);
-            write!(text, "\nmstmm::mstmm_chain! {{\n{}}}\n", chain.to_macro_text(Some(method)))
-                .expect("text can be written");
-            text.push_str(&inputs(&chain));
+        for (letter, method) in [("R", "riccati"), ("T", "transfer")] {
+            let chain = chain(seed);
+            let name = format!("{}{letter}", chain.name);
+            text.push_str(&printed(&Chain { name, ..chain }, method));
         }
     }
     text
-}
-
-/// A function that takes a chain's inputs out of all its efforts.
-fn inputs(chain: &Chain) -> String {
-    let mut place = if chain.floats() { 6 } else { 0 };
-    let mut fields = Vec::new();
-    for hinge in chain.hinges() {
-        let (a, b, c) = (place, place + 1, place + 2);
-        match hinge.kind {
-            HingeKind::Ball if hinge.motor => {
-                fields.push(format!("{}: [{a}, {b}, {c}].map(|k| efforts[k]).into()", hinge.name));
-            }
-            _ if hinge.motor => fields.push(format!("{}: efforts[{a}]", hinge.name)),
-            _ => {}
-        }
-        place += hinge.kind.freedoms();
-    }
-    let (name, function) = (&chain.name, chain.name.to_lowercase());
-    let (argument, value) = if fields.is_empty() {
-        ("_efforts", format!("{name}Inputs::default()"))
-    } else {
-        ("efforts", format!("{name}Inputs {{ {} }}", fields.join(", ")))
-    };
-    format!(
-        "\npub fn inputs_{function}({argument}: &[f64]) -> {name}Inputs<f64> {{\n    {value}\n}}\n"
-    )
 }
 
 #[test]
@@ -86,70 +77,132 @@ fn the_chains_are_those_of_the_seeds() {
     assert!(committed == text(), "MSTMM_BLESS=1 cargo test --test random prints them anew");
 }
 
-/// Compares one generated type with the reference in many states.
-macro_rules! compare {
-    ($name:ident, $inputs:ident, $seed:expr) => {{
-        let reference = chain($seed);
-        let generated = chains::$name::<f64>::new();
-        let mut worst = 0.0_f64;
-        for number in 0..STATES {
-            let mut random = Random::new(1000 * $seed + number);
-            let motion = random_state(&mut random, &reference);
-            let efforts = random_efforts(&mut random, &reference);
-            let expected = reference.solve(&motion, &efforts);
-            let mut state = generated.initial_state();
-            state.q.as_mut_slice().copy_from_slice(&motion.q);
-            state.v.as_mut_slice().copy_from_slice(&motion.v);
-            let inputs = chains::$inputs(&efforts);
-            let mut at = generated.workspace();
-            generated.solve_into(&state, &inputs, &mut at).expect("a regular chain");
-            let fast = generated.accelerations(&state, &inputs).expect("a regular chain");
-            let energy = generated.energy(&state);
-            let computed = Entries {
-                accelerations: at.accelerations().as_slice(),
-                points: at.points(),
-                energies: [at.kinetic_energy(), at.potential_energy()],
-            };
-            worst = worst
-                .max(matches(&computed, &expected))
-                .max(difference(fast.as_slice(), &expected.accelerations))
-                .max(difference(&[energy.kinetic, energy.potential], &computed.energies));
-            assert!(
-                worst < TOLERANCE,
-                "{}, seed {}, state {number}: {worst:e}",
-                stringify!($name),
-                $seed
-            );
+#[test]
+fn the_seeds_have_everything() {
+    let chains: Vec<Chain> = SEEDS.into_iter().map(chain).collect();
+    let hinges = || chains.iter().flat_map(Chain::hinges);
+    let groups = || hinges().flat_map(|hinge| hinge.groups());
+    let loads = || chains.iter().flat_map(|chain| &chain.loads);
+    let springs = || chains.iter().flat_map(|chain| &chain.springs);
+    let has_kind = |is: fn(&HingeKind) -> bool| hinges().any(|hinge| is(&hinge.kind));
+    let missing: Vec<&str> = [
+        ("weld", has_kind(|kind| matches!(kind, HingeKind::Weld))),
+        ("pin", has_kind(|kind| matches!(kind, HingeKind::Pin { .. }))),
+        ("slider", has_kind(|kind| matches!(kind, HingeKind::Slider { .. }))),
+        ("screw", has_kind(|kind| matches!(kind, HingeKind::Screw { .. }))),
+        ("cylindrical", has_kind(|kind| matches!(kind, HingeKind::Cylindrical { .. }))),
+        ("universal", has_kind(|kind| matches!(kind, HingeKind::Universal { .. }))),
+        ("ball", has_kind(|kind| matches!(kind, HingeKind::Ball))),
+        ("planar", has_kind(|kind| matches!(kind, HingeKind::Planar { .. }))),
+        ("floating", has_kind(|kind| matches!(kind, HingeKind::Floating))),
+        ("elastic", has_kind(|kind| matches!(kind, HingeKind::Elastic))),
+        ("plane elastic", has_kind(|kind| matches!(kind, HingeKind::PlaneElastic))),
+        ("line elastic", has_kind(|kind| matches!(kind, HingeKind::LineElastic))),
+        ("plane", chains.iter().any(|chain| chain.dimension == Dimension::Plane)),
+        ("closed plane", chains.iter().any(|c| c.dimension == Dimension::Plane && c.closed())),
+        ("line", chains.iter().any(|chain| chain.dimension == Dimension::Line)),
+        ("moving", chains.iter().any(|chain| matches!(chain.start, End::Moving { .. }))),
+        ("gravity", chains.iter().any(|chain| chain.gravity == Gravity::Input)),
+        ("motion", hinges().any(|hinge| hinge.prescribed)),
+        ("prescribed spring", hinges().any(|h| h.prescribed && !h.turning.is_empty())),
+        ("rest", hinges().any(|hinge| !hinge.rest.is_empty())),
+        ("stiffness", groups().any(|(group, _)| !group.stiffness.is_empty())),
+        ("damping", groups().any(|(group, _)| !group.damping.is_empty())),
+        ("armature", groups().any(|(group, _)| !group.armature.is_empty())),
+        ("friction", groups().any(|(group, _)| !group.friction.is_empty())),
+        ("limits", groups().any(|(group, _)| group.limits.is_some())),
+        ("motor", groups().any(|(group, _)| group.motor == Source::Input)),
+        ("constant motor", groups().any(|(group, _)| matches!(group.motor, Source::Constant(_)))),
+        ("force", loads().any(|load| load.force == Source::Input)),
+        ("torque", loads().any(|load| load.torque == Source::Input)),
+        ("constant force", loads().any(|load| matches!(load.force, Source::Constant(_)))),
+        ("spring without length", springs().any(|spring| spring.length == 0.0)),
+        ("spring with length", springs().any(|spring| spring.length > 0.0)),
+    ]
+    .into_iter()
+    .filter(|(_, there)| !there)
+    .map(|(what, _)| what)
+    .collect();
+    assert!(missing.is_empty(), "missing: {missing:?}");
+}
+
+/// Compares one generated type with the reference in many motions.
+fn compare<C: Printed>(name: &str, seed: u64)
+where
+    C::Point: ComparedPoint,
+{
+    let (reference, generated) = (chain(seed), C::default());
+    let mut largest = 0.0_f64;
+    for number in 0..MOTIONS {
+        let mut random = Random::new(1000 * seed + number);
+        let (motion, drives) = random_motion(&mut random, &reference);
+        let expected = reference.solve_driven(&motion, &drives);
+        let state = generated.state(&motion.q, &motion.v);
+        let answer = generated.answer(&state, &generated.inputs(&drives));
+        for (what, off) in differences(&answer, &expected) {
+            assert!(off < TOLERANCE, "{name}, seed {seed}, motion {number}: {what} off by {off:e}");
+            largest = worst(largest, off);
         }
-        println!("{} {worst:.1e}", stringify!($name));
-    }};
+    }
+    println!("{name} {largest:.1e}");
+}
+
+/// Where reactions are not unique, the reference has the same motion but not the same loads.
+fn differences<P: ComparedPoint>(
+    answer: &Answer<P>,
+    expected: &Solution,
+) -> Vec<(&'static str, f64)> {
+    let energies = [expected.kinetic_energy, expected.potential_energy];
+    let fast = [answer.fast_energy.kinetic, answer.fast_energy.potential];
+    let mut differences = vec![
+        ("accelerations", difference(&answer.accelerations, &expected.accelerations)),
+        ("fast accelerations", difference(&answer.fast_accelerations, &expected.accelerations)),
+        ("points", motions_match(&answer.points, expected)),
+        ("energy", difference(&[answer.energy.kinetic, answer.energy.potential], &energies)),
+        ("fast energy", difference(&fast, &energies)),
+    ];
+    if expected.reactions_unique {
+        differences.push(("efforts", difference(&answer.efforts, &expected.efforts.concat())));
+        differences.push(("loads", loads_match(&answer.points, expected)));
+    }
+    differences
 }
 
 /// One test a seed, for both methods.
 macro_rules! seeds {
-    ($($seed:literal $test:ident $riccati:ident $ri:ident $transfer:ident $ti:ident;)*) => {
+    ($($seed:literal $test:ident $riccati:ident $transfer:ident;)*) => {
         const SEEDS: [u64; [$($seed),*].len()] = [$($seed),*];
         $(
             #[test]
             fn $test() {
-                compare!($riccati, $ri, $seed);
-                compare!($transfer, $ti, $seed);
+                compare::<chains::$riccati<f64>>(stringify!($riccati), $seed);
+                compare::<chains::$transfer<f64>>(stringify!($transfer), $seed);
             }
         )*
     };
 }
 
 seeds! {
-    0 seed_0 Random0R inputs_random0r Random0T inputs_random0t;
-    1 seed_1 Random1R inputs_random1r Random1T inputs_random1t;
-    2 seed_2 Random2R inputs_random2r Random2T inputs_random2t;
-    3 seed_3 Random3R inputs_random3r Random3T inputs_random3t;
-    4 seed_4 Random4R inputs_random4r Random4T inputs_random4t;
-    5 seed_5 Random5R inputs_random5r Random5T inputs_random5t;
-    6 seed_6 Random6R inputs_random6r Random6T inputs_random6t;
-    7 seed_7 Random7R inputs_random7r Random7T inputs_random7t;
-    8 seed_8 Random8R inputs_random8r Random8T inputs_random8t;
-    9 seed_9 Random9R inputs_random9r Random9T inputs_random9t;
-    10 seed_10 Random10R inputs_random10r Random10T inputs_random10t;
-    11 seed_11 Random11R inputs_random11r Random11T inputs_random11t;
+    0 seed_0 Random0R Random0T;
+    1 seed_1 Random1R Random1T;
+    2 seed_2 Random2R Random2T;
+    3 seed_3 Random3R Random3T;
+    4 seed_4 Random4R Random4T;
+    5 seed_5 Random5R Random5T;
+    6 seed_6 Random6R Random6T;
+    7 seed_7 Random7R Random7T;
+    8 seed_8 Random8R Random8T;
+    9 seed_9 Random9R Random9T;
+    10 seed_10 Random10R Random10T;
+    11 seed_11 Random11R Random11T;
+    12 seed_12 Random12R Random12T;
+    13 seed_13 Random13R Random13T;
+    14 seed_14 Random14R Random14T;
+    15 seed_15 Random15R Random15T;
+    16 seed_16 Random16R Random16T;
+    17 seed_17 Random17R Random17T;
+    18 seed_18 Random18R Random18T;
+    19 seed_19 Random19R Random19T;
+    20 seed_20 Random20R Random20T;
+    21 seed_21 Random21R Random21T;
 }

@@ -71,7 +71,7 @@ use proc_macro::TokenStream;
 /// chain    := attributes visibility ['space' | 'plane' | 'line'] 'chain' Name '{' item* '}'
 /// item     := 'gravity' '=' (vector | 'input') ';'
 ///          | 'method' '=' ('riccati' | 'transfer') ';'
-///          | 'param' name '=' number ';'
+///          | 'param' name ['[' count ']'] '=' number ';'
 ///          | 'body' Type '{' (field | point)* '}'            a type of body, before the route
 ///          | route ';'                                       once
 ///          | 'hinge' name (',' name)* '{' field* '}'         after the route
@@ -111,7 +111,9 @@ use proc_macro::TokenStream;
 /// | `method` | `riccati` or `transfer` | the one with fewer operations, or `riccati` for more than two bodies |
 ///
 /// `param name = number;` is a number that may change at run time, by a setter. Everything else is
-/// folded into the generated code. A default may use Rust constants, but no other parameter.
+/// folded into the generated code; what follows from parameters is computed when they are set, not in
+/// every step. A default may use Rust constants, but no other parameter. `param name[100] = number;` has a
+/// number for every time of a part that is repeated 100 times, see [below](#repeated-parts).
 ///
 /// # Dimensions
 ///
@@ -168,7 +170,8 @@ use proc_macro::TokenStream;
 /// A hinge joins two frames, its inboard side and its outboard side, in the order of the route. Both
 /// coincide in its zero position. From there the outboard side turns, right-handed, and shifts against
 /// the inboard one: R turns outboard components into inboard ones, d is the way of the outboard origin
-/// from the inboard one, along inboard axes.
+/// from the inboard one, along inboard axes. The module `mstmm::hinges` has a page for each kind, with a
+/// picture, the equations and an example.
 ///
 /// | kind | lets free | coordinates | R and d | rates, each with an effort |
 /// |---|---|---|---|---|
@@ -299,9 +302,44 @@ use proc_macro::TokenStream;
 /// in it, of a load or of a spring on a body in it holds for each time. The length of the generated code
 /// does not depend on the count.
 ///
-/// ```text
-/// ground -> repeat 100 { pin joint -> Rod rod } -> pin hook -> Weight weight;
 /// ```
+/// use mstmm::prelude::*;
+///
+/// mstmm_chain! {
+///     plane chain Rope {
+///         gravity = [0, -9.8] m/s^2;
+///         param knot[100] = 0 kg; // one for each rod
+///         body Rod {
+///             mass = 10 g + knot;
+///             com = [5, 0] mm;
+///             output = [10, 0] mm;
+///             inertia = 1e-6 kg*m^2 about com;
+///         }
+///         body Weight { mass = 1 kg; com = [0, -5] cm; inertia = 1e-3 kg*m^2 about com; }
+///
+///         ground -> repeat 100 { pin joint -> Rod rod } -> pin hook -> Weight weight;
+///
+///         hinge joint { damping = 1e-4 N*m*s/rad; }
+///     }
+/// }
+///
+/// let mut rope = Rope::<f64>::new();
+/// rope.set_knot(|index| if index == 50 { 0.02 } else { 0.0 })?;
+/// let mut state = rope.initial_state();
+/// state.set_each_joint(|index| mstmm::PinState::new(1e-3 * index as f64, 0.0));
+/// let mut at = rope.workspace();
+/// rope.solve_into(&state, &rope.no_inputs(), &mut at)?;
+/// let middle = at.rod(50).ok_or("there are 100 rods")?;
+/// println!("{:?} N", middle.input().force());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// A state has `joint(index)`, `joint_mut(index)`, which are `None` behind the last time, and
+/// `set_each_joint(|index| …)`; a workspace has `joint(index)` and `rod(index)`. Inputs of repeated hinges
+/// and bodies are arrays. The step keeps a few numbers for each time on the stack, and so do the state and
+/// the workspace: for tens of thousands of bodies, run it in a thread with a stack to match.
+///
+/// A chain that is held at its end alone cannot have repeated parts: it can be written the other way round.
 ///
 /// # Numbers and units
 ///
@@ -363,7 +401,7 @@ use proc_macro::TokenStream;
 /// | method of `Name` | |
 /// |---|---|
 /// | `new()` | as described, parameters at their defaults |
-/// | `parameters()`, `set_name(value)` | SI units; a setter refuses what is not finite, or leaves something derived from it not finite or a mass not positive |
+/// | `parameters()`, `set_name(value)` | SI units; a setter refuses what is not finite, or leaves something derived from it not finite, a mass not positive or a stiffness, damping or the like negative; of a parameter with a number for every time it takes `\|index\| value` |
 /// | `initial_state()`, `no_inputs()`, `workspace()` | to start with; inputs are zero |
 /// | `accelerations(&state, &inputs)`, `accelerations_into(…, &mut accelerations)` | accelerations alone, the fast path |
 /// | `solve_into(&state, &inputs, &mut workspace)` | accelerations, efforts, energies and everything at every connection point |
@@ -387,9 +425,10 @@ use proc_macro::TokenStream;
 /// `kinetic_energy()` and `potential_energy()`, and `closure()` for a closed chain. Points know their
 /// position, orientation, velocity, angular velocity and z. Repeated hinges and bodies take an index.
 ///
-/// `Name` implements `mstmm::Chain`, which the integrators `Rk4` and `Dopri5` step, and
-/// `mstmm::GeneratedChain`, for code that works with any chain. The documentation of the generated
-/// items tells how many operations each function costs.
+/// `Name` implements `mstmm::Chain`, which the integrators step (`mstmm::integrate` says which to take),
+/// and `mstmm::GeneratedChain`, for code that works with any chain. After every step integrators put a
+/// closed chain back onto its closure. The documentation of the generated items tells how many operations
+/// each function costs.
 ///
 /// # Errors
 ///

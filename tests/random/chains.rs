@@ -1,22 +1,38 @@
 //! Printed from the seeds in `../random.rs`; not to be edited.
 
+use super::face::printed;
+use crate::support::motion::*;
+
 mstmm::mstmm_chain! {
 pub chain Random0R {
     method = riccati;
     gravity = [9.81, 0.0, 0.0] m/s^2;
     body B1 {
-        mass = 1.77 kg;
-        com = [-0.31, 0.54, -0.12] m;
-        output = [0.13, 0.5, 0.04] m turned rpy(0.0, 180.0, 90.0) deg;
-        inertia = tensor(0.639971, 0.36495, 0.805302, 0.290113, -0.09228, 0.108729) kg*m^2 about input;
+        mass = 1.38 kg;
+        com = [0.48, 0.0, 0.0] m;
+        output = [-0.03, 0.64, -0.71] m turned rpy(154.6, -61.5, 131.5) deg;
+        inertia = tensor(0.06925, 0.050282, 0.060487, 0.013501, 0.008858, -0.0076) kg*m^2 about com;
     }
-    ground -> pin([0.0, -1.0, 0.0]) j1 -> B1 b1;
-    hinge j1 { torque = input; }
+    body B2 {
+        mass = 4.64 kg;
+        com = [0.0, 0.0, 0.33] m;
+        output = [0.0, 0.0, -0.12] m;
+        inertia = diag(1.075202, 1.199649, 0.588383) kg*m^2 about input;
+    }
+    ground -> cylindrical([0.0, -1.0, 0.0]) j1 -> B1 b1 -> pin(x) j2 -> B2 b2;
+    hinge j1 { stiffness = 8.77 N/m; limits = [-0.16, 1.13] m; limit_stiffness = 13.8 N/m; force = input; torque = 2.7 N*m; }
+    hinge j2 { damping = 0.16 N*m*s/rad; armature = 0.75 kg*m^2; limits = [-0.64, 0.7] rad; limit_stiffness = 41.2 N*m/rad; limit_damping = 1.51 N*m*s/rad; torque = 3.0 N*m; }
+    spring s1 { on = b1; at = com; to = [-0.9, -0.6, -0.1] m; stiffness = 31.2 N/m; length = 0.8 m; }
+    spring s2 { on = b2; at = [0.0, 0.0, 0.18] m; to = [1.1, 1.9, 1.2] m; stiffness = 20.2 N/m; length = 0.4 m; }
 }
 }
 
-pub fn inputs_random0r(efforts: &[f64]) -> Random0RInputs<f64> {
-    Random0RInputs { j1: efforts[0] }
+printed! {
+    Random0R, Point, energy(state);
+    inputs |drives| {
+        j1: drives.efforts[0],
+    }
+    hinges j1 j2;
 }
 
 mstmm::mstmm_chain! {
@@ -24,122 +40,81 @@ pub chain Random0T {
     method = transfer;
     gravity = [9.81, 0.0, 0.0] m/s^2;
     body B1 {
-        mass = 1.77 kg;
-        com = [-0.31, 0.54, -0.12] m;
-        output = [0.13, 0.5, 0.04] m turned rpy(0.0, 180.0, 90.0) deg;
-        inertia = tensor(0.639971, 0.36495, 0.805302, 0.290113, -0.09228, 0.108729) kg*m^2 about input;
+        mass = 1.38 kg;
+        com = [0.48, 0.0, 0.0] m;
+        output = [-0.03, 0.64, -0.71] m turned rpy(154.6, -61.5, 131.5) deg;
+        inertia = tensor(0.06925, 0.050282, 0.060487, 0.013501, 0.008858, -0.0076) kg*m^2 about com;
     }
-    ground -> pin([0.0, -1.0, 0.0]) j1 -> B1 b1;
-    hinge j1 { torque = input; }
+    body B2 {
+        mass = 4.64 kg;
+        com = [0.0, 0.0, 0.33] m;
+        output = [0.0, 0.0, -0.12] m;
+        inertia = diag(1.075202, 1.199649, 0.588383) kg*m^2 about input;
+    }
+    ground -> cylindrical([0.0, -1.0, 0.0]) j1 -> B1 b1 -> pin(x) j2 -> B2 b2;
+    hinge j1 { stiffness = 8.77 N/m; limits = [-0.16, 1.13] m; limit_stiffness = 13.8 N/m; force = input; torque = 2.7 N*m; }
+    hinge j2 { damping = 0.16 N*m*s/rad; armature = 0.75 kg*m^2; limits = [-0.64, 0.7] rad; limit_stiffness = 41.2 N*m/rad; limit_damping = 1.51 N*m*s/rad; torque = 3.0 N*m; }
+    spring s1 { on = b1; at = com; to = [-0.9, -0.6, -0.1] m; stiffness = 31.2 N/m; length = 0.8 m; }
+    spring s2 { on = b2; at = [0.0, 0.0, 0.18] m; to = [1.1, 1.9, 1.2] m; stiffness = 20.2 N/m; length = 0.4 m; }
 }
 }
 
-pub fn inputs_random0t(efforts: &[f64]) -> Random0TInputs<f64> {
-    Random0TInputs { j1: efforts[0] }
+printed! {
+    Random0T, Point, energy(state);
+    inputs |drives| {
+        j1: drives.efforts[0],
+    }
+    hinges j1 j2;
 }
 
 mstmm::mstmm_chain! {
-pub chain Random1R {
+pub plane chain Random1R {
     method = riccati;
-    gravity = [-1.83, -0.45, 0.95] m/s^2;
+    gravity = [0.0, -9.8] m/s^2;
     body B1 {
         mass = 2.92 kg;
-        com = [-0.07, -0.07, 0.32] m;
-        output = [-0.51, 0.71, -0.23] m turned rpy(-23.1, -119.9, 52.3) deg;
-        inertia = diag(0.201485, 0.130069, 0.319194) kg*m^2 about com;
+        com = [-0.07, -0.07] m;
+        output = [-0.51, 0.71] m turned 52.3 deg;
+        inertia = 0.319194 kg*m^2 about com;
+        point p1 = [-0.91, 1.0] m;
     }
-    body B2 {
-        mass = 3.63 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.21, -0.25, -0.15] m;
-        inertia = tensor(0.307822, 0.312534, 0.374703, 0.020195, -0.032474, -0.012241) kg*m^2 about input;
-    }
-    body B3 {
-        mass = 1.09 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.62] m turned rpy(-101.9, -109.1, -146.2) deg;
-        inertia = tensor(0.022545, 0.022444, 0.019063, 0.000515, -0.00124, 0.001327) kg*m^2 about input;
-    }
-    body B4 {
-        mass = 1.41 kg;
-        com = [-0.34, 0.37, -0.32] m;
-        output = [-0.49, -0.82, 1.04] m;
-        inertia = tensor(0.427376, 0.388753, 0.496811, 0.177378, -0.153408, 0.166944) kg*m^2 about input;
-    }
-    body B5 {
-        mass = 2.3 kg;
-        com = [0.31, 0.0, 0.0] m;
-        output = [0.14, 0.0, 0.0] m turned rpy(-19.4, -138.1, -25.4) deg;
-        inertia = diag(0.301816, 0.193355, 0.166551) kg*m^2 about com;
-    }
-    body B6 {
-        mass = 0.94 kg;
-        com = [0.25, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(-157.3, -7.3, 174.1) deg;
-        inertia = tensor(0.014771, 0.02145, 0.018681, 0.00299, 0.004747, -0.000913) kg*m^2 about com;
-    }
-    B1 b1 -> pin([0.0, -1.0, 0.0]) j1 -> B2 b2 -> pin([-0.14, 1.37, -0.31]) j2 -> B3 b3 -> pin([0.0, 0.0, -1.0]) j3 -> B4 b4 -> weld j4 -> B5 b5 -> pin(y) j5 -> B6 b6;
-    hinge j5 { torque = input; }
+    B1 b1;
+    load l1 { on = b1; at = p1; torque = 4.0 N*m; }
 }
 }
 
-pub fn inputs_random1r(efforts: &[f64]) -> Random1RInputs<f64> {
-    Random1RInputs { j5: efforts[9] }
+printed! {
+    Random1R, PlanePoint, energy(state);
+    inputs |_drives| {}
+    hinges;
 }
 
 mstmm::mstmm_chain! {
-pub chain Random1T {
+pub plane chain Random1T {
     method = transfer;
-    gravity = [-1.83, -0.45, 0.95] m/s^2;
+    gravity = [0.0, -9.8] m/s^2;
     body B1 {
         mass = 2.92 kg;
-        com = [-0.07, -0.07, 0.32] m;
-        output = [-0.51, 0.71, -0.23] m turned rpy(-23.1, -119.9, 52.3) deg;
-        inertia = diag(0.201485, 0.130069, 0.319194) kg*m^2 about com;
+        com = [-0.07, -0.07] m;
+        output = [-0.51, 0.71] m turned 52.3 deg;
+        inertia = 0.319194 kg*m^2 about com;
+        point p1 = [-0.91, 1.0] m;
     }
-    body B2 {
-        mass = 3.63 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.21, -0.25, -0.15] m;
-        inertia = tensor(0.307822, 0.312534, 0.374703, 0.020195, -0.032474, -0.012241) kg*m^2 about input;
-    }
-    body B3 {
-        mass = 1.09 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.62] m turned rpy(-101.9, -109.1, -146.2) deg;
-        inertia = tensor(0.022545, 0.022444, 0.019063, 0.000515, -0.00124, 0.001327) kg*m^2 about input;
-    }
-    body B4 {
-        mass = 1.41 kg;
-        com = [-0.34, 0.37, -0.32] m;
-        output = [-0.49, -0.82, 1.04] m;
-        inertia = tensor(0.427376, 0.388753, 0.496811, 0.177378, -0.153408, 0.166944) kg*m^2 about input;
-    }
-    body B5 {
-        mass = 2.3 kg;
-        com = [0.31, 0.0, 0.0] m;
-        output = [0.14, 0.0, 0.0] m turned rpy(-19.4, -138.1, -25.4) deg;
-        inertia = diag(0.301816, 0.193355, 0.166551) kg*m^2 about com;
-    }
-    body B6 {
-        mass = 0.94 kg;
-        com = [0.25, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(-157.3, -7.3, 174.1) deg;
-        inertia = tensor(0.014771, 0.02145, 0.018681, 0.00299, 0.004747, -0.000913) kg*m^2 about com;
-    }
-    B1 b1 -> pin([0.0, -1.0, 0.0]) j1 -> B2 b2 -> pin([-0.14, 1.37, -0.31]) j2 -> B3 b3 -> pin([0.0, 0.0, -1.0]) j3 -> B4 b4 -> weld j4 -> B5 b5 -> pin(y) j5 -> B6 b6;
-    hinge j5 { torque = input; }
+    B1 b1;
+    load l1 { on = b1; at = p1; torque = 4.0 N*m; }
 }
 }
 
-pub fn inputs_random1t(efforts: &[f64]) -> Random1TInputs<f64> {
-    Random1TInputs { j5: efforts[9] }
+printed! {
+    Random1T, PlanePoint, energy(state);
+    inputs |_drives| {}
+    hinges;
 }
 
 mstmm::mstmm_chain! {
 pub chain Random2R {
     method = riccati;
-    gravity = [0.0, -9.8, 0.0] m/s^2;
+    gravity = input;
     body B1 {
         mass = 3.04 kg;
         com = [0.32, -0.23, -0.18] m;
@@ -147,32 +122,46 @@ pub chain Random2R {
         inertia = tensor(0.324288, 0.449264, 0.518557, 0.229922, 0.163918, -0.11339) kg*m^2 about input;
     }
     body B2 {
-        mass = 1.54 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.97] m turned rpy(172.7, 126.4, -116.9) deg;
-        inertia = tensor(0.106688, 0.079112, 0.077667, -0.002444, -0.012518, -0.021782) kg*m^2 about com;
+        mass = 1.27 kg;
+        com = [0.0, 0.1, 0.0] m;
+        output = [0.84, -0.78, 0.12] m turned rpy(34.1, 35.9, -96.7) deg;
+        inertia = tensor(0.042877, 0.030865, 0.047725, 0.004753, 0.003151, 0.005389) kg*m^2 about input;
     }
     body B3 {
-        mass = 4.51 kg;
-        com = [-0.21, -0.59, 0.14] m;
-        output = [-0.74, 0.0, 0.0] m;
-        inertia = tensor(0.278066, 0.489177, 0.326507, -0.056945, 0.042595, 0.055583) kg*m^2 about com;
+        mass = 3.84 kg;
+        com = [0.0, 0.0, 0.19] m;
+        output = [1.03, 0.62, 1.04] m;
+        inertia = diag(0.251208, 0.284712, 0.093884) kg*m^2 about input;
     }
-    B1 b1 -> ball j1 -> B2 b2 -> ball j2 -> B3 b3 -> ball j3 -> ground;
-    hinge j1 { torque = input; }
-    hinge j2 { torque = input; }
-    hinge j3 { torque = input; }
+    body B4 {
+        mass = 0.78 kg;
+        com = [0.46, -0.14, -0.28] m;
+        output = [0.0, 0.58, 0.0] m turned rpy(-98.5, -148.7, 9.0) deg;
+        inertia = tensor(0.160987, 0.278338, 0.23454, 0.054949, 0.093979, -0.033924) kg*m^2 about input;
+    }
+    B1 b1 -> pin(y) j1 -> B2 b2 -> elastic j2 -> B3 b3 -> universal(x, [0.0, 0.0, -1.0]) j3 -> B4 b4 -> cylindrical([-0.67, -1.38, 0.91]) j4 -> ground;
+    hinge j1 { rest = 0.23 rad; stiffness = 6.44 N*m/rad; armature = 0.54 kg*m^2; friction = 1.2 N*m; friction_speed = 0.7 rad/s; }
+    hinge j2 { stiffness = 5.14 N/m; damping = [1.05, 2.31, 2.68] N*s/m; force = [0.3, 4.1, 1.9] N; turning_stiffness = 19.75 N*m/rad; turning_armature = [0.12, 0.33, 0.72] kg*m^2; turning_friction = [0.3, 0.6, 0.82] N*m; turning_friction_speed = 0.8 rad/s; turning_limits = [-0.5, 0.63] rad; turning_limit_stiffness = 43.8 N*m/rad; torque = [-0.7, -1.2, 0.5] N*m; }
+    hinge j3 { stiffness = 29.51 N*m/rad; damping = 2.85 N*m*s/rad; motion = input; }
+    hinge j4 { turning_stiffness = 28.7 N*m/rad; turning_limits = [-1.18, 0.18] rad; turning_limit_stiffness = 8.2 N*m/rad; turning_limit_damping = 0.56 N*m*s/rad; }
+    load l1 { on = b2; at = [-0.04, 0.58, 0.47] m; force = [-2.9, 2.2, -1.8] N; torque = [-1.0, 2.2, -7.3] N*m; }
+    spring s1 { on = b1; at = [0.0, 0.0, 0.32] m; to = [-1.2, -1.5, 1.1] m; stiffness = 14.4 N/m; }
 }
 }
 
-pub fn inputs_random2r(efforts: &[f64]) -> Random2RInputs<f64> {
-    Random2RInputs { j1: [0, 1, 2].map(|k| efforts[k]).into(), j2: [3, 4, 5].map(|k| efforts[k]).into(), j3: [6, 7, 8].map(|k| efforts[k]).into() }
+printed! {
+    Random2R, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j3: universal(&drives.motions[0]),
+        gravity: drives.gravity.into(),
+    }
+    hinges j1 j2 j3 j4;
 }
 
 mstmm::mstmm_chain! {
 pub chain Random2T {
     method = transfer;
-    gravity = [0.0, -9.8, 0.0] m/s^2;
+    gravity = input;
     body B1 {
         mass = 3.04 kg;
         com = [0.32, -0.23, -0.18] m;
@@ -180,32 +169,46 @@ pub chain Random2T {
         inertia = tensor(0.324288, 0.449264, 0.518557, 0.229922, 0.163918, -0.11339) kg*m^2 about input;
     }
     body B2 {
-        mass = 1.54 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.97] m turned rpy(172.7, 126.4, -116.9) deg;
-        inertia = tensor(0.106688, 0.079112, 0.077667, -0.002444, -0.012518, -0.021782) kg*m^2 about com;
+        mass = 1.27 kg;
+        com = [0.0, 0.1, 0.0] m;
+        output = [0.84, -0.78, 0.12] m turned rpy(34.1, 35.9, -96.7) deg;
+        inertia = tensor(0.042877, 0.030865, 0.047725, 0.004753, 0.003151, 0.005389) kg*m^2 about input;
     }
     body B3 {
-        mass = 4.51 kg;
-        com = [-0.21, -0.59, 0.14] m;
-        output = [-0.74, 0.0, 0.0] m;
-        inertia = tensor(0.278066, 0.489177, 0.326507, -0.056945, 0.042595, 0.055583) kg*m^2 about com;
+        mass = 3.84 kg;
+        com = [0.0, 0.0, 0.19] m;
+        output = [1.03, 0.62, 1.04] m;
+        inertia = diag(0.251208, 0.284712, 0.093884) kg*m^2 about input;
     }
-    B1 b1 -> ball j1 -> B2 b2 -> ball j2 -> B3 b3 -> ball j3 -> ground;
-    hinge j1 { torque = input; }
-    hinge j2 { torque = input; }
-    hinge j3 { torque = input; }
+    body B4 {
+        mass = 0.78 kg;
+        com = [0.46, -0.14, -0.28] m;
+        output = [0.0, 0.58, 0.0] m turned rpy(-98.5, -148.7, 9.0) deg;
+        inertia = tensor(0.160987, 0.278338, 0.23454, 0.054949, 0.093979, -0.033924) kg*m^2 about input;
+    }
+    B1 b1 -> pin(y) j1 -> B2 b2 -> elastic j2 -> B3 b3 -> universal(x, [0.0, 0.0, -1.0]) j3 -> B4 b4 -> cylindrical([-0.67, -1.38, 0.91]) j4 -> ground;
+    hinge j1 { rest = 0.23 rad; stiffness = 6.44 N*m/rad; armature = 0.54 kg*m^2; friction = 1.2 N*m; friction_speed = 0.7 rad/s; }
+    hinge j2 { stiffness = 5.14 N/m; damping = [1.05, 2.31, 2.68] N*s/m; force = [0.3, 4.1, 1.9] N; turning_stiffness = 19.75 N*m/rad; turning_armature = [0.12, 0.33, 0.72] kg*m^2; turning_friction = [0.3, 0.6, 0.82] N*m; turning_friction_speed = 0.8 rad/s; turning_limits = [-0.5, 0.63] rad; turning_limit_stiffness = 43.8 N*m/rad; torque = [-0.7, -1.2, 0.5] N*m; }
+    hinge j3 { stiffness = 29.51 N*m/rad; damping = 2.85 N*m*s/rad; motion = input; }
+    hinge j4 { turning_stiffness = 28.7 N*m/rad; turning_limits = [-1.18, 0.18] rad; turning_limit_stiffness = 8.2 N*m/rad; turning_limit_damping = 0.56 N*m*s/rad; }
+    load l1 { on = b2; at = [-0.04, 0.58, 0.47] m; force = [-2.9, 2.2, -1.8] N; torque = [-1.0, 2.2, -7.3] N*m; }
+    spring s1 { on = b1; at = [0.0, 0.0, 0.32] m; to = [-1.2, -1.5, 1.1] m; stiffness = 14.4 N/m; }
 }
 }
 
-pub fn inputs_random2t(efforts: &[f64]) -> Random2TInputs<f64> {
-    Random2TInputs { j1: [0, 1, 2].map(|k| efforts[k]).into(), j2: [3, 4, 5].map(|k| efforts[k]).into(), j3: [6, 7, 8].map(|k| efforts[k]).into() }
+printed! {
+    Random2T, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j3: universal(&drives.motions[0]),
+        gravity: drives.gravity.into(),
+    }
+    hinges j1 j2 j3 j4;
 }
 
 mstmm::mstmm_chain! {
 pub chain Random3R {
     method = riccati;
-    gravity = [0.0, 0.0, 0.0] m/s^2;
+    gravity = input;
     body B1 {
         mass = 3.55 kg;
         com = [-0.27, 0.0, 0.0] m;
@@ -213,61 +216,45 @@ pub chain Random3R {
         inertia = tensor(0.320313, 0.355042, 0.370583, -0.029021, 0.022713, 0.023207) kg*m^2 about com;
     }
     body B2 {
-        mass = 2.64 kg;
-        com = [-0.22, 0.09, 0.47] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(180.0, 0.0, 0.0) deg;
-        inertia = diag(0.101127, 0.127364, 0.125083) kg*m^2 about com;
+        mass = 4.31 kg;
+        com = [0.47, -0.58, 0.05] m;
+        output = [0.47, 0.08, 0.1] m turned rpy(180.0, 0.0, 0.0) deg;
+        inertia = tensor(0.331348, 0.261525, 0.198297, -0.025655, -0.075286, -0.090217) kg*m^2 about com;
     }
     body B3 {
-        mass = 3.07 kg;
-        com = [0.0, 0.0, -0.2] m;
-        output = [0.0, 0.0, -0.67] m turned rpy(180.0, 90.0, 90.0) deg;
-        inertia = tensor(0.135177, 0.098285, 0.082013, 0.002481, -0.002086, 0.01141) kg*m^2 about com;
+        mass = 0.57 kg;
+        com = [0.0, -0.3, 0.0] m;
+        output = [0.0, -0.34, 0.0] m;
+        inertia = tensor(0.050855, 0.02615, 0.038925, -0.004219, -0.000888, 0.017687) kg*m^2 about com;
     }
-    body B4 {
-        mass = 4.46 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, -0.31, 0.0] m;
-        inertia = diag(0.620957, 0.294532, 0.338394) kg*m^2 about input;
-    }
-    body B5 {
-        mass = 1.7 kg;
-        com = [0.0, 0.0, -0.27] m;
-        output = [0.58, 0.0, 0.0] m;
-        inertia = tensor(0.030874, 0.029589, 0.030772, -3.2e-5, -0.00195, -9.7e-5) kg*m^2 about com;
-    }
-    body B6 {
-        mass = 4.3 kg;
-        com = [0.0, -0.56, 0.0] m;
-        output = [-0.38, -0.27, 0.88] m;
-        inertia = tensor(1.685406, 0.176813, 1.589242, -0.063279, -0.044304, -0.153762) kg*m^2 about input;
-    }
-    body B7 {
-        mass = 1.88 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [1.11, 0.0, 0.0] m;
-        inertia = diag(0.138807, 0.082033, 0.070738) kg*m^2 about com;
-    }
-    body B8 {
-        mass = 2.28 kg;
-        com = [0.0, -0.49, 0.0] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(0.0, -90.0, 0.0) deg;
-        inertia = tensor(0.727448, 0.096011, 0.661604, 0.013728, -0.001124, -0.00563) kg*m^2 about input;
-    }
-    ground at [0.13, 1.65, 0.38] m turned rpy(180.0, 180.0, -90.0) deg -> pin([0.2, 0.99, 1.34]) j1 -> B1 b1 -> weld j2 -> B2 b2 -> weld j3 -> B3 b3 -> weld j4 -> B4 b4 -> pin([0.0, 0.0, -1.0]) j5 -> B5 b5 -> ball j6 -> B6 b6 -> ball j7 -> B7 b7 -> ball j8 -> B8 b8;
-    hinge j7 { torque = input; }
-    hinge j8 { torque = input; }
+    ground at [-0.88, -0.56, -0.85] m turned rpy(133.1, 15.0, 153.2) deg -> slider([0.2, 0.99, 1.34]) j1 -> B1 b1 -> planar(x) j2 -> B2 b2 -> pin([0.0, 0.0, -1.0]) j3 -> B3 b3 -> planar(x) j4 -> ground at [-1.08, 0.3, -1.18] m turned rpy(-155.0, -50.1, 93.1) deg;
+    hinge j1 { armature = 0.65 kg; limits = [-0.24, 0.49] m; limit_stiffness = 58.9 N/m; motion = input; }
+    hinge j3 { rest = 0.91 rad; stiffness = 22.87 N*m/rad; damping = 2.01 N*m*s/rad; armature = 0.42 kg*m^2; torque = input; }
+    hinge j4 { force = input; torque = -4.0 N*m; }
+    load l1 { on = b1; force = input; torque = input; }
+    load l2 { on = b2; at = output; force = input; }
+    load l3 { on = b3; at = output; torque = [-2.9, 2.4, -6.8] N*m; axes = body; }
 }
 }
 
-pub fn inputs_random3r(efforts: &[f64]) -> Random3RInputs<f64> {
-    Random3RInputs { j7: [5, 6, 7].map(|k| efforts[k]).into(), j8: [8, 9, 10].map(|k| efforts[k]).into() }
+printed! {
+    Random3R, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j1: slider(&drives.motions[0]),
+        j3: drives.efforts[3],
+        j4: vector(&drives.efforts, [4, 5]),
+        l1_force: drives.loads[0].force.into(),
+        l1_torque: drives.loads[0].torque.into(),
+        l2_force: drives.loads[1].force.into(),
+        gravity: drives.gravity.into(),
+    }
+    hinges j1 j2 j3 j4;
 }
 
 mstmm::mstmm_chain! {
 pub chain Random3T {
     method = transfer;
-    gravity = [0.0, 0.0, 0.0] m/s^2;
+    gravity = input;
     body B1 {
         mass = 3.55 kg;
         com = [-0.27, 0.0, 0.0] m;
@@ -275,523 +262,469 @@ pub chain Random3T {
         inertia = tensor(0.320313, 0.355042, 0.370583, -0.029021, 0.022713, 0.023207) kg*m^2 about com;
     }
     body B2 {
-        mass = 2.64 kg;
-        com = [-0.22, 0.09, 0.47] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(180.0, 0.0, 0.0) deg;
-        inertia = diag(0.101127, 0.127364, 0.125083) kg*m^2 about com;
+        mass = 4.31 kg;
+        com = [0.47, -0.58, 0.05] m;
+        output = [0.47, 0.08, 0.1] m turned rpy(180.0, 0.0, 0.0) deg;
+        inertia = tensor(0.331348, 0.261525, 0.198297, -0.025655, -0.075286, -0.090217) kg*m^2 about com;
     }
     body B3 {
-        mass = 3.07 kg;
-        com = [0.0, 0.0, -0.2] m;
-        output = [0.0, 0.0, -0.67] m turned rpy(180.0, 90.0, 90.0) deg;
-        inertia = tensor(0.135177, 0.098285, 0.082013, 0.002481, -0.002086, 0.01141) kg*m^2 about com;
+        mass = 0.57 kg;
+        com = [0.0, -0.3, 0.0] m;
+        output = [0.0, -0.34, 0.0] m;
+        inertia = tensor(0.050855, 0.02615, 0.038925, -0.004219, -0.000888, 0.017687) kg*m^2 about com;
     }
-    body B4 {
-        mass = 4.46 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, -0.31, 0.0] m;
-        inertia = diag(0.620957, 0.294532, 0.338394) kg*m^2 about input;
-    }
-    body B5 {
-        mass = 1.7 kg;
-        com = [0.0, 0.0, -0.27] m;
-        output = [0.58, 0.0, 0.0] m;
-        inertia = tensor(0.030874, 0.029589, 0.030772, -3.2e-5, -0.00195, -9.7e-5) kg*m^2 about com;
-    }
-    body B6 {
-        mass = 4.3 kg;
-        com = [0.0, -0.56, 0.0] m;
-        output = [-0.38, -0.27, 0.88] m;
-        inertia = tensor(1.685406, 0.176813, 1.589242, -0.063279, -0.044304, -0.153762) kg*m^2 about input;
-    }
-    body B7 {
-        mass = 1.88 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [1.11, 0.0, 0.0] m;
-        inertia = diag(0.138807, 0.082033, 0.070738) kg*m^2 about com;
-    }
-    body B8 {
-        mass = 2.28 kg;
-        com = [0.0, -0.49, 0.0] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(0.0, -90.0, 0.0) deg;
-        inertia = tensor(0.727448, 0.096011, 0.661604, 0.013728, -0.001124, -0.00563) kg*m^2 about input;
-    }
-    ground at [0.13, 1.65, 0.38] m turned rpy(180.0, 180.0, -90.0) deg -> pin([0.2, 0.99, 1.34]) j1 -> B1 b1 -> weld j2 -> B2 b2 -> weld j3 -> B3 b3 -> weld j4 -> B4 b4 -> pin([0.0, 0.0, -1.0]) j5 -> B5 b5 -> ball j6 -> B6 b6 -> ball j7 -> B7 b7 -> ball j8 -> B8 b8;
-    hinge j7 { torque = input; }
-    hinge j8 { torque = input; }
+    ground at [-0.88, -0.56, -0.85] m turned rpy(133.1, 15.0, 153.2) deg -> slider([0.2, 0.99, 1.34]) j1 -> B1 b1 -> planar(x) j2 -> B2 b2 -> pin([0.0, 0.0, -1.0]) j3 -> B3 b3 -> planar(x) j4 -> ground at [-1.08, 0.3, -1.18] m turned rpy(-155.0, -50.1, 93.1) deg;
+    hinge j1 { armature = 0.65 kg; limits = [-0.24, 0.49] m; limit_stiffness = 58.9 N/m; motion = input; }
+    hinge j3 { rest = 0.91 rad; stiffness = 22.87 N*m/rad; damping = 2.01 N*m*s/rad; armature = 0.42 kg*m^2; torque = input; }
+    hinge j4 { force = input; torque = -4.0 N*m; }
+    load l1 { on = b1; force = input; torque = input; }
+    load l2 { on = b2; at = output; force = input; }
+    load l3 { on = b3; at = output; torque = [-2.9, 2.4, -6.8] N*m; axes = body; }
 }
 }
 
-pub fn inputs_random3t(efforts: &[f64]) -> Random3TInputs<f64> {
-    Random3TInputs { j7: [5, 6, 7].map(|k| efforts[k]).into(), j8: [8, 9, 10].map(|k| efforts[k]).into() }
+printed! {
+    Random3T, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j1: slider(&drives.motions[0]),
+        j3: drives.efforts[3],
+        j4: vector(&drives.efforts, [4, 5]),
+        l1_force: drives.loads[0].force.into(),
+        l1_torque: drives.loads[0].torque.into(),
+        l2_force: drives.loads[1].force.into(),
+        gravity: drives.gravity.into(),
+    }
+    hinges j1 j2 j3 j4;
 }
 
 mstmm::mstmm_chain! {
-pub chain Random4R {
+pub line chain Random4R {
     method = riccati;
-    gravity = [0.0, 0.0, -9.81] m/s^2;
+    gravity = 0.0 m/s^2;
     body B1 {
-        mass = 2.27 kg;
-        com = [-0.01, -0.13, 0.1] m;
-        output = [0.0, 0.0, 0.3] m turned rpy(126.4, 106.0, 38.8) deg;
-        inertia = tensor(0.105185, 0.174484, 0.164498, -0.002951, 0.00227, 0.02951) kg*m^2 about input;
+        mass = 4.32 kg;
+        com = 0.0 m;
+        output = 0.71 m;
     }
     body B2 {
-        mass = 0.84 kg;
-        com = [0.08, 0.44, -0.3] m;
-        output = [-1.07, -0.41, -0.76] m turned rpy(174.7, 122.2, -108.3) deg;
-        inertia = diag(0.00857, 0.075125, 0.068022) kg*m^2 about com;
+        mass = 4.55 kg;
+        com = -0.3 m;
+        output = 0.0 m;
+        point p1 = 0.0 m;
     }
-    body B3 {
-        mass = 4.26 kg;
-        com = [-0.43, -0.39, 0.05] m;
-        output = [-1.08, -0.4, -0.74] m;
-        inertia = diag(0.246415, 0.380836, 0.276236) kg*m^2 about com;
-    }
-    body B4 {
-        mass = 4.23 kg;
-        com = [-0.15, 0.05, 0.23] m;
-        output = [-1.09, 0.24, 0.48] m;
-        inertia = tensor(0.366885, 0.40175, 0.212045, 0.021159, 0.161376, -0.077644) kg*m^2 about input;
-    }
-    body B5 {
-        mass = 4.74 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [-0.81, -1.08, 0.67] m;
-        inertia = tensor(0.379917, 0.281218, 0.247965, 0.077452, 0.067566, -0.135464) kg*m^2 about com;
-    }
-    B1 b1 -> weld j1 -> B2 b2 -> pin([1.39, 1.17, 0.84]) j2 -> B3 b3 -> pin(x) j3 -> B4 b4 -> ball j4 -> B5 b5;
-    hinge j3 { torque = input; }
-    hinge j4 { torque = input; }
+    moving base -> floating j1 -> B1 b1 -> weld j2 -> B2 b2;
+    load l1 { on = b1; at = 0.0 m; force = -4.9 N; }
+    spring s1 { on = b1; at = input; to = -1.9 m; stiffness = 18.9 N/m; length = 0.86 m; }
+    spring s2 { on = b2; at = p1; to = 0.4 m; stiffness = 22.4 N/m; damping = 1.47 N*s/m; length = 1.44 m; }
 }
 }
 
-pub fn inputs_random4r(efforts: &[f64]) -> Random4RInputs<f64> {
-    Random4RInputs { j3: efforts[7], j4: [8, 9, 10].map(|k| efforts[k]).into() }
+printed! {
+    Random4R, LinePoint, energy_with(state, inputs);
+    inputs |drives| {
+        base: line_frame(&drives.start),
+    }
+    hinges j1 j2;
 }
 
 mstmm::mstmm_chain! {
-pub chain Random4T {
+pub line chain Random4T {
     method = transfer;
-    gravity = [0.0, 0.0, -9.81] m/s^2;
+    gravity = 0.0 m/s^2;
     body B1 {
-        mass = 2.27 kg;
-        com = [-0.01, -0.13, 0.1] m;
-        output = [0.0, 0.0, 0.3] m turned rpy(126.4, 106.0, 38.8) deg;
-        inertia = tensor(0.105185, 0.174484, 0.164498, -0.002951, 0.00227, 0.02951) kg*m^2 about input;
+        mass = 4.32 kg;
+        com = 0.0 m;
+        output = 0.71 m;
     }
     body B2 {
-        mass = 0.84 kg;
-        com = [0.08, 0.44, -0.3] m;
-        output = [-1.07, -0.41, -0.76] m turned rpy(174.7, 122.2, -108.3) deg;
-        inertia = diag(0.00857, 0.075125, 0.068022) kg*m^2 about com;
+        mass = 4.55 kg;
+        com = -0.3 m;
+        output = 0.0 m;
+        point p1 = 0.0 m;
     }
-    body B3 {
-        mass = 4.26 kg;
-        com = [-0.43, -0.39, 0.05] m;
-        output = [-1.08, -0.4, -0.74] m;
-        inertia = diag(0.246415, 0.380836, 0.276236) kg*m^2 about com;
-    }
-    body B4 {
-        mass = 4.23 kg;
-        com = [-0.15, 0.05, 0.23] m;
-        output = [-1.09, 0.24, 0.48] m;
-        inertia = tensor(0.366885, 0.40175, 0.212045, 0.021159, 0.161376, -0.077644) kg*m^2 about input;
-    }
-    body B5 {
-        mass = 4.74 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [-0.81, -1.08, 0.67] m;
-        inertia = tensor(0.379917, 0.281218, 0.247965, 0.077452, 0.067566, -0.135464) kg*m^2 about com;
-    }
-    B1 b1 -> weld j1 -> B2 b2 -> pin([1.39, 1.17, 0.84]) j2 -> B3 b3 -> pin(x) j3 -> B4 b4 -> ball j4 -> B5 b5;
-    hinge j3 { torque = input; }
-    hinge j4 { torque = input; }
+    moving base -> floating j1 -> B1 b1 -> weld j2 -> B2 b2;
+    load l1 { on = b1; at = 0.0 m; force = -4.9 N; }
+    spring s1 { on = b1; at = input; to = -1.9 m; stiffness = 18.9 N/m; length = 0.86 m; }
+    spring s2 { on = b2; at = p1; to = 0.4 m; stiffness = 22.4 N/m; damping = 1.47 N*s/m; length = 1.44 m; }
 }
 }
 
-pub fn inputs_random4t(efforts: &[f64]) -> Random4TInputs<f64> {
-    Random4TInputs { j3: efforts[7], j4: [8, 9, 10].map(|k| efforts[k]).into() }
+printed! {
+    Random4T, LinePoint, energy_with(state, inputs);
+    inputs |drives| {
+        base: line_frame(&drives.start),
+    }
+    hinges j1 j2;
 }
 
 mstmm::mstmm_chain! {
 pub chain Random5R {
     method = riccati;
-    gravity = [-3.56, 1.06, -0.8] m/s^2;
+    gravity = [-1.42, 3.23, 4.96] m/s^2;
     body B1 {
         mass = 2.06 kg;
         com = [0.0, 0.15, 0.0] m;
         output = [-0.18, 0.25, -0.12] m;
         inertia = tensor(0.240263, 0.242453, 0.228241, -0.039251, -0.034734, 0.036592) kg*m^2 about com;
     }
-    body B2 {
-        mass = 2.46 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.99, -0.19, -0.23] m turned rpy(90.0, 180.0, 90.0) deg;
-        inertia = diag(0.088232, 0.157216, 0.207007) kg*m^2 about com;
-    }
-    B1 b1 -> pin([0.0, -1.0, 0.0]) j1 -> B2 b2 -> weld j2 -> ground at [0.04, -1.61, 0.16] m;
-    hinge j1 { torque = input; }
+    B1 b1 -> slider([0.0, -1.0, 0.0]) j1 -> moving tip;
+    hinge j1 { force = input; }
 }
 }
 
-pub fn inputs_random5r(efforts: &[f64]) -> Random5RInputs<f64> {
-    Random5RInputs { j1: efforts[0] }
+printed! {
+    Random5R, Point, energy_with(state, inputs);
+    inputs |drives| {
+        tip: space_frame(&drives.finish),
+        j1: drives.efforts[0],
+    }
+    hinges j1;
 }
 
 mstmm::mstmm_chain! {
 pub chain Random5T {
     method = transfer;
-    gravity = [-3.56, 1.06, -0.8] m/s^2;
+    gravity = [-1.42, 3.23, 4.96] m/s^2;
     body B1 {
         mass = 2.06 kg;
         com = [0.0, 0.15, 0.0] m;
         output = [-0.18, 0.25, -0.12] m;
         inertia = tensor(0.240263, 0.242453, 0.228241, -0.039251, -0.034734, 0.036592) kg*m^2 about com;
     }
-    body B2 {
-        mass = 2.46 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.99, -0.19, -0.23] m turned rpy(90.0, 180.0, 90.0) deg;
-        inertia = diag(0.088232, 0.157216, 0.207007) kg*m^2 about com;
-    }
-    B1 b1 -> pin([0.0, -1.0, 0.0]) j1 -> B2 b2 -> weld j2 -> ground at [0.04, -1.61, 0.16] m;
-    hinge j1 { torque = input; }
+    B1 b1 -> slider([0.0, -1.0, 0.0]) j1 -> moving tip;
+    hinge j1 { force = input; }
 }
 }
 
-pub fn inputs_random5t(efforts: &[f64]) -> Random5TInputs<f64> {
-    Random5TInputs { j1: efforts[0] }
+printed! {
+    Random5T, Point, energy_with(state, inputs);
+    inputs |drives| {
+        tip: space_frame(&drives.finish),
+        j1: drives.efforts[0],
+    }
+    hinges j1;
 }
 
 mstmm::mstmm_chain! {
-pub chain Random6R {
+pub plane chain Random6R {
     method = riccati;
-    gravity = [9.81, 0.0, 0.0] m/s^2;
+    gravity = [0.0, 0.0] m/s^2;
     body B1 {
-        mass = 2.34 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(0.0, 180.0, -90.0) deg;
-        inertia = tensor(0.166533, 0.090363, 0.205689, -0.030648, -0.022153, -0.021245) kg*m^2 about com;
+        mass = 4.15 kg;
+        com = [0.0, 0.0] m;
+        output = [0.0, 1.08] m turned 59.3 deg;
+        inertia = 0.087048 kg*m^2 about com;
+        point p1 = [0.84, 0.0] m;
     }
     body B2 {
-        mass = 2.63 kg;
-        com = [0.0, 0.0, -0.19] m;
-        output = [-0.85, -0.37, 1.16] m turned rpy(0.0, 0.0, 180.0) deg;
-        inertia = diag(0.273052, 0.314971, 0.061774) kg*m^2 about input;
+        mass = 1.05 kg;
+        com = [0.0, 0.0] m;
+        output = [0.92, -0.85] m;
+        inertia = 0.060884 kg*m^2 about com;
     }
     body B3 {
-        mass = 1.21 kg;
-        com = [0.43, -0.56, 0.33] m;
-        output = [0.32, 0.63, -0.61] m;
-        inertia = tensor(0.594731, 0.411385, 0.667675, 0.291368, -0.171699, 0.223608) kg*m^2 about input;
+        mass = 3.84 kg;
+        com = [0.08, -0.32] m;
+        output = [0.0, 0.0] m;
+        inertia = 0.16201 kg*m^2 about com;
     }
     body B4 {
-        mass = 3.22 kg;
-        com = [0.0, -0.17, 0.0] m;
-        output = [0.0, 0.0, 0.61] m turned rpy(0.0, 0.0, 90.0) deg;
-        inertia = diag(0.322939, 0.288421, 0.091627) kg*m^2 about com;
-    }
-    body B5 {
         mass = 3.53 kg;
-        com = [-0.6, 0.33, -0.29] m;
-        output = [0.83, -0.71, 1.13] m turned rpy(0.0, 0.0, 180.0) deg;
-        inertia = diag(0.193086, 0.310598, 0.468995) kg*m^2 about com;
+        com = [-0.6, 0.33] m;
+        output = [0.83, -0.71] m turned 180.0 deg;
+        inertia = 0.468995 kg*m^2 about com;
     }
-    body B6 {
-        mass = 4.35 kg;
-        com = [0.0, -0.42, 0.0] m;
-        output = [0.0, 0.0, 0.15] m;
-        inertia = diag(0.262247, 0.203186, 0.19786) kg*m^2 about com;
-    }
-    body B7 {
-        mass = 1.81 kg;
-        com = [-0.43, -0.17, 0.1] m;
-        output = [0.0, 0.0, 0.0] m;
-        inertia = tensor(0.189799, 0.380136, 0.506669, -0.132311, 0.07783, 0.03077) kg*m^2 about input;
-    }
-    ground at [-1.57, 1.78, 0.23] m turned rpy(65.5, -13.1, 77.8) deg -> weld j1 -> B1 b1 -> pin(z) j2 -> B2 b2 -> weld j3 -> B3 b3 -> ball j4 -> B4 b4 -> pin(y) j5 -> B5 b5 -> pin(x) j6 -> B6 b6 -> weld j7 -> B7 b7;
-    hinge j2 { torque = input; }
+    ground -> slider(x) j1 -> B1 b1 -> elastic j2 -> B2 b2 -> weld j3 -> B3 b3 -> pin j4 -> B4 b4 -> planar j5 -> moving tip;
+    hinge j1 { rest = -0.14 m; stiffness = 3.47 N/m; damping = 1.7 N*s/m; friction = 0.74 N; friction_speed = 0.5 m/s; }
+    hinge j2 { motion = input; }
+    hinge j4 { armature = 0.58 kg*m^2; }
+    hinge j5 { force = input; turning_stiffness = 2.22 N*m/rad; turning_limits = [-0.87, 0.86] rad; turning_limit_stiffness = 38.8 N*m/rad; turning_limit_damping = 0.48 N*m*s/rad; torque = input; }
+    load l1 { on = b1; at = p1; force = input; torque = -1.2 N*m; axes = body; }
+    spring s1 { on = b2; at = input; to = [1.8, -0.5] m; stiffness = 30.0 N/m; length = 1.46 m; }
 }
 }
 
-pub fn inputs_random6r(efforts: &[f64]) -> Random6RInputs<f64> {
-    Random6RInputs { j2: efforts[0] }
+printed! {
+    Random6R, PlanePoint, energy_with(state, inputs);
+    inputs |drives| {
+        tip: plane_frame(&drives.finish),
+        j2: plane_elastic(&drives.motions[0]),
+        j5: vector(&drives.efforts, [2, 3, 4]),
+        l1_force: part(&drives.loads[0].force, 0).into(),
+    }
+    hinges j1 j2 j3 j4 j5;
 }
 
 mstmm::mstmm_chain! {
-pub chain Random6T {
+pub plane chain Random6T {
     method = transfer;
-    gravity = [9.81, 0.0, 0.0] m/s^2;
+    gravity = [0.0, 0.0] m/s^2;
     body B1 {
-        mass = 2.34 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(0.0, 180.0, -90.0) deg;
-        inertia = tensor(0.166533, 0.090363, 0.205689, -0.030648, -0.022153, -0.021245) kg*m^2 about com;
+        mass = 4.15 kg;
+        com = [0.0, 0.0] m;
+        output = [0.0, 1.08] m turned 59.3 deg;
+        inertia = 0.087048 kg*m^2 about com;
+        point p1 = [0.84, 0.0] m;
     }
     body B2 {
-        mass = 2.63 kg;
-        com = [0.0, 0.0, -0.19] m;
-        output = [-0.85, -0.37, 1.16] m turned rpy(0.0, 0.0, 180.0) deg;
-        inertia = diag(0.273052, 0.314971, 0.061774) kg*m^2 about input;
+        mass = 1.05 kg;
+        com = [0.0, 0.0] m;
+        output = [0.92, -0.85] m;
+        inertia = 0.060884 kg*m^2 about com;
     }
     body B3 {
-        mass = 1.21 kg;
-        com = [0.43, -0.56, 0.33] m;
-        output = [0.32, 0.63, -0.61] m;
-        inertia = tensor(0.594731, 0.411385, 0.667675, 0.291368, -0.171699, 0.223608) kg*m^2 about input;
+        mass = 3.84 kg;
+        com = [0.08, -0.32] m;
+        output = [0.0, 0.0] m;
+        inertia = 0.16201 kg*m^2 about com;
     }
     body B4 {
-        mass = 3.22 kg;
-        com = [0.0, -0.17, 0.0] m;
-        output = [0.0, 0.0, 0.61] m turned rpy(0.0, 0.0, 90.0) deg;
-        inertia = diag(0.322939, 0.288421, 0.091627) kg*m^2 about com;
-    }
-    body B5 {
         mass = 3.53 kg;
-        com = [-0.6, 0.33, -0.29] m;
-        output = [0.83, -0.71, 1.13] m turned rpy(0.0, 0.0, 180.0) deg;
-        inertia = diag(0.193086, 0.310598, 0.468995) kg*m^2 about com;
+        com = [-0.6, 0.33] m;
+        output = [0.83, -0.71] m turned 180.0 deg;
+        inertia = 0.468995 kg*m^2 about com;
     }
-    body B6 {
-        mass = 4.35 kg;
-        com = [0.0, -0.42, 0.0] m;
-        output = [0.0, 0.0, 0.15] m;
-        inertia = diag(0.262247, 0.203186, 0.19786) kg*m^2 about com;
-    }
-    body B7 {
-        mass = 1.81 kg;
-        com = [-0.43, -0.17, 0.1] m;
-        output = [0.0, 0.0, 0.0] m;
-        inertia = tensor(0.189799, 0.380136, 0.506669, -0.132311, 0.07783, 0.03077) kg*m^2 about input;
-    }
-    ground at [-1.57, 1.78, 0.23] m turned rpy(65.5, -13.1, 77.8) deg -> weld j1 -> B1 b1 -> pin(z) j2 -> B2 b2 -> weld j3 -> B3 b3 -> ball j4 -> B4 b4 -> pin(y) j5 -> B5 b5 -> pin(x) j6 -> B6 b6 -> weld j7 -> B7 b7;
-    hinge j2 { torque = input; }
+    ground -> slider(x) j1 -> B1 b1 -> elastic j2 -> B2 b2 -> weld j3 -> B3 b3 -> pin j4 -> B4 b4 -> planar j5 -> moving tip;
+    hinge j1 { rest = -0.14 m; stiffness = 3.47 N/m; damping = 1.7 N*s/m; friction = 0.74 N; friction_speed = 0.5 m/s; }
+    hinge j2 { motion = input; }
+    hinge j4 { armature = 0.58 kg*m^2; }
+    hinge j5 { force = input; turning_stiffness = 2.22 N*m/rad; turning_limits = [-0.87, 0.86] rad; turning_limit_stiffness = 38.8 N*m/rad; turning_limit_damping = 0.48 N*m*s/rad; torque = input; }
+    load l1 { on = b1; at = p1; force = input; torque = -1.2 N*m; axes = body; }
+    spring s1 { on = b2; at = input; to = [1.8, -0.5] m; stiffness = 30.0 N/m; length = 1.46 m; }
 }
 }
 
-pub fn inputs_random6t(efforts: &[f64]) -> Random6TInputs<f64> {
-    Random6TInputs { j2: efforts[0] }
+printed! {
+    Random6T, PlanePoint, energy_with(state, inputs);
+    inputs |drives| {
+        tip: plane_frame(&drives.finish),
+        j2: plane_elastic(&drives.motions[0]),
+        j5: vector(&drives.efforts, [2, 3, 4]),
+        l1_force: part(&drives.loads[0].force, 0).into(),
+    }
+    hinges j1 j2 j3 j4 j5;
 }
 
 mstmm::mstmm_chain! {
 pub chain Random7R {
     method = riccati;
-    gravity = [9.81, 0.0, 0.0] m/s^2;
+    gravity = input;
     body B1 {
-        mass = 2.07 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [-0.11, -0.6, -0.08] m;
-        inertia = tensor(0.176612, 0.065518, 0.168083, 0.048537, 0.003708, 0.01993) kg*m^2 about com;
+        mass = 3.0 kg;
+        com = [0.0, 0.0, 0.33] m;
+        output = [0.0, -1.16, 0.0] m turned rpy(-62.5, 42.9, 92.6) deg;
+        inertia = tensor(0.07606, 0.087806, 0.055266, -0.017039, 0.005681, 0.003535) kg*m^2 about com;
+        point p1 = [0.37, 0.0, 0.0] m;
     }
     body B2 {
-        mass = 2.23 kg;
-        com = [-0.51, -0.11, 0.48] m;
-        output = [-1.07, -0.28, -0.52] m turned rpy(90.0, 180.0, 180.0) deg;
-        inertia = diag(0.040933, 0.164312, 0.196589) kg*m^2 about com;
+        mass = 4.17 kg;
+        com = [0.2, -0.17, -0.52] m;
+        output = [-0.67, 0.0, -0.39] m turned rpy(-46.6, 134.7, -35.4) deg;
+        inertia = tensor(0.32605, 0.303742, 0.403073, 0.018258, -0.06587, -0.041593) kg*m^2 about com;
+        point p2 = [0.0, 0.0, 0.0] m;
     }
     body B3 {
-        mass = 3.42 kg;
-        com = [0.0, 0.23, 0.0] m;
-        output = [0.73, 0.0, 0.0] m;
-        inertia = tensor(0.293935, 0.135185, 0.308209, -0.000204, -0.004687, -0.003874) kg*m^2 about input;
+        mass = 1.42 kg;
+        com = [0.0, 0.0, -0.32] m;
+        output = [0.0, -1.08, 0.0] m turned rpy(0.0, 90.0, 0.0) deg;
+        inertia = tensor(0.289204, 0.276163, 0.133193, 0.008687, -0.00133, 0.010244) kg*m^2 about input;
     }
-    body B4 {
-        mass = 0.97 kg;
-        com = [0.0, 0.0, 0.52] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(25.4, -145.7, 140.4) deg;
-        inertia = diag(0.317824, 0.337709, 0.127309) kg*m^2 about input;
-    }
-    B1 b1 -> ball j1 -> B2 b2 -> pin(x) j2 -> B3 b3 -> ball j3 -> B4 b4;
-    hinge j1 { torque = input; }
-    hinge j3 { torque = input; }
+    moving base -> planar(x) j1 -> B1 b1 -> elastic j2 -> B2 b2 -> screw(z, 0.47 m/rad) j3 -> B3 b3 -> pin([0.92, -1.48, -0.47]) j4 -> ground;
+    hinge j1 { turning_stiffness = 25.92 N*m/rad; turning_damping = 1.85 N*m*s/rad; turning_limits = [-0.57, 1.02] rad; turning_limit_stiffness = 42.6 N*m/rad; motion = input; }
+    hinge j2 { rest = [-0.04, -0.18, 0.13] m turned rpy(0.02, -0.18, -1.49) rad; force = [1.4, 4.2, -1.2] N; turning_stiffness = [25.52, 34.81, 30.38] N*m/rad; turning_damping = [2.65, 1.88, 1.37] N*m*s/rad; turning_armature = [0.72, 0.63, 0.07] kg*m^2; torque = [-4.6, -1.8, 0.3] N*m; }
+    hinge j3 { rest = -0.04 rad; stiffness = 17.66 N*m/rad; damping = 1.34 N*m*s/rad; torque = input; }
+    load l1 { on = b1; at = p1; force = input; torque = input; axes = body; }
+    load l2 { on = b2; force = input; }
+    load l3 { on = b3; at = [0.0, 0.0, 0.5] m; force = input; }
+    spring s1 { on = b1; at = com; to = [1.0, -0.8, -0.4] m; stiffness = 10.2 N/m; }
+    spring s2 { on = b2; at = p2; to = [-0.8, 0.1, 1.2] m; stiffness = 36.6 N/m; }
 }
 }
 
-pub fn inputs_random7r(efforts: &[f64]) -> Random7RInputs<f64> {
-    Random7RInputs { j1: [6, 7, 8].map(|k| efforts[k]).into(), j3: [10, 11, 12].map(|k| efforts[k]).into() }
+printed! {
+    Random7R, Point, energy_with(state, inputs);
+    inputs |drives| {
+        base: space_frame(&drives.start),
+        j1: planar(&drives.motions[0]),
+        j3: drives.efforts[6],
+        l1_force: drives.loads[0].force.into(),
+        l1_torque: drives.loads[0].torque.into(),
+        l2_force: drives.loads[1].force.into(),
+        l3_force: drives.loads[2].force.into(),
+        gravity: drives.gravity.into(),
+    }
+    hinges j1 j2 j3 j4;
 }
 
 mstmm::mstmm_chain! {
 pub chain Random7T {
     method = transfer;
-    gravity = [9.81, 0.0, 0.0] m/s^2;
+    gravity = input;
     body B1 {
-        mass = 2.07 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [-0.11, -0.6, -0.08] m;
-        inertia = tensor(0.176612, 0.065518, 0.168083, 0.048537, 0.003708, 0.01993) kg*m^2 about com;
+        mass = 3.0 kg;
+        com = [0.0, 0.0, 0.33] m;
+        output = [0.0, -1.16, 0.0] m turned rpy(-62.5, 42.9, 92.6) deg;
+        inertia = tensor(0.07606, 0.087806, 0.055266, -0.017039, 0.005681, 0.003535) kg*m^2 about com;
+        point p1 = [0.37, 0.0, 0.0] m;
     }
     body B2 {
-        mass = 2.23 kg;
-        com = [-0.51, -0.11, 0.48] m;
-        output = [-1.07, -0.28, -0.52] m turned rpy(90.0, 180.0, 180.0) deg;
-        inertia = diag(0.040933, 0.164312, 0.196589) kg*m^2 about com;
+        mass = 4.17 kg;
+        com = [0.2, -0.17, -0.52] m;
+        output = [-0.67, 0.0, -0.39] m turned rpy(-46.6, 134.7, -35.4) deg;
+        inertia = tensor(0.32605, 0.303742, 0.403073, 0.018258, -0.06587, -0.041593) kg*m^2 about com;
+        point p2 = [0.0, 0.0, 0.0] m;
     }
     body B3 {
-        mass = 3.42 kg;
-        com = [0.0, 0.23, 0.0] m;
-        output = [0.73, 0.0, 0.0] m;
-        inertia = tensor(0.293935, 0.135185, 0.308209, -0.000204, -0.004687, -0.003874) kg*m^2 about input;
+        mass = 1.42 kg;
+        com = [0.0, 0.0, -0.32] m;
+        output = [0.0, -1.08, 0.0] m turned rpy(0.0, 90.0, 0.0) deg;
+        inertia = tensor(0.289204, 0.276163, 0.133193, 0.008687, -0.00133, 0.010244) kg*m^2 about input;
     }
-    body B4 {
-        mass = 0.97 kg;
-        com = [0.0, 0.0, 0.52] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(25.4, -145.7, 140.4) deg;
-        inertia = diag(0.317824, 0.337709, 0.127309) kg*m^2 about input;
-    }
-    B1 b1 -> ball j1 -> B2 b2 -> pin(x) j2 -> B3 b3 -> ball j3 -> B4 b4;
-    hinge j1 { torque = input; }
-    hinge j3 { torque = input; }
+    moving base -> planar(x) j1 -> B1 b1 -> elastic j2 -> B2 b2 -> screw(z, 0.47 m/rad) j3 -> B3 b3 -> pin([0.92, -1.48, -0.47]) j4 -> ground;
+    hinge j1 { turning_stiffness = 25.92 N*m/rad; turning_damping = 1.85 N*m*s/rad; turning_limits = [-0.57, 1.02] rad; turning_limit_stiffness = 42.6 N*m/rad; motion = input; }
+    hinge j2 { rest = [-0.04, -0.18, 0.13] m turned rpy(0.02, -0.18, -1.49) rad; force = [1.4, 4.2, -1.2] N; turning_stiffness = [25.52, 34.81, 30.38] N*m/rad; turning_damping = [2.65, 1.88, 1.37] N*m*s/rad; turning_armature = [0.72, 0.63, 0.07] kg*m^2; torque = [-4.6, -1.8, 0.3] N*m; }
+    hinge j3 { rest = -0.04 rad; stiffness = 17.66 N*m/rad; damping = 1.34 N*m*s/rad; torque = input; }
+    load l1 { on = b1; at = p1; force = input; torque = input; axes = body; }
+    load l2 { on = b2; force = input; }
+    load l3 { on = b3; at = [0.0, 0.0, 0.5] m; force = input; }
+    spring s1 { on = b1; at = com; to = [1.0, -0.8, -0.4] m; stiffness = 10.2 N/m; }
+    spring s2 { on = b2; at = p2; to = [-0.8, 0.1, 1.2] m; stiffness = 36.6 N/m; }
 }
 }
 
-pub fn inputs_random7t(efforts: &[f64]) -> Random7TInputs<f64> {
-    Random7TInputs { j1: [6, 7, 8].map(|k| efforts[k]).into(), j3: [10, 11, 12].map(|k| efforts[k]).into() }
+printed! {
+    Random7T, Point, energy_with(state, inputs);
+    inputs |drives| {
+        base: space_frame(&drives.start),
+        j1: planar(&drives.motions[0]),
+        j3: drives.efforts[6],
+        l1_force: drives.loads[0].force.into(),
+        l1_torque: drives.loads[0].torque.into(),
+        l2_force: drives.loads[1].force.into(),
+        l3_force: drives.loads[2].force.into(),
+        gravity: drives.gravity.into(),
+    }
+    hinges j1 j2 j3 j4;
 }
 
 mstmm::mstmm_chain! {
 pub chain Random8R {
     method = riccati;
-    gravity = [0.0, -9.8, 0.0] m/s^2;
+    gravity = [0.0, 0.0, 0.0] m/s^2;
     body B1 {
-        mass = 3.17 kg;
-        com = [0.04, -0.52, -0.15] m;
-        output = [0.19, 0.0, 0.0] m turned rpy(-90.0, 0.0, 90.0) deg;
-        inertia = diag(0.249286, 0.408107, 0.26589) kg*m^2 about com;
+        mass = 4.42 kg;
+        com = [-0.33, 0.05, -0.2] m;
+        output = [0.03, 1.04, -0.17] m turned rpy(0.0, -90.0, 180.0) deg;
+        inertia = tensor(0.616353, 0.89289, 0.847609, 0.097777, -0.309886, -0.081683) kg*m^2 about input;
     }
-    B1 b1 -> ball j1 -> ground at [0.0, -0.54, 0.0] m turned rpy(0.0, 90.0, 0.0) deg;
-    hinge j1 { torque = input; }
+    body B2 {
+        mass = 4.85 kg;
+        com = [-0.48, -0.22, -0.29] m;
+        output = [0.0, 0.0, 0.74] m;
+        inertia = tensor(0.954435, 2.029163, 1.707584, -0.51216, -0.67512, -0.30943) kg*m^2 about input;
+    }
+    moving base -> elastic j1 -> B1 b1 -> floating j2 -> B2 b2 -> planar(z) j3 -> moving tip;
+    hinge j2 { rest = [0.01, 0.15, -0.08] m turned quaternion(-0.49, 0.04, 0.05, -0.07); stiffness = [29.71, 9.74, 15.5] N/m; damping = 1.07 N*s/m; armature = 0.29 kg; friction = 0.45 N; friction_speed = 0.9 m/s; limits = [-1.15, 0.61] m; limit_stiffness = 35.9 N/m; }
+    load l1 { on = b2; at = [-0.4, -0.26, 0.84] m; torque = input; axes = body; }
+    spring s1 { on = b2; at = [0.0, 0.0, 0.57] m; to = [1.8, -0.6, -0.2] m; stiffness = 2.9 N/m; length = 0.48 m; }
 }
 }
 
-pub fn inputs_random8r(efforts: &[f64]) -> Random8RInputs<f64> {
-    Random8RInputs { j1: [0, 1, 2].map(|k| efforts[k]).into() }
+printed! {
+    Random8R, Point, energy_with(state, inputs);
+    inputs |drives| {
+        base: space_frame(&drives.start),
+        tip: space_frame(&drives.finish),
+        l1_torque: drives.loads[0].torque.into(),
+    }
+    hinges j1 j2 j3;
 }
 
 mstmm::mstmm_chain! {
 pub chain Random8T {
     method = transfer;
-    gravity = [0.0, -9.8, 0.0] m/s^2;
+    gravity = [0.0, 0.0, 0.0] m/s^2;
     body B1 {
-        mass = 3.17 kg;
-        com = [0.04, -0.52, -0.15] m;
-        output = [0.19, 0.0, 0.0] m turned rpy(-90.0, 0.0, 90.0) deg;
-        inertia = diag(0.249286, 0.408107, 0.26589) kg*m^2 about com;
+        mass = 4.42 kg;
+        com = [-0.33, 0.05, -0.2] m;
+        output = [0.03, 1.04, -0.17] m turned rpy(0.0, -90.0, 180.0) deg;
+        inertia = tensor(0.616353, 0.89289, 0.847609, 0.097777, -0.309886, -0.081683) kg*m^2 about input;
     }
-    B1 b1 -> ball j1 -> ground at [0.0, -0.54, 0.0] m turned rpy(0.0, 90.0, 0.0) deg;
-    hinge j1 { torque = input; }
+    body B2 {
+        mass = 4.85 kg;
+        com = [-0.48, -0.22, -0.29] m;
+        output = [0.0, 0.0, 0.74] m;
+        inertia = tensor(0.954435, 2.029163, 1.707584, -0.51216, -0.67512, -0.30943) kg*m^2 about input;
+    }
+    moving base -> elastic j1 -> B1 b1 -> floating j2 -> B2 b2 -> planar(z) j3 -> moving tip;
+    hinge j2 { rest = [0.01, 0.15, -0.08] m turned quaternion(-0.49, 0.04, 0.05, -0.07); stiffness = [29.71, 9.74, 15.5] N/m; damping = 1.07 N*s/m; armature = 0.29 kg; friction = 0.45 N; friction_speed = 0.9 m/s; limits = [-1.15, 0.61] m; limit_stiffness = 35.9 N/m; }
+    load l1 { on = b2; at = [-0.4, -0.26, 0.84] m; torque = input; axes = body; }
+    spring s1 { on = b2; at = [0.0, 0.0, 0.57] m; to = [1.8, -0.6, -0.2] m; stiffness = 2.9 N/m; length = 0.48 m; }
 }
 }
 
-pub fn inputs_random8t(efforts: &[f64]) -> Random8TInputs<f64> {
-    Random8TInputs { j1: [0, 1, 2].map(|k| efforts[k]).into() }
+printed! {
+    Random8T, Point, energy_with(state, inputs);
+    inputs |drives| {
+        base: space_frame(&drives.start),
+        tip: space_frame(&drives.finish),
+        l1_torque: drives.loads[0].torque.into(),
+    }
+    hinges j1 j2 j3;
 }
 
 mstmm::mstmm_chain! {
 pub chain Random9R {
     method = riccati;
-    gravity = [0.0, 0.0, 0.0] m/s^2;
+    gravity = [4.24, -4.72, 5.03] m/s^2;
     body B1 {
-        mass = 1.23 kg;
-        com = [0.0, 0.0, -0.48] m;
-        output = [0.42, 0.64, -1.01] m turned rpy(60.4, 165.9, -86.6) deg;
-        inertia = diag(0.298968, 0.339387, 0.069486) kg*m^2 about input;
+        mass = 1.47 kg;
+        com = [0.0, 0.16, 0.0] m;
+        output = [0.22, -0.68, 1.17] m;
+        inertia = tensor(0.141835, 0.059633, 0.105399, 0.003533, -0.007862, -0.015581) kg*m^2 about com;
     }
-    body B2 {
-        mass = 4.61 kg;
-        com = [-0.53, 0.44, -0.31] m;
-        output = [0.16, 0.0, 0.0] m;
-        inertia = tensor(1.723826, 2.200684, 2.316012, 1.079307, -0.762834, 0.553685) kg*m^2 about input;
-    }
-    body B3 {
-        mass = 2.47 kg;
-        com = [0.0, 0.32, 0.0] m;
-        output = [-0.64, 1.06, 0.56] m turned rpy(169.5, 110.4, -86.3) deg;
-        inertia = diag(0.505618, 0.143035, 0.527444) kg*m^2 about input;
-    }
-    body B4 {
-        mass = 1.58 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, 0.0, -1.03] m turned rpy(148.5, 0.3, 82.8) deg;
-        inertia = tensor(0.142763, 0.101447, 0.174414, 0.009493, 0.014686, 0.000226) kg*m^2 about input;
-    }
-    body B5 {
-        mass = 3.18 kg;
-        com = [0.18, 0.34, -0.03] m;
-        output = [0.0, 0.85, 0.0] m turned rpy(0.0, 90.0, 90.0) deg;
-        inertia = tensor(0.60988, 0.270987, 0.61431, -0.245686, 0.018789, 0.003264) kg*m^2 about input;
-    }
-    body B6 {
-        mass = 3.43 kg;
-        com = [0.19, -0.1, -0.59] m;
-        output = [-0.29, -0.38, -0.6] m turned rpy(-9.8, 155.8, -26.9) deg;
-        inertia = tensor(1.686925, 1.595467, 0.390207, 0.06517, 0.384503, -0.20237) kg*m^2 about input;
-    }
-    ground -> pin([0.0, -1.0, -0.41]) j1 -> B1 b1 -> ball j2 -> B2 b2 -> weld j3 -> B3 b3 -> pin([0.0, -1.0, 0.0]) j4 -> B4 b4 -> ball j5 -> B5 b5 -> pin([0.0, -1.0, 0.0]) j6 -> B6 b6;
-    hinge j2 { torque = input; }
-    hinge j5 { torque = input; }
+    ground -> floating j1 -> B1 b1;
+    hinge j1 { motion = input; }
+    spring s1 { on = b1; at = com; to = [-0.3, -1.8, 0.7] m; stiffness = 33.3 N/m; damping = 0.43 N*s/m; length = 0.2 m; }
 }
 }
 
-pub fn inputs_random9r(efforts: &[f64]) -> Random9RInputs<f64> {
-    Random9RInputs { j2: [1, 2, 3].map(|k| efforts[k]).into(), j5: [5, 6, 7].map(|k| efforts[k]).into() }
+printed! {
+    Random9R, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j1: floating(&drives.motions[0]),
+    }
+    hinges j1;
 }
 
 mstmm::mstmm_chain! {
 pub chain Random9T {
     method = transfer;
-    gravity = [0.0, 0.0, 0.0] m/s^2;
+    gravity = [4.24, -4.72, 5.03] m/s^2;
     body B1 {
-        mass = 1.23 kg;
-        com = [0.0, 0.0, -0.48] m;
-        output = [0.42, 0.64, -1.01] m turned rpy(60.4, 165.9, -86.6) deg;
-        inertia = diag(0.298968, 0.339387, 0.069486) kg*m^2 about input;
+        mass = 1.47 kg;
+        com = [0.0, 0.16, 0.0] m;
+        output = [0.22, -0.68, 1.17] m;
+        inertia = tensor(0.141835, 0.059633, 0.105399, 0.003533, -0.007862, -0.015581) kg*m^2 about com;
     }
-    body B2 {
-        mass = 4.61 kg;
-        com = [-0.53, 0.44, -0.31] m;
-        output = [0.16, 0.0, 0.0] m;
-        inertia = tensor(1.723826, 2.200684, 2.316012, 1.079307, -0.762834, 0.553685) kg*m^2 about input;
-    }
-    body B3 {
-        mass = 2.47 kg;
-        com = [0.0, 0.32, 0.0] m;
-        output = [-0.64, 1.06, 0.56] m turned rpy(169.5, 110.4, -86.3) deg;
-        inertia = diag(0.505618, 0.143035, 0.527444) kg*m^2 about input;
-    }
-    body B4 {
-        mass = 1.58 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, 0.0, -1.03] m turned rpy(148.5, 0.3, 82.8) deg;
-        inertia = tensor(0.142763, 0.101447, 0.174414, 0.009493, 0.014686, 0.000226) kg*m^2 about input;
-    }
-    body B5 {
-        mass = 3.18 kg;
-        com = [0.18, 0.34, -0.03] m;
-        output = [0.0, 0.85, 0.0] m turned rpy(0.0, 90.0, 90.0) deg;
-        inertia = tensor(0.60988, 0.270987, 0.61431, -0.245686, 0.018789, 0.003264) kg*m^2 about input;
-    }
-    body B6 {
-        mass = 3.43 kg;
-        com = [0.19, -0.1, -0.59] m;
-        output = [-0.29, -0.38, -0.6] m turned rpy(-9.8, 155.8, -26.9) deg;
-        inertia = tensor(1.686925, 1.595467, 0.390207, 0.06517, 0.384503, -0.20237) kg*m^2 about input;
-    }
-    ground -> pin([0.0, -1.0, -0.41]) j1 -> B1 b1 -> ball j2 -> B2 b2 -> weld j3 -> B3 b3 -> pin([0.0, -1.0, 0.0]) j4 -> B4 b4 -> ball j5 -> B5 b5 -> pin([0.0, -1.0, 0.0]) j6 -> B6 b6;
-    hinge j2 { torque = input; }
-    hinge j5 { torque = input; }
+    ground -> floating j1 -> B1 b1;
+    hinge j1 { motion = input; }
+    spring s1 { on = b1; at = com; to = [-0.3, -1.8, 0.7] m; stiffness = 33.3 N/m; damping = 0.43 N*s/m; length = 0.2 m; }
 }
 }
 
-pub fn inputs_random9t(efforts: &[f64]) -> Random9TInputs<f64> {
-    Random9TInputs { j2: [1, 2, 3].map(|k| efforts[k]).into(), j5: [5, 6, 7].map(|k| efforts[k]).into() }
+printed! {
+    Random9T, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j1: floating(&drives.motions[0]),
+    }
+    hinges j1;
 }
 
 mstmm::mstmm_chain! {
 pub chain Random10R {
     method = riccati;
-    gravity = [0.0, 0.0, -9.81] m/s^2;
+    gravity = input;
     body B1 {
         mass = 0.36 kg;
         com = [0.0, -0.52, 0.0] m;
@@ -799,30 +732,45 @@ pub chain Random10R {
         inertia = diag(0.101873, 0.028786, 0.122736) kg*m^2 about input;
     }
     body B2 {
-        mass = 1.61 kg;
-        com = [0.56, 0.44, 0.51] m;
-        output = [0.25, 0.0, 0.0] m turned rpy(-53.7, -38.7, -17.0) deg;
-        inertia = tensor(0.827794, 1.011172, 0.926496, -0.396151, -0.466642, -0.349288) kg*m^2 about input;
+        mass = 4.83 kg;
+        com = [-0.11, -0.04, -0.44] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(103.6, -53.7, -38.7) deg;
+        inertia = tensor(0.347417, 0.174545, 0.205252, 0.012882, -0.018217, -0.017864) kg*m^2 about com;
     }
     body B3 {
-        mass = 0.67 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(-6.8, 66.9, -65.8) deg;
-        inertia = diag(0.010432, 0.03228, 0.029208) kg*m^2 about com;
+        mass = 3.27 kg;
+        com = [0.0, 0.0, -0.19] m;
+        output = [0.0, 0.0, 0.41] m turned rpy(133.8, 37.2, -174.4) deg;
+        inertia = diag(0.311045, 0.25829, 0.253965) kg*m^2 about input;
     }
-    B1 b1 -> ball j1 -> B2 b2 -> pin(x) j2 -> B3 b3;
-    hinge j1 { torque = input; }
+    body B4 {
+        mass = 1.82 kg;
+        com = [-0.24, 0.0, 0.0] m;
+        output = [-0.99, -0.16, -0.04] m turned rpy(-135.7, -61.3, 142.5) deg;
+        inertia = tensor(0.090467, 0.028015, 0.078727, 0.006765, -0.000857, -0.015329) kg*m^2 about com;
+    }
+    B1 b1 -> pin(z) j1 -> B2 b2 -> slider([-0.1, 1.03, 0.0]) j2 -> B3 b3 -> elastic j3 -> B4 b4;
+    hinge j1 { rest = 1.2 rad; stiffness = 14.47 N*m/rad; damping = 2.95 N*m*s/rad; friction = 1.88 N*m; friction_speed = 0.9 rad/s; limits = [-0.33, 0.7] rad; limit_stiffness = 9.5 N*m/rad; }
+    hinge j2 { force = input; }
+    load l1 { on = b1; at = input; force = input; }
+    spring s1 { on = b3; at = com; to = [0.2, -0.1, 0.1] m; stiffness = 10.3 N/m; damping = 2.63 N*s/m; }
 }
 }
 
-pub fn inputs_random10r(efforts: &[f64]) -> Random10RInputs<f64> {
-    Random10RInputs { j1: [6, 7, 8].map(|k| efforts[k]).into() }
+printed! {
+    Random10R, Point, energy(state);
+    inputs |drives| {
+        j2: drives.efforts[7],
+        l1_force: drives.loads[0].force.into(),
+        gravity: drives.gravity.into(),
+    }
+    hinges j1 j2 j3;
 }
 
 mstmm::mstmm_chain! {
 pub chain Random10T {
     method = transfer;
-    gravity = [0.0, 0.0, -9.81] m/s^2;
+    gravity = input;
     body B1 {
         mass = 0.36 kg;
         com = [0.0, -0.52, 0.0] m;
@@ -830,150 +778,875 @@ pub chain Random10T {
         inertia = diag(0.101873, 0.028786, 0.122736) kg*m^2 about input;
     }
     body B2 {
-        mass = 1.61 kg;
-        com = [0.56, 0.44, 0.51] m;
-        output = [0.25, 0.0, 0.0] m turned rpy(-53.7, -38.7, -17.0) deg;
-        inertia = tensor(0.827794, 1.011172, 0.926496, -0.396151, -0.466642, -0.349288) kg*m^2 about input;
+        mass = 4.83 kg;
+        com = [-0.11, -0.04, -0.44] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(103.6, -53.7, -38.7) deg;
+        inertia = tensor(0.347417, 0.174545, 0.205252, 0.012882, -0.018217, -0.017864) kg*m^2 about com;
     }
     body B3 {
-        mass = 0.67 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(-6.8, 66.9, -65.8) deg;
-        inertia = diag(0.010432, 0.03228, 0.029208) kg*m^2 about com;
+        mass = 3.27 kg;
+        com = [0.0, 0.0, -0.19] m;
+        output = [0.0, 0.0, 0.41] m turned rpy(133.8, 37.2, -174.4) deg;
+        inertia = diag(0.311045, 0.25829, 0.253965) kg*m^2 about input;
     }
-    B1 b1 -> ball j1 -> B2 b2 -> pin(x) j2 -> B3 b3;
-    hinge j1 { torque = input; }
+    body B4 {
+        mass = 1.82 kg;
+        com = [-0.24, 0.0, 0.0] m;
+        output = [-0.99, -0.16, -0.04] m turned rpy(-135.7, -61.3, 142.5) deg;
+        inertia = tensor(0.090467, 0.028015, 0.078727, 0.006765, -0.000857, -0.015329) kg*m^2 about com;
+    }
+    B1 b1 -> pin(z) j1 -> B2 b2 -> slider([-0.1, 1.03, 0.0]) j2 -> B3 b3 -> elastic j3 -> B4 b4;
+    hinge j1 { rest = 1.2 rad; stiffness = 14.47 N*m/rad; damping = 2.95 N*m*s/rad; friction = 1.88 N*m; friction_speed = 0.9 rad/s; limits = [-0.33, 0.7] rad; limit_stiffness = 9.5 N*m/rad; }
+    hinge j2 { force = input; }
+    load l1 { on = b1; at = input; force = input; }
+    spring s1 { on = b3; at = com; to = [0.2, -0.1, 0.1] m; stiffness = 10.3 N/m; damping = 2.63 N*s/m; }
 }
 }
 
-pub fn inputs_random10t(efforts: &[f64]) -> Random10TInputs<f64> {
-    Random10TInputs { j1: [6, 7, 8].map(|k| efforts[k]).into() }
+printed! {
+    Random10T, Point, energy(state);
+    inputs |drives| {
+        j2: drives.efforts[7],
+        l1_force: drives.loads[0].force.into(),
+        gravity: drives.gravity.into(),
+    }
+    hinges j1 j2 j3;
 }
 
 mstmm::mstmm_chain! {
-pub chain Random11R {
+pub plane chain Random11R {
+    method = riccati;
+    gravity = [0.0, 0.0] m/s^2;
+    body B1 {
+        mass = 1.72 kg;
+        com = [0.01, -0.4] m;
+        output = [0.0, 0.0] m turned 148.2 deg;
+        inertia = 0.120766 kg*m^2 about com;
+    }
+    body B2 {
+        mass = 4.63 kg;
+        com = [0.0, 0.0] m;
+        output = [0.0, 0.0] m turned 61.1 deg;
+        inertia = 0.233131 kg*m^2 about input;
+    }
+    body B3 {
+        mass = 2.81 kg;
+        com = [-0.24, -0.07] m;
+        output = [1.11, 0.67] m turned -90.0 deg;
+        inertia = 0.225244 kg*m^2 about com;
+    }
+    B1 b1 -> weld j1 -> B2 b2 -> slider([-0.89, 0.46]) j2 -> B3 b3 -> floating j3 -> ground;
+    hinge j2 { damping = 2.02 N*s/m; armature = 0.14 kg; limits = [-0.23, 0.96] m; limit_stiffness = 46.5 N/m; force = input; }
+    load l1 { on = b3; at = [0.0, 0.0] m; force = input; }
+    spring s1 { on = b1; at = [0.0, 0.0] m; to = [0.7, 0.4] m; stiffness = 23.1 N/m; damping = 1.28 N*s/m; length = 1.09 m; }
+}
+}
+
+printed! {
+    Random11R, PlanePoint, energy(state);
+    inputs |drives| {
+        j2: drives.efforts[0],
+        l1_force: part(&drives.loads[0].force, 0).into(),
+    }
+    hinges j1 j2 j3;
+}
+
+mstmm::mstmm_chain! {
+pub plane chain Random11T {
+    method = transfer;
+    gravity = [0.0, 0.0] m/s^2;
+    body B1 {
+        mass = 1.72 kg;
+        com = [0.01, -0.4] m;
+        output = [0.0, 0.0] m turned 148.2 deg;
+        inertia = 0.120766 kg*m^2 about com;
+    }
+    body B2 {
+        mass = 4.63 kg;
+        com = [0.0, 0.0] m;
+        output = [0.0, 0.0] m turned 61.1 deg;
+        inertia = 0.233131 kg*m^2 about input;
+    }
+    body B3 {
+        mass = 2.81 kg;
+        com = [-0.24, -0.07] m;
+        output = [1.11, 0.67] m turned -90.0 deg;
+        inertia = 0.225244 kg*m^2 about com;
+    }
+    B1 b1 -> weld j1 -> B2 b2 -> slider([-0.89, 0.46]) j2 -> B3 b3 -> floating j3 -> ground;
+    hinge j2 { damping = 2.02 N*s/m; armature = 0.14 kg; limits = [-0.23, 0.96] m; limit_stiffness = 46.5 N/m; force = input; }
+    load l1 { on = b3; at = [0.0, 0.0] m; force = input; }
+    spring s1 { on = b1; at = [0.0, 0.0] m; to = [0.7, 0.4] m; stiffness = 23.1 N/m; damping = 1.28 N*s/m; length = 1.09 m; }
+}
+}
+
+printed! {
+    Random11T, PlanePoint, energy(state);
+    inputs |drives| {
+        j2: drives.efforts[0],
+        l1_force: part(&drives.loads[0].force, 0).into(),
+    }
+    hinges j1 j2 j3;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random12R {
+    method = riccati;
+    gravity = input;
+    body B1 {
+        mass = 3.45 kg;
+        com = [0.0, 0.4, 0.0] m;
+        output = [0.55, 0.29, 1.18] m;
+        inertia = tensor(0.6884, 0.240978, 0.782677, -0.028663, 0.03314, 0.015175) kg*m^2 about input;
+        point p1 = [-0.86, 0.11, 0.97] m;
+    }
+    body B2 {
+        mass = 1.48 kg;
+        com = [-0.47, 0.38, 0.03] m;
+        output = [0.0, 0.0, 0.8] m turned rpy(0.0, 180.0, 0.0) deg;
+        inertia = diag(0.032701, 0.073999, 0.059781) kg*m^2 about com;
+    }
+    ground -> slider([0.0, -0.3, 0.54]) j1 -> B1 b1 -> universal([-1.24, -0.29, 1.1], [0.0, -1.0, 0.0]) j2 -> B2 b2 -> ball j3 -> ground at [1.21, 0.42, 0.47] m turned rpy(-117.2, -56.2, 157.2) deg;
+    hinge j2 { damping = 1.61 N*m*s/rad; armature = 0.68 kg*m^2; }
+    hinge j3 { torque = [0.1, -4.7, -0.3] N*m; }
+    load l1 { on = b1; at = input; force = input; torque = [0.9, -5.0, -2.9] N*m; axes = body; }
+    load l2 { on = b2; force = [-2.7, -1.0, 7.6] N; }
+    spring s1 { on = b1; at = p1; to = [1.6, 1.1, 2.0] m; stiffness = 12.6 N/m; }
+    spring s2 { on = b2; at = com; to = [-0.3, 0.8, 1.7] m; stiffness = 18.9 N/m; length = 0.69 m; }
+}
+}
+
+printed! {
+    Random12R, Point, energy(state);
+    inputs |drives| {
+        l1_force: drives.loads[0].force.into(),
+        gravity: drives.gravity.into(),
+    }
+    hinges j1 j2 j3;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random12T {
+    method = transfer;
+    gravity = input;
+    body B1 {
+        mass = 3.45 kg;
+        com = [0.0, 0.4, 0.0] m;
+        output = [0.55, 0.29, 1.18] m;
+        inertia = tensor(0.6884, 0.240978, 0.782677, -0.028663, 0.03314, 0.015175) kg*m^2 about input;
+        point p1 = [-0.86, 0.11, 0.97] m;
+    }
+    body B2 {
+        mass = 1.48 kg;
+        com = [-0.47, 0.38, 0.03] m;
+        output = [0.0, 0.0, 0.8] m turned rpy(0.0, 180.0, 0.0) deg;
+        inertia = diag(0.032701, 0.073999, 0.059781) kg*m^2 about com;
+    }
+    ground -> slider([0.0, -0.3, 0.54]) j1 -> B1 b1 -> universal([-1.24, -0.29, 1.1], [0.0, -1.0, 0.0]) j2 -> B2 b2 -> ball j3 -> ground at [1.21, 0.42, 0.47] m turned rpy(-117.2, -56.2, 157.2) deg;
+    hinge j2 { damping = 1.61 N*m*s/rad; armature = 0.68 kg*m^2; }
+    hinge j3 { torque = [0.1, -4.7, -0.3] N*m; }
+    load l1 { on = b1; at = input; force = input; torque = [0.9, -5.0, -2.9] N*m; axes = body; }
+    load l2 { on = b2; force = [-2.7, -1.0, 7.6] N; }
+    spring s1 { on = b1; at = p1; to = [1.6, 1.1, 2.0] m; stiffness = 12.6 N/m; }
+    spring s2 { on = b2; at = com; to = [-0.3, 0.8, 1.7] m; stiffness = 18.9 N/m; length = 0.69 m; }
+}
+}
+
+printed! {
+    Random12T, Point, energy(state);
+    inputs |drives| {
+        l1_force: drives.loads[0].force.into(),
+        gravity: drives.gravity.into(),
+    }
+    hinges j1 j2 j3;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random13R {
     method = riccati;
     gravity = [9.81, 0.0, 0.0] m/s^2;
     body B1 {
-        mass = 1.72 kg;
-        com = [0.01, -0.4, 0.06] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(-121.0, -88.5, 148.2) deg;
-        inertia = tensor(0.128206, 0.163732, 0.120766, 0.017945, 0.049132, 0.013383) kg*m^2 about com;
+        mass = 1.88 kg;
+        com = [0.0, 0.0, -0.21] m;
+        output = [0.0, -1.16, 0.0] m turned rpy(90.0, 0.0, 0.0) deg;
+        inertia = diag(0.174272, 0.219177, 0.082276) kg*m^2 about com;
     }
-    body B2 {
-        mass = 4.63 kg;
-        com = [0.0, 0.0, 0.37] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(-50.3, 129.4, 61.1) deg;
-        inertia = tensor(0.935513, 0.902384, 0.233131, 0.04154, -0.070365, 0.068567) kg*m^2 about input;
-    }
-    body B3 {
-        mass = 2.0 kg;
-        com = [0.0, 0.39, 0.0] m;
-        output = [0.6, 1.11, 0.67] m;
-        inertia = tensor(0.320589, 0.064076, 0.36087, 0.00621, 0.004236, -0.001527) kg*m^2 about input;
-    }
-    body B4 {
-        mass = 2.24 kg;
-        com = [0.0, 0.54, 0.0] m;
-        output = [-0.39, -0.23, -1.11] m turned rpy(-179.8, 103.6, -45.5) deg;
-        inertia = diag(0.78087, 0.197375, 0.763826) kg*m^2 about input;
-    }
-    body B5 {
-        mass = 1.17 kg;
-        com = [0.01, 0.31, 0.45] m;
-        output = [1.06, 0.0, 0.0] m;
-        inertia = tensor(0.06859, 0.072564, 0.063888, -0.008151, 0.013383, 0.021973) kg*m^2 about com;
-    }
-    body B6 {
-        mass = 4.57 kg;
-        com = [-0.23, 0.23, -0.18] m;
-        output = [1.12, 0.0, 0.0] m turned rpy(180.0, 90.0, 180.0) deg;
-        inertia = tensor(0.613073, 0.619673, 0.630903, 0.26692, -0.219195, 0.285525) kg*m^2 about input;
-    }
-    body B7 {
-        mass = 2.62 kg;
-        com = [0.55, 0.3, 0.44] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(134.5, 47.6, 59.9) deg;
-        inertia = tensor(0.156574, 0.302525, 0.183892, 0.00235, 0.004151, -0.017157) kg*m^2 about com;
-    }
-    body B8 {
-        mass = 4.05 kg;
-        com = [0.0, 0.19, 0.0] m;
-        output = [-1.13, 0.0, 0.0] m turned rpy(90.0, -90.0, 90.0) deg;
-        inertia = diag(0.543739, 0.344409, 0.324734) kg*m^2 about com;
-    }
-    B1 b1 -> weld j1 -> B2 b2 -> pin([-0.89, 0.46, -0.46]) j2 -> B3 b3 -> pin([0.0, -1.0, 0.0]) j3 -> B4 b4 -> weld j4 -> B5 b5 -> ball j5 -> B6 b6 -> ball j6 -> B7 b7 -> ball j7 -> B8 b8 -> ball j8 -> ground;
-    hinge j2 { torque = input; }
-    hinge j5 { torque = input; }
-    hinge j7 { torque = input; }
-    hinge j8 { torque = input; }
+    moving base -> cylindrical(y) j1 -> B1 b1;
+    hinge j1 { rest = 0.43 m turned -1.25 rad; stiffness = 14.7 N/m; damping = 0.59 N*s/m; friction = 1.35 N; friction_speed = 0.9 m/s; }
 }
 }
 
-pub fn inputs_random11r(efforts: &[f64]) -> Random11RInputs<f64> {
-    Random11RInputs { j2: efforts[0], j5: [2, 3, 4].map(|k| efforts[k]).into(), j7: [8, 9, 10].map(|k| efforts[k]).into(), j8: [11, 12, 13].map(|k| efforts[k]).into() }
+printed! {
+    Random13R, Point, energy_with(state, inputs);
+    inputs |drives| {
+        base: space_frame(&drives.start),
+    }
+    hinges j1;
 }
 
 mstmm::mstmm_chain! {
-pub chain Random11T {
+pub chain Random13T {
     method = transfer;
     gravity = [9.81, 0.0, 0.0] m/s^2;
     body B1 {
-        mass = 1.72 kg;
-        com = [0.01, -0.4, 0.06] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(-121.0, -88.5, 148.2) deg;
-        inertia = tensor(0.128206, 0.163732, 0.120766, 0.017945, 0.049132, 0.013383) kg*m^2 about com;
+        mass = 1.88 kg;
+        com = [0.0, 0.0, -0.21] m;
+        output = [0.0, -1.16, 0.0] m turned rpy(90.0, 0.0, 0.0) deg;
+        inertia = diag(0.174272, 0.219177, 0.082276) kg*m^2 about com;
     }
-    body B2 {
-        mass = 4.63 kg;
-        com = [0.0, 0.0, 0.37] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(-50.3, 129.4, 61.1) deg;
-        inertia = tensor(0.935513, 0.902384, 0.233131, 0.04154, -0.070365, 0.068567) kg*m^2 about input;
-    }
-    body B3 {
-        mass = 2.0 kg;
-        com = [0.0, 0.39, 0.0] m;
-        output = [0.6, 1.11, 0.67] m;
-        inertia = tensor(0.320589, 0.064076, 0.36087, 0.00621, 0.004236, -0.001527) kg*m^2 about input;
-    }
-    body B4 {
-        mass = 2.24 kg;
-        com = [0.0, 0.54, 0.0] m;
-        output = [-0.39, -0.23, -1.11] m turned rpy(-179.8, 103.6, -45.5) deg;
-        inertia = diag(0.78087, 0.197375, 0.763826) kg*m^2 about input;
-    }
-    body B5 {
-        mass = 1.17 kg;
-        com = [0.01, 0.31, 0.45] m;
-        output = [1.06, 0.0, 0.0] m;
-        inertia = tensor(0.06859, 0.072564, 0.063888, -0.008151, 0.013383, 0.021973) kg*m^2 about com;
-    }
-    body B6 {
-        mass = 4.57 kg;
-        com = [-0.23, 0.23, -0.18] m;
-        output = [1.12, 0.0, 0.0] m turned rpy(180.0, 90.0, 180.0) deg;
-        inertia = tensor(0.613073, 0.619673, 0.630903, 0.26692, -0.219195, 0.285525) kg*m^2 about input;
-    }
-    body B7 {
-        mass = 2.62 kg;
-        com = [0.55, 0.3, 0.44] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(134.5, 47.6, 59.9) deg;
-        inertia = tensor(0.156574, 0.302525, 0.183892, 0.00235, 0.004151, -0.017157) kg*m^2 about com;
-    }
-    body B8 {
-        mass = 4.05 kg;
-        com = [0.0, 0.19, 0.0] m;
-        output = [-1.13, 0.0, 0.0] m turned rpy(90.0, -90.0, 90.0) deg;
-        inertia = diag(0.543739, 0.344409, 0.324734) kg*m^2 about com;
-    }
-    B1 b1 -> weld j1 -> B2 b2 -> pin([-0.89, 0.46, -0.46]) j2 -> B3 b3 -> pin([0.0, -1.0, 0.0]) j3 -> B4 b4 -> weld j4 -> B5 b5 -> ball j5 -> B6 b6 -> ball j6 -> B7 b7 -> ball j7 -> B8 b8 -> ball j8 -> ground;
-    hinge j2 { torque = input; }
-    hinge j5 { torque = input; }
-    hinge j7 { torque = input; }
-    hinge j8 { torque = input; }
+    moving base -> cylindrical(y) j1 -> B1 b1;
+    hinge j1 { rest = 0.43 m turned -1.25 rad; stiffness = 14.7 N/m; damping = 0.59 N*s/m; friction = 1.35 N; friction_speed = 0.9 m/s; }
 }
 }
 
-pub fn inputs_random11t(efforts: &[f64]) -> Random11TInputs<f64> {
-    Random11TInputs { j2: efforts[0], j5: [2, 3, 4].map(|k| efforts[k]).into(), j7: [8, 9, 10].map(|k| efforts[k]).into(), j8: [11, 12, 13].map(|k| efforts[k]).into() }
+printed! {
+    Random13T, Point, energy_with(state, inputs);
+    inputs |drives| {
+        base: space_frame(&drives.start),
+    }
+    hinges j1;
+}
+
+mstmm::mstmm_chain! {
+pub line chain Random14R {
+    method = riccati;
+    gravity = -5.48 m/s^2;
+    body B1 {
+        mass = 2.2 kg;
+        com = 0.0 m;
+        output = 0.0 m;
+    }
+    body B2 {
+        mass = 4.66 kg;
+        com = 0.0 m;
+        output = -0.13 m;
+    }
+    body B3 {
+        mass = 2.14 kg;
+        com = 0.0 m;
+        output = 0.0 m;
+    }
+    body B4 {
+        mass = 4.47 kg;
+        com = 0.0 m;
+        output = -0.4 m;
+        point p1 = 0.99 m;
+    }
+    B1 b1 -> elastic j1 -> B2 b2 -> elastic j2 -> B3 b3 -> weld j3 -> B4 b4 -> floating j4 -> moving tip;
+    hinge j1 { stiffness = 16.87 N/m; armature = 0.28 kg; friction = 1.81 N; friction_speed = 0.7 m/s; limits = [-0.13, 0.98] m; limit_stiffness = 22.0 N/m; }
+    hinge j2 { force = -4.9 N; }
+    hinge j4 { rest = 0.43 m; stiffness = 28.45 N/m; armature = 0.52 kg; friction = 1.25 N; friction_speed = 0.3 m/s; limits = [-0.34, 1.03] m; limit_stiffness = 13.3 N/m; }
+    load l1 { on = b1; at = input; force = input; }
+    load l2 { on = b3; at = input; force = 1.1 N; }
+    spring s1 { on = b3; at = com; to = -0.2 m; stiffness = 6.7 N/m; damping = 1.19 N*s/m; length = 0.9 m; }
+    spring s2 { on = b4; at = p1; to = -1.1 m; stiffness = 23.5 N/m; length = 1.35 m; }
+}
+}
+
+printed! {
+    Random14R, LinePoint, energy_with(state, inputs);
+    inputs |drives| {
+        tip: line_frame(&drives.finish),
+        l1_force: drives.loads[0].force[0],
+    }
+    hinges j1 j2 j3 j4;
+}
+
+mstmm::mstmm_chain! {
+pub line chain Random14T {
+    method = transfer;
+    gravity = -5.48 m/s^2;
+    body B1 {
+        mass = 2.2 kg;
+        com = 0.0 m;
+        output = 0.0 m;
+    }
+    body B2 {
+        mass = 4.66 kg;
+        com = 0.0 m;
+        output = -0.13 m;
+    }
+    body B3 {
+        mass = 2.14 kg;
+        com = 0.0 m;
+        output = 0.0 m;
+    }
+    body B4 {
+        mass = 4.47 kg;
+        com = 0.0 m;
+        output = -0.4 m;
+        point p1 = 0.99 m;
+    }
+    B1 b1 -> elastic j1 -> B2 b2 -> elastic j2 -> B3 b3 -> weld j3 -> B4 b4 -> floating j4 -> moving tip;
+    hinge j1 { stiffness = 16.87 N/m; armature = 0.28 kg; friction = 1.81 N; friction_speed = 0.7 m/s; limits = [-0.13, 0.98] m; limit_stiffness = 22.0 N/m; }
+    hinge j2 { force = -4.9 N; }
+    hinge j4 { rest = 0.43 m; stiffness = 28.45 N/m; armature = 0.52 kg; friction = 1.25 N; friction_speed = 0.3 m/s; limits = [-0.34, 1.03] m; limit_stiffness = 13.3 N/m; }
+    load l1 { on = b1; at = input; force = input; }
+    load l2 { on = b3; at = input; force = 1.1 N; }
+    spring s1 { on = b3; at = com; to = -0.2 m; stiffness = 6.7 N/m; damping = 1.19 N*s/m; length = 0.9 m; }
+    spring s2 { on = b4; at = p1; to = -1.1 m; stiffness = 23.5 N/m; length = 1.35 m; }
+}
+}
+
+printed! {
+    Random14T, LinePoint, energy_with(state, inputs);
+    inputs |drives| {
+        tip: line_frame(&drives.finish),
+        l1_force: drives.loads[0].force[0],
+    }
+    hinges j1 j2 j3 j4;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random15R {
+    method = riccati;
+    gravity = [0.0, -9.8, 0.0] m/s^2;
+    body B1 {
+        mass = 1.04 kg;
+        com = [0.16, 0.0, 0.0] m;
+        output = [0.47, -0.66, -0.19] m turned rpy(-90.0, 0.0, 0.0) deg;
+        inertia = diag(0.020298, 0.016648, 0.03446) kg*m^2 about com;
+        point p1 = [0.96, 0.0, 0.0] m;
+    }
+    body B2 {
+        mass = 4.21 kg;
+        com = [0.0, 0.17, 0.0] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(60.9, -103.0, 119.9) deg;
+        inertia = tensor(0.292099, 0.249111, 0.189007, -0.023108, 0.034611, -0.07482) kg*m^2 about com;
+    }
+    body B3 {
+        mass = 2.67 kg;
+        com = [-0.53, 0.0, 0.0] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(90.0, 180.0, 180.0) deg;
+        inertia = tensor(0.195129, 0.265152, 0.177625, 0.034469, 0.005803, 0.022862) kg*m^2 about com;
+    }
+    ground at [0.0, 0.0, 1.76] m turned rpy(90.0, 0.0, 0.0) deg -> pin([0.4, -1.38, 1.17]) j1 -> B1 b1 -> slider([0.0, -1.0, 0.0]) j2 -> B2 b2 -> screw([0.85, 0.65, -1.29], -0.59 m/rad) j3 -> B3 b3 -> planar(z) j4 -> moving tip;
+    hinge j1 { stiffness = 20.48 N*m/rad; damping = 2.32 N*m*s/rad; armature = 0.66 kg*m^2; }
+    hinge j2 { rest = -0.04 m; stiffness = 39.12 N/m; limits = [-0.2, 0.83] m; limit_stiffness = 27.7 N/m; }
+    hinge j3 { damping = 0.45 N*m*s/rad; armature = 0.11 kg*m^2; torque = input; }
+    hinge j4 { armature = 0.29 kg; limits = [-0.75, 0.33] m; limit_stiffness = 20.9 N/m; limit_damping = 1.36 N*s/m; force = input; torque = -3.6 N*m; }
+    load l1 { on = b1; at = p1; force = [4.4, -6.7, -2.0] N; }
+    spring s1 { on = b1; at = input; to = [1.9, 1.6, 1.2] m; stiffness = 28.6 N/m; damping = 2.88 N*s/m; length = 0.76 m; }
+}
+}
+
+printed! {
+    Random15R, Point, energy_with(state, inputs);
+    inputs |drives| {
+        tip: space_frame(&drives.finish),
+        j3: drives.efforts[2],
+        j4: vector(&drives.efforts, [3, 4]),
+    }
+    hinges j1 j2 j3 j4;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random15T {
+    method = transfer;
+    gravity = [0.0, -9.8, 0.0] m/s^2;
+    body B1 {
+        mass = 1.04 kg;
+        com = [0.16, 0.0, 0.0] m;
+        output = [0.47, -0.66, -0.19] m turned rpy(-90.0, 0.0, 0.0) deg;
+        inertia = diag(0.020298, 0.016648, 0.03446) kg*m^2 about com;
+        point p1 = [0.96, 0.0, 0.0] m;
+    }
+    body B2 {
+        mass = 4.21 kg;
+        com = [0.0, 0.17, 0.0] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(60.9, -103.0, 119.9) deg;
+        inertia = tensor(0.292099, 0.249111, 0.189007, -0.023108, 0.034611, -0.07482) kg*m^2 about com;
+    }
+    body B3 {
+        mass = 2.67 kg;
+        com = [-0.53, 0.0, 0.0] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(90.0, 180.0, 180.0) deg;
+        inertia = tensor(0.195129, 0.265152, 0.177625, 0.034469, 0.005803, 0.022862) kg*m^2 about com;
+    }
+    ground at [0.0, 0.0, 1.76] m turned rpy(90.0, 0.0, 0.0) deg -> pin([0.4, -1.38, 1.17]) j1 -> B1 b1 -> slider([0.0, -1.0, 0.0]) j2 -> B2 b2 -> screw([0.85, 0.65, -1.29], -0.59 m/rad) j3 -> B3 b3 -> planar(z) j4 -> moving tip;
+    hinge j1 { stiffness = 20.48 N*m/rad; damping = 2.32 N*m*s/rad; armature = 0.66 kg*m^2; }
+    hinge j2 { rest = -0.04 m; stiffness = 39.12 N/m; limits = [-0.2, 0.83] m; limit_stiffness = 27.7 N/m; }
+    hinge j3 { damping = 0.45 N*m*s/rad; armature = 0.11 kg*m^2; torque = input; }
+    hinge j4 { armature = 0.29 kg; limits = [-0.75, 0.33] m; limit_stiffness = 20.9 N/m; limit_damping = 1.36 N*s/m; force = input; torque = -3.6 N*m; }
+    load l1 { on = b1; at = p1; force = [4.4, -6.7, -2.0] N; }
+    spring s1 { on = b1; at = input; to = [1.9, 1.6, 1.2] m; stiffness = 28.6 N/m; damping = 2.88 N*s/m; length = 0.76 m; }
+}
+}
+
+printed! {
+    Random15T, Point, energy_with(state, inputs);
+    inputs |drives| {
+        tip: space_frame(&drives.finish),
+        j3: drives.efforts[2],
+        j4: vector(&drives.efforts, [3, 4]),
+    }
+    hinges j1 j2 j3 j4;
+}
+
+mstmm::mstmm_chain! {
+pub plane chain Random16R {
+    method = riccati;
+    gravity = input;
+    body B1 {
+        mass = 3.29 kg;
+        com = [0.0, 0.1] m;
+        output = [-1.13, 0.82] m;
+        inertia = 0.273599 kg*m^2 about com;
+    }
+    body B2 {
+        mass = 2.59 kg;
+        com = [0.0, 0.0] m;
+        output = [0.0, 0.0] m turned -90.0 deg;
+        inertia = 0.13835 kg*m^2 about input;
+        point p1 = [0.43, -0.8] m;
+    }
+    moving base -> elastic j1 -> B1 b1 -> floating j2 -> B2 b2 -> slider([-0.54, -1.03]) j3 -> ground;
+    hinge j1 { force = input; torque = input; }
+    hinge j2 { rest = [0.45, 0.25] m turned 0.83 rad; force = input; turning_stiffness = 1.48 N*m/rad; turning_damping = 1.66 N*m*s/rad; turning_limits = [-0.46, 0.15] rad; turning_limit_stiffness = 31.4 N*m/rad; turning_limit_damping = 0.7 N*m*s/rad; torque = -0.4 N*m; }
+    hinge j3 { motion = input; }
+    load l1 { on = b2; at = p1; force = [5.4, 1.8] N; axes = body; }
+}
+}
+
+printed! {
+    Random16R, PlanePoint, energy_with(state, inputs);
+    inputs |drives| {
+        base: plane_frame(&drives.start),
+        j3: slider(&drives.motions[0]),
+        j1: vector(&drives.efforts, [0, 1, 2]),
+        j2: vector(&drives.efforts, [3, 4]),
+        gravity: part(&drives.gravity, 0).into(),
+    }
+    hinges j1 j2 j3;
+}
+
+mstmm::mstmm_chain! {
+pub plane chain Random16T {
+    method = transfer;
+    gravity = input;
+    body B1 {
+        mass = 3.29 kg;
+        com = [0.0, 0.1] m;
+        output = [-1.13, 0.82] m;
+        inertia = 0.273599 kg*m^2 about com;
+    }
+    body B2 {
+        mass = 2.59 kg;
+        com = [0.0, 0.0] m;
+        output = [0.0, 0.0] m turned -90.0 deg;
+        inertia = 0.13835 kg*m^2 about input;
+        point p1 = [0.43, -0.8] m;
+    }
+    moving base -> elastic j1 -> B1 b1 -> floating j2 -> B2 b2 -> slider([-0.54, -1.03]) j3 -> ground;
+    hinge j1 { force = input; torque = input; }
+    hinge j2 { rest = [0.45, 0.25] m turned 0.83 rad; force = input; turning_stiffness = 1.48 N*m/rad; turning_damping = 1.66 N*m*s/rad; turning_limits = [-0.46, 0.15] rad; turning_limit_stiffness = 31.4 N*m/rad; turning_limit_damping = 0.7 N*m*s/rad; torque = -0.4 N*m; }
+    hinge j3 { motion = input; }
+    load l1 { on = b2; at = p1; force = [5.4, 1.8] N; axes = body; }
+}
+}
+
+printed! {
+    Random16T, PlanePoint, energy_with(state, inputs);
+    inputs |drives| {
+        base: plane_frame(&drives.start),
+        j3: slider(&drives.motions[0]),
+        j1: vector(&drives.efforts, [0, 1, 2]),
+        j2: vector(&drives.efforts, [3, 4]),
+        gravity: part(&drives.gravity, 0).into(),
+    }
+    hinges j1 j2 j3;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random17R {
+    method = riccati;
+    gravity = [0.0, 0.0, -9.81] m/s^2;
+    body B1 {
+        mass = 3.34 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.19, 0.0, 0.0] m turned rpy(180.0, 0.0, 0.0) deg;
+        inertia = diag(0.164277, 0.018353, 0.158508) kg*m^2 about input;
+    }
+    moving base -> elastic j1 -> B1 b1 -> elastic j2 -> moving tip;
+    hinge j1 { force = input; torque = [-4.8, -4.2, -4.7] N*m; }
+    hinge j2 { rest = [0.22, 0.05, -0.15] m turned rpy(-0.19, -0.2, -1.45) rad; armature = [0.65, 0.14, 0.73] kg; friction = [0.18, 1.09, 0.42] N; friction_speed = 0.6 m/s; force = input; turning_stiffness = [9.16, 14.86, 9.92] N*m/rad; turning_limits = [-1.01, 0.6] rad; turning_limit_stiffness = 57.9 N*m/rad; torque = input; }
+    load l1 { on = b1; at = output; torque = input; }
+}
+}
+
+printed! {
+    Random17R, Point, energy_with(state, inputs);
+    inputs |drives| {
+        base: space_frame(&drives.start),
+        tip: space_frame(&drives.finish),
+        j1: vector(&drives.efforts, [0, 1, 2]),
+        j2: vector(&drives.efforts, [6, 7, 8, 9, 10, 11]),
+        l1_torque: drives.loads[0].torque.into(),
+    }
+    hinges j1 j2;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random17T {
+    method = transfer;
+    gravity = [0.0, 0.0, -9.81] m/s^2;
+    body B1 {
+        mass = 3.34 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.19, 0.0, 0.0] m turned rpy(180.0, 0.0, 0.0) deg;
+        inertia = diag(0.164277, 0.018353, 0.158508) kg*m^2 about input;
+    }
+    moving base -> elastic j1 -> B1 b1 -> elastic j2 -> moving tip;
+    hinge j1 { force = input; torque = [-4.8, -4.2, -4.7] N*m; }
+    hinge j2 { rest = [0.22, 0.05, -0.15] m turned rpy(-0.19, -0.2, -1.45) rad; armature = [0.65, 0.14, 0.73] kg; friction = [0.18, 1.09, 0.42] N; friction_speed = 0.6 m/s; force = input; turning_stiffness = [9.16, 14.86, 9.92] N*m/rad; turning_limits = [-1.01, 0.6] rad; turning_limit_stiffness = 57.9 N*m/rad; torque = input; }
+    load l1 { on = b1; at = output; torque = input; }
+}
+}
+
+printed! {
+    Random17T, Point, energy_with(state, inputs);
+    inputs |drives| {
+        base: space_frame(&drives.start),
+        tip: space_frame(&drives.finish),
+        j1: vector(&drives.efforts, [0, 1, 2]),
+        j2: vector(&drives.efforts, [6, 7, 8, 9, 10, 11]),
+        l1_torque: drives.loads[0].torque.into(),
+    }
+    hinges j1 j2;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random18R {
+    method = riccati;
+    gravity = input;
+    body B1 {
+        mass = 3.63 kg;
+        com = [-0.45, 0.5, 0.58] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(130.6, 118.2, -170.6) deg;
+        inertia = tensor(0.046334, 0.037889, 0.043131, 0.011128, -0.003501, -0.006145) kg*m^2 about com;
+    }
+    body B2 {
+        mass = 4.15 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [-0.83, 0.0, 0.0] m turned rpy(-90.0, 90.0, -90.0) deg;
+        inertia = diag(0.133447, 0.140788, 0.019084) kg*m^2 about com;
+    }
+    body B3 {
+        mass = 4.35 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [-0.46, 0.0, 0.0] m;
+        inertia = tensor(0.346324, 0.269938, 0.353471, 0.067802, -0.034108, 0.078909) kg*m^2 about com;
+    }
+    body B4 {
+        mass = 0.23 kg;
+        com = [-0.3, 0.0, 0.0] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(180.0, 90.0, 0.0) deg;
+        inertia = tensor(0.004143, 0.002774, 0.004038, -0.000883, 0.000728, 0.000204) kg*m^2 about com;
+    }
+    ground at [1.07, 0.0, 0.0] m -> weld j1 -> B1 b1 -> planar(z) j2 -> B2 b2 -> ball j3 -> B3 b3 -> universal(z, [0.43, 0.69, -1.08]) j4 -> B4 b4;
+    hinge j2 { force = [0.9, -0.5] N; torque = input; }
+    hinge j3 { rest = quaternion(-0.46, -0.12, 0.03, 0.16); stiffness = 4.96 N*m/rad; damping = 1.1 N*m*s/rad; motion = input; }
+    hinge j4 { rest = [-1.16, -1.21] rad; stiffness = [24.12, 38.14] N*m/rad; damping = 0.43 N*m*s/rad; friction = [0.31, 0.45] N*m; friction_speed = 0.6 rad/s; }
+    load l1 { on = b3; at = [0.81, -0.66, 0.13] m; torque = [6.7, 4.4, -7.6] N*m; }
+}
+}
+
+printed! {
+    Random18R, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j3: ball(&drives.motions[0]),
+        j2: drives.efforts[2],
+        gravity: drives.gravity.into(),
+    }
+    hinges j1 j2 j3 j4;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random18T {
+    method = transfer;
+    gravity = input;
+    body B1 {
+        mass = 3.63 kg;
+        com = [-0.45, 0.5, 0.58] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(130.6, 118.2, -170.6) deg;
+        inertia = tensor(0.046334, 0.037889, 0.043131, 0.011128, -0.003501, -0.006145) kg*m^2 about com;
+    }
+    body B2 {
+        mass = 4.15 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [-0.83, 0.0, 0.0] m turned rpy(-90.0, 90.0, -90.0) deg;
+        inertia = diag(0.133447, 0.140788, 0.019084) kg*m^2 about com;
+    }
+    body B3 {
+        mass = 4.35 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [-0.46, 0.0, 0.0] m;
+        inertia = tensor(0.346324, 0.269938, 0.353471, 0.067802, -0.034108, 0.078909) kg*m^2 about com;
+    }
+    body B4 {
+        mass = 0.23 kg;
+        com = [-0.3, 0.0, 0.0] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(180.0, 90.0, 0.0) deg;
+        inertia = tensor(0.004143, 0.002774, 0.004038, -0.000883, 0.000728, 0.000204) kg*m^2 about com;
+    }
+    ground at [1.07, 0.0, 0.0] m -> weld j1 -> B1 b1 -> planar(z) j2 -> B2 b2 -> ball j3 -> B3 b3 -> universal(z, [0.43, 0.69, -1.08]) j4 -> B4 b4;
+    hinge j2 { force = [0.9, -0.5] N; torque = input; }
+    hinge j3 { rest = quaternion(-0.46, -0.12, 0.03, 0.16); stiffness = 4.96 N*m/rad; damping = 1.1 N*m*s/rad; motion = input; }
+    hinge j4 { rest = [-1.16, -1.21] rad; stiffness = [24.12, 38.14] N*m/rad; damping = 0.43 N*m*s/rad; friction = [0.31, 0.45] N*m; friction_speed = 0.6 rad/s; }
+    load l1 { on = b3; at = [0.81, -0.66, 0.13] m; torque = [6.7, 4.4, -7.6] N*m; }
+}
+}
+
+printed! {
+    Random18T, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j3: ball(&drives.motions[0]),
+        j2: drives.efforts[2],
+        gravity: drives.gravity.into(),
+    }
+    hinges j1 j2 j3 j4;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random19R {
+    method = riccati;
+    gravity = input;
+    body B1 {
+        mass = 3.73 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.0, -0.96, 0.0] m turned rpy(0.0, -90.0, 0.0) deg;
+        inertia = tensor(0.418261, 0.455826, 0.442714, -0.010882, -0.004231, -0.001762) kg*m^2 about com;
+    }
+    body B2 {
+        mass = 1.98 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [-0.96, -0.18, 0.57] m turned rpy(90.0, -90.0, 0.0) deg;
+        inertia = diag(0.124576, 0.261144, 0.166563) kg*m^2 about input;
+    }
+    body B3 {
+        mass = 1.2 kg;
+        com = [0.03, 0.4, 0.28] m;
+        output = [0.0, 0.0, 0.0] m;
+        inertia = tensor(0.333603, 0.175121, 0.251221, -0.027798, -0.016783, -0.135778) kg*m^2 about input;
+    }
+    B1 b1 -> cylindrical([0.0, 0.0, -1.0]) j1 -> B2 b2 -> planar(x) j2 -> B3 b3;
+    hinge j1 { rest = 0.32 m turned -0.75 rad; stiffness = 19.47 N/m; damping = 2.56 N*s/m; limits = [-1.03, 0.69] m; limit_stiffness = 22.7 N/m; limit_damping = 1.59 N*s/m; motion = input; }
+    hinge j2 { rest = [0.28, 0.03] m turned 1.25 rad; stiffness = [17.27, 18.0] N/m; turning_stiffness = 4.39 N*m/rad; turning_damping = 1.23 N*m*s/rad; turning_armature = 0.19 kg*m^2; turning_limits = [-0.95, 0.21] rad; turning_limit_stiffness = 13.9 N*m/rad; motion = input; }
+    spring s1 { on = b2; at = [0.24, 0.0, 0.0] m; to = [0.0, -0.5, -1.4] m; stiffness = 24.0 N/m; damping = 0.21 N*s/m; length = 0.21 m; }
+}
+}
+
+printed! {
+    Random19R, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j1: cylindrical(&drives.motions[0]),
+        j2: planar(&drives.motions[1]),
+        gravity: drives.gravity.into(),
+    }
+    hinges j1 j2;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random19T {
+    method = transfer;
+    gravity = input;
+    body B1 {
+        mass = 3.73 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.0, -0.96, 0.0] m turned rpy(0.0, -90.0, 0.0) deg;
+        inertia = tensor(0.418261, 0.455826, 0.442714, -0.010882, -0.004231, -0.001762) kg*m^2 about com;
+    }
+    body B2 {
+        mass = 1.98 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [-0.96, -0.18, 0.57] m turned rpy(90.0, -90.0, 0.0) deg;
+        inertia = diag(0.124576, 0.261144, 0.166563) kg*m^2 about input;
+    }
+    body B3 {
+        mass = 1.2 kg;
+        com = [0.03, 0.4, 0.28] m;
+        output = [0.0, 0.0, 0.0] m;
+        inertia = tensor(0.333603, 0.175121, 0.251221, -0.027798, -0.016783, -0.135778) kg*m^2 about input;
+    }
+    B1 b1 -> cylindrical([0.0, 0.0, -1.0]) j1 -> B2 b2 -> planar(x) j2 -> B3 b3;
+    hinge j1 { rest = 0.32 m turned -0.75 rad; stiffness = 19.47 N/m; damping = 2.56 N*s/m; limits = [-1.03, 0.69] m; limit_stiffness = 22.7 N/m; limit_damping = 1.59 N*s/m; motion = input; }
+    hinge j2 { rest = [0.28, 0.03] m turned 1.25 rad; stiffness = [17.27, 18.0] N/m; turning_stiffness = 4.39 N*m/rad; turning_damping = 1.23 N*m*s/rad; turning_armature = 0.19 kg*m^2; turning_limits = [-0.95, 0.21] rad; turning_limit_stiffness = 13.9 N*m/rad; motion = input; }
+    spring s1 { on = b2; at = [0.24, 0.0, 0.0] m; to = [0.0, -0.5, -1.4] m; stiffness = 24.0 N/m; damping = 0.21 N*s/m; length = 0.21 m; }
+}
+}
+
+printed! {
+    Random19T, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j1: cylindrical(&drives.motions[0]),
+        j2: planar(&drives.motions[1]),
+        gravity: drives.gravity.into(),
+    }
+    hinges j1 j2;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random20R {
+    method = riccati;
+    gravity = [4.27, 5.16, -4.62] m/s^2;
+    body B1 {
+        mass = 1.22 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.0, 0.21, 0.0] m;
+        inertia = diag(0.069193, 0.082097, 0.022013) kg*m^2 about input;
+    }
+    body B2 {
+        mass = 1.45 kg;
+        com = [0.25, -0.59, 0.3] m;
+        output = [0.0, 0.35, 0.0] m turned rpy(168.6, -94.1, -18.7) deg;
+        inertia = tensor(0.826362, 0.321984, 0.718501, 0.213875, -0.10875, 0.25665) kg*m^2 about input;
+        point p1 = [0.68, -0.61, 0.34] m;
+    }
+    B1 b1 -> pin([0.14, -1.16, 0.17]) j1 -> B2 b2 -> ball j2 -> ground;
+    hinge j1 { damping = 1.67 N*m*s/rad; limits = [-0.12, 1.07] rad; limit_stiffness = 24.1 N*m/rad; limit_damping = 1.68 N*m*s/rad; }
+    hinge j2 { rest = quaternion(0.21, 0.21, -0.38, 0.14); stiffness = 22.41 N*m/rad; damping = 1.12 N*m*s/rad; limits = 1.3 rad; limit_stiffness = 26.8 N*m/rad; limit_damping = 0.95 N*m*s/rad; motion = input; }
+    load l1 { on = b2; at = p1; torque = input; axes = body; }
+    spring s1 { on = b1; at = [0.61, -0.01, 0.17] m; to = [1.5, -0.9, -1.4] m; stiffness = 7.1 N/m; length = 0.83 m; }
+}
+}
+
+printed! {
+    Random20R, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j2: ball(&drives.motions[0]),
+        l1_torque: drives.loads[0].torque.into(),
+    }
+    hinges j1 j2;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random20T {
+    method = transfer;
+    gravity = [4.27, 5.16, -4.62] m/s^2;
+    body B1 {
+        mass = 1.22 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.0, 0.21, 0.0] m;
+        inertia = diag(0.069193, 0.082097, 0.022013) kg*m^2 about input;
+    }
+    body B2 {
+        mass = 1.45 kg;
+        com = [0.25, -0.59, 0.3] m;
+        output = [0.0, 0.35, 0.0] m turned rpy(168.6, -94.1, -18.7) deg;
+        inertia = tensor(0.826362, 0.321984, 0.718501, 0.213875, -0.10875, 0.25665) kg*m^2 about input;
+        point p1 = [0.68, -0.61, 0.34] m;
+    }
+    B1 b1 -> pin([0.14, -1.16, 0.17]) j1 -> B2 b2 -> ball j2 -> ground;
+    hinge j1 { damping = 1.67 N*m*s/rad; limits = [-0.12, 1.07] rad; limit_stiffness = 24.1 N*m/rad; limit_damping = 1.68 N*m*s/rad; }
+    hinge j2 { rest = quaternion(0.21, 0.21, -0.38, 0.14); stiffness = 22.41 N*m/rad; damping = 1.12 N*m*s/rad; limits = 1.3 rad; limit_stiffness = 26.8 N*m/rad; limit_damping = 0.95 N*m*s/rad; motion = input; }
+    load l1 { on = b2; at = p1; torque = input; axes = body; }
+    spring s1 { on = b1; at = [0.61, -0.01, 0.17] m; to = [1.5, -0.9, -1.4] m; stiffness = 7.1 N/m; length = 0.83 m; }
+}
+}
+
+printed! {
+    Random20T, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j2: ball(&drives.motions[0]),
+        l1_torque: drives.loads[0].torque.into(),
+    }
+    hinges j1 j2;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random21R {
+    method = riccati;
+    gravity = [-1.28, 4.58, 0.0] m/s^2;
+    body B1 {
+        mass = 3.85 kg;
+        com = [0.09, -0.23, 0.0] m;
+        output = [0.72, 0.21, 0.0] m;
+        inertia = diag(0.352633, 0.226066, 0.372242) kg*m^2 about com;
+    }
+    body B2 {
+        mass = 1.22 kg;
+        com = [0.51, -0.05, 0.0] m;
+        output = [0.0, 0.19, 0.0] m turned rpy(0.0, 0.0, -55.1) deg;
+        inertia = tensor(0.03422, 0.037768, 0.030529, -0.008274, -0.00497, 0.006291) kg*m^2 about com;
+    }
+    body B3 {
+        mass = 1.71 kg;
+        com = [0.59, 0.0, 0.0] m;
+        output = [0.59, -0.3, 0.0] m;
+        inertia = diag(0.108461, 0.134171, 0.239342) kg*m^2 about com;
+    }
+    body B4 {
+        mass = 0.63 kg;
+        com = [0.0, 0.52, 0.0] m;
+        output = [1.16, 0.0, 0.0] m turned rpy(0.0, 0.0, 67.3) deg;
+        inertia = tensor(0.024352, 0.024475, 0.029853, -0.002659, -0.006413, 0.004542) kg*m^2 about com;
+    }
+    ground at [1.17, -0.5, 0.0] m turned rpy(0.0, 0.0, 90.0) deg -> slider([1.01, -0.74, 0.0]) j1 -> B1 b1 -> slider([0.0, -1.0, 0.0]) j2 -> B2 b2 -> slider([-1.0, 0.0, 0.0]) j3 -> B3 b3 -> pin(z) j4 -> B4 b4 -> slider([0.0, 0.39, 0.0]) j5 -> ground at [0.12, 1.19, 0.0] m turned rpy(0.0, 0.0, -119.6) deg;
+    hinge j2 { rest = -0.2 m; stiffness = 30.44 N/m; motion = input; }
+    hinge j3 { friction = 1.05 N; friction_speed = 0.1 m/s; limits = [-0.75, 0.92] m; limit_stiffness = 17.9 N/m; force = 3.8 N; }
+    hinge j4 { rest = -0.48 rad; stiffness = 5.29 N*m/rad; damping = 2.39 N*m*s/rad; armature = 0.14 kg*m^2; friction = 1.48 N*m; friction_speed = 0.5 rad/s; }
+    hinge j5 { rest = -0.27 m; stiffness = 39.79 N/m; damping = 2.18 N*s/m; friction = 1.39 N; friction_speed = 0.7 m/s; force = input; }
+    load l1 { on = b1; at = output; torque = input; axes = body; }
+    load l2 { on = b2; torque = input; }
+}
+}
+
+printed! {
+    Random21R, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j2: slider(&drives.motions[0]),
+        j5: drives.efforts[3],
+        l1_torque: drives.loads[0].torque.into(),
+        l2_torque: drives.loads[1].torque.into(),
+    }
+    hinges j1 j2 j3 j4 j5;
+}
+
+mstmm::mstmm_chain! {
+pub chain Random21T {
+    method = transfer;
+    gravity = [-1.28, 4.58, 0.0] m/s^2;
+    body B1 {
+        mass = 3.85 kg;
+        com = [0.09, -0.23, 0.0] m;
+        output = [0.72, 0.21, 0.0] m;
+        inertia = diag(0.352633, 0.226066, 0.372242) kg*m^2 about com;
+    }
+    body B2 {
+        mass = 1.22 kg;
+        com = [0.51, -0.05, 0.0] m;
+        output = [0.0, 0.19, 0.0] m turned rpy(0.0, 0.0, -55.1) deg;
+        inertia = tensor(0.03422, 0.037768, 0.030529, -0.008274, -0.00497, 0.006291) kg*m^2 about com;
+    }
+    body B3 {
+        mass = 1.71 kg;
+        com = [0.59, 0.0, 0.0] m;
+        output = [0.59, -0.3, 0.0] m;
+        inertia = diag(0.108461, 0.134171, 0.239342) kg*m^2 about com;
+    }
+    body B4 {
+        mass = 0.63 kg;
+        com = [0.0, 0.52, 0.0] m;
+        output = [1.16, 0.0, 0.0] m turned rpy(0.0, 0.0, 67.3) deg;
+        inertia = tensor(0.024352, 0.024475, 0.029853, -0.002659, -0.006413, 0.004542) kg*m^2 about com;
+    }
+    ground at [1.17, -0.5, 0.0] m turned rpy(0.0, 0.0, 90.0) deg -> slider([1.01, -0.74, 0.0]) j1 -> B1 b1 -> slider([0.0, -1.0, 0.0]) j2 -> B2 b2 -> slider([-1.0, 0.0, 0.0]) j3 -> B3 b3 -> pin(z) j4 -> B4 b4 -> slider([0.0, 0.39, 0.0]) j5 -> ground at [0.12, 1.19, 0.0] m turned rpy(0.0, 0.0, -119.6) deg;
+    hinge j2 { rest = -0.2 m; stiffness = 30.44 N/m; motion = input; }
+    hinge j3 { friction = 1.05 N; friction_speed = 0.1 m/s; limits = [-0.75, 0.92] m; limit_stiffness = 17.9 N/m; force = 3.8 N; }
+    hinge j4 { rest = -0.48 rad; stiffness = 5.29 N*m/rad; damping = 2.39 N*m*s/rad; armature = 0.14 kg*m^2; friction = 1.48 N*m; friction_speed = 0.5 rad/s; }
+    hinge j5 { rest = -0.27 m; stiffness = 39.79 N/m; damping = 2.18 N*s/m; friction = 1.39 N; friction_speed = 0.7 m/s; force = input; }
+    load l1 { on = b1; at = output; torque = input; axes = body; }
+    load l2 { on = b2; torque = input; }
+}
+}
+
+printed! {
+    Random21T, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j2: slider(&drives.motions[0]),
+        j5: drives.efforts[3],
+        l1_torque: drives.loads[0].torque.into(),
+        l2_torque: drives.loads[1].torque.into(),
+    }
+    hinges j1 j2 j3 j4 j5;
 }
