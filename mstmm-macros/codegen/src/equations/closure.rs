@@ -2,8 +2,8 @@
 //! directions that are held already, as all those out of the plane of a planar loop are.
 //!
 //! `G = L D Lᵀ` row by row. What is left of a row that hangs on those before it is rounding: its
-//! pivot is measured by the row's own diagonal entry, its reaction is set to zero and its direction
-//! noted. The solution is then freed of all that such directions can add: what is left is the
+//! pivot is measured by what the row's diagonal entry would be if nothing in it cancelled, its reaction
+//! is set to zero and its direction noted. The solution is then freed of all that such directions can add: what is left is the
 //! reaction of least norm, in N and N m.
 
 use super::Trace;
@@ -20,10 +20,15 @@ pub struct Closure<S> {
     pub undetermined: Vec<Vec<S>>,
 }
 
-/// Solves `G λ = b`.
-pub fn solve<S: Scalar>(matrix: &[Vec<S>], right: &[S], trace: &mut Trace<S>) -> Closure<S> {
+/// Solves `G λ = b`; of the symmetric `G` the lower rows are enough. `scales` measure the pivots.
+pub fn solve<S: Scalar>(
+    matrix: &[Vec<S>],
+    scales: &[S],
+    right: &[S],
+    trace: &mut Trace<S>,
+) -> Closure<S> {
     let count = right.len();
-    let Factors { lower, inverses, pivots } = factorised(matrix);
+    let Factors { lower, inverses, pivots } = factorised(matrix, scales);
     let forward = forward_substituted(&lower, right);
     let scaled: Vec<S> = forward.iter().zip(&inverses).map(|(&y, &d)| y * d).collect();
     let mut reactions = back_substituted(&lower, scaled);
@@ -53,18 +58,23 @@ struct Factors<S> {
     pivots: Vec<S>,
 }
 
-fn factorised<S: Scalar>(matrix: &[Vec<S>]) -> Factors<S> {
+fn factorised<S: Scalar>(matrix: &[Vec<S>], scales: &[S]) -> Factors<S> {
     let count = matrix.len();
-    let mut rest = matrix.to_vec();
+    let mut rest: Vec<Vec<S>> = matrix
+        .iter()
+        .map(|row| (0..count).map(|k| row.get(k).copied().unwrap_or(S::zero())).collect())
+        .collect();
     let mut lower = vec![vec![S::zero(); count]; count];
     let (mut inverses, mut pivots) = (Vec::new(), Vec::new());
     for k in 0..count {
         let pivot = rest[k][k];
-        let inverse = pivot.recip_above(matrix[k][k]);
+        let inverse = pivot.recip_above(scales[k]);
+        let column: Vec<S> = rest.iter().map(|row| row[k]).collect();
         for i in k + 1..count {
-            lower[i][k] = rest[i][k] * inverse;
-            for j in k + 1..=i {
-                rest[i][j] = rest[i][j] - lower[i][k] * rest[j][k];
+            lower[i][k] = column[i] * inverse;
+            let pairs = rest[i].iter_mut().zip(&column).take(i + 1).skip(k + 1);
+            for (entry, &other) in pairs {
+                *entry = *entry - lower[i][k] * other;
             }
         }
         inverses.push(inverse);
@@ -112,6 +122,10 @@ mod tests {
         matrix.iter().map(|row| row.iter().zip(x).map(|(a, b)| a * b).sum()).collect()
     }
 
+    fn diagonal(matrix: &[Vec<f64>]) -> Vec<f64> {
+        (0..4).map(|k| matrix[k][k]).collect()
+    }
+
     /// `Σ v vᵀ`
     fn gram(vectors: &[[f64; 4]]) -> Vec<Vec<f64>> {
         let entry = |i: usize, j: usize| vectors.iter().map(|v| v[i] * v[j]).sum();
@@ -127,7 +141,7 @@ mod tests {
             [0.0, 0.1, 0.2, 0.3],
         ]);
         let x = [0.3, -1.0, 2.0, 0.7];
-        let closure = solve(&matrix, &product(&matrix, &x), &mut Trace::new());
+        let closure = solve(&matrix, &diagonal(&matrix), &product(&matrix, &x), &mut Trace::new());
         for (found, expected) in closure.reactions.iter().zip(x) {
             // The condition number of the matrix is below 1e4.
             assert!((found - expected).abs() < 1e4 * 16.0 * f64::EPSILON, "{found} {expected}");
@@ -142,7 +156,7 @@ mod tests {
         let matrix = gram(&vectors);
         // A combination of the vectors has no part along the null directions.
         let x: Vec<f64> = (0..4).map(|k| 0.7 * vectors[0][k] - 1.3 * vectors[1][k]).collect();
-        let closure = solve(&matrix, &product(&matrix, &x), &mut Trace::new());
+        let closure = solve(&matrix, &diagonal(&matrix), &product(&matrix, &x), &mut Trace::new());
         for (found, expected) in closure.reactions.iter().zip(&x) {
             assert!((found - expected).abs() < 1e3 * 16.0 * f64::EPSILON, "{found} {expected}");
         }

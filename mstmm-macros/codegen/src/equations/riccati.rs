@@ -53,8 +53,10 @@ struct Carried<S> {
 struct Sums<S> {
     /// `γ`
     gamma: Vec<S>,
-    /// `G`
+    /// `G`, below the diagonal and on it, by rows.
     matrix: Vec<Vec<S>>,
+    /// What the diagonal of `G` would be if nothing in it cancelled.
+    scales: Vec<S>,
 }
 
 /// The movement, and the pivots `d`.
@@ -62,7 +64,7 @@ pub fn solve<S: Scalar>(
     problem: &Problem<S>,
     trace: &mut Trace<S>,
 ) -> (Movement<S>, Vec<Pivot<S>>) {
-    let (mut eliminated, sums, pivots) = reduce(problem, trace);
+    let Reduced { mut eliminated, sums, pivots } = reduce(problem, trace);
     let Closure { reactions, undetermined } = close(problem, sums, trace);
     for step in eliminated.iter_mut().flatten() {
         let pulled = super::hinge::dot(&step.pulls, &reactions);
@@ -72,10 +74,10 @@ pub fn solve<S: Scalar>(
     (Movement { amounts, points, reactions, undetermined }, pivots)
 }
 
-/// The pivots alone, for methods that have none of their own for each hinge.
-pub fn pivots<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Vec<Pivot<S>> {
-    let alone = Problem { closing: None, ..problem.clone() };
-    let (_, _, pivots) = reduce(&alone, &mut Trace::new());
+/// The pivots alone, and what measures those of a closure, for methods that have none of their own
+/// for each hinge.
+pub fn pivots<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> (Vec<Pivot<S>>, Vec<S>) {
+    let Reduced { pivots, sums, .. } = reduce(problem, &mut Trace::new());
     trace.section(
         "Inertia beyond the hinges, to be divided by",
         "the pivots of the Riccati transfer",
@@ -83,14 +85,19 @@ pub fn pivots<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Vec<Pivo
     for pivot in &pivots {
         trace.number(format!("{}_d", problem.links[pivot.link].over.name), pivot.value);
     }
-    pivots
+    (pivots, sums.scales)
 }
 
-/// From the free end to the ground: what each link has eliminated, and the pivots.
-fn reduce<S: Scalar>(
-    problem: &Problem<S>,
-    trace: &mut Trace<S>,
-) -> (Vec<Vec<Eliminated<S>>>, Sums<S>, Vec<Pivot<S>>) {
+/// What comes out of the way to the ground.
+struct Reduced<S> {
+    /// What each link has eliminated.
+    eliminated: Vec<Vec<Eliminated<S>>>,
+    sums: Sums<S>,
+    pivots: Vec<Pivot<S>>,
+}
+
+/// From the free end to the ground.
+fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<S> {
     let links = problem.links;
     let mut eliminated: Vec<Vec<Eliminated<S>>> = links.iter().map(|_| Vec::new()).collect();
     let mut pivots = Vec::new();
@@ -126,7 +133,7 @@ fn reduce<S: Scalar>(
             None => sums.arrive(&here, over.carried(problem.ground)),
         }
     }
-    (eliminated, sums, pivots)
+    Reduced { eliminated, sums, pivots }
 }
 
 /// What every link carries of its own part, and of the closing hinge.
@@ -182,22 +189,16 @@ impl<S: Scalar> Bundle<S> for Carried<S> {
 impl<S: Scalar> Bundle<S> for Sums<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
         let gamma = self.gamma.visit(replace);
-        // Symmetric: each pair of entries is one number.
-        let mut matrix = self.matrix;
-        for i in 0..matrix.len() {
-            for j in 0..=i {
-                let number = replace(matrix[i][j]);
-                (matrix[i][j], matrix[j][i]) = (number, number);
-            }
-        }
-        Sums { gamma, matrix }
+        let matrix = self.matrix.visit(replace);
+        Sums { gamma, matrix, scales: self.scales.visit(replace) }
     }
 }
 
 impl<S: Scalar> Sums<S> {
     fn of(count: usize) -> Self {
         let zero = || vec![S::zero(); count];
-        Sums { gamma: zero(), matrix: (0..count).map(|_| zero()).collect() }
+        let row = |row: usize| vec![S::zero(); row + 1];
+        Sums { gamma: zero(), matrix: (0..count).map(row).collect(), scales: zero() }
     }
 
     /// The part of equation (5) that the ground makes, from its `a` at the first link's point.
@@ -214,14 +215,15 @@ fn close<S: Scalar>(problem: &Problem<S>, sums: Sums<S>, trace: &mut Trace<S>) -
         return Closure { reactions: Vec::new(), undetermined: Vec::new() };
     };
     trace.section("Closure", "[P, Eqs. (9) to (11)] at the held end");
-    let Sums { gamma, matrix: mut left } = sums;
+    let Sums { gamma, matrix: mut left, mut scales } = sums;
     // Where the closing hinge hangs on the ground, nothing it does moves anything.
     let gamma = if demand.closing.parent.is_some() { gamma } else { problem.at_rest() };
     for (k, held) in demand.closing.held.iter().enumerate() {
         left[k][k] = left[k][k] + held.inertia;
+        scales[k] = scales[k] + held.inertia;
     }
     let right: Vec<S> = gamma.iter().zip(&demand.reached).map(|(&g, &r)| g - r).collect();
-    closure::solve(&left, &right, trace)
+    closure::solve(&left, &scales, &right, trace)
 }
 
 /// A free direction with its effort and the inertia of its rotor.
@@ -262,9 +264,10 @@ fn eliminate<S: Scalar>(
         *pull =
             Wrench::from_fn(|k| if along(k) { S::zero() } else { old.at(k) - gain.at(k) * u[i] });
         sums.gamma[i] = sums.gamma[i] + u[i] * rest;
-        for j in 0..=i {
-            let sum = sums.matrix[i][j] + u[i] * pulls[j];
-            (sums.matrix[i][j], sums.matrix[j][i]) = (sum, sum);
+        let size = column.scale(old.force.dot(old.force), old.moment.dot(old.moment));
+        sums.scales[i] = sums.scales[i] + size * inverse;
+        for (sum, &pull) in sums.matrix[i].iter_mut().zip(&pulls) {
+            *sum = *sum + u[i] * pull;
         }
     }
     (pivot, Eliminated { column, gain, rest, pulls })

@@ -51,7 +51,7 @@ struct Used<S> {
 ///
 /// Where nothing with inertia lies beyond a hinge the boundary solve has no answer, but rounding
 /// hides it: whoever calls has to look at the pivots of the Riccati transfer.
-pub fn solve<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Movement<S> {
+pub fn solve<S: Scalar>(problem: &Problem<S>, scales: &[S], trace: &mut Trace<S>) -> Movement<S> {
     let path = path(problem);
     let mut used: Vec<Vec<Used<S>>> = Vec::new();
     let mut product: Option<Product<S>> = None;
@@ -70,7 +70,7 @@ pub fn solve<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Movement<
         product = Some(problem.passage.outwards(index, here));
     }
     let (unknowns, closure) = match (&product, path.last()) {
-        (Some(product), Some(&last)) => far_end(problem, product, last, trace),
+        (Some(product), Some(&last)) => far_end(problem, (product, last), scales, trace),
         _ => (Vec::new(), at_rest(problem, trace)),
     };
     let along_path = recover(unknowns, &used, trace, problem, &path);
@@ -208,8 +208,8 @@ impl<S: Scalar> Product<S> {
 /// The boundary conditions behind the last body: the unknowns, and the closing's reactions.
 fn far_end<S: Scalar>(
     problem: &Problem<S>,
-    product: &Product<S>,
-    last: usize,
+    (product, last): (&Product<S>, usize),
+    scales: &[S],
     trace: &mut Trace<S>,
 ) -> (Vec<S>, Closure<S>) {
     trace.section("Boundary solve at the far end", "[P, Eqs. (9) to (11)]");
@@ -242,23 +242,18 @@ fn far_end<S: Scalar>(
         let row = answers[..=i].iter().map(|x| -moved(x).power(*pull)).collect();
         matrix.push(row);
     }
-    let mut matrix = mirrored(&matrix);
     let mut right = Vec::new();
+    let mut scales = scales.to_vec();
     for (k, held) in demand.closing.held.iter().enumerate() {
         matrix[k][k] = matrix[k][k] + held.inertia;
+        scales[k] = scales[k] + held.inertia;
         right.push(a.power(pulls[k]) - demand.reached[k]);
     }
-    let closure = closure::solve(&matrix, &right, trace);
+    let closure = closure::solve(&matrix, &scales, &right, trace);
     let with_reactions = |(k, &x): (usize, &S)| {
         answers.iter().zip(&closure.reactions).fold(x, |x, (answer, &r)| x + answer[k] * r)
     };
     (unknowns.iter().enumerate().map(with_reactions).collect(), closure)
-}
-
-/// A symmetric matrix from its lower half.
-fn mirrored<S: Scalar>(lower: &[Vec<S>]) -> Vec<Vec<S>> {
-    let entry = |i: usize, j: usize| lower[i.max(j)][i.min(j)];
-    (0..lower.len()).map(|i| (0..lower.len()).map(|j| entry(i, j)).collect()).collect()
 }
 
 /// The reactions of a closing hinge between two sides that nothing moves.
@@ -267,14 +262,15 @@ fn at_rest<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Closure<S> 
         return Closure { reactions: Vec::new(), undetermined: Vec::new() };
     };
     let count = demand.closing.held.len();
-    let mut matrix = vec![vec![S::zero(); count]; count];
-    let at_rest = problem.at_rest();
+    let mut matrix: Vec<Vec<S>> = (0..count).map(|row| vec![S::zero(); row + 1]).collect();
+    let (at_rest, mut scales) = (problem.at_rest(), Vec::new());
     let mut right = Vec::new();
     for (k, held) in demand.closing.held.iter().enumerate() {
         matrix[k][k] = held.inertia;
+        scales.push(held.inertia);
         right.push(at_rest[k] - demand.reached[k]);
     }
-    closure::solve(&matrix, &right, trace)
+    closure::solve(&matrix, &scales, &right, trace)
 }
 
 /// A condition on the unknowns, with several values that it may have.

@@ -4,6 +4,9 @@ use super::{Home, Live, Turns};
 use crate::expr::{Graph, Node, NodeId, Stage};
 use std::collections::HashMap;
 
+/// Angles by how many sines and cosines deep they lie, and by where they are computed.
+pub(super) type Angles = HashMap<(u32, Home), Vec<NodeId>>;
+
 /// The live angles by depth and home, and every live node's depth: how many sines and cosines are
 /// nested.
 pub(super) fn angles(
@@ -11,9 +14,9 @@ pub(super) fn angles(
     live: &Live,
     turns: &Turns,
     stage: Stage,
-) -> (HashMap<(u32, Home), Vec<NodeId>>, Vec<u32>) {
+) -> (Angles, Vec<u32>) {
     let mut depths = vec![0; graph.len()];
-    let mut angles: HashMap<(u32, Home), Vec<NodeId>> = HashMap::new();
+    let mut angles = Angles::new();
     for id in (0..depths.len()).filter(|&id| live.has(id as NodeId)) {
         let node = graph.node(id as NodeId);
         if stage == Stage::State && graph.stage(id as NodeId) < Stage::State {

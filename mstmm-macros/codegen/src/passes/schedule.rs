@@ -1,7 +1,7 @@
 //! The order of a program: under each heading, what its live values need, in the order in which
 //! the equations wrote it down.
 
-use super::angles::angles;
+use super::angles::{Angles, angles};
 use super::{Home, Live, Setup, Turn, Turns};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
 use crate::program::{Block, Operand, Operation, Program, Section, Slot, Statement};
@@ -65,7 +65,7 @@ pub(super) struct Scheduler<'a> {
     pub(super) live: Live,
     pub(super) turns: &'a Turns,
     /// Angles by how many sines and cosines deep they lie, and by where they are computed.
-    angles: HashMap<(u32, Home), Vec<NodeId>>,
+    angles: Angles,
     depths: Vec<u32>,
     pub(super) names: HashMap<NodeId, String>,
     /// Names of what loops carry, by the number of the unknown.

@@ -14,7 +14,7 @@
 /// | `rocker` | body `Bar` |  |
 /// | `rocker_pin` | pin | 1 |
 ///
-/// 4 degrees of freedom; accelerations by `riccati`, 270 operations (159 mul, 103 add, 6 reciprocal, 2 square root, 4 sin/cos); with everything at every connection point 433 operations.
+/// 4 degrees of freedom; accelerations by `riccati`, 286 operations (171 mul, 107 add, 6 reciprocal, 2 square root, 4 sin/cos); with everything at every connection point 449 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct FourBar<T> {
@@ -74,7 +74,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for FourBar<T> {
 impl<T: ::mstmm::Scalar> FourBar<T> {
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
-    /// 270 operations: 159 mul, 103 add, 6 reciprocal, 2 square root, 4 sin/cos.
+    /// 286 operations: 171 mul, 107 add, 6 reciprocal, 2 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -84,7 +84,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 15 | 9 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 23 | 16 | 1 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 91 | 53 | 4 | 2 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 103 | 57 | 4 | 2 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 4 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 9 | 9 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 6 | 5 | 0 | 0 | 0 |
@@ -201,7 +201,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t50 = T::recip(crank_pin_j_zz);
         let minus_crank_pin_z0_force_x = minus_crank_pin_b_x_z * t50;
         let crank_pin_z0_force_y = crank_pin_b_y_z * t50;
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 91 mul, 53 add, 4 reciprocal, 2 square root.
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 103 mul, 57 add, 4 reciprocal, 2 square root.
         let t51 = c(0.6) * sin_rocker_pin_angle;
         let t52 = sin_rocker_pin_angle * c(2.5);
         let t53 = sin_rocker_pin_angle * c(1.5);
@@ -230,175 +230,191 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let closure_d0 = t69 + t75;
         let t76 = c(0.6) * cos_rocker_pin_angle;
         let t77 = cos_rocker_pin_angle * c(2.5);
-        let t78 = cos_rocker_pin_angle * c(1.5);
-        let t79 = cos_rocker_pin_angle - t78;
-        let t80 = t76 * t52;
-        let t81 = t76 * t77;
-        let t82 = cos_b_angle * sin_rocker_pin_angle;
-        let t83 = sin_b_angle * t79;
-        let t84 = t82 + t83;
-        let t85 = sin_b_angle * sin_rocker_pin_angle;
-        let t86 = cos_b_angle * t79;
-        let t87 = t85 - t86;
-        let t88 = c(0.6) * t87;
-        let t89 = t88 * t18;
-        let t90 = t88 * a_z0_force_x;
-        let t91 = t84 - t90;
-        let t92 = t88 * a_z0_force_y;
-        let t93 = t87 - t92;
-        let t94 = t88 * t63;
-        let t95 = t80 - t94;
-        let t96 = t88 * t89;
-        let t97 = t81 + t96;
-        let t98 = sin_a_angle * t91;
-        let t99 = cos_a_angle * t93;
-        let t100 = t98 + t99;
-        let t101 = c(0.2) * t100;
-        let t102 = t101 * t50;
-        let t103 = t101 * t74;
-        let t104 = t95 - t103;
-        let t105 = t101 * t102;
-        let t106 = t97 + t105;
-        let t107 = ::mstmm::generated::recip_above(closure_d0, closure_d0);
-        let t108 = t104 * t107;
-        let t109 = t104 * t108;
-        let closure_d1 = t106 - t109;
-        let t110 = cos_rocker_pin_angle * minus_b_e_force_x;
-        let t111 = sin_rocker_pin_angle * minus_b_e_force_x;
-        let t112 = t111 - c(9.8);
-        let t113 = minus_b_drift_lin_x * cos_rocker_pin_angle;
-        let t114 = b_drift_lin_y * t54;
-        let t115 = t113 - t114;
-        let t116 = minus_b_drift_lin_x * sin_rocker_pin_angle;
-        let t117 = b_drift_lin_y * t79;
-        let t118 = t116 + t117;
-        let t119 = t62 * t35;
-        let t120 = t115 - t119;
-        let t121 = t88 * t35;
-        let t122 = t118 - t121;
-        let t123 = minus_a_drift_lin_x * t65;
-        let t124 = a_drift_lin_y * t67;
+        let t78 = t51 * t51;
+        let t79 = t78 * c(4.166666666666667);
+        let t80 = cos_rocker_pin_angle * c(1.5);
+        let t81 = cos_rocker_pin_angle - t80;
+        let t82 = t76 * t52;
+        let t83 = t76 * t77;
+        let t84 = cos_b_angle * sin_rocker_pin_angle;
+        let t85 = sin_b_angle * t81;
+        let t86 = t84 + t85;
+        let t87 = sin_b_angle * sin_rocker_pin_angle;
+        let t88 = cos_b_angle * t81;
+        let t89 = t87 - t88;
+        let t90 = c(0.6) * t89;
+        let t91 = t90 * t18;
+        let t92 = t62 * t62;
+        let t93 = t18 * t92;
+        let t94 = t79 + t93;
+        let t95 = t90 * a_z0_force_x;
+        let t96 = t86 - t95;
+        let t97 = t90 * a_z0_force_y;
+        let t98 = t89 - t97;
+        let t99 = t90 * t63;
+        let t100 = t82 - t99;
+        let t101 = t90 * t91;
+        let t102 = t83 + t101;
+        let t103 = sin_a_angle * t96;
+        let t104 = cos_a_angle * t98;
+        let t105 = t103 + t104;
+        let t106 = c(0.2) * t105;
+        let t107 = t106 * t50;
+        let t108 = t73 * t73;
+        let t109 = t50 * t108;
+        let t110 = t94 + t109;
+        let t111 = t106 * t74;
+        let t112 = t100 - t111;
+        let t113 = t106 * t107;
+        let t114 = t102 + t113;
+        let t115 = ::mstmm::generated::recip_above(closure_d0, t110);
+        let t116 = t112 * t115;
+        let t117 = t112 * t116;
+        let closure_d1 = t114 - t117;
+        let t118 = cos_rocker_pin_angle * minus_b_e_force_x;
+        let t119 = sin_rocker_pin_angle * minus_b_e_force_x;
+        let t120 = t119 - c(9.8);
+        let t121 = t76 * t76;
+        let t122 = c(4.166666666666667) * t121;
+        let t123 = minus_b_drift_lin_x * cos_rocker_pin_angle;
+        let t124 = b_drift_lin_y * t54;
         let t125 = t123 - t124;
-        let t126 = t120 + t125;
-        let t127 = minus_a_drift_lin_x * t91;
-        let t128 = a_drift_lin_y * t93;
-        let t129 = t127 - t128;
-        let t130 = t122 + t129;
-        let t131 = cos_a_angle * t65;
-        let t132 = sin_a_angle * t67;
-        let t133 = t131 - t132;
-        let t134 = cos_a_angle * t91;
-        let t135 = sin_a_angle * t93;
-        let t136 = t134 - t135;
-        let t137 = crank_pin_input0 + minus_crank_pin_e_moment_z;
-        let t138 = t50 * t137;
-        let t139 = t73 * minus_crank_pin_z0_force_x;
-        let t140 = t133 + t139;
-        let t141 = t73 * crank_pin_z0_force_y;
-        let t142 = t72 - t141;
-        let t143 = t73 * t138;
-        let t144 = t126 - t143;
-        let t145 = t101 * minus_crank_pin_z0_force_x;
-        let t146 = t136 + t145;
-        let t147 = t101 * crank_pin_z0_force_y;
-        let t148 = t100 - t147;
-        let t149 = t101 * t138;
-        let t150 = t130 - t149;
+        let t126 = minus_b_drift_lin_x * sin_rocker_pin_angle;
+        let t127 = b_drift_lin_y * t81;
+        let t128 = t126 + t127;
+        let t129 = t62 * t35;
+        let t130 = t125 - t129;
+        let t131 = t90 * t35;
+        let t132 = t128 - t131;
+        let t133 = t90 * t90;
+        let t134 = t18 * t133;
+        let t135 = t122 + t134;
+        let t136 = minus_a_drift_lin_x * t65;
+        let t137 = a_drift_lin_y * t67;
+        let t138 = t136 - t137;
+        let t139 = t130 + t138;
+        let t140 = minus_a_drift_lin_x * t96;
+        let t141 = a_drift_lin_y * t98;
+        let t142 = t140 - t141;
+        let t143 = t132 + t142;
+        let t144 = cos_a_angle * t65;
+        let t145 = sin_a_angle * t67;
+        let t146 = t144 - t145;
+        let t147 = cos_a_angle * t96;
+        let t148 = sin_a_angle * t98;
+        let t149 = t147 - t148;
+        let t150 = crank_pin_input0 + minus_crank_pin_e_moment_z;
+        let t151 = t50 * t150;
+        let t152 = t73 * minus_crank_pin_z0_force_x;
+        let t153 = t146 + t152;
+        let t154 = t73 * crank_pin_z0_force_y;
+        let t155 = t72 - t154;
+        let t156 = t73 * t151;
+        let t157 = t139 - t156;
+        let t158 = t106 * minus_crank_pin_z0_force_x;
+        let t159 = t149 + t158;
+        let t160 = t106 * crank_pin_z0_force_y;
+        let t161 = t105 - t160;
+        let t162 = t106 * t151;
+        let t163 = t143 - t162;
+        let t164 = t106 * t106;
+        let t165 = t50 * t164;
+        let t166 = t135 + t165;
         let crank_pin_a_lin_x = sin_crank_pin_angle * c(9.8);
         let crank_pin_a_lin_y = cos_crank_pin_angle * c(9.8);
-        let t151 = t140 * crank_pin_a_lin_x;
-        let t152 = t142 * crank_pin_a_lin_y;
-        let t153 = t151 + t152;
-        let t154 = t144 - t153;
-        let t155 = t146 * crank_pin_a_lin_x;
-        let t156 = t148 * crank_pin_a_lin_y;
-        let t157 = t155 + t156;
-        let t158 = t150 - t157;
-        let t159 = t110 + t154;
-        let t160 = t112 + t158;
-        let t161 = ::mstmm::generated::recip_above(closure_d1, t106);
-        let t162 = t159 * t108;
-        let t163 = t160 + t162;
-        let t164 = t159 * t107;
-        let t165 = t161 * t163;
-        let t166 = t108 * t165;
-        let t167 = t164 + t166;
-        let t168 = closure_d0 * t107;
-        let t169 = c(1.0) - t168;
-        let t170 = t169 * t169;
-        let t171 = ::mstmm::generated::recip_above(t170, c(1.0));
-        let t172 = T::sqrt(t171);
-        let t173 = t169 * t172;
-        let t174 = t167 * t173;
-        let t175 = t173 * t174;
-        let t176 = t167 - t175;
-        let t177 = closure_d1 * t161;
-        let t178 = c(1.0) - t177;
-        let t179 = t108 * t178;
-        let t180 = t173 * t179;
-        let t181 = t173 * t180;
-        let t182 = t179 - t181;
-        let t183 = t182 * t182;
-        let t184 = t178 * t178;
-        let t185 = t183 + t184;
-        let t186 = ::mstmm::generated::recip_above(t185, c(1.0));
-        let t187 = T::sqrt(t186);
-        let t188 = t182 * t187;
-        let t189 = t178 * t187;
-        let t190 = t176 * t188;
-        let t191 = t165 * t189;
-        let t192 = t190 + t191;
-        let t193 = t188 * t192;
-        let minus_closure_reaction0 = t176 - t193;
-        let t194 = t189 * t192;
-        let closure_reaction1 = t165 - t194;
+        let t167 = t153 * crank_pin_a_lin_x;
+        let t168 = t155 * crank_pin_a_lin_y;
+        let t169 = t167 + t168;
+        let t170 = t157 - t169;
+        let t171 = t159 * crank_pin_a_lin_x;
+        let t172 = t161 * crank_pin_a_lin_y;
+        let t173 = t171 + t172;
+        let t174 = t163 - t173;
+        let t175 = t118 + t170;
+        let t176 = t120 + t174;
+        let t177 = ::mstmm::generated::recip_above(closure_d1, t166);
+        let t178 = t175 * t116;
+        let t179 = t176 + t178;
+        let t180 = t175 * t115;
+        let t181 = t177 * t179;
+        let t182 = t116 * t181;
+        let t183 = t180 + t182;
+        let t184 = closure_d0 * t115;
+        let t185 = c(1.0) - t184;
+        let t186 = t185 * t185;
+        let t187 = ::mstmm::generated::recip_above(t186, c(1.0));
+        let t188 = T::sqrt(t187);
+        let t189 = t185 * t188;
+        let t190 = t183 * t189;
+        let t191 = t189 * t190;
+        let t192 = t183 - t191;
+        let t193 = closure_d1 * t177;
+        let t194 = c(1.0) - t193;
+        let t195 = t116 * t194;
+        let t196 = t189 * t195;
+        let t197 = t189 * t196;
+        let t198 = t195 - t197;
+        let t199 = t198 * t198;
+        let t200 = t194 * t194;
+        let t201 = t199 + t200;
+        let t202 = ::mstmm::generated::recip_above(t201, c(1.0));
+        let t203 = T::sqrt(t202);
+        let t204 = t198 * t203;
+        let t205 = t194 * t203;
+        let t206 = t192 * t204;
+        let t207 = t181 * t205;
+        let t208 = t206 + t207;
+        let t209 = t204 * t208;
+        let minus_closure_reaction0 = t192 - t209;
+        let t210 = t205 * t208;
+        let closure_reaction1 = t181 - t210;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 4 mul, 4 add, 0 reciprocal.
-        let t195 = t74 * minus_closure_reaction0;
-        let t196 = t102 * closure_reaction1;
-        let t197 = t195 + t196;
-        let t198 = t138 + t197;
-        let t199 = minus_crank_pin_z0_force_x * crank_pin_a_lin_x;
-        let t200 = crank_pin_z0_force_y * crank_pin_a_lin_y;
-        let t201 = t199 - t200;
-        let crank_pin_a_ang_z = t198 + t201;
+        let t211 = t74 * minus_closure_reaction0;
+        let t212 = t107 * closure_reaction1;
+        let t213 = t211 + t212;
+        let t214 = t151 + t213;
+        let t215 = minus_crank_pin_z0_force_x * crank_pin_a_lin_x;
+        let t216 = crank_pin_z0_force_y * crank_pin_a_lin_y;
+        let t217 = t215 - t216;
+        let crank_pin_a_ang_z = t214 + t217;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 9 mul, 9 add, 0 reciprocal.
-        let t202 = c(0.2) * crank_pin_a_ang_z;
-        let t203 = crank_pin_a_lin_y + t202;
-        let t204 = cos_a_angle * crank_pin_a_lin_x;
-        let t205 = sin_a_angle * t203;
-        let t206 = t204 + t205;
-        let minus_a_a_lin_x = minus_a_drift_lin_x - t206;
-        let t207 = sin_a_angle * crank_pin_a_lin_x;
-        let t208 = cos_a_angle * t203;
-        let t209 = t207 - t208;
-        let a_a_lin_y = a_drift_lin_y - t209;
-        let t210 = t63 * minus_closure_reaction0;
-        let t211 = t89 * closure_reaction1;
-        let t212 = t210 + t211;
-        let t213 = t35 + t212;
-        let t214 = a_z0_force_x * minus_a_a_lin_x;
-        let t215 = a_z0_force_y * a_a_lin_y;
-        let t216 = t214 - t215;
-        let a_a_ang_z = t213 + t216;
+        let t218 = c(0.2) * crank_pin_a_ang_z;
+        let t219 = crank_pin_a_lin_y + t218;
+        let t220 = cos_a_angle * crank_pin_a_lin_x;
+        let t221 = sin_a_angle * t219;
+        let t222 = t220 + t221;
+        let minus_a_a_lin_x = minus_a_drift_lin_x - t222;
+        let t223 = sin_a_angle * crank_pin_a_lin_x;
+        let t224 = cos_a_angle * t219;
+        let t225 = t223 - t224;
+        let a_a_lin_y = a_drift_lin_y - t225;
+        let t226 = t63 * minus_closure_reaction0;
+        let t227 = t91 * closure_reaction1;
+        let t228 = t226 + t227;
+        let t229 = t35 + t228;
+        let t230 = a_z0_force_x * minus_a_a_lin_x;
+        let t231 = a_z0_force_y * a_a_lin_y;
+        let t232 = t230 - t231;
+        let a_a_ang_z = t229 + t232;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 5 add, 0 reciprocal.
-        let t217 = c(0.6) * a_a_ang_z;
-        let t218 = a_a_lin_y + t217;
-        let t219 = sin_b_angle * minus_a_a_lin_x;
-        let t220 = cos_b_angle * t218;
-        let t221 = t219 + t220;
-        let b_a_lin_y = b_drift_lin_y + t221;
-        let t222 = t52 * minus_closure_reaction0;
-        let t223 = t77 * closure_reaction1;
-        let t224 = t222 - t223;
-        let t225 = c(2.5) * b_a_lin_y;
-        let b_a_ang_z = t224 - t225;
+        let t233 = c(0.6) * a_a_ang_z;
+        let t234 = a_a_lin_y + t233;
+        let t235 = sin_b_angle * minus_a_a_lin_x;
+        let t236 = cos_b_angle * t234;
+        let t237 = t235 + t236;
+        let b_a_lin_y = b_drift_lin_y + t237;
+        let t238 = t52 * minus_closure_reaction0;
+        let t239 = t77 * closure_reaction1;
+        let t240 = t238 - t239;
+        let t241 = c(2.5) * b_a_lin_y;
+        let b_a_ang_z = t240 - t241;
         /// Results: 1 mul, 5 add, 0 reciprocal.
-        let t226 = crank_pin_a_ang_z - a_a_ang_z;
-        let t227 = a_a_ang_z - b_a_ang_z;
-        let t228 = t20 - t22;
-        let t229 = c(4.0) - t228;
-        let t230 = t229 * c(0.04000000000000001);
-        let t231 = t230 + c(0.030000000000000006);
+        let t242 = crank_pin_a_ang_z - a_a_ang_z;
+        let t243 = a_a_ang_z - b_a_ang_z;
+        let t244 = t20 - t22;
+        let t245 = c(4.0) - t244;
+        let t246 = t245 * c(0.04000000000000001);
+        let t247 = t246 + c(0.030000000000000006);
         ::mstmm::generated::finite::<
             T,
         >(&[state.q.as_slice(), state.v.as_slice(), &[inputs.crank_pin]])?;
@@ -409,10 +425,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz, crank_pin_j_zz],
-            [c(2.04), t231],
-            [crank_pin_a_ang_z, -t226, -t227, -b_a_ang_z],
+            [c(2.04), t247],
+            [crank_pin_a_ang_z, -t242, -t243, -b_a_ang_z],
         )?;
-        accelerations.data.0 = [[crank_pin_a_ang_z, -t226, -t227, -b_a_ang_z]];
+        accelerations.data.0 = [[crank_pin_a_ang_z, -t242, -t243, -b_a_ang_z]];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges by value; see
@@ -434,7 +450,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 433 operations: 258 mul, 167 add, 6 reciprocal, 2 square root, 4 sin/cos.
+    /// 449 operations: 270 mul, 171 add, 6 reciprocal, 2 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -444,7 +460,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 15 | 9 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 23 | 16 | 1 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 91 | 53 | 4 | 2 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 103 | 57 | 4 | 2 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 4 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 9 | 9 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 8 | 7 | 0 | 0 | 0 |
@@ -570,7 +586,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t50 = T::recip(crank_pin_j_zz);
         let minus_crank_pin_z0_force_x = minus_crank_pin_b_x_z * t50;
         let crank_pin_z0_force_y = crank_pin_b_y_z * t50;
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 91 mul, 53 add, 4 reciprocal, 2 square root.
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 103 mul, 57 add, 4 reciprocal, 2 square root.
         let t51 = c(0.6) * sin_rocker_pin_angle;
         let t52 = sin_rocker_pin_angle * c(2.5);
         let t53 = sin_rocker_pin_angle * c(1.5);
@@ -599,258 +615,274 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let closure_d0 = t69 + t75;
         let t76 = c(0.6) * cos_rocker_pin_angle;
         let t77 = cos_rocker_pin_angle * c(2.5);
-        let t78 = cos_rocker_pin_angle * c(1.5);
-        let t79 = cos_rocker_pin_angle - t78;
-        let t80 = t76 * t52;
-        let t81 = t76 * t77;
-        let t82 = cos_b_angle * sin_rocker_pin_angle;
-        let t83 = sin_b_angle * t79;
-        let t84 = t82 + t83;
-        let t85 = sin_b_angle * sin_rocker_pin_angle;
-        let t86 = cos_b_angle * t79;
-        let t87 = t85 - t86;
-        let t88 = c(0.6) * t87;
-        let t89 = t88 * t18;
-        let t90 = t88 * a_z0_force_x;
-        let t91 = t84 - t90;
-        let t92 = t88 * a_z0_force_y;
-        let t93 = t87 - t92;
-        let t94 = t88 * t63;
-        let t95 = t80 - t94;
-        let t96 = t88 * t89;
-        let t97 = t81 + t96;
-        let t98 = sin_a_angle * t91;
-        let t99 = cos_a_angle * t93;
-        let t100 = t98 + t99;
-        let t101 = c(0.2) * t100;
-        let t102 = t101 * t50;
-        let t103 = t101 * t74;
-        let t104 = t95 - t103;
-        let t105 = t101 * t102;
-        let t106 = t97 + t105;
-        let t107 = ::mstmm::generated::recip_above(closure_d0, closure_d0);
-        let t108 = t104 * t107;
-        let t109 = t104 * t108;
-        let closure_d1 = t106 - t109;
-        let t110 = cos_rocker_pin_angle * minus_b_e_force_x;
-        let t111 = sin_rocker_pin_angle * minus_b_e_force_x;
-        let t112 = t111 - c(9.8);
-        let t113 = minus_b_drift_lin_x * cos_rocker_pin_angle;
-        let t114 = b_drift_lin_y * t54;
-        let t115 = t113 - t114;
-        let t116 = minus_b_drift_lin_x * sin_rocker_pin_angle;
-        let t117 = b_drift_lin_y * t79;
-        let t118 = t116 + t117;
-        let t119 = t62 * t35;
-        let t120 = t115 - t119;
-        let t121 = t88 * t35;
-        let t122 = t118 - t121;
-        let t123 = minus_a_drift_lin_x * t65;
-        let t124 = a_drift_lin_y * t67;
+        let t78 = t51 * t51;
+        let t79 = t78 * c(4.166666666666667);
+        let t80 = cos_rocker_pin_angle * c(1.5);
+        let t81 = cos_rocker_pin_angle - t80;
+        let t82 = t76 * t52;
+        let t83 = t76 * t77;
+        let t84 = cos_b_angle * sin_rocker_pin_angle;
+        let t85 = sin_b_angle * t81;
+        let t86 = t84 + t85;
+        let t87 = sin_b_angle * sin_rocker_pin_angle;
+        let t88 = cos_b_angle * t81;
+        let t89 = t87 - t88;
+        let t90 = c(0.6) * t89;
+        let t91 = t90 * t18;
+        let t92 = t62 * t62;
+        let t93 = t18 * t92;
+        let t94 = t79 + t93;
+        let t95 = t90 * a_z0_force_x;
+        let t96 = t86 - t95;
+        let t97 = t90 * a_z0_force_y;
+        let t98 = t89 - t97;
+        let t99 = t90 * t63;
+        let t100 = t82 - t99;
+        let t101 = t90 * t91;
+        let t102 = t83 + t101;
+        let t103 = sin_a_angle * t96;
+        let t104 = cos_a_angle * t98;
+        let t105 = t103 + t104;
+        let t106 = c(0.2) * t105;
+        let t107 = t106 * t50;
+        let t108 = t73 * t73;
+        let t109 = t50 * t108;
+        let t110 = t94 + t109;
+        let t111 = t106 * t74;
+        let t112 = t100 - t111;
+        let t113 = t106 * t107;
+        let t114 = t102 + t113;
+        let t115 = ::mstmm::generated::recip_above(closure_d0, t110);
+        let t116 = t112 * t115;
+        let t117 = t112 * t116;
+        let closure_d1 = t114 - t117;
+        let t118 = cos_rocker_pin_angle * minus_b_e_force_x;
+        let t119 = sin_rocker_pin_angle * minus_b_e_force_x;
+        let t120 = t119 - c(9.8);
+        let t121 = t76 * t76;
+        let t122 = c(4.166666666666667) * t121;
+        let t123 = minus_b_drift_lin_x * cos_rocker_pin_angle;
+        let t124 = b_drift_lin_y * t54;
         let t125 = t123 - t124;
-        let t126 = t120 + t125;
-        let t127 = minus_a_drift_lin_x * t91;
-        let t128 = a_drift_lin_y * t93;
-        let t129 = t127 - t128;
-        let t130 = t122 + t129;
-        let t131 = cos_a_angle * t65;
-        let t132 = sin_a_angle * t67;
-        let t133 = t131 - t132;
-        let t134 = cos_a_angle * t91;
-        let t135 = sin_a_angle * t93;
-        let t136 = t134 - t135;
-        let t137 = crank_pin_input0 + minus_crank_pin_e_moment_z;
-        let t138 = t50 * t137;
-        let t139 = t73 * minus_crank_pin_z0_force_x;
-        let t140 = t133 + t139;
-        let t141 = t73 * crank_pin_z0_force_y;
-        let t142 = t72 - t141;
-        let t143 = t73 * t138;
-        let t144 = t126 - t143;
-        let t145 = t101 * minus_crank_pin_z0_force_x;
-        let t146 = t136 + t145;
-        let t147 = t101 * crank_pin_z0_force_y;
-        let t148 = t100 - t147;
-        let t149 = t101 * t138;
-        let t150 = t130 - t149;
+        let t126 = minus_b_drift_lin_x * sin_rocker_pin_angle;
+        let t127 = b_drift_lin_y * t81;
+        let t128 = t126 + t127;
+        let t129 = t62 * t35;
+        let t130 = t125 - t129;
+        let t131 = t90 * t35;
+        let t132 = t128 - t131;
+        let t133 = t90 * t90;
+        let t134 = t18 * t133;
+        let t135 = t122 + t134;
+        let t136 = minus_a_drift_lin_x * t65;
+        let t137 = a_drift_lin_y * t67;
+        let t138 = t136 - t137;
+        let t139 = t130 + t138;
+        let t140 = minus_a_drift_lin_x * t96;
+        let t141 = a_drift_lin_y * t98;
+        let t142 = t140 - t141;
+        let t143 = t132 + t142;
+        let t144 = cos_a_angle * t65;
+        let t145 = sin_a_angle * t67;
+        let t146 = t144 - t145;
+        let t147 = cos_a_angle * t96;
+        let t148 = sin_a_angle * t98;
+        let t149 = t147 - t148;
+        let t150 = crank_pin_input0 + minus_crank_pin_e_moment_z;
+        let t151 = t50 * t150;
+        let t152 = t73 * minus_crank_pin_z0_force_x;
+        let t153 = t146 + t152;
+        let t154 = t73 * crank_pin_z0_force_y;
+        let t155 = t72 - t154;
+        let t156 = t73 * t151;
+        let t157 = t139 - t156;
+        let t158 = t106 * minus_crank_pin_z0_force_x;
+        let t159 = t149 + t158;
+        let t160 = t106 * crank_pin_z0_force_y;
+        let t161 = t105 - t160;
+        let t162 = t106 * t151;
+        let t163 = t143 - t162;
+        let t164 = t106 * t106;
+        let t165 = t50 * t164;
+        let t166 = t135 + t165;
         let crank_pin_a_lin_x = sin_crank_pin_angle * c(9.8);
         let crank_pin_a_lin_y = cos_crank_pin_angle * c(9.8);
-        let t151 = t140 * crank_pin_a_lin_x;
-        let t152 = t142 * crank_pin_a_lin_y;
-        let t153 = t151 + t152;
-        let t154 = t144 - t153;
-        let t155 = t146 * crank_pin_a_lin_x;
-        let t156 = t148 * crank_pin_a_lin_y;
-        let t157 = t155 + t156;
-        let t158 = t150 - t157;
-        let t159 = t110 + t154;
-        let t160 = t112 + t158;
-        let t161 = ::mstmm::generated::recip_above(closure_d1, t106);
-        let t162 = t159 * t108;
-        let t163 = t160 + t162;
-        let t164 = t159 * t107;
-        let t165 = t161 * t163;
-        let t166 = t108 * t165;
-        let t167 = t164 + t166;
-        let t168 = closure_d0 * t107;
-        let t169 = c(1.0) - t168;
-        let t170 = t169 * t169;
-        let t171 = ::mstmm::generated::recip_above(t170, c(1.0));
-        let t172 = T::sqrt(t171);
-        let t173 = t169 * t172;
-        let t174 = t167 * t173;
-        let t175 = t173 * t174;
-        let t176 = t167 - t175;
-        let t177 = closure_d1 * t161;
-        let t178 = c(1.0) - t177;
-        let t179 = t108 * t178;
-        let t180 = t173 * t179;
-        let t181 = t173 * t180;
-        let t182 = t179 - t181;
-        let t183 = t182 * t182;
-        let t184 = t178 * t178;
-        let t185 = t183 + t184;
-        let t186 = ::mstmm::generated::recip_above(t185, c(1.0));
-        let t187 = T::sqrt(t186);
-        let t188 = t182 * t187;
-        let t189 = t178 * t187;
-        let t190 = t176 * t188;
-        let t191 = t165 * t189;
-        let t192 = t190 + t191;
-        let t193 = t188 * t192;
-        let minus_closure_reaction0 = t176 - t193;
-        let t194 = t189 * t192;
-        let closure_reaction1 = t165 - t194;
+        let t167 = t153 * crank_pin_a_lin_x;
+        let t168 = t155 * crank_pin_a_lin_y;
+        let t169 = t167 + t168;
+        let t170 = t157 - t169;
+        let t171 = t159 * crank_pin_a_lin_x;
+        let t172 = t161 * crank_pin_a_lin_y;
+        let t173 = t171 + t172;
+        let t174 = t163 - t173;
+        let t175 = t118 + t170;
+        let t176 = t120 + t174;
+        let t177 = ::mstmm::generated::recip_above(closure_d1, t166);
+        let t178 = t175 * t116;
+        let t179 = t176 + t178;
+        let t180 = t175 * t115;
+        let t181 = t177 * t179;
+        let t182 = t116 * t181;
+        let t183 = t180 + t182;
+        let t184 = closure_d0 * t115;
+        let t185 = c(1.0) - t184;
+        let t186 = t185 * t185;
+        let t187 = ::mstmm::generated::recip_above(t186, c(1.0));
+        let t188 = T::sqrt(t187);
+        let t189 = t185 * t188;
+        let t190 = t183 * t189;
+        let t191 = t189 * t190;
+        let t192 = t183 - t191;
+        let t193 = closure_d1 * t177;
+        let t194 = c(1.0) - t193;
+        let t195 = t116 * t194;
+        let t196 = t189 * t195;
+        let t197 = t189 * t196;
+        let t198 = t195 - t197;
+        let t199 = t198 * t198;
+        let t200 = t194 * t194;
+        let t201 = t199 + t200;
+        let t202 = ::mstmm::generated::recip_above(t201, c(1.0));
+        let t203 = T::sqrt(t202);
+        let t204 = t198 * t203;
+        let t205 = t194 * t203;
+        let t206 = t192 * t204;
+        let t207 = t181 * t205;
+        let t208 = t206 + t207;
+        let t209 = t204 * t208;
+        let minus_closure_reaction0 = t192 - t209;
+        let t210 = t205 * t208;
+        let closure_reaction1 = t181 - t210;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 4 mul, 4 add, 0 reciprocal.
-        let t195 = t74 * minus_closure_reaction0;
-        let t196 = t102 * closure_reaction1;
-        let t197 = t195 + t196;
-        let t198 = t138 + t197;
-        let t199 = minus_crank_pin_z0_force_x * crank_pin_a_lin_x;
-        let t200 = crank_pin_z0_force_y * crank_pin_a_lin_y;
-        let t201 = t199 - t200;
-        let crank_pin_a_ang_z = t198 + t201;
+        let t211 = t74 * minus_closure_reaction0;
+        let t212 = t107 * closure_reaction1;
+        let t213 = t211 + t212;
+        let t214 = t151 + t213;
+        let t215 = minus_crank_pin_z0_force_x * crank_pin_a_lin_x;
+        let t216 = crank_pin_z0_force_y * crank_pin_a_lin_y;
+        let t217 = t215 - t216;
+        let crank_pin_a_ang_z = t214 + t217;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 9 mul, 9 add, 0 reciprocal.
-        let t202 = c(0.2) * crank_pin_a_ang_z;
-        let t203 = crank_pin_a_lin_y + t202;
-        let t204 = cos_a_angle * crank_pin_a_lin_x;
-        let t205 = sin_a_angle * t203;
-        let t206 = t204 + t205;
-        let minus_a_a_lin_x = minus_a_drift_lin_x - t206;
-        let t207 = sin_a_angle * crank_pin_a_lin_x;
-        let t208 = cos_a_angle * t203;
-        let t209 = t207 - t208;
-        let a_a_lin_y = a_drift_lin_y - t209;
-        let t210 = t63 * minus_closure_reaction0;
-        let t211 = t89 * closure_reaction1;
-        let t212 = t210 + t211;
-        let t213 = t35 + t212;
-        let t214 = a_z0_force_x * minus_a_a_lin_x;
-        let t215 = a_z0_force_y * a_a_lin_y;
-        let t216 = t214 - t215;
-        let a_a_ang_z = t213 + t216;
+        let t218 = c(0.2) * crank_pin_a_ang_z;
+        let t219 = crank_pin_a_lin_y + t218;
+        let t220 = cos_a_angle * crank_pin_a_lin_x;
+        let t221 = sin_a_angle * t219;
+        let t222 = t220 + t221;
+        let minus_a_a_lin_x = minus_a_drift_lin_x - t222;
+        let t223 = sin_a_angle * crank_pin_a_lin_x;
+        let t224 = cos_a_angle * t219;
+        let t225 = t223 - t224;
+        let a_a_lin_y = a_drift_lin_y - t225;
+        let t226 = t63 * minus_closure_reaction0;
+        let t227 = t91 * closure_reaction1;
+        let t228 = t226 + t227;
+        let t229 = t35 + t228;
+        let t230 = a_z0_force_x * minus_a_a_lin_x;
+        let t231 = a_z0_force_y * a_a_lin_y;
+        let t232 = t230 - t231;
+        let a_a_ang_z = t229 + t232;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 8 mul, 7 add, 0 reciprocal.
-        let t217 = c(0.6) * a_a_ang_z;
-        let t218 = a_a_lin_y + t217;
-        let t219 = cos_b_angle * minus_a_a_lin_x;
-        let t220 = sin_b_angle * t218;
-        let t221 = t219 - t220;
-        let minus_b_a_lin_x = minus_b_drift_lin_x + t221;
-        let t222 = sin_b_angle * minus_a_a_lin_x;
-        let t223 = cos_b_angle * t218;
-        let t224 = t222 + t223;
-        let b_a_lin_y = b_drift_lin_y + t224;
-        let t225 = t52 * minus_closure_reaction0;
-        let t226 = t77 * closure_reaction1;
-        let t227 = t225 - t226;
-        let t228 = c(2.5) * b_a_lin_y;
-        let b_a_ang_z = t227 - t228;
+        let t233 = c(0.6) * a_a_ang_z;
+        let t234 = a_a_lin_y + t233;
+        let t235 = cos_b_angle * minus_a_a_lin_x;
+        let t236 = sin_b_angle * t234;
+        let t237 = t235 - t236;
+        let minus_b_a_lin_x = minus_b_drift_lin_x + t237;
+        let t238 = sin_b_angle * minus_a_a_lin_x;
+        let t239 = cos_b_angle * t234;
+        let t240 = t238 + t239;
+        let b_a_lin_y = b_drift_lin_y + t240;
+        let t241 = t52 * minus_closure_reaction0;
+        let t242 = t77 * closure_reaction1;
+        let t243 = t241 - t242;
+        let t244 = c(2.5) * b_a_lin_y;
+        let b_a_ang_z = t243 - t244;
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 10 mul, 2 add, 0 reciprocal.
-        let t229 = cos_crank_pin_angle * cos_a_angle;
-        let t230 = sin_crank_pin_angle * sin_a_angle;
-        let a_axes_x_x = t229 - t230;
-        let t231 = cos_crank_pin_angle * sin_a_angle;
-        let t232 = sin_crank_pin_angle * cos_a_angle;
-        let minus_a_axes_x_y = t231 + t232;
-        let t233 = cos_crank_pin_angle * c(0.2);
-        let t234 = crank_pin_rate * t233;
-        let minus_a_drift_lin_x_2 = crank_pin_rate * t234;
-        let t235 = sin_crank_pin_angle * c(0.2);
-        let t236 = crank_pin_rate * t235;
-        let minus_a_drift_lin_y = crank_pin_rate * t236;
-        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 10 mul, 2 add, 0 reciprocal.
-        let t237 = cos_b_angle * a_axes_x_x;
-        let t238 = sin_b_angle * minus_a_axes_x_y;
-        let b_axes_x_x = t237 - t238;
-        let t239 = sin_b_angle * a_axes_x_x;
-        let t240 = cos_b_angle * minus_a_axes_x_y;
-        let minus_b_axes_x_y = t239 + t240;
-        let t241 = c(0.6) * a_axes_x_x;
-        let t242 = a_omega_z * t241;
-        let minus_b_drift_lin_x_2 = a_omega_z * t242;
-        let t243 = c(0.6) * minus_a_axes_x_y;
-        let t244 = a_omega_z * t243;
-        let minus_b_drift_lin_y = a_omega_z * t244;
-        /// Point of `a`, [P, Eqs. (12), (13), (36)]: 2 mul, 2 add, 0 reciprocal.
-        let t245 = crank_pin_a_ang_z * t235;
-        let minus_a_acc_lin_x = minus_a_drift_lin_x_2 + t245;
-        let t246 = crank_pin_a_ang_z * t233;
-        let minus_a_acc_lin_y = minus_a_drift_lin_y - t246;
-        /// Point of `b`, [P, Eqs. (12), (13), (36)]: 2 mul, 4 add, 0 reciprocal.
-        let t247 = a_a_ang_z * t243;
-        let t248 = minus_a_acc_lin_x + t247;
-        let minus_b_acc_lin_x = minus_b_drift_lin_x_2 + t248;
-        let t249 = a_a_ang_z * t241;
-        let t250 = minus_a_acc_lin_y - t249;
-        let minus_b_acc_lin_y = minus_b_drift_lin_y + t250;
-        /// Load of the body at `crank_pin`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
-        let t251 = crank_pin_rate * c(0.1);
+        let t245 = cos_crank_pin_angle * cos_a_angle;
+        let t246 = sin_crank_pin_angle * sin_a_angle;
+        let a_axes_x_x = t245 - t246;
+        let t247 = cos_crank_pin_angle * sin_a_angle;
+        let t248 = sin_crank_pin_angle * cos_a_angle;
+        let minus_a_axes_x_y = t247 + t248;
+        let t249 = cos_crank_pin_angle * c(0.2);
+        let t250 = crank_pin_rate * t249;
+        let minus_a_drift_lin_x_2 = crank_pin_rate * t250;
+        let t251 = sin_crank_pin_angle * c(0.2);
         let t252 = crank_pin_rate * t251;
-        let t253 = c(0.1) * crank_pin_a_ang_z;
-        let t254 = crank_pin_a_lin_y + t253;
-        let t255 = t252 - crank_pin_a_lin_x;
-        let t256 = cos_crank_pin_angle * t255;
-        let t257 = sin_crank_pin_angle * t254;
-        let minus_crank_pin_own_force_x = t256 + t257;
-        let t258 = sin_crank_pin_angle * t255;
-        let t259 = cos_crank_pin_angle * t254;
-        let minus_crank_pin_own_force_y = t258 - t259;
+        let minus_a_drift_lin_y = crank_pin_rate * t252;
+        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 10 mul, 2 add, 0 reciprocal.
+        let t253 = cos_b_angle * a_axes_x_x;
+        let t254 = sin_b_angle * minus_a_axes_x_y;
+        let b_axes_x_x = t253 - t254;
+        let t255 = sin_b_angle * a_axes_x_x;
+        let t256 = cos_b_angle * minus_a_axes_x_y;
+        let minus_b_axes_x_y = t255 + t256;
+        let t257 = c(0.6) * a_axes_x_x;
+        let t258 = a_omega_z * t257;
+        let minus_b_drift_lin_x_2 = a_omega_z * t258;
+        let t259 = c(0.6) * minus_a_axes_x_y;
+        let t260 = a_omega_z * t259;
+        let minus_b_drift_lin_y = a_omega_z * t260;
+        /// Point of `a`, [P, Eqs. (12), (13), (36)]: 2 mul, 2 add, 0 reciprocal.
+        let t261 = crank_pin_a_ang_z * t251;
+        let minus_a_acc_lin_x = minus_a_drift_lin_x_2 + t261;
+        let t262 = crank_pin_a_ang_z * t249;
+        let minus_a_acc_lin_y = minus_a_drift_lin_y - t262;
+        /// Point of `b`, [P, Eqs. (12), (13), (36)]: 2 mul, 4 add, 0 reciprocal.
+        let t263 = a_a_ang_z * t259;
+        let t264 = minus_a_acc_lin_x + t263;
+        let minus_b_acc_lin_x = minus_b_drift_lin_x_2 + t264;
+        let t265 = a_a_ang_z * t257;
+        let t266 = minus_a_acc_lin_y - t265;
+        let minus_b_acc_lin_y = minus_b_drift_lin_y + t266;
+        /// Load of the body at `crank_pin`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
+        let t267 = crank_pin_rate * c(0.1);
+        let t268 = crank_pin_rate * t267;
+        let t269 = c(0.1) * crank_pin_a_ang_z;
+        let t270 = crank_pin_a_lin_y + t269;
+        let t271 = t268 - crank_pin_a_lin_x;
+        let t272 = cos_crank_pin_angle * t271;
+        let t273 = sin_crank_pin_angle * t270;
+        let minus_crank_pin_own_force_x = t272 + t273;
+        let t274 = sin_crank_pin_angle * t271;
+        let t275 = cos_crank_pin_angle * t270;
+        let minus_crank_pin_own_force_y = t274 - t275;
         /// Load of the body at `a`, [P, Eqs. (18), (19)]: 6 mul, 4 add, 0 reciprocal.
-        let t260 = c(2.0) * minus_a_a_lin_x;
-        let t261 = c(2.0) * a_a_lin_y;
-        let t262 = t217 + t261;
-        let t263 = t3 + t260;
-        let t264 = a_axes_x_x * t263;
-        let t265 = minus_a_axes_x_y * t262;
-        let minus_a_own_force_x = t264 + t265;
-        let t266 = minus_a_axes_x_y * t263;
-        let t267 = a_axes_x_x * t262;
-        let minus_a_own_force_y = t266 - t267;
+        let t276 = c(2.0) * minus_a_a_lin_x;
+        let t277 = c(2.0) * a_a_lin_y;
+        let t278 = t233 + t277;
+        let t279 = t3 + t276;
+        let t280 = a_axes_x_x * t279;
+        let t281 = minus_a_axes_x_y * t278;
+        let minus_a_own_force_x = t280 + t281;
+        let t282 = minus_a_axes_x_y * t279;
+        let t283 = a_axes_x_x * t278;
+        let minus_a_own_force_y = t282 - t283;
         /// Load of the body at `b`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
-        let t268 = c(0.6) * b_a_ang_z;
-        let t269 = c(2.0) * minus_b_a_lin_x;
-        let t270 = c(2.0) * b_a_lin_y;
-        let t271 = t268 + t270;
-        let t272 = minus_b_e_force_x + t269;
-        let t273 = b_axes_x_x * t272;
-        let t274 = minus_b_axes_x_y * t271;
-        let minus_b_own_force_x = t273 + t274;
-        let t275 = minus_b_axes_x_y * t272;
-        let t276 = b_axes_x_x * t271;
-        let minus_b_own_force_y = t275 - t276;
+        let t284 = c(0.6) * b_a_ang_z;
+        let t285 = c(2.0) * minus_b_a_lin_x;
+        let t286 = c(2.0) * b_a_lin_y;
+        let t287 = t284 + t286;
+        let t288 = minus_b_e_force_x + t285;
+        let t289 = b_axes_x_x * t288;
+        let t290 = minus_b_axes_x_y * t287;
+        let minus_b_own_force_x = t289 + t290;
+        let t291 = minus_b_axes_x_y * t288;
+        let t292 = b_axes_x_x * t287;
+        let minus_b_own_force_y = t291 - t292;
         /// Load on `rocker_pin`, [P, Eqs. (18), (19)]: 8 mul, 4 add, 0 reciprocal.
-        let t277 = cos_rocker_pin_angle * minus_closure_reaction0;
-        let t278 = sin_rocker_pin_angle * closure_reaction1;
-        let t279 = t277 + t278;
-        let t280 = sin_rocker_pin_angle * minus_closure_reaction0;
-        let t281 = cos_rocker_pin_angle * closure_reaction1;
-        let t282 = t280 - t281;
-        let t283 = t279 * b_axes_x_x;
-        let t284 = t282 * minus_b_axes_x_y;
-        let minus_rocker_pin_load_force_x = t283 - t284;
-        let t285 = t279 * minus_b_axes_x_y;
-        let t286 = t282 * b_axes_x_x;
-        let minus_rocker_pin_load_force_y = t285 + t286;
+        let t293 = cos_rocker_pin_angle * minus_closure_reaction0;
+        let t294 = sin_rocker_pin_angle * closure_reaction1;
+        let t295 = t293 + t294;
+        let t296 = sin_rocker_pin_angle * minus_closure_reaction0;
+        let t297 = cos_rocker_pin_angle * closure_reaction1;
+        let t298 = t296 - t297;
+        let t299 = t295 * b_axes_x_x;
+        let t300 = t298 * minus_b_axes_x_y;
+        let minus_rocker_pin_load_force_x = t299 - t300;
+        let t301 = t295 * minus_b_axes_x_y;
+        let t302 = t298 * b_axes_x_x;
+        let minus_rocker_pin_load_force_y = t301 + t302;
         /// Load on `b`, [P, Eqs. (18), (19)]: 0 mul, 2 add, 0 reciprocal.
         let minus_b_load_force_x = minus_b_own_force_x + minus_rocker_pin_load_force_x;
         let minus_b_load_force_y = minus_b_own_force_y + minus_rocker_pin_load_force_y;
@@ -863,87 +895,87 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let minus_crank_pin_load_force_y = minus_crank_pin_own_force_y
             + minus_a_load_force_y;
         /// Results: 46 mul, 35 add, 0 reciprocal.
-        let t287 = crank_pin_a_ang_z - a_a_ang_z;
-        let t288 = a_a_ang_z - b_a_ang_z;
-        let t289 = t20 - t22;
-        let t290 = c(4.0) - t289;
-        let t291 = t290 * c(0.04000000000000001);
-        let t292 = t291 + c(0.030000000000000006);
-        let t293 = cos_crank_pin_angle * c(0.1);
-        let t294 = sin_crank_pin_angle * c(0.1);
-        let t295 = t236 + t244;
-        let t296 = t234 + t242;
-        let t297 = crank_pin_rate * t294;
-        let t298 = crank_pin_rate * t293;
-        let t299 = crank_pin_rate * c(0.01);
-        let t300 = crank_pin_rate * t299;
-        let t301 = t297 * t297;
-        let t302 = t298 * t298;
-        let t303 = t301 + t302;
-        let t304 = t300 + t303;
-        let t305 = a_axes_x_x * c(0.3);
-        let t306 = minus_a_axes_x_y * c(0.3);
-        let t307 = a_omega_z * t306;
-        let t308 = a_omega_z * t305;
-        let t309 = t236 + t307;
-        let t310 = t234 + t308;
-        let t311 = a_omega_z * c(0.06);
-        let t312 = a_omega_z * t311;
-        let t313 = t309 * t309;
-        let t314 = t310 * t310;
-        let t315 = t313 + t314;
-        let t316 = c(2.0) * t315;
-        let t317 = t312 + t316;
-        let t318 = b_axes_x_x * c(0.3);
-        let t319 = minus_b_axes_x_y * c(0.3);
-        let t320 = b_omega_z * t319;
-        let t321 = b_omega_z * t318;
-        let t322 = t295 + t320;
-        let t323 = t296 + t321;
-        let t324 = b_omega_z * c(0.06);
-        let t325 = b_omega_z * t324;
-        let t326 = t322 * t322;
-        let t327 = t323 * t323;
-        let t328 = t326 + t327;
-        let t329 = c(2.0) * t328;
-        let t330 = t325 + t329;
-        let t331 = c(0.5) * t330;
-        let t332 = t304 + t317;
-        let t333 = c(0.5) * t332;
-        let t334 = t331 + t333;
-        let t335 = t235 + t243;
-        let t336 = sin_crank_pin_angle * c(0.9800000000000001);
-        let t337 = t235 + t306;
-        let t338 = t337 * c(19.6);
-        let t339 = t336 + t338;
-        let t340 = t335 + t319;
-        let t341 = c(19.6) * t340;
-        let t342 = t339 + t341;
-        let t343 = cos_rocker_pin_angle * t173;
-        let t344 = sin_rocker_pin_angle * t173;
-        let t345 = cos_rocker_pin_angle * t188;
-        let t346 = sin_rocker_pin_angle * t189;
-        let t347 = t345 + t346;
-        let t348 = sin_rocker_pin_angle * t188;
-        let t349 = cos_rocker_pin_angle * t189;
-        let t350 = t348 - t349;
-        let t351 = t233 + t241;
-        let t352 = c(0.6) * b_axes_x_x;
-        let t353 = t352 + t351;
-        let t354 = c(0.6) * minus_b_axes_x_y;
-        let t355 = t354 + t335;
-        let t356 = b_omega_z * t354;
-        let t357 = t295 + t356;
-        let t358 = b_omega_z * t352;
-        let t359 = t296 + t358;
-        let t360 = b_omega_z * t358;
-        let t361 = b_a_ang_z * t354;
-        let t362 = minus_b_acc_lin_x + t361;
-        let t363 = t360 + t362;
-        let t364 = b_omega_z * t356;
-        let t365 = b_a_ang_z * t352;
-        let t366 = minus_b_acc_lin_y - t365;
-        let t367 = t364 + t366;
+        let t303 = crank_pin_a_ang_z - a_a_ang_z;
+        let t304 = a_a_ang_z - b_a_ang_z;
+        let t305 = t20 - t22;
+        let t306 = c(4.0) - t305;
+        let t307 = t306 * c(0.04000000000000001);
+        let t308 = t307 + c(0.030000000000000006);
+        let t309 = cos_crank_pin_angle * c(0.1);
+        let t310 = sin_crank_pin_angle * c(0.1);
+        let t311 = t252 + t260;
+        let t312 = t250 + t258;
+        let t313 = crank_pin_rate * t310;
+        let t314 = crank_pin_rate * t309;
+        let t315 = crank_pin_rate * c(0.01);
+        let t316 = crank_pin_rate * t315;
+        let t317 = t313 * t313;
+        let t318 = t314 * t314;
+        let t319 = t317 + t318;
+        let t320 = t316 + t319;
+        let t321 = a_axes_x_x * c(0.3);
+        let t322 = minus_a_axes_x_y * c(0.3);
+        let t323 = a_omega_z * t322;
+        let t324 = a_omega_z * t321;
+        let t325 = t252 + t323;
+        let t326 = t250 + t324;
+        let t327 = a_omega_z * c(0.06);
+        let t328 = a_omega_z * t327;
+        let t329 = t325 * t325;
+        let t330 = t326 * t326;
+        let t331 = t329 + t330;
+        let t332 = c(2.0) * t331;
+        let t333 = t328 + t332;
+        let t334 = b_axes_x_x * c(0.3);
+        let t335 = minus_b_axes_x_y * c(0.3);
+        let t336 = b_omega_z * t335;
+        let t337 = b_omega_z * t334;
+        let t338 = t311 + t336;
+        let t339 = t312 + t337;
+        let t340 = b_omega_z * c(0.06);
+        let t341 = b_omega_z * t340;
+        let t342 = t338 * t338;
+        let t343 = t339 * t339;
+        let t344 = t342 + t343;
+        let t345 = c(2.0) * t344;
+        let t346 = t341 + t345;
+        let t347 = c(0.5) * t346;
+        let t348 = t320 + t333;
+        let t349 = c(0.5) * t348;
+        let t350 = t347 + t349;
+        let t351 = t251 + t259;
+        let t352 = sin_crank_pin_angle * c(0.9800000000000001);
+        let t353 = t251 + t322;
+        let t354 = t353 * c(19.6);
+        let t355 = t352 + t354;
+        let t356 = t351 + t335;
+        let t357 = c(19.6) * t356;
+        let t358 = t355 + t357;
+        let t359 = cos_rocker_pin_angle * t189;
+        let t360 = sin_rocker_pin_angle * t189;
+        let t361 = cos_rocker_pin_angle * t204;
+        let t362 = sin_rocker_pin_angle * t205;
+        let t363 = t361 + t362;
+        let t364 = sin_rocker_pin_angle * t204;
+        let t365 = cos_rocker_pin_angle * t205;
+        let t366 = t364 - t365;
+        let t367 = t249 + t257;
+        let t368 = c(0.6) * b_axes_x_x;
+        let t369 = t368 + t367;
+        let t370 = c(0.6) * minus_b_axes_x_y;
+        let t371 = t370 + t351;
+        let t372 = b_omega_z * t370;
+        let t373 = t311 + t372;
+        let t374 = b_omega_z * t368;
+        let t375 = t312 + t374;
+        let t376 = b_omega_z * t374;
+        let t377 = b_a_ang_z * t370;
+        let t378 = minus_b_acc_lin_x + t377;
+        let t379 = t376 + t378;
+        let t380 = b_omega_z * t372;
+        let t381 = b_a_ang_z * t368;
+        let t382 = minus_b_acc_lin_y - t381;
+        let t383 = t380 + t382;
         ::mstmm::generated::finite::<
             T,
         >(&[state.q.as_slice(), state.v.as_slice(), &[inputs.crank_pin]])?;
@@ -954,18 +986,18 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz, crank_pin_j_zz],
-            [c(2.04), t292],
-            [crank_pin_a_ang_z, -t287, -t288, -b_a_ang_z],
+            [c(2.04), t308],
+            [crank_pin_a_ang_z, -t303, -t304, -b_a_ang_z],
         )?;
-        at.accelerations.data.0 = [[crank_pin_a_ang_z, -t287, -t288, -b_a_ang_z]];
-        at.rate_accelerations.data.0 = [[crank_pin_a_ang_z, -t287, -t288, -b_a_ang_z]];
+        at.accelerations.data.0 = [[crank_pin_a_ang_z, -t303, -t304, -b_a_ang_z]];
+        at.rate_accelerations.data.0 = [[crank_pin_a_ang_z, -t303, -t304, -b_a_ang_z]];
         at.efforts.data.0 = [[crank_pin_input0, c(0.0), c(0.0), c(0.0)]];
         at.closure = ::mstmm::generated::closure([
-            [t343, t344, c(0.0), c(0.0), c(0.0), c(0.0)],
-            [-t347, -t350, c(0.0), c(0.0), c(0.0), c(0.0)],
+            [t359, t360, c(0.0), c(0.0), c(0.0), c(0.0)],
+            [-t363, -t366, c(0.0), c(0.0), c(0.0), c(0.0)],
         ]);
-        at.kinetic_energy = t334;
-        at.potential_energy = t342;
+        at.kinetic_energy = t350;
+        at.potential_energy = t358;
         at.points = [
             ::mstmm::PlanePoint::new(
                 [c(0.0), c(0.0)],
@@ -992,9 +1024,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t233, t235],
+                [t249, t251],
                 [cos_crank_pin_angle, sin_crank_pin_angle],
-                [-t236, t234],
+                [-t252, t250],
                 crank_pin_rate,
                 ::mstmm::PlaneStateVector::new(
                     [-minus_a_acc_lin_x, -minus_a_acc_lin_y],
@@ -1004,9 +1036,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t233, t235],
+                [t249, t251],
                 [a_axes_x_x, minus_a_axes_x_y],
-                [-t236, t234],
+                [-t252, t250],
                 a_omega_z,
                 ::mstmm::PlaneStateVector::new(
                     [-minus_a_acc_lin_x, -minus_a_acc_lin_y],
@@ -1016,9 +1048,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t351, t335],
+                [t367, t351],
                 [a_axes_x_x, minus_a_axes_x_y],
-                [-t295, t296],
+                [-t311, t312],
                 a_omega_z,
                 ::mstmm::PlaneStateVector::new(
                     [-minus_b_acc_lin_x, -minus_b_acc_lin_y],
@@ -1028,9 +1060,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t351, t335],
+                [t367, t351],
                 [b_axes_x_x, minus_b_axes_x_y],
-                [-t295, t296],
+                [-t311, t312],
                 b_omega_z,
                 ::mstmm::PlaneStateVector::new(
                     [-minus_b_acc_lin_x, -minus_b_acc_lin_y],
@@ -1040,12 +1072,12 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t353, t355],
+                [t369, t371],
                 [b_axes_x_x, minus_b_axes_x_y],
-                [-t357, t359],
+                [-t373, t375],
                 b_omega_z,
                 ::mstmm::PlaneStateVector::new(
-                    [-t363, -t367],
+                    [-t379, -t383],
                     b_a_ang_z,
                     c(0.0),
                     [-minus_rocker_pin_load_force_x, -minus_rocker_pin_load_force_y],
@@ -1226,7 +1258,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Corrects coordinates and rates once by the smallest motion that closes the
     /// chain, and returns how far it was from closed.
     ///
-    /// 272 operations: 159 mul, 104 add, 6 reciprocal, 3 square root, 4 sin/cos.
+    /// 288 operations: 171 mul, 108 add, 6 reciprocal, 3 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -1235,7 +1267,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 5 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 7 | 0 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 84 | 42 | 5 | 2 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 96 | 46 | 5 | 2 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 7 | 3 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
@@ -1297,7 +1329,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t18 = t9 - t17;
         let t19 = c(0.04000000000000001) * t18;
         let crank_pin_j_zz = c(0.020000000000000004) + t19;
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 84 mul, 42 add, 5 reciprocal, 2 square root.
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 96 mul, 46 add, 5 reciprocal, 2 square root.
         let t20 = c(0.6) * sin_rocker_pin_angle;
         let t21 = sin_rocker_pin_angle * c(2.5);
         let t22 = sin_rocker_pin_angle * c(1.5);
@@ -1327,229 +1359,245 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let closure_d0 = t38 + t45;
         let t46 = c(0.6) * cos_rocker_pin_angle;
         let t47 = cos_rocker_pin_angle * c(2.5);
-        let t48 = cos_rocker_pin_angle * c(1.5);
-        let t49 = cos_rocker_pin_angle - t48;
-        let t50 = t46 * t21;
-        let t51 = t46 * t47;
-        let t52 = cos_b_angle * sin_rocker_pin_angle;
-        let t53 = sin_b_angle * t49;
-        let t54 = t52 + t53;
-        let t55 = sin_b_angle * sin_rocker_pin_angle;
-        let t56 = cos_b_angle * t49;
-        let t57 = t55 - t56;
-        let t58 = c(0.6) * t57;
-        let t59 = t58 * t5;
-        let t60 = t58 * a_z0_force_x;
-        let t61 = t54 - t60;
-        let t62 = t58 * a_z0_force_y;
-        let t63 = t57 - t62;
-        let t64 = t58 * t32;
-        let t65 = t50 - t64;
-        let t66 = t58 * t59;
-        let t67 = t51 + t66;
-        let t68 = sin_a_angle * t61;
-        let t69 = cos_a_angle * t63;
-        let t70 = t68 + t69;
-        let t71 = c(0.2) * t70;
-        let t72 = t71 * t43;
-        let t73 = t71 * t44;
-        let t74 = t65 - t73;
-        let t75 = t71 * t72;
-        let t76 = t67 + t75;
-        let t77 = ::mstmm::generated::recip_above(closure_d0, closure_d0);
-        let t78 = t74 * t77;
-        let t79 = t74 * t78;
-        let closure_d1 = t76 - t79;
-        let t80 = ::mstmm::generated::recip_above(closure_d1, t76);
-        let t81 = closure_d0 * t77;
-        let t82 = c(1.0) - t81;
-        let t83 = t82 * t82;
-        let t84 = ::mstmm::generated::recip_above(t83, c(1.0));
-        let t85 = T::sqrt(t84);
+        let t48 = t20 * t20;
+        let t49 = t48 * c(4.166666666666667);
+        let t50 = cos_rocker_pin_angle * c(1.5);
+        let t51 = cos_rocker_pin_angle - t50;
+        let t52 = t46 * t21;
+        let t53 = t46 * t47;
+        let t54 = cos_b_angle * sin_rocker_pin_angle;
+        let t55 = sin_b_angle * t51;
+        let t56 = t54 + t55;
+        let t57 = sin_b_angle * sin_rocker_pin_angle;
+        let t58 = cos_b_angle * t51;
+        let t59 = t57 - t58;
+        let t60 = c(0.6) * t59;
+        let t61 = t60 * t5;
+        let t62 = t31 * t31;
+        let t63 = t5 * t62;
+        let t64 = t49 + t63;
+        let t65 = t60 * a_z0_force_x;
+        let t66 = t56 - t65;
+        let t67 = t60 * a_z0_force_y;
+        let t68 = t59 - t67;
+        let t69 = t60 * t32;
+        let t70 = t52 - t69;
+        let t71 = t60 * t61;
+        let t72 = t53 + t71;
+        let t73 = sin_a_angle * t66;
+        let t74 = cos_a_angle * t68;
+        let t75 = t73 + t74;
+        let t76 = c(0.2) * t75;
+        let t77 = t76 * t43;
+        let t78 = t42 * t42;
+        let t79 = t43 * t78;
+        let t80 = t64 + t79;
+        let t81 = t76 * t44;
+        let t82 = t70 - t81;
+        let t83 = t76 * t77;
+        let t84 = t72 + t83;
+        let t85 = ::mstmm::generated::recip_above(closure_d0, t80);
         let t86 = t82 * t85;
-        let t87 = closure_d1 * t80;
-        let t88 = c(1.0) - t87;
-        let t89 = t78 * t88;
-        let t90 = t86 * t89;
-        let t91 = t86 * t90;
-        let t92 = t89 - t91;
-        let t93 = t92 * t92;
-        let t94 = t88 * t88;
-        let t95 = t93 + t94;
-        let t96 = ::mstmm::generated::recip_above(t95, c(1.0));
-        let t97 = T::sqrt(t96);
-        let t98 = t92 * t97;
-        let t99 = t88 * t97;
-        let t100 = cos_crank_pin_angle * cos_a_angle;
-        let t101 = sin_crank_pin_angle * sin_a_angle;
-        let t102 = t100 - t101;
-        let t103 = cos_crank_pin_angle * sin_a_angle;
-        let t104 = sin_crank_pin_angle * cos_a_angle;
-        let t105 = t103 + t104;
-        let t106 = cos_crank_pin_angle * c(0.2);
-        let t107 = sin_crank_pin_angle * c(0.2);
-        let t108 = c(0.6) * t102;
-        let t109 = c(0.6) * t105;
-        let t110 = cos_b_angle * t102;
-        let t111 = sin_b_angle * t105;
-        let t112 = t110 - t111;
-        let t113 = sin_b_angle * t102;
-        let t114 = cos_b_angle * t105;
-        let t115 = t113 + t114;
-        let t116 = c(0.6) * t112;
-        let t117 = c(0.6) * t115;
-        let t118 = t106 + t108;
-        let t119 = t107 + t109;
-        let t120 = cos_rocker_pin_angle * t112;
-        let t121 = sin_rocker_pin_angle * t115;
-        let t122 = t120 - t121;
-        let t123 = sin_rocker_pin_angle * t112;
-        let t124 = cos_rocker_pin_angle * t115;
-        let t125 = t123 + t124;
-        let t126 = t116 + t118;
-        let t127 = t117 + t119;
-        let t128 = c(0.8) - t126;
-        let t129 = t122 * t128;
-        let t130 = t125 * t127;
-        let t131 = t129 - t130;
-        let t132 = t125 * t128;
-        let t133 = t122 * t127;
-        let t134 = t132 + t133;
-        let t135 = t78 * t131;
-        let t136 = t134 + t135;
-        let t137 = t77 * t131;
-        let t138 = t80 * t136;
-        let t139 = t78 * t138;
-        let t140 = t137 + t139;
-        let t141 = t86 * t140;
-        let t142 = t86 * t141;
-        let t143 = t140 - t142;
-        let t144 = t98 * t143;
-        let t145 = t99 * t138;
-        let t146 = t144 + t145;
-        let t147 = t98 * t146;
-        let minus_closure_reaction0 = t143 - t147;
-        let t148 = t99 * t146;
-        let closure_reaction1 = t138 - t148;
+        let t87 = t82 * t86;
+        let closure_d1 = t84 - t87;
+        let t88 = t46 * t46;
+        let t89 = c(4.166666666666667) * t88;
+        let t90 = t60 * t60;
+        let t91 = t5 * t90;
+        let t92 = t89 + t91;
+        let t93 = t76 * t76;
+        let t94 = t43 * t93;
+        let t95 = t92 + t94;
+        let t96 = ::mstmm::generated::recip_above(closure_d1, t95);
+        let t97 = closure_d0 * t85;
+        let t98 = c(1.0) - t97;
+        let t99 = t98 * t98;
+        let t100 = ::mstmm::generated::recip_above(t99, c(1.0));
+        let t101 = T::sqrt(t100);
+        let t102 = t98 * t101;
+        let t103 = closure_d1 * t96;
+        let t104 = c(1.0) - t103;
+        let t105 = t86 * t104;
+        let t106 = t102 * t105;
+        let t107 = t102 * t106;
+        let t108 = t105 - t107;
+        let t109 = t108 * t108;
+        let t110 = t104 * t104;
+        let t111 = t109 + t110;
+        let t112 = ::mstmm::generated::recip_above(t111, c(1.0));
+        let t113 = T::sqrt(t112);
+        let t114 = t108 * t113;
+        let t115 = t104 * t113;
+        let t116 = cos_crank_pin_angle * cos_a_angle;
+        let t117 = sin_crank_pin_angle * sin_a_angle;
+        let t118 = t116 - t117;
+        let t119 = cos_crank_pin_angle * sin_a_angle;
+        let t120 = sin_crank_pin_angle * cos_a_angle;
+        let t121 = t119 + t120;
+        let t122 = cos_crank_pin_angle * c(0.2);
+        let t123 = sin_crank_pin_angle * c(0.2);
+        let t124 = c(0.6) * t118;
+        let t125 = c(0.6) * t121;
+        let t126 = cos_b_angle * t118;
+        let t127 = sin_b_angle * t121;
+        let t128 = t126 - t127;
+        let t129 = sin_b_angle * t118;
+        let t130 = cos_b_angle * t121;
+        let t131 = t129 + t130;
+        let t132 = c(0.6) * t128;
+        let t133 = c(0.6) * t131;
+        let t134 = t122 + t124;
+        let t135 = t123 + t125;
+        let t136 = cos_rocker_pin_angle * t128;
+        let t137 = sin_rocker_pin_angle * t131;
+        let t138 = t136 - t137;
+        let t139 = sin_rocker_pin_angle * t128;
+        let t140 = cos_rocker_pin_angle * t131;
+        let t141 = t139 + t140;
+        let t142 = t132 + t134;
+        let t143 = t133 + t135;
+        let t144 = c(0.8) - t142;
+        let t145 = t138 * t144;
+        let t146 = t141 * t143;
+        let t147 = t145 - t146;
+        let t148 = t141 * t144;
+        let t149 = t138 * t143;
+        let t150 = t148 + t149;
+        let t151 = t86 * t147;
+        let t152 = t150 + t151;
+        let t153 = t85 * t147;
+        let t154 = t96 * t152;
+        let t155 = t86 * t154;
+        let t156 = t153 + t155;
+        let t157 = t102 * t156;
+        let t158 = t102 * t157;
+        let t159 = t156 - t158;
+        let t160 = t114 * t159;
+        let t161 = t115 * t154;
+        let t162 = t160 + t161;
+        let t163 = t114 * t162;
+        let minus_closure_reaction0 = t159 - t163;
+        let t164 = t115 * t162;
+        let closure_reaction1 = t154 - t164;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
-        let t149 = t44 * minus_closure_reaction0;
-        let t150 = t72 * closure_reaction1;
-        let crank_pin_a_ang_z = t149 + t150;
+        let t165 = t44 * minus_closure_reaction0;
+        let t166 = t77 * closure_reaction1;
+        let crank_pin_a_ang_z = t165 + t166;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 7 mul, 3 add, 0 reciprocal.
-        let t151 = c(0.2) * crank_pin_a_ang_z;
-        let a_a_lin_x = sin_a_angle * t151;
-        let a_a_lin_y = cos_a_angle * t151;
-        let t152 = t32 * minus_closure_reaction0;
-        let t153 = t59 * closure_reaction1;
-        let t154 = t152 + t153;
-        let t155 = a_z0_force_x * a_a_lin_x;
-        let t156 = a_z0_force_y * a_a_lin_y;
-        let t157 = t155 + t156;
-        let a_a_ang_z = t154 - t157;
+        let t167 = c(0.2) * crank_pin_a_ang_z;
+        let a_a_lin_x = sin_a_angle * t167;
+        let a_a_lin_y = cos_a_angle * t167;
+        let t168 = t32 * minus_closure_reaction0;
+        let t169 = t61 * closure_reaction1;
+        let t170 = t168 + t169;
+        let t171 = a_z0_force_x * a_a_lin_x;
+        let t172 = a_z0_force_y * a_a_lin_y;
+        let t173 = t171 + t172;
+        let a_a_ang_z = t170 - t173;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-        let t158 = c(0.6) * a_a_ang_z;
-        let t159 = a_a_lin_y + t158;
-        let t160 = sin_b_angle * a_a_lin_x;
-        let t161 = cos_b_angle * t159;
-        let minus_b_a_lin_y = t160 - t161;
-        let t162 = t21 * minus_closure_reaction0;
-        let t163 = t47 * closure_reaction1;
-        let t164 = t162 - t163;
-        let t165 = c(2.5) * minus_b_a_lin_y;
-        let b_a_ang_z = t164 + t165;
+        let t174 = c(0.6) * a_a_ang_z;
+        let t175 = a_a_lin_y + t174;
+        let t176 = sin_b_angle * a_a_lin_x;
+        let t177 = cos_b_angle * t175;
+        let minus_b_a_lin_y = t176 - t177;
+        let t178 = t21 * minus_closure_reaction0;
+        let t179 = t47 * closure_reaction1;
+        let t180 = t178 - t179;
+        let t181 = c(2.5) * minus_b_a_lin_y;
+        let b_a_ang_z = t180 + t181;
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 23 mul, 12 add, 0 reciprocal.
-        let t166 = crank_pin_rate * c(0.2);
-        let t167 = a_omega_z * c(0.6);
-        let t168 = c(0.6) * b_omega_z;
-        let t169 = sin_a_angle * t166;
-        let t170 = cos_a_angle * t166;
-        let t171 = t167 + t170;
-        let t172 = cos_b_angle * t169;
-        let t173 = sin_b_angle * t171;
-        let t174 = t172 + t173;
-        let t175 = sin_b_angle * t169;
-        let t176 = cos_b_angle * t171;
-        let t177 = t175 - t176;
-        let t178 = t168 - t177;
-        let t179 = cos_rocker_pin_angle * t174;
-        let t180 = sin_rocker_pin_angle * t178;
-        let t181 = t179 + t180;
-        let t182 = sin_rocker_pin_angle * t174;
-        let t183 = cos_rocker_pin_angle * t178;
-        let t184 = t182 - t183;
-        let t185 = t78 * t181;
-        let t186 = t184 + t185;
-        let t187 = t77 * t181;
-        let t188 = t80 * t186;
-        let t189 = t78 * t188;
-        let t190 = t187 + t189;
-        let t191 = t86 * t190;
-        let t192 = t86 * t191;
-        let t193 = t190 - t192;
-        let t194 = t98 * t193;
-        let t195 = t99 * t188;
-        let t196 = t194 + t195;
-        let t197 = t98 * t196;
-        let closure_reaction0 = t193 - t197;
-        let t198 = t99 * t196;
-        let minus_closure_reaction1 = t188 - t198;
+        let t182 = crank_pin_rate * c(0.2);
+        let t183 = a_omega_z * c(0.6);
+        let t184 = c(0.6) * b_omega_z;
+        let t185 = sin_a_angle * t182;
+        let t186 = cos_a_angle * t182;
+        let t187 = t183 + t186;
+        let t188 = cos_b_angle * t185;
+        let t189 = sin_b_angle * t187;
+        let t190 = t188 + t189;
+        let t191 = sin_b_angle * t185;
+        let t192 = cos_b_angle * t187;
+        let t193 = t191 - t192;
+        let t194 = t184 - t193;
+        let t195 = cos_rocker_pin_angle * t190;
+        let t196 = sin_rocker_pin_angle * t194;
+        let t197 = t195 + t196;
+        let t198 = sin_rocker_pin_angle * t190;
+        let t199 = cos_rocker_pin_angle * t194;
+        let t200 = t198 - t199;
+        let t201 = t86 * t197;
+        let t202 = t200 + t201;
+        let t203 = t85 * t197;
+        let t204 = t96 * t202;
+        let t205 = t86 * t204;
+        let t206 = t203 + t205;
+        let t207 = t102 * t206;
+        let t208 = t102 * t207;
+        let t209 = t206 - t208;
+        let t210 = t114 * t209;
+        let t211 = t115 * t204;
+        let t212 = t210 + t211;
+        let t213 = t114 * t212;
+        let closure_reaction0 = t209 - t213;
+        let t214 = t115 * t212;
+        let minus_closure_reaction1 = t204 - t214;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
-        let t199 = t44 * closure_reaction0;
-        let t200 = t72 * minus_closure_reaction1;
-        let minus_crank_pin_a_ang_z = t199 + t200;
+        let t215 = t44 * closure_reaction0;
+        let t216 = t77 * minus_closure_reaction1;
+        let minus_crank_pin_a_ang_z = t215 + t216;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 7 mul, 3 add, 0 reciprocal.
-        let t201 = c(0.2) * minus_crank_pin_a_ang_z;
-        let minus_a_a_lin_x = sin_a_angle * t201;
-        let minus_a_a_lin_y = cos_a_angle * t201;
-        let t202 = t32 * closure_reaction0;
-        let t203 = t59 * minus_closure_reaction1;
-        let t204 = t202 + t203;
-        let t205 = a_z0_force_x * minus_a_a_lin_x;
-        let t206 = a_z0_force_y * minus_a_a_lin_y;
-        let t207 = t205 + t206;
-        let minus_a_a_ang_z = t204 - t207;
+        let t217 = c(0.2) * minus_crank_pin_a_ang_z;
+        let minus_a_a_lin_x = sin_a_angle * t217;
+        let minus_a_a_lin_y = cos_a_angle * t217;
+        let t218 = t32 * closure_reaction0;
+        let t219 = t61 * minus_closure_reaction1;
+        let t220 = t218 + t219;
+        let t221 = a_z0_force_x * minus_a_a_lin_x;
+        let t222 = a_z0_force_y * minus_a_a_lin_y;
+        let t223 = t221 + t222;
+        let minus_a_a_ang_z = t220 - t223;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-        let t208 = c(0.6) * minus_a_a_ang_z;
-        let t209 = minus_a_a_lin_y + t208;
-        let t210 = sin_b_angle * minus_a_a_lin_x;
-        let t211 = cos_b_angle * t209;
-        let b_a_lin_y = t210 - t211;
-        let t212 = t21 * closure_reaction0;
-        let t213 = t47 * minus_closure_reaction1;
-        let t214 = t212 - t213;
-        let t215 = c(2.5) * b_a_lin_y;
-        let minus_b_a_ang_z = t214 + t215;
+        let t224 = c(0.6) * minus_a_a_ang_z;
+        let t225 = minus_a_a_lin_y + t224;
+        let t226 = sin_b_angle * minus_a_a_lin_x;
+        let t227 = cos_b_angle * t225;
+        let b_a_lin_y = t226 - t227;
+        let t228 = t21 * closure_reaction0;
+        let t229 = t47 * minus_closure_reaction1;
+        let t230 = t228 - t229;
+        let t231 = c(2.5) * b_a_lin_y;
+        let minus_b_a_ang_z = t230 + t231;
         /// Results: 6 mul, 20 add, 0 reciprocal, 1 square root.
-        let t216 = crank_pin_angle + crank_pin_a_ang_z;
-        let t217 = crank_pin_a_ang_z - a_a_ang_z;
-        let t218 = a_angle - t217;
-        let t219 = a_a_ang_z - b_a_ang_z;
-        let t220 = b_angle - t219;
-        let t221 = t125 + b_a_ang_z;
-        let t222 = rocker_pin_angle - t221;
-        let t223 = crank_pin_rate - minus_crank_pin_a_ang_z;
-        let t224 = minus_crank_pin_a_ang_z - minus_a_a_ang_z;
-        let t225 = a_rate + t224;
-        let t226 = minus_a_a_ang_z - minus_b_a_ang_z;
-        let t227 = b_rate + t226;
-        let t228 = rocker_pin_rate + b_omega_z;
-        let t229 = t228 - minus_b_a_ang_z;
-        let t230 = rocker_pin_rate - t229;
-        let t231 = t131 * t131;
-        let t232 = t134 * t134;
-        let t233 = t231 + t232;
-        let t234 = t125 * t125;
-        let t235 = t233 + t234;
-        let t236 = t181 * t181;
-        let t237 = t184 * t184;
-        let t238 = t236 + t237;
-        let t239 = t228 * t228;
-        let t240 = t238 + t239;
-        let t241 = t235 + t240;
-        let t242 = T::sqrt(t241);
-        let residual = t242;
-        state.q.data.0 = [[t216, t218, t220, t222]];
-        state.v.data.0 = [[t223, t225, t227, t230]];
+        let t232 = crank_pin_angle + crank_pin_a_ang_z;
+        let t233 = crank_pin_a_ang_z - a_a_ang_z;
+        let t234 = a_angle - t233;
+        let t235 = a_a_ang_z - b_a_ang_z;
+        let t236 = b_angle - t235;
+        let t237 = t141 + b_a_ang_z;
+        let t238 = rocker_pin_angle - t237;
+        let t239 = crank_pin_rate - minus_crank_pin_a_ang_z;
+        let t240 = minus_crank_pin_a_ang_z - minus_a_a_ang_z;
+        let t241 = a_rate + t240;
+        let t242 = minus_a_a_ang_z - minus_b_a_ang_z;
+        let t243 = b_rate + t242;
+        let t244 = rocker_pin_rate + b_omega_z;
+        let t245 = t244 - minus_b_a_ang_z;
+        let t246 = rocker_pin_rate - t245;
+        let t247 = t147 * t147;
+        let t248 = t150 * t150;
+        let t249 = t247 + t248;
+        let t250 = t141 * t141;
+        let t251 = t249 + t250;
+        let t252 = t197 * t197;
+        let t253 = t200 * t200;
+        let t254 = t252 + t253;
+        let t255 = t244 * t244;
+        let t256 = t254 + t255;
+        let t257 = t251 + t256;
+        let t258 = T::sqrt(t257);
+        let residual = t258;
+        state.q.data.0 = [[t232, t234, t236, t238]];
+        state.v.data.0 = [[t239, t241, t243, t246]];
         residual
     }
 }

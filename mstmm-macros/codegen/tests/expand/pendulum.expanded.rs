@@ -143,7 +143,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 3 mul, 1 add, 0 reciprocal.
         let joint_a_lin_y = cos_joint_angle * c(9.8);
         let t0 = joint_input0 * known_p4;
-        let t1 = joint_a_lin_y * known_joint_z0_force_y;
+        let t1 = known_joint_z0_force_y * joint_a_lin_y;
         let joint_a_ang_z = t0 - t1;
         ::mstmm::generated::finite::<
             T,
@@ -210,7 +210,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let joint_a_lin_x = sin_joint_angle * c(9.8);
         let joint_a_lin_y = cos_joint_angle * c(9.8);
         let t1 = joint_input0 * known_p4;
-        let t2 = joint_a_lin_y * known_joint_z0_force_y;
+        let t2 = known_joint_z0_force_y * joint_a_lin_y;
         let joint_a_ang_z = t1 - t2;
         /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
         let t3 = known_joint_k_xx * joint_a_lin_x;
