@@ -35,6 +35,31 @@ mstmm_chain! {
         Hub hub -> pin(z) joint -> Boom boom;
         hinge joint { torque = input; }
     }
+
+    /// A rope of fifty rods, each with its own knot, and a weight.
+    pub plane chain Rope {
+        gravity = [0, -9.8] m/s^2;
+        param knot[50] = 0 kg;
+        body Rod {
+            mass = 20 g + knot;
+            com = [1, 0] cm;
+            output = [2, 0] cm;
+            inertia = 1e-6 kg*m^2 about com;
+        }
+        body Weight { mass = 1 kg; com = [0, -5] cm; inertia = 1e-3 kg*m^2 about com; }
+        ground -> repeat 50 { pin joint -> Rod rod } -> pin hook -> Weight weight;
+        hinge joint { stiffness = 1 N*m/rad; damping = 1e-4 N*m*s/rad; }
+    }
+
+    /// A crank that drives a rocker.
+    pub plane chain FourBar {
+        gravity = [0, -9.8] m/s^2;
+        body Crank { mass = 1 kg; com = [0.1, 0] m; output = [0.2, 0] m; inertia = 0.01 kg*m^2 about com; }
+        body Bar { mass = 2 kg; com = [0.3, 0] m; output = [0.6, 0] m; inertia = 0.06 kg*m^2 about com; }
+        ground -> pin drive -> Crank crank -> pin a -> Bar coupler -> pin b -> Bar rocker
+               -> pin d -> ground at [0.8, 0] m;
+        hinge drive { torque = input; }
+    }
 }
 
 /// One step of the pendulum in single precision.
@@ -66,6 +91,49 @@ pub fn satellite(
     torque: f64,
 ) -> Result<(), Error> {
     dopri5.step(chain, state, |_, _| SatelliteInputs { joint: torque }).map(|_| ())
+}
+
+/// One step of the rope, its springs too stiff for an explicit one.
+#[inline(never)]
+pub fn rope(
+    chain: &Rope<f64>,
+    euler: &mut LinearlyImplicitEuler<Rope<f64>>,
+    state: &mut RopeState<f64>,
+) -> Result<(), Error> {
+    euler.step(chain, state, |_, _| chain.no_inputs())
+}
+
+/// Everything at every connection point of the rope.
+#[inline(never)]
+pub fn rope_loads(
+    chain: &Rope<f64>,
+    state: &RopeState<f64>,
+    at: &mut RopeWorkspace<f64>,
+) -> Result<(), Error> {
+    chain.solve_into(state, &chain.no_inputs(), at)
+}
+
+/// A knot in the rope.
+#[inline(never)]
+pub fn rope_knot(chain: &mut Rope<f64>, at: usize, mass: f64) -> Result<(), Error> {
+    chain.set_knot(|index| if index == at { mass } else { 0.0 })
+}
+
+/// One step of the four-bar, and back onto its closure.
+#[inline(never)]
+pub fn four_bar(
+    chain: &FourBar<f32>,
+    rk4: &mut Rk4<FourBar<f32>>,
+    state: &mut FourBarState<f32>,
+    torque: f32,
+) -> Result<(), Error> {
+    rk4.step(chain, state, |_, _| FourBarInputs { drive: torque })
+}
+
+/// The four-bar closed from a rough start.
+#[inline(never)]
+pub fn four_bar_closed(chain: &FourBar<f64>, state: &mut FourBarState<f64>) -> Result<(), Error> {
+    chain.assemble(state, &chain.no_inputs())
 }
 
 /// A new payload.
