@@ -24,9 +24,11 @@
 //! step; where it jumps, let a step end.
 //!
 //! Quaternions are integrated as four numbers, and brought back to unit length after every step by
-//! [`Chain::normalize`], which also brings a chain held at both ends back onto its closure. That
-//! moves the state by no more than the error of the step, so a method keeps its order, and unlike
-//! any three angles quaternions have no pose in which they fail.
+//! [`Chain::normalize`]; a chain held at both ends is then brought back onto its closure by
+//! [`Chain::close`], which asks for what acts on it once more. That moves the state by no more than
+//! the error of the step, so a method keeps its order, and unlike any three angles quaternions have
+//! no pose in which they fail. [`Dopri5::interpolate`] closes nothing: within a step a chain is open
+//! by about the error of the step.
 
 mod combine;
 mod dopri5;

@@ -8,7 +8,9 @@
 //! | `a = [r̈; Ω̇]` | [`Motion`] | accelerations at a connection point |
 //! | `F = [q; n]`, `n = −m` | [`Wrench`](crate::math::Wrench) | what a hinge exerts on its child's side |
 //! | `A`, `e` | [`SpatialInertia`](crate::math::SpatialInertia), `Wrench` | Riccati pair, `F = A a + e` |
-//! | `S`, `v` | [`hinge::Freedom`] | free directions of a hinge and its rates |
+//! | `S`, `v` | [`hinge::Geometry`], [`hinge::Freedom`] | free directions of a hinge and its rates |
+//! | `s`, `J` | [`hinge::Strains`] | how far a hinge is from rest, `ṡ = J v` |
+//! | `T`, `W`, `λ` | `closing` | directions that a closing hinge holds, wrenches that do work on one rate each, reactions |
 //! | `c` | the *point* of a link | where a body hangs on its hinge: its input, or its output if the chain is held at its end |
 //!
 //! Sign rule: on a body the force at the input end is `+q_I`, at the output end `−q_O`; the torque
