@@ -5,7 +5,7 @@
 //!
 //! | symbol | in code | meaning |
 //! |---|---|---|
-//! | `a = [r̈; Ω̇]` | [`Motion`] | accelerations at a connection point |
+//! | `a = [r̈; Ω̇]` | [`Motion`](crate::math::Motion) | accelerations at a connection point |
 //! | `F = [q; n]`, `n = −m` | [`Wrench`](crate::math::Wrench) | what a hinge exerts on its child's side |
 //! | `A`, `e` | [`SpatialInertia`](crate::math::SpatialInertia), `Wrench` | Riccati pair, `F = A a + e` |
 //! | `S`, `v` | [`hinge::Geometry`], [`hinge::Freedom`] | free directions of a hinge and its rates |
