@@ -2,7 +2,7 @@
 //! Lagrange multipliers for the hinges.
 
 use mstmm_reference::{
-    About, Body, Chain, Element, End, Frame, Hinge, HingeKind, Sample, Solution, State, simulate,
+    About, Body, Chain, Element, Frame, Hinge, HingeKind, Sample, Solution, State, simulate,
 };
 
 use crate::progress::Progress;
