@@ -53,8 +53,8 @@ pub fn accelerations<S: Scalar>(
     let (movement, pivots) = match method {
         Method::Riccati => riccati::solve(&problem, trace),
         Method::Transfer => {
-            let (pivots, scales) = riccati::pivots(&problem, trace);
-            (transfer::solve(&problem, &scales, trace), pivots)
+            let (pivots, sizes) = riccati::pivots(&problem, trace);
+            (transfer::solve(&problem, &sizes, trace), pivots)
         }
     };
     let layout = situation.layout;

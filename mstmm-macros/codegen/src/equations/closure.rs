@@ -2,8 +2,9 @@
 //! directions that are held already, as all those out of the plane of a planar loop are.
 //!
 //! `G = L D Lᵀ` row by row. What is left of a row that hangs on those before it is rounding: its
-//! pivot is measured by what the row's diagonal entry would be if nothing in it cancelled, its reaction
-//! is set to zero and its direction noted. The solution is then freed of all that such directions can add: what is left is the
+//! reaction is set to zero and its direction noted. A pivot is rounding if it is so beside the row's own
+//! diagonal entry, or if its root is so beside the root of what that entry would be if nothing in it
+//! cancelled: in a straight pose whole rows vanish but for the rounding of their lever arms. The solution is then freed of all that such directions can add: what is left is the
 //! reaction of least norm, in N and N m.
 
 use super::Trace;
@@ -20,15 +21,16 @@ pub struct Closure<S> {
     pub undetermined: Vec<Vec<S>>,
 }
 
-/// Solves `G λ = b`; of the symmetric `G` the lower rows are enough. `scales` measure the pivots.
+/// Solves `G λ = b`; of the symmetric `G` the lower rows are enough. `sizes` are what its diagonal
+/// would be if nothing in it cancelled.
 pub fn solve<S: Scalar>(
     matrix: &[Vec<S>],
-    scales: &[S],
+    sizes: &[S],
     right: &[S],
     trace: &mut Trace<S>,
 ) -> Closure<S> {
     let count = right.len();
-    let Factors { lower, inverses, pivots } = factorised(matrix, scales);
+    let Factors { lower, inverses, pivots } = factorised(matrix, sizes);
     let forward = forward_substituted(&lower, right);
     let scaled: Vec<S> = forward.iter().zip(&inverses).map(|(&y, &d)| y * d).collect();
     let mut reactions = back_substituted(&lower, scaled);
@@ -58,7 +60,7 @@ struct Factors<S> {
     pivots: Vec<S>,
 }
 
-fn factorised<S: Scalar>(matrix: &[Vec<S>], scales: &[S]) -> Factors<S> {
+fn factorised<S: Scalar>(matrix: &[Vec<S>], sizes: &[S]) -> Factors<S> {
     let count = matrix.len();
     let mut rest: Vec<Vec<S>> = matrix
         .iter()
@@ -68,7 +70,7 @@ fn factorised<S: Scalar>(matrix: &[Vec<S>], scales: &[S]) -> Factors<S> {
     let (mut inverses, mut pivots) = (Vec::new(), Vec::new());
     for k in 0..count {
         let pivot = rest[k][k];
-        let inverse = pivot.recip_above(scales[k]);
+        let inverse = guarded_reciprocal(pivot, matrix[k][k], sizes[k]);
         let column: Vec<S> = rest.iter().map(|row| row[k]).collect();
         for i in k + 1..count {
             lower[i][k] = column[i] * inverse;
@@ -81,6 +83,13 @@ fn factorised<S: Scalar>(matrix: &[Vec<S>], scales: &[S]) -> Factors<S> {
         pivots.push(pivot);
     }
     Factors { lower, inverses, pivots }
+}
+
+/// The reciprocal of a pivot, or zero where that is rounding.
+fn guarded_reciprocal<S: Scalar>(pivot: S, diagonal: S, size: S) -> S {
+    let root = pivot.positive_part().sqrt();
+    let counts = root * root.recip_above(size.sqrt());
+    pivot.recip_above(diagonal) * counts
 }
 
 /// `L⁻¹ x`

@@ -43,6 +43,8 @@ struct Carried<S> {
     load: Wrench<S>,
     /// `E`, by columns.
     pulls: Vec<Wrench<S>>,
+    /// Squares of the arms that its moments come from.
+    reach: S,
     /// What a pivot along a shift or a turn is the sum of: one that should vanish is what rounding
     /// leaves of it.
     scales: (S, S),
@@ -56,7 +58,7 @@ struct Sums<S> {
     /// `G`, below the diagonal and on it, by rows.
     matrix: Vec<Vec<S>>,
     /// What the diagonal of `G` would be if nothing in it cancelled.
-    scales: Vec<S>,
+    sizes: Vec<S>,
 }
 
 /// The movement, and the pivots `d`.
@@ -85,7 +87,7 @@ pub fn pivots<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> (Vec<Piv
     for pivot in &pivots {
         trace.number(format!("{}_d", problem.links[pivot.link].over.name), pivot.value);
     }
-    (pivots, sums.scales)
+    (pivots, sums.sizes)
 }
 
 /// What comes out of the way to the ground.
@@ -147,12 +149,15 @@ fn own<S: Scalar>(problem: &Problem<S>) -> Vec<Carried<S>> {
             inertia: link.rigid(),
             load,
             pulls: vec![Wrench::zero(); none],
+            reach: S::zero(),
             scales: (link.mass, link.inertia.trace()),
         })
         .collect();
     if let (Some(demand), Some((link, pulls))) = (&problem.closing, problem.pulls()) {
         all[link].load = all[link].load + demand.closing.over.returned(demand.given);
         all[link].pulls = pulls;
+        let arm = demand.closing.over.arm;
+        all[link].reach = arm.dot(arm);
     }
     all
 }
@@ -172,6 +177,7 @@ fn hand_over<S: Scalar>(
     let inertia = over.to_parent.of_inertia(&here.inertia);
     parent.inertia = parent.inertia + inertia.moved_from(over.arm);
     parent.load = parent.load + over.returned(load);
+    parent.reach = parent.reach + here.reach + over.arm.dot(over.arm);
     for (pull, &more) in parent.pulls.iter_mut().zip(&here.pulls) {
         *pull = *pull + over.returned(more);
     }
@@ -182,7 +188,8 @@ impl<S: Scalar> Bundle<S> for Carried<S> {
         let inertia = self.inertia.visit(replace);
         let load = self.load.visit(replace);
         let pulls = self.pulls.visit(replace);
-        Carried { inertia, load, pulls, scales: self.scales.visit(replace) }
+        let reach = replace(self.reach);
+        Carried { inertia, load, pulls, reach, scales: self.scales.visit(replace) }
     }
 }
 
@@ -190,7 +197,7 @@ impl<S: Scalar> Bundle<S> for Sums<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
         let gamma = self.gamma.visit(replace);
         let matrix = self.matrix.visit(replace);
-        Sums { gamma, matrix, scales: self.scales.visit(replace) }
+        Sums { gamma, matrix, sizes: self.sizes.visit(replace) }
     }
 }
 
@@ -198,7 +205,7 @@ impl<S: Scalar> Sums<S> {
     fn of(count: usize) -> Self {
         let zero = || vec![S::zero(); count];
         let row = |row: usize| vec![S::zero(); row + 1];
-        Sums { gamma: zero(), matrix: (0..count).map(row).collect(), scales: zero() }
+        Sums { gamma: zero(), matrix: (0..count).map(row).collect(), sizes: zero() }
     }
 
     /// The part of equation (5) that the ground makes, from its `a` at the first link's point.
@@ -215,15 +222,15 @@ fn close<S: Scalar>(problem: &Problem<S>, sums: Sums<S>, trace: &mut Trace<S>) -
         return Closure { reactions: Vec::new(), undetermined: Vec::new() };
     };
     trace.section("Closure", "[P, Eqs. (9) to (11)] at the held end");
-    let Sums { gamma, matrix: mut left, mut scales } = sums;
+    let Sums { gamma, matrix: mut left, mut sizes } = sums;
     // Where the closing hinge hangs on the ground, nothing it does moves anything.
     let gamma = if demand.closing.parent.is_some() { gamma } else { problem.at_rest() };
     for (k, held) in demand.closing.held.iter().enumerate() {
         left[k][k] = left[k][k] + held.inertia;
-        scales[k] = scales[k] + held.inertia;
+        sizes[k] = sizes[k] + held.inertia;
     }
     let right: Vec<S> = gamma.iter().zip(&demand.reached).map(|(&g, &r)| g - r).collect();
-    closure::solve(&left, &scales, &right, trace)
+    closure::solve(&left, &sizes, &right, trace)
 }
 
 /// A free direction with its effort and the inertia of its rotor.
@@ -264,8 +271,9 @@ fn eliminate<S: Scalar>(
         *pull =
             Wrench::from_fn(|k| if along(k) { S::zero() } else { old.at(k) - gain.at(k) * u[i] });
         sums.gamma[i] = sums.gamma[i] + u[i] * rest;
-        let size = column.scale(old.force.dot(old.force), old.moment.dot(old.moment));
-        sums.scales[i] = sums.scales[i] + size * inverse;
+        let force = old.force.dot(old.force);
+        let size = column.scale(force, old.moment.dot(old.moment) + force * here.reach);
+        sums.sizes[i] = sums.sizes[i] + size * inverse;
         for (sum, &pull) in sums.matrix[i].iter_mut().zip(&pulls) {
             *sum = *sum + u[i] * pull;
         }
@@ -337,8 +345,13 @@ mod tests {
             force: Vec3([0.3, -0.7, 1.1].map(some)),
             moment: Vec3([1.3, 0.9, -0.1].map(some)),
         };
-        let mut here =
-            Carried { inertia, load, pulls: Vec::new(), scales: (some(10.0), some(7.0)) };
+        let mut here = Carried {
+            inertia,
+            load,
+            pulls: Vec::new(),
+            reach: Structured::zero(),
+            scales: (some(10.0), some(7.0)),
+        };
         let efforts = [0.25, -0.5, 0.125].map(some);
         for (k, effort) in efforts.into_iter().enumerate() {
             let armature = Structured::zero();

@@ -51,7 +51,7 @@ struct Used<S> {
 ///
 /// Where nothing with inertia lies beyond a hinge the boundary solve has no answer, but rounding
 /// hides it: whoever calls has to look at the pivots of the Riccati transfer.
-pub fn solve<S: Scalar>(problem: &Problem<S>, scales: &[S], trace: &mut Trace<S>) -> Movement<S> {
+pub fn solve<S: Scalar>(problem: &Problem<S>, sizes: &[S], trace: &mut Trace<S>) -> Movement<S> {
     let path = path(problem);
     let mut used: Vec<Vec<Used<S>>> = Vec::new();
     let mut product: Option<Product<S>> = None;
@@ -70,7 +70,7 @@ pub fn solve<S: Scalar>(problem: &Problem<S>, scales: &[S], trace: &mut Trace<S>
         product = Some(problem.passage.outwards(index, here));
     }
     let (unknowns, closure) = match (&product, path.last()) {
-        (Some(product), Some(&last)) => far_end(problem, (product, last), scales, trace),
+        (Some(product), Some(&last)) => far_end(problem, (product, last), sizes, trace),
         _ => (Vec::new(), at_rest(problem, trace)),
     };
     let along_path = recover(unknowns, &used, trace, problem, &path);
@@ -209,7 +209,7 @@ impl<S: Scalar> Product<S> {
 fn far_end<S: Scalar>(
     problem: &Problem<S>,
     (product, last): (&Product<S>, usize),
-    scales: &[S],
+    sizes: &[S],
     trace: &mut Trace<S>,
 ) -> (Vec<S>, Closure<S>) {
     trace.section("Boundary solve at the far end", "[P, Eqs. (9) to (11)]");
@@ -243,13 +243,13 @@ fn far_end<S: Scalar>(
         matrix.push(row);
     }
     let mut right = Vec::new();
-    let mut scales = scales.to_vec();
+    let mut sizes = sizes.to_vec();
     for (k, held) in demand.closing.held.iter().enumerate() {
         matrix[k][k] = matrix[k][k] + held.inertia;
-        scales[k] = scales[k] + held.inertia;
+        sizes[k] = sizes[k] + held.inertia;
         right.push(a.power(pulls[k]) - demand.reached[k]);
     }
-    let closure = closure::solve(&matrix, &scales, &right, trace);
+    let closure = closure::solve(&matrix, &sizes, &right, trace);
     let with_reactions = |(k, &x): (usize, &S)| {
         answers.iter().zip(&closure.reactions).fold(x, |x, (answer, &r)| x + answer[k] * r)
     };
@@ -263,14 +263,14 @@ fn at_rest<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Closure<S> 
     };
     let count = demand.closing.held.len();
     let mut matrix: Vec<Vec<S>> = (0..count).map(|row| vec![S::zero(); row + 1]).collect();
-    let (at_rest, mut scales) = (problem.at_rest(), Vec::new());
+    let (at_rest, mut sizes) = (problem.at_rest(), Vec::new());
     let mut right = Vec::new();
     for (k, held) in demand.closing.held.iter().enumerate() {
         matrix[k][k] = held.inertia;
-        scales.push(held.inertia);
+        sizes.push(held.inertia);
         right.push(at_rest[k] - demand.reached[k]);
     }
-    closure::solve(&matrix, &scales, &right, trace)
+    closure::solve(&matrix, &sizes, &right, trace)
 }
 
 /// A condition on the unknowns, with several values that it may have.

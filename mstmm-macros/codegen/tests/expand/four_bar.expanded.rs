@@ -14,7 +14,7 @@
 /// | `rocker` | body `Bar` |  |
 /// | `rocker_pin` | pin | 1 |
 ///
-/// 4 degrees of freedom; accelerations by `riccati`, 286 operations (171 mul, 107 add, 6 reciprocal, 2 square root, 4 sin/cos); with everything at every connection point 449 operations.
+/// 4 degrees of freedom; accelerations by `riccati`, 326 operations (192 mul, 120 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 489 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct FourBar<T> {
@@ -74,7 +74,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for FourBar<T> {
 impl<T: ::mstmm::Scalar> FourBar<T> {
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
-    /// 286 operations: 171 mul, 107 add, 6 reciprocal, 2 square root, 4 sin/cos.
+    /// 326 operations: 192 mul, 120 add, 8 reciprocal, 6 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -84,7 +84,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 15 | 9 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 23 | 16 | 1 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 103 | 57 | 4 | 2 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 124 | 70 | 6 | 6 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 4 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 9 | 9 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 6 | 5 | 0 | 0 | 0 |
@@ -144,7 +144,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t7 = c(0.5) + t6;
         let t8 = c(0.6) * t7;
         let a_b_y_z = c(0.6) + t8;
-        let t9 = t7 * c(0.36);
+        let t9 = c(0.36) * t7;
         let a_j_zz = c(0.24) + t9;
         let t10 = minus_b_drift_lin_x * c(2.0);
         let t11 = b_drift_lin_y * c(0.5);
@@ -201,7 +201,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t50 = T::recip(crank_pin_j_zz);
         let minus_crank_pin_z0_force_x = minus_crank_pin_b_x_z * t50;
         let crank_pin_z0_force_y = crank_pin_b_y_z * t50;
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 103 mul, 57 add, 4 reciprocal, 2 square root.
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 124 mul, 70 add, 6 reciprocal, 6 square root.
         let t51 = c(0.6) * sin_rocker_pin_angle;
         let t52 = sin_rocker_pin_angle * c(2.5);
         let t53 = sin_rocker_pin_angle * c(1.5);
@@ -230,191 +230,233 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let closure_d0 = t69 + t75;
         let t76 = c(0.6) * cos_rocker_pin_angle;
         let t77 = cos_rocker_pin_angle * c(2.5);
-        let t78 = t51 * t51;
-        let t79 = t78 * c(4.166666666666667);
-        let t80 = cos_rocker_pin_angle * c(1.5);
-        let t81 = cos_rocker_pin_angle - t80;
-        let t82 = t76 * t52;
-        let t83 = t76 * t77;
-        let t84 = cos_b_angle * sin_rocker_pin_angle;
-        let t85 = sin_b_angle * t81;
-        let t86 = t84 + t85;
-        let t87 = sin_b_angle * sin_rocker_pin_angle;
-        let t88 = cos_b_angle * t81;
-        let t89 = t87 - t88;
-        let t90 = c(0.6) * t89;
-        let t91 = t90 * t18;
-        let t92 = t62 * t62;
-        let t93 = t18 * t92;
-        let t94 = t79 + t93;
-        let t95 = t90 * a_z0_force_x;
-        let t96 = t86 - t95;
-        let t97 = t90 * a_z0_force_y;
-        let t98 = t89 - t97;
-        let t99 = t90 * t63;
-        let t100 = t82 - t99;
-        let t101 = t90 * t91;
-        let t102 = t83 + t101;
-        let t103 = sin_a_angle * t96;
-        let t104 = cos_a_angle * t98;
-        let t105 = t103 + t104;
-        let t106 = c(0.2) * t105;
-        let t107 = t106 * t50;
-        let t108 = t73 * t73;
-        let t109 = t50 * t108;
-        let t110 = t94 + t109;
-        let t111 = t106 * t74;
-        let t112 = t100 - t111;
-        let t113 = t106 * t107;
-        let t114 = t102 + t113;
-        let t115 = ::mstmm::generated::recip_above(closure_d0, t110);
-        let t116 = t112 * t115;
-        let t117 = t112 * t116;
-        let closure_d1 = t114 - t117;
-        let t118 = cos_rocker_pin_angle * minus_b_e_force_x;
-        let t119 = sin_rocker_pin_angle * minus_b_e_force_x;
-        let t120 = t119 - c(9.8);
-        let t121 = t76 * t76;
-        let t122 = c(4.166666666666667) * t121;
-        let t123 = minus_b_drift_lin_x * cos_rocker_pin_angle;
-        let t124 = b_drift_lin_y * t54;
-        let t125 = t123 - t124;
-        let t126 = minus_b_drift_lin_x * sin_rocker_pin_angle;
-        let t127 = b_drift_lin_y * t81;
-        let t128 = t126 + t127;
-        let t129 = t62 * t35;
-        let t130 = t125 - t129;
-        let t131 = t90 * t35;
-        let t132 = t128 - t131;
-        let t133 = t90 * t90;
-        let t134 = t18 * t133;
-        let t135 = t122 + t134;
-        let t136 = minus_a_drift_lin_x * t65;
-        let t137 = a_drift_lin_y * t67;
-        let t138 = t136 - t137;
-        let t139 = t130 + t138;
-        let t140 = minus_a_drift_lin_x * t96;
-        let t141 = a_drift_lin_y * t98;
-        let t142 = t140 - t141;
-        let t143 = t132 + t142;
-        let t144 = cos_a_angle * t65;
-        let t145 = sin_a_angle * t67;
-        let t146 = t144 - t145;
-        let t147 = cos_a_angle * t96;
-        let t148 = sin_a_angle * t98;
-        let t149 = t147 - t148;
-        let t150 = crank_pin_input0 + minus_crank_pin_e_moment_z;
-        let t151 = t50 * t150;
-        let t152 = t73 * minus_crank_pin_z0_force_x;
-        let t153 = t146 + t152;
-        let t154 = t73 * crank_pin_z0_force_y;
-        let t155 = t72 - t154;
-        let t156 = t73 * t151;
-        let t157 = t139 - t156;
-        let t158 = t106 * minus_crank_pin_z0_force_x;
-        let t159 = t149 + t158;
-        let t160 = t106 * crank_pin_z0_force_y;
-        let t161 = t105 - t160;
-        let t162 = t106 * t151;
-        let t163 = t143 - t162;
-        let t164 = t106 * t106;
-        let t165 = t50 * t164;
-        let t166 = t135 + t165;
+        let t78 = cos_rocker_pin_angle * cos_rocker_pin_angle;
+        let t79 = sin_rocker_pin_angle * sin_rocker_pin_angle;
+        let t80 = t78 + t79;
+        let t81 = t51 * t51;
+        let t82 = t80 * c(0.36);
+        let t83 = t81 + t82;
+        let t84 = t83 * c(4.166666666666667);
+        let t85 = cos_rocker_pin_angle * c(1.5);
+        let t86 = cos_rocker_pin_angle - t85;
+        let t87 = t76 * t52;
+        let t88 = t76 * t77;
+        let t89 = cos_b_angle * sin_rocker_pin_angle;
+        let t90 = sin_b_angle * t86;
+        let t91 = t89 + t90;
+        let t92 = sin_b_angle * sin_rocker_pin_angle;
+        let t93 = cos_b_angle * t86;
+        let t94 = t92 - t93;
+        let t95 = c(0.6) * t94;
+        let t96 = t95 * t18;
+        let t97 = t58 * t58;
+        let t98 = t61 * t61;
+        let t99 = t97 + t98;
+        let t100 = t62 * t62;
+        let t101 = t99 * c(0.72);
+        let t102 = t100 + t101;
+        let t103 = t18 * t102;
+        let t104 = t84 + t103;
+        let t105 = t95 * a_z0_force_x;
+        let t106 = t91 - t105;
+        let t107 = t95 * a_z0_force_y;
+        let t108 = t94 - t107;
+        let t109 = t95 * t63;
+        let t110 = t87 - t109;
+        let t111 = t95 * t96;
+        let t112 = t88 + t111;
+        let t113 = cos_a_angle * t65;
+        let t114 = sin_a_angle * t67;
+        let t115 = t113 - t114;
+        let t116 = sin_a_angle * t106;
+        let t117 = cos_a_angle * t108;
+        let t118 = t116 + t117;
+        let t119 = c(0.2) * t118;
+        let t120 = t119 * t50;
+        let t121 = t115 * t115;
+        let t122 = t72 * t72;
+        let t123 = t121 + t122;
+        let t124 = t73 * t73;
+        let t125 = t123 * c(0.76);
+        let t126 = t124 + t125;
+        let t127 = t50 * t126;
+        let t128 = t104 + t127;
+        let t129 = t119 * t74;
+        let t130 = t110 - t129;
+        let t131 = t119 * t120;
+        let t132 = t112 + t131;
+        let t133 = T::copysign(closure_d0, c(1.0));
+        let t134 = closure_d0 + t133;
+        let t135 = c(0.5) * t134;
+        let t136 = T::sqrt(t135);
+        let t137 = T::sqrt(t128);
+        let t138 = ::mstmm::generated::recip_above(t136, t137);
+        let t139 = t136 * t138;
+        let t140 = ::mstmm::generated::recip_above(closure_d0, closure_d0);
+        let t141 = t139 * t140;
+        let t142 = t130 * t141;
+        let t143 = t130 * t142;
+        let closure_d1 = t132 - t143;
+        let t144 = cos_rocker_pin_angle * minus_b_e_force_x;
+        let t145 = sin_rocker_pin_angle * minus_b_e_force_x;
+        let t146 = t145 - c(9.8);
+        let t147 = t76 * t76;
+        let t148 = t82 + t147;
+        let t149 = c(4.166666666666667) * t148;
+        let t150 = minus_b_drift_lin_x * cos_rocker_pin_angle;
+        let t151 = b_drift_lin_y * t54;
+        let t152 = t150 - t151;
+        let t153 = minus_b_drift_lin_x * sin_rocker_pin_angle;
+        let t154 = b_drift_lin_y * t86;
+        let t155 = t153 + t154;
+        let t156 = t62 * t35;
+        let t157 = t152 - t156;
+        let t158 = t95 * t35;
+        let t159 = t155 - t158;
+        let t160 = t91 * t91;
+        let t161 = t94 * t94;
+        let t162 = t160 + t161;
+        let t163 = t95 * t95;
+        let t164 = c(0.72) * t162;
+        let t165 = t163 + t164;
+        let t166 = t18 * t165;
+        let t167 = t149 + t166;
+        let t168 = minus_a_drift_lin_x * t65;
+        let t169 = a_drift_lin_y * t67;
+        let t170 = t168 - t169;
+        let t171 = t157 + t170;
+        let t172 = minus_a_drift_lin_x * t106;
+        let t173 = a_drift_lin_y * t108;
+        let t174 = t172 - t173;
+        let t175 = t159 + t174;
+        let t176 = cos_a_angle * t106;
+        let t177 = sin_a_angle * t108;
+        let t178 = t176 - t177;
+        let t179 = crank_pin_input0 + minus_crank_pin_e_moment_z;
+        let t180 = t50 * t179;
+        let t181 = t73 * minus_crank_pin_z0_force_x;
+        let t182 = t115 + t181;
+        let t183 = t73 * crank_pin_z0_force_y;
+        let t184 = t72 - t183;
+        let t185 = t73 * t180;
+        let t186 = t171 - t185;
+        let t187 = t119 * minus_crank_pin_z0_force_x;
+        let t188 = t178 + t187;
+        let t189 = t119 * crank_pin_z0_force_y;
+        let t190 = t118 - t189;
+        let t191 = t119 * t180;
+        let t192 = t175 - t191;
+        let t193 = t178 * t178;
+        let t194 = t118 * t118;
+        let t195 = t193 + t194;
+        let t196 = t119 * t119;
+        let t197 = c(0.76) * t195;
+        let t198 = t196 + t197;
+        let t199 = t50 * t198;
+        let t200 = t167 + t199;
         let crank_pin_a_lin_x = sin_crank_pin_angle * c(9.8);
         let crank_pin_a_lin_y = cos_crank_pin_angle * c(9.8);
-        let t167 = t153 * crank_pin_a_lin_x;
-        let t168 = t155 * crank_pin_a_lin_y;
-        let t169 = t167 + t168;
-        let t170 = t157 - t169;
-        let t171 = t159 * crank_pin_a_lin_x;
-        let t172 = t161 * crank_pin_a_lin_y;
-        let t173 = t171 + t172;
-        let t174 = t163 - t173;
-        let t175 = t118 + t170;
-        let t176 = t120 + t174;
-        let t177 = ::mstmm::generated::recip_above(closure_d1, t166);
-        let t178 = t175 * t116;
-        let t179 = t176 + t178;
-        let t180 = t175 * t115;
-        let t181 = t177 * t179;
-        let t182 = t116 * t181;
-        let t183 = t180 + t182;
-        let t184 = closure_d0 * t115;
-        let t185 = c(1.0) - t184;
-        let t186 = t185 * t185;
-        let t187 = ::mstmm::generated::recip_above(t186, c(1.0));
-        let t188 = T::sqrt(t187);
-        let t189 = t185 * t188;
-        let t190 = t183 * t189;
-        let t191 = t189 * t190;
-        let t192 = t183 - t191;
-        let t193 = closure_d1 * t177;
-        let t194 = c(1.0) - t193;
-        let t195 = t116 * t194;
-        let t196 = t189 * t195;
-        let t197 = t189 * t196;
-        let t198 = t195 - t197;
-        let t199 = t198 * t198;
-        let t200 = t194 * t194;
-        let t201 = t199 + t200;
-        let t202 = ::mstmm::generated::recip_above(t201, c(1.0));
-        let t203 = T::sqrt(t202);
-        let t204 = t198 * t203;
-        let t205 = t194 * t203;
-        let t206 = t192 * t204;
-        let t207 = t181 * t205;
-        let t208 = t206 + t207;
-        let t209 = t204 * t208;
-        let minus_closure_reaction0 = t192 - t209;
-        let t210 = t205 * t208;
-        let closure_reaction1 = t181 - t210;
+        let t201 = t182 * crank_pin_a_lin_x;
+        let t202 = t184 * crank_pin_a_lin_y;
+        let t203 = t201 + t202;
+        let t204 = t186 - t203;
+        let t205 = t188 * crank_pin_a_lin_x;
+        let t206 = t190 * crank_pin_a_lin_y;
+        let t207 = t205 + t206;
+        let t208 = t192 - t207;
+        let t209 = t144 + t204;
+        let t210 = t146 + t208;
+        let t211 = T::copysign(closure_d1, c(1.0));
+        let t212 = closure_d1 + t211;
+        let t213 = c(0.5) * t212;
+        let t214 = T::sqrt(t213);
+        let t215 = T::sqrt(t200);
+        let t216 = ::mstmm::generated::recip_above(t214, t215);
+        let t217 = t214 * t216;
+        let t218 = ::mstmm::generated::recip_above(closure_d1, t132);
+        let t219 = t217 * t218;
+        let t220 = t209 * t142;
+        let t221 = t210 + t220;
+        let t222 = t209 * t141;
+        let t223 = t219 * t221;
+        let t224 = t142 * t223;
+        let t225 = t222 + t224;
+        let t226 = closure_d0 * t141;
+        let t227 = c(1.0) - t226;
+        let t228 = t227 * t227;
+        let t229 = ::mstmm::generated::recip_above(t228, c(1.0));
+        let t230 = T::sqrt(t229);
+        let t231 = t227 * t230;
+        let t232 = t225 * t231;
+        let t233 = t231 * t232;
+        let t234 = t225 - t233;
+        let t235 = closure_d1 * t219;
+        let t236 = c(1.0) - t235;
+        let t237 = t142 * t236;
+        let t238 = t231 * t237;
+        let t239 = t231 * t238;
+        let t240 = t237 - t239;
+        let t241 = t240 * t240;
+        let t242 = t236 * t236;
+        let t243 = t241 + t242;
+        let t244 = ::mstmm::generated::recip_above(t243, c(1.0));
+        let t245 = T::sqrt(t244);
+        let t246 = t240 * t245;
+        let t247 = t236 * t245;
+        let t248 = t234 * t246;
+        let t249 = t223 * t247;
+        let t250 = t248 + t249;
+        let t251 = t246 * t250;
+        let minus_closure_reaction0 = t234 - t251;
+        let t252 = t247 * t250;
+        let closure_reaction1 = t223 - t252;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 4 mul, 4 add, 0 reciprocal.
-        let t211 = t74 * minus_closure_reaction0;
-        let t212 = t107 * closure_reaction1;
-        let t213 = t211 + t212;
-        let t214 = t151 + t213;
-        let t215 = minus_crank_pin_z0_force_x * crank_pin_a_lin_x;
-        let t216 = crank_pin_z0_force_y * crank_pin_a_lin_y;
-        let t217 = t215 - t216;
-        let crank_pin_a_ang_z = t214 + t217;
+        let t253 = t74 * minus_closure_reaction0;
+        let t254 = t120 * closure_reaction1;
+        let t255 = t253 + t254;
+        let t256 = t180 + t255;
+        let t257 = minus_crank_pin_z0_force_x * crank_pin_a_lin_x;
+        let t258 = crank_pin_z0_force_y * crank_pin_a_lin_y;
+        let t259 = t257 - t258;
+        let crank_pin_a_ang_z = t256 + t259;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 9 mul, 9 add, 0 reciprocal.
-        let t218 = c(0.2) * crank_pin_a_ang_z;
-        let t219 = crank_pin_a_lin_y + t218;
-        let t220 = cos_a_angle * crank_pin_a_lin_x;
-        let t221 = sin_a_angle * t219;
-        let t222 = t220 + t221;
-        let minus_a_a_lin_x = minus_a_drift_lin_x - t222;
-        let t223 = sin_a_angle * crank_pin_a_lin_x;
-        let t224 = cos_a_angle * t219;
-        let t225 = t223 - t224;
-        let a_a_lin_y = a_drift_lin_y - t225;
-        let t226 = t63 * minus_closure_reaction0;
-        let t227 = t91 * closure_reaction1;
-        let t228 = t226 + t227;
-        let t229 = t35 + t228;
-        let t230 = a_z0_force_x * minus_a_a_lin_x;
-        let t231 = a_z0_force_y * a_a_lin_y;
-        let t232 = t230 - t231;
-        let a_a_ang_z = t229 + t232;
+        let t260 = c(0.2) * crank_pin_a_ang_z;
+        let t261 = crank_pin_a_lin_y + t260;
+        let t262 = cos_a_angle * crank_pin_a_lin_x;
+        let t263 = sin_a_angle * t261;
+        let t264 = t262 + t263;
+        let minus_a_a_lin_x = minus_a_drift_lin_x - t264;
+        let t265 = sin_a_angle * crank_pin_a_lin_x;
+        let t266 = cos_a_angle * t261;
+        let t267 = t265 - t266;
+        let a_a_lin_y = a_drift_lin_y - t267;
+        let t268 = t63 * minus_closure_reaction0;
+        let t269 = t96 * closure_reaction1;
+        let t270 = t268 + t269;
+        let t271 = t35 + t270;
+        let t272 = a_z0_force_x * minus_a_a_lin_x;
+        let t273 = a_z0_force_y * a_a_lin_y;
+        let t274 = t272 - t273;
+        let a_a_ang_z = t271 + t274;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 5 add, 0 reciprocal.
-        let t233 = c(0.6) * a_a_ang_z;
-        let t234 = a_a_lin_y + t233;
-        let t235 = sin_b_angle * minus_a_a_lin_x;
-        let t236 = cos_b_angle * t234;
-        let t237 = t235 + t236;
-        let b_a_lin_y = b_drift_lin_y + t237;
-        let t238 = t52 * minus_closure_reaction0;
-        let t239 = t77 * closure_reaction1;
-        let t240 = t238 - t239;
-        let t241 = c(2.5) * b_a_lin_y;
-        let b_a_ang_z = t240 - t241;
+        let t275 = c(0.6) * a_a_ang_z;
+        let t276 = a_a_lin_y + t275;
+        let t277 = sin_b_angle * minus_a_a_lin_x;
+        let t278 = cos_b_angle * t276;
+        let t279 = t277 + t278;
+        let b_a_lin_y = b_drift_lin_y + t279;
+        let t280 = t52 * minus_closure_reaction0;
+        let t281 = t77 * closure_reaction1;
+        let t282 = t280 - t281;
+        let t283 = c(2.5) * b_a_lin_y;
+        let b_a_ang_z = t282 - t283;
         /// Results: 1 mul, 5 add, 0 reciprocal.
-        let t242 = crank_pin_a_ang_z - a_a_ang_z;
-        let t243 = a_a_ang_z - b_a_ang_z;
-        let t244 = t20 - t22;
-        let t245 = c(4.0) - t244;
-        let t246 = t245 * c(0.04000000000000001);
-        let t247 = t246 + c(0.030000000000000006);
+        let t284 = crank_pin_a_ang_z - a_a_ang_z;
+        let t285 = a_a_ang_z - b_a_ang_z;
+        let t286 = t20 - t22;
+        let t287 = c(4.0) - t286;
+        let t288 = t287 * c(0.04000000000000001);
+        let t289 = t288 + c(0.030000000000000006);
         ::mstmm::generated::finite::<
             T,
         >(&[state.q.as_slice(), state.v.as_slice(), &[inputs.crank_pin]])?;
@@ -425,10 +467,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz, crank_pin_j_zz],
-            [c(2.04), t247],
-            [crank_pin_a_ang_z, -t242, -t243, -b_a_ang_z],
+            [c(2.04), t289],
+            [crank_pin_a_ang_z, -t284, -t285, -b_a_ang_z],
         )?;
-        accelerations.data.0 = [[crank_pin_a_ang_z, -t242, -t243, -b_a_ang_z]];
+        accelerations.data.0 = [[crank_pin_a_ang_z, -t284, -t285, -b_a_ang_z]];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges by value; see
@@ -450,7 +492,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 449 operations: 270 mul, 171 add, 6 reciprocal, 2 square root, 4 sin/cos.
+    /// 489 operations: 291 mul, 184 add, 8 reciprocal, 6 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -460,7 +502,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 15 | 9 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 23 | 16 | 1 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 103 | 57 | 4 | 2 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 124 | 70 | 6 | 6 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 4 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 9 | 9 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 8 | 7 | 0 | 0 | 0 |
@@ -529,7 +571,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t7 = c(0.5) + t6;
         let t8 = c(0.6) * t7;
         let a_b_y_z = c(0.6) + t8;
-        let t9 = t7 * c(0.36);
+        let t9 = c(0.36) * t7;
         let a_j_zz = c(0.24) + t9;
         let t10 = minus_b_drift_lin_x * c(2.0);
         let t11 = b_drift_lin_y * c(0.5);
@@ -586,7 +628,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t50 = T::recip(crank_pin_j_zz);
         let minus_crank_pin_z0_force_x = minus_crank_pin_b_x_z * t50;
         let crank_pin_z0_force_y = crank_pin_b_y_z * t50;
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 103 mul, 57 add, 4 reciprocal, 2 square root.
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 124 mul, 70 add, 6 reciprocal, 6 square root.
         let t51 = c(0.6) * sin_rocker_pin_angle;
         let t52 = sin_rocker_pin_angle * c(2.5);
         let t53 = sin_rocker_pin_angle * c(1.5);
@@ -615,274 +657,316 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let closure_d0 = t69 + t75;
         let t76 = c(0.6) * cos_rocker_pin_angle;
         let t77 = cos_rocker_pin_angle * c(2.5);
-        let t78 = t51 * t51;
-        let t79 = t78 * c(4.166666666666667);
-        let t80 = cos_rocker_pin_angle * c(1.5);
-        let t81 = cos_rocker_pin_angle - t80;
-        let t82 = t76 * t52;
-        let t83 = t76 * t77;
-        let t84 = cos_b_angle * sin_rocker_pin_angle;
-        let t85 = sin_b_angle * t81;
-        let t86 = t84 + t85;
-        let t87 = sin_b_angle * sin_rocker_pin_angle;
-        let t88 = cos_b_angle * t81;
-        let t89 = t87 - t88;
-        let t90 = c(0.6) * t89;
-        let t91 = t90 * t18;
-        let t92 = t62 * t62;
-        let t93 = t18 * t92;
-        let t94 = t79 + t93;
-        let t95 = t90 * a_z0_force_x;
-        let t96 = t86 - t95;
-        let t97 = t90 * a_z0_force_y;
-        let t98 = t89 - t97;
-        let t99 = t90 * t63;
-        let t100 = t82 - t99;
-        let t101 = t90 * t91;
-        let t102 = t83 + t101;
-        let t103 = sin_a_angle * t96;
-        let t104 = cos_a_angle * t98;
-        let t105 = t103 + t104;
-        let t106 = c(0.2) * t105;
-        let t107 = t106 * t50;
-        let t108 = t73 * t73;
-        let t109 = t50 * t108;
-        let t110 = t94 + t109;
-        let t111 = t106 * t74;
-        let t112 = t100 - t111;
-        let t113 = t106 * t107;
-        let t114 = t102 + t113;
-        let t115 = ::mstmm::generated::recip_above(closure_d0, t110);
-        let t116 = t112 * t115;
-        let t117 = t112 * t116;
-        let closure_d1 = t114 - t117;
-        let t118 = cos_rocker_pin_angle * minus_b_e_force_x;
-        let t119 = sin_rocker_pin_angle * minus_b_e_force_x;
-        let t120 = t119 - c(9.8);
-        let t121 = t76 * t76;
-        let t122 = c(4.166666666666667) * t121;
-        let t123 = minus_b_drift_lin_x * cos_rocker_pin_angle;
-        let t124 = b_drift_lin_y * t54;
-        let t125 = t123 - t124;
-        let t126 = minus_b_drift_lin_x * sin_rocker_pin_angle;
-        let t127 = b_drift_lin_y * t81;
-        let t128 = t126 + t127;
-        let t129 = t62 * t35;
-        let t130 = t125 - t129;
-        let t131 = t90 * t35;
-        let t132 = t128 - t131;
-        let t133 = t90 * t90;
-        let t134 = t18 * t133;
-        let t135 = t122 + t134;
-        let t136 = minus_a_drift_lin_x * t65;
-        let t137 = a_drift_lin_y * t67;
-        let t138 = t136 - t137;
-        let t139 = t130 + t138;
-        let t140 = minus_a_drift_lin_x * t96;
-        let t141 = a_drift_lin_y * t98;
-        let t142 = t140 - t141;
-        let t143 = t132 + t142;
-        let t144 = cos_a_angle * t65;
-        let t145 = sin_a_angle * t67;
-        let t146 = t144 - t145;
-        let t147 = cos_a_angle * t96;
-        let t148 = sin_a_angle * t98;
-        let t149 = t147 - t148;
-        let t150 = crank_pin_input0 + minus_crank_pin_e_moment_z;
-        let t151 = t50 * t150;
-        let t152 = t73 * minus_crank_pin_z0_force_x;
-        let t153 = t146 + t152;
-        let t154 = t73 * crank_pin_z0_force_y;
-        let t155 = t72 - t154;
-        let t156 = t73 * t151;
-        let t157 = t139 - t156;
-        let t158 = t106 * minus_crank_pin_z0_force_x;
-        let t159 = t149 + t158;
-        let t160 = t106 * crank_pin_z0_force_y;
-        let t161 = t105 - t160;
-        let t162 = t106 * t151;
-        let t163 = t143 - t162;
-        let t164 = t106 * t106;
-        let t165 = t50 * t164;
-        let t166 = t135 + t165;
+        let t78 = cos_rocker_pin_angle * cos_rocker_pin_angle;
+        let t79 = sin_rocker_pin_angle * sin_rocker_pin_angle;
+        let t80 = t78 + t79;
+        let t81 = t51 * t51;
+        let t82 = t80 * c(0.36);
+        let t83 = t81 + t82;
+        let t84 = t83 * c(4.166666666666667);
+        let t85 = cos_rocker_pin_angle * c(1.5);
+        let t86 = cos_rocker_pin_angle - t85;
+        let t87 = t76 * t52;
+        let t88 = t76 * t77;
+        let t89 = cos_b_angle * sin_rocker_pin_angle;
+        let t90 = sin_b_angle * t86;
+        let t91 = t89 + t90;
+        let t92 = sin_b_angle * sin_rocker_pin_angle;
+        let t93 = cos_b_angle * t86;
+        let t94 = t92 - t93;
+        let t95 = c(0.6) * t94;
+        let t96 = t95 * t18;
+        let t97 = t58 * t58;
+        let t98 = t61 * t61;
+        let t99 = t97 + t98;
+        let t100 = t62 * t62;
+        let t101 = t99 * c(0.72);
+        let t102 = t100 + t101;
+        let t103 = t18 * t102;
+        let t104 = t84 + t103;
+        let t105 = t95 * a_z0_force_x;
+        let t106 = t91 - t105;
+        let t107 = t95 * a_z0_force_y;
+        let t108 = t94 - t107;
+        let t109 = t95 * t63;
+        let t110 = t87 - t109;
+        let t111 = t95 * t96;
+        let t112 = t88 + t111;
+        let t113 = cos_a_angle * t65;
+        let t114 = sin_a_angle * t67;
+        let t115 = t113 - t114;
+        let t116 = sin_a_angle * t106;
+        let t117 = cos_a_angle * t108;
+        let t118 = t116 + t117;
+        let t119 = c(0.2) * t118;
+        let t120 = t119 * t50;
+        let t121 = t115 * t115;
+        let t122 = t72 * t72;
+        let t123 = t121 + t122;
+        let t124 = t73 * t73;
+        let t125 = t123 * c(0.76);
+        let t126 = t124 + t125;
+        let t127 = t50 * t126;
+        let t128 = t104 + t127;
+        let t129 = t119 * t74;
+        let t130 = t110 - t129;
+        let t131 = t119 * t120;
+        let t132 = t112 + t131;
+        let t133 = T::copysign(closure_d0, c(1.0));
+        let t134 = closure_d0 + t133;
+        let t135 = c(0.5) * t134;
+        let t136 = T::sqrt(t135);
+        let t137 = T::sqrt(t128);
+        let t138 = ::mstmm::generated::recip_above(t136, t137);
+        let t139 = t136 * t138;
+        let t140 = ::mstmm::generated::recip_above(closure_d0, closure_d0);
+        let t141 = t139 * t140;
+        let t142 = t130 * t141;
+        let t143 = t130 * t142;
+        let closure_d1 = t132 - t143;
+        let t144 = cos_rocker_pin_angle * minus_b_e_force_x;
+        let t145 = sin_rocker_pin_angle * minus_b_e_force_x;
+        let t146 = t145 - c(9.8);
+        let t147 = t76 * t76;
+        let t148 = t82 + t147;
+        let t149 = c(4.166666666666667) * t148;
+        let t150 = minus_b_drift_lin_x * cos_rocker_pin_angle;
+        let t151 = b_drift_lin_y * t54;
+        let t152 = t150 - t151;
+        let t153 = minus_b_drift_lin_x * sin_rocker_pin_angle;
+        let t154 = b_drift_lin_y * t86;
+        let t155 = t153 + t154;
+        let t156 = t62 * t35;
+        let t157 = t152 - t156;
+        let t158 = t95 * t35;
+        let t159 = t155 - t158;
+        let t160 = t91 * t91;
+        let t161 = t94 * t94;
+        let t162 = t160 + t161;
+        let t163 = t95 * t95;
+        let t164 = c(0.72) * t162;
+        let t165 = t163 + t164;
+        let t166 = t18 * t165;
+        let t167 = t149 + t166;
+        let t168 = minus_a_drift_lin_x * t65;
+        let t169 = a_drift_lin_y * t67;
+        let t170 = t168 - t169;
+        let t171 = t157 + t170;
+        let t172 = minus_a_drift_lin_x * t106;
+        let t173 = a_drift_lin_y * t108;
+        let t174 = t172 - t173;
+        let t175 = t159 + t174;
+        let t176 = cos_a_angle * t106;
+        let t177 = sin_a_angle * t108;
+        let t178 = t176 - t177;
+        let t179 = crank_pin_input0 + minus_crank_pin_e_moment_z;
+        let t180 = t50 * t179;
+        let t181 = t73 * minus_crank_pin_z0_force_x;
+        let t182 = t115 + t181;
+        let t183 = t73 * crank_pin_z0_force_y;
+        let t184 = t72 - t183;
+        let t185 = t73 * t180;
+        let t186 = t171 - t185;
+        let t187 = t119 * minus_crank_pin_z0_force_x;
+        let t188 = t178 + t187;
+        let t189 = t119 * crank_pin_z0_force_y;
+        let t190 = t118 - t189;
+        let t191 = t119 * t180;
+        let t192 = t175 - t191;
+        let t193 = t178 * t178;
+        let t194 = t118 * t118;
+        let t195 = t193 + t194;
+        let t196 = t119 * t119;
+        let t197 = c(0.76) * t195;
+        let t198 = t196 + t197;
+        let t199 = t50 * t198;
+        let t200 = t167 + t199;
         let crank_pin_a_lin_x = sin_crank_pin_angle * c(9.8);
         let crank_pin_a_lin_y = cos_crank_pin_angle * c(9.8);
-        let t167 = t153 * crank_pin_a_lin_x;
-        let t168 = t155 * crank_pin_a_lin_y;
-        let t169 = t167 + t168;
-        let t170 = t157 - t169;
-        let t171 = t159 * crank_pin_a_lin_x;
-        let t172 = t161 * crank_pin_a_lin_y;
-        let t173 = t171 + t172;
-        let t174 = t163 - t173;
-        let t175 = t118 + t170;
-        let t176 = t120 + t174;
-        let t177 = ::mstmm::generated::recip_above(closure_d1, t166);
-        let t178 = t175 * t116;
-        let t179 = t176 + t178;
-        let t180 = t175 * t115;
-        let t181 = t177 * t179;
-        let t182 = t116 * t181;
-        let t183 = t180 + t182;
-        let t184 = closure_d0 * t115;
-        let t185 = c(1.0) - t184;
-        let t186 = t185 * t185;
-        let t187 = ::mstmm::generated::recip_above(t186, c(1.0));
-        let t188 = T::sqrt(t187);
-        let t189 = t185 * t188;
-        let t190 = t183 * t189;
-        let t191 = t189 * t190;
-        let t192 = t183 - t191;
-        let t193 = closure_d1 * t177;
-        let t194 = c(1.0) - t193;
-        let t195 = t116 * t194;
-        let t196 = t189 * t195;
-        let t197 = t189 * t196;
-        let t198 = t195 - t197;
-        let t199 = t198 * t198;
-        let t200 = t194 * t194;
-        let t201 = t199 + t200;
-        let t202 = ::mstmm::generated::recip_above(t201, c(1.0));
-        let t203 = T::sqrt(t202);
-        let t204 = t198 * t203;
-        let t205 = t194 * t203;
-        let t206 = t192 * t204;
-        let t207 = t181 * t205;
-        let t208 = t206 + t207;
-        let t209 = t204 * t208;
-        let minus_closure_reaction0 = t192 - t209;
-        let t210 = t205 * t208;
-        let closure_reaction1 = t181 - t210;
+        let t201 = t182 * crank_pin_a_lin_x;
+        let t202 = t184 * crank_pin_a_lin_y;
+        let t203 = t201 + t202;
+        let t204 = t186 - t203;
+        let t205 = t188 * crank_pin_a_lin_x;
+        let t206 = t190 * crank_pin_a_lin_y;
+        let t207 = t205 + t206;
+        let t208 = t192 - t207;
+        let t209 = t144 + t204;
+        let t210 = t146 + t208;
+        let t211 = T::copysign(closure_d1, c(1.0));
+        let t212 = closure_d1 + t211;
+        let t213 = c(0.5) * t212;
+        let t214 = T::sqrt(t213);
+        let t215 = T::sqrt(t200);
+        let t216 = ::mstmm::generated::recip_above(t214, t215);
+        let t217 = t214 * t216;
+        let t218 = ::mstmm::generated::recip_above(closure_d1, t132);
+        let t219 = t217 * t218;
+        let t220 = t209 * t142;
+        let t221 = t210 + t220;
+        let t222 = t209 * t141;
+        let t223 = t219 * t221;
+        let t224 = t142 * t223;
+        let t225 = t222 + t224;
+        let t226 = closure_d0 * t141;
+        let t227 = c(1.0) - t226;
+        let t228 = t227 * t227;
+        let t229 = ::mstmm::generated::recip_above(t228, c(1.0));
+        let t230 = T::sqrt(t229);
+        let t231 = t227 * t230;
+        let t232 = t225 * t231;
+        let t233 = t231 * t232;
+        let t234 = t225 - t233;
+        let t235 = closure_d1 * t219;
+        let t236 = c(1.0) - t235;
+        let t237 = t142 * t236;
+        let t238 = t231 * t237;
+        let t239 = t231 * t238;
+        let t240 = t237 - t239;
+        let t241 = t240 * t240;
+        let t242 = t236 * t236;
+        let t243 = t241 + t242;
+        let t244 = ::mstmm::generated::recip_above(t243, c(1.0));
+        let t245 = T::sqrt(t244);
+        let t246 = t240 * t245;
+        let t247 = t236 * t245;
+        let t248 = t234 * t246;
+        let t249 = t223 * t247;
+        let t250 = t248 + t249;
+        let t251 = t246 * t250;
+        let minus_closure_reaction0 = t234 - t251;
+        let t252 = t247 * t250;
+        let closure_reaction1 = t223 - t252;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 4 mul, 4 add, 0 reciprocal.
-        let t211 = t74 * minus_closure_reaction0;
-        let t212 = t107 * closure_reaction1;
-        let t213 = t211 + t212;
-        let t214 = t151 + t213;
-        let t215 = minus_crank_pin_z0_force_x * crank_pin_a_lin_x;
-        let t216 = crank_pin_z0_force_y * crank_pin_a_lin_y;
-        let t217 = t215 - t216;
-        let crank_pin_a_ang_z = t214 + t217;
+        let t253 = t74 * minus_closure_reaction0;
+        let t254 = t120 * closure_reaction1;
+        let t255 = t253 + t254;
+        let t256 = t180 + t255;
+        let t257 = minus_crank_pin_z0_force_x * crank_pin_a_lin_x;
+        let t258 = crank_pin_z0_force_y * crank_pin_a_lin_y;
+        let t259 = t257 - t258;
+        let crank_pin_a_ang_z = t256 + t259;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 9 mul, 9 add, 0 reciprocal.
-        let t218 = c(0.2) * crank_pin_a_ang_z;
-        let t219 = crank_pin_a_lin_y + t218;
-        let t220 = cos_a_angle * crank_pin_a_lin_x;
-        let t221 = sin_a_angle * t219;
-        let t222 = t220 + t221;
-        let minus_a_a_lin_x = minus_a_drift_lin_x - t222;
-        let t223 = sin_a_angle * crank_pin_a_lin_x;
-        let t224 = cos_a_angle * t219;
-        let t225 = t223 - t224;
-        let a_a_lin_y = a_drift_lin_y - t225;
-        let t226 = t63 * minus_closure_reaction0;
-        let t227 = t91 * closure_reaction1;
-        let t228 = t226 + t227;
-        let t229 = t35 + t228;
-        let t230 = a_z0_force_x * minus_a_a_lin_x;
-        let t231 = a_z0_force_y * a_a_lin_y;
-        let t232 = t230 - t231;
-        let a_a_ang_z = t229 + t232;
+        let t260 = c(0.2) * crank_pin_a_ang_z;
+        let t261 = crank_pin_a_lin_y + t260;
+        let t262 = cos_a_angle * crank_pin_a_lin_x;
+        let t263 = sin_a_angle * t261;
+        let t264 = t262 + t263;
+        let minus_a_a_lin_x = minus_a_drift_lin_x - t264;
+        let t265 = sin_a_angle * crank_pin_a_lin_x;
+        let t266 = cos_a_angle * t261;
+        let t267 = t265 - t266;
+        let a_a_lin_y = a_drift_lin_y - t267;
+        let t268 = t63 * minus_closure_reaction0;
+        let t269 = t96 * closure_reaction1;
+        let t270 = t268 + t269;
+        let t271 = t35 + t270;
+        let t272 = a_z0_force_x * minus_a_a_lin_x;
+        let t273 = a_z0_force_y * a_a_lin_y;
+        let t274 = t272 - t273;
+        let a_a_ang_z = t271 + t274;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 8 mul, 7 add, 0 reciprocal.
-        let t233 = c(0.6) * a_a_ang_z;
-        let t234 = a_a_lin_y + t233;
-        let t235 = cos_b_angle * minus_a_a_lin_x;
-        let t236 = sin_b_angle * t234;
-        let t237 = t235 - t236;
-        let minus_b_a_lin_x = minus_b_drift_lin_x + t237;
-        let t238 = sin_b_angle * minus_a_a_lin_x;
-        let t239 = cos_b_angle * t234;
-        let t240 = t238 + t239;
-        let b_a_lin_y = b_drift_lin_y + t240;
-        let t241 = t52 * minus_closure_reaction0;
-        let t242 = t77 * closure_reaction1;
-        let t243 = t241 - t242;
-        let t244 = c(2.5) * b_a_lin_y;
-        let b_a_ang_z = t243 - t244;
+        let t275 = c(0.6) * a_a_ang_z;
+        let t276 = a_a_lin_y + t275;
+        let t277 = cos_b_angle * minus_a_a_lin_x;
+        let t278 = sin_b_angle * t276;
+        let t279 = t277 - t278;
+        let minus_b_a_lin_x = minus_b_drift_lin_x + t279;
+        let t280 = sin_b_angle * minus_a_a_lin_x;
+        let t281 = cos_b_angle * t276;
+        let t282 = t280 + t281;
+        let b_a_lin_y = b_drift_lin_y + t282;
+        let t283 = t52 * minus_closure_reaction0;
+        let t284 = t77 * closure_reaction1;
+        let t285 = t283 - t284;
+        let t286 = c(2.5) * b_a_lin_y;
+        let b_a_ang_z = t285 - t286;
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 10 mul, 2 add, 0 reciprocal.
-        let t245 = cos_crank_pin_angle * cos_a_angle;
-        let t246 = sin_crank_pin_angle * sin_a_angle;
-        let a_axes_x_x = t245 - t246;
-        let t247 = cos_crank_pin_angle * sin_a_angle;
-        let t248 = sin_crank_pin_angle * cos_a_angle;
-        let minus_a_axes_x_y = t247 + t248;
-        let t249 = cos_crank_pin_angle * c(0.2);
-        let t250 = crank_pin_rate * t249;
-        let minus_a_drift_lin_x_2 = crank_pin_rate * t250;
-        let t251 = sin_crank_pin_angle * c(0.2);
-        let t252 = crank_pin_rate * t251;
-        let minus_a_drift_lin_y = crank_pin_rate * t252;
+        let t287 = cos_crank_pin_angle * cos_a_angle;
+        let t288 = sin_crank_pin_angle * sin_a_angle;
+        let a_axes_x_x = t287 - t288;
+        let t289 = cos_crank_pin_angle * sin_a_angle;
+        let t290 = sin_crank_pin_angle * cos_a_angle;
+        let minus_a_axes_x_y = t289 + t290;
+        let t291 = cos_crank_pin_angle * c(0.2);
+        let t292 = crank_pin_rate * t291;
+        let minus_a_drift_lin_x_2 = crank_pin_rate * t292;
+        let t293 = sin_crank_pin_angle * c(0.2);
+        let t294 = crank_pin_rate * t293;
+        let minus_a_drift_lin_y = crank_pin_rate * t294;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 10 mul, 2 add, 0 reciprocal.
-        let t253 = cos_b_angle * a_axes_x_x;
-        let t254 = sin_b_angle * minus_a_axes_x_y;
-        let b_axes_x_x = t253 - t254;
-        let t255 = sin_b_angle * a_axes_x_x;
-        let t256 = cos_b_angle * minus_a_axes_x_y;
-        let minus_b_axes_x_y = t255 + t256;
-        let t257 = c(0.6) * a_axes_x_x;
-        let t258 = a_omega_z * t257;
-        let minus_b_drift_lin_x_2 = a_omega_z * t258;
-        let t259 = c(0.6) * minus_a_axes_x_y;
-        let t260 = a_omega_z * t259;
-        let minus_b_drift_lin_y = a_omega_z * t260;
+        let t295 = cos_b_angle * a_axes_x_x;
+        let t296 = sin_b_angle * minus_a_axes_x_y;
+        let b_axes_x_x = t295 - t296;
+        let t297 = sin_b_angle * a_axes_x_x;
+        let t298 = cos_b_angle * minus_a_axes_x_y;
+        let minus_b_axes_x_y = t297 + t298;
+        let t299 = c(0.6) * a_axes_x_x;
+        let t300 = a_omega_z * t299;
+        let minus_b_drift_lin_x_2 = a_omega_z * t300;
+        let t301 = c(0.6) * minus_a_axes_x_y;
+        let t302 = a_omega_z * t301;
+        let minus_b_drift_lin_y = a_omega_z * t302;
         /// Point of `a`, [P, Eqs. (12), (13), (36)]: 2 mul, 2 add, 0 reciprocal.
-        let t261 = crank_pin_a_ang_z * t251;
-        let minus_a_acc_lin_x = minus_a_drift_lin_x_2 + t261;
-        let t262 = crank_pin_a_ang_z * t249;
-        let minus_a_acc_lin_y = minus_a_drift_lin_y - t262;
+        let t303 = crank_pin_a_ang_z * t293;
+        let minus_a_acc_lin_x = minus_a_drift_lin_x_2 + t303;
+        let t304 = crank_pin_a_ang_z * t291;
+        let minus_a_acc_lin_y = minus_a_drift_lin_y - t304;
         /// Point of `b`, [P, Eqs. (12), (13), (36)]: 2 mul, 4 add, 0 reciprocal.
-        let t263 = a_a_ang_z * t259;
-        let t264 = minus_a_acc_lin_x + t263;
-        let minus_b_acc_lin_x = minus_b_drift_lin_x_2 + t264;
-        let t265 = a_a_ang_z * t257;
-        let t266 = minus_a_acc_lin_y - t265;
-        let minus_b_acc_lin_y = minus_b_drift_lin_y + t266;
+        let t305 = a_a_ang_z * t301;
+        let t306 = minus_a_acc_lin_x + t305;
+        let minus_b_acc_lin_x = minus_b_drift_lin_x_2 + t306;
+        let t307 = a_a_ang_z * t299;
+        let t308 = minus_a_acc_lin_y - t307;
+        let minus_b_acc_lin_y = minus_b_drift_lin_y + t308;
         /// Load of the body at `crank_pin`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
-        let t267 = crank_pin_rate * c(0.1);
-        let t268 = crank_pin_rate * t267;
-        let t269 = c(0.1) * crank_pin_a_ang_z;
-        let t270 = crank_pin_a_lin_y + t269;
-        let t271 = t268 - crank_pin_a_lin_x;
-        let t272 = cos_crank_pin_angle * t271;
-        let t273 = sin_crank_pin_angle * t270;
-        let minus_crank_pin_own_force_x = t272 + t273;
-        let t274 = sin_crank_pin_angle * t271;
-        let t275 = cos_crank_pin_angle * t270;
-        let minus_crank_pin_own_force_y = t274 - t275;
+        let t309 = crank_pin_rate * c(0.1);
+        let t310 = crank_pin_rate * t309;
+        let t311 = c(0.1) * crank_pin_a_ang_z;
+        let t312 = crank_pin_a_lin_y + t311;
+        let t313 = t310 - crank_pin_a_lin_x;
+        let t314 = cos_crank_pin_angle * t313;
+        let t315 = sin_crank_pin_angle * t312;
+        let minus_crank_pin_own_force_x = t314 + t315;
+        let t316 = sin_crank_pin_angle * t313;
+        let t317 = cos_crank_pin_angle * t312;
+        let minus_crank_pin_own_force_y = t316 - t317;
         /// Load of the body at `a`, [P, Eqs. (18), (19)]: 6 mul, 4 add, 0 reciprocal.
-        let t276 = c(2.0) * minus_a_a_lin_x;
-        let t277 = c(2.0) * a_a_lin_y;
-        let t278 = t233 + t277;
-        let t279 = t3 + t276;
-        let t280 = a_axes_x_x * t279;
-        let t281 = minus_a_axes_x_y * t278;
-        let minus_a_own_force_x = t280 + t281;
-        let t282 = minus_a_axes_x_y * t279;
-        let t283 = a_axes_x_x * t278;
-        let minus_a_own_force_y = t282 - t283;
+        let t318 = c(2.0) * minus_a_a_lin_x;
+        let t319 = c(2.0) * a_a_lin_y;
+        let t320 = t275 + t319;
+        let t321 = t3 + t318;
+        let t322 = a_axes_x_x * t321;
+        let t323 = minus_a_axes_x_y * t320;
+        let minus_a_own_force_x = t322 + t323;
+        let t324 = minus_a_axes_x_y * t321;
+        let t325 = a_axes_x_x * t320;
+        let minus_a_own_force_y = t324 - t325;
         /// Load of the body at `b`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
-        let t284 = c(0.6) * b_a_ang_z;
-        let t285 = c(2.0) * minus_b_a_lin_x;
-        let t286 = c(2.0) * b_a_lin_y;
-        let t287 = t284 + t286;
-        let t288 = minus_b_e_force_x + t285;
-        let t289 = b_axes_x_x * t288;
-        let t290 = minus_b_axes_x_y * t287;
-        let minus_b_own_force_x = t289 + t290;
-        let t291 = minus_b_axes_x_y * t288;
-        let t292 = b_axes_x_x * t287;
-        let minus_b_own_force_y = t291 - t292;
+        let t326 = c(0.6) * b_a_ang_z;
+        let t327 = c(2.0) * minus_b_a_lin_x;
+        let t328 = c(2.0) * b_a_lin_y;
+        let t329 = t326 + t328;
+        let t330 = minus_b_e_force_x + t327;
+        let t331 = b_axes_x_x * t330;
+        let t332 = minus_b_axes_x_y * t329;
+        let minus_b_own_force_x = t331 + t332;
+        let t333 = minus_b_axes_x_y * t330;
+        let t334 = b_axes_x_x * t329;
+        let minus_b_own_force_y = t333 - t334;
         /// Load on `rocker_pin`, [P, Eqs. (18), (19)]: 8 mul, 4 add, 0 reciprocal.
-        let t293 = cos_rocker_pin_angle * minus_closure_reaction0;
-        let t294 = sin_rocker_pin_angle * closure_reaction1;
-        let t295 = t293 + t294;
-        let t296 = sin_rocker_pin_angle * minus_closure_reaction0;
-        let t297 = cos_rocker_pin_angle * closure_reaction1;
-        let t298 = t296 - t297;
-        let t299 = t295 * b_axes_x_x;
-        let t300 = t298 * minus_b_axes_x_y;
-        let minus_rocker_pin_load_force_x = t299 - t300;
-        let t301 = t295 * minus_b_axes_x_y;
-        let t302 = t298 * b_axes_x_x;
-        let minus_rocker_pin_load_force_y = t301 + t302;
+        let t335 = cos_rocker_pin_angle * minus_closure_reaction0;
+        let t336 = sin_rocker_pin_angle * closure_reaction1;
+        let t337 = t335 + t336;
+        let t338 = sin_rocker_pin_angle * minus_closure_reaction0;
+        let t339 = cos_rocker_pin_angle * closure_reaction1;
+        let t340 = t338 - t339;
+        let t341 = t337 * b_axes_x_x;
+        let t342 = t340 * minus_b_axes_x_y;
+        let minus_rocker_pin_load_force_x = t341 - t342;
+        let t343 = t337 * minus_b_axes_x_y;
+        let t344 = t340 * b_axes_x_x;
+        let minus_rocker_pin_load_force_y = t343 + t344;
         /// Load on `b`, [P, Eqs. (18), (19)]: 0 mul, 2 add, 0 reciprocal.
         let minus_b_load_force_x = minus_b_own_force_x + minus_rocker_pin_load_force_x;
         let minus_b_load_force_y = minus_b_own_force_y + minus_rocker_pin_load_force_y;
@@ -895,87 +979,87 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let minus_crank_pin_load_force_y = minus_crank_pin_own_force_y
             + minus_a_load_force_y;
         /// Results: 46 mul, 35 add, 0 reciprocal.
-        let t303 = crank_pin_a_ang_z - a_a_ang_z;
-        let t304 = a_a_ang_z - b_a_ang_z;
-        let t305 = t20 - t22;
-        let t306 = c(4.0) - t305;
-        let t307 = t306 * c(0.04000000000000001);
-        let t308 = t307 + c(0.030000000000000006);
-        let t309 = cos_crank_pin_angle * c(0.1);
-        let t310 = sin_crank_pin_angle * c(0.1);
-        let t311 = t252 + t260;
-        let t312 = t250 + t258;
-        let t313 = crank_pin_rate * t310;
-        let t314 = crank_pin_rate * t309;
-        let t315 = crank_pin_rate * c(0.01);
-        let t316 = crank_pin_rate * t315;
-        let t317 = t313 * t313;
-        let t318 = t314 * t314;
-        let t319 = t317 + t318;
-        let t320 = t316 + t319;
-        let t321 = a_axes_x_x * c(0.3);
-        let t322 = minus_a_axes_x_y * c(0.3);
-        let t323 = a_omega_z * t322;
-        let t324 = a_omega_z * t321;
-        let t325 = t252 + t323;
-        let t326 = t250 + t324;
-        let t327 = a_omega_z * c(0.06);
-        let t328 = a_omega_z * t327;
-        let t329 = t325 * t325;
-        let t330 = t326 * t326;
-        let t331 = t329 + t330;
-        let t332 = c(2.0) * t331;
-        let t333 = t328 + t332;
-        let t334 = b_axes_x_x * c(0.3);
-        let t335 = minus_b_axes_x_y * c(0.3);
-        let t336 = b_omega_z * t335;
-        let t337 = b_omega_z * t334;
-        let t338 = t311 + t336;
-        let t339 = t312 + t337;
-        let t340 = b_omega_z * c(0.06);
-        let t341 = b_omega_z * t340;
-        let t342 = t338 * t338;
-        let t343 = t339 * t339;
-        let t344 = t342 + t343;
-        let t345 = c(2.0) * t344;
-        let t346 = t341 + t345;
-        let t347 = c(0.5) * t346;
-        let t348 = t320 + t333;
-        let t349 = c(0.5) * t348;
-        let t350 = t347 + t349;
-        let t351 = t251 + t259;
-        let t352 = sin_crank_pin_angle * c(0.9800000000000001);
-        let t353 = t251 + t322;
-        let t354 = t353 * c(19.6);
-        let t355 = t352 + t354;
-        let t356 = t351 + t335;
-        let t357 = c(19.6) * t356;
-        let t358 = t355 + t357;
-        let t359 = cos_rocker_pin_angle * t189;
-        let t360 = sin_rocker_pin_angle * t189;
-        let t361 = cos_rocker_pin_angle * t204;
-        let t362 = sin_rocker_pin_angle * t205;
-        let t363 = t361 + t362;
-        let t364 = sin_rocker_pin_angle * t204;
-        let t365 = cos_rocker_pin_angle * t205;
-        let t366 = t364 - t365;
-        let t367 = t249 + t257;
-        let t368 = c(0.6) * b_axes_x_x;
-        let t369 = t368 + t367;
-        let t370 = c(0.6) * minus_b_axes_x_y;
-        let t371 = t370 + t351;
-        let t372 = b_omega_z * t370;
-        let t373 = t311 + t372;
-        let t374 = b_omega_z * t368;
-        let t375 = t312 + t374;
-        let t376 = b_omega_z * t374;
-        let t377 = b_a_ang_z * t370;
-        let t378 = minus_b_acc_lin_x + t377;
-        let t379 = t376 + t378;
-        let t380 = b_omega_z * t372;
-        let t381 = b_a_ang_z * t368;
-        let t382 = minus_b_acc_lin_y - t381;
-        let t383 = t380 + t382;
+        let t345 = crank_pin_a_ang_z - a_a_ang_z;
+        let t346 = a_a_ang_z - b_a_ang_z;
+        let t347 = t20 - t22;
+        let t348 = c(4.0) - t347;
+        let t349 = t348 * c(0.04000000000000001);
+        let t350 = t349 + c(0.030000000000000006);
+        let t351 = cos_crank_pin_angle * c(0.1);
+        let t352 = sin_crank_pin_angle * c(0.1);
+        let t353 = t294 + t302;
+        let t354 = t292 + t300;
+        let t355 = crank_pin_rate * t352;
+        let t356 = crank_pin_rate * t351;
+        let t357 = crank_pin_rate * c(0.01);
+        let t358 = crank_pin_rate * t357;
+        let t359 = t355 * t355;
+        let t360 = t356 * t356;
+        let t361 = t359 + t360;
+        let t362 = t358 + t361;
+        let t363 = a_axes_x_x * c(0.3);
+        let t364 = minus_a_axes_x_y * c(0.3);
+        let t365 = a_omega_z * t364;
+        let t366 = a_omega_z * t363;
+        let t367 = t294 + t365;
+        let t368 = t292 + t366;
+        let t369 = a_omega_z * c(0.06);
+        let t370 = a_omega_z * t369;
+        let t371 = t367 * t367;
+        let t372 = t368 * t368;
+        let t373 = t371 + t372;
+        let t374 = c(2.0) * t373;
+        let t375 = t370 + t374;
+        let t376 = b_axes_x_x * c(0.3);
+        let t377 = minus_b_axes_x_y * c(0.3);
+        let t378 = b_omega_z * t377;
+        let t379 = b_omega_z * t376;
+        let t380 = t353 + t378;
+        let t381 = t354 + t379;
+        let t382 = b_omega_z * c(0.06);
+        let t383 = b_omega_z * t382;
+        let t384 = t380 * t380;
+        let t385 = t381 * t381;
+        let t386 = t384 + t385;
+        let t387 = c(2.0) * t386;
+        let t388 = t383 + t387;
+        let t389 = c(0.5) * t388;
+        let t390 = t362 + t375;
+        let t391 = c(0.5) * t390;
+        let t392 = t389 + t391;
+        let t393 = t293 + t301;
+        let t394 = sin_crank_pin_angle * c(0.9800000000000001);
+        let t395 = t293 + t364;
+        let t396 = t395 * c(19.6);
+        let t397 = t394 + t396;
+        let t398 = t393 + t377;
+        let t399 = c(19.6) * t398;
+        let t400 = t397 + t399;
+        let t401 = cos_rocker_pin_angle * t231;
+        let t402 = sin_rocker_pin_angle * t231;
+        let t403 = cos_rocker_pin_angle * t246;
+        let t404 = sin_rocker_pin_angle * t247;
+        let t405 = t403 + t404;
+        let t406 = sin_rocker_pin_angle * t246;
+        let t407 = cos_rocker_pin_angle * t247;
+        let t408 = t406 - t407;
+        let t409 = t291 + t299;
+        let t410 = c(0.6) * b_axes_x_x;
+        let t411 = t410 + t409;
+        let t412 = c(0.6) * minus_b_axes_x_y;
+        let t413 = t412 + t393;
+        let t414 = b_omega_z * t412;
+        let t415 = t353 + t414;
+        let t416 = b_omega_z * t410;
+        let t417 = t354 + t416;
+        let t418 = b_omega_z * t416;
+        let t419 = b_a_ang_z * t412;
+        let t420 = minus_b_acc_lin_x + t419;
+        let t421 = t418 + t420;
+        let t422 = b_omega_z * t414;
+        let t423 = b_a_ang_z * t410;
+        let t424 = minus_b_acc_lin_y - t423;
+        let t425 = t422 + t424;
         ::mstmm::generated::finite::<
             T,
         >(&[state.q.as_slice(), state.v.as_slice(), &[inputs.crank_pin]])?;
@@ -986,18 +1070,18 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz, crank_pin_j_zz],
-            [c(2.04), t308],
-            [crank_pin_a_ang_z, -t303, -t304, -b_a_ang_z],
+            [c(2.04), t350],
+            [crank_pin_a_ang_z, -t345, -t346, -b_a_ang_z],
         )?;
-        at.accelerations.data.0 = [[crank_pin_a_ang_z, -t303, -t304, -b_a_ang_z]];
-        at.rate_accelerations.data.0 = [[crank_pin_a_ang_z, -t303, -t304, -b_a_ang_z]];
+        at.accelerations.data.0 = [[crank_pin_a_ang_z, -t345, -t346, -b_a_ang_z]];
+        at.rate_accelerations.data.0 = [[crank_pin_a_ang_z, -t345, -t346, -b_a_ang_z]];
         at.efforts.data.0 = [[crank_pin_input0, c(0.0), c(0.0), c(0.0)]];
         at.closure = ::mstmm::generated::closure([
-            [t359, t360, c(0.0), c(0.0), c(0.0), c(0.0)],
-            [-t363, -t366, c(0.0), c(0.0), c(0.0), c(0.0)],
+            [t401, t402, c(0.0), c(0.0), c(0.0), c(0.0)],
+            [-t405, -t408, c(0.0), c(0.0), c(0.0), c(0.0)],
         ]);
-        at.kinetic_energy = t350;
-        at.potential_energy = t358;
+        at.kinetic_energy = t392;
+        at.potential_energy = t400;
         at.points = [
             ::mstmm::PlanePoint::new(
                 [c(0.0), c(0.0)],
@@ -1024,9 +1108,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t249, t251],
+                [t291, t293],
                 [cos_crank_pin_angle, sin_crank_pin_angle],
-                [-t252, t250],
+                [-t294, t292],
                 crank_pin_rate,
                 ::mstmm::PlaneStateVector::new(
                     [-minus_a_acc_lin_x, -minus_a_acc_lin_y],
@@ -1036,9 +1120,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t249, t251],
+                [t291, t293],
                 [a_axes_x_x, minus_a_axes_x_y],
-                [-t252, t250],
+                [-t294, t292],
                 a_omega_z,
                 ::mstmm::PlaneStateVector::new(
                     [-minus_a_acc_lin_x, -minus_a_acc_lin_y],
@@ -1048,9 +1132,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t367, t351],
+                [t409, t393],
                 [a_axes_x_x, minus_a_axes_x_y],
-                [-t311, t312],
+                [-t353, t354],
                 a_omega_z,
                 ::mstmm::PlaneStateVector::new(
                     [-minus_b_acc_lin_x, -minus_b_acc_lin_y],
@@ -1060,9 +1144,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t367, t351],
+                [t409, t393],
                 [b_axes_x_x, minus_b_axes_x_y],
-                [-t311, t312],
+                [-t353, t354],
                 b_omega_z,
                 ::mstmm::PlaneStateVector::new(
                     [-minus_b_acc_lin_x, -minus_b_acc_lin_y],
@@ -1072,12 +1156,12 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t369, t371],
+                [t411, t413],
                 [b_axes_x_x, minus_b_axes_x_y],
-                [-t373, t375],
+                [-t415, t417],
                 b_omega_z,
                 ::mstmm::PlaneStateVector::new(
-                    [-t379, -t383],
+                    [-t421, -t425],
                     b_a_ang_z,
                     c(0.0),
                     [-minus_rocker_pin_load_force_x, -minus_rocker_pin_load_force_y],
@@ -1258,7 +1342,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Corrects coordinates and rates once by the smallest motion that closes the
     /// chain, and returns how far it was from closed.
     ///
-    /// 288 operations: 171 mul, 108 add, 6 reciprocal, 3 square root, 4 sin/cos.
+    /// 334 operations: 196 mul, 123 add, 8 reciprocal, 7 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -1267,7 +1351,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 5 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 7 | 0 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 96 | 46 | 5 | 2 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 121 | 61 | 7 | 6 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 7 | 3 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
@@ -1308,7 +1392,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t2 = c(0.5) + t1;
         let t3 = c(0.6) * t2;
         let a_b_y_z = c(0.6) + t3;
-        let t4 = t2 * c(0.36);
+        let t4 = c(0.36) * t2;
         let a_j_zz = c(0.24) + t4;
         let t5 = T::recip(a_j_zz);
         let a_z0_force_x = a_b_x_z * t5;
@@ -1329,7 +1413,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t18 = t9 - t17;
         let t19 = c(0.04000000000000001) * t18;
         let crank_pin_j_zz = c(0.020000000000000004) + t19;
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 96 mul, 46 add, 5 reciprocal, 2 square root.
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 121 mul, 61 add, 7 reciprocal, 6 square root.
         let t20 = c(0.6) * sin_rocker_pin_angle;
         let t21 = sin_rocker_pin_angle * c(2.5);
         let t22 = sin_rocker_pin_angle * c(1.5);
@@ -1359,245 +1443,293 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let closure_d0 = t38 + t45;
         let t46 = c(0.6) * cos_rocker_pin_angle;
         let t47 = cos_rocker_pin_angle * c(2.5);
-        let t48 = t20 * t20;
-        let t49 = t48 * c(4.166666666666667);
-        let t50 = cos_rocker_pin_angle * c(1.5);
-        let t51 = cos_rocker_pin_angle - t50;
-        let t52 = t46 * t21;
-        let t53 = t46 * t47;
-        let t54 = cos_b_angle * sin_rocker_pin_angle;
-        let t55 = sin_b_angle * t51;
-        let t56 = t54 + t55;
-        let t57 = sin_b_angle * sin_rocker_pin_angle;
-        let t58 = cos_b_angle * t51;
-        let t59 = t57 - t58;
-        let t60 = c(0.6) * t59;
-        let t61 = t60 * t5;
-        let t62 = t31 * t31;
-        let t63 = t5 * t62;
-        let t64 = t49 + t63;
-        let t65 = t60 * a_z0_force_x;
-        let t66 = t56 - t65;
-        let t67 = t60 * a_z0_force_y;
-        let t68 = t59 - t67;
-        let t69 = t60 * t32;
-        let t70 = t52 - t69;
-        let t71 = t60 * t61;
-        let t72 = t53 + t71;
-        let t73 = sin_a_angle * t66;
-        let t74 = cos_a_angle * t68;
-        let t75 = t73 + t74;
-        let t76 = c(0.2) * t75;
-        let t77 = t76 * t43;
-        let t78 = t42 * t42;
-        let t79 = t43 * t78;
-        let t80 = t64 + t79;
-        let t81 = t76 * t44;
-        let t82 = t70 - t81;
-        let t83 = t76 * t77;
-        let t84 = t72 + t83;
-        let t85 = ::mstmm::generated::recip_above(closure_d0, t80);
-        let t86 = t82 * t85;
-        let t87 = t82 * t86;
-        let closure_d1 = t84 - t87;
-        let t88 = t46 * t46;
-        let t89 = c(4.166666666666667) * t88;
-        let t90 = t60 * t60;
-        let t91 = t5 * t90;
-        let t92 = t89 + t91;
-        let t93 = t76 * t76;
-        let t94 = t43 * t93;
-        let t95 = t92 + t94;
-        let t96 = ::mstmm::generated::recip_above(closure_d1, t95);
-        let t97 = closure_d0 * t85;
-        let t98 = c(1.0) - t97;
-        let t99 = t98 * t98;
-        let t100 = ::mstmm::generated::recip_above(t99, c(1.0));
-        let t101 = T::sqrt(t100);
-        let t102 = t98 * t101;
-        let t103 = closure_d1 * t96;
-        let t104 = c(1.0) - t103;
-        let t105 = t86 * t104;
-        let t106 = t102 * t105;
-        let t107 = t102 * t106;
-        let t108 = t105 - t107;
-        let t109 = t108 * t108;
-        let t110 = t104 * t104;
-        let t111 = t109 + t110;
-        let t112 = ::mstmm::generated::recip_above(t111, c(1.0));
-        let t113 = T::sqrt(t112);
-        let t114 = t108 * t113;
-        let t115 = t104 * t113;
-        let t116 = cos_crank_pin_angle * cos_a_angle;
-        let t117 = sin_crank_pin_angle * sin_a_angle;
-        let t118 = t116 - t117;
-        let t119 = cos_crank_pin_angle * sin_a_angle;
-        let t120 = sin_crank_pin_angle * cos_a_angle;
-        let t121 = t119 + t120;
-        let t122 = cos_crank_pin_angle * c(0.2);
-        let t123 = sin_crank_pin_angle * c(0.2);
-        let t124 = c(0.6) * t118;
-        let t125 = c(0.6) * t121;
-        let t126 = cos_b_angle * t118;
-        let t127 = sin_b_angle * t121;
-        let t128 = t126 - t127;
-        let t129 = sin_b_angle * t118;
-        let t130 = cos_b_angle * t121;
-        let t131 = t129 + t130;
-        let t132 = c(0.6) * t128;
-        let t133 = c(0.6) * t131;
-        let t134 = t122 + t124;
-        let t135 = t123 + t125;
-        let t136 = cos_rocker_pin_angle * t128;
-        let t137 = sin_rocker_pin_angle * t131;
-        let t138 = t136 - t137;
-        let t139 = sin_rocker_pin_angle * t128;
-        let t140 = cos_rocker_pin_angle * t131;
-        let t141 = t139 + t140;
-        let t142 = t132 + t134;
-        let t143 = t133 + t135;
-        let t144 = c(0.8) - t142;
-        let t145 = t138 * t144;
-        let t146 = t141 * t143;
-        let t147 = t145 - t146;
-        let t148 = t141 * t144;
-        let t149 = t138 * t143;
-        let t150 = t148 + t149;
-        let t151 = t86 * t147;
-        let t152 = t150 + t151;
-        let t153 = t85 * t147;
-        let t154 = t96 * t152;
-        let t155 = t86 * t154;
-        let t156 = t153 + t155;
-        let t157 = t102 * t156;
-        let t158 = t102 * t157;
-        let t159 = t156 - t158;
-        let t160 = t114 * t159;
-        let t161 = t115 * t154;
-        let t162 = t160 + t161;
-        let t163 = t114 * t162;
-        let minus_closure_reaction0 = t159 - t163;
-        let t164 = t115 * t162;
-        let closure_reaction1 = t154 - t164;
+        let t48 = cos_rocker_pin_angle * cos_rocker_pin_angle;
+        let t49 = sin_rocker_pin_angle * sin_rocker_pin_angle;
+        let t50 = t48 + t49;
+        let t51 = t20 * t20;
+        let t52 = t50 * c(0.36);
+        let t53 = t51 + t52;
+        let t54 = t53 * c(4.166666666666667);
+        let t55 = cos_rocker_pin_angle * c(1.5);
+        let t56 = cos_rocker_pin_angle - t55;
+        let t57 = t46 * t21;
+        let t58 = t46 * t47;
+        let t59 = cos_b_angle * sin_rocker_pin_angle;
+        let t60 = sin_b_angle * t56;
+        let t61 = t59 + t60;
+        let t62 = sin_b_angle * sin_rocker_pin_angle;
+        let t63 = cos_b_angle * t56;
+        let t64 = t62 - t63;
+        let t65 = c(0.6) * t64;
+        let t66 = t65 * t5;
+        let t67 = t27 * t27;
+        let t68 = t30 * t30;
+        let t69 = t67 + t68;
+        let t70 = t31 * t31;
+        let t71 = t69 * c(0.72);
+        let t72 = t70 + t71;
+        let t73 = t5 * t72;
+        let t74 = t54 + t73;
+        let t75 = t65 * a_z0_force_x;
+        let t76 = t61 - t75;
+        let t77 = t65 * a_z0_force_y;
+        let t78 = t64 - t77;
+        let t79 = t65 * t32;
+        let t80 = t57 - t79;
+        let t81 = t65 * t66;
+        let t82 = t58 + t81;
+        let t83 = cos_a_angle * t34;
+        let t84 = sin_a_angle * t36;
+        let t85 = t83 - t84;
+        let t86 = sin_a_angle * t76;
+        let t87 = cos_a_angle * t78;
+        let t88 = t86 + t87;
+        let t89 = c(0.2) * t88;
+        let t90 = t89 * t43;
+        let t91 = t85 * t85;
+        let t92 = t41 * t41;
+        let t93 = t91 + t92;
+        let t94 = t42 * t42;
+        let t95 = t93 * c(0.76);
+        let t96 = t94 + t95;
+        let t97 = t43 * t96;
+        let t98 = t74 + t97;
+        let t99 = t89 * t44;
+        let t100 = t80 - t99;
+        let t101 = t89 * t90;
+        let t102 = t82 + t101;
+        let t103 = T::copysign(closure_d0, c(1.0));
+        let t104 = closure_d0 + t103;
+        let t105 = c(0.5) * t104;
+        let t106 = T::sqrt(t105);
+        let t107 = T::sqrt(t98);
+        let t108 = ::mstmm::generated::recip_above(t106, t107);
+        let t109 = t106 * t108;
+        let t110 = ::mstmm::generated::recip_above(closure_d0, closure_d0);
+        let t111 = t109 * t110;
+        let t112 = t100 * t111;
+        let t113 = t100 * t112;
+        let closure_d1 = t102 - t113;
+        let t114 = t46 * t46;
+        let t115 = t52 + t114;
+        let t116 = c(4.166666666666667) * t115;
+        let t117 = t61 * t61;
+        let t118 = t64 * t64;
+        let t119 = t117 + t118;
+        let t120 = t65 * t65;
+        let t121 = c(0.72) * t119;
+        let t122 = t120 + t121;
+        let t123 = t5 * t122;
+        let t124 = t116 + t123;
+        let t125 = cos_a_angle * t76;
+        let t126 = sin_a_angle * t78;
+        let t127 = t125 - t126;
+        let t128 = t127 * t127;
+        let t129 = t88 * t88;
+        let t130 = t128 + t129;
+        let t131 = t89 * t89;
+        let t132 = c(0.76) * t130;
+        let t133 = t131 + t132;
+        let t134 = t43 * t133;
+        let t135 = t124 + t134;
+        let t136 = T::copysign(closure_d1, c(1.0));
+        let t137 = closure_d1 + t136;
+        let t138 = c(0.5) * t137;
+        let t139 = T::sqrt(t138);
+        let t140 = T::sqrt(t135);
+        let t141 = ::mstmm::generated::recip_above(t139, t140);
+        let t142 = t139 * t141;
+        let t143 = ::mstmm::generated::recip_above(closure_d1, t102);
+        let t144 = t142 * t143;
+        let t145 = closure_d0 * t111;
+        let t146 = c(1.0) - t145;
+        let t147 = t146 * t146;
+        let t148 = ::mstmm::generated::recip_above(t147, c(1.0));
+        let t149 = T::sqrt(t148);
+        let t150 = t146 * t149;
+        let t151 = closure_d1 * t144;
+        let t152 = c(1.0) - t151;
+        let t153 = t112 * t152;
+        let t154 = t150 * t153;
+        let t155 = t150 * t154;
+        let t156 = t153 - t155;
+        let t157 = t156 * t156;
+        let t158 = t152 * t152;
+        let t159 = t157 + t158;
+        let t160 = ::mstmm::generated::recip_above(t159, c(1.0));
+        let t161 = T::sqrt(t160);
+        let t162 = t156 * t161;
+        let t163 = t152 * t161;
+        let t164 = cos_crank_pin_angle * cos_a_angle;
+        let t165 = sin_crank_pin_angle * sin_a_angle;
+        let t166 = t164 - t165;
+        let t167 = cos_crank_pin_angle * sin_a_angle;
+        let t168 = sin_crank_pin_angle * cos_a_angle;
+        let t169 = t167 + t168;
+        let t170 = cos_crank_pin_angle * c(0.2);
+        let t171 = sin_crank_pin_angle * c(0.2);
+        let t172 = c(0.6) * t166;
+        let t173 = c(0.6) * t169;
+        let t174 = cos_b_angle * t166;
+        let t175 = sin_b_angle * t169;
+        let t176 = t174 - t175;
+        let t177 = sin_b_angle * t166;
+        let t178 = cos_b_angle * t169;
+        let t179 = t177 + t178;
+        let t180 = c(0.6) * t176;
+        let t181 = c(0.6) * t179;
+        let t182 = t170 + t172;
+        let t183 = t171 + t173;
+        let t184 = cos_rocker_pin_angle * t176;
+        let t185 = sin_rocker_pin_angle * t179;
+        let t186 = t184 - t185;
+        let t187 = sin_rocker_pin_angle * t176;
+        let t188 = cos_rocker_pin_angle * t179;
+        let t189 = t187 + t188;
+        let t190 = t180 + t182;
+        let t191 = t181 + t183;
+        let t192 = c(0.8) - t190;
+        let t193 = t186 * t192;
+        let t194 = t189 * t191;
+        let t195 = t193 - t194;
+        let t196 = t189 * t192;
+        let t197 = t186 * t191;
+        let t198 = t196 + t197;
+        let t199 = t112 * t195;
+        let t200 = t198 + t199;
+        let t201 = t111 * t195;
+        let t202 = t144 * t200;
+        let t203 = t112 * t202;
+        let t204 = t201 + t203;
+        let t205 = t150 * t204;
+        let t206 = t150 * t205;
+        let t207 = t204 - t206;
+        let t208 = t162 * t207;
+        let t209 = t163 * t202;
+        let t210 = t208 + t209;
+        let t211 = t162 * t210;
+        let minus_closure_reaction0 = t207 - t211;
+        let t212 = t163 * t210;
+        let closure_reaction1 = t202 - t212;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
-        let t165 = t44 * minus_closure_reaction0;
-        let t166 = t77 * closure_reaction1;
-        let crank_pin_a_ang_z = t165 + t166;
+        let t213 = t44 * minus_closure_reaction0;
+        let t214 = t90 * closure_reaction1;
+        let crank_pin_a_ang_z = t213 + t214;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 7 mul, 3 add, 0 reciprocal.
-        let t167 = c(0.2) * crank_pin_a_ang_z;
-        let a_a_lin_x = sin_a_angle * t167;
-        let a_a_lin_y = cos_a_angle * t167;
-        let t168 = t32 * minus_closure_reaction0;
-        let t169 = t61 * closure_reaction1;
-        let t170 = t168 + t169;
-        let t171 = a_z0_force_x * a_a_lin_x;
-        let t172 = a_z0_force_y * a_a_lin_y;
-        let t173 = t171 + t172;
-        let a_a_ang_z = t170 - t173;
+        let t215 = c(0.2) * crank_pin_a_ang_z;
+        let a_a_lin_x = sin_a_angle * t215;
+        let a_a_lin_y = cos_a_angle * t215;
+        let t216 = t32 * minus_closure_reaction0;
+        let t217 = t66 * closure_reaction1;
+        let t218 = t216 + t217;
+        let t219 = a_z0_force_x * a_a_lin_x;
+        let t220 = a_z0_force_y * a_a_lin_y;
+        let t221 = t219 + t220;
+        let a_a_ang_z = t218 - t221;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-        let t174 = c(0.6) * a_a_ang_z;
-        let t175 = a_a_lin_y + t174;
-        let t176 = sin_b_angle * a_a_lin_x;
-        let t177 = cos_b_angle * t175;
-        let minus_b_a_lin_y = t176 - t177;
-        let t178 = t21 * minus_closure_reaction0;
-        let t179 = t47 * closure_reaction1;
-        let t180 = t178 - t179;
-        let t181 = c(2.5) * minus_b_a_lin_y;
-        let b_a_ang_z = t180 + t181;
+        let t222 = c(0.6) * a_a_ang_z;
+        let t223 = a_a_lin_y + t222;
+        let t224 = sin_b_angle * a_a_lin_x;
+        let t225 = cos_b_angle * t223;
+        let minus_b_a_lin_y = t224 - t225;
+        let t226 = t21 * minus_closure_reaction0;
+        let t227 = t47 * closure_reaction1;
+        let t228 = t226 - t227;
+        let t229 = c(2.5) * minus_b_a_lin_y;
+        let b_a_ang_z = t228 + t229;
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 23 mul, 12 add, 0 reciprocal.
-        let t182 = crank_pin_rate * c(0.2);
-        let t183 = a_omega_z * c(0.6);
-        let t184 = c(0.6) * b_omega_z;
-        let t185 = sin_a_angle * t182;
-        let t186 = cos_a_angle * t182;
-        let t187 = t183 + t186;
-        let t188 = cos_b_angle * t185;
-        let t189 = sin_b_angle * t187;
-        let t190 = t188 + t189;
-        let t191 = sin_b_angle * t185;
-        let t192 = cos_b_angle * t187;
-        let t193 = t191 - t192;
-        let t194 = t184 - t193;
-        let t195 = cos_rocker_pin_angle * t190;
-        let t196 = sin_rocker_pin_angle * t194;
-        let t197 = t195 + t196;
-        let t198 = sin_rocker_pin_angle * t190;
-        let t199 = cos_rocker_pin_angle * t194;
-        let t200 = t198 - t199;
-        let t201 = t86 * t197;
-        let t202 = t200 + t201;
-        let t203 = t85 * t197;
-        let t204 = t96 * t202;
-        let t205 = t86 * t204;
-        let t206 = t203 + t205;
-        let t207 = t102 * t206;
-        let t208 = t102 * t207;
-        let t209 = t206 - t208;
-        let t210 = t114 * t209;
-        let t211 = t115 * t204;
-        let t212 = t210 + t211;
-        let t213 = t114 * t212;
-        let closure_reaction0 = t209 - t213;
-        let t214 = t115 * t212;
-        let minus_closure_reaction1 = t204 - t214;
+        let t230 = crank_pin_rate * c(0.2);
+        let t231 = a_omega_z * c(0.6);
+        let t232 = c(0.6) * b_omega_z;
+        let t233 = sin_a_angle * t230;
+        let t234 = cos_a_angle * t230;
+        let t235 = t231 + t234;
+        let t236 = cos_b_angle * t233;
+        let t237 = sin_b_angle * t235;
+        let t238 = t236 + t237;
+        let t239 = sin_b_angle * t233;
+        let t240 = cos_b_angle * t235;
+        let t241 = t239 - t240;
+        let t242 = t232 - t241;
+        let t243 = cos_rocker_pin_angle * t238;
+        let t244 = sin_rocker_pin_angle * t242;
+        let t245 = t243 + t244;
+        let t246 = sin_rocker_pin_angle * t238;
+        let t247 = cos_rocker_pin_angle * t242;
+        let t248 = t246 - t247;
+        let t249 = t112 * t245;
+        let t250 = t248 + t249;
+        let t251 = t111 * t245;
+        let t252 = t144 * t250;
+        let t253 = t112 * t252;
+        let t254 = t251 + t253;
+        let t255 = t150 * t254;
+        let t256 = t150 * t255;
+        let t257 = t254 - t256;
+        let t258 = t162 * t257;
+        let t259 = t163 * t252;
+        let t260 = t258 + t259;
+        let t261 = t162 * t260;
+        let closure_reaction0 = t257 - t261;
+        let t262 = t163 * t260;
+        let minus_closure_reaction1 = t252 - t262;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
-        let t215 = t44 * closure_reaction0;
-        let t216 = t77 * minus_closure_reaction1;
-        let minus_crank_pin_a_ang_z = t215 + t216;
+        let t263 = t44 * closure_reaction0;
+        let t264 = t90 * minus_closure_reaction1;
+        let minus_crank_pin_a_ang_z = t263 + t264;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 7 mul, 3 add, 0 reciprocal.
-        let t217 = c(0.2) * minus_crank_pin_a_ang_z;
-        let minus_a_a_lin_x = sin_a_angle * t217;
-        let minus_a_a_lin_y = cos_a_angle * t217;
-        let t218 = t32 * closure_reaction0;
-        let t219 = t61 * minus_closure_reaction1;
-        let t220 = t218 + t219;
-        let t221 = a_z0_force_x * minus_a_a_lin_x;
-        let t222 = a_z0_force_y * minus_a_a_lin_y;
-        let t223 = t221 + t222;
-        let minus_a_a_ang_z = t220 - t223;
+        let t265 = c(0.2) * minus_crank_pin_a_ang_z;
+        let minus_a_a_lin_x = sin_a_angle * t265;
+        let minus_a_a_lin_y = cos_a_angle * t265;
+        let t266 = t32 * closure_reaction0;
+        let t267 = t66 * minus_closure_reaction1;
+        let t268 = t266 + t267;
+        let t269 = a_z0_force_x * minus_a_a_lin_x;
+        let t270 = a_z0_force_y * minus_a_a_lin_y;
+        let t271 = t269 + t270;
+        let minus_a_a_ang_z = t268 - t271;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-        let t224 = c(0.6) * minus_a_a_ang_z;
-        let t225 = minus_a_a_lin_y + t224;
-        let t226 = sin_b_angle * minus_a_a_lin_x;
-        let t227 = cos_b_angle * t225;
-        let b_a_lin_y = t226 - t227;
-        let t228 = t21 * closure_reaction0;
-        let t229 = t47 * minus_closure_reaction1;
-        let t230 = t228 - t229;
-        let t231 = c(2.5) * b_a_lin_y;
-        let minus_b_a_ang_z = t230 + t231;
+        let t272 = c(0.6) * minus_a_a_ang_z;
+        let t273 = minus_a_a_lin_y + t272;
+        let t274 = sin_b_angle * minus_a_a_lin_x;
+        let t275 = cos_b_angle * t273;
+        let b_a_lin_y = t274 - t275;
+        let t276 = t21 * closure_reaction0;
+        let t277 = t47 * minus_closure_reaction1;
+        let t278 = t276 - t277;
+        let t279 = c(2.5) * b_a_lin_y;
+        let minus_b_a_ang_z = t278 + t279;
         /// Results: 6 mul, 20 add, 0 reciprocal, 1 square root.
-        let t232 = crank_pin_angle + crank_pin_a_ang_z;
-        let t233 = crank_pin_a_ang_z - a_a_ang_z;
-        let t234 = a_angle - t233;
-        let t235 = a_a_ang_z - b_a_ang_z;
-        let t236 = b_angle - t235;
-        let t237 = t141 + b_a_ang_z;
-        let t238 = rocker_pin_angle - t237;
-        let t239 = crank_pin_rate - minus_crank_pin_a_ang_z;
-        let t240 = minus_crank_pin_a_ang_z - minus_a_a_ang_z;
-        let t241 = a_rate + t240;
-        let t242 = minus_a_a_ang_z - minus_b_a_ang_z;
-        let t243 = b_rate + t242;
-        let t244 = rocker_pin_rate + b_omega_z;
-        let t245 = t244 - minus_b_a_ang_z;
-        let t246 = rocker_pin_rate - t245;
-        let t247 = t147 * t147;
-        let t248 = t150 * t150;
-        let t249 = t247 + t248;
-        let t250 = t141 * t141;
-        let t251 = t249 + t250;
-        let t252 = t197 * t197;
-        let t253 = t200 * t200;
-        let t254 = t252 + t253;
-        let t255 = t244 * t244;
-        let t256 = t254 + t255;
-        let t257 = t251 + t256;
-        let t258 = T::sqrt(t257);
-        let residual = t258;
-        state.q.data.0 = [[t232, t234, t236, t238]];
-        state.v.data.0 = [[t239, t241, t243, t246]];
+        let t280 = crank_pin_angle + crank_pin_a_ang_z;
+        let t281 = crank_pin_a_ang_z - a_a_ang_z;
+        let t282 = a_angle - t281;
+        let t283 = a_a_ang_z - b_a_ang_z;
+        let t284 = b_angle - t283;
+        let t285 = t189 + b_a_ang_z;
+        let t286 = rocker_pin_angle - t285;
+        let t287 = crank_pin_rate - minus_crank_pin_a_ang_z;
+        let t288 = minus_crank_pin_a_ang_z - minus_a_a_ang_z;
+        let t289 = a_rate + t288;
+        let t290 = minus_a_a_ang_z - minus_b_a_ang_z;
+        let t291 = b_rate + t290;
+        let t292 = rocker_pin_rate + b_omega_z;
+        let t293 = t292 - minus_b_a_ang_z;
+        let t294 = rocker_pin_rate - t293;
+        let t295 = t195 * t195;
+        let t296 = t198 * t198;
+        let t297 = t295 + t296;
+        let t298 = t189 * t189;
+        let t299 = t297 + t298;
+        let t300 = t245 * t245;
+        let t301 = t248 * t248;
+        let t302 = t300 + t301;
+        let t303 = t292 * t292;
+        let t304 = t302 + t303;
+        let t305 = t299 + t304;
+        let t306 = T::sqrt(t305);
+        let residual = t306;
+        state.q.data.0 = [[t280, t282, t284, t286]];
+        state.v.data.0 = [[t287, t289, t291, t294]];
         residual
     }
 }

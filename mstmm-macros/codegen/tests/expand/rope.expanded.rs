@@ -332,11 +332,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t26 = carry1_7_before - t25;
             let minus_joint_e_force_x = t13 - t26;
             let t27 = carry1_3_before * minus_end_of_repeat0_drift_lin_x;
-            let minus_joint_e_force_y = t27 - carry1_8_before;
+            let joint_e_force_y = carry1_8_before - t27;
             let t28 = carry1_4_before * minus_end_of_repeat0_drift_lin_x;
             let t29 = carry1_9_before - t28;
-            let t30 = c(0.1) * minus_joint_e_force_y;
-            let joint_e_moment_z = t29 - t30;
+            let t30 = c(0.1) * joint_e_force_y;
+            let joint_e_moment_z = t29 + t30;
             let joint_d0 = t7 + joint_j_zz;
             let t31 = T::recip(joint_d0);
             let joint_z0_force_x = joint_b_x_z * t31;
@@ -365,7 +365,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t51 = joint_b_x_z * t38;
             let t52 = minus_joint_e_force_x + t51;
             let t53 = joint_b_y_z * t38;
-            let t54 = minus_joint_e_force_y + t53;
+            let t54 = joint_e_force_y - t53;
             let t55 = joint_j_zz * t38;
             let t56 = joint_e_moment_z - t55;
             let t57 = t40 - t42;
@@ -386,10 +386,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t72 = t70 + t71;
             let t73 = cos_joint_angle * t52;
             let t74 = sin_joint_angle * t54;
-            let t75 = t73 - t74;
+            let t75 = t73 + t74;
             let t76 = sin_joint_angle * t52;
             let t77 = cos_joint_angle * t54;
-            let t78 = t76 + t77;
+            let t78 = t76 - t77;
             *store = [t38, joint_z0_force_x, joint_z0_force_y, joint_z0_moment_z];
             regular0 = regular0 & ::mstmm::generated::exceeds_noise(joint_d0, t36);
             (

@@ -1,0 +1,108 @@
+//! One face for the printed chains.
+
+use mstmm::{ChainState, ConnectionPoint, Energy, GeneratedChain};
+use mstmm_reference::Drives;
+use nalgebra::SVector;
+
+/// All that a printed chain computes at one instant.
+pub struct Answer<P> {
+    /// By the fast path.
+    pub fast_accelerations: Vec<f64>,
+    pub fast_energy: Energy<f64>,
+    /// By `solve_into`.
+    pub accelerations: Vec<f64>,
+    pub efforts: Vec<f64>,
+    pub points: Vec<P>,
+    pub energy: Energy<f64>,
+}
+
+/// A printed chain.
+pub trait Printed: GeneratedChain<Scalar = f64> + Default {
+    type Point: ConnectionPoint;
+
+    fn inputs(&self, drives: &Drives) -> Self::Inputs;
+    fn answer(&self, state: &Self::State, inputs: &Self::Inputs) -> Answer<Self::Point>;
+
+    /// The state with these coordinates and rates.
+    fn state(&self, q: &[f64], v: &[f64]) -> Self::State {
+        let mut state = self.initial_state();
+        state.q_mut().copy_from_slice(q);
+        state.v_mut().copy_from_slice(v);
+        state
+    }
+}
+
+/// Gives a printed chain its face: the kind of its points, the energy with as many arguments as it
+/// takes, the fields of its inputs, and its hinges.
+macro_rules! printed {
+    (
+        $name:ident, $point:ident, $energy:ident($($argument:ident),*);
+        inputs |$drives:ident| { $($field:ident: $value:expr,)* }
+        hinges $($hinge:ident)*;
+    ) => {
+        impl $crate::random::face::Printed for $name<f64> {
+            type Point = mstmm::$point<f64>;
+
+            #[allow(unused_mut)]
+            fn inputs(&self, $drives: &mstmm_reference::Drives) -> Self::Inputs {
+                let mut inputs = self.no_inputs();
+                $( inputs.$field = $value; )*
+                inputs
+            }
+
+            fn answer(
+                &self,
+                state: &Self::State,
+                inputs: &Self::Inputs,
+            ) -> $crate::random::face::Answer<Self::Point> {
+                let fast = self.accelerations(state, inputs).expect("a regular chain");
+                let mut at = self.workspace();
+                self.solve_into(state, inputs, &mut at).expect("a regular chain");
+                let efforts: Vec<Vec<f64>> =
+                    vec![$( $crate::random::face::Numbers::list(at.$hinge().effort()) ),*];
+                let given = $crate::random::face::Given { state, inputs };
+                $crate::random::face::Answer {
+                    fast_accelerations: fast.as_slice().to_vec(),
+                    fast_energy: self.$energy($(given.$argument),*),
+                    accelerations: at.accelerations().as_slice().to_vec(),
+                    efforts: efforts.concat(),
+                    points: at.points().to_vec(),
+                    energy: mstmm::Energy {
+                        kinetic: at.kinetic_energy(),
+                        potential: at.potential_energy(),
+                    },
+                }
+            }
+        }
+    };
+}
+pub(crate) use printed;
+
+/// What an energy may be asked for with.
+pub struct Given<'a, S, I> {
+    pub state: &'a S,
+    pub inputs: &'a I,
+}
+
+/// The efforts of any hinge.
+pub trait Numbers {
+    fn list(self) -> Vec<f64>;
+}
+
+impl Numbers for () {
+    fn list(self) -> Vec<f64> {
+        Vec::new()
+    }
+}
+
+impl Numbers for f64 {
+    fn list(self) -> Vec<f64> {
+        vec![self]
+    }
+}
+
+impl<const N: usize> Numbers for SVector<f64, N> {
+    fn list(self) -> Vec<f64> {
+        self.as_slice().to_vec()
+    }
+}

@@ -1,0 +1,114 @@
+//! Prints a chain of the reference together with its face.
+
+use mstmm_reference::{Chain, Dimension, Drives, End, Gravity, Hinge, HingeKind, Source};
+
+const INDENT: &str = "    ";
+
+/// The chain by a method, and the call that gives it its face.
+pub fn printed(chain: &Chain, method: &str) -> String {
+    let (name, description) = (&chain.name, chain.to_macro_text(Some(method)));
+    let point = match chain.dimension {
+        Dimension::Space => "Point",
+        Dimension::Plane => "PlanePoint",
+        Dimension::Line => "LinePoint",
+    };
+    let moving = |end: &End| matches!(end, End::Moving { .. });
+    let told = moving(&chain.start) || moving(&chain.finish) || prescribed(chain).next().is_some();
+    let energy = if told { "energy_with(state, inputs)" } else { "energy(state)" };
+    let fields = inputs(chain);
+    let drives = if fields.is_empty() { "_drives" } else { "drives" };
+    let fields: String = fields.iter().map(|field| format!("        {field},\n")).collect();
+    let fields = if fields.is_empty() { "{}".to_owned() } else { format!("{{\n{fields}    }}") };
+    let hinges: String = chain.hinges().map(|hinge| format!(" {}", hinge.name)).collect();
+    format!(
+        "\nmstmm::mstmm_chain! {{\n{description}}}\n\nprinted! {{\n    {name}, {point}, {energy};\n\
+         {INDENT}inputs |{drives}| {fields}\n{INDENT}hinges{hinges};\n}}\n"
+    )
+}
+
+fn prescribed(chain: &Chain) -> impl Iterator<Item = &Hinge> {
+    chain.hinges().filter(|hinge| hinge.prescribed)
+}
+
+/// The fields of the inputs, each with its value out of `drives`.
+fn inputs(chain: &Chain) -> Vec<String> {
+    let mut fields = Vec::new();
+    let frame = match chain.dimension {
+        Dimension::Space => "space_frame",
+        Dimension::Plane => "plane_frame",
+        Dimension::Line => "line_frame",
+    };
+    for (end, which) in [(&chain.start, "start"), (&chain.finish, "finish")] {
+        if let End::Moving { name } = end {
+            fields.push(format!("{name}: {frame}(&drives.{which})"));
+        }
+    }
+    for (place, hinge) in prescribed(chain).enumerate() {
+        let word = motion_of(&hinge.kind);
+        fields.push(format!("{}: {word}(&drives.motions[{place}])", hinge.name));
+    }
+    fields.extend(motors(chain));
+    for (place, load) in chain.loads.iter().enumerate() {
+        let name = &load.name;
+        if load.force == Source::Input {
+            let force = shifts(chain.dimension, &format!("drives.loads[{place}].force"));
+            fields.push(format!("{name}_force: {force}"));
+        }
+        if load.torque == Source::Input {
+            let torque = match chain.dimension {
+                Dimension::Space => format!("drives.loads[{place}].torque.into()"),
+                _ => format!("drives.loads[{place}].torque[2]"),
+            };
+            fields.push(format!("{name}_torque: {torque}"));
+        }
+    }
+    if chain.gravity == Gravity::Input {
+        fields.push(format!("gravity: {}", shifts(chain.dimension, "drives.gravity")));
+    }
+    fields
+}
+
+/// The inputs of motors, out of the efforts of all rates.
+fn motors(chain: &Chain) -> Vec<String> {
+    let mut fields = Vec::new();
+    let mut first = Drives::none(chain).efforts.len();
+    first -= chain.hinges().map(Hinge::freedoms).sum::<usize>();
+    for hinge in chain.hinges() {
+        let given = hinge.groups().into_iter().filter(|(group, _)| group.motor == Source::Input);
+        let places: Vec<usize> =
+            given.flat_map(|(_, rates)| rates).map(|rate| first + rate).collect();
+        match places[..] {
+            [] => {}
+            [one] => fields.push(format!("{}: drives.efforts[{one}]", hinge.name)),
+            _ => fields.push(format!("{}: vector(&drives.efforts, {places:?})", hinge.name)),
+        }
+        first += hinge.freedoms();
+    }
+    fields
+}
+
+/// The name of the function for the motion of a kind of hinge.
+fn motion_of(kind: &HingeKind) -> &'static str {
+    match kind {
+        HingeKind::Weld => unreachable!("a weld has no motion"),
+        HingeKind::Pin { .. } => "pin",
+        HingeKind::Slider { .. } | HingeKind::LineFloating | HingeKind::LineElastic => "slider",
+        HingeKind::Screw { .. } => "screw",
+        HingeKind::Cylindrical { .. } => "cylindrical",
+        HingeKind::Universal { .. } => "universal",
+        HingeKind::Ball => "ball",
+        HingeKind::Planar { .. } | HingeKind::PlaneFloating => "planar",
+        HingeKind::PlaneElastic => "plane_elastic",
+        HingeKind::Floating => "floating",
+        HingeKind::Elastic => "elastic",
+    }
+}
+
+/// As many components of a vector as a dimension has.
+fn shifts(dimension: Dimension, vector: &str) -> String {
+    match dimension {
+        Dimension::Space => format!("{vector}.into()"),
+        Dimension::Plane => format!("part(&{vector}, 0).into()"),
+        Dimension::Line => format!("{vector}[0]"),
+    }
+}
