@@ -27,8 +27,7 @@ pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Ener
         Source::Nothing | Source::Input => Vec3::zero(),
     };
     let poses = poses(situation, &links);
-    let mut energy =
-        Energy { kinetic: S::zero(), potential: spring_energy(situation, &links, &poses) };
+    let mut energy = Energy { kinetic: S::zero(), potential: spring_energy(situation, None) };
     for (index, ((link, pose), place)) in
         links.iter().zip(&poses).zip(&situation.layout.links).enumerate()
     {
@@ -40,6 +39,7 @@ pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Ener
         let turning = spin.dot(situation.numbers.central_inertia(body) * spin);
         energy.kinetic = energy.kinetic + (link.mass * velocity.dot(velocity) + turning) * half;
         energy.potential = energy.potential - gravity.dot(pose.position + com) * link.mass;
+        energy.potential = energy.potential + spring_energy(situation, Some((index, link, pose)));
         energy.add_passives(&link.over.passives);
         let sums = (energy.kinetic, energy.potential);
         (energy.kinetic, energy.potential) = situation.passage.outwards(index, sums);

@@ -122,23 +122,22 @@ fn inverse_length<S: Scalar>(way: Vec3<S>) -> S {
     (way.dot(way) + S::number(1e-30)).sqrt().recip()
 }
 
-/// The energy of the springs to the ground.
+/// The energy of the springs from a link's part to the ground; without a link, of those from what does
+/// not move.
 pub fn spring_energy<S: Scalar>(
     situation: &Situation<S>,
-    links: &[LinkMotion<S>],
-    poses: &[Pose<S>],
+    on: Option<(usize, &LinkMotion<S>, &Pose<S>)>,
 ) -> S {
+    let own = |spring: &&Spring| {
+        link_of(situation.layout.parts[spring.body]) == on.map(|(index, ..)| index)
+    };
     let mut energy = S::zero();
-    for spring in &situation.chain.springs {
+    for spring in situation.chain.springs.iter().filter(own) {
         let numbers = situation.numbers;
         let point = spring_point(situation, spring);
-        let position = match link_of(situation.layout.parts[spring.body]) {
-            None => point,
-            Some(index) => {
-                let (link, pose) = (&links[index], &poses[index]);
-                pose.position + pose.to_inertial * (link.attitude * (point - link.point))
-            }
-        };
+        let position = on.map_or(point, |(_, link, pose)| {
+            pose.position + pose.to_inertial * (link.attitude * (point - link.point))
+        });
         let way = position - numbers.vector(&spring.to);
         let stretch = if spring.length.is_zero() {
             way.dot(way)

@@ -18,8 +18,9 @@ impl Scheduler<'_> {
             edges.iter().enumerate().map(move |(place, edge)| (group, place, *edge))
         });
         let results: Vec<(usize, usize, Edge)> = places.filter(|(_, _, edge)| own(edge)).collect();
-        if results.is_empty() && turn.carries.is_empty() {
-            self.take_sections();
+        let sections = self.take_sections();
+        // What it computes may be for later loops alone.
+        if results.is_empty() && turn.carries.is_empty() && sections.is_empty() {
             return;
         }
         let read = self.read_by(home, turn, all);
@@ -53,7 +54,7 @@ impl Scheduler<'_> {
             results.into_iter().map(|(group, place, edge)| (group, place, self.operand(edge)));
         let outputs = outputs.collect();
         let (repeat, inwards) = (turn.repeat, turn.inwards);
-        let (stores, sections) = (Vec::new(), self.take_sections());
+        let stores = Vec::new();
         self.blocks.insert(number, self.program.blocks.len());
         self.program.blocks.push(Block::Loop(Loop {
             repeat,
