@@ -125,10 +125,10 @@ pub fn recip_above<T: Scalar>(value: T, scale: T) -> T {
     T::select(above, value.recip(), T::constant(0.0))
 }
 
-/// Whether a pivot is positive beyond rounding.
+/// Whether a pivot is a number that is not positive beyond rounding.
 #[inline]
-pub fn exceeds_noise<T: Scalar>(pivot: T, scale: T) -> T::Mask {
-    pivot.greater(T::epsilon() * T::constant(NOISE) * scale)
+pub fn vanishes<T: Scalar>(pivot: T, scale: T) -> T::Mask {
+    pivot.finite() & !pivot.greater(T::epsilon() * T::constant(NOISE) * scale)
 }
 
 /// Fails with the name of a repeated hinge if a pivot of it is not positive.
@@ -199,7 +199,8 @@ pub fn assemble<S: ChainState>(
     let mut before = Real::<S>::constant(f64::INFINITY);
     for _ in 0..MOST_CORRECTIONS {
         let left = correct(state).worst();
-        if left <= closed || (left <= near && left >= before) {
+        let is_closed = left <= closed || (left <= near && left >= before);
+        if is_closed && finite(&[state.q(), state.v()]).is_ok() {
             return Ok(());
         }
         before = left;
@@ -207,7 +208,7 @@ pub fn assemble<S: ChainState>(
             break;
         }
     }
-    if before <= near {
+    if before <= near && finite(&[state.q(), state.v()]).is_ok() {
         return Ok(());
     }
     *state = start;

@@ -149,12 +149,21 @@ fn distinct(names: Vec<String>) -> Vec<String> {
     let mut taken: HashSet<String> = KEPT.iter().map(|&name| name.to_owned()).collect();
     let one = |mut name: String| {
         // In lower case a name may have become a word of Rust.
-        while syn::parse_str::<Ident>(&name).is_err() || !taken.insert(name.clone()) {
+        while syn::parse_str::<Ident>(&name).is_err()
+            || is_array(&name)
+            || !taken.insert(name.clone())
+        {
             name.push('_');
         }
         name
     };
     names.into_iter().map(one).collect()
+}
+
+/// Whether loops call an array or a mask of theirs so.
+fn is_array(name: &str) -> bool {
+    let number = ["results", "store", "regular"].iter().find_map(|word| name.strip_prefix(word));
+    number.is_some_and(|number| !number.is_empty() && number.chars().all(|c| c.is_ascii_digit()))
 }
 
 /// A name as a variable is written: an upper-case one could be taken for a constant of the user's.

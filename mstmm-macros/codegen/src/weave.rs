@@ -72,11 +72,6 @@ impl<'g> Loom<'g> {
             }
         }
     }
-
-    /// How many unknowns the last run used.
-    pub fn used(&self) -> u32 {
-        self.state.borrow().used
-    }
 }
 
 impl<'g> Weave<Expr<'g>> for Loom<'g> {

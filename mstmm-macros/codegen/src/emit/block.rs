@@ -39,9 +39,7 @@ impl Plan<'_> {
         let reading = if looped {
             let once = self.read_once(program);
             let (slots, inputs) = (read_slots(program), self.read_inputs(program));
-            let has_times = self.chain.parameters.iter().any(|parameter| parameter.times.is_some());
-            let parameters = has_times.then(|| quote!(let parameters = &self.parameters;));
-            quote!(#parameters #slots #once #inputs)
+            quote!(#slots #once #inputs)
         } else {
             let coordinates = self.read(program, self.programs.symbols.q(), quote!(state.q.data.0));
             let rates = self.read(program, self.programs.symbols.v(), quote!(state.v.data.0));

@@ -1,7 +1,8 @@
 //! What the generated docs say of a chain.
 
 use super::Plan;
-use crate::model::{Element, HingeKind, Method, Parameter, Place};
+use super::spread::Spread;
+use crate::model::{Element, Method, Parameter, Place};
 use crate::program::{Cost, Program};
 
 /// The chain at a glance: its route, its elements, its freedoms, its method and costs.
@@ -14,13 +15,19 @@ pub fn chain(plan: &Plan) -> Vec<String> {
     lines.extend(plan.chain.route.iter().map(|&element| row(plan, element)));
     lines.push(String::new());
     let cost = plan.programs.accelerations.cost();
-    let freedoms = match plan.layout.freedoms() {
-        1 => "1 degree of freedom".to_owned(),
-        count => format!("{count} degrees of freedom"),
+    let freedoms = match (Spread::freedoms(plan).total, plan.programs.held) {
+        (1, None) => "1 degree of freedom".to_owned(),
+        (count, None) => format!("{count} degrees of freedom"),
+        (count, Some(held)) => format!("{count} rates, closed over {held} directions"),
+    };
+    let each = if plan.chain.repeats.is_empty() {
+        ""
+    } else {
+        "; those of repeated parts are counted once"
     };
     lines.push(format!(
         " {freedoms}; accelerations by `{}`, {} operations ({cost}); with everything at \
-         every connection point {} operations.",
+         every connection point {} operations{each}.",
         method_name(plan.programs.method),
         cost.arithmetic(),
         plan.programs.solution.cost().arithmetic(),
@@ -50,10 +57,7 @@ fn row(plan: &Plan, element: Element) -> String {
     match element {
         Element::Body(index) => {
             let body = &plan.chain.bodies[index];
-            let floats =
-                plan.chain.hinges.iter().find(|hinge| {
-                    matches!(hinge.kind, HingeKind::Floating) && hinge.name == body.name
-                });
+            let floats = plan.chain.hinges.iter().find(|hinge| hinge.name == body.name);
             let freedoms = floats.map_or(String::new(), |hinge| hinge.kind.freedoms().to_string());
             format!(" | `{}` | body `{}` | {freedoms} |", body.name, body.type_name)
         }

@@ -313,13 +313,13 @@ fn check(plan: &Plan, block: &Results, pivots: &[HingeId]) -> TokenStream {
             state.v.as_slice(),
             #(#inputs,)*
         ])?;
+        #(#repeated)*
         ::mstmm::generated::regular::<T, _, _>(
             &[#(#names),*],
             [#(#values),*],
             [#(#scales),*],
             #few,
         )?;
-        #(#repeated)*
         #many
     }
 }

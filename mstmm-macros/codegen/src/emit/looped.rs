@@ -232,7 +232,7 @@ impl Plan<'_> {
             (None, None) => return None,
             (value, scale) => (value.or_else(|| once(PIVOTS))?, scale.or_else(|| once(SCALES))?),
         };
-        Some(quote!(#mask = #mask & ::mstmm::generated::exceeds_noise(#value, #scale);))
+        Some(quote!(#mask = #mask & !::mstmm::generated::vanishes(#value, #scale);))
     }
 }
 

@@ -40,19 +40,19 @@ pub fn correction<S: Scalar>(
         dot(&entries, &entries)
     };
     Some(Correction {
-        coordinates: along(situation, &links, &closing, apart, trace),
+        coordinates: along(situation, &links, &closing, apart.motion, trace),
         rates: along(situation, &links, &closing, parting, trace),
-        residual: (size(apart) + size(parting)).sqrt(),
+        residual: (size(apart.motion) + apart.half_turn() + size(parting)).sqrt(),
     })
 }
 
-/// From where the closing hinge arrives to where it should: a shift and a small turn, its axes.
+/// From where the closing hinge arrives to where it should: a shift and a turn.
 fn gap<S: Scalar>(
     situation: &Situation<S>,
     links: &[LinkMotion<S>],
     closing: &Closing<S>,
     poses: &[Pose<S>],
-) -> Motion<S> {
+) -> Gap<S> {
     let hinge = &situation.chain.hinges[closing.over.hinge];
     let (_, origin, rotation) = situation.place(&hinge.outboard);
     let aligned = rotation * alignment(&hinge.kind, situation.numbers);
@@ -66,10 +66,26 @@ fn gap<S: Scalar>(
     };
     let wanted = to.position + to.to_inertial * (attitude * (origin - point));
     let turn = axes.matrix().transposed() * (to.to_inertial * (attitude * aligned));
-    let half = S::number(0.5);
-    let angular =
-        Vec3([turn[2][1] - turn[1][2], turn[0][2] - turn[2][0], turn[1][0] - turn[0][1]]) * half;
-    Motion { linear: axes.back(wanted - reached), angular }
+    Gap {
+        motion: Motion { linear: axes.back(wanted - reached), angular: turn.rotation_vector() },
+        turn,
+    }
+}
+
+/// How far apart the sides of a closing hinge are.
+struct Gap<S> {
+    /// From where the hinge arrives to where it should, its axes.
+    motion: Motion<S>,
+    /// The turn of it.
+    turn: Mat3<S>,
+}
+
+impl<S: Scalar> Gap<S> {
+    /// What the rotation vector does not show: half a turn has no direction, but a cosine.
+    fn half_turn(&self) -> S {
+        let versine = S::one() - self.turn.cosine();
+        versine * versine
+    }
 }
 
 /// How the closing hinge's outboard side moves against what arrives there, its axes.

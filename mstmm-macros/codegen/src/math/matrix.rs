@@ -65,6 +65,21 @@ impl<S: Scalar> Mat3<S> {
         ])
     }
 
+    /// Of a rotation, the cosine of its angle.
+    pub fn cosine(self) -> S {
+        (self[0][0] + self[1][1] + self[2][2] - S::one()) * S::number(0.5)
+    }
+
+    /// Of a rotation, angle times axis. At half a turn the axis is lost, and the vector with it.
+    pub fn rotation_vector(self) -> Vec3<S> {
+        let twice =
+            Vec3([self[2][1] - self[1][2], self[0][2] - self[2][0], self[1][0] - self[0][1]]);
+        let sine = twice * S::number(0.5);
+        // So small that it only keeps 0/0 away: angle and sine shrink alike.
+        let length = (sine.dot(sine) + S::number(1e-30)).sqrt();
+        sine * (length.atan2(self.cosine()) * length.recip())
+    }
+
     /// `self · inner · selfᵀ`
     pub fn congruence(self, inner: Sym3<S>) -> Sym3<S> {
         let half = self * inner.full();

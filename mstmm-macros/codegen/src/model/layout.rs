@@ -129,16 +129,6 @@ impl Layout {
         self.v.last().map_or(0, |range| range.end)
     }
 
-    /// How many rates of hinges there are, prescribed ones as well.
-    pub fn rate_count(&self) -> usize {
-        self.rates.last().map_or(0, |range| range.end)
-    }
-
-    /// How many numbers the inputs are.
-    pub fn input_count(&self) -> usize {
-        self.inputs.last().map_or(0, |input| input.range.end)
-    }
-
     /// The part of the inputs that gives `what`; empty if that is not given.
     pub fn input(&self, what: Driven) -> Range<usize> {
         let found = self.inputs.iter().find(|input| input.what == what);

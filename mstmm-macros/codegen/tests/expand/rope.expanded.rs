@@ -11,7 +11,7 @@
 /// | `hook` | pin | 1 |
 /// | `weight` | body `Weight` |  |
 ///
-/// 2 degrees of freedom; accelerations by `riccati`, 87 operations (47 mul, 39 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 247 operations.
+/// 11 degrees of freedom; accelerations by `riccati`, 87 operations (47 mul, 39 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 247 operations; those of repeated parts are counted once.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Rope<T> {
@@ -92,7 +92,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     #[allow(unused_doc_comments, clippy::all)]
     pub fn initial_state(&self) -> RopeState<T> {
         let c = T::constant;
-        let parameters = &self.parameters;
         let mut results0 = [T::constant(0.0); 11];
         let mut results1 = [T::constant(0.0); 11];
         for [o0] in ::mstmm::generated::times_mut::<T, 1>(results0.as_mut_slice(), 0, 10)
@@ -201,7 +200,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         accelerations: &mut ::mstmm::nalgebra::SVector<T, 11>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         let c = T::constant;
-        let parameters = &self.parameters;
         let [hook_angle] = ::mstmm::generated::piece::<T, 1>(state.q.as_slice(), 10);
         let [hook_rate] = ::mstmm::generated::piece::<T, 1>(state.v.as_slice(), 10);
         let mut results0 = [T::constant(0.0); 11];
@@ -391,7 +389,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t77 = cos_joint_angle * t54;
             let t78 = t76 - t77;
             *store = [t38, joint_z0_force_x, joint_z0_force_y, joint_z0_moment_z];
-            regular0 = regular0 & ::mstmm::generated::exceeds_noise(joint_d0, t36);
+            regular0 = regular0 & !::mstmm::generated::vanishes(joint_d0, t36);
             (
                 carry1_0,
                 carry1_1,
@@ -474,8 +472,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o0 = -t92;
         }
         ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
-        ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
         ::mstmm::generated::require(regular0, "joint")?;
+        ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
         ::mstmm::generated::finite::<T>(&[results0.as_slice()])?;
         accelerations.data.0 = [results0];
         ::core::result::Result::Ok(())
@@ -515,7 +513,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         accelerations: &mut ::mstmm::nalgebra::SVector<T, 11>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         let c = T::constant;
-        let parameters = &self.parameters;
         let [hook_angle] = ::mstmm::generated::piece::<T, 1>(state.q.as_slice(), 10);
         let [hook_rate] = ::mstmm::generated::piece::<T, 1>(state.v.as_slice(), 10);
         let mut results0 = [T::constant(0.0); 11];
@@ -671,7 +668,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t51 = cos_joint_angle * t36;
             let t52 = t50 - t51;
             *store = [t26, joint_z0_force_x, joint_z0_force_y];
-            regular0 = regular0 & ::mstmm::generated::exceeds_noise(joint_j_zz, t24);
+            regular0 = regular0 & !::mstmm::generated::vanishes(joint_j_zz, t24);
             (carry1_0, carry1_1, carry1_2, carry1_3, carry1_4, carry1_5, carry1_6) = (
                 t44,
                 t46,
@@ -749,8 +746,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o0 = -t64;
         }
         ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
-        ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
         ::mstmm::generated::require(regular0, "joint")?;
+        ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
         ::mstmm::generated::finite::<T>(&[results0.as_slice()])?;
         accelerations.data.0 = [results0];
         ::core::result::Result::Ok(())
@@ -830,7 +827,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         at: &mut RopeWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         let c = T::constant;
-        let parameters = &self.parameters;
         let [hook_angle] = ::mstmm::generated::piece::<T, 1>(state.q.as_slice(), 10);
         let [hook_rate] = ::mstmm::generated::piece::<T, 1>(state.v.as_slice(), 10);
         let mut results0 = [T::constant(0.0); 11];
@@ -1034,7 +1030,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t52 = cos_joint_angle * t37;
             let t53 = t51 - t52;
             *store = [t27, joint_z0_force_x, joint_z0_force_y];
-            regular0 = regular0 & ::mstmm::generated::exceeds_noise(joint_j_zz, t25);
+            regular0 = regular0 & !::mstmm::generated::vanishes(joint_j_zz, t25);
             (carry1_0, carry1_1, carry1_2, carry1_3, carry1_4, carry1_5, carry1_6) = (
                 t45,
                 t47,
@@ -1775,8 +1771,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o25 = c(0.0);
         }
         ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
-        ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
         ::mstmm::generated::require(regular0, "joint")?;
+        ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
         ::mstmm::generated::finite::<T>(&[results0.as_slice()])?;
         at.accelerations.data.0 = [results0];
         at.rate_accelerations.data.0 = [results3];
@@ -1818,7 +1814,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state: &RopeState<T>) -> ::mstmm::Energy<T> {
         let c = T::constant;
-        let parameters = &self.parameters;
         let [hook_angle] = ::mstmm::generated::piece::<T, 1>(state.q.as_slice(), 10);
         let [hook_rate] = ::mstmm::generated::piece::<T, 1>(state.v.as_slice(), 10);
         let mut store1 = [[T::constant(0.0); 8]; 10];
@@ -1997,7 +1992,6 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Rope<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn configuration_rate_into(&self, state: &RopeState<T>, rate: &mut RopeState<T>) {
         rate.q.data.0 = {
-            let parameters = &self.parameters;
             let [hook_rate] = ::mstmm::generated::piece::<T, 1>(state.v.as_slice(), 10);
             let mut results0 = [T::constant(0.0); 11];
             for (&[joint_rate], [o0_0]) in ::mstmm::generated::times::<
@@ -2028,7 +2022,6 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Rope<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn normalize(&self, state: &mut RopeState<T>) {
         state.q.data.0 = {
-            let parameters = &self.parameters;
             let [hook_angle] = ::mstmm::generated::piece::<T, 1>(state.q.as_slice(), 10);
             let mut results0 = [T::constant(0.0); 11];
             for (&[joint_angle], [o0_0]) in ::mstmm::generated::times::<

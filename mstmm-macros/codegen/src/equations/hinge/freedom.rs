@@ -6,15 +6,13 @@ use crate::math::{Motion, Scalar, Wrench};
 
 /// The directions that a hinge leaves free, in the work axes of the child.
 ///
-/// The child moves against the parent by `Σ columns[i] β[i]` with `β = basis · v`, which `inverse`
-/// undoes. The hinge's condition is `columnsᵀ F = inverseᵀ τ − armature β̇`.
+/// The child moves against the parent by `Σ columns[i] β[i]` and `v = inverse β`. The hinge's condition is `columnsᵀ F = inverseᵀ τ − armature β̇`.
 #[derive(Clone, Debug)]
 pub struct Freedom<S> {
     /// The free directions; none where the motion is prescribed.
     pub columns: Vec<Column<S>>,
     /// Inertia of rotors along each column.
     pub armature: Vec<S>,
-    basis: Vec<Vec<S>>,
     inverse: Vec<Vec<S>>,
 }
 
@@ -68,7 +66,7 @@ pub fn freedom<S: Scalar>(
     if armature.iter().all(|inertia| inertia.vanishes()) {
         let on_axes = axes_of(subspace).and_then(|axes| on_axes(subspace, axes, armature));
         return on_axes
-            .unwrap_or_else(|| along(subspace.to_vec(), identity(subspace.len()), armature));
+            .unwrap_or_else(|| along(subspace.to_vec(), identity(subspace.len()).1, armature));
     }
     // Along the strains rotors have one inertia each.
     let column = |k: usize| {
@@ -76,12 +74,12 @@ pub fn freedom<S: Scalar>(
         combine(subspace.iter(), &amounts)
     };
     let columns = (0..subspace.len()).map(column).collect();
-    along(columns, (strains.rows.clone(), strains.inverse.clone()), armature)
+    along(columns, strains.inverse.clone(), armature)
 }
 
 /// Nothing is free.
 pub fn prescribed<S>() -> Freedom<S> {
-    Freedom { columns: Vec::new(), armature: Vec::new(), basis: Vec::new(), inverse: Vec::new() }
+    Freedom { columns: Vec::new(), armature: Vec::new(), inverse: Vec::new() }
 }
 
 /// The axes that motions have entries along, if there are as many as motions.
@@ -131,16 +129,12 @@ fn on_axes<S: Scalar>(
         }
     }
     let columns = axes.into_iter().map(Column::Axis).collect();
-    Some(Freedom { columns, armature: armature.to_vec(), basis, inverse })
+    Some(Freedom { columns, armature: armature.to_vec(), inverse })
 }
 
-fn along<S: Scalar>(
-    motions: Vec<Motion<S>>,
-    (basis, inverse): (Vec<Vec<S>>, Vec<Vec<S>>),
-    armature: &[S],
-) -> Freedom<S> {
+fn along<S: Scalar>(motions: Vec<Motion<S>>, inverse: Vec<Vec<S>>, armature: &[S]) -> Freedom<S> {
     let columns = motions.into_iter().map(Column::of).collect();
-    Freedom { columns, armature: armature.to_vec(), basis, inverse }
+    Freedom { columns, armature: armature.to_vec(), inverse }
 }
 
 /// The identity and its inverse.
@@ -164,11 +158,6 @@ impl<S: Scalar> Freedom<S> {
     /// The rates, or accelerations, that belong to `amounts` of the columns.
     pub fn rates(&self, amounts: &[S]) -> Vec<S> {
         self.inverse.iter().map(|row| dot(row, amounts)).collect()
-    }
-
-    /// The amounts of the columns that belong to rates, or accelerations.
-    pub fn amounts(&self, rates: &[S]) -> Vec<S> {
-        self.basis.iter().map(|row| dot(row, rates)).collect()
     }
 
     /// A wrench over the hinge, with the efforts put where the free axes leave nothing else.
