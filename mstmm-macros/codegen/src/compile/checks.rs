@@ -30,6 +30,8 @@ pub(super) fn of(chain: &Chain) -> Vec<Check> {
         let part = chain.repeat_of_body(spring.body);
         checks.extend(of_spring(spring).into_iter().map(|check| Check { part, ..check }));
     }
+    // A loop over the times of a part writes to one slice of them.
+    checks.sort_by_key(|check| check.part);
     checks
 }
 
