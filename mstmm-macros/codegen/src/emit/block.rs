@@ -105,10 +105,8 @@ impl Plan<'_> {
 
     /// The statements of a program without loops.
     fn plain(&self, program: &Program) -> TokenStream {
-        let count: usize = program.sections().map(|section| section.statements.len()).sum();
-        let sections =
-            program.sections().map(|section| self.section(section, count > NESTED_SCOPES));
-        sections.collect()
+        let flat = is_long(program);
+        program.sections().map(|section| self.section(section, flat)).collect()
     }
 
     /// Some sections.
@@ -284,6 +282,11 @@ impl Plan<'_> {
         let rest = (last + 1 < range.end).then(|| quote!(, ..));
         Some(quote!([#(#entries),* #rest]))
     }
+}
+
+/// Whether a program has more statements than may open a scope each.
+pub fn is_long(program: &Program) -> bool {
+    program.sections().map(|section| section.statements.len()).sum::<usize>() > NESTED_SCOPES
 }
 
 fn reads(program: &Program, number: usize) -> bool {

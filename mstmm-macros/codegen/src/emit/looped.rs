@@ -1,6 +1,7 @@
 //! Loops over the times of repeated parts, and the arrays that they fill.
 
 use super::Plan;
+use super::block::is_long;
 use super::inputs;
 use super::names::local;
 use super::spread::{Piece, Spread};
@@ -49,8 +50,9 @@ impl Plan<'_> {
             }
             _ => TokenStream::new(),
         });
+        let flat = is_long(program);
         let blocks = program.blocks.iter().enumerate().map(|(number, block)| match block {
-            Block::Once(sections) => self.sections(sections, false),
+            Block::Once(sections) => self.sections(sections, flat),
             Block::Loop(turn) => self.turn(program, (number, turn), targets, masks),
         });
         let fill = targets.iter().map(|target| self.fill(program, target));
@@ -123,7 +125,7 @@ impl Plan<'_> {
         let firsts = turn.carries.iter().map(|carry| self.operand(&carry.first));
         let nexts = turn.carries.iter().map(|carry| self.operand(&carry.next));
         let entering = turn.carries.iter().map(|carry| local(&carry.entering));
-        let sections = self.sections(&turn.sections, false);
+        let sections = self.sections(&turn.sections, is_long(program));
         let times = usize_literal(self.chain.repeats[turn.repeat].count);
         let (pattern, iterator) = zipped(streams, &times, turn.inwards);
         quote! {
