@@ -1,0 +1,15 @@
+//! A repeated part is the same as its contents written out in a row.
+
+mod repeat {
+    mod closed;
+    mod counts;
+    mod flat;
+    mod forces;
+    mod kinds;
+    mod motions;
+    mod named;
+    mod parameters;
+    mod places;
+    mod twins;
+}
+mod support;
