@@ -77,7 +77,7 @@ fn results_are_read_by_index() {
     // The first input, then two elements at the start, four of each of three times, and so on.
     assert_eq!(at.points().len(), 1 + 2 + 3 * 4 + 2 + 2 * 4);
     let same = |a: &mstmm::Point<f64>, place: usize| assert!(std::ptr::eq(a, &at.points()[place]));
-    for index in 0..3 {
+    for (index, &torque) in torques.iter().enumerate() {
         let first = 2 + 4 * index;
         let (a, c) = (at.a(index).expect("of three"), at.c(index).expect("of three"));
         let (b, d) = (at.b(index).expect("of three"), at.d(index).expect("of three"));
@@ -89,7 +89,7 @@ fn results_are_read_by_index() {
         same(c.output(), first + 3);
         same(d.input(), first + 3);
         same(d.output(), first + 4);
-        assert_eq!(a.effort(), torques[index]);
+        assert_eq!(a.effort(), torque);
         assert_eq!(c.effort(), inputs.c[index]);
         assert_eq!(a.acceleration(), at.accelerations()[1 + 4 * index]);
         assert_eq!(
