@@ -4,9 +4,18 @@
 
 pub mod hinges;
 
-pub use mstmm_macros::mstmm_chain;
+#[doc(hidden)]
+pub use mstmm_macros::mstmm_chain_by;
 #[doc(inline)]
 pub use mstmm_runtime::*;
+
+#[doc = include_str!("language.md")]
+#[macro_export]
+macro_rules! mstmm_chain {
+    ($($description:tt)*) => {
+        $crate::mstmm_chain_by! { $crate $($description)* }
+    };
+}
 
 /// What most programs need: the macro, the integrators and the traits that they work on.
 pub mod prelude {

@@ -37,18 +37,19 @@ pub mod weave;
 use diag::Diagnostics;
 use proc_macro2::TokenStream;
 
-/// Compiles the text inside `mstmm_chain!`: the phases in their order.
+/// Compiles the text inside `mstmm_chain!`: the phases in their order. Generated code calls the crate
+/// `mstmm` by this path.
 ///
 /// # Errors
 ///
 /// All mistakes of the text, each on the token to edit.
-pub fn compile(tokens: TokenStream) -> syn::Result<TokenStream> {
+pub fn compile(tokens: TokenStream, mstmm: &TokenStream) -> syn::Result<TokenStream> {
     let chains = read(tokens)?;
     // From here on no mistake of the user is possible.
     let expand = |(chain, surface): &(model::Chain, syntax::Surface)| {
         let layout = model::Layout::of(chain);
         let programs = compile::programs(chain, &layout);
-        emit::expand(chain, surface, &layout, &programs)
+        emit::expand(chain, surface, &layout, &programs, mstmm)
     };
     Ok(chains.iter().map(expand).collect())
 }

@@ -1,15 +1,23 @@
 //! The generated code of small chains, committed to be read: `MSTMM_BLESS=1 cargo test -p
 //! mstmm-codegen --test expand` writes it anew, and a diff then shows what a change has moved.
 
+use proc_macro2::TokenStream;
+use quote::quote;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/expand")
 }
 
+fn compile(text: &str) -> TokenStream {
+    let tokens = text.parse().expect("tokens");
+    mstmm_codegen::compile(tokens, &quote!(::mstmm)).expect("a right chain")
+}
+
 /// The expansion of a chain as `rustfmt` would print it.
 fn expand(text: &str) -> String {
-    let items = mstmm_codegen::compile(text.parse().expect("tokens")).expect("a right chain");
+    let items = compile(text);
     let file = syn::parse2(items.clone()).unwrap_or_else(|error| panic!("{error}\n{items}"));
     prettyplease::unparse(&file)
 }
@@ -63,8 +71,55 @@ fn code_does_not_grow_with_the_count_of_a_repeat() {
     let length = |count: &str| {
         let text = rope.replace("repeat 10 ", &format!("repeat {count} "));
         let text = text.replace("[10]", &format!("[{count}]"));
-        let items = mstmm_codegen::compile(text.parse().expect("tokens")).expect("a right chain");
+        let items = compile(&text);
         items.to_string().chars().filter(|letter| !letter.is_ascii_digit()).count()
     };
     assert_eq!(length("10"), length("10000"));
+}
+
+/// Rust constants, parameters of every time, an elastic hinge.
+const CONSTANTS: &str = "
+    line chain Train {
+        param coal[3] = 2 kg;
+        body Engine { mass = data::MASS; output = 1 m; }
+        body Car { mass = data::MASS + coal; output = 1 m; }
+        Engine first -> repeat 3 { elastic a -> Car next };
+        hinge a { stiffness = 3; damping = data::DAMPING; }
+    }";
+
+/// Hinges that move as they are told, and loads.
+const TOLD: &str = "
+    chain Crane {
+        gravity = input;
+        body Rod { mass = 1 kg; com = [1, 0, 0] m; inertia = diag(1, 1, 1) about com; output = [2, 0, 0] m; }
+        moving deck -> screw(x, 5 mm/rev) a -> Rod b -> repeat 3 { universal(x, y) c -> Rod d }
+            -> elastic e -> Rod f -> planar(y) g -> moving hook;
+        hinge a { motion = input; }
+        hinge e { stiffness = 3; turning_stiffness = 3; torque = input; }
+        load push { on = d; force = input; torque = input; }
+    }";
+
+/// Where the user has a constant, a static or a unit struct of the name of a variable, Rust takes the
+/// pattern for that one. So all variables have names that no one would give to such a thing.
+#[test]
+fn variables_have_names_of_their_own() {
+    #[derive(Default)]
+    struct Variables(BTreeSet<String>);
+    impl<'ast> syn::visit::Visit<'ast> for Variables {
+        fn visit_pat_ident(&mut self, variable: &'ast syn::PatIdent) {
+            self.0.insert(variable.ident.to_string());
+        }
+    }
+    let written = ["pendulum", "top", "two_pins", "rope", "four_bar"];
+    let written =
+        written.map(|name| std::fs::read_to_string(folder().join(format!("{name}.chain"))));
+    let written = written.map(|text| text.expect("a chain"));
+    for text in written.iter().map(String::as_str).chain([CONSTANTS, TOLD]) {
+        let file = syn::parse2(compile(&text)).expect("items");
+        let mut variables = Variables::default();
+        syn::visit::Visit::visit_file(&mut variables, &file);
+        assert!(variables.0.len() > 20, "{:?}", variables.0);
+        let plain: Vec<_> = variables.0.iter().filter(|name| !name.ends_with('_')).collect();
+        assert!(plain.is_empty(), "{plain:?}");
+    }
 }

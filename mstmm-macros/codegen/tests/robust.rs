@@ -3,6 +3,7 @@
 
 use mstmm_reference::{Ends, Joining, Random, random_chain};
 use proc_macro2::{TokenStream, TokenTree};
+use quote::quote;
 
 const CHAINS: u64 = 120;
 
@@ -71,7 +72,7 @@ fn every_text_ends_in_code_or_in_mistakes() {
     let (mut code, mut mistakes) = (0, 0);
     for seed in 0..CHAINS {
         let tokens = mutated(seed);
-        match mstmm_codegen::compile(tokens.clone()) {
+        match mstmm_codegen::compile(tokens.clone(), &quote!(::mstmm)) {
             Ok(items) => {
                 code += 1;
                 let parsed = syn::parse2::<syn::File>(items);

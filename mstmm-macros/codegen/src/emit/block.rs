@@ -41,8 +41,9 @@ impl Plan<'_> {
             let (slots, inputs) = (read_slots(program), self.read_inputs(program));
             quote!(#slots #once #inputs)
         } else {
-            let coordinates = self.read(program, self.programs.symbols.q(), quote!(state.q.data.0));
-            let rates = self.read(program, self.programs.symbols.v(), quote!(state.v.data.0));
+            let coordinates =
+                self.read(program, self.programs.symbols.q(), quote!(state_.q.data.0));
+            let rates = self.read(program, self.programs.symbols.v(), quote!(state_.v.data.0));
             let (slots, inputs) = (read_slots(program), self.read_inputs(program));
             quote!(#slots #coordinates #rates #inputs)
         };
@@ -66,10 +67,10 @@ impl Plan<'_> {
         let parameters =
             parameters.filter(|(_, number)| reads(program, *number)).map(|(parameter, number)| {
                 let (name, field) = (self.symbol(number as u32), &parameter.name);
-                quote!(let #name = parameters.#field;)
+                quote!(let #name = parameters_.#field;)
             });
         let constants =
-            self.read_array(program, self.programs.symbols.constants(), quote!(*constants));
+            self.read_array(program, self.programs.symbols.constants(), quote!(*constants_));
         let results = self.results(program, quote!(#(#parameters)* #constants));
         self.finished(results, program, targets)
     }
@@ -116,10 +117,11 @@ impl Plan<'_> {
 
     /// Takes the unknowns that stand once out of arrays that hold those of repeated parts as well.
     fn read_once(&self, program: &Program) -> TokenStream {
+        let mstmm = &self.mstmm;
         let symbols = &self.programs.symbols;
         let both = [
-            (symbols.q(), Spread::coordinates(self), quote!(state.q)),
-            (symbols.v(), Spread::freedoms(self), quote!(state.v)),
+            (symbols.q(), Spread::coordinates(self), quote!(state_.q)),
+            (symbols.v(), Spread::freedoms(self), quote!(state_.v)),
         ];
         let mut reading = TokenStream::new();
         for (range, spread, from) in both {
@@ -129,7 +131,7 @@ impl Plan<'_> {
                     let [count, place] = [piece.count, piece.place].map(looped::usize_literal);
                     reading.extend(quote! {
                         let #pattern =
-                            ::mstmm::generated::piece::<T, #count>(#from.as_slice(), #place);
+                            #mstmm::generated::piece::<T, #count>(#from.as_slice(), #place);
                     });
                 }
             }
@@ -191,6 +193,7 @@ impl Plan<'_> {
     }
 
     fn operation(&self, operation: &Operation) -> TokenStream {
+        let mstmm = &self.mstmm;
         let go = |operand: &Operand| self.operand(operand);
         match operation {
             Operation::Sum(a, b) => {
@@ -223,7 +226,7 @@ impl Plan<'_> {
             }
             Operation::RecipAbove(a, b) => {
                 let (a, b) = (go(a), go(b));
-                quote!(::mstmm::generated::recip_above(#a, #b))
+                quote!(#mstmm::generated::recip_above(#a, #b))
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::Plan;
 use super::docs;
-use super::looped::{Target, slices, usize_literal};
+use super::looped::{Target, usize_literal};
 use super::spread::Spread;
 use crate::model::{Parameter, Symbol, Value};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -10,6 +10,7 @@ use quote::{format_ident, quote, quote_spanned};
 
 /// `struct Chain<T>`, `struct ChainParameters<T>` and their constructors.
 pub fn emit(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let chain = chain_type(plan);
     let parameters = parameters_type(plan);
     let constructors = constructors(plan);
@@ -22,13 +23,13 @@ pub fn emit(plan: &Plan) -> TokenStream {
         #chain
         #parameters
         #[allow(dead_code, non_snake_case)]
-        impl<T: ::mstmm::Scalar> #name<T> {
+        impl<T: #mstmm::Scalar> #name<T> {
             #constructors
             #(#setters)*
             #start
             #derive
         }
-        impl<T: ::mstmm::Scalar> ::core::default::Default for #name<T> {
+        impl<T: #mstmm::Scalar> ::core::default::Default for #name<T> {
             fn default() -> Self {
                 Self::new()
             }
@@ -60,6 +61,7 @@ fn chain_type(plan: &Plan) -> TokenStream {
 }
 
 fn parameters_type(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let (name, visibility) = (&plan.names.parameters, &plan.surface.visibility);
     let doc = format!(" Numbers of [`{}`] that may change at run time.", plan.names.chain);
     let fields = plan.chain.parameters.iter().map(|parameter| {
@@ -93,7 +95,7 @@ fn parameters_type(plan: &Plan) -> TokenStream {
             #marker
         }
         #[allow(dead_code, non_snake_case)]
-        impl<T: ::mstmm::Scalar> #name<T> {
+        impl<T: #mstmm::Scalar> #name<T> {
             #(#getters)*
         }
     }
@@ -123,9 +125,9 @@ fn constructors(plan: &Plan) -> TokenStream {
         #[must_use]
         #[allow(clippy::all)]
         #visibility fn new() -> Self {
-            let parameters = #parameters { #(#values,)* #marker };
-            let (chain, _) = Self::derive(parameters);
-            chain
+            let parameters_ = #parameters { #(#values,)* #marker };
+            let (chain_, _) = Self::derive(parameters_);
+            chain_
         }
 
         /// The numbers that may change at run time.
@@ -171,18 +173,18 @@ fn derive(plan: &Plan) -> TokenStream {
     let constants = plan.surface.constants.iter();
     let evaluate = (!plan.surface.constants.is_empty()).then(|| {
         let count = Literal::usize_unsuffixed(plan.surface.constants.len());
-        quote!(let constants: &[T; #count] = &[#(T::constant(#constants)),*];)
+        quote!(let constants_: &[T; #count] = &[#(T::constant(#constants)),*];)
     });
     let parameters = &plan.names.parameters;
     let doc = format!(" Quantities derived from parameters and constants: {}.", program.cost());
     quote! {
         #[doc = #doc]
         #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
-        fn derive(parameters: #parameters<T>) -> (Self, [T; #check_count]) {
+        fn derive(parameters_: #parameters<T>) -> (Self, [T; #check_count]) {
             #evaluate
             #statements
-            let (derived, checks) = (#slots, #checks);
-            (Self { parameters, derived, #(#names: #arrays,)* }, checks)
+            let (derived_, checks_) = (#slots, #checks);
+            (Self { parameters: parameters_, derived: derived_, #(#names: #arrays,)* }, checks_)
         }
     }
 }
@@ -194,6 +196,7 @@ fn checked(plan: &Plan) -> Spread {
 
 /// `set_x`: takes effect only if the chain stays a physical one.
 fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let (name, visibility) = (&parameter.name, &plan.surface.visibility);
     let set = format_ident!("set_{name}", span = name.span());
     let text = name.to_string();
@@ -205,26 +208,26 @@ fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
             quote!((#positive, #reason))
         });
         if piece.times == 1 && piece.place == 0 && piece.count == plan.programs.checks.len() {
-            return quote!(::mstmm::generated::check_numbers(#text, &checks, &[#(#rules),*])?;);
+            return quote!(#mstmm::generated::check_numbers(#text, &checks_, &[#(#rules),*])?;);
         }
-        let slices = slices(&quote!(checks), &piece);
+        let slices = plan.slices(&quote!(checks_), &piece);
         quote! {
-            for numbers in #slices {
-                ::mstmm::generated::check_numbers(#text, numbers, &[#(#rules),*])?;
+            for numbers_ in #slices {
+                #mstmm::generated::check_numbers(#text, numbers_, &[#(#rules),*])?;
             }
         }
     });
-    let derived = parts(plan).into_iter().map(|(name, _)| quote!(&chain.#name));
+    let derived = parts(plan).into_iter().map(|(name, _)| quote!(&chain_.#name));
     let (arguments, change, values) = match parameter.times {
-        None => (quote!(value: T), quote!(parameters.#name = value;), quote!(&[value])),
+        None => (quote!(value_: T), quote!(parameters_.#name = value_;), quote!(&[value_])),
         Some(_) => (
-            quote!(mut value: impl ::core::ops::FnMut(usize) -> T),
+            quote!(mut value_: impl ::core::ops::FnMut(usize) -> T),
             quote! {
-                for (index, place) in parameters.#name.iter_mut().enumerate() {
-                    *place = value(index);
+                for (index_, place_) in ::core::iter::zip(0.., &mut parameters_.#name) {
+                    *place_ = value_(index_);
                 }
             },
-            quote!(&parameters.#name),
+            quote!(&parameters_.#name),
         ),
     };
     let each = parameter.times.map(|times| {
@@ -240,24 +243,25 @@ fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
         ///
         /// # Errors
         ///
-        /// [`Error::Parameter`](::mstmm::Error::Parameter) if the number is not finite or would
+        /// `Error::Parameter` if the number is not finite or would
         /// leave the chain with a mass that is not positive, a stiffness or damping that is negative
         /// or a quantity that is not finite; the old one is kept then.
         #[allow(unused_variables, clippy::all)]
-        #visibility fn #set(&mut self, #arguments) -> ::core::result::Result<(), ::mstmm::Error> {
-            let mut parameters = self.parameters;
+        #visibility fn #set(&mut self, #arguments) -> ::core::result::Result<(), #mstmm::Error> {
+            let mut parameters_ = self.parameters;
             #change
-            let values = #values;
-            let (chain, checks) = Self::derive(parameters);
-            ::mstmm::generated::check_parameter(#text, values, &[&chain.derived, #(#derived),*])?;
+            let values_ = #values;
+            let (chain_, checks_) = Self::derive(parameters_);
+            #mstmm::generated::check_parameter(#text, values_, &[&chain_.derived, #(#derived),*])?;
             #(#rules)*
-            *self = chain;
+            *self = chain_;
             ::core::result::Result::Ok(())
         }
     }
 }
 
 fn start(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let (state, visibility) = (&plan.names.state, &plan.surface.visibility);
     let targets = [(0, Spread::coordinates(plan)), (1, Spread::freedoms(plan))];
     let targets = targets.map(|(group, spread)| Target { group, spread });
@@ -270,8 +274,8 @@ fn start(plan: &Plan) -> TokenStream {
         #visibility fn initial_state(&self) -> #state<T> {
             #statements
             #state {
-                q: ::mstmm::generated::vector(#q),
-                v: ::mstmm::generated::vector(#v),
+                q: #mstmm::generated::vector(#q),
+                v: #mstmm::generated::vector(#v),
                 t: T::constant(0.0),
             }
         }
@@ -329,14 +333,15 @@ fn value_tokens(plan: &Plan, value: &Value) -> TokenStream {
             let (a, b) = (go(a), go(b));
             quote!((#a / #b))
         }
-        Value::Sqrt(a) => function("sqrt", go(a)),
-        Value::Sin(a) => function("sin", go(a)),
-        Value::Cos(a) => function("cos", go(a)),
+        Value::Sqrt(a) => function(plan, "sqrt", go(a)),
+        Value::Sin(a) => function(plan, "sin", go(a)),
+        Value::Cos(a) => function(plan, "cos", go(a)),
     }
 }
 
 /// `core` has no such functions of `f64`; the runtime has.
-fn function(name: &str, argument: TokenStream) -> TokenStream {
+fn function(plan: &Plan, name: &str, argument: TokenStream) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let name = format_ident!("{name}");
-    quote!(::mstmm::generated::#name(#argument))
+    quote!(#mstmm::generated::#name(#argument))
 }

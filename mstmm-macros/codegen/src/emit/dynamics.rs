@@ -14,6 +14,7 @@ use quote::quote;
 
 /// The chain's methods and its `Chain` implementation.
 pub fn emit(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let name = &plan.names.chain;
     let accelerations = accelerations(plan);
     let solution = solution(plan);
@@ -22,7 +23,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let generated = generated(plan);
     quote! {
         #[allow(dead_code, non_snake_case)]
-        impl<T: ::mstmm::Scalar> #name<T> {
+        impl<T: #mstmm::Scalar> #name<T> {
             #accelerations
             #solution
             #energy
@@ -33,6 +34,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
 }
 
 fn accelerations(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let (state, inputs) = (&plan.names.state, &plan.names.inputs);
     let visibility = &plan.surface.visibility;
     let freedoms = usize_literal(Spread::freedoms(plan).total);
@@ -52,19 +54,19 @@ fn accelerations(plan: &Plan) -> TokenStream {
         ///
         /// # Errors
         ///
-        /// [`Error::Singular`](::mstmm::Error::Singular) if nothing with inertia lies beyond a
-        /// hinge, [`Error::NotFinite`](::mstmm::Error::NotFinite) if a number of the state or the
+        /// `Error::Singular` if nothing with inertia lies beyond a
+        /// hinge, `Error::NotFinite` if a number of the state or the
         /// inputs is not finite. `accelerations` is not touched then.
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         #visibility fn accelerations_into(
             &self,
-            state: &#state<T>,
-            inputs: &#inputs<T>,
-            accelerations: &mut ::mstmm::nalgebra::SVector<T, #freedoms>,
-        ) -> ::core::result::Result<(), ::mstmm::Error> {
+            state_: &#state<T>,
+            inputs_: &#inputs<T>,
+            accelerations_: &mut #mstmm::nalgebra::SVector<T, #freedoms>,
+        ) -> ::core::result::Result<(), #mstmm::Error> {
             #statements
             #check
-            accelerations.data.0 = [#results];
+            accelerations_.data.0 = [#results];
             ::core::result::Result::Ok(())
         }
 
@@ -77,19 +79,20 @@ fn accelerations(plan: &Plan) -> TokenStream {
         #[inline]
         #visibility fn accelerations(
             &self,
-            state: &#state<T>,
-            inputs: &#inputs<T>,
-        ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, #freedoms>, ::mstmm::Error> {
-            let mut accelerations =
-                ::mstmm::generated::vector([T::constant(0.0); #freedoms]);
-            self.accelerations_into(state, inputs, &mut accelerations)?;
-            ::core::result::Result::Ok(accelerations)
+            state_: &#state<T>,
+            inputs_: &#inputs<T>,
+        ) -> ::core::result::Result<#mstmm::nalgebra::SVector<T, #freedoms>, #mstmm::Error> {
+            let mut accelerations_ =
+                #mstmm::generated::vector([T::constant(0.0); #freedoms]);
+            self.accelerations_into(state_, inputs_, &mut accelerations_)?;
+            ::core::result::Result::Ok(accelerations_)
         }
     }
 }
 
 /// The accelerations of a linearly implicit step.
 fn implicit(plan: &Plan) -> Option<TokenStream> {
+    let mstmm = &plan.mstmm;
     let (program, pivots) = plan.programs.implicit.as_ref()?;
     let (state, inputs) = (&plan.names.state, &plan.names.inputs);
     let freedoms = usize_literal(Spread::freedoms(plan).total);
@@ -106,20 +109,21 @@ fn implicit(plan: &Plan) -> Option<TokenStream> {
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         fn implicit_accelerations_into(
             &self,
-            state: &#state<T>,
-            inputs: &#inputs<T>,
+            state_: &#state<T>,
+            inputs_: &#inputs<T>,
             #step: T,
-            accelerations: &mut ::mstmm::nalgebra::SVector<T, #freedoms>,
-        ) -> ::core::result::Result<(), ::mstmm::Error> {
+            accelerations_: &mut #mstmm::nalgebra::SVector<T, #freedoms>,
+        ) -> ::core::result::Result<(), #mstmm::Error> {
             #statements
             #check
-            accelerations.data.0 = [#results];
+            accelerations_.data.0 = [#results];
             ::core::result::Result::Ok(())
         }
     })
 }
 
 fn solution(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let (state, inputs) = (&plan.names.state, &plan.names.inputs);
     let (workspace, visibility) = (&plan.names.workspace, &plan.surface.visibility);
     let program = &plan.programs.solution;
@@ -135,7 +139,7 @@ fn solution(plan: &Plan) -> TokenStream {
     let (kinetic, potential) = (&energies[0], &energies[1]);
     let closure = plan.programs.held.map(|_| {
         let wrenches = undetermined.chunks(6).map(|wrench| quote!([#(#wrench),*]));
-        quote!(at.closure = ::mstmm::generated::closure([#(#wrenches),*]);)
+        quote!(at_.closure = #mstmm::generated::closure([#(#wrenches),*]);)
     });
     let cost = docs::cost(program);
     quote! {
@@ -150,18 +154,18 @@ fn solution(plan: &Plan) -> TokenStream {
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         #visibility fn solve_into(
             &self,
-            state: &#state<T>,
-            inputs: &#inputs<T>,
-            at: &mut #workspace<T>,
-        ) -> ::core::result::Result<(), ::mstmm::Error> {
+            state_: &#state<T>,
+            inputs_: &#inputs<T>,
+            at_: &mut #workspace<T>,
+        ) -> ::core::result::Result<(), #mstmm::Error> {
             #statements
             #check
-            at.accelerations.data.0 = [#results];
-            at.rate_accelerations.data.0 = [#rates];
-            at.efforts.data.0 = [#efforts];
+            at_.accelerations.data.0 = [#results];
+            at_.rate_accelerations.data.0 = [#rates];
+            at_.efforts.data.0 = [#efforts];
             #closure
-            at.kinetic_energy = #kinetic;
-            at.potential_energy = #potential;
+            at_.kinetic_energy = #kinetic;
+            at_.potential_energy = #potential;
             #points
             ::core::result::Result::Ok(())
         }
@@ -173,7 +177,7 @@ fn points(plan: &Plan, block: &Results) -> TokenStream {
     let each = numbers_of_point(plan.chain.dimension);
     if !block.looped {
         let points = block.outputs[7].chunks(each).map(|numbers| point(plan, numbers));
-        return quote!(at.points = [#(#points),*];);
+        return quote!(at_.points = [#(#points),*];);
     }
     let names: Vec<TokenStream> = (0..each)
         .map(|k| {
@@ -183,14 +187,17 @@ fn points(plan: &Plan, block: &Results) -> TokenStream {
         .collect();
     let (point, numbers, each) = (point(plan, &names), &block.arrays[7], usize_literal(each));
     quote! {
-        for (point, &[#(#names),*]) in at.points.iter_mut().zip(#numbers.as_chunks::<#each>().0) {
-            *point = #point;
+        for (point_, &[#(#names),*]) in
+            ::core::iter::zip(&mut at_.points, #numbers.as_chunks::<#each>().0)
+        {
+            *point_ = #point;
         }
     }
 }
 
 /// A connection point from its numbers.
 fn point(plan: &Plan, numbers: &[TokenStream]) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let mut rest = numbers.iter();
     let mut take = |count: usize| {
         let entries: Vec<&TokenStream> = rest.by_ref().take(count).collect();
@@ -202,12 +209,12 @@ fn point(plan: &Plan, numbers: &[TokenStream]) -> TokenStream {
             let (velocity, omega) = (take(3), take(3));
             let z = [take(3), take(3), take(3), take(3)];
             quote! {
-                ::mstmm::Point::new(
+                #mstmm::Point::new(
                     #position,
                     [#(#rows),*],
                     #velocity,
                     #omega,
-                    ::mstmm::StateVector::new(#(#z),*),
+                    #mstmm::StateVector::new(#(#z),*),
                 )
             }
         }
@@ -215,22 +222,22 @@ fn point(plan: &Plan, numbers: &[TokenStream]) -> TokenStream {
             let (position, turn, velocity, omega) = (take(2), take(2), take(2), take(1));
             let z = [take(2), take(1), take(1), take(2)];
             quote! {
-                ::mstmm::PlanePoint::new(
+                #mstmm::PlanePoint::new(
                     #position,
                     #turn,
                     #velocity,
                     #omega,
-                    ::mstmm::PlaneStateVector::new(#(#z),*),
+                    #mstmm::PlaneStateVector::new(#(#z),*),
                 )
             }
         }
         Dimension::Line => {
             let (position, velocity, z) = (take(1), take(1), [take(1), take(1)]);
             quote! {
-                ::mstmm::LinePoint::new(
+                #mstmm::LinePoint::new(
                     #position,
                     #velocity,
-                    ::mstmm::LineStateVector::new(#(#z),*),
+                    #mstmm::LineStateVector::new(#(#z),*),
                 )
             }
         }
@@ -238,6 +245,7 @@ fn point(plan: &Plan, numbers: &[TokenStream]) -> TokenStream {
 }
 
 fn energy(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let (state, inputs) = (&plan.names.state, &plan.names.inputs);
     let visibility = &plan.surface.visibility;
     let program = &plan.programs.energy;
@@ -247,7 +255,7 @@ fn energy(plan: &Plan) -> TokenStream {
     let cost = docs::cost(program);
     let body = quote! {
         #statements
-        ::mstmm::Energy { kinetic: #kinetic, potential: #potential }
+        #mstmm::Energy { kinetic: #kinetic, potential: #potential }
     };
     if !plan.chain.hinges.iter().any(Hinge::is_prescribed) {
         return quote! {
@@ -257,7 +265,7 @@ fn energy(plan: &Plan) -> TokenStream {
             #(#[doc = #cost])*
             #[must_use]
             #[allow(unused_doc_comments, unused_variables, clippy::all)]
-            #visibility fn energy(&self, state: &#state<T>) -> ::mstmm::Energy<T> {
+            #visibility fn energy(&self, state_: &#state<T>) -> #mstmm::Energy<T> {
                 #body
             }
         };
@@ -266,8 +274,8 @@ fn energy(plan: &Plan) -> TokenStream {
         /// Kinetic and potential energy in J, with prescribed motions at rest in the zero position.
         #[inline]
         #[must_use]
-        #visibility fn energy(&self, state: &#state<T>) -> ::mstmm::Energy<T> {
-            self.energy_with(state, &self.no_inputs())
+        #visibility fn energy(&self, state_: &#state<T>) -> #mstmm::Energy<T> {
+            self.energy_with(state_, &self.no_inputs())
         }
 
         /// Kinetic and potential energy in J; the potential of gravity is zero with every centre of
@@ -278,9 +286,9 @@ fn energy(plan: &Plan) -> TokenStream {
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         #visibility fn energy_with(
             &self,
-            state: &#state<T>,
-            inputs: &#inputs<T>,
-        ) -> ::mstmm::Energy<T> {
+            state_: &#state<T>,
+            inputs_: &#inputs<T>,
+        ) -> #mstmm::Energy<T> {
             #body
         }
     }
@@ -288,6 +296,7 @@ fn energy(plan: &Plan) -> TokenStream {
 
 /// The test that comes before any result is written.
 fn check(plan: &Plan, block: &Results, pivots: &[HingeId]) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let name = |&hinge: &HingeId| plan.chain.hinges[hinge].name.to_string();
     let once = |number: &usize| block.masks.iter().all(|(repeated, _)| repeated != number);
     let numbers: Vec<usize> = (0..pivots.len()).filter(once).collect();
@@ -298,23 +307,23 @@ fn check(plan: &Plan, block: &Results, pivots: &[HingeId]) -> TokenStream {
     let (taken, inputs) = plan.input_slices();
     let repeated = block.masks.iter().map(|(number, mask)| {
         let name = name(&pivots[*number]);
-        quote!(::mstmm::generated::require(#mask, #name)?;)
+        quote!(#mstmm::generated::require(#mask, #name)?;)
     });
     // An array of many numbers is not handed over by value.
     let (few, many) = if block.looped {
-        (quote!([]), Some(quote!(::mstmm::generated::finite::<T>(&[#results.as_slice()])?;)))
+        (quote!([]), Some(quote!(#mstmm::generated::finite::<T>(&[#results.as_slice()])?;)))
     } else {
         (quote!(#results), None)
     };
     quote! {
         #taken
-        ::mstmm::generated::finite::<T>(&[
-            state.q.as_slice(),
-            state.v.as_slice(),
+        #mstmm::generated::finite::<T>(&[
+            state_.q.as_slice(),
+            state_.v.as_slice(),
             #(#inputs,)*
         ])?;
         #(#repeated)*
-        ::mstmm::generated::regular::<T, _, _>(
+        #mstmm::generated::regular::<T, _, _>(
             &[#(#names),*],
             [#(#values),*],
             [#(#scales),*],

@@ -10,6 +10,7 @@ use quote::{format_ident, quote};
 
 /// `struct ChainInputs<T>` and how to get one.
 pub fn emit(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let (name, visibility) = (&plan.names.inputs, &plan.surface.visibility);
     let chain = &plan.names.chain;
     let doc = format!(" What drives [`{chain}`] from outside, given at every step.");
@@ -38,14 +39,14 @@ pub fn emit(plan: &Plan) -> TokenStream {
             #(#fields,)*
             #marker
         }
-        impl<T: ::mstmm::Scalar> ::core::default::Default for #name<T> {
+        impl<T: #mstmm::Scalar> ::core::default::Default for #name<T> {
             #[inline]
             fn default() -> Self {
                 Self { #(#zeros,)* #marker_value }
             }
         }
         #[allow(dead_code, non_snake_case)]
-        impl<T: ::mstmm::Scalar> #chain<T> {
+        impl<T: #mstmm::Scalar> #chain<T> {
             /// Inputs that are all zero; prescribed motions rest in the zero position.
             #[inline]
             #[must_use]
@@ -71,7 +72,7 @@ pub fn streams(plan: &Plan, turn: &Loop) -> (Vec<Stream>, TokenStream) {
         if plan.chain.repeat_of_input(input.what) == Some(turn.repeat) && is_read {
             let name = field(plan, input);
             let item = local(&format!("input_{name}"));
-            streams.push((quote!(&#item), quote!(inputs.#name.iter())));
+            streams.push((quote!(&#item), quote!(inputs_.#name.iter())));
             taken.extend(plan.read_input(input, &quote!(#item)));
         }
     }
@@ -114,28 +115,30 @@ fn doc_of(plan: &Plan, input: &Input) -> String {
 }
 
 fn type_of(plan: &Plan, input: &Input) -> TokenStream {
+    let mstmm = &plan.mstmm;
     match input.what {
         Driven::Motion(hinge) => {
             let view = view_name(plan, hinge);
-            let acceleration = numbers_type(plan.chain.hinges[hinge].kind.freedoms());
-            quote!(::mstmm::HingeMotion<::mstmm::#view<T>, #acceleration>)
+            let acceleration = plan.numbers_type(plan.chain.hinges[hinge].kind.freedoms());
+            quote!(#mstmm::HingeMotion<#mstmm::#view<T>, #acceleration>)
         }
-        _ => numbers_type(input.range.len()),
+        _ => plan.numbers_type(input.range.len()),
     }
 }
 
 fn zero_of(plan: &Plan, input: &Input) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let zero = |count: usize| match count {
         1 => quote!(T::constant(0.0)),
-        _ => quote!(::mstmm::generated::vector([T::constant(0.0); #count])),
+        _ => quote!(#mstmm::generated::vector([T::constant(0.0); #count])),
     };
     match input.what {
         Driven::Motion(hinge) => {
             let view = view_name(plan, hinge);
             let acceleration = zero(plan.chain.hinges[hinge].kind.freedoms());
             quote! {
-                ::mstmm::HingeMotion {
-                    state: <::mstmm::#view<T> as ::core::default::Default>::default(),
+                #mstmm::HingeMotion {
+                    state: <#mstmm::#view<T> as ::core::default::Default>::default(),
                     acceleration: #acceleration,
                 }
             }
@@ -150,16 +153,17 @@ fn view_name(plan: &Plan, hinge: HingeId) -> Ident {
     format_ident!("{}", view.map_or("", |view| view.name))
 }
 
-/// The type of so many numbers: a number, or a vector.
-pub fn numbers_type(count: usize) -> TokenStream {
-    match count {
-        0 => quote!(()),
-        1 => quote!(T),
-        _ => quote!(::mstmm::nalgebra::SVector<T, #count>),
-    }
-}
-
 impl Plan<'_> {
+    /// The type of so many numbers: a number, or a vector.
+    pub fn numbers_type(&self, count: usize) -> TokenStream {
+        let mstmm = &self.mstmm;
+        match count {
+            0 => quote!(()),
+            1 => quote!(T),
+            _ => quote!(#mstmm::nalgebra::SVector<T, #count>),
+        }
+    }
+
     /// Takes the inputs that a program reads into variables.
     pub fn read_inputs(&self, program: &Program) -> TokenStream {
         let first = self.programs.symbols.inputs().start;
@@ -169,7 +173,7 @@ impl Plan<'_> {
         });
         let read = |input: &Input| {
             let name = field(self, input);
-            self.read_input(input, &quote!(inputs.#name))
+            self.read_input(input, &quote!(inputs_.#name))
         };
         needed.map(read).collect()
     }
@@ -209,20 +213,21 @@ impl Plan<'_> {
     /// Slices that together hold all numbers of the inputs that stand once, and statements before,
     /// which look at all others.
     pub fn input_slices(&self) -> (TokenStream, Vec<TokenStream>) {
+        let mstmm = &self.mstmm;
         let mut before = TokenStream::new();
         let mut slices = Vec::new();
         for input in &self.layout.inputs {
             let name = field(self, input);
             if times(self, input).is_some() {
-                let (taken, slice) = self.input_slice(input, &quote!(item));
+                let (taken, slice) = self.input_slice(input, &quote!(item_));
                 before.extend(quote! {
-                    for item in inputs.#name.iter().copied() {
+                    for &item_ in &inputs_.#name {
                         #taken
-                        ::mstmm::generated::finite::<T>(&[#slice])?;
+                        #mstmm::generated::finite::<T>(&[#slice])?;
                     }
                 });
             } else {
-                let (taken, slice) = self.input_slice(input, &quote!(inputs.#name));
+                let (taken, slice) = self.input_slice(input, &quote!(inputs_.#name));
                 before.extend(taken);
                 slices.push(slice);
             }

@@ -12,6 +12,7 @@ use quote::quote;
 
 /// The chain as integrators see it.
 pub fn integrable(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
     let rates = map(plan, &plan.programs.coordinate_rates);
     let normalized = map(plan, &plan.programs.normalized);
@@ -21,13 +22,13 @@ pub fn integrable(plan: &Plan) -> TokenStream {
             #[inline]
             fn implicit_derivative_into(
                 &self,
-                state: &#state<T>,
-                inputs: &#inputs<T>,
+                state_: &#state<T>,
+                inputs_: &#inputs<T>,
                 #step: T,
-                rate: &mut #state<T>,
-            ) -> ::core::result::Result<(), ::mstmm::Error> {
-                self.implicit_accelerations_into(state, inputs, #step, &mut rate.v)?;
-                self.configuration_rate_into(state, rate);
+                rate_: &mut #state<T>,
+            ) -> ::core::result::Result<(), #mstmm::Error> {
+                self.implicit_accelerations_into(state_, inputs_, #step, &mut rate_.v)?;
+                self.configuration_rate_into(state_, rate_);
                 ::core::result::Result::Ok(())
             }
         }
@@ -35,7 +36,7 @@ pub fn integrable(plan: &Plan) -> TokenStream {
     let correction = correction(plan);
     let (correct, close, assemble) = (&correction.correct, &correction.close, &correction.assemble);
     quote! {
-        impl<T: ::mstmm::Scalar> ::mstmm::Chain for #name<T> {
+        impl<T: #mstmm::Scalar> #mstmm::Chain for #name<T> {
             type Scalar = T;
             type State = #state<T>;
             type Inputs = #inputs<T>;
@@ -44,12 +45,12 @@ pub fn integrable(plan: &Plan) -> TokenStream {
             #[allow(unused_doc_comments, unused_variables, clippy::all)]
             fn derivative_into(
                 &self,
-                state: &#state<T>,
-                inputs: &#inputs<T>,
-                rate: &mut #state<T>,
-            ) -> ::core::result::Result<(), ::mstmm::Error> {
-                self.accelerations_into(state, inputs, &mut rate.v)?;
-                self.configuration_rate_into(state, rate);
+                state_: &#state<T>,
+                inputs_: &#inputs<T>,
+                rate_: &mut #state<T>,
+            ) -> ::core::result::Result<(), #mstmm::Error> {
+                self.accelerations_into(state_, inputs_, &mut rate_.v)?;
+                self.configuration_rate_into(state_, rate_);
                 ::core::result::Result::Ok(())
             }
 
@@ -57,14 +58,14 @@ pub fn integrable(plan: &Plan) -> TokenStream {
 
             #[inline]
             #[allow(unused_doc_comments, unused_variables, clippy::all)]
-            fn configuration_rate_into(&self, state: &#state<T>, rate: &mut #state<T>) {
-                rate.q.data.0 = { #rates };
+            fn configuration_rate_into(&self, state_: &#state<T>, rate_: &mut #state<T>) {
+                rate_.q.data.0 = { #rates };
             }
 
             #[inline]
             #[allow(unused_doc_comments, unused_variables, clippy::all)]
-            fn normalize(&self, state: &mut #state<T>) {
-                state.q.data.0 = { #normalized };
+            fn normalize(&self, state_: &mut #state<T>) {
+                state_.q.data.0 = { #normalized };
             }
 
             #close
@@ -83,6 +84,7 @@ struct Correction {
 }
 
 fn correction(plan: &Plan) -> Correction {
+    let mstmm = &plan.mstmm;
     let Some(program) = &plan.programs.correction else {
         let [correct, close, assemble] = [(); 3].map(|()| TokenStream::new());
         return Correction { correct, close, assemble };
@@ -98,18 +100,18 @@ fn correction(plan: &Plan) -> Correction {
     Correction {
         correct: quote! {
             #[allow(dead_code)]
-            impl<T: ::mstmm::Scalar> #name<T> {
+            impl<T: #mstmm::Scalar> #name<T> {
                 /// Corrects coordinates and rates once by the smallest motion that closes the
                 /// chain, and returns how far it was from closed.
                 ///
                 #(#[doc = #cost])*
                 #[allow(unused_doc_comments, unused_variables, clippy::all)]
-                fn correct(&self, state: &mut #state<T>, inputs: &#inputs<T>) -> T {
+                fn correct(&self, state_: &mut #state<T>, inputs_: &#inputs<T>) -> T {
                     #statements
-                    let residual = #(#residual)*;
-                    state.q.data.0 = [#q];
-                    state.v.data.0 = [#v];
-                    residual
+                    let residual_ = #(#residual)*;
+                    state_.q.data.0 = [#q];
+                    state_.v.data.0 = [#v];
+                    residual_
                 }
             }
         },
@@ -117,29 +119,29 @@ fn correction(plan: &Plan) -> Correction {
             #[inline]
             fn close(
                 &self,
-                state: &mut #state<T>,
-                inputs: impl ::core::ops::FnOnce(&#state<T>) -> #inputs<T>,
+                state_: &mut #state<T>,
+                inputs_: impl ::core::ops::FnOnce(&#state<T>) -> #inputs<T>,
             ) {
-                let inputs = inputs(state);
-                self.correct(state, &inputs);
+                let inputs_ = inputs_(state_);
+                self.correct(state_, &inputs_);
             }
         },
         assemble: quote! {
-            impl<T: ::mstmm::Scalar> #name<T> {
+            impl<T: #mstmm::Scalar> #name<T> {
                 /// Closes the chain: moves `state` to coordinates and rates nearby, measured by
                 /// the kinetic energy that it takes, that fulfil the closure.
                 ///
                 /// # Errors
                 ///
-                /// [`Error::NotAssembled`](::mstmm::Error::NotAssembled) if that leads nowhere;
+                /// `Error::NotAssembled` if that leads nowhere;
                 /// `state` is left as it was.
                 #[allow(dead_code)]
                 #visibility fn assemble(
                     &self,
-                    state: &mut #state<T>,
-                    inputs: &#inputs<T>,
-                ) -> ::core::result::Result<(), ::mstmm::Error> {
-                    ::mstmm::generated::assemble(state, |state| self.correct(state, inputs))
+                    state_: &mut #state<T>,
+                    inputs_: &#inputs<T>,
+                ) -> ::core::result::Result<(), #mstmm::Error> {
+                    #mstmm::generated::assemble(state_, |state_| self.correct(state_, inputs_))
                 }
             }
         },
@@ -148,6 +150,7 @@ fn correction(plan: &Plan) -> Correction {
 
 /// The chain as generic code sees it.
 pub fn generated(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
     let workspace = &plan.names.workspace;
     let assemble = plan.programs.correction.as_ref().map(|_| {
@@ -155,15 +158,15 @@ pub fn generated(plan: &Plan) -> TokenStream {
             #[inline]
             fn assemble(
                 &self,
-                state: &mut #state<T>,
-                inputs: &#inputs<T>,
-            ) -> ::core::result::Result<(), ::mstmm::Error> {
-                self.assemble(state, inputs)
+                state_: &mut #state<T>,
+                inputs_: &#inputs<T>,
+            ) -> ::core::result::Result<(), #mstmm::Error> {
+                self.assemble(state_, inputs_)
             }
         }
     });
     quote! {
-        impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for #name<T> {
+        impl<T: #mstmm::Scalar> #mstmm::GeneratedChain for #name<T> {
             type Workspace = #workspace<T>;
 
             #[inline]
@@ -184,18 +187,18 @@ pub fn generated(plan: &Plan) -> TokenStream {
             #[inline]
             fn solve_into(
                 &self,
-                state: &#state<T>,
-                inputs: &#inputs<T>,
-                at: &mut #workspace<T>,
-            ) -> ::core::result::Result<(), ::mstmm::Error> {
-                self.solve_into(state, inputs, at)
+                state_: &#state<T>,
+                inputs_: &#inputs<T>,
+                at_: &mut #workspace<T>,
+            ) -> ::core::result::Result<(), #mstmm::Error> {
+                self.solve_into(state_, inputs_, at_)
             }
 
             #assemble
 
             #[inline]
-            fn energy(&self, state: &#state<T>) -> ::mstmm::Energy<T> {
-                self.energy(state)
+            fn energy(&self, state_: &#state<T>) -> #mstmm::Energy<T> {
+                self.energy(state_)
             }
         }
     }

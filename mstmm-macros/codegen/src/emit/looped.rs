@@ -37,6 +37,7 @@ pub type Stream = (TokenStream, TokenStream);
 impl Plan<'_> {
     /// The blocks of a program with loops, and the arrays that they fill for `targets`.
     pub fn looped(&self, program: &Program, targets: &[Target], masks: &Masks) -> TokenStream {
+        let mstmm = &self.mstmm;
         let arrays = targets.iter().map(|target| {
             let (array, total) = (array(target.group), usize_literal(target.spread.total));
             quote!(let mut #array = [T::constant(0.0); #total];)
@@ -58,7 +59,7 @@ impl Plan<'_> {
         let fill = targets.iter().map(|target| self.fill(program, target));
         quote! {
             #(#arrays)*
-            #(let mut #mask_names = <T::Mask as ::mstmm::Mask>::splat(true);)*
+            #(let mut #mask_names = <T::Mask as #mstmm::Mask>::splat(true);)*
             #(#stores)*
             #(#blocks)*
             #(#fill)*
@@ -73,7 +74,7 @@ impl Plan<'_> {
             let names: Vec<Option<Ident>> = own
                 .iter()
                 .enumerate()
-                .map(|(k, value)| (*value != Operand::Repeated).then(|| format_ident!("o{k}")))
+                .map(|(k, value)| (*value != Operand::Repeated).then(|| local(&format!("o{k}"))))
                 .collect();
             if names.iter().all(Option::is_none) {
                 return TokenStream::new();
@@ -82,7 +83,7 @@ impl Plan<'_> {
                 let (value, name) = (self.operand(value), name.as_ref()?);
                 Some(quote!(*#name = #value;))
             });
-            let (pattern, slices) = (pattern(&names), slices_mut(&array(target.group), piece));
+            let (pattern, slices) = (pattern(&names), self.slices_mut(&array(target.group), piece));
             quote! {
                 for #pattern in #slices {
                     #(#set)*
@@ -109,8 +110,8 @@ impl Plan<'_> {
         let mut writes = TokenStream::new();
         if !turn.stores.is_empty() {
             let (store, names) = (store_name(number), turn.stores.iter().map(|name| local(name)));
-            streams.push((quote!(store), quote!(#store.iter_mut())));
-            writes.extend(quote!(*store = [#(#names),*];));
+            streams.push((quote!(store_), quote!(#store.iter_mut())));
+            writes.extend(quote!(*store_ = [#(#names),*];));
         }
         for target in targets {
             let own = target.spread.pieces.iter();
@@ -144,8 +145,8 @@ impl Plan<'_> {
     fn state_streams(&self, turn: &Loop) -> Vec<Stream> {
         let symbols = &self.programs.symbols;
         let both = [
-            (symbols.q(), Spread::coordinates(self), quote!(state.q)),
-            (symbols.v(), Spread::freedoms(self), quote!(state.v)),
+            (symbols.q(), Spread::coordinates(self), quote!(state_.q)),
+            (symbols.v(), Spread::freedoms(self), quote!(state_.v)),
         ];
         let mut streams = Vec::new();
         for (range, spread, from) in both {
@@ -155,7 +156,8 @@ impl Plan<'_> {
                     numbers.map(|number| self.read_in(turn, number)).collect();
                 if names.iter().any(Option::is_some) {
                     let pattern = pattern(&names);
-                    streams.push((quote!(&#pattern), slices(&from, piece)));
+                    let slices = self.slices(&from, piece);
+                    streams.push((quote!(&#pattern), quote!(#slices.iter())));
                 }
             }
         }
@@ -167,7 +169,7 @@ impl Plan<'_> {
         let parameters = self.chain.parameters.iter().zip(self.programs.symbols.parameters());
         let read = parameters.filter_map(|(parameter, number)| {
             let (name, field) = (self.read_in(turn, number)?, &parameter.name);
-            Some((quote!(&#name), quote!(parameters.#field.iter())))
+            Some((quote!(&#name), quote!(parameters_.#field.iter())))
         });
         read.collect()
     }
@@ -181,7 +183,8 @@ impl Plan<'_> {
         let derived = format_ident!("derived{}", turn.repeat);
         let pattern = pattern(&names);
         let any = names.iter().any(Option::is_some);
-        any.then(|| (quote!(&#pattern), slices(&quote!(self.#derived), &slots.pieces[0])))
+        let slices = self.slices(&quote!(self.#derived), &slots.pieces[0]);
+        any.then(|| (quote!(&#pattern), quote!(#slices.iter())))
     }
 
     /// How the slots of a repeated part lie in their array; nothing if it has none.
@@ -205,13 +208,14 @@ impl Plan<'_> {
                 |(group, at, _): &&(usize, usize, Operand)| *group == target.group && *at == place;
             names.push(turn.outputs.iter().find(here).map(|(_, _, value)| {
                 let (name, value) =
-                    (format_ident!("o{}_{place}", target.group), self.operand(value));
+                    (local(&format!("o{}_{place}", target.group)), self.operand(value));
                 writes.extend(quote!(*#name = #value;));
                 name
             }));
         }
         let any = names.iter().any(Option::is_some);
-        let stream = any.then(|| (pattern(&names), slices_mut(&array(target.group), piece)));
+        let slices = self.slices_mut(&array(target.group), piece);
+        let stream = any.then(|| (pattern(&names), quote!(#slices.iter_mut())));
         (stream, writes)
     }
 
@@ -222,6 +226,7 @@ impl Plan<'_> {
         turn: &Loop,
         (number, mask): &(usize, Ident),
     ) -> Option<TokenStream> {
+        let mstmm = &self.mstmm;
         let find = |group: usize| {
             let here = |(g, place, _): &&(usize, usize, Operand)| *g == group && place == number;
             turn.outputs.iter().find(here).map(|(_, _, value)| self.operand(value))
@@ -234,7 +239,23 @@ impl Plan<'_> {
             (None, None) => return None,
             (value, scale) => (value.or_else(|| once(PIVOTS))?, scale.or_else(|| once(SCALES))?),
         };
-        Some(quote!(#mask = #mask & !::mstmm::generated::vanishes(#value, #scale);))
+        Some(quote!(#mask = #mask & !#mstmm::generated::vanishes(#value, #scale);))
+    }
+
+    /// The numbers of a piece, time by time.
+    pub fn slices(&self, array: &impl ToTokens, piece: &Piece) -> TokenStream {
+        let mstmm = &self.mstmm;
+        let [count, place, times] = [piece.count, piece.place, piece.times].map(usize_literal);
+        quote!(#mstmm::generated::times::<T, #count>(#array.as_slice(), #place, #times))
+    }
+
+    /// The numbers of a piece, time by time, to be written.
+    pub fn slices_mut(&self, array: &impl ToTokens, piece: &Piece) -> TokenStream {
+        let mstmm = &self.mstmm;
+        let [count, place, times] = [piece.count, piece.place, piece.times].map(usize_literal);
+        quote! {
+            #mstmm::generated::times_mut::<T, #count>(#array.as_mut_slice(), #place, #times)
+        }
     }
 }
 
@@ -265,30 +286,16 @@ fn pattern(names: &[Option<Ident>]) -> TokenStream {
     quote!([#(#names),*])
 }
 
-/// The numbers of a piece, time by time.
-pub fn slices(array: &impl ToTokens, piece: &Piece) -> TokenStream {
-    let [count, place, times] = [piece.count, piece.place, piece.times].map(usize_literal);
-    quote!(::mstmm::generated::times::<T, #count>(#array.as_slice(), #place, #times).iter())
-}
-
-/// The numbers of a piece, time by time, to be written.
-pub fn slices_mut(array: &impl ToTokens, piece: &Piece) -> TokenStream {
-    let [count, place, times] = [piece.count, piece.place, piece.times].map(usize_literal);
-    quote! {
-        ::mstmm::generated::times_mut::<T, #count>(#array.as_mut_slice(), #place, #times).iter_mut()
-    }
-}
-
 /// One pattern and one iterator for several.
 fn zipped(streams: Vec<Stream>, times: &Literal, inwards: bool) -> Stream {
     let mut streams = streams.into_iter();
     let (mut pattern, mut iterator) = streams.next().unwrap_or((quote!(_), quote!((0..#times))));
     for (next_pattern, next_iterator) in streams {
         pattern = quote!((#pattern, #next_pattern));
-        iterator = quote!(#iterator.zip(#next_iterator));
+        iterator = quote!(::core::iter::zip(#iterator, #next_iterator));
     }
     if inwards {
-        iterator = quote!(#iterator.rev());
+        iterator = quote!(::core::iter::Iterator::rev(#iterator));
     }
     (pattern, iterator)
 }

@@ -27,16 +27,19 @@ struct Plan<'a> {
     layout: &'a Layout,
     programs: &'a Programs,
     names: Names,
+    /// The path of the crate `mstmm`.
+    mstmm: &'a TokenStream,
 }
 
-/// The items that stand for `chain` in the user's crate.
+/// The items that stand for `chain` in the user's crate, which calls `mstmm` by this path.
 pub fn expand(
     chain: &Chain,
     surface: &Surface,
     layout: &Layout,
     programs: &Programs,
+    mstmm: &TokenStream,
 ) -> TokenStream {
-    let plan = Plan { chain, surface, layout, programs, names: Names::of(chain) };
+    let plan = Plan { chain, surface, layout, programs, names: Names::of(chain), mstmm };
     let construction = construction::emit(&plan);
     let dynamics = dynamics::emit(&plan);
     let state = state::emit(&plan);

@@ -32,9 +32,10 @@ impl Names {
     }
 }
 
-/// A local variable: out of reach of the user's names, and they of it.
+/// A local variable, its name with a low line at its end as in all templates: where a constant or a
+/// static of the user had the same name, Rust would take the variable for that one.
 pub fn local(name: &str) -> Ident {
-    Ident::new(name, Span::mixed_site())
+    Ident::new(&format!("{name}_"), Span::mixed_site())
 }
 
 /// The method that hands out `x` to be changed: `x_mut`.

@@ -2,9 +2,8 @@
 //! chain.
 
 use super::Plan;
-use super::inputs::numbers_type;
-use super::looped::{slices, slices_mut, usize_literal};
-use super::names::accessor_mut;
+use super::looped::usize_literal;
+use super::names::{accessor_mut, local};
 use super::spread::{Piece, Spread, numbers_of_point};
 use super::workspace::point_type;
 use crate::model::{Group, HingeId};
@@ -31,18 +30,18 @@ impl Parts {
     }
 
     /// What takes the numbers of one time out of the arrays.
-    fn taken(&self, at: &TokenStream, change: bool) -> TokenStream {
+    fn taken(&self, plan: &Plan, at: &TokenStream, change: bool) -> TokenStream {
         let take = |part: &Option<(Piece, Range<usize>)>, letter: &str, array: TokenStream| {
             let Some((piece, range)) = part else { return TokenStream::new() };
             let names = (0..piece.count).map(|k| {
                 if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
             });
             if change {
-                let slices = slices_mut(&array, piece);
-                quote!(let [#(#names),*] = #slices.nth(#at)?;)
+                let slices = plan.slices_mut(&array, piece);
+                quote!(let [#(#names),*] = #slices.get_mut(#at)?;)
             } else {
-                let slices = slices(&array, piece);
-                quote!(let &[#(#names),*] = #slices.nth(#at)?;)
+                let slices = plan.slices(&array, piece);
+                quote!(let &[#(#names),*] = #slices.get(#at)?;)
             }
         };
         let (q, v) = (take(&self.q, "q", quote!(self.q)), take(&self.v, "v", quote!(self.v)));
@@ -51,7 +50,7 @@ impl Parts {
 }
 
 fn variable(letter: &str, number: usize) -> TokenStream {
-    let name = format_ident!("{letter}{number}");
+    let name = local(&format!("{letter}{number}"));
     quote!(#name)
 }
 
@@ -77,20 +76,22 @@ fn view_name(plan: &Plan, hinge: HingeId, suffix: &str) -> Ident {
 
 /// The views of a repeated hinge.
 pub fn state_accessors(plan: &Plan, hinge: HingeId, count: usize) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let name = &plan.chain.hinges[hinge].name;
     let (name_mut, set_each) = (accessor_mut(name), format_ident!("set_each_{name}"));
     let visibility = &plan.surface.visibility;
     let parts = Parts::of(plan, hinge);
-    let index = quote!(index);
-    let (read, change) = (parts.taken(&index, false), parts.taken(&index, true));
+    let index = quote!(index_);
+    let (read, change) = (parts.taken(plan, &index, false), parts.taken(plan, &index, true));
     let (groups, new_groups) = (groups(plan, hinge, ""), groups(plan, hinge, "new_"));
     let (view, view_mut) = (view_name(plan, hinge, ""), view_name(plan, hinge, "Mut"));
     let kind = &plan.chain.hinges[hinge].kind;
     let given =
-        |letter: &'static str, count: usize| (0..count).map(move |k| format_ident!("{letter}{k}"));
-    let all: Vec<Ident> =
+        |letter: &'static str, count: usize| (0..count).map(move |k| format!("{letter}{k}"));
+    let all: Vec<String> =
         given("q", kind.coordinates()).chain(given("v", kind.freedoms())).collect();
-    let new: Vec<Ident> = all.iter().map(|name| format_ident!("new_{name}")).collect();
+    let new = all.iter().map(|name| local(&format!("new_{name}")));
+    let all = all.iter().map(|name| local(name));
     let times = usize_literal(count);
     let doc = format!(" Coordinates and rates of hinge `{name}` number `index` of {count}.");
     let doc_mut = format!("{doc} To be changed.");
@@ -101,32 +102,32 @@ pub fn state_accessors(plan: &Plan, hinge: HingeId, count: usize) -> TokenStream
         #[must_use]
         #visibility fn #name(
             &self,
-            index: usize,
-        ) -> ::core::option::Option<::mstmm::#view<T>> {
+            index_: usize,
+        ) -> ::core::option::Option<#mstmm::#view<T>> {
             #read
-            ::core::option::Option::Some(::mstmm::#view::new(#(#groups),*))
+            ::core::option::Option::Some(#mstmm::#view::new(#(#groups),*))
         }
 
         #[doc = #doc_mut]
         #[inline]
         #visibility fn #name_mut(
             &mut self,
-            index: usize,
-        ) -> ::core::option::Option<::mstmm::#view_mut<'_, T>> {
+            index_: usize,
+        ) -> ::core::option::Option<#mstmm::#view_mut<'_, T>> {
             #change
-            ::core::option::Option::Some(::mstmm::#view_mut::new(#(#groups),*))
+            ::core::option::Option::Some(#mstmm::#view_mut::new(#(#groups),*))
         }
 
         #[doc = #doc_set]
-        #visibility fn #set_each(&mut self, mut view: impl ::core::ops::FnMut(usize) -> ::mstmm::#view<T>) {
-            let mut set = |index: usize| -> ::core::option::Option<()> {
-                let (#(#new_groups,)*) = view(index).into_groups();
+        #visibility fn #set_each(&mut self, mut view_: impl ::core::ops::FnMut(usize) -> #mstmm::#view<T>) {
+            let mut set_ = |index_: usize| -> ::core::option::Option<()> {
+                let (#(#new_groups,)*) = view_(index_).into_groups();
                 #change
                 #(*#all = #new;)*
                 ::core::option::Option::Some(())
             };
-            for index in 0..#times {
-                set(index);
+            for index_ in 0..#times {
+                set_(index_);
             }
         }
     }
@@ -134,6 +135,7 @@ pub fn state_accessors(plan: &Plan, hinge: HingeId, count: usize) -> TokenStream
 
 /// The views of a hinge that stands once.
 pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str)) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let name = &plan.chain.hinges[hinge].name;
     let (name_mut, visibility) = (accessor_mut(name), &plan.surface.visibility);
     let (view, view_mut) = (view_name(plan, hinge, ""), view_name(plan, hinge, "Mut"));
@@ -146,7 +148,7 @@ pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str
             if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
         });
         quote! {
-            let [#(#names),*] = ::mstmm::generated::piece::<T, #count>(#array.as_slice(), #place);
+            let [#(#names),*] = #mstmm::generated::piece::<T, #count>(#array.as_slice(), #place);
         }
     };
     let (read_q, read_v) =
@@ -175,18 +177,18 @@ pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str
         #[doc = #doc]
         #[inline]
         #[must_use]
-        #visibility fn #name(&self) -> ::mstmm::#view<T> {
+        #visibility fn #name(&self) -> #mstmm::#view<T> {
             #read_q
             #read_v
-            ::mstmm::#view::new(#(#groups),*)
+            #mstmm::#view::new(#(#groups),*)
         }
 
         #[doc = #doc_mut]
         #[inline]
-        #visibility fn #name_mut(&mut self) -> ::mstmm::#view_mut<'_, T> {
+        #visibility fn #name_mut(&mut self) -> #mstmm::#view_mut<'_, T> {
             #change_q
             #change_v
-            ::mstmm::#view_mut::new(#(#groups),*)
+            #mstmm::#view_mut::new(#(#groups),*)
         }
     }
 }
@@ -203,6 +205,7 @@ pub fn points_of(plan: &Plan, place: usize) -> (usize, usize) {
 
 /// The result of a repeated body.
 pub fn body(plan: &Plan, (name, place): (&Ident, usize), count: usize) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let (visibility, point) = (&plan.surface.visibility, point_type(plan));
     let doc = format!(" Input and output of body `{name}` number `index` of {count}.");
     let ends = ends(plan, place, count);
@@ -211,24 +214,25 @@ pub fn body(plan: &Plan, (name, place): (&Ident, usize), count: usize) -> TokenS
         #[inline]
         #visibility fn #name(
             &self,
-            index: usize,
-        ) -> ::core::option::Option<::mstmm::BodyResult<'_, T, ::mstmm::#point<T>>> {
+            index_: usize,
+        ) -> ::core::option::Option<#mstmm::BodyResult<'_, T, #mstmm::#point<T>>> {
             #ends
-            ::core::option::Option::Some(::mstmm::BodyResult::new(input, output))
+            ::core::option::Option::Some(#mstmm::BodyResult::new(input_, output_))
         }
     }
 }
 
 /// The result of a repeated hinge.
 pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let name = &plan.chain.hinges[index].name;
     let (visibility, point) = (&plan.surface.visibility, point_type(plan));
     let range = &plan.layout.rates[index];
-    let ty = numbers_type(range.len());
+    let ty = plan.numbers_type(range.len());
     let spread = Spread::rates(plan);
     let of = |field: TokenStream| match (spread.piece_of(range.start), range.len()) {
         (Some(piece), 1..) => {
-            let slices = slices(&field, piece);
+            let slices = plan.slices(&field, piece);
             let names = (0..piece.count).map(|k| {
                 let inside = (piece.first + k >= range.start) && (piece.first + k < range.end);
                 if inside { variable("x", piece.first + k - range.start) } else { quote!(_) }
@@ -236,10 +240,10 @@ pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> Tok
             let own: Vec<TokenStream> = (0..range.len()).map(|k| variable("x", k)).collect();
             let value = match &own[..] {
                 [one] => quote!(#one),
-                _ => quote!(::mstmm::generated::vector([#(#own),*])),
+                _ => quote!(#mstmm::generated::vector([#(#own),*])),
             };
             quote!({
-                let &[#(#names),*] = #slices.nth(index)?;
+                let &[#(#names),*] = #slices.get(index_)?;
                 #value
             })
         }
@@ -255,11 +259,11 @@ pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> Tok
         #[inline]
         #visibility fn #name(
             &self,
-            index: usize,
-        ) -> ::core::option::Option<::mstmm::HingeResult<'_, T, #ty, ::mstmm::#point<T>>> {
+            index_: usize,
+        ) -> ::core::option::Option<#mstmm::HingeResult<'_, T, #ty, #mstmm::#point<T>>> {
             #ends
-            let result = ::mstmm::HingeResult::new(#acceleration, #effort, input, output);
-            ::core::option::Option::Some(result)
+            let result_ = #mstmm::HingeResult::new(#acceleration, #effort, input_, output_);
+            ::core::option::Option::Some(result_)
         }
     }
 }
@@ -269,9 +273,9 @@ fn ends(plan: &Plan, place: usize, count: usize) -> TokenStream {
     let (first, stride) = points_of(plan, place);
     let [first, stride, count] = [first, stride, count].map(usize_literal);
     quote! {
-        if index >= #count {
+        if index_ >= #count {
             return ::core::option::Option::None;
         }
-        let [input, output] = self.points.get(#first + index * #stride..)?.first_chunk()?;
+        let [input_, output_] = self.points.get(#first + index_ * #stride..)?.first_chunk()?;
     }
 }

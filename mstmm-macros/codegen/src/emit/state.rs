@@ -1,7 +1,7 @@
 //! The state with named access, and the inputs.
 
-use super::looped::{slices_mut, usize_literal};
-use super::names::accessor_mut;
+use super::looped::usize_literal;
+use super::names::{accessor_mut, local};
 use super::spread::Spread;
 use super::{Plan, repeated};
 use crate::model::{Element, Group};
@@ -11,6 +11,7 @@ use std::ops::Range;
 
 /// `struct ChainState<T>`.
 pub fn emit(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let (name, visibility) = (&plan.names.state, &plan.surface.visibility);
     let doc = format!(" Coordinates and rates of [`{}`] at a time.", plan.names.chain);
     let coordinates = usize_literal(Spread::coordinates(plan).total);
@@ -26,28 +27,28 @@ pub fn emit(plan: &Plan) -> TokenStream {
         #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
             /// Coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
-            #visibility q: ::mstmm::nalgebra::SVector<T, #coordinates>,
+            #visibility q: #mstmm::nalgebra::SVector<T, #coordinates>,
             /// Rates in rad/s and m/s.
-            #visibility v: ::mstmm::nalgebra::SVector<T, #freedoms>,
+            #visibility v: #mstmm::nalgebra::SVector<T, #freedoms>,
             /// Time in s.
             #visibility t: T,
         }
         #[allow(dead_code, non_snake_case)]
-        impl<T: ::mstmm::Scalar> #name<T> {
+        impl<T: #mstmm::Scalar> #name<T> {
             #(#accessors)*
         }
-        impl<T: ::mstmm::Scalar> ::core::default::Default for #name<T> {
+        impl<T: #mstmm::Scalar> ::core::default::Default for #name<T> {
             fn default() -> Self {
-                let (zero, one) = (T::constant(0.0), T::constant(1.0));
-                let _ = one;
+                let (zero_, one_) = (T::constant(0.0), T::constant(1.0));
+                let _ = one_;
                 Self {
-                    q: ::mstmm::generated::vector(#rest),
-                    v: ::mstmm::generated::vector([zero; #freedoms]),
-                    t: zero,
+                    q: #mstmm::generated::vector(#rest),
+                    v: #mstmm::generated::vector([zero_; #freedoms]),
+                    t: zero_,
                 }
             }
         }
-        impl<T: ::mstmm::Scalar> ::mstmm::ChainState for #name<T> {
+        impl<T: #mstmm::Scalar> #mstmm::ChainState for #name<T> {
             type Scalar = T;
             #[inline]
             fn q(&self) -> &[T] {
@@ -70,8 +71,8 @@ pub fn emit(plan: &Plan) -> TokenStream {
                 self.t
             }
             #[inline]
-            fn set_time(&mut self, time: T) {
-                self.t = time;
+            fn set_time(&mut self, time_: T) {
+                self.t = time_;
             }
         }
     }
@@ -82,7 +83,7 @@ fn rest(plan: &Plan) -> TokenStream {
     let free = plan.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
     let coordinates = free.flat_map(|hinge| hinge.kind.shape().coordinates);
     let rest: Vec<TokenStream> =
-        coordinates.map(|c| if c.rest == 1.0 { quote!(one) } else { quote!(zero) }).collect();
+        coordinates.map(|c| if c.rest == 1.0 { quote!(one_) } else { quote!(zero_) }).collect();
     let spread = Spread::coordinates(plan);
     if plan.chain.repeats.is_empty() {
         return quote!([#(#rest),*]);
@@ -90,22 +91,23 @@ fn rest(plan: &Plan) -> TokenStream {
     let total = usize_literal(spread.total);
     let fill = spread.pieces.iter().map(|piece| {
         let own = &rest[piece.first..piece.first + piece.count];
-        let slices = slices_mut(&quote!(rest), piece);
+        let slices = plan.slices_mut(&quote!(rest_), piece);
         quote! {
-            for part in #slices {
-                *part = [#(#own),*];
+            for part_ in #slices {
+                *part_ = [#(#own),*];
             }
         }
     });
     quote!({
-        let mut rest = [zero; #total];
+        let mut rest_ = [zero_; #total];
         #(#fill)*
-        rest
+        rest_
     })
 }
 
 /// The views of one hinge's coordinates, for reading and for writing.
 fn accessors(plan: &Plan, index: usize) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let hinge = &plan.chain.hinges[index];
     if hinge.is_prescribed() {
         return TokenStream::new();
@@ -139,24 +141,24 @@ fn accessors(plan: &Plan, index: usize) -> TokenStream {
         #[doc = #doc]
         #[inline]
         #[must_use]
-        #visibility fn #name(&self) -> ::mstmm::#view<T> {
+        #visibility fn #name(&self) -> #mstmm::#view<T> {
             let [#from_q] = self.q.data.0;
             let [#from_v] = self.v.data.0;
-            ::mstmm::#view::new(#arguments)
+            #mstmm::#view::new(#arguments)
         }
 
         #[doc = #doc_mut]
         #[inline]
-        #visibility fn #name_mut(&mut self) -> ::mstmm::#view_mut<'_, T> {
+        #visibility fn #name_mut(&mut self) -> #mstmm::#view_mut<'_, T> {
             let [#from_q] = &mut self.q.data.0;
             let [#from_v] = &mut self.v.data.0;
-            ::mstmm::#view_mut::new(#arguments)
+            #mstmm::#view_mut::new(#arguments)
         }
     }
 }
 
 fn variable(is_q: bool, number: usize) -> Ident {
-    if is_q { format_ident!("q{number}") } else { format_ident!("v{number}") }
+    local(&format!("{}{number}", if is_q { "q" } else { "v" }))
 }
 
 /// A pattern that takes `range` out of an array.

@@ -1,6 +1,5 @@
 //! Where results are written, with named access to every element's connection points.
 
-use super::inputs::numbers_type;
 use super::looped::usize_literal;
 use super::spread::{Spread, numbers_of_point};
 use super::{Plan, repeated};
@@ -11,6 +10,7 @@ use std::ops::Range;
 
 /// `struct ChainWorkspace<T>` and how to get one.
 pub fn emit(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let (name, chain) = (&plan.names.workspace, &plan.names.chain);
     let visibility = &plan.surface.visibility;
     let doc = format!(" Results of [`{chain}::solve_into`].");
@@ -37,19 +37,19 @@ pub fn emit(plan: &Plan) -> TokenStream {
         #[derive(Clone, Debug, PartialEq)]
         #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
-            accelerations: ::mstmm::nalgebra::SVector<T, #freedoms>,
-            rate_accelerations: ::mstmm::nalgebra::SVector<T, #rates>,
-            efforts: ::mstmm::nalgebra::SVector<T, #rates>,
+            accelerations: #mstmm::nalgebra::SVector<T, #freedoms>,
+            rate_accelerations: #mstmm::nalgebra::SVector<T, #rates>,
+            efforts: #mstmm::nalgebra::SVector<T, #rates>,
             kinetic_energy: T,
             potential_energy: T,
             #closure_field
-            points: [::mstmm::#point<T>; #point_count],
+            points: [#mstmm::#point<T>; #point_count],
         }
         #[allow(dead_code, non_snake_case)]
-        impl<T: ::mstmm::Scalar> #name<T> {
+        impl<T: #mstmm::Scalar> #name<T> {
             /// Accelerations `v̇` of all hinges, in the order of the rates.
             #[inline]
-            #visibility fn accelerations(&self) -> &::mstmm::nalgebra::SVector<T, #freedoms> {
+            #visibility fn accelerations(&self) -> &#mstmm::nalgebra::SVector<T, #freedoms> {
                 &self.accelerations
             }
 
@@ -69,7 +69,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
             /// All connection points in the order written: the first element's input, then every
             /// element's output.
             #[inline]
-            #visibility fn points(&self) -> &[::mstmm::#point<T>; #point_count] {
+            #visibility fn points(&self) -> &[#mstmm::#point<T>; #point_count] {
                 &self.points
             }
 
@@ -78,17 +78,17 @@ pub fn emit(plan: &Plan) -> TokenStream {
             #(#elements)*
         }
         #[allow(dead_code, non_snake_case)]
-        impl<T: ::mstmm::Scalar> #chain<T> {
+        impl<T: #mstmm::Scalar> #chain<T> {
             /// Room for the results of [`solve_into`](Self::solve_into).
             #[must_use]
             #visibility fn workspace(&self) -> #name<T> {
-                let zero = T::constant(0.0);
+                let zero_ = T::constant(0.0);
                 #name {
-                    accelerations: ::mstmm::generated::vector([zero; #freedoms]),
-                    rate_accelerations: ::mstmm::generated::vector([zero; #rates]),
-                    efforts: ::mstmm::generated::vector([zero; #rates]),
-                    kinetic_energy: zero,
-                    potential_energy: zero,
+                    accelerations: #mstmm::generated::vector([zero_; #freedoms]),
+                    rate_accelerations: #mstmm::generated::vector([zero_; #rates]),
+                    efforts: #mstmm::generated::vector([zero_; #rates]),
+                    kinetic_energy: zero_,
+                    potential_energy: zero_,
                     #closure_zero
                     points: [::core::default::Default::default(); #point_count],
                 }
@@ -115,19 +115,20 @@ struct Closure {
 }
 
 fn closure(plan: &Plan) -> Closure {
+    let mstmm = &plan.mstmm;
     let Some(held) = plan.programs.held else {
         let [field, zero, method] = [(); 3].map(|()| TokenStream::new());
         return Closure { field, zero, method };
     };
     let (held, visibility) = (Literal::usize_unsuffixed(held), &plan.surface.visibility);
     Closure {
-        field: quote!(closure: ::mstmm::Closure<T, #held>,),
+        field: quote!(closure: #mstmm::Closure<T, #held>,),
         zero: quote!(closure: ::core::default::Default::default(),),
         method: quote! {
             /// Which reactions of the closing hinge, the last one, the motion does not determine:
             /// wrenches in axes of its inboard frame.
             #[inline]
-            #visibility fn closure(&self) -> &::mstmm::Closure<T, #held> {
+            #visibility fn closure(&self) -> &#mstmm::Closure<T, #held> {
                 &self.closure
             }
         },
@@ -135,24 +136,26 @@ fn closure(plan: &Plan) -> Closure {
 }
 
 fn body(plan: &Plan, index: usize, place: usize) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let (name, visibility) = (&plan.chain.bodies[index].name, &plan.surface.visibility);
     let doc = format!(" Input and output of body `{name}`.");
     let (ends, point) = (ends(plan, place), point_type(plan));
     quote! {
         #[doc = #doc]
         #[inline]
-        #visibility fn #name(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::#point<T>> {
+        #visibility fn #name(&self) -> #mstmm::BodyResult<'_, T, #mstmm::#point<T>> {
             #ends
-            ::mstmm::BodyResult::new(input, output)
+            #mstmm::BodyResult::new(input_, output_)
         }
     }
 }
 
 fn hinge(plan: &Plan, index: usize, place: usize) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let Hinge { name, kind, .. } = &plan.chain.hinges[index];
     let visibility = &plan.surface.visibility;
     let range = &plan.layout.rates[index];
-    let ty = numbers_type(kind.freedoms());
+    let ty = plan.numbers_type(kind.freedoms());
     let of = |field| match range.len() {
         0 => quote!(()),
         1 => scalar(plan, range, field),
@@ -164,9 +167,9 @@ fn hinge(plan: &Plan, index: usize, place: usize) -> TokenStream {
     quote! {
         #[doc = #doc]
         #[inline]
-        #visibility fn #name(&self) -> ::mstmm::HingeResult<'_, T, #ty, ::mstmm::#point<T>> {
+        #visibility fn #name(&self) -> #mstmm::HingeResult<'_, T, #ty, #mstmm::#point<T>> {
             #ends
-            ::mstmm::HingeResult::new(#acceleration, #effort, input, output)
+            #mstmm::HingeResult::new(#acceleration, #effort, input_, output_)
         }
     }
 }
@@ -175,34 +178,36 @@ fn hinge(plan: &Plan, index: usize, place: usize) -> TokenStream {
 fn ends(plan: &Plan, place: usize) -> TokenStream {
     if plan.chain.repeats.is_empty() {
         let skipped = (0..place).map(|_| quote!(_,));
-        return quote!(let [#(#skipped)* input, output, ..] = &self.points;);
+        return quote!(let [#(#skipped)* input_, output_, ..] = &self.points;);
     }
     let (first, _) = repeated::points_of(plan, place);
     let [input, output] = [first, first + 1].map(usize_literal);
     // The places are known to be within the array.
-    quote!(let (input, output) = (&self.points[#input], &self.points[#output]);)
+    quote!(let (input_, output_) = (&self.points[#input], &self.points[#output]);)
 }
 
 fn scalar(plan: &Plan, range: &Range<usize>, field: &str) -> TokenStream {
     let numbers = numbers(plan, range, field);
     quote!({
-        let [value] = #numbers;
-        value
+        let [value_] = #numbers;
+        value_
     })
 }
 
 fn vector(plan: &Plan, range: &Range<usize>, field: &str) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let numbers = numbers(plan, range, field);
-    quote!(::mstmm::generated::vector(#numbers))
+    quote!(#mstmm::generated::vector(#numbers))
 }
 
 /// Some of the numbers of all rates.
 fn numbers(plan: &Plan, range: &Range<usize>, field: &str) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let field = format_ident!("{field}");
     let spread = Spread::rates(plan);
     let place = spread
         .piece_of(range.start)
         .map_or(range.start, |piece| piece.place + range.start - piece.first);
     let [count, place] = [range.len(), place].map(usize_literal);
-    quote!(::mstmm::generated::piece::<T, #count>(self.#field.as_slice(), #place))
+    quote!(#mstmm::generated::piece::<T, #count>(self.#field.as_slice(), #place))
 }

@@ -47,7 +47,7 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<ChainDef
     let mut input = cursor::Cursor::new(buffer.begin());
     let mut chains = Vec::new();
     if input.is_empty() {
-        diagnostics.push(input.unexpected("`chain Name { … }`"));
+        diagnostics.error(input.next_span(), "expected `chain Name { … }`, found nothing");
     }
     while !input.is_empty() {
         chains.extend(chain::chain(&mut input, diagnostics));

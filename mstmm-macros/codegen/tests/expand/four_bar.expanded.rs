@@ -36,11 +36,11 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     #[must_use]
     #[allow(clippy::all)]
     pub fn new() -> Self {
-        let parameters = FourBarParameters {
+        let parameters_ = FourBarParameters {
             none: ::core::marker::PhantomData,
         };
-        let (chain, _) = Self::derive(parameters);
-        chain
+        let (chain_, _) = Self::derive(parameters_);
+        chain_
     }
     /// The numbers that may change at run time.
     #[inline]
@@ -51,18 +51,24 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     #[must_use]
     #[allow(unused_doc_comments, clippy::all)]
     pub fn initial_state(&self) -> FourBarState<T> {
-        let c = T::constant;
+        let c_ = T::constant;
         FourBarState {
-            q: ::mstmm::generated::vector([c(0.0), c(0.0), c(0.0), c(0.0)]),
-            v: ::mstmm::generated::vector([c(0.0), c(0.0), c(0.0), c(0.0)]),
+            q: ::mstmm::generated::vector([c_(0.0), c_(0.0), c_(0.0), c_(0.0)]),
+            v: ::mstmm::generated::vector([c_(0.0), c_(0.0), c_(0.0), c_(0.0)]),
             t: T::constant(0.0),
         }
     }
     /// Quantities derived from parameters and constants: 0 mul, 0 add, 0 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
-    fn derive(parameters: FourBarParameters<T>) -> (Self, [T; 0]) {
-        let (derived, checks) = ([], []);
-        (Self { parameters, derived }, checks)
+    fn derive(parameters_: FourBarParameters<T>) -> (Self, [T; 0]) {
+        let (derived_, checks_) = ([], []);
+        (
+            Self {
+                parameters: parameters_,
+                derived: derived_,
+            },
+            checks_,
+        )
     }
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for FourBar<T> {
@@ -92,385 +98,388 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::Singular`](::mstmm::Error::Singular) if nothing with inertia lies beyond a
-    /// hinge, [`Error::NotFinite`](::mstmm::Error::NotFinite) if a number of the state or the
+    /// `Error::Singular` if nothing with inertia lies beyond a
+    /// hinge, `Error::NotFinite` if a number of the state or the
     /// inputs is not finite. `accelerations` is not touched then.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn accelerations_into(
         &self,
-        state: &FourBarState<T>,
-        inputs: &FourBarInputs<T>,
-        accelerations: &mut ::mstmm::nalgebra::SVector<T, 4>,
+        state_: &FourBarState<T>,
+        inputs_: &FourBarInputs<T>,
+        accelerations_: &mut ::mstmm::nalgebra::SVector<T, 4>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let c = T::constant;
-        let [[crank_pin_angle, a_angle, b_angle, rocker_pin_angle]] = state.q.data.0;
-        let [[crank_pin_rate, a_rate, b_rate, ..]] = state.v.data.0;
-        let crank_pin_input0 = inputs.crank_pin;
+        let c_ = T::constant;
+        let [[crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]] = state_
+            .q
+            .data
+            .0;
+        let [[crank_pin_rate_, a_rate_, b_rate_, ..]] = state_.v.data.0;
+        let crank_pin_input0_ = inputs_.crank_pin;
         /// Motion across `crank_pin`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 4 sin/cos.
         let (
-            [sin_crank_pin_angle,
-            sin_a_angle,
-            sin_b_angle,
-            sin_rocker_pin_angle,
+            [sin_crank_pin_angle_,
+            sin_a_angle_,
+            sin_b_angle_,
+            sin_rocker_pin_angle_,
             ],
-            [cos_crank_pin_angle,
-            cos_a_angle,
-            cos_b_angle,
-            cos_rocker_pin_angle,
+            [cos_crank_pin_angle_,
+            cos_a_angle_,
+            cos_b_angle_,
+            cos_rocker_pin_angle_,
             ],
-        ) = T::sin_cos([crank_pin_angle, a_angle, b_angle, rocker_pin_angle]);
+        ) = T::sin_cos([crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]);
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 4 mul, 1 add, 0 reciprocal.
-        let a_omega_z = crank_pin_rate + a_rate;
-        let t0 = crank_pin_rate * c(0.2);
-        let t1 = crank_pin_rate * t0;
-        let minus_a_drift_lin_x = cos_a_angle * t1;
-        let a_drift_lin_y = sin_a_angle * t1;
+        let a_omega_z_ = crank_pin_rate_ + a_rate_;
+        let t0_ = crank_pin_rate_ * c_(0.2);
+        let t1_ = crank_pin_rate_ * t0_;
+        let minus_a_drift_lin_x_ = cos_a_angle_ * t1_;
+        let a_drift_lin_y_ = sin_a_angle_ * t1_;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 4 mul, 1 add, 0 reciprocal.
-        let b_omega_z = b_rate + a_omega_z;
-        let t2 = a_omega_z * c(0.6);
-        let t3 = a_omega_z * t2;
-        let minus_b_drift_lin_x = cos_b_angle * t3;
-        let b_drift_lin_y = sin_b_angle * t3;
+        let b_omega_z_ = b_rate_ + a_omega_z_;
+        let t2_ = a_omega_z_ * c_(0.6);
+        let t3_ = a_omega_z_ * t2_;
+        let minus_b_drift_lin_x_ = cos_b_angle_ * t3_;
+        let b_drift_lin_y_ = sin_b_angle_ * t3_;
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t4 = c(0.6) * b_omega_z;
-        let minus_b_e_force_x = b_omega_z * t4;
+        let t4_ = c_(0.6) * b_omega_z_;
+        let minus_b_e_force_x_ = b_omega_z_ * t4_;
         /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 15 mul, 9 add, 1 reciprocal.
-        let t5 = sin_b_angle * c(1.5);
-        let t6 = sin_b_angle * t5;
-        let minus_a_k_xx = t6 - c(4.0);
-        let a_k_yy = c(2.5) + t6;
-        let a_k_xy = cos_b_angle * t5;
-        let a_b_x_z = c(0.6) * a_k_xy;
-        let t7 = c(0.5) + t6;
-        let t8 = c(0.6) * t7;
-        let a_b_y_z = c(0.6) + t8;
-        let t9 = c(0.36) * t7;
-        let a_j_zz = c(0.24) + t9;
-        let t10 = minus_b_drift_lin_x * c(2.0);
-        let t11 = b_drift_lin_y * c(0.5);
-        let t12 = minus_b_e_force_x + t10;
-        let t13 = cos_b_angle * t12;
-        let t14 = sin_b_angle * t11;
-        let t15 = t13 + t14;
-        let minus_a_e_force_x = t3 + t15;
-        let t16 = sin_b_angle * t12;
-        let t17 = cos_b_angle * t11;
-        let minus_a_e_force_y = t16 - t17;
-        let minus_a_e_moment_z = c(0.6) * minus_a_e_force_y;
-        let t18 = T::recip(a_j_zz);
-        let a_z0_force_x = a_b_x_z * t18;
-        let a_z0_force_y = a_b_y_z * t18;
+        let t5_ = sin_b_angle_ * c_(1.5);
+        let t6_ = sin_b_angle_ * t5_;
+        let minus_a_k_xx_ = t6_ - c_(4.0);
+        let a_k_yy_ = c_(2.5) + t6_;
+        let a_k_xy_ = cos_b_angle_ * t5_;
+        let a_b_x_z_ = c_(0.6) * a_k_xy_;
+        let t7_ = c_(0.5) + t6_;
+        let t8_ = c_(0.6) * t7_;
+        let a_b_y_z_ = c_(0.6) + t8_;
+        let t9_ = c_(0.36) * t7_;
+        let a_j_zz_ = c_(0.24) + t9_;
+        let t10_ = minus_b_drift_lin_x_ * c_(2.0);
+        let t11_ = b_drift_lin_y_ * c_(0.5);
+        let t12_ = minus_b_e_force_x_ + t10_;
+        let t13_ = cos_b_angle_ * t12_;
+        let t14_ = sin_b_angle_ * t11_;
+        let t15_ = t13_ + t14_;
+        let minus_a_e_force_x_ = t3_ + t15_;
+        let t16_ = sin_b_angle_ * t12_;
+        let t17_ = cos_b_angle_ * t11_;
+        let minus_a_e_force_y_ = t16_ - t17_;
+        let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
+        let t18_ = T::recip(a_j_zz_);
+        let a_z0_force_x_ = a_b_x_z_ * t18_;
+        let a_z0_force_y_ = a_b_y_z_ * t18_;
         /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 23 mul, 16 add, 1 reciprocal.
-        let t19 = a_b_x_z * a_z0_force_x;
-        let t20 = minus_a_k_xx + t19;
-        let t21 = a_b_y_z * a_z0_force_y;
-        let t22 = a_k_yy - t21;
-        let t23 = a_b_y_z * a_z0_force_x;
-        let t24 = a_k_xy - t23;
-        let t25 = t20 + t22;
-        let t26 = sin_a_angle * t25;
-        let t27 = c(2.0) * t24;
-        let t28 = cos_a_angle * t27;
-        let t29 = t26 - t28;
-        let t30 = cos_a_angle * t29;
-        let minus_crank_pin_k_xy = t24 + t30;
-        let minus_crank_pin_b_x_z = c(0.2) * minus_crank_pin_k_xy;
-        let t31 = sin_a_angle * t29;
-        let t32 = t22 - t31;
-        let t33 = c(0.2) * t32;
-        let crank_pin_b_y_z = c(0.1) + t33;
-        let t34 = c(0.04000000000000001) * t32;
-        let crank_pin_j_zz = c(0.020000000000000004) + t34;
-        let t35 = minus_a_e_moment_z * t18;
-        let t36 = a_b_x_z * t35;
-        let t37 = minus_a_e_force_x - t36;
-        let t38 = a_b_y_z * t35;
-        let t39 = minus_a_e_force_y - t38;
-        let t40 = minus_a_drift_lin_x * t20;
-        let t41 = a_drift_lin_y * t24;
-        let t42 = t40 + t41;
-        let t43 = minus_a_drift_lin_x * t24;
-        let t44 = a_drift_lin_y * t22;
-        let t45 = t43 - t44;
-        let t46 = t37 - t42;
-        let t47 = t39 + t45;
-        let t48 = sin_a_angle * t46;
-        let t49 = cos_a_angle * t47;
-        let minus_crank_pin_e_force_y = t48 + t49;
-        let minus_crank_pin_e_moment_z = c(0.2) * minus_crank_pin_e_force_y;
-        let t50 = T::recip(crank_pin_j_zz);
-        let minus_crank_pin_z0_force_x = minus_crank_pin_b_x_z * t50;
-        let crank_pin_z0_force_y = crank_pin_b_y_z * t50;
+        let t19_ = a_b_x_z_ * a_z0_force_x_;
+        let t20_ = minus_a_k_xx_ + t19_;
+        let t21_ = a_b_y_z_ * a_z0_force_y_;
+        let t22_ = a_k_yy_ - t21_;
+        let t23_ = a_b_y_z_ * a_z0_force_x_;
+        let t24_ = a_k_xy_ - t23_;
+        let t25_ = t20_ + t22_;
+        let t26_ = sin_a_angle_ * t25_;
+        let t27_ = c_(2.0) * t24_;
+        let t28_ = cos_a_angle_ * t27_;
+        let t29_ = t26_ - t28_;
+        let t30_ = cos_a_angle_ * t29_;
+        let minus_crank_pin_k_xy_ = t24_ + t30_;
+        let minus_crank_pin_b_x_z_ = c_(0.2) * minus_crank_pin_k_xy_;
+        let t31_ = sin_a_angle_ * t29_;
+        let t32_ = t22_ - t31_;
+        let t33_ = c_(0.2) * t32_;
+        let crank_pin_b_y_z_ = c_(0.1) + t33_;
+        let t34_ = c_(0.04000000000000001) * t32_;
+        let crank_pin_j_zz_ = c_(0.020000000000000004) + t34_;
+        let t35_ = minus_a_e_moment_z_ * t18_;
+        let t36_ = a_b_x_z_ * t35_;
+        let t37_ = minus_a_e_force_x_ - t36_;
+        let t38_ = a_b_y_z_ * t35_;
+        let t39_ = minus_a_e_force_y_ - t38_;
+        let t40_ = minus_a_drift_lin_x_ * t20_;
+        let t41_ = a_drift_lin_y_ * t24_;
+        let t42_ = t40_ + t41_;
+        let t43_ = minus_a_drift_lin_x_ * t24_;
+        let t44_ = a_drift_lin_y_ * t22_;
+        let t45_ = t43_ - t44_;
+        let t46_ = t37_ - t42_;
+        let t47_ = t39_ + t45_;
+        let t48_ = sin_a_angle_ * t46_;
+        let t49_ = cos_a_angle_ * t47_;
+        let minus_crank_pin_e_force_y_ = t48_ + t49_;
+        let minus_crank_pin_e_moment_z_ = c_(0.2) * minus_crank_pin_e_force_y_;
+        let t50_ = T::recip(crank_pin_j_zz_);
+        let minus_crank_pin_z0_force_x_ = minus_crank_pin_b_x_z_ * t50_;
+        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t50_;
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 124 mul, 70 add, 6 reciprocal, 6 square root.
-        let t51 = c(0.6) * sin_rocker_pin_angle;
-        let t52 = sin_rocker_pin_angle * c(2.5);
-        let t53 = sin_rocker_pin_angle * c(1.5);
-        let t54 = sin_rocker_pin_angle - t53;
-        let t55 = t51 * t52;
-        let t56 = cos_b_angle * cos_rocker_pin_angle;
-        let t57 = sin_b_angle * t54;
-        let t58 = t56 - t57;
-        let t59 = sin_b_angle * cos_rocker_pin_angle;
-        let t60 = cos_b_angle * t54;
-        let t61 = t59 + t60;
-        let t62 = c(0.6) * t61;
-        let t63 = t62 * t18;
-        let t64 = t62 * a_z0_force_x;
-        let t65 = t58 - t64;
-        let t66 = t62 * a_z0_force_y;
-        let t67 = t61 - t66;
-        let t68 = t62 * t63;
-        let t69 = t55 + t68;
-        let t70 = sin_a_angle * t65;
-        let t71 = cos_a_angle * t67;
-        let t72 = t70 + t71;
-        let t73 = c(0.2) * t72;
-        let t74 = t73 * t50;
-        let t75 = t73 * t74;
-        let closure_d0 = t69 + t75;
-        let t76 = c(0.6) * cos_rocker_pin_angle;
-        let t77 = cos_rocker_pin_angle * c(2.5);
-        let t78 = cos_rocker_pin_angle * cos_rocker_pin_angle;
-        let t79 = sin_rocker_pin_angle * sin_rocker_pin_angle;
-        let t80 = t78 + t79;
-        let t81 = t51 * t51;
-        let t82 = t80 * c(0.36);
-        let t83 = t81 + t82;
-        let t84 = t83 * c(4.166666666666667);
-        let t85 = cos_rocker_pin_angle * c(1.5);
-        let t86 = cos_rocker_pin_angle - t85;
-        let t87 = t76 * t52;
-        let t88 = t76 * t77;
-        let t89 = cos_b_angle * sin_rocker_pin_angle;
-        let t90 = sin_b_angle * t86;
-        let t91 = t89 + t90;
-        let t92 = sin_b_angle * sin_rocker_pin_angle;
-        let t93 = cos_b_angle * t86;
-        let t94 = t92 - t93;
-        let t95 = c(0.6) * t94;
-        let t96 = t95 * t18;
-        let t97 = t58 * t58;
-        let t98 = t61 * t61;
-        let t99 = t97 + t98;
-        let t100 = t62 * t62;
-        let t101 = t99 * c(0.72);
-        let t102 = t100 + t101;
-        let t103 = t18 * t102;
-        let t104 = t84 + t103;
-        let t105 = t95 * a_z0_force_x;
-        let t106 = t91 - t105;
-        let t107 = t95 * a_z0_force_y;
-        let t108 = t94 - t107;
-        let t109 = t95 * t63;
-        let t110 = t87 - t109;
-        let t111 = t95 * t96;
-        let t112 = t88 + t111;
-        let t113 = cos_a_angle * t65;
-        let t114 = sin_a_angle * t67;
-        let t115 = t113 - t114;
-        let t116 = sin_a_angle * t106;
-        let t117 = cos_a_angle * t108;
-        let t118 = t116 + t117;
-        let t119 = c(0.2) * t118;
-        let t120 = t119 * t50;
-        let t121 = t115 * t115;
-        let t122 = t72 * t72;
-        let t123 = t121 + t122;
-        let t124 = t73 * t73;
-        let t125 = t123 * c(0.76);
-        let t126 = t124 + t125;
-        let t127 = t50 * t126;
-        let t128 = t104 + t127;
-        let t129 = t119 * t74;
-        let t130 = t110 - t129;
-        let t131 = t119 * t120;
-        let t132 = t112 + t131;
-        let t133 = T::copysign(closure_d0, c(1.0));
-        let t134 = closure_d0 + t133;
-        let t135 = c(0.5) * t134;
-        let t136 = T::sqrt(t135);
-        let t137 = T::sqrt(t128);
-        let t138 = ::mstmm::generated::recip_above(t136, t137);
-        let t139 = t136 * t138;
-        let t140 = ::mstmm::generated::recip_above(closure_d0, closure_d0);
-        let t141 = t139 * t140;
-        let t142 = t130 * t141;
-        let t143 = t130 * t142;
-        let closure_d1 = t132 - t143;
-        let t144 = cos_rocker_pin_angle * minus_b_e_force_x;
-        let t145 = sin_rocker_pin_angle * minus_b_e_force_x;
-        let t146 = t145 - c(9.8);
-        let t147 = t76 * t76;
-        let t148 = t82 + t147;
-        let t149 = c(4.166666666666667) * t148;
-        let t150 = minus_b_drift_lin_x * cos_rocker_pin_angle;
-        let t151 = b_drift_lin_y * t54;
-        let t152 = t150 - t151;
-        let t153 = minus_b_drift_lin_x * sin_rocker_pin_angle;
-        let t154 = b_drift_lin_y * t86;
-        let t155 = t153 + t154;
-        let t156 = t62 * t35;
-        let t157 = t152 - t156;
-        let t158 = t95 * t35;
-        let t159 = t155 - t158;
-        let t160 = t91 * t91;
-        let t161 = t94 * t94;
-        let t162 = t160 + t161;
-        let t163 = t95 * t95;
-        let t164 = c(0.72) * t162;
-        let t165 = t163 + t164;
-        let t166 = t18 * t165;
-        let t167 = t149 + t166;
-        let t168 = minus_a_drift_lin_x * t65;
-        let t169 = a_drift_lin_y * t67;
-        let t170 = t168 - t169;
-        let t171 = t157 + t170;
-        let t172 = minus_a_drift_lin_x * t106;
-        let t173 = a_drift_lin_y * t108;
-        let t174 = t172 - t173;
-        let t175 = t159 + t174;
-        let t176 = cos_a_angle * t106;
-        let t177 = sin_a_angle * t108;
-        let t178 = t176 - t177;
-        let t179 = crank_pin_input0 + minus_crank_pin_e_moment_z;
-        let t180 = t50 * t179;
-        let t181 = t73 * minus_crank_pin_z0_force_x;
-        let t182 = t115 + t181;
-        let t183 = t73 * crank_pin_z0_force_y;
-        let t184 = t72 - t183;
-        let t185 = t73 * t180;
-        let t186 = t171 - t185;
-        let t187 = t119 * minus_crank_pin_z0_force_x;
-        let t188 = t178 + t187;
-        let t189 = t119 * crank_pin_z0_force_y;
-        let t190 = t118 - t189;
-        let t191 = t119 * t180;
-        let t192 = t175 - t191;
-        let t193 = t178 * t178;
-        let t194 = t118 * t118;
-        let t195 = t193 + t194;
-        let t196 = t119 * t119;
-        let t197 = c(0.76) * t195;
-        let t198 = t196 + t197;
-        let t199 = t50 * t198;
-        let t200 = t167 + t199;
-        let crank_pin_a_lin_x = sin_crank_pin_angle * c(9.8);
-        let crank_pin_a_lin_y = cos_crank_pin_angle * c(9.8);
-        let t201 = t182 * crank_pin_a_lin_x;
-        let t202 = t184 * crank_pin_a_lin_y;
-        let t203 = t201 + t202;
-        let t204 = t186 - t203;
-        let t205 = t188 * crank_pin_a_lin_x;
-        let t206 = t190 * crank_pin_a_lin_y;
-        let t207 = t205 + t206;
-        let t208 = t192 - t207;
-        let t209 = t144 + t204;
-        let t210 = t146 + t208;
-        let t211 = T::copysign(closure_d1, c(1.0));
-        let t212 = closure_d1 + t211;
-        let t213 = c(0.5) * t212;
-        let t214 = T::sqrt(t213);
-        let t215 = T::sqrt(t200);
-        let t216 = ::mstmm::generated::recip_above(t214, t215);
-        let t217 = t214 * t216;
-        let t218 = ::mstmm::generated::recip_above(closure_d1, t132);
-        let t219 = t217 * t218;
-        let t220 = t209 * t142;
-        let t221 = t210 + t220;
-        let t222 = t209 * t141;
-        let t223 = t219 * t221;
-        let t224 = t142 * t223;
-        let t225 = t222 + t224;
-        let t226 = closure_d0 * t141;
-        let t227 = c(1.0) - t226;
-        let t228 = t227 * t227;
-        let t229 = ::mstmm::generated::recip_above(t228, c(1.0));
-        let t230 = T::sqrt(t229);
-        let t231 = t227 * t230;
-        let t232 = t225 * t231;
-        let t233 = t231 * t232;
-        let t234 = t225 - t233;
-        let t235 = closure_d1 * t219;
-        let t236 = c(1.0) - t235;
-        let t237 = t142 * t236;
-        let t238 = t231 * t237;
-        let t239 = t231 * t238;
-        let t240 = t237 - t239;
-        let t241 = t240 * t240;
-        let t242 = t236 * t236;
-        let t243 = t241 + t242;
-        let t244 = ::mstmm::generated::recip_above(t243, c(1.0));
-        let t245 = T::sqrt(t244);
-        let t246 = t240 * t245;
-        let t247 = t236 * t245;
-        let t248 = t234 * t246;
-        let t249 = t223 * t247;
-        let t250 = t248 + t249;
-        let t251 = t246 * t250;
-        let minus_closure_reaction0 = t234 - t251;
-        let t252 = t247 * t250;
-        let closure_reaction1 = t223 - t252;
+        let t51_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t52_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t53_ = sin_rocker_pin_angle_ * c_(1.5);
+        let t54_ = sin_rocker_pin_angle_ - t53_;
+        let t55_ = t51_ * t52_;
+        let t56_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t57_ = sin_b_angle_ * t54_;
+        let t58_ = t56_ - t57_;
+        let t59_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        let t60_ = cos_b_angle_ * t54_;
+        let t61_ = t59_ + t60_;
+        let t62_ = c_(0.6) * t61_;
+        let t63_ = t62_ * t18_;
+        let t64_ = t62_ * a_z0_force_x_;
+        let t65_ = t58_ - t64_;
+        let t66_ = t62_ * a_z0_force_y_;
+        let t67_ = t61_ - t66_;
+        let t68_ = t62_ * t63_;
+        let t69_ = t55_ + t68_;
+        let t70_ = sin_a_angle_ * t65_;
+        let t71_ = cos_a_angle_ * t67_;
+        let t72_ = t70_ + t71_;
+        let t73_ = c_(0.2) * t72_;
+        let t74_ = t73_ * t50_;
+        let t75_ = t73_ * t74_;
+        let closure_d0_ = t69_ + t75_;
+        let t76_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t77_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t78_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t79_ = sin_rocker_pin_angle_ * sin_rocker_pin_angle_;
+        let t80_ = t78_ + t79_;
+        let t81_ = t51_ * t51_;
+        let t82_ = t80_ * c_(0.36);
+        let t83_ = t81_ + t82_;
+        let t84_ = t83_ * c_(4.166666666666667);
+        let t85_ = cos_rocker_pin_angle_ * c_(1.5);
+        let t86_ = cos_rocker_pin_angle_ - t85_;
+        let t87_ = t76_ * t52_;
+        let t88_ = t76_ * t77_;
+        let t89_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t90_ = sin_b_angle_ * t86_;
+        let t91_ = t89_ + t90_;
+        let t92_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t93_ = cos_b_angle_ * t86_;
+        let t94_ = t92_ - t93_;
+        let t95_ = c_(0.6) * t94_;
+        let t96_ = t95_ * t18_;
+        let t97_ = t58_ * t58_;
+        let t98_ = t61_ * t61_;
+        let t99_ = t97_ + t98_;
+        let t100_ = t62_ * t62_;
+        let t101_ = t99_ * c_(0.72);
+        let t102_ = t100_ + t101_;
+        let t103_ = t18_ * t102_;
+        let t104_ = t84_ + t103_;
+        let t105_ = t95_ * a_z0_force_x_;
+        let t106_ = t91_ - t105_;
+        let t107_ = t95_ * a_z0_force_y_;
+        let t108_ = t94_ - t107_;
+        let t109_ = t95_ * t63_;
+        let t110_ = t87_ - t109_;
+        let t111_ = t95_ * t96_;
+        let t112_ = t88_ + t111_;
+        let t113_ = cos_a_angle_ * t65_;
+        let t114_ = sin_a_angle_ * t67_;
+        let t115_ = t113_ - t114_;
+        let t116_ = sin_a_angle_ * t106_;
+        let t117_ = cos_a_angle_ * t108_;
+        let t118_ = t116_ + t117_;
+        let t119_ = c_(0.2) * t118_;
+        let t120_ = t119_ * t50_;
+        let t121_ = t115_ * t115_;
+        let t122_ = t72_ * t72_;
+        let t123_ = t121_ + t122_;
+        let t124_ = t73_ * t73_;
+        let t125_ = t123_ * c_(0.76);
+        let t126_ = t124_ + t125_;
+        let t127_ = t50_ * t126_;
+        let t128_ = t104_ + t127_;
+        let t129_ = t119_ * t74_;
+        let t130_ = t110_ - t129_;
+        let t131_ = t119_ * t120_;
+        let t132_ = t112_ + t131_;
+        let t133_ = T::copysign(closure_d0_, c_(1.0));
+        let t134_ = closure_d0_ + t133_;
+        let t135_ = c_(0.5) * t134_;
+        let t136_ = T::sqrt(t135_);
+        let t137_ = T::sqrt(t128_);
+        let t138_ = ::mstmm::generated::recip_above(t136_, t137_);
+        let t139_ = t136_ * t138_;
+        let t140_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t141_ = t139_ * t140_;
+        let t142_ = t130_ * t141_;
+        let t143_ = t130_ * t142_;
+        let closure_d1_ = t132_ - t143_;
+        let t144_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t145_ = sin_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t146_ = t145_ - c_(9.8);
+        let t147_ = t76_ * t76_;
+        let t148_ = t82_ + t147_;
+        let t149_ = c_(4.166666666666667) * t148_;
+        let t150_ = minus_b_drift_lin_x_ * cos_rocker_pin_angle_;
+        let t151_ = b_drift_lin_y_ * t54_;
+        let t152_ = t150_ - t151_;
+        let t153_ = minus_b_drift_lin_x_ * sin_rocker_pin_angle_;
+        let t154_ = b_drift_lin_y_ * t86_;
+        let t155_ = t153_ + t154_;
+        let t156_ = t62_ * t35_;
+        let t157_ = t152_ - t156_;
+        let t158_ = t95_ * t35_;
+        let t159_ = t155_ - t158_;
+        let t160_ = t91_ * t91_;
+        let t161_ = t94_ * t94_;
+        let t162_ = t160_ + t161_;
+        let t163_ = t95_ * t95_;
+        let t164_ = c_(0.72) * t162_;
+        let t165_ = t163_ + t164_;
+        let t166_ = t18_ * t165_;
+        let t167_ = t149_ + t166_;
+        let t168_ = minus_a_drift_lin_x_ * t65_;
+        let t169_ = a_drift_lin_y_ * t67_;
+        let t170_ = t168_ - t169_;
+        let t171_ = t157_ + t170_;
+        let t172_ = minus_a_drift_lin_x_ * t106_;
+        let t173_ = a_drift_lin_y_ * t108_;
+        let t174_ = t172_ - t173_;
+        let t175_ = t159_ + t174_;
+        let t176_ = cos_a_angle_ * t106_;
+        let t177_ = sin_a_angle_ * t108_;
+        let t178_ = t176_ - t177_;
+        let t179_ = crank_pin_input0_ + minus_crank_pin_e_moment_z_;
+        let t180_ = t50_ * t179_;
+        let t181_ = t73_ * minus_crank_pin_z0_force_x_;
+        let t182_ = t115_ + t181_;
+        let t183_ = t73_ * crank_pin_z0_force_y_;
+        let t184_ = t72_ - t183_;
+        let t185_ = t73_ * t180_;
+        let t186_ = t171_ - t185_;
+        let t187_ = t119_ * minus_crank_pin_z0_force_x_;
+        let t188_ = t178_ + t187_;
+        let t189_ = t119_ * crank_pin_z0_force_y_;
+        let t190_ = t118_ - t189_;
+        let t191_ = t119_ * t180_;
+        let t192_ = t175_ - t191_;
+        let t193_ = t178_ * t178_;
+        let t194_ = t118_ * t118_;
+        let t195_ = t193_ + t194_;
+        let t196_ = t119_ * t119_;
+        let t197_ = c_(0.76) * t195_;
+        let t198_ = t196_ + t197_;
+        let t199_ = t50_ * t198_;
+        let t200_ = t167_ + t199_;
+        let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
+        let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
+        let t201_ = t182_ * crank_pin_a_lin_x_;
+        let t202_ = t184_ * crank_pin_a_lin_y_;
+        let t203_ = t201_ + t202_;
+        let t204_ = t186_ - t203_;
+        let t205_ = t188_ * crank_pin_a_lin_x_;
+        let t206_ = t190_ * crank_pin_a_lin_y_;
+        let t207_ = t205_ + t206_;
+        let t208_ = t192_ - t207_;
+        let t209_ = t144_ + t204_;
+        let t210_ = t146_ + t208_;
+        let t211_ = T::copysign(closure_d1_, c_(1.0));
+        let t212_ = closure_d1_ + t211_;
+        let t213_ = c_(0.5) * t212_;
+        let t214_ = T::sqrt(t213_);
+        let t215_ = T::sqrt(t200_);
+        let t216_ = ::mstmm::generated::recip_above(t214_, t215_);
+        let t217_ = t214_ * t216_;
+        let t218_ = ::mstmm::generated::recip_above(closure_d1_, t132_);
+        let t219_ = t217_ * t218_;
+        let t220_ = t209_ * t142_;
+        let t221_ = t210_ + t220_;
+        let t222_ = t209_ * t141_;
+        let t223_ = t219_ * t221_;
+        let t224_ = t142_ * t223_;
+        let t225_ = t222_ + t224_;
+        let t226_ = closure_d0_ * t141_;
+        let t227_ = c_(1.0) - t226_;
+        let t228_ = t227_ * t227_;
+        let t229_ = ::mstmm::generated::recip_above(t228_, c_(1.0));
+        let t230_ = T::sqrt(t229_);
+        let t231_ = t227_ * t230_;
+        let t232_ = t225_ * t231_;
+        let t233_ = t231_ * t232_;
+        let t234_ = t225_ - t233_;
+        let t235_ = closure_d1_ * t219_;
+        let t236_ = c_(1.0) - t235_;
+        let t237_ = t142_ * t236_;
+        let t238_ = t231_ * t237_;
+        let t239_ = t231_ * t238_;
+        let t240_ = t237_ - t239_;
+        let t241_ = t240_ * t240_;
+        let t242_ = t236_ * t236_;
+        let t243_ = t241_ + t242_;
+        let t244_ = ::mstmm::generated::recip_above(t243_, c_(1.0));
+        let t245_ = T::sqrt(t244_);
+        let t246_ = t240_ * t245_;
+        let t247_ = t236_ * t245_;
+        let t248_ = t234_ * t246_;
+        let t249_ = t223_ * t247_;
+        let t250_ = t248_ + t249_;
+        let t251_ = t246_ * t250_;
+        let minus_closure_reaction0_ = t234_ - t251_;
+        let t252_ = t247_ * t250_;
+        let closure_reaction1_ = t223_ - t252_;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 4 mul, 4 add, 0 reciprocal.
-        let t253 = t74 * minus_closure_reaction0;
-        let t254 = t120 * closure_reaction1;
-        let t255 = t253 + t254;
-        let t256 = t180 + t255;
-        let t257 = minus_crank_pin_z0_force_x * crank_pin_a_lin_x;
-        let t258 = crank_pin_z0_force_y * crank_pin_a_lin_y;
-        let t259 = t257 - t258;
-        let crank_pin_a_ang_z = t256 + t259;
+        let t253_ = t74_ * minus_closure_reaction0_;
+        let t254_ = t120_ * closure_reaction1_;
+        let t255_ = t253_ + t254_;
+        let t256_ = t180_ + t255_;
+        let t257_ = minus_crank_pin_z0_force_x_ * crank_pin_a_lin_x_;
+        let t258_ = crank_pin_z0_force_y_ * crank_pin_a_lin_y_;
+        let t259_ = t257_ - t258_;
+        let crank_pin_a_ang_z_ = t256_ + t259_;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 9 mul, 9 add, 0 reciprocal.
-        let t260 = c(0.2) * crank_pin_a_ang_z;
-        let t261 = crank_pin_a_lin_y + t260;
-        let t262 = cos_a_angle * crank_pin_a_lin_x;
-        let t263 = sin_a_angle * t261;
-        let t264 = t262 + t263;
-        let minus_a_a_lin_x = minus_a_drift_lin_x - t264;
-        let t265 = sin_a_angle * crank_pin_a_lin_x;
-        let t266 = cos_a_angle * t261;
-        let t267 = t265 - t266;
-        let a_a_lin_y = a_drift_lin_y - t267;
-        let t268 = t63 * minus_closure_reaction0;
-        let t269 = t96 * closure_reaction1;
-        let t270 = t268 + t269;
-        let t271 = t35 + t270;
-        let t272 = a_z0_force_x * minus_a_a_lin_x;
-        let t273 = a_z0_force_y * a_a_lin_y;
-        let t274 = t272 - t273;
-        let a_a_ang_z = t271 + t274;
+        let t260_ = c_(0.2) * crank_pin_a_ang_z_;
+        let t261_ = crank_pin_a_lin_y_ + t260_;
+        let t262_ = cos_a_angle_ * crank_pin_a_lin_x_;
+        let t263_ = sin_a_angle_ * t261_;
+        let t264_ = t262_ + t263_;
+        let minus_a_a_lin_x_ = minus_a_drift_lin_x_ - t264_;
+        let t265_ = sin_a_angle_ * crank_pin_a_lin_x_;
+        let t266_ = cos_a_angle_ * t261_;
+        let t267_ = t265_ - t266_;
+        let a_a_lin_y_ = a_drift_lin_y_ - t267_;
+        let t268_ = t63_ * minus_closure_reaction0_;
+        let t269_ = t96_ * closure_reaction1_;
+        let t270_ = t268_ + t269_;
+        let t271_ = t35_ + t270_;
+        let t272_ = a_z0_force_x_ * minus_a_a_lin_x_;
+        let t273_ = a_z0_force_y_ * a_a_lin_y_;
+        let t274_ = t272_ - t273_;
+        let a_a_ang_z_ = t271_ + t274_;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 5 add, 0 reciprocal.
-        let t275 = c(0.6) * a_a_ang_z;
-        let t276 = a_a_lin_y + t275;
-        let t277 = sin_b_angle * minus_a_a_lin_x;
-        let t278 = cos_b_angle * t276;
-        let t279 = t277 + t278;
-        let b_a_lin_y = b_drift_lin_y + t279;
-        let t280 = t52 * minus_closure_reaction0;
-        let t281 = t77 * closure_reaction1;
-        let t282 = t280 - t281;
-        let t283 = c(2.5) * b_a_lin_y;
-        let b_a_ang_z = t282 - t283;
+        let t275_ = c_(0.6) * a_a_ang_z_;
+        let t276_ = a_a_lin_y_ + t275_;
+        let t277_ = sin_b_angle_ * minus_a_a_lin_x_;
+        let t278_ = cos_b_angle_ * t276_;
+        let t279_ = t277_ + t278_;
+        let b_a_lin_y_ = b_drift_lin_y_ + t279_;
+        let t280_ = t52_ * minus_closure_reaction0_;
+        let t281_ = t77_ * closure_reaction1_;
+        let t282_ = t280_ - t281_;
+        let t283_ = c_(2.5) * b_a_lin_y_;
+        let b_a_ang_z_ = t282_ - t283_;
         /// Results: 1 mul, 5 add, 0 reciprocal.
-        let t284 = crank_pin_a_ang_z - a_a_ang_z;
-        let t285 = a_a_ang_z - b_a_ang_z;
-        let t286 = t20 - t22;
-        let t287 = c(4.0) - t286;
-        let t288 = t287 * c(0.04000000000000001);
-        let t289 = t288 + c(0.030000000000000006);
+        let t284_ = crank_pin_a_ang_z_ - a_a_ang_z_;
+        let t285_ = a_a_ang_z_ - b_a_ang_z_;
+        let t286_ = t20_ - t22_;
+        let t287_ = c_(4.0) - t286_;
+        let t288_ = t287_ * c_(0.04000000000000001);
+        let t289_ = t288_ + c_(0.030000000000000006);
         ::mstmm::generated::finite::<
             T,
-        >(&[state.q.as_slice(), state.v.as_slice(), &[inputs.crank_pin]])?;
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[inputs_.crank_pin]])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
             &["a", "crank_pin"],
-            [a_j_zz, crank_pin_j_zz],
-            [c(2.04), t289],
-            [crank_pin_a_ang_z, -t284, -t285, -b_a_ang_z],
+            [a_j_zz_, crank_pin_j_zz_],
+            [c_(2.04), t289_],
+            [crank_pin_a_ang_z_, -t284_, -t285_, -b_a_ang_z_],
         )?;
-        accelerations.data.0 = [[crank_pin_a_ang_z, -t284, -t285, -b_a_ang_z]];
+        accelerations_.data.0 = [[crank_pin_a_ang_z_, -t284_, -t285_, -b_a_ang_z_]];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges by value; see
@@ -482,12 +491,12 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     #[inline]
     pub fn accelerations(
         &self,
-        state: &FourBarState<T>,
-        inputs: &FourBarInputs<T>,
+        state_: &FourBarState<T>,
+        inputs_: &FourBarInputs<T>,
     ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, 4>, ::mstmm::Error> {
-        let mut accelerations = ::mstmm::generated::vector([T::constant(0.0); 4]);
-        self.accelerations_into(state, inputs, &mut accelerations)?;
-        ::core::result::Result::Ok(accelerations)
+        let mut accelerations_ = ::mstmm::generated::vector([T::constant(0.0); 4]);
+        self.accelerations_into(state_, inputs_, &mut accelerations_)?;
+        ::core::result::Result::Ok(accelerations_)
     }
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
@@ -525,658 +534,665 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn solve_into(
         &self,
-        state: &FourBarState<T>,
-        inputs: &FourBarInputs<T>,
-        at: &mut FourBarWorkspace<T>,
+        state_: &FourBarState<T>,
+        inputs_: &FourBarInputs<T>,
+        at_: &mut FourBarWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let c = T::constant;
-        let [[crank_pin_angle, a_angle, b_angle, rocker_pin_angle]] = state.q.data.0;
-        let [[crank_pin_rate, a_rate, b_rate, ..]] = state.v.data.0;
-        let crank_pin_input0 = inputs.crank_pin;
+        let c_ = T::constant;
+        let [[crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]] = state_
+            .q
+            .data
+            .0;
+        let [[crank_pin_rate_, a_rate_, b_rate_, ..]] = state_.v.data.0;
+        let crank_pin_input0_ = inputs_.crank_pin;
         /// Motion across `crank_pin`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 4 sin/cos.
         let (
-            [sin_crank_pin_angle,
-            sin_a_angle,
-            sin_b_angle,
-            sin_rocker_pin_angle,
+            [sin_crank_pin_angle_,
+            sin_a_angle_,
+            sin_b_angle_,
+            sin_rocker_pin_angle_,
             ],
-            [cos_crank_pin_angle,
-            cos_a_angle,
-            cos_b_angle,
-            cos_rocker_pin_angle,
+            [cos_crank_pin_angle_,
+            cos_a_angle_,
+            cos_b_angle_,
+            cos_rocker_pin_angle_,
             ],
-        ) = T::sin_cos([crank_pin_angle, a_angle, b_angle, rocker_pin_angle]);
+        ) = T::sin_cos([crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]);
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 4 mul, 1 add, 0 reciprocal.
-        let a_omega_z = crank_pin_rate + a_rate;
-        let t0 = crank_pin_rate * c(0.2);
-        let t1 = crank_pin_rate * t0;
-        let minus_a_drift_lin_x = cos_a_angle * t1;
-        let a_drift_lin_y = sin_a_angle * t1;
+        let a_omega_z_ = crank_pin_rate_ + a_rate_;
+        let t0_ = crank_pin_rate_ * c_(0.2);
+        let t1_ = crank_pin_rate_ * t0_;
+        let minus_a_drift_lin_x_ = cos_a_angle_ * t1_;
+        let a_drift_lin_y_ = sin_a_angle_ * t1_;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 4 mul, 1 add, 0 reciprocal.
-        let b_omega_z = b_rate + a_omega_z;
-        let t2 = a_omega_z * c(0.6);
-        let t3 = a_omega_z * t2;
-        let minus_b_drift_lin_x = cos_b_angle * t3;
-        let b_drift_lin_y = sin_b_angle * t3;
+        let b_omega_z_ = b_rate_ + a_omega_z_;
+        let t2_ = a_omega_z_ * c_(0.6);
+        let t3_ = a_omega_z_ * t2_;
+        let minus_b_drift_lin_x_ = cos_b_angle_ * t3_;
+        let b_drift_lin_y_ = sin_b_angle_ * t3_;
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t4 = c(0.6) * b_omega_z;
-        let minus_b_e_force_x = b_omega_z * t4;
+        let t4_ = c_(0.6) * b_omega_z_;
+        let minus_b_e_force_x_ = b_omega_z_ * t4_;
         /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 15 mul, 9 add, 1 reciprocal.
-        let t5 = sin_b_angle * c(1.5);
-        let t6 = sin_b_angle * t5;
-        let minus_a_k_xx = t6 - c(4.0);
-        let a_k_yy = c(2.5) + t6;
-        let a_k_xy = cos_b_angle * t5;
-        let a_b_x_z = c(0.6) * a_k_xy;
-        let t7 = c(0.5) + t6;
-        let t8 = c(0.6) * t7;
-        let a_b_y_z = c(0.6) + t8;
-        let t9 = c(0.36) * t7;
-        let a_j_zz = c(0.24) + t9;
-        let t10 = minus_b_drift_lin_x * c(2.0);
-        let t11 = b_drift_lin_y * c(0.5);
-        let t12 = minus_b_e_force_x + t10;
-        let t13 = cos_b_angle * t12;
-        let t14 = sin_b_angle * t11;
-        let t15 = t13 + t14;
-        let minus_a_e_force_x = t3 + t15;
-        let t16 = sin_b_angle * t12;
-        let t17 = cos_b_angle * t11;
-        let minus_a_e_force_y = t16 - t17;
-        let minus_a_e_moment_z = c(0.6) * minus_a_e_force_y;
-        let t18 = T::recip(a_j_zz);
-        let a_z0_force_x = a_b_x_z * t18;
-        let a_z0_force_y = a_b_y_z * t18;
+        let t5_ = sin_b_angle_ * c_(1.5);
+        let t6_ = sin_b_angle_ * t5_;
+        let minus_a_k_xx_ = t6_ - c_(4.0);
+        let a_k_yy_ = c_(2.5) + t6_;
+        let a_k_xy_ = cos_b_angle_ * t5_;
+        let a_b_x_z_ = c_(0.6) * a_k_xy_;
+        let t7_ = c_(0.5) + t6_;
+        let t8_ = c_(0.6) * t7_;
+        let a_b_y_z_ = c_(0.6) + t8_;
+        let t9_ = c_(0.36) * t7_;
+        let a_j_zz_ = c_(0.24) + t9_;
+        let t10_ = minus_b_drift_lin_x_ * c_(2.0);
+        let t11_ = b_drift_lin_y_ * c_(0.5);
+        let t12_ = minus_b_e_force_x_ + t10_;
+        let t13_ = cos_b_angle_ * t12_;
+        let t14_ = sin_b_angle_ * t11_;
+        let t15_ = t13_ + t14_;
+        let minus_a_e_force_x_ = t3_ + t15_;
+        let t16_ = sin_b_angle_ * t12_;
+        let t17_ = cos_b_angle_ * t11_;
+        let minus_a_e_force_y_ = t16_ - t17_;
+        let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
+        let t18_ = T::recip(a_j_zz_);
+        let a_z0_force_x_ = a_b_x_z_ * t18_;
+        let a_z0_force_y_ = a_b_y_z_ * t18_;
         /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 23 mul, 16 add, 1 reciprocal.
-        let t19 = a_b_x_z * a_z0_force_x;
-        let t20 = minus_a_k_xx + t19;
-        let t21 = a_b_y_z * a_z0_force_y;
-        let t22 = a_k_yy - t21;
-        let t23 = a_b_y_z * a_z0_force_x;
-        let t24 = a_k_xy - t23;
-        let t25 = t20 + t22;
-        let t26 = sin_a_angle * t25;
-        let t27 = c(2.0) * t24;
-        let t28 = cos_a_angle * t27;
-        let t29 = t26 - t28;
-        let t30 = cos_a_angle * t29;
-        let minus_crank_pin_k_xy = t24 + t30;
-        let minus_crank_pin_b_x_z = c(0.2) * minus_crank_pin_k_xy;
-        let t31 = sin_a_angle * t29;
-        let t32 = t22 - t31;
-        let t33 = c(0.2) * t32;
-        let crank_pin_b_y_z = c(0.1) + t33;
-        let t34 = c(0.04000000000000001) * t32;
-        let crank_pin_j_zz = c(0.020000000000000004) + t34;
-        let t35 = minus_a_e_moment_z * t18;
-        let t36 = a_b_x_z * t35;
-        let t37 = minus_a_e_force_x - t36;
-        let t38 = a_b_y_z * t35;
-        let t39 = minus_a_e_force_y - t38;
-        let t40 = minus_a_drift_lin_x * t20;
-        let t41 = a_drift_lin_y * t24;
-        let t42 = t40 + t41;
-        let t43 = minus_a_drift_lin_x * t24;
-        let t44 = a_drift_lin_y * t22;
-        let t45 = t43 - t44;
-        let t46 = t37 - t42;
-        let t47 = t39 + t45;
-        let t48 = sin_a_angle * t46;
-        let t49 = cos_a_angle * t47;
-        let minus_crank_pin_e_force_y = t48 + t49;
-        let minus_crank_pin_e_moment_z = c(0.2) * minus_crank_pin_e_force_y;
-        let t50 = T::recip(crank_pin_j_zz);
-        let minus_crank_pin_z0_force_x = minus_crank_pin_b_x_z * t50;
-        let crank_pin_z0_force_y = crank_pin_b_y_z * t50;
+        let t19_ = a_b_x_z_ * a_z0_force_x_;
+        let t20_ = minus_a_k_xx_ + t19_;
+        let t21_ = a_b_y_z_ * a_z0_force_y_;
+        let t22_ = a_k_yy_ - t21_;
+        let t23_ = a_b_y_z_ * a_z0_force_x_;
+        let t24_ = a_k_xy_ - t23_;
+        let t25_ = t20_ + t22_;
+        let t26_ = sin_a_angle_ * t25_;
+        let t27_ = c_(2.0) * t24_;
+        let t28_ = cos_a_angle_ * t27_;
+        let t29_ = t26_ - t28_;
+        let t30_ = cos_a_angle_ * t29_;
+        let minus_crank_pin_k_xy_ = t24_ + t30_;
+        let minus_crank_pin_b_x_z_ = c_(0.2) * minus_crank_pin_k_xy_;
+        let t31_ = sin_a_angle_ * t29_;
+        let t32_ = t22_ - t31_;
+        let t33_ = c_(0.2) * t32_;
+        let crank_pin_b_y_z_ = c_(0.1) + t33_;
+        let t34_ = c_(0.04000000000000001) * t32_;
+        let crank_pin_j_zz_ = c_(0.020000000000000004) + t34_;
+        let t35_ = minus_a_e_moment_z_ * t18_;
+        let t36_ = a_b_x_z_ * t35_;
+        let t37_ = minus_a_e_force_x_ - t36_;
+        let t38_ = a_b_y_z_ * t35_;
+        let t39_ = minus_a_e_force_y_ - t38_;
+        let t40_ = minus_a_drift_lin_x_ * t20_;
+        let t41_ = a_drift_lin_y_ * t24_;
+        let t42_ = t40_ + t41_;
+        let t43_ = minus_a_drift_lin_x_ * t24_;
+        let t44_ = a_drift_lin_y_ * t22_;
+        let t45_ = t43_ - t44_;
+        let t46_ = t37_ - t42_;
+        let t47_ = t39_ + t45_;
+        let t48_ = sin_a_angle_ * t46_;
+        let t49_ = cos_a_angle_ * t47_;
+        let minus_crank_pin_e_force_y_ = t48_ + t49_;
+        let minus_crank_pin_e_moment_z_ = c_(0.2) * minus_crank_pin_e_force_y_;
+        let t50_ = T::recip(crank_pin_j_zz_);
+        let minus_crank_pin_z0_force_x_ = minus_crank_pin_b_x_z_ * t50_;
+        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t50_;
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 124 mul, 70 add, 6 reciprocal, 6 square root.
-        let t51 = c(0.6) * sin_rocker_pin_angle;
-        let t52 = sin_rocker_pin_angle * c(2.5);
-        let t53 = sin_rocker_pin_angle * c(1.5);
-        let t54 = sin_rocker_pin_angle - t53;
-        let t55 = t51 * t52;
-        let t56 = cos_b_angle * cos_rocker_pin_angle;
-        let t57 = sin_b_angle * t54;
-        let t58 = t56 - t57;
-        let t59 = sin_b_angle * cos_rocker_pin_angle;
-        let t60 = cos_b_angle * t54;
-        let t61 = t59 + t60;
-        let t62 = c(0.6) * t61;
-        let t63 = t62 * t18;
-        let t64 = t62 * a_z0_force_x;
-        let t65 = t58 - t64;
-        let t66 = t62 * a_z0_force_y;
-        let t67 = t61 - t66;
-        let t68 = t62 * t63;
-        let t69 = t55 + t68;
-        let t70 = sin_a_angle * t65;
-        let t71 = cos_a_angle * t67;
-        let t72 = t70 + t71;
-        let t73 = c(0.2) * t72;
-        let t74 = t73 * t50;
-        let t75 = t73 * t74;
-        let closure_d0 = t69 + t75;
-        let t76 = c(0.6) * cos_rocker_pin_angle;
-        let t77 = cos_rocker_pin_angle * c(2.5);
-        let t78 = cos_rocker_pin_angle * cos_rocker_pin_angle;
-        let t79 = sin_rocker_pin_angle * sin_rocker_pin_angle;
-        let t80 = t78 + t79;
-        let t81 = t51 * t51;
-        let t82 = t80 * c(0.36);
-        let t83 = t81 + t82;
-        let t84 = t83 * c(4.166666666666667);
-        let t85 = cos_rocker_pin_angle * c(1.5);
-        let t86 = cos_rocker_pin_angle - t85;
-        let t87 = t76 * t52;
-        let t88 = t76 * t77;
-        let t89 = cos_b_angle * sin_rocker_pin_angle;
-        let t90 = sin_b_angle * t86;
-        let t91 = t89 + t90;
-        let t92 = sin_b_angle * sin_rocker_pin_angle;
-        let t93 = cos_b_angle * t86;
-        let t94 = t92 - t93;
-        let t95 = c(0.6) * t94;
-        let t96 = t95 * t18;
-        let t97 = t58 * t58;
-        let t98 = t61 * t61;
-        let t99 = t97 + t98;
-        let t100 = t62 * t62;
-        let t101 = t99 * c(0.72);
-        let t102 = t100 + t101;
-        let t103 = t18 * t102;
-        let t104 = t84 + t103;
-        let t105 = t95 * a_z0_force_x;
-        let t106 = t91 - t105;
-        let t107 = t95 * a_z0_force_y;
-        let t108 = t94 - t107;
-        let t109 = t95 * t63;
-        let t110 = t87 - t109;
-        let t111 = t95 * t96;
-        let t112 = t88 + t111;
-        let t113 = cos_a_angle * t65;
-        let t114 = sin_a_angle * t67;
-        let t115 = t113 - t114;
-        let t116 = sin_a_angle * t106;
-        let t117 = cos_a_angle * t108;
-        let t118 = t116 + t117;
-        let t119 = c(0.2) * t118;
-        let t120 = t119 * t50;
-        let t121 = t115 * t115;
-        let t122 = t72 * t72;
-        let t123 = t121 + t122;
-        let t124 = t73 * t73;
-        let t125 = t123 * c(0.76);
-        let t126 = t124 + t125;
-        let t127 = t50 * t126;
-        let t128 = t104 + t127;
-        let t129 = t119 * t74;
-        let t130 = t110 - t129;
-        let t131 = t119 * t120;
-        let t132 = t112 + t131;
-        let t133 = T::copysign(closure_d0, c(1.0));
-        let t134 = closure_d0 + t133;
-        let t135 = c(0.5) * t134;
-        let t136 = T::sqrt(t135);
-        let t137 = T::sqrt(t128);
-        let t138 = ::mstmm::generated::recip_above(t136, t137);
-        let t139 = t136 * t138;
-        let t140 = ::mstmm::generated::recip_above(closure_d0, closure_d0);
-        let t141 = t139 * t140;
-        let t142 = t130 * t141;
-        let t143 = t130 * t142;
-        let closure_d1 = t132 - t143;
-        let t144 = cos_rocker_pin_angle * minus_b_e_force_x;
-        let t145 = sin_rocker_pin_angle * minus_b_e_force_x;
-        let t146 = t145 - c(9.8);
-        let t147 = t76 * t76;
-        let t148 = t82 + t147;
-        let t149 = c(4.166666666666667) * t148;
-        let t150 = minus_b_drift_lin_x * cos_rocker_pin_angle;
-        let t151 = b_drift_lin_y * t54;
-        let t152 = t150 - t151;
-        let t153 = minus_b_drift_lin_x * sin_rocker_pin_angle;
-        let t154 = b_drift_lin_y * t86;
-        let t155 = t153 + t154;
-        let t156 = t62 * t35;
-        let t157 = t152 - t156;
-        let t158 = t95 * t35;
-        let t159 = t155 - t158;
-        let t160 = t91 * t91;
-        let t161 = t94 * t94;
-        let t162 = t160 + t161;
-        let t163 = t95 * t95;
-        let t164 = c(0.72) * t162;
-        let t165 = t163 + t164;
-        let t166 = t18 * t165;
-        let t167 = t149 + t166;
-        let t168 = minus_a_drift_lin_x * t65;
-        let t169 = a_drift_lin_y * t67;
-        let t170 = t168 - t169;
-        let t171 = t157 + t170;
-        let t172 = minus_a_drift_lin_x * t106;
-        let t173 = a_drift_lin_y * t108;
-        let t174 = t172 - t173;
-        let t175 = t159 + t174;
-        let t176 = cos_a_angle * t106;
-        let t177 = sin_a_angle * t108;
-        let t178 = t176 - t177;
-        let t179 = crank_pin_input0 + minus_crank_pin_e_moment_z;
-        let t180 = t50 * t179;
-        let t181 = t73 * minus_crank_pin_z0_force_x;
-        let t182 = t115 + t181;
-        let t183 = t73 * crank_pin_z0_force_y;
-        let t184 = t72 - t183;
-        let t185 = t73 * t180;
-        let t186 = t171 - t185;
-        let t187 = t119 * minus_crank_pin_z0_force_x;
-        let t188 = t178 + t187;
-        let t189 = t119 * crank_pin_z0_force_y;
-        let t190 = t118 - t189;
-        let t191 = t119 * t180;
-        let t192 = t175 - t191;
-        let t193 = t178 * t178;
-        let t194 = t118 * t118;
-        let t195 = t193 + t194;
-        let t196 = t119 * t119;
-        let t197 = c(0.76) * t195;
-        let t198 = t196 + t197;
-        let t199 = t50 * t198;
-        let t200 = t167 + t199;
-        let crank_pin_a_lin_x = sin_crank_pin_angle * c(9.8);
-        let crank_pin_a_lin_y = cos_crank_pin_angle * c(9.8);
-        let t201 = t182 * crank_pin_a_lin_x;
-        let t202 = t184 * crank_pin_a_lin_y;
-        let t203 = t201 + t202;
-        let t204 = t186 - t203;
-        let t205 = t188 * crank_pin_a_lin_x;
-        let t206 = t190 * crank_pin_a_lin_y;
-        let t207 = t205 + t206;
-        let t208 = t192 - t207;
-        let t209 = t144 + t204;
-        let t210 = t146 + t208;
-        let t211 = T::copysign(closure_d1, c(1.0));
-        let t212 = closure_d1 + t211;
-        let t213 = c(0.5) * t212;
-        let t214 = T::sqrt(t213);
-        let t215 = T::sqrt(t200);
-        let t216 = ::mstmm::generated::recip_above(t214, t215);
-        let t217 = t214 * t216;
-        let t218 = ::mstmm::generated::recip_above(closure_d1, t132);
-        let t219 = t217 * t218;
-        let t220 = t209 * t142;
-        let t221 = t210 + t220;
-        let t222 = t209 * t141;
-        let t223 = t219 * t221;
-        let t224 = t142 * t223;
-        let t225 = t222 + t224;
-        let t226 = closure_d0 * t141;
-        let t227 = c(1.0) - t226;
-        let t228 = t227 * t227;
-        let t229 = ::mstmm::generated::recip_above(t228, c(1.0));
-        let t230 = T::sqrt(t229);
-        let t231 = t227 * t230;
-        let t232 = t225 * t231;
-        let t233 = t231 * t232;
-        let t234 = t225 - t233;
-        let t235 = closure_d1 * t219;
-        let t236 = c(1.0) - t235;
-        let t237 = t142 * t236;
-        let t238 = t231 * t237;
-        let t239 = t231 * t238;
-        let t240 = t237 - t239;
-        let t241 = t240 * t240;
-        let t242 = t236 * t236;
-        let t243 = t241 + t242;
-        let t244 = ::mstmm::generated::recip_above(t243, c(1.0));
-        let t245 = T::sqrt(t244);
-        let t246 = t240 * t245;
-        let t247 = t236 * t245;
-        let t248 = t234 * t246;
-        let t249 = t223 * t247;
-        let t250 = t248 + t249;
-        let t251 = t246 * t250;
-        let minus_closure_reaction0 = t234 - t251;
-        let t252 = t247 * t250;
-        let closure_reaction1 = t223 - t252;
+        let t51_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t52_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t53_ = sin_rocker_pin_angle_ * c_(1.5);
+        let t54_ = sin_rocker_pin_angle_ - t53_;
+        let t55_ = t51_ * t52_;
+        let t56_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t57_ = sin_b_angle_ * t54_;
+        let t58_ = t56_ - t57_;
+        let t59_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        let t60_ = cos_b_angle_ * t54_;
+        let t61_ = t59_ + t60_;
+        let t62_ = c_(0.6) * t61_;
+        let t63_ = t62_ * t18_;
+        let t64_ = t62_ * a_z0_force_x_;
+        let t65_ = t58_ - t64_;
+        let t66_ = t62_ * a_z0_force_y_;
+        let t67_ = t61_ - t66_;
+        let t68_ = t62_ * t63_;
+        let t69_ = t55_ + t68_;
+        let t70_ = sin_a_angle_ * t65_;
+        let t71_ = cos_a_angle_ * t67_;
+        let t72_ = t70_ + t71_;
+        let t73_ = c_(0.2) * t72_;
+        let t74_ = t73_ * t50_;
+        let t75_ = t73_ * t74_;
+        let closure_d0_ = t69_ + t75_;
+        let t76_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t77_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t78_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t79_ = sin_rocker_pin_angle_ * sin_rocker_pin_angle_;
+        let t80_ = t78_ + t79_;
+        let t81_ = t51_ * t51_;
+        let t82_ = t80_ * c_(0.36);
+        let t83_ = t81_ + t82_;
+        let t84_ = t83_ * c_(4.166666666666667);
+        let t85_ = cos_rocker_pin_angle_ * c_(1.5);
+        let t86_ = cos_rocker_pin_angle_ - t85_;
+        let t87_ = t76_ * t52_;
+        let t88_ = t76_ * t77_;
+        let t89_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t90_ = sin_b_angle_ * t86_;
+        let t91_ = t89_ + t90_;
+        let t92_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t93_ = cos_b_angle_ * t86_;
+        let t94_ = t92_ - t93_;
+        let t95_ = c_(0.6) * t94_;
+        let t96_ = t95_ * t18_;
+        let t97_ = t58_ * t58_;
+        let t98_ = t61_ * t61_;
+        let t99_ = t97_ + t98_;
+        let t100_ = t62_ * t62_;
+        let t101_ = t99_ * c_(0.72);
+        let t102_ = t100_ + t101_;
+        let t103_ = t18_ * t102_;
+        let t104_ = t84_ + t103_;
+        let t105_ = t95_ * a_z0_force_x_;
+        let t106_ = t91_ - t105_;
+        let t107_ = t95_ * a_z0_force_y_;
+        let t108_ = t94_ - t107_;
+        let t109_ = t95_ * t63_;
+        let t110_ = t87_ - t109_;
+        let t111_ = t95_ * t96_;
+        let t112_ = t88_ + t111_;
+        let t113_ = cos_a_angle_ * t65_;
+        let t114_ = sin_a_angle_ * t67_;
+        let t115_ = t113_ - t114_;
+        let t116_ = sin_a_angle_ * t106_;
+        let t117_ = cos_a_angle_ * t108_;
+        let t118_ = t116_ + t117_;
+        let t119_ = c_(0.2) * t118_;
+        let t120_ = t119_ * t50_;
+        let t121_ = t115_ * t115_;
+        let t122_ = t72_ * t72_;
+        let t123_ = t121_ + t122_;
+        let t124_ = t73_ * t73_;
+        let t125_ = t123_ * c_(0.76);
+        let t126_ = t124_ + t125_;
+        let t127_ = t50_ * t126_;
+        let t128_ = t104_ + t127_;
+        let t129_ = t119_ * t74_;
+        let t130_ = t110_ - t129_;
+        let t131_ = t119_ * t120_;
+        let t132_ = t112_ + t131_;
+        let t133_ = T::copysign(closure_d0_, c_(1.0));
+        let t134_ = closure_d0_ + t133_;
+        let t135_ = c_(0.5) * t134_;
+        let t136_ = T::sqrt(t135_);
+        let t137_ = T::sqrt(t128_);
+        let t138_ = ::mstmm::generated::recip_above(t136_, t137_);
+        let t139_ = t136_ * t138_;
+        let t140_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t141_ = t139_ * t140_;
+        let t142_ = t130_ * t141_;
+        let t143_ = t130_ * t142_;
+        let closure_d1_ = t132_ - t143_;
+        let t144_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t145_ = sin_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t146_ = t145_ - c_(9.8);
+        let t147_ = t76_ * t76_;
+        let t148_ = t82_ + t147_;
+        let t149_ = c_(4.166666666666667) * t148_;
+        let t150_ = minus_b_drift_lin_x_ * cos_rocker_pin_angle_;
+        let t151_ = b_drift_lin_y_ * t54_;
+        let t152_ = t150_ - t151_;
+        let t153_ = minus_b_drift_lin_x_ * sin_rocker_pin_angle_;
+        let t154_ = b_drift_lin_y_ * t86_;
+        let t155_ = t153_ + t154_;
+        let t156_ = t62_ * t35_;
+        let t157_ = t152_ - t156_;
+        let t158_ = t95_ * t35_;
+        let t159_ = t155_ - t158_;
+        let t160_ = t91_ * t91_;
+        let t161_ = t94_ * t94_;
+        let t162_ = t160_ + t161_;
+        let t163_ = t95_ * t95_;
+        let t164_ = c_(0.72) * t162_;
+        let t165_ = t163_ + t164_;
+        let t166_ = t18_ * t165_;
+        let t167_ = t149_ + t166_;
+        let t168_ = minus_a_drift_lin_x_ * t65_;
+        let t169_ = a_drift_lin_y_ * t67_;
+        let t170_ = t168_ - t169_;
+        let t171_ = t157_ + t170_;
+        let t172_ = minus_a_drift_lin_x_ * t106_;
+        let t173_ = a_drift_lin_y_ * t108_;
+        let t174_ = t172_ - t173_;
+        let t175_ = t159_ + t174_;
+        let t176_ = cos_a_angle_ * t106_;
+        let t177_ = sin_a_angle_ * t108_;
+        let t178_ = t176_ - t177_;
+        let t179_ = crank_pin_input0_ + minus_crank_pin_e_moment_z_;
+        let t180_ = t50_ * t179_;
+        let t181_ = t73_ * minus_crank_pin_z0_force_x_;
+        let t182_ = t115_ + t181_;
+        let t183_ = t73_ * crank_pin_z0_force_y_;
+        let t184_ = t72_ - t183_;
+        let t185_ = t73_ * t180_;
+        let t186_ = t171_ - t185_;
+        let t187_ = t119_ * minus_crank_pin_z0_force_x_;
+        let t188_ = t178_ + t187_;
+        let t189_ = t119_ * crank_pin_z0_force_y_;
+        let t190_ = t118_ - t189_;
+        let t191_ = t119_ * t180_;
+        let t192_ = t175_ - t191_;
+        let t193_ = t178_ * t178_;
+        let t194_ = t118_ * t118_;
+        let t195_ = t193_ + t194_;
+        let t196_ = t119_ * t119_;
+        let t197_ = c_(0.76) * t195_;
+        let t198_ = t196_ + t197_;
+        let t199_ = t50_ * t198_;
+        let t200_ = t167_ + t199_;
+        let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
+        let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
+        let t201_ = t182_ * crank_pin_a_lin_x_;
+        let t202_ = t184_ * crank_pin_a_lin_y_;
+        let t203_ = t201_ + t202_;
+        let t204_ = t186_ - t203_;
+        let t205_ = t188_ * crank_pin_a_lin_x_;
+        let t206_ = t190_ * crank_pin_a_lin_y_;
+        let t207_ = t205_ + t206_;
+        let t208_ = t192_ - t207_;
+        let t209_ = t144_ + t204_;
+        let t210_ = t146_ + t208_;
+        let t211_ = T::copysign(closure_d1_, c_(1.0));
+        let t212_ = closure_d1_ + t211_;
+        let t213_ = c_(0.5) * t212_;
+        let t214_ = T::sqrt(t213_);
+        let t215_ = T::sqrt(t200_);
+        let t216_ = ::mstmm::generated::recip_above(t214_, t215_);
+        let t217_ = t214_ * t216_;
+        let t218_ = ::mstmm::generated::recip_above(closure_d1_, t132_);
+        let t219_ = t217_ * t218_;
+        let t220_ = t209_ * t142_;
+        let t221_ = t210_ + t220_;
+        let t222_ = t209_ * t141_;
+        let t223_ = t219_ * t221_;
+        let t224_ = t142_ * t223_;
+        let t225_ = t222_ + t224_;
+        let t226_ = closure_d0_ * t141_;
+        let t227_ = c_(1.0) - t226_;
+        let t228_ = t227_ * t227_;
+        let t229_ = ::mstmm::generated::recip_above(t228_, c_(1.0));
+        let t230_ = T::sqrt(t229_);
+        let t231_ = t227_ * t230_;
+        let t232_ = t225_ * t231_;
+        let t233_ = t231_ * t232_;
+        let t234_ = t225_ - t233_;
+        let t235_ = closure_d1_ * t219_;
+        let t236_ = c_(1.0) - t235_;
+        let t237_ = t142_ * t236_;
+        let t238_ = t231_ * t237_;
+        let t239_ = t231_ * t238_;
+        let t240_ = t237_ - t239_;
+        let t241_ = t240_ * t240_;
+        let t242_ = t236_ * t236_;
+        let t243_ = t241_ + t242_;
+        let t244_ = ::mstmm::generated::recip_above(t243_, c_(1.0));
+        let t245_ = T::sqrt(t244_);
+        let t246_ = t240_ * t245_;
+        let t247_ = t236_ * t245_;
+        let t248_ = t234_ * t246_;
+        let t249_ = t223_ * t247_;
+        let t250_ = t248_ + t249_;
+        let t251_ = t246_ * t250_;
+        let minus_closure_reaction0_ = t234_ - t251_;
+        let t252_ = t247_ * t250_;
+        let closure_reaction1_ = t223_ - t252_;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 4 mul, 4 add, 0 reciprocal.
-        let t253 = t74 * minus_closure_reaction0;
-        let t254 = t120 * closure_reaction1;
-        let t255 = t253 + t254;
-        let t256 = t180 + t255;
-        let t257 = minus_crank_pin_z0_force_x * crank_pin_a_lin_x;
-        let t258 = crank_pin_z0_force_y * crank_pin_a_lin_y;
-        let t259 = t257 - t258;
-        let crank_pin_a_ang_z = t256 + t259;
+        let t253_ = t74_ * minus_closure_reaction0_;
+        let t254_ = t120_ * closure_reaction1_;
+        let t255_ = t253_ + t254_;
+        let t256_ = t180_ + t255_;
+        let t257_ = minus_crank_pin_z0_force_x_ * crank_pin_a_lin_x_;
+        let t258_ = crank_pin_z0_force_y_ * crank_pin_a_lin_y_;
+        let t259_ = t257_ - t258_;
+        let crank_pin_a_ang_z_ = t256_ + t259_;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 9 mul, 9 add, 0 reciprocal.
-        let t260 = c(0.2) * crank_pin_a_ang_z;
-        let t261 = crank_pin_a_lin_y + t260;
-        let t262 = cos_a_angle * crank_pin_a_lin_x;
-        let t263 = sin_a_angle * t261;
-        let t264 = t262 + t263;
-        let minus_a_a_lin_x = minus_a_drift_lin_x - t264;
-        let t265 = sin_a_angle * crank_pin_a_lin_x;
-        let t266 = cos_a_angle * t261;
-        let t267 = t265 - t266;
-        let a_a_lin_y = a_drift_lin_y - t267;
-        let t268 = t63 * minus_closure_reaction0;
-        let t269 = t96 * closure_reaction1;
-        let t270 = t268 + t269;
-        let t271 = t35 + t270;
-        let t272 = a_z0_force_x * minus_a_a_lin_x;
-        let t273 = a_z0_force_y * a_a_lin_y;
-        let t274 = t272 - t273;
-        let a_a_ang_z = t271 + t274;
+        let t260_ = c_(0.2) * crank_pin_a_ang_z_;
+        let t261_ = crank_pin_a_lin_y_ + t260_;
+        let t262_ = cos_a_angle_ * crank_pin_a_lin_x_;
+        let t263_ = sin_a_angle_ * t261_;
+        let t264_ = t262_ + t263_;
+        let minus_a_a_lin_x_ = minus_a_drift_lin_x_ - t264_;
+        let t265_ = sin_a_angle_ * crank_pin_a_lin_x_;
+        let t266_ = cos_a_angle_ * t261_;
+        let t267_ = t265_ - t266_;
+        let a_a_lin_y_ = a_drift_lin_y_ - t267_;
+        let t268_ = t63_ * minus_closure_reaction0_;
+        let t269_ = t96_ * closure_reaction1_;
+        let t270_ = t268_ + t269_;
+        let t271_ = t35_ + t270_;
+        let t272_ = a_z0_force_x_ * minus_a_a_lin_x_;
+        let t273_ = a_z0_force_y_ * a_a_lin_y_;
+        let t274_ = t272_ - t273_;
+        let a_a_ang_z_ = t271_ + t274_;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 8 mul, 7 add, 0 reciprocal.
-        let t275 = c(0.6) * a_a_ang_z;
-        let t276 = a_a_lin_y + t275;
-        let t277 = cos_b_angle * minus_a_a_lin_x;
-        let t278 = sin_b_angle * t276;
-        let t279 = t277 - t278;
-        let minus_b_a_lin_x = minus_b_drift_lin_x + t279;
-        let t280 = sin_b_angle * minus_a_a_lin_x;
-        let t281 = cos_b_angle * t276;
-        let t282 = t280 + t281;
-        let b_a_lin_y = b_drift_lin_y + t282;
-        let t283 = t52 * minus_closure_reaction0;
-        let t284 = t77 * closure_reaction1;
-        let t285 = t283 - t284;
-        let t286 = c(2.5) * b_a_lin_y;
-        let b_a_ang_z = t285 - t286;
+        let t275_ = c_(0.6) * a_a_ang_z_;
+        let t276_ = a_a_lin_y_ + t275_;
+        let t277_ = cos_b_angle_ * minus_a_a_lin_x_;
+        let t278_ = sin_b_angle_ * t276_;
+        let t279_ = t277_ - t278_;
+        let minus_b_a_lin_x_ = minus_b_drift_lin_x_ + t279_;
+        let t280_ = sin_b_angle_ * minus_a_a_lin_x_;
+        let t281_ = cos_b_angle_ * t276_;
+        let t282_ = t280_ + t281_;
+        let b_a_lin_y_ = b_drift_lin_y_ + t282_;
+        let t283_ = t52_ * minus_closure_reaction0_;
+        let t284_ = t77_ * closure_reaction1_;
+        let t285_ = t283_ - t284_;
+        let t286_ = c_(2.5) * b_a_lin_y_;
+        let b_a_ang_z_ = t285_ - t286_;
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 10 mul, 2 add, 0 reciprocal.
-        let t287 = cos_crank_pin_angle * cos_a_angle;
-        let t288 = sin_crank_pin_angle * sin_a_angle;
-        let a_axes_x_x = t287 - t288;
-        let t289 = cos_crank_pin_angle * sin_a_angle;
-        let t290 = sin_crank_pin_angle * cos_a_angle;
-        let minus_a_axes_x_y = t289 + t290;
-        let t291 = cos_crank_pin_angle * c(0.2);
-        let t292 = crank_pin_rate * t291;
-        let minus_a_drift_lin_x_2 = crank_pin_rate * t292;
-        let t293 = sin_crank_pin_angle * c(0.2);
-        let t294 = crank_pin_rate * t293;
-        let minus_a_drift_lin_y = crank_pin_rate * t294;
+        let t287_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let t288_ = sin_crank_pin_angle_ * sin_a_angle_;
+        let a_axes_x_x_ = t287_ - t288_;
+        let t289_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let t290_ = sin_crank_pin_angle_ * cos_a_angle_;
+        let minus_a_axes_x_y_ = t289_ + t290_;
+        let t291_ = cos_crank_pin_angle_ * c_(0.2);
+        let t292_ = crank_pin_rate_ * t291_;
+        let minus_a_drift_lin_x_2_ = crank_pin_rate_ * t292_;
+        let t293_ = sin_crank_pin_angle_ * c_(0.2);
+        let t294_ = crank_pin_rate_ * t293_;
+        let minus_a_drift_lin_y_ = crank_pin_rate_ * t294_;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 10 mul, 2 add, 0 reciprocal.
-        let t295 = cos_b_angle * a_axes_x_x;
-        let t296 = sin_b_angle * minus_a_axes_x_y;
-        let b_axes_x_x = t295 - t296;
-        let t297 = sin_b_angle * a_axes_x_x;
-        let t298 = cos_b_angle * minus_a_axes_x_y;
-        let minus_b_axes_x_y = t297 + t298;
-        let t299 = c(0.6) * a_axes_x_x;
-        let t300 = a_omega_z * t299;
-        let minus_b_drift_lin_x_2 = a_omega_z * t300;
-        let t301 = c(0.6) * minus_a_axes_x_y;
-        let t302 = a_omega_z * t301;
-        let minus_b_drift_lin_y = a_omega_z * t302;
+        let t295_ = cos_b_angle_ * a_axes_x_x_;
+        let t296_ = sin_b_angle_ * minus_a_axes_x_y_;
+        let b_axes_x_x_ = t295_ - t296_;
+        let t297_ = sin_b_angle_ * a_axes_x_x_;
+        let t298_ = cos_b_angle_ * minus_a_axes_x_y_;
+        let minus_b_axes_x_y_ = t297_ + t298_;
+        let t299_ = c_(0.6) * a_axes_x_x_;
+        let t300_ = a_omega_z_ * t299_;
+        let minus_b_drift_lin_x_2_ = a_omega_z_ * t300_;
+        let t301_ = c_(0.6) * minus_a_axes_x_y_;
+        let t302_ = a_omega_z_ * t301_;
+        let minus_b_drift_lin_y_ = a_omega_z_ * t302_;
         /// Point of `a`, [P, Eqs. (12), (13), (36)]: 2 mul, 2 add, 0 reciprocal.
-        let t303 = crank_pin_a_ang_z * t293;
-        let minus_a_acc_lin_x = minus_a_drift_lin_x_2 + t303;
-        let t304 = crank_pin_a_ang_z * t291;
-        let minus_a_acc_lin_y = minus_a_drift_lin_y - t304;
+        let t303_ = crank_pin_a_ang_z_ * t293_;
+        let minus_a_acc_lin_x_ = minus_a_drift_lin_x_2_ + t303_;
+        let t304_ = crank_pin_a_ang_z_ * t291_;
+        let minus_a_acc_lin_y_ = minus_a_drift_lin_y_ - t304_;
         /// Point of `b`, [P, Eqs. (12), (13), (36)]: 2 mul, 4 add, 0 reciprocal.
-        let t305 = a_a_ang_z * t301;
-        let t306 = minus_a_acc_lin_x + t305;
-        let minus_b_acc_lin_x = minus_b_drift_lin_x_2 + t306;
-        let t307 = a_a_ang_z * t299;
-        let t308 = minus_a_acc_lin_y - t307;
-        let minus_b_acc_lin_y = minus_b_drift_lin_y + t308;
+        let t305_ = a_a_ang_z_ * t301_;
+        let t306_ = minus_a_acc_lin_x_ + t305_;
+        let minus_b_acc_lin_x_ = minus_b_drift_lin_x_2_ + t306_;
+        let t307_ = a_a_ang_z_ * t299_;
+        let t308_ = minus_a_acc_lin_y_ - t307_;
+        let minus_b_acc_lin_y_ = minus_b_drift_lin_y_ + t308_;
         /// Load of the body at `crank_pin`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
-        let t309 = crank_pin_rate * c(0.1);
-        let t310 = crank_pin_rate * t309;
-        let t311 = c(0.1) * crank_pin_a_ang_z;
-        let t312 = crank_pin_a_lin_y + t311;
-        let t313 = t310 - crank_pin_a_lin_x;
-        let t314 = cos_crank_pin_angle * t313;
-        let t315 = sin_crank_pin_angle * t312;
-        let minus_crank_pin_own_force_x = t314 + t315;
-        let t316 = sin_crank_pin_angle * t313;
-        let t317 = cos_crank_pin_angle * t312;
-        let minus_crank_pin_own_force_y = t316 - t317;
+        let t309_ = crank_pin_rate_ * c_(0.1);
+        let t310_ = crank_pin_rate_ * t309_;
+        let t311_ = c_(0.1) * crank_pin_a_ang_z_;
+        let t312_ = crank_pin_a_lin_y_ + t311_;
+        let t313_ = t310_ - crank_pin_a_lin_x_;
+        let t314_ = cos_crank_pin_angle_ * t313_;
+        let t315_ = sin_crank_pin_angle_ * t312_;
+        let minus_crank_pin_own_force_x_ = t314_ + t315_;
+        let t316_ = sin_crank_pin_angle_ * t313_;
+        let t317_ = cos_crank_pin_angle_ * t312_;
+        let minus_crank_pin_own_force_y_ = t316_ - t317_;
         /// Load of the body at `a`, [P, Eqs. (18), (19)]: 6 mul, 4 add, 0 reciprocal.
-        let t318 = c(2.0) * minus_a_a_lin_x;
-        let t319 = c(2.0) * a_a_lin_y;
-        let t320 = t275 + t319;
-        let t321 = t3 + t318;
-        let t322 = a_axes_x_x * t321;
-        let t323 = minus_a_axes_x_y * t320;
-        let minus_a_own_force_x = t322 + t323;
-        let t324 = minus_a_axes_x_y * t321;
-        let t325 = a_axes_x_x * t320;
-        let minus_a_own_force_y = t324 - t325;
+        let t318_ = c_(2.0) * minus_a_a_lin_x_;
+        let t319_ = c_(2.0) * a_a_lin_y_;
+        let t320_ = t275_ + t319_;
+        let t321_ = t3_ + t318_;
+        let t322_ = a_axes_x_x_ * t321_;
+        let t323_ = minus_a_axes_x_y_ * t320_;
+        let minus_a_own_force_x_ = t322_ + t323_;
+        let t324_ = minus_a_axes_x_y_ * t321_;
+        let t325_ = a_axes_x_x_ * t320_;
+        let minus_a_own_force_y_ = t324_ - t325_;
         /// Load of the body at `b`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
-        let t326 = c(0.6) * b_a_ang_z;
-        let t327 = c(2.0) * minus_b_a_lin_x;
-        let t328 = c(2.0) * b_a_lin_y;
-        let t329 = t326 + t328;
-        let t330 = minus_b_e_force_x + t327;
-        let t331 = b_axes_x_x * t330;
-        let t332 = minus_b_axes_x_y * t329;
-        let minus_b_own_force_x = t331 + t332;
-        let t333 = minus_b_axes_x_y * t330;
-        let t334 = b_axes_x_x * t329;
-        let minus_b_own_force_y = t333 - t334;
+        let t326_ = c_(0.6) * b_a_ang_z_;
+        let t327_ = c_(2.0) * minus_b_a_lin_x_;
+        let t328_ = c_(2.0) * b_a_lin_y_;
+        let t329_ = t326_ + t328_;
+        let t330_ = minus_b_e_force_x_ + t327_;
+        let t331_ = b_axes_x_x_ * t330_;
+        let t332_ = minus_b_axes_x_y_ * t329_;
+        let minus_b_own_force_x_ = t331_ + t332_;
+        let t333_ = minus_b_axes_x_y_ * t330_;
+        let t334_ = b_axes_x_x_ * t329_;
+        let minus_b_own_force_y_ = t333_ - t334_;
         /// Load on `rocker_pin`, [P, Eqs. (18), (19)]: 8 mul, 4 add, 0 reciprocal.
-        let t335 = cos_rocker_pin_angle * minus_closure_reaction0;
-        let t336 = sin_rocker_pin_angle * closure_reaction1;
-        let t337 = t335 + t336;
-        let t338 = sin_rocker_pin_angle * minus_closure_reaction0;
-        let t339 = cos_rocker_pin_angle * closure_reaction1;
-        let t340 = t338 - t339;
-        let t341 = t337 * b_axes_x_x;
-        let t342 = t340 * minus_b_axes_x_y;
-        let minus_rocker_pin_load_force_x = t341 - t342;
-        let t343 = t337 * minus_b_axes_x_y;
-        let t344 = t340 * b_axes_x_x;
-        let minus_rocker_pin_load_force_y = t343 + t344;
+        let t335_ = cos_rocker_pin_angle_ * minus_closure_reaction0_;
+        let t336_ = sin_rocker_pin_angle_ * closure_reaction1_;
+        let t337_ = t335_ + t336_;
+        let t338_ = sin_rocker_pin_angle_ * minus_closure_reaction0_;
+        let t339_ = cos_rocker_pin_angle_ * closure_reaction1_;
+        let t340_ = t338_ - t339_;
+        let t341_ = t337_ * b_axes_x_x_;
+        let t342_ = t340_ * minus_b_axes_x_y_;
+        let minus_rocker_pin_load_force_x_ = t341_ - t342_;
+        let t343_ = t337_ * minus_b_axes_x_y_;
+        let t344_ = t340_ * b_axes_x_x_;
+        let minus_rocker_pin_load_force_y_ = t343_ + t344_;
         /// Load on `b`, [P, Eqs. (18), (19)]: 0 mul, 2 add, 0 reciprocal.
-        let minus_b_load_force_x = minus_b_own_force_x + minus_rocker_pin_load_force_x;
-        let minus_b_load_force_y = minus_b_own_force_y + minus_rocker_pin_load_force_y;
+        let minus_b_load_force_x_ = minus_b_own_force_x_
+            + minus_rocker_pin_load_force_x_;
+        let minus_b_load_force_y_ = minus_b_own_force_y_
+            + minus_rocker_pin_load_force_y_;
         /// Load on `a`, [P, Eqs. (18), (19)]: 0 mul, 2 add, 0 reciprocal.
-        let minus_a_load_force_x = minus_a_own_force_x + minus_b_load_force_x;
-        let minus_a_load_force_y = minus_a_own_force_y + minus_b_load_force_y;
+        let minus_a_load_force_x_ = minus_a_own_force_x_ + minus_b_load_force_x_;
+        let minus_a_load_force_y_ = minus_a_own_force_y_ + minus_b_load_force_y_;
         /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 0 mul, 2 add, 0 reciprocal.
-        let minus_crank_pin_load_force_x = minus_crank_pin_own_force_x
-            + minus_a_load_force_x;
-        let minus_crank_pin_load_force_y = minus_crank_pin_own_force_y
-            + minus_a_load_force_y;
+        let minus_crank_pin_load_force_x_ = minus_crank_pin_own_force_x_
+            + minus_a_load_force_x_;
+        let minus_crank_pin_load_force_y_ = minus_crank_pin_own_force_y_
+            + minus_a_load_force_y_;
         /// Results: 46 mul, 35 add, 0 reciprocal.
-        let t345 = crank_pin_a_ang_z - a_a_ang_z;
-        let t346 = a_a_ang_z - b_a_ang_z;
-        let t347 = t20 - t22;
-        let t348 = c(4.0) - t347;
-        let t349 = t348 * c(0.04000000000000001);
-        let t350 = t349 + c(0.030000000000000006);
-        let t351 = cos_crank_pin_angle * c(0.1);
-        let t352 = sin_crank_pin_angle * c(0.1);
-        let t353 = t294 + t302;
-        let t354 = t292 + t300;
-        let t355 = crank_pin_rate * t352;
-        let t356 = crank_pin_rate * t351;
-        let t357 = crank_pin_rate * c(0.01);
-        let t358 = crank_pin_rate * t357;
-        let t359 = t355 * t355;
-        let t360 = t356 * t356;
-        let t361 = t359 + t360;
-        let t362 = t358 + t361;
-        let t363 = a_axes_x_x * c(0.3);
-        let t364 = minus_a_axes_x_y * c(0.3);
-        let t365 = a_omega_z * t364;
-        let t366 = a_omega_z * t363;
-        let t367 = t294 + t365;
-        let t368 = t292 + t366;
-        let t369 = a_omega_z * c(0.06);
-        let t370 = a_omega_z * t369;
-        let t371 = t367 * t367;
-        let t372 = t368 * t368;
-        let t373 = t371 + t372;
-        let t374 = c(2.0) * t373;
-        let t375 = t370 + t374;
-        let t376 = b_axes_x_x * c(0.3);
-        let t377 = minus_b_axes_x_y * c(0.3);
-        let t378 = b_omega_z * t377;
-        let t379 = b_omega_z * t376;
-        let t380 = t353 + t378;
-        let t381 = t354 + t379;
-        let t382 = b_omega_z * c(0.06);
-        let t383 = b_omega_z * t382;
-        let t384 = t380 * t380;
-        let t385 = t381 * t381;
-        let t386 = t384 + t385;
-        let t387 = c(2.0) * t386;
-        let t388 = t383 + t387;
-        let t389 = c(0.5) * t388;
-        let t390 = t362 + t375;
-        let t391 = c(0.5) * t390;
-        let t392 = t389 + t391;
-        let t393 = t293 + t301;
-        let t394 = sin_crank_pin_angle * c(0.9800000000000001);
-        let t395 = t293 + t364;
-        let t396 = t395 * c(19.6);
-        let t397 = t394 + t396;
-        let t398 = t393 + t377;
-        let t399 = c(19.6) * t398;
-        let t400 = t397 + t399;
-        let t401 = cos_rocker_pin_angle * t231;
-        let t402 = sin_rocker_pin_angle * t231;
-        let t403 = cos_rocker_pin_angle * t246;
-        let t404 = sin_rocker_pin_angle * t247;
-        let t405 = t403 + t404;
-        let t406 = sin_rocker_pin_angle * t246;
-        let t407 = cos_rocker_pin_angle * t247;
-        let t408 = t406 - t407;
-        let t409 = t291 + t299;
-        let t410 = c(0.6) * b_axes_x_x;
-        let t411 = t410 + t409;
-        let t412 = c(0.6) * minus_b_axes_x_y;
-        let t413 = t412 + t393;
-        let t414 = b_omega_z * t412;
-        let t415 = t353 + t414;
-        let t416 = b_omega_z * t410;
-        let t417 = t354 + t416;
-        let t418 = b_omega_z * t416;
-        let t419 = b_a_ang_z * t412;
-        let t420 = minus_b_acc_lin_x + t419;
-        let t421 = t418 + t420;
-        let t422 = b_omega_z * t414;
-        let t423 = b_a_ang_z * t410;
-        let t424 = minus_b_acc_lin_y - t423;
-        let t425 = t422 + t424;
+        let t345_ = crank_pin_a_ang_z_ - a_a_ang_z_;
+        let t346_ = a_a_ang_z_ - b_a_ang_z_;
+        let t347_ = t20_ - t22_;
+        let t348_ = c_(4.0) - t347_;
+        let t349_ = t348_ * c_(0.04000000000000001);
+        let t350_ = t349_ + c_(0.030000000000000006);
+        let t351_ = cos_crank_pin_angle_ * c_(0.1);
+        let t352_ = sin_crank_pin_angle_ * c_(0.1);
+        let t353_ = t294_ + t302_;
+        let t354_ = t292_ + t300_;
+        let t355_ = crank_pin_rate_ * t352_;
+        let t356_ = crank_pin_rate_ * t351_;
+        let t357_ = crank_pin_rate_ * c_(0.01);
+        let t358_ = crank_pin_rate_ * t357_;
+        let t359_ = t355_ * t355_;
+        let t360_ = t356_ * t356_;
+        let t361_ = t359_ + t360_;
+        let t362_ = t358_ + t361_;
+        let t363_ = a_axes_x_x_ * c_(0.3);
+        let t364_ = minus_a_axes_x_y_ * c_(0.3);
+        let t365_ = a_omega_z_ * t364_;
+        let t366_ = a_omega_z_ * t363_;
+        let t367_ = t294_ + t365_;
+        let t368_ = t292_ + t366_;
+        let t369_ = a_omega_z_ * c_(0.06);
+        let t370_ = a_omega_z_ * t369_;
+        let t371_ = t367_ * t367_;
+        let t372_ = t368_ * t368_;
+        let t373_ = t371_ + t372_;
+        let t374_ = c_(2.0) * t373_;
+        let t375_ = t370_ + t374_;
+        let t376_ = b_axes_x_x_ * c_(0.3);
+        let t377_ = minus_b_axes_x_y_ * c_(0.3);
+        let t378_ = b_omega_z_ * t377_;
+        let t379_ = b_omega_z_ * t376_;
+        let t380_ = t353_ + t378_;
+        let t381_ = t354_ + t379_;
+        let t382_ = b_omega_z_ * c_(0.06);
+        let t383_ = b_omega_z_ * t382_;
+        let t384_ = t380_ * t380_;
+        let t385_ = t381_ * t381_;
+        let t386_ = t384_ + t385_;
+        let t387_ = c_(2.0) * t386_;
+        let t388_ = t383_ + t387_;
+        let t389_ = c_(0.5) * t388_;
+        let t390_ = t362_ + t375_;
+        let t391_ = c_(0.5) * t390_;
+        let t392_ = t389_ + t391_;
+        let t393_ = t293_ + t301_;
+        let t394_ = sin_crank_pin_angle_ * c_(0.9800000000000001);
+        let t395_ = t293_ + t364_;
+        let t396_ = t395_ * c_(19.6);
+        let t397_ = t394_ + t396_;
+        let t398_ = t393_ + t377_;
+        let t399_ = c_(19.6) * t398_;
+        let t400_ = t397_ + t399_;
+        let t401_ = cos_rocker_pin_angle_ * t231_;
+        let t402_ = sin_rocker_pin_angle_ * t231_;
+        let t403_ = cos_rocker_pin_angle_ * t246_;
+        let t404_ = sin_rocker_pin_angle_ * t247_;
+        let t405_ = t403_ + t404_;
+        let t406_ = sin_rocker_pin_angle_ * t246_;
+        let t407_ = cos_rocker_pin_angle_ * t247_;
+        let t408_ = t406_ - t407_;
+        let t409_ = t291_ + t299_;
+        let t410_ = c_(0.6) * b_axes_x_x_;
+        let t411_ = t410_ + t409_;
+        let t412_ = c_(0.6) * minus_b_axes_x_y_;
+        let t413_ = t412_ + t393_;
+        let t414_ = b_omega_z_ * t412_;
+        let t415_ = t353_ + t414_;
+        let t416_ = b_omega_z_ * t410_;
+        let t417_ = t354_ + t416_;
+        let t418_ = b_omega_z_ * t416_;
+        let t419_ = b_a_ang_z_ * t412_;
+        let t420_ = minus_b_acc_lin_x_ + t419_;
+        let t421_ = t418_ + t420_;
+        let t422_ = b_omega_z_ * t414_;
+        let t423_ = b_a_ang_z_ * t410_;
+        let t424_ = minus_b_acc_lin_y_ - t423_;
+        let t425_ = t422_ + t424_;
         ::mstmm::generated::finite::<
             T,
-        >(&[state.q.as_slice(), state.v.as_slice(), &[inputs.crank_pin]])?;
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[inputs_.crank_pin]])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
             &["a", "crank_pin"],
-            [a_j_zz, crank_pin_j_zz],
-            [c(2.04), t350],
-            [crank_pin_a_ang_z, -t345, -t346, -b_a_ang_z],
+            [a_j_zz_, crank_pin_j_zz_],
+            [c_(2.04), t350_],
+            [crank_pin_a_ang_z_, -t345_, -t346_, -b_a_ang_z_],
         )?;
-        at.accelerations.data.0 = [[crank_pin_a_ang_z, -t345, -t346, -b_a_ang_z]];
-        at.rate_accelerations.data.0 = [[crank_pin_a_ang_z, -t345, -t346, -b_a_ang_z]];
-        at.efforts.data.0 = [[crank_pin_input0, c(0.0), c(0.0), c(0.0)]];
-        at.closure = ::mstmm::generated::closure([
-            [t401, t402, c(0.0), c(0.0), c(0.0), c(0.0)],
-            [-t405, -t408, c(0.0), c(0.0), c(0.0), c(0.0)],
+        at_.accelerations.data.0 = [[crank_pin_a_ang_z_, -t345_, -t346_, -b_a_ang_z_]];
+        at_.rate_accelerations.data.0 = [
+            [crank_pin_a_ang_z_, -t345_, -t346_, -b_a_ang_z_],
+        ];
+        at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
+        at_.closure = ::mstmm::generated::closure([
+            [t401_, t402_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [-t405_, -t408_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
         ]);
-        at.kinetic_energy = t392;
-        at.potential_energy = t400;
-        at.points = [
+        at_.kinetic_energy = t392_;
+        at_.potential_energy = t400_;
+        at_.points = [
             ::mstmm::PlanePoint::new(
-                [c(0.0), c(0.0)],
-                [c(1.0), c(0.0)],
-                [c(0.0), c(0.0)],
-                c(0.0),
+                [c_(0.0), c_(0.0)],
+                [c_(1.0), c_(0.0)],
+                [c_(0.0), c_(0.0)],
+                c_(0.0),
                 ::mstmm::PlaneStateVector::new(
-                    [c(0.0), c(0.0)],
-                    c(0.0),
-                    -crank_pin_input0,
-                    [-minus_crank_pin_load_force_x, -minus_crank_pin_load_force_y],
+                    [c_(0.0), c_(0.0)],
+                    c_(0.0),
+                    -crank_pin_input0_,
+                    [-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [c(0.0), c(0.0)],
-                [cos_crank_pin_angle, sin_crank_pin_angle],
-                [c(0.0), c(0.0)],
-                crank_pin_rate,
+                [c_(0.0), c_(0.0)],
+                [cos_crank_pin_angle_, sin_crank_pin_angle_],
+                [c_(0.0), c_(0.0)],
+                crank_pin_rate_,
                 ::mstmm::PlaneStateVector::new(
-                    [c(0.0), c(0.0)],
-                    crank_pin_a_ang_z,
-                    -crank_pin_input0,
-                    [-minus_crank_pin_load_force_x, -minus_crank_pin_load_force_y],
+                    [c_(0.0), c_(0.0)],
+                    crank_pin_a_ang_z_,
+                    -crank_pin_input0_,
+                    [-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t291, t293],
-                [cos_crank_pin_angle, sin_crank_pin_angle],
-                [-t294, t292],
-                crank_pin_rate,
+                [t291_, t293_],
+                [cos_crank_pin_angle_, sin_crank_pin_angle_],
+                [-t294_, t292_],
+                crank_pin_rate_,
                 ::mstmm::PlaneStateVector::new(
-                    [-minus_a_acc_lin_x, -minus_a_acc_lin_y],
-                    crank_pin_a_ang_z,
-                    c(0.0),
-                    [-minus_a_load_force_x, -minus_a_load_force_y],
+                    [-minus_a_acc_lin_x_, -minus_a_acc_lin_y_],
+                    crank_pin_a_ang_z_,
+                    c_(0.0),
+                    [-minus_a_load_force_x_, -minus_a_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t291, t293],
-                [a_axes_x_x, minus_a_axes_x_y],
-                [-t294, t292],
-                a_omega_z,
+                [t291_, t293_],
+                [a_axes_x_x_, minus_a_axes_x_y_],
+                [-t294_, t292_],
+                a_omega_z_,
                 ::mstmm::PlaneStateVector::new(
-                    [-minus_a_acc_lin_x, -minus_a_acc_lin_y],
-                    a_a_ang_z,
-                    c(0.0),
-                    [-minus_a_load_force_x, -minus_a_load_force_y],
+                    [-minus_a_acc_lin_x_, -minus_a_acc_lin_y_],
+                    a_a_ang_z_,
+                    c_(0.0),
+                    [-minus_a_load_force_x_, -minus_a_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t409, t393],
-                [a_axes_x_x, minus_a_axes_x_y],
-                [-t353, t354],
-                a_omega_z,
+                [t409_, t393_],
+                [a_axes_x_x_, minus_a_axes_x_y_],
+                [-t353_, t354_],
+                a_omega_z_,
                 ::mstmm::PlaneStateVector::new(
-                    [-minus_b_acc_lin_x, -minus_b_acc_lin_y],
-                    a_a_ang_z,
-                    c(0.0),
-                    [-minus_b_load_force_x, -minus_b_load_force_y],
+                    [-minus_b_acc_lin_x_, -minus_b_acc_lin_y_],
+                    a_a_ang_z_,
+                    c_(0.0),
+                    [-minus_b_load_force_x_, -minus_b_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t409, t393],
-                [b_axes_x_x, minus_b_axes_x_y],
-                [-t353, t354],
-                b_omega_z,
+                [t409_, t393_],
+                [b_axes_x_x_, minus_b_axes_x_y_],
+                [-t353_, t354_],
+                b_omega_z_,
                 ::mstmm::PlaneStateVector::new(
-                    [-minus_b_acc_lin_x, -minus_b_acc_lin_y],
-                    b_a_ang_z,
-                    c(0.0),
-                    [-minus_b_load_force_x, -minus_b_load_force_y],
+                    [-minus_b_acc_lin_x_, -minus_b_acc_lin_y_],
+                    b_a_ang_z_,
+                    c_(0.0),
+                    [-minus_b_load_force_x_, -minus_b_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t411, t413],
-                [b_axes_x_x, minus_b_axes_x_y],
-                [-t415, t417],
-                b_omega_z,
+                [t411_, t413_],
+                [b_axes_x_x_, minus_b_axes_x_y_],
+                [-t415_, t417_],
+                b_omega_z_,
                 ::mstmm::PlaneStateVector::new(
-                    [-t421, -t425],
-                    b_a_ang_z,
-                    c(0.0),
-                    [-minus_rocker_pin_load_force_x, -minus_rocker_pin_load_force_y],
+                    [-t421_, -t425_],
+                    b_a_ang_z_,
+                    c_(0.0),
+                    [-minus_rocker_pin_load_force_x_, -minus_rocker_pin_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [c(0.8), c(0.0)],
-                [c(1.0), c(0.0)],
-                [c(0.0), c(0.0)],
-                c(0.0),
+                [c_(0.8), c_(0.0)],
+                [c_(1.0), c_(0.0)],
+                [c_(0.0), c_(0.0)],
+                c_(0.0),
                 ::mstmm::PlaneStateVector::new(
-                    [c(0.0), c(0.0)],
-                    c(0.0),
-                    c(0.0),
-                    [-minus_rocker_pin_load_force_x, -minus_rocker_pin_load_force_y],
+                    [c_(0.0), c_(0.0)],
+                    c_(0.0),
+                    c_(0.0),
+                    [-minus_rocker_pin_load_force_x_, -minus_rocker_pin_load_force_y_],
                 ),
             ),
         ];
@@ -1195,99 +1211,99 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Results |  | 39 | 19 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    pub fn energy(&self, state: &FourBarState<T>) -> ::mstmm::Energy<T> {
-        let c = T::constant;
-        let [[crank_pin_angle, a_angle, b_angle, ..]] = state.q.data.0;
-        let [[crank_pin_rate, a_rate, b_rate, ..]] = state.v.data.0;
+    pub fn energy(&self, state_: &FourBarState<T>) -> ::mstmm::Energy<T> {
+        let c_ = T::constant;
+        let [[crank_pin_angle_, a_angle_, b_angle_, ..]] = state_.q.data.0;
+        let [[crank_pin_rate_, a_rate_, b_rate_, ..]] = state_.v.data.0;
         /// Motion across `crank_pin`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 3 sin/cos.
         let (
-            [sin_crank_pin_angle,
-            sin_a_angle,
-            sin_b_angle,
+            [sin_crank_pin_angle_,
+            sin_a_angle_,
+            sin_b_angle_,
             ],
-            [cos_crank_pin_angle,
-            cos_a_angle,
-            cos_b_angle,
+            [cos_crank_pin_angle_,
+            cos_a_angle_,
+            cos_b_angle_,
             ],
-        ) = T::sin_cos([crank_pin_angle, a_angle, b_angle]);
+        ) = T::sin_cos([crank_pin_angle_, a_angle_, b_angle_]);
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t0 = cos_crank_pin_angle * cos_a_angle;
-        let t1 = sin_crank_pin_angle * sin_a_angle;
-        let a_axes_x_x = t0 - t1;
-        let t2 = cos_crank_pin_angle * sin_a_angle;
-        let t3 = sin_crank_pin_angle * cos_a_angle;
-        let minus_a_axes_x_y = t2 + t3;
-        let a_omega_z = crank_pin_rate + a_rate;
+        let t0_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let t1_ = sin_crank_pin_angle_ * sin_a_angle_;
+        let a_axes_x_x_ = t0_ - t1_;
+        let t2_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let t3_ = sin_crank_pin_angle_ * cos_a_angle_;
+        let minus_a_axes_x_y_ = t2_ + t3_;
+        let a_omega_z_ = crank_pin_rate_ + a_rate_;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t4 = cos_b_angle * a_axes_x_x;
-        let t5 = sin_b_angle * minus_a_axes_x_y;
-        let b_axes_x_x = t4 - t5;
-        let t6 = sin_b_angle * a_axes_x_x;
-        let t7 = cos_b_angle * minus_a_axes_x_y;
-        let minus_b_axes_x_y = t6 + t7;
-        let b_omega_z = b_rate + a_omega_z;
+        let t4_ = cos_b_angle_ * a_axes_x_x_;
+        let t5_ = sin_b_angle_ * minus_a_axes_x_y_;
+        let b_axes_x_x_ = t4_ - t5_;
+        let t6_ = sin_b_angle_ * a_axes_x_x_;
+        let t7_ = cos_b_angle_ * minus_a_axes_x_y_;
+        let minus_b_axes_x_y_ = t6_ + t7_;
+        let b_omega_z_ = b_rate_ + a_omega_z_;
         /// Results: 39 mul, 19 add, 0 reciprocal.
-        let t8 = cos_crank_pin_angle * c(0.1);
-        let t9 = sin_crank_pin_angle * c(0.1);
-        let t10 = cos_crank_pin_angle * c(0.2);
-        let t11 = sin_crank_pin_angle * c(0.2);
-        let t12 = crank_pin_rate * t11;
-        let t13 = crank_pin_rate * t10;
-        let t14 = c(0.6) * a_axes_x_x;
-        let t15 = c(0.6) * minus_a_axes_x_y;
-        let t16 = a_omega_z * t15;
-        let t17 = a_omega_z * t14;
-        let t18 = t12 + t16;
-        let t19 = t13 + t17;
-        let t20 = crank_pin_rate * t9;
-        let t21 = crank_pin_rate * t8;
-        let t22 = crank_pin_rate * c(0.01);
-        let t23 = crank_pin_rate * t22;
-        let t24 = t20 * t20;
-        let t25 = t21 * t21;
-        let t26 = t24 + t25;
-        let t27 = t23 + t26;
-        let t28 = a_axes_x_x * c(0.3);
-        let t29 = minus_a_axes_x_y * c(0.3);
-        let t30 = a_omega_z * t29;
-        let t31 = a_omega_z * t28;
-        let t32 = t12 + t30;
-        let t33 = t13 + t31;
-        let t34 = a_omega_z * c(0.06);
-        let t35 = a_omega_z * t34;
-        let t36 = t32 * t32;
-        let t37 = t33 * t33;
-        let t38 = t36 + t37;
-        let t39 = c(2.0) * t38;
-        let t40 = t35 + t39;
-        let t41 = b_axes_x_x * c(0.3);
-        let t42 = minus_b_axes_x_y * c(0.3);
-        let t43 = b_omega_z * t42;
-        let t44 = b_omega_z * t41;
-        let t45 = t18 + t43;
-        let t46 = t19 + t44;
-        let t47 = b_omega_z * c(0.06);
-        let t48 = b_omega_z * t47;
-        let t49 = t45 * t45;
-        let t50 = t46 * t46;
-        let t51 = t49 + t50;
-        let t52 = c(2.0) * t51;
-        let t53 = t48 + t52;
-        let t54 = c(0.5) * t53;
-        let t55 = t27 + t40;
-        let t56 = c(0.5) * t55;
-        let t57 = t54 + t56;
-        let t58 = t11 + t15;
-        let t59 = sin_crank_pin_angle * c(0.9800000000000001);
-        let t60 = t11 + t29;
-        let t61 = t60 * c(19.6);
-        let t62 = t59 + t61;
-        let t63 = t58 + t42;
-        let t64 = c(19.6) * t63;
-        let t65 = t62 + t64;
+        let t8_ = cos_crank_pin_angle_ * c_(0.1);
+        let t9_ = sin_crank_pin_angle_ * c_(0.1);
+        let t10_ = cos_crank_pin_angle_ * c_(0.2);
+        let t11_ = sin_crank_pin_angle_ * c_(0.2);
+        let t12_ = crank_pin_rate_ * t11_;
+        let t13_ = crank_pin_rate_ * t10_;
+        let t14_ = c_(0.6) * a_axes_x_x_;
+        let t15_ = c_(0.6) * minus_a_axes_x_y_;
+        let t16_ = a_omega_z_ * t15_;
+        let t17_ = a_omega_z_ * t14_;
+        let t18_ = t12_ + t16_;
+        let t19_ = t13_ + t17_;
+        let t20_ = crank_pin_rate_ * t9_;
+        let t21_ = crank_pin_rate_ * t8_;
+        let t22_ = crank_pin_rate_ * c_(0.01);
+        let t23_ = crank_pin_rate_ * t22_;
+        let t24_ = t20_ * t20_;
+        let t25_ = t21_ * t21_;
+        let t26_ = t24_ + t25_;
+        let t27_ = t23_ + t26_;
+        let t28_ = a_axes_x_x_ * c_(0.3);
+        let t29_ = minus_a_axes_x_y_ * c_(0.3);
+        let t30_ = a_omega_z_ * t29_;
+        let t31_ = a_omega_z_ * t28_;
+        let t32_ = t12_ + t30_;
+        let t33_ = t13_ + t31_;
+        let t34_ = a_omega_z_ * c_(0.06);
+        let t35_ = a_omega_z_ * t34_;
+        let t36_ = t32_ * t32_;
+        let t37_ = t33_ * t33_;
+        let t38_ = t36_ + t37_;
+        let t39_ = c_(2.0) * t38_;
+        let t40_ = t35_ + t39_;
+        let t41_ = b_axes_x_x_ * c_(0.3);
+        let t42_ = minus_b_axes_x_y_ * c_(0.3);
+        let t43_ = b_omega_z_ * t42_;
+        let t44_ = b_omega_z_ * t41_;
+        let t45_ = t18_ + t43_;
+        let t46_ = t19_ + t44_;
+        let t47_ = b_omega_z_ * c_(0.06);
+        let t48_ = b_omega_z_ * t47_;
+        let t49_ = t45_ * t45_;
+        let t50_ = t46_ * t46_;
+        let t51_ = t49_ + t50_;
+        let t52_ = c_(2.0) * t51_;
+        let t53_ = t48_ + t52_;
+        let t54_ = c_(0.5) * t53_;
+        let t55_ = t27_ + t40_;
+        let t56_ = c_(0.5) * t55_;
+        let t57_ = t54_ + t56_;
+        let t58_ = t11_ + t15_;
+        let t59_ = sin_crank_pin_angle_ * c_(0.9800000000000001);
+        let t60_ = t11_ + t29_;
+        let t61_ = t60_ * c_(19.6);
+        let t62_ = t59_ + t61_;
+        let t63_ = t58_ + t42_;
+        let t64_ = c_(19.6) * t63_;
+        let t65_ = t62_ + t64_;
         ::mstmm::Energy {
-            kinetic: t57,
-            potential: t65,
+            kinetic: t57_,
+            potential: t65_,
         }
     }
 }
@@ -1299,42 +1315,48 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for FourBar<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn derivative_into(
         &self,
-        state: &FourBarState<T>,
-        inputs: &FourBarInputs<T>,
-        rate: &mut FourBarState<T>,
+        state_: &FourBarState<T>,
+        inputs_: &FourBarInputs<T>,
+        rate_: &mut FourBarState<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        self.accelerations_into(state, inputs, &mut rate.v)?;
-        self.configuration_rate_into(state, rate);
+        self.accelerations_into(state_, inputs_, &mut rate_.v)?;
+        self.configuration_rate_into(state_, rate_);
         ::core::result::Result::Ok(())
     }
     #[inline]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn configuration_rate_into(
         &self,
-        state: &FourBarState<T>,
-        rate: &mut FourBarState<T>,
+        state_: &FourBarState<T>,
+        rate_: &mut FourBarState<T>,
     ) {
-        rate.q.data.0 = {
-            let [[crank_pin_rate, a_rate, b_rate, rocker_pin_rate]] = state.v.data.0;
-            [[crank_pin_rate, a_rate, b_rate, rocker_pin_rate]]
+        rate_.q.data.0 = {
+            let [[crank_pin_rate_, a_rate_, b_rate_, rocker_pin_rate_]] = state_
+                .v
+                .data
+                .0;
+            [[crank_pin_rate_, a_rate_, b_rate_, rocker_pin_rate_]]
         };
     }
     #[inline]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn normalize(&self, state: &mut FourBarState<T>) {
-        state.q.data.0 = {
-            let [[crank_pin_angle, a_angle, b_angle, rocker_pin_angle]] = state.q.data.0;
-            [[crank_pin_angle, a_angle, b_angle, rocker_pin_angle]]
+    fn normalize(&self, state_: &mut FourBarState<T>) {
+        state_.q.data.0 = {
+            let [[crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]] = state_
+                .q
+                .data
+                .0;
+            [[crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]]
         };
     }
     #[inline]
     fn close(
         &self,
-        state: &mut FourBarState<T>,
-        inputs: impl ::core::ops::FnOnce(&FourBarState<T>) -> FourBarInputs<T>,
+        state_: &mut FourBarState<T>,
+        inputs_: impl ::core::ops::FnOnce(&FourBarState<T>) -> FourBarInputs<T>,
     ) {
-        let inputs = inputs(state);
-        self.correct(state, &inputs);
+        let inputs_ = inputs_(state_);
+        self.correct(state_, &inputs_);
     }
 }
 #[allow(dead_code)]
@@ -1361,386 +1383,389 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
     /// | Results |  | 10 | 23 | 1 | 2 | 1 |
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn correct(&self, state: &mut FourBarState<T>, inputs: &FourBarInputs<T>) -> T {
-        let c = T::constant;
-        let [[crank_pin_angle, a_angle, b_angle, rocker_pin_angle]] = state.q.data.0;
-        let [[crank_pin_rate, a_rate, b_rate, rocker_pin_rate]] = state.v.data.0;
+    fn correct(&self, state_: &mut FourBarState<T>, inputs_: &FourBarInputs<T>) -> T {
+        let c_ = T::constant;
+        let [[crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]] = state_
+            .q
+            .data
+            .0;
+        let [[crank_pin_rate_, a_rate_, b_rate_, rocker_pin_rate_]] = state_.v.data.0;
         /// Motion across `crank_pin`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 4 sin/cos.
         let (
-            [sin_crank_pin_angle,
-            sin_a_angle,
-            sin_b_angle,
-            sin_rocker_pin_angle,
+            [sin_crank_pin_angle_,
+            sin_a_angle_,
+            sin_b_angle_,
+            sin_rocker_pin_angle_,
             ],
-            [cos_crank_pin_angle,
-            cos_a_angle,
-            cos_b_angle,
-            cos_rocker_pin_angle,
+            [cos_crank_pin_angle_,
+            cos_a_angle_,
+            cos_b_angle_,
+            cos_rocker_pin_angle_,
             ],
-        ) = T::sin_cos([crank_pin_angle, a_angle, b_angle, rocker_pin_angle]);
+        ) = T::sin_cos([crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]);
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let a_omega_z = crank_pin_rate + a_rate;
+        let a_omega_z_ = crank_pin_rate_ + a_rate_;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let b_omega_z = b_rate + a_omega_z;
+        let b_omega_z_ = b_rate_ + a_omega_z_;
         /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 5 add, 1 reciprocal.
-        let t0 = sin_b_angle * c(1.5);
-        let t1 = sin_b_angle * t0;
-        let minus_a_k_xx = t1 - c(4.0);
-        let a_k_yy = c(2.5) + t1;
-        let a_k_xy = cos_b_angle * t0;
-        let a_b_x_z = c(0.6) * a_k_xy;
-        let t2 = c(0.5) + t1;
-        let t3 = c(0.6) * t2;
-        let a_b_y_z = c(0.6) + t3;
-        let t4 = c(0.36) * t2;
-        let a_j_zz = c(0.24) + t4;
-        let t5 = T::recip(a_j_zz);
-        let a_z0_force_x = a_b_x_z * t5;
-        let a_z0_force_y = a_b_y_z * t5;
+        let t0_ = sin_b_angle_ * c_(1.5);
+        let t1_ = sin_b_angle_ * t0_;
+        let minus_a_k_xx_ = t1_ - c_(4.0);
+        let a_k_yy_ = c_(2.5) + t1_;
+        let a_k_xy_ = cos_b_angle_ * t0_;
+        let a_b_x_z_ = c_(0.6) * a_k_xy_;
+        let t2_ = c_(0.5) + t1_;
+        let t3_ = c_(0.6) * t2_;
+        let a_b_y_z_ = c_(0.6) + t3_;
+        let t4_ = c_(0.36) * t2_;
+        let a_j_zz_ = c_(0.24) + t4_;
+        let t5_ = T::recip(a_j_zz_);
+        let a_z0_force_x_ = a_b_x_z_ * t5_;
+        let a_z0_force_y_ = a_b_y_z_ * t5_;
         /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 7 add, 0 reciprocal.
-        let t6 = a_b_x_z * a_z0_force_x;
-        let t7 = minus_a_k_xx + t6;
-        let t8 = a_b_y_z * a_z0_force_y;
-        let t9 = a_k_yy - t8;
-        let t10 = a_b_y_z * a_z0_force_x;
-        let t11 = a_k_xy - t10;
-        let t12 = t7 + t9;
-        let t13 = sin_a_angle * t12;
-        let t14 = c(2.0) * t11;
-        let t15 = cos_a_angle * t14;
-        let t16 = t13 - t15;
-        let t17 = sin_a_angle * t16;
-        let t18 = t9 - t17;
-        let t19 = c(0.04000000000000001) * t18;
-        let crank_pin_j_zz = c(0.020000000000000004) + t19;
+        let t6_ = a_b_x_z_ * a_z0_force_x_;
+        let t7_ = minus_a_k_xx_ + t6_;
+        let t8_ = a_b_y_z_ * a_z0_force_y_;
+        let t9_ = a_k_yy_ - t8_;
+        let t10_ = a_b_y_z_ * a_z0_force_x_;
+        let t11_ = a_k_xy_ - t10_;
+        let t12_ = t7_ + t9_;
+        let t13_ = sin_a_angle_ * t12_;
+        let t14_ = c_(2.0) * t11_;
+        let t15_ = cos_a_angle_ * t14_;
+        let t16_ = t13_ - t15_;
+        let t17_ = sin_a_angle_ * t16_;
+        let t18_ = t9_ - t17_;
+        let t19_ = c_(0.04000000000000001) * t18_;
+        let crank_pin_j_zz_ = c_(0.020000000000000004) + t19_;
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 121 mul, 61 add, 7 reciprocal, 6 square root.
-        let t20 = c(0.6) * sin_rocker_pin_angle;
-        let t21 = sin_rocker_pin_angle * c(2.5);
-        let t22 = sin_rocker_pin_angle * c(1.5);
-        let t23 = sin_rocker_pin_angle - t22;
-        let t24 = t20 * t21;
-        let t25 = cos_b_angle * cos_rocker_pin_angle;
-        let t26 = sin_b_angle * t23;
-        let t27 = t25 - t26;
-        let t28 = sin_b_angle * cos_rocker_pin_angle;
-        let t29 = cos_b_angle * t23;
-        let t30 = t28 + t29;
-        let t31 = c(0.6) * t30;
-        let t32 = t31 * t5;
-        let t33 = t31 * a_z0_force_x;
-        let t34 = t27 - t33;
-        let t35 = t31 * a_z0_force_y;
-        let t36 = t30 - t35;
-        let t37 = t31 * t32;
-        let t38 = t24 + t37;
-        let t39 = sin_a_angle * t34;
-        let t40 = cos_a_angle * t36;
-        let t41 = t39 + t40;
-        let t42 = c(0.2) * t41;
-        let t43 = T::recip(crank_pin_j_zz);
-        let t44 = t42 * t43;
-        let t45 = t42 * t44;
-        let closure_d0 = t38 + t45;
-        let t46 = c(0.6) * cos_rocker_pin_angle;
-        let t47 = cos_rocker_pin_angle * c(2.5);
-        let t48 = cos_rocker_pin_angle * cos_rocker_pin_angle;
-        let t49 = sin_rocker_pin_angle * sin_rocker_pin_angle;
-        let t50 = t48 + t49;
-        let t51 = t20 * t20;
-        let t52 = t50 * c(0.36);
-        let t53 = t51 + t52;
-        let t54 = t53 * c(4.166666666666667);
-        let t55 = cos_rocker_pin_angle * c(1.5);
-        let t56 = cos_rocker_pin_angle - t55;
-        let t57 = t46 * t21;
-        let t58 = t46 * t47;
-        let t59 = cos_b_angle * sin_rocker_pin_angle;
-        let t60 = sin_b_angle * t56;
-        let t61 = t59 + t60;
-        let t62 = sin_b_angle * sin_rocker_pin_angle;
-        let t63 = cos_b_angle * t56;
-        let t64 = t62 - t63;
-        let t65 = c(0.6) * t64;
-        let t66 = t65 * t5;
-        let t67 = t27 * t27;
-        let t68 = t30 * t30;
-        let t69 = t67 + t68;
-        let t70 = t31 * t31;
-        let t71 = t69 * c(0.72);
-        let t72 = t70 + t71;
-        let t73 = t5 * t72;
-        let t74 = t54 + t73;
-        let t75 = t65 * a_z0_force_x;
-        let t76 = t61 - t75;
-        let t77 = t65 * a_z0_force_y;
-        let t78 = t64 - t77;
-        let t79 = t65 * t32;
-        let t80 = t57 - t79;
-        let t81 = t65 * t66;
-        let t82 = t58 + t81;
-        let t83 = cos_a_angle * t34;
-        let t84 = sin_a_angle * t36;
-        let t85 = t83 - t84;
-        let t86 = sin_a_angle * t76;
-        let t87 = cos_a_angle * t78;
-        let t88 = t86 + t87;
-        let t89 = c(0.2) * t88;
-        let t90 = t89 * t43;
-        let t91 = t85 * t85;
-        let t92 = t41 * t41;
-        let t93 = t91 + t92;
-        let t94 = t42 * t42;
-        let t95 = t93 * c(0.76);
-        let t96 = t94 + t95;
-        let t97 = t43 * t96;
-        let t98 = t74 + t97;
-        let t99 = t89 * t44;
-        let t100 = t80 - t99;
-        let t101 = t89 * t90;
-        let t102 = t82 + t101;
-        let t103 = T::copysign(closure_d0, c(1.0));
-        let t104 = closure_d0 + t103;
-        let t105 = c(0.5) * t104;
-        let t106 = T::sqrt(t105);
-        let t107 = T::sqrt(t98);
-        let t108 = ::mstmm::generated::recip_above(t106, t107);
-        let t109 = t106 * t108;
-        let t110 = ::mstmm::generated::recip_above(closure_d0, closure_d0);
-        let t111 = t109 * t110;
-        let t112 = t100 * t111;
-        let t113 = t100 * t112;
-        let closure_d1 = t102 - t113;
-        let t114 = t46 * t46;
-        let t115 = t52 + t114;
-        let t116 = c(4.166666666666667) * t115;
-        let t117 = t61 * t61;
-        let t118 = t64 * t64;
-        let t119 = t117 + t118;
-        let t120 = t65 * t65;
-        let t121 = c(0.72) * t119;
-        let t122 = t120 + t121;
-        let t123 = t5 * t122;
-        let t124 = t116 + t123;
-        let t125 = cos_a_angle * t76;
-        let t126 = sin_a_angle * t78;
-        let t127 = t125 - t126;
-        let t128 = t127 * t127;
-        let t129 = t88 * t88;
-        let t130 = t128 + t129;
-        let t131 = t89 * t89;
-        let t132 = c(0.76) * t130;
-        let t133 = t131 + t132;
-        let t134 = t43 * t133;
-        let t135 = t124 + t134;
-        let t136 = T::copysign(closure_d1, c(1.0));
-        let t137 = closure_d1 + t136;
-        let t138 = c(0.5) * t137;
-        let t139 = T::sqrt(t138);
-        let t140 = T::sqrt(t135);
-        let t141 = ::mstmm::generated::recip_above(t139, t140);
-        let t142 = t139 * t141;
-        let t143 = ::mstmm::generated::recip_above(closure_d1, t102);
-        let t144 = t142 * t143;
-        let t145 = closure_d0 * t111;
-        let t146 = c(1.0) - t145;
-        let t147 = t146 * t146;
-        let t148 = ::mstmm::generated::recip_above(t147, c(1.0));
-        let t149 = T::sqrt(t148);
-        let t150 = t146 * t149;
-        let t151 = closure_d1 * t144;
-        let t152 = c(1.0) - t151;
-        let t153 = t112 * t152;
-        let t154 = t150 * t153;
-        let t155 = t150 * t154;
-        let t156 = t153 - t155;
-        let t157 = t156 * t156;
-        let t158 = t152 * t152;
-        let t159 = t157 + t158;
-        let t160 = ::mstmm::generated::recip_above(t159, c(1.0));
-        let t161 = T::sqrt(t160);
-        let t162 = t156 * t161;
-        let t163 = t152 * t161;
-        let t164 = cos_crank_pin_angle * cos_a_angle;
-        let t165 = sin_crank_pin_angle * sin_a_angle;
-        let t166 = t164 - t165;
-        let t167 = cos_crank_pin_angle * sin_a_angle;
-        let t168 = sin_crank_pin_angle * cos_a_angle;
-        let t169 = t167 + t168;
-        let t170 = cos_crank_pin_angle * c(0.2);
-        let t171 = sin_crank_pin_angle * c(0.2);
-        let t172 = c(0.6) * t166;
-        let t173 = c(0.6) * t169;
-        let t174 = cos_b_angle * t166;
-        let t175 = sin_b_angle * t169;
-        let t176 = t174 - t175;
-        let t177 = sin_b_angle * t166;
-        let t178 = cos_b_angle * t169;
-        let t179 = t177 + t178;
-        let t180 = c(0.6) * t176;
-        let t181 = c(0.6) * t179;
-        let t182 = t170 + t172;
-        let t183 = t171 + t173;
-        let t184 = cos_rocker_pin_angle * t176;
-        let t185 = sin_rocker_pin_angle * t179;
-        let t186 = t184 - t185;
-        let t187 = sin_rocker_pin_angle * t176;
-        let t188 = cos_rocker_pin_angle * t179;
-        let t189 = t187 + t188;
-        let t190 = t180 + t182;
-        let t191 = t181 + t183;
-        let t192 = c(0.8) - t190;
-        let t193 = t186 * t192;
-        let t194 = t189 * t191;
-        let t195 = t193 - t194;
-        let t196 = t189 * t192;
-        let t197 = t186 * t191;
-        let t198 = t196 + t197;
-        let t199 = t112 * t195;
-        let t200 = t198 + t199;
-        let t201 = t111 * t195;
-        let t202 = t144 * t200;
-        let t203 = t112 * t202;
-        let t204 = t201 + t203;
-        let t205 = t150 * t204;
-        let t206 = t150 * t205;
-        let t207 = t204 - t206;
-        let t208 = t162 * t207;
-        let t209 = t163 * t202;
-        let t210 = t208 + t209;
-        let t211 = t162 * t210;
-        let minus_closure_reaction0 = t207 - t211;
-        let t212 = t163 * t210;
-        let closure_reaction1 = t202 - t212;
+        let t20_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t21_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t22_ = sin_rocker_pin_angle_ * c_(1.5);
+        let t23_ = sin_rocker_pin_angle_ - t22_;
+        let t24_ = t20_ * t21_;
+        let t25_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t26_ = sin_b_angle_ * t23_;
+        let t27_ = t25_ - t26_;
+        let t28_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        let t29_ = cos_b_angle_ * t23_;
+        let t30_ = t28_ + t29_;
+        let t31_ = c_(0.6) * t30_;
+        let t32_ = t31_ * t5_;
+        let t33_ = t31_ * a_z0_force_x_;
+        let t34_ = t27_ - t33_;
+        let t35_ = t31_ * a_z0_force_y_;
+        let t36_ = t30_ - t35_;
+        let t37_ = t31_ * t32_;
+        let t38_ = t24_ + t37_;
+        let t39_ = sin_a_angle_ * t34_;
+        let t40_ = cos_a_angle_ * t36_;
+        let t41_ = t39_ + t40_;
+        let t42_ = c_(0.2) * t41_;
+        let t43_ = T::recip(crank_pin_j_zz_);
+        let t44_ = t42_ * t43_;
+        let t45_ = t42_ * t44_;
+        let closure_d0_ = t38_ + t45_;
+        let t46_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t47_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t48_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t49_ = sin_rocker_pin_angle_ * sin_rocker_pin_angle_;
+        let t50_ = t48_ + t49_;
+        let t51_ = t20_ * t20_;
+        let t52_ = t50_ * c_(0.36);
+        let t53_ = t51_ + t52_;
+        let t54_ = t53_ * c_(4.166666666666667);
+        let t55_ = cos_rocker_pin_angle_ * c_(1.5);
+        let t56_ = cos_rocker_pin_angle_ - t55_;
+        let t57_ = t46_ * t21_;
+        let t58_ = t46_ * t47_;
+        let t59_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t60_ = sin_b_angle_ * t56_;
+        let t61_ = t59_ + t60_;
+        let t62_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t63_ = cos_b_angle_ * t56_;
+        let t64_ = t62_ - t63_;
+        let t65_ = c_(0.6) * t64_;
+        let t66_ = t65_ * t5_;
+        let t67_ = t27_ * t27_;
+        let t68_ = t30_ * t30_;
+        let t69_ = t67_ + t68_;
+        let t70_ = t31_ * t31_;
+        let t71_ = t69_ * c_(0.72);
+        let t72_ = t70_ + t71_;
+        let t73_ = t5_ * t72_;
+        let t74_ = t54_ + t73_;
+        let t75_ = t65_ * a_z0_force_x_;
+        let t76_ = t61_ - t75_;
+        let t77_ = t65_ * a_z0_force_y_;
+        let t78_ = t64_ - t77_;
+        let t79_ = t65_ * t32_;
+        let t80_ = t57_ - t79_;
+        let t81_ = t65_ * t66_;
+        let t82_ = t58_ + t81_;
+        let t83_ = cos_a_angle_ * t34_;
+        let t84_ = sin_a_angle_ * t36_;
+        let t85_ = t83_ - t84_;
+        let t86_ = sin_a_angle_ * t76_;
+        let t87_ = cos_a_angle_ * t78_;
+        let t88_ = t86_ + t87_;
+        let t89_ = c_(0.2) * t88_;
+        let t90_ = t89_ * t43_;
+        let t91_ = t85_ * t85_;
+        let t92_ = t41_ * t41_;
+        let t93_ = t91_ + t92_;
+        let t94_ = t42_ * t42_;
+        let t95_ = t93_ * c_(0.76);
+        let t96_ = t94_ + t95_;
+        let t97_ = t43_ * t96_;
+        let t98_ = t74_ + t97_;
+        let t99_ = t89_ * t44_;
+        let t100_ = t80_ - t99_;
+        let t101_ = t89_ * t90_;
+        let t102_ = t82_ + t101_;
+        let t103_ = T::copysign(closure_d0_, c_(1.0));
+        let t104_ = closure_d0_ + t103_;
+        let t105_ = c_(0.5) * t104_;
+        let t106_ = T::sqrt(t105_);
+        let t107_ = T::sqrt(t98_);
+        let t108_ = ::mstmm::generated::recip_above(t106_, t107_);
+        let t109_ = t106_ * t108_;
+        let t110_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t111_ = t109_ * t110_;
+        let t112_ = t100_ * t111_;
+        let t113_ = t100_ * t112_;
+        let closure_d1_ = t102_ - t113_;
+        let t114_ = t46_ * t46_;
+        let t115_ = t52_ + t114_;
+        let t116_ = c_(4.166666666666667) * t115_;
+        let t117_ = t61_ * t61_;
+        let t118_ = t64_ * t64_;
+        let t119_ = t117_ + t118_;
+        let t120_ = t65_ * t65_;
+        let t121_ = c_(0.72) * t119_;
+        let t122_ = t120_ + t121_;
+        let t123_ = t5_ * t122_;
+        let t124_ = t116_ + t123_;
+        let t125_ = cos_a_angle_ * t76_;
+        let t126_ = sin_a_angle_ * t78_;
+        let t127_ = t125_ - t126_;
+        let t128_ = t127_ * t127_;
+        let t129_ = t88_ * t88_;
+        let t130_ = t128_ + t129_;
+        let t131_ = t89_ * t89_;
+        let t132_ = c_(0.76) * t130_;
+        let t133_ = t131_ + t132_;
+        let t134_ = t43_ * t133_;
+        let t135_ = t124_ + t134_;
+        let t136_ = T::copysign(closure_d1_, c_(1.0));
+        let t137_ = closure_d1_ + t136_;
+        let t138_ = c_(0.5) * t137_;
+        let t139_ = T::sqrt(t138_);
+        let t140_ = T::sqrt(t135_);
+        let t141_ = ::mstmm::generated::recip_above(t139_, t140_);
+        let t142_ = t139_ * t141_;
+        let t143_ = ::mstmm::generated::recip_above(closure_d1_, t102_);
+        let t144_ = t142_ * t143_;
+        let t145_ = closure_d0_ * t111_;
+        let t146_ = c_(1.0) - t145_;
+        let t147_ = t146_ * t146_;
+        let t148_ = ::mstmm::generated::recip_above(t147_, c_(1.0));
+        let t149_ = T::sqrt(t148_);
+        let t150_ = t146_ * t149_;
+        let t151_ = closure_d1_ * t144_;
+        let t152_ = c_(1.0) - t151_;
+        let t153_ = t112_ * t152_;
+        let t154_ = t150_ * t153_;
+        let t155_ = t150_ * t154_;
+        let t156_ = t153_ - t155_;
+        let t157_ = t156_ * t156_;
+        let t158_ = t152_ * t152_;
+        let t159_ = t157_ + t158_;
+        let t160_ = ::mstmm::generated::recip_above(t159_, c_(1.0));
+        let t161_ = T::sqrt(t160_);
+        let t162_ = t156_ * t161_;
+        let t163_ = t152_ * t161_;
+        let t164_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let t165_ = sin_crank_pin_angle_ * sin_a_angle_;
+        let t166_ = t164_ - t165_;
+        let t167_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let t168_ = sin_crank_pin_angle_ * cos_a_angle_;
+        let t169_ = t167_ + t168_;
+        let t170_ = cos_crank_pin_angle_ * c_(0.2);
+        let t171_ = sin_crank_pin_angle_ * c_(0.2);
+        let t172_ = c_(0.6) * t166_;
+        let t173_ = c_(0.6) * t169_;
+        let t174_ = cos_b_angle_ * t166_;
+        let t175_ = sin_b_angle_ * t169_;
+        let t176_ = t174_ - t175_;
+        let t177_ = sin_b_angle_ * t166_;
+        let t178_ = cos_b_angle_ * t169_;
+        let t179_ = t177_ + t178_;
+        let t180_ = c_(0.6) * t176_;
+        let t181_ = c_(0.6) * t179_;
+        let t182_ = t170_ + t172_;
+        let t183_ = t171_ + t173_;
+        let t184_ = cos_rocker_pin_angle_ * t176_;
+        let t185_ = sin_rocker_pin_angle_ * t179_;
+        let t186_ = t184_ - t185_;
+        let t187_ = sin_rocker_pin_angle_ * t176_;
+        let t188_ = cos_rocker_pin_angle_ * t179_;
+        let t189_ = t187_ + t188_;
+        let t190_ = t180_ + t182_;
+        let t191_ = t181_ + t183_;
+        let t192_ = c_(0.8) - t190_;
+        let t193_ = t186_ * t192_;
+        let t194_ = t189_ * t191_;
+        let t195_ = t193_ - t194_;
+        let t196_ = t189_ * t192_;
+        let t197_ = t186_ * t191_;
+        let t198_ = t196_ + t197_;
+        let t199_ = t112_ * t195_;
+        let t200_ = t198_ + t199_;
+        let t201_ = t111_ * t195_;
+        let t202_ = t144_ * t200_;
+        let t203_ = t112_ * t202_;
+        let t204_ = t201_ + t203_;
+        let t205_ = t150_ * t204_;
+        let t206_ = t150_ * t205_;
+        let t207_ = t204_ - t206_;
+        let t208_ = t162_ * t207_;
+        let t209_ = t163_ * t202_;
+        let t210_ = t208_ + t209_;
+        let t211_ = t162_ * t210_;
+        let minus_closure_reaction0_ = t207_ - t211_;
+        let t212_ = t163_ * t210_;
+        let closure_reaction1_ = t202_ - t212_;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
-        let t213 = t44 * minus_closure_reaction0;
-        let t214 = t90 * closure_reaction1;
-        let crank_pin_a_ang_z = t213 + t214;
+        let t213_ = t44_ * minus_closure_reaction0_;
+        let t214_ = t90_ * closure_reaction1_;
+        let crank_pin_a_ang_z_ = t213_ + t214_;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 7 mul, 3 add, 0 reciprocal.
-        let t215 = c(0.2) * crank_pin_a_ang_z;
-        let a_a_lin_x = sin_a_angle * t215;
-        let a_a_lin_y = cos_a_angle * t215;
-        let t216 = t32 * minus_closure_reaction0;
-        let t217 = t66 * closure_reaction1;
-        let t218 = t216 + t217;
-        let t219 = a_z0_force_x * a_a_lin_x;
-        let t220 = a_z0_force_y * a_a_lin_y;
-        let t221 = t219 + t220;
-        let a_a_ang_z = t218 - t221;
+        let t215_ = c_(0.2) * crank_pin_a_ang_z_;
+        let a_a_lin_x_ = sin_a_angle_ * t215_;
+        let a_a_lin_y_ = cos_a_angle_ * t215_;
+        let t216_ = t32_ * minus_closure_reaction0_;
+        let t217_ = t66_ * closure_reaction1_;
+        let t218_ = t216_ + t217_;
+        let t219_ = a_z0_force_x_ * a_a_lin_x_;
+        let t220_ = a_z0_force_y_ * a_a_lin_y_;
+        let t221_ = t219_ + t220_;
+        let a_a_ang_z_ = t218_ - t221_;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-        let t222 = c(0.6) * a_a_ang_z;
-        let t223 = a_a_lin_y + t222;
-        let t224 = sin_b_angle * a_a_lin_x;
-        let t225 = cos_b_angle * t223;
-        let minus_b_a_lin_y = t224 - t225;
-        let t226 = t21 * minus_closure_reaction0;
-        let t227 = t47 * closure_reaction1;
-        let t228 = t226 - t227;
-        let t229 = c(2.5) * minus_b_a_lin_y;
-        let b_a_ang_z = t228 + t229;
+        let t222_ = c_(0.6) * a_a_ang_z_;
+        let t223_ = a_a_lin_y_ + t222_;
+        let t224_ = sin_b_angle_ * a_a_lin_x_;
+        let t225_ = cos_b_angle_ * t223_;
+        let minus_b_a_lin_y_ = t224_ - t225_;
+        let t226_ = t21_ * minus_closure_reaction0_;
+        let t227_ = t47_ * closure_reaction1_;
+        let t228_ = t226_ - t227_;
+        let t229_ = c_(2.5) * minus_b_a_lin_y_;
+        let b_a_ang_z_ = t228_ + t229_;
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 23 mul, 12 add, 0 reciprocal.
-        let t230 = crank_pin_rate * c(0.2);
-        let t231 = a_omega_z * c(0.6);
-        let t232 = c(0.6) * b_omega_z;
-        let t233 = sin_a_angle * t230;
-        let t234 = cos_a_angle * t230;
-        let t235 = t231 + t234;
-        let t236 = cos_b_angle * t233;
-        let t237 = sin_b_angle * t235;
-        let t238 = t236 + t237;
-        let t239 = sin_b_angle * t233;
-        let t240 = cos_b_angle * t235;
-        let t241 = t239 - t240;
-        let t242 = t232 - t241;
-        let t243 = cos_rocker_pin_angle * t238;
-        let t244 = sin_rocker_pin_angle * t242;
-        let t245 = t243 + t244;
-        let t246 = sin_rocker_pin_angle * t238;
-        let t247 = cos_rocker_pin_angle * t242;
-        let t248 = t246 - t247;
-        let t249 = t112 * t245;
-        let t250 = t248 + t249;
-        let t251 = t111 * t245;
-        let t252 = t144 * t250;
-        let t253 = t112 * t252;
-        let t254 = t251 + t253;
-        let t255 = t150 * t254;
-        let t256 = t150 * t255;
-        let t257 = t254 - t256;
-        let t258 = t162 * t257;
-        let t259 = t163 * t252;
-        let t260 = t258 + t259;
-        let t261 = t162 * t260;
-        let closure_reaction0 = t257 - t261;
-        let t262 = t163 * t260;
-        let minus_closure_reaction1 = t252 - t262;
+        let t230_ = crank_pin_rate_ * c_(0.2);
+        let t231_ = a_omega_z_ * c_(0.6);
+        let t232_ = c_(0.6) * b_omega_z_;
+        let t233_ = sin_a_angle_ * t230_;
+        let t234_ = cos_a_angle_ * t230_;
+        let t235_ = t231_ + t234_;
+        let t236_ = cos_b_angle_ * t233_;
+        let t237_ = sin_b_angle_ * t235_;
+        let t238_ = t236_ + t237_;
+        let t239_ = sin_b_angle_ * t233_;
+        let t240_ = cos_b_angle_ * t235_;
+        let t241_ = t239_ - t240_;
+        let t242_ = t232_ - t241_;
+        let t243_ = cos_rocker_pin_angle_ * t238_;
+        let t244_ = sin_rocker_pin_angle_ * t242_;
+        let t245_ = t243_ + t244_;
+        let t246_ = sin_rocker_pin_angle_ * t238_;
+        let t247_ = cos_rocker_pin_angle_ * t242_;
+        let t248_ = t246_ - t247_;
+        let t249_ = t112_ * t245_;
+        let t250_ = t248_ + t249_;
+        let t251_ = t111_ * t245_;
+        let t252_ = t144_ * t250_;
+        let t253_ = t112_ * t252_;
+        let t254_ = t251_ + t253_;
+        let t255_ = t150_ * t254_;
+        let t256_ = t150_ * t255_;
+        let t257_ = t254_ - t256_;
+        let t258_ = t162_ * t257_;
+        let t259_ = t163_ * t252_;
+        let t260_ = t258_ + t259_;
+        let t261_ = t162_ * t260_;
+        let closure_reaction0_ = t257_ - t261_;
+        let t262_ = t163_ * t260_;
+        let minus_closure_reaction1_ = t252_ - t262_;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
-        let t263 = t44 * closure_reaction0;
-        let t264 = t90 * minus_closure_reaction1;
-        let minus_crank_pin_a_ang_z = t263 + t264;
+        let t263_ = t44_ * closure_reaction0_;
+        let t264_ = t90_ * minus_closure_reaction1_;
+        let minus_crank_pin_a_ang_z_ = t263_ + t264_;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 7 mul, 3 add, 0 reciprocal.
-        let t265 = c(0.2) * minus_crank_pin_a_ang_z;
-        let minus_a_a_lin_x = sin_a_angle * t265;
-        let minus_a_a_lin_y = cos_a_angle * t265;
-        let t266 = t32 * closure_reaction0;
-        let t267 = t66 * minus_closure_reaction1;
-        let t268 = t266 + t267;
-        let t269 = a_z0_force_x * minus_a_a_lin_x;
-        let t270 = a_z0_force_y * minus_a_a_lin_y;
-        let t271 = t269 + t270;
-        let minus_a_a_ang_z = t268 - t271;
+        let t265_ = c_(0.2) * minus_crank_pin_a_ang_z_;
+        let minus_a_a_lin_x_ = sin_a_angle_ * t265_;
+        let minus_a_a_lin_y_ = cos_a_angle_ * t265_;
+        let t266_ = t32_ * closure_reaction0_;
+        let t267_ = t66_ * minus_closure_reaction1_;
+        let t268_ = t266_ + t267_;
+        let t269_ = a_z0_force_x_ * minus_a_a_lin_x_;
+        let t270_ = a_z0_force_y_ * minus_a_a_lin_y_;
+        let t271_ = t269_ + t270_;
+        let minus_a_a_ang_z_ = t268_ - t271_;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-        let t272 = c(0.6) * minus_a_a_ang_z;
-        let t273 = minus_a_a_lin_y + t272;
-        let t274 = sin_b_angle * minus_a_a_lin_x;
-        let t275 = cos_b_angle * t273;
-        let b_a_lin_y = t274 - t275;
-        let t276 = t21 * closure_reaction0;
-        let t277 = t47 * minus_closure_reaction1;
-        let t278 = t276 - t277;
-        let t279 = c(2.5) * b_a_lin_y;
-        let minus_b_a_ang_z = t278 + t279;
+        let t272_ = c_(0.6) * minus_a_a_ang_z_;
+        let t273_ = minus_a_a_lin_y_ + t272_;
+        let t274_ = sin_b_angle_ * minus_a_a_lin_x_;
+        let t275_ = cos_b_angle_ * t273_;
+        let b_a_lin_y_ = t274_ - t275_;
+        let t276_ = t21_ * closure_reaction0_;
+        let t277_ = t47_ * minus_closure_reaction1_;
+        let t278_ = t276_ - t277_;
+        let t279_ = c_(2.5) * b_a_lin_y_;
+        let minus_b_a_ang_z_ = t278_ + t279_;
         /// Results: 10 mul, 23 add, 1 reciprocal, 2 square root, 1 sin/cos.
-        let t280 = crank_pin_angle + crank_pin_a_ang_z;
-        let t281 = crank_pin_a_ang_z - a_a_ang_z;
-        let t282 = a_angle - t281;
-        let t283 = a_a_ang_z - b_a_ang_z;
-        let t284 = b_angle - t283;
-        let t285 = t189 * t189;
-        let t286 = t285 + c(0.000000000000000000000000000001);
-        let t287 = T::sqrt(t286);
-        let t288 = T::atan2(t287, t186);
-        let t289 = T::recip(t287);
-        let t290 = t288 * t289;
-        let t291 = t189 * t290;
-        let t292 = t291 + b_a_ang_z;
-        let t293 = rocker_pin_angle - t292;
-        let t294 = crank_pin_rate - minus_crank_pin_a_ang_z;
-        let t295 = minus_crank_pin_a_ang_z - minus_a_a_ang_z;
-        let t296 = a_rate + t295;
-        let t297 = minus_a_a_ang_z - minus_b_a_ang_z;
-        let t298 = b_rate + t297;
-        let t299 = rocker_pin_rate + b_omega_z;
-        let t300 = t299 - minus_b_a_ang_z;
-        let t301 = rocker_pin_rate - t300;
-        let t302 = t195 * t195;
-        let t303 = t198 * t198;
-        let t304 = t302 + t303;
-        let t305 = t291 * t291;
-        let t306 = t304 + t305;
-        let t307 = c(1.0) - t186;
-        let t308 = t307 * t307;
-        let t309 = t306 + t308;
-        let t310 = t245 * t245;
-        let t311 = t248 * t248;
-        let t312 = t310 + t311;
-        let t313 = t299 * t299;
-        let t314 = t312 + t313;
-        let t315 = t309 + t314;
-        let t316 = T::sqrt(t315);
-        let residual = t316;
-        state.q.data.0 = [[t280, t282, t284, t293]];
-        state.v.data.0 = [[t294, t296, t298, t301]];
-        residual
+        let t280_ = crank_pin_angle_ + crank_pin_a_ang_z_;
+        let t281_ = crank_pin_a_ang_z_ - a_a_ang_z_;
+        let t282_ = a_angle_ - t281_;
+        let t283_ = a_a_ang_z_ - b_a_ang_z_;
+        let t284_ = b_angle_ - t283_;
+        let t285_ = t189_ * t189_;
+        let t286_ = t285_ + c_(0.000000000000000000000000000001);
+        let t287_ = T::sqrt(t286_);
+        let t288_ = T::atan2(t287_, t186_);
+        let t289_ = T::recip(t287_);
+        let t290_ = t288_ * t289_;
+        let t291_ = t189_ * t290_;
+        let t292_ = t291_ + b_a_ang_z_;
+        let t293_ = rocker_pin_angle_ - t292_;
+        let t294_ = crank_pin_rate_ - minus_crank_pin_a_ang_z_;
+        let t295_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
+        let t296_ = a_rate_ + t295_;
+        let t297_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let t298_ = b_rate_ + t297_;
+        let t299_ = rocker_pin_rate_ + b_omega_z_;
+        let t300_ = t299_ - minus_b_a_ang_z_;
+        let t301_ = rocker_pin_rate_ - t300_;
+        let t302_ = t195_ * t195_;
+        let t303_ = t198_ * t198_;
+        let t304_ = t302_ + t303_;
+        let t305_ = t291_ * t291_;
+        let t306_ = t304_ + t305_;
+        let t307_ = c_(1.0) - t186_;
+        let t308_ = t307_ * t307_;
+        let t309_ = t306_ + t308_;
+        let t310_ = t245_ * t245_;
+        let t311_ = t248_ * t248_;
+        let t312_ = t310_ + t311_;
+        let t313_ = t299_ * t299_;
+        let t314_ = t312_ + t313_;
+        let t315_ = t309_ + t314_;
+        let t316_ = T::sqrt(t315_);
+        let residual_ = t316_;
+        state_.q.data.0 = [[t280_, t282_, t284_, t293_]];
+        state_.v.data.0 = [[t294_, t296_, t298_, t301_]];
+        residual_
     }
 }
 impl<T: ::mstmm::Scalar> FourBar<T> {
@@ -1749,15 +1774,15 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::NotAssembled`](::mstmm::Error::NotAssembled) if that leads nowhere;
+    /// `Error::NotAssembled` if that leads nowhere;
     /// `state` is left as it was.
     #[allow(dead_code)]
     pub fn assemble(
         &self,
-        state: &mut FourBarState<T>,
-        inputs: &FourBarInputs<T>,
+        state_: &mut FourBarState<T>,
+        inputs_: &FourBarInputs<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        ::mstmm::generated::assemble(state, |state| self.correct(state, inputs))
+        ::mstmm::generated::assemble(state_, |state_| self.correct(state_, inputs_))
     }
 }
 impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for FourBar<T> {
@@ -1777,23 +1802,23 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for FourBar<T> {
     #[inline]
     fn solve_into(
         &self,
-        state: &FourBarState<T>,
-        inputs: &FourBarInputs<T>,
-        at: &mut FourBarWorkspace<T>,
+        state_: &FourBarState<T>,
+        inputs_: &FourBarInputs<T>,
+        at_: &mut FourBarWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        self.solve_into(state, inputs, at)
+        self.solve_into(state_, inputs_, at_)
     }
     #[inline]
     fn assemble(
         &self,
-        state: &mut FourBarState<T>,
-        inputs: &FourBarInputs<T>,
+        state_: &mut FourBarState<T>,
+        inputs_: &FourBarInputs<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        self.assemble(state, inputs)
+        self.assemble(state_, inputs_)
     }
     #[inline]
-    fn energy(&self, state: &FourBarState<T>) -> ::mstmm::Energy<T> {
-        self.energy(state)
+    fn energy(&self, state_: &FourBarState<T>) -> ::mstmm::Energy<T> {
+        self.energy(state_)
     }
 }
 /// Coordinates and rates of [`FourBar`] at a time.
@@ -1816,71 +1841,71 @@ impl<T: ::mstmm::Scalar> FourBarState<T> {
     #[inline]
     #[must_use]
     pub fn crank_pin(&self) -> ::mstmm::PinState<T> {
-        let [[q0, ..]] = self.q.data.0;
-        let [[v0, ..]] = self.v.data.0;
-        ::mstmm::PinState::new(q0, v0)
+        let [[q0_, ..]] = self.q.data.0;
+        let [[v0_, ..]] = self.v.data.0;
+        ::mstmm::PinState::new(q0_, v0_)
     }
     /// Coordinates and rates of hinge `crank_pin`, to be changed.
     #[inline]
     pub fn crank_pin_mut(&mut self) -> ::mstmm::PinStateMut<'_, T> {
-        let [[q0, ..]] = &mut self.q.data.0;
-        let [[v0, ..]] = &mut self.v.data.0;
-        ::mstmm::PinStateMut::new(q0, v0)
+        let [[q0_, ..]] = &mut self.q.data.0;
+        let [[v0_, ..]] = &mut self.v.data.0;
+        ::mstmm::PinStateMut::new(q0_, v0_)
     }
     /// Coordinates and rates of hinge `a`.
     #[inline]
     #[must_use]
     pub fn a(&self) -> ::mstmm::PinState<T> {
-        let [[_, q1, ..]] = self.q.data.0;
-        let [[_, v1, ..]] = self.v.data.0;
-        ::mstmm::PinState::new(q1, v1)
+        let [[_, q1_, ..]] = self.q.data.0;
+        let [[_, v1_, ..]] = self.v.data.0;
+        ::mstmm::PinState::new(q1_, v1_)
     }
     /// Coordinates and rates of hinge `a`, to be changed.
     #[inline]
     pub fn a_mut(&mut self) -> ::mstmm::PinStateMut<'_, T> {
-        let [[_, q1, ..]] = &mut self.q.data.0;
-        let [[_, v1, ..]] = &mut self.v.data.0;
-        ::mstmm::PinStateMut::new(q1, v1)
+        let [[_, q1_, ..]] = &mut self.q.data.0;
+        let [[_, v1_, ..]] = &mut self.v.data.0;
+        ::mstmm::PinStateMut::new(q1_, v1_)
     }
     /// Coordinates and rates of hinge `b`.
     #[inline]
     #[must_use]
     pub fn b(&self) -> ::mstmm::PinState<T> {
-        let [[_, _, q2, ..]] = self.q.data.0;
-        let [[_, _, v2, ..]] = self.v.data.0;
-        ::mstmm::PinState::new(q2, v2)
+        let [[_, _, q2_, ..]] = self.q.data.0;
+        let [[_, _, v2_, ..]] = self.v.data.0;
+        ::mstmm::PinState::new(q2_, v2_)
     }
     /// Coordinates and rates of hinge `b`, to be changed.
     #[inline]
     pub fn b_mut(&mut self) -> ::mstmm::PinStateMut<'_, T> {
-        let [[_, _, q2, ..]] = &mut self.q.data.0;
-        let [[_, _, v2, ..]] = &mut self.v.data.0;
-        ::mstmm::PinStateMut::new(q2, v2)
+        let [[_, _, q2_, ..]] = &mut self.q.data.0;
+        let [[_, _, v2_, ..]] = &mut self.v.data.0;
+        ::mstmm::PinStateMut::new(q2_, v2_)
     }
     /// Coordinates and rates of hinge `rocker_pin`.
     #[inline]
     #[must_use]
     pub fn rocker_pin(&self) -> ::mstmm::PinState<T> {
-        let [[_, _, _, q3, ..]] = self.q.data.0;
-        let [[_, _, _, v3, ..]] = self.v.data.0;
-        ::mstmm::PinState::new(q3, v3)
+        let [[_, _, _, q3_, ..]] = self.q.data.0;
+        let [[_, _, _, v3_, ..]] = self.v.data.0;
+        ::mstmm::PinState::new(q3_, v3_)
     }
     /// Coordinates and rates of hinge `rocker_pin`, to be changed.
     #[inline]
     pub fn rocker_pin_mut(&mut self) -> ::mstmm::PinStateMut<'_, T> {
-        let [[_, _, _, q3, ..]] = &mut self.q.data.0;
-        let [[_, _, _, v3, ..]] = &mut self.v.data.0;
-        ::mstmm::PinStateMut::new(q3, v3)
+        let [[_, _, _, q3_, ..]] = &mut self.q.data.0;
+        let [[_, _, _, v3_, ..]] = &mut self.v.data.0;
+        ::mstmm::PinStateMut::new(q3_, v3_)
     }
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for FourBarState<T> {
     fn default() -> Self {
-        let (zero, one) = (T::constant(0.0), T::constant(1.0));
-        let _ = one;
+        let (zero_, one_) = (T::constant(0.0), T::constant(1.0));
+        let _ = one_;
         Self {
-            q: ::mstmm::generated::vector([zero, zero, zero, zero]),
-            v: ::mstmm::generated::vector([zero; 4]),
-            t: zero,
+            q: ::mstmm::generated::vector([zero_, zero_, zero_, zero_]),
+            v: ::mstmm::generated::vector([zero_; 4]),
+            t: zero_,
         }
     }
 }
@@ -1907,8 +1932,8 @@ impl<T: ::mstmm::Scalar> ::mstmm::ChainState for FourBarState<T> {
         self.t
     }
     #[inline]
-    fn set_time(&mut self, time: T) {
-        self.t = time;
+    fn set_time(&mut self, time_: T) {
+        self.t = time_;
     }
 }
 /// What drives [`FourBar`] from outside, given at every step.
@@ -1980,111 +2005,111 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
     /// Acceleration, effort, input and output of hinge `crank_pin`.
     #[inline]
     pub fn crank_pin(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::PlanePoint<T>> {
-        let [input, output, ..] = &self.points;
+        let [input_, output_, ..] = &self.points;
         ::mstmm::HingeResult::new(
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.rate_accelerations.as_slice(), 0);
-                value
+                value_
             },
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.efforts.as_slice(), 0);
-                value
+                value_
             },
-            input,
-            output,
+            input_,
+            output_,
         )
     }
     /// Input and output of body `crank`.
     #[inline]
     pub fn crank(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::PlanePoint<T>> {
-        let [_, input, output, ..] = &self.points;
-        ::mstmm::BodyResult::new(input, output)
+        let [_, input_, output_, ..] = &self.points;
+        ::mstmm::BodyResult::new(input_, output_)
     }
     /// Acceleration, effort, input and output of hinge `a`.
     #[inline]
     pub fn a(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::PlanePoint<T>> {
-        let [_, _, input, output, ..] = &self.points;
+        let [_, _, input_, output_, ..] = &self.points;
         ::mstmm::HingeResult::new(
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.rate_accelerations.as_slice(), 1);
-                value
+                value_
             },
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.efforts.as_slice(), 1);
-                value
+                value_
             },
-            input,
-            output,
+            input_,
+            output_,
         )
     }
     /// Input and output of body `coupler`.
     #[inline]
     pub fn coupler(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::PlanePoint<T>> {
-        let [_, _, _, input, output, ..] = &self.points;
-        ::mstmm::BodyResult::new(input, output)
+        let [_, _, _, input_, output_, ..] = &self.points;
+        ::mstmm::BodyResult::new(input_, output_)
     }
     /// Acceleration, effort, input and output of hinge `b`.
     #[inline]
     pub fn b(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::PlanePoint<T>> {
-        let [_, _, _, _, input, output, ..] = &self.points;
+        let [_, _, _, _, input_, output_, ..] = &self.points;
         ::mstmm::HingeResult::new(
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.rate_accelerations.as_slice(), 2);
-                value
+                value_
             },
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.efforts.as_slice(), 2);
-                value
+                value_
             },
-            input,
-            output,
+            input_,
+            output_,
         )
     }
     /// Input and output of body `rocker`.
     #[inline]
     pub fn rocker(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::PlanePoint<T>> {
-        let [_, _, _, _, _, input, output, ..] = &self.points;
-        ::mstmm::BodyResult::new(input, output)
+        let [_, _, _, _, _, input_, output_, ..] = &self.points;
+        ::mstmm::BodyResult::new(input_, output_)
     }
     /// Acceleration, effort, input and output of hinge `rocker_pin`.
     #[inline]
     pub fn rocker_pin(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::PlanePoint<T>> {
-        let [_, _, _, _, _, _, input, output, ..] = &self.points;
+        let [_, _, _, _, _, _, input_, output_, ..] = &self.points;
         ::mstmm::HingeResult::new(
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.rate_accelerations.as_slice(), 3);
-                value
+                value_
             },
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.efforts.as_slice(), 3);
-                value
+                value_
             },
-            input,
-            output,
+            input_,
+            output_,
         )
     }
 }
@@ -2093,13 +2118,13 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]
     pub fn workspace(&self) -> FourBarWorkspace<T> {
-        let zero = T::constant(0.0);
+        let zero_ = T::constant(0.0);
         FourBarWorkspace {
-            accelerations: ::mstmm::generated::vector([zero; 4]),
-            rate_accelerations: ::mstmm::generated::vector([zero; 4]),
-            efforts: ::mstmm::generated::vector([zero; 4]),
-            kinetic_energy: zero,
-            potential_energy: zero,
+            accelerations: ::mstmm::generated::vector([zero_; 4]),
+            rate_accelerations: ::mstmm::generated::vector([zero_; 4]),
+            efforts: ::mstmm::generated::vector([zero_; 4]),
+            kinetic_energy: zero_,
+            potential_energy: zero_,
             closure: ::core::default::Default::default(),
             points: [::core::default::Default::default(); 8],
         }

@@ -37,11 +37,11 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     #[must_use]
     #[allow(clippy::all)]
     pub fn new() -> Self {
-        let parameters = PendulumParameters {
+        let parameters_ = PendulumParameters {
             payload: T::constant(0.5f64),
         };
-        let (chain, _) = Self::derive(parameters);
-        chain
+        let (chain_, _) = Self::derive(parameters_);
+        chain_
     }
     /// The numbers that may change at run time.
     #[inline]
@@ -52,57 +52,63 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::Parameter`](::mstmm::Error::Parameter) if the number is not finite or would
+    /// `Error::Parameter` if the number is not finite or would
     /// leave the chain with a mass that is not positive, a stiffness or damping that is negative
     /// or a quantity that is not finite; the old one is kept then.
     #[allow(unused_variables, clippy::all)]
     pub fn set_payload(
         &mut self,
-        value: T,
+        value_: T,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let mut parameters = self.parameters;
-        parameters.payload = value;
-        let values = &[value];
-        let (chain, checks) = Self::derive(parameters);
-        ::mstmm::generated::check_parameter("payload", values, &[&chain.derived])?;
+        let mut parameters_ = self.parameters;
+        parameters_.payload = value_;
+        let values_ = &[value_];
+        let (chain_, checks_) = Self::derive(parameters_);
+        ::mstmm::generated::check_parameter("payload", values_, &[&chain_.derived])?;
         ::mstmm::generated::check_numbers(
             "payload",
-            &checks,
+            &checks_,
             &[(true, "must leave the mass of body `rod` positive")],
         )?;
-        *self = chain;
+        *self = chain_;
         ::core::result::Result::Ok(())
     }
     /// The state that the description starts from, at time zero.
     #[must_use]
     #[allow(unused_doc_comments, clippy::all)]
     pub fn initial_state(&self) -> PendulumState<T> {
-        let c = T::constant;
+        let c_ = T::constant;
         PendulumState {
-            q: ::mstmm::generated::vector([c(-1.5707963267948966)]),
-            v: ::mstmm::generated::vector([c(0.0)]),
+            q: ::mstmm::generated::vector([c_(-1.5707963267948966)]),
+            v: ::mstmm::generated::vector([c_(0.0)]),
             t: T::constant(0.0),
         }
     }
     /// Quantities derived from parameters and constants: 3 mul, 4 add, 1 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
-    fn derive(parameters: PendulumParameters<T>) -> (Self, [T; 1]) {
-        let c = T::constant;
-        let payload = parameters.payload;
+    fn derive(parameters_: PendulumParameters<T>) -> (Self, [T; 1]) {
+        let c_ = T::constant;
+        let payload_ = parameters_.payload;
         /// Quantities derived from parameters and constants: 3 mul, 4 add, 1 reciprocal.
-        let joint_k_xx = payload + c(1.0);
-        let joint_b_y_z = joint_k_xx * c(0.5);
-        let t0 = joint_k_xx * c(0.25);
-        let joint_j_yy = t0 + c(0.08333333333333333);
-        let p4 = T::recip(joint_j_yy);
-        let joint_z0_force_y = joint_b_y_z * p4;
-        let t1 = t0 + c(0.09333333333333332);
-        let p5 = joint_j_yy + t1;
-        let (derived, checks) = (
-            [joint_k_xx, joint_b_y_z, joint_j_yy, joint_z0_force_y, p4, p5],
-            [joint_k_xx],
+        let joint_k_xx_ = payload_ + c_(1.0);
+        let joint_b_y_z_ = joint_k_xx_ * c_(0.5);
+        let t0_ = joint_k_xx_ * c_(0.25);
+        let joint_j_yy_ = t0_ + c_(0.08333333333333333);
+        let p4_ = T::recip(joint_j_yy_);
+        let joint_z0_force_y_ = joint_b_y_z_ * p4_;
+        let t1_ = t0_ + c_(0.09333333333333332);
+        let p5_ = joint_j_yy_ + t1_;
+        let (derived_, checks_) = (
+            [joint_k_xx_, joint_b_y_z_, joint_j_yy_, joint_z0_force_y_, p4_, p5_],
+            [joint_k_xx_],
         );
-        (Self { parameters, derived }, checks)
+        (
+            Self {
+                parameters: parameters_,
+                derived: derived_,
+            },
+            checks_,
+        )
     }
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for Pendulum<T> {
@@ -123,37 +129,37 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::Singular`](::mstmm::Error::Singular) if nothing with inertia lies beyond a
-    /// hinge, [`Error::NotFinite`](::mstmm::Error::NotFinite) if a number of the state or the
+    /// `Error::Singular` if nothing with inertia lies beyond a
+    /// hinge, `Error::NotFinite` if a number of the state or the
     /// inputs is not finite. `accelerations` is not touched then.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn accelerations_into(
         &self,
-        state: &PendulumState<T>,
-        inputs: &PendulumInputs<T>,
-        accelerations: &mut ::mstmm::nalgebra::SVector<T, 1>,
+        state_: &PendulumState<T>,
+        inputs_: &PendulumInputs<T>,
+        accelerations_: &mut ::mstmm::nalgebra::SVector<T, 1>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let c = T::constant;
-        let [known_joint_k_xx, known_joint_b_y_z, known_joint_j_yy,
-        known_joint_z0_force_y, known_p4, known_p5, ..] = self.derived;
-        let [[joint_angle]] = state.q.data.0;
-        let joint_input0 = inputs.joint;
+        let c_ = T::constant;
+        let [known_joint_k_xx_, known_joint_b_y_z_, known_joint_j_yy_,
+        known_joint_z0_force_y_, known_p4_, known_p5_, ..] = self.derived;
+        let [[joint_angle_]] = state_.q.data.0;
+        let joint_input0_ = inputs_.joint;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
-        let ([_], [cos_joint_angle]) = T::sin_cos([joint_angle]);
+        let ([_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 3 mul, 1 add, 0 reciprocal.
-        let joint_a_lin_y = cos_joint_angle * c(9.8);
-        let t0 = joint_input0 * known_p4;
-        let t1 = known_joint_z0_force_y * joint_a_lin_y;
-        let joint_a_ang_z = t0 - t1;
+        let joint_a_lin_y_ = cos_joint_angle_ * c_(9.8);
+        let t0_ = joint_input0_ * known_p4_;
+        let t1_ = known_joint_z0_force_y_ * joint_a_lin_y_;
+        let joint_a_ang_z_ = t0_ - t1_;
         ::mstmm::generated::finite::<
             T,
-        >(&[state.q.as_slice(), state.v.as_slice(), &[inputs.joint]])?;
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[inputs_.joint]])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
-        >(&["joint"], [known_joint_j_yy], [known_p5], [joint_a_ang_z])?;
-        accelerations.data.0 = [[joint_a_ang_z]];
+        >(&["joint"], [known_joint_j_yy_], [known_p5_], [joint_a_ang_z_])?;
+        accelerations_.data.0 = [[joint_a_ang_z_]];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges by value; see
@@ -165,12 +171,12 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     #[inline]
     pub fn accelerations(
         &self,
-        state: &PendulumState<T>,
-        inputs: &PendulumInputs<T>,
+        state_: &PendulumState<T>,
+        inputs_: &PendulumInputs<T>,
     ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, 1>, ::mstmm::Error> {
-        let mut accelerations = ::mstmm::generated::vector([T::constant(0.0); 1]);
-        self.accelerations_into(state, inputs, &mut accelerations)?;
-        ::core::result::Result::Ok(accelerations)
+        let mut accelerations_ = ::mstmm::generated::vector([T::constant(0.0); 1]);
+        self.accelerations_into(state_, inputs_, &mut accelerations_)?;
+        ::core::result::Result::Ok(accelerations_)
     }
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
@@ -191,114 +197,114 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn solve_into(
         &self,
-        state: &PendulumState<T>,
-        inputs: &PendulumInputs<T>,
-        at: &mut PendulumWorkspace<T>,
+        state_: &PendulumState<T>,
+        inputs_: &PendulumInputs<T>,
+        at_: &mut PendulumWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let c = T::constant;
-        let [known_joint_k_xx, known_joint_b_y_z, known_joint_j_yy,
-        known_joint_z0_force_y, known_p4, known_p5, ..] = self.derived;
-        let [[joint_angle]] = state.q.data.0;
-        let [[joint_rate]] = state.v.data.0;
-        let joint_input0 = inputs.joint;
+        let c_ = T::constant;
+        let [known_joint_k_xx_, known_joint_b_y_z_, known_joint_j_yy_,
+        known_joint_z0_force_y_, known_p4_, known_p5_, ..] = self.derived;
+        let [[joint_angle_]] = state_.q.data.0;
+        let [[joint_rate_]] = state_.v.data.0;
+        let joint_input0_ = inputs_.joint;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
-        let ([sin_joint_angle], [cos_joint_angle]) = T::sin_cos([joint_angle]);
+        let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
         /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t0 = joint_rate * known_joint_b_y_z;
-        let minus_joint_e_force_x = joint_rate * t0;
+        let t0_ = joint_rate_ * known_joint_b_y_z_;
+        let minus_joint_e_force_x_ = joint_rate_ * t0_;
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 1 add, 0 reciprocal.
-        let joint_a_lin_x = sin_joint_angle * c(9.8);
-        let joint_a_lin_y = cos_joint_angle * c(9.8);
-        let t1 = joint_input0 * known_p4;
-        let t2 = known_joint_z0_force_y * joint_a_lin_y;
-        let joint_a_ang_z = t1 - t2;
+        let joint_a_lin_x_ = sin_joint_angle_ * c_(9.8);
+        let joint_a_lin_y_ = cos_joint_angle_ * c_(9.8);
+        let t1_ = joint_input0_ * known_p4_;
+        let t2_ = known_joint_z0_force_y_ * joint_a_lin_y_;
+        let joint_a_ang_z_ = t1_ - t2_;
         /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
-        let t3 = known_joint_k_xx * joint_a_lin_x;
-        let t4 = known_joint_k_xx * joint_a_lin_y;
-        let t5 = minus_joint_e_force_x - t3;
-        let t6 = known_joint_b_y_z * joint_a_ang_z;
-        let t7 = t4 + t6;
-        let t8 = cos_joint_angle * t5;
-        let t9 = sin_joint_angle * t7;
-        let minus_joint_own_force_x = t8 + t9;
-        let t10 = sin_joint_angle * t5;
-        let t11 = cos_joint_angle * t7;
-        let minus_joint_own_force_y = t10 - t11;
+        let t3_ = known_joint_k_xx_ * joint_a_lin_x_;
+        let t4_ = known_joint_k_xx_ * joint_a_lin_y_;
+        let t5_ = minus_joint_e_force_x_ - t3_;
+        let t6_ = known_joint_b_y_z_ * joint_a_ang_z_;
+        let t7_ = t4_ + t6_;
+        let t8_ = cos_joint_angle_ * t5_;
+        let t9_ = sin_joint_angle_ * t7_;
+        let minus_joint_own_force_x_ = t8_ + t9_;
+        let t10_ = sin_joint_angle_ * t5_;
+        let t11_ = cos_joint_angle_ * t7_;
+        let minus_joint_own_force_y_ = t10_ - t11_;
         /// Results: 12 mul, 2 add, 0 reciprocal.
-        let t12 = cos_joint_angle * c(0.5);
-        let t13 = sin_joint_angle * c(0.5);
-        let t14 = joint_rate * t13;
-        let t15 = joint_rate * t12;
-        let t16 = joint_rate * c(0.08333333333333333);
-        let t17 = joint_rate * t16;
-        let t18 = t14 * t14;
-        let t19 = t15 * t15;
-        let t20 = t18 + t19;
-        let t21 = known_joint_k_xx * t20;
-        let t22 = t17 + t21;
-        let t23 = c(0.5) * t22;
-        let t24 = sin_joint_angle * c(4.9);
-        let t25 = known_joint_k_xx * t24;
+        let t12_ = cos_joint_angle_ * c_(0.5);
+        let t13_ = sin_joint_angle_ * c_(0.5);
+        let t14_ = joint_rate_ * t13_;
+        let t15_ = joint_rate_ * t12_;
+        let t16_ = joint_rate_ * c_(0.08333333333333333);
+        let t17_ = joint_rate_ * t16_;
+        let t18_ = t14_ * t14_;
+        let t19_ = t15_ * t15_;
+        let t20_ = t18_ + t19_;
+        let t21_ = known_joint_k_xx_ * t20_;
+        let t22_ = t17_ + t21_;
+        let t23_ = c_(0.5) * t22_;
+        let t24_ = sin_joint_angle_ * c_(4.9);
+        let t25_ = known_joint_k_xx_ * t24_;
         ::mstmm::generated::finite::<
             T,
-        >(&[state.q.as_slice(), state.v.as_slice(), &[inputs.joint]])?;
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[inputs_.joint]])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
-        >(&["joint"], [known_joint_j_yy], [known_p5], [joint_a_ang_z])?;
-        at.accelerations.data.0 = [[joint_a_ang_z]];
-        at.rate_accelerations.data.0 = [[joint_a_ang_z]];
-        at.efforts.data.0 = [[joint_input0]];
-        at.kinetic_energy = t23;
-        at.potential_energy = t25;
-        at.points = [
+        >(&["joint"], [known_joint_j_yy_], [known_p5_], [joint_a_ang_z_])?;
+        at_.accelerations.data.0 = [[joint_a_ang_z_]];
+        at_.rate_accelerations.data.0 = [[joint_a_ang_z_]];
+        at_.efforts.data.0 = [[joint_input0_]];
+        at_.kinetic_energy = t23_;
+        at_.potential_energy = t25_;
+        at_.points = [
             ::mstmm::Point::new(
-                [c(0.0), c(0.0), c(0.0)],
+                [c_(0.0), c_(0.0), c_(0.0)],
                 [
-                    [c(1.0), c(0.0), c(0.0)],
-                    [c(0.0), c(1.0), c(0.0)],
-                    [c(0.0), c(0.0), c(1.0)],
+                    [c_(1.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(1.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(1.0)],
                 ],
-                [c(0.0), c(0.0), c(0.0)],
-                [c(0.0), c(0.0), c(0.0)],
+                [c_(0.0), c_(0.0), c_(0.0)],
+                [c_(0.0), c_(0.0), c_(0.0)],
                 ::mstmm::StateVector::new(
-                    [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), -joint_input0],
-                    [-minus_joint_own_force_x, -minus_joint_own_force_y, c(0.0)],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), -joint_input0_],
+                    [-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)],
                 ),
             ),
             ::mstmm::Point::new(
-                [c(0.0), c(0.0), c(0.0)],
+                [c_(0.0), c_(0.0), c_(0.0)],
                 [
-                    [cos_joint_angle, -sin_joint_angle, c(0.0)],
-                    [sin_joint_angle, cos_joint_angle, c(0.0)],
-                    [c(0.0), c(0.0), c(1.0)],
+                    [cos_joint_angle_, -sin_joint_angle_, c_(0.0)],
+                    [sin_joint_angle_, cos_joint_angle_, c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(1.0)],
                 ],
-                [c(0.0), c(0.0), c(0.0)],
-                [c(0.0), c(0.0), joint_rate],
+                [c_(0.0), c_(0.0), c_(0.0)],
+                [c_(0.0), c_(0.0), joint_rate_],
                 ::mstmm::StateVector::new(
-                    [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), joint_a_ang_z],
-                    [c(0.0), c(0.0), -joint_input0],
-                    [-minus_joint_own_force_x, -minus_joint_own_force_y, c(0.0)],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), joint_a_ang_z_],
+                    [c_(0.0), c_(0.0), -joint_input0_],
+                    [-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)],
                 ),
             ),
             ::mstmm::Point::new(
-                [c(0.0), c(0.0), c(0.0)],
+                [c_(0.0), c_(0.0), c_(0.0)],
                 [
-                    [cos_joint_angle, -sin_joint_angle, c(0.0)],
-                    [sin_joint_angle, cos_joint_angle, c(0.0)],
-                    [c(0.0), c(0.0), c(1.0)],
+                    [cos_joint_angle_, -sin_joint_angle_, c_(0.0)],
+                    [sin_joint_angle_, cos_joint_angle_, c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(1.0)],
                 ],
-                [c(0.0), c(0.0), c(0.0)],
-                [c(0.0), c(0.0), joint_rate],
+                [c_(0.0), c_(0.0), c_(0.0)],
+                [c_(0.0), c_(0.0), joint_rate_],
                 ::mstmm::StateVector::new(
-                    [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), joint_a_ang_z],
-                    [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), c(0.0)],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), joint_a_ang_z_],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(0.0)],
                 ),
             ),
         ];
@@ -315,31 +321,31 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// | Results |  | 12 | 2 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    pub fn energy(&self, state: &PendulumState<T>) -> ::mstmm::Energy<T> {
-        let c = T::constant;
-        let [known_joint_k_xx, ..] = self.derived;
-        let [[joint_angle]] = state.q.data.0;
-        let [[joint_rate]] = state.v.data.0;
+    pub fn energy(&self, state_: &PendulumState<T>) -> ::mstmm::Energy<T> {
+        let c_ = T::constant;
+        let [known_joint_k_xx_, ..] = self.derived;
+        let [[joint_angle_]] = state_.q.data.0;
+        let [[joint_rate_]] = state_.v.data.0;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
-        let ([sin_joint_angle], [cos_joint_angle]) = T::sin_cos([joint_angle]);
+        let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
         /// Results: 12 mul, 2 add, 0 reciprocal.
-        let t0 = cos_joint_angle * c(0.5);
-        let t1 = sin_joint_angle * c(0.5);
-        let t2 = joint_rate * t1;
-        let t3 = joint_rate * t0;
-        let t4 = joint_rate * c(0.08333333333333333);
-        let t5 = joint_rate * t4;
-        let t6 = t2 * t2;
-        let t7 = t3 * t3;
-        let t8 = t6 + t7;
-        let t9 = known_joint_k_xx * t8;
-        let t10 = t5 + t9;
-        let t11 = c(0.5) * t10;
-        let t12 = sin_joint_angle * c(4.9);
-        let t13 = known_joint_k_xx * t12;
+        let t0_ = cos_joint_angle_ * c_(0.5);
+        let t1_ = sin_joint_angle_ * c_(0.5);
+        let t2_ = joint_rate_ * t1_;
+        let t3_ = joint_rate_ * t0_;
+        let t4_ = joint_rate_ * c_(0.08333333333333333);
+        let t5_ = joint_rate_ * t4_;
+        let t6_ = t2_ * t2_;
+        let t7_ = t3_ * t3_;
+        let t8_ = t6_ + t7_;
+        let t9_ = known_joint_k_xx_ * t8_;
+        let t10_ = t5_ + t9_;
+        let t11_ = c_(0.5) * t10_;
+        let t12_ = sin_joint_angle_ * c_(4.9);
+        let t13_ = known_joint_k_xx_ * t12_;
         ::mstmm::Energy {
-            kinetic: t11,
-            potential: t13,
+            kinetic: t11_,
+            potential: t13_,
         }
     }
 }
@@ -351,32 +357,32 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Pendulum<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn derivative_into(
         &self,
-        state: &PendulumState<T>,
-        inputs: &PendulumInputs<T>,
-        rate: &mut PendulumState<T>,
+        state_: &PendulumState<T>,
+        inputs_: &PendulumInputs<T>,
+        rate_: &mut PendulumState<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        self.accelerations_into(state, inputs, &mut rate.v)?;
-        self.configuration_rate_into(state, rate);
+        self.accelerations_into(state_, inputs_, &mut rate_.v)?;
+        self.configuration_rate_into(state_, rate_);
         ::core::result::Result::Ok(())
     }
     #[inline]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn configuration_rate_into(
         &self,
-        state: &PendulumState<T>,
-        rate: &mut PendulumState<T>,
+        state_: &PendulumState<T>,
+        rate_: &mut PendulumState<T>,
     ) {
-        rate.q.data.0 = {
-            let [[joint_rate]] = state.v.data.0;
-            [[joint_rate]]
+        rate_.q.data.0 = {
+            let [[joint_rate_]] = state_.v.data.0;
+            [[joint_rate_]]
         };
     }
     #[inline]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn normalize(&self, state: &mut PendulumState<T>) {
-        state.q.data.0 = {
-            let [[joint_angle]] = state.q.data.0;
-            [[joint_angle]]
+    fn normalize(&self, state_: &mut PendulumState<T>) {
+        state_.q.data.0 = {
+            let [[joint_angle_]] = state_.q.data.0;
+            [[joint_angle_]]
         };
     }
 }
@@ -397,15 +403,15 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Pendulum<T> {
     #[inline]
     fn solve_into(
         &self,
-        state: &PendulumState<T>,
-        inputs: &PendulumInputs<T>,
-        at: &mut PendulumWorkspace<T>,
+        state_: &PendulumState<T>,
+        inputs_: &PendulumInputs<T>,
+        at_: &mut PendulumWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        self.solve_into(state, inputs, at)
+        self.solve_into(state_, inputs_, at_)
     }
     #[inline]
-    fn energy(&self, state: &PendulumState<T>) -> ::mstmm::Energy<T> {
-        self.energy(state)
+    fn energy(&self, state_: &PendulumState<T>) -> ::mstmm::Energy<T> {
+        self.energy(state_)
     }
 }
 /// Coordinates and rates of [`Pendulum`] at a time.
@@ -428,26 +434,26 @@ impl<T: ::mstmm::Scalar> PendulumState<T> {
     #[inline]
     #[must_use]
     pub fn joint(&self) -> ::mstmm::PinState<T> {
-        let [[q0, ..]] = self.q.data.0;
-        let [[v0, ..]] = self.v.data.0;
-        ::mstmm::PinState::new(q0, v0)
+        let [[q0_, ..]] = self.q.data.0;
+        let [[v0_, ..]] = self.v.data.0;
+        ::mstmm::PinState::new(q0_, v0_)
     }
     /// Coordinates and rates of hinge `joint`, to be changed.
     #[inline]
     pub fn joint_mut(&mut self) -> ::mstmm::PinStateMut<'_, T> {
-        let [[q0, ..]] = &mut self.q.data.0;
-        let [[v0, ..]] = &mut self.v.data.0;
-        ::mstmm::PinStateMut::new(q0, v0)
+        let [[q0_, ..]] = &mut self.q.data.0;
+        let [[v0_, ..]] = &mut self.v.data.0;
+        ::mstmm::PinStateMut::new(q0_, v0_)
     }
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumState<T> {
     fn default() -> Self {
-        let (zero, one) = (T::constant(0.0), T::constant(1.0));
-        let _ = one;
+        let (zero_, one_) = (T::constant(0.0), T::constant(1.0));
+        let _ = one_;
         Self {
-            q: ::mstmm::generated::vector([zero]),
-            v: ::mstmm::generated::vector([zero; 1]),
-            t: zero,
+            q: ::mstmm::generated::vector([zero_]),
+            v: ::mstmm::generated::vector([zero_; 1]),
+            t: zero_,
         }
     }
 }
@@ -474,8 +480,8 @@ impl<T: ::mstmm::Scalar> ::mstmm::ChainState for PendulumState<T> {
         self.t
     }
     #[inline]
-    fn set_time(&mut self, time: T) {
-        self.t = time;
+    fn set_time(&mut self, time_: T) {
+        self.t = time_;
     }
 }
 /// What drives [`Pendulum`] from outside, given at every step.
@@ -538,31 +544,31 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
     /// Acceleration, effort, input and output of hinge `joint`.
     #[inline]
     pub fn joint(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::Point<T>> {
-        let [input, output, ..] = &self.points;
+        let [input_, output_, ..] = &self.points;
         ::mstmm::HingeResult::new(
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.rate_accelerations.as_slice(), 0);
-                value
+                value_
             },
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.efforts.as_slice(), 0);
-                value
+                value_
             },
-            input,
-            output,
+            input_,
+            output_,
         )
     }
     /// Input and output of body `rod`.
     #[inline]
     pub fn rod(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::Point<T>> {
-        let [_, input, output, ..] = &self.points;
-        ::mstmm::BodyResult::new(input, output)
+        let [_, input_, output_, ..] = &self.points;
+        ::mstmm::BodyResult::new(input_, output_)
     }
 }
 #[allow(dead_code, non_snake_case)]
@@ -570,13 +576,13 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]
     pub fn workspace(&self) -> PendulumWorkspace<T> {
-        let zero = T::constant(0.0);
+        let zero_ = T::constant(0.0);
         PendulumWorkspace {
-            accelerations: ::mstmm::generated::vector([zero; 1]),
-            rate_accelerations: ::mstmm::generated::vector([zero; 1]),
-            efforts: ::mstmm::generated::vector([zero; 1]),
-            kinetic_energy: zero,
-            potential_energy: zero,
+            accelerations: ::mstmm::generated::vector([zero_; 1]),
+            rate_accelerations: ::mstmm::generated::vector([zero_; 1]),
+            efforts: ::mstmm::generated::vector([zero_; 1]),
+            kinetic_energy: zero_,
+            potential_energy: zero_,
             points: [::core::default::Default::default(); 3],
         }
     }

@@ -40,11 +40,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     #[must_use]
     #[allow(clippy::all)]
     pub fn new() -> Self {
-        let parameters = RopeParameters {
+        let parameters_ = RopeParameters {
             knot: [T::constant(0f64); 10],
         };
-        let (chain, _) = Self::derive(parameters);
-        chain
+        let (chain_, _) = Self::derive(parameters_);
+        chain_
     }
     /// The numbers that may change at run time.
     #[inline]
@@ -57,110 +57,110 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::Parameter`](::mstmm::Error::Parameter) if the number is not finite or would
+    /// `Error::Parameter` if the number is not finite or would
     /// leave the chain with a mass that is not positive, a stiffness or damping that is negative
     /// or a quantity that is not finite; the old one is kept then.
     #[allow(unused_variables, clippy::all)]
     pub fn set_knot(
         &mut self,
-        mut value: impl ::core::ops::FnMut(usize) -> T,
+        mut value_: impl ::core::ops::FnMut(usize) -> T,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let mut parameters = self.parameters;
-        for (index, place) in parameters.knot.iter_mut().enumerate() {
-            *place = value(index);
+        let mut parameters_ = self.parameters;
+        for (index_, place_) in ::core::iter::zip(0.., &mut parameters_.knot) {
+            *place_ = value_(index_);
         }
-        let values = &parameters.knot;
-        let (chain, checks) = Self::derive(parameters);
+        let values_ = &parameters_.knot;
+        let (chain_, checks_) = Self::derive(parameters_);
         ::mstmm::generated::check_parameter(
             "knot",
-            values,
-            &[&chain.derived, &chain.derived0],
+            values_,
+            &[&chain_.derived, &chain_.derived0],
         )?;
-        for numbers in ::mstmm::generated::times::<T, 1>(checks.as_slice(), 0, 10).iter()
-        {
+        for numbers_ in ::mstmm::generated::times::<T, 1>(checks_.as_slice(), 0, 10) {
             ::mstmm::generated::check_numbers(
                 "knot",
-                numbers,
+                numbers_,
                 &[(true, "must leave the mass of body `rod` positive")],
             )?;
         }
-        *self = chain;
+        *self = chain_;
         ::core::result::Result::Ok(())
     }
     /// The state that the description starts from, at time zero.
     #[must_use]
     #[allow(unused_doc_comments, clippy::all)]
     pub fn initial_state(&self) -> RopeState<T> {
-        let c = T::constant;
-        let mut results0 = [T::constant(0.0); 11];
-        let mut results1 = [T::constant(0.0); 11];
-        for [o0] in ::mstmm::generated::times_mut::<T, 1>(results0.as_mut_slice(), 0, 10)
-            .iter_mut()
-        {
-            *o0 = c(0.0);
+        let c_ = T::constant;
+        let mut results0_ = [T::constant(0.0); 11];
+        let mut results1_ = [T::constant(0.0); 11];
+        for [o0_] in ::mstmm::generated::times_mut::<
+            T,
+            1,
+        >(results0_.as_mut_slice(), 0, 10) {
+            *o0_ = c_(0.0);
         }
-        for [o0] in ::mstmm::generated::times_mut::<T, 1>(results0.as_mut_slice(), 10, 1)
-            .iter_mut()
-        {
-            *o0 = c(0.0);
+        for [o0_] in ::mstmm::generated::times_mut::<
+            T,
+            1,
+        >(results0_.as_mut_slice(), 10, 1) {
+            *o0_ = c_(0.0);
         }
-        for [o0] in ::mstmm::generated::times_mut::<T, 1>(results1.as_mut_slice(), 0, 10)
-            .iter_mut()
-        {
-            *o0 = c(0.0);
+        for [o0_] in ::mstmm::generated::times_mut::<
+            T,
+            1,
+        >(results1_.as_mut_slice(), 0, 10) {
+            *o0_ = c_(0.0);
         }
-        for [o0] in ::mstmm::generated::times_mut::<T, 1>(results1.as_mut_slice(), 10, 1)
-            .iter_mut()
-        {
-            *o0 = c(0.0);
+        for [o0_] in ::mstmm::generated::times_mut::<
+            T,
+            1,
+        >(results1_.as_mut_slice(), 10, 1) {
+            *o0_ = c_(0.0);
         }
         RopeState {
-            q: ::mstmm::generated::vector(results0),
-            v: ::mstmm::generated::vector(results1),
+            q: ::mstmm::generated::vector(results0_),
+            v: ::mstmm::generated::vector(results1_),
             t: T::constant(0.0),
         }
     }
     /// Quantities derived from parameters and constants: 2 mul, 3 add, 0 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
-    fn derive(parameters: RopeParameters<T>) -> (Self, [T; 10]) {
-        let c = T::constant;
-        let mut results1 = [T::constant(0.0); 10];
-        let mut results2 = [T::constant(0.0); 60];
-        for ((&knot, [o1_0]), [o2_0, o2_1, o2_2, o2_3, o2_4, o2_5]) in parameters
-            .knot
-            .iter()
-            .zip(
-                ::mstmm::generated::times_mut::<T, 1>(results1.as_mut_slice(), 0, 10)
+    fn derive(parameters_: RopeParameters<T>) -> (Self, [T; 10]) {
+        let c_ = T::constant;
+        let mut results1_ = [T::constant(0.0); 10];
+        let mut results2_ = [T::constant(0.0); 60];
+        for ((&knot_, [o1_0_]), [o2_0_, o2_1_, o2_2_, o2_3_, o2_4_, o2_5_]) in ::core::iter::zip(
+            ::core::iter::zip(
+                parameters_.knot.iter(),
+                ::mstmm::generated::times_mut::<T, 1>(results1_.as_mut_slice(), 0, 10)
                     .iter_mut(),
-            )
-            .zip(
-                ::mstmm::generated::times_mut::<T, 6>(results2.as_mut_slice(), 0, 10)
-                    .iter_mut(),
-            )
-        {
+            ),
+            ::mstmm::generated::times_mut::<T, 6>(results2_.as_mut_slice(), 0, 10)
+                .iter_mut(),
+        ) {
             /// Quantities derived from parameters and constants: 2 mul, 3 add, 0 reciprocal.
-            let p1 = knot + c(0.1);
-            let p2 = p1 * c(0.05);
-            let p3 = p1 * c(0.0025000000000000005);
-            let p4 = p3 + c(0.0001);
-            let p5 = p3 + p4;
-            *o1_0 = p1;
-            *o2_0 = knot;
-            *o2_1 = p1;
-            *o2_2 = p2;
-            *o2_3 = p3;
-            *o2_4 = p4;
-            *o2_5 = p5;
+            let p1_ = knot_ + c_(0.1);
+            let p2_ = p1_ * c_(0.05);
+            let p3_ = p1_ * c_(0.0025000000000000005);
+            let p4_ = p3_ + c_(0.0001);
+            let p5_ = p3_ + p4_;
+            *o1_0_ = p1_;
+            *o2_0_ = knot_;
+            *o2_1_ = p1_;
+            *o2_2_ = p2_;
+            *o2_3_ = p3_;
+            *o2_4_ = p4_;
+            *o2_5_ = p5_;
             () = ();
         }
-        let (derived, checks) = ([], results1);
+        let (derived_, checks_) = ([], results1_);
         (
             Self {
-                parameters,
-                derived,
-                derived0: results2,
+                parameters: parameters_,
+                derived: derived_,
+                derived0: results2_,
             },
-            checks,
+            checks_,
         )
     }
 }
@@ -194,288 +194,292 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn implicit_accelerations_into(
         &self,
-        state: &RopeState<T>,
-        inputs: &RopeInputs<T>,
-        step: T,
-        accelerations: &mut ::mstmm::nalgebra::SVector<T, 11>,
+        state_: &RopeState<T>,
+        inputs_: &RopeInputs<T>,
+        step_: T,
+        accelerations_: &mut ::mstmm::nalgebra::SVector<T, 11>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let c = T::constant;
-        let [hook_angle] = ::mstmm::generated::piece::<T, 1>(state.q.as_slice(), 10);
-        let [hook_rate] = ::mstmm::generated::piece::<T, 1>(state.v.as_slice(), 10);
-        let mut results0 = [T::constant(0.0); 11];
-        let mut regular0 = <T::Mask as ::mstmm::Mask>::splat(true);
-        let mut store1 = [[T::constant(0.0); 5]; 10];
-        let mut store3 = [[T::constant(0.0); 4]; 10];
+        let c_ = T::constant;
+        let [hook_angle_] = ::mstmm::generated::piece::<T, 1>(state_.q.as_slice(), 10);
+        let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
+        let mut results0_ = [T::constant(0.0); 11];
+        let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
+        let mut store1_ = [[T::constant(0.0); 5]; 10];
+        let mut store3_ = [[T::constant(0.0); 4]; 10];
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
-        let ([sin_hook_angle], [cos_hook_angle]) = T::sin_cos([hook_angle]);
+        let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         /// Results: 5 mul, 3 add, 0 reciprocal.
-        let t0 = sin_hook_angle * c(1.3333333333333333);
-        let t1 = sin_hook_angle * t0;
-        let t2 = cos_hook_angle * t0;
-        let t3 = t1 + c(0.6666666666666667);
-        let t4 = t1 - c(2.0);
-        let t5 = step * c(0.2);
-        let t6 = c(0.01) + t5;
-        let t7 = step * t6;
-        let mut carry0_0 = c(0.0);
+        let t0_ = sin_hook_angle_ * c_(1.3333333333333333);
+        let t1_ = sin_hook_angle_ * t0_;
+        let t2_ = cos_hook_angle_ * t0_;
+        let t3_ = t1_ + c_(0.6666666666666667);
+        let t4_ = t1_ - c_(2.0);
+        let t5_ = step_ * c_(0.2);
+        let t6_ = c_(0.01) + t5_;
+        let t7_ = step_ * t6_;
+        let mut carry0_0_ = c_(0.0);
         for (
             (
-                (&[joint_angle], &[joint_rate]),
-                &[known_knot,
-                known_p1,
-                known_p2,
-                known_p3,
-                known_p4,
-                known_p5,
+                (&[joint_angle_], &[joint_rate_]),
+                &[known_knot_,
+                known_p1_,
+                known_p2_,
+                known_p3_,
+                known_p4_,
+                known_p5_,
                 ],
             ),
-            store,
-        ) in ::mstmm::generated::times::<T, 1>(state.q.as_slice(), 0, 10)
-            .iter()
-            .zip(::mstmm::generated::times::<T, 1>(state.v.as_slice(), 0, 10).iter())
-            .zip(
+            store_,
+        ) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::core::iter::zip(
+                    ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
+                    ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+                ),
                 ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10).iter(),
-            )
-            .zip(store1.iter_mut())
-        {
-            let carry0_0_before = carry0_0;
+            ),
+            store1_.iter_mut(),
+        ) {
+            let carry0_0_before_ = carry0_0_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
-            let ([sin_joint_angle], [cos_joint_angle]) = T::sin_cos([joint_angle]);
-            let joint_omega_z = joint_rate + carry0_0_before;
+            let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
+            let joint_omega_z_ = joint_rate_ + carry0_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t8 = c(0.1) * joint_omega_z;
-            let minus_end_of_repeat0_drift_lin_x = joint_omega_z * t8;
+            let t8_ = c_(0.1) * joint_omega_z_;
+            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t8_;
             /// Results: 5 mul, 2 add, 0 reciprocal.
-            let t9 = joint_angle * c(0.2);
-            let t10 = joint_rate * c(0.01);
-            let t11 = t9 + t10;
-            let t12 = known_p2 * joint_omega_z;
-            let t13 = joint_omega_z * t12;
-            let t14 = joint_rate * t5;
-            let t15 = t11 + t14;
-            *store = [
-                sin_joint_angle,
-                cos_joint_angle,
-                minus_end_of_repeat0_drift_lin_x,
-                t13,
-                t15,
+            let t9_ = joint_angle_ * c_(0.2);
+            let t10_ = joint_rate_ * c_(0.01);
+            let t11_ = t9_ + t10_;
+            let t12_ = known_p2_ * joint_omega_z_;
+            let t13_ = joint_omega_z_ * t12_;
+            let t14_ = joint_rate_ * t5_;
+            let t15_ = t11_ + t14_;
+            *store_ = [
+                sin_joint_angle_,
+                cos_joint_angle_,
+                minus_end_of_repeat0_drift_lin_x_,
+                t13_,
+                t15_,
             ];
-            (carry0_0,) = (joint_omega_z,);
+            (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let hook_omega_z = hook_rate + carry0_0;
+        let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t16 = c(0.2) * hook_omega_z;
-        let hook_e_force_y = hook_omega_z * t16;
+        let t16_ = c_(0.2) * hook_omega_z_;
+        let hook_e_force_y_ = hook_omega_z_ * t16_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t17 = sin_hook_angle * hook_e_force_y;
-        let t18 = cos_hook_angle * hook_e_force_y;
-        let mut carry1_0 = t3;
-        let mut carry1_1 = -t4;
-        let mut carry1_2 = c(2.0);
-        let mut carry1_3 = -t2;
-        let mut carry1_4 = c(0.0);
-        let mut carry1_5 = c(0.0);
-        let mut carry1_6 = c(0.0);
-        let mut carry1_7 = -t17;
-        let mut carry1_8 = t18;
-        let mut carry1_9 = c(0.0);
+        let t17_ = sin_hook_angle_ * hook_e_force_y_;
+        let t18_ = cos_hook_angle_ * hook_e_force_y_;
+        let mut carry1_0_ = t3_;
+        let mut carry1_1_ = -t4_;
+        let mut carry1_2_ = c_(2.0);
+        let mut carry1_3_ = -t2_;
+        let mut carry1_4_ = c_(0.0);
+        let mut carry1_5_ = c_(0.0);
+        let mut carry1_6_ = c_(0.0);
+        let mut carry1_7_ = -t17_;
+        let mut carry1_8_ = t18_;
+        let mut carry1_9_ = c_(0.0);
         for (
             (
                 &[_,
-                known_p1,
-                known_p2,
+                known_p1_,
+                known_p2_,
                 _,
-                known_p4,
-                known_p5,
+                known_p4_,
+                known_p5_,
                 ],
-                &[sin_joint_angle,
-                cos_joint_angle,
-                minus_end_of_repeat0_drift_lin_x,
-                t13,
-                t15,
+                &[sin_joint_angle_,
+                cos_joint_angle_,
+                minus_end_of_repeat0_drift_lin_x_,
+                t13_,
+                t15_,
                 ],
             ),
-            store,
-        ) in ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
-            .iter()
-            .zip(store1.iter())
-            .zip(store3.iter_mut())
-            .rev()
-        {
-            let carry1_0_before = carry1_0;
-            let carry1_1_before = carry1_1;
-            let carry1_2_before = carry1_2;
-            let carry1_3_before = carry1_3;
-            let carry1_4_before = carry1_4;
-            let carry1_5_before = carry1_5;
-            let carry1_6_before = carry1_6;
-            let carry1_7_before = carry1_7;
-            let carry1_8_before = carry1_8;
-            let carry1_9_before = carry1_9;
+            store_,
+        ) in ::core::iter::Iterator::rev(
+            ::core::iter::zip(
+                ::core::iter::zip(
+                    ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
+                        .iter(),
+                    store1_.iter(),
+                ),
+                store3_.iter_mut(),
+            ),
+        ) {
+            let carry1_0_before_ = carry1_0_;
+            let carry1_1_before_ = carry1_1_;
+            let carry1_2_before_ = carry1_2_;
+            let carry1_3_before_ = carry1_3_;
+            let carry1_4_before_ = carry1_4_;
+            let carry1_5_before_ = carry1_5_;
+            let carry1_6_before_ = carry1_6_;
+            let carry1_7_before_ = carry1_7_;
+            let carry1_8_before_ = carry1_8_;
+            let carry1_9_before_ = carry1_9_;
             /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 10 mul, 15 add, 1 reciprocal.
-            let joint_k_xx = known_p1 + carry1_0_before;
-            let joint_k_yy = known_p1 + carry1_1_before;
-            let joint_k_zz = known_p1 + carry1_2_before;
-            let t19 = c(0.1) * carry1_3_before;
-            let joint_b_x_z = carry1_4_before + t19;
-            let t20 = c(0.1) * carry1_1_before;
-            let t21 = carry1_5_before + t20;
-            let joint_b_y_z = known_p2 + t21;
-            let t22 = carry1_5_before + t21;
-            let t23 = c(0.1) * t22;
-            let t24 = carry1_6_before + t23;
-            let joint_j_zz = known_p4 + t24;
-            let t25 = carry1_0_before * minus_end_of_repeat0_drift_lin_x;
-            let t26 = carry1_7_before - t25;
-            let minus_joint_e_force_x = t13 - t26;
-            let t27 = carry1_3_before * minus_end_of_repeat0_drift_lin_x;
-            let joint_e_force_y = carry1_8_before - t27;
-            let t28 = carry1_4_before * minus_end_of_repeat0_drift_lin_x;
-            let t29 = carry1_9_before - t28;
-            let t30 = c(0.1) * joint_e_force_y;
-            let joint_e_moment_z = t29 + t30;
-            let joint_d0 = t7 + joint_j_zz;
-            let t31 = T::recip(joint_d0);
-            let joint_z0_force_x = joint_b_x_z * t31;
-            let joint_z0_force_y = joint_b_y_z * t31;
-            let joint_z0_moment_z = joint_j_zz * t31;
+            let joint_k_xx_ = known_p1_ + carry1_0_before_;
+            let joint_k_yy_ = known_p1_ + carry1_1_before_;
+            let joint_k_zz_ = known_p1_ + carry1_2_before_;
+            let t19_ = c_(0.1) * carry1_3_before_;
+            let joint_b_x_z_ = carry1_4_before_ + t19_;
+            let t20_ = c_(0.1) * carry1_1_before_;
+            let t21_ = carry1_5_before_ + t20_;
+            let joint_b_y_z_ = known_p2_ + t21_;
+            let t22_ = carry1_5_before_ + t21_;
+            let t23_ = c_(0.1) * t22_;
+            let t24_ = carry1_6_before_ + t23_;
+            let joint_j_zz_ = known_p4_ + t24_;
+            let t25_ = carry1_0_before_ * minus_end_of_repeat0_drift_lin_x_;
+            let t26_ = carry1_7_before_ - t25_;
+            let minus_joint_e_force_x_ = t13_ - t26_;
+            let t27_ = carry1_3_before_ * minus_end_of_repeat0_drift_lin_x_;
+            let joint_e_force_y_ = carry1_8_before_ - t27_;
+            let t28_ = carry1_4_before_ * minus_end_of_repeat0_drift_lin_x_;
+            let t29_ = carry1_9_before_ - t28_;
+            let t30_ = c_(0.1) * joint_e_force_y_;
+            let joint_e_moment_z_ = t29_ + t30_;
+            let joint_d0_ = t7_ + joint_j_zz_;
+            let t31_ = T::recip(joint_d0_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t31_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t31_;
+            let joint_z0_moment_z_ = joint_j_zz_ * t31_;
             /// Results: 24 mul, 23 add, 0 reciprocal.
-            let t32 = carry1_0_before + carry1_1_before;
-            let t33 = carry1_2_before + t32;
-            let t34 = c(0.010000000000000002) * t33;
-            let t35 = known_p5 + t34;
-            let t36 = t35 + t7;
-            let t37 = t15 + joint_e_moment_z;
-            let t38 = t37 * t31;
-            let t39 = joint_b_x_z * joint_z0_force_x;
-            let t40 = joint_k_xx - t39;
-            let t41 = joint_b_y_z * joint_z0_force_y;
-            let t42 = joint_k_yy - t41;
-            let t43 = joint_b_y_z * joint_z0_force_x;
-            let t44 = carry1_3_before - t43;
-            let t45 = joint_j_zz * joint_z0_force_x;
-            let t46 = joint_b_x_z - t45;
-            let t47 = joint_j_zz * joint_z0_force_y;
-            let t48 = joint_b_y_z - t47;
-            let t49 = joint_j_zz * joint_z0_moment_z;
-            let t50 = joint_j_zz - t49;
-            let t51 = joint_b_x_z * t38;
-            let t52 = minus_joint_e_force_x + t51;
-            let t53 = joint_b_y_z * t38;
-            let t54 = joint_e_force_y - t53;
-            let t55 = joint_j_zz * t38;
-            let t56 = joint_e_moment_z - t55;
-            let t57 = t40 - t42;
-            let t58 = sin_joint_angle * t57;
-            let t59 = c(2.0) * t44;
-            let t60 = cos_joint_angle * t59;
-            let t61 = t58 + t60;
-            let t62 = sin_joint_angle * t61;
-            let t63 = cos_joint_angle * t61;
-            let t64 = t40 - t62;
-            let t65 = t44 - t63;
-            let t66 = t42 + t62;
-            let t67 = cos_joint_angle * t46;
-            let t68 = sin_joint_angle * t48;
-            let t69 = t67 - t68;
-            let t70 = sin_joint_angle * t46;
-            let t71 = cos_joint_angle * t48;
-            let t72 = t70 + t71;
-            let t73 = cos_joint_angle * t52;
-            let t74 = sin_joint_angle * t54;
-            let t75 = t73 + t74;
-            let t76 = sin_joint_angle * t52;
-            let t77 = cos_joint_angle * t54;
-            let t78 = t76 - t77;
-            *store = [t38, joint_z0_force_x, joint_z0_force_y, joint_z0_moment_z];
-            regular0 = regular0 & !::mstmm::generated::vanishes(joint_d0, t36);
+            let t32_ = carry1_0_before_ + carry1_1_before_;
+            let t33_ = carry1_2_before_ + t32_;
+            let t34_ = c_(0.010000000000000002) * t33_;
+            let t35_ = known_p5_ + t34_;
+            let t36_ = t35_ + t7_;
+            let t37_ = t15_ + joint_e_moment_z_;
+            let t38_ = t37_ * t31_;
+            let t39_ = joint_b_x_z_ * joint_z0_force_x_;
+            let t40_ = joint_k_xx_ - t39_;
+            let t41_ = joint_b_y_z_ * joint_z0_force_y_;
+            let t42_ = joint_k_yy_ - t41_;
+            let t43_ = joint_b_y_z_ * joint_z0_force_x_;
+            let t44_ = carry1_3_before_ - t43_;
+            let t45_ = joint_j_zz_ * joint_z0_force_x_;
+            let t46_ = joint_b_x_z_ - t45_;
+            let t47_ = joint_j_zz_ * joint_z0_force_y_;
+            let t48_ = joint_b_y_z_ - t47_;
+            let t49_ = joint_j_zz_ * joint_z0_moment_z_;
+            let t50_ = joint_j_zz_ - t49_;
+            let t51_ = joint_b_x_z_ * t38_;
+            let t52_ = minus_joint_e_force_x_ + t51_;
+            let t53_ = joint_b_y_z_ * t38_;
+            let t54_ = joint_e_force_y_ - t53_;
+            let t55_ = joint_j_zz_ * t38_;
+            let t56_ = joint_e_moment_z_ - t55_;
+            let t57_ = t40_ - t42_;
+            let t58_ = sin_joint_angle_ * t57_;
+            let t59_ = c_(2.0) * t44_;
+            let t60_ = cos_joint_angle_ * t59_;
+            let t61_ = t58_ + t60_;
+            let t62_ = sin_joint_angle_ * t61_;
+            let t63_ = cos_joint_angle_ * t61_;
+            let t64_ = t40_ - t62_;
+            let t65_ = t44_ - t63_;
+            let t66_ = t42_ + t62_;
+            let t67_ = cos_joint_angle_ * t46_;
+            let t68_ = sin_joint_angle_ * t48_;
+            let t69_ = t67_ - t68_;
+            let t70_ = sin_joint_angle_ * t46_;
+            let t71_ = cos_joint_angle_ * t48_;
+            let t72_ = t70_ + t71_;
+            let t73_ = cos_joint_angle_ * t52_;
+            let t74_ = sin_joint_angle_ * t54_;
+            let t75_ = t73_ + t74_;
+            let t76_ = sin_joint_angle_ * t52_;
+            let t77_ = cos_joint_angle_ * t54_;
+            let t78_ = t76_ - t77_;
+            *store_ = [t38_, joint_z0_force_x_, joint_z0_force_y_, joint_z0_moment_z_];
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_d0_, t36_);
             (
-                carry1_0,
-                carry1_1,
-                carry1_2,
-                carry1_3,
-                carry1_4,
-                carry1_5,
-                carry1_6,
-                carry1_7,
-                carry1_8,
-                carry1_9,
-            ) = (t64, t66, joint_k_zz, -t65, t69, t72, t50, -t75, -t78, t56);
+                carry1_0_,
+                carry1_1_,
+                carry1_2_,
+                carry1_3_,
+                carry1_4_,
+                carry1_5_,
+                carry1_6_,
+                carry1_7_,
+                carry1_8_,
+                carry1_9_,
+            ) = (t64_, t66_, joint_k_zz_, -t65_, t69_, t72_, t50_, -t75_, -t78_, t56_);
         }
-        let mut carry2_0 = c(0.0);
-        let mut carry2_1 = c(9.8);
-        let mut carry2_2 = c(0.0);
+        let mut carry2_0_ = c_(0.0);
+        let mut carry2_1_ = c_(9.8);
+        let mut carry2_2_ = c_(0.0);
         for (
             (
-                &[sin_joint_angle,
-                cos_joint_angle,
-                minus_end_of_repeat0_drift_lin_x,
+                &[sin_joint_angle_,
+                cos_joint_angle_,
+                minus_end_of_repeat0_drift_lin_x_,
                 _,
                 _,
                 ],
-                &[t38,
-                joint_z0_force_x,
-                joint_z0_force_y,
-                joint_z0_moment_z,
+                &[t38_,
+                joint_z0_force_x_,
+                joint_z0_force_y_,
+                joint_z0_moment_z_,
                 ],
             ),
-            [o0_0,
+            [o0_0_,
             ],
-        ) in store1
-            .iter()
-            .zip(store3.iter())
-            .zip(
-                ::mstmm::generated::times_mut::<T, 1>(results0.as_mut_slice(), 0, 10)
-                    .iter_mut(),
-            )
-        {
-            let carry2_0_before = carry2_0;
-            let carry2_1_before = carry2_1;
-            let carry2_2_before = carry2_2;
+        ) in ::core::iter::zip(
+            ::core::iter::zip(store1_.iter(), store3_.iter()),
+            ::mstmm::generated::times_mut::<T, 1>(results0_.as_mut_slice(), 0, 10)
+                .iter_mut(),
+        ) {
+            let carry2_0_before_ = carry2_0_;
+            let carry2_1_before_ = carry2_1_;
+            let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 7 mul, 6 add, 0 reciprocal.
-            let t79 = cos_joint_angle * carry2_0_before;
-            let t80 = sin_joint_angle * carry2_1_before;
-            let joint_a_lin_x = t79 + t80;
-            let t81 = sin_joint_angle * carry2_0_before;
-            let t82 = cos_joint_angle * carry2_1_before;
-            let minus_joint_a_lin_y = t81 - t82;
-            let t83 = joint_a_lin_x * joint_z0_force_x;
-            let t84 = minus_joint_a_lin_y * joint_z0_force_y;
-            let t85 = t83 - t84;
-            let t86 = carry2_2_before * joint_z0_moment_z;
-            let t87 = t85 + t86;
-            let t88 = t38 + t87;
-            let joint_a_ang_z = carry2_2_before - t88;
+            let t79_ = cos_joint_angle_ * carry2_0_before_;
+            let t80_ = sin_joint_angle_ * carry2_1_before_;
+            let joint_a_lin_x_ = t79_ + t80_;
+            let t81_ = sin_joint_angle_ * carry2_0_before_;
+            let t82_ = cos_joint_angle_ * carry2_1_before_;
+            let minus_joint_a_lin_y_ = t81_ - t82_;
+            let t83_ = joint_a_lin_x_ * joint_z0_force_x_;
+            let t84_ = minus_joint_a_lin_y_ * joint_z0_force_y_;
+            let t85_ = t83_ - t84_;
+            let t86_ = carry2_2_before_ * joint_z0_moment_z_;
+            let t87_ = t85_ + t86_;
+            let t88_ = t38_ + t87_;
+            let joint_a_ang_z_ = carry2_2_before_ - t88_;
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
-            let minus_end_of_repeat0_a_lin_x = minus_end_of_repeat0_drift_lin_x
-                - joint_a_lin_x;
-            let t89 = c(0.1) * joint_a_ang_z;
-            let minus_end_of_repeat0_a_lin_y = minus_joint_a_lin_y - t89;
-            *o0_0 = -t88;
-            (carry2_0, carry2_1, carry2_2) = (
-                -minus_end_of_repeat0_a_lin_x,
-                -minus_end_of_repeat0_a_lin_y,
-                joint_a_ang_z,
+            let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_drift_lin_x_
+                - joint_a_lin_x_;
+            let t89_ = c_(0.1) * joint_a_ang_z_;
+            let minus_end_of_repeat0_a_lin_y_ = minus_joint_a_lin_y_ - t89_;
+            *o0_0_ = -t88_;
+            (carry2_0_, carry2_1_, carry2_2_) = (
+                -minus_end_of_repeat0_a_lin_x_,
+                -minus_end_of_repeat0_a_lin_y_,
+                joint_a_ang_z_,
             );
         }
         /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 3 mul, 1 add, 0 reciprocal.
-        let t90 = cos_hook_angle * carry2_0;
-        let t91 = sin_hook_angle * carry2_1;
-        let hook_a_lin_x = t90 + t91;
-        let minus_hook_a_ang_z = c(6.666666666666666) * hook_a_lin_x;
+        let t90_ = cos_hook_angle_ * carry2_0_;
+        let t91_ = sin_hook_angle_ * carry2_1_;
+        let hook_a_lin_x_ = t90_ + t91_;
+        let minus_hook_a_ang_z_ = c_(6.666666666666666) * hook_a_lin_x_;
         /// Results: 0 mul, 1 add, 0 reciprocal.
-        let t92 = carry2_2 + minus_hook_a_ang_z;
-        for [o0] in ::mstmm::generated::times_mut::<T, 1>(results0.as_mut_slice(), 10, 1)
-            .iter_mut()
-        {
-            *o0 = -t92;
+        let t92_ = carry2_2_ + minus_hook_a_ang_z_;
+        for [o0_] in ::mstmm::generated::times_mut::<
+            T,
+            1,
+        >(results0_.as_mut_slice(), 10, 1) {
+            *o0_ = -t92_;
         }
-        ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
-        ::mstmm::generated::require(regular0, "joint")?;
+        ::mstmm::generated::finite::<T>(&[state_.q.as_slice(), state_.v.as_slice()])?;
+        ::mstmm::generated::require(regular0_, "joint")?;
         ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
-        ::mstmm::generated::finite::<T>(&[results0.as_slice()])?;
-        accelerations.data.0 = [results0];
+        ::mstmm::generated::finite::<T>(&[results0_.as_slice()])?;
+        accelerations_.data.0 = [results0_];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
@@ -502,254 +506,258 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::Singular`](::mstmm::Error::Singular) if nothing with inertia lies beyond a
-    /// hinge, [`Error::NotFinite`](::mstmm::Error::NotFinite) if a number of the state or the
+    /// `Error::Singular` if nothing with inertia lies beyond a
+    /// hinge, `Error::NotFinite` if a number of the state or the
     /// inputs is not finite. `accelerations` is not touched then.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn accelerations_into(
         &self,
-        state: &RopeState<T>,
-        inputs: &RopeInputs<T>,
-        accelerations: &mut ::mstmm::nalgebra::SVector<T, 11>,
+        state_: &RopeState<T>,
+        inputs_: &RopeInputs<T>,
+        accelerations_: &mut ::mstmm::nalgebra::SVector<T, 11>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let c = T::constant;
-        let [hook_angle] = ::mstmm::generated::piece::<T, 1>(state.q.as_slice(), 10);
-        let [hook_rate] = ::mstmm::generated::piece::<T, 1>(state.v.as_slice(), 10);
-        let mut results0 = [T::constant(0.0); 11];
-        let mut regular0 = <T::Mask as ::mstmm::Mask>::splat(true);
-        let mut store1 = [[T::constant(0.0); 5]; 10];
-        let mut store3 = [[T::constant(0.0); 3]; 10];
+        let c_ = T::constant;
+        let [hook_angle_] = ::mstmm::generated::piece::<T, 1>(state_.q.as_slice(), 10);
+        let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
+        let mut results0_ = [T::constant(0.0); 11];
+        let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
+        let mut store1_ = [[T::constant(0.0); 5]; 10];
+        let mut store3_ = [[T::constant(0.0); 3]; 10];
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
-        let ([sin_hook_angle], [cos_hook_angle]) = T::sin_cos([hook_angle]);
+        let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         /// Results: 3 mul, 2 add, 0 reciprocal.
-        let t0 = sin_hook_angle * c(1.3333333333333333);
-        let t1 = sin_hook_angle * t0;
-        let t2 = cos_hook_angle * t0;
-        let t3 = t1 + c(0.6666666666666667);
-        let t4 = t1 - c(2.0);
-        let mut carry0_0 = c(0.0);
+        let t0_ = sin_hook_angle_ * c_(1.3333333333333333);
+        let t1_ = sin_hook_angle_ * t0_;
+        let t2_ = cos_hook_angle_ * t0_;
+        let t3_ = t1_ + c_(0.6666666666666667);
+        let t4_ = t1_ - c_(2.0);
+        let mut carry0_0_ = c_(0.0);
         for (
             (
-                (&[joint_angle], &[joint_rate]),
-                &[known_knot,
-                known_p1,
-                known_p2,
-                known_p3,
-                known_p4,
-                known_p5,
+                (&[joint_angle_], &[joint_rate_]),
+                &[known_knot_,
+                known_p1_,
+                known_p2_,
+                known_p3_,
+                known_p4_,
+                known_p5_,
                 ],
             ),
-            store,
-        ) in ::mstmm::generated::times::<T, 1>(state.q.as_slice(), 0, 10)
-            .iter()
-            .zip(::mstmm::generated::times::<T, 1>(state.v.as_slice(), 0, 10).iter())
-            .zip(
+            store_,
+        ) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::core::iter::zip(
+                    ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
+                    ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+                ),
                 ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10).iter(),
-            )
-            .zip(store1.iter_mut())
-        {
-            let carry0_0_before = carry0_0;
+            ),
+            store1_.iter_mut(),
+        ) {
+            let carry0_0_before_ = carry0_0_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
-            let ([sin_joint_angle], [cos_joint_angle]) = T::sin_cos([joint_angle]);
-            let joint_omega_z = joint_rate + carry0_0_before;
+            let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
+            let joint_omega_z_ = joint_rate_ + carry0_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t5 = c(0.1) * joint_omega_z;
-            let minus_end_of_repeat0_drift_lin_x = joint_omega_z * t5;
+            let t5_ = c_(0.1) * joint_omega_z_;
+            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t5_;
             /// Results: 4 mul, 1 add, 0 reciprocal.
-            let t6 = joint_angle * c(0.2);
-            let t7 = joint_rate * c(0.01);
-            let t8 = t6 + t7;
-            let t9 = known_p2 * joint_omega_z;
-            let t10 = joint_omega_z * t9;
-            *store = [
-                sin_joint_angle,
-                cos_joint_angle,
-                t8,
-                minus_end_of_repeat0_drift_lin_x,
-                t10,
+            let t6_ = joint_angle_ * c_(0.2);
+            let t7_ = joint_rate_ * c_(0.01);
+            let t8_ = t6_ + t7_;
+            let t9_ = known_p2_ * joint_omega_z_;
+            let t10_ = joint_omega_z_ * t9_;
+            *store_ = [
+                sin_joint_angle_,
+                cos_joint_angle_,
+                t8_,
+                minus_end_of_repeat0_drift_lin_x_,
+                t10_,
             ];
-            (carry0_0,) = (joint_omega_z,);
+            (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let hook_omega_z = hook_rate + carry0_0;
+        let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t11 = c(0.2) * hook_omega_z;
-        let hook_e_force_y = hook_omega_z * t11;
+        let t11_ = c_(0.2) * hook_omega_z_;
+        let hook_e_force_y_ = hook_omega_z_ * t11_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t12 = sin_hook_angle * hook_e_force_y;
-        let t13 = cos_hook_angle * hook_e_force_y;
-        let mut carry1_0 = t3;
-        let mut carry1_1 = -t4;
-        let mut carry1_2 = c(2.0);
-        let mut carry1_3 = -t2;
-        let mut carry1_4 = -t12;
-        let mut carry1_5 = t13;
-        let mut carry1_6 = c(0.0);
+        let t12_ = sin_hook_angle_ * hook_e_force_y_;
+        let t13_ = cos_hook_angle_ * hook_e_force_y_;
+        let mut carry1_0_ = t3_;
+        let mut carry1_1_ = -t4_;
+        let mut carry1_2_ = c_(2.0);
+        let mut carry1_3_ = -t2_;
+        let mut carry1_4_ = -t12_;
+        let mut carry1_5_ = t13_;
+        let mut carry1_6_ = c_(0.0);
         for (
             (
                 &[_,
-                known_p1,
-                known_p2,
+                known_p1_,
+                known_p2_,
                 _,
-                known_p4,
-                known_p5,
+                known_p4_,
+                known_p5_,
                 ],
-                &[sin_joint_angle,
-                cos_joint_angle,
-                t8,
-                minus_end_of_repeat0_drift_lin_x,
-                t10,
+                &[sin_joint_angle_,
+                cos_joint_angle_,
+                t8_,
+                minus_end_of_repeat0_drift_lin_x_,
+                t10_,
                 ],
             ),
-            store,
-        ) in ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
-            .iter()
-            .zip(store1.iter())
-            .zip(store3.iter_mut())
-            .rev()
-        {
-            let carry1_0_before = carry1_0;
-            let carry1_1_before = carry1_1;
-            let carry1_2_before = carry1_2;
-            let carry1_3_before = carry1_3;
-            let carry1_4_before = carry1_4;
-            let carry1_5_before = carry1_5;
-            let carry1_6_before = carry1_6;
+            store_,
+        ) in ::core::iter::Iterator::rev(
+            ::core::iter::zip(
+                ::core::iter::zip(
+                    ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
+                        .iter(),
+                    store1_.iter(),
+                ),
+                store3_.iter_mut(),
+            ),
+        ) {
+            let carry1_0_before_ = carry1_0_;
+            let carry1_1_before_ = carry1_1_;
+            let carry1_2_before_ = carry1_2_;
+            let carry1_3_before_ = carry1_3_;
+            let carry1_4_before_ = carry1_4_;
+            let carry1_5_before_ = carry1_5_;
+            let carry1_6_before_ = carry1_6_;
             /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 9 add, 1 reciprocal.
-            let joint_k_xx = known_p1 + carry1_0_before;
-            let joint_k_yy = known_p1 + carry1_1_before;
-            let joint_k_zz = known_p1 + carry1_2_before;
-            let joint_b_x_z = c(0.1) * carry1_3_before;
-            let t14 = c(0.1) * carry1_1_before;
-            let joint_b_y_z = known_p2 + t14;
-            let t15 = carry1_1_before * c(0.010000000000000002);
-            let joint_j_zz = known_p4 + t15;
-            let t16 = carry1_0_before * minus_end_of_repeat0_drift_lin_x;
-            let t17 = carry1_4_before - t16;
-            let minus_joint_e_force_x = t10 - t17;
-            let t18 = carry1_3_before * minus_end_of_repeat0_drift_lin_x;
-            let joint_e_force_y = carry1_5_before - t18;
-            let t19 = c(0.1) * joint_e_force_y;
-            let joint_e_moment_z = carry1_6_before + t19;
-            let t20 = T::recip(joint_j_zz);
-            let joint_z0_force_x = joint_b_x_z * t20;
-            let joint_z0_force_y = joint_b_y_z * t20;
+            let joint_k_xx_ = known_p1_ + carry1_0_before_;
+            let joint_k_yy_ = known_p1_ + carry1_1_before_;
+            let joint_k_zz_ = known_p1_ + carry1_2_before_;
+            let joint_b_x_z_ = c_(0.1) * carry1_3_before_;
+            let t14_ = c_(0.1) * carry1_1_before_;
+            let joint_b_y_z_ = known_p2_ + t14_;
+            let t15_ = carry1_1_before_ * c_(0.010000000000000002);
+            let joint_j_zz_ = known_p4_ + t15_;
+            let t16_ = carry1_0_before_ * minus_end_of_repeat0_drift_lin_x_;
+            let t17_ = carry1_4_before_ - t16_;
+            let minus_joint_e_force_x_ = t10_ - t17_;
+            let t18_ = carry1_3_before_ * minus_end_of_repeat0_drift_lin_x_;
+            let joint_e_force_y_ = carry1_5_before_ - t18_;
+            let t19_ = c_(0.1) * joint_e_force_y_;
+            let joint_e_moment_z_ = carry1_6_before_ + t19_;
+            let t20_ = T::recip(joint_j_zz_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t20_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t20_;
             /// Results: 16 mul, 16 add, 0 reciprocal.
-            let t21 = carry1_0_before + carry1_1_before;
-            let t22 = carry1_2_before + t21;
-            let t23 = c(0.010000000000000002) * t22;
-            let t24 = known_p5 + t23;
-            let t25 = t8 + joint_e_moment_z;
-            let t26 = t20 * t25;
-            let t27 = joint_b_x_z * joint_z0_force_x;
-            let t28 = joint_k_xx - t27;
-            let t29 = joint_b_y_z * joint_z0_force_y;
-            let t30 = joint_k_yy - t29;
-            let t31 = joint_b_y_z * joint_z0_force_x;
-            let t32 = carry1_3_before - t31;
-            let t33 = joint_b_x_z * t26;
-            let t34 = minus_joint_e_force_x + t33;
-            let t35 = joint_b_y_z * t26;
-            let t36 = joint_e_force_y - t35;
-            let t37 = t28 - t30;
-            let t38 = sin_joint_angle * t37;
-            let t39 = c(2.0) * t32;
-            let t40 = cos_joint_angle * t39;
-            let t41 = t38 + t40;
-            let t42 = sin_joint_angle * t41;
-            let t43 = cos_joint_angle * t41;
-            let t44 = t28 - t42;
-            let t45 = t32 - t43;
-            let t46 = t30 + t42;
-            let t47 = cos_joint_angle * t34;
-            let t48 = sin_joint_angle * t36;
-            let t49 = t47 + t48;
-            let t50 = sin_joint_angle * t34;
-            let t51 = cos_joint_angle * t36;
-            let t52 = t50 - t51;
-            *store = [t26, joint_z0_force_x, joint_z0_force_y];
-            regular0 = regular0 & !::mstmm::generated::vanishes(joint_j_zz, t24);
-            (carry1_0, carry1_1, carry1_2, carry1_3, carry1_4, carry1_5, carry1_6) = (
-                t44,
-                t46,
-                joint_k_zz,
-                -t45,
-                -t49,
-                -t52,
-                -t8,
-            );
+            let t21_ = carry1_0_before_ + carry1_1_before_;
+            let t22_ = carry1_2_before_ + t21_;
+            let t23_ = c_(0.010000000000000002) * t22_;
+            let t24_ = known_p5_ + t23_;
+            let t25_ = t8_ + joint_e_moment_z_;
+            let t26_ = t20_ * t25_;
+            let t27_ = joint_b_x_z_ * joint_z0_force_x_;
+            let t28_ = joint_k_xx_ - t27_;
+            let t29_ = joint_b_y_z_ * joint_z0_force_y_;
+            let t30_ = joint_k_yy_ - t29_;
+            let t31_ = joint_b_y_z_ * joint_z0_force_x_;
+            let t32_ = carry1_3_before_ - t31_;
+            let t33_ = joint_b_x_z_ * t26_;
+            let t34_ = minus_joint_e_force_x_ + t33_;
+            let t35_ = joint_b_y_z_ * t26_;
+            let t36_ = joint_e_force_y_ - t35_;
+            let t37_ = t28_ - t30_;
+            let t38_ = sin_joint_angle_ * t37_;
+            let t39_ = c_(2.0) * t32_;
+            let t40_ = cos_joint_angle_ * t39_;
+            let t41_ = t38_ + t40_;
+            let t42_ = sin_joint_angle_ * t41_;
+            let t43_ = cos_joint_angle_ * t41_;
+            let t44_ = t28_ - t42_;
+            let t45_ = t32_ - t43_;
+            let t46_ = t30_ + t42_;
+            let t47_ = cos_joint_angle_ * t34_;
+            let t48_ = sin_joint_angle_ * t36_;
+            let t49_ = t47_ + t48_;
+            let t50_ = sin_joint_angle_ * t34_;
+            let t51_ = cos_joint_angle_ * t36_;
+            let t52_ = t50_ - t51_;
+            *store_ = [t26_, joint_z0_force_x_, joint_z0_force_y_];
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t24_);
+            (
+                carry1_0_,
+                carry1_1_,
+                carry1_2_,
+                carry1_3_,
+                carry1_4_,
+                carry1_5_,
+                carry1_6_,
+            ) = (t44_, t46_, joint_k_zz_, -t45_, -t49_, -t52_, -t8_);
         }
-        let mut carry2_0 = c(0.0);
-        let mut carry2_1 = c(9.8);
-        let mut carry2_2 = c(0.0);
+        let mut carry2_0_ = c_(0.0);
+        let mut carry2_1_ = c_(9.8);
+        let mut carry2_2_ = c_(0.0);
         for (
             (
-                &[sin_joint_angle,
-                cos_joint_angle,
+                &[sin_joint_angle_,
+                cos_joint_angle_,
                 _,
-                minus_end_of_repeat0_drift_lin_x,
+                minus_end_of_repeat0_drift_lin_x_,
                 _,
                 ],
-                &[t26,
-                joint_z0_force_x,
-                joint_z0_force_y,
+                &[t26_,
+                joint_z0_force_x_,
+                joint_z0_force_y_,
                 ],
             ),
-            [o0_0,
+            [o0_0_,
             ],
-        ) in store1
-            .iter()
-            .zip(store3.iter())
-            .zip(
-                ::mstmm::generated::times_mut::<T, 1>(results0.as_mut_slice(), 0, 10)
-                    .iter_mut(),
-            )
-        {
-            let carry2_0_before = carry2_0;
-            let carry2_1_before = carry2_1;
-            let carry2_2_before = carry2_2;
+        ) in ::core::iter::zip(
+            ::core::iter::zip(store1_.iter(), store3_.iter()),
+            ::mstmm::generated::times_mut::<T, 1>(results0_.as_mut_slice(), 0, 10)
+                .iter_mut(),
+        ) {
+            let carry2_0_before_ = carry2_0_;
+            let carry2_1_before_ = carry2_1_;
+            let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-            let t53 = cos_joint_angle * carry2_0_before;
-            let t54 = sin_joint_angle * carry2_1_before;
-            let joint_a_lin_x = t53 + t54;
-            let t55 = sin_joint_angle * carry2_0_before;
-            let t56 = cos_joint_angle * carry2_1_before;
-            let minus_joint_a_lin_y = t55 - t56;
-            let t57 = joint_z0_force_x * joint_a_lin_x;
-            let t58 = joint_z0_force_y * minus_joint_a_lin_y;
-            let t59 = t57 - t58;
-            let minus_joint_a_ang_z = t26 + t59;
+            let t53_ = cos_joint_angle_ * carry2_0_before_;
+            let t54_ = sin_joint_angle_ * carry2_1_before_;
+            let joint_a_lin_x_ = t53_ + t54_;
+            let t55_ = sin_joint_angle_ * carry2_0_before_;
+            let t56_ = cos_joint_angle_ * carry2_1_before_;
+            let minus_joint_a_lin_y_ = t55_ - t56_;
+            let t57_ = joint_z0_force_x_ * joint_a_lin_x_;
+            let t58_ = joint_z0_force_y_ * minus_joint_a_lin_y_;
+            let t59_ = t57_ - t58_;
+            let minus_joint_a_ang_z_ = t26_ + t59_;
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
-            let minus_end_of_repeat0_a_lin_x = minus_end_of_repeat0_drift_lin_x
-                - joint_a_lin_x;
-            let t60 = c(0.1) * minus_joint_a_ang_z;
-            let minus_end_of_repeat0_a_lin_y = minus_joint_a_lin_y + t60;
+            let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_drift_lin_x_
+                - joint_a_lin_x_;
+            let t60_ = c_(0.1) * minus_joint_a_ang_z_;
+            let minus_end_of_repeat0_a_lin_y_ = minus_joint_a_lin_y_ + t60_;
             /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t61 = carry2_2_before + minus_joint_a_ang_z;
-            *o0_0 = -t61;
-            (carry2_0, carry2_1, carry2_2) = (
-                -minus_end_of_repeat0_a_lin_x,
-                -minus_end_of_repeat0_a_lin_y,
-                -minus_joint_a_ang_z,
+            let t61_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            *o0_0_ = -t61_;
+            (carry2_0_, carry2_1_, carry2_2_) = (
+                -minus_end_of_repeat0_a_lin_x_,
+                -minus_end_of_repeat0_a_lin_y_,
+                -minus_joint_a_ang_z_,
             );
         }
         /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 3 mul, 1 add, 0 reciprocal.
-        let t62 = cos_hook_angle * carry2_0;
-        let t63 = sin_hook_angle * carry2_1;
-        let hook_a_lin_x = t62 + t63;
-        let minus_hook_a_ang_z = hook_a_lin_x * c(6.666666666666666);
+        let t62_ = cos_hook_angle_ * carry2_0_;
+        let t63_ = sin_hook_angle_ * carry2_1_;
+        let hook_a_lin_x_ = t62_ + t63_;
+        let minus_hook_a_ang_z_ = hook_a_lin_x_ * c_(6.666666666666666);
         /// Results: 0 mul, 1 add, 0 reciprocal.
-        let t64 = carry2_2 + minus_hook_a_ang_z;
-        for [o0] in ::mstmm::generated::times_mut::<T, 1>(results0.as_mut_slice(), 10, 1)
-            .iter_mut()
-        {
-            *o0 = -t64;
+        let t64_ = carry2_2_ + minus_hook_a_ang_z_;
+        for [o0_] in ::mstmm::generated::times_mut::<
+            T,
+            1,
+        >(results0_.as_mut_slice(), 10, 1) {
+            *o0_ = -t64_;
         }
-        ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
-        ::mstmm::generated::require(regular0, "joint")?;
+        ::mstmm::generated::finite::<T>(&[state_.q.as_slice(), state_.v.as_slice()])?;
+        ::mstmm::generated::require(regular0_, "joint")?;
         ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
-        ::mstmm::generated::finite::<T>(&[results0.as_slice()])?;
-        accelerations.data.0 = [results0];
+        ::mstmm::generated::finite::<T>(&[results0_.as_slice()])?;
+        accelerations_.data.0 = [results0_];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges by value; see
@@ -761,12 +769,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     #[inline]
     pub fn accelerations(
         &self,
-        state: &RopeState<T>,
-        inputs: &RopeInputs<T>,
+        state_: &RopeState<T>,
+        inputs_: &RopeInputs<T>,
     ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, 11>, ::mstmm::Error> {
-        let mut accelerations = ::mstmm::generated::vector([T::constant(0.0); 11]);
-        self.accelerations_into(state, inputs, &mut accelerations)?;
-        ::core::result::Result::Ok(accelerations)
+        let mut accelerations_ = ::mstmm::generated::vector([T::constant(0.0); 11]);
+        self.accelerations_into(state_, inputs_, &mut accelerations_)?;
+        ::core::result::Result::Ok(accelerations_)
     }
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
@@ -822,48 +830,48 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn solve_into(
         &self,
-        state: &RopeState<T>,
-        inputs: &RopeInputs<T>,
-        at: &mut RopeWorkspace<T>,
+        state_: &RopeState<T>,
+        inputs_: &RopeInputs<T>,
+        at_: &mut RopeWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let c = T::constant;
-        let [hook_angle] = ::mstmm::generated::piece::<T, 1>(state.q.as_slice(), 10);
-        let [hook_rate] = ::mstmm::generated::piece::<T, 1>(state.v.as_slice(), 10);
-        let mut results0 = [T::constant(0.0); 11];
-        let mut results3 = [T::constant(0.0); 11];
-        let mut results4 = [T::constant(0.0); 11];
-        let mut results7 = [T::constant(0.0); 299];
-        let mut regular0 = <T::Mask as ::mstmm::Mask>::splat(true);
-        let mut store1 = [[T::constant(0.0); 6]; 10];
-        let mut store3 = [[T::constant(0.0); 3]; 10];
-        let mut store4 = [[T::constant(0.0); 1]; 10];
-        let mut store6 = [[T::constant(0.0); 10]; 10];
-        let mut store11 = [[T::constant(0.0); 2]; 10];
-        let mut store13 = [[T::constant(0.0); 2]; 10];
-        let mut store16 = [[T::constant(0.0); 7]; 10];
-        let mut store18 = [[T::constant(0.0); 2]; 10];
+        let c_ = T::constant;
+        let [hook_angle_] = ::mstmm::generated::piece::<T, 1>(state_.q.as_slice(), 10);
+        let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
+        let mut results0_ = [T::constant(0.0); 11];
+        let mut results3_ = [T::constant(0.0); 11];
+        let mut results4_ = [T::constant(0.0); 11];
+        let mut results7_ = [T::constant(0.0); 299];
+        let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
+        let mut store1_ = [[T::constant(0.0); 6]; 10];
+        let mut store3_ = [[T::constant(0.0); 3]; 10];
+        let mut store4_ = [[T::constant(0.0); 1]; 10];
+        let mut store6_ = [[T::constant(0.0); 10]; 10];
+        let mut store11_ = [[T::constant(0.0); 2]; 10];
+        let mut store13_ = [[T::constant(0.0); 2]; 10];
+        let mut store16_ = [[T::constant(0.0); 7]; 10];
+        let mut store18_ = [[T::constant(0.0); 2]; 10];
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
-        let ([sin_hook_angle], [cos_hook_angle]) = T::sin_cos([hook_angle]);
+        let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         /// Results: 3 mul, 2 add, 0 reciprocal.
-        let t0 = sin_hook_angle * c(1.3333333333333333);
-        let t1 = sin_hook_angle * t0;
-        let t2 = cos_hook_angle * t0;
-        let t3 = t1 + c(0.6666666666666667);
-        let t4 = t1 - c(2.0);
-        let mut carry0_0 = c(0.0);
+        let t0_ = sin_hook_angle_ * c_(1.3333333333333333);
+        let t1_ = sin_hook_angle_ * t0_;
+        let t2_ = cos_hook_angle_ * t0_;
+        let t3_ = t1_ + c_(0.6666666666666667);
+        let t4_ = t1_ - c_(2.0);
+        let mut carry0_0_ = c_(0.0);
         for (
             (
                 (
-                    (&[joint_angle], &[joint_rate]),
-                    &[known_knot,
-                    known_p1,
-                    known_p2,
-                    known_p3,
-                    known_p4,
-                    known_p5,
+                    (&[joint_angle_], &[joint_rate_]),
+                    &[known_knot_,
+                    known_p1_,
+                    known_p2_,
+                    known_p3_,
+                    known_p4_,
+                    known_p5_,
                     ],
                 ),
-                store,
+                store_,
             ),
             [_,
             _,
@@ -875,7 +883,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             _,
             _,
-            o7_23,
+            o7_23_,
             _,
             _,
             _,
@@ -892,258 +900,277 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             _,
             ],
-        ) in ::mstmm::generated::times::<T, 1>(state.q.as_slice(), 0, 10)
-            .iter()
-            .zip(::mstmm::generated::times::<T, 1>(state.v.as_slice(), 0, 10).iter())
-            .zip(
-                ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10).iter(),
-            )
-            .zip(store1.iter_mut())
-            .zip(
-                ::mstmm::generated::times_mut::<T, 26>(results7.as_mut_slice(), 13, 10)
-                    .iter_mut(),
-            )
-        {
-            let carry0_0_before = carry0_0;
+        ) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::core::iter::zip(
+                    ::core::iter::zip(
+                        ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10)
+                            .iter(),
+                        ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10)
+                            .iter(),
+                    ),
+                    ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
+                        .iter(),
+                ),
+                store1_.iter_mut(),
+            ),
+            ::mstmm::generated::times_mut::<T, 26>(results7_.as_mut_slice(), 13, 10)
+                .iter_mut(),
+        ) {
+            let carry0_0_before_ = carry0_0_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
-            let ([sin_joint_angle], [cos_joint_angle]) = T::sin_cos([joint_angle]);
-            let joint_omega_z = joint_rate + carry0_0_before;
+            let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
+            let joint_omega_z_ = joint_rate_ + carry0_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t5 = c(0.1) * joint_omega_z;
-            let minus_end_of_repeat0_drift_lin_x = joint_omega_z * t5;
+            let t5_ = c_(0.1) * joint_omega_z_;
+            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t5_;
             /// Load on `joint`, [P, Eqs. (18), (19)]: 2 mul, 1 add, 0 reciprocal.
-            let t6 = joint_angle * c(0.2);
-            let t7 = joint_rate * c(0.01);
-            let minus_joint_load_moment_z = t6 + t7;
+            let t6_ = joint_angle_ * c_(0.2);
+            let t7_ = joint_rate_ * c_(0.01);
+            let minus_joint_load_moment_z_ = t6_ + t7_;
             /// Results: 4 mul, 0 add, 0 reciprocal.
-            let t8 = joint_angle * t6;
-            let t9 = t8 * c(0.5);
-            let t10 = known_p2 * joint_omega_z;
-            let t11 = joint_omega_z * t10;
-            *store = [
-                sin_joint_angle,
-                cos_joint_angle,
-                minus_joint_load_moment_z,
-                minus_end_of_repeat0_drift_lin_x,
-                t11,
-                t9,
+            let t8_ = joint_angle_ * t6_;
+            let t9_ = t8_ * c_(0.5);
+            let t10_ = known_p2_ * joint_omega_z_;
+            let t11_ = joint_omega_z_ * t10_;
+            *store_ = [
+                sin_joint_angle_,
+                cos_joint_angle_,
+                minus_joint_load_moment_z_,
+                minus_end_of_repeat0_drift_lin_x_,
+                t11_,
+                t9_,
             ];
-            *o7_23 = minus_joint_load_moment_z;
-            (carry0_0,) = (joint_omega_z,);
+            *o7_23_ = minus_joint_load_moment_z_;
+            (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let hook_omega_z = hook_rate + carry0_0;
+        let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t12 = c(0.2) * hook_omega_z;
-        let hook_e_force_y = hook_omega_z * t12;
+        let t12_ = c_(0.2) * hook_omega_z_;
+        let hook_e_force_y_ = hook_omega_z_ * t12_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t13 = sin_hook_angle * hook_e_force_y;
-        let t14 = cos_hook_angle * hook_e_force_y;
-        let mut carry1_0 = t3;
-        let mut carry1_1 = -t4;
-        let mut carry1_2 = c(2.0);
-        let mut carry1_3 = -t2;
-        let mut carry1_4 = -t13;
-        let mut carry1_5 = t14;
-        let mut carry1_6 = c(0.0);
+        let t13_ = sin_hook_angle_ * hook_e_force_y_;
+        let t14_ = cos_hook_angle_ * hook_e_force_y_;
+        let mut carry1_0_ = t3_;
+        let mut carry1_1_ = -t4_;
+        let mut carry1_2_ = c_(2.0);
+        let mut carry1_3_ = -t2_;
+        let mut carry1_4_ = -t13_;
+        let mut carry1_5_ = t14_;
+        let mut carry1_6_ = c_(0.0);
         for (
             (
                 &[_,
-                known_p1,
-                known_p2,
+                known_p1_,
+                known_p2_,
                 _,
-                known_p4,
-                known_p5,
+                known_p4_,
+                known_p5_,
                 ],
-                &[sin_joint_angle,
-                cos_joint_angle,
-                minus_joint_load_moment_z,
-                minus_end_of_repeat0_drift_lin_x,
-                t11,
+                &[sin_joint_angle_,
+                cos_joint_angle_,
+                minus_joint_load_moment_z_,
+                minus_end_of_repeat0_drift_lin_x_,
+                t11_,
                 _,
                 ],
             ),
-            store,
-        ) in ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
-            .iter()
-            .zip(store1.iter())
-            .zip(store3.iter_mut())
-            .rev()
-        {
-            let carry1_0_before = carry1_0;
-            let carry1_1_before = carry1_1;
-            let carry1_2_before = carry1_2;
-            let carry1_3_before = carry1_3;
-            let carry1_4_before = carry1_4;
-            let carry1_5_before = carry1_5;
-            let carry1_6_before = carry1_6;
+            store_,
+        ) in ::core::iter::Iterator::rev(
+            ::core::iter::zip(
+                ::core::iter::zip(
+                    ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
+                        .iter(),
+                    store1_.iter(),
+                ),
+                store3_.iter_mut(),
+            ),
+        ) {
+            let carry1_0_before_ = carry1_0_;
+            let carry1_1_before_ = carry1_1_;
+            let carry1_2_before_ = carry1_2_;
+            let carry1_3_before_ = carry1_3_;
+            let carry1_4_before_ = carry1_4_;
+            let carry1_5_before_ = carry1_5_;
+            let carry1_6_before_ = carry1_6_;
             /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 9 add, 1 reciprocal.
-            let joint_k_xx = known_p1 + carry1_0_before;
-            let joint_k_yy = known_p1 + carry1_1_before;
-            let joint_k_zz = known_p1 + carry1_2_before;
-            let joint_b_x_z = c(0.1) * carry1_3_before;
-            let t15 = c(0.1) * carry1_1_before;
-            let joint_b_y_z = known_p2 + t15;
-            let t16 = carry1_1_before * c(0.010000000000000002);
-            let joint_j_zz = known_p4 + t16;
-            let t17 = carry1_0_before * minus_end_of_repeat0_drift_lin_x;
-            let t18 = carry1_4_before - t17;
-            let minus_joint_e_force_x = t11 - t18;
-            let t19 = carry1_3_before * minus_end_of_repeat0_drift_lin_x;
-            let joint_e_force_y = carry1_5_before - t19;
-            let t20 = c(0.1) * joint_e_force_y;
-            let joint_e_moment_z = carry1_6_before + t20;
-            let t21 = T::recip(joint_j_zz);
-            let joint_z0_force_x = joint_b_x_z * t21;
-            let joint_z0_force_y = joint_b_y_z * t21;
+            let joint_k_xx_ = known_p1_ + carry1_0_before_;
+            let joint_k_yy_ = known_p1_ + carry1_1_before_;
+            let joint_k_zz_ = known_p1_ + carry1_2_before_;
+            let joint_b_x_z_ = c_(0.1) * carry1_3_before_;
+            let t15_ = c_(0.1) * carry1_1_before_;
+            let joint_b_y_z_ = known_p2_ + t15_;
+            let t16_ = carry1_1_before_ * c_(0.010000000000000002);
+            let joint_j_zz_ = known_p4_ + t16_;
+            let t17_ = carry1_0_before_ * minus_end_of_repeat0_drift_lin_x_;
+            let t18_ = carry1_4_before_ - t17_;
+            let minus_joint_e_force_x_ = t11_ - t18_;
+            let t19_ = carry1_3_before_ * minus_end_of_repeat0_drift_lin_x_;
+            let joint_e_force_y_ = carry1_5_before_ - t19_;
+            let t20_ = c_(0.1) * joint_e_force_y_;
+            let joint_e_moment_z_ = carry1_6_before_ + t20_;
+            let t21_ = T::recip(joint_j_zz_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t21_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t21_;
             /// Results: 16 mul, 16 add, 0 reciprocal.
-            let t22 = carry1_0_before + carry1_1_before;
-            let t23 = carry1_2_before + t22;
-            let t24 = c(0.010000000000000002) * t23;
-            let t25 = known_p5 + t24;
-            let t26 = minus_joint_load_moment_z + joint_e_moment_z;
-            let t27 = t21 * t26;
-            let t28 = joint_b_x_z * joint_z0_force_x;
-            let t29 = joint_k_xx - t28;
-            let t30 = joint_b_y_z * joint_z0_force_y;
-            let t31 = joint_k_yy - t30;
-            let t32 = joint_b_y_z * joint_z0_force_x;
-            let t33 = carry1_3_before - t32;
-            let t34 = joint_b_x_z * t27;
-            let t35 = minus_joint_e_force_x + t34;
-            let t36 = joint_b_y_z * t27;
-            let t37 = joint_e_force_y - t36;
-            let t38 = t29 - t31;
-            let t39 = sin_joint_angle * t38;
-            let t40 = c(2.0) * t33;
-            let t41 = cos_joint_angle * t40;
-            let t42 = t39 + t41;
-            let t43 = sin_joint_angle * t42;
-            let t44 = cos_joint_angle * t42;
-            let t45 = t29 - t43;
-            let t46 = t33 - t44;
-            let t47 = t31 + t43;
-            let t48 = cos_joint_angle * t35;
-            let t49 = sin_joint_angle * t37;
-            let t50 = t48 + t49;
-            let t51 = sin_joint_angle * t35;
-            let t52 = cos_joint_angle * t37;
-            let t53 = t51 - t52;
-            *store = [t27, joint_z0_force_x, joint_z0_force_y];
-            regular0 = regular0 & !::mstmm::generated::vanishes(joint_j_zz, t25);
-            (carry1_0, carry1_1, carry1_2, carry1_3, carry1_4, carry1_5, carry1_6) = (
-                t45,
-                t47,
-                joint_k_zz,
-                -t46,
-                -t50,
-                -t53,
-                -minus_joint_load_moment_z,
+            let t22_ = carry1_0_before_ + carry1_1_before_;
+            let t23_ = carry1_2_before_ + t22_;
+            let t24_ = c_(0.010000000000000002) * t23_;
+            let t25_ = known_p5_ + t24_;
+            let t26_ = minus_joint_load_moment_z_ + joint_e_moment_z_;
+            let t27_ = t21_ * t26_;
+            let t28_ = joint_b_x_z_ * joint_z0_force_x_;
+            let t29_ = joint_k_xx_ - t28_;
+            let t30_ = joint_b_y_z_ * joint_z0_force_y_;
+            let t31_ = joint_k_yy_ - t30_;
+            let t32_ = joint_b_y_z_ * joint_z0_force_x_;
+            let t33_ = carry1_3_before_ - t32_;
+            let t34_ = joint_b_x_z_ * t27_;
+            let t35_ = minus_joint_e_force_x_ + t34_;
+            let t36_ = joint_b_y_z_ * t27_;
+            let t37_ = joint_e_force_y_ - t36_;
+            let t38_ = t29_ - t31_;
+            let t39_ = sin_joint_angle_ * t38_;
+            let t40_ = c_(2.0) * t33_;
+            let t41_ = cos_joint_angle_ * t40_;
+            let t42_ = t39_ + t41_;
+            let t43_ = sin_joint_angle_ * t42_;
+            let t44_ = cos_joint_angle_ * t42_;
+            let t45_ = t29_ - t43_;
+            let t46_ = t33_ - t44_;
+            let t47_ = t31_ + t43_;
+            let t48_ = cos_joint_angle_ * t35_;
+            let t49_ = sin_joint_angle_ * t37_;
+            let t50_ = t48_ + t49_;
+            let t51_ = sin_joint_angle_ * t35_;
+            let t52_ = cos_joint_angle_ * t37_;
+            let t53_ = t51_ - t52_;
+            *store_ = [t27_, joint_z0_force_x_, joint_z0_force_y_];
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t25_);
+            (
+                carry1_0_,
+                carry1_1_,
+                carry1_2_,
+                carry1_3_,
+                carry1_4_,
+                carry1_5_,
+                carry1_6_,
+            ) = (
+                t45_,
+                t47_,
+                joint_k_zz_,
+                -t46_,
+                -t50_,
+                -t53_,
+                -minus_joint_load_moment_z_,
             );
         }
-        let mut carry2_0 = c(0.0);
-        let mut carry2_1 = c(9.8);
-        let mut carry2_2 = c(0.0);
+        let mut carry2_0_ = c_(0.0);
+        let mut carry2_1_ = c_(9.8);
+        let mut carry2_2_ = c_(0.0);
         for (
             (
                 (
                     (
-                        &[sin_joint_angle,
-                        cos_joint_angle,
+                        &[sin_joint_angle_,
+                        cos_joint_angle_,
                         _,
-                        minus_end_of_repeat0_drift_lin_x,
+                        minus_end_of_repeat0_drift_lin_x_,
                         _,
                         _,
                         ],
-                        &[t27,
-                        joint_z0_force_x,
-                        joint_z0_force_y,
+                        &[t27_,
+                        joint_z0_force_x_,
+                        joint_z0_force_y_,
                         ],
                     ),
-                    store,
+                    store_,
                 ),
-                [o0_0,
+                [o0_0_,
                 ],
             ),
-            [o3_0,
+            [o3_0_,
             ],
-        ) in store1
-            .iter()
-            .zip(store3.iter())
-            .zip(store4.iter_mut())
-            .zip(
-                ::mstmm::generated::times_mut::<T, 1>(results0.as_mut_slice(), 0, 10)
+        ) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::core::iter::zip(
+                    ::core::iter::zip(store1_.iter(), store3_.iter()),
+                    store4_.iter_mut(),
+                ),
+                ::mstmm::generated::times_mut::<T, 1>(results0_.as_mut_slice(), 0, 10)
                     .iter_mut(),
-            )
-            .zip(
-                ::mstmm::generated::times_mut::<T, 1>(results3.as_mut_slice(), 0, 10)
-                    .iter_mut(),
-            )
-        {
-            let carry2_0_before = carry2_0;
-            let carry2_1_before = carry2_1;
-            let carry2_2_before = carry2_2;
+            ),
+            ::mstmm::generated::times_mut::<T, 1>(results3_.as_mut_slice(), 0, 10)
+                .iter_mut(),
+        ) {
+            let carry2_0_before_ = carry2_0_;
+            let carry2_1_before_ = carry2_1_;
+            let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-            let t54 = cos_joint_angle * carry2_0_before;
-            let t55 = sin_joint_angle * carry2_1_before;
-            let joint_a_lin_x = t54 + t55;
-            let t56 = sin_joint_angle * carry2_0_before;
-            let t57 = cos_joint_angle * carry2_1_before;
-            let minus_joint_a_lin_y = t56 - t57;
-            let t58 = joint_z0_force_x * joint_a_lin_x;
-            let t59 = joint_z0_force_y * minus_joint_a_lin_y;
-            let t60 = t58 - t59;
-            let minus_joint_a_ang_z = t27 + t60;
+            let t54_ = cos_joint_angle_ * carry2_0_before_;
+            let t55_ = sin_joint_angle_ * carry2_1_before_;
+            let joint_a_lin_x_ = t54_ + t55_;
+            let t56_ = sin_joint_angle_ * carry2_0_before_;
+            let t57_ = cos_joint_angle_ * carry2_1_before_;
+            let minus_joint_a_lin_y_ = t56_ - t57_;
+            let t58_ = joint_z0_force_x_ * joint_a_lin_x_;
+            let t59_ = joint_z0_force_y_ * minus_joint_a_lin_y_;
+            let t60_ = t58_ - t59_;
+            let minus_joint_a_ang_z_ = t27_ + t60_;
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
-            let minus_end_of_repeat0_a_lin_x = minus_end_of_repeat0_drift_lin_x
-                - joint_a_lin_x;
-            let t61 = c(0.1) * minus_joint_a_ang_z;
-            let minus_end_of_repeat0_a_lin_y = minus_joint_a_lin_y + t61;
+            let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_drift_lin_x_
+                - joint_a_lin_x_;
+            let t61_ = c_(0.1) * minus_joint_a_ang_z_;
+            let minus_end_of_repeat0_a_lin_y_ = minus_joint_a_lin_y_ + t61_;
             /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t62 = carry2_2_before + minus_joint_a_ang_z;
-            *store = [t62];
-            *o0_0 = -t62;
-            *o3_0 = -t62;
-            (carry2_0, carry2_1, carry2_2) = (
-                -minus_end_of_repeat0_a_lin_x,
-                -minus_end_of_repeat0_a_lin_y,
-                -minus_joint_a_ang_z,
+            let t62_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            *store_ = [t62_];
+            *o0_0_ = -t62_;
+            *o3_0_ = -t62_;
+            (carry2_0_, carry2_1_, carry2_2_) = (
+                -minus_end_of_repeat0_a_lin_x_,
+                -minus_end_of_repeat0_a_lin_y_,
+                -minus_joint_a_ang_z_,
             );
         }
         /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 3 mul, 1 add, 0 reciprocal.
-        let t63 = cos_hook_angle * carry2_0;
-        let t64 = sin_hook_angle * carry2_1;
-        let hook_a_lin_x = t63 + t64;
-        let minus_hook_a_ang_z = hook_a_lin_x * c(6.666666666666666);
+        let t63_ = cos_hook_angle_ * carry2_0_;
+        let t64_ = sin_hook_angle_ * carry2_1_;
+        let hook_a_lin_x_ = t63_ + t64_;
+        let minus_hook_a_ang_z_ = hook_a_lin_x_ * c_(6.666666666666666);
         /// Results: 0 mul, 1 add, 0 reciprocal.
-        let t65 = carry2_2 + minus_hook_a_ang_z;
-        let mut carry3_0 = c(1.0);
-        let mut carry3_1 = c(0.0);
-        let mut carry3_2 = c(0.0);
-        let mut carry3_3 = c(1.0);
-        let mut carry3_4 = c(0.0);
+        let t65_ = carry2_2_ + minus_hook_a_ang_z_;
+        let mut carry3_0_ = c_(1.0);
+        let mut carry3_1_ = c_(0.0);
+        let mut carry3_2_ = c_(0.0);
+        let mut carry3_3_ = c_(1.0);
+        let mut carry3_4_ = c_(0.0);
         for (
-            ((&[joint_rate], &[sin_joint_angle, cos_joint_angle, _, _, _, _]), store),
+            (
+                (&[joint_rate_], &[sin_joint_angle_, cos_joint_angle_, _, _, _, _]),
+                store_,
+            ),
             [_,
             _,
-            o7_15,
-            o7_16,
+            o7_15_,
+            o7_16_,
             _,
             _,
-            o7_19,
-            _,
-            _,
-            _,
+            o7_19_,
             _,
             _,
             _,
             _,
             _,
-            o7_28,
-            o7_29,
             _,
             _,
-            o7_32,
+            _,
+            o7_28_,
+            o7_29_,
+            _,
+            _,
+            o7_32_,
             _,
             _,
             _,
@@ -1151,90 +1178,92 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             _,
             ],
-        ) in ::mstmm::generated::times::<T, 1>(state.v.as_slice(), 0, 10)
-            .iter()
-            .zip(store1.iter())
-            .zip(store6.iter_mut())
-            .zip(
-                ::mstmm::generated::times_mut::<T, 26>(results7.as_mut_slice(), 13, 10)
-                    .iter_mut(),
-            )
-        {
-            let carry3_0_before = carry3_0;
-            let carry3_1_before = carry3_1;
-            let carry3_2_before = carry3_2;
-            let carry3_3_before = carry3_3;
-            let carry3_4_before = carry3_4;
+        ) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::core::iter::zip(
+                    ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+                    store1_.iter(),
+                ),
+                store6_.iter_mut(),
+            ),
+            ::mstmm::generated::times_mut::<T, 26>(results7_.as_mut_slice(), 13, 10)
+                .iter_mut(),
+        ) {
+            let carry3_0_before_ = carry3_0_;
+            let carry3_1_before_ = carry3_1_;
+            let carry3_2_before_ = carry3_2_;
+            let carry3_3_before_ = carry3_3_;
+            let carry3_4_before_ = carry3_4_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-            let t66 = cos_joint_angle * carry3_0_before;
-            let t67 = sin_joint_angle * carry3_1_before;
-            let joint_axes_x_x = t66 + t67;
-            let t68 = sin_joint_angle * carry3_0_before;
-            let t69 = cos_joint_angle * carry3_1_before;
-            let minus_joint_axes_x_y = t68 - t69;
-            let t70 = cos_joint_angle * carry3_2_before;
-            let t71 = sin_joint_angle * carry3_3_before;
-            let joint_axes_y_x = t70 + t71;
-            let t72 = sin_joint_angle * carry3_2_before;
-            let t73 = cos_joint_angle * carry3_3_before;
-            let minus_joint_axes_y_y = t72 - t73;
-            let joint_omega_z_2 = joint_rate + carry3_4_before;
+            let t66_ = cos_joint_angle_ * carry3_0_before_;
+            let t67_ = sin_joint_angle_ * carry3_1_before_;
+            let joint_axes_x_x_ = t66_ + t67_;
+            let t68_ = sin_joint_angle_ * carry3_0_before_;
+            let t69_ = cos_joint_angle_ * carry3_1_before_;
+            let minus_joint_axes_x_y_ = t68_ - t69_;
+            let t70_ = cos_joint_angle_ * carry3_2_before_;
+            let t71_ = sin_joint_angle_ * carry3_3_before_;
+            let joint_axes_y_x_ = t70_ + t71_;
+            let t72_ = sin_joint_angle_ * carry3_2_before_;
+            let t73_ = cos_joint_angle_ * carry3_3_before_;
+            let minus_joint_axes_y_y_ = t72_ - t73_;
+            let joint_omega_z_2_ = joint_rate_ + carry3_4_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 6 mul, 0 add, 0 reciprocal.
-            let t74 = c(0.1) * joint_axes_x_x;
-            let t75 = joint_omega_z_2 * t74;
-            let minus_end_of_repeat0_drift_lin_x_2 = joint_omega_z_2 * t75;
-            let t76 = c(0.1) * joint_axes_y_x;
-            let t77 = joint_omega_z_2 * t76;
-            let minus_end_of_repeat0_drift_lin_y = joint_omega_z_2 * t77;
-            *store = [
-                t74,
-                t76,
-                t77,
-                t75,
-                minus_end_of_repeat0_drift_lin_x_2,
-                minus_end_of_repeat0_drift_lin_y,
-                joint_axes_x_x,
-                minus_joint_axes_x_y,
-                joint_axes_y_x,
-                minus_joint_axes_y_y,
+            let t74_ = c_(0.1) * joint_axes_x_x_;
+            let t75_ = joint_omega_z_2_ * t74_;
+            let minus_end_of_repeat0_drift_lin_x_2_ = joint_omega_z_2_ * t75_;
+            let t76_ = c_(0.1) * joint_axes_y_x_;
+            let t77_ = joint_omega_z_2_ * t76_;
+            let minus_end_of_repeat0_drift_lin_y_ = joint_omega_z_2_ * t77_;
+            *store_ = [
+                t74_,
+                t76_,
+                t77_,
+                t75_,
+                minus_end_of_repeat0_drift_lin_x_2_,
+                minus_end_of_repeat0_drift_lin_y_,
+                joint_axes_x_x_,
+                minus_joint_axes_x_y_,
+                joint_axes_y_x_,
+                minus_joint_axes_y_y_,
             ];
-            *o7_15 = joint_axes_x_x;
-            *o7_16 = joint_axes_y_x;
-            *o7_19 = joint_omega_z_2;
-            *o7_28 = joint_axes_x_x;
-            *o7_29 = joint_axes_y_x;
-            *o7_32 = joint_omega_z_2;
-            (carry3_0, carry3_1, carry3_2, carry3_3, carry3_4) = (
-                joint_axes_x_x,
-                -minus_joint_axes_x_y,
-                joint_axes_y_x,
-                -minus_joint_axes_y_y,
-                joint_omega_z_2,
+            *o7_15_ = joint_axes_x_x_;
+            *o7_16_ = joint_axes_y_x_;
+            *o7_19_ = joint_omega_z_2_;
+            *o7_28_ = joint_axes_x_x_;
+            *o7_29_ = joint_axes_y_x_;
+            *o7_32_ = joint_omega_z_2_;
+            (carry3_0_, carry3_1_, carry3_2_, carry3_3_, carry3_4_) = (
+                joint_axes_x_x_,
+                -minus_joint_axes_x_y_,
+                joint_axes_y_x_,
+                -minus_joint_axes_y_y_,
+                joint_omega_z_2_,
             );
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-        let t78 = cos_hook_angle * carry3_0;
-        let t79 = sin_hook_angle * carry3_1;
-        let hook_axes_x_x = t78 + t79;
-        let t80 = sin_hook_angle * carry3_0;
-        let t81 = cos_hook_angle * carry3_1;
-        let minus_hook_axes_x_y = t80 - t81;
-        let t82 = cos_hook_angle * carry3_2;
-        let t83 = sin_hook_angle * carry3_3;
-        let hook_axes_y_x = t82 + t83;
-        let t84 = sin_hook_angle * carry3_2;
-        let t85 = cos_hook_angle * carry3_3;
-        let minus_hook_axes_y_y = t84 - t85;
-        let hook_omega_z_2 = hook_rate + carry3_4;
-        let mut carry4_0 = c(0.0);
-        let mut carry4_1 = c(0.0);
-        let mut carry4_2 = c(0.0);
-        let mut carry4_3 = c(0.0);
+        let t78_ = cos_hook_angle_ * carry3_0_;
+        let t79_ = sin_hook_angle_ * carry3_1_;
+        let hook_axes_x_x_ = t78_ + t79_;
+        let t80_ = sin_hook_angle_ * carry3_0_;
+        let t81_ = cos_hook_angle_ * carry3_1_;
+        let minus_hook_axes_x_y_ = t80_ - t81_;
+        let t82_ = cos_hook_angle_ * carry3_2_;
+        let t83_ = sin_hook_angle_ * carry3_3_;
+        let hook_axes_y_x_ = t82_ + t83_;
+        let t84_ = sin_hook_angle_ * carry3_2_;
+        let t85_ = cos_hook_angle_ * carry3_3_;
+        let minus_hook_axes_y_y_ = t84_ - t85_;
+        let hook_omega_z_2_ = hook_rate_ + carry3_4_;
+        let mut carry4_0_ = c_(0.0);
+        let mut carry4_1_ = c_(0.0);
+        let mut carry4_2_ = c_(0.0);
+        let mut carry4_3_ = c_(0.0);
         for (
-            &[t74,
-            t76,
-            t77,
-            t75,
+            &[t74_,
+            t76_,
+            t77_,
+            t75_,
             _,
             _,
             _,
@@ -1242,25 +1271,25 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             _,
             ],
-            [o7_13,
-            o7_14,
+            [o7_13_,
+            o7_14_,
             _,
             _,
-            o7_17,
-            o7_18,
-            _,
-            _,
-            _,
+            o7_17_,
+            o7_18_,
             _,
             _,
             _,
             _,
-            o7_26,
-            o7_27,
             _,
             _,
-            o7_30,
-            o7_31,
+            _,
+            o7_26_,
+            o7_27_,
+            _,
+            _,
+            o7_30_,
+            o7_31_,
             _,
             _,
             _,
@@ -1269,45 +1298,43 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             _,
             ],
-        ) in store6
-            .iter()
-            .zip(
-                ::mstmm::generated::times_mut::<T, 26>(results7.as_mut_slice(), 13, 10)
-                    .iter_mut(),
-            )
-        {
-            let carry4_0_before = carry4_0;
-            let carry4_1_before = carry4_1;
-            let carry4_2_before = carry4_2;
-            let carry4_3_before = carry4_3;
+        ) in ::core::iter::zip(
+            store6_.iter(),
+            ::mstmm::generated::times_mut::<T, 26>(results7_.as_mut_slice(), 13, 10)
+                .iter_mut(),
+        ) {
+            let carry4_0_before_ = carry4_0_;
+            let carry4_1_before_ = carry4_1_;
+            let carry4_2_before_ = carry4_2_;
+            let carry4_3_before_ = carry4_3_;
             /// Results: 0 mul, 4 add, 0 reciprocal.
-            let t86 = t77 - carry4_2_before;
-            let t87 = t75 + carry4_3_before;
-            let t88 = t74 + carry4_0_before;
-            let t89 = t76 + carry4_1_before;
-            *o7_13 = carry4_0_before;
-            *o7_14 = carry4_1_before;
-            *o7_17 = carry4_2_before;
-            *o7_18 = carry4_3_before;
-            *o7_26 = t88;
-            *o7_27 = t89;
-            *o7_30 = -t86;
-            *o7_31 = t87;
-            (carry4_0, carry4_1, carry4_2, carry4_3) = (t88, t89, -t86, t87);
+            let t86_ = t77_ - carry4_2_before_;
+            let t87_ = t75_ + carry4_3_before_;
+            let t88_ = t74_ + carry4_0_before_;
+            let t89_ = t76_ + carry4_1_before_;
+            *o7_13_ = carry4_0_before_;
+            *o7_14_ = carry4_1_before_;
+            *o7_17_ = carry4_2_before_;
+            *o7_18_ = carry4_3_before_;
+            *o7_26_ = t88_;
+            *o7_27_ = t89_;
+            *o7_30_ = -t86_;
+            *o7_31_ = t87_;
+            (carry4_0_, carry4_1_, carry4_2_, carry4_3_) = (t88_, t89_, -t86_, t87_);
         }
-        let mut carry5_0 = c(0.0);
-        let mut carry5_1 = c(0.0);
-        let mut carry5_2 = c(0.0);
+        let mut carry5_0_ = c_(0.0);
+        let mut carry5_1_ = c_(0.0);
+        let mut carry5_2_ = c_(0.0);
         for (
             (
-                &[t62,
+                &[t62_,
                 ],
-                &[t74,
-                t76,
+                &[t74_,
+                t76_,
                 _,
                 _,
-                minus_end_of_repeat0_drift_lin_x_2,
-                minus_end_of_repeat0_drift_lin_y,
+                minus_end_of_repeat0_drift_lin_x_2_,
+                minus_end_of_repeat0_drift_lin_y_,
                 _,
                 _,
                 _,
@@ -1321,9 +1348,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             _,
             _,
-            o7_20,
-            o7_21,
-            o7_22,
+            o7_20_,
+            o7_21_,
+            o7_22_,
             _,
             _,
             _,
@@ -1334,100 +1361,95 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             _,
             _,
-            o7_33,
-            o7_34,
-            o7_35,
+            o7_33_,
+            o7_34_,
+            o7_35_,
             _,
             _,
             _,
             ],
-        ) in store4
-            .iter()
-            .zip(store6.iter())
-            .zip(
-                ::mstmm::generated::times_mut::<T, 26>(results7.as_mut_slice(), 13, 10)
-                    .iter_mut(),
-            )
-        {
-            let carry5_0_before = carry5_0;
-            let carry5_1_before = carry5_1;
-            let carry5_2_before = carry5_2;
+        ) in ::core::iter::zip(
+            ::core::iter::zip(store4_.iter(), store6_.iter()),
+            ::mstmm::generated::times_mut::<T, 26>(results7_.as_mut_slice(), 13, 10)
+                .iter_mut(),
+        ) {
+            let carry5_0_before_ = carry5_0_;
+            let carry5_1_before_ = carry5_1_;
+            let carry5_2_before_ = carry5_2_;
             /// Point of `joint`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-            let minus_joint_acc_ang_z = t62 - carry5_2_before;
+            let minus_joint_acc_ang_z_ = t62_ - carry5_2_before_;
             /// Point of `end_of_repeat0`, [P, Eqs. (12), (13), (36)]: 2 mul, 4 add, 0 reciprocal.
-            let t90 = t76 * minus_joint_acc_ang_z;
-            let t91 = carry5_0_before + t90;
-            let minus_end_of_repeat0_acc_lin_x = minus_end_of_repeat0_drift_lin_x_2
-                - t91;
-            let t92 = t74 * minus_joint_acc_ang_z;
-            let t93 = carry5_1_before - t92;
-            let minus_end_of_repeat0_acc_lin_y = minus_end_of_repeat0_drift_lin_y - t93;
-            *o7_20 = carry5_0_before;
-            *o7_21 = carry5_1_before;
-            *o7_22 = -minus_joint_acc_ang_z;
-            *o7_33 = -minus_end_of_repeat0_acc_lin_x;
-            *o7_34 = -minus_end_of_repeat0_acc_lin_y;
-            *o7_35 = -minus_joint_acc_ang_z;
-            (carry5_0, carry5_1, carry5_2) = (
-                -minus_end_of_repeat0_acc_lin_x,
-                -minus_end_of_repeat0_acc_lin_y,
-                -minus_joint_acc_ang_z,
+            let t90_ = t76_ * minus_joint_acc_ang_z_;
+            let t91_ = carry5_0_before_ + t90_;
+            let minus_end_of_repeat0_acc_lin_x_ = minus_end_of_repeat0_drift_lin_x_2_
+                - t91_;
+            let t92_ = t74_ * minus_joint_acc_ang_z_;
+            let t93_ = carry5_1_before_ - t92_;
+            let minus_end_of_repeat0_acc_lin_y_ = minus_end_of_repeat0_drift_lin_y_
+                - t93_;
+            *o7_20_ = carry5_0_before_;
+            *o7_21_ = carry5_1_before_;
+            *o7_22_ = -minus_joint_acc_ang_z_;
+            *o7_33_ = -minus_end_of_repeat0_acc_lin_x_;
+            *o7_34_ = -minus_end_of_repeat0_acc_lin_y_;
+            *o7_35_ = -minus_joint_acc_ang_z_;
+            (carry5_0_, carry5_1_, carry5_2_) = (
+                -minus_end_of_repeat0_acc_lin_x_,
+                -minus_end_of_repeat0_acc_lin_y_,
+                -minus_joint_acc_ang_z_,
             );
         }
         /// Point of `hook`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let minus_hook_acc_ang_z = t65 - carry5_2;
-        let mut carry6_0 = c(0.0);
-        for ((&[joint_rate], &[_, _, known_p2, _, _, _]), store) in ::mstmm::generated::times::<
-            T,
-            1,
-        >(state.v.as_slice(), 0, 10)
-            .iter()
-            .zip(
+        let minus_hook_acc_ang_z_ = t65_ - carry5_2_;
+        let mut carry6_0_ = c_(0.0);
+        for ((&[joint_rate_], &[_, _, known_p2_, _, _, _]), store_) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
                 ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10).iter(),
-            )
-            .zip(store11.iter_mut())
-        {
-            let carry6_0_before = carry6_0;
+            ),
+            store11_.iter_mut(),
+        ) {
+            let carry6_0_before_ = carry6_0_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-            let joint_omega_z_3 = joint_rate + carry6_0_before;
+            let joint_omega_z_3_ = joint_rate_ + carry6_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t94 = c(0.1) * joint_omega_z_3;
-            let minus_end_of_repeat0_drift_lin_x_3 = joint_omega_z_3 * t94;
+            let t94_ = c_(0.1) * joint_omega_z_3_;
+            let minus_end_of_repeat0_drift_lin_x_3_ = joint_omega_z_3_ * t94_;
             /// Results: 2 mul, 0 add, 0 reciprocal.
-            let t95 = known_p2 * joint_omega_z_3;
-            let t96 = joint_omega_z_3 * t95;
-            *store = [minus_end_of_repeat0_drift_lin_x_3, t96];
-            (carry6_0,) = (joint_omega_z_3,);
+            let t95_ = known_p2_ * joint_omega_z_3_;
+            let t96_ = joint_omega_z_3_ * t95_;
+            *store_ = [minus_end_of_repeat0_drift_lin_x_3_, t96_];
+            (carry6_0_,) = (joint_omega_z_3_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let hook_omega_z_3 = hook_rate + carry6_0;
+        let hook_omega_z_3_ = hook_rate_ + carry6_0_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t97 = c(0.2) * hook_omega_z_3;
-        let t98 = hook_omega_z_3 * t97;
-        let mut carry7_0 = c(0.0);
-        let mut carry7_1 = c(9.8);
-        let mut carry7_2 = c(0.0);
+        let t97_ = c_(0.2) * hook_omega_z_3_;
+        let t98_ = hook_omega_z_3_ * t97_;
+        let mut carry7_0_ = c_(0.0);
+        let mut carry7_1_ = c_(9.8);
+        let mut carry7_2_ = c_(0.0);
         for (
             (
                 (
                     (
                         (
                             &[_,
-                            known_p1,
-                            known_p2,
+                            known_p1_,
+                            known_p2_,
                             _,
                             _,
                             _,
                             ],
-                            &[sin_joint_angle,
-                            cos_joint_angle,
+                            &[sin_joint_angle_,
+                            cos_joint_angle_,
                             _,
                             _,
                             _,
                             _,
                             ],
                         ),
-                        &[t62,
+                        &[t62_,
                         ],
                     ),
                     &[_,
@@ -1436,87 +1458,99 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     _,
                     _,
                     _,
-                    joint_axes_x_x,
-                    minus_joint_axes_x_y,
-                    joint_axes_y_x,
-                    minus_joint_axes_y_y,
+                    joint_axes_x_x_,
+                    minus_joint_axes_x_y_,
+                    joint_axes_y_x_,
+                    minus_joint_axes_y_y_,
                     ],
                 ),
-                &[minus_end_of_repeat0_drift_lin_x_3,
-                t96,
+                &[minus_end_of_repeat0_drift_lin_x_3_,
+                t96_,
                 ],
             ),
-            store,
-        ) in ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
-            .iter()
-            .zip(store1.iter())
-            .zip(store4.iter())
-            .zip(store6.iter())
-            .zip(store11.iter())
-            .zip(store13.iter_mut())
-        {
-            let carry7_0_before = carry7_0;
-            let carry7_1_before = carry7_1;
-            let carry7_2_before = carry7_2;
+            store_,
+        ) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::core::iter::zip(
+                    ::core::iter::zip(
+                        ::core::iter::zip(
+                            ::mstmm::generated::times::<
+                                T,
+                                6,
+                            >(self.derived0.as_slice(), 0, 10)
+                                .iter(),
+                            store1_.iter(),
+                        ),
+                        store4_.iter(),
+                    ),
+                    store6_.iter(),
+                ),
+                store11_.iter(),
+            ),
+            store13_.iter_mut(),
+        ) {
+            let carry7_0_before_ = carry7_0_;
+            let carry7_1_before_ = carry7_1_;
+            let carry7_2_before_ = carry7_2_;
             /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
-            let t99 = cos_joint_angle * carry7_0_before;
-            let t100 = sin_joint_angle * carry7_1_before;
-            let t101 = t99 + t100;
-            let t102 = sin_joint_angle * carry7_0_before;
-            let t103 = cos_joint_angle * carry7_1_before;
-            let t104 = t102 - t103;
-            let t105 = t62 - carry7_2_before;
-            let t106 = known_p1 * t101;
-            let t107 = known_p1 * t104;
-            let t108 = known_p2 * t105;
-            let t109 = t107 + t108;
-            let t110 = t106 - t96;
-            let t111 = joint_axes_x_x * t110;
-            let t112 = minus_joint_axes_x_y * t109;
-            let joint_own_force_x = t111 + t112;
-            let t113 = joint_axes_y_x * t110;
-            let t114 = minus_joint_axes_y_y * t109;
-            let joint_own_force_y = t113 + t114;
+            let t99_ = cos_joint_angle_ * carry7_0_before_;
+            let t100_ = sin_joint_angle_ * carry7_1_before_;
+            let t101_ = t99_ + t100_;
+            let t102_ = sin_joint_angle_ * carry7_0_before_;
+            let t103_ = cos_joint_angle_ * carry7_1_before_;
+            let t104_ = t102_ - t103_;
+            let t105_ = t62_ - carry7_2_before_;
+            let t106_ = known_p1_ * t101_;
+            let t107_ = known_p1_ * t104_;
+            let t108_ = known_p2_ * t105_;
+            let t109_ = t107_ + t108_;
+            let t110_ = t106_ - t96_;
+            let t111_ = joint_axes_x_x_ * t110_;
+            let t112_ = minus_joint_axes_x_y_ * t109_;
+            let joint_own_force_x_ = t111_ + t112_;
+            let t113_ = joint_axes_y_x_ * t110_;
+            let t114_ = minus_joint_axes_y_y_ * t109_;
+            let joint_own_force_y_ = t113_ + t114_;
             /// Results: 1 mul, 2 add, 0 reciprocal.
-            let t115 = c(0.1) * t105;
-            let t116 = t104 + t115;
-            let t117 = minus_end_of_repeat0_drift_lin_x_3 - t101;
-            *store = [joint_own_force_x, joint_own_force_y];
-            (carry7_0, carry7_1, carry7_2) = (-t117, -t116, -t105);
+            let t115_ = c_(0.1) * t105_;
+            let t116_ = t104_ + t115_;
+            let t117_ = minus_end_of_repeat0_drift_lin_x_3_ - t101_;
+            *store_ = [joint_own_force_x_, joint_own_force_y_];
+            (carry7_0_, carry7_1_, carry7_2_) = (-t117_, -t116_, -t105_);
         }
         /// Load of the body at `hook`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
-        let t118 = cos_hook_angle * carry7_0;
-        let t119 = sin_hook_angle * carry7_1;
-        let t120 = t118 + t119;
-        let t121 = sin_hook_angle * carry7_0;
-        let t122 = cos_hook_angle * carry7_1;
-        let t123 = t121 - t122;
-        let t124 = t65 - carry7_2;
-        let t125 = c(2.0) * t120;
-        let t126 = c(2.0) * t123;
-        let t127 = c(0.2) * t124;
-        let t128 = t125 - t127;
-        let t129 = t126 - t98;
-        let t130 = hook_axes_x_x * t128;
-        let t131 = minus_hook_axes_x_y * t129;
-        let hook_own_force_x = t130 + t131;
-        let t132 = hook_axes_y_x * t128;
-        let t133 = minus_hook_axes_y_y * t129;
-        let hook_own_force_y = t132 + t133;
-        let mut carry8_0 = hook_own_force_x;
-        let mut carry8_1 = hook_own_force_y;
-        let mut carry8_2 = c(0.0);
+        let t118_ = cos_hook_angle_ * carry7_0_;
+        let t119_ = sin_hook_angle_ * carry7_1_;
+        let t120_ = t118_ + t119_;
+        let t121_ = sin_hook_angle_ * carry7_0_;
+        let t122_ = cos_hook_angle_ * carry7_1_;
+        let t123_ = t121_ - t122_;
+        let t124_ = t65_ - carry7_2_;
+        let t125_ = c_(2.0) * t120_;
+        let t126_ = c_(2.0) * t123_;
+        let t127_ = c_(0.2) * t124_;
+        let t128_ = t125_ - t127_;
+        let t129_ = t126_ - t98_;
+        let t130_ = hook_axes_x_x_ * t128_;
+        let t131_ = minus_hook_axes_x_y_ * t129_;
+        let hook_own_force_x_ = t130_ + t131_;
+        let t132_ = hook_axes_y_x_ * t128_;
+        let t133_ = minus_hook_axes_y_y_ * t129_;
+        let hook_own_force_y_ = t132_ + t133_;
+        let mut carry8_0_ = hook_own_force_x_;
+        let mut carry8_1_ = hook_own_force_y_;
+        let mut carry8_2_ = c_(0.0);
         for (
             (
                 &[_,
                 _,
-                minus_joint_load_moment_z,
+                minus_joint_load_moment_z_,
                 _,
                 _,
                 _,
                 ],
-                &[joint_own_force_x,
-                joint_own_force_y,
+                &[joint_own_force_x_,
+                joint_own_force_y_,
                 ],
             ),
             [_,
@@ -1530,8 +1564,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             _,
             _,
-            o7_24,
-            o7_25,
+            o7_24_,
+            o7_25_,
             _,
             _,
             _,
@@ -1542,254 +1576,288 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             _,
             _,
-            o7_36,
-            o7_37,
-            o7_38,
+            o7_36_,
+            o7_37_,
+            o7_38_,
             ],
-        ) in store1
-            .iter()
-            .zip(store13.iter())
-            .zip(
-                ::mstmm::generated::times_mut::<T, 26>(results7.as_mut_slice(), 13, 10)
+        ) in ::core::iter::Iterator::rev(
+            ::core::iter::zip(
+                ::core::iter::zip(store1_.iter(), store13_.iter()),
+                ::mstmm::generated::times_mut::<T, 26>(results7_.as_mut_slice(), 13, 10)
                     .iter_mut(),
-            )
-            .rev()
-        {
-            let carry8_0_before = carry8_0;
-            let carry8_1_before = carry8_1;
-            let carry8_2_before = carry8_2;
+            ),
+        ) {
+            let carry8_0_before_ = carry8_0_;
+            let carry8_1_before_ = carry8_1_;
+            let carry8_2_before_ = carry8_2_;
             /// Load on `joint`, [P, Eqs. (18), (19)]: 0 mul, 2 add, 0 reciprocal.
-            let joint_load_force_x = joint_own_force_x + carry8_0_before;
-            let joint_load_force_y = joint_own_force_y + carry8_1_before;
-            *o7_24 = joint_load_force_x;
-            *o7_25 = joint_load_force_y;
-            *o7_36 = -carry8_2_before;
-            *o7_37 = carry8_0_before;
-            *o7_38 = carry8_1_before;
-            (carry8_0, carry8_1, carry8_2) = (
-                joint_load_force_x,
-                joint_load_force_y,
-                -minus_joint_load_moment_z,
+            let joint_load_force_x_ = joint_own_force_x_ + carry8_0_before_;
+            let joint_load_force_y_ = joint_own_force_y_ + carry8_1_before_;
+            *o7_24_ = joint_load_force_x_;
+            *o7_25_ = joint_load_force_y_;
+            *o7_36_ = -carry8_2_before_;
+            *o7_37_ = carry8_0_before_;
+            *o7_38_ = carry8_1_before_;
+            (carry8_0_, carry8_1_, carry8_2_) = (
+                joint_load_force_x_,
+                joint_load_force_y_,
+                -minus_joint_load_moment_z_,
             );
         }
-        let mut carry9_0 = c(1.0);
-        let mut carry9_1 = c(0.0);
-        let mut carry9_2 = c(0.0);
-        let mut carry9_3 = c(1.0);
-        let mut carry9_4 = c(0.0);
-        for ((&[joint_rate], &[sin_joint_angle, cos_joint_angle, _, _, _, _]), store) in ::mstmm::generated::times::<
-            T,
-            1,
-        >(state.v.as_slice(), 0, 10)
-            .iter()
-            .zip(store1.iter())
-            .zip(store16.iter_mut())
-        {
-            let carry9_0_before = carry9_0;
-            let carry9_1_before = carry9_1;
-            let carry9_2_before = carry9_2;
-            let carry9_3_before = carry9_3;
-            let carry9_4_before = carry9_4;
+        let mut carry9_0_ = c_(1.0);
+        let mut carry9_1_ = c_(0.0);
+        let mut carry9_2_ = c_(0.0);
+        let mut carry9_3_ = c_(1.0);
+        let mut carry9_4_ = c_(0.0);
+        for (
+            (&[joint_rate_], &[sin_joint_angle_, cos_joint_angle_, _, _, _, _]),
+            store_,
+        ) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+                store1_.iter(),
+            ),
+            store16_.iter_mut(),
+        ) {
+            let carry9_0_before_ = carry9_0_;
+            let carry9_1_before_ = carry9_1_;
+            let carry9_2_before_ = carry9_2_;
+            let carry9_3_before_ = carry9_3_;
+            let carry9_4_before_ = carry9_4_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-            let t134 = cos_joint_angle * carry9_0_before;
-            let t135 = sin_joint_angle * carry9_1_before;
-            let joint_axes_x_x_2 = t134 + t135;
-            let t136 = sin_joint_angle * carry9_0_before;
-            let t137 = cos_joint_angle * carry9_1_before;
-            let minus_joint_axes_x_y_2 = t136 - t137;
-            let t138 = cos_joint_angle * carry9_2_before;
-            let t139 = sin_joint_angle * carry9_3_before;
-            let joint_axes_y_x_2 = t138 + t139;
-            let t140 = sin_joint_angle * carry9_2_before;
-            let t141 = cos_joint_angle * carry9_3_before;
-            let minus_joint_axes_y_y_2 = t140 - t141;
-            let joint_omega_z_4 = joint_rate + carry9_4_before;
+            let t134_ = cos_joint_angle_ * carry9_0_before_;
+            let t135_ = sin_joint_angle_ * carry9_1_before_;
+            let joint_axes_x_x_2_ = t134_ + t135_;
+            let t136_ = sin_joint_angle_ * carry9_0_before_;
+            let t137_ = cos_joint_angle_ * carry9_1_before_;
+            let minus_joint_axes_x_y_2_ = t136_ - t137_;
+            let t138_ = cos_joint_angle_ * carry9_2_before_;
+            let t139_ = sin_joint_angle_ * carry9_3_before_;
+            let joint_axes_y_x_2_ = t138_ + t139_;
+            let t140_ = sin_joint_angle_ * carry9_2_before_;
+            let t141_ = cos_joint_angle_ * carry9_3_before_;
+            let minus_joint_axes_y_y_2_ = t140_ - t141_;
+            let joint_omega_z_4_ = joint_rate_ + carry9_4_before_;
             /// Results: 10 mul, 0 add, 0 reciprocal.
-            let t142 = c(0.1) * joint_axes_x_x_2;
-            let t143 = c(0.1) * joint_axes_y_x_2;
-            let t144 = joint_omega_z_4 * t143;
-            let t145 = joint_omega_z_4 * t142;
-            let t146 = c(0.05) * joint_axes_x_x_2;
-            let t147 = c(0.05) * joint_axes_y_x_2;
-            let t148 = joint_omega_z_4 * t147;
-            let t149 = joint_omega_z_4 * t146;
-            let t150 = c(0.0001) * joint_omega_z_4;
-            let t151 = joint_omega_z_4 * t150;
-            *store = [t143, t144, t145, t147, t148, t149, t151];
-            (carry9_0, carry9_1, carry9_2, carry9_3, carry9_4) = (
-                joint_axes_x_x_2,
-                -minus_joint_axes_x_y_2,
-                joint_axes_y_x_2,
-                -minus_joint_axes_y_y_2,
-                joint_omega_z_4,
+            let t142_ = c_(0.1) * joint_axes_x_x_2_;
+            let t143_ = c_(0.1) * joint_axes_y_x_2_;
+            let t144_ = joint_omega_z_4_ * t143_;
+            let t145_ = joint_omega_z_4_ * t142_;
+            let t146_ = c_(0.05) * joint_axes_x_x_2_;
+            let t147_ = c_(0.05) * joint_axes_y_x_2_;
+            let t148_ = joint_omega_z_4_ * t147_;
+            let t149_ = joint_omega_z_4_ * t146_;
+            let t150_ = c_(0.0001) * joint_omega_z_4_;
+            let t151_ = joint_omega_z_4_ * t150_;
+            *store_ = [t143_, t144_, t145_, t147_, t148_, t149_, t151_];
+            (carry9_0_, carry9_1_, carry9_2_, carry9_3_, carry9_4_) = (
+                joint_axes_x_x_2_,
+                -minus_joint_axes_x_y_2_,
+                joint_axes_y_x_2_,
+                -minus_joint_axes_y_y_2_,
+                joint_omega_z_4_,
             );
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t152 = sin_hook_angle * carry9_0;
-        let t153 = cos_hook_angle * carry9_1;
-        let minus_hook_axes_x_y_2 = t152 - t153;
-        let t154 = sin_hook_angle * carry9_2;
-        let t155 = cos_hook_angle * carry9_3;
-        let minus_hook_axes_y_y_2 = t154 - t155;
-        let hook_omega_z_4 = hook_rate + carry9_4;
+        let t152_ = sin_hook_angle_ * carry9_0_;
+        let t153_ = cos_hook_angle_ * carry9_1_;
+        let minus_hook_axes_x_y_2_ = t152_ - t153_;
+        let t154_ = sin_hook_angle_ * carry9_2_;
+        let t155_ = cos_hook_angle_ * carry9_3_;
+        let minus_hook_axes_y_y_2_ = t154_ - t155_;
+        let hook_omega_z_4_ = hook_rate_ + carry9_4_;
         /// Results: 6 mul, 0 add, 0 reciprocal.
-        let t156 = c(0.1) * minus_hook_axes_x_y_2;
-        let t157 = c(0.1) * minus_hook_axes_y_y_2;
-        let t158 = hook_omega_z_4 * t157;
-        let t159 = hook_omega_z_4 * t156;
-        let t160 = c(0.01) * hook_omega_z_4;
-        let t161 = hook_omega_z_4 * t160;
-        let mut carry10_0 = c(0.0);
-        let mut carry10_1 = c(0.0);
-        let mut carry10_2 = c(0.0);
+        let t156_ = c_(0.1) * minus_hook_axes_x_y_2_;
+        let t157_ = c_(0.1) * minus_hook_axes_y_y_2_;
+        let t158_ = hook_omega_z_4_ * t157_;
+        let t159_ = hook_omega_z_4_ * t156_;
+        let t160_ = c_(0.01) * hook_omega_z_4_;
+        let t161_ = hook_omega_z_4_ * t160_;
+        let mut carry10_0_ = c_(0.0);
+        let mut carry10_1_ = c_(0.0);
+        let mut carry10_2_ = c_(0.0);
         for (
-            (&[_, known_p1, _, _, _, _], &[t143, t144, t145, t147, t148, t149, t151]),
-            store,
-        ) in ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
-            .iter()
-            .zip(store16.iter())
-            .zip(store18.iter_mut())
-        {
-            let carry10_0_before = carry10_0;
-            let carry10_1_before = carry10_1;
-            let carry10_2_before = carry10_2;
+            (
+                &[_,
+                known_p1_,
+                _,
+                _,
+                _,
+                _,
+                ],
+                &[t143_,
+                t144_,
+                t145_,
+                t147_,
+                t148_,
+                t149_,
+                t151_,
+                ],
+            ),
+            store_,
+        ) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
+                    .iter(),
+                store16_.iter(),
+            ),
+            store18_.iter_mut(),
+        ) {
+            let carry10_0_before_ = carry10_0_;
+            let carry10_1_before_ = carry10_1_;
+            let carry10_2_before_ = carry10_2_;
             /// Results: 6 mul, 8 add, 0 reciprocal.
-            let t162 = t144 - carry10_1_before;
-            let t163 = t145 + carry10_2_before;
-            let t164 = t143 + carry10_0_before;
-            let t165 = carry10_1_before - t148;
-            let t166 = carry10_2_before + t149;
-            let t167 = t165 * t165;
-            let t168 = t166 * t166;
-            let t169 = t167 + t168;
-            let t170 = known_p1 * t169;
-            let t171 = t151 + t170;
-            let t172 = c(0.5) * t171;
-            let t173 = carry10_0_before + t147;
-            let t174 = c(9.8) * t173;
-            let t175 = known_p1 * t174;
-            *store = [t172, t175];
-            (carry10_0, carry10_1, carry10_2) = (t164, -t162, t163);
+            let t162_ = t144_ - carry10_1_before_;
+            let t163_ = t145_ + carry10_2_before_;
+            let t164_ = t143_ + carry10_0_before_;
+            let t165_ = carry10_1_before_ - t148_;
+            let t166_ = carry10_2_before_ + t149_;
+            let t167_ = t165_ * t165_;
+            let t168_ = t166_ * t166_;
+            let t169_ = t167_ + t168_;
+            let t170_ = known_p1_ * t169_;
+            let t171_ = t151_ + t170_;
+            let t172_ = c_(0.5) * t171_;
+            let t173_ = carry10_0_before_ + t147_;
+            let t174_ = c_(9.8) * t173_;
+            let t175_ = known_p1_ * t174_;
+            *store_ = [t172_, t175_];
+            (carry10_0_, carry10_1_, carry10_2_) = (t164_, -t162_, t163_);
         }
         /// Results: 5 mul, 5 add, 0 reciprocal.
-        let t176 = carry10_1 - t158;
-        let t177 = carry10_2 + t159;
-        let t178 = t176 * t176;
-        let t179 = t177 * t177;
-        let t180 = t178 + t179;
-        let t181 = c(2.0) * t180;
-        let t182 = t161 + t181;
-        let t183 = c(0.5) * t182;
-        let t184 = carry10_0 + t157;
-        let t185 = c(19.6) * t184;
-        let mut carry11_0 = c(0.0);
-        let mut carry11_1 = c(0.0);
-        for (&[_, _, _, _, _, t9], &[t172, t175]) in store1.iter().zip(store18.iter()) {
-            let carry11_0_before = carry11_0;
-            let carry11_1_before = carry11_1;
+        let t176_ = carry10_1_ - t158_;
+        let t177_ = carry10_2_ + t159_;
+        let t178_ = t176_ * t176_;
+        let t179_ = t177_ * t177_;
+        let t180_ = t178_ + t179_;
+        let t181_ = c_(2.0) * t180_;
+        let t182_ = t161_ + t181_;
+        let t183_ = c_(0.5) * t182_;
+        let t184_ = carry10_0_ + t157_;
+        let t185_ = c_(19.6) * t184_;
+        let mut carry11_0_ = c_(0.0);
+        let mut carry11_1_ = c_(0.0);
+        for (&[_, _, _, _, _, t9_], &[t172_, t175_]) in ::core::iter::zip(
+            store1_.iter(),
+            store18_.iter(),
+        ) {
+            let carry11_0_before_ = carry11_0_;
+            let carry11_1_before_ = carry11_1_;
             /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t186 = carry11_0_before + t172;
-            let t187 = carry11_1_before + t175;
-            let t188 = t9 + t187;
-            (carry11_0, carry11_1) = (t186, t188);
+            let t186_ = carry11_0_before_ + t172_;
+            let t187_ = carry11_1_before_ + t175_;
+            let t188_ = t9_ + t187_;
+            (carry11_0_, carry11_1_) = (t186_, t188_);
         }
         /// Results: 0 mul, 2 add, 0 reciprocal.
-        let t189 = carry11_0 + t183;
-        let t190 = carry11_1 + t185;
-        for [o0] in ::mstmm::generated::times_mut::<T, 1>(results0.as_mut_slice(), 10, 1)
-            .iter_mut()
-        {
-            *o0 = -t65;
+        let t189_ = carry11_0_ + t183_;
+        let t190_ = carry11_1_ + t185_;
+        for [o0_] in ::mstmm::generated::times_mut::<
+            T,
+            1,
+        >(results0_.as_mut_slice(), 10, 1) {
+            *o0_ = -t65_;
         }
-        for [o0] in ::mstmm::generated::times_mut::<T, 1>(results3.as_mut_slice(), 10, 1)
-            .iter_mut()
-        {
-            *o0 = -t65;
+        for [o0_] in ::mstmm::generated::times_mut::<
+            T,
+            1,
+        >(results3_.as_mut_slice(), 10, 1) {
+            *o0_ = -t65_;
         }
-        for [o0] in ::mstmm::generated::times_mut::<T, 1>(results4.as_mut_slice(), 0, 10)
-            .iter_mut()
-        {
-            *o0 = c(0.0);
+        for [o0_] in ::mstmm::generated::times_mut::<
+            T,
+            1,
+        >(results4_.as_mut_slice(), 0, 10) {
+            *o0_ = c_(0.0);
         }
-        for [o0] in ::mstmm::generated::times_mut::<T, 1>(results4.as_mut_slice(), 10, 1)
-            .iter_mut()
-        {
-            *o0 = c(0.0);
+        for [o0_] in ::mstmm::generated::times_mut::<
+            T,
+            1,
+        >(results4_.as_mut_slice(), 10, 1) {
+            *o0_ = c_(0.0);
         }
-        for [o0, o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12] in ::mstmm::generated::times_mut::<
+        for [o0_, o1_, o2_, o3_, o4_, o5_, o6_, o7_, o8_, o9_, o10_, o11_, o12_] in ::mstmm::generated::times_mut::<
             T,
             13,
-        >(results7.as_mut_slice(), 0, 1)
-            .iter_mut()
-        {
-            *o0 = c(0.0);
-            *o1 = c(0.0);
-            *o2 = c(1.0);
-            *o3 = c(0.0);
-            *o4 = c(0.0);
-            *o5 = c(0.0);
-            *o6 = c(0.0);
-            *o7 = c(0.0);
-            *o8 = c(0.0);
-            *o9 = c(0.0);
-            *o10 = -carry8_2;
-            *o11 = carry8_0;
-            *o12 = carry8_1;
+        >(results7_.as_mut_slice(), 0, 1) {
+            *o0_ = c_(0.0);
+            *o1_ = c_(0.0);
+            *o2_ = c_(1.0);
+            *o3_ = c_(0.0);
+            *o4_ = c_(0.0);
+            *o5_ = c_(0.0);
+            *o6_ = c_(0.0);
+            *o7_ = c_(0.0);
+            *o8_ = c_(0.0);
+            *o9_ = c_(0.0);
+            *o10_ = -carry8_2_;
+            *o11_ = carry8_0_;
+            *o12_ = carry8_1_;
         }
-        for [o0, o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16,
-        o17, o18, o19, o20, o21, o22, o23, o24, o25] in ::mstmm::generated::times_mut::<
+        for [o0_, o1_, o2_, o3_, o4_, o5_, o6_, o7_, o8_, o9_, o10_, o11_, o12_, o13_,
+        o14_, o15_, o16_, o17_, o18_, o19_, o20_, o21_, o22_, o23_, o24_, o25_] in ::mstmm::generated::times_mut::<
             T,
             26,
-        >(results7.as_mut_slice(), 273, 1)
-            .iter_mut()
-        {
-            *o0 = carry4_0;
-            *o1 = carry4_1;
-            *o2 = hook_axes_x_x;
-            *o3 = hook_axes_y_x;
-            *o4 = carry4_2;
-            *o5 = carry4_3;
-            *o6 = hook_omega_z_2;
-            *o7 = carry5_0;
-            *o8 = carry5_1;
-            *o9 = -minus_hook_acc_ang_z;
-            *o10 = c(0.0);
-            *o11 = hook_own_force_x;
-            *o12 = hook_own_force_y;
-            *o13 = carry4_0;
-            *o14 = carry4_1;
-            *o15 = hook_axes_x_x;
-            *o16 = hook_axes_y_x;
-            *o17 = carry4_2;
-            *o18 = carry4_3;
-            *o19 = hook_omega_z_2;
-            *o20 = carry5_0;
-            *o21 = carry5_1;
-            *o22 = -minus_hook_acc_ang_z;
-            *o23 = c(0.0);
-            *o24 = c(0.0);
-            *o25 = c(0.0);
+        >(results7_.as_mut_slice(), 273, 1) {
+            *o0_ = carry4_0_;
+            *o1_ = carry4_1_;
+            *o2_ = hook_axes_x_x_;
+            *o3_ = hook_axes_y_x_;
+            *o4_ = carry4_2_;
+            *o5_ = carry4_3_;
+            *o6_ = hook_omega_z_2_;
+            *o7_ = carry5_0_;
+            *o8_ = carry5_1_;
+            *o9_ = -minus_hook_acc_ang_z_;
+            *o10_ = c_(0.0);
+            *o11_ = hook_own_force_x_;
+            *o12_ = hook_own_force_y_;
+            *o13_ = carry4_0_;
+            *o14_ = carry4_1_;
+            *o15_ = hook_axes_x_x_;
+            *o16_ = hook_axes_y_x_;
+            *o17_ = carry4_2_;
+            *o18_ = carry4_3_;
+            *o19_ = hook_omega_z_2_;
+            *o20_ = carry5_0_;
+            *o21_ = carry5_1_;
+            *o22_ = -minus_hook_acc_ang_z_;
+            *o23_ = c_(0.0);
+            *o24_ = c_(0.0);
+            *o25_ = c_(0.0);
         }
-        ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
-        ::mstmm::generated::require(regular0, "joint")?;
+        ::mstmm::generated::finite::<T>(&[state_.q.as_slice(), state_.v.as_slice()])?;
+        ::mstmm::generated::require(regular0_, "joint")?;
         ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
-        ::mstmm::generated::finite::<T>(&[results0.as_slice()])?;
-        at.accelerations.data.0 = [results0];
-        at.rate_accelerations.data.0 = [results3];
-        at.efforts.data.0 = [results4];
-        at.kinetic_energy = t189;
-        at.potential_energy = t190;
-        for (point, &[p0, p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12]) in at
-            .points
-            .iter_mut()
-            .zip(results7.as_chunks::<13>().0)
-        {
-            *point = ::mstmm::PlanePoint::new(
-                [p0, p1],
-                [p2, p3],
-                [p4, p5],
-                p6,
-                ::mstmm::PlaneStateVector::new([p7, p8], p9, p10, [p11, p12]),
+        ::mstmm::generated::finite::<T>(&[results0_.as_slice()])?;
+        at_.accelerations.data.0 = [results0_];
+        at_.rate_accelerations.data.0 = [results3_];
+        at_.efforts.data.0 = [results4_];
+        at_.kinetic_energy = t189_;
+        at_.potential_energy = t190_;
+        for (
+            point_,
+            &[p0_,
+            p1_,
+            p2_,
+            p3_,
+            p4_,
+            p5_,
+            p6_,
+            p7_,
+            p8_,
+            p9_,
+            p10_,
+            p11_,
+            p12_,
+            ],
+        ) in ::core::iter::zip(&mut at_.points, results7_.as_chunks::<13>().0) {
+            *point_ = ::mstmm::PlanePoint::new(
+                [p0_, p1_],
+                [p2_, p3_],
+                [p4_, p5_],
+                p6_,
+                ::mstmm::PlaneStateVector::new([p7_, p8_], p9_, p10_, [p11_, p12_]),
             );
         }
         ::core::result::Result::Ok(())
@@ -1812,151 +1880,173 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Results |  | 0 | 2 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    pub fn energy(&self, state: &RopeState<T>) -> ::mstmm::Energy<T> {
-        let c = T::constant;
-        let [hook_angle] = ::mstmm::generated::piece::<T, 1>(state.q.as_slice(), 10);
-        let [hook_rate] = ::mstmm::generated::piece::<T, 1>(state.v.as_slice(), 10);
-        let mut store1 = [[T::constant(0.0); 8]; 10];
-        let mut store3 = [[T::constant(0.0); 2]; 10];
+    pub fn energy(&self, state_: &RopeState<T>) -> ::mstmm::Energy<T> {
+        let c_ = T::constant;
+        let [hook_angle_] = ::mstmm::generated::piece::<T, 1>(state_.q.as_slice(), 10);
+        let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
+        let mut store1_ = [[T::constant(0.0); 8]; 10];
+        let mut store3_ = [[T::constant(0.0); 2]; 10];
         /// Results: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
-        let ([sin_hook_angle], [cos_hook_angle]) = T::sin_cos([hook_angle]);
-        let mut carry0_0 = c(1.0);
-        let mut carry0_1 = c(0.0);
-        let mut carry0_2 = c(0.0);
-        let mut carry0_3 = c(1.0);
-        let mut carry0_4 = c(0.0);
+        let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
+        let mut carry0_0_ = c_(1.0);
+        let mut carry0_1_ = c_(0.0);
+        let mut carry0_2_ = c_(0.0);
+        let mut carry0_3_ = c_(1.0);
+        let mut carry0_4_ = c_(0.0);
         for (
-            ((&[joint_angle], &[joint_rate]), &[known_knot, known_p1, _, _, _, _]),
-            store,
-        ) in ::mstmm::generated::times::<T, 1>(state.q.as_slice(), 0, 10)
-            .iter()
-            .zip(::mstmm::generated::times::<T, 1>(state.v.as_slice(), 0, 10).iter())
-            .zip(
+            ((&[joint_angle_], &[joint_rate_]), &[known_knot_, known_p1_, _, _, _, _]),
+            store_,
+        ) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::core::iter::zip(
+                    ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
+                    ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+                ),
                 ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10).iter(),
-            )
-            .zip(store1.iter_mut())
-        {
-            let carry0_0_before = carry0_0;
-            let carry0_1_before = carry0_1;
-            let carry0_2_before = carry0_2;
-            let carry0_3_before = carry0_3;
-            let carry0_4_before = carry0_4;
+            ),
+            store1_.iter_mut(),
+        ) {
+            let carry0_0_before_ = carry0_0_;
+            let carry0_1_before_ = carry0_1_;
+            let carry0_2_before_ = carry0_2_;
+            let carry0_3_before_ = carry0_3_;
+            let carry0_4_before_ = carry0_4_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal, 1 sin/cos.
-            let ([sin_joint_angle], [cos_joint_angle]) = T::sin_cos([joint_angle]);
-            let t0 = cos_joint_angle * carry0_0_before;
-            let t1 = sin_joint_angle * carry0_1_before;
-            let joint_axes_x_x = t0 + t1;
-            let t2 = sin_joint_angle * carry0_0_before;
-            let t3 = cos_joint_angle * carry0_1_before;
-            let minus_joint_axes_x_y = t2 - t3;
-            let t4 = sin_joint_angle * carry0_3_before;
-            let t5 = cos_joint_angle * carry0_2_before;
-            let joint_axes_y_x = t4 + t5;
-            let t6 = cos_joint_angle * carry0_3_before;
-            let t7 = sin_joint_angle * carry0_2_before;
-            let joint_axes_y_y = t6 - t7;
-            let joint_omega_z = joint_rate + carry0_4_before;
+            let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
+            let t0_ = cos_joint_angle_ * carry0_0_before_;
+            let t1_ = sin_joint_angle_ * carry0_1_before_;
+            let joint_axes_x_x_ = t0_ + t1_;
+            let t2_ = sin_joint_angle_ * carry0_0_before_;
+            let t3_ = cos_joint_angle_ * carry0_1_before_;
+            let minus_joint_axes_x_y_ = t2_ - t3_;
+            let t4_ = sin_joint_angle_ * carry0_3_before_;
+            let t5_ = cos_joint_angle_ * carry0_2_before_;
+            let joint_axes_y_x_ = t4_ + t5_;
+            let t6_ = cos_joint_angle_ * carry0_3_before_;
+            let t7_ = sin_joint_angle_ * carry0_2_before_;
+            let joint_axes_y_y_ = t6_ - t7_;
+            let joint_omega_z_ = joint_rate_ + carry0_4_before_;
             /// Results: 13 mul, 0 add, 0 reciprocal.
-            let t8 = joint_angle * c(0.2);
-            let t9 = joint_angle * t8;
-            let t10 = t9 * c(0.5);
-            let t11 = c(0.1) * joint_axes_x_x;
-            let t12 = c(0.1) * joint_axes_y_x;
-            let t13 = joint_omega_z * t12;
-            let t14 = joint_omega_z * t11;
-            let t15 = c(0.05) * joint_axes_x_x;
-            let t16 = c(0.05) * joint_axes_y_x;
-            let t17 = joint_omega_z * t16;
-            let t18 = joint_omega_z * t15;
-            let t19 = c(0.0001) * joint_omega_z;
-            let t20 = joint_omega_z * t19;
-            *store = [t12, t13, t14, t16, t17, t18, t20, t10];
-            (carry0_0, carry0_1, carry0_2, carry0_3, carry0_4) = (
-                joint_axes_x_x,
-                -minus_joint_axes_x_y,
-                joint_axes_y_x,
-                joint_axes_y_y,
-                joint_omega_z,
+            let t8_ = joint_angle_ * c_(0.2);
+            let t9_ = joint_angle_ * t8_;
+            let t10_ = t9_ * c_(0.5);
+            let t11_ = c_(0.1) * joint_axes_x_x_;
+            let t12_ = c_(0.1) * joint_axes_y_x_;
+            let t13_ = joint_omega_z_ * t12_;
+            let t14_ = joint_omega_z_ * t11_;
+            let t15_ = c_(0.05) * joint_axes_x_x_;
+            let t16_ = c_(0.05) * joint_axes_y_x_;
+            let t17_ = joint_omega_z_ * t16_;
+            let t18_ = joint_omega_z_ * t15_;
+            let t19_ = c_(0.0001) * joint_omega_z_;
+            let t20_ = joint_omega_z_ * t19_;
+            *store_ = [t12_, t13_, t14_, t16_, t17_, t18_, t20_, t10_];
+            (carry0_0_, carry0_1_, carry0_2_, carry0_3_, carry0_4_) = (
+                joint_axes_x_x_,
+                -minus_joint_axes_x_y_,
+                joint_axes_y_x_,
+                joint_axes_y_y_,
+                joint_omega_z_,
             );
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t21 = sin_hook_angle * carry0_0;
-        let t22 = cos_hook_angle * carry0_1;
-        let minus_hook_axes_x_y = t21 - t22;
-        let t23 = sin_hook_angle * carry0_2;
-        let t24 = cos_hook_angle * carry0_3;
-        let minus_hook_axes_y_y = t23 - t24;
-        let hook_omega_z = hook_rate + carry0_4;
+        let t21_ = sin_hook_angle_ * carry0_0_;
+        let t22_ = cos_hook_angle_ * carry0_1_;
+        let minus_hook_axes_x_y_ = t21_ - t22_;
+        let t23_ = sin_hook_angle_ * carry0_2_;
+        let t24_ = cos_hook_angle_ * carry0_3_;
+        let minus_hook_axes_y_y_ = t23_ - t24_;
+        let hook_omega_z_ = hook_rate_ + carry0_4_;
         /// Results: 6 mul, 0 add, 0 reciprocal.
-        let t25 = c(0.1) * minus_hook_axes_x_y;
-        let t26 = c(0.1) * minus_hook_axes_y_y;
-        let t27 = hook_omega_z * t26;
-        let t28 = hook_omega_z * t25;
-        let t29 = c(0.01) * hook_omega_z;
-        let t30 = hook_omega_z * t29;
-        let mut carry1_0 = c(0.0);
-        let mut carry1_1 = c(0.0);
-        let mut carry1_2 = c(0.0);
+        let t25_ = c_(0.1) * minus_hook_axes_x_y_;
+        let t26_ = c_(0.1) * minus_hook_axes_y_y_;
+        let t27_ = hook_omega_z_ * t26_;
+        let t28_ = hook_omega_z_ * t25_;
+        let t29_ = c_(0.01) * hook_omega_z_;
+        let t30_ = hook_omega_z_ * t29_;
+        let mut carry1_0_ = c_(0.0);
+        let mut carry1_1_ = c_(0.0);
+        let mut carry1_2_ = c_(0.0);
         for (
-            (&[_, known_p1, _, _, _, _], &[t12, t13, t14, t16, t17, t18, t20, _]),
-            store,
-        ) in ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
-            .iter()
-            .zip(store1.iter())
-            .zip(store3.iter_mut())
-        {
-            let carry1_0_before = carry1_0;
-            let carry1_1_before = carry1_1;
-            let carry1_2_before = carry1_2;
+            (
+                &[_,
+                known_p1_,
+                _,
+                _,
+                _,
+                _,
+                ],
+                &[t12_,
+                t13_,
+                t14_,
+                t16_,
+                t17_,
+                t18_,
+                t20_,
+                _,
+                ],
+            ),
+            store_,
+        ) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
+                    .iter(),
+                store1_.iter(),
+            ),
+            store3_.iter_mut(),
+        ) {
+            let carry1_0_before_ = carry1_0_;
+            let carry1_1_before_ = carry1_1_;
+            let carry1_2_before_ = carry1_2_;
             /// Results: 6 mul, 8 add, 0 reciprocal.
-            let t31 = carry1_1_before - t13;
-            let t32 = carry1_2_before + t14;
-            let t33 = carry1_0_before + t12;
-            let t34 = carry1_1_before - t17;
-            let t35 = carry1_2_before + t18;
-            let t36 = t34 * t34;
-            let t37 = t35 * t35;
-            let t38 = t36 + t37;
-            let t39 = known_p1 * t38;
-            let t40 = t20 + t39;
-            let t41 = c(0.5) * t40;
-            let t42 = carry1_0_before + t16;
-            let t43 = c(9.8) * t42;
-            let t44 = known_p1 * t43;
-            *store = [t41, t44];
-            (carry1_0, carry1_1, carry1_2) = (t33, t31, t32);
+            let t31_ = carry1_1_before_ - t13_;
+            let t32_ = carry1_2_before_ + t14_;
+            let t33_ = carry1_0_before_ + t12_;
+            let t34_ = carry1_1_before_ - t17_;
+            let t35_ = carry1_2_before_ + t18_;
+            let t36_ = t34_ * t34_;
+            let t37_ = t35_ * t35_;
+            let t38_ = t36_ + t37_;
+            let t39_ = known_p1_ * t38_;
+            let t40_ = t20_ + t39_;
+            let t41_ = c_(0.5) * t40_;
+            let t42_ = carry1_0_before_ + t16_;
+            let t43_ = c_(9.8) * t42_;
+            let t44_ = known_p1_ * t43_;
+            *store_ = [t41_, t44_];
+            (carry1_0_, carry1_1_, carry1_2_) = (t33_, t31_, t32_);
         }
         /// Results: 5 mul, 5 add, 0 reciprocal.
-        let t45 = carry1_1 - t27;
-        let t46 = carry1_2 + t28;
-        let t47 = t45 * t45;
-        let t48 = t46 * t46;
-        let t49 = t47 + t48;
-        let t50 = c(2.0) * t49;
-        let t51 = t30 + t50;
-        let t52 = c(0.5) * t51;
-        let t53 = carry1_0 + t26;
-        let t54 = c(19.6) * t53;
-        let mut carry2_0 = c(0.0);
-        let mut carry2_1 = c(0.0);
-        for (&[_, _, _, _, _, _, _, t10], &[t41, t44]) in store1
-            .iter()
-            .zip(store3.iter())
-        {
-            let carry2_0_before = carry2_0;
-            let carry2_1_before = carry2_1;
+        let t45_ = carry1_1_ - t27_;
+        let t46_ = carry1_2_ + t28_;
+        let t47_ = t45_ * t45_;
+        let t48_ = t46_ * t46_;
+        let t49_ = t47_ + t48_;
+        let t50_ = c_(2.0) * t49_;
+        let t51_ = t30_ + t50_;
+        let t52_ = c_(0.5) * t51_;
+        let t53_ = carry1_0_ + t26_;
+        let t54_ = c_(19.6) * t53_;
+        let mut carry2_0_ = c_(0.0);
+        let mut carry2_1_ = c_(0.0);
+        for (&[_, _, _, _, _, _, _, t10_], &[t41_, t44_]) in ::core::iter::zip(
+            store1_.iter(),
+            store3_.iter(),
+        ) {
+            let carry2_0_before_ = carry2_0_;
+            let carry2_1_before_ = carry2_1_;
             /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t55 = carry2_0_before + t41;
-            let t56 = carry2_1_before + t44;
-            let t57 = t10 + t56;
-            (carry2_0, carry2_1) = (t55, t57);
+            let t55_ = carry2_0_before_ + t41_;
+            let t56_ = carry2_1_before_ + t44_;
+            let t57_ = t10_ + t56_;
+            (carry2_0_, carry2_1_) = (t55_, t57_);
         }
         /// Results: 0 mul, 2 add, 0 reciprocal.
-        let t58 = carry2_0 + t52;
-        let t59 = carry2_1 + t54;
+        let t58_ = carry2_0_ + t52_;
+        let t59_ = carry2_1_ + t54_;
         ::mstmm::Energy {
-            kinetic: t58,
-            potential: t59,
+            kinetic: t58_,
+            potential: t59_,
         }
     }
 }
@@ -1968,84 +2058,76 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Rope<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn derivative_into(
         &self,
-        state: &RopeState<T>,
-        inputs: &RopeInputs<T>,
-        rate: &mut RopeState<T>,
+        state_: &RopeState<T>,
+        inputs_: &RopeInputs<T>,
+        rate_: &mut RopeState<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        self.accelerations_into(state, inputs, &mut rate.v)?;
-        self.configuration_rate_into(state, rate);
+        self.accelerations_into(state_, inputs_, &mut rate_.v)?;
+        self.configuration_rate_into(state_, rate_);
         ::core::result::Result::Ok(())
     }
     #[inline]
     fn implicit_derivative_into(
         &self,
-        state: &RopeState<T>,
-        inputs: &RopeInputs<T>,
-        step: T,
-        rate: &mut RopeState<T>,
+        state_: &RopeState<T>,
+        inputs_: &RopeInputs<T>,
+        step_: T,
+        rate_: &mut RopeState<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        self.implicit_accelerations_into(state, inputs, step, &mut rate.v)?;
-        self.configuration_rate_into(state, rate);
+        self.implicit_accelerations_into(state_, inputs_, step_, &mut rate_.v)?;
+        self.configuration_rate_into(state_, rate_);
         ::core::result::Result::Ok(())
     }
     #[inline]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn configuration_rate_into(&self, state: &RopeState<T>, rate: &mut RopeState<T>) {
-        rate.q.data.0 = {
-            let [hook_rate] = ::mstmm::generated::piece::<T, 1>(state.v.as_slice(), 10);
-            let mut results0 = [T::constant(0.0); 11];
-            for (&[joint_rate], [o0_0]) in ::mstmm::generated::times::<
+    fn configuration_rate_into(&self, state_: &RopeState<T>, rate_: &mut RopeState<T>) {
+        rate_.q.data.0 = {
+            let [hook_rate_] = ::mstmm::generated::piece::<
                 T,
                 1,
-            >(state.v.as_slice(), 0, 10)
-                .iter()
-                .zip(
-                    ::mstmm::generated::times_mut::<T, 1>(results0.as_mut_slice(), 0, 10)
-                        .iter_mut(),
-                )
-            {
-                *o0_0 = joint_rate;
+            >(state_.v.as_slice(), 10);
+            let mut results0_ = [T::constant(0.0); 11];
+            for (&[joint_rate_], [o0_0_]) in ::core::iter::zip(
+                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times_mut::<T, 1>(results0_.as_mut_slice(), 0, 10)
+                    .iter_mut(),
+            ) {
+                *o0_0_ = joint_rate_;
                 () = ();
             }
-            for [o0] in ::mstmm::generated::times_mut::<
+            for [o0_] in ::mstmm::generated::times_mut::<
                 T,
                 1,
-            >(results0.as_mut_slice(), 10, 1)
-                .iter_mut()
-            {
-                *o0 = hook_rate;
+            >(results0_.as_mut_slice(), 10, 1) {
+                *o0_ = hook_rate_;
             }
-            [results0]
+            [results0_]
         };
     }
     #[inline]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn normalize(&self, state: &mut RopeState<T>) {
-        state.q.data.0 = {
-            let [hook_angle] = ::mstmm::generated::piece::<T, 1>(state.q.as_slice(), 10);
-            let mut results0 = [T::constant(0.0); 11];
-            for (&[joint_angle], [o0_0]) in ::mstmm::generated::times::<
+    fn normalize(&self, state_: &mut RopeState<T>) {
+        state_.q.data.0 = {
+            let [hook_angle_] = ::mstmm::generated::piece::<
                 T,
                 1,
-            >(state.q.as_slice(), 0, 10)
-                .iter()
-                .zip(
-                    ::mstmm::generated::times_mut::<T, 1>(results0.as_mut_slice(), 0, 10)
-                        .iter_mut(),
-                )
-            {
-                *o0_0 = joint_angle;
+            >(state_.q.as_slice(), 10);
+            let mut results0_ = [T::constant(0.0); 11];
+            for (&[joint_angle_], [o0_0_]) in ::core::iter::zip(
+                ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times_mut::<T, 1>(results0_.as_mut_slice(), 0, 10)
+                    .iter_mut(),
+            ) {
+                *o0_0_ = joint_angle_;
                 () = ();
             }
-            for [o0] in ::mstmm::generated::times_mut::<
+            for [o0_] in ::mstmm::generated::times_mut::<
                 T,
                 1,
-            >(results0.as_mut_slice(), 10, 1)
-                .iter_mut()
-            {
-                *o0 = hook_angle;
+            >(results0_.as_mut_slice(), 10, 1) {
+                *o0_ = hook_angle_;
             }
-            [results0]
+            [results0_]
         };
     }
 }
@@ -2066,15 +2148,15 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Rope<T> {
     #[inline]
     fn solve_into(
         &self,
-        state: &RopeState<T>,
-        inputs: &RopeInputs<T>,
-        at: &mut RopeWorkspace<T>,
+        state_: &RopeState<T>,
+        inputs_: &RopeInputs<T>,
+        at_: &mut RopeWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        self.solve_into(state, inputs, at)
+        self.solve_into(state_, inputs_, at_)
     }
     #[inline]
-    fn energy(&self, state: &RopeState<T>) -> ::mstmm::Energy<T> {
-        self.energy(state)
+    fn energy(&self, state_: &RopeState<T>) -> ::mstmm::Energy<T> {
+        self.energy(state_)
     }
 }
 /// Coordinates and rates of [`Rope`] at a time.
@@ -2096,99 +2178,89 @@ impl<T: ::mstmm::Scalar> RopeState<T> {
     /// Coordinates and rates of hinge `joint` number `index` of 10.
     #[inline]
     #[must_use]
-    pub fn joint(&self, index: usize) -> ::core::option::Option<::mstmm::PinState<T>> {
-        let &[q0] = ::mstmm::generated::times::<T, 1>(self.q.as_slice(), 0, 10)
-            .iter()
-            .nth(index)?;
-        let &[v0] = ::mstmm::generated::times::<T, 1>(self.v.as_slice(), 0, 10)
-            .iter()
-            .nth(index)?;
-        ::core::option::Option::Some(::mstmm::PinState::new(q0, v0))
+    pub fn joint(&self, index_: usize) -> ::core::option::Option<::mstmm::PinState<T>> {
+        let &[q0_] = ::mstmm::generated::times::<T, 1>(self.q.as_slice(), 0, 10)
+            .get(index_)?;
+        let &[v0_] = ::mstmm::generated::times::<T, 1>(self.v.as_slice(), 0, 10)
+            .get(index_)?;
+        ::core::option::Option::Some(::mstmm::PinState::new(q0_, v0_))
     }
     /// Coordinates and rates of hinge `joint` number `index` of 10. To be changed.
     #[inline]
     pub fn joint_mut(
         &mut self,
-        index: usize,
+        index_: usize,
     ) -> ::core::option::Option<::mstmm::PinStateMut<'_, T>> {
-        let [q0] = ::mstmm::generated::times_mut::<T, 1>(self.q.as_mut_slice(), 0, 10)
-            .iter_mut()
-            .nth(index)?;
-        let [v0] = ::mstmm::generated::times_mut::<T, 1>(self.v.as_mut_slice(), 0, 10)
-            .iter_mut()
-            .nth(index)?;
-        ::core::option::Option::Some(::mstmm::PinStateMut::new(q0, v0))
+        let [q0_] = ::mstmm::generated::times_mut::<T, 1>(self.q.as_mut_slice(), 0, 10)
+            .get_mut(index_)?;
+        let [v0_] = ::mstmm::generated::times_mut::<T, 1>(self.v.as_mut_slice(), 0, 10)
+            .get_mut(index_)?;
+        ::core::option::Option::Some(::mstmm::PinStateMut::new(q0_, v0_))
     }
     /// Sets coordinates and rates of all hinges `joint` by their index.
     pub fn set_each_joint(
         &mut self,
-        mut view: impl ::core::ops::FnMut(usize) -> ::mstmm::PinState<T>,
+        mut view_: impl ::core::ops::FnMut(usize) -> ::mstmm::PinState<T>,
     ) {
-        let mut set = |index: usize| -> ::core::option::Option<()> {
-            let (new_q0, new_v0) = view(index).into_groups();
-            let [q0] = ::mstmm::generated::times_mut::<
+        let mut set_ = |index_: usize| -> ::core::option::Option<()> {
+            let (new_q0_, new_v0_) = view_(index_).into_groups();
+            let [q0_] = ::mstmm::generated::times_mut::<
                 T,
                 1,
             >(self.q.as_mut_slice(), 0, 10)
-                .iter_mut()
-                .nth(index)?;
-            let [v0] = ::mstmm::generated::times_mut::<
+                .get_mut(index_)?;
+            let [v0_] = ::mstmm::generated::times_mut::<
                 T,
                 1,
             >(self.v.as_mut_slice(), 0, 10)
-                .iter_mut()
-                .nth(index)?;
-            *q0 = new_q0;
-            *v0 = new_v0;
+                .get_mut(index_)?;
+            *q0_ = new_q0_;
+            *v0_ = new_v0_;
             ::core::option::Option::Some(())
         };
-        for index in 0..10 {
-            set(index);
+        for index_ in 0..10 {
+            set_(index_);
         }
     }
     /// Coordinates and rates of hinge `hook`.
     #[inline]
     #[must_use]
     pub fn hook(&self) -> ::mstmm::PinState<T> {
-        let [q0] = ::mstmm::generated::piece::<T, 1>(self.q.as_slice(), 10);
-        let [v0] = ::mstmm::generated::piece::<T, 1>(self.v.as_slice(), 10);
-        ::mstmm::PinState::new(q0, v0)
+        let [q0_] = ::mstmm::generated::piece::<T, 1>(self.q.as_slice(), 10);
+        let [v0_] = ::mstmm::generated::piece::<T, 1>(self.v.as_slice(), 10);
+        ::mstmm::PinState::new(q0_, v0_)
     }
     /// Coordinates and rates of hinge `hook`, to be changed.
     #[inline]
     pub fn hook_mut(&mut self) -> ::mstmm::PinStateMut<'_, T> {
-        let [[.., q0]] = &mut self.q.data.0;
-        let [[.., v0]] = &mut self.v.data.0;
-        ::mstmm::PinStateMut::new(q0, v0)
+        let [[.., q0_]] = &mut self.q.data.0;
+        let [[.., v0_]] = &mut self.v.data.0;
+        ::mstmm::PinStateMut::new(q0_, v0_)
     }
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for RopeState<T> {
     fn default() -> Self {
-        let (zero, one) = (T::constant(0.0), T::constant(1.0));
-        let _ = one;
+        let (zero_, one_) = (T::constant(0.0), T::constant(1.0));
+        let _ = one_;
         Self {
             q: ::mstmm::generated::vector({
-                let mut rest = [zero; 11];
-                for part in ::mstmm::generated::times_mut::<
+                let mut rest_ = [zero_; 11];
+                for part_ in ::mstmm::generated::times_mut::<
                     T,
                     1,
-                >(rest.as_mut_slice(), 0, 10)
-                    .iter_mut()
-                {
-                    *part = [zero];
+                >(rest_.as_mut_slice(), 0, 10) {
+                    *part_ = [zero_];
                 }
-                for part in ::mstmm::generated::times_mut::<
+                for part_ in ::mstmm::generated::times_mut::<
                     T,
                     1,
-                >(rest.as_mut_slice(), 10, 1)
-                    .iter_mut()
-                {
-                    *part = [zero];
+                >(rest_.as_mut_slice(), 10, 1) {
+                    *part_ = [zero_];
                 }
-                rest
+                rest_
             }),
-            v: ::mstmm::generated::vector([zero; 11]),
-            t: zero,
+            v: ::mstmm::generated::vector([zero_; 11]),
+            t: zero_,
         }
     }
 }
@@ -2215,8 +2287,8 @@ impl<T: ::mstmm::Scalar> ::mstmm::ChainState for RopeState<T> {
         self.t
     }
     #[inline]
-    fn set_time(&mut self, time: T) {
-        self.t = time;
+    fn set_time(&mut self, time_: T) {
+        self.t = time_;
     }
 }
 /// What drives [`Rope`] from outside, given at every step.
@@ -2281,76 +2353,74 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
     #[inline]
     pub fn joint(
         &self,
-        index: usize,
+        index_: usize,
     ) -> ::core::option::Option<::mstmm::HingeResult<'_, T, T, ::mstmm::PlanePoint<T>>> {
-        if index >= 10 {
+        if index_ >= 10 {
             return ::core::option::Option::None;
         }
-        let [input, output] = self.points.get(0 + index * 2..)?.first_chunk()?;
-        let result = ::mstmm::HingeResult::new(
+        let [input_, output_] = self.points.get(0 + index_ * 2..)?.first_chunk()?;
+        let result_ = ::mstmm::HingeResult::new(
             {
-                let &[x0] = ::mstmm::generated::times::<
+                let &[x0_] = ::mstmm::generated::times::<
                     T,
                     1,
                 >(self.rate_accelerations.as_slice(), 0, 10)
-                    .iter()
-                    .nth(index)?;
-                x0
+                    .get(index_)?;
+                x0_
             },
             {
-                let &[x0] = ::mstmm::generated::times::<
+                let &[x0_] = ::mstmm::generated::times::<
                     T,
                     1,
                 >(self.efforts.as_slice(), 0, 10)
-                    .iter()
-                    .nth(index)?;
-                x0
+                    .get(index_)?;
+                x0_
             },
-            input,
-            output,
+            input_,
+            output_,
         );
-        ::core::option::Option::Some(result)
+        ::core::option::Option::Some(result_)
     }
     /// Input and output of body `rod` number `index` of 10.
     #[inline]
     pub fn rod(
         &self,
-        index: usize,
+        index_: usize,
     ) -> ::core::option::Option<::mstmm::BodyResult<'_, T, ::mstmm::PlanePoint<T>>> {
-        if index >= 10 {
+        if index_ >= 10 {
             return ::core::option::Option::None;
         }
-        let [input, output] = self.points.get(1 + index * 2..)?.first_chunk()?;
-        ::core::option::Option::Some(::mstmm::BodyResult::new(input, output))
+        let [input_, output_] = self.points.get(1 + index_ * 2..)?.first_chunk()?;
+        ::core::option::Option::Some(::mstmm::BodyResult::new(input_, output_))
     }
     /// Acceleration, effort, input and output of hinge `hook`.
     #[inline]
     pub fn hook(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::PlanePoint<T>> {
-        let (input, output) = (&self.points[20], &self.points[21]);
+        let (input_, output_) = (&self.points[20], &self.points[21]);
         ::mstmm::HingeResult::new(
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.rate_accelerations.as_slice(), 10);
-                value
+                value_
             },
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.efforts.as_slice(), 10);
-                value
+                value_
             },
-            input,
-            output,
+            input_,
+            output_,
         )
     }
     /// Input and output of body `weight`.
     #[inline]
     pub fn weight(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::PlanePoint<T>> {
-        let (input, output) = (&self.points[21], &self.points[22]);
-        ::mstmm::BodyResult::new(input, output)
+        let (input_, output_) = (&self.points[21], &self.points[22]);
+        ::mstmm::BodyResult::new(input_, output_)
     }
 }
 #[allow(dead_code, non_snake_case)]
@@ -2358,13 +2428,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]
     pub fn workspace(&self) -> RopeWorkspace<T> {
-        let zero = T::constant(0.0);
+        let zero_ = T::constant(0.0);
         RopeWorkspace {
-            accelerations: ::mstmm::generated::vector([zero; 11]),
-            rate_accelerations: ::mstmm::generated::vector([zero; 11]),
-            efforts: ::mstmm::generated::vector([zero; 11]),
-            kinetic_energy: zero,
-            potential_energy: zero,
+            accelerations: ::mstmm::generated::vector([zero_; 11]),
+            rate_accelerations: ::mstmm::generated::vector([zero_; 11]),
+            efforts: ::mstmm::generated::vector([zero_; 11]),
+            kinetic_energy: zero_,
+            potential_energy: zero_,
             points: [::core::default::Default::default(); 23],
         }
     }

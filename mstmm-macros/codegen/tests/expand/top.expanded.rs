@@ -31,11 +31,11 @@ impl<T: ::mstmm::Scalar> Top<T> {
     #[must_use]
     #[allow(clippy::all)]
     fn new() -> Self {
-        let parameters = TopParameters {
+        let parameters_ = TopParameters {
             none: ::core::marker::PhantomData,
         };
-        let (chain, _) = Self::derive(parameters);
-        chain
+        let (chain_, _) = Self::derive(parameters_);
+        chain_
     }
     /// The numbers that may change at run time.
     #[inline]
@@ -46,23 +46,29 @@ impl<T: ::mstmm::Scalar> Top<T> {
     #[must_use]
     #[allow(unused_doc_comments, clippy::all)]
     fn initial_state(&self) -> TopState<T> {
-        let c = T::constant;
+        let c_ = T::constant;
         TopState {
             q: ::mstmm::generated::vector([
-                c(0.9961946980917455),
-                c(0.08715574274765817),
-                c(0.0),
-                c(0.0),
+                c_(0.9961946980917455),
+                c_(0.08715574274765817),
+                c_(0.0),
+                c_(0.0),
             ]),
-            v: ::mstmm::generated::vector([c(0.0), c(0.0), c(300.0)]),
+            v: ::mstmm::generated::vector([c_(0.0), c_(0.0), c_(300.0)]),
             t: T::constant(0.0),
         }
     }
     /// Quantities derived from parameters and constants: 0 mul, 0 add, 0 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
-    fn derive(parameters: TopParameters<T>) -> (Self, [T; 0]) {
-        let (derived, checks) = ([], []);
-        (Self { parameters, derived }, checks)
+    fn derive(parameters_: TopParameters<T>) -> (Self, [T; 0]) {
+        let (derived_, checks_) = ([], []);
+        (
+            Self {
+                parameters: parameters_,
+                derived: derived_,
+            },
+            checks_,
+        )
     }
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for Top<T> {
@@ -84,58 +90,58 @@ impl<T: ::mstmm::Scalar> Top<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::Singular`](::mstmm::Error::Singular) if nothing with inertia lies beyond a
-    /// hinge, [`Error::NotFinite`](::mstmm::Error::NotFinite) if a number of the state or the
+    /// `Error::Singular` if nothing with inertia lies beyond a
+    /// hinge, `Error::NotFinite` if a number of the state or the
     /// inputs is not finite. `accelerations` is not touched then.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn accelerations_into(
         &self,
-        state: &TopState<T>,
-        inputs: &TopInputs<T>,
-        accelerations: &mut ::mstmm::nalgebra::SVector<T, 3>,
+        state_: &TopState<T>,
+        inputs_: &TopInputs<T>,
+        accelerations_: &mut ::mstmm::nalgebra::SVector<T, 3>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let c = T::constant;
-        let [[tip_qw, tip_qx, tip_qy, tip_qz]] = state.q.data.0;
-        let [[tip_wx, tip_wy, tip_wz]] = state.v.data.0;
+        let c_ = T::constant;
+        let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
+        let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
         /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 7 mul, 2 add, 0 reciprocal.
-        let t0 = tip_qy * c(2.0);
-        let t1 = tip_qz * c(2.0);
-        let t2 = tip_qw * t0;
-        let t3 = tip_qx * t1;
-        let minus_tip_turn_z_x = t2 - t3;
-        let t4 = tip_qx * c(2.0);
-        let t5 = tip_qw * t4;
-        let t6 = tip_qy * t1;
-        let tip_turn_z_y = t5 + t6;
+        let t0_ = tip_qy_ * c_(2.0);
+        let t1_ = tip_qz_ * c_(2.0);
+        let t2_ = tip_qw_ * t0_;
+        let t3_ = tip_qx_ * t1_;
+        let minus_tip_turn_z_x_ = t2_ - t3_;
+        let t4_ = tip_qx_ * c_(2.0);
+        let t5_ = tip_qw_ * t4_;
+        let t6_ = tip_qy_ * t1_;
+        let tip_turn_z_y_ = t5_ + t6_;
         /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 9 mul, 3 add, 0 reciprocal.
-        let t7 = tip_wy * c(0.001);
-        let t8 = tip_wz * c(0.0001);
-        let t9 = tip_wy * t8;
-        let t10 = tip_wz * t7;
-        let tip_e_moment_x = t9 - t10;
-        let t11 = tip_wx * c(0.001);
-        let t12 = tip_wz * t11;
-        let t13 = tip_wx * t8;
-        let tip_e_moment_y = t12 - t13;
-        let t14 = tip_wx * t7;
-        let t15 = tip_wy * t11;
-        let tip_e_moment_z = t14 - t15;
+        let t7_ = tip_wy_ * c_(0.001);
+        let t8_ = tip_wz_ * c_(0.0001);
+        let t9_ = tip_wy_ * t8_;
+        let t10_ = tip_wz_ * t7_;
+        let tip_e_moment_x_ = t9_ - t10_;
+        let t11_ = tip_wx_ * c_(0.001);
+        let t12_ = tip_wz_ * t11_;
+        let t13_ = tip_wx_ * t8_;
+        let tip_e_moment_y_ = t12_ - t13_;
+        let t14_ = tip_wx_ * t7_;
+        let t15_ = tip_wy_ * t11_;
+        let tip_e_moment_z_ = t14_ - t15_;
         /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 5 mul, 2 add, 0 reciprocal.
-        let t16 = tip_e_moment_x * c(1000.0);
-        let t17 = tip_turn_z_y * c(117.60000000000001);
-        let minus_tip_a_ang_x = t16 - t17;
-        let t18 = tip_e_moment_y * c(1000.0);
-        let t19 = minus_tip_turn_z_x * c(117.60000000000001);
-        let minus_tip_a_ang_y = t18 - t19;
-        let minus_tip_a_ang_z = tip_e_moment_z * c(10000.0);
-        ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
+        let t16_ = tip_e_moment_x_ * c_(1000.0);
+        let t17_ = tip_turn_z_y_ * c_(117.60000000000001);
+        let minus_tip_a_ang_x_ = t16_ - t17_;
+        let t18_ = tip_e_moment_y_ * c_(1000.0);
+        let t19_ = minus_tip_turn_z_x_ * c_(117.60000000000001);
+        let minus_tip_a_ang_y_ = t18_ - t19_;
+        let minus_tip_a_ang_z_ = tip_e_moment_z_ * c_(10000.0);
+        ::mstmm::generated::finite::<T>(&[state_.q.as_slice(), state_.v.as_slice()])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
-        >(&[], [], [], [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z])?;
-        accelerations.data.0 = [
-            [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z],
+        >(&[], [], [], [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_])?;
+        accelerations_.data.0 = [
+            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
         ];
         ::core::result::Result::Ok(())
     }
@@ -148,12 +154,12 @@ impl<T: ::mstmm::Scalar> Top<T> {
     #[inline]
     fn accelerations(
         &self,
-        state: &TopState<T>,
-        inputs: &TopInputs<T>,
+        state_: &TopState<T>,
+        inputs_: &TopInputs<T>,
     ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, 3>, ::mstmm::Error> {
-        let mut accelerations = ::mstmm::generated::vector([T::constant(0.0); 3]);
-        self.accelerations_into(state, inputs, &mut accelerations)?;
-        ::core::result::Result::Ok(accelerations)
+        let mut accelerations_ = ::mstmm::generated::vector([T::constant(0.0); 3]);
+        self.accelerations_into(state_, inputs_, &mut accelerations_)?;
+        ::core::result::Result::Ok(accelerations_)
     }
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
@@ -176,231 +182,231 @@ impl<T: ::mstmm::Scalar> Top<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn solve_into(
         &self,
-        state: &TopState<T>,
-        inputs: &TopInputs<T>,
-        at: &mut TopWorkspace<T>,
+        state_: &TopState<T>,
+        inputs_: &TopInputs<T>,
+        at_: &mut TopWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let c = T::constant;
-        let [[tip_qw, tip_qx, tip_qy, tip_qz]] = state.q.data.0;
-        let [[tip_wx, tip_wy, tip_wz]] = state.v.data.0;
+        let c_ = T::constant;
+        let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
+        let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
         /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 12 mul, 12 add, 0 reciprocal.
-        let t0 = tip_qy * c(2.0);
-        let t1 = tip_qz * c(2.0);
-        let t2 = tip_qy * t0;
-        let t3 = tip_qz * t1;
-        let t4 = t2 + t3;
-        let minus_tip_turn_x_x = t4 - c(1.0);
-        let t5 = tip_qw * t1;
-        let t6 = tip_qx * t0;
-        let minus_tip_turn_x_y = t5 - t6;
-        let t7 = tip_qw * t0;
-        let t8 = tip_qx * t1;
-        let tip_turn_x_z = t7 + t8;
-        let tip_turn_y_x = t5 + t6;
-        let t9 = tip_qx * c(2.0);
-        let t10 = tip_qx * t9;
-        let t11 = t10 + t3;
-        let tip_turn_y_y = c(1.0) - t11;
-        let t12 = tip_qw * t9;
-        let t13 = tip_qy * t1;
-        let minus_tip_turn_y_z = t12 - t13;
-        let minus_tip_turn_z_x = t7 - t8;
-        let tip_turn_z_y = t12 + t13;
-        let t14 = t10 + t2;
-        let tip_turn_z_z = c(1.0) - t14;
+        let t0_ = tip_qy_ * c_(2.0);
+        let t1_ = tip_qz_ * c_(2.0);
+        let t2_ = tip_qy_ * t0_;
+        let t3_ = tip_qz_ * t1_;
+        let t4_ = t2_ + t3_;
+        let minus_tip_turn_x_x_ = t4_ - c_(1.0);
+        let t5_ = tip_qw_ * t1_;
+        let t6_ = tip_qx_ * t0_;
+        let minus_tip_turn_x_y_ = t5_ - t6_;
+        let t7_ = tip_qw_ * t0_;
+        let t8_ = tip_qx_ * t1_;
+        let tip_turn_x_z_ = t7_ + t8_;
+        let tip_turn_y_x_ = t5_ + t6_;
+        let t9_ = tip_qx_ * c_(2.0);
+        let t10_ = tip_qx_ * t9_;
+        let t11_ = t10_ + t3_;
+        let tip_turn_y_y_ = c_(1.0) - t11_;
+        let t12_ = tip_qw_ * t9_;
+        let t13_ = tip_qy_ * t1_;
+        let minus_tip_turn_y_z_ = t12_ - t13_;
+        let minus_tip_turn_z_x_ = t7_ - t8_;
+        let tip_turn_z_y_ = t12_ + t13_;
+        let t14_ = t10_ + t2_;
+        let tip_turn_z_z_ = c_(1.0) - t14_;
         /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 15 mul, 4 add, 0 reciprocal.
-        let t15 = tip_wx * c(0.012);
-        let tip_e_force_x = tip_wz * t15;
-        let t16 = tip_wy * c(0.012);
-        let tip_e_force_y = tip_wz * t16;
-        let t17 = tip_wx * t15;
-        let t18 = tip_wy * t16;
-        let minus_tip_e_force_z = t17 + t18;
-        let t19 = tip_wy * c(0.001);
-        let t20 = tip_wz * c(0.0001);
-        let t21 = tip_wy * t20;
-        let t22 = tip_wz * t19;
-        let tip_e_moment_x = t21 - t22;
-        let t23 = tip_wx * c(0.001);
-        let t24 = tip_wz * t23;
-        let t25 = tip_wx * t20;
-        let tip_e_moment_y = t24 - t25;
-        let t26 = tip_wx * t19;
-        let t27 = tip_wy * t23;
-        let tip_e_moment_z = t26 - t27;
+        let t15_ = tip_wx_ * c_(0.012);
+        let tip_e_force_x_ = tip_wz_ * t15_;
+        let t16_ = tip_wy_ * c_(0.012);
+        let tip_e_force_y_ = tip_wz_ * t16_;
+        let t17_ = tip_wx_ * t15_;
+        let t18_ = tip_wy_ * t16_;
+        let minus_tip_e_force_z_ = t17_ + t18_;
+        let t19_ = tip_wy_ * c_(0.001);
+        let t20_ = tip_wz_ * c_(0.0001);
+        let t21_ = tip_wy_ * t20_;
+        let t22_ = tip_wz_ * t19_;
+        let tip_e_moment_x_ = t21_ - t22_;
+        let t23_ = tip_wx_ * c_(0.001);
+        let t24_ = tip_wz_ * t23_;
+        let t25_ = tip_wx_ * t20_;
+        let tip_e_moment_y_ = t24_ - t25_;
+        let t26_ = tip_wx_ * t19_;
+        let t27_ = tip_wy_ * t23_;
+        let tip_e_moment_z_ = t26_ - t27_;
         /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 5 mul, 2 add, 0 reciprocal.
-        let t28 = tip_e_moment_x * c(1000.0);
-        let t29 = tip_turn_z_y * c(117.60000000000001);
-        let minus_tip_a_ang_x = t28 - t29;
-        let t30 = tip_e_moment_y * c(1000.0);
-        let t31 = minus_tip_turn_z_x * c(117.60000000000001);
-        let minus_tip_a_ang_y = t30 - t31;
-        let minus_tip_a_ang_z = tip_e_moment_z * c(10000.0);
+        let t28_ = tip_e_moment_x_ * c_(1000.0);
+        let t29_ = tip_turn_z_y_ * c_(117.60000000000001);
+        let minus_tip_a_ang_x_ = t28_ - t29_;
+        let t30_ = tip_e_moment_y_ * c_(1000.0);
+        let t31_ = minus_tip_turn_z_x_ * c_(117.60000000000001);
+        let minus_tip_a_ang_y_ = t30_ - t31_;
+        let minus_tip_a_ang_z_ = tip_e_moment_z_ * c_(10000.0);
         /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
-        let t32 = tip_wx * minus_tip_turn_x_x;
-        let t33 = tip_wy * minus_tip_turn_x_y;
-        let t34 = t32 + t33;
-        let t35 = tip_wz * tip_turn_x_z;
-        let minus_tip_omega_x = t34 - t35;
-        let t36 = tip_wx * tip_turn_y_x;
-        let t37 = tip_wy * tip_turn_y_y;
-        let t38 = t36 + t37;
-        let t39 = tip_wz * minus_tip_turn_y_z;
-        let tip_omega_y = t38 - t39;
-        let t40 = tip_wx * minus_tip_turn_z_x;
-        let t41 = tip_wy * tip_turn_z_y;
-        let t42 = t40 - t41;
-        let t43 = tip_wz * tip_turn_z_z;
-        let minus_tip_omega_z = t42 - t43;
+        let t32_ = tip_wx_ * minus_tip_turn_x_x_;
+        let t33_ = tip_wy_ * minus_tip_turn_x_y_;
+        let t34_ = t32_ + t33_;
+        let t35_ = tip_wz_ * tip_turn_x_z_;
+        let minus_tip_omega_x_ = t34_ - t35_;
+        let t36_ = tip_wx_ * tip_turn_y_x_;
+        let t37_ = tip_wy_ * tip_turn_y_y_;
+        let t38_ = t36_ + t37_;
+        let t39_ = tip_wz_ * minus_tip_turn_y_z_;
+        let tip_omega_y_ = t38_ - t39_;
+        let t40_ = tip_wx_ * minus_tip_turn_z_x_;
+        let t41_ = tip_wy_ * tip_turn_z_y_;
+        let t42_ = t40_ - t41_;
+        let t43_ = tip_wz_ * tip_turn_z_z_;
+        let minus_tip_omega_z_ = t42_ - t43_;
         /// Point of `tip`, [P, Eqs. (12), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
-        let t44 = minus_tip_turn_x_x * minus_tip_a_ang_x;
-        let t45 = minus_tip_turn_x_y * minus_tip_a_ang_y;
-        let t46 = t44 + t45;
-        let t47 = tip_turn_x_z * minus_tip_a_ang_z;
-        let tip_acc_ang_x = t46 - t47;
-        let t48 = tip_turn_y_x * minus_tip_a_ang_x;
-        let t49 = tip_turn_y_y * minus_tip_a_ang_y;
-        let t50 = t48 + t49;
-        let t51 = minus_tip_turn_y_z * minus_tip_a_ang_z;
-        let minus_tip_acc_ang_y = t50 - t51;
-        let t52 = minus_tip_turn_z_x * minus_tip_a_ang_x;
-        let t53 = tip_turn_z_y * minus_tip_a_ang_y;
-        let t54 = t52 - t53;
-        let t55 = tip_turn_z_z * minus_tip_a_ang_z;
-        let tip_acc_ang_z = t54 - t55;
+        let t44_ = minus_tip_turn_x_x_ * minus_tip_a_ang_x_;
+        let t45_ = minus_tip_turn_x_y_ * minus_tip_a_ang_y_;
+        let t46_ = t44_ + t45_;
+        let t47_ = tip_turn_x_z_ * minus_tip_a_ang_z_;
+        let tip_acc_ang_x_ = t46_ - t47_;
+        let t48_ = tip_turn_y_x_ * minus_tip_a_ang_x_;
+        let t49_ = tip_turn_y_y_ * minus_tip_a_ang_y_;
+        let t50_ = t48_ + t49_;
+        let t51_ = minus_tip_turn_y_z_ * minus_tip_a_ang_z_;
+        let minus_tip_acc_ang_y_ = t50_ - t51_;
+        let t52_ = minus_tip_turn_z_x_ * minus_tip_a_ang_x_;
+        let t53_ = tip_turn_z_y_ * minus_tip_a_ang_y_;
+        let t54_ = t52_ - t53_;
+        let t55_ = tip_turn_z_z_ * minus_tip_a_ang_z_;
+        let tip_acc_ang_z_ = t54_ - t55_;
         /// Load of the body at `tip`, [P, Eqs. (18), (19)]: 14 mul, 11 add, 0 reciprocal.
-        let t56 = minus_tip_turn_z_x * c(1.9600000000000002);
-        let t57 = tip_turn_z_y * c(1.9600000000000002);
-        let t58 = tip_turn_z_z * c(1.9600000000000002);
-        let t59 = minus_tip_e_force_z - t58;
-        let t60 = c(0.012) * minus_tip_a_ang_y;
-        let t61 = c(0.012) * minus_tip_a_ang_x;
-        let t62 = t56 + t60;
-        let t63 = t57 + t61;
-        let t64 = tip_e_force_x - t62;
-        let t65 = tip_e_force_y + t63;
-        let t66 = minus_tip_turn_x_x * t64;
-        let t67 = minus_tip_turn_x_y * t65;
-        let t68 = t66 + t67;
-        let t69 = tip_turn_x_z * t59;
-        let minus_tip_own_force_x = t68 + t69;
-        let t70 = tip_turn_y_x * t64;
-        let t71 = tip_turn_y_y * t65;
-        let t72 = t70 + t71;
-        let t73 = minus_tip_turn_y_z * t59;
-        let tip_own_force_y = t72 + t73;
-        let t74 = minus_tip_turn_z_x * t64;
-        let t75 = tip_turn_z_y * t65;
-        let t76 = t74 - t75;
-        let t77 = tip_turn_z_z * t59;
-        let minus_tip_own_force_z = t76 + t77;
+        let t56_ = minus_tip_turn_z_x_ * c_(1.9600000000000002);
+        let t57_ = tip_turn_z_y_ * c_(1.9600000000000002);
+        let t58_ = tip_turn_z_z_ * c_(1.9600000000000002);
+        let t59_ = minus_tip_e_force_z_ - t58_;
+        let t60_ = c_(0.012) * minus_tip_a_ang_y_;
+        let t61_ = c_(0.012) * minus_tip_a_ang_x_;
+        let t62_ = t56_ + t60_;
+        let t63_ = t57_ + t61_;
+        let t64_ = tip_e_force_x_ - t62_;
+        let t65_ = tip_e_force_y_ + t63_;
+        let t66_ = minus_tip_turn_x_x_ * t64_;
+        let t67_ = minus_tip_turn_x_y_ * t65_;
+        let t68_ = t66_ + t67_;
+        let t69_ = tip_turn_x_z_ * t59_;
+        let minus_tip_own_force_x_ = t68_ + t69_;
+        let t70_ = tip_turn_y_x_ * t64_;
+        let t71_ = tip_turn_y_y_ * t65_;
+        let t72_ = t70_ + t71_;
+        let t73_ = minus_tip_turn_y_z_ * t59_;
+        let tip_own_force_y_ = t72_ + t73_;
+        let t74_ = minus_tip_turn_z_x_ * t64_;
+        let t75_ = tip_turn_z_y_ * t65_;
+        let t76_ = t74_ - t75_;
+        let t77_ = tip_turn_z_z_ * t59_;
+        let minus_tip_own_force_z_ = t76_ + t77_;
         /// Results: 30 mul, 14 add, 0 reciprocal.
-        let t78 = tip_turn_x_z * c(0.06);
-        let t79 = minus_tip_turn_y_z * c(0.06);
-        let t80 = tip_turn_z_z * c(0.06);
-        let t81 = tip_omega_y * t80;
-        let t82 = minus_tip_omega_z * t79;
-        let t83 = t81 - t82;
-        let t84 = minus_tip_omega_z * t78;
-        let t85 = minus_tip_omega_x * t80;
-        let t86 = t84 - t85;
-        let t87 = minus_tip_omega_x * t79;
-        let t88 = tip_omega_y * t78;
-        let t89 = t87 - t88;
-        let t90 = minus_tip_turn_x_x * minus_tip_omega_x;
-        let t91 = tip_turn_y_x * tip_omega_y;
-        let t92 = t90 + t91;
-        let t93 = minus_tip_turn_z_x * minus_tip_omega_z;
-        let t94 = t92 + t93;
-        let t95 = minus_tip_turn_x_y * minus_tip_omega_x;
-        let t96 = tip_turn_y_y * tip_omega_y;
-        let t97 = t95 + t96;
-        let t98 = tip_turn_z_y * minus_tip_omega_z;
-        let t99 = t97 - t98;
-        let t100 = tip_turn_x_z * minus_tip_omega_x;
-        let t101 = minus_tip_turn_y_z * tip_omega_y;
-        let t102 = t100 + t101;
-        let t103 = tip_turn_z_z * minus_tip_omega_z;
-        let t104 = t102 + t103;
-        let t105 = t94 * c(0.0002800000000000001);
-        let t106 = t99 * c(0.0002800000000000001);
-        let t107 = c(0.0001) * t104;
-        let t108 = t94 * t105;
-        let t109 = t99 * t106;
-        let t110 = t108 + t109;
-        let t111 = t104 * t107;
-        let t112 = t110 + t111;
-        let t113 = t83 * t83;
-        let t114 = t86 * t86;
-        let t115 = t113 + t114;
-        let t116 = t89 * t89;
-        let t117 = t115 + t116;
-        let t118 = t117 * c(0.2);
-        let t119 = t112 + t118;
-        let t120 = t119 * c(0.5);
-        let t121 = tip_turn_z_z * c(0.1176);
-        ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
+        let t78_ = tip_turn_x_z_ * c_(0.06);
+        let t79_ = minus_tip_turn_y_z_ * c_(0.06);
+        let t80_ = tip_turn_z_z_ * c_(0.06);
+        let t81_ = tip_omega_y_ * t80_;
+        let t82_ = minus_tip_omega_z_ * t79_;
+        let t83_ = t81_ - t82_;
+        let t84_ = minus_tip_omega_z_ * t78_;
+        let t85_ = minus_tip_omega_x_ * t80_;
+        let t86_ = t84_ - t85_;
+        let t87_ = minus_tip_omega_x_ * t79_;
+        let t88_ = tip_omega_y_ * t78_;
+        let t89_ = t87_ - t88_;
+        let t90_ = minus_tip_turn_x_x_ * minus_tip_omega_x_;
+        let t91_ = tip_turn_y_x_ * tip_omega_y_;
+        let t92_ = t90_ + t91_;
+        let t93_ = minus_tip_turn_z_x_ * minus_tip_omega_z_;
+        let t94_ = t92_ + t93_;
+        let t95_ = minus_tip_turn_x_y_ * minus_tip_omega_x_;
+        let t96_ = tip_turn_y_y_ * tip_omega_y_;
+        let t97_ = t95_ + t96_;
+        let t98_ = tip_turn_z_y_ * minus_tip_omega_z_;
+        let t99_ = t97_ - t98_;
+        let t100_ = tip_turn_x_z_ * minus_tip_omega_x_;
+        let t101_ = minus_tip_turn_y_z_ * tip_omega_y_;
+        let t102_ = t100_ + t101_;
+        let t103_ = tip_turn_z_z_ * minus_tip_omega_z_;
+        let t104_ = t102_ + t103_;
+        let t105_ = t94_ * c_(0.0002800000000000001);
+        let t106_ = t99_ * c_(0.0002800000000000001);
+        let t107_ = c_(0.0001) * t104_;
+        let t108_ = t94_ * t105_;
+        let t109_ = t99_ * t106_;
+        let t110_ = t108_ + t109_;
+        let t111_ = t104_ * t107_;
+        let t112_ = t110_ + t111_;
+        let t113_ = t83_ * t83_;
+        let t114_ = t86_ * t86_;
+        let t115_ = t113_ + t114_;
+        let t116_ = t89_ * t89_;
+        let t117_ = t115_ + t116_;
+        let t118_ = t117_ * c_(0.2);
+        let t119_ = t112_ + t118_;
+        let t120_ = t119_ * c_(0.5);
+        let t121_ = tip_turn_z_z_ * c_(0.1176);
+        ::mstmm::generated::finite::<T>(&[state_.q.as_slice(), state_.v.as_slice()])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
-        >(&[], [], [], [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z])?;
-        at.accelerations.data.0 = [
-            [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z],
+        >(&[], [], [], [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_])?;
+        at_.accelerations.data.0 = [
+            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
         ];
-        at.rate_accelerations.data.0 = [
-            [-minus_tip_a_ang_x, -minus_tip_a_ang_y, -minus_tip_a_ang_z],
+        at_.rate_accelerations.data.0 = [
+            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
         ];
-        at.efforts.data.0 = [[c(0.0), c(0.0), c(0.0)]];
-        at.kinetic_energy = t120;
-        at.potential_energy = t121;
-        at.points = [
+        at_.efforts.data.0 = [[c_(0.0), c_(0.0), c_(0.0)]];
+        at_.kinetic_energy = t120_;
+        at_.potential_energy = t121_;
+        at_.points = [
             ::mstmm::Point::new(
-                [c(0.0), c(0.0), c(0.0)],
+                [c_(0.0), c_(0.0), c_(0.0)],
                 [
-                    [c(1.0), c(0.0), c(0.0)],
-                    [c(0.0), c(1.0), c(0.0)],
-                    [c(0.0), c(0.0), c(1.0)],
+                    [c_(1.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(1.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(1.0)],
                 ],
-                [c(0.0), c(0.0), c(0.0)],
-                [c(0.0), c(0.0), c(0.0)],
+                [c_(0.0), c_(0.0), c_(0.0)],
+                [c_(0.0), c_(0.0), c_(0.0)],
                 ::mstmm::StateVector::new(
-                    [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), c(0.0)],
-                    [-minus_tip_own_force_x, tip_own_force_y, -minus_tip_own_force_z],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [-minus_tip_own_force_x_, tip_own_force_y_, -minus_tip_own_force_z_],
                 ),
             ),
             ::mstmm::Point::new(
-                [c(0.0), c(0.0), c(0.0)],
+                [c_(0.0), c_(0.0), c_(0.0)],
                 [
-                    [-minus_tip_turn_x_x, -minus_tip_turn_x_y, tip_turn_x_z],
-                    [tip_turn_y_x, tip_turn_y_y, -minus_tip_turn_y_z],
-                    [-minus_tip_turn_z_x, tip_turn_z_y, tip_turn_z_z],
+                    [-minus_tip_turn_x_x_, -minus_tip_turn_x_y_, tip_turn_x_z_],
+                    [tip_turn_y_x_, tip_turn_y_y_, -minus_tip_turn_y_z_],
+                    [-minus_tip_turn_z_x_, tip_turn_z_y_, tip_turn_z_z_],
                 ],
-                [c(0.0), c(0.0), c(0.0)],
-                [-minus_tip_omega_x, tip_omega_y, -minus_tip_omega_z],
+                [c_(0.0), c_(0.0), c_(0.0)],
+                [-minus_tip_omega_x_, tip_omega_y_, -minus_tip_omega_z_],
                 ::mstmm::StateVector::new(
-                    [c(0.0), c(0.0), c(0.0)],
-                    [tip_acc_ang_x, -minus_tip_acc_ang_y, tip_acc_ang_z],
-                    [c(0.0), c(0.0), c(0.0)],
-                    [-minus_tip_own_force_x, tip_own_force_y, -minus_tip_own_force_z],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [tip_acc_ang_x_, -minus_tip_acc_ang_y_, tip_acc_ang_z_],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [-minus_tip_own_force_x_, tip_own_force_y_, -minus_tip_own_force_z_],
                 ),
             ),
             ::mstmm::Point::new(
-                [c(0.0), c(0.0), c(0.0)],
+                [c_(0.0), c_(0.0), c_(0.0)],
                 [
-                    [-minus_tip_turn_x_x, -minus_tip_turn_x_y, tip_turn_x_z],
-                    [tip_turn_y_x, tip_turn_y_y, -minus_tip_turn_y_z],
-                    [-minus_tip_turn_z_x, tip_turn_z_y, tip_turn_z_z],
+                    [-minus_tip_turn_x_x_, -minus_tip_turn_x_y_, tip_turn_x_z_],
+                    [tip_turn_y_x_, tip_turn_y_y_, -minus_tip_turn_y_z_],
+                    [-minus_tip_turn_z_x_, tip_turn_z_y_, tip_turn_z_z_],
                 ],
-                [c(0.0), c(0.0), c(0.0)],
-                [-minus_tip_omega_x, tip_omega_y, -minus_tip_omega_z],
+                [c_(0.0), c_(0.0), c_(0.0)],
+                [-minus_tip_omega_x_, tip_omega_y_, -minus_tip_omega_z_],
                 ::mstmm::StateVector::new(
-                    [c(0.0), c(0.0), c(0.0)],
-                    [tip_acc_ang_x, -minus_tip_acc_ang_y, tip_acc_ang_z],
-                    [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), c(0.0)],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [tip_acc_ang_x_, -minus_tip_acc_ang_y_, tip_acc_ang_z_],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(0.0)],
                 ),
             ),
         ];
@@ -417,98 +423,98 @@ impl<T: ::mstmm::Scalar> Top<T> {
     /// | Results |  | 30 | 14 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn energy(&self, state: &TopState<T>) -> ::mstmm::Energy<T> {
-        let c = T::constant;
-        let [[tip_qw, tip_qx, tip_qy, tip_qz]] = state.q.data.0;
-        let [[tip_wx, tip_wy, tip_wz]] = state.v.data.0;
+    fn energy(&self, state_: &TopState<T>) -> ::mstmm::Energy<T> {
+        let c_ = T::constant;
+        let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
+        let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
         /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 21 mul, 18 add, 0 reciprocal.
-        let t0 = tip_qy * c(2.0);
-        let t1 = tip_qz * c(2.0);
-        let t2 = tip_qy * t0;
-        let t3 = tip_qz * t1;
-        let t4 = t2 + t3;
-        let minus_tip_axes_x_x = t4 - c(1.0);
-        let t5 = tip_qw * t1;
-        let t6 = tip_qx * t0;
-        let minus_tip_axes_x_y = t5 - t6;
-        let t7 = tip_qw * t0;
-        let t8 = tip_qx * t1;
-        let tip_axes_x_z = t7 + t8;
-        let tip_axes_y_x = t5 + t6;
-        let t9 = tip_qx * c(2.0);
-        let t10 = tip_qx * t9;
-        let t11 = t10 + t3;
-        let tip_axes_y_y = c(1.0) - t11;
-        let t12 = tip_qw * t9;
-        let t13 = tip_qy * t1;
-        let minus_tip_axes_y_z = t12 - t13;
-        let minus_tip_axes_z_x = t7 - t8;
-        let tip_axes_z_y = t12 + t13;
-        let t14 = t10 + t2;
-        let tip_axes_z_z = c(1.0) - t14;
-        let t15 = tip_wx * minus_tip_axes_x_x;
-        let t16 = tip_wy * minus_tip_axes_x_y;
-        let t17 = t15 + t16;
-        let t18 = tip_wz * tip_axes_x_z;
-        let minus_tip_omega_x = t17 - t18;
-        let t19 = tip_wx * tip_axes_y_x;
-        let t20 = tip_wy * tip_axes_y_y;
-        let t21 = t19 + t20;
-        let t22 = tip_wz * minus_tip_axes_y_z;
-        let tip_omega_y = t21 - t22;
-        let t23 = tip_wx * minus_tip_axes_z_x;
-        let t24 = tip_wy * tip_axes_z_y;
-        let t25 = t23 - t24;
-        let t26 = tip_wz * tip_axes_z_z;
-        let minus_tip_omega_z = t25 - t26;
+        let t0_ = tip_qy_ * c_(2.0);
+        let t1_ = tip_qz_ * c_(2.0);
+        let t2_ = tip_qy_ * t0_;
+        let t3_ = tip_qz_ * t1_;
+        let t4_ = t2_ + t3_;
+        let minus_tip_axes_x_x_ = t4_ - c_(1.0);
+        let t5_ = tip_qw_ * t1_;
+        let t6_ = tip_qx_ * t0_;
+        let minus_tip_axes_x_y_ = t5_ - t6_;
+        let t7_ = tip_qw_ * t0_;
+        let t8_ = tip_qx_ * t1_;
+        let tip_axes_x_z_ = t7_ + t8_;
+        let tip_axes_y_x_ = t5_ + t6_;
+        let t9_ = tip_qx_ * c_(2.0);
+        let t10_ = tip_qx_ * t9_;
+        let t11_ = t10_ + t3_;
+        let tip_axes_y_y_ = c_(1.0) - t11_;
+        let t12_ = tip_qw_ * t9_;
+        let t13_ = tip_qy_ * t1_;
+        let minus_tip_axes_y_z_ = t12_ - t13_;
+        let minus_tip_axes_z_x_ = t7_ - t8_;
+        let tip_axes_z_y_ = t12_ + t13_;
+        let t14_ = t10_ + t2_;
+        let tip_axes_z_z_ = c_(1.0) - t14_;
+        let t15_ = tip_wx_ * minus_tip_axes_x_x_;
+        let t16_ = tip_wy_ * minus_tip_axes_x_y_;
+        let t17_ = t15_ + t16_;
+        let t18_ = tip_wz_ * tip_axes_x_z_;
+        let minus_tip_omega_x_ = t17_ - t18_;
+        let t19_ = tip_wx_ * tip_axes_y_x_;
+        let t20_ = tip_wy_ * tip_axes_y_y_;
+        let t21_ = t19_ + t20_;
+        let t22_ = tip_wz_ * minus_tip_axes_y_z_;
+        let tip_omega_y_ = t21_ - t22_;
+        let t23_ = tip_wx_ * minus_tip_axes_z_x_;
+        let t24_ = tip_wy_ * tip_axes_z_y_;
+        let t25_ = t23_ - t24_;
+        let t26_ = tip_wz_ * tip_axes_z_z_;
+        let minus_tip_omega_z_ = t25_ - t26_;
         /// Results: 30 mul, 14 add, 0 reciprocal.
-        let t27 = tip_axes_x_z * c(0.06);
-        let t28 = minus_tip_axes_y_z * c(0.06);
-        let t29 = tip_axes_z_z * c(0.06);
-        let t30 = tip_omega_y * t29;
-        let t31 = minus_tip_omega_z * t28;
-        let t32 = t30 - t31;
-        let t33 = minus_tip_omega_z * t27;
-        let t34 = minus_tip_omega_x * t29;
-        let t35 = t33 - t34;
-        let t36 = minus_tip_omega_x * t28;
-        let t37 = tip_omega_y * t27;
-        let t38 = t36 - t37;
-        let t39 = minus_tip_axes_x_x * minus_tip_omega_x;
-        let t40 = tip_axes_y_x * tip_omega_y;
-        let t41 = t39 + t40;
-        let t42 = minus_tip_axes_z_x * minus_tip_omega_z;
-        let t43 = t41 + t42;
-        let t44 = minus_tip_axes_x_y * minus_tip_omega_x;
-        let t45 = tip_axes_y_y * tip_omega_y;
-        let t46 = t44 + t45;
-        let t47 = tip_axes_z_y * minus_tip_omega_z;
-        let t48 = t46 - t47;
-        let t49 = tip_axes_x_z * minus_tip_omega_x;
-        let t50 = minus_tip_axes_y_z * tip_omega_y;
-        let t51 = t49 + t50;
-        let t52 = tip_axes_z_z * minus_tip_omega_z;
-        let t53 = t51 + t52;
-        let t54 = t43 * c(0.0002800000000000001);
-        let t55 = t48 * c(0.0002800000000000001);
-        let t56 = c(0.0001) * t53;
-        let t57 = t43 * t54;
-        let t58 = t48 * t55;
-        let t59 = t57 + t58;
-        let t60 = t53 * t56;
-        let t61 = t59 + t60;
-        let t62 = t32 * t32;
-        let t63 = t35 * t35;
-        let t64 = t62 + t63;
-        let t65 = t38 * t38;
-        let t66 = t64 + t65;
-        let t67 = t66 * c(0.2);
-        let t68 = t61 + t67;
-        let t69 = t68 * c(0.5);
-        let t70 = tip_axes_z_z * c(0.1176);
+        let t27_ = tip_axes_x_z_ * c_(0.06);
+        let t28_ = minus_tip_axes_y_z_ * c_(0.06);
+        let t29_ = tip_axes_z_z_ * c_(0.06);
+        let t30_ = tip_omega_y_ * t29_;
+        let t31_ = minus_tip_omega_z_ * t28_;
+        let t32_ = t30_ - t31_;
+        let t33_ = minus_tip_omega_z_ * t27_;
+        let t34_ = minus_tip_omega_x_ * t29_;
+        let t35_ = t33_ - t34_;
+        let t36_ = minus_tip_omega_x_ * t28_;
+        let t37_ = tip_omega_y_ * t27_;
+        let t38_ = t36_ - t37_;
+        let t39_ = minus_tip_axes_x_x_ * minus_tip_omega_x_;
+        let t40_ = tip_axes_y_x_ * tip_omega_y_;
+        let t41_ = t39_ + t40_;
+        let t42_ = minus_tip_axes_z_x_ * minus_tip_omega_z_;
+        let t43_ = t41_ + t42_;
+        let t44_ = minus_tip_axes_x_y_ * minus_tip_omega_x_;
+        let t45_ = tip_axes_y_y_ * tip_omega_y_;
+        let t46_ = t44_ + t45_;
+        let t47_ = tip_axes_z_y_ * minus_tip_omega_z_;
+        let t48_ = t46_ - t47_;
+        let t49_ = tip_axes_x_z_ * minus_tip_omega_x_;
+        let t50_ = minus_tip_axes_y_z_ * tip_omega_y_;
+        let t51_ = t49_ + t50_;
+        let t52_ = tip_axes_z_z_ * minus_tip_omega_z_;
+        let t53_ = t51_ + t52_;
+        let t54_ = t43_ * c_(0.0002800000000000001);
+        let t55_ = t48_ * c_(0.0002800000000000001);
+        let t56_ = c_(0.0001) * t53_;
+        let t57_ = t43_ * t54_;
+        let t58_ = t48_ * t55_;
+        let t59_ = t57_ + t58_;
+        let t60_ = t53_ * t56_;
+        let t61_ = t59_ + t60_;
+        let t62_ = t32_ * t32_;
+        let t63_ = t35_ * t35_;
+        let t64_ = t62_ + t63_;
+        let t65_ = t38_ * t38_;
+        let t66_ = t64_ + t65_;
+        let t67_ = t66_ * c_(0.2);
+        let t68_ = t61_ + t67_;
+        let t69_ = t68_ * c_(0.5);
+        let t70_ = tip_axes_z_z_ * c_(0.1176);
         ::mstmm::Energy {
-            kinetic: t69,
-            potential: t70,
+            kinetic: t69_,
+            potential: t70_,
         }
     }
 }
@@ -520,68 +526,68 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Top<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn derivative_into(
         &self,
-        state: &TopState<T>,
-        inputs: &TopInputs<T>,
-        rate: &mut TopState<T>,
+        state_: &TopState<T>,
+        inputs_: &TopInputs<T>,
+        rate_: &mut TopState<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        self.accelerations_into(state, inputs, &mut rate.v)?;
-        self.configuration_rate_into(state, rate);
+        self.accelerations_into(state_, inputs_, &mut rate_.v)?;
+        self.configuration_rate_into(state_, rate_);
         ::core::result::Result::Ok(())
     }
     #[inline]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn configuration_rate_into(&self, state: &TopState<T>, rate: &mut TopState<T>) {
-        rate.q.data.0 = {
-            let c = T::constant;
-            let [[tip_qw, tip_qx, tip_qy, tip_qz]] = state.q.data.0;
-            let [[tip_wx, tip_wy, tip_wz]] = state.v.data.0;
+    fn configuration_rate_into(&self, state_: &TopState<T>, rate_: &mut TopState<T>) {
+        rate_.q.data.0 = {
+            let c_ = T::constant;
+            let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
+            let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
             /// Results: 15 mul, 8 add, 0 reciprocal.
-            let t0 = tip_wx * c(0.5);
-            let t1 = tip_wy * c(0.5);
-            let t2 = tip_wz * c(0.5);
-            let t3 = tip_qx * t0;
-            let t4 = tip_qy * t1;
-            let t5 = t3 + t4;
-            let t6 = tip_qz * t2;
-            let t7 = t5 + t6;
-            let t8 = tip_qw * t0;
-            let t9 = tip_qy * t2;
-            let t10 = tip_qz * t1;
-            let t11 = t9 - t10;
-            let t12 = t8 + t11;
-            let t13 = tip_qw * t1;
-            let t14 = tip_qz * t0;
-            let t15 = tip_qx * t2;
-            let t16 = t14 - t15;
-            let t17 = t13 + t16;
-            let t18 = tip_qw * t2;
-            let t19 = tip_qx * t1;
-            let t20 = tip_qy * t0;
-            let t21 = t19 - t20;
-            let t22 = t18 + t21;
-            [[-t7, t12, t17, t22]]
+            let t0_ = tip_wx_ * c_(0.5);
+            let t1_ = tip_wy_ * c_(0.5);
+            let t2_ = tip_wz_ * c_(0.5);
+            let t3_ = tip_qx_ * t0_;
+            let t4_ = tip_qy_ * t1_;
+            let t5_ = t3_ + t4_;
+            let t6_ = tip_qz_ * t2_;
+            let t7_ = t5_ + t6_;
+            let t8_ = tip_qw_ * t0_;
+            let t9_ = tip_qy_ * t2_;
+            let t10_ = tip_qz_ * t1_;
+            let t11_ = t9_ - t10_;
+            let t12_ = t8_ + t11_;
+            let t13_ = tip_qw_ * t1_;
+            let t14_ = tip_qz_ * t0_;
+            let t15_ = tip_qx_ * t2_;
+            let t16_ = t14_ - t15_;
+            let t17_ = t13_ + t16_;
+            let t18_ = tip_qw_ * t2_;
+            let t19_ = tip_qx_ * t1_;
+            let t20_ = tip_qy_ * t0_;
+            let t21_ = t19_ - t20_;
+            let t22_ = t18_ + t21_;
+            [[-t7_, t12_, t17_, t22_]]
         };
     }
     #[inline]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn normalize(&self, state: &mut TopState<T>) {
-        state.q.data.0 = {
-            let [[tip_qw, tip_qx, tip_qy, tip_qz]] = state.q.data.0;
+    fn normalize(&self, state_: &mut TopState<T>) {
+        state_.q.data.0 = {
+            let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
             /// Results: 8 mul, 3 add, 1 reciprocal, 1 square root.
-            let t0 = tip_qw * tip_qw;
-            let t1 = tip_qx * tip_qx;
-            let t2 = t0 + t1;
-            let t3 = tip_qy * tip_qy;
-            let t4 = t2 + t3;
-            let t5 = tip_qz * tip_qz;
-            let t6 = t4 + t5;
-            let t7 = T::sqrt(t6);
-            let t8 = T::recip(t7);
-            let t9 = tip_qw * t8;
-            let t10 = tip_qx * t8;
-            let t11 = tip_qy * t8;
-            let t12 = tip_qz * t8;
-            [[t9, t10, t11, t12]]
+            let t0_ = tip_qw_ * tip_qw_;
+            let t1_ = tip_qx_ * tip_qx_;
+            let t2_ = t0_ + t1_;
+            let t3_ = tip_qy_ * tip_qy_;
+            let t4_ = t2_ + t3_;
+            let t5_ = tip_qz_ * tip_qz_;
+            let t6_ = t4_ + t5_;
+            let t7_ = T::sqrt(t6_);
+            let t8_ = T::recip(t7_);
+            let t9_ = tip_qw_ * t8_;
+            let t10_ = tip_qx_ * t8_;
+            let t11_ = tip_qy_ * t8_;
+            let t12_ = tip_qz_ * t8_;
+            [[t9_, t10_, t11_, t12_]]
         };
     }
 }
@@ -602,15 +608,15 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Top<T> {
     #[inline]
     fn solve_into(
         &self,
-        state: &TopState<T>,
-        inputs: &TopInputs<T>,
-        at: &mut TopWorkspace<T>,
+        state_: &TopState<T>,
+        inputs_: &TopInputs<T>,
+        at_: &mut TopWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        self.solve_into(state, inputs, at)
+        self.solve_into(state_, inputs_, at_)
     }
     #[inline]
-    fn energy(&self, state: &TopState<T>) -> ::mstmm::Energy<T> {
-        self.energy(state)
+    fn energy(&self, state_: &TopState<T>) -> ::mstmm::Energy<T> {
+        self.energy(state_)
     }
 }
 /// Coordinates and rates of [`Top`] at a time.
@@ -633,26 +639,26 @@ impl<T: ::mstmm::Scalar> TopState<T> {
     #[inline]
     #[must_use]
     fn tip(&self) -> ::mstmm::BallState<T> {
-        let [[q0, q1, q2, q3, ..]] = self.q.data.0;
-        let [[v0, v1, v2, ..]] = self.v.data.0;
-        ::mstmm::BallState::new([q0, q1, q2, q3], [v0, v1, v2])
+        let [[q0_, q1_, q2_, q3_, ..]] = self.q.data.0;
+        let [[v0_, v1_, v2_, ..]] = self.v.data.0;
+        ::mstmm::BallState::new([q0_, q1_, q2_, q3_], [v0_, v1_, v2_])
     }
     /// Coordinates and rates of hinge `tip`, to be changed.
     #[inline]
     fn tip_mut(&mut self) -> ::mstmm::BallStateMut<'_, T> {
-        let [[q0, q1, q2, q3, ..]] = &mut self.q.data.0;
-        let [[v0, v1, v2, ..]] = &mut self.v.data.0;
-        ::mstmm::BallStateMut::new([q0, q1, q2, q3], [v0, v1, v2])
+        let [[q0_, q1_, q2_, q3_, ..]] = &mut self.q.data.0;
+        let [[v0_, v1_, v2_, ..]] = &mut self.v.data.0;
+        ::mstmm::BallStateMut::new([q0_, q1_, q2_, q3_], [v0_, v1_, v2_])
     }
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for TopState<T> {
     fn default() -> Self {
-        let (zero, one) = (T::constant(0.0), T::constant(1.0));
-        let _ = one;
+        let (zero_, one_) = (T::constant(0.0), T::constant(1.0));
+        let _ = one_;
         Self {
-            q: ::mstmm::generated::vector([one, zero, zero, zero]),
-            v: ::mstmm::generated::vector([zero; 3]),
-            t: zero,
+            q: ::mstmm::generated::vector([one_, zero_, zero_, zero_]),
+            v: ::mstmm::generated::vector([zero_; 3]),
+            t: zero_,
         }
     }
 }
@@ -679,8 +685,8 @@ impl<T: ::mstmm::Scalar> ::mstmm::ChainState for TopState<T> {
         self.t
     }
     #[inline]
-    fn set_time(&mut self, time: T) {
-        self.t = time;
+    fn set_time(&mut self, time_: T) {
+        self.t = time_;
     }
 }
 /// What drives [`Top`] from outside, given at every step.
@@ -751,7 +757,7 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
         ::mstmm::nalgebra::SVector<T, 3usize>,
         ::mstmm::Point<T>,
     > {
-        let [input, output, ..] = &self.points;
+        let [input_, output_, ..] = &self.points;
         ::mstmm::HingeResult::new(
             ::mstmm::generated::vector(
                 ::mstmm::generated::piece::<T, 3>(self.rate_accelerations.as_slice(), 0),
@@ -759,15 +765,15 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
             ::mstmm::generated::vector(
                 ::mstmm::generated::piece::<T, 3>(self.efforts.as_slice(), 0),
             ),
-            input,
-            output,
+            input_,
+            output_,
         )
     }
     /// Input and output of body `cone`.
     #[inline]
     fn cone(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::Point<T>> {
-        let [_, input, output, ..] = &self.points;
-        ::mstmm::BodyResult::new(input, output)
+        let [_, input_, output_, ..] = &self.points;
+        ::mstmm::BodyResult::new(input_, output_)
     }
 }
 #[allow(dead_code, non_snake_case)]
@@ -775,13 +781,13 @@ impl<T: ::mstmm::Scalar> Top<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]
     fn workspace(&self) -> TopWorkspace<T> {
-        let zero = T::constant(0.0);
+        let zero_ = T::constant(0.0);
         TopWorkspace {
-            accelerations: ::mstmm::generated::vector([zero; 3]),
-            rate_accelerations: ::mstmm::generated::vector([zero; 3]),
-            efforts: ::mstmm::generated::vector([zero; 3]),
-            kinetic_energy: zero,
-            potential_energy: zero,
+            accelerations: ::mstmm::generated::vector([zero_; 3]),
+            rate_accelerations: ::mstmm::generated::vector([zero_; 3]),
+            efforts: ::mstmm::generated::vector([zero_; 3]),
+            kinetic_energy: zero_,
+            potential_energy: zero_,
             points: [::core::default::Default::default(); 3],
         }
     }

@@ -33,11 +33,11 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     #[must_use]
     #[allow(clippy::all)]
     pub fn new() -> Self {
-        let parameters = TwoPinsParameters {
+        let parameters_ = TwoPinsParameters {
             none: ::core::marker::PhantomData,
         };
-        let (chain, _) = Self::derive(parameters);
-        chain
+        let (chain_, _) = Self::derive(parameters_);
+        chain_
     }
     /// The numbers that may change at run time.
     #[inline]
@@ -48,18 +48,24 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     #[must_use]
     #[allow(unused_doc_comments, clippy::all)]
     pub fn initial_state(&self) -> TwoPinsState<T> {
-        let c = T::constant;
+        let c_ = T::constant;
         TwoPinsState {
-            q: ::mstmm::generated::vector([c(0.0), c(0.0)]),
-            v: ::mstmm::generated::vector([c(0.0), c(0.0)]),
+            q: ::mstmm::generated::vector([c_(0.0), c_(0.0)]),
+            v: ::mstmm::generated::vector([c_(0.0), c_(0.0)]),
             t: T::constant(0.0),
         }
     }
     /// Quantities derived from parameters and constants: 0 mul, 0 add, 0 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
-    fn derive(parameters: TwoPinsParameters<T>) -> (Self, [T; 0]) {
-        let (derived, checks) = ([], []);
-        (Self { parameters, derived }, checks)
+    fn derive(parameters_: TwoPinsParameters<T>) -> (Self, [T; 0]) {
+        let (derived_, checks_) = ([], []);
+        (
+            Self {
+                parameters: parameters_,
+                derived: derived_,
+            },
+            checks_,
+        )
     }
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for TwoPins<T> {
@@ -85,178 +91,178 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::Singular`](::mstmm::Error::Singular) if nothing with inertia lies beyond a
-    /// hinge, [`Error::NotFinite`](::mstmm::Error::NotFinite) if a number of the state or the
+    /// `Error::Singular` if nothing with inertia lies beyond a
+    /// hinge, `Error::NotFinite` if a number of the state or the
     /// inputs is not finite. `accelerations` is not touched then.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn accelerations_into(
         &self,
-        state: &TwoPinsState<T>,
-        inputs: &TwoPinsInputs<T>,
-        accelerations: &mut ::mstmm::nalgebra::SVector<T, 2>,
+        state_: &TwoPinsState<T>,
+        inputs_: &TwoPinsInputs<T>,
+        accelerations_: &mut ::mstmm::nalgebra::SVector<T, 2>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let c = T::constant;
-        let [[shoulder_angle, elbow_angle]] = state.q.data.0;
-        let [[shoulder_rate, elbow_rate]] = state.v.data.0;
+        let c_ = T::constant;
+        let [[shoulder_angle_, elbow_angle_]] = state_.q.data.0;
+        let [[shoulder_rate_, elbow_rate_]] = state_.v.data.0;
         /// Motion across `shoulder`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 2 sin/cos.
         let (
-            [sin_shoulder_angle,
-            sin_elbow_angle,
+            [sin_shoulder_angle_,
+            sin_elbow_angle_,
             ],
-            [cos_shoulder_angle,
-            cos_elbow_angle,
+            [cos_shoulder_angle_,
+            cos_elbow_angle_,
             ],
-        ) = T::sin_cos([shoulder_angle, elbow_angle]);
+        ) = T::sin_cos([shoulder_angle_, elbow_angle_]);
         /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 3 mul, 1 add, 0 reciprocal.
-        let elbow_omega_z = shoulder_rate + elbow_rate;
-        let t0 = shoulder_rate * shoulder_rate;
-        let minus_elbow_drift_lin_x = cos_elbow_angle * t0;
-        let elbow_drift_lin_y = sin_elbow_angle * t0;
+        let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
+        let t0_ = shoulder_rate_ * shoulder_rate_;
+        let minus_elbow_drift_lin_x_ = cos_elbow_angle_ * t0_;
+        let elbow_drift_lin_y_ = sin_elbow_angle_ * t0_;
         /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
-        let t1 = sin_elbow_angle * c(0.75);
-        let t2 = sin_elbow_angle * t1;
-        let shoulder_d = t2 + c(0.5833333333333333);
+        let t1_ = sin_elbow_angle_ * c_(0.75);
+        let t2_ = sin_elbow_angle_ * t1_;
+        let shoulder_d_ = t2_ + c_(0.5833333333333333);
         /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
-        let shoulder_a_lin_x = sin_shoulder_angle * c(9.8);
-        let shoulder_a_lin_y = cos_shoulder_angle * c(9.8);
+        let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
+        let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
         /// Transfer to `elbow`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 24 mul, 18 add, 0 reciprocal.
-        let t3 = sin_elbow_angle * c(0.013606076167856269);
-        let elbow_a4_lin_x = sin_elbow_angle - t3;
-        let t4 = cos_elbow_angle * c(0.013606076167856269);
-        let elbow_a4_lin_y = cos_elbow_angle - t4;
-        let t5 = sin_elbow_angle * c(0.5);
-        let t6 = sin_elbow_angle * c(0.17120202538928544);
-        let minus_elbow_f4_force_x = t5 - t6;
-        let t7 = cos_elbow_angle * c(0.5);
-        let t8 = cos_elbow_angle * c(0.17120202538928544);
-        let minus_elbow_f4_force_y = t7 - t8;
-        let t9 = cos_shoulder_angle * c(4.9);
-        let t10 = cos_elbow_angle * shoulder_a_lin_x;
-        let t11 = sin_elbow_angle * shoulder_a_lin_y;
-        let t12 = t10 + t11;
-        let t13 = shoulder_a_lin_y - t9;
-        let t14 = minus_elbow_drift_lin_x - t12;
-        let t15 = t13 * c(0.9863939238321437);
-        let t16 = sin_elbow_angle * c(0.16439898730535732);
-        let t17 = t15 * t16;
-        let minus_elbow_a_lin_x = t14 + t17;
-        let t18 = sin_elbow_angle * shoulder_a_lin_x;
-        let t19 = cos_elbow_angle * shoulder_a_lin_y;
-        let t20 = t18 - t19;
-        let t21 = elbow_drift_lin_y - t20;
-        let t22 = cos_elbow_angle * c(0.16439898730535732);
-        let t23 = t15 * t22;
-        let elbow_a_lin_y = t21 - t23;
-        let t24 = shoulder_rate * c(0.5);
-        let t25 = shoulder_rate * t24;
-        let t26 = t25 - shoulder_a_lin_x;
-        let t27 = cos_elbow_angle * t26;
-        let t28 = t11 - t27;
-        let t29 = sin_elbow_angle * c(2.0685934174848226);
-        let t30 = sin_elbow_angle - t29;
-        let t31 = t15 * t30;
-        let minus_elbow_f_force_x = t28 + t31;
-        let t32 = sin_elbow_angle * t26;
-        let t33 = t19 + t32;
-        let t34 = cos_elbow_angle * c(2.0685934174848226);
-        let t35 = cos_elbow_angle - t34;
-        let t36 = t15 * t35;
-        let minus_elbow_f_force_y = t33 + t36;
+        let t3_ = sin_elbow_angle_ * c_(0.013606076167856269);
+        let elbow_a4_lin_x_ = sin_elbow_angle_ - t3_;
+        let t4_ = cos_elbow_angle_ * c_(0.013606076167856269);
+        let elbow_a4_lin_y_ = cos_elbow_angle_ - t4_;
+        let t5_ = sin_elbow_angle_ * c_(0.5);
+        let t6_ = sin_elbow_angle_ * c_(0.17120202538928544);
+        let minus_elbow_f4_force_x_ = t5_ - t6_;
+        let t7_ = cos_elbow_angle_ * c_(0.5);
+        let t8_ = cos_elbow_angle_ * c_(0.17120202538928544);
+        let minus_elbow_f4_force_y_ = t7_ - t8_;
+        let t9_ = cos_shoulder_angle_ * c_(4.9);
+        let t10_ = cos_elbow_angle_ * shoulder_a_lin_x_;
+        let t11_ = sin_elbow_angle_ * shoulder_a_lin_y_;
+        let t12_ = t10_ + t11_;
+        let t13_ = shoulder_a_lin_y_ - t9_;
+        let t14_ = minus_elbow_drift_lin_x_ - t12_;
+        let t15_ = t13_ * c_(0.9863939238321437);
+        let t16_ = sin_elbow_angle_ * c_(0.16439898730535732);
+        let t17_ = t15_ * t16_;
+        let minus_elbow_a_lin_x_ = t14_ + t17_;
+        let t18_ = sin_elbow_angle_ * shoulder_a_lin_x_;
+        let t19_ = cos_elbow_angle_ * shoulder_a_lin_y_;
+        let t20_ = t18_ - t19_;
+        let t21_ = elbow_drift_lin_y_ - t20_;
+        let t22_ = cos_elbow_angle_ * c_(0.16439898730535732);
+        let t23_ = t15_ * t22_;
+        let elbow_a_lin_y_ = t21_ - t23_;
+        let t24_ = shoulder_rate_ * c_(0.5);
+        let t25_ = shoulder_rate_ * t24_;
+        let t26_ = t25_ - shoulder_a_lin_x_;
+        let t27_ = cos_elbow_angle_ * t26_;
+        let t28_ = t11_ - t27_;
+        let t29_ = sin_elbow_angle_ * c_(2.0685934174848226);
+        let t30_ = sin_elbow_angle_ - t29_;
+        let t31_ = t15_ * t30_;
+        let minus_elbow_f_force_x_ = t28_ + t31_;
+        let t32_ = sin_elbow_angle_ * t26_;
+        let t33_ = t19_ + t32_;
+        let t34_ = cos_elbow_angle_ * c_(2.0685934174848226);
+        let t35_ = cos_elbow_angle_ - t34_;
+        let t36_ = t15_ * t35_;
+        let minus_elbow_f_force_y_ = t33_ + t36_;
         /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 41 mul, 28 add, 3 reciprocal, 2 square root.
-        let t37 = elbow_omega_z * c(0.5);
-        let t38 = elbow_omega_z * t37;
-        let t39 = t13 * c(0.0810810810810811);
-        let t40 = elbow_a_lin_y - t39;
-        let t41 = c(0.5) * elbow_a_lin_y;
-        let t42 = t13 * c(0.054054054054054064);
-        let t43 = t41 - t42;
-        let t44 = elbow_a4_lin_y + c(0.4931969619160719);
-        let t45 = c(0.5) * elbow_a4_lin_y;
-        let t46 = t45 + c(0.3287979746107146);
-        let t47 = cos_elbow_angle * cos_elbow_angle;
-        let t48 = minus_elbow_a_lin_x - minus_elbow_f_force_x;
-        let t49 = t40 + minus_elbow_f_force_y;
-        let t50 = t38 + t48;
-        let t51 = elbow_a4_lin_x + minus_elbow_f4_force_x;
-        let t52 = t44 + minus_elbow_f4_force_y;
-        let t53 = t51 * t51;
-        let t54 = t47 + t53;
-        let t55 = T::sqrt(t54);
-        let t56 = T::copysign(t55, cos_elbow_angle);
-        let t57 = cos_elbow_angle + t56;
-        let t58 = t56 * t57;
-        let t59 = T::recip(t58);
-        let t60 = t57 * t59;
-        let t61 = t50 * t60;
-        let t62 = sin_elbow_angle * t57;
-        let t63 = t51 * t52;
-        let t64 = t62 - t63;
-        let t65 = t59 * t64;
-        let t66 = t57 * t65;
-        let t67 = sin_elbow_angle - t66;
-        let t68 = t51 * t65;
-        let t69 = t52 + t68;
-        let t70 = t61 * t67;
-        let t71 = t49 + t70;
-        let t72 = t46 * t51;
-        let t73 = t59 * t72;
-        let t74 = t57 * t73;
-        let t75 = t51 * t73;
-        let t76 = t46 - t75;
-        let t77 = t61 * t74;
-        let t78 = t43 + t77;
-        let t79 = t69 * t69;
-        let t80 = c(0.25) + t79;
-        let t81 = T::sqrt(t80);
-        let t82 = T::copysign(t81, -t69);
-        let t83 = t69 - t82;
-        let t84 = t82 * t83;
-        let t85 = T::recip(t84);
-        let t86 = t83 * t85;
-        let t87 = t71 * t86;
-        let t88 = t76 * t83;
-        let t89 = c(0.16666666666666666) + t88;
-        let t90 = t85 * t89;
-        let t91 = t83 * t90;
-        let t92 = t76 + t91;
-        let t93 = c(0.5) * t90;
-        let t94 = c(0.3333333333333333) + t93;
-        let t95 = t87 * t92;
-        let t96 = t78 - t95;
-        let t97 = T::recip(t94);
-        let t98 = t96 * t97;
-        let t99 = t83 * t87;
-        let t100 = c(0.5) * t98;
-        let t101 = t99 + t100;
-        let t102 = t85 * t101;
-        let t103 = t83 * t102;
-        let t104 = t87 + t103;
-        let t105 = t57 * t61;
-        let t106 = t51 * t104;
-        let t107 = t105 + t106;
-        let t108 = t59 * t107;
-        let t109 = t51 * t108;
-        let minus_end_x4 = t104 - t109;
-        let t110 = c(0.5) * t102;
-        let minus_end_x5 = t98 + t110;
+        let t37_ = elbow_omega_z_ * c_(0.5);
+        let t38_ = elbow_omega_z_ * t37_;
+        let t39_ = t13_ * c_(0.0810810810810811);
+        let t40_ = elbow_a_lin_y_ - t39_;
+        let t41_ = c_(0.5) * elbow_a_lin_y_;
+        let t42_ = t13_ * c_(0.054054054054054064);
+        let t43_ = t41_ - t42_;
+        let t44_ = elbow_a4_lin_y_ + c_(0.4931969619160719);
+        let t45_ = c_(0.5) * elbow_a4_lin_y_;
+        let t46_ = t45_ + c_(0.3287979746107146);
+        let t47_ = cos_elbow_angle_ * cos_elbow_angle_;
+        let t48_ = minus_elbow_a_lin_x_ - minus_elbow_f_force_x_;
+        let t49_ = t40_ + minus_elbow_f_force_y_;
+        let t50_ = t38_ + t48_;
+        let t51_ = elbow_a4_lin_x_ + minus_elbow_f4_force_x_;
+        let t52_ = t44_ + minus_elbow_f4_force_y_;
+        let t53_ = t51_ * t51_;
+        let t54_ = t47_ + t53_;
+        let t55_ = T::sqrt(t54_);
+        let t56_ = T::copysign(t55_, cos_elbow_angle_);
+        let t57_ = cos_elbow_angle_ + t56_;
+        let t58_ = t56_ * t57_;
+        let t59_ = T::recip(t58_);
+        let t60_ = t57_ * t59_;
+        let t61_ = t50_ * t60_;
+        let t62_ = sin_elbow_angle_ * t57_;
+        let t63_ = t51_ * t52_;
+        let t64_ = t62_ - t63_;
+        let t65_ = t59_ * t64_;
+        let t66_ = t57_ * t65_;
+        let t67_ = sin_elbow_angle_ - t66_;
+        let t68_ = t51_ * t65_;
+        let t69_ = t52_ + t68_;
+        let t70_ = t61_ * t67_;
+        let t71_ = t49_ + t70_;
+        let t72_ = t46_ * t51_;
+        let t73_ = t59_ * t72_;
+        let t74_ = t57_ * t73_;
+        let t75_ = t51_ * t73_;
+        let t76_ = t46_ - t75_;
+        let t77_ = t61_ * t74_;
+        let t78_ = t43_ + t77_;
+        let t79_ = t69_ * t69_;
+        let t80_ = c_(0.25) + t79_;
+        let t81_ = T::sqrt(t80_);
+        let t82_ = T::copysign(t81_, -t69_);
+        let t83_ = t69_ - t82_;
+        let t84_ = t82_ * t83_;
+        let t85_ = T::recip(t84_);
+        let t86_ = t83_ * t85_;
+        let t87_ = t71_ * t86_;
+        let t88_ = t76_ * t83_;
+        let t89_ = c_(0.16666666666666666) + t88_;
+        let t90_ = t85_ * t89_;
+        let t91_ = t83_ * t90_;
+        let t92_ = t76_ + t91_;
+        let t93_ = c_(0.5) * t90_;
+        let t94_ = c_(0.3333333333333333) + t93_;
+        let t95_ = t87_ * t92_;
+        let t96_ = t78_ - t95_;
+        let t97_ = T::recip(t94_);
+        let t98_ = t96_ * t97_;
+        let t99_ = t83_ * t87_;
+        let t100_ = c_(0.5) * t98_;
+        let t101_ = t99_ + t100_;
+        let t102_ = t85_ * t101_;
+        let t103_ = t83_ * t102_;
+        let t104_ = t87_ + t103_;
+        let t105_ = t57_ * t61_;
+        let t106_ = t51_ * t104_;
+        let t107_ = t105_ + t106_;
+        let t108_ = t59_ * t107_;
+        let t109_ = t51_ * t108_;
+        let minus_end_x4_ = t104_ - t109_;
+        let t110_ = c_(0.5) * t102_;
+        let minus_end_x5_ = t98_ + t110_;
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t111 = t13 * c(1.9863939238321437);
-        let t112 = c(0.16666666666666669) * minus_end_x4;
-        let t113 = t111 - t112;
-        let t114 = c(0.0816364570071376) * t113;
-        let minus_shoulder_beta0 = minus_end_x4 + t114;
-        ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
+        let t111_ = t13_ * c_(1.9863939238321437);
+        let t112_ = c_(0.16666666666666669) * minus_end_x4_;
+        let t113_ = t111_ - t112_;
+        let t114_ = c_(0.0816364570071376) * t113_;
+        let minus_shoulder_beta0_ = minus_end_x4_ + t114_;
+        ::mstmm::generated::finite::<T>(&[state_.q.as_slice(), state_.v.as_slice()])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
             &["shoulder"],
-            [shoulder_d],
-            [c(2.9266666666666667)],
-            [-minus_shoulder_beta0, -minus_end_x5],
+            [shoulder_d_],
+            [c_(2.9266666666666667)],
+            [-minus_shoulder_beta0_, -minus_end_x5_],
         )?;
-        accelerations.data.0 = [[-minus_shoulder_beta0, -minus_end_x5]];
+        accelerations_.data.0 = [[-minus_shoulder_beta0_, -minus_end_x5_]];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges by value; see
@@ -268,12 +274,12 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     #[inline]
     pub fn accelerations(
         &self,
-        state: &TwoPinsState<T>,
-        inputs: &TwoPinsInputs<T>,
+        state_: &TwoPinsState<T>,
+        inputs_: &TwoPinsInputs<T>,
     ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, 2>, ::mstmm::Error> {
-        let mut accelerations = ::mstmm::generated::vector([T::constant(0.0); 2]);
-        self.accelerations_into(state, inputs, &mut accelerations)?;
-        ::core::result::Result::Ok(accelerations)
+        let mut accelerations_ = ::mstmm::generated::vector([T::constant(0.0); 2]);
+        self.accelerations_into(state_, inputs_, &mut accelerations_)?;
+        ::core::result::Result::Ok(accelerations_)
     }
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
@@ -302,346 +308,354 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn solve_into(
         &self,
-        state: &TwoPinsState<T>,
-        inputs: &TwoPinsInputs<T>,
-        at: &mut TwoPinsWorkspace<T>,
+        state_: &TwoPinsState<T>,
+        inputs_: &TwoPinsInputs<T>,
+        at_: &mut TwoPinsWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let c = T::constant;
-        let [[shoulder_angle, elbow_angle]] = state.q.data.0;
-        let [[shoulder_rate, elbow_rate]] = state.v.data.0;
+        let c_ = T::constant;
+        let [[shoulder_angle_, elbow_angle_]] = state_.q.data.0;
+        let [[shoulder_rate_, elbow_rate_]] = state_.v.data.0;
         /// Motion across `shoulder`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 2 sin/cos.
         let (
-            [sin_shoulder_angle,
-            sin_elbow_angle,
+            [sin_shoulder_angle_,
+            sin_elbow_angle_,
             ],
-            [cos_shoulder_angle,
-            cos_elbow_angle,
+            [cos_shoulder_angle_,
+            cos_elbow_angle_,
             ],
-        ) = T::sin_cos([shoulder_angle, elbow_angle]);
+        ) = T::sin_cos([shoulder_angle_, elbow_angle_]);
         /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 3 mul, 1 add, 0 reciprocal.
-        let elbow_omega_z = shoulder_rate + elbow_rate;
-        let t0 = shoulder_rate * shoulder_rate;
-        let minus_elbow_drift_lin_x = cos_elbow_angle * t0;
-        let elbow_drift_lin_y = sin_elbow_angle * t0;
+        let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
+        let t0_ = shoulder_rate_ * shoulder_rate_;
+        let minus_elbow_drift_lin_x_ = cos_elbow_angle_ * t0_;
+        let elbow_drift_lin_y_ = sin_elbow_angle_ * t0_;
         /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
-        let t1 = sin_elbow_angle * c(0.75);
-        let t2 = sin_elbow_angle * t1;
-        let shoulder_d = t2 + c(0.5833333333333333);
+        let t1_ = sin_elbow_angle_ * c_(0.75);
+        let t2_ = sin_elbow_angle_ * t1_;
+        let shoulder_d_ = t2_ + c_(0.5833333333333333);
         /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
-        let shoulder_a_lin_x = sin_shoulder_angle * c(9.8);
-        let shoulder_a_lin_y = cos_shoulder_angle * c(9.8);
+        let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
+        let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
         /// Transfer to `elbow`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 24 mul, 18 add, 0 reciprocal.
-        let t3 = sin_elbow_angle * c(0.013606076167856269);
-        let elbow_a4_lin_x = sin_elbow_angle - t3;
-        let t4 = cos_elbow_angle * c(0.013606076167856269);
-        let elbow_a4_lin_y = cos_elbow_angle - t4;
-        let t5 = sin_elbow_angle * c(0.5);
-        let t6 = sin_elbow_angle * c(0.17120202538928544);
-        let minus_elbow_f4_force_x = t5 - t6;
-        let t7 = cos_elbow_angle * c(0.5);
-        let t8 = cos_elbow_angle * c(0.17120202538928544);
-        let minus_elbow_f4_force_y = t7 - t8;
-        let t9 = cos_shoulder_angle * c(4.9);
-        let t10 = cos_elbow_angle * shoulder_a_lin_x;
-        let t11 = sin_elbow_angle * shoulder_a_lin_y;
-        let t12 = t10 + t11;
-        let t13 = shoulder_a_lin_y - t9;
-        let t14 = minus_elbow_drift_lin_x - t12;
-        let t15 = t13 * c(0.9863939238321437);
-        let t16 = sin_elbow_angle * c(0.16439898730535732);
-        let t17 = t15 * t16;
-        let minus_elbow_a_lin_x = t14 + t17;
-        let t18 = sin_elbow_angle * shoulder_a_lin_x;
-        let t19 = cos_elbow_angle * shoulder_a_lin_y;
-        let t20 = t18 - t19;
-        let t21 = elbow_drift_lin_y - t20;
-        let t22 = cos_elbow_angle * c(0.16439898730535732);
-        let t23 = t15 * t22;
-        let elbow_a_lin_y = t21 - t23;
-        let t24 = shoulder_rate * c(0.5);
-        let t25 = shoulder_rate * t24;
-        let t26 = t25 - shoulder_a_lin_x;
-        let t27 = cos_elbow_angle * t26;
-        let t28 = t11 - t27;
-        let t29 = sin_elbow_angle * c(2.0685934174848226);
-        let t30 = sin_elbow_angle - t29;
-        let t31 = t15 * t30;
-        let minus_elbow_f_force_x = t28 + t31;
-        let t32 = sin_elbow_angle * t26;
-        let t33 = t19 + t32;
-        let t34 = cos_elbow_angle * c(2.0685934174848226);
-        let t35 = cos_elbow_angle - t34;
-        let t36 = t15 * t35;
-        let minus_elbow_f_force_y = t33 + t36;
+        let t3_ = sin_elbow_angle_ * c_(0.013606076167856269);
+        let elbow_a4_lin_x_ = sin_elbow_angle_ - t3_;
+        let t4_ = cos_elbow_angle_ * c_(0.013606076167856269);
+        let elbow_a4_lin_y_ = cos_elbow_angle_ - t4_;
+        let t5_ = sin_elbow_angle_ * c_(0.5);
+        let t6_ = sin_elbow_angle_ * c_(0.17120202538928544);
+        let minus_elbow_f4_force_x_ = t5_ - t6_;
+        let t7_ = cos_elbow_angle_ * c_(0.5);
+        let t8_ = cos_elbow_angle_ * c_(0.17120202538928544);
+        let minus_elbow_f4_force_y_ = t7_ - t8_;
+        let t9_ = cos_shoulder_angle_ * c_(4.9);
+        let t10_ = cos_elbow_angle_ * shoulder_a_lin_x_;
+        let t11_ = sin_elbow_angle_ * shoulder_a_lin_y_;
+        let t12_ = t10_ + t11_;
+        let t13_ = shoulder_a_lin_y_ - t9_;
+        let t14_ = minus_elbow_drift_lin_x_ - t12_;
+        let t15_ = t13_ * c_(0.9863939238321437);
+        let t16_ = sin_elbow_angle_ * c_(0.16439898730535732);
+        let t17_ = t15_ * t16_;
+        let minus_elbow_a_lin_x_ = t14_ + t17_;
+        let t18_ = sin_elbow_angle_ * shoulder_a_lin_x_;
+        let t19_ = cos_elbow_angle_ * shoulder_a_lin_y_;
+        let t20_ = t18_ - t19_;
+        let t21_ = elbow_drift_lin_y_ - t20_;
+        let t22_ = cos_elbow_angle_ * c_(0.16439898730535732);
+        let t23_ = t15_ * t22_;
+        let elbow_a_lin_y_ = t21_ - t23_;
+        let t24_ = shoulder_rate_ * c_(0.5);
+        let t25_ = shoulder_rate_ * t24_;
+        let t26_ = t25_ - shoulder_a_lin_x_;
+        let t27_ = cos_elbow_angle_ * t26_;
+        let t28_ = t11_ - t27_;
+        let t29_ = sin_elbow_angle_ * c_(2.0685934174848226);
+        let t30_ = sin_elbow_angle_ - t29_;
+        let t31_ = t15_ * t30_;
+        let minus_elbow_f_force_x_ = t28_ + t31_;
+        let t32_ = sin_elbow_angle_ * t26_;
+        let t33_ = t19_ + t32_;
+        let t34_ = cos_elbow_angle_ * c_(2.0685934174848226);
+        let t35_ = cos_elbow_angle_ - t34_;
+        let t36_ = t15_ * t35_;
+        let minus_elbow_f_force_y_ = t33_ + t36_;
         /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 41 mul, 28 add, 3 reciprocal, 2 square root.
-        let t37 = elbow_omega_z * c(0.5);
-        let t38 = elbow_omega_z * t37;
-        let t39 = t13 * c(0.0810810810810811);
-        let t40 = elbow_a_lin_y - t39;
-        let t41 = c(0.5) * elbow_a_lin_y;
-        let t42 = t13 * c(0.054054054054054064);
-        let t43 = t41 - t42;
-        let t44 = elbow_a4_lin_y + c(0.4931969619160719);
-        let t45 = c(0.5) * elbow_a4_lin_y;
-        let t46 = t45 + c(0.3287979746107146);
-        let t47 = cos_elbow_angle * cos_elbow_angle;
-        let t48 = minus_elbow_a_lin_x - minus_elbow_f_force_x;
-        let t49 = t40 + minus_elbow_f_force_y;
-        let t50 = t38 + t48;
-        let t51 = elbow_a4_lin_x + minus_elbow_f4_force_x;
-        let t52 = t44 + minus_elbow_f4_force_y;
-        let t53 = t51 * t51;
-        let t54 = t47 + t53;
-        let t55 = T::sqrt(t54);
-        let t56 = T::copysign(t55, cos_elbow_angle);
-        let t57 = cos_elbow_angle + t56;
-        let t58 = t56 * t57;
-        let t59 = T::recip(t58);
-        let t60 = t57 * t59;
-        let t61 = t50 * t60;
-        let t62 = sin_elbow_angle * t57;
-        let t63 = t51 * t52;
-        let t64 = t62 - t63;
-        let t65 = t59 * t64;
-        let t66 = t57 * t65;
-        let t67 = sin_elbow_angle - t66;
-        let t68 = t51 * t65;
-        let t69 = t52 + t68;
-        let t70 = t61 * t67;
-        let t71 = t49 + t70;
-        let t72 = t46 * t51;
-        let t73 = t59 * t72;
-        let t74 = t57 * t73;
-        let t75 = t51 * t73;
-        let t76 = t46 - t75;
-        let t77 = t61 * t74;
-        let t78 = t43 + t77;
-        let t79 = t69 * t69;
-        let t80 = c(0.25) + t79;
-        let t81 = T::sqrt(t80);
-        let t82 = T::copysign(t81, -t69);
-        let t83 = t69 - t82;
-        let t84 = t82 * t83;
-        let t85 = T::recip(t84);
-        let t86 = t83 * t85;
-        let t87 = t71 * t86;
-        let t88 = t76 * t83;
-        let t89 = c(0.16666666666666666) + t88;
-        let t90 = t85 * t89;
-        let t91 = t83 * t90;
-        let t92 = t76 + t91;
-        let t93 = c(0.5) * t90;
-        let t94 = c(0.3333333333333333) + t93;
-        let t95 = t87 * t92;
-        let t96 = t78 - t95;
-        let t97 = T::recip(t94);
-        let t98 = t96 * t97;
-        let t99 = t83 * t87;
-        let t100 = c(0.5) * t98;
-        let t101 = t99 + t100;
-        let t102 = t85 * t101;
-        let t103 = t83 * t102;
-        let t104 = t87 + t103;
-        let t105 = t57 * t61;
-        let t106 = t51 * t104;
-        let t107 = t105 + t106;
-        let t108 = t59 * t107;
-        let t109 = t51 * t108;
-        let minus_end_x4 = t104 - t109;
-        let t110 = c(0.5) * t102;
-        let minus_end_x5 = t98 + t110;
+        let t37_ = elbow_omega_z_ * c_(0.5);
+        let t38_ = elbow_omega_z_ * t37_;
+        let t39_ = t13_ * c_(0.0810810810810811);
+        let t40_ = elbow_a_lin_y_ - t39_;
+        let t41_ = c_(0.5) * elbow_a_lin_y_;
+        let t42_ = t13_ * c_(0.054054054054054064);
+        let t43_ = t41_ - t42_;
+        let t44_ = elbow_a4_lin_y_ + c_(0.4931969619160719);
+        let t45_ = c_(0.5) * elbow_a4_lin_y_;
+        let t46_ = t45_ + c_(0.3287979746107146);
+        let t47_ = cos_elbow_angle_ * cos_elbow_angle_;
+        let t48_ = minus_elbow_a_lin_x_ - minus_elbow_f_force_x_;
+        let t49_ = t40_ + minus_elbow_f_force_y_;
+        let t50_ = t38_ + t48_;
+        let t51_ = elbow_a4_lin_x_ + minus_elbow_f4_force_x_;
+        let t52_ = t44_ + minus_elbow_f4_force_y_;
+        let t53_ = t51_ * t51_;
+        let t54_ = t47_ + t53_;
+        let t55_ = T::sqrt(t54_);
+        let t56_ = T::copysign(t55_, cos_elbow_angle_);
+        let t57_ = cos_elbow_angle_ + t56_;
+        let t58_ = t56_ * t57_;
+        let t59_ = T::recip(t58_);
+        let t60_ = t57_ * t59_;
+        let t61_ = t50_ * t60_;
+        let t62_ = sin_elbow_angle_ * t57_;
+        let t63_ = t51_ * t52_;
+        let t64_ = t62_ - t63_;
+        let t65_ = t59_ * t64_;
+        let t66_ = t57_ * t65_;
+        let t67_ = sin_elbow_angle_ - t66_;
+        let t68_ = t51_ * t65_;
+        let t69_ = t52_ + t68_;
+        let t70_ = t61_ * t67_;
+        let t71_ = t49_ + t70_;
+        let t72_ = t46_ * t51_;
+        let t73_ = t59_ * t72_;
+        let t74_ = t57_ * t73_;
+        let t75_ = t51_ * t73_;
+        let t76_ = t46_ - t75_;
+        let t77_ = t61_ * t74_;
+        let t78_ = t43_ + t77_;
+        let t79_ = t69_ * t69_;
+        let t80_ = c_(0.25) + t79_;
+        let t81_ = T::sqrt(t80_);
+        let t82_ = T::copysign(t81_, -t69_);
+        let t83_ = t69_ - t82_;
+        let t84_ = t82_ * t83_;
+        let t85_ = T::recip(t84_);
+        let t86_ = t83_ * t85_;
+        let t87_ = t71_ * t86_;
+        let t88_ = t76_ * t83_;
+        let t89_ = c_(0.16666666666666666) + t88_;
+        let t90_ = t85_ * t89_;
+        let t91_ = t83_ * t90_;
+        let t92_ = t76_ + t91_;
+        let t93_ = c_(0.5) * t90_;
+        let t94_ = c_(0.3333333333333333) + t93_;
+        let t95_ = t87_ * t92_;
+        let t96_ = t78_ - t95_;
+        let t97_ = T::recip(t94_);
+        let t98_ = t96_ * t97_;
+        let t99_ = t83_ * t87_;
+        let t100_ = c_(0.5) * t98_;
+        let t101_ = t99_ + t100_;
+        let t102_ = t85_ * t101_;
+        let t103_ = t83_ * t102_;
+        let t104_ = t87_ + t103_;
+        let t105_ = t57_ * t61_;
+        let t106_ = t51_ * t104_;
+        let t107_ = t105_ + t106_;
+        let t108_ = t59_ * t107_;
+        let t109_ = t51_ * t108_;
+        let minus_end_x4_ = t104_ - t109_;
+        let t110_ = c_(0.5) * t102_;
+        let minus_end_x5_ = t98_ + t110_;
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t111 = t13 * c(1.9863939238321437);
-        let t112 = c(0.16666666666666669) * minus_end_x4;
-        let t113 = t111 - t112;
-        let t114 = c(0.0816364570071376) * t113;
-        let minus_shoulder_beta0 = minus_end_x4 + t114;
+        let t111_ = t13_ * c_(1.9863939238321437);
+        let t112_ = c_(0.16666666666666669) * minus_end_x4_;
+        let t113_ = t111_ - t112_;
+        let t114_ = c_(0.0816364570071376) * t113_;
+        let minus_shoulder_beta0_ = minus_end_x4_ + t114_;
         /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 8 mul, 2 add, 0 reciprocal.
-        let t115 = cos_shoulder_angle * cos_elbow_angle;
-        let t116 = sin_shoulder_angle * sin_elbow_angle;
-        let elbow_axes_x_x = t115 - t116;
-        let t117 = cos_shoulder_angle * sin_elbow_angle;
-        let t118 = sin_shoulder_angle * cos_elbow_angle;
-        let minus_elbow_axes_x_y = t117 + t118;
-        let t119 = shoulder_rate * cos_shoulder_angle;
-        let minus_elbow_drift_lin_x_2 = shoulder_rate * t119;
-        let t120 = shoulder_rate * sin_shoulder_angle;
-        let minus_elbow_drift_lin_y = shoulder_rate * t120;
+        let t115_ = cos_shoulder_angle_ * cos_elbow_angle_;
+        let t116_ = sin_shoulder_angle_ * sin_elbow_angle_;
+        let elbow_axes_x_x_ = t115_ - t116_;
+        let t117_ = cos_shoulder_angle_ * sin_elbow_angle_;
+        let t118_ = sin_shoulder_angle_ * cos_elbow_angle_;
+        let minus_elbow_axes_x_y_ = t117_ + t118_;
+        let t119_ = shoulder_rate_ * cos_shoulder_angle_;
+        let minus_elbow_drift_lin_x_2_ = shoulder_rate_ * t119_;
+        let t120_ = shoulder_rate_ * sin_shoulder_angle_;
+        let minus_elbow_drift_lin_y_ = shoulder_rate_ * t120_;
         /// Point of `elbow`, [P, Eqs. (12), (13), (36)]: 2 mul, 3 add, 0 reciprocal.
-        let t121 = sin_shoulder_angle * minus_shoulder_beta0;
-        let minus_elbow_acc_lin_x = minus_elbow_drift_lin_x_2 - t121;
-        let t122 = cos_shoulder_angle * minus_shoulder_beta0;
-        let minus_elbow_acc_lin_y = minus_elbow_drift_lin_y + t122;
-        let minus_elbow_acc_ang_z = minus_end_x5 + minus_shoulder_beta0;
+        let t121_ = sin_shoulder_angle_ * minus_shoulder_beta0_;
+        let minus_elbow_acc_lin_x_ = minus_elbow_drift_lin_x_2_ - t121_;
+        let t122_ = cos_shoulder_angle_ * minus_shoulder_beta0_;
+        let minus_elbow_acc_lin_y_ = minus_elbow_drift_lin_y_ + t122_;
+        let minus_elbow_acc_ang_z_ = minus_end_x5_ + minus_shoulder_beta0_;
         /// Load of the body at `shoulder`, [P, Eqs. (18), (19)]: 5 mul, 3 add, 0 reciprocal.
-        let t123 = cos_shoulder_angle * t26;
-        let t124 = c(0.5) * minus_shoulder_beta0;
-        let t125 = shoulder_a_lin_y - t124;
-        let t126 = sin_shoulder_angle * t125;
-        let minus_shoulder_own_force_x = t123 + t126;
-        let t127 = sin_shoulder_angle * t26;
-        let t128 = cos_shoulder_angle * t125;
-        let minus_shoulder_own_force_y = t127 - t128;
+        let t123_ = cos_shoulder_angle_ * t26_;
+        let t124_ = c_(0.5) * minus_shoulder_beta0_;
+        let t125_ = shoulder_a_lin_y_ - t124_;
+        let t126_ = sin_shoulder_angle_ * t125_;
+        let minus_shoulder_own_force_x_ = t123_ + t126_;
+        let t127_ = sin_shoulder_angle_ * t26_;
+        let t128_ = cos_shoulder_angle_ * t125_;
+        let minus_shoulder_own_force_y_ = t127_ - t128_;
         /// Load of the body at `elbow`, [P, Eqs. (18), (19)]: 7 mul, 9 add, 0 reciprocal.
-        let t129 = shoulder_a_lin_y - minus_shoulder_beta0;
-        let t130 = sin_elbow_angle * t129;
-        let t131 = t10 + t130;
-        let t132 = cos_elbow_angle * t129;
-        let t133 = t18 - t132;
-        let t134 = minus_elbow_drift_lin_x - t131;
-        let t135 = elbow_drift_lin_y - t133;
-        let t136 = c(0.5) * minus_elbow_acc_ang_z;
-        let t137 = t135 - t136;
-        let t138 = t38 + t134;
-        let t139 = elbow_axes_x_x * t138;
-        let t140 = minus_elbow_axes_x_y * t137;
-        let minus_elbow_own_force_x = t139 + t140;
-        let t141 = minus_elbow_axes_x_y * t138;
-        let t142 = elbow_axes_x_x * t137;
-        let minus_elbow_own_force_y = t141 - t142;
+        let t129_ = shoulder_a_lin_y_ - minus_shoulder_beta0_;
+        let t130_ = sin_elbow_angle_ * t129_;
+        let t131_ = t10_ + t130_;
+        let t132_ = cos_elbow_angle_ * t129_;
+        let t133_ = t18_ - t132_;
+        let t134_ = minus_elbow_drift_lin_x_ - t131_;
+        let t135_ = elbow_drift_lin_y_ - t133_;
+        let t136_ = c_(0.5) * minus_elbow_acc_ang_z_;
+        let t137_ = t135_ - t136_;
+        let t138_ = t38_ + t134_;
+        let t139_ = elbow_axes_x_x_ * t138_;
+        let t140_ = minus_elbow_axes_x_y_ * t137_;
+        let minus_elbow_own_force_x_ = t139_ + t140_;
+        let t141_ = minus_elbow_axes_x_y_ * t138_;
+        let t142_ = elbow_axes_x_x_ * t137_;
+        let minus_elbow_own_force_y_ = t141_ - t142_;
         /// Load on `shoulder`, [P, Eqs. (18), (19)]: 0 mul, 2 add, 0 reciprocal.
-        let minus_shoulder_load_force_x = minus_shoulder_own_force_x
-            + minus_elbow_own_force_x;
-        let minus_shoulder_load_force_y = minus_shoulder_own_force_y
-            + minus_elbow_own_force_y;
+        let minus_shoulder_load_force_x_ = minus_shoulder_own_force_x_
+            + minus_elbow_own_force_x_;
+        let minus_shoulder_load_force_y_ = minus_shoulder_own_force_y_
+            + minus_elbow_own_force_y_;
         /// Results: 25 mul, 17 add, 0 reciprocal.
-        let t143 = cos_shoulder_angle * c(0.5);
-        let t144 = sin_shoulder_angle * c(0.5);
-        let t145 = c(0.5) * elbow_axes_x_x;
-        let t146 = c(0.5) * minus_elbow_axes_x_y;
-        let t147 = shoulder_rate * t144;
-        let t148 = shoulder_rate * t143;
-        let t149 = shoulder_rate * c(0.08333333333333333);
-        let t150 = shoulder_rate * t149;
-        let t151 = t147 * t147;
-        let t152 = t148 * t148;
-        let t153 = t151 + t152;
-        let t154 = t150 + t153;
-        let t155 = elbow_omega_z * t146;
-        let t156 = elbow_omega_z * t145;
-        let t157 = t120 + t155;
-        let t158 = t119 + t156;
-        let t159 = elbow_omega_z * c(0.08333333333333333);
-        let t160 = elbow_omega_z * t159;
-        let t161 = t157 * t157;
-        let t162 = t158 * t158;
-        let t163 = t161 + t162;
-        let t164 = t160 + t163;
-        let t165 = t154 + t164;
-        let t166 = c(0.5) * t165;
-        let t167 = sin_shoulder_angle * c(4.9);
-        let t168 = sin_shoulder_angle + t146;
-        let t169 = c(9.8) * t168;
-        let t170 = t167 + t169;
-        let t171 = cos_shoulder_angle + elbow_axes_x_x;
-        let t172 = sin_shoulder_angle + minus_elbow_axes_x_y;
-        let t173 = elbow_omega_z * minus_elbow_axes_x_y;
-        let t174 = t120 + t173;
-        let t175 = elbow_omega_z * elbow_axes_x_x;
-        let t176 = t119 + t175;
-        let t177 = elbow_omega_z * t175;
-        let t178 = minus_elbow_axes_x_y * minus_elbow_acc_ang_z;
-        let t179 = minus_elbow_acc_lin_x - t178;
-        let t180 = t177 + t179;
-        let t181 = elbow_omega_z * t173;
-        let t182 = elbow_axes_x_x * minus_elbow_acc_ang_z;
-        let t183 = minus_elbow_acc_lin_y + t182;
-        let t184 = t181 + t183;
-        ::mstmm::generated::finite::<T>(&[state.q.as_slice(), state.v.as_slice()])?;
+        let t143_ = cos_shoulder_angle_ * c_(0.5);
+        let t144_ = sin_shoulder_angle_ * c_(0.5);
+        let t145_ = c_(0.5) * elbow_axes_x_x_;
+        let t146_ = c_(0.5) * minus_elbow_axes_x_y_;
+        let t147_ = shoulder_rate_ * t144_;
+        let t148_ = shoulder_rate_ * t143_;
+        let t149_ = shoulder_rate_ * c_(0.08333333333333333);
+        let t150_ = shoulder_rate_ * t149_;
+        let t151_ = t147_ * t147_;
+        let t152_ = t148_ * t148_;
+        let t153_ = t151_ + t152_;
+        let t154_ = t150_ + t153_;
+        let t155_ = elbow_omega_z_ * t146_;
+        let t156_ = elbow_omega_z_ * t145_;
+        let t157_ = t120_ + t155_;
+        let t158_ = t119_ + t156_;
+        let t159_ = elbow_omega_z_ * c_(0.08333333333333333);
+        let t160_ = elbow_omega_z_ * t159_;
+        let t161_ = t157_ * t157_;
+        let t162_ = t158_ * t158_;
+        let t163_ = t161_ + t162_;
+        let t164_ = t160_ + t163_;
+        let t165_ = t154_ + t164_;
+        let t166_ = c_(0.5) * t165_;
+        let t167_ = sin_shoulder_angle_ * c_(4.9);
+        let t168_ = sin_shoulder_angle_ + t146_;
+        let t169_ = c_(9.8) * t168_;
+        let t170_ = t167_ + t169_;
+        let t171_ = cos_shoulder_angle_ + elbow_axes_x_x_;
+        let t172_ = sin_shoulder_angle_ + minus_elbow_axes_x_y_;
+        let t173_ = elbow_omega_z_ * minus_elbow_axes_x_y_;
+        let t174_ = t120_ + t173_;
+        let t175_ = elbow_omega_z_ * elbow_axes_x_x_;
+        let t176_ = t119_ + t175_;
+        let t177_ = elbow_omega_z_ * t175_;
+        let t178_ = minus_elbow_axes_x_y_ * minus_elbow_acc_ang_z_;
+        let t179_ = minus_elbow_acc_lin_x_ - t178_;
+        let t180_ = t177_ + t179_;
+        let t181_ = elbow_omega_z_ * t173_;
+        let t182_ = elbow_axes_x_x_ * minus_elbow_acc_ang_z_;
+        let t183_ = minus_elbow_acc_lin_y_ + t182_;
+        let t184_ = t181_ + t183_;
+        ::mstmm::generated::finite::<T>(&[state_.q.as_slice(), state_.v.as_slice()])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
             &["shoulder"],
-            [shoulder_d],
-            [c(2.9266666666666667)],
-            [-minus_shoulder_beta0, -minus_end_x5],
+            [shoulder_d_],
+            [c_(2.9266666666666667)],
+            [-minus_shoulder_beta0_, -minus_end_x5_],
         )?;
-        at.accelerations.data.0 = [[-minus_shoulder_beta0, -minus_end_x5]];
-        at.rate_accelerations.data.0 = [[-minus_shoulder_beta0, -minus_end_x5]];
-        at.efforts.data.0 = [[c(0.0), c(0.0)]];
-        at.kinetic_energy = t166;
-        at.potential_energy = t170;
-        at.points = [
+        at_.accelerations.data.0 = [[-minus_shoulder_beta0_, -minus_end_x5_]];
+        at_.rate_accelerations.data.0 = [[-minus_shoulder_beta0_, -minus_end_x5_]];
+        at_.efforts.data.0 = [[c_(0.0), c_(0.0)]];
+        at_.kinetic_energy = t166_;
+        at_.potential_energy = t170_;
+        at_.points = [
             ::mstmm::Point::new(
-                [c(0.0), c(0.0), c(0.0)],
+                [c_(0.0), c_(0.0), c_(0.0)],
                 [
-                    [c(1.0), c(0.0), c(0.0)],
-                    [c(0.0), c(1.0), c(0.0)],
-                    [c(0.0), c(0.0), c(1.0)],
+                    [c_(1.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(1.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(1.0)],
                 ],
-                [c(0.0), c(0.0), c(0.0)],
-                [c(0.0), c(0.0), c(0.0)],
+                [c_(0.0), c_(0.0), c_(0.0)],
+                [c_(0.0), c_(0.0), c_(0.0)],
                 ::mstmm::StateVector::new(
-                    [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), c(0.0)],
-                    [-minus_shoulder_load_force_x, -minus_shoulder_load_force_y, c(0.0)],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [
+                        -minus_shoulder_load_force_x_,
+                        -minus_shoulder_load_force_y_,
+                        c_(0.0),
+                    ],
                 ),
             ),
             ::mstmm::Point::new(
-                [c(0.0), c(0.0), c(0.0)],
+                [c_(0.0), c_(0.0), c_(0.0)],
                 [
-                    [cos_shoulder_angle, -sin_shoulder_angle, c(0.0)],
-                    [sin_shoulder_angle, cos_shoulder_angle, c(0.0)],
-                    [c(0.0), c(0.0), c(1.0)],
+                    [cos_shoulder_angle_, -sin_shoulder_angle_, c_(0.0)],
+                    [sin_shoulder_angle_, cos_shoulder_angle_, c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(1.0)],
                 ],
-                [c(0.0), c(0.0), c(0.0)],
-                [c(0.0), c(0.0), shoulder_rate],
+                [c_(0.0), c_(0.0), c_(0.0)],
+                [c_(0.0), c_(0.0), shoulder_rate_],
                 ::mstmm::StateVector::new(
-                    [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), -minus_shoulder_beta0],
-                    [c(0.0), c(0.0), c(0.0)],
-                    [-minus_shoulder_load_force_x, -minus_shoulder_load_force_y, c(0.0)],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), -minus_shoulder_beta0_],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [
+                        -minus_shoulder_load_force_x_,
+                        -minus_shoulder_load_force_y_,
+                        c_(0.0),
+                    ],
                 ),
             ),
             ::mstmm::Point::new(
-                [cos_shoulder_angle, sin_shoulder_angle, c(0.0)],
+                [cos_shoulder_angle_, sin_shoulder_angle_, c_(0.0)],
                 [
-                    [cos_shoulder_angle, -sin_shoulder_angle, c(0.0)],
-                    [sin_shoulder_angle, cos_shoulder_angle, c(0.0)],
-                    [c(0.0), c(0.0), c(1.0)],
+                    [cos_shoulder_angle_, -sin_shoulder_angle_, c_(0.0)],
+                    [sin_shoulder_angle_, cos_shoulder_angle_, c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(1.0)],
                 ],
-                [-t120, t119, c(0.0)],
-                [c(0.0), c(0.0), shoulder_rate],
+                [-t120_, t119_, c_(0.0)],
+                [c_(0.0), c_(0.0), shoulder_rate_],
                 ::mstmm::StateVector::new(
-                    [-minus_elbow_acc_lin_x, -minus_elbow_acc_lin_y, c(0.0)],
-                    [c(0.0), c(0.0), -minus_shoulder_beta0],
-                    [c(0.0), c(0.0), c(0.0)],
-                    [-minus_elbow_own_force_x, -minus_elbow_own_force_y, c(0.0)],
+                    [-minus_elbow_acc_lin_x_, -minus_elbow_acc_lin_y_, c_(0.0)],
+                    [c_(0.0), c_(0.0), -minus_shoulder_beta0_],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [-minus_elbow_own_force_x_, -minus_elbow_own_force_y_, c_(0.0)],
                 ),
             ),
             ::mstmm::Point::new(
-                [cos_shoulder_angle, sin_shoulder_angle, c(0.0)],
+                [cos_shoulder_angle_, sin_shoulder_angle_, c_(0.0)],
                 [
-                    [elbow_axes_x_x, -minus_elbow_axes_x_y, c(0.0)],
-                    [minus_elbow_axes_x_y, elbow_axes_x_x, c(0.0)],
-                    [c(0.0), c(0.0), c(1.0)],
+                    [elbow_axes_x_x_, -minus_elbow_axes_x_y_, c_(0.0)],
+                    [minus_elbow_axes_x_y_, elbow_axes_x_x_, c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(1.0)],
                 ],
-                [-t120, t119, c(0.0)],
-                [c(0.0), c(0.0), elbow_omega_z],
+                [-t120_, t119_, c_(0.0)],
+                [c_(0.0), c_(0.0), elbow_omega_z_],
                 ::mstmm::StateVector::new(
-                    [-minus_elbow_acc_lin_x, -minus_elbow_acc_lin_y, c(0.0)],
-                    [c(0.0), c(0.0), -minus_elbow_acc_ang_z],
-                    [c(0.0), c(0.0), c(0.0)],
-                    [-minus_elbow_own_force_x, -minus_elbow_own_force_y, c(0.0)],
+                    [-minus_elbow_acc_lin_x_, -minus_elbow_acc_lin_y_, c_(0.0)],
+                    [c_(0.0), c_(0.0), -minus_elbow_acc_ang_z_],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [-minus_elbow_own_force_x_, -minus_elbow_own_force_y_, c_(0.0)],
                 ),
             ),
             ::mstmm::Point::new(
-                [t171, t172, c(0.0)],
+                [t171_, t172_, c_(0.0)],
                 [
-                    [elbow_axes_x_x, -minus_elbow_axes_x_y, c(0.0)],
-                    [minus_elbow_axes_x_y, elbow_axes_x_x, c(0.0)],
-                    [c(0.0), c(0.0), c(1.0)],
+                    [elbow_axes_x_x_, -minus_elbow_axes_x_y_, c_(0.0)],
+                    [minus_elbow_axes_x_y_, elbow_axes_x_x_, c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(1.0)],
                 ],
-                [-t174, t176, c(0.0)],
-                [c(0.0), c(0.0), elbow_omega_z],
+                [-t174_, t176_, c_(0.0)],
+                [c_(0.0), c_(0.0), elbow_omega_z_],
                 ::mstmm::StateVector::new(
-                    [-t180, -t184, c(0.0)],
-                    [c(0.0), c(0.0), -minus_elbow_acc_ang_z],
-                    [c(0.0), c(0.0), c(0.0)],
-                    [c(0.0), c(0.0), c(0.0)],
+                    [-t180_, -t184_, c_(0.0)],
+                    [c_(0.0), c_(0.0), -minus_elbow_acc_ang_z_],
+                    [c_(0.0), c_(0.0), c_(0.0)],
+                    [c_(0.0), c_(0.0), c_(0.0)],
                 ),
             ),
         ];
@@ -659,61 +673,61 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// | Results |  | 21 | 9 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    pub fn energy(&self, state: &TwoPinsState<T>) -> ::mstmm::Energy<T> {
-        let c = T::constant;
-        let [[shoulder_angle, elbow_angle]] = state.q.data.0;
-        let [[shoulder_rate, elbow_rate]] = state.v.data.0;
+    pub fn energy(&self, state_: &TwoPinsState<T>) -> ::mstmm::Energy<T> {
+        let c_ = T::constant;
+        let [[shoulder_angle_, elbow_angle_]] = state_.q.data.0;
+        let [[shoulder_rate_, elbow_rate_]] = state_.v.data.0;
         /// Motion across `shoulder`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 2 sin/cos.
         let (
-            [sin_shoulder_angle,
-            sin_elbow_angle,
+            [sin_shoulder_angle_,
+            sin_elbow_angle_,
             ],
-            [cos_shoulder_angle,
-            cos_elbow_angle,
+            [cos_shoulder_angle_,
+            cos_elbow_angle_,
             ],
-        ) = T::sin_cos([shoulder_angle, elbow_angle]);
+        ) = T::sin_cos([shoulder_angle_, elbow_angle_]);
         /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t0 = cos_shoulder_angle * cos_elbow_angle;
-        let t1 = sin_shoulder_angle * sin_elbow_angle;
-        let elbow_axes_x_x = t0 - t1;
-        let t2 = cos_shoulder_angle * sin_elbow_angle;
-        let t3 = sin_shoulder_angle * cos_elbow_angle;
-        let minus_elbow_axes_x_y = t2 + t3;
-        let elbow_omega_z = shoulder_rate + elbow_rate;
+        let t0_ = cos_shoulder_angle_ * cos_elbow_angle_;
+        let t1_ = sin_shoulder_angle_ * sin_elbow_angle_;
+        let elbow_axes_x_x_ = t0_ - t1_;
+        let t2_ = cos_shoulder_angle_ * sin_elbow_angle_;
+        let t3_ = sin_shoulder_angle_ * cos_elbow_angle_;
+        let minus_elbow_axes_x_y_ = t2_ + t3_;
+        let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
         /// Results: 21 mul, 9 add, 0 reciprocal.
-        let t4 = cos_shoulder_angle * c(0.5);
-        let t5 = sin_shoulder_angle * c(0.5);
-        let t6 = shoulder_rate * sin_shoulder_angle;
-        let t7 = shoulder_rate * cos_shoulder_angle;
-        let t8 = c(0.5) * elbow_axes_x_x;
-        let t9 = c(0.5) * minus_elbow_axes_x_y;
-        let t10 = shoulder_rate * t5;
-        let t11 = shoulder_rate * t4;
-        let t12 = shoulder_rate * c(0.08333333333333333);
-        let t13 = shoulder_rate * t12;
-        let t14 = t10 * t10;
-        let t15 = t11 * t11;
-        let t16 = t14 + t15;
-        let t17 = t13 + t16;
-        let t18 = elbow_omega_z * t9;
-        let t19 = elbow_omega_z * t8;
-        let t20 = t6 + t18;
-        let t21 = t7 + t19;
-        let t22 = elbow_omega_z * c(0.08333333333333333);
-        let t23 = elbow_omega_z * t22;
-        let t24 = t20 * t20;
-        let t25 = t21 * t21;
-        let t26 = t24 + t25;
-        let t27 = t23 + t26;
-        let t28 = t17 + t27;
-        let t29 = c(0.5) * t28;
-        let t30 = sin_shoulder_angle * c(4.9);
-        let t31 = sin_shoulder_angle + t9;
-        let t32 = c(9.8) * t31;
-        let t33 = t30 + t32;
+        let t4_ = cos_shoulder_angle_ * c_(0.5);
+        let t5_ = sin_shoulder_angle_ * c_(0.5);
+        let t6_ = shoulder_rate_ * sin_shoulder_angle_;
+        let t7_ = shoulder_rate_ * cos_shoulder_angle_;
+        let t8_ = c_(0.5) * elbow_axes_x_x_;
+        let t9_ = c_(0.5) * minus_elbow_axes_x_y_;
+        let t10_ = shoulder_rate_ * t5_;
+        let t11_ = shoulder_rate_ * t4_;
+        let t12_ = shoulder_rate_ * c_(0.08333333333333333);
+        let t13_ = shoulder_rate_ * t12_;
+        let t14_ = t10_ * t10_;
+        let t15_ = t11_ * t11_;
+        let t16_ = t14_ + t15_;
+        let t17_ = t13_ + t16_;
+        let t18_ = elbow_omega_z_ * t9_;
+        let t19_ = elbow_omega_z_ * t8_;
+        let t20_ = t6_ + t18_;
+        let t21_ = t7_ + t19_;
+        let t22_ = elbow_omega_z_ * c_(0.08333333333333333);
+        let t23_ = elbow_omega_z_ * t22_;
+        let t24_ = t20_ * t20_;
+        let t25_ = t21_ * t21_;
+        let t26_ = t24_ + t25_;
+        let t27_ = t23_ + t26_;
+        let t28_ = t17_ + t27_;
+        let t29_ = c_(0.5) * t28_;
+        let t30_ = sin_shoulder_angle_ * c_(4.9);
+        let t31_ = sin_shoulder_angle_ + t9_;
+        let t32_ = c_(9.8) * t31_;
+        let t33_ = t30_ + t32_;
         ::mstmm::Energy {
-            kinetic: t29,
-            potential: t33,
+            kinetic: t29_,
+            potential: t33_,
         }
     }
 }
@@ -725,32 +739,32 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for TwoPins<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn derivative_into(
         &self,
-        state: &TwoPinsState<T>,
-        inputs: &TwoPinsInputs<T>,
-        rate: &mut TwoPinsState<T>,
+        state_: &TwoPinsState<T>,
+        inputs_: &TwoPinsInputs<T>,
+        rate_: &mut TwoPinsState<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        self.accelerations_into(state, inputs, &mut rate.v)?;
-        self.configuration_rate_into(state, rate);
+        self.accelerations_into(state_, inputs_, &mut rate_.v)?;
+        self.configuration_rate_into(state_, rate_);
         ::core::result::Result::Ok(())
     }
     #[inline]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn configuration_rate_into(
         &self,
-        state: &TwoPinsState<T>,
-        rate: &mut TwoPinsState<T>,
+        state_: &TwoPinsState<T>,
+        rate_: &mut TwoPinsState<T>,
     ) {
-        rate.q.data.0 = {
-            let [[shoulder_rate, elbow_rate]] = state.v.data.0;
-            [[shoulder_rate, elbow_rate]]
+        rate_.q.data.0 = {
+            let [[shoulder_rate_, elbow_rate_]] = state_.v.data.0;
+            [[shoulder_rate_, elbow_rate_]]
         };
     }
     #[inline]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn normalize(&self, state: &mut TwoPinsState<T>) {
-        state.q.data.0 = {
-            let [[shoulder_angle, elbow_angle]] = state.q.data.0;
-            [[shoulder_angle, elbow_angle]]
+    fn normalize(&self, state_: &mut TwoPinsState<T>) {
+        state_.q.data.0 = {
+            let [[shoulder_angle_, elbow_angle_]] = state_.q.data.0;
+            [[shoulder_angle_, elbow_angle_]]
         };
     }
 }
@@ -771,15 +785,15 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for TwoPins<T> {
     #[inline]
     fn solve_into(
         &self,
-        state: &TwoPinsState<T>,
-        inputs: &TwoPinsInputs<T>,
-        at: &mut TwoPinsWorkspace<T>,
+        state_: &TwoPinsState<T>,
+        inputs_: &TwoPinsInputs<T>,
+        at_: &mut TwoPinsWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        self.solve_into(state, inputs, at)
+        self.solve_into(state_, inputs_, at_)
     }
     #[inline]
-    fn energy(&self, state: &TwoPinsState<T>) -> ::mstmm::Energy<T> {
-        self.energy(state)
+    fn energy(&self, state_: &TwoPinsState<T>) -> ::mstmm::Energy<T> {
+        self.energy(state_)
     }
 }
 /// Coordinates and rates of [`TwoPins`] at a time.
@@ -802,41 +816,41 @@ impl<T: ::mstmm::Scalar> TwoPinsState<T> {
     #[inline]
     #[must_use]
     pub fn shoulder(&self) -> ::mstmm::PinState<T> {
-        let [[q0, ..]] = self.q.data.0;
-        let [[v0, ..]] = self.v.data.0;
-        ::mstmm::PinState::new(q0, v0)
+        let [[q0_, ..]] = self.q.data.0;
+        let [[v0_, ..]] = self.v.data.0;
+        ::mstmm::PinState::new(q0_, v0_)
     }
     /// Coordinates and rates of hinge `shoulder`, to be changed.
     #[inline]
     pub fn shoulder_mut(&mut self) -> ::mstmm::PinStateMut<'_, T> {
-        let [[q0, ..]] = &mut self.q.data.0;
-        let [[v0, ..]] = &mut self.v.data.0;
-        ::mstmm::PinStateMut::new(q0, v0)
+        let [[q0_, ..]] = &mut self.q.data.0;
+        let [[v0_, ..]] = &mut self.v.data.0;
+        ::mstmm::PinStateMut::new(q0_, v0_)
     }
     /// Coordinates and rates of hinge `elbow`.
     #[inline]
     #[must_use]
     pub fn elbow(&self) -> ::mstmm::PinState<T> {
-        let [[_, q1, ..]] = self.q.data.0;
-        let [[_, v1, ..]] = self.v.data.0;
-        ::mstmm::PinState::new(q1, v1)
+        let [[_, q1_, ..]] = self.q.data.0;
+        let [[_, v1_, ..]] = self.v.data.0;
+        ::mstmm::PinState::new(q1_, v1_)
     }
     /// Coordinates and rates of hinge `elbow`, to be changed.
     #[inline]
     pub fn elbow_mut(&mut self) -> ::mstmm::PinStateMut<'_, T> {
-        let [[_, q1, ..]] = &mut self.q.data.0;
-        let [[_, v1, ..]] = &mut self.v.data.0;
-        ::mstmm::PinStateMut::new(q1, v1)
+        let [[_, q1_, ..]] = &mut self.q.data.0;
+        let [[_, v1_, ..]] = &mut self.v.data.0;
+        ::mstmm::PinStateMut::new(q1_, v1_)
     }
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for TwoPinsState<T> {
     fn default() -> Self {
-        let (zero, one) = (T::constant(0.0), T::constant(1.0));
-        let _ = one;
+        let (zero_, one_) = (T::constant(0.0), T::constant(1.0));
+        let _ = one_;
         Self {
-            q: ::mstmm::generated::vector([zero, zero]),
-            v: ::mstmm::generated::vector([zero; 2]),
-            t: zero,
+            q: ::mstmm::generated::vector([zero_, zero_]),
+            v: ::mstmm::generated::vector([zero_; 2]),
+            t: zero_,
         }
     }
 }
@@ -863,8 +877,8 @@ impl<T: ::mstmm::Scalar> ::mstmm::ChainState for TwoPinsState<T> {
         self.t
     }
     #[inline]
-    fn set_time(&mut self, time: T) {
-        self.t = time;
+    fn set_time(&mut self, time_: T) {
+        self.t = time_;
     }
 }
 /// What drives [`TwoPins`] from outside, given at every step.
@@ -928,60 +942,60 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     /// Acceleration, effort, input and output of hinge `shoulder`.
     #[inline]
     pub fn shoulder(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::Point<T>> {
-        let [input, output, ..] = &self.points;
+        let [input_, output_, ..] = &self.points;
         ::mstmm::HingeResult::new(
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.rate_accelerations.as_slice(), 0);
-                value
+                value_
             },
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.efforts.as_slice(), 0);
-                value
+                value_
             },
-            input,
-            output,
+            input_,
+            output_,
         )
     }
     /// Input and output of body `upper`.
     #[inline]
     pub fn upper(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::Point<T>> {
-        let [_, input, output, ..] = &self.points;
-        ::mstmm::BodyResult::new(input, output)
+        let [_, input_, output_, ..] = &self.points;
+        ::mstmm::BodyResult::new(input_, output_)
     }
     /// Acceleration, effort, input and output of hinge `elbow`.
     #[inline]
     pub fn elbow(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::Point<T>> {
-        let [_, _, input, output, ..] = &self.points;
+        let [_, _, input_, output_, ..] = &self.points;
         ::mstmm::HingeResult::new(
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.rate_accelerations.as_slice(), 1);
-                value
+                value_
             },
             {
-                let [value] = ::mstmm::generated::piece::<
+                let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
                 >(self.efforts.as_slice(), 1);
-                value
+                value_
             },
-            input,
-            output,
+            input_,
+            output_,
         )
     }
     /// Input and output of body `lower`.
     #[inline]
     pub fn lower(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::Point<T>> {
-        let [_, _, _, input, output, ..] = &self.points;
-        ::mstmm::BodyResult::new(input, output)
+        let [_, _, _, input_, output_, ..] = &self.points;
+        ::mstmm::BodyResult::new(input_, output_)
     }
 }
 #[allow(dead_code, non_snake_case)]
@@ -989,13 +1003,13 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]
     pub fn workspace(&self) -> TwoPinsWorkspace<T> {
-        let zero = T::constant(0.0);
+        let zero_ = T::constant(0.0);
         TwoPinsWorkspace {
-            accelerations: ::mstmm::generated::vector([zero; 2]),
-            rate_accelerations: ::mstmm::generated::vector([zero; 2]),
-            efforts: ::mstmm::generated::vector([zero; 2]),
-            kinetic_energy: zero,
-            potential_energy: zero,
+            accelerations: ::mstmm::generated::vector([zero_; 2]),
+            rate_accelerations: ::mstmm::generated::vector([zero_; 2]),
+            efforts: ::mstmm::generated::vector([zero_; 2]),
+            kinetic_energy: zero_,
+            potential_energy: zero_,
             points: [::core::default::Default::default(); 5],
         }
     }
