@@ -33,10 +33,12 @@ fn every_rule_has_a_case() {
     assert!(missing.is_empty(), "no case in tests/ui for {missing:?}");
 }
 
-/// A message about anything but the description would not be the user's to mend.
+/// A message about anything but the description would not be the user's to mend. In the folder `quiet`
+/// programs use the chains that are wrong, of which nothing may be said.
 #[test]
 fn cases_are_macro_calls_alone() {
-    for case in cases() {
+    let quiet = root().join("tests/ui/quiet");
+    for case in cases().into_iter().filter(|case| !case.starts_with(&quiet)) {
         let source = fs::read_to_string(&case).expect("a case");
         assert!(source.starts_with("mstmm::mstmm_chain! {"), "{}", case.display());
         assert!(source.ends_with("}\n\nfn main() {}\n"), "{}", case.display());

@@ -8,8 +8,9 @@ use proc_macro::TokenStream;
 pub fn mstmm_chain_by(input: TokenStream) -> TokenStream {
     let mut tokens = input.into_iter();
     let mstmm: TokenStream = tokens.next().into_iter().collect();
-    match mstmm_codegen::compile(tokens.collect::<TokenStream>().into(), &mstmm.into()) {
-        Ok(items) => items.into(),
-        Err(errors) => errors.into_compile_error().into(),
-    }
+    let description: TokenStream = tokens.collect();
+    let expansion = mstmm_codegen::expand(description.into(), &mstmm.into());
+    let mut items: TokenStream = expansion.items.into();
+    items.extend(expansion.mistakes.map(|errors| TokenStream::from(errors.into_compile_error())));
+    items
 }

@@ -26,9 +26,9 @@ impl Diagnostics {
         self.errors.push(error);
     }
 
-    /// How many mistakes there are so far.
-    pub fn count(&self) -> usize {
-        self.errors.len()
+    /// Whether there is no mistake so far.
+    pub fn is_empty(&self) -> bool {
+        self.errors.is_empty()
     }
 
     /// Closes a phase: all mistakes as one error, or the way is free.

@@ -37,21 +37,26 @@ pub mod weave;
 use diag::Diagnostics;
 use proc_macro2::TokenStream;
 
-/// Compiles the text inside `mstmm_chain!`: the phases in their order. Generated code calls the crate
+/// What stands in place of a macro call.
+#[derive(Debug)]
+pub struct Expansion {
+    /// The types of all chains; skeletons of those that have mistakes.
+    pub items: TokenStream,
+    /// All mistakes of the text, each on the token to edit.
+    pub mistakes: Option<syn::Error>,
+}
+
+/// Expands the text inside `mstmm_chain!`: the phases in their order. Generated code calls the crate
 /// `mstmm` by this path.
-///
-/// # Errors
-///
-/// All mistakes of the text, each on the token to edit.
-pub fn compile(tokens: TokenStream, mstmm: &TokenStream) -> syn::Result<TokenStream> {
-    let chains = read(tokens)?;
+pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
+    let (chains, mistakes) = understand(description);
     // From here on no mistake of the user is possible.
-    let expand = |(chain, surface): &(model::Chain, syntax::Surface)| {
+    let items = |(chain, surface): &(model::Chain, syntax::Surface)| {
         let layout = model::Layout::of(chain);
         let programs = compile::programs(chain, &layout);
         emit::expand(chain, surface, &layout, &programs, mstmm)
     };
-    Ok(chains.iter().map(expand).collect())
+    Expansion { items: chains.iter().map(items).collect(), mistakes }
 }
 
 /// Reads all chains of one macro call: what can be said of a text before anything is computed.
@@ -59,11 +64,23 @@ pub fn compile(tokens: TokenStream, mstmm: &TokenStream) -> syn::Result<TokenStr
 /// # Errors
 ///
 /// All mistakes of the text, each on the token to edit.
-pub fn read(tokens: TokenStream) -> syn::Result<Vec<(model::Chain, syntax::Surface)>> {
+pub fn read(description: TokenStream) -> syn::Result<Vec<(model::Chain, syntax::Surface)>> {
+    match understand(description) {
+        (chains, None) => Ok(chains),
+        (_, Some(mistakes)) => Err(mistakes),
+    }
+}
+
+/// All chains, as skeletons where they have mistakes, and the mistakes.
+fn understand(
+    description: TokenStream,
+) -> (Vec<(model::Chain, syntax::Surface)>, Option<syn::Error>) {
     let mut diagnostics = Diagnostics::default();
-    let written = syntax::parse(tokens, &mut diagnostics);
-    let meant: Vec<_> =
-        written.iter().filter_map(|def| model::lower(def, &mut diagnostics)).collect();
-    diagnostics.finish()?;
-    Ok(meant)
+    let written = syntax::parse(description, &mut diagnostics);
+    let mut chains: Vec<(model::Chain, syntax::Surface)> = Vec::new();
+    for def in &written {
+        let meant = model::lower(def, &mut diagnostics);
+        chains.extend(meant.filter(|(chain, _)| chains.iter().all(|(c, _)| c.name != chain.name)));
+    }
+    (chains, diagnostics.finish().err())
 }

@@ -12,7 +12,9 @@ fn folder() -> PathBuf {
 
 fn compile(text: &str) -> TokenStream {
     let tokens = text.parse().expect("tokens");
-    mstmm_codegen::compile(tokens, &quote!(::mstmm)).expect("a right chain")
+    let expansion = mstmm_codegen::expand(tokens, &quote!(::mstmm));
+    assert!(expansion.mistakes.is_none(), "{:?}", expansion.mistakes);
+    expansion.items
 }
 
 /// The expansion of a chain as `rustfmt` would print it.

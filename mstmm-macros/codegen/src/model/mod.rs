@@ -9,6 +9,7 @@ mod layout;
 mod load;
 mod lower;
 mod seams;
+mod skeleton;
 #[cfg(test)]
 mod tests;
 mod uses;
@@ -66,17 +67,20 @@ pub struct Chain {
     pub method: Option<Method>,
 }
 
-/// What was meant by a description, checked. Nothing if it has a mistake, which is reported then.
+/// What was meant by a description, checked. Where a mistake has been found, in this description or
+/// before, a skeleton of it; nothing where not even that can be.
 pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Surface)> {
-    let before = diagnostics.count();
     let (draft, surface) = lower::draft(def, diagnostics);
     check::check(&draft, diagnostics);
-    if diagnostics.count() > before {
-        return None;
+    let skeleton = skeleton::skeleton(&draft);
+    let mut chain = if diagnostics.is_empty() { draft.finish() } else { None };
+    if let Some(chain) = &chain {
+        uses::parameters_of_times_stay_in_their_part(chain, diagnostics);
     }
-    let chain = draft.finish()?;
-    uses::parameters_of_times_stay_in_their_part(&chain, diagnostics);
-    (diagnostics.count() == before).then(|| (seams::with_seams(chain), surface))
+    if !diagnostics.is_empty() {
+        chain = skeleton;
+    }
+    Some((seams::with_seams(chain?), surface))
 }
 
 /// In how many directions a chain moves. A model is spatial whatever its dimension: in a plane

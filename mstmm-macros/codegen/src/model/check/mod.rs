@@ -9,6 +9,8 @@ mod passive;
 mod repeat;
 mod route;
 
+pub(super) use name::can_be_a_name;
+
 use super::lower::Draft;
 use crate::diag::Diagnostics;
 

@@ -24,7 +24,7 @@ pub(crate) struct Draft<'a> {
     /// In how many directions it moves.
     pub space: Dimension,
     /// Settings of the whole chain.
-    pub(super) settings: Settings,
+    pub settings: Settings,
     /// Numbers that may change at run time.
     pub parameters: Vec<Parameter>,
     /// How many Rust paths there are.

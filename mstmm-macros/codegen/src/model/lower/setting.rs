@@ -11,7 +11,7 @@ const SETTINGS: &[&str] = &["gravity", "method"];
 const METHODS: &[(&str, Method)] = &[("riccati", Method::Riccati), ("transfer", Method::Transfer)];
 
 /// Settings of the whole chain, as far as they could be read.
-pub(super) struct Settings {
+pub(crate) struct Settings {
     /// Acceleration of free fall.
     pub gravity: Option<Source>,
     /// How the accelerations are solved for.

@@ -16,8 +16,8 @@ mod universal;
 mod weld;
 mod words;
 
-pub(super) use floating::of_everything;
-pub(crate) use motion::{Motion, motion};
+pub(crate) use floating::of_everything;
+pub(crate) use motion::{Motion, asks_for_input, motion};
 pub(crate) use words::{Words, fields, groups, start_fields};
 
 use proc_macro2::Ident;
@@ -68,7 +68,7 @@ pub(crate) const KINDS: &[Kind] = &[
 
 impl Kind {
     /// Whether a chain of this dimension has such hinges; what they are like there.
-    pub(super) fn plain(&self, space: Dimension) -> Option<HingeKind> {
+    pub(crate) fn plain(&self, space: Dimension) -> Option<HingeKind> {
         (self.plain)(space)
     }
 

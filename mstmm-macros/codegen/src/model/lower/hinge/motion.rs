@@ -146,6 +146,22 @@ fn drive(shape: &'static Shape, fields: &Fields, context: &mut Context) -> Optio
     Some(if prescribed? { Drive::Motion } else { Drive::Efforts(efforts) })
 }
 
+/// Which inputs a hinge asks for whose other fields may have mistakes.
+pub(crate) fn asks_for_input(shape: &'static Shape, fields: &Fields) -> Drive {
+    let is_input = |name: &str| {
+        let written = fields.get(name).and_then(|field| field.value.as_ref());
+        written.and_then(Written::word).is_some_and(|word| word == "input")
+    };
+    if is_input("motion") {
+        return Drive::Motion;
+    }
+    let efforts = groups(shape).flat_map(|(group, words)| {
+        let effort = if is_input(words.effort) { Effort::Input } else { Effort::Free };
+        vec![effort; group.rates.len()]
+    });
+    Drive::Efforts(efforts.collect())
+}
+
 /// The efforts of a group's motor.
 fn efforts(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Option<Vec<Effort>> {
     let count = group.rates.len();

@@ -1,0 +1,406 @@
+//! What stands in place of a chain that has mistakes: one with the same names and hinges, all its
+//! numbers made up. Its types and methods keep the rest of the user's crate quiet, so that the
+//! mistakes alone are reported. It never runs, for the crate does not compile.
+
+use super::check::can_be_a_name;
+use super::lower::{Draft, Motion, Stop, asks_for_input, of_everything};
+use super::{
+    About, Body, Chain, Drive, Effort, Element, Frame, Hinge, HingeKind, Inertia, Load, Method,
+    Parameter, Place, Repeat, Role, Shape, Source, Value,
+};
+use proc_macro2::{Ident, Span};
+use quote::format_ident;
+use std::collections::HashSet;
+use std::ops::Range;
+
+/// The chain that a draft with mistakes would be without them, as far as it can be guessed; nothing
+/// if no type can have its name.
+pub(super) fn skeleton(draft: &Draft) -> Option<Chain> {
+    let name = draft.def.name.clone();
+    if name == "T" || !is_identifier(&name) {
+        return None;
+    }
+    let mut sketch = Sketch::new(draft);
+    sketch.trace();
+    Some(sketch.finish(name))
+}
+
+/// Whether a name can be made part of other names.
+fn is_identifier(name: &Ident) -> bool {
+    let text = name.to_string();
+    !text.starts_with("r#") && syn::parse_str::<Ident>(&text).is_ok()
+}
+
+/// An element of the route.
+struct Part {
+    name: Ident,
+    /// What it lets free and how it is driven; nothing for a body.
+    hinge: Option<(HingeKind, Drive)>,
+    /// The repeated part that it is in.
+    repeat: Option<usize>,
+}
+
+/// What holds an end.
+#[derive(Clone)]
+enum End {
+    Free,
+    Held,
+    Moving(Ident),
+}
+
+/// A route on its way to one in which hinges and bodies alternate.
+struct Sketch<'d, 'a> {
+    draft: &'d Draft<'a>,
+    parts: Vec<Part>,
+    start: End,
+    finish: End,
+    names: HashSet<String>,
+    parameters: Vec<Parameter>,
+}
+
+impl<'d, 'a> Sketch<'d, 'a> {
+    fn new(draft: &'d Draft<'a>) -> Self {
+        let mut sketch = Sketch {
+            draft,
+            parts: Vec::new(),
+            start: End::Free,
+            finish: End::Free,
+            names: HashSet::new(),
+            parameters: Vec::new(),
+        };
+        for parameter in &draft.parameters {
+            let name = sketch.name(Some(&parameter.name));
+            sketch.parameters.push(Parameter {
+                name,
+                default: Value::number(1.0),
+                ..parameter.clone()
+            });
+        }
+        sketch
+    }
+
+    /// The name as written, if it can be one and is not taken; else one that nobody knows.
+    fn name(&mut self, written: Option<&Ident>) -> Ident {
+        let free = |name: &&Ident| {
+            let text = name.to_string();
+            let plain = text.strip_suffix("_mut").unwrap_or(&text).to_owned();
+            let taken = [format!("{text}_mut"), plain, text.clone()];
+            is_identifier(name)
+                && can_be_a_name(&text)
+                && taken.iter().all(|other| !self.names.contains(other))
+        };
+        let name = written.filter(free).cloned();
+        let name = name.unwrap_or_else(|| {
+            format_ident!("unnamed{}", self.names.len(), span = Span::call_site())
+        });
+        self.names.insert(name.to_string());
+        name
+    }
+
+    fn body(&mut self, name: Option<&Ident>, repeat: Option<usize>) {
+        let name = self.name(name);
+        self.parts.push(Part { name, hinge: None, repeat });
+    }
+
+    fn hinge(&mut self, name: Option<&Ident>, hinge: (HingeKind, Drive), repeat: Option<usize>) {
+        let name = self.name(name);
+        self.parts.push(Part { name, hinge: Some(hinge), repeat });
+    }
+
+    fn weld(&mut self, repeat: Option<usize>) {
+        self.hinge(None, (HingeKind::Weld, Drive::Efforts(Vec::new())), repeat);
+    }
+
+    /// Whether a hinge can come next.
+    fn wants_hinge(&self) -> bool {
+        match self.parts.last() {
+            Some(last) => last.hinge.is_none(),
+            None => !matches!(self.start, End::Free),
+        }
+    }
+
+    /// Follows the route, and puts in what is missing.
+    fn trace(&mut self) {
+        let stops = &self.draft.stops;
+        let repeats = self.draft.def.route.iter().flat_map(|route| &route.repeats);
+        let repeats: Vec<Range<usize>> = repeats.map(|repeat| repeat.stops.clone()).collect();
+        let mut before = None;
+        for (index, stop) in stops.iter().enumerate() {
+            let repeat = repeats.iter().position(|stops| stops.contains(&index));
+            if repeat != before {
+                self.enter(before, repeat);
+            }
+            before = repeat;
+            self.stop(index, stop, repeat);
+        }
+        self.enter(before, None);
+        self.close();
+    }
+
+    /// Between parts that are repeated and others there is a body on the inboard side.
+    fn enter(&mut self, before: Option<usize>, repeat: Option<usize>) {
+        let ends_with_hinge = self.parts.last().is_some_and(|last| last.hinge.is_some());
+        if (before.is_some() && ends_with_hinge) || (repeat.is_some() && !self.wants_hinge()) {
+            self.body(None, before);
+        }
+    }
+
+    fn stop(&mut self, index: usize, stop: &Stop, repeat: Option<usize>) {
+        let last = index + 1 == self.draft.stops.len();
+        match stop {
+            Stop::Ground { .. } if index == 0 => self.start = End::Held,
+            Stop::Ground { .. } if last => self.finish = End::Held,
+            Stop::Moving { name, .. } if index == 0 || last => {
+                let end = End::Moving(self.name(*name));
+                if index == 0 { self.start = end } else { self.finish = end }
+            }
+            Stop::Ground { .. } | Stop::Moving { .. } => {}
+            Stop::Hinge { name, kind, .. } => {
+                if !self.wants_hinge() {
+                    self.body(None, repeat);
+                }
+                let kind = kind.plain(self.draft.space).unwrap_or(HingeKind::Weld);
+                let drive = self.drive(index, kind.shape());
+                self.hinge(*name, (kind, drive), repeat);
+            }
+            Stop::Body { name, .. } => {
+                if self.wants_hinge() {
+                    self.weld(repeat);
+                }
+                self.body(Some(name), repeat);
+            }
+            Stop::Unknown { name } if self.wants_hinge() => {
+                self.hinge(*name, self.unknown_hinge(), repeat);
+            }
+            Stop::Unknown { name } => self.body(*name, repeat),
+        }
+    }
+
+    /// The commonest hinge.
+    fn unknown_hinge(&self) -> (HingeKind, Drive) {
+        let kind = pin_or_slider(self.draft);
+        let efforts = Drive::Efforts(vec![Effort::Free; kind.freedoms()]);
+        (kind, efforts)
+    }
+
+    /// What the caller gives of a hinge.
+    fn drive(&self, index: usize, shape: &'static Shape) -> Drive {
+        let properties = self.draft.properties.get(index);
+        let read = properties.and_then(|properties| properties.motion.as_ref());
+        let drive = match (read, properties) {
+            (Some(Motion { drive, .. }), _) => drive.clone(),
+            (None, Some(properties)) => asks_for_input(shape, &properties.fields),
+            (None, None) => Drive::Efforts(Vec::new()),
+        };
+        let efforts = match drive {
+            Drive::Motion if shape.view.is_some() => return Drive::Motion,
+            Drive::Motion => Vec::new(),
+            Drive::Efforts(efforts) => efforts,
+        };
+        let efforts = (0..shape.rates.len()).map(|rate| match efforts.get(rate) {
+            Some(Effort::Input) => Effort::Input,
+            _ => Effort::Free,
+        });
+        Drive::Efforts(efforts.collect())
+    }
+
+    /// Ends the route, with a body at least.
+    fn close(&mut self) {
+        let moves = |part: &Part| {
+            part.hinge
+                .as_ref()
+                .is_some_and(|(kind, drive)| kind.freedoms() > 0 && *drive != Drive::Motion)
+        };
+        let starts_free = matches!(self.start, End::Free);
+        let has_repeat = self.parts.iter().any(|part| part.repeat.is_some());
+        let has_body = self.parts.iter().any(|part| part.hinge.is_none());
+        if !has_body || !self.parts.iter().any(moves) || (starts_free && has_repeat) {
+            self.finish = End::Free;
+        }
+        match (&self.finish, self.parts.last().map(|last| last.hinge.is_some())) {
+            (End::Free, Some(true)) => self.body(None, None),
+            (End::Free, None) => {
+                if !starts_free {
+                    self.weld(None);
+                }
+                self.body(None, None);
+            }
+            (End::Held | End::Moving(_), Some(false)) => self.weld(None),
+            _ => {}
+        }
+    }
+
+    fn finish(self, name: Ident) -> Chain {
+        let Sketch { draft, parts, start, finish, parameters, .. } = self;
+        let counts = count(&parts);
+        let numbers = Numbers { parts: &parts, counts: &counts };
+        let ends: Vec<&Ident> = [&start, &finish].into_iter().filter_map(End::name).collect();
+        let everything = || of_everything(draft.space);
+        let floats = matches!((&start, &finish), (End::Free, End::Free));
+        let first_body = parts.iter().find(|part| part.hinge.is_none());
+        let on_ground = || Place::Ground(Frame::identity());
+        let bodies_on_route = counts.last().map_or(0, |&(bodies, _)| bodies);
+
+        let mut hinges: Vec<Hinge> = Vec::new();
+        if floats && let Some(first) = first_body {
+            let efforts = Drive::Efforts(vec![Effort::Free; everything().freedoms()]);
+            let places = [on_ground(), Place::Input(0)];
+            hinges.push(hinge(first.name.clone(), everything(), places, efforts));
+        }
+        for (number, end) in ends.iter().enumerate() {
+            let places = [on_ground(), Place::Input(bodies_on_route + number)];
+            hinges.push(hinge((*end).clone(), everything(), places, Drive::Motion));
+        }
+        let implied = hinges.len();
+        let held = |end: &End, number: usize| match end {
+            End::Moving(_) => Place::Output(bodies_on_route + number),
+            End::Free | End::Held => on_ground(),
+        };
+        for (index, part) in parts.iter().enumerate() {
+            let Some((kind, drive)) = &part.hinge else { continue };
+            let inboard =
+                if index == 0 { held(&start, 0) } else { Place::Output(counts[index].0 - 1) };
+            let outboard = match parts.get(index + 1) {
+                Some(_) => Place::Input(counts[index].0),
+                None => held(&finish, ends.len().saturating_sub(1)),
+            };
+            let hinge = hinge(part.name.clone(), kind.clone(), [inboard, outboard], drive.clone());
+            hinges.push(hinge);
+        }
+        let bodies = parts.iter().filter(|part| part.hinge.is_none());
+        let bodies = bodies.map(|part| body(&part.name, Role::Matter));
+        let bodies: Vec<Body> = bodies.chain(ends.iter().map(|end| body(end, Role::End))).collect();
+        Chain {
+            name,
+            dimension: draft.space,
+            gravity: match draft.settings.gravity {
+                Some(Source::Input) => Source::Input,
+                _ => Source::Nothing,
+            },
+            parameters,
+            constants: draft.constants,
+            loads: loads(draft, bodies_on_route),
+            springs: Vec::new(),
+            route: numbers.route(implied),
+            repeats: numbers.repeats(draft, implied),
+            bodies,
+            hinges,
+            method: Some(Method::Riccati),
+        }
+    }
+}
+
+impl End {
+    fn name(&self) -> Option<&Ident> {
+        match self {
+            End::Moving(name) => Some(name),
+            End::Free | End::Held => None,
+        }
+    }
+}
+
+/// How many bodies and hinges stand before each part, and before the end.
+fn count(parts: &[Part]) -> Vec<(usize, usize)> {
+    let mut counts = vec![(0, 0)];
+    let (mut bodies, mut hinges) = (0, 0);
+    for part in parts {
+        if part.hinge.is_some() {
+            hinges += 1
+        } else {
+            bodies += 1
+        }
+        counts.push((bodies, hinges));
+    }
+    counts
+}
+
+/// Which bodies and hinges of the model the parts are.
+struct Numbers<'p> {
+    parts: &'p [Part],
+    counts: &'p [(usize, usize)],
+}
+
+impl Numbers<'_> {
+    fn route(&self, implied: usize) -> Vec<Element> {
+        let element = |(part, &(bodies, hinges)): (&Part, &(usize, usize))| match part.hinge {
+            Some(_) => Element::Hinge(implied + hinges),
+            None => Element::Body(bodies),
+        };
+        self.parts.iter().zip(self.counts).map(element).collect()
+    }
+
+    /// The repeated parts; one that holds nothing is none.
+    fn repeats(&self, draft: &Draft, implied: usize) -> Vec<Repeat> {
+        let written = draft.def.route.iter().flat_map(|route| &route.repeats).enumerate();
+        let repeat = |(index, repeat): (usize, &crate::syntax::Repeat)| {
+            let is_in = |part: &Part| part.repeat == Some(index);
+            let first = self.parts.iter().position(is_in)?;
+            let end = self.parts.iter().rposition(is_in)? + 1;
+            let ((bodies, hinges), (last_body, last_hinge)) =
+                (self.counts[first], self.counts[end]);
+            Some(Repeat {
+                count: repeat.count,
+                hinges: implied + hinges..implied + last_hinge,
+                bodies: bodies..last_body,
+                route: first..end,
+            })
+        };
+        written.filter_map(repeat).collect()
+    }
+}
+
+/// The loads, for the inputs that they have.
+fn loads(draft: &Draft, bodies: usize) -> Vec<Load> {
+    let input = |source: &Option<Source>| match source {
+        Some(Source::Input) => Source::Input,
+        _ => Source::Nothing,
+    };
+    let mut names = HashSet::new();
+    let mut loads = Vec::new();
+    for load in &draft.loads {
+        if is_identifier(load.name) && names.insert(load.name.to_string()) {
+            loads.push(Load {
+                name: load.name.clone(),
+                body: load.body.filter(|&body| body < bodies).unwrap_or(0),
+                at: Frame::identity(),
+                axes: super::LoadAxes::Inertial,
+                force: input(&load.force),
+                torque: input(&load.torque),
+            });
+        }
+    }
+    loads
+}
+
+/// A pin, or what stands for it where nothing turns.
+fn pin_or_slider(draft: &Draft) -> HingeKind {
+    let axis = |direction: usize| {
+        let mut axis = [(); 3].map(|()| Value::number(0.0));
+        axis[direction] = Value::number(1.0);
+        axis
+    };
+    match draft.space {
+        super::Dimension::Line => HingeKind::Slider { axis: axis(0) },
+        _ => HingeKind::Pin { axis: axis(2) },
+    }
+}
+
+fn hinge(name: Ident, kind: HingeKind, [inboard, outboard]: [Place; 2], drive: Drive) -> Hinge {
+    let Motion { start, start_rate, rest, passive, .. } = Motion::none(kind.shape());
+    Hinge { name, kind, inboard, outboard, start, start_rate, rest, drive, passive }
+}
+
+/// A body of 1 kg and 1 kg m², or one without mass that stands for an end.
+fn body(name: &Ident, role: Role) -> Body {
+    let number = |value| Value::number(value);
+    let one = if role == Role::Matter { 1.0 } else { 0.0 };
+    Body {
+        name: name.clone(),
+        type_name: name.clone(),
+        mass: number(one),
+        com: [(); 3].map(|()| number(0.0)),
+        inertia: Inertia { tensor: [one, one, one, 0.0, 0.0, 0.0].map(number), about: About::Com },
+        output: Frame::identity(),
+        role,
+    }
+}
