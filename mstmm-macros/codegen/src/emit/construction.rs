@@ -4,8 +4,8 @@ use super::Plan;
 use super::docs;
 use super::looped::{Target, usize_literal};
 use super::spread::Spread;
-use crate::model::{Parameter, Symbol, Value};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use crate::model::{Must, Parameter, Requirement, Symbol, Value};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
 /// `struct Chain<T>`, `struct ChainParameters<T>` and their constructors.
@@ -18,7 +18,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let start = start(plan);
     let setters = plan.chain.parameters.iter().map(|parameter| setter(plan, parameter));
     let name = &plan.names.chain;
-    let assertions = plan.chain.bodies.iter().filter_map(|body| constant_mass(plan, body));
+    let assertions = plan.chain.assertions.iter().filter_map(|rule| assertion(plan, rule));
     quote! {
         #chain
         #parameters
@@ -282,19 +282,36 @@ fn start(plan: &Plan) -> TokenStream {
     }
 }
 
-/// A mass that hangs on Rust constants is checked while the user's crate compiles, with the
-/// parameters at their defaults.
-fn constant_mass(plan: &Plan, body: &crate::model::Body) -> Option<TokenStream> {
-    let defaults: Vec<_> =
-        plan.chain.parameters.iter().map(|parameter| parameter.default.known()).collect();
-    let checked = body.mass.at(&defaults).is_some();
-    let value = (!checked && is_const(plan, &body.mass)).then(|| value_tokens(plan, &body.mass))?;
-    let message = format!("the mass of body `{}` must be positive", body.name);
-    // At the name of the type, for the compiler to point there.
-    let place = body.type_name.span().resolved_at(Span::call_site());
-    Some(quote_spanned! {place=>
-        #[allow(clippy::all)]
-        const _: () = ::core::assert!(#value > 0.0, #message);
+/// What must hold of Rust constants is checked while the user's crate compiles, with the parameters
+/// at their defaults.
+fn assertion(plan: &Plan, requirement: &Requirement) -> Option<TokenStream> {
+    let conditions = requirement.iter().filter(|condition| is_const(plan, &condition.value));
+    let checks = conditions.rev().fold(TokenStream::new(), |rest, condition| {
+        let (value, zero) = (value_tokens(plan, &condition.value), Literal::f64_suffixed(0.0));
+        let holds = match condition.must {
+            Must::BeFinite => quote!(<::core::primitive::f64>::is_finite(#value)),
+            Must::BePositive => quote!(!(#value <= #zero)),
+            Must::NotBeNegative => quote!(!(#value < #zero)),
+        };
+        match &condition.message {
+            // It is reported elsewhere.
+            None => quote!(if #holds { #rest }),
+            Some(message) => {
+                // From the first to the last token of the number, for the compiler to point there.
+                let [first, last] = [condition.at.first, condition.at.last]
+                    .map(|span| span.resolved_at(Span::call_site()));
+                let mut arguments = Group::new(Delimiter::Parenthesis, quote!(#holds, #message));
+                arguments.set_span(last);
+                let assert = quote_spanned!(first=> ::core::assert!);
+                quote!(#assert #arguments; #rest)
+            }
+        }
+    });
+    (!checks.is_empty()).then(|| {
+        quote! {
+            #[allow(clippy::all)]
+            const _: () = { #checks };
+        }
     })
 }
 

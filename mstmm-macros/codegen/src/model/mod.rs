@@ -4,6 +4,7 @@
 //! such graph; nothing here but [`Chain::route`] knows that each body has one input and one output.
 
 mod check;
+mod condition;
 mod hinge;
 mod layout;
 mod load;
@@ -15,6 +16,7 @@ mod tests;
 mod uses;
 mod value;
 
+pub use condition::{Condition, Must, Requirement};
 pub use hinge::{
     Coordinate, Drive, Effort, Form, Freedoms, Friction, Group, Hinge, HingeKind, Limits, Passive,
     Shape, View,
@@ -65,15 +67,20 @@ pub struct Chain {
     pub repeats: Vec<Repeat>,
     /// The method that the user asked for, if any.
     pub method: Option<Method>,
+    /// What must hold of Rust constants: nothing but `rustc` knows.
+    pub assertions: Vec<Requirement>,
 }
 
 /// What was meant by a description, checked. Where a mistake has been found, in this description or
 /// before, a skeleton of it; nothing where not even that can be.
 pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Surface)> {
     let (draft, surface) = lower::draft(def, diagnostics);
-    check::check(&draft, diagnostics);
+    let assertions = check::check(&draft, diagnostics);
     let skeleton = skeleton::skeleton(&draft);
     let mut chain = if diagnostics.is_empty() { draft.finish() } else { None };
+    if let Some(chain) = &mut chain {
+        chain.assertions = assertions;
+    }
     if let Some(chain) = &chain {
         uses::parameters_of_times_stay_in_their_part(chain, diagnostics);
     }

@@ -286,6 +286,7 @@ impl<'d, 'a> Sketch<'d, 'a> {
             bodies,
             hinges,
             method: Some(Method::Riccati),
+            assertions: Vec::new(),
         }
     }
 }

@@ -1,7 +1,9 @@
 //! Bodies.
 
 use crate::diag::Diagnostics;
-use crate::model::lower::{Draft, POINTS, Stop, listed};
+use crate::model::Value;
+use crate::model::condition::{Condition, Must, Requirement};
+use crate::model::lower::{Draft, Given, POINTS, Stop, listed};
 
 /// A type of body that is on no route is a slip, most likely of the route.
 pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
@@ -61,18 +63,11 @@ pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics
 }
 
 /// A body without mass has no acceleration.
-pub(super) fn masses_are_positive(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let defaults = draft.defaults();
-    for mass in draft.types.iter().filter_map(|body| body.mass.as_ref()) {
-        let message = match (mass.value.known(), mass.value.at(&defaults)) {
-            (Some(known), _) if known <= 0.0 => "a mass must be positive".to_owned(),
-            (None, Some(at_start)) if at_start <= 0.0 => {
-                format!(
-                    "a mass must be positive; with its parameters' defaults it is {at_start} kg"
-                )
-            }
-            _ => continue,
-        };
-        diagnostics.error_over(mass.at, message);
-    }
+pub(super) fn masses_are_positive(draft: &Draft) -> Vec<Requirement> {
+    let masses = draft.types.iter().filter_map(|body| body.mass.as_ref());
+    let positive = |mass: &Given<Value>| {
+        let value = mass.value.clone();
+        Condition::new(value, Must::BePositive, mass.at, "a mass must be positive").shown("kg")
+    };
+    masses.map(|mass| vec![positive(mass)]).collect()
 }

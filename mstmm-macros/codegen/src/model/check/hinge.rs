@@ -1,6 +1,7 @@
 //! Hinges: their axes and what moves them.
 
 use crate::diag::Diagnostics;
+use crate::model::condition::{Condition, Must, Requirement};
 use crate::model::lower::{Draft, Given, Stop, groups};
 use crate::model::{Drive, Form, HingeKind, Value};
 use crate::syntax::{Arguments, Extent, Field, Turn, Written};
@@ -8,8 +9,6 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Two axes whose directions differ by less than this, in rad, are one.
 const PARALLEL: f64 = 1e-6;
-
-type Vector = [f64; 3];
 
 /// The hinges that could be read, with what stands in parentheses behind their kinds.
 fn hinges<'d>(
@@ -44,69 +43,66 @@ fn argument(hinge: &Given<HingeKind>, arguments: Option<&Arguments>, index: usiz
     written.map_or(hinge.at, |written| written.extent())
 }
 
-/// An axis of zeros points nowhere; parameters count with their defaults.
-pub(super) fn axes_have_a_direction(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let defaults = draft.defaults();
-    for (hinge, arguments) in hinges(draft) {
-        for (index, axis) in axes(&hinge.value).iter().enumerate() {
-            if axis.iter().all(|component| component.at(&defaults) == Some(0.0)) {
-                let at = argument(hinge, arguments, index);
-                diagnostics.error_over(at, "an axis of zeros has no direction");
-            }
+/// An axis of zeros points nowhere.
+pub(super) fn axes_have_a_direction(draft: &Draft) -> Vec<Requirement> {
+    let direction = |(hinge, arguments): (&Given<HingeKind>, Option<&Arguments>)| {
+        let direction = |(index, axis): (usize, &[Value; 3])| {
+            let at = argument(hinge, arguments, index);
+            let message = "an axis of zeros has no direction";
+            vec![Condition::new(square(axis), Must::BePositive, at, message)]
+        };
+        axes(&hinge.value).iter().enumerate().map(direction).collect::<Vec<_>>()
+    };
+    hinges(draft).flat_map(direction).collect()
+}
+
+/// Turns about two parallel axes are one turn.
+pub(super) fn universal_axes_are_not_parallel(draft: &Draft) -> Vec<Requirement> {
+    let not_parallel = |(hinge, arguments): (&Given<HingeKind>, Option<&Arguments>)| {
+        let HingeKind::Universal { axes: [a, b] } = &hinge.value else { return None };
+        let at = argument(hinge, arguments, 1);
+        // |a × b| is |a| |b| times the sine of the angle between them.
+        let least = Value::number(PARALLEL * PARALLEL).times(square(a)).times(square(b));
+        let sine = square(&cross(&scaled(a), &scaled(b))).minus(least);
+        let message = "the two axes of a universal hinge must not be parallel";
+        Some(vec![
+            Condition::silent(square(a), Must::BePositive, at),
+            Condition::silent(square(b), Must::BePositive, at),
+            Condition::new(sine, Must::BePositive, at, message),
+        ])
+    };
+    hinges(draft).filter_map(not_parallel).collect()
+}
+
+/// An axis with its largest component ±1 where it is known, so that no square is too large or too
+/// small for a number.
+fn scaled(axis: &[Value; 3]) -> [Value; 3] {
+    let known = axis.iter().map(|component| component.known().map(f64::abs));
+    match known.reduce(|a, b| Some(a?.max(b?))).flatten() {
+        Some(largest) if largest > 0.0 => {
+            axis.clone().map(|component| component.over(Value::number(largest)))
         }
+        _ => axis.clone(),
     }
 }
 
-/// Turns about two parallel axes are one turn; parameters count with their defaults.
-pub(super) fn universal_axes_are_not_parallel(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let defaults = draft.defaults();
-    for (hinge, arguments) in hinges(draft) {
-        let HingeKind::Universal { axes } = &hinge.value else { continue };
-        let [a, b] = axes.each_ref().map(|axis| direction(axis, &defaults));
-        if let (Some(a), Some(b)) = (a, b)
-            && sine(a, b) < PARALLEL
-        {
-            let message = "the two axes of a universal hinge must not be parallel";
-            diagnostics.error_over(argument(hinge, arguments, 1), message);
-        }
-    }
+/// The square of the length of an axis, scaled where it is known.
+fn square(axis: &[Value; 3]) -> Value {
+    let [x, y, z] = scaled(axis).map(|component| component.clone().times(component));
+    x.plus(y).plus(z)
 }
 
-/// An axis with its largest component 1, if it is known and has a direction.
-fn direction(axis: &[Value; 3], defaults: &[Option<f64>]) -> Option<Vector> {
-    let [x, y, z] = axis.each_ref().map(|component| component.at(defaults));
-    let axis = [x?, y?, z?];
-    let largest = axis.iter().fold(0.0_f64, |largest, component| largest.max(component.abs()));
-    (largest > 0.0 && largest.is_finite()).then(|| axis.map(|component| component / largest))
+fn cross([a, b, c]: &[Value; 3], [x, y, z]: &[Value; 3]) -> [Value; 3] {
+    let minor = |a: &Value, d: &Value, b: &Value, c: &Value| {
+        a.clone().times(d.clone()).minus(b.clone().times(c.clone()))
+    };
+    [minor(b, z, c, y), minor(c, x, a, z), minor(a, y, b, x)]
 }
 
-/// The sine of the angle between two directions.
-fn sine([a, b, c]: Vector, [x, y, z]: Vector) -> f64 {
-    let length = |[x, y, z]: Vector| (x * x + y * y + z * z).sqrt();
-    length([b * z - c * y, c * x - a * z, a * y - b * x]) / (length([a, b, c]) * length([x, y, z]))
-}
-
-/// The pitch of a screw is a finite number; parameters count with their defaults.
-pub(super) fn pitches_are_finite(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let defaults = draft.defaults();
-    for (hinge, arguments) in hinges(draft) {
-        let HingeKind::Screw { pitch, .. } = &hinge.value else { continue };
-        if pitch.at(&defaults).is_some_and(|pitch| !pitch.is_finite()) {
-            let last = arguments.map_or(0, |arguments| arguments.values.len().saturating_sub(1));
-            let at = argument(hinge, arguments, last);
-            diagnostics.error_over(at, "with its parameters' defaults this pitch is not finite");
-        }
-    }
-}
-
-/// The angles of an elastic hinge say nothing where its pitch is a right angle; parameters count with
-/// their defaults.
-pub(super) fn elastic_pitches_are_less_than_a_right_angle(
-    draft: &Draft,
-    diagnostics: &mut Diagnostics,
-) {
-    let defaults = draft.defaults();
-    let mut reported: Vec<&Field> = Vec::new();
+/// The angles of an elastic hinge say nothing where its pitch is a right angle.
+pub(super) fn elastic_pitches_are_less_than_a_right_angle(draft: &Draft) -> Vec<Requirement> {
+    let mut seen: Vec<&Field> = Vec::new();
+    let mut requirements = Vec::new();
     for (stop, properties) in draft.stops.iter().zip(&draft.properties) {
         let (Stop::Hinge { shape, .. }, Some(motion)) = (stop, &properties.motion) else {
             continue;
@@ -116,17 +112,21 @@ pub(super) fn elastic_pitches_are_less_than_a_right_angle(
         };
         let pitch = group.coordinates.start + 1;
         for (name, coordinates) in [("start", &motion.start), ("rest", &motion.rest)] {
-            let angle = coordinates.get(pitch).and_then(|angle| angle.at(&defaults));
-            let is_wrong = angle.is_some_and(|angle| angle.abs() >= FRAC_PI_2);
-            let Some(field) = properties.fields.get(name).filter(|_| is_wrong) else { continue };
-            if reported.iter().any(|other| std::ptr::eq(*other, field)) {
+            let Some(field) = properties.fields.get(name) else { continue };
+            let Some(angle) = coordinates.get(pitch) else { continue };
+            if seen.iter().any(|other| std::ptr::eq(*other, field)) {
                 continue;
             }
-            reported.push(field);
+            seen.push(field);
             let message = "the pitch of an elastic hinge lies between -90 deg and 90 deg";
-            diagnostics.error_over(pitch_of(field), message);
+            let right_angle = || Value::number(FRAC_PI_2);
+            let margins = [right_angle().minus(angle.clone()), right_angle().plus(angle.clone())];
+            let condition =
+                |margin| Condition::new(margin, Must::BePositive, pitch_of(field), message);
+            requirements.push(margins.map(condition).to_vec());
         }
     }
+    requirements
 }
 
 /// Where the second of three angles stands behind `turned`.

@@ -1,7 +1,7 @@
 //! Inertia tensors.
 
-use crate::diag::Diagnostics;
-use crate::model::lower::{BodyType, Draft};
+use crate::model::condition::{Condition, Must, Requirement};
+use crate::model::lower::{BodyType, Draft, Given};
 use crate::model::{About, Dimension, Inertia, Value};
 
 /// How far below zero a second moment may be against the trace of the tensor. Thin rods and flat
@@ -9,126 +9,126 @@ use crate::model::{About, Dimension, Inertia, Value};
 /// is what rounding `0.703…` to `0.70` amounts to.
 const TOLERANCE: f64 = 5e-3;
 
+/// The same about the centre of mass, against the trace of a tensor that is written about the input:
+/// three digits of it.
+const TOLERANCE_ABOUT_INPUT: f64 = 5e-4;
+
 /// Symmetric: xx, yy, zz, xy, xz, yz.
-type Tensor = [f64; 6];
+type Tensor = [Value; 6];
 
-/// No moment of inertia is negative; parameters count with their defaults.
-pub(super) fn moments_are_not_negative(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let defaults = draft.defaults();
-    for body in &draft.types {
-        let Some(inertia) = &body.inertia else { continue };
-        for (index, moment) in inertia.value.tensor[..3].iter().enumerate() {
-            if is_negative(moment, &defaults) {
-                let at = body.inertia_entry(index).unwrap_or(inertia.at);
-                diagnostics.error_over(at, "a moment of inertia cannot be negative");
-            }
-        }
-    }
-}
-
-fn is_negative(value: &Value, defaults: &[Option<f64>]) -> bool {
-    value.at(defaults).is_some_and(|value| value < 0.0)
+/// No moment of inertia is negative.
+pub(super) fn moments_are_not_negative(draft: &Draft) -> Vec<Requirement> {
+    let moments = draft.types.iter().filter_map(|body| {
+        let inertia = body.inertia.as_ref()?;
+        let moments = inertia.value.tensor[..3].iter().enumerate();
+        Some(moments.map(move |(index, moment)| {
+            let at = body.inertia_entry(index).unwrap_or(inertia.at);
+            let message = "a moment of inertia cannot be negative";
+            vec![Condition::new(moment.clone(), Must::NotBeNegative, at, message).shown("kg*m^2")]
+        }))
+    });
+    moments.flatten().collect()
 }
 
 /// A real body has mass nowhere less than zero, so its second moments `∫ x xᵀ dm = ½ tr(J) 1 − J`
 /// are positive or zero in all directions. That is the triangle inequality of its principal
 /// moments. It holds about any point, and about the centre of mass it is the sharpest.
-pub(super) fn inertias_are_those_of_real_bodies(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let defaults = draft.defaults();
-    for body in &draft.types {
-        let Some(inertia) = &body.inertia else { continue };
-        let Some(tensor) = known(&inertia.value.tensor, &defaults) else { continue };
-        if inertia.value.tensor[..3].iter().any(|moment| is_negative(moment, &defaults)) {
-            continue;
-        }
-        let slack = TOLERANCE * trace(&tensor);
-        if !is_real(draft.space, &tensor, slack) {
-            let message = "no body has this inertia: \
-                           a principal moment is more than the sum of the other two";
-            diagnostics.error_over(inertia.at, message);
-        } else if let Some(central) = about_com(body, &inertia.value, tensor, &defaults)
-            && !is_real(draft.space, &central, central_slack(&central, &tensor))
-        {
-            let message = "no body with this mass and centre of mass has so little inertia \
-                           about its input; is it `about com`?";
-            diagnostics.error_over(inertia.at, message);
-        }
+pub(super) fn inertias_are_those_of_real_bodies(draft: &Draft) -> Vec<Requirement> {
+    let bodies = draft.types.iter();
+    bodies.filter_map(|body| Some(real(draft.space, body, body.inertia.as_ref()?))).collect()
+}
+
+fn real(space: Dimension, body: &BodyType, inertia: &Given<Inertia>) -> Requirement {
+    let tensor = &inertia.value.tensor;
+    let silent = |value: &Value, must: Must| Condition::silent(value.clone(), must, inertia.at);
+    let mut conditions: Requirement =
+        tensor[..3].iter().map(|moment| silent(moment, Must::NotBeNegative)).collect();
+    let mut require = |tensor: &Tensor, slack: Value, message: &str| {
+        let condition = |value| Condition::new(value, Must::NotBeNegative, inertia.at, message);
+        conditions.extend(minors(space, tensor, slack).into_iter().map(condition));
+    };
+    let slack = Value::number(TOLERANCE).times(trace(space, tensor));
+    let message = "no body has this inertia: \
+                   a principal moment is more than the sum of the other two";
+    require(tensor, slack, message);
+    if let (About::Input, Some(mass), Some(com)) = (inertia.value.about, &body.mass, &body.com) {
+        let central = about_com(tensor, &mass.value, &com.value);
+        let slack = Value::number(TOLERANCE).times(trace(space, &central));
+        let slack = slack.plus(Value::number(TOLERANCE_ABOUT_INPUT).times(trace(space, tensor)));
+        let message = "no body with this mass and centre of mass has so little inertia \
+                       about its input; is it `about com`?";
+        require(&central, slack, message);
     }
+    conditions
 }
 
-fn known<const N: usize>(values: &[Value; N], defaults: &[Option<f64>]) -> Option<[f64; N]> {
-    let numbers: Option<Vec<f64>> = values.iter().map(|value| value.at(defaults)).collect();
-    numbers?.try_into().ok()
-}
-
-/// A tensor about a far input is mostly that of its mass in a point, and only what is left of it
-/// has the digits written; the difference itself is exact but for rounding.
-fn central_slack(central: &Tensor, about_input: &Tensor) -> f64 {
-    TOLERANCE * trace(central).max(0.0) + 1e-9 * trace(about_input)
-}
-
-fn trace(tensor: &Tensor) -> f64 {
-    tensor[0] + tensor[1] + tensor[2]
-}
-
-/// The tensor of the input shifted to the centre of mass, `J_C = J_I − m (cᵀc 1 − c cᵀ)`, if the
-/// mass is known and where it is.
-fn about_com(
-    body: &BodyType,
-    inertia: &Inertia,
-    tensor: Tensor,
-    defaults: &[Option<f64>],
-) -> Option<Tensor> {
-    if inertia.about == About::Com {
-        return None;
-    }
-    let mass = body.mass.as_ref()?.value.at(defaults).filter(|mass| *mass > 0.0)?;
-    let [x, y, z] = known(&body.com.as_ref()?.value, defaults)?;
-    let steiner = [y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z];
-    let mut central = tensor;
-    for (entry, steiner) in central.iter_mut().zip(steiner) {
-        *entry -= mass * steiner;
-    }
-    Some(central)
-}
-
-/// Whether a body can have this tensor. In a plane nothing is known but its entry about z.
-fn is_real(space: Dimension, tensor: &Tensor, slack: f64) -> bool {
+/// The sum of all moments. In a plane nothing is known but that about z.
+fn trace(space: Dimension, [xx, yy, zz, ..]: &Tensor) -> Value {
     match space {
-        Dimension::Space => has_second_moments(tensor, slack),
-        Dimension::Plane | Dimension::Line => tensor[2] + slack >= 0.0,
+        Dimension::Space => xx.clone().plus(yy.clone()).plus(zz.clone()),
+        Dimension::Plane | Dimension::Line => zz.clone(),
     }
 }
 
-/// Whether `½ tr(J) 1 − J + slack 1` is positive definite: whether its pivots are positive. The
-/// slack keeps them away from zero where the second moments themselves are not.
-fn has_second_moments(tensor: &Tensor, slack: f64) -> bool {
-    if tensor.iter().all(|&entry| entry == 0.0) {
-        // A mass in a point.
-        return true;
+/// The tensor of the input shifted to the centre of mass, `J_C = J_I − m (cᵀc 1 − c cᵀ)`.
+fn about_com(tensor: &Tensor, mass: &Value, com: &[Value; 3]) -> Tensor {
+    let product = |a: usize, b: usize| com[a].clone().times(com[b].clone());
+    let steiner = [
+        product(1, 1).plus(product(2, 2)),
+        product(0, 0).plus(product(2, 2)),
+        product(0, 0).plus(product(1, 1)),
+        product(0, 1).negated(),
+        product(0, 2).negated(),
+        product(1, 2).negated(),
+    ];
+    let mut entries = steiner.into_iter().zip(tensor);
+    [(); 6].map(|()| {
+        let (steiner, entry) = entries.next().expect("six entries of both");
+        entry.clone().minus(mass.clone().times(steiner))
+    })
+}
+
+/// What must not be negative for a body to have this tensor: all principal minors of its second
+/// moments `½ tr(J) 1 − J + slack 1`. In a plane the moment itself.
+fn minors(space: Dimension, tensor: &Tensor, slack: Value) -> Vec<Value> {
+    let [xx, yy, zz, xy, xz, yz] = tensor.clone();
+    if space != Dimension::Space {
+        return vec![zz.plus(slack)];
     }
-    let [xx, yy, zz, xy, xz, yz] = *tensor;
-    let half = trace(tensor) / 2.0 + slack;
-    let first = half - xx;
-    let second = half - yy - xy * xy / first;
-    let across = -yz - xy * xz / first;
-    let third = half - zz - xz * xz / first - across * across / second;
-    first > 0.0 && second > 0.0 && third > 0.0
+    let half = trace(space, tensor).times(Value::number(0.5)).plus(slack);
+    let [a, b, c] = [xx, yy, zz].map(|moment| half.clone().minus(moment));
+    let times = |a: &Value, b: &Value| a.clone().times(b.clone());
+    let minor = |a: &Value, b: &Value, off: &Value| times(a, b).minus(times(off, off));
+    // With the off-diagonal entries −xy, −xz and −yz.
+    let product = times(&xy, &xz).times(yz.clone());
+    let determinant = times(&a, &b)
+        .times(c.clone())
+        .minus(product.clone().plus(product))
+        .minus(times(&a, &times(&yz, &yz)))
+        .minus(times(&b, &times(&xz, &xz)))
+        .minus(times(&c, &times(&xy, &xy)));
+    let pairs = [minor(&a, &b, &xy), minor(&a, &c, &xz), minor(&b, &c, &yz)];
+    [a, b, c].into_iter().chain(pairs).chain([determinant]).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{TOLERANCE, has_second_moments, trace};
+    use super::{Dimension, TOLERANCE, Value, minors, trace};
 
     fn is_real(tensor: [f64; 6]) -> bool {
-        has_second_moments(&tensor, TOLERANCE * trace(&tensor))
+        let tensor = tensor.map(Value::number);
+        let slack = Value::number(TOLERANCE).times(trace(Dimension::Space, &tensor));
+        let minors = minors(Dimension::Space, &tensor, slack);
+        minors.iter().all(|minor| minor.known().is_some_and(|minor| minor >= 0.0))
     }
 
     #[test]
     fn the_triangle_inequality_holds_in_any_axes() {
+        assert!(is_real([0.0; 6]), "a mass in a point");
         assert!(is_real([1.0, 1.0, 0.0, 0.0, 0.0, 0.0]), "a thin rod");
         assert!(is_real([0.1, 0.2, 0.1 + 0.2, 0.0, 0.0, 0.0]), "a plate");
         assert!(!is_real([1.0, 1.0, 2.1, 0.0, 0.0, 0.0]));
+        assert!(!is_real([0.0, 0.0, 0.0, 1.0, 0.0, 0.0]));
         // The plate (1, 2, 3) turned by 45° about z, then one that is a little too flat.
         assert!(is_real([1.5, 1.5, 3.0, 0.5, 0.0, 0.0]));
         assert!(!is_real([1.5, 1.5, 3.2, 0.5, 0.0, 0.0]));

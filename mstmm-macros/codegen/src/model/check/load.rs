@@ -1,7 +1,9 @@
 //! What acts on bodies from outside.
 
 use crate::diag::Diagnostics;
-use crate::model::lower::{Draft, listed};
+use crate::model::Value;
+use crate::model::condition::{Condition, Must, Requirement};
+use crate::model::lower::{Draft, Given, listed};
 
 /// A load acts on a body, by a force or a torque.
 pub(super) fn loads_are_complete(draft: &Draft, diagnostics: &mut Diagnostics) {
@@ -25,23 +27,19 @@ pub(super) fn springs_are_complete(draft: &Draft, diagnostics: &mut Diagnostics)
     }
 }
 
-/// No spring has a negative stiffness, damping or length; parameters count with their defaults.
-pub(super) fn spring_numbers_are_not_negative(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let defaults = draft.defaults();
-    for spring in &draft.springs {
-        let numbers = [
+/// No spring has a negative stiffness, damping or length.
+pub(super) fn spring_numbers_are_not_negative(draft: &Draft) -> Vec<Requirement> {
+    let numbers = draft.springs.iter().flat_map(|spring| {
+        [
             (spring.stiffness.as_ref(), "a stiffness"),
             (spring.damping.as_ref().and_then(Option::as_ref), "a damping"),
             (spring.length.as_ref().and_then(Option::as_ref), "a length"),
-        ];
-        for (given, called) in numbers {
-            let Some(given) = given else { continue };
-            let Some(at_start) = given.value.at(&defaults).filter(|value| *value < 0.0) else {
-                continue;
-            };
-            let message = format!("{called} cannot be negative");
-            let known = given.value.known().is_some();
-            diagnostics.error_over(given.at, super::verdict(&message, known, at_start));
-        }
-    }
+        ]
+    });
+    let not_negative = |(given, called): (Option<&Given<Value>>, &str)| {
+        let Given { value, at } = given?.clone();
+        let message = format!("{called} cannot be negative");
+        Some(vec![Condition::new(value, Must::NotBeNegative, at, message).shown("")])
+    };
+    numbers.filter_map(not_negative).collect()
 }

@@ -5,14 +5,34 @@ mod hinge;
 mod inertia;
 mod load;
 mod name;
+mod number;
 mod passive;
 mod repeat;
 mod route;
 
 pub(super) use name::can_be_a_name;
 
+use super::condition::{Requirement, judge};
 use super::lower::Draft;
 use crate::diag::Diagnostics;
+
+/// A rule on numbers: what must hold of them.
+type NumberRule = fn(&Draft) -> Vec<Requirement>;
+
+/// All rules on numbers.
+const NUMBER_RULES: &[NumberRule] = &[
+    number::numbers_are_finite,
+    body::masses_are_positive,
+    inertia::moments_are_not_negative,
+    inertia::inertias_are_those_of_real_bodies,
+    hinge::axes_have_a_direction,
+    hinge::universal_axes_are_not_parallel,
+    hinge::elastic_pitches_are_less_than_a_right_angle,
+    passive::passive_numbers_are_not_negative,
+    passive::speeds_and_limits_are_positive,
+    passive::limits_are_in_order,
+    load::spring_numbers_are_not_negative,
+];
 
 /// A rule: it reports where a chain breaks it. It says nothing where a part is missing on account
 /// of another mistake.
@@ -40,34 +60,17 @@ const RULES: &[Rule] = &[
     body::types_are_used,
     body::fields_are_given,
     body::points_are_named_once,
-    body::masses_are_positive,
-    inertia::moments_are_not_negative,
-    inertia::inertias_are_those_of_real_bodies,
-    hinge::axes_have_a_direction,
-    hinge::universal_axes_are_not_parallel,
-    hinge::pitches_are_finite,
-    hinge::elastic_pitches_are_less_than_a_right_angle,
     hinge::motions_are_given_alone,
     passive::friction_and_limits_are_complete,
-    passive::passive_numbers_are_not_negative,
-    passive::speeds_and_limits_are_positive,
-    passive::limits_are_in_order,
     load::loads_are_complete,
     load::springs_are_complete,
-    load::spring_numbers_are_not_negative,
 ];
 
-/// Tries all rules.
-pub(super) fn check(draft: &Draft, diagnostics: &mut Diagnostics) {
+/// Tries all rules. What hangs on Rust constants alone comes back, for `const` assertions.
+pub(super) fn check(draft: &Draft, diagnostics: &mut Diagnostics) -> Vec<Requirement> {
     for rule in RULES {
         rule(draft, diagnostics);
     }
-}
-
-/// A verdict on a number; where parameters decide, with what their defaults make of it.
-fn verdict(message: &str, known: bool, at_start: f64) -> String {
-    if known {
-        return message.to_owned();
-    }
-    format!("{message}; with its parameters' defaults it is {at_start}")
+    let requirements = NUMBER_RULES.iter().flat_map(|rule| rule(draft)).collect();
+    judge(requirements, &draft.defaults(), diagnostics)
 }

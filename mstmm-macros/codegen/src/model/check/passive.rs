@@ -1,6 +1,7 @@
 //! Springs, dampers, friction, limits and rotors of hinges.
 
 use crate::diag::Diagnostics;
+use crate::model::condition::{Condition, Must, Requirement};
 use crate::model::lower::{Draft, Fields, Stop, Words, groups};
 use crate::model::{Form, Limits, Passive, Value};
 use crate::syntax::{Extent, Field, Written};
@@ -97,41 +98,40 @@ pub(super) fn friction_and_limits_are_complete(draft: &Draft, diagnostics: &mut 
     }
 }
 
-/// What is passive gives no energy; parameters count with their defaults.
-pub(super) fn passive_numbers_are_not_negative(draft: &Draft, diagnostics: &mut Diagnostics) {
-    judge(draft, NOT_NEGATIVE, |value| value < 0.0, "cannot be negative", diagnostics);
+/// What is passive gives no energy.
+pub(super) fn passive_numbers_are_not_negative(draft: &Draft) -> Vec<Requirement> {
+    requirements(draft, NOT_NEGATIVE, Must::NotBeNegative, "cannot be negative")
 }
 
-/// By a speed of zero friction would divide by zero, and limits without stiffness are none;
-/// parameters count with their defaults.
-pub(super) fn speeds_and_limits_are_positive(draft: &Draft, diagnostics: &mut Diagnostics) {
-    judge(draft, POSITIVE, |value| value <= 0.0, "must be positive", diagnostics);
+/// By a speed of zero friction would divide by zero, and limits without stiffness are none.
+pub(super) fn speeds_and_limits_are_positive(draft: &Draft) -> Vec<Requirement> {
+    requirements(draft, POSITIVE, Must::BePositive, "must be positive")
 }
 
-fn judge(
+fn requirements(
     draft: &Draft,
     numbers: &[(Name, Number, &str)],
-    is_wrong: impl Fn(f64) -> bool,
+    must: Must,
     verdict: &str,
-    diagnostics: &mut Diagnostics,
-) {
-    let defaults = draft.defaults();
+) -> Vec<Requirement> {
     let mut once = Once::default();
+    let mut requirements = Vec::new();
     for Group { fields, words, passive, .. } in all_groups(draft) {
         for (name, number, called) in numbers {
             let Some(field) = fields.get(name(words)) else { continue };
-            for (index, value) in passive.iter().enumerate() {
-                let at_start = number(value).and_then(|value| value.at(&defaults));
-                let Some(at_start) = at_start.filter(|value| is_wrong(*value)) else { continue };
-                let Some((entry, at)) = entry(field, index) else { continue };
-                if once.is_new(field, entry) {
-                    let known = number(value).is_some_and(|value| value.known().is_some());
-                    let message = super::verdict(&format!("{called} {verdict}"), known, at_start);
-                    diagnostics.error_over(at, message);
+            for (index, passive) in passive.iter().enumerate() {
+                if let Some(value) = number(passive)
+                    && let Some((entry, at)) = entry(field, index)
+                    && once.is_new(field, entry)
+                {
+                    let message = format!("{called} {verdict}");
+                    let condition = Condition::new(value.clone(), must, at, message);
+                    requirements.push(vec![condition.shown("")]);
                 }
             }
         }
     }
+    requirements
 }
 
 /// Which number of a field speaks of this strain, and where it stands.
@@ -142,26 +142,26 @@ fn entry(field: &Field, strain: usize) -> Option<(usize, Extent)> {
     }
 }
 
-/// The lowest limit is below the highest one; parameters count with their defaults.
-pub(super) fn limits_are_in_order(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let defaults = draft.defaults();
+/// The lowest limit is below the highest one.
+pub(super) fn limits_are_in_order(draft: &Draft) -> Vec<Requirement> {
     let mut once = Once::default();
+    let mut requirements = Vec::new();
     for Group { fields, words, form, passive } in all_groups(draft) {
         let limits = passive.first().and_then(|passive| passive.limits.as_ref());
-        let (Some(field), Some(Limits { low, high, .. })) = (fields.get(words.limits), limits)
-        else {
-            continue;
-        };
-        let (Some(low), Some(high)) = (low.at(&defaults), high.at(&defaults)) else { continue };
-        if low >= high
-            && once.is_new(field, 0)
+        if let (Some(field), Some(Limits { low, high, .. })) = (fields.get(words.limits), limits)
             && let Some(written) = &field.value
+            && once.is_new(field, 0)
         {
-            let message = match form {
-                Form::Quaternion => "the largest angle must be positive",
-                Form::Numbers | Form::Angles => "the first limit must be below the second one",
+            let (message, width) = match form {
+                Form::Quaternion => ("the largest angle must be positive", high.clone()),
+                Form::Numbers | Form::Angles => (
+                    "the first limit must be below the second one",
+                    high.clone().minus(low.clone()),
+                ),
             };
-            diagnostics.error_over(written.extent(), message);
+            let at = written.extent();
+            requirements.push(vec![Condition::new(width, Must::BePositive, at, message)]);
         }
     }
+    requirements
 }

@@ -5,6 +5,7 @@ use quote::ToTokens;
 
 use super::dimension::Dimension;
 use crate::diag::Diagnostics;
+use crate::model::condition::Requirement;
 use crate::model::{self, Symbol, Value};
 use crate::syntax::{Extent, Field, Written};
 
@@ -22,6 +23,10 @@ pub(super) struct Context<'a> {
     pub diagnostics: &'a mut Diagnostics,
     /// Whether every item could be read. If not, an unknown name may have been in the lost one.
     pub whole: bool,
+    /// What must hold of numbers that are not known.
+    pub requirements: Vec<Requirement>,
+    /// Fields that have been read.
+    read: Vec<*const Field>,
     /// Fields with a mistake that is reported: several hinges may share one.
     faulty: Vec<*const Field>,
 }
@@ -58,6 +63,8 @@ impl<'a> Context<'a> {
             constants: Vec::new(),
             diagnostics,
             whole,
+            requirements: Vec::new(),
+            read: Vec::new(),
             faulty: Vec::new(),
         }
     }
@@ -87,7 +94,12 @@ impl<'a> Context<'a> {
         if self.faulty.contains(&std::ptr::from_ref(field)) {
             return None;
         }
+        let requirements = self.requirements.len();
         let value = read(self, written);
+        if self.read.contains(&std::ptr::from_ref(field)) {
+            self.requirements.truncate(requirements);
+        }
+        self.read.push(field);
         if value.is_none() {
             self.faulty.push(field);
         }

@@ -11,6 +11,7 @@ use super::properties::{self, Properties};
 use super::route::Stop;
 use super::setting::Settings;
 use super::vector::zeros;
+use crate::model::condition::Requirement;
 use crate::model::{
     About, Body, BodyId, Chain, Dimension, Drive, Element, Frame, Hinge, HingeKind, Inertia,
     Parameter, Place, Repeat, Role, Value,
@@ -23,6 +24,8 @@ pub(crate) struct Draft<'a> {
     pub def: &'a ChainDef,
     /// In how many directions it moves.
     pub space: Dimension,
+    /// What must hold of its numbers that are not known, as they were read.
+    pub requirements: Vec<Requirement>,
     /// Settings of the whole chain.
     pub settings: Settings,
     /// Numbers that may change at run time.
@@ -84,6 +87,7 @@ impl Draft<'_> {
             loads: self.loads.into_iter().map(LoadDraft::finish).collect::<Option<_>>()?,
             springs: self.springs.into_iter().map(SpringDraft::finish).collect::<Option<_>>()?,
             method: self.settings.method,
+            assertions: Vec::new(),
         })
     }
 

@@ -49,6 +49,7 @@ pub(super) fn draft<'a>(def: &'a ChainDef, diagnostics: &mut Diagnostics) -> (Dr
     let stops = route::stops(def, &types, &mut context);
     let properties = properties::properties(def, &stops, &mut context);
     let (loads, springs) = load::loads(def, &stops, &types, &mut context);
+    let requirements = std::mem::take(&mut context.requirements);
     let surface = Surface {
         visibility: def.visibility.clone(),
         attributes: def.attributes.clone(),
@@ -58,6 +59,7 @@ pub(super) fn draft<'a>(def: &'a ChainDef, diagnostics: &mut Diagnostics) -> (Dr
     let draft = Draft {
         def,
         space,
+        requirements,
         settings,
         parameters,
         constants,

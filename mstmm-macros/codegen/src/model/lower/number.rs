@@ -6,11 +6,14 @@ use super::context::{Context, Measure};
 use super::dimension::{ACCELERATION, Dimension, LENGTH, PITCH, Quantity, RATE};
 use super::unit::{self, Scale};
 use crate::diag::did_you_mean;
+use crate::model::condition::{Condition, Must};
 use crate::model::{Symbol, Value};
 use crate::syntax::{Expr, ExprKind, Extent, FUNCTIONS, Factor, Term, Unit};
 
 /// A power multiplies a formula with itself, and a power of a power does so again.
 const LARGEST_FORMULA: usize = 1000;
+
+const NOT_FINITE: &str = "this is not a finite number";
 
 /// A number that is read.
 pub(super) struct Measured<'e> {
@@ -72,8 +75,13 @@ impl Context<'_> {
     /// Refuses what no number stands for, such as a root of a negative one.
     pub fn finite(&mut self, value: Value, at: Extent) -> Option<Value> {
         match value.known() {
-            Some(number) if !number.is_finite() => self.refuse(at, "this is not a finite number"),
-            _ => Some(value),
+            Some(number) if !number.is_finite() => self.refuse(at, NOT_FINITE),
+            Some(_) => Some(value),
+            None => {
+                let condition = Condition::new(value.clone(), Must::BeFinite, at, NOT_FINITE);
+                self.requirements.push(vec![condition.shown("")]);
+                Some(value)
+            }
         }
     }
 

@@ -4,6 +4,7 @@ use super::context::Context;
 use super::dimension::{ANGLE, LENGTH, NUMBER};
 use super::vector::zeros;
 use crate::diag::did_you_mean;
+use crate::model::condition::{Condition, Must};
 use crate::model::{Dimension, Frame, Value};
 use crate::syntax::{Form, Turn, Written};
 
@@ -20,6 +21,7 @@ type Reader = fn(&mut Context, &Form) -> Option<Orientation>;
 
 /// The ways to write an orientation.
 const ORIENTATIONS: &[(&str, Reader)] = &[("rpy", rpy), ("quaternion", quaternion)];
+const ZERO_QUATERNION: &str = "a quaternion of zeros turns nothing";
 const EXPECTED: &str = "expected `rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`";
 
 fn rpy(context: &mut Context, form: &Form) -> Option<Orientation> {
@@ -29,8 +31,11 @@ fn rpy(context: &mut Context, form: &Form) -> Option<Orientation> {
 fn quaternion(context: &mut Context, form: &Form) -> Option<Orientation> {
     let entries = context.form_numbers(form, ["w", "x", "y", "z"], NUMBER)?;
     if entries.iter().all(Value::is_zero) {
-        return context.refuse(form.list.extent, "a quaternion of zeros turns nothing");
+        return context.refuse(form.list.extent, ZERO_QUATERNION);
     }
+    let (square, at) = (squared_length(&entries), form.list.extent);
+    let condition = Condition::new(square, Must::BePositive, at, ZERO_QUATERNION);
+    context.requirements.push(vec![condition]);
     Some(Orientation::Quaternion(entries))
 }
 

@@ -70,9 +70,10 @@ fn axes_have_directions_of_their_own() {
     );
     let message = "the two axes of a universal hinge must not be parallel";
     expect_hinge("universal(x, -x)", "", &[("-x", message)]);
-    expect_hinge("universal(x, [ratio, 0, 0])", "", &[("[ratio, 0, 0]", message)]);
+    let by_default = format!("{message}, with its parameters' defaults");
+    expect_hinge("universal(x, [ratio, 0, 0])", "", &[("[ratio, 0, 0]", &by_default)]);
     expect_hinge("universal(x, [1e-200, 1e-200, 0])", "", &[]);
-    let infinite = "with its parameters' defaults this pitch is not finite";
+    let infinite = "this is not a finite number; with its parameters' defaults it is inf";
     expect_hinge("screw(z, 1 / (ratio - 2))", "", &[("1 / (ratio - 2)", infinite)]);
 }
 
@@ -243,7 +244,7 @@ fn elastic_hinges_do_not_stand_upright() {
     expect_hinge(
         "elastic",
         "rest = [0, 0, 0] m turned rpy(0, -ratio, 500);",
-        &[("-ratio", message)],
+        &[("-ratio", &format!("{message}, with its parameters' defaults"))],
     );
     expect_hinge("elastic", "start = [0, 0, 0] m turned rpy(200, 80, 500) deg;", &[]);
 }
