@@ -50,4 +50,13 @@ twins! {
         a1 = [x[40], x[41], x[42]].into();
         a2 = [x[43], x[44], x[45]].into();
     };
+
+    // Bodies behind the repeated part hang on the moving end.
+    welded_to_the_end: Welded WeldedByTransfer {
+        ground -> repeat 2 { ball a -> Bar b } -> repeat 3 { pin c -> Bar d } -> ball e -> Bar f
+            -> weld g -> Bar h -> weld i -> moving hook;
+    } = WeldedOut {
+        ground -> ball a1 -> Bar b1 -> ball a2 -> Bar b2 -> pin c1 -> Bar d1 -> pin c2 -> Bar d2
+            -> pin c3 -> Bar d3 -> ball e -> Bar f -> weld g -> Bar h -> weld i -> moving hook;
+    } given |x| { hook = floating(x); } = { hook = floating(x); };
 }

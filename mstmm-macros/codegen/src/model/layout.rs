@@ -198,7 +198,8 @@ struct Tree {
 
 impl Tree {
     /// Over the hinges, those written first before the others; welds, which may be merged, and those
-    /// of seams before all others.
+    /// of seams before all others. A repeated part is gone through without a break, since all that
+    /// lies between its seams is done for each time.
     fn of(chain: &Chain, is_weld: impl Fn(HingeId) -> bool, merge: bool) -> Tree {
         let sides = |hinge: HingeId| {
             [&chain.hinges[hinge].inboard, &chain.hinges[hinge].outboard].map(Place::body)
@@ -218,7 +219,10 @@ impl Tree {
         let mut reached: Vec<Option<Part>> = vec![None; chain.bodies.len()];
         let (mut links, mut closings) = (Vec::<Link>::new(), Vec::new());
         let mut joined = vec![None; chain.bodies.len()];
-        while let Some((_, hinge)) = next.pop_first() {
+        let mut inside: Option<usize> = None;
+        while let Some((_, hinge)) =
+            pop(&mut next, |hinge| inside.is_none_or(|repeat| chain.lies_in_repeat(hinge, repeat)))
+        {
             let part = |side: Option<BodyId>| side.map_or(Some(Part::Ground), |body| reached[body]);
             let [inboard, outboard] = sides(hinge);
             let (body, from, reversed) =
@@ -236,6 +240,11 @@ impl Tree {
                     Part::Link(link) => Some(link),
                 };
                 let seam = chain.seam(&Place::Input(body));
+                inside = match seam {
+                    Some(Seam { repeat, at_end: false }) => Some(repeat),
+                    Some(Seam { at_end: true, .. }) => None,
+                    None => inside,
+                };
                 links.push(Link { hinge, body, members: vec![body], parent, reversed, seam });
                 Part::Link(links.len() - 1)
             } else {
@@ -252,4 +261,14 @@ impl Tree {
         let parts = reached.into_iter().map(|part| part.unwrap_or(Part::Ground)).collect();
         Tree { links, closings, parts, joined }
     }
+}
+
+/// Takes out the first hinge that may come next.
+fn pop(
+    next: &mut BTreeSet<(bool, HingeId)>,
+    may_come: impl Fn(HingeId) -> bool,
+) -> Option<(bool, HingeId)> {
+    let first = next.iter().copied().find(|&(_, hinge)| may_come(hinge))?;
+    next.remove(&first);
+    Some(first)
 }

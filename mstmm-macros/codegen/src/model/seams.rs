@@ -76,6 +76,12 @@ impl Chain {
         self.repeats.iter().position(|repeat| repeat.hinges.contains(&hinge))
     }
 
+    /// Whether a hinge belongs to a repeated part, or joins its end to it.
+    pub fn lies_in_repeat(&self, hinge: usize, repeat: usize) -> bool {
+        self.repeats[repeat].hinges.contains(&hinge)
+            || self.seam(&self.hinges[hinge].outboard) == Some(Seam { repeat, at_end: true })
+    }
+
     /// The repeated part that a body belongs to.
     pub fn repeat_of_body(&self, body: BodyId) -> Option<usize> {
         self.repeats.iter().position(|repeat| repeat.bodies.contains(&body))
