@@ -255,6 +255,9 @@ macro_rules! refuses_what_is_not_finite {
                 broken.v_mut()[place] = bad;
                 solve(&broken, &chain.no_inputs(), format!("{bad} in v[{place}]"));
             }
+            let mut broken = state.clone();
+            broken.set_time(bad);
+            solve(&broken, &chain.no_inputs(), format!("the time is {bad}"));
             let mut inputs = chain.no_inputs();
             inputs.base = bad;
             solve(&state, &inputs, format!("{bad} at the base"));
@@ -283,4 +286,16 @@ fn what_is_not_finite_is_refused() {
 #[test]
 fn what_is_not_finite_is_refused_by_transfer() {
     refuses_what_is_not_finite! { DrivenByTransfer }
+}
+
+/// A state so large that sums overflow says nothing of a hinge.
+#[test]
+fn what_overflows_is_not_singular() {
+    let chain = Driven::<f64>::new();
+    let mut state = chain.initial_state();
+    state.v_mut().iter_mut().for_each(|rate| *rate = 1e300);
+    assert_eq!(chain.accelerations(&state, &chain.no_inputs()), Err(Error::NotFinite));
+    let scales = [f64::INFINITY];
+    let result = mstmm::generated::regular(&["hinge"], [1.0], scales, [0.0]);
+    assert_eq!(result, Err(Error::NotFinite));
 }

@@ -62,8 +62,11 @@ pub trait Chain {
 
     /// The rate of a linearly implicit step of Euler's method of `step` seconds: afterwards
     /// `rate.v()` is the v̇ of (M + h C + h² K) v̇ = τ − h K v, where M v̇ = τ are the equations of
-    /// motion, h is the step, and K and C are stiffness and damping of the springs, dampers and
-    /// limits in hinges: −∂τ/∂q ∂q̇/∂v and −∂τ/∂v of those alone. `rate.q()` is q̇ of `state`.
+    /// motion, h is the step, and K and C are stiffness and damping of the springs, dampers,
+    /// friction and limits in hinges: −∂τ/∂q ∂q̇/∂v and −∂τ/∂v of those alone, where strains are
+    /// coordinates. Of the strains s of elastic hinges, and of the turns of balls and floating hinges,
+    /// K is Jᵀ k J and C is Jᵀ c J with ṡ = J v: what is left out vanishes at rest. `rate.q()` is q̇
+    /// of `state`.
     ///
     /// With K and C zero it is [`derivative_into`](Chain::derivative_into), which is the default.
     ///

@@ -7,7 +7,8 @@ use crate::{Mask, Scalar};
 ///
 /// Along such a redundant direction the motion is unique, the reactions are not: a plane loop of
 /// four pins in space may be assembled with any stress across its plane. Those reported are the
-/// smallest ones, in the sense of least squares.
+/// smallest ones, in the sense of least squares of forces in N and moments in N m at the closing
+/// hinge, which is the last one of the chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closure<T, const C: usize> {
     undetermined: [[T; 6]; C],
@@ -32,6 +33,9 @@ impl<T: Scalar, const C: usize> Closure<T, C> {
 
     /// For each redundant closing direction a unit wrench, force and then moment, that can be added
     /// to the reactions without changing any motion; zero for the other directions.
+    ///
+    /// It acts at the closing hinge's outboard origin and has its components along the axes of the
+    /// hinge's inboard frame, not along inertial ones.
     #[inline]
     pub fn undetermined(&self) -> &[[T; 6]; C] {
         &self.undetermined

@@ -64,7 +64,8 @@ fn diagnosis<T: Scalar, const P: usize>(
 ) -> Error {
     let noise = T::epsilon() * T::constant(NOISE);
     for ((&hinge, pivot), scale) in hinges.iter().zip(pivots).zip(scales) {
-        if pivot.finite().all() && !pivot.greater(noise * scale).all() {
+        // Too large a state is no fault of the hinge.
+        if (pivot.finite() & scale.finite()).all() && !pivot.greater(noise * scale).all() {
             return Error::Singular { hinge };
         }
     }

@@ -320,6 +320,7 @@ fn check(plan: &Plan, block: &Results, pivots: &[HingeId]) -> TokenStream {
         #mstmm::generated::finite::<T>(&[
             state_.q.as_slice(),
             state_.v.as_slice(),
+            &[state_.t],
             #(#inputs,)*
         ])?;
         #(#repeated)*

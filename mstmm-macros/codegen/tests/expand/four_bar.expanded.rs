@@ -468,7 +468,14 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t289_ = t288_ + c_(0.030000000000000006);
         ::mstmm::generated::finite::<
             T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[inputs_.crank_pin]])?;
+        >(
+            &[
+                state_.q.as_slice(),
+                state_.v.as_slice(),
+                &[state_.t],
+                &[inputs_.crank_pin],
+            ],
+        )?;
         ::mstmm::generated::regular::<
             T,
             _,
@@ -1076,7 +1083,14 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t425_ = t422_ + t424_;
         ::mstmm::generated::finite::<
             T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[inputs_.crank_pin]])?;
+        >(
+            &[
+                state_.q.as_slice(),
+                state_.v.as_slice(),
+                &[state_.t],
+                &[inputs_.crank_pin],
+            ],
+        )?;
         ::mstmm::generated::regular::<
             T,
             _,

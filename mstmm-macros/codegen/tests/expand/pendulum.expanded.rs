@@ -153,7 +153,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let joint_a_ang_z_ = t0_ - t1_;
         ::mstmm::generated::finite::<
             T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[inputs_.joint]])?;
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t], &[inputs_.joint]])?;
         ::mstmm::generated::regular::<
             T,
             _,
@@ -247,7 +247,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t25_ = known_joint_k_xx_ * t24_;
         ::mstmm::generated::finite::<
             T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[inputs_.joint]])?;
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t], &[inputs_.joint]])?;
         ::mstmm::generated::regular::<
             T,
             _,

@@ -475,7 +475,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         >(results0_.as_mut_slice(), 10, 1) {
             *o0_ = -t92_;
         }
-        ::mstmm::generated::finite::<T>(&[state_.q.as_slice(), state_.v.as_slice()])?;
+        ::mstmm::generated::finite::<
+            T,
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
         ::mstmm::generated::require(regular0_, "joint")?;
         ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
         ::mstmm::generated::finite::<T>(&[results0_.as_slice()])?;
@@ -753,7 +755,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         >(results0_.as_mut_slice(), 10, 1) {
             *o0_ = -t64_;
         }
-        ::mstmm::generated::finite::<T>(&[state_.q.as_slice(), state_.v.as_slice()])?;
+        ::mstmm::generated::finite::<
+            T,
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
         ::mstmm::generated::require(regular0_, "joint")?;
         ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
         ::mstmm::generated::finite::<T>(&[results0_.as_slice()])?;
@@ -1826,7 +1830,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o24_ = c_(0.0);
             *o25_ = c_(0.0);
         }
-        ::mstmm::generated::finite::<T>(&[state_.q.as_slice(), state_.v.as_slice()])?;
+        ::mstmm::generated::finite::<
+            T,
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
         ::mstmm::generated::require(regular0_, "joint")?;
         ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
         ::mstmm::generated::finite::<T>(&[results0_.as_slice()])?;

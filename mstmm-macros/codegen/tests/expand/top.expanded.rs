@@ -134,7 +134,9 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t19_ = minus_tip_turn_z_x_ * c_(117.60000000000001);
         let minus_tip_a_ang_y_ = t18_ - t19_;
         let minus_tip_a_ang_z_ = tip_e_moment_z_ * c_(10000.0);
-        ::mstmm::generated::finite::<T>(&[state_.q.as_slice(), state_.v.as_slice()])?;
+        ::mstmm::generated::finite::<
+            T,
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,
@@ -345,7 +347,9 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t119_ = t112_ + t118_;
         let t120_ = t119_ * c_(0.5);
         let t121_ = tip_turn_z_z_ * c_(0.1176);
-        ::mstmm::generated::finite::<T>(&[state_.q.as_slice(), state_.v.as_slice()])?;
+        ::mstmm::generated::finite::<
+            T,
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,

@@ -251,7 +251,9 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t113_ = t111_ - t112_;
         let t114_ = c_(0.0816364570071376) * t113_;
         let minus_shoulder_beta0_ = minus_end_x4_ + t114_;
-        ::mstmm::generated::finite::<T>(&[state_.q.as_slice(), state_.v.as_slice()])?;
+        ::mstmm::generated::finite::<
+            T,
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,
@@ -553,7 +555,9 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t182_ = elbow_axes_x_x_ * minus_elbow_acc_ang_z_;
         let t183_ = minus_elbow_acc_lin_y_ + t182_;
         let t184_ = t181_ + t183_;
-        ::mstmm::generated::finite::<T>(&[state_.q.as_slice(), state_.v.as_slice()])?;
+        ::mstmm::generated::finite::<
+            T,
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,
