@@ -46,7 +46,23 @@ fn chain(seed: u64) -> Chain {
         let recipe = Recipe::rich(dimension, bodies, ends, &Joining::ALL);
         Recipe { prescribed: 0.25, springs: 0.4, ..recipe }
     };
-    random_mechanism(&mut Random::new(seed), &format!("Random{seed}"), &recipe)
+    let name = format!("Random{seed}");
+    let chains =
+        (0..).map(|again| random_mechanism(&mut Random::new(seed + 1000 * again), &name, &recipe));
+    chains.into_iter().find(moves).expect("one of many chains")
+}
+
+/// Whether a chain has more freedoms than its closure takes: the language refuses what cannot move.
+fn moves(chain: &Chain) -> bool {
+    let driven = chain.hinges().any(|hinge| hinge.prescribed)
+        || [&chain.start, &chain.finish].iter().any(|end| matches!(end, End::Moving { .. }));
+    let freedoms: usize = chain.hinges().map(|hinge| hinge.freedoms()).sum();
+    let directions = match chain.dimension {
+        Dimension::Space => 6,
+        Dimension::Plane => 3,
+        Dimension::Line => 1,
+    };
+    !chain.closed() || driven || freedoms > directions || chain.name == format!("Random{FLAT}")
 }
 
 /// A seed whose chain is closed, and lies in a plane: its hinges are redundant in space.

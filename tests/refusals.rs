@@ -101,10 +101,10 @@ fn a_refused_parameter_leaves_the_old_one() {
 /// A rod along x and a link on a route. Without thickness nothing of the rod resists a turn about
 /// x.
 macro_rules! with_a_thin_rod {
-    ($riccati:ident $transfer:ident $hinges:tt $thickness:tt { $($route:tt)* }) => {
+    ($riccati:ident $transfer:ident $hinges:tt { $($route:tt)* }) => {
         both! { $riccati $transfer $hinges {
             gravity = [0, -9.8, 0] m/s^2;
-            param thickness = 0;
+            param thickness = 0.01;
             body Link {
                 mass = 2 kg;
                 com = [0.5, 0.1, -0.2] m;
@@ -115,39 +115,38 @@ macro_rules! with_a_thin_rod {
                 mass = 1 kg;
                 com = [0.5, 0, 0] m;
                 output = [1, 0, 0] m;
-                inertia = diag($thickness, 1/12, 1/12) kg*m^2 about com;
+                inertia = diag(thickness, 1/12, 1/12) kg*m^2 about com;
             }
             $($route)*
         } }
     };
 }
 
-with_a_thin_rod! { Tip TipByTransfer [Pin, Ball] thickness {
+with_a_thin_rod! { Tip TipByTransfer [Pin, Ball] {
     ground -> pin(z) arm -> Link link -> ball loose -> Rod rod;
 } }
 
-with_a_thin_rod! { Balls BallsByTransfer [Ball, Ball] thickness {
+with_a_thin_rod! { Balls BallsByTransfer [Ball, Ball] {
     ground -> ball shoulder -> Link link -> ball loose -> Rod rod;
 } }
 
-with_a_thin_rod! { Deep DeepByTransfer [Pin, Ball, Ball] thickness {
+with_a_thin_rod! { Deep DeepByTransfer [Pin, Ball, Ball] {
     ground -> pin(y) arm -> Link link -> ball loose -> Rod rod -> ball wrist -> Link hand;
 } }
 
-with_a_thin_rod! { Axle AxleByTransfer [Pin, Ball] thickness {
+with_a_thin_rod! { Axle AxleByTransfer [Pin, Ball] {
     ground -> pin(x) loose -> Rod rod -> ball wrist -> Link hand;
 } }
 
-// The same where the compiler can see it.
-with_a_thin_rod! { Needle NeedleByTransfer [Pin, Ball] 0 {
-    ground -> pin(z) arm -> Link link -> ball loose -> Rod rod;
-} }
+/// A thickness that is lost in rounding; by one of zero something would be divided when it is set.
+const THIN: f64 = 1e-22;
 
 /// Solves in many states; each must be refused with the loose hinge's name, and say nothing else.
 macro_rules! is_loose {
     ($($name:ident)*) => { $(
-        let chain = $name::<f64>::new();
-        let single = $name::<f32>::new();
+        let (mut chain, mut single) = ($name::<f64>::new(), $name::<f32>::new());
+        chain.set_thickness(THIN).expect("a thin rod");
+        single.set_thickness(THIN as f32).expect("a thin rod");
         for seed in 0..200 {
             let state = chain.random_state(&mut Random::new(seed));
             let expected = Err(Error::Singular { hinge: "loose" });
@@ -178,14 +177,12 @@ macro_rules! is_loose {
 fn a_thin_rod_on_a_ball_at_the_tip_has_no_answer() {
     is_loose! { Tip }
     is_loose! { Balls }
-    is_loose! { Needle }
 }
 
 #[test]
 fn a_thin_rod_on_a_ball_at_the_tip_has_no_answer_by_transfer() {
     is_loose! { TipByTransfer }
     is_loose! { BallsByTransfer }
-    is_loose! { NeedleByTransfer }
 }
 
 #[test]

@@ -894,25 +894,23 @@ pub chain Random12R {
     method = riccati;
     gravity = input;
     body B1 {
-        mass = 3.45 kg;
-        com = [0.0, 0.4, 0.0] m;
-        output = [0.55, 0.29, 1.18] m;
-        inertia = tensor(0.6884, 0.240978, 0.782677, -0.028663, 0.03314, 0.015175) kg*m^2 about input;
-        point p1 = [-0.86, 0.11, 0.97] m;
+        mass = 4.7 kg;
+        com = [0.3, 0.38, 0.39] m;
+        output = [0.3, -0.49, 0.86] m;
+        inertia = tensor(1.910785, 1.727608, 1.64419, -0.492705, -0.493792, -0.696051) kg*m^2 about input;
+        point p1 = [0.7, -0.29, 0.77] m;
     }
     body B2 {
-        mass = 1.48 kg;
-        com = [-0.47, 0.38, 0.03] m;
-        output = [0.0, 0.0, 0.8] m turned rpy(0.0, 180.0, 0.0) deg;
-        inertia = diag(0.032701, 0.073999, 0.059781) kg*m^2 about com;
+        mass = 1.0 kg;
+        com = [-0.46, 0.0, 0.0] m;
+        output = [0.75, -1.08, 0.13] m;
+        inertia = diag(0.08422, 0.149382, 0.076535) kg*m^2 about com;
     }
-    ground -> slider([0.0, -0.3, 0.54]) j1 -> B1 b1 -> universal([-1.24, -0.29, 1.1], [0.0, -1.0, 0.0]) j2 -> B2 b2 -> ball j3 -> ground at [1.21, 0.42, 0.47] m turned rpy(-117.2, -56.2, 157.2) deg;
-    hinge j2 { damping = 1.61 N*m*s/rad; armature = 0.68 kg*m^2; }
-    hinge j3 { torque = [0.1, -4.7, -0.3] N*m; }
-    load l1 { on = b1; at = input; force = input; torque = [0.9, -5.0, -2.9] N*m; axes = body; }
-    load l2 { on = b2; force = [-2.7, -1.0, 7.6] N; }
-    spring s1 { on = b1; at = p1; to = [1.6, 1.1, 2.0] m; stiffness = 12.6 N/m; }
-    spring s2 { on = b2; at = com; to = [-0.3, 0.8, 1.7] m; stiffness = 18.9 N/m; length = 0.69 m; }
+    ground at [0.0, 0.0, 0.27] m -> ball j1 -> B1 b1 -> floating j2 -> B2 b2 -> cylindrical(y) j3 -> ground at [-2.09, 0.26, -1.19] m turned rpy(28.2, 44.5, -33.0) deg;
+    hinge j1 { torque = [4.3, 4.6, 2.3] N*m; }
+    hinge j2 { turning_stiffness = 21.71 N*m/rad; turning_damping = 0.88 N*m*s/rad; }
+    load l1 { on = b2; at = output; force = input; axes = body; }
+    spring s1 { on = b1; at = p1; to = [1.2, -1.3, 0.4] m; stiffness = 25.0 N/m; }
 }
 }
 
@@ -930,25 +928,23 @@ pub chain Random12T {
     method = transfer;
     gravity = input;
     body B1 {
-        mass = 3.45 kg;
-        com = [0.0, 0.4, 0.0] m;
-        output = [0.55, 0.29, 1.18] m;
-        inertia = tensor(0.6884, 0.240978, 0.782677, -0.028663, 0.03314, 0.015175) kg*m^2 about input;
-        point p1 = [-0.86, 0.11, 0.97] m;
+        mass = 4.7 kg;
+        com = [0.3, 0.38, 0.39] m;
+        output = [0.3, -0.49, 0.86] m;
+        inertia = tensor(1.910785, 1.727608, 1.64419, -0.492705, -0.493792, -0.696051) kg*m^2 about input;
+        point p1 = [0.7, -0.29, 0.77] m;
     }
     body B2 {
-        mass = 1.48 kg;
-        com = [-0.47, 0.38, 0.03] m;
-        output = [0.0, 0.0, 0.8] m turned rpy(0.0, 180.0, 0.0) deg;
-        inertia = diag(0.032701, 0.073999, 0.059781) kg*m^2 about com;
+        mass = 1.0 kg;
+        com = [-0.46, 0.0, 0.0] m;
+        output = [0.75, -1.08, 0.13] m;
+        inertia = diag(0.08422, 0.149382, 0.076535) kg*m^2 about com;
     }
-    ground -> slider([0.0, -0.3, 0.54]) j1 -> B1 b1 -> universal([-1.24, -0.29, 1.1], [0.0, -1.0, 0.0]) j2 -> B2 b2 -> ball j3 -> ground at [1.21, 0.42, 0.47] m turned rpy(-117.2, -56.2, 157.2) deg;
-    hinge j2 { damping = 1.61 N*m*s/rad; armature = 0.68 kg*m^2; }
-    hinge j3 { torque = [0.1, -4.7, -0.3] N*m; }
-    load l1 { on = b1; at = input; force = input; torque = [0.9, -5.0, -2.9] N*m; axes = body; }
-    load l2 { on = b2; force = [-2.7, -1.0, 7.6] N; }
-    spring s1 { on = b1; at = p1; to = [1.6, 1.1, 2.0] m; stiffness = 12.6 N/m; }
-    spring s2 { on = b2; at = com; to = [-0.3, 0.8, 1.7] m; stiffness = 18.9 N/m; length = 0.69 m; }
+    ground at [0.0, 0.0, 0.27] m -> ball j1 -> B1 b1 -> floating j2 -> B2 b2 -> cylindrical(y) j3 -> ground at [-2.09, 0.26, -1.19] m turned rpy(28.2, 44.5, -33.0) deg;
+    hinge j1 { torque = [4.3, 4.6, 2.3] N*m; }
+    hinge j2 { turning_stiffness = 21.71 N*m/rad; turning_damping = 0.88 N*m*s/rad; }
+    load l1 { on = b2; at = output; force = input; axes = body; }
+    spring s1 { on = b1; at = p1; to = [1.2, -1.3, 0.4] m; stiffness = 25.0 N/m; }
 }
 }
 

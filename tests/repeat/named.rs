@@ -180,14 +180,15 @@ fn motions_that_are_not_finite_are_found_everywhere() {
 }
 
 macro_rules! needles {
-    ($($name:ident $method:ident $inertia:literal)*) => { $(
+    ($($name:ident $method:ident)*) => { $(
         mstmm_chain! { chain $name {
             method = $method;
+            param thickness = 0.01;
             body Needle {
                 mass = 1 kg;
                 com = [0.5, 0, 0] m;
                 output = [1, 0, 0] m;
-                inertia = diag($inertia, 0.1, 0.1) kg*m^2 about com;
+                inertia = diag(thickness, 0.1, 0.1) kg*m^2 about com;
             }
             body Rod {
                 mass = 1 kg;
@@ -201,31 +202,27 @@ macro_rules! needles {
 }
 
 needles! {
-    Needles riccati 0
-    NeedlesByTransfer transfer 0
-    Bars riccati 0.01
-    BarsByTransfer transfer 0.01
+    Needles riccati
+    NeedlesByTransfer transfer
 }
 
 /// Needles without inertia about their axis cannot be turned about it.
 #[test]
 fn a_repeated_hinge_without_inertia_is_named() {
     macro_rules! check {
-        ($($chain:ident $expected:expr;)*) => { $(
-            let chain = $chain::<f64>::new();
+        ($($chain:ident)*) => { $(
+            let mut chain = $chain::<f64>::new();
             let (state, inputs) = (chain.initial_state(), chain.no_inputs());
             let mut at = chain.workspace();
-            assert_eq!(chain.solve_into(&state, &inputs, &mut at), $expected);
-            assert_eq!(chain.accelerations(&state, &inputs).map(|_| ()), $expected);
-            assert_eq!(at == chain.workspace(), $expected.is_err());
+            assert_eq!(chain.solve_into(&state, &inputs, &mut at), Ok(()));
+            assert!(at != chain.workspace() && chain.accelerations(&state, &inputs).is_ok());
+            // Lost in rounding; by zero something would be divided here.
+            chain.set_thickness(1e-22).expect("a thin needle");
+            let (singular, before) = (Err(Error::Singular { hinge: "spin" }), at.clone());
+            assert_eq!(chain.solve_into(&state, &inputs, &mut at), singular);
+            assert_eq!(chain.accelerations(&state, &inputs).map(|_| ()), singular);
+            assert!(at == before);
         )* };
     }
-    let regular: Result<(), Error> = Ok(());
-    let singular = Err(Error::Singular { hinge: "spin" });
-    check! {
-        Needles singular;
-        NeedlesByTransfer singular;
-        Bars regular;
-        BarsByTransfer regular;
-    }
+    check! { Needles NeedlesByTransfer }
 }

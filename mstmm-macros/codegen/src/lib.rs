@@ -11,6 +11,7 @@
 //! | [`model`] | names resolved, units and constants evaluated, every rule on models | `diag`; `syntax` where it is lowered and checked |
 //! | [`math`] | scalars, vectors, spatial blocks | nothing of ours |
 //! | [`equations`] | the paper, generic over [`math::Scalar`] | `math`, `model` |
+//! | [`examine`] | a chain tried out in numbers | `diag`, `equations`, `math`, `model` |
 //! | [`expr`] | formulas as a graph without repetitions | `math` |
 //! | [`program`] | straight-line programs and their costs | nothing of ours |
 //! | [`passes`] | one optimisation a file | `expr`, `math`, `program` |
@@ -25,6 +26,7 @@ pub mod compile;
 pub mod diag;
 pub mod emit;
 pub mod equations;
+pub mod examine;
 pub mod expr;
 pub mod math;
 pub mod model;
@@ -49,15 +51,26 @@ pub struct Expansion {
 /// Expands the text inside `mstmm_chain!`: the phases in their order. Generated code calls the crate
 /// `mstmm` by this path.
 pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
-    let (chains, mistakes) = understand(description);
+    let mut diagnostics = Diagnostics::default();
+    let chains = understand(description, &mut diagnostics);
+    let right = diagnostics.is_empty();
+    let mut examine = |chain: &model::Chain| match right {
+        true => examine::examine(chain, &mut diagnostics),
+        false => examine::Examination::default(),
+    };
+    let examinations: Vec<_> = chains.iter().map(|(chain, _)| examine(chain)).collect();
     // From here on no mistake of the user is possible.
-    let items = |(chain, surface): &(model::Chain, syntax::Surface)| {
+    let items = |((chain, surface), examination): (&Understood, &examine::Examination)| {
         let layout = model::Layout::of(chain);
         let programs = compile::programs(chain, &layout);
-        emit::expand(chain, surface, &layout, &programs, mstmm)
+        emit::expand(chain, surface, &layout, &programs, examination, mstmm)
     };
-    Expansion { items: chains.iter().map(items).collect(), mistakes }
+    let items = chains.iter().zip(&examinations).map(items).collect();
+    Expansion { items, mistakes: diagnostics.finish().err() }
 }
+
+/// A chain and how it is to look in the user's crate.
+type Understood = (model::Chain, syntax::Surface);
 
 /// Reads all chains of one macro call: what can be said of a text before anything is computed.
 ///
@@ -65,22 +78,18 @@ pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
 ///
 /// All mistakes of the text, each on the token to edit.
 pub fn read(description: TokenStream) -> syn::Result<Vec<(model::Chain, syntax::Surface)>> {
-    match understand(description) {
-        (chains, None) => Ok(chains),
-        (_, Some(mistakes)) => Err(mistakes),
-    }
+    let mut diagnostics = Diagnostics::default();
+    let chains = understand(description, &mut diagnostics);
+    diagnostics.finish().map(|()| chains)
 }
 
-/// All chains, as skeletons where they have mistakes, and the mistakes.
-fn understand(
-    description: TokenStream,
-) -> (Vec<(model::Chain, syntax::Surface)>, Option<syn::Error>) {
-    let mut diagnostics = Diagnostics::default();
-    let written = syntax::parse(description, &mut diagnostics);
-    let mut chains: Vec<(model::Chain, syntax::Surface)> = Vec::new();
+/// All chains, as skeletons where they have mistakes.
+fn understand(description: TokenStream, diagnostics: &mut Diagnostics) -> Vec<Understood> {
+    let written = syntax::parse(description, diagnostics);
+    let mut chains: Vec<Understood> = Vec::new();
     for def in &written {
-        let meant = model::lower(def, &mut diagnostics);
+        let meant = model::lower(def, diagnostics);
         chains.extend(meant.filter(|(chain, _)| chains.iter().all(|(c, _)| c.name != chain.name)));
     }
-    (chains, diagnostics.finish().err())
+    chains
 }

@@ -215,18 +215,7 @@ impl<'a, 'g> Scene<'a, 'g> {
             equations::correction(&self.situation(self.merged).woven(loom), trace)
         });
         let correction = correction?;
-        let layout = self.layout;
-        let corrected = |(index, hinge): (usize, &Hinge)| -> Vec<Expr<'g>> {
-            if hinge.is_prescribed() {
-                return Vec::new();
-            }
-            let q = &self.q[layout.q[index].clone()];
-            let along = &correction.coordinates[layout.v[index].clone()];
-            let change = equations::hinge::coordinate_rates(&hinge.kind, q, along);
-            let moved: Vec<_> = q.iter().zip(change).map(|(&q, change)| q + change).collect();
-            equations::hinge::normalized(&hinge.kind, &moved)
-        };
-        let q = self.chain.hinges.iter().enumerate().flat_map(corrected).collect();
+        let q = equations::moved(self.chain, self.layout, &self.q, &correction.coordinates);
         let v = self.v.iter().zip(correction.rates).map(|(&v, change)| v + change).collect();
         let groups = [q, v, vec![correction.residual]];
         Some(self.program(Stage::State, &trace, &groups, &turns, setup))

@@ -14,6 +14,7 @@ mod state;
 mod workspace;
 
 use crate::compile::Programs;
+use crate::examine::Examination;
 use crate::model::{Chain, Layout};
 use crate::syntax::Surface;
 use names::Names;
@@ -26,6 +27,7 @@ struct Plan<'a> {
     surface: &'a Surface,
     layout: &'a Layout,
     programs: &'a Programs,
+    examination: &'a Examination,
     names: Names,
     /// The path of the crate `mstmm`.
     mstmm: &'a TokenStream,
@@ -37,9 +39,11 @@ pub fn expand(
     surface: &Surface,
     layout: &Layout,
     programs: &Programs,
+    examination: &Examination,
     mstmm: &TokenStream,
 ) -> TokenStream {
-    let plan = Plan { chain, surface, layout, programs, names: Names::of(chain), mstmm };
+    let plan =
+        Plan { chain, surface, layout, programs, examination, names: Names::of(chain), mstmm };
     let construction = construction::emit(&plan);
     let dynamics = dynamics::emit(&plan);
     let state = state::emit(&plan);

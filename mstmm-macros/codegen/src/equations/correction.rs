@@ -5,12 +5,13 @@
 //! accelerations without velocities, efforts and loads.
 
 use super::closing::{Closing, closing};
-use super::hinge::{alignment, dot};
+use super::hinge::{alignment, coordinate_rates, dot, normalized};
 use super::load::{Pose, poses};
 use super::motion::LinkMotion;
 use super::problem::{Demand, Movement, Problem};
 use super::{Axes, Situation, Trace, motion, riccati};
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
+use crate::model::{Chain, Hinge, Layout};
 
 /// What brings a chain back onto its closure.
 #[derive(Clone, Debug)]
@@ -44,6 +45,20 @@ pub fn correction<S: Scalar>(
         rates: along(situation, &links, &closing, parting, trace),
         residual: (size(apart.motion) + apart.half_turn() + size(parting)).sqrt(),
     })
+}
+
+/// Coordinates that have been moved along the rates.
+pub fn moved<S: Scalar>(chain: &Chain, layout: &Layout, q: &[S], along: &[S]) -> Vec<S> {
+    let one = |(index, hinge): (usize, &Hinge)| {
+        if hinge.is_prescribed() {
+            return Vec::new();
+        }
+        let (q, along) = (&q[layout.q[index].clone()], &along[layout.v[index].clone()]);
+        let change = coordinate_rates(&hinge.kind, q, along);
+        let moved: Vec<S> = q.iter().zip(change).map(|(&q, change)| q + change).collect();
+        normalized(&hinge.kind, &moved)
+    };
+    chain.hinges.iter().enumerate().flat_map(one).collect()
 }
 
 /// From where the closing hinge arrives to where it should: a shift and a turn.

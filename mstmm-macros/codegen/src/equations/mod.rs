@@ -40,7 +40,7 @@ mod trace;
 mod transfer;
 
 pub use accelerations::{Pivot, Reaction, Solved, accelerations};
-pub use correction::{Correction, correction};
+pub use correction::{Correction, correction, moved};
 pub use energy::{Energy, energy};
 pub use motion::{Axes, LinkMotion, motion};
 pub use numbers::Numbers;

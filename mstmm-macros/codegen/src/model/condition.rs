@@ -2,8 +2,7 @@
 //! on Rust constants is left to `const` assertions of the same words at the same place.
 
 use super::Value;
-use crate::diag::Diagnostics;
-use crate::syntax::Extent;
+use crate::diag::{Diagnostics, Extent};
 
 /// Something that must hold of a number.
 #[derive(Clone, Debug)]

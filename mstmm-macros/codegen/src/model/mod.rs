@@ -13,6 +13,7 @@ mod seams;
 mod skeleton;
 #[cfg(test)]
 mod tests;
+mod unrolled;
 mod uses;
 mod value;
 

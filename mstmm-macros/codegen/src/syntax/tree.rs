@@ -1,38 +1,9 @@
 //! The description as written: every part keeps the tokens that a message can point at.
 
+pub use crate::diag::Extent;
+
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, TokenStreamExt};
 use std::ops::Range;
-
-/// From the first to the last token of something written.
-#[derive(Clone, Copy, Debug)]
-pub struct Extent {
-    /// The first token.
-    pub first: Span,
-    /// The last token.
-    pub last: Span,
-}
-
-impl Extent {
-    /// A single token.
-    pub fn token(at: Span) -> Self {
-        Extent { first: at, last: at }
-    }
-
-    /// From the start of this to the end of another one.
-    pub fn to(self, end: Extent) -> Self {
-        Extent { first: self.first, last: end.last }
-    }
-}
-
-/// Two stand-in tokens with the right spans: `syn` builds the span of an error from the first and
-/// the last token, and that way works without joining spans, which not every compiler can.
-impl ToTokens for Extent {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        tokens.append(Ident::new("from", self.first));
-        tokens.append(Ident::new("to", self.last));
-    }
-}
 
 /// A chain as written.
 #[derive(Debug)]

@@ -1,0 +1,245 @@
+//! What can be said of a chain by trying it out in numbers: whether every hinge moves something that
+//! has inertia, how many freedoms its closure leaves, and where it starts.
+
+use crate::diag::Diagnostics;
+use crate::equations::{self, Axes, Numbers, Point, Situation, Solved, Trace};
+use crate::math::{Structured, Wrench};
+use crate::model::{Chain, Drive, Driven, Hinge, HingeId, Layout, Method, Value};
+use proc_macro2::Ident;
+
+/// States tried besides the start. A hinge that moves nothing with inertia in all of them does so in
+/// every state.
+const STATES: usize = 4;
+
+/// Chains of more elements are tried with repeated parts cut short, and drawn so.
+const ELEMENTS: usize = 100;
+const CUT_SHORT: usize = 3;
+
+/// Corrections that put a chain onto its closure; they converge quadratically where they do.
+const CORRECTIONS: usize = 100;
+/// A residual in m, rad, m/s and rad/s that counts as closed.
+const CLOSED: f64 = 1e-9;
+
+/// A pivot of less than so many units in the last place of its scale is zero: the same as in every
+/// step.
+const NOISE: f64 = 8.0;
+
+type Number = Structured<f64>;
+
+/// What was found.
+#[derive(Clone, Debug, Default)]
+pub struct Examination {
+    /// How its closure holds a chain that is held at both ends, where a closed pose was found.
+    pub mobility: Option<Mobility>,
+    /// The chain at its start, closed if it is a closed one; nothing where Rust constants decide.
+    pub start: Option<Drawing>,
+}
+
+/// How its closure holds a chain, in a pose like any other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mobility {
+    /// Freedoms that are left.
+    pub freedoms: usize,
+    /// Directions that the closing hinge holds.
+    pub held: usize,
+    /// Those of them that follow from the others.
+    pub redundant: usize,
+}
+
+/// A chain as it stands.
+#[derive(Clone, Debug)]
+pub struct Drawing {
+    /// The chain, its repeated parts written out or cut short.
+    pub chain: Chain,
+    /// Positions of the first element's input, then of the outputs of all elements, in m.
+    pub points: Vec<[f64; 3]>,
+}
+
+/// Tries a chain out; what is wrong with it is reported.
+pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Examination {
+    let Some(numbers) = defaults(chain) else { return Examination::default() };
+    let whole = chain.elements(usize::MAX) <= ELEMENTS;
+    let most = if whole { usize::MAX } else { CUT_SHORT };
+    let chain = &chain.unrolled(most);
+    let trial = Trial { chain, layout: Layout::of(chain), merged: Layout::merged(chain), numbers };
+    trial.refuse_idle_hinges(diagnostics);
+    let mobility = if whole { trial.mobility() } else { None };
+    if let Some(Mobility { freedoms: 0, .. }) = mobility {
+        trial.refuse_rigid_chain(diagnostics);
+    }
+    Examination { mobility, start: Some(trial.drawing()) }
+}
+
+/// The chain's numbers with parameters at their defaults, unless Rust constants decide.
+fn defaults(chain: &Chain) -> Option<Numbers<Number>> {
+    let known = |value: &Value| value.known().map(Number::variable);
+    let parameters = chain.parameters.iter().map(|parameter| known(&parameter.default));
+    let parameters = parameters.collect::<Option<Vec<Number>>>()?;
+    (chain.constants == 0).then(|| Numbers { parameters, constants: Vec::new() })
+}
+
+/// A chain without repeated parts and its numbers.
+struct Trial<'a> {
+    chain: &'a Chain,
+    layout: Layout,
+    /// The layout with welded bodies merged, which has the same hinges in the same places.
+    merged: Layout,
+    numbers: Numbers<Number>,
+}
+
+impl Trial<'_> {
+    /// A chain needs inertia beyond every hinge, along all that the hinge lets free.
+    fn refuse_idle_hinges(&self, diagnostics: &mut Diagnostics) {
+        let mut idle: Option<Vec<HingeId>> = None;
+        for seed in 0..STATES {
+            let solved = self.solved(&self.coordinates(seed));
+            let vanishing = solved.pivots.iter().filter(|pivot| {
+                let (value, scale) = (pivot.value.value(), pivot.scale.value());
+                value <= NOISE * f64::EPSILON * scale
+            });
+            let now = vanishing.map(|pivot| self.merged.links[pivot.link].hinge);
+            let now: Vec<HingeId> = now.collect();
+            idle = Some(match idle {
+                None => now,
+                Some(before) => before.into_iter().filter(|hinge| now.contains(hinge)).collect(),
+            });
+        }
+        let mut reported: Vec<&Ident> = Vec::new();
+        for hinge in idle.iter().flatten().map(|&hinge| &self.chain.hinges[hinge]) {
+            if !reported.contains(&&hinge.name) {
+                reported.push(&hinge.name);
+                diagnostics.error(hinge.name.span(), self.idle(hinge));
+            }
+        }
+    }
+
+    /// What to say of a hinge that moves nothing with inertia.
+    fn idle(&self, hinge: &Hinge) -> String {
+        let name = &hinge.name;
+        let floats = self.chain.bodies.iter().any(|body| body.name == *name);
+        let closed = match self.merged.closings.is_empty() {
+            true => "",
+            false => {
+                " (what closes the chain does not count: it may help to write the route the \
+                      other way round)"
+            }
+        };
+        if floats {
+            return format!(
+                "what floats with body `{name}` has no inertia about one of its axes: \
+                 give it a moment of inertia there"
+            );
+        }
+        let turns = match hinge.kind.freedoms() {
+            1 => "turns nothing that has inertia about its axis",
+            _ => "turns something about an axis about which it has no inertia",
+        };
+        format!(
+            "hinge `{name}` {turns}: give what it turns a moment of inertia, or the hinge an `armature`{closed}"
+        )
+    }
+
+    /// A closed chain that cannot move has no dynamics, unless it is moved.
+    fn refuse_rigid_chain(&self, diagnostics: &mut Diagnostics) {
+        let closing = self.merged.closings.first().map(|&hinge| &self.chain.hinges[hinge]);
+        let driven = self.chain.hinges.iter().any(|hinge| hinge.drive == Drive::Motion);
+        let Some(closing) = closing.filter(|_| !driven) else { return };
+        let freedoms = self.merged.freedoms();
+        let message = format!(
+            "held at both ends this chain cannot move: its hinges have {freedoms} freedoms, and \
+             closing it here takes as many; free a hinge more, or leave an end free"
+        );
+        diagnostics.error(closing.name.span(), message);
+    }
+
+    /// How the closure holds the chain, at the start and next to it, for the start itself may be a
+    /// special pose.
+    fn mobility(&self) -> Option<Mobility> {
+        let closing = *self.merged.closings.first()?;
+        let poses = (0..=STATES).filter_map(|seed| self.closed(self.coordinates(seed)));
+        let redundant = poses.filter_map(|q| {
+            let undetermined = self.solved(&q).reaction?.undetermined;
+            let is_one = |wrench: &&Wrench<Number>| {
+                let entries = wrench.force.0.iter().chain(&wrench.moment.0);
+                entries.map(|x| x.value() * x.value()).sum::<f64>() > 0.5
+            };
+            Some(undetermined.iter().filter(is_one).count())
+        });
+        let redundant = redundant.min()?;
+        let own = self.merged.v[closing].len();
+        let held = self.chain.dimension.axes().len() - own;
+        let open = self.merged.freedoms() - own;
+        Some(Mobility { freedoms: (open + redundant).checked_sub(held)?, held, redundant })
+    }
+
+    /// The start, closed if that goes.
+    fn drawing(&self) -> Drawing {
+        let start = self.coordinates(0);
+        let q = self.closed(start.clone()).unwrap_or(start);
+        let (v, inputs) = (self.at_rest(), self.inputs());
+        let situation = Situation::new(self.chain, &self.layout, &self.numbers, (&q, &v, &inputs));
+        let report = equations::report(&situation, &self.solved(&q), &mut Trace::new());
+        let position = |point: &Point<Number>| point.position.0.map(Number::value);
+        Drawing { points: report.points.iter().map(position).collect(), chain: self.chain.clone() }
+    }
+
+    fn solved(&self, q: &[Number]) -> Solved<Number> {
+        let (v, inputs) = (self.at_rest(), self.inputs());
+        let situation = Situation::new(self.chain, &self.merged, &self.numbers, (q, &v, &inputs));
+        equations::accelerations(&situation, Method::Riccati, Axes::Body, &mut Trace::new())
+    }
+
+    /// The coordinates put onto the closure; nothing if that leads nowhere.
+    fn closed(&self, mut q: Vec<Number>) -> Option<Vec<Number>> {
+        let (v, inputs) = (self.at_rest(), self.inputs());
+        for _ in 0..CORRECTIONS {
+            let situation =
+                Situation::new(self.chain, &self.merged, &self.numbers, (&q, &v, &inputs));
+            let correction = equations::correction(&situation, &mut Trace::new())?;
+            if correction.residual.value() < CLOSED {
+                return Some(q);
+            }
+            q = equations::moved(self.chain, &self.merged, &q, &correction.coordinates);
+        }
+        None
+    }
+
+    /// The start, or somewhere around it: every coordinate by up to one.
+    fn coordinates(&self, seed: usize) -> Vec<Number> {
+        let mut number = 0.0;
+        let free = self.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
+        let coordinates = free.flat_map(|hinge| {
+            let near: Vec<Number> = hinge
+                .start
+                .iter()
+                .map(|start| {
+                    // Multiples of the golden ratio lie as far from each other as they can.
+                    number += 0.618_033_988_749_895;
+                    let step = if seed == 0 { 0.0 } else { (number * seed as f64).fract() - 0.5 };
+                    Number::variable(self.numbers.scalar(start).value() + step)
+                })
+                .collect();
+            equations::hinge::normalized(&hinge.kind, &near)
+        });
+        coordinates.collect()
+    }
+
+    fn at_rest(&self) -> Vec<Number> {
+        vec![Number::variable(0.0); self.merged.freedoms()]
+    }
+
+    /// Prescribed motions at rest in the zero position, and nothing that drives.
+    fn inputs(&self) -> Vec<Number> {
+        let count = self.merged.inputs.last().map_or(0, |input| input.range.end);
+        let mut inputs = vec![Number::variable(0.0); count];
+        for input in &self.merged.inputs {
+            if let Driven::Motion(hinge) = input.what {
+                let rest = self.chain.hinges[hinge].kind.shape().coordinates.iter();
+                for (place, coordinate) in inputs[input.range.clone()].iter_mut().zip(rest) {
+                    *place = Number::variable(coordinate.rest);
+                }
+            }
+        }
+        inputs
+    }
+}

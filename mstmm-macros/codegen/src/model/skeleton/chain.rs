@@ -1,0 +1,175 @@
+//! From a route in which hinges and bodies alternate to a chain.
+
+use super::{End, Part, Sketch, is_identifier};
+use crate::model::lower::{Draft, Motion, of_everything};
+use crate::model::{
+    About, Body, Chain, Drive, Effort, Element, Frame, Hinge, HingeKind, Inertia, Load, LoadAxes,
+    Method, Place, Repeat, Role, Source, Value,
+};
+use proc_macro2::Ident;
+use std::collections::HashSet;
+
+impl Sketch<'_, '_> {
+    /// The chain.
+    pub(super) fn finish(self, name: Ident) -> Chain {
+        let Sketch { draft, parts, start, finish, parameters, .. } = self;
+        let counts = count(&parts);
+        let numbers = Numbers { parts: &parts, counts: &counts };
+        let ends: Vec<&Ident> = [&start, &finish].into_iter().filter_map(End::name).collect();
+        let everything = || of_everything(draft.space);
+        let floats = matches!((&start, &finish), (End::Free, End::Free));
+        let first_body = parts.iter().find(|part| part.hinge.is_none());
+        let on_ground = || Place::Ground(Frame::identity());
+        let bodies_on_route = counts.last().map_or(0, |&(bodies, _)| bodies);
+
+        let mut hinges: Vec<Hinge> = Vec::new();
+        if floats && let Some(first) = first_body {
+            let efforts = Drive::Efforts(vec![Effort::Free; everything().freedoms()]);
+            let places = [on_ground(), Place::Input(0)];
+            hinges.push(hinge(first.name.clone(), everything(), places, efforts));
+        }
+        for (number, end) in ends.iter().enumerate() {
+            let places = [on_ground(), Place::Input(bodies_on_route + number)];
+            hinges.push(hinge((*end).clone(), everything(), places, Drive::Motion));
+        }
+        let implied = hinges.len();
+        let held = |end: &End, number: usize| match end {
+            End::Moving(_) => Place::Output(bodies_on_route + number),
+            End::Free | End::Held => on_ground(),
+        };
+        for (index, part) in parts.iter().enumerate() {
+            let Some((kind, drive)) = &part.hinge else { continue };
+            let inboard =
+                if index == 0 { held(&start, 0) } else { Place::Output(counts[index].0 - 1) };
+            let outboard = match parts.get(index + 1) {
+                Some(_) => Place::Input(counts[index].0),
+                None => held(&finish, ends.len().saturating_sub(1)),
+            };
+            let hinge = hinge(part.name.clone(), kind.clone(), [inboard, outboard], drive.clone());
+            hinges.push(hinge);
+        }
+        let bodies = parts.iter().filter(|part| part.hinge.is_none());
+        let bodies = bodies.map(|part| body(&part.name, Role::Matter));
+        let bodies: Vec<Body> = bodies.chain(ends.iter().map(|end| body(end, Role::End))).collect();
+        Chain {
+            name,
+            dimension: draft.space,
+            gravity: match draft.settings.gravity {
+                Some(Source::Input) => Source::Input,
+                _ => Source::Nothing,
+            },
+            parameters,
+            constants: draft.constants,
+            loads: loads(draft, bodies_on_route),
+            springs: Vec::new(),
+            route: numbers.route(implied),
+            repeats: numbers.repeats(draft, implied),
+            bodies,
+            hinges,
+            method: Some(Method::Riccati),
+            assertions: Vec::new(),
+        }
+    }
+}
+
+impl End {
+    fn name(&self) -> Option<&Ident> {
+        match self {
+            End::Moving(name) => Some(name),
+            End::Free | End::Held => None,
+        }
+    }
+}
+
+/// How many bodies and hinges stand before each part, and before the end.
+fn count(parts: &[Part]) -> Vec<(usize, usize)> {
+    let mut counts = vec![(0, 0)];
+    let (mut bodies, mut hinges) = (0, 0);
+    for part in parts {
+        if part.hinge.is_some() {
+            hinges += 1
+        } else {
+            bodies += 1
+        }
+        counts.push((bodies, hinges));
+    }
+    counts
+}
+
+/// Which bodies and hinges of the model the parts are.
+struct Numbers<'p> {
+    parts: &'p [Part],
+    counts: &'p [(usize, usize)],
+}
+
+impl Numbers<'_> {
+    fn route(&self, implied: usize) -> Vec<Element> {
+        let element = |(part, &(bodies, hinges)): (&Part, &(usize, usize))| match part.hinge {
+            Some(_) => Element::Hinge(implied + hinges),
+            None => Element::Body(bodies),
+        };
+        self.parts.iter().zip(self.counts).map(element).collect()
+    }
+
+    /// The repeated parts; one that holds nothing is none.
+    fn repeats(&self, draft: &Draft, implied: usize) -> Vec<Repeat> {
+        let written = draft.def.route.iter().flat_map(|route| &route.repeats).enumerate();
+        let repeat = |(index, repeat): (usize, &crate::syntax::Repeat)| {
+            let is_in = |part: &Part| part.repeat == Some(index);
+            let first = self.parts.iter().position(is_in)?;
+            let end = self.parts.iter().rposition(is_in)? + 1;
+            let ((bodies, hinges), (last_body, last_hinge)) =
+                (self.counts[first], self.counts[end]);
+            Some(Repeat {
+                count: repeat.count,
+                hinges: implied + hinges..implied + last_hinge,
+                bodies: bodies..last_body,
+                route: first..end,
+            })
+        };
+        written.filter_map(repeat).collect()
+    }
+}
+
+/// The loads, for the inputs that they have.
+fn loads(draft: &Draft, bodies: usize) -> Vec<Load> {
+    let input = |source: &Option<Source>| match source {
+        Some(Source::Input) => Source::Input,
+        _ => Source::Nothing,
+    };
+    let mut names = HashSet::new();
+    let mut loads = Vec::new();
+    for load in &draft.loads {
+        if is_identifier(load.name) && names.insert(load.name.to_string()) {
+            loads.push(Load {
+                name: load.name.clone(),
+                body: load.body.filter(|&body| body < bodies).unwrap_or(0),
+                at: Frame::identity(),
+                axes: LoadAxes::Inertial,
+                force: input(&load.force),
+                torque: input(&load.torque),
+            });
+        }
+    }
+    loads
+}
+
+fn hinge(name: Ident, kind: HingeKind, [inboard, outboard]: [Place; 2], drive: Drive) -> Hinge {
+    let Motion { start, start_rate, rest, passive, .. } = Motion::none(kind.shape());
+    Hinge { name, kind, inboard, outboard, start, start_rate, rest, drive, passive }
+}
+
+/// A body of 1 kg and 1 kg m², or one without mass that stands for an end.
+fn body(name: &Ident, role: Role) -> Body {
+    let number = |value| Value::number(value);
+    let one = if role == Role::Matter { 1.0 } else { 0.0 };
+    Body {
+        name: name.clone(),
+        type_name: name.clone(),
+        mass: number(one),
+        com: [(); 3].map(|()| number(0.0)),
+        inertia: Inertia { tensor: [one, one, one, 0.0, 0.0, 0.0].map(number), about: About::Com },
+        output: Frame::identity(),
+        role,
+    }
+}

@@ -1,0 +1,98 @@
+//! A chain with its repeated parts written out.
+
+use super::{Body, Chain, Element, Hinge, Place, Role};
+use std::ops::Range;
+
+impl Chain {
+    /// How many elements the route has with its repeated parts written out up to `most` times.
+    pub fn elements(&self, most: usize) -> usize {
+        let repeated = self.repeats.iter();
+        let more = repeated.map(|repeat| repeat.route.len() * (repeat.count.min(most) - 1));
+        self.route.len() + more.sum::<usize>()
+    }
+
+    /// The same chain with its repeated parts written out, up to `most` times each. Nothing acts on
+    /// bodies from outside there, and names stand more than once.
+    pub fn unrolled(&self, most: usize) -> Chain {
+        let ends: Vec<usize> =
+            (0..self.bodies.len()).filter(|&body| self.bodies[body].role == Role::End).collect();
+        let implied = self.hinges.len() - self.repeats.len() * 2 - self.hinges_on_route();
+        let order = self.order(most);
+        let bodies_on_route =
+            order.iter().filter(|element| matches!(element, Element::Body(_))).count();
+        // Where a body of the route's own order goes: nothing is joined to an earlier one.
+        let end = |body: usize| {
+            ends.iter().position(|&end| end == body).map(|number| bodies_on_route + number)
+        };
+        let mut hinges: Vec<Hinge> = self.hinges[..implied].to_vec();
+        for hinge in &mut hinges {
+            let body = hinge.outboard.body().and_then(end).unwrap_or(0);
+            hinge.outboard = Place::Input(body);
+        }
+        let mut bodies: Vec<Body> = Vec::new();
+        let mut route = Vec::new();
+        for (place, element) in order.iter().enumerate() {
+            match *element {
+                Element::Body(body) => {
+                    route.push(Element::Body(bodies.len()));
+                    bodies.push(self.bodies[body].clone());
+                }
+                Element::Hinge(hinge) => {
+                    route.push(Element::Hinge(hinges.len()));
+                    let outer = |place: &Place, on: fn(usize) -> Place| match place.body() {
+                        None => place.clone(),
+                        Some(body) => on(end(body).unwrap_or(0)),
+                    };
+                    let written = &self.hinges[hinge];
+                    let inboard = if place == 0 {
+                        outer(self.before_seam(&written.inboard), Place::Output)
+                    } else {
+                        Place::Output(bodies.len() - 1)
+                    };
+                    let outboard = if place + 1 == order.len() {
+                        outer(&written.outboard, Place::Input)
+                    } else {
+                        Place::Input(bodies.len())
+                    };
+                    hinges.push(Hinge { inboard, outboard, ..written.clone() });
+                }
+            }
+        }
+        bodies.extend(ends.iter().map(|&end| self.bodies[end].clone()));
+        Chain {
+            bodies,
+            hinges,
+            route,
+            repeats: Vec::new(),
+            loads: Vec::new(),
+            springs: Vec::new(),
+            ..self.clone()
+        }
+    }
+
+    /// Where the seam sits that a place is on, or the place.
+    fn before_seam<'a>(&'a self, place: &'a Place) -> &'a Place {
+        let weld = self.seam(place).and_then(|seam| self.weld_of(seam));
+        weld.map_or(place, |weld| &self.hinges[weld].inboard)
+    }
+
+    fn hinges_on_route(&self) -> usize {
+        self.route.iter().filter(|element| matches!(element, Element::Hinge(_))).count()
+    }
+
+    /// The elements in a row.
+    fn order(&self, most: usize) -> Vec<Element> {
+        let mut order = Vec::new();
+        let mut place = 0;
+        for repeat in &self.repeats {
+            let Range { start, end } = repeat.route.clone();
+            order.extend(&self.route[place..start]);
+            for _ in 0..repeat.count.min(most) {
+                order.extend(&self.route[start..end]);
+            }
+            place = end;
+        }
+        order.extend(&self.route[place..]);
+        order
+    }
+}
