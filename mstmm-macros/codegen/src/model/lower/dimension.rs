@@ -32,6 +32,8 @@ const fn quantity(name: &'static str, unit: &'static str, powers: [i32; 4]) -> Q
 
 /// A number without a unit.
 pub(super) const NUMBER: &Quantity = &quantity("a plain number", "", [0, 0, 0, 0]);
+/// A component of a quaternion: a number, but never an angle by a mistake.
+pub(super) const COMPONENT: &Quantity = &quantity("a component of a quaternion", "", [0, 0, 0, 0]);
 pub(super) const ANGLE: &Quantity = &quantity("an angle", "rad", [0, 0, 0, 1]);
 pub(super) const LENGTH: &Quantity = &quantity("a length", "m", [1, 0, 0, 0]);
 pub(super) const MASS: &Quantity = &quantity("a mass", "kg", [0, 1, 0, 0]);

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use super::context::{Context, Measure};
-use super::dimension::{ACCELERATION, Dimension, LENGTH, PITCH, Quantity, RATE};
+use super::dimension::{ACCELERATION, COMPONENT, Dimension, LENGTH, PITCH, Quantity, RATE};
 use super::unit::{self, Scale};
 use crate::diag::did_you_mean;
 use crate::model::condition::{Condition, Must};
@@ -66,8 +66,13 @@ impl Context<'_> {
             let message = "a pitch is a length for a turn: write `5 mm/rev` or `5 mm/rad`";
             return self.refuse(found.at, message);
         }
-        if dimension.fits(expected.dimension) {
+        let is_number = expected.dimension == Dimension::default();
+        if dimension == expected.dimension || (!is_number && dimension.fits(expected.dimension)) {
             return Some(());
+        }
+        if expected.name == COMPONENT.name {
+            let message = "the components of a quaternion have no unit; for angles write `rpy(…)`";
+            return self.refuse(found.at, message);
         }
         self.refuse(found.at, format!("expected {}, found {}", expected.name, dimension.name()))
     }

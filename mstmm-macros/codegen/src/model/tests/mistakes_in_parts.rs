@@ -96,6 +96,10 @@ fn orientations_are_well_formed() {
         &turned("rpy(0, 0, 1) about com"),
         &[("com", "only an inertia is about a point")],
     );
+    let unit = "the components of a quaternion have no unit; for angles write `rpy(…)`";
+    expect(output, &turned("quaternion(1, 0, 0, 0) deg"), &[("deg", unit)]);
+    expect(output, &turned("quaternion(1 rad, 0, 0, 1)"), &[("rad", unit)]);
+    expect(output, &turned("quaternion((1 m)/(2 m), 0, 0, 1)"), &[]);
     expect(output, &turned("90 deg"), &[("90 deg", &format!("{ways}, found a number"))]);
     expect(
         "start_rate = [0, 0.1, 0] rad/s",
