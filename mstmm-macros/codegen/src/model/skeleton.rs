@@ -17,7 +17,7 @@ use std::ops::Range;
 /// if no type can have its name.
 pub(super) fn skeleton(draft: &Draft) -> Option<Chain> {
     let name = draft.def.name.clone();
-    if name == "T" || !is_identifier(&name) {
+    if name == "T" || draft.def.clashes || !is_identifier(&name) {
         return None;
     }
     let mut sketch = Sketch::new(draft);
@@ -83,8 +83,12 @@ impl<'d, 'a> Sketch<'d, 'a> {
     fn name(&mut self, written: Option<&Ident>) -> Ident {
         let free = |name: &&Ident| {
             let text = name.to_string();
-            let plain = text.strip_suffix("_mut").unwrap_or(&text).to_owned();
-            let taken = [format!("{text}_mut"), plain, text.clone()];
+            let plain = |text: &str| {
+                let text = text.strip_prefix("set_each_").unwrap_or(text);
+                text.strip_suffix("_mut").unwrap_or(text).to_owned()
+            };
+            let methods = [format!("{text}_mut"), format!("set_each_{text}")];
+            let taken = [&methods[..], &[plain(&text), text.clone()]].concat();
             is_identifier(name)
                 && can_be_a_name(&text)
                 && taken.iter().all(|other| !self.names.contains(other))

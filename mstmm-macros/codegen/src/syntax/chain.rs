@@ -78,6 +78,7 @@ fn head<'a>(input: &mut Cursor<'a>) -> Result<(ChainDef, Cursor<'a>)> {
         blocks: Vec::new(),
         route: None,
         whole: true,
+        clashes: false,
     };
     Ok((def, inside))
 }

@@ -55,6 +55,8 @@ pub struct ChainDef {
     pub route: Option<Route>,
     /// Whether every item could be read. If not, nothing is missed on its account.
     pub whole: bool,
+    /// Whether its types are called like those of a chain before it, so that it cannot have any.
+    pub clashes: bool,
 }
 
 /// Which word stands before `chain`.

@@ -2,6 +2,7 @@
 
 use proc_macro2::{Ident, Span};
 
+use super::route::repeat_around;
 use crate::diag::Diagnostics;
 use crate::model::lower::{Draft, KINDS, Stop};
 use crate::syntax::FUNCTIONS;
@@ -61,20 +62,33 @@ struct Name<'a> {
     ident: &'a Ident,
     /// Whether it was made from the name of the type.
     made: bool,
-    /// Whether it has a method that ends in `_mut`.
-    has_mut: bool,
+    /// The methods that it has beside the one of its name: what they begin and end with.
+    also: &'static [(&'static str, &'static str)],
 }
 
 fn names<'a>(draft: &'a Draft) -> Vec<Name<'a>> {
     let parameters = draft.def.parameters.iter();
-    let parameters =
-        parameters.map(|def| Name { ident: &def.field.name, made: false, has_mut: false });
-    let stops = draft.stops.iter().filter_map(|stop| {
+    let parameters = parameters.map(|def| Name { ident: &def.field.name, made: false, also: &[] });
+    let stops = draft.stops.iter().enumerate().filter_map(|(index, stop)| {
         let made = matches!(stop, Stop::Body { named: false, .. });
-        Some(Name { ident: stop.name()?, made, has_mut: true })
+        let repeated = repeat_around(draft, index).is_some() && matches!(stop, Stop::Hinge { .. });
+        let also = if repeated { REPEATED } else { CHANGED };
+        Some(Name { ident: stop.name()?, made, also })
     });
-    let acting = acting(draft).map(|ident| Name { ident, made: false, has_mut: false });
+    let acting = acting(draft).map(|ident| Name { ident, made: false, also: &[] });
     parameters.chain(stops).chain(acting).collect()
+}
+
+/// The methods by which a state is changed.
+const CHANGED: &[(&str, &str)] = &[("", "_mut")];
+/// Those of a repeated hinge.
+const REPEATED: &[(&str, &str)] = &[("", "_mut"), ("set_each_", "")];
+
+impl Name<'_> {
+    /// The methods that it has beside the one of its name.
+    fn methods(&self) -> impl Iterator<Item = String> {
+        self.also.iter().map(|(start, end)| format!("{start}{}{end}", self.ident))
+    }
 }
 
 /// The names of loads and springs.
@@ -110,8 +124,8 @@ pub(super) fn chains_are_not_called_like_their_numbers(
     }
 }
 
-/// Hinges, bodies, parameters and what acts on bodies are called by their names: no two have the same one. A hinge or
-/// body `x` has a method `x_mut` too.
+/// Hinges, bodies, parameters and what acts on bodies are called by their names: no two have the
+/// same one. A hinge or body `x` has a method `x_mut` too, and a repeated hinge `set_each_x`.
 pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) {
     let names = names(draft);
     for (index, name) in names.iter().enumerate() {
@@ -126,14 +140,13 @@ pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) 
             diagnostics.error(name.ident.span(), message);
             continue;
         }
-        let is_mut_of = |mutable: &str, plain: &Name| {
-            plain.has_mut && mutable.strip_suffix("_mut").is_some_and(|name| plain.ident == name)
-        };
-        let other = before.iter().find(|other| {
-            is_mut_of(&text, other) || (name.has_mut && is_mut_of(&other.ident.to_string(), name))
+        let shared = before.iter().find_map(|other| {
+            let method = other.methods().find(|method| *method == text);
+            let method = method.or_else(|| name.methods().find(|method| other.ident == method));
+            Some((other.ident, method?))
         });
-        if let Some(Name { ident: other, .. }) = other {
-            let message = format!("`{text}` and `{other}` both have a method that ends in `_mut`");
+        if let Some((other, method)) = shared {
+            let message = format!("`{text}` and `{other}` both have a method `{method}`");
             diagnostics.error(name.ident.span(), message);
         }
     }
@@ -159,9 +172,8 @@ pub(super) fn inputs_of_loads_have_a_name_of_their_own(
 pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostics) {
     for name in names(draft) {
         let text = name.ident.to_string();
-        let mutable = format!("{text}_mut");
-        let clashes = |word: &&str| *word == text || (name.has_mut && *word == mutable);
-        if RESERVED.iter().any(clashes) {
+        let mut methods = name.methods().chain([text.clone()]);
+        if methods.any(|method| RESERVED.contains(&&*method)) {
             let message = format!("`{text}` is a method of every chain and cannot be a name");
             diagnostics.error(name.ident.span(), message);
         }

@@ -22,7 +22,7 @@ fn names_are_used_once() {
     expect(
         "Rod rod",
         "Rod upper_mut",
-        &[("upper_mut", "`upper_mut` and `upper` both have a method that ends in `_mut`")],
+        &[("upper_mut", "`upper_mut` and `upper` both have a method `upper_mut`")],
     );
     expect(
         "body Rod {",
