@@ -7,12 +7,22 @@ use crate::model::Drive;
 use crate::model::lower::{Draft, Properties, Stop};
 use crate::syntax::Repeat;
 
-/// The stops, if all of the route could be read; what is lost cannot be judged.
+/// The stops, if all of the route could be read; what is lost cannot be judged. One without a body
+/// is a mistake as a whole.
 pub(super) fn whole_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [Stop<'a>] {
+    let stops = readable_route(draft);
+    if has_body(stops) { stops } else { &[] }
+}
+
+fn readable_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [Stop<'a>] {
     match &draft.def.route {
         Some(route) if route.whole => &draft.stops,
         _ => &[],
     }
+}
+
+fn has_body(stops: &[Stop]) -> bool {
+    stops.iter().any(|stop| matches!(stop, Stop::Body { .. } | Stop::Unknown { .. }))
 }
 
 /// What a message about a stop points at, and how it calls the stop.
@@ -38,16 +48,14 @@ pub(super) fn there_is_a_route_with_a_body(draft: &Draft, diagnostics: &mut Diag
     if draft.def.route.is_none() && draft.def.whole {
         diagnostics.error(name.span(), format!("chain `{name}` has no route"));
     }
-    let stops = whole_route(draft);
-    let may_be_body = |stop: &Stop| matches!(stop, Stop::Body { .. } | Stop::Unknown { .. });
-    if let (Some((at, _)), false) = (stops.first().and_then(called), stops.iter().any(may_be_body))
-    {
+    let stops = readable_route(draft);
+    if let (Some((at, _)), false) = (stops.first().and_then(called), has_body(stops)) {
         diagnostics.error(at, "there is no body on the route");
     }
 }
 
 /// The repeated part that a stop is in.
-fn repeat_around<'d>(draft: &'d Draft, stop: usize) -> Option<&'d Repeat> {
+pub(super) fn repeat_around<'d>(draft: &'d Draft, stop: usize) -> Option<&'d Repeat> {
     let mut repeats = draft.def.route.iter().flat_map(|route| &route.repeats);
     repeats.find(|repeat| repeat.stops.contains(&stop))
 }

@@ -43,7 +43,7 @@ pub(super) fn properties<'a>(
             Stop::Body { .. } if index == 0 && floats => Some(of_everything(context.space).shape()),
             _ => None,
         };
-        let motion = shape.and_then(|shape| motion(shape, &fields, context));
+        let motion = shape.map(|shape| motion(shape, &fields, context));
         Properties { fields, motion }
     };
     stops.iter().zip(fields).enumerate().map(read).collect()

@@ -169,6 +169,17 @@ impl Context<'_> {
             Some(field) => self.field(field, read).map(|Given { value, .. }| value),
         }
     }
+
+    /// A field that may be left away. Where it has a mistake, which is reported, it counts as left
+    /// away, so that what stands beside it is judged all the same.
+    pub fn readable<T>(
+        &mut self,
+        field: Option<&Field>,
+        default: impl Fn() -> T,
+        read: impl FnOnce(&mut Self, &Written) -> Option<T>,
+    ) -> T {
+        self.optional(field, &default, read).unwrap_or_else(default)
+    }
 }
 
 fn and(all: Option<()>, next: Option<()>) -> Option<()> {

@@ -139,10 +139,14 @@ fn fields_fit_their_group() {
     );
     expect_hinge(
         "pin",
-        "limits = 3;",
+        "limits = 3; limit_stiffness = 1;",
         &[("3", "limits are two: `[lowest, highest]`, found a number")],
     );
-    expect_hinge("ball", "limits = [1, 2];", &[("[1, 2]", "expected an angle, found a vector")]);
+    expect_hinge(
+        "ball",
+        "limits = [1, 2]; limit_stiffness = 1;",
+        &[("[1, 2]", "expected an angle, found a vector")],
+    );
 }
 
 #[test]

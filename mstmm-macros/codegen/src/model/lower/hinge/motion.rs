@@ -44,32 +44,21 @@ fn zero_position(shape: &Shape) -> Vec<Value> {
 }
 
 /// What is said of a hinge.
-pub(crate) fn motion(
-    shape: &'static Shape,
-    fields: &Fields,
-    context: &mut Context,
-) -> Option<Motion> {
+pub(crate) fn motion(shape: &'static Shape, fields: &Fields, context: &mut Context) -> Motion {
     let [start, rest] = ["start", "rest"].map(|name| {
-        context.optional(
+        context.readable(
             fields.get(name),
             || zero_position(shape),
             |context, written| position(shape, written, context),
         )
     });
-    // All of it is read before giving up, so that all mistakes in it are reported.
-    let rates: Vec<_> = groups(shape)
-        .map(|(group, words)| rates(group, fields.get(words.start_rate), context))
-        .collect();
+    let rates = groups(shape)
+        .flat_map(|(group, words)| rates(group, fields.get(words.start_rate), context));
+    let start_rate = rates.collect();
     let drive = drive(shape, fields, context);
-    let passives: Vec<_> =
-        groups(shape).map(|(group, words)| passive(group, words, fields, context)).collect();
-    Some(Motion {
-        start: start?,
-        rest: rest?,
-        start_rate: rates.into_iter().collect::<Option<Vec<_>>>()?.concat(),
-        drive: drive?,
-        passive: passives.into_iter().collect::<Option<Vec<_>>>()?.concat(),
-    })
+    let passives = groups(shape).flat_map(|(group, words)| passive(group, words, fields, context));
+    let passive = passives.collect();
+    Motion { start, rest, start_rate, drive, passive }
 }
 
 /// The coordinates of a position.
@@ -114,9 +103,9 @@ fn turned(group: &Freedoms, turn: &Turn, context: &mut Context) -> Option<Vec<Va
 }
 
 /// The start rates of a group.
-fn rates(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Option<Vec<Value>> {
+fn rates(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Vec<Value> {
     let count = group.rates.len();
-    context.optional(
+    context.readable(
         field,
         || vec![Value::number(0.0); count],
         |context, written| context.components(written, count, measures(group).rate),
@@ -125,11 +114,11 @@ fn rates(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Opti
 
 /// What moves it: a motor for each group, or a motion that is given. Together they are a mistake
 /// that a rule reports.
-fn drive(shape: &'static Shape, fields: &Fields, context: &mut Context) -> Option<Drive> {
+fn drive(shape: &'static Shape, fields: &Fields, context: &mut Context) -> Drive {
     let efforts: Vec<_> = groups(shape)
-        .map(|(group, words)| efforts(group, fields.get(words.effort), context))
+        .flat_map(|(group, words)| efforts(group, fields.get(words.effort), context))
         .collect();
-    let prescribed = context.optional(
+    let prescribed = context.readable(
         fields.get("motion"),
         || false,
         |context, written| match written.word() {
@@ -142,8 +131,7 @@ fn drive(shape: &'static Shape, fields: &Fields, context: &mut Context) -> Optio
             }
         },
     );
-    let efforts = efforts.into_iter().collect::<Option<Vec<_>>>()?.concat();
-    Some(if prescribed? { Drive::Motion } else { Drive::Efforts(efforts) })
+    if prescribed { Drive::Motion } else { Drive::Efforts(efforts) }
 }
 
 /// Which inputs a hinge asks for whose other fields may have mistakes.
@@ -163,9 +151,9 @@ pub(crate) fn asks_for_input(shape: &'static Shape, fields: &Fields) -> Drive {
 }
 
 /// The efforts of a group's motor.
-fn efforts(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Option<Vec<Effort>> {
+fn efforts(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Vec<Effort> {
     let count = group.rates.len();
-    context.optional(
+    context.readable(
         field,
         || vec![Effort::Free; count],
         |context, written| match written.word() {
