@@ -49,10 +49,13 @@ pub(in crate::model) fn can_be_a_name(text: &str) -> bool {
 const INPUTS: &[&str] = &["gravity"];
 
 /// Words that a type of body cannot be named after, with the kinds of hinges.
-const ROUTE_WORDS: &[&str] = &["ground", "moving", "repeat", "at", "turned"];
+const ROUTE_WORDS: &[&str] = &["moving", "repeat", "at", "turned"];
 
 /// Words that a number cannot be named after, with the functions.
 const NUMBER_WORDS: &[&str] = &["PI", "input", "riccati", "transfer"];
+
+/// Words that items begin with, which nothing can be named after.
+const ITEM_WORDS: &[&str] = &["body", "hinge", "param", "ground"];
 
 /// Keywords that older editions of Rust, and so the parser, let pass.
 const LATER_KEYWORDS: &[&str] = &["gen"];
@@ -184,6 +187,13 @@ pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostic
     }
 }
 
+/// A word that an item begins with can be no name.
+pub(super) fn names_are_not_words_of_the_language(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let names = names(draft);
+    let names = names.iter().filter(|name| !name.made).map(|name| (name.ident, name.ident.span()));
+    refuse_words(names, ITEM_WORDS, diagnostics);
+}
+
 /// A type of body is described once.
 pub(super) fn types_are_described_once(draft: &Draft, diagnostics: &mut Diagnostics) {
     for (index, body) in draft.types.iter().enumerate() {
@@ -197,7 +207,7 @@ pub(super) fn types_are_described_once(draft: &Draft, diagnostics: &mut Diagnost
 /// A type of body cannot be named after a word of the route.
 pub(super) fn types_are_not_words_of_the_language(draft: &Draft, diagnostics: &mut Diagnostics) {
     let kinds = KINDS.iter().map(|kind| kind.word);
-    let words: Vec<_> = kinds.chain(ROUTE_WORDS.iter().copied()).collect();
+    let words: Vec<_> = kinds.chain(ROUTE_WORDS.iter().chain(ITEM_WORDS).copied()).collect();
     let names = draft.types.iter().map(|body| body.name);
     refuse_words(names.map(|name| (name, name.span())), &words, diagnostics);
 }
