@@ -166,6 +166,11 @@ pub enum Stop {
         /// The name.
         name: Option<Ident>,
     },
+    /// A hinge of which only the name could be read, which is reported.
+    Unread {
+        /// The name.
+        name: Option<Ident>,
+    },
     /// `kind(arguments) name` or `Type name`
     Element {
         /// The kind of a hinge or the type of a body.

@@ -45,6 +45,12 @@ pub(super) fn is_type(block: &Block) -> bool {
     block.word == BlockWord::Body && !block.after_route
 }
 
+/// Whether a block says what only a type of body has.
+pub(super) fn describes_type(block: &Block) -> bool {
+    let of_type = |field: &Field| FIELDS.iter().any(|known| field.name == known);
+    !block.points.is_empty() || block.fields.iter().any(of_type)
+}
+
 /// All types of bodies.
 pub(super) fn types<'a>(def: &'a ChainDef, context: &mut Context) -> Vec<BodyType<'a>> {
     let blocks = def.blocks.iter().filter(|block| is_type(block));

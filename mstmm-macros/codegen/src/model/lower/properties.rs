@@ -117,6 +117,8 @@ fn target(
                 format!("nothing can be said of `{name}`: its motion is given at each step");
             context.refuse(name, message)
         }
+        // It may be a hinge whose kind is not known.
+        (BlockWord::Hinge, Stop::Body { body_type: None, .. }) => None,
         (BlockWord::Hinge, Stop::Body { .. }) => {
             context.refuse(name, format!("`{name}` is a body: `body {name} {{ … }}`"))
         }
@@ -142,6 +144,11 @@ fn unknown_name(
     stops: &[Stop],
     context: &mut Context,
 ) {
+    if block.word == BlockWord::Body && body::describes_type(block) {
+        let message = "a type of body is described before the route";
+        context.diagnostics.error(name.span(), message);
+        return;
+    }
     let Some(Route { whole: true, .. }) = def.route else { return };
     // It may be the name that a hinge on the route lacks.
     let nameless =

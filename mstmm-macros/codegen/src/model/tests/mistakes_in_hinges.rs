@@ -38,7 +38,8 @@ fn parentheses_hold_what_a_kind_needs() {
             ("s", "expected a pitch, found a time"),
         ],
     );
-    expect_hinge("screw(x)", "", &[("x", "unknown name `x`")]);
+    expect_hinge("screw(x)", "", &[("x", "`screw` needs a pitch too: `screw(z, 5 mm/rev)`")]);
+    expect_hinge("screw(5 mm/rev, x)", "", &[("x", "the axis comes first: `screw(z, 5 mm/rev)`")]);
     expect_hinge(
         "cylindrical()",
         "",

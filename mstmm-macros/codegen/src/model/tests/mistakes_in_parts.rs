@@ -227,5 +227,10 @@ fn parts_stand_in_their_places() {
     let source = "chain Late { ground -> pin j -> Rod rod;
         body Rod { mass = 1; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; } }";
     expect_all(source, &[("Rod", "a type of body is described before the route")]);
+    expect(
+        "hinge wrist {",
+        "body Foo { mass = 1 kg; com = [0, 0, 0]; } hinge wrist {",
+        &[("Foo", "a type of body is described before the route")],
+    );
     expect("body Rod {", "body Rod, Stick {", &[("Stick", "a block describes one type of body")]);
 }
