@@ -1,6 +1,7 @@
 //! Names.
 
 use proc_macro2::{Ident, Span};
+use std::collections::HashMap;
 
 use super::route::repeat_around;
 use crate::diag::Diagnostics;
@@ -131,26 +132,24 @@ pub(super) fn chains_are_not_called_like_their_numbers(
 /// same one. A hinge or body `x` has a method `x_mut` too, and a repeated hinge `set_each_x`.
 pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) {
     let names = names(draft);
-    for (index, name) in names.iter().enumerate() {
+    // Whose each method is.
+    let mut owners: HashMap<String, &Ident> = HashMap::new();
+    for name in &names {
         let text = name.ident.to_string();
-        let before = &names[..index];
-        if before.iter().any(|other| other.ident == name.ident) {
-            let hint = match name.made {
-                true => "; write a name after the type",
-                false => "",
+        let methods: Vec<String> = [text.clone()].into_iter().chain(name.methods()).collect();
+        let shared = methods.iter().find_map(|method| Some((method, *owners.get(method)?)));
+        if let Some((method, other)) = shared {
+            let message = match (other == name.ident, name.made) {
+                (true, true) => {
+                    format!("the name `{text}` is used twice; write a name after the type")
+                }
+                (true, false) => format!("the name `{text}` is used twice"),
+                (false, _) => format!("`{text}` and `{other}` both have a method `{method}`"),
             };
-            let message = format!("the name `{text}` is used twice{hint}");
             diagnostics.error(name.ident.span(), message);
-            continue;
         }
-        let shared = before.iter().find_map(|other| {
-            let method = other.methods().find(|method| *method == text);
-            let method = method.or_else(|| name.methods().find(|method| other.ident == method));
-            Some((other.ident, method?))
-        });
-        if let Some((other, method)) = shared {
-            let message = format!("`{text}` and `{other}` both have a method `{method}`");
-            diagnostics.error(name.ident.span(), message);
+        for method in methods {
+            owners.entry(method).or_insert(name.ident);
         }
     }
 }
