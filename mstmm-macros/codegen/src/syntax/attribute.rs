@@ -4,8 +4,8 @@ use proc_macro2::{Delimiter, TokenStream};
 use syn::parse::Parser;
 use syn::{Attribute, Error, Result, Visibility};
 
-use super::chain;
 use super::cursor::Cursor;
+use super::{chain, field};
 
 /// Doc comments and attributes.
 fn attributes(input: &mut Cursor) -> Result<Vec<Attribute>> {
@@ -32,18 +32,12 @@ pub(super) fn docs(input: &mut Cursor) -> Result<()> {
 
 /// Reads on to what may be the end of a comment that begins with `#`.
 fn skip_comment(input: &mut Cursor) {
-    while !input.is_empty() && !chain::begins_item(input) && !begins_field(input) {
+    while !input.is_empty() && !chain::begins_item(input) && !field::begins_field(input) {
         if input.punct(';').is_some() {
             return;
         }
         input.any();
     }
-}
-
-/// Whether `name =` is next.
-fn begins_field(input: &Cursor) -> bool {
-    let mut ahead = *input;
-    ahead.ident().is_some() && ahead.peek_punct('=')
 }
 
 /// What may stand in front of a chain. A chain becomes several items, and a condition would be

@@ -15,6 +15,7 @@
 //!         | word [`(` value,… `)`] [name]
 //! vector := `[` number,… `]` [unit]
 //! form   := word `(` number,… `)` [unit] [`about` word]
+//!         | `matrix` `(` `[` number,… `]`,… `)` [unit] [`about` word]
 //! number := product ((`+` | `-`) product)*
 //! product := factor ((`*` | `/`) factor)* [unit]
 //! factor := `-`* primary [`^` integer]
@@ -32,6 +33,7 @@ mod surface;
 mod tree;
 mod unit;
 
+pub use field::FORMS;
 pub use number::FUNCTIONS;
 pub use surface::Surface;
 pub use tree::*;

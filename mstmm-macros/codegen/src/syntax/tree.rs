@@ -334,6 +334,8 @@ pub struct Factor {
 pub struct Unit {
     /// Its parts, at least one.
     pub factors: Vec<UnitFactor>,
+    /// Parentheses in it, a mistake.
+    pub parentheses: Option<Extent>,
     /// From the first to the last token.
     pub extent: Extent,
 }
