@@ -6,7 +6,7 @@ use super::body::BodyType;
 use super::context::{Context, Given};
 use super::fields::listed;
 use super::hinge::{KINDS, Kind};
-use crate::diag::{did_you_mean, nearest};
+use crate::diag::nearest;
 use crate::model::{Frame, HingeKind, Shape};
 use crate::syntax::{self, Arguments, ChainDef};
 
@@ -222,8 +222,7 @@ impl<'a> Element<'a> {
         if !def.whole || def.blocks.iter().any(|block| block.names.contains(word)) {
             return;
         }
-        let known: Vec<String> = types.iter().map(|known| known.name.to_string()).collect();
-        let hint = did_you_mean(&word.to_string(), known.iter().map(String::as_str));
+        let hint = context.hint(word, types.iter().map(|known| known.name));
         context.diagnostics.error(word.span(), format!("unknown type of body `{word}`{hint}"));
     }
 }

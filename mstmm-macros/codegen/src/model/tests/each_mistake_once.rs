@@ -1,6 +1,6 @@
 //! A mistake is reported once, and hides no other one.
 
-use super::expect_all;
+use super::{expect_all, mistakes_in};
 
 const ROD: &str = "body Rod { mass = 1 kg; com = [0.5, 0, 0] m; output = [1, 0, 0] m; \
                    inertia = diag(0, 1/6, 1/6) kg*m^2 about com; } ";
@@ -41,7 +41,7 @@ fn every_field_of_a_hinge_is_judged_on_its_own() {
         "cylindrical",
         "stiffness = 1 kg; damping = -2; turning_stiffness = -1;",
         &[
-            ("kg", "expected a stiffness, found a mass"),
+            ("kg", "expected a stiffness, `N/m`, found a mass"),
             ("-2", "a damping cannot be negative"),
             negative,
         ],
@@ -128,4 +128,14 @@ fn methods_have_names_of_their_own() {
         &[("j", both)],
     );
     expect_rods("ground -> pin set_each_j -> Rod rod -> pin j -> Rod b;", &[]);
+}
+
+#[test]
+fn many_mistakes_are_counted() {
+    let bodies: String = (0..1000).map(|k| format!(" -> pin h{k} -> Rod r{k}")).collect();
+    let blocks: String = (0..1000).map(|k| format!(" hinge k{k} {{ start = 1; }}")).collect();
+    let found = mistakes_in(&format!("chain A {{ {ROD} ground {bodies}; {blocks} }}"));
+    assert_eq!(found.len(), 101);
+    assert_eq!(found[99].1, "no hinge `k99` on the route; did you mean `h99`?");
+    assert_eq!(found[100].1, "… and 900 more mistakes");
 }

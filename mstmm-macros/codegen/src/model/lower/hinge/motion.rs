@@ -121,9 +121,9 @@ fn drive(shape: &'static Shape, fields: &Fields, context: &mut Context) -> Drive
     let prescribed = context.readable(
         fields.get("motion"),
         || false,
-        |context, written| match written.word() {
-            Some(word) if word == "input" => Some(true),
-            _ => {
+        |context, written| match context.asks_for_input(written)? {
+            true => Some(true),
+            false => {
                 let found = written.described();
                 let message =
                     format!("expected `input`, the motion given at each step, found {found}");
@@ -156,9 +156,9 @@ fn efforts(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Ve
     context.readable(
         field,
         || vec![Effort::Free; count],
-        |context, written| match written.word() {
-            Some(word) if word == "input" => Some(vec![Effort::Input; count]),
-            _ => {
+        |context, written| match context.asks_for_input(written)? {
+            true => Some(vec![Effort::Input; count]),
+            false => {
                 let numbers = context.components(written, count, measures(group).effort)?;
                 Some(numbers.into_iter().map(Effort::Constant).collect())
             }
