@@ -5,7 +5,7 @@ use syn::{Error, Result};
 
 use super::cursor::Cursor;
 use super::tree::{Expr, ExprKind, Extent, Field, Form, List, Turn, Written};
-use super::{attribute, chain, number, unit};
+use super::{attribute, chain, number, route, unit};
 use crate::diag::Diagnostics;
 
 /// What stands in the braces of a block.
@@ -98,7 +98,8 @@ impl Ends {
         if input.punct(';').is_some() {
             return true;
         }
-        if begins_field(input) || input.is_empty() || chain::begins_item(input) {
+        let item = chain::begins_item(input) || route::is_route_of_stops(input);
+        if begins_field(input) || input.is_empty() || item {
             if !self.reported {
                 diagnostics.error(input.last().first, "expected `;` after this");
             }
@@ -254,6 +255,9 @@ fn form(input: &mut Cursor) -> Result<Form> {
         input.group(Delimiter::Parenthesis).ok_or_else(|| input.unexpected("`(`"))?;
     let entries = if word == "matrix" { rows(inside, extent)? } else { number::list(inside)? };
     let list = List { entries, unit: unit::optional(input)?, extent };
+    if number::is_operator_next(input) {
+        return Err(Error::new(input.next_span(), number::INSIDE));
+    }
     Ok(Form { word, list, about: about(input)? })
 }
 

@@ -4,6 +4,7 @@ use proc_macro2::{Delimiter, Ident, Span, TokenStream};
 use syn::{Error, Lit, Result};
 
 use super::cursor::Cursor;
+use super::field::FORMS;
 use super::tree::{Expr, ExprKind, Extent, Factor, Term, Unit};
 use super::unit;
 
@@ -162,6 +163,9 @@ fn primary(input: &mut Cursor) -> Result<(Expr, Suffix)> {
     let expr = if ahead.peek_pair(':', ':') {
         path(input)?
     } else if let Some((inside, parentheses)) = ahead.group(Delimiter::Parenthesis) {
+        if FORMS.iter().any(|form| name == form) {
+            return Err(Error::new(name.span(), INSIDE));
+        }
         *input = ahead;
         let extent = Extent::token(name.span()).to(parentheses);
         Expr { kind: ExprKind::Call(name, list(inside)?), extent }

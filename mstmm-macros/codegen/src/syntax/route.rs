@@ -59,10 +59,15 @@ impl Joints {
         if input.pair('-', '>').is_some() {
             return true;
         }
-        let at = input.next_span();
+        let (at, before) = (input.next_span(), *input);
         let mut signs = 0;
         while ['-', '=', '>', ','].iter().any(|&sign| input.punct(sign).is_some()) {
             signs += 1;
+        }
+        if input.peek_ident().is_none() {
+            // No stop stands behind it.
+            *input = before;
+            return false;
         }
         if signs > 0 && !self.reported {
             diagnostics.error(at, "stops are joined by `->`");

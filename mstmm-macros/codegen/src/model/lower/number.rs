@@ -5,6 +5,7 @@ use proc_macro2::Ident;
 use super::context::{Context, Measure};
 use super::dimension::{ACCELERATION, COMPONENT, Dimension, LENGTH, PITCH, Quantity, RATE};
 use super::unit::{self, Scale};
+use super::vector::and;
 use crate::diag::nearest;
 use crate::model::condition::{Condition, Must};
 use crate::model::{Symbol, Value};
@@ -187,7 +188,7 @@ impl Context<'_> {
             return Some(());
         }
         let expected = terms.iter().map(|term| self.expect(term, expected));
-        expected.fold(Some(()), |all, next| all.and(next))
+        expected.fold(Some(()), and)
     }
 
     /// What numbers of one kind measure: of one dimension, and all with a unit or all without.

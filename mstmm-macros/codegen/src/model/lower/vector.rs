@@ -209,7 +209,8 @@ impl Context<'_> {
     }
 }
 
-fn and(all: Option<()>, next: Option<()>) -> Option<()> {
+/// Both, after both have been tried.
+pub(super) fn and(all: Option<()>, next: Option<()>) -> Option<()> {
     all.and(next)
 }
 

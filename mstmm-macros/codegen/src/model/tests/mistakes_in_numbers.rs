@@ -187,6 +187,9 @@ fn what_is_written_otherwise_elsewhere_is_known() {
     expect(output, &format!("2*[1, 0, 0] m; {rest}"), &[("[1, 0, 0]", inside)]);
     expect(output, &format!("[1, 0, 0]/3; {rest}"), &[("/", inside)]);
     expect(output, &format!("[1, 0, 0] m * 3; {rest}"), &[("*", inside)]);
+    let tensor = "diag(0, 1/6, 1/6) kg*m^2 about com";
+    expect(tensor, &format!("2 * {tensor}"), &[("diag", inside)]);
+    expect(tensor, "diag(0, 1/6, 1/6) * 2 about com", &[("*", inside)]);
     expect(output, &format!("(1, 0, 0) m; {rest}"), &[("(", "vectors are written `[x, y, z]`")]);
 }
 
