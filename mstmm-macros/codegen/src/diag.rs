@@ -34,26 +34,46 @@ impl ToTokens for Extent {
     }
 }
 
+/// As many mistakes are reported: more would help nobody.
+const MOST: usize = 100;
+
 /// A list of mistakes, each with the token that the user has to edit.
 #[derive(Debug, Default)]
 pub struct Diagnostics {
     errors: Vec<Error>,
+    /// The first of those beyond the most that are reported, and how many these are.
+    beyond: Option<(Span, usize)>,
 }
 
 impl Diagnostics {
     /// Notes a mistake at a single token.
     pub fn error(&mut self, at: Span, message: impl std::fmt::Display) {
-        self.errors.push(Error::new(at, message));
+        self.note(|| Error::new(at, message));
     }
 
     /// Notes a mistake that covers all of `at`.
     pub fn error_over(&mut self, at: impl ToTokens, message: impl std::fmt::Display) {
-        self.errors.push(Error::new_spanned(at, message));
+        self.note(|| Error::new_spanned(at, message));
     }
 
     /// Notes a mistake that a parser found.
     pub fn push(&mut self, error: Error) {
-        self.errors.push(error);
+        self.note(|| error);
+    }
+
+    fn note(&mut self, error: impl FnOnce() -> Error) {
+        if let Some((_, count)) = &mut self.beyond {
+            *count += 1;
+        } else if self.is_full() {
+            self.beyond = Some((error().span(), 1));
+        } else {
+            self.errors.push(error());
+        }
+    }
+
+    /// Whether the next mistakes will only be counted, so that their words are of no use.
+    pub fn is_full(&self) -> bool {
+        self.errors.len() >= MOST
     }
 
     /// Whether there is no mistake so far.
@@ -62,7 +82,10 @@ impl Diagnostics {
     }
 
     /// Closes a phase: all mistakes as one error, or the way is free.
-    pub fn finish(self) -> syn::Result<()> {
+    pub fn finish(mut self) -> syn::Result<()> {
+        if let Some((at, count)) = self.beyond {
+            self.errors.push(Error::new(at, format!("… and {count} more mistakes")));
+        }
         match self.errors.into_iter().reduce(|mut all, next| {
             all.combine(next);
             all
@@ -80,41 +103,61 @@ pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) ->
 
 /// The one of `known` that `word` was most likely meant to be, if any is close.
 pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    known
-        .into_iter()
-        .map(|candidate| (edit_distance(word, candidate), candidate))
-        .filter(|&(distance, candidate)| distance <= (candidate.len().max(word.len()) / 3).max(1))
+    let letters = letters(word);
+    let near = |candidate: &'a str| {
         // One letter for another is no slip but another name.
-        .filter(|&(distance, _)| distance < word.len())
-        .min_by_key(|&(distance, _)| distance)
-        .map(|(_, candidate)| candidate)
+        let most = (candidate.len().max(word.len()) / 3).max(1).min(word.len().saturating_sub(1));
+        // The lengths alone tell most of them apart.
+        if candidate.chars().count().abs_diff(letters.len()) > most {
+            return None;
+        }
+        let distance = edit_distance(&letters, &self::letters(candidate));
+        (distance <= most).then_some((distance, candidate))
+    };
+    known.into_iter().filter_map(near).min_by_key(|&(distance, _)| distance).map(|(_, near)| near)
 }
 
-/// Edits (insert, delete, replace, swap neighbours) that lead from `a` to `b`, case ignored.
-fn edit_distance(a: &str, b: &str) -> usize {
-    let a: Vec<char> = a.to_lowercase().chars().collect();
-    let b: Vec<char> = b.to_lowercase().chars().collect();
-    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
-    for i in 0..=a.len() {
-        for j in 0..=b.len() {
-            rows[i][j] = if i == 0 || j == 0 {
-                i + j
-            } else {
-                let replace = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
-                let mut least = replace.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
-                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                    least = least.min(rows[i - 2][j - 2] + 1);
-                }
-                least
-            };
+/// The letters of a word, case ignored.
+fn letters(word: &str) -> Vec<char> {
+    word.chars().flat_map(char::to_lowercase).collect()
+}
+
+/// Edits (insert, delete, replace, swap neighbours) that lead from `a` to `b`.
+fn edit_distance(a: &[char], b: &[char]) -> usize {
+    // The rows for the letters of `a` up to the one before, and up to the last but one.
+    let mut before: Vec<usize> = (0..=b.len()).collect();
+    let mut last_but_one = before.clone();
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let replace = before[j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let mut least = replace.min(before[j] + 1).min(row[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                least = least.min(last_but_one[j - 2] + 1);
+            }
+            row.push(least);
         }
+        last_but_one = std::mem::replace(&mut before, row);
     }
-    rows[a.len()][b.len()]
+    before[b.len()]
 }
 
 #[cfg(test)]
 mod tests {
-    use super::did_you_mean;
+    use super::{Diagnostics, did_you_mean};
+    use proc_macro2::Span;
+
+    #[test]
+    fn more_mistakes_than_help_are_counted() {
+        let mut diagnostics = Diagnostics::default();
+        for number in 0..1000 {
+            diagnostics.error(Span::call_site(), number);
+        }
+        let mistakes = diagnostics.finish().expect_err("mistakes");
+        let mistakes: Vec<_> = mistakes.into_iter().map(|error| error.to_string()).collect();
+        assert_eq!(mistakes.len(), 101);
+        assert_eq!(mistakes[99..], ["99", "… and 900 more mistakes"]);
+    }
 
     #[test]
     fn a_close_word_is_suggested_and_a_far_one_is_not() {

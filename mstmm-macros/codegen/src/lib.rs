@@ -86,10 +86,5 @@ pub fn read(description: TokenStream) -> syn::Result<Vec<(model::Chain, syntax::
 /// All chains, as skeletons where they have mistakes.
 fn understand(description: TokenStream, diagnostics: &mut Diagnostics) -> Vec<Understood> {
     let written = syntax::parse(description, diagnostics);
-    let mut chains: Vec<Understood> = Vec::new();
-    for def in &written {
-        let meant = model::lower(def, diagnostics);
-        chains.extend(meant.filter(|(chain, _)| chains.iter().all(|(c, _)| c.name != chain.name)));
-    }
-    chains
+    written.iter().filter_map(|def| model::lower(def, diagnostics)).collect()
 }

@@ -117,7 +117,7 @@ fn variables_have_names_of_their_own() {
         written.map(|name| std::fs::read_to_string(folder().join(format!("{name}.chain"))));
     let written = written.map(|text| text.expect("a chain"));
     for text in written.iter().map(String::as_str).chain([CONSTANTS, TOLD]) {
-        let file = syn::parse2(compile(&text)).expect("items");
+        let file = syn::parse2(compile(text)).expect("items");
         let mut variables = Variables::default();
         syn::visit::Visit::visit_file(&mut variables, &file);
         assert!(variables.0.len() > 20, "{:?}", variables.0);

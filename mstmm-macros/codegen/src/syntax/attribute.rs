@@ -5,14 +5,16 @@ use syn::parse::Parser;
 use syn::{Attribute, Error, Result, Visibility};
 
 use super::cursor::Cursor;
+use super::{chain, field};
 
 /// Doc comments and attributes.
 fn attributes(input: &mut Cursor) -> Result<Vec<Attribute>> {
     let mut tokens = TokenStream::new();
     while input.peek_punct('#') {
+        let at = input.next_span();
         tokens.extend(input.any());
         if !input.peek_group(Delimiter::Bracket) {
-            return Err(input.unexpected("`[`"));
+            return Err(Error::new(at, "a comment begins with `//`"));
         }
         tokens.extend(input.any());
     }
@@ -21,9 +23,20 @@ fn attributes(input: &mut Cursor) -> Result<Vec<Attribute>> {
 
 /// Doc comments, which are for the reader of the description; nothing else may stand there.
 pub(super) fn docs(input: &mut Cursor) -> Result<()> {
-    match attributes(input)?.iter().find(|attribute| !attribute.path().is_ident("doc")) {
+    let attributes = attributes(input).inspect_err(|_| skip_comment(input))?;
+    match attributes.iter().find(|attribute| !attribute.path().is_ident("doc")) {
         Some(other) => Err(Error::new_spanned(other, "only doc comments may stand here")),
         None => Ok(()),
+    }
+}
+
+/// Reads on to what may be the end of a comment that begins with `#`.
+fn skip_comment(input: &mut Cursor) {
+    while !input.is_empty() && !chain::begins_item(input) && !field::begins_field(input) {
+        if input.punct(';').is_some() {
+            return;
+        }
+        input.any();
     }
 }
 

@@ -7,7 +7,7 @@ use super::cursor::Cursor;
 use super::field::Content;
 use super::tree::{Block, BlockWord, ChainDef, DimensionWord, ParameterDef};
 use super::{attribute, field, route};
-use crate::diag::{Diagnostics, did_you_mean};
+use crate::diag::{Diagnostics, did_you_mean, nearest};
 
 /// The words that an item can begin with.
 const ITEMS: &[&str] = &["param", "body", "hinge", "load", "spring", "ground", "moving"];
@@ -31,10 +31,18 @@ const SETTINGS: &[&str] = &["gravity", "method"];
 
 /// Whether the next word begins an item, so that it is nothing else.
 pub(super) fn begins_item(input: &Cursor) -> bool {
+    begins_block(input) || input.peek_ident().is_some_and(|word| word == "ground")
+}
+
+/// Whether the next word begins an item other than the route: a name or a block stands behind it.
+pub(super) fn begins_block(input: &Cursor) -> bool {
     let mut ahead = *input;
     ahead.ident().is_some_and(|word| {
         let may_be_name = ALSO_NAMES.iter().any(|name| word == name);
-        ITEMS.iter().any(|item| word == item) && (!may_be_name || ahead.ident().is_some())
+        let block = !may_be_name && ahead.peek_group(Delimiter::Brace);
+        ITEMS.iter().any(|item| word == item)
+            && word != "ground"
+            && (block || ahead.ident().is_some())
     })
 }
 
@@ -64,7 +72,7 @@ fn head<'a>(input: &mut Cursor<'a>) -> Result<(ChainDef, Cursor<'a>)> {
     let visibility = attribute::visibility(input)?;
     let dimension = dimension(input);
     if input.word("chain").is_none() {
-        return Err(input.unexpected("`chain`"));
+        return Err(no_chain(input));
     }
     let name = input.ident().ok_or_else(|| input.unexpected("the chain's name"))?;
     let (inside, _) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
@@ -78,8 +86,21 @@ fn head<'a>(input: &mut Cursor<'a>) -> Result<(ChainDef, Cursor<'a>)> {
         blocks: Vec::new(),
         route: None,
         whole: true,
+        clashes: false,
     };
     Ok((def, inside))
+}
+
+/// What stands in the place of `chain`: perhaps a wrong word before it.
+fn no_chain(input: &Cursor) -> Error {
+    let mut ahead = *input;
+    let word = ahead.any().map_or_else(String::new, |word| word.to_string());
+    if ahead.word("chain").is_none() {
+        return input.unexpected("`chain`");
+    }
+    let hint = did_you_mean(&word, DIMENSIONS.iter().map(|(known, _)| *known));
+    let message = format!("before `chain` stands `space`, `plane`, `line` or nothing{hint}");
+    Error::new(input.next_span(), message)
 }
 
 /// The word before `chain`; none stands for `space`.
@@ -90,7 +111,10 @@ fn dimension(input: &mut Cursor) -> DimensionWord {
 
 fn item(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
     let start = *input;
-    if let Some((word, at)) = block_word(input) {
+    let refused = end_block(input).or_else(|| route_setting(input));
+    if let Some((at, message)) = refused {
+        diagnostics.error(at, message);
+    } else if let Some((word, at)) = block_word(input) {
         block(word, at, input, def, diagnostics);
     } else if input.word("param").is_some() {
         match parameter(input, diagnostics) {
@@ -114,6 +138,32 @@ fn item(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
     }
 }
 
+/// A block of what is said of an end on the route itself.
+fn end_block(input: &mut Cursor) -> Option<(Span, &'static str)> {
+    let mut ahead = *input;
+    let at = input.next_span();
+    let message = if ahead.word("ground").is_some() {
+        "where the ground is stands on the route: `ground at [x, y, z] turned …`"
+    } else {
+        ahead.word("moving")?;
+        ahead.ident()?;
+        route::MOVING_HAS_NO_PLACE
+    };
+    ahead.group(Delimiter::Brace)?;
+    *input = ahead;
+    Some((at, message))
+}
+
+/// `word =` in front of the route.
+fn route_setting(input: &mut Cursor) -> Option<(Span, &'static str)> {
+    let mut ahead = *input;
+    let at = input.next_span();
+    ahead.ident().filter(|_| !ahead.peek_pair('=', '>'))?;
+    ahead.punct('=').filter(|_| route::is_route_of_stops(&ahead))?;
+    *input = ahead;
+    Some((at, "the route stands alone: `ground -> …`"))
+}
+
 /// The word of a block, if one is next.
 fn block_word(input: &mut Cursor) -> Option<(BlockWord, Span)> {
     BLOCKS.iter().find_map(|&(word, block)| Some((block, input.word(word)?)))
@@ -123,7 +173,8 @@ fn block_word(input: &mut Cursor) -> Option<(BlockWord, Span)> {
 fn setting(input: &mut Cursor) -> Option<Ident> {
     let mut ahead = *input;
     let name = ahead.ident()?;
-    if !ahead.peek_punct('=') && SETTINGS.iter().all(|setting| name != setting) {
+    let given = ahead.peek_punct('=') && !ahead.peek_pair('=', '>');
+    if !given && SETTINGS.iter().all(|setting| name != setting) {
         return None;
     }
     *input = ahead;
@@ -135,7 +186,7 @@ fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Parame
     let times = match input.group(Delimiter::Bracket) {
         None => None,
         Some((mut inside, _)) => {
-            let times = route::count(&mut inside)??;
+            let times = route::count("the count of a parameter", &mut inside)??;
             inside.check_empty("`]`")?;
             Some(times)
         }
@@ -172,7 +223,7 @@ fn block_head<'a>(input: &mut Cursor<'a>) -> Result<(Vec<Ident>, Cursor<'a>)> {
     Ok((names, inside))
 }
 
-/// An item that begins with no word of the language, or a route with a mistake at its start.
+/// An item that begins with no word of the language.
 fn unknown(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
     let Some(word) = input.peek_ident() else {
         // What stands here may be the rest of the route.
@@ -181,22 +232,13 @@ fn unknown(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics
         }
         return lose(input.unexpected("an item"), input, def, diagnostics);
     };
-    let hint = did_you_mean(&word.to_string(), ITEMS.iter().chain(SETTINGS).copied());
-    if hint.is_empty() && def.route.is_none() && !resembles_item(input) {
-        def.route = Some(route::route(input, diagnostics));
-        return;
-    }
-    let message = format!("unknown item `{word}`{hint}");
+    let near = nearest(&word.to_string(), ITEMS.iter().chain(SETTINGS).copied());
+    let hint = near.map_or_else(
+        || "there are `gravity`, `method`, `param`, `body`, the route, `hinge`, `load` and `spring`".to_owned(),
+        |near| format!("did you mean `{near}`?"),
+    );
+    let message = format!("unknown item `{word}`; {hint}");
     lose(Error::new(word.span(), message), input, def, diagnostics);
-}
-
-/// `word {`, `word name {` or `word name =`: an item but for its word.
-fn resembles_item(input: &Cursor) -> bool {
-    let mut ahead = *input;
-    ahead.ident();
-    ahead.peek_group(Delimiter::Brace)
-        || (ahead.ident().is_some()
-            && (ahead.peek_group(Delimiter::Brace) || ahead.peek_punct('=')))
 }
 
 /// Reports an item that could not be read and goes on behind it.

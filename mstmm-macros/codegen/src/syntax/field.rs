@@ -4,8 +4,8 @@ use proc_macro2::{Delimiter, Ident};
 use syn::{Error, Result};
 
 use super::cursor::Cursor;
-use super::tree::{Expr, ExprKind, Field, Form, List, Turn, Written};
-use super::{attribute, chain, number, unit};
+use super::tree::{Expr, ExprKind, Extent, Field, Form, List, Turn, Written};
+use super::{attribute, chain, number, route, unit};
 use crate::diag::Diagnostics;
 
 /// What stands in the braces of a block.
@@ -21,20 +21,22 @@ pub(super) struct Content {
 /// All that stands in a block. Behind a mistake it goes on with the next field.
 pub(super) fn content(mut inside: Cursor, diagnostics: &mut Diagnostics) -> Content {
     let mut content = Content { fields: Vec::new(), points: Vec::new(), whole: true };
+    let mut ends = Ends::default();
     while !inside.is_empty() {
         if let Err(error) = attribute::docs(&mut inside) {
             diagnostics.push(error);
         }
         if let Some(name) = point(&mut inside) {
-            content.points.push(field(name, &mut inside, diagnostics));
+            content.points.push(ends.field(name, &mut inside, diagnostics));
         } else if let Some(name) = inside.ident() {
-            content.fields.push(field(name, &mut inside, diagnostics));
+            content.fields.push(ends.field(name, &mut inside, diagnostics));
         } else if !inside.is_empty() {
             diagnostics.push(inside.unexpected("a field"));
             inside.skip_statement();
             content.whole = false;
         }
     }
+    content.whole &= !ends.skipped;
     content
 }
 
@@ -49,43 +51,117 @@ fn point(input: &mut Cursor) -> Option<Ident> {
 
 /// What stands behind the name of a field, up to and with its `;`.
 pub(super) fn field(name: Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) -> Field {
-    let value = if input.punct('=').is_some() { written(input) } else { Err(no_value(input)) };
-    match value {
-        Ok(value) => {
-            let value = semicolon(input, diagnostics).then_some(value);
-            Field { name, value }
+    Ends::default().field(name, input, diagnostics)
+}
+
+/// How the fields of a block end.
+#[derive(Default)]
+struct Ends {
+    /// Whether it is reported that they end with commas, which is a mistake once.
+    reported: bool,
+    /// Whether words were skipped behind a mistake, which may have been a field.
+    skipped: bool,
+}
+
+impl Ends {
+    fn field(&mut self, name: Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) -> Field {
+        let sign = if input.punct('=').is_some() { Ok(()) } else { Err(input.unexpected("`=`")) };
+        let colon = sign.is_err() && input.punct(':').is_some();
+        let value = match sign {
+            Ok(()) => written(input).map(Some),
+            // The value may follow all the same, or a type.
+            Err(error) if colon => {
+                diagnostics.push(error);
+                Ok(written(input).ok().filter(|_| self.is_end(input)))
+            }
+            Err(error) => Err(error),
+        };
+        match value {
+            Ok(Some(value)) => {
+                let value = self.end(&value, input, diagnostics).then_some(value);
+                return Field { name, value };
+            }
+            Ok(None) => {}
+            Err(error) => diagnostics.push(error),
         }
-        Err(error) => {
-            diagnostics.push(error);
-            input.skip_statement();
-            Field { name, value: None }
+        self.skip(input);
+        Field { name, value: None }
+    }
+
+    fn is_end(&self, input: &Cursor) -> bool {
+        input.is_empty() || input.peek_punct(';') || input.peek_punct(',')
+    }
+
+    /// Whether the value ends here. Where only the `;` is missing in front of what comes next,
+    /// neither is lost.
+    fn end(&mut self, value: &Written, input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
+        if input.punct(';').is_some() {
+            return true;
+        }
+        let item = chain::begins_item(input) || route::is_route_of_stops(input);
+        if begins_field(input) || input.is_empty() || item {
+            if !self.reported {
+                diagnostics.error(input.last().first, "expected `;` after this");
+            }
+            return true;
+        }
+        let mut behind = *input;
+        if let Some(at) = behind.punct(',') {
+            if behind.literal().is_some() && is_literal(value) {
+                diagnostics.error(at, "decimals are written with a point");
+                self.skip(input);
+                return false;
+            }
+            if begins_field(&behind) || behind.is_empty() {
+                if !self.reported {
+                    diagnostics.error(at, "fields end with `;`");
+                }
+                self.reported = true;
+                *input = behind;
+                return true;
+            }
+        }
+        diagnostics.push(input.unexpected("`;`"));
+        self.skip(input);
+        false
+    }
+
+    /// Reads on to the end of a field in which a mistake was found: behind its `;`, or to the next
+    /// field or item.
+    fn skip(&mut self, input: &mut Cursor) {
+        while !input.is_empty() && !begins_field(input) && !chain::begins_item(input) {
+            if input.punct(';').is_some() {
+                return;
+            }
+            if input.word("let").is_some() {
+                input.ident();
+            } else if input.ident().is_some() {
+                // The end of a unit is none.
+                let ends = ['*', '/', '^', ';'].iter().any(|&sign| input.peek_punct(sign));
+                self.skipped |= !ends && !input.is_empty();
+            } else {
+                input.any();
+            }
         }
     }
 }
 
-fn no_value(input: &Cursor) -> Error {
-    input.unexpected("`=`")
-}
-
-/// Whether the value ends here. Where only the `;` is missing in front of what comes next, neither
-/// is lost.
-fn semicolon(input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
-    if input.punct(';').is_some() {
-        return true;
-    }
+/// Whether `name =` is next, or `point name =`.
+pub(super) fn begins_field(input: &Cursor) -> bool {
     let mut ahead = *input;
-    let next_field = point(&mut ahead).or_else(|| ahead.ident()).is_some() && ahead.peek_punct('=');
-    if next_field || input.is_empty() || chain::begins_item(input) {
-        diagnostics.error(input.last().first, "expected `;` after this");
-        return true;
-    }
-    diagnostics.push(input.unexpected("`;`"));
-    input.skip_statement();
-    false
+    point(&mut ahead).or_else(|| ahead.ident()).is_some() && ahead.peek_punct('=')
+}
+
+/// Whether this is a number without anything else.
+fn is_literal(value: &Written) -> bool {
+    matches!(value, Written::Number(Expr { kind: ExprKind::Number(_), .. }))
 }
 
 /// Anything that can stand behind `=`.
 pub(super) fn written(input: &mut Cursor) -> Result<Written> {
+    if input.is_empty() || input.peek_punct(';') {
+        return Err(input.unexpected("a value"));
+    }
     if is_form(input) {
         return form(input).map(Written::Form);
     }
@@ -95,6 +171,10 @@ pub(super) fn written(input: &mut Cursor) -> Result<Written> {
     }
     Ok(match (position, about(input)?) {
         (Written::Number(expr), Some(point)) => Written::About(expr, point),
+        (Written::Vector(list), Some(_)) => {
+            let message = "an inertia is `diag(xx, yy, zz)`, with round parentheses";
+            return Err(Error::new(list.extent.first, message));
+        }
         (_, Some(point)) => {
             return Err(Error::new(point.span(), "only an inertia is about a point"));
         }
@@ -114,8 +194,15 @@ pub(super) fn position(input: &mut Cursor) -> Result<Written> {
 fn vector(input: &mut Cursor) -> Result<List> {
     let (inside, extent) =
         input.group(Delimiter::Bracket).ok_or_else(|| input.unexpected("a vector `[x, y, z]`"))?;
+    if inside.peek_group(Delimiter::Bracket) {
+        return Err(Error::new(extent.first, format!("a matrix is written `{MATRIX}`")));
+    }
     let entries = number::list(inside)?;
-    Ok(List { entries, unit: unit::optional(input)?, extent })
+    let list = List { entries, unit: unit::optional(input)?, extent };
+    if ['*', '/', '+'].iter().any(|&sign| input.peek_punct(sign)) {
+        return Err(Error::new(input.next_span(), number::INSIDE));
+    }
+    Ok(list)
 }
 
 /// `turned orientation`, if it is there.
@@ -125,6 +212,9 @@ pub(super) fn turned(input: &mut Cursor) -> Result<Option<Turn>> {
     }
     if is_form(input) {
         return form(input).map(Turn::Form).map(Some);
+    }
+    if input.peek_group(Delimiter::Bracket) {
+        return Err(input.unexpected("`rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`"));
     }
     number::number(input).map(Turn::Angle).map(Some)
 }
@@ -137,19 +227,58 @@ fn about(input: &mut Cursor) -> Result<Option<Ident>> {
     }
 }
 
-/// `word(…)`, where the word is no function of numbers.
+/// The words that forms begin with.
+pub const FORMS: &[&str] = &["rpy", "quaternion", "diag", "tensor", "matrix"];
+
+/// How a matrix is written.
+const MATRIX: &str = "matrix([xx, xy, xz], [yx, yy, yz], [zx, zy, zz])";
+
+/// `word(…)`, where the word is no function of numbers, or one of a form in other brackets.
 fn is_form(input: &Cursor) -> bool {
     let mut ahead = *input;
-    ahead.ident().is_some_and(|word| number::FUNCTIONS.iter().all(|function| word != function))
-        && ahead.peek_group(Delimiter::Parenthesis)
+    let Some(word) = ahead.ident() else { return false };
+    if FORMS.iter().any(|form| word == form) {
+        return ahead.peek_group(Delimiter::Parenthesis) || ahead.peek_group(Delimiter::Bracket);
+    }
+    let is_function = number::FUNCTIONS.iter().any(|function| word == function);
+    let is_group = ahead.group(Delimiter::Parenthesis).is_some();
+    is_group && !is_function && !number::is_operator_next(&ahead)
 }
 
 fn form(input: &mut Cursor) -> Result<Form> {
     let word = input.ident().ok_or_else(|| input.unexpected("a word"))?;
+    if input.peek_group(Delimiter::Bracket) {
+        let message = format!("write `{word}(…)`, with round parentheses");
+        return Err(Error::new(input.next_span(), message));
+    }
     let (inside, extent) =
         input.group(Delimiter::Parenthesis).ok_or_else(|| input.unexpected("`(`"))?;
-    let list = List { entries: number::list(inside)?, unit: unit::optional(input)?, extent };
+    let entries = if word == "matrix" { rows(inside, extent)? } else { number::list(inside)? };
+    let list = List { entries, unit: unit::optional(input)?, extent };
+    if number::is_operator_next(input) {
+        return Err(Error::new(input.next_span(), number::INSIDE));
+    }
     Ok(Form { word, list, about: about(input)? })
+}
+
+/// The entries of a matrix, row by row.
+fn rows(mut inside: Cursor, extent: Extent) -> Result<Vec<Expr>> {
+    let shape = |at: Extent| Error::new_spanned(at, format!("a matrix is written `{MATRIX}`"));
+    let mut entries = Vec::new();
+    while let Some((row, brackets)) = inside.group(Delimiter::Bracket) {
+        let row = number::list(row)?;
+        if row.len() != 3 {
+            return Err(shape(brackets));
+        }
+        entries.extend(row);
+        if inside.punct(',').is_none() {
+            break;
+        }
+    }
+    if entries.len() != 9 || !inside.is_empty() {
+        return Err(shape(extent));
+    }
+    Ok(entries)
 }
 
 impl Written {

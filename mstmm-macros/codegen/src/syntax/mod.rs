@@ -15,6 +15,7 @@
 //!         | word [`(` value,… `)`] [name]
 //! vector := `[` number,… `]` [unit]
 //! form   := word `(` number,… `)` [unit] [`about` word]
+//!         | `matrix` `(` `[` number,… `]`,… `)` [unit] [`about` word]
 //! number := product ((`+` | `-`) product)*
 //! product := factor ((`*` | `/`) factor)* [unit]
 //! factor := `-`* primary [`^` integer]
@@ -32,11 +33,13 @@ mod surface;
 mod tree;
 mod unit;
 
+pub use field::FORMS;
 pub use number::FUNCTIONS;
 pub use surface::Surface;
 pub use tree::*;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
+use std::collections::HashMap;
 use syn::buffer::TokenBuffer;
 
 use crate::diag::Diagnostics;
@@ -52,5 +55,29 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<ChainDef
     while !input.is_empty() {
         chains.extend(chain::chain(&mut input, diagnostics));
     }
+    tell_apart(&mut chains, diagnostics);
     chains
+}
+
+/// What the names of the types end with that a chain becomes.
+const TYPES: &[&str] = &["", "State", "Inputs", "Parameters", "Workspace"];
+
+/// The types of all chains stand beside each other, so no two may have the same name.
+fn tell_apart(chains: &mut [ChainDef], diagnostics: &mut Diagnostics) {
+    let mut taken: HashMap<String, Ident> = HashMap::new();
+    for chain in chains {
+        let types = TYPES.iter().map(|suffix| format!("{}{suffix}", chain.name));
+        let types: Vec<String> = types.collect();
+        let clash = types.iter().find_map(|name| Some((name, taken.get(name)?)));
+        if let Some((name, other)) = clash {
+            let message = match *other == chain.name {
+                true => format!("two chains are called `{name}`"),
+                false => format!("chains `{other}` and `{}` both have a type `{name}`", chain.name),
+            };
+            diagnostics.error(chain.name.span(), message);
+            chain.clashes = true;
+            continue;
+        }
+        taken.extend(types.into_iter().map(|name| (name, chain.name.clone())));
+    }
 }

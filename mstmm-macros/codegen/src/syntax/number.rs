@@ -4,11 +4,21 @@ use proc_macro2::{Delimiter, Ident, Span, TokenStream};
 use syn::{Error, Lit, Result};
 
 use super::cursor::Cursor;
+use super::field::FORMS;
 use super::tree::{Expr, ExprKind, Extent, Factor, Term, Unit};
 use super::unit;
 
 /// Terms of one sum or factors of one product up to this many: formulas are walked by recursion.
 const MOST_PARTS: usize = 256;
+
+/// Longer literals take long to read, and say nothing that an `f64` could hold.
+const LONGEST_LITERAL: usize = 100;
+
+/// What is said of powers as other languages write them.
+const POWERS: &str = "powers are written `^`";
+
+/// What is said of numbers that stand in front of a vector or behind it.
+pub(super) const INSIDE: &str = "signs and factors go inside the brackets";
 
 /// The functions that numbers can be made with.
 pub const FUNCTIONS: &[&str] = &["sqrt", "sin", "cos"];
@@ -31,6 +41,11 @@ pub(super) fn number(input: &mut Cursor) -> Result<Expr> {
     Ok(Expr { kind: ExprKind::Sum(terms), extent: start.to(input.last()) })
 }
 
+/// Whether a formula goes on.
+pub(super) fn is_operator_next(input: &Cursor) -> bool {
+    ['*', '/', '^'].iter().any(|&sign| input.peek_punct(sign)) || is_sign_next(input)
+}
+
 /// Whether a sum goes on. `->` is an arrow of the route, never a minus.
 fn is_sign_next(input: &Cursor) -> bool {
     input.peek_punct('+') || (input.peek_punct('-') && !input.peek_pair('-', '>'))
@@ -49,6 +64,9 @@ fn product(input: &mut Cursor) -> Result<Expr> {
             Some((symbol, at)) => Some(unit::behind(input, symbol, at)?),
             None => unit::optional(input)?,
         };
+        if unit.is_none() && input.peek_pair('*', '*') {
+            return Err(Error::new(input.next_span(), POWERS));
+        }
         if unit.is_some() || !(input.peek_punct('*') || input.peek_punct('/')) {
             break unit;
         }
@@ -75,15 +93,18 @@ fn factors_extent(start: Extent, factors: &[Factor]) -> Extent {
 
 /// A unit closes its product: `2 kg * 3` would read as a unit that is multiplied.
 fn check_closed(input: &Cursor, unit: &Unit) -> Result<()> {
+    if input.peek_pair('*', '*') {
+        return Err(Error::new(input.next_span(), POWERS));
+    }
     let sign = match (input.peek_punct('*'), input.peek_punct('/')) {
         (true, _) => '*',
         (_, true) => '/',
         _ => return Ok(()),
     };
-    let last = unit.factors.last().map_or("", |factor| &factor.symbol);
+    let unit = unit.text();
     Err(Error::new(
         input.next_span(),
-        format!("a unit closes a product: write `(… {last}) {sign} …` to go on after it"),
+        format!("a unit closes a product: write `(… {unit}) {sign} …` to go on after it"),
     ))
 }
 
@@ -117,6 +138,9 @@ fn primary(input: &mut Cursor) -> Result<(Expr, Suffix)> {
     for delimiter in [Delimiter::None, Delimiter::Parenthesis] {
         if let Some((mut inside, extent)) = input.group(delimiter) {
             let expr = number(&mut inside)?;
+            if inside.peek_punct(',') {
+                return Err(Error::new(extent.first, "vectors are written `[x, y, z]`"));
+            }
             inside.check_empty("an operator or `)`")?;
             return Ok((Expr { extent, ..expr }, None));
         }
@@ -127,12 +151,21 @@ fn primary(input: &mut Cursor) -> Result<(Expr, Suffix)> {
     if input.peek_pair(':', ':') {
         return path(input).map(|path| (path, None));
     }
+    if input.peek_group(Delimiter::Bracket) {
+        return Err(Error::new(input.next_span(), INSIDE));
+    }
     let Some(name) = input.peek_ident() else { return Err(input.unexpected("a number")) };
     let mut ahead = *input;
     ahead.ident();
+    if is_keyword(&name) && !ahead.peek_pair(':', ':') {
+        return Err(input.unexpected("a number"));
+    }
     let expr = if ahead.peek_pair(':', ':') {
         path(input)?
     } else if let Some((inside, parentheses)) = ahead.group(Delimiter::Parenthesis) {
+        if FORMS.iter().any(|form| name == form) {
+            return Err(Error::new(name.span(), INSIDE));
+        }
         *input = ahead;
         let extent = Extent::token(name.span()).to(parentheses);
         Expr { kind: ExprKind::Call(name, list(inside)?), extent }
@@ -147,6 +180,9 @@ fn primary(input: &mut Cursor) -> Result<(Expr, Suffix)> {
 pub(super) fn list(mut inside: Cursor) -> Result<Vec<Expr>> {
     let mut entries = Vec::new();
     while !inside.is_empty() {
+        if inside.peek_group(Delimiter::Bracket) {
+            return Err(inside.unexpected("a number"));
+        }
         entries.push(number(&mut inside)?);
         if inside.punct(',').is_none() {
             inside.check_empty("`,`")?;
@@ -157,9 +193,14 @@ pub(super) fn list(mut inside: Cursor) -> Result<Vec<Expr>> {
 
 fn value(literal: proc_macro2::Literal) -> Result<(Expr, Suffix)> {
     let at = literal.span();
+    if literal.to_string().len() > LONGEST_LITERAL {
+        let message = format!("a number has no more than {LONGEST_LITERAL} digits");
+        return Err(Error::new(at, message));
+    }
     let (digits, suffix) = match Lit::new(literal) {
         Lit::Int(int) => (int.base10_digits().to_owned(), int.suffix().to_owned()),
         Lit::Float(float) => (float.base10_digits().to_owned(), float.suffix().to_owned()),
+        Lit::Str(_) => return Err(Error::new(at, "write it without quotes")),
         _ => return Err(Error::new(at, "expected a number")),
     };
     let value = digits.parse().map_err(|_| Error::new(at, "expected a number"))?;
@@ -168,6 +209,11 @@ fn value(literal: proc_macro2::Literal) -> Result<(Expr, Suffix)> {
     }
     let expr = Expr { kind: ExprKind::Number(value), extent: Extent::token(at) };
     Ok((expr, (!suffix.is_empty()).then_some((suffix, at))))
+}
+
+/// `Self` is refused with words of its own.
+fn is_keyword(word: &Ident) -> bool {
+    word != "Self" && syn::parse_str::<Ident>(&word.to_string()).is_err()
 }
 
 fn is_number_type(suffix: &str) -> bool {

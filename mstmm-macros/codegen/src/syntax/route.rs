@@ -1,6 +1,6 @@
 //! The route: stops joined by arrows.
 
-use proc_macro2::{Delimiter, Ident, Span};
+use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 use syn::{Error, Result};
 
 use super::cursor::Cursor;
@@ -14,11 +14,12 @@ const MOST_TIMES: usize = 10_000_000;
 /// All stops up to and with the `;`. Behind a mistake it goes on with the next statement.
 pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route {
     let mut route = Route { stops: Vec::new(), repeats: Vec::new(), whole: true };
+    let mut joints = Joints::default();
     loop {
         let before = *input;
         let read = match input.word("repeat") {
-            Some(at) => repeat(at, input, &mut route, diagnostics),
-            None => stop(input).map(|stop| route.stops.push(stop)),
+            Some(at) => repeat(at, input, &mut route, &mut joints, diagnostics),
+            None => stop(input, diagnostics).map(|stop| route.stops.push(stop)),
         };
         if let Err(error) = read {
             diagnostics.push(error);
@@ -35,7 +36,7 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route 
             diagnostics.error(input.last().first, "expected `;` after this");
             return route;
         }
-        if input.pair('-', '>').is_none() {
+        if !joints.read(input, diagnostics) {
             diagnostics.push(input.unexpected("`->` or `;`"));
             input.skip_statement();
             // The last stop is as likely the mistake as what stands behind it.
@@ -46,22 +47,53 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route 
     }
 }
 
+/// What joins stops. Where it is written otherwise all along, that is reported once.
+#[derive(Default)]
+struct Joints {
+    reported: bool,
+}
+
+impl Joints {
+    /// Reads a `->`, or what stands in its place.
+    fn read(&mut self, input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
+        if input.pair('-', '>').is_some() {
+            return true;
+        }
+        let (at, before) = (input.next_span(), *input);
+        let mut signs = 0;
+        while ['-', '=', '>', ','].iter().any(|&sign| input.punct(sign).is_some()) {
+            signs += 1;
+        }
+        if input.peek_ident().is_none() {
+            // No stop stands behind it.
+            *input = before;
+            return false;
+        }
+        if signs > 0 && !self.reported {
+            diagnostics.error(at, "stops are joined by `->`");
+            self.reported = true;
+        }
+        signs > 0
+    }
+}
+
 /// What stands behind `repeat`. A mistake in its count or in its stops is reported, and the route
 /// goes on behind it.
 fn repeat(
     at: Span,
     input: &mut Cursor,
     route: &mut Route,
+    joints: &mut Joints,
     diagnostics: &mut Diagnostics,
 ) -> Result<()> {
-    let count = count(input)?;
+    let count = count("how many times", input)?;
     let (inside, braces) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
     let start = route.stops.len();
     let read = if inside.is_empty() {
         let message = format!("nothing is repeated here: {}", Repeat::EXAMPLE);
         Err(Error::new_spanned(braces, message))
     } else {
-        contents(inside, &mut route.stops)
+        contents(inside, &mut route.stops, joints, diagnostics)
     };
     match (count, read) {
         (Ok(count), Ok(())) => {
@@ -77,53 +109,135 @@ fn repeat(
     Ok(())
 }
 
-/// How many times: what is no number in its place is an error, a wrong number only the other one.
-pub(super) fn count(input: &mut Cursor) -> Result<Result<usize>> {
-    let literal = input.literal().ok_or_else(|| input.unexpected("how many times, a number"))?;
+/// How many there are of what is asked for: what is no number in its place is an error, a wrong
+/// number only the other one.
+pub(super) fn count(asked: &str, input: &mut Cursor) -> Result<Result<usize>> {
+    let number = || input.unexpected(&format!("{asked}, a number"));
+    let Some(literal) = input.clone().literal() else { return Err(number()) };
+    input.any();
     let count = literal.to_string().replace('_', "").parse::<usize>();
     let known = count.ok().filter(|count| (1..=MOST_TIMES).contains(count));
     Ok(known.ok_or_else(|| {
-        let message = format!("how many times is a whole number from 1 to {MOST_TIMES}");
+        let message = format!("{asked} is a whole number from 1 to {MOST_TIMES}");
         Error::new(literal.span(), message)
     }))
 }
 
 /// The stops in the braces of a `repeat`.
-fn contents(mut inside: Cursor, stops: &mut Vec<Stop>) -> Result<()> {
+fn contents(
+    mut inside: Cursor,
+    stops: &mut Vec<Stop>,
+    joints: &mut Joints,
+    diagnostics: &mut Diagnostics,
+) -> Result<()> {
     loop {
         if let Some(at) = inside.word("repeat") {
             return Err(Error::new(at, "`repeat` cannot stand within `repeat`"));
         }
-        stops.push(stop(&mut inside)?);
+        stops.push(stop(&mut inside, diagnostics)?);
         if inside.is_empty() {
             return Ok(());
         }
-        if inside.pair('-', '>').is_none() {
+        if !joints.read(&mut inside, diagnostics) {
             return Err(inside.unexpected("`->` or `}`"));
         }
     }
 }
 
-fn stop(input: &mut Cursor) -> Result<Stop> {
+fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Stop> {
     if let Some(at) = input.word("ground") {
         let position =
             if input.word("at").is_some() { Some(field::position(input)?.into()) } else { None };
         return Ok(Stop::Ground { at, position, turned: field::turned(input)?.map(Box::new) });
     }
     if let Some(at) = input.word("moving") {
-        return Ok(Stop::Moving { at, name: name(input) });
+        let place = |word: &Ident| word == "at" || word == "turned";
+        let name =
+            if input.peek_ident().is_some_and(|word| place(&word)) { None } else { name(input) };
+        no_place(input, diagnostics)?;
+        return Ok(Stop::Moving { at, name });
     }
     let word = input.ident().ok_or_else(|| input.unexpected("a hinge, a body or `ground`"))?;
-    let arguments = match input.group(Delimiter::Parenthesis) {
-        None => None,
-        Some((inside, extent)) => Some(Arguments { values: values(inside)?, extent }),
-    };
-    Ok(Stop::Element { word, arguments, name: name(input) })
+    let mut arguments = arguments(input)?;
+    if arguments.is_none() && begins_hinge(&word) && is_misplaced(input) {
+        return misplaced(&word, input, diagnostics);
+    }
+    let name = name(input);
+    let written = inside(input);
+    let at = input.next_span();
+    if let (None, Some(name), Some(behind)) = (&arguments, &name, self::arguments(input)?) {
+        diagnostics.error(at, format!("write `{word}({written}) {name}`"));
+        arguments = Some(behind);
+    }
+    Ok(Stop::Element { word, arguments, name })
 }
 
 /// The name of a stop, if it has one.
 fn name(input: &mut Cursor) -> Option<Ident> {
-    if chain::begins_item(input) { None } else { input.ident() }
+    if chain::begins_block(input) { None } else { input.ident() }
+}
+
+/// Refuses a place behind a moving end.
+fn no_place(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<()> {
+    let start = *input;
+    let position = input.word("at").map(|_| field::position(input)).transpose()?;
+    let turn = field::turned(input)?;
+    if position.is_some() || turn.is_some() {
+        diagnostics.error(start.next_span(), MOVING_HAS_NO_PLACE);
+    }
+    Ok(())
+}
+
+/// What is said where a moving end gets a place.
+pub(super) const MOVING_HAS_NO_PLACE: &str =
+    "a moving end has no place: its motion is given at each step";
+
+/// What stands in parentheses, if it is there.
+fn arguments(input: &mut Cursor) -> Result<Option<Arguments>> {
+    match input.group(Delimiter::Parenthesis) {
+        None => Ok(None),
+        Some((inside, extent)) => Ok(Some(Arguments { values: values(inside)?, extent })),
+    }
+}
+
+/// Whether this is the word of a hinge by its looks.
+fn begins_hinge(word: &Ident) -> bool {
+    word.to_string().starts_with(char::is_lowercase)
+}
+
+/// Whether what belongs in parentheses stands in other brackets.
+fn is_misplaced(input: &Cursor) -> bool {
+    input.peek_group(Delimiter::Bracket)
+        || input.peek_group(Delimiter::Brace)
+        || input.peek_punct('<')
+}
+
+/// A hinge with other brackets than parentheses: nothing but its name can be read.
+fn misplaced(word: &Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Stop> {
+    let at = input.next_span();
+    let mut written = inside(input);
+    if input.punct('<').is_some() {
+        while !input.is_empty() && !input.peek_punct(';') && input.punct('>').is_none() {
+            written.extend(input.any().map(|token| token.to_string()));
+        }
+    } else {
+        input.any();
+    }
+    let name = name(input);
+    let called = name.as_ref().map_or_else(|| "name".to_owned(), ToString::to_string);
+    diagnostics.error(at, format!("write `{word}({written}) {called}`"));
+    Ok(Stop::Unread { name })
+}
+
+/// What stands in the brackets that are next, for a message.
+fn inside(input: &Cursor) -> String {
+    match input.clone().any() {
+        Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::Brace => {
+            group.stream().to_string()
+        }
+        Some(TokenTree::Group(_)) => "…".into(),
+        _ => String::new(),
+    }
 }
 
 fn values(mut inside: Cursor) -> Result<Vec<Written>> {
@@ -137,11 +251,38 @@ fn values(mut inside: Cursor) -> Result<Vec<Written>> {
     Ok(values)
 }
 
-/// Whether a statement that begins here looks like a route rather than like a misspelt item.
+/// Whether a statement that begins here looks like a route rather than like a misspelt item: by its
+/// first word, by an arrow, or by a body that stands alone.
 pub(super) fn is_route(input: &Cursor) -> bool {
     let mut ahead = *input;
-    let ground = ahead.word("ground").is_some() || ahead.word("repeat").is_some();
-    ground || stop(&mut ahead).is_ok_and(|_| ahead.peek_pair('-', '>') || ahead.peek_punct(';'))
+    let body = ahead.ident().is_some_and(|word| word.to_string().starts_with(char::is_uppercase));
+    let _name = name(&mut ahead);
+    let ends = ahead.peek_punct(';') || ahead.is_empty() || chain::begins_block(&ahead);
+    (body && ends) || is_route_of_stops(input)
+}
+
+/// Whether it begins with a word that only a route begins with, or has an arrow.
+pub(super) fn is_route_of_stops(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    let Some(first) = ahead.ident() else { return false };
+    // Brackets in the wrong place.
+    ahead.group(Delimiter::Brace);
+    first == "ground" || first == "repeat" || has_arrow(ahead)
+}
+
+/// Whether an arrow stands in the rest of a statement.
+fn has_arrow(mut rest: Cursor) -> bool {
+    let is_arrow = |at: &Cursor| at.peek_pair('-', '>') || at.peek_pair('=', '>');
+    while !rest.is_empty() && !rest.peek_punct(';') && !chain::begins_item(&rest) {
+        if is_arrow(&rest) {
+            return true;
+        }
+        if rest.group(Delimiter::Brace).is_some() {
+            return is_arrow(&rest);
+        }
+        rest.any();
+    }
+    false
 }
 
 /// A route that stands where one is already.

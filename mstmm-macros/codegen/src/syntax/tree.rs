@@ -26,6 +26,8 @@ pub struct ChainDef {
     pub route: Option<Route>,
     /// Whether every item could be read. If not, nothing is missed on its account.
     pub whole: bool,
+    /// Whether its types are called like those of a chain before it, so that it cannot have any.
+    pub clashes: bool,
 }
 
 /// Which word stands before `chain`.
@@ -132,6 +134,11 @@ pub enum Stop {
     Moving {
         /// The word itself.
         at: Span,
+        /// The name.
+        name: Option<Ident>,
+    },
+    /// A hinge of which only the name could be read, which is reported.
+    Unread {
         /// The name.
         name: Option<Ident>,
     },
@@ -298,6 +305,8 @@ pub struct Factor {
 pub struct Unit {
     /// Its parts, at least one.
     pub factors: Vec<UnitFactor>,
+    /// Parentheses in it, a mistake.
+    pub parentheses: Option<Extent>,
     /// From the first to the last token.
     pub extent: Extent,
 }

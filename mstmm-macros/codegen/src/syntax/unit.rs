@@ -15,6 +15,9 @@ const HIGHEST_POWER: i32 = 9;
 
 /// A unit, if one is next.
 pub(super) fn optional(input: &mut Cursor) -> Result<Option<Unit>> {
+    if let Some(unit) = in_parentheses(input) {
+        return Ok(Some(unit));
+    }
     if !is_next(input) {
         return Ok(None);
     }
@@ -25,11 +28,66 @@ pub(super) fn optional(input: &mut Cursor) -> Result<Option<Unit>> {
 /// The rest of a unit whose first symbol is read already.
 pub(super) fn behind(input: &mut Cursor, symbol: String, at: Span) -> Result<Unit> {
     let mut factors = vec![UnitFactor { symbol, at, power: power(input)? }];
+    let mut parentheses = None;
     while let Some(sign) = sign_before_unit(input) {
+        if let Some(inner) = in_parentheses(input) {
+            let power = sign * power(input)?;
+            let inner_factors = inner.factors.into_iter();
+            factors.extend(inner_factors.map(|f| UnitFactor { power: f.power * power, ..f }));
+            parentheses = parentheses.or(inner.parentheses);
+            continue;
+        }
         let (symbol, at) = self::symbol(input)?;
         factors.push(UnitFactor { symbol, at, power: sign * power(input)? });
     }
-    Ok(Unit { factors, extent: Extent::token(at).to(input.last()) })
+    let unit = Unit { factors, parentheses, extent: Extent::token(at).to(input.last()) };
+    check_single(input, &unit)?;
+    Ok(unit)
+}
+
+/// A unit in parentheses, which units do not have.
+fn in_parentheses(input: &mut Cursor) -> Option<Unit> {
+    let mut ahead = *input;
+    let (mut inside, extent) = ahead.group(Delimiter::Parenthesis)?;
+    let unit = optional(&mut inside).ok()??;
+    if !inside.is_empty() {
+        return None;
+    }
+    *input = ahead;
+    Some(Unit { parentheses: Some(extent), extent, ..unit })
+}
+
+/// Refuses a second unit behind a unit. A longer word with a capital is the next stop of a route.
+fn check_single(input: &Cursor, unit: &Unit) -> Result<()> {
+    let Some(next) = input.peek_ident().filter(|_| is_next(input)) else { return Ok(()) };
+    let text = next.to_string();
+    if text.starts_with(char::is_uppercase) && text.len() > 2 {
+        return Ok(());
+    }
+    let message = format!("units multiply with `*`: `{}*{text}`", unit.text());
+    Err(Error::new(next.span(), message))
+}
+
+impl Unit {
+    /// As it can be written, what divides at the end.
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        let (below, above): (Vec<_>, Vec<_>) = self.factors.iter().partition(|f| f.power < 0);
+        for UnitFactor { symbol, power, .. } in above.into_iter().chain(below) {
+            let sign = match (text.is_empty(), *power < 0) {
+                (true, false) => "",
+                (true, true) => "1/",
+                (false, false) => "*",
+                (false, true) => "/",
+            };
+            let power = match power.unsigned_abs() {
+                1 => String::new(),
+                power => format!("^{power}"),
+            };
+            text += &format!("{sign}{symbol}{power}");
+        }
+        text
+    }
 }
 
 /// Reads `*` or `/` if a unit stands behind it: 1 or −1.
@@ -41,7 +99,8 @@ fn sign_before_unit(input: &mut Cursor) -> Option<i32> {
         ahead.punct('/')?;
         -1
     };
-    if !is_next(&ahead) {
+    let mut behind = ahead;
+    if !is_next(&ahead) && in_parentheses(&mut behind).is_none() {
         return None;
     }
     *input = ahead;

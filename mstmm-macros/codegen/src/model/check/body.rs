@@ -1,5 +1,6 @@
 //! Bodies.
 
+use super::route::whole_route;
 use crate::diag::Diagnostics;
 use crate::model::Value;
 use crate::model::condition::{Condition, Must, Requirement};
@@ -9,8 +10,8 @@ use crate::model::lower::{Draft, Given, POINTS, Stop, listed};
 pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
     let lost =
         |stop: &Stop| matches!(stop, Stop::Unknown { .. } | Stop::Body { body_type: None, .. });
-    let route_is_whole = draft.def.route.as_ref().is_some_and(|route| route.whole);
-    if !route_is_whole || draft.stops.iter().any(lost) {
+    let stops = whole_route(draft);
+    if stops.is_empty() || stops.iter().any(lost) {
         return;
     }
     for body in &draft.types {

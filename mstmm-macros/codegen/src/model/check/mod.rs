@@ -1,6 +1,7 @@
 //! What can be wrong with a chain whose every part could be read: one function for each rule.
 
 mod body;
+mod compound;
 mod hinge;
 mod inertia;
 mod load;
@@ -45,6 +46,7 @@ const RULES: &[Rule] = &[
     name::names_are_used_once,
     name::inputs_of_loads_have_a_name_of_their_own,
     name::names_are_not_reserved,
+    name::names_are_not_words_of_the_language,
     name::types_are_described_once,
     name::types_are_not_words_of_the_language,
     name::parameters_are_not_words_of_the_language,

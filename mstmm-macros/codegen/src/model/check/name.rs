@@ -1,7 +1,9 @@
 //! Names.
 
 use proc_macro2::{Ident, Span};
+use std::collections::HashMap;
 
+use super::route::repeat_around;
 use crate::diag::Diagnostics;
 use crate::model::lower::{Draft, KINDS, Stop};
 use crate::syntax::FUNCTIONS;
@@ -48,10 +50,13 @@ pub(in crate::model) fn can_be_a_name(text: &str) -> bool {
 const INPUTS: &[&str] = &["gravity"];
 
 /// Words that a type of body cannot be named after, with the kinds of hinges.
-const ROUTE_WORDS: &[&str] = &["ground", "moving", "repeat", "at", "turned"];
+const ROUTE_WORDS: &[&str] = &["moving", "repeat", "at", "turned"];
 
 /// Words that a number cannot be named after, with the functions.
 const NUMBER_WORDS: &[&str] = &["PI", "input", "riccati", "transfer"];
+
+/// Words that items begin with, which nothing can be named after.
+const ITEM_WORDS: &[&str] = &["body", "hinge", "param", "ground"];
 
 /// Keywords that older editions of Rust, and so the parser, let pass.
 const LATER_KEYWORDS: &[&str] = &["gen"];
@@ -61,20 +66,33 @@ struct Name<'a> {
     ident: &'a Ident,
     /// Whether it was made from the name of the type.
     made: bool,
-    /// Whether it has a method that ends in `_mut`.
-    has_mut: bool,
+    /// The methods that it has beside the one of its name: what they begin and end with.
+    also: &'static [(&'static str, &'static str)],
 }
 
 fn names<'a>(draft: &'a Draft) -> Vec<Name<'a>> {
     let parameters = draft.def.parameters.iter();
-    let parameters =
-        parameters.map(|def| Name { ident: &def.field.name, made: false, has_mut: false });
-    let stops = draft.stops.iter().filter_map(|stop| {
+    let parameters = parameters.map(|def| Name { ident: &def.field.name, made: false, also: &[] });
+    let stops = draft.stops.iter().enumerate().filter_map(|(index, stop)| {
         let made = matches!(stop, Stop::Body { named: false, .. });
-        Some(Name { ident: stop.name()?, made, has_mut: true })
+        let repeated = repeat_around(draft, index).is_some() && matches!(stop, Stop::Hinge { .. });
+        let also = if repeated { REPEATED } else { CHANGED };
+        Some(Name { ident: stop.name()?, made, also })
     });
-    let acting = acting(draft).map(|ident| Name { ident, made: false, has_mut: false });
+    let acting = acting(draft).map(|ident| Name { ident, made: false, also: &[] });
     parameters.chain(stops).chain(acting).collect()
+}
+
+/// The methods by which a state is changed.
+const CHANGED: &[(&str, &str)] = &[("", "_mut")];
+/// Those of a repeated hinge.
+const REPEATED: &[(&str, &str)] = &[("", "_mut"), ("set_each_", "")];
+
+impl Name<'_> {
+    /// The methods that it has beside the one of its name.
+    fn methods(&self) -> impl Iterator<Item = String> {
+        self.also.iter().map(|(start, end)| format!("{start}{}{end}", self.ident))
+    }
 }
 
 /// The names of loads and springs.
@@ -110,31 +128,28 @@ pub(super) fn chains_are_not_called_like_their_numbers(
     }
 }
 
-/// Hinges, bodies, parameters and what acts on bodies are called by their names: no two have the same one. A hinge or
-/// body `x` has a method `x_mut` too.
+/// Hinges, bodies, parameters and what acts on bodies are called by their names: no two have the
+/// same one. A hinge or body `x` has a method `x_mut` too, and a repeated hinge `set_each_x`.
 pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) {
     let names = names(draft);
-    for (index, name) in names.iter().enumerate() {
+    // Whose each method is.
+    let mut owners: HashMap<String, &Ident> = HashMap::new();
+    for name in &names {
         let text = name.ident.to_string();
-        let before = &names[..index];
-        if before.iter().any(|other| other.ident == name.ident) {
-            let hint = match name.made {
-                true => "; write a name after the type",
-                false => "",
+        let methods: Vec<String> = [text.clone()].into_iter().chain(name.methods()).collect();
+        let shared = methods.iter().find_map(|method| Some((method, *owners.get(method)?)));
+        if let Some((method, other)) = shared {
+            let message = match (other == name.ident, name.made) {
+                (true, true) => {
+                    format!("the name `{text}` is used twice; write a name after the type")
+                }
+                (true, false) => format!("the name `{text}` is used twice"),
+                (false, _) => format!("`{text}` and `{other}` both have a method `{method}`"),
             };
-            let message = format!("the name `{text}` is used twice{hint}");
             diagnostics.error(name.ident.span(), message);
-            continue;
         }
-        let is_mut_of = |mutable: &str, plain: &Name| {
-            plain.has_mut && mutable.strip_suffix("_mut").is_some_and(|name| plain.ident == name)
-        };
-        let other = before.iter().find(|other| {
-            is_mut_of(&text, other) || (name.has_mut && is_mut_of(&other.ident.to_string(), name))
-        });
-        if let Some(Name { ident: other, .. }) = other {
-            let message = format!("`{text}` and `{other}` both have a method that ends in `_mut`");
-            diagnostics.error(name.ident.span(), message);
+        for method in methods {
+            owners.entry(method).or_insert(name.ident);
         }
     }
 }
@@ -159,9 +174,8 @@ pub(super) fn inputs_of_loads_have_a_name_of_their_own(
 pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostics) {
     for name in names(draft) {
         let text = name.ident.to_string();
-        let mutable = format!("{text}_mut");
-        let clashes = |word: &&str| *word == text || (name.has_mut && *word == mutable);
-        if RESERVED.iter().any(clashes) {
+        let mut methods = name.methods().chain([text.clone()]);
+        if methods.any(|method| RESERVED.contains(&&*method)) {
             let message = format!("`{text}` is a method of every chain and cannot be a name");
             diagnostics.error(name.ident.span(), message);
         }
@@ -170,6 +184,13 @@ pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostic
             diagnostics.error(name.ident.span(), message);
         }
     }
+}
+
+/// A word that an item begins with can be no name.
+pub(super) fn names_are_not_words_of_the_language(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let names = names(draft);
+    let names = names.iter().filter(|name| !name.made).map(|name| (name.ident, name.ident.span()));
+    refuse_words(names, ITEM_WORDS, diagnostics);
 }
 
 /// A type of body is described once.
@@ -185,7 +206,7 @@ pub(super) fn types_are_described_once(draft: &Draft, diagnostics: &mut Diagnost
 /// A type of body cannot be named after a word of the route.
 pub(super) fn types_are_not_words_of_the_language(draft: &Draft, diagnostics: &mut Diagnostics) {
     let kinds = KINDS.iter().map(|kind| kind.word);
-    let words: Vec<_> = kinds.chain(ROUTE_WORDS.iter().copied()).collect();
+    let words: Vec<_> = kinds.chain(ROUTE_WORDS.iter().chain(ITEM_WORDS).copied()).collect();
     let names = draft.types.iter().map(|body| body.name);
     refuse_words(names.map(|name| (name, name.span())), &words, diagnostics);
 }

@@ -31,7 +31,10 @@ pub(super) fn repeats_begin_with_a_hinge_and_end_with_a_body(
     for (_, stops) in repeats(draft) {
         let (first, last) = (stops.first(), stops.last());
         let wrong = [
-            (first.filter(|stop| matches!(stop, Stop::Body { .. })), "begins with a hinge"),
+            (
+                first.filter(|stop| matches!(stop, Stop::Body { body_type: Some(_), .. })),
+                "begins with a hinge",
+            ),
             (last.filter(|stop| matches!(stop, Stop::Hinge { .. })), "ends with a body"),
         ];
         for (stop, verdict) in wrong {

@@ -2,17 +2,28 @@
 
 use proc_macro2::Span;
 
+use super::compound;
 use crate::diag::Diagnostics;
 use crate::model::Drive;
-use crate::model::lower::{Draft, Properties, Stop};
+use crate::model::lower::{Draft, Properties, Stop, listed};
 use crate::syntax::Repeat;
 
-/// The stops, if all of the route could be read; what is lost cannot be judged.
+/// The stops, if all of the route could be read; what is lost cannot be judged. One without a body
+/// is a mistake as a whole.
 pub(super) fn whole_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [Stop<'a>] {
+    let stops = readable_route(draft);
+    if has_body(stops) { stops } else { &[] }
+}
+
+fn readable_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [Stop<'a>] {
     match &draft.def.route {
         Some(route) if route.whole => &draft.stops,
         _ => &[],
     }
+}
+
+fn has_body(stops: &[Stop]) -> bool {
+    stops.iter().any(|stop| matches!(stop, Stop::Body { .. } | Stop::Unknown { .. }))
 }
 
 /// What a message about a stop points at, and how it calls the stop.
@@ -38,16 +49,14 @@ pub(super) fn there_is_a_route_with_a_body(draft: &Draft, diagnostics: &mut Diag
     if draft.def.route.is_none() && draft.def.whole {
         diagnostics.error(name.span(), format!("chain `{name}` has no route"));
     }
-    let stops = whole_route(draft);
-    let may_be_body = |stop: &Stop| matches!(stop, Stop::Body { .. } | Stop::Unknown { .. });
-    if let (Some((at, _)), false) = (stops.first().and_then(called), stops.iter().any(may_be_body))
-    {
+    let stops = readable_route(draft);
+    if let (Some((at, _)), false) = (stops.first().and_then(called), has_body(stops)) {
         diagnostics.error(at, "there is no body on the route");
     }
 }
 
 /// The repeated part that a stop is in.
-fn repeat_around<'d>(draft: &'d Draft, stop: usize) -> Option<&'d Repeat> {
+pub(super) fn repeat_around<'d>(draft: &'d Draft, stop: usize) -> Option<&'d Repeat> {
     let mut repeats = draft.def.route.iter().flat_map(|route| &route.repeats);
     repeats.find(|repeat| repeat.stops.contains(&stop))
 }
@@ -72,6 +81,7 @@ pub(super) fn ground_is_at_the_ends(draft: &Draft, diagnostics: &mut Diagnostics
 /// Between two bodies, and between an end and a body, there is one hinge.
 pub(super) fn hinges_and_bodies_alternate(draft: &Draft, diagnostics: &mut Diagnostics) {
     let stops = whole_route(draft);
+    let defaults = draft.defaults();
     for (index, pair) in stops.windows(2).enumerate() {
         let [first, second] = pair else { continue };
         if seam_is_wrong(draft, index) {
@@ -84,26 +94,47 @@ pub(super) fn hinges_and_bodies_alternate(draft: &Draft, diagnostics: &mut Diagn
             continue;
         };
         let message = match (first, second) {
-            (Stop::Hinge { .. }, Stop::Hinge { .. }) => {
-                let [first, second] =
-                    [&first_name, &second_name].map(|name| name.trim_start_matches("hinge "));
-                format!("hinges {first} and {second} have no body between them")
-            }
-            (Stop::Body { .. }, Stop::Body { .. }) => {
+            (Stop::Hinge { .. }, Stop::Hinge { .. }) => match hinges_in_a_row(stops, index) {
+                Some(hinges) => bodies_are_missing(hinges, &defaults),
+                None => continue,
+            },
+            (Stop::Body { body_type: Some(_), .. }, Stop::Body { body_type: Some(_), .. }) => {
                 let [first, second] =
                     [&first_name, &second_name].map(|name| name.trim_start_matches("body "));
                 format!("bodies {first} and {second} have no hinge between them")
             }
-            (Stop::Ground { .. } | Stop::Moving { .. }, Stop::Body { .. }) if at_start => {
+            (Stop::Ground { .. } | Stop::Moving { .. }, Stop::Body { body_type: Some(_), .. })
+                if at_start =>
+            {
                 format!("{first_name} and {second_name} have no hinge between them")
             }
-            (Stop::Body { .. }, Stop::Ground { .. } | Stop::Moving { .. }) if at_end => {
+            (Stop::Body { body_type: Some(_), .. }, Stop::Ground { .. } | Stop::Moving { .. })
+                if at_end =>
+            {
                 format!("{first_name} and {second_name} have no hinge between them")
             }
             _ => continue,
         };
         diagnostics.error(at, message);
     }
+}
+
+/// The hinges in a row that begin at this stop; nothing if it is not the first of them.
+fn hinges_in_a_row<'d, 'a>(stops: &'d [Stop<'a>], first: usize) -> Option<&'d [Stop<'a>]> {
+    let is_hinge = |stop: &Stop| matches!(stop, Stop::Hinge { .. });
+    if stops[..first].last().is_some_and(is_hinge) {
+        return None;
+    }
+    let count = stops[first..].iter().take_while(|stop| is_hinge(stop)).count();
+    Some(&stops[first..first + count])
+}
+
+fn bodies_are_missing(hinges: &[Stop], defaults: &[Option<f64>]) -> String {
+    let names = hinges.iter().filter_map(called);
+    let names: Vec<String> =
+        names.map(|(_, name)| name.trim_start_matches("hinge ").to_owned()).collect();
+    let advice = compound::advice(hinges, defaults);
+    format!("hinges {} have no body between them{advice}", listed(&names))
 }
 
 /// Whether a repeated part begins or ends between this stop and the next one and does so with the

@@ -5,6 +5,7 @@ use proc_macro2::Ident;
 use super::context::{Context, Given};
 use super::dimension::{LENGTH, MASS};
 use super::fields::{self, Fields};
+use super::inertia;
 use super::vector::zeros;
 use crate::model::{About, Dimension, Frame, Inertia, Value};
 use crate::syntax::{Block, BlockWord, ChainDef, Extent, Field, Written};
@@ -43,6 +44,12 @@ pub(crate) struct Point<'a> {
 /// Whether a block describes a type of body.
 pub(super) fn is_type(block: &Block) -> bool {
     block.word == BlockWord::Body && !block.after_route
+}
+
+/// Whether a block says what only a type of body has.
+pub(super) fn describes_type(block: &Block) -> bool {
+    let of_type = |field: &Field| FIELDS.iter().any(|known| field.name == known);
+    !block.points.is_empty() || block.fields.iter().any(of_type)
 }
 
 /// All types of bodies.
@@ -121,7 +128,7 @@ impl BodyType<'_> {
     /// Where an entry of the inertia tensor stands.
     pub fn inertia_entry(&self, index: usize) -> Option<Extent> {
         match self.gives("inertia")?.value.as_ref()? {
-            Written::Form(form) => form.list.entries.get(index).map(|entry| entry.extent),
+            Written::Form(form) => inertia::entry(form, index),
             Written::Number(expr) | Written::About(expr, _) => Some(expr.extent),
             _ => None,
         }

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::ToTokens;
 
 use super::dimension::Dimension;
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostics, did_you_mean};
 use crate::model::condition::Requirement;
 use crate::model::{self, Symbol, Value};
 use crate::syntax::{Extent, Field, Written};
@@ -73,6 +73,16 @@ impl<'a> Context<'a> {
     pub fn refuse<T>(&mut self, at: impl ToTokens, message: impl std::fmt::Display) -> Option<T> {
         self.diagnostics.error_over(at, message);
         None
+    }
+
+    /// `; did you mean …?` where one of these names is close to the word. Where nobody will read it,
+    /// none is looked for: a long chain has many names.
+    pub fn hint(&self, word: &Ident, names: impl IntoIterator<Item = impl ToString>) -> String {
+        if self.diagnostics.is_full() {
+            return String::new();
+        }
+        let names: Vec<String> = names.into_iter().map(|name| name.to_string()).collect();
+        did_you_mean(&word.to_string(), names.iter().map(String::as_str))
     }
 
     /// What the chain is, where that is worth a word: ` of a plane chain`.

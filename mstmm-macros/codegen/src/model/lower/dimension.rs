@@ -32,6 +32,8 @@ const fn quantity(name: &'static str, unit: &'static str, powers: [i32; 4]) -> Q
 
 /// A number without a unit.
 pub(super) const NUMBER: &Quantity = &quantity("a plain number", "", [0, 0, 0, 0]);
+/// A component of a quaternion: a number, but never an angle by a mistake.
+pub(super) const COMPONENT: &Quantity = &quantity("a component of a quaternion", "", [0, 0, 0, 0]);
 pub(super) const ANGLE: &Quantity = &quantity("an angle", "rad", [0, 0, 0, 1]);
 pub(super) const LENGTH: &Quantity = &quantity("a length", "m", [1, 0, 0, 0]);
 pub(super) const MASS: &Quantity = &quantity("a mass", "kg", [0, 1, 0, 0]);
@@ -44,9 +46,9 @@ pub(super) const TORQUE: &Quantity = &quantity("a torque", "N*m", [2, 1, -2, 0])
 pub(super) const STIFFNESS: &Quantity = &quantity("a stiffness", "N/m", [0, 1, -2, 0]);
 pub(super) const DAMPING: &Quantity = &quantity("a damping", "N*s/m", [0, 1, -1, 0]);
 pub(super) const TURNING_STIFFNESS: &Quantity =
-    &quantity("a turning stiffness", "N*m/rad", [2, 1, -2, -1]);
+    &quantity("a stiffness of turns", "N*m/rad", [2, 1, -2, -1]);
 pub(super) const TURNING_DAMPING: &Quantity =
-    &quantity("a turning damping", "N*m*s/rad", [2, 1, -1, -1]);
+    &quantity("a damping of turns", "N*m*s/rad", [2, 1, -1, -1]);
 pub(super) const PITCH: &Quantity = &quantity("a pitch", "m/rad", [1, 0, 0, -1]);
 
 /// All quantities that have a name. A dimension is called by the first line that it matches.
@@ -76,6 +78,19 @@ const QUANTITIES: &[&Quantity] = &[
     &quantity("a density", "kg/m^3", [-3, 1, 0, 0]),
     &quantity("a momentum", "kg*m/s", [1, 1, -1, 0]),
 ];
+
+/// Quantities whose units are not on everyone's mind.
+const WITH_UNITS: &[&Quantity] = &[STIFFNESS, DAMPING, TURNING_STIFFNESS, TURNING_DAMPING];
+
+impl Quantity {
+    /// What is expected, in words.
+    pub fn described(&self) -> String {
+        if WITH_UNITS.iter().any(|known| known.dimension == self.dimension) {
+            return format!("{}, `{}`", self.name, self.unit);
+        }
+        self.name.to_owned()
+    }
+}
 
 impl Dimension {
     /// Of a product, where the other factor stands in it to this power.

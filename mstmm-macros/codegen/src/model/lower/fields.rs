@@ -1,7 +1,7 @@
 //! The fields of one part, whatever they say.
 
 use super::context::Context;
-use crate::diag::{did_you_mean, nearest};
+use crate::diag::nearest;
 use crate::syntax::Field;
 
 /// Fields by name, each known and given once.
@@ -36,7 +36,14 @@ impl<'a> Fields<'a> {
     fn fault(&self, field: &Field, known: &[&str], owner: &str) -> Option<String> {
         let name = field.name.to_string();
         if !known.contains(&name.as_str()) {
-            let hint = did_you_mean(&name, known.iter().copied());
+            let hint = match meant(&name, known) {
+                Some(meant) => format!("; did you mean `{meant}`?"),
+                None if known.is_empty() => String::new(),
+                None => {
+                    let known: Vec<_> = known.iter().map(|name| format!("`{name}`")).collect();
+                    format!("; it has {}", listed(&known))
+                }
+            };
             return Some(format!("{owner} has no field `{name}`{hint}"));
         }
         self.get(&name).map(|_| format!("`{name}` of {owner} is given twice"))
@@ -58,6 +65,41 @@ impl<'a> Fields<'a> {
     }
 }
 
+/// What fields are called elsewhere, or of what moves otherwise.
+const COUNTERPARTS: &[(&str, &str)] = &[
+    ("force", "torque"),
+    ("torque", "force"),
+    ("start_velocity", "start_rate"),
+    ("start_rate", "start_velocity"),
+    ("velocity", "start_velocity"),
+    ("velocity", "start_rate"),
+    ("rate", "start_rate"),
+    ("angle", "start"),
+    ("initial", "start"),
+    ("position", "start"),
+    ("equilibrium", "rest"),
+    ("spring", "stiffness"),
+    ("damper", "damping"),
+    ("centre", "com"),
+    ("center", "com"),
+    ("centre_of_mass", "com"),
+    ("center_of_mass", "com"),
+    ("cog", "com"),
+    ("moment", "torque"),
+    ("body", "on"),
+    ("point", "at"),
+];
+
+/// The known field that an unknown one means.
+fn meant<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
+    let find = |meant: &str| known.iter().copied().find(|known| *known == meant);
+    let counterparts = COUNTERPARTS.iter().filter(|(other, _)| *other == name);
+    let counterpart = counterparts.into_iter().find_map(|(_, meant)| find(meant));
+    counterpart
+        .or_else(|| find(name.strip_prefix("turning_")?))
+        .or_else(|| nearest(name, known.iter().copied()))
+}
+
 /// Those of `required` that are missing. A field whose name is close counts as given: it is
 /// reported as unknown, and its correction is the cure. One that could not be read may be any.
 pub(super) fn missing<'r>(fields: &[Field], required: &[&'r str], known: &[&str]) -> Vec<&'r str> {
@@ -68,8 +110,7 @@ pub(super) fn missing<'r>(fields: &[Field], required: &[&'r str], known: &[&str]
         fields.iter().any(|field| {
             let given = field.name.to_string();
             given == name
-                || (!known.contains(&given.as_str())
-                    && nearest(&given, known.iter().copied()) == Some(name))
+                || (!known.contains(&given.as_str()) && meant(&given, known) == Some(name))
         })
     };
     required.iter().copied().filter(|name| !is_meant(name)).collect()

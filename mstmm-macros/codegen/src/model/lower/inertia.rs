@@ -12,7 +12,13 @@ use crate::syntax::{Extent, Form, Written};
 type Reader = fn(&mut Context, &Form, &Quantity) -> Option<[Value; 6]>;
 
 /// The ways to write a tensor.
-const TENSORS: &[(&str, Reader)] = &[("diag", diag), ("tensor", tensor)];
+const TENSORS: &[(&str, Reader)] = &[("diag", diag), ("tensor", tensor), ("matrix", matrix)];
+
+/// Where in a matrix, row by row, the entries of a tensor stand.
+const IN_MATRIX: [usize; 6] = [0, 4, 8, 1, 2, 5];
+
+/// Entries that are as many parts of the largest one apart are the same but for their last digits.
+const ROUNDING: f64 = 1e-9;
 
 /// The points that a tensor can be about.
 const POINTS: &[(&str, About)] = &[("input", About::Input), ("com", About::Com)];
@@ -27,10 +33,39 @@ fn tensor(context: &mut Context, form: &Form, expected: &Quantity) -> Option<[Va
     context.form_numbers(form, ["xx", "yy", "zz", "xy", "xz", "yz"], expected)
 }
 
+/// The whole tensor, row by row.
+fn matrix(context: &mut Context, form: &Form, expected: &Quantity) -> Option<[Value; 6]> {
+    let names = ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"];
+    let entries = context.form_numbers(form, names, expected)?;
+    let largest = entries.iter().filter_map(Value::known).fold(0.0, |a: f64, b| a.max(b.abs()));
+    let mut symmetric = Some(());
+    for (above, below) in [(1, 3), (2, 6), (5, 7)] {
+        let same = match (entries[above].known(), entries[below].known()) {
+            (Some(a), Some(b)) => (a - b).abs() <= ROUNDING * largest,
+            _ => entries[above] == entries[below],
+        };
+        if !same {
+            let at = form.list.entries[below].extent;
+            let (above, below) = (names[above], names[below]);
+            let message = format!("an inertia is symmetric: `{below}` must equal `{above}`");
+            symmetric = context.refuse(at, message);
+        }
+    }
+    symmetric?;
+    Some(IN_MATRIX.map(|index| entries[index].clone()))
+}
+
+/// Where an entry of a tensor stands in a form.
+pub(super) fn entry(form: &Form, index: usize) -> Option<Extent> {
+    let index = if form.word == "matrix" { *IN_MATRIX.get(index)? } else { index };
+    form.list.entries.get(index).map(|entry| entry.extent)
+}
+
 impl Context<'_> {
     /// An inertia tensor behind `=`.
     pub fn written_inertia(&mut self, written: &Written) -> Option<Inertia> {
-        const EXPECTED: &str = "expected `diag(xx, yy, zz)` or `tensor(xx, yy, zz, xy, xz, yz)`";
+        const EXPECTED: &str =
+            "expected `diag(xx, yy, zz)`, `tensor(xx, yy, zz, xy, xz, yz)` or `matrix(…)`";
         if self.space == Dimension::Plane {
             return self.plane_inertia(written);
         }

@@ -123,8 +123,7 @@ fn on(written: &Written, def: &ChainDef, stops: &[Stop], context: &mut Context) 
     {
         return context.refuse(word, format!("`{word}` is a hinge: only a body can be pulled at"));
     }
-    let names: Vec<String> = bodies().filter_map(Stop::name).map(ToString::to_string).collect();
-    let hint = did_you_mean(&word.to_string(), names.iter().map(String::as_str));
+    let hint = context.hint(word, bodies().filter_map(Stop::name));
     context.refuse(word, format!("no body `{word}` on the route{hint}"))
 }
 
@@ -184,10 +183,9 @@ impl Target<'_, '_> {
         if context.space == Dimension::Line {
             return context.written_vector(written, LENGTH).map(Some);
         }
-        let names: Vec<String> =
-            body_type.points.iter().map(|point| point.name.to_string()).collect();
-        let known = names.iter().map(String::as_str).chain(POINTS.iter().copied());
-        let hint = did_you_mean(&word.to_string(), known);
+        let names = body_type.points.iter().map(|point| point.name.to_string());
+        let known = POINTS.iter().map(|known| (*known).to_owned());
+        let hint = context.hint(word, names.chain(known));
         context.refuse(word, format!("body `{}` has no point `{word}`{hint}", body_type.name))
     }
 }

@@ -25,7 +25,7 @@ pub(super) use body::BodyType;
 pub(super) use context::Given;
 pub(super) use draft::Draft;
 pub(super) use fields::{Fields, listed};
-pub(super) use hinge::{KINDS, Motion, Words, asks_for_input, groups, of_everything};
+pub(super) use hinge::{KINDS, Motion, Words, groups, of_everything};
 pub(super) use load::POINTS;
 pub(super) use properties::Properties;
 pub(super) use route::Stop;

@@ -3,9 +3,10 @@
 use proc_macro2::Ident;
 
 use super::context::{Context, Measure};
-use super::dimension::{ACCELERATION, Dimension, LENGTH, PITCH, Quantity, RATE};
+use super::dimension::{ACCELERATION, COMPONENT, Dimension, LENGTH, PITCH, Quantity, RATE};
 use super::unit::{self, Scale};
-use crate::diag::did_you_mean;
+use super::vector::and;
+use crate::diag::nearest;
 use crate::model::condition::{Condition, Must};
 use crate::model::{Symbol, Value};
 use crate::syntax::{Expr, ExprKind, Extent, FUNCTIONS, Factor, Term, Unit};
@@ -40,7 +41,10 @@ impl<'e> Measured<'e> {
 impl Context<'_> {
     /// A number of this kind, in SI units.
     pub fn number(&mut self, expr: &Expr, expected: &Quantity) -> Option<Value> {
-        let measured = self.measure(expr)?;
+        let measured = match &expr.kind {
+            ExprKind::Sum(terms) => self.sum(terms, expr, Some(expected))?,
+            _ => self.measure(expr)?,
+        };
         self.expect(&measured, expected)?;
         self.finite(measured.value, expr.extent)
     }
@@ -66,10 +70,18 @@ impl Context<'_> {
             let message = "a pitch is a length for a turn: write `5 mm/rev` or `5 mm/rad`";
             return self.refuse(found.at, message);
         }
-        if dimension.fits(expected.dimension) {
+        let is_number = expected.dimension == Dimension::default();
+        if dimension == expected.dimension || (!is_number && dimension.fits(expected.dimension)) {
             return Some(());
         }
-        self.refuse(found.at, format!("expected {}, found {}", expected.name, dimension.name()))
+        if expected.name == COMPONENT.name {
+            let message = "the components of a quaternion have no unit; for angles write `rpy(…)`";
+            return self.refuse(found.at, message);
+        }
+        self.refuse(
+            found.at,
+            format!("expected {}, found {}", expected.described(), dimension.name()),
+        )
     }
 
     /// Refuses what no number stands for, such as a root of a negative one.
@@ -106,7 +118,7 @@ impl Context<'_> {
                 Some(Measured::new(value, Measure::Open, expr))
             }
             ExprKind::Negated(inner) => Some(self.measure(inner)?.map(Value::negated)),
-            ExprKind::Sum(terms) => self.sum(terms, expr),
+            ExprKind::Sum(terms) => self.sum(terms, expr, None),
             ExprKind::Product(factors) => self.product(factors, expr),
             ExprKind::Power(base, power) => self.power(base, *power, expr),
             ExprKind::Quantity(product, unit) => self.quantity(product, unit),
@@ -132,28 +144,51 @@ impl Context<'_> {
         if text.starts_with(char::is_uppercase) {
             return Some((self.constant(quote::ToTokens::to_token_stream(name)), Measure::Open));
         }
+        if text == "input" {
+            let message = "`input` stands alone, and only where something is given at each step";
+            return self.refuse(name, message);
+        }
         if unit::is_symbol(&text) {
             return self.refuse(name, format!("`{text}` is a unit and stands after a number"));
         }
         if !self.whole {
             return None;
         }
-        let mut known: Vec<String> =
-            self.parameters.iter().map(|(name, _)| name.to_string()).collect();
-        known.extend(["PI".to_owned()]);
-        let hint = did_you_mean(&text, known.iter().map(String::as_str));
+        let known = self.parameters.iter().map(|(name, _)| name.to_string());
+        let hint = self.hint(name, known.chain(["PI".to_owned()]));
         self.refuse(name, format!("unknown name `{text}`{hint}"))
     }
 
-    fn sum<'e>(&mut self, terms: &'e [Term], expr: &'e Expr) -> Option<Measured<'e>> {
+    fn sum<'e>(
+        &mut self,
+        terms: &'e [Term],
+        expr: &'e Expr,
+        expected: Option<&Quantity>,
+    ) -> Option<Measured<'e>> {
         // All terms are read before giving up, so that all mistakes in them are reported.
         let parts: Vec<_> = terms.iter().map(|term| self.measure(&term.expr)).collect();
         let parts: Vec<_> = parts.into_iter().collect::<Option<_>>()?;
+        if let Some(expected) = expected {
+            self.expect_terms(&parts, expected)?;
+        }
         let measure = self.common_measure(&parts, "a sum")?;
         let value = terms.iter().zip(parts).fold(Value::number(0.0), |sum, (term, part)| {
             if term.negative { sum.minus(part.value) } else { sum.plus(part.value) }
         });
         Some(Measured::new(value, measure, expr))
+    }
+
+    /// Where some terms measure what is expected, the others are those to edit.
+    fn expect_terms(&mut self, terms: &[Measured], expected: &Quantity) -> Option<()> {
+        let fits = |term: &Measured| match term.measure {
+            Measure::Of(dimension) => dimension.fits(expected.dimension),
+            _ => false,
+        };
+        if !terms.iter().any(fits) {
+            return Some(());
+        }
+        let expected = terms.iter().map(|term| self.expect(term, expected));
+        expected.fold(Some(()), and)
     }
 
     /// What numbers of one kind measure: of one dimension, and all with a unit or all without.
@@ -224,6 +259,9 @@ impl Context<'_> {
     }
 
     fn quantity<'e>(&mut self, product: &'e Expr, unit: &'e Unit) -> Option<Measured<'e>> {
+        if matches!(&product.kind, ExprKind::Name(word) if word == "input") {
+            return self.refuse(unit.extent, "`input` stands alone");
+        }
         let (number, unit_known) = (self.measure(product), self.unit(unit));
         let (number, (scale, dimension)) = (number?, unit_known?);
         self.expect_no_unit(&number)?;
@@ -247,9 +285,13 @@ impl Context<'_> {
 
     /// The scale of a unit and what it measures.
     pub fn unit(&mut self, unit: &Unit) -> Option<(Scale, Dimension)> {
-        let unknown = match unit::resolve(unit) {
-            Ok(known) => return Some(known),
-            Err(unknown) => unknown,
+        let unknown = match (unit::resolve(unit), unit.parentheses) {
+            (Ok(known), None) => return Some(known),
+            (Ok(_), Some(parentheses)) => {
+                let message = format!("units have no parentheses: `{}`", unit.text());
+                return self.refuse(parentheses, message);
+            }
+            (Err(unknown), _) => unknown,
         };
         let symbol = &unknown.symbol;
         let is_name = self.parameters.iter().any(|(name, _)| *name == symbol)
@@ -266,6 +308,15 @@ impl Context<'_> {
         None
     }
 
+    /// Refuses a word in front of parentheses that is no function.
+    pub fn unknown_function<T>(&mut self, function: &Ident) -> Option<T> {
+        let hint = match nearest(&function.to_string(), FUNCTIONS.iter().copied()) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => "there are `sqrt`, `sin` and `cos`".into(),
+        };
+        self.refuse(function, format!("unknown function `{function}`; {hint}"))
+    }
+
     fn call<'e>(
         &mut self,
         function: &Ident,
@@ -273,8 +324,7 @@ impl Context<'_> {
         expr: &'e Expr,
     ) -> Option<Measured<'e>> {
         if FUNCTIONS.iter().all(|known| function != known) {
-            let hint = did_you_mean(&function.to_string(), FUNCTIONS.iter().copied());
-            return self.refuse(function, format!("unknown function `{function}`{hint}"));
+            return self.unknown_function(function);
         }
         let [argument] = arguments else {
             return self.refuse(expr.extent, format!("`{function}` takes one number"));
@@ -321,7 +371,7 @@ pub(super) fn misread_symbol(unit: &Unit, expected: &Quantity) -> Option<&'stati
     let is_gram = matches!(&unit.factors[..], [only] if only.symbol == "g" && only.power == 1);
     let in_hertz = unit.factors.iter().any(|factor| factor.symbol.ends_with("Hz"));
     if is_gram && expected.dimension == ACCELERATION.dimension {
-        return Some("`g` is gram; write 9.80665 m/s^2");
+        return Some("`g` is gram; standard gravity is 9.80665 m/s^2");
     }
     if in_hertz && expected.dimension == RATE.dimension {
         return Some("`Hz` does not say turns or radians; write rev/s or rad/s");

@@ -1,7 +1,7 @@
 //! Orientations and frames.
 
 use super::context::Context;
-use super::dimension::{ANGLE, LENGTH, NUMBER};
+use super::dimension::{ANGLE, COMPONENT, LENGTH};
 use super::vector::zeros;
 use crate::diag::did_you_mean;
 use crate::model::condition::{Condition, Must};
@@ -29,7 +29,7 @@ fn rpy(context: &mut Context, form: &Form) -> Option<Orientation> {
 }
 
 fn quaternion(context: &mut Context, form: &Form) -> Option<Orientation> {
-    let entries = context.form_numbers(form, ["w", "x", "y", "z"], NUMBER)?;
+    let entries = context.form_numbers(form, ["w", "x", "y", "z"], COMPONENT)?;
     if entries.iter().all(Value::is_zero) {
         return context.refuse(form.list.extent, ZERO_QUATERNION);
     }

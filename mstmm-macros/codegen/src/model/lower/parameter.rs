@@ -1,7 +1,7 @@
 //! Numbers that may change at run time.
 
 use super::context::{Context, Measure};
-use crate::model::{Parameter, Value};
+use crate::model::{Parameter, Symbol, Value};
 use crate::syntax::{ChainDef, Field, ParameterDef, Written};
 
 /// All parameters. From here on they may be used.
@@ -11,9 +11,13 @@ pub(super) fn parameters<'a>(def: &'a ChainDef, context: &mut Context<'a>) -> Ve
         def.parameters.iter().map(|def| (def, parameter(&def.field, context))).collect();
     context.later_parameters.clear();
     let mut parameters = Vec::new();
-    for (ParameterDef { field: Field { name, .. }, times }, read) in read {
-        // One with a mistake is known all the same, and fits anything.
-        let (default, measure) = read.unwrap_or((Value::number(0.0), Measure::Open));
+    for (index, (ParameterDef { field: Field { name, .. }, times }, read)) in
+        read.into_iter().enumerate()
+    {
+        // One with a mistake is known all the same, fits anything and has no value to judge: that
+        // of itself.
+        let itself = Value::Symbol(Symbol::Parameter(index));
+        let (default, measure) = read.unwrap_or((itself, Measure::Open));
         let unit = match measure {
             Measure::Of(dimension) => dimension.unit(),
             _ => String::new(),

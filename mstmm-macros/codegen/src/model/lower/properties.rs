@@ -7,8 +7,8 @@ use super::context::Context;
 use super::fields::Fields;
 use super::hinge::{self, Motion, motion, of_everything};
 use super::route::Stop;
-use crate::diag::did_you_mean;
 use crate::syntax::{Block, BlockWord, ChainDef, Route};
+use std::collections::HashMap;
 
 /// What is said of a stop.
 #[derive(Clone, Default)]
@@ -26,6 +26,7 @@ pub(super) fn properties<'a>(
     context: &mut Context,
 ) -> Vec<Properties<'a>> {
     let mut fields = vec![Fields::default(); stops.len()];
+    let places = places(stops);
     for block in def.blocks.iter().filter(|block| !body::is_type(block)) {
         refuse_points(block, context);
         if !matches!(block.word, BlockWord::Body | BlockWord::Hinge) {
@@ -34,7 +35,7 @@ pub(super) fn properties<'a>(
         if !block.after_route && def.route.is_some() {
             context.diagnostics.error(block.at, "hinges are described after the route");
         }
-        assign(block, def, stops, &mut fields, context);
+        assign(block, def, stops, &places, &mut fields, context);
     }
     let floats = floats(stops);
     let read = |(index, (stop, fields)): (usize, (&Stop, Fields<'a>))| {
@@ -43,7 +44,7 @@ pub(super) fn properties<'a>(
             Stop::Body { .. } if index == 0 && floats => Some(of_everything(context.space).shape()),
             _ => None,
         };
-        let motion = shape.and_then(|shape| motion(shape, &fields, context));
+        let motion = shape.map(|shape| motion(shape, &fields, context));
         Properties { fields, motion }
     };
     stops.iter().zip(fields).enumerate().map(read).collect()
@@ -57,6 +58,12 @@ fn refuse_points(block: &Block, context: &mut Context) {
     }
 }
 
+/// Where each name stands first.
+fn places(stops: &[Stop]) -> HashMap<String, usize> {
+    let names = stops.iter().enumerate().rev();
+    names.filter_map(|(index, stop)| Some((stop.name()?.to_string(), index))).collect()
+}
+
 /// Whether no end of the chain is held.
 pub(super) fn floats(stops: &[Stop]) -> bool {
     matches!(stops, [Stop::Body { .. }, .., Stop::Body { .. }] | [Stop::Body { .. }])
@@ -67,13 +74,15 @@ fn assign<'a>(
     block: &'a Block,
     def: &ChainDef,
     stops: &[Stop],
+    places: &HashMap<String, usize>,
     fields: &mut [Fields<'a>],
     context: &mut Context,
 ) {
     // A field that is wrong for one hinge is not reported for the next one again.
     let mut refused = Vec::new();
     for name in &block.names {
-        let Some(index) = target(block, name, def, stops, context) else { continue };
+        let place = places.get(&name.to_string()).copied();
+        let Some(index) = target(block, name, place, def, stops, context) else { continue };
         let (known, owner) = match &stops[index] {
             Stop::Hinge { kind, shape, .. } => (hinge::fields(shape), kind.name.to_owned()),
             Stop::Body { .. } => {
@@ -100,11 +109,12 @@ fn assign<'a>(
 fn target(
     block: &Block,
     name: &Ident,
+    place: Option<usize>,
     def: &ChainDef,
     stops: &[Stop],
     context: &mut Context,
 ) -> Option<usize> {
-    let Some(index) = stops.iter().position(|stop| stop.name() == Some(name)) else {
+    let Some(index) = place else {
         unknown_name(block, name, def, stops, context);
         return None;
     };
@@ -117,6 +127,8 @@ fn target(
                 format!("nothing can be said of `{name}`: its motion is given at each step");
             context.refuse(name, message)
         }
+        // It may be a hinge whose kind is not known.
+        (BlockWord::Hinge, Stop::Body { body_type: None, .. }) => None,
         (BlockWord::Hinge, Stop::Body { .. }) => {
             context.refuse(name, format!("`{name}` is a body: `body {name} {{ … }}`"))
         }
@@ -142,6 +154,11 @@ fn unknown_name(
     stops: &[Stop],
     context: &mut Context,
 ) {
+    if block.word == BlockWord::Body && body::describes_type(block) {
+        let message = "a type of body is described before the route";
+        context.diagnostics.error(name.span(), message);
+        return;
+    }
     let Some(Route { whole: true, .. }) = def.route else { return };
     // It may be the name that a hinge on the route lacks.
     let nameless =
@@ -163,8 +180,6 @@ fn unknown_name(
         }
         _ => ("hinge", stops.iter().filter(|stop| !matches!(stop, Stop::Body { .. })).collect()),
     };
-    let known: Vec<String> =
-        stops.iter().filter_map(|stop| stop.name()).map(ToString::to_string).collect();
-    let hint = did_you_mean(&name.to_string(), known.iter().map(String::as_str));
+    let hint = context.hint(name, stops.iter().filter_map(|stop| stop.name()));
     context.diagnostics.error(name.span(), format!("no {word} `{name}` on the route{hint}"));
 }

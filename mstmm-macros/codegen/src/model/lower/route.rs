@@ -6,7 +6,7 @@ use super::body::BodyType;
 use super::context::{Context, Given};
 use super::fields::listed;
 use super::hinge::{KINDS, Kind};
-use crate::diag::did_you_mean;
+use crate::diag::nearest;
 use crate::model::{Frame, HingeKind, Shape};
 use crate::syntax::{self, Arguments, ChainDef};
 
@@ -76,8 +76,8 @@ pub(super) fn stops<'a>(
     types: &[BodyType],
     context: &mut Context,
 ) -> Vec<Stop<'a>> {
-    let stops = def.route.iter().flat_map(|route| &route.stops);
-    let resolve = |stop: &'a syntax::Stop| match stop {
+    let stops: &[syntax::Stop] = def.route.as_ref().map_or(&[], |route| &route.stops);
+    let resolve = |(index, stop): (usize, &'a syntax::Stop)| match stop {
         syntax::Stop::Ground { at, position, turned } => {
             Stop::Ground { at: *at, frame: context.frame(position.as_deref(), turned.as_deref()) }
         }
@@ -87,12 +87,14 @@ pub(super) fn stops<'a>(
             }
             Stop::Moving { at: *at, name: name.as_ref() }
         }
+        syntax::Stop::Unread { name } => Stop::Unknown { name: name.as_ref() },
         syntax::Stop::Element { word, arguments, name } => {
-            Element { word, arguments: arguments.as_ref(), name: name.as_ref() }
+            let at_end = index == 0 || index + 1 == stops.len();
+            Element { word, arguments: arguments.as_ref(), name: name.as_ref(), at_end }
                 .resolve(def, types, context)
         }
     };
-    stops.map(resolve).collect()
+    stops.iter().enumerate().map(resolve).collect()
 }
 
 /// A hinge or a body as written.
@@ -100,7 +102,29 @@ struct Element<'a> {
     word: &'a Ident,
     arguments: Option<&'a Arguments>,
     name: Option<&'a Ident>,
+    /// Whether it is the first or the last stop.
+    at_end: bool,
 }
+
+/// What hinges and ends are called elsewhere.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("revolute", "pin"),
+    ("rotary", "pin"),
+    ("prismatic", "slider"),
+    ("linear", "slider"),
+    ("spherical", "ball"),
+    ("socket", "ball"),
+    ("fixed", "weld"),
+    ("rigid", "weld"),
+    ("free", "floating"),
+    ("cardan", "universal"),
+    ("hooke", "universal"),
+    ("helical", "screw"),
+    ("bushing", "elastic"),
+];
+
+/// What the ground is called elsewhere.
+const GROUNDS: &[&str] = &["world", "base", "earth", "inertial", "origin"];
 
 impl<'a> Element<'a> {
     fn resolve(self, def: &ChainDef, types: &[BodyType], context: &mut Context) -> Stop<'a> {
@@ -109,22 +133,63 @@ impl<'a> Element<'a> {
             return self.hinge(kind, context);
         }
         let body_type = types.iter().position(|known| word == known.name);
-        let text = word.to_string();
-        if body_type.is_some() || text.starts_with(char::is_uppercase) {
-            if body_type.is_none() {
-                self.unknown_type(def, types, context);
-            }
+        if body_type.is_some() {
             return self.body(body_type, context);
         }
-        let kinds = KINDS.iter().map(|kind| kind.word);
-        let hint = did_you_mean(&text, kinds.chain(["ground", "moving", "repeat"]));
-        let message = format!("unknown kind of hinge `{text}`{hint}");
+        if let Some(what) = self.is_swapped(types) {
+            let name = self.name.map_or_else(String::new, ToString::to_string);
+            let message = format!("the {what} comes first, then the name: `{name} {word}`");
+            context.diagnostics.error(word.span(), message);
+            return Stop::Unknown { name: Some(word) };
+        }
+        if self.is_body(types) {
+            self.unknown_type(def, types, context);
+            return self.body(None, context);
+        }
+        let message = match self.meant() {
+            Some(meant) => {
+                let is_kind = KINDS.iter().any(|kind| kind.word == meant);
+                let what = if is_kind { "kind of hinge" } else { "stop" };
+                format!("unknown {what} `{word}`; did you mean `{meant}`?")
+            }
+            None => format!("unknown kind of hinge `{word}`; there are {}", kinds(context)),
+        };
         context.diagnostics.error(word.span(), message);
         Stop::Unknown { name }
     }
 
+    /// What stands in the place of the name, if word and name are swapped.
+    fn is_swapped(&self, types: &[BodyType]) -> Option<&'static str> {
+        let name = self.name?;
+        let kind = KINDS.iter().any(|kind| name == kind.word).then_some("kind");
+        kind.or_else(|| types.iter().any(|known| name == known.name).then_some("type"))
+    }
+
+    /// Whether an unknown word means a type of body rather than a kind of hinge.
+    fn is_body(&self, types: &[BodyType]) -> bool {
+        let word = self.word.to_string();
+        let near_type = || {
+            let types: Vec<String> = types.iter().map(|known| known.name.to_string()).collect();
+            nearest(&word, types.iter().map(String::as_str)).is_some()
+        };
+        word.starts_with(char::is_uppercase)
+            && self.arguments.is_none()
+            && (self.meant().is_none() || near_type())
+    }
+
+    /// The word of the language that an unknown one means.
+    fn meant(&self) -> Option<&'static str> {
+        let word = self.word.to_string().to_lowercase();
+        if self.at_end && self.name.is_none() && GROUNDS.contains(&&*word) {
+            return Some("ground");
+        }
+        let synonym = SYNONYMS.iter().find(|(other, _)| *other == word).map(|&(_, kind)| kind);
+        let kinds = KINDS.iter().map(|kind| kind.word);
+        synonym.or_else(|| nearest(&word, kinds.chain(["ground", "moving", "repeat"])))
+    }
+
     fn hinge(self, kind: &'static Kind, context: &mut Context) -> Stop<'a> {
-        let Element { word, arguments, name } = self;
+        let Element { word, arguments, name, .. } = self;
         let Some(plain) = kind.plain(context.space) else {
             no_such_hinge(word, context);
             return Stop::Unknown { name };
@@ -138,7 +203,7 @@ impl<'a> Element<'a> {
     }
 
     fn body(self, body_type: Option<usize>, context: &mut Context) -> Stop<'a> {
-        let Element { word, arguments, name } = self;
+        let Element { word, arguments, name, .. } = self;
         if let Some(arguments) = arguments {
             let message = "a body takes nothing in parentheses";
             context.diagnostics.error_over(arguments.extent, message);
@@ -157,22 +222,22 @@ impl<'a> Element<'a> {
         if !def.whole || def.blocks.iter().any(|block| block.names.contains(word)) {
             return;
         }
-        let known: Vec<String> = types.iter().map(|known| known.name.to_string()).collect();
-        let hint = did_you_mean(&word.to_string(), known.iter().map(String::as_str));
+        let hint = context.hint(word, types.iter().map(|known| known.name));
         context.diagnostics.error(word.span(), format!("unknown type of body `{word}`{hint}"));
     }
 }
 
 /// Refuses a kind of hinge that leads out of the plane or off the line.
 fn no_such_hinge(word: &Ident, context: &mut Context) {
-    let kinds = KINDS.iter().filter(|kind| kind.plain(context.space).is_some());
-    let kinds: Vec<_> = kinds.map(|kind| format!("`{}`", kind.word)).collect();
-    let message = format!(
-        "{} has no `{word}`: its hinges are {}",
-        context.of_chain().trim_start_matches(" of "),
-        listed(&kinds)
-    );
+    let chain = context.of_chain().trim_start_matches(" of ");
+    let message = format!("{chain} has no `{word}`: its hinges are {}", kinds(context));
     context.diagnostics.error(word.span(), message);
+}
+
+/// The kinds of hinges that the chain can have.
+fn kinds(context: &Context) -> String {
+    let kinds = KINDS.iter().filter(|kind| kind.plain(context.space).is_some());
+    listed(&kinds.map(|kind| format!("`{}`", kind.word)).collect::<Vec<_>>())
 }
 
 /// `UpperArm` is `upper_arm`, `L1` is `l1`, `IMUCase` is `imu_case`.

@@ -55,18 +55,10 @@ const SYMBOLS: &[Symbol] = &[
     fixed("t", 1000.0, 1.0, [0, 1, 0, 0]),
 ];
 
-/// Prefixes, the more usual ones first; both signs for micro that keyboards have.
-const PREFIXES: &[(&str, i32)] = &[
-    ("k", 3),
-    ("m", -3),
-    ("c", -2),
-    ("M", 6),
-    ("u", -6),
-    ("\u{b5}", -6),
-    ("\u{3bc}", -6),
-    ("n", -9),
-    ("d", -1),
-];
+/// Prefixes, the more usual ones first. The sign for micro is no letter that Rust lets pass without a
+/// warning.
+const PREFIXES: &[(&str, i32)] =
+    &[("k", 3), ("m", -3), ("c", -2), ("M", 6), ("u", -6), ("n", -9), ("d", -1)];
 
 impl Scale {
     /// `value` in SI units.
@@ -113,21 +105,70 @@ pub(super) fn is_symbol(symbol: &str) -> bool {
     find(symbol).is_some()
 }
 
+/// Units as they are called, and the symbols of the table.
+const NAMES: &[(&str, &str)] = &[
+    ("metre", "m"),
+    ("meter", "m"),
+    ("gram", "g"),
+    ("kilogram", "kg"),
+    ("kilo", "kg"),
+    ("kgs", "kg"),
+    ("ton", "t"),
+    ("tonne", "t"),
+    ("sec", "s"),
+    ("second", "s"),
+    ("minute", "min"),
+    ("hour", "h"),
+    ("newton", "N"),
+    ("joule", "J"),
+    ("watt", "W"),
+    ("pascal", "Pa"),
+    ("hertz", "Hz"),
+    ("degree", "deg"),
+    ("grad", "deg"),
+    ("radian", "rad"),
+    ("turn", "rev"),
+    ("revolution", "rev"),
+];
+
+/// Symbols that are written together with others by habit.
+const RUN_TOGETHER: &[&str] = &["N", "kN", "MN", "mN", "J", "W", "Pa"];
+
 /// What an unknown unit was meant to be, as the end of a message.
 pub(super) fn hint(symbol: &str) -> String {
+    if symbol.starts_with(['\u{b5}', '\u{3bc}']) {
+        return format!("; write `u{}`", symbol.chars().skip(1).collect::<String>());
+    }
+    let plain = symbol.trim_end_matches(|letter: char| letter.is_ascii_digit());
+    if plain != symbol && find(plain).is_some() {
+        return format!("; write `{plain}^{}`", &symbol[plain.len()..]);
+    }
     let halves = symbol.char_indices().skip(1).map(|(at, _)| symbol.split_at(at));
-    if let Some((a, b)) = halves.into_iter().find(|&(a, b)| find(a).is_some() && find(b).is_some())
-    {
+    let is_product = |&(a, b): &(&str, &str)| {
+        let known = find(a).is_some() && find(b).is_some();
+        known && (RUN_TOGETHER.contains(&a) || (a, b) == ("kg", "m"))
+    };
+    if let Some((a, b)) = halves.into_iter().find(is_product) {
         return format!("; units multiply with `*`: `{a}*{b}`");
     }
-    let names = || SYMBOLS.iter().map(|unit| unit.symbol);
+    meant(symbol).map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
+}
+
+/// The symbol that was meant. Short ones are all close to each other, and say something only where
+/// nothing but their case is wrong.
+fn meant(symbol: &str) -> Option<String> {
+    let word = symbol.to_lowercase();
+    let singular = word.strip_suffix('s').unwrap_or(&word);
+    if let Some((_, known)) = NAMES.iter().find(|(name, _)| *name == word || *name == singular) {
+        return Some((*known).to_owned());
+    }
     let prefixed = PREFIXES.iter().flat_map(|(prefix, _)| {
         SYMBOLS.iter().filter(|unit| unit.takes_prefix).map(move |unit| [*prefix, unit.symbol])
     });
-    let known: Vec<String> =
-        names().map(str::to_owned).chain(prefixed.map(|parts| parts.concat())).collect();
-    nearest(symbol, known.iter().map(String::as_str))
-        .map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
+    let plain = SYMBOLS.iter().map(|unit| unit.symbol.to_owned());
+    let known: Vec<String> = plain.chain(prefixed.map(|parts| parts.concat())).collect();
+    let near = nearest(symbol, known.iter().map(String::as_str))?;
+    (symbol.len() > 2 || near.to_lowercase() == word).then(|| near.to_owned())
 }
 
 #[cfg(test)]
@@ -154,6 +195,23 @@ mod tests {
         assert_eq!(hint("Nm"), "; units multiply with `*`: `N*m`");
         assert_eq!(hint("KG"), "; did you mean `kg`?");
         assert_eq!(hint("dge"), "; did you mean `deg`?");
-        assert_eq!(hint("x"), "");
+        for unknown in ["x", "in", "ft", "hg", "lb", "kq"] {
+            assert_eq!(hint(unknown), "");
+        }
+        for (written, meant) in [
+            ("kgs", "kg"),
+            ("mmm", "mm"),
+            ("kgg", "kg"),
+            ("grad", "deg"),
+            ("degrees", "deg"),
+            ("tonne", "t"),
+            ("meters", "m"),
+        ] {
+            assert_eq!(hint(written), format!("; did you mean `{meant}`?"));
+        }
+        assert_eq!(hint("kgm"), "; units multiply with `*`: `kg*m`");
+        assert_eq!(hint("s2"), "; write `s^2`");
+        assert_eq!(hint("\u{b5}m"), "; write `um`");
+        assert_eq!(hint("\u{3bc}g"), "; write `ug`");
     }
 }

@@ -2,15 +2,23 @@
 
 use super::context::{Context, Given, Measure};
 use super::dimension::Quantity;
-use super::number::Measured;
+use super::number::{Measured, misread_symbol};
+use crate::diag::did_you_mean;
 use crate::model::{Source, Value};
-use crate::syntax::{Field, Form, List, Written};
+use crate::syntax::{Expr, ExprKind, Extent, FORMS, Field, Form, List, Written};
 
 impl Context<'_> {
     /// A number after `=`.
     pub fn written_number(&mut self, written: &Written, expected: &Quantity) -> Option<Value> {
         match written {
             Written::Number(expr) => self.number(expr, expected),
+            Written::Form(form) if FORMS.iter().all(|known| form.word != known) => {
+                self.unknown_function(&form.word)
+            }
+            Written::Vector(list) => {
+                let message = format!("expected {}: a single number", expected.name);
+                self.refuse(list.extent, message)
+            }
             other => {
                 let message = format!("expected {}, found {}", expected.name, other.described());
                 self.refuse(other.extent(), message)
@@ -60,7 +68,13 @@ impl Context<'_> {
                 let message = format!("nothing is turned here; `{}` is enough", brackets(count));
                 self.refuse(turn.extent(), message)
             }
+            Written::Form(form) if FORMS.iter().all(|known| form.word != known) => {
+                self.unknown_function(&form.word)
+            }
             other => {
+                if let Some((unit, message)) = misread_unit(other, expected) {
+                    return self.refuse(unit, message);
+                }
                 let found = other.described();
                 let message = format!("expected a vector `{}`, found {found}", brackets(count));
                 self.refuse(other.extent(), message)
@@ -150,11 +164,24 @@ impl Context<'_> {
         self.optional(
             field,
             || Source::Nothing,
-            |context, written| match written.word() {
-                Some(word) if word == "input" => Some(Source::Input),
-                _ => read(context, written).map(Source::Constant),
+            |context, written| match context.asks_for_input(written)? {
+                true => Some(Source::Input),
+                false => read(context, written).map(Source::Constant),
             },
         )
+    }
+
+    /// Whether this is the word `input`. A slip of it is refused.
+    pub fn asks_for_input(&mut self, written: &Written) -> Option<bool> {
+        let Some(word) = written.word() else { return Some(false) };
+        let text = word.to_string();
+        let is_parameter = self.parameters.iter().any(|(name, _)| *name == word);
+        let is_constant = text == text.to_uppercase();
+        let hint = did_you_mean(&text, ["input"]);
+        if word == "input" || is_parameter || is_constant || hint.is_empty() {
+            return Some(word == "input");
+        }
+        self.refuse(word, format!("unknown word `{word}`{hint}"))
     }
 
     /// A field that may be left away.
@@ -169,10 +196,30 @@ impl Context<'_> {
             Some(field) => self.field(field, read).map(|Given { value, .. }| value),
         }
     }
+
+    /// A field that may be left away. Where it has a mistake, which is reported, it counts as left
+    /// away, so that what stands beside it is judged all the same.
+    pub fn readable<T>(
+        &mut self,
+        field: Option<&Field>,
+        default: impl Fn() -> T,
+        read: impl FnOnce(&mut Self, &Written) -> Option<T>,
+    ) -> T {
+        self.optional(field, &default, read).unwrap_or_else(default)
+    }
 }
 
-fn and(all: Option<()>, next: Option<()>) -> Option<()> {
+/// Both, after both have been tried.
+pub(super) fn and(all: Option<()>, next: Option<()>) -> Option<()> {
     all.and(next)
+}
+
+/// The unit of a single number that is one, if everyone reads it otherwise than the table.
+fn misread_unit(written: &Written, expected: &Quantity) -> Option<(Extent, &'static str)> {
+    let Written::Number(Expr { kind: ExprKind::Quantity(_, unit), .. }) = written else {
+        return None;
+    };
+    Some((unit.extent, misread_symbol(unit, expected)?))
 }
 
 /// How a vector of so many components is written.

@@ -5,7 +5,7 @@
 mod chain;
 
 use super::check::can_be_a_name;
-use super::lower::{Draft, Motion, Stop, asks_for_input};
+use super::lower::{Draft, Stop};
 use super::{Chain, Dimension, Drive, Effort, HingeKind, Parameter, Shape, Value};
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
@@ -16,7 +16,7 @@ use std::ops::Range;
 /// if no type can have its name.
 pub(super) fn skeleton(draft: &Draft) -> Option<Chain> {
     let name = draft.def.name.clone();
-    if name == "T" || !is_identifier(&name) {
+    if name == "T" || draft.def.clashes || !is_identifier(&name) {
         return None;
     }
     let mut sketch = Sketch::new(draft);
@@ -82,8 +82,12 @@ impl<'d, 'a> Sketch<'d, 'a> {
     fn name(&mut self, written: Option<&Ident>) -> Ident {
         let free = |name: &&Ident| {
             let text = name.to_string();
-            let plain = text.strip_suffix("_mut").unwrap_or(&text).to_owned();
-            let taken = [format!("{text}_mut"), plain, text.clone()];
+            let plain = |text: &str| {
+                let text = text.strip_prefix("set_each_").unwrap_or(text);
+                text.strip_suffix("_mut").unwrap_or(text).to_owned()
+            };
+            let methods = [format!("{text}_mut"), format!("set_each_{text}")];
+            let taken = [&methods[..], &[plain(&text), text.clone()]].concat();
             is_identifier(name)
                 && can_be_a_name(&text)
                 && taken.iter().all(|other| !self.names.contains(other))
@@ -185,12 +189,8 @@ impl<'d, 'a> Sketch<'d, 'a> {
     /// What the caller gives of a hinge.
     fn drive(&self, index: usize, shape: &'static Shape) -> Drive {
         let properties = self.draft.properties.get(index);
-        let read = properties.and_then(|properties| properties.motion.as_ref());
-        let drive = match (read, properties) {
-            (Some(Motion { drive, .. }), _) => drive.clone(),
-            (None, Some(properties)) => asks_for_input(shape, &properties.fields),
-            (None, None) => Drive::Efforts(Vec::new()),
-        };
+        let motion = properties.and_then(|properties| properties.motion.as_ref());
+        let drive = motion.map_or(Drive::Efforts(Vec::new()), |motion| motion.drive.clone());
         let efforts = match drive {
             Drive::Motion if shape.view.is_some() => return Drive::Motion,
             Drive::Motion => Vec::new(),

@@ -35,7 +35,8 @@ const MORE: &str = "
         gravity = input;
         param k = 2 N/m;
         body Rod {
-            mass = 1 kg; com = [1, 0, 0] m; inertia = diag(0, 1, 1) about com; output = [2, 0, 0] m;
+            mass = 1 kg; com = [1, 0, 0] m; output = [2, 0, 0] m;
+            inertia = matrix([0, 0, 0], [0, 1, 0], [0, 0, 1]) kg*m^2 about com;
             point tip = [1, 1, 0] m;
         }
         moving hand -> screw(x, 5 mm/rev) a -> Rod b -> repeat 3 { universal(x, [0, 1, 0]) c -> Rod d }

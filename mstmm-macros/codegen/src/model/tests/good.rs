@@ -107,6 +107,21 @@ fn an_arm_with_a_payload() {
 }
 
 #[test]
+fn a_matrix_is_a_tensor_row_by_row() {
+    let matrix = chain(
+        "chain Top {
+            body Rod {
+                mass = 1 kg; com = [0, 0, 0] m;
+                inertia = matrix([3, 0.1, 0.2], [0.1, 4, 0.3], [0.2, 0.3, 5]) g*m^2 about com;
+            }
+            ground -> ball joint -> Rod rod;
+        }",
+    );
+    let inertia = &matrix.0.bodies[0].inertia;
+    assert_eq!(known(&inertia.tensor), [0.003, 0.004, 0.005, 0.0001, 0.0002, 0.0003]);
+}
+
+#[test]
 fn a_floating_chain_has_an_implied_hinge() {
     let (chain, _) = chain(&edited(&[
         ("ground -> pin(z) shoulder -> Cube upper", "Cube -> pin shoulder -> Cube upper"),

@@ -54,7 +54,7 @@ fn nothing_leads_out_of_the_plane() {
     expect_plane(
         "force = [1, 2] N",
         "torque = [0, 0, 1] N*m",
-        &[("[0, 0, 1]", "expected a torque, found a vector")],
+        &[("[0, 0, 1]", "expected a torque: a single number")],
     );
 }
 
@@ -116,11 +116,14 @@ fn nothing_leads_off_the_line() {
     );
     expect_all(
         &line("slider", "com = [1, 0, 0] m;", ""),
-        &[("[1, 0, 0]", "expected a length, found a vector")],
+        &[("[1, 0, 0]", "expected a length: a single number")],
     );
     expect_all(
         &line("slider", "inertia = 1 about com;", ""),
-        &[("inertia", "body `Car` of a line chain has no field `inertia`")],
+        &[(
+            "inertia",
+            "body `Car` of a line chain has no field `inertia`; it has `mass`, `com` and `output`",
+        )],
     );
     expect_all(
         &line("slider", "", "").replace("1 m ->", "1 m turned 2 ->"),
@@ -128,7 +131,7 @@ fn nothing_leads_off_the_line() {
     );
     expect_all(
         &line("slider", "", "load push { on = last; torque = 1; }"),
-        &[("torque", "load `push` of a line chain has no field `torque`")],
+        &[("torque", "load `push` of a line chain has no field `torque`; did you mean `force`?")],
     );
 }
 

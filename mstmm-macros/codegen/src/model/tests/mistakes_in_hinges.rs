@@ -38,7 +38,8 @@ fn parentheses_hold_what_a_kind_needs() {
             ("s", "expected a pitch, found a time"),
         ],
     );
-    expect_hinge("screw(x)", "", &[("x", "unknown name `x`")]);
+    expect_hinge("screw(x)", "", &[("x", "`screw` needs a pitch too: `screw(z, 5 mm/rev)`")]);
+    expect_hinge("screw(5 mm/rev, x)", "", &[("x", "the axis comes first: `screw(z, 5 mm/rev)`")]);
     expect_hinge(
         "cylindrical()",
         "",
@@ -79,11 +80,15 @@ fn axes_have_directions_of_their_own() {
 
 #[test]
 fn fields_fit_their_group() {
-    expect_hinge("slider", "torque = 1;", &[("torque", "a slider has no field `torque`")]);
+    expect_hinge(
+        "slider",
+        "torque = 1;",
+        &[("torque", "a slider has no field `torque`; did you mean `force`?")],
+    );
     expect_hinge(
         "pin",
         "turning_damping = 1;",
-        &[("turning_damping", "a pin has no field `turning_damping`")],
+        &[("turning_damping", "a pin has no field `turning_damping`; did you mean `damping`?")],
     );
     expect_hinge(
         "cylindrical",
@@ -96,17 +101,17 @@ fn fields_fit_their_group() {
     expect_hinge(
         "slider",
         "damping = 1 N*m*s/rad;",
-        &[("N*m*s/rad", "expected a damping, found a turning damping")],
+        &[("N*m*s/rad", "expected a damping, `N*s/m`, found a damping of turns")],
     );
     expect_hinge(
         "pin",
         "stiffness = 1 N/m;",
-        &[("N/m", "expected a turning stiffness, found a stiffness")],
+        &[("N/m", "expected a stiffness of turns, `N*m/rad`, found a stiffness")],
     );
     expect_hinge(
         "ball",
         "stiffness = [1, 2, 3];",
-        &[("[1, 2, 3]", "expected a turning stiffness, found a vector")],
+        &[("[1, 2, 3]", "expected a stiffness of turns: a single number")],
     );
     expect_hinge("universal", "start = 3;", &[("3", "expected a vector `[a, b]`, found a number")]);
     expect_hinge(
@@ -139,10 +144,14 @@ fn fields_fit_their_group() {
     );
     expect_hinge(
         "pin",
-        "limits = 3;",
+        "limits = 3; limit_stiffness = 1;",
         &[("3", "limits are two: `[lowest, highest]`, found a number")],
     );
-    expect_hinge("ball", "limits = [1, 2];", &[("[1, 2]", "expected an angle, found a vector")]);
+    expect_hinge(
+        "ball",
+        "limits = [1, 2]; limit_stiffness = 1;",
+        &[("[1, 2]", "expected an angle: a single number")],
+    );
 }
 
 #[test]

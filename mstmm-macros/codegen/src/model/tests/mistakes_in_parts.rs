@@ -1,6 +1,6 @@
 //! Mistakes in bodies and in the properties of hinges.
 
-use super::{expect, expect_all};
+use super::{each_mistake_once, expect, expect_all};
 
 #[test]
 fn fields_that_are_missing_are_listed_together() {
@@ -18,7 +18,13 @@ fn fields_that_are_missing_are_listed_together() {
     expect(
         "mass = 2 kg",
         "colour = 2",
-        &[("colour", "body `Rod` has no field `colour`"), ("Rod", "body `Rod` needs `mass`")],
+        &[
+            (
+                "colour",
+                "body `Rod` has no field `colour`; it has `mass`, `com`, `inertia` and `output`",
+            ),
+            ("Rod", "body `Rod` needs `mass`"),
+        ],
     );
     // One that could not be read is not missing.
     expect("mass = 2 kg", "mass = ?", &[("?", "expected a number, found `?`")]);
@@ -29,6 +35,8 @@ fn fields_that_are_missing_are_listed_together() {
 fn a_missing_semicolon_costs_no_field() {
     expect("mass = 2 kg;", "mass = 2 kg", &[("kg", "expected `;` after this")]);
     expect("mass = 2 kg;", "mass = 2", &[("2", "expected `;` after this")]);
+    let floats = "gravity = [0, 0, 0] m/s^2 Rod first -> pin j -> Rod last;";
+    each_mistake_once::expect_rods(floats, &[("2", "expected `;` after this")]);
     expect("0.1, 0] rad/s;", "0.1, 0] rad/s", &[("s", "expected `;` after this")]);
 }
 
@@ -96,6 +104,12 @@ fn orientations_are_well_formed() {
         &turned("rpy(0, 0, 1) about com"),
         &[("com", "only an inertia is about a point")],
     );
+    let unit = "the components of a quaternion have no unit; for angles write `rpy(…)`";
+    expect(output, &turned("quaternion(1, 0, 0, 0) deg"), &[("deg", unit)]);
+    expect(output, &turned("quaternion(1 rad, 0, 0, 1)"), &[("rad", unit)]);
+    expect(output, &turned("quaternion((1 m)/(2 m), 0, 0, 1)"), &[]);
+    let found = "expected `rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`, found `[`";
+    expect(output, &turned("[0, 0, 90] deg"), &[("[", found)]);
     expect(output, &turned("90 deg"), &[("90 deg", &format!("{ways}, found a number"))]);
     expect(
         "start_rate = [0, 0.1, 0] rad/s",
@@ -128,7 +142,7 @@ fn inertias_are_well_formed() {
         "diag(0, 1/6) about com",
         &[("(0, 1/6)", "expected `diag(xx, yy, zz)`, found 2 numbers")],
     );
-    let ways = "expected `diag(xx, yy, zz)` or `tensor(xx, yy, zz, xy, xz, yz)`";
+    let ways = "expected `diag(xx, yy, zz)`, `tensor(xx, yy, zz, xy, xz, yz)` or `matrix(…)`";
     expect(
         written,
         "tenser(1, 1, 1, 0, 0, 0) about com",
@@ -170,12 +184,14 @@ fn inertias_are_those_of_real_bodies() {
     );
 }
 
+const PITCH: &str = "a pin has no field `pitch`; it has `start`, `start_rate`, `stiffness`, `damping`, `armature`, `friction`, `friction_speed`, `limits`, `limit_stiffness`, `limit_damping`, `torque`, `rest` and `motion`";
+
 #[test]
 fn properties_fit_their_owner() {
     expect(
         "start = 30 deg;",
         "start_velocity = [0, 0, 0];",
-        &[("start_velocity", "a pin has no field `start_velocity`")],
+        &[("start_velocity", "a pin has no field `start_velocity`; did you mean `start_rate`?")],
     );
     expect(
         "hinge wrist {",
@@ -205,7 +221,7 @@ fn properties_fit_their_owner() {
         "hinge wrist {",
         "hinge shoulder, wrist { pitch = 1; torque = x; }\n hinge wrist {",
         &[
-            ("pitch", "a pin has no field `pitch`"),
+            ("pitch", PITCH),
             ("torque", "`torque` of a pin is given twice"),
             ("x", "unknown name `x`"),
         ],
@@ -223,5 +239,102 @@ fn parts_stand_in_their_places() {
     let source = "chain Late { ground -> pin j -> Rod rod;
         body Rod { mass = 1; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; } }";
     expect_all(source, &[("Rod", "a type of body is described before the route")]);
+    expect(
+        "hinge wrist {",
+        "body Foo { mass = 1 kg; com = [0, 0, 0]; } hinge wrist {",
+        &[("Foo", "a type of body is described before the route")],
+    );
     expect("body Rod {", "body Rod, Stick {", &[("Stick", "a block describes one type of body")]);
+}
+
+#[test]
+fn fields_end_with_semicolons() {
+    let fields = "mass = 2 kg;
+            com = [0.5, 0, 0] m;
+            inertia = diag(0, 1/6, 1/6) kg*m^2 about com;";
+    let message = "fields end with `;`";
+    expect(fields, &fields.replace(';', ","), &[(",", message)]);
+    expect(fields, fields.replace(';', ",").trim_end_matches(','), &[(",", message)]);
+    expect(
+        fields,
+        &fields.replacen(';', ",", 1).replace("2 kg", "2 m"),
+        &[(",", message), ("m", "expected a mass, found a length")],
+    );
+    expect(fields, &fields.replacen('=', ":", 1), &[(":", "expected `=`, found `:`")]);
+    // What is skipped may hold the fields that lack.
+    expect(
+        fields,
+        "mass = 2 kg, com: [0.5, 0, 0] m, inertia: diag(0, 1/6, 1/6) kg*m^2 about com",
+        &[(",", "expected `;`, found `,`")],
+    );
+}
+
+#[test]
+fn words_have_no_quotes() {
+    let load = |load: &str| format!("load push {{ {load} }} hinge wrist {{");
+    let quotes = "write it without quotes";
+    let on = "on = \"rod\"; force = input;";
+    expect("hinge wrist {", &load(on), &[("\"rod\"", quotes)]);
+    expect("param ratio", "method = \"riccati\"; param ratio", &[("\"riccati\"", quotes)]);
+    expect("pin(z)", "pin(\"z\")", &[("\"z\"", quotes)]);
+    let nothing = "expected a value, found `;`";
+    expect("hinge wrist {", &load("on = ; force = input;"), &[(";", nothing)]);
+}
+
+#[test]
+fn fields_are_known_by_other_names() {
+    let hint =
+        |name: &str, meant: &str| format!("a pin has no field `{name}`; did you mean `{meant}`?");
+    for (name, meant) in [
+        ("force", "torque"),
+        ("start_velocity", "start_rate"),
+        ("turning_stiffness", "stiffness"),
+        ("angle", "start"),
+        ("initial", "start"),
+    ] {
+        let field = format!("{name} = 30 deg;");
+        expect("start = 30 deg;", &field, &[(name, &hint(name, meant))]);
+    }
+    expect(
+        "com = [0.5, 0, 0] m;\n            inertia",
+        "centre = [0.5, 0, 0] m; inertia",
+        &[("centre", "body `Rod` has no field `centre`; did you mean `com`?")],
+    );
+}
+
+#[test]
+fn matrices_of_inertia_are_symmetric() {
+    let written = "diag(0, 1/6, 1/6) kg*m^2 about com";
+    let matrix = |rows: &str| format!("matrix({rows}) kg*m^2 about com");
+    let good = "[1, 0.1, 0.2], [0.1, 1, 0.3], [0.2, 0.3, 1]";
+    expect(written, &matrix(good), &[]);
+    expect(written, &matrix(&good.replace("[0.1", "[0.10000000001")), &[]);
+    expect(
+        written,
+        &matrix(&good.replace("[0.1", "[0.100001").replace("0.3, 1]", "0.4, 1]")),
+        &[
+            ("0.100001", "an inertia is symmetric: `yx` must equal `xy`"),
+            ("0.4", "an inertia is symmetric: `zy` must equal `yz`"),
+        ],
+    );
+    // Formulas are compared as they are.
+    let ratio = |other: &str| matrix(&format!("[1, ratio/9, 0], [{other}, 1, 0], [0, 0, 1]"));
+    expect(written, &ratio("ratio/9"), &[]);
+    expect(written, &ratio("0.2"), &[("0.2", "an inertia is symmetric: `yx` must equal `xy`")]);
+    let shape = "a matrix is written `matrix([xx, xy, xz], [yx, yy, yz], [zx, zy, zz])`";
+    expect(written, &matrix("[1, 0, 0], [0, 1]"), &[("[0, 1]", shape)]);
+    expect(written, &matrix("[1, 0, 0], [0, 1, 0]"), &[("([1, 0, 0], [0, 1, 0])", shape)]);
+    expect(written, "[[1, 0, 0], [0, 1, 0], [0, 0, 1]] about com", &[("[", shape)]);
+    expect(
+        written,
+        &matrix("[1, 0, 0], [0, -1, 0], [0, 0, 1]"),
+        &[("-1", "a moment of inertia cannot be negative")],
+    );
+    let round = "an inertia is `diag(xx, yy, zz)`, with round parentheses";
+    expect(written, "[0, 1, 1] kg*m^2 about com", &[("[", round)]);
+    expect(
+        written,
+        "tensor[1, 1, 1, 0, 0, 0] about com",
+        &[("[1, 1, 1, 0, 0, 0]", "write `tensor(…)`, with round parentheses")],
+    );
 }

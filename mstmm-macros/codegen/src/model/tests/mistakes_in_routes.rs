@@ -1,15 +1,43 @@
 //! Mistakes in the route.
 
+use super::each_mistake_once::{ITEMS, expect_rods};
 use super::{expect, expect_all};
 
 const ROUTE: &str = "ground -> pin(z) shoulder -> Cube upper -> ball wrist -> Rod rod;";
+
+const BODY_BETWEEN: &str = "; put one there, with a mass, however small";
+
+/// Hinges in a row.
+#[track_caller]
+fn expect_row(hinges: &str, at: &str, message: &str) {
+    expect_rods(&format!("ground -> {hinges} -> Rod rod;"), &[(at, message)]);
+}
+
+#[test]
+fn hinges_in_a_row_may_be_one() {
+    let two = |advice: &str| format!("hinges `a` and `b` have no body between them{advice}");
+    let one = |kind: &str| two(&format!("; one hinge `{kind}` does the same"));
+    expect_row("pin(x) a -> pin([0, 1, 1]) b", "b", &one("universal"));
+    expect_row("slider(x) a -> pin(-x) b", "b", &one("cylindrical"));
+    expect_row("pin([0, 2, 0]) a -> slider(y) b", "b", &one("cylindrical"));
+    expect_row("pin(x) a -> pin(x) b", "b", &two(BODY_BETWEEN));
+    expect_row("pin(x) a -> slider(y) b", "b", &two(BODY_BETWEEN));
+    expect_row("ball a -> pin(y) b", "b", &two(BODY_BETWEEN));
+    let three = "hinges `a`, `b` and `c` have no body between them";
+    let ball = format!("{three}; one hinge `ball` does the same");
+    expect_row("pin(x) a -> pin(y) b -> pin(z) c", "b", &ball);
+    expect_row("pin(x) a -> pin(y) b -> pin(x) c", "b", &format!("{three}{BODY_BETWEEN}"));
+}
 
 #[test]
 fn hinges_and_bodies_alternate() {
     expect(
         "-> Cube upper -> ball",
         "-> Cube upper -> ball elbow -> ball",
-        &[("wrist", "hinges `elbow` and `wrist` have no body between them")],
+        &[(
+            "wrist",
+            &format!("hinges `elbow` and `wrist` have no body between them{BODY_BETWEEN}"),
+        )],
     );
     expect(
         "-> Rod rod",
@@ -72,13 +100,7 @@ fn ends_are_free_or_held() {
 fn there_is_one_route_with_a_body() {
     expect_all("chain Empty {}", &[("Empty", "chain `Empty` has no route")]);
     expect_all("chain Empty { ground; }", &[("ground", "there is no body on the route")]);
-    expect_all(
-        "chain Empty { ground -> pin j; }",
-        &[
-            ("ground", "there is no body on the route"),
-            ("j", "hinge `j` joins nothing: end the route with a body or with `ground`"),
-        ],
-    );
+    expect_all("chain Empty { ground -> pin j; }", &[("ground", "there is no body on the route")]);
     let twice = format!("{ROUTE} {ROUTE}");
     expect(ROUTE, &twice, &[("ground", "a second route; a chain has one")]);
 }
@@ -100,11 +122,7 @@ fn stops_are_known() {
         "slidr wrist",
         &[("slidr", "unknown kind of hinge `slidr`; did you mean `slider`?")],
     );
-    expect(
-        "ground ->",
-        "grond ->",
-        &[("grond", "unknown kind of hinge `grond`; did you mean `ground`?")],
-    );
+    expect("ground ->", "grond ->", &[("grond", "unknown stop `grond`; did you mean `ground`?")]);
     expect(
         "body Rod {",
         "body Beam { mass = 1; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; } body Rod {",
@@ -147,4 +165,115 @@ fn a_route_that_cannot_be_read_is_not_judged() {
     expect("upper -> ball", "upper; -> ball", &[("-", "expected an item, found `-`")]);
     expect("upper -> ball", "upper; ball", &[("ball", "a second route; a chain has one")]);
     expect("Rod rod;", "Rod rod ->;", &[(";", "expected a hinge, a body or `ground`, found `;`")]);
+}
+
+#[test]
+fn what_is_called_otherwise_elsewhere_is_known() {
+    let expect_kind = |kind: &str, meant: &str| {
+        let message = format!("unknown kind of hinge `{kind}`; did you mean `{meant}`?");
+        let route = format!("ground -> {kind} j -> Rod rod; hinge j {{ start = 1; }}");
+        expect_rods(&route, &[(kind, &message)]);
+    };
+    expect_kind("Pin", "pin");
+    expect_kind("BALL", "ball");
+    expect_kind("Revolute", "pin");
+    expect_kind("prismatic", "slider");
+    expect_kind("spherical", "ball");
+    expect_kind("fixed", "weld");
+    expect_rods(
+        "ground -> Pin(z) j -> Rod rod; hinge j { start = 1; }",
+        &[("Pin", "unknown kind of hinge `Pin`; did you mean `pin`?")],
+    );
+    for ground in ["world", "base", "Ground"] {
+        let message = format!("unknown stop `{ground}`; did you mean `ground`?");
+        expect_rods(&format!("{ground} -> pin j -> Rod rod;"), &[(ground, &message)]);
+    }
+    expect_rods(
+        "ground -> hook j -> Rod rod;",
+        &[(
+            "hook",
+            "unknown kind of hinge `hook`; there are `weld`, `pin`, `slider`, `screw`, `cylindrical`, `universal`, `ball`, `planar`, `floating` and `elastic`",
+        )],
+    );
+    // Beside it nothing is judged.
+    expect_rods(
+        "ground -> Bar j -> Rod rod; hinge j { start = 1; }",
+        &[("Bar", "unknown type of body `Bar`")],
+    );
+}
+
+#[test]
+fn the_name_comes_last() {
+    expect_rods(
+        "ground -> pin j -> rod Rod;",
+        &[("rod", "the type comes first, then the name: `Rod rod`")],
+    );
+    expect_rods(
+        "ground -> j pin -> Rod rod; hinge j { start = 1; }",
+        &[("j", "the kind comes first, then the name: `pin j`")],
+    );
+}
+
+#[test]
+fn what_a_kind_takes_stands_in_parentheses_behind_it() {
+    let message = "write `pin(z) j`";
+    let rest = "-> Rod rod; hinge j { start = 1; }";
+    expect_rods(&format!("ground -> pin j(z) {rest}"), &[("(z)", message)]);
+    expect_rods(&format!("ground -> pin[z] j {rest}"), &[("[z]", message)]);
+    expect_rods(&format!("ground -> pin<z> j {rest}"), &[("<", message)]);
+    expect_rods(
+        &format!("ground -> pin {{ axis = z; }} j {rest}"),
+        &[("{ axis = z; }", "write `pin(…) j`")],
+    );
+    expect_rods("pin { axis = z; } j -> Rod r;", &[("{ axis = z; }", "write `pin(…) j`")]);
+}
+
+#[test]
+fn stops_are_joined_by_arrows() {
+    let message = "stops are joined by `->`";
+    expect_rods("ground => pin j => Rod rod;", &[("=", message)]);
+    expect_rods("ground - pin j -> Rod rod;", &[("-", message)]);
+    expect_rods("ground, pin j, Rod rod;", &[(",", message)]);
+    expect_rods(
+        "pin j => Rod rod => pin k;",
+        &[
+            ("=", message),
+            ("j", "hinge `j` joins nothing: begin the route with a body or with `ground`"),
+            ("k", "hinge `k` joins nothing: end the route with a body or with `ground`"),
+        ],
+    );
+    expect_rods(
+        "route = ground -> pin j -> Rod rod;",
+        &[("route", "the route stands alone: `ground -> …`")],
+    );
+}
+
+#[test]
+fn what_stands_beside_the_route_is_no_second_one() {
+    let route = "ground -> pin j -> Rod rod;";
+    for (stray, word) in [
+        ("use x;", "use"),
+        ("units mm;", "units"),
+        ("fn f() {}", "fn"),
+        ("foo x { a = 1; }", "foo"),
+    ] {
+        let message = format!("unknown item `{word}`{ITEMS}");
+        expect_rods(&format!("{stray} {route}"), &[(word, &message)]);
+        expect_rods(&format!("{route} {stray}"), &[(word, &message)]);
+    }
+    let place = "where the ground is stands on the route: `ground at [x, y, z] turned …`";
+    expect_rods(&format!("{route} ground {{ at = [1, 0, 0]; }}"), &[("ground", place)]);
+    expect_rods(&format!("ground {{ at = [1, 0, 0]; }} {route}"), &[("ground", place)]);
+    expect_rods(&format!("# the route\n{route}"), &[("#", "a comment begins with `//`")]);
+}
+
+#[test]
+fn moving_ends_have_no_place() {
+    let message = "a moving end has no place: its motion is given at each step";
+    expect_rods("moving deck at [1, 0, 0] -> pin j -> Rod rod;", &[("at", message)]);
+    expect_rods("moving deck turned rpy(0, 0, 1) -> pin j -> Rod rod;", &[("turned", message)]);
+    expect_rods(
+        "moving deck -> pin j -> Rod rod; moving deck { at = [1, 0, 0]; }",
+        &[("moving", message)],
+    );
 }

@@ -1,5 +1,6 @@
 //! Mistakes in names, settings and items.
 
+use super::each_mistake_once::expect_rods;
 use super::{PENDULUM, edited, expect, expect_all};
 
 #[test]
@@ -22,7 +23,7 @@ fn names_are_used_once() {
     expect(
         "Rod rod",
         "Rod upper_mut",
-        &[("upper_mut", "`upper_mut` and `upper` both have a method that ends in `_mut`")],
+        &[("upper_mut", "`upper_mut` and `upper` both have a method `upper_mut`")],
     );
     expect(
         "body Rod {",
@@ -94,6 +95,14 @@ fn items_are_known() {
 }
 
 #[test]
+fn dimensions_are_known() {
+    let message = "before `chain` stands `space`, `plane`, `line` or nothing";
+    let hint = format!("{message}; did you mean `plane`?");
+    expect_all("planar chain A { }", &[("planar", &hint)]);
+    expect_all("two chain A { }", &[("two", message)]);
+}
+
+#[test]
 fn all_mistakes_of_all_phases_are_reported() {
     let source = "chain A {
         gravity = [0, 1, 0] kg;
@@ -118,4 +127,15 @@ fn all_mistakes_of_all_phases_are_reported() {
             ),
         ],
     );
+}
+
+#[test]
+fn words_that_items_begin_with_are_no_names() {
+    for word in ["hinge", "body", "param", "ground"] {
+        let message = format!("`{word}` is a word of this language and cannot be a name");
+        let mistakes = &[(word, message.as_str())];
+        expect_rods(&format!("ground -> pin {word} -> Rod rod;"), mistakes);
+        expect_rods(&format!("ground -> pin j -> Rod {word}; hinge j {{ start = 1; }}"), mistakes);
+        expect_rods(&format!("param {word} = 1; ground -> pin j -> Rod rod;"), mistakes);
+    }
 }

@@ -28,6 +28,11 @@ fn word(written: &Written) -> Option<(f64, usize)> {
     Some((sign, NAMES.iter().position(|name| word == name)?))
 }
 
+/// Whether this is an axis, right or wrong.
+pub(super) fn is_axis(written: &Written) -> bool {
+    matches!(written, Written::Vector(_)) || word(written).is_some()
+}
+
 /// An axis: a word or a vector. In a plane chain it lies in the plane.
 pub(super) fn axis(written: &Written, context: &mut Context) -> Option<[Value; 3]> {
     if let Written::Vector(_) = written {

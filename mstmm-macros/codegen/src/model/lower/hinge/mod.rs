@@ -17,7 +17,7 @@ mod weld;
 mod words;
 
 pub(crate) use floating::of_everything;
-pub(crate) use motion::{Motion, asks_for_input, motion};
+pub(crate) use motion::{Motion, motion};
 pub(crate) use words::{Words, fields, groups, start_fields};
 
 use proc_macro2::Ident;

@@ -44,32 +44,21 @@ fn zero_position(shape: &Shape) -> Vec<Value> {
 }
 
 /// What is said of a hinge.
-pub(crate) fn motion(
-    shape: &'static Shape,
-    fields: &Fields,
-    context: &mut Context,
-) -> Option<Motion> {
+pub(crate) fn motion(shape: &'static Shape, fields: &Fields, context: &mut Context) -> Motion {
     let [start, rest] = ["start", "rest"].map(|name| {
-        context.optional(
+        context.readable(
             fields.get(name),
             || zero_position(shape),
             |context, written| position(shape, written, context),
         )
     });
-    // All of it is read before giving up, so that all mistakes in it are reported.
-    let rates: Vec<_> = groups(shape)
-        .map(|(group, words)| rates(group, fields.get(words.start_rate), context))
-        .collect();
+    let rates = groups(shape)
+        .flat_map(|(group, words)| rates(group, fields.get(words.start_rate), context));
+    let start_rate = rates.collect();
     let drive = drive(shape, fields, context);
-    let passives: Vec<_> =
-        groups(shape).map(|(group, words)| passive(group, words, fields, context)).collect();
-    Some(Motion {
-        start: start?,
-        rest: rest?,
-        start_rate: rates.into_iter().collect::<Option<Vec<_>>>()?.concat(),
-        drive: drive?,
-        passive: passives.into_iter().collect::<Option<Vec<_>>>()?.concat(),
-    })
+    let passives = groups(shape).flat_map(|(group, words)| passive(group, words, fields, context));
+    let passive = passives.collect();
+    Motion { start, rest, start_rate, drive, passive }
 }
 
 /// The coordinates of a position.
@@ -114,9 +103,9 @@ fn turned(group: &Freedoms, turn: &Turn, context: &mut Context) -> Option<Vec<Va
 }
 
 /// The start rates of a group.
-fn rates(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Option<Vec<Value>> {
+fn rates(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Vec<Value> {
     let count = group.rates.len();
-    context.optional(
+    context.readable(
         field,
         || vec![Value::number(0.0); count],
         |context, written| context.components(written, count, measures(group).rate),
@@ -125,16 +114,16 @@ fn rates(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Opti
 
 /// What moves it: a motor for each group, or a motion that is given. Together they are a mistake
 /// that a rule reports.
-fn drive(shape: &'static Shape, fields: &Fields, context: &mut Context) -> Option<Drive> {
+fn drive(shape: &'static Shape, fields: &Fields, context: &mut Context) -> Drive {
     let efforts: Vec<_> = groups(shape)
-        .map(|(group, words)| efforts(group, fields.get(words.effort), context))
+        .flat_map(|(group, words)| efforts(group, fields.get(words.effort), context))
         .collect();
-    let prescribed = context.optional(
+    let prescribed = context.readable(
         fields.get("motion"),
         || false,
-        |context, written| match written.word() {
-            Some(word) if word == "input" => Some(true),
-            _ => {
+        |context, written| match context.asks_for_input(written)? {
+            true => Some(true),
+            false => {
                 let found = written.described();
                 let message =
                     format!("expected `input`, the motion given at each step, found {found}");
@@ -142,35 +131,18 @@ fn drive(shape: &'static Shape, fields: &Fields, context: &mut Context) -> Optio
             }
         },
     );
-    let efforts = efforts.into_iter().collect::<Option<Vec<_>>>()?.concat();
-    Some(if prescribed? { Drive::Motion } else { Drive::Efforts(efforts) })
-}
-
-/// Which inputs a hinge asks for whose other fields may have mistakes.
-pub(crate) fn asks_for_input(shape: &'static Shape, fields: &Fields) -> Drive {
-    let is_input = |name: &str| {
-        let written = fields.get(name).and_then(|field| field.value.as_ref());
-        written.and_then(Written::word).is_some_and(|word| word == "input")
-    };
-    if is_input("motion") {
-        return Drive::Motion;
-    }
-    let efforts = groups(shape).flat_map(|(group, words)| {
-        let effort = if is_input(words.effort) { Effort::Input } else { Effort::Free };
-        vec![effort; group.rates.len()]
-    });
-    Drive::Efforts(efforts.collect())
+    if prescribed { Drive::Motion } else { Drive::Efforts(efforts) }
 }
 
 /// The efforts of a group's motor.
-fn efforts(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Option<Vec<Effort>> {
+fn efforts(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Vec<Effort> {
     let count = group.rates.len();
-    context.optional(
+    context.readable(
         field,
         || vec![Effort::Free; count],
-        |context, written| match written.word() {
-            Some(word) if word == "input" => Some(vec![Effort::Input; count]),
-            _ => {
+        |context, written| match context.asks_for_input(written)? {
+            true => Some(vec![Effort::Input; count]),
+            false => {
                 let numbers = context.components(written, count, measures(group).effort)?;
                 Some(numbers.into_iter().map(Effort::Constant).collect())
             }

@@ -14,17 +14,15 @@ pub(super) fn passive(
     words: &Words,
     fields: &Fields,
     context: &mut Context,
-) -> Option<Vec<Passive>> {
+) -> Vec<Passive> {
     let mut reader = Reader { group, fields, context };
     let measures = measures(group);
-    // All of it is read before giving up, so that all mistakes in it are reported.
     let stiffness = reader.each(words.stiffness, measures.stiffness);
     let damping = reader.each(words.damping, measures.damping);
     let armature = reader.each(words.armature, measures.inertia);
     let friction = reader.friction(words);
     let limits = reader.limits(words);
-    let (friction, limits) = (friction?, limits?);
-    let parts = stiffness?.into_iter().zip(damping?).zip(armature?).zip(friction);
+    let parts = stiffness.into_iter().zip(damping).zip(armature).zip(friction);
     let passive = |(((stiffness, damping), armature), friction)| Passive {
         stiffness,
         damping,
@@ -32,10 +30,11 @@ pub(super) fn passive(
         friction,
         limits: limits.clone(),
     };
-    Some(parts.map(passive).collect())
+    parts.map(passive).collect()
 }
 
-/// What reads the fields of a group.
+/// What reads the fields of a group. One that cannot be read, or that is missing beside another one,
+/// is reported, and gets a number that no rule is against, so that the others are judged all the same.
 struct Reader<'r, 'f, 'c> {
     group: &'r Freedoms,
     fields: &'r Fields<'f>,
@@ -45,10 +44,10 @@ struct Reader<'r, 'f, 'c> {
 impl Reader<'_, '_, '_> {
     /// A number for each strain: one that stands for all of them, or several. The strains of a
     /// quaternion have no axes of their own, so they share one.
-    fn each(&mut self, name: &str, expected: &Quantity) -> Option<Vec<Value>> {
+    fn each(&mut self, name: &str, expected: &Quantity) -> Vec<Value> {
         let count = self.group.rates.len();
         let shared = self.group.form == Form::Quaternion;
-        self.context.optional(
+        self.context.readable(
             self.fields.get(name),
             || vec![Value::number(0.0); count],
             |context, written| match shared {
@@ -58,62 +57,59 @@ impl Reader<'_, '_, '_> {
         )
     }
 
-    /// A number for all strains; nothing inside where it is not given.
-    fn number(&mut self, name: &str, expected: &Quantity) -> Option<Option<Value>> {
-        self.context.optional(
+    /// A number for all strains.
+    fn number(&mut self, name: &str, expected: &Quantity, without: f64) -> Value {
+        self.context.readable(
             self.fields.get(name),
-            || None,
-            |context, written| context.written_number(written, expected).map(Some),
+            || Value::number(without),
+            |context, written| context.written_number(written, expected),
         )
     }
 
-    /// Friction for each strain. Where its speed is missing there is none: a rule reports that.
-    fn friction(&mut self, words: &Words) -> Option<Vec<Option<Friction>>> {
-        let measures = measures(self.group);
-        let efforts = self.each(words.friction, measures.effort);
-        let speed = self.number(words.friction_speed, measures.rate);
-        let (efforts, speed) = (efforts?, speed?);
-        let friction = |effort: Value| {
-            let speed = speed.clone().filter(|_| !effort.is_zero())?;
-            Some(Friction { effort, speed })
-        };
-        Some(efforts.into_iter().map(friction).collect())
+    /// Whether one of these is given.
+    fn gives(&self, names: &[&str]) -> bool {
+        names.iter().any(|name| self.fields.get(name).is_some())
     }
 
-    /// Limits of all strains. Where their stiffness is missing there are none: a rule reports that.
-    fn limits(&mut self, words: &Words) -> Option<Option<Limits>> {
+    /// Friction for each strain.
+    fn friction(&mut self, words: &Words) -> Vec<Option<Friction>> {
+        let measures = measures(self.group);
+        let efforts = self.each(words.friction, measures.effort);
+        let speed = self.number(words.friction_speed, measures.rate, 1.0);
+        // Without friction its speed is still judged.
+        let alone = self.gives(&[words.friction_speed]) && !self.gives(&[words.friction]);
+        let friction = |effort: Value| {
+            let acts = alone || !effort.is_zero();
+            acts.then(|| Friction { effort, speed: speed.clone() })
+        };
+        efforts.into_iter().map(friction).collect()
+    }
+
+    /// Limits of all strains.
+    fn limits(&mut self, words: &Words) -> Option<Limits> {
         let measures = measures(self.group);
         let form = self.group.form;
-        let ends = self.context.optional(
+        let [low, high] = self.context.readable(
             self.fields.get(words.limits),
-            || None,
+            || [-1.0, 1.0].map(Value::number),
             |context, written| match form {
                 Form::Quaternion => {
                     let angle = context.written_number(written, measures.strain)?;
-                    Some(Some([angle.clone().negated(), angle]))
+                    Some([angle.clone().negated(), angle])
                 }
                 Form::Numbers | Form::Angles => interval(context, written, measures.strain),
             },
         );
-        let stiffness = self.number(words.limit_stiffness, measures.stiffness);
-        let damping = self.number(words.limit_damping, measures.damping);
-        let (ends, stiffness, damping) = (ends?, stiffness?, damping?);
-        Some(ends.zip(stiffness).map(|([low, high], stiffness)| Limits {
-            low,
-            high,
-            stiffness,
-            damping: damping.unwrap_or(Value::number(0.0)),
-        }))
+        let stiffness = self.number(words.limit_stiffness, measures.stiffness, 1.0);
+        let damping = self.number(words.limit_damping, measures.damping, 0.0);
+        let given = self.gives(&[words.limits, words.limit_stiffness, words.limit_damping]);
+        given.then_some(Limits { low, high, stiffness, damping })
     }
 }
 
-fn interval(
-    context: &mut Context,
-    written: &Written,
-    expected: &Quantity,
-) -> Option<Option<[Value; 2]>> {
+fn interval(context: &mut Context, written: &Written, expected: &Quantity) -> Option<[Value; 2]> {
     match written {
-        Written::Vector(list) => Some(context.vector(list, 2, expected)?.try_into().ok()),
+        Written::Vector(list) => context.vector(list, 2, expected)?.try_into().ok(),
         other => {
             let message =
                 format!("limits are two: `[lowest, highest]`, found {}", other.described());

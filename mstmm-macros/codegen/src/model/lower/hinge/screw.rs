@@ -1,6 +1,6 @@
 //! `screw(z, 5 mm/rev) name`: turns about an axis and shifts along it with the turn.
 
-use super::axis::{axis, unit};
+use super::axis::{axis, is_axis, unit};
 use super::{Kind, Takes};
 use crate::model::lower::context::Context;
 use crate::model::lower::dimension::PITCH;
@@ -19,7 +19,14 @@ fn plain(space: Dimension) -> Option<HingeKind> {
 
 fn read(arguments: &Arguments, context: &mut Context) -> Option<HingeKind> {
     let (along, pitch) = match &arguments.values[..] {
+        [only] if is_axis(only) => {
+            let message = format!("`screw` needs a pitch too: `{EXAMPLE}`");
+            return context.refuse(only.extent(), message);
+        }
         [pitch] => (Some(unit(2)), pitch),
+        [first, last] if is_axis(last) && !is_axis(first) => {
+            return context.refuse(last.extent(), format!("the axis comes first: `{EXAMPLE}`"));
+        }
         [along, pitch] => (axis(along, context), pitch),
         _ => {
             let message = format!("a screw has an axis and a pitch, such as `{EXAMPLE}`");

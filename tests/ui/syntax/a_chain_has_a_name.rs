@@ -1,0 +1,5 @@
+mstmm::mstmm_chain! {
+    chain { }
+}
+
+fn main() {}
