@@ -3,8 +3,8 @@
 
 use crate::diag::Diagnostics;
 use crate::equations::{self, Axes, Numbers, Point, Situation, Solved, Trace};
-use crate::math::{Structured, Wrench};
-use crate::model::{Chain, Drive, Driven, Hinge, HingeId, Layout, Method, Value};
+use crate::math::{Structured, Vec3, Wrench};
+use crate::model::{Chain, Drive, Driven, Element, Hinge, HingeId, Layout, Method, Source, Value};
 use proc_macro2::Ident;
 
 /// States tried besides the start. A hinge that moves nothing with inertia in all of them does so in
@@ -53,6 +53,10 @@ pub struct Drawing {
     pub chain: Chain,
     /// Positions of the first element's input, then of the outputs of all elements, in m.
     pub points: Vec<[f64; 3]>,
+    /// Positions of the elements' centres of mass, those of hinges at their inputs.
+    pub centres: Vec<[f64; 3]>,
+    /// The axis that is nearest to the vertical; z where there is no gravity.
+    pub up: usize,
 }
 
 /// Tries a chain out; what is wrong with it is reported.
@@ -172,15 +176,34 @@ impl Trial<'_> {
         Some(Mobility { freedoms: (open + redundant).checked_sub(held)?, held, redundant })
     }
 
-    /// The start, closed if that goes.
+    /// The start, closed if that goes from there or nearby.
     fn drawing(&self) -> Drawing {
-        let start = self.coordinates(0);
-        let q = self.closed(start.clone()).unwrap_or(start);
+        let near = (0..=STATES).find_map(|seed| self.closed(self.coordinates(seed)));
+        let q = near.unwrap_or_else(|| self.coordinates(0));
         let (v, inputs) = (self.at_rest(), self.inputs());
         let situation = Situation::new(self.chain, &self.layout, &self.numbers, (&q, &v, &inputs));
         let report = equations::report(&situation, &self.solved(&q), &mut Trace::new());
-        let position = |point: &Point<Number>| point.position.0.map(Number::value);
-        Drawing { points: report.points.iter().map(position).collect(), chain: self.chain.clone() }
+        let position = |place: Vec3<Number>| place.0.map(Number::value);
+        let centre = |(element, point): (&Element, &Point<Number>)| match *element {
+            Element::Hinge(_) => position(point.position),
+            Element::Body(body) => {
+                let com = self.numbers.vector(&self.chain.bodies[body].com);
+                position(point.position + point.rotation * com)
+            }
+        };
+        Drawing {
+            points: report.points.iter().map(|point| position(point.position)).collect(),
+            centres: self.chain.route.iter().zip(&report.points).map(centre).collect(),
+            up: self.vertical(),
+            chain: self.chain.clone(),
+        }
+    }
+
+    fn vertical(&self) -> usize {
+        let Source::Constant(gravity) = &self.chain.gravity else { return 2 };
+        let size = |axis: &usize| self.numbers.scalar(&gravity[*axis]).value().abs();
+        let largest = [2, 1, 0].into_iter().max_by(|a, b| size(a).total_cmp(&size(b)));
+        largest.filter(|axis| size(axis) > 0.0).unwrap_or(2)
     }
 
     fn solved(&self, q: &[Number]) -> Solved<Number> {

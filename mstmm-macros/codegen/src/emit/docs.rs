@@ -1,33 +1,32 @@
 //! What the generated docs say of a chain.
 
-use super::Plan;
 use super::spread::Spread;
-use crate::model::{Element, Method, Parameter, Place};
+use super::{Plan, drawing};
+use crate::examine::Mobility;
+use crate::model::{Element, Method, Parameter, Place, Role, Value};
 use crate::program::{Cost, Program};
 
-/// The chain at a glance: its route, its elements, its freedoms, its method and costs.
+/// The chain at a glance: its route, a picture, its elements, its freedoms, its method and costs.
 pub fn chain(plan: &Plan) -> Vec<String> {
     let mut lines = vec![String::new(), " # The chain".into(), String::new()];
     lines.push(format!(" `{}`", route(plan)));
+    lines.extend(plan.examination.start.iter().flat_map(drawing::picture));
     lines.push(String::new());
-    lines.push(" | element | kind | freedoms |".into());
+    lines.push(" | element | what it is | freedoms |".into());
     lines.push(" |---|---|---|".into());
     lines.extend(plan.chain.route.iter().map(|&element| row(plan, element)));
     lines.push(String::new());
+    lines.extend(freedoms(plan));
+    lines.push(String::new());
     let cost = plan.programs.accelerations.cost();
-    let freedoms = match (Spread::freedoms(plan).total, plan.programs.held) {
-        (1, None) => "1 degree of freedom".to_owned(),
-        (count, None) => format!("{count} degrees of freedom"),
-        (count, Some(held)) => format!("{count} rates, closed over {held} directions"),
-    };
     let each = if plan.chain.repeats.is_empty() {
         ""
     } else {
         "; those of repeated parts are counted once"
     };
     lines.push(format!(
-        " {freedoms}; accelerations by `{}`, {} operations ({cost}); with everything at \
-         every connection point {} operations{each}.",
+        " Accelerations by `{}`, {} operations ({cost}); with everything at every connection \
+         point {} operations{each}.",
         method_name(plan.programs.method),
         cost.arithmetic(),
         plan.programs.solution.cost().arithmetic(),
@@ -35,20 +34,59 @@ pub fn chain(plan: &Plan) -> Vec<String> {
     lines
 }
 
+/// How many freedoms there are, and how a closure holds the chain.
+fn freedoms(plan: &Plan) -> Vec<String> {
+    let count = Spread::freedoms(plan).total;
+    if plan.programs.held.is_none() {
+        let freedoms = if count == 1 { "degree of freedom" } else { "degrees of freedom" };
+        return vec![format!(" Mobility {count}: {count} {freedoms}.")];
+    }
+    let rates = if count == 1 { "rate" } else { "rates" };
+    let Some(Mobility { freedoms, held, redundant }) = plan.examination.mobility else {
+        return vec![format!(" {count} {rates}, closed by the last hinge.")];
+    };
+    let mut lines = vec![format!(
+        " Mobility {freedoms}: {count} {rates}, of which the closure takes {}.",
+        count - freedoms
+    )];
+    if redundant > 0 {
+        lines.push(String::new());
+        lines.push(format!(
+            " **Warning: the closure is redundant.** {redundant} of the {held} directions that \
+             the last hinge holds follow from the others. The motion is unique all the same; the reactions are not, and the \
+             smallest come out: `closure()` of the workspace tells which."
+        ));
+    }
+    lines
+}
+
+/// The route as written, without arguments.
 fn route(plan: &Plan) -> String {
     let chain = plan.chain;
-    let ground = |place: &Place| matches!(place, Place::Ground(_)).then(|| "ground".to_owned());
+    let end = |place: &Place| match place {
+        Place::Ground(_) => Some("ground".to_owned()),
+        Place::Input(body) | Place::Output(body) => {
+            let body = &chain.bodies[*body];
+            (body.role == Role::End).then(|| format!("moving {}", body.name))
+        }
+    };
     let hinge = |element: Option<&Element>| match element {
         Some(Element::Hinge(index)) => Some(&chain.hinges[*index]),
         _ => None,
     };
-    let start = hinge(chain.route.first()).and_then(|hinge| ground(&hinge.inboard));
-    let finish = hinge(chain.route.last()).and_then(|hinge| ground(&hinge.outboard));
-    let elements = chain.route.iter().map(|element| match *element {
-        Element::Body(index) => chain.bodies[index].name.to_string(),
-        Element::Hinge(index) => {
-            format!("{} {}", chain.hinges[index].kind.shape().word, chain.hinges[index].name)
-        }
+    let start = hinge(chain.route.first()).and_then(|hinge| end(chain.before_seam(&hinge.inboard)));
+    let finish = hinge(chain.route.last()).and_then(|hinge| end(&hinge.outboard));
+    let elements = chain.route.iter().enumerate().map(|(place, element)| {
+        let name = match *element {
+            Element::Body(index) => chain.bodies[index].name.to_string(),
+            Element::Hinge(index) => {
+                format!("{} {}", chain.hinges[index].kind.shape().word, chain.hinges[index].name)
+            }
+        };
+        let begins = chain.repeats.iter().find(|repeat| repeat.route.start == place);
+        let ends = chain.repeats.iter().any(|repeat| repeat.route.end == place + 1);
+        let begin = begins.map_or(String::new(), |repeat| format!("repeat {} {{ ", repeat.count));
+        format!("{begin}{name}{}", if ends { " }" } else { "" })
     });
     start.into_iter().chain(elements).chain(finish).collect::<Vec<_>>().join(" -> ")
 }
@@ -59,18 +97,34 @@ fn row(plan: &Plan, element: Element) -> String {
             let body = &plan.chain.bodies[index];
             let floats = plan.chain.hinges.iter().find(|hinge| hinge.name == body.name);
             let freedoms = floats.map_or(String::new(), |hinge| hinge.kind.freedoms().to_string());
-            format!(" | `{}` | body `{}` | {freedoms} |", body.name, body.type_name)
+            let mass = body.mass.known().map_or(String::new(), |mass| format!(", {mass} kg"));
+            format!(" | `{}` | body `{}`{mass} | {freedoms} |", body.name, body.type_name)
         }
         Element::Hinge(index) => {
             let hinge = &plan.chain.hinges[index];
-            format!(
-                " | `{}` | {} | {} |",
-                hinge.name,
-                hinge.kind.shape().word,
-                hinge.kind.freedoms()
-            )
+            let kind = hinge.kind.shape().word;
+            let told = if hinge.is_prescribed() { ", moves as it is told" } else { "" };
+            let axes: Vec<String> = hinge.kind.axes().iter().filter_map(axis).collect();
+            let about = match &axes[..] {
+                [] => String::new(),
+                axes => format!("({})", axes.join(", ")),
+            };
+            let freedoms = if hinge.is_prescribed() { 0 } else { hinge.kind.freedoms() };
+            format!(" | `{}` | {kind}{about}{told} | {freedoms} |", hinge.name)
         }
     }
+}
+
+/// An axis whose components are known.
+fn axis(axis: &[Value; 3]) -> Option<String> {
+    let [x, y, z] = axis.each_ref().map(Value::known);
+    let axis = [x?, y?, z?];
+    let unit = (0..3).find(|&k| (0..3).all(|other| axis[other] == f64::from(u8::from(other == k))));
+    Some(match unit {
+        Some(k) => ["x", "y", "z"][k].to_owned(),
+        // Brackets would make links.
+        None => format!("{} {} {}", axis[0], axis[1], axis[2]),
+    })
 }
 
 /// The operations of a program, section by section.

@@ -3,11 +3,13 @@
 mod block;
 mod construction;
 mod docs;
+mod drawing;
 mod dynamics;
 mod inputs;
 mod integrable;
 mod looped;
 mod names;
+mod references;
 mod repeated;
 mod spread;
 mod state;
@@ -49,11 +51,13 @@ pub fn expand(
     let state = state::emit(&plan);
     let inputs = inputs::emit(&plan);
     let workspace = workspace::emit(&plan);
+    let references = references::emit(&plan);
     quote! {
         #construction
         #dynamics
         #state
         #inputs
         #workspace
+        #references
     }
 }

@@ -27,7 +27,7 @@ pub use load::{Load, LoadAxes, Source, Spring};
 pub use value::{Symbol, Value};
 
 use crate::diag::Diagnostics;
-use crate::syntax::{ChainDef, Surface};
+use crate::syntax::{ChainDef, References, Surface};
 use proc_macro2::Ident;
 use std::ops::Range;
 
@@ -75,7 +75,7 @@ pub struct Chain {
 /// What was meant by a description, checked. Where a mistake has been found, in this description or
 /// before, a skeleton of it; nothing where not even that can be.
 pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Surface)> {
-    let (draft, surface) = lower::draft(def, diagnostics);
+    let (draft, mut surface) = lower::draft(def, diagnostics);
     let assertions = check::check(&draft, diagnostics);
     let skeleton = skeleton::skeleton(&draft);
     let mut chain = if diagnostics.is_empty() { draft.finish() } else { None };
@@ -87,6 +87,8 @@ pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Su
     }
     if !diagnostics.is_empty() {
         chain = skeleton;
+        // Not all that is named may be there.
+        surface.references = References::default();
     }
     Some((seams::with_seams(chain?), surface))
 }

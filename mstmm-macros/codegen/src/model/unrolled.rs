@@ -71,7 +71,7 @@ impl Chain {
     }
 
     /// Where the seam sits that a place is on, or the place.
-    fn before_seam<'a>(&'a self, place: &'a Place) -> &'a Place {
+    pub fn before_seam<'a>(&'a self, place: &'a Place) -> &'a Place {
         let weld = self.seam(place).and_then(|seam| self.weld_of(seam));
         weld.map_or(place, |weld| &self.hinges[weld].inboard)
     }

@@ -35,7 +35,7 @@ mod unit;
 
 pub use field::FORMS;
 pub use number::FUNCTIONS;
-pub use surface::Surface;
+pub use surface::{References, Surface};
 pub use tree::*;
 
 use proc_macro2::{Ident, TokenStream};

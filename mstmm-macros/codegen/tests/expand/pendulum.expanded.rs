@@ -4,12 +4,25 @@
 ///
 /// `ground -> pin joint -> rod`
 ///
-/// | element | kind | freedoms |
+/// <svg role="img" aria-label="The chain at its start" viewBox="0 0 72 472" width="72" style="max-width:100%;height:auto" font-size="12" stroke-linecap="round" fill="currentColor">
+/// <path d="M22 450l12.1 7.0" stroke="currentColor" opacity="0.6"/><text x="40.2" y="463.5" font-size="10" opacity="0.6" text-anchor="middle">x</text>
+/// <path d="M22 450l0.0 -14.0" stroke="currentColor" opacity="0.6"/><text x="22.0" y="432.0" font-size="10" opacity="0.6" text-anchor="middle">y</text>
+/// <path d="M22 450l-12.1 7.0" stroke="currentColor" opacity="0.6"/><text x="3.8" y="463.5" font-size="10" opacity="0.6" text-anchor="middle">z</text>
+/// <path d="M36.0 36.0L36.0 36.0" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M36.0 36.0L36.0 436.0L36.0 36.0" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="36.0" cy="436.0" r="3" fill="#3a87c8"/>
+/// <path d="M22.0 45.0h28m-26 7l5 -7m2 7l5 -7m2 7l5 -7" fill="none" stroke="currentColor"/>
+/// <circle cx="36.0" cy="36.0" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
+/// <text x="44.0" y="28.0">joint</text>
+/// <text x="36.0" y="56.0" text-anchor="middle" font-style="italic">rod</text>
+/// </svg>
+///
+/// | element | what it is | freedoms |
 /// |---|---|---|
-/// | `joint` | pin | 1 |
+/// | `joint` | pin(z) | 1 |
 /// | `rod` | body `Rod` |  |
 ///
-/// 1 degree of freedom; accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 32 operations.
+/// Mobility 1: 1 degree of freedom.
+///
+/// Accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 32 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Pendulum<T> {
@@ -587,3 +600,14 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         }
     }
 }
+const _: () = {
+    #[allow(dead_code)]
+    fn elements<T: ::mstmm::Scalar>() {
+        let _ = PendulumWorkspace::<T>::joint;
+    }
+};
+#[allow(dead_code, non_camel_case_types, clippy::all)]
+const _: () = {
+    struct Rod;
+    const _: Rod = Rod;
+};

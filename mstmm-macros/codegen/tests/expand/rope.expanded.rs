@@ -2,16 +2,68 @@
 ///
 /// # The chain
 ///
-/// `pin joint -> rod -> pin hook -> weight`
+/// `ground -> repeat 10 { pin joint -> rod } -> pin hook -> weight`
 ///
-/// | element | kind | freedoms |
+/// <svg role="img" aria-label="The chain at its start" viewBox="0 0 472 112" width="472" style="max-width:100%;height:auto" font-size="12" stroke-linecap="round" fill="currentColor">
+/// <path d="M22 90l14.0 0.0" stroke="currentColor" opacity="0.6"/><text x="43.0" y="93.0" font-size="10" opacity="0.6" text-anchor="middle">x</text>
+/// <path d="M22 90l0.0 -14.0" stroke="currentColor" opacity="0.6"/><text x="22.0" y="72.0" font-size="10" opacity="0.6" text-anchor="middle">y</text>
+/// <path d="M36.0 36.0L76.0 36.0" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M36.0 36.0L56.0 36.0L76.0 36.0" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="56.0" cy="36.0" r="3" fill="#3a87c8"/>
+/// <path d="M76.0 36.0L116.0 36.0" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M76.0 36.0L96.0 36.0L116.0 36.0" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="96.0" cy="36.0" r="3" fill="#3a87c8"/>
+/// <path d="M116.0 36.0L156.0 36.0" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M116.0 36.0L136.0 36.0L156.0 36.0" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="136.0" cy="36.0" r="3" fill="#3a87c8"/>
+/// <path d="M156.0 36.0L196.0 36.0" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M156.0 36.0L176.0 36.0L196.0 36.0" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="176.0" cy="36.0" r="3" fill="#3a87c8"/>
+/// <path d="M196.0 36.0L236.0 36.0" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M196.0 36.0L216.0 36.0L236.0 36.0" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="216.0" cy="36.0" r="3" fill="#3a87c8"/>
+/// <path d="M236.0 36.0L276.0 36.0" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M236.0 36.0L256.0 36.0L276.0 36.0" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="256.0" cy="36.0" r="3" fill="#3a87c8"/>
+/// <path d="M276.0 36.0L316.0 36.0" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M276.0 36.0L296.0 36.0L316.0 36.0" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="296.0" cy="36.0" r="3" fill="#3a87c8"/>
+/// <path d="M316.0 36.0L356.0 36.0" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M316.0 36.0L336.0 36.0L356.0 36.0" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="336.0" cy="36.0" r="3" fill="#3a87c8"/>
+/// <path d="M356.0 36.0L396.0 36.0" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M356.0 36.0L376.0 36.0L396.0 36.0" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="376.0" cy="36.0" r="3" fill="#3a87c8"/>
+/// <path d="M396.0 36.0L436.0 36.0" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M396.0 36.0L416.0 36.0L436.0 36.0" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="416.0" cy="36.0" r="3" fill="#3a87c8"/>
+/// <path d="M436.0 36.0L436.0 36.0" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M436.0 36.0L436.0 76.0L436.0 36.0" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="436.0" cy="76.0" r="3" fill="#3a87c8"/>
+/// <path d="M22.0 45.0h28m-26 7l5 -7m2 7l5 -7m2 7l5 -7" fill="none" stroke="currentColor"/>
+/// <circle cx="36.0" cy="36.0" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
+/// <circle cx="76.0" cy="36.0" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
+/// <circle cx="116.0" cy="36.0" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
+/// <circle cx="156.0" cy="36.0" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
+/// <circle cx="196.0" cy="36.0" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
+/// <circle cx="236.0" cy="36.0" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
+/// <circle cx="276.0" cy="36.0" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
+/// <circle cx="316.0" cy="36.0" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
+/// <circle cx="356.0" cy="36.0" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
+/// <circle cx="396.0" cy="36.0" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
+/// <circle cx="436.0" cy="36.0" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
+/// <text x="44.0" y="28.0">joint</text>
+/// <text x="56.0" y="56.0" text-anchor="middle" font-style="italic">rod</text>
+/// <text x="84.0" y="28.0">joint</text>
+/// <text x="96.0" y="56.0" text-anchor="middle" font-style="italic">rod</text>
+/// <text x="124.0" y="28.0">joint</text>
+/// <text x="136.0" y="56.0" text-anchor="middle" font-style="italic">rod</text>
+/// <text x="164.0" y="28.0">joint</text>
+/// <text x="176.0" y="56.0" text-anchor="middle" font-style="italic">rod</text>
+/// <text x="204.0" y="28.0">joint</text>
+/// <text x="216.0" y="56.0" text-anchor="middle" font-style="italic">rod</text>
+/// <text x="244.0" y="28.0">joint</text>
+/// <text x="256.0" y="56.0" text-anchor="middle" font-style="italic">rod</text>
+/// <text x="284.0" y="28.0">joint</text>
+/// <text x="296.0" y="56.0" text-anchor="middle" font-style="italic">rod</text>
+/// <text x="324.0" y="28.0">joint</text>
+/// <text x="336.0" y="56.0" text-anchor="middle" font-style="italic">rod</text>
+/// <text x="364.0" y="28.0">joint</text>
+/// <text x="376.0" y="56.0" text-anchor="middle" font-style="italic">rod</text>
+/// <text x="404.0" y="28.0">joint</text>
+/// <text x="416.0" y="56.0" text-anchor="middle" font-style="italic">rod</text>
+/// <text x="444.0" y="28.0">hook</text>
+/// <text x="436.0" y="56.0" text-anchor="middle" font-style="italic">weight</text>
+/// </svg>
+///
+/// | element | what it is | freedoms |
 /// |---|---|---|
-/// | `joint` | pin | 1 |
+/// | `joint` | pin(z) | 1 |
 /// | `rod` | body `Rod` |  |
-/// | `hook` | pin | 1 |
-/// | `weight` | body `Weight` |  |
+/// | `hook` | pin(z) | 1 |
+/// | `weight` | body `Weight`, 2 kg |  |
 ///
-/// 11 degrees of freedom; accelerations by `riccati`, 87 operations (47 mul, 39 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 247 operations; those of repeated parts are counted once.
+/// Mobility 11: 11 degrees of freedom.
+///
+/// Accelerations by `riccati`, 87 operations (47 mul, 39 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 247 operations; those of repeated parts are counted once.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Rope<T> {
@@ -2445,3 +2497,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         }
     }
 }
+const _: () = {
+    #[allow(dead_code)]
+    fn elements<T: ::mstmm::Scalar>() {
+        let _ = RopeWorkspace::<T>::joint;
+    }
+};
+#[allow(dead_code, non_camel_case_types, clippy::all)]
+const _: () = {
+    struct Rod;
+    struct Weight;
+    const _: Rod = Rod;
+    const _: Weight = Weight;
+};

@@ -4,12 +4,25 @@
 ///
 /// `ground -> ball tip -> cone`
 ///
-/// | element | kind | freedoms |
+/// <svg role="img" aria-label="The chain at its start" viewBox="0 0 128 472" width="128" style="max-width:100%;height:auto" font-size="12" stroke-linecap="round" fill="currentColor">
+/// <path d="M22 450l-12.1 7.0" stroke="currentColor" opacity="0.6"/><text x="3.8" y="463.5" font-size="10" opacity="0.6" text-anchor="middle">x</text>
+/// <path d="M22 450l12.1 7.0" stroke="currentColor" opacity="0.6"/><text x="40.2" y="463.5" font-size="10" opacity="0.6" text-anchor="middle">y</text>
+/// <path d="M22 450l0.0 -14.0" stroke="currentColor" opacity="0.6"/><text x="22.0" y="432.0" font-size="10" opacity="0.6" text-anchor="middle">z</text>
+/// <path d="M92.1 436.0L92.1 436.0" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M92.1 436.0L36.0 36.0L92.1 436.0" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="36.0" cy="36.0" r="3" fill="#3a87c8"/>
+/// <path d="M78.1 445.0h28m-26 7l5 -7m2 7l5 -7m2 7l5 -7" fill="none" stroke="currentColor"/>
+/// <circle cx="92.1" cy="436.0" r="5" stroke="currentColor" stroke-width="1.5"/>
+/// <text x="100.1" y="428.0">tip</text>
+/// <text x="92.1" y="456.0" text-anchor="middle" font-style="italic">cone</text>
+/// </svg>
+///
+/// | element | what it is | freedoms |
 /// |---|---|---|
 /// | `tip` | ball | 3 |
-/// | `cone` | body `Cone` |  |
+/// | `cone` | body `Cone`, 0.2 kg |  |
 ///
-/// 3 degrees of freedom; accelerations by `riccati`, 28 operations (21 mul, 7 add, 0 reciprocal); with everything at every connection point 149 operations.
+/// Mobility 3: 3 degrees of freedom.
+///
+/// Accelerations by `riccati`, 28 operations (21 mul, 7 add, 0 reciprocal); with everything at every connection point 149 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 struct Top<T> {
@@ -796,3 +809,14 @@ impl<T: ::mstmm::Scalar> Top<T> {
         }
     }
 }
+const _: () = {
+    #[allow(dead_code)]
+    fn elements<T: ::mstmm::Scalar>() {
+        let _ = TopWorkspace::<T>::tip;
+    }
+};
+#[allow(dead_code, non_camel_case_types, clippy::all)]
+const _: () = {
+    struct Cone;
+    const _: Cone = Cone;
+};

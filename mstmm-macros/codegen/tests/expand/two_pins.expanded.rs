@@ -4,14 +4,31 @@
 ///
 /// `ground -> pin shoulder -> upper -> pin elbow -> lower`
 ///
-/// | element | kind | freedoms |
-/// |---|---|---|
-/// | `shoulder` | pin | 1 |
-/// | `upper` | body `Rod` |  |
-/// | `elbow` | pin | 1 |
-/// | `lower` | body `Rod` |  |
+/// <svg role="img" aria-label="The chain at its start" viewBox="0 0 472 303" width="472" style="max-width:100%;height:auto" font-size="12" stroke-linecap="round" fill="currentColor">
+/// <path d="M22 281l12.1 7.0" stroke="currentColor" opacity="0.6"/><text x="40.2" y="294.4" font-size="10" opacity="0.6" text-anchor="middle">x</text>
+/// <path d="M22 281l0.0 -14.0" stroke="currentColor" opacity="0.6"/><text x="22.0" y="262.9" font-size="10" opacity="0.6" text-anchor="middle">y</text>
+/// <path d="M22 281l-12.1 7.0" stroke="currentColor" opacity="0.6"/><text x="3.8" y="294.4" font-size="10" opacity="0.6" text-anchor="middle">z</text>
+/// <path d="M36.0 36.0L236.0 151.5" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M36.0 36.0L136.0 93.7L236.0 151.5" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="136.0" cy="93.7" r="3" fill="#3a87c8"/>
+/// <path d="M236.0 151.5L436.0 266.9" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M236.0 151.5L336.0 209.2L436.0 266.9" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="336.0" cy="209.2" r="3" fill="#3a87c8"/>
+/// <path d="M22.0 45.0h28m-26 7l5 -7m2 7l5 -7m2 7l5 -7" fill="none" stroke="currentColor"/>
+/// <circle cx="36.0" cy="36.0" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
+/// <circle cx="236.0" cy="151.5" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
+/// <text x="44.0" y="28.0">shoulder</text>
+/// <text x="136.0" y="113.7" text-anchor="middle" font-style="italic">upper</text>
+/// <text x="244.0" y="143.5">elbow</text>
+/// <text x="336.0" y="229.2" text-anchor="middle" font-style="italic">lower</text>
+/// </svg>
 ///
-/// 2 degrees of freedom; accelerations by `transfer`, 130 operations (75 mul, 50 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 213 operations.
+/// | element | what it is | freedoms |
+/// |---|---|---|
+/// | `shoulder` | pin(z) | 1 |
+/// | `upper` | body `Rod`, 1 kg |  |
+/// | `elbow` | pin(z) | 1 |
+/// | `lower` | body `Rod`, 1 kg |  |
+///
+/// Mobility 2: 2 degrees of freedom.
+///
+/// Accelerations by `transfer`, 130 operations (75 mul, 50 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 213 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPins<T> {
@@ -1018,3 +1035,9 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         }
     }
 }
+#[allow(dead_code, non_camel_case_types, clippy::all)]
+const _: () = {
+    struct Rod;
+    const _: Rod = Rod;
+    const _: Rod = Rod;
+};

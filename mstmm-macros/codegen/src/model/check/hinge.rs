@@ -20,23 +20,6 @@ fn hinges<'d>(
     })
 }
 
-/// The axes of a hinge.
-fn axes(kind: &HingeKind) -> &[[Value; 3]] {
-    match kind {
-        HingeKind::Pin { axis }
-        | HingeKind::Slider { axis }
-        | HingeKind::Screw { axis, .. }
-        | HingeKind::Cylindrical { axis } => std::slice::from_ref(axis),
-        HingeKind::Universal { axes } => axes,
-        HingeKind::Weld
-        | HingeKind::Ball
-        | HingeKind::Planar { .. }
-        | HingeKind::Floating
-        | HingeKind::Elastic
-        | HingeKind::PlaneElastic => &[],
-    }
-}
-
 /// Where what stands at this place in the parentheses is.
 fn argument(hinge: &Given<HingeKind>, arguments: Option<&Arguments>, index: usize) -> Extent {
     let written = arguments.and_then(|arguments| arguments.values.get(index));
@@ -51,7 +34,7 @@ pub(super) fn axes_have_a_direction(draft: &Draft) -> Vec<Requirement> {
             let message = "an axis of zeros has no direction";
             vec![Condition::new(square(axis), Must::BePositive, at, message)]
         };
-        axes(&hinge.value).iter().enumerate().map(direction).collect::<Vec<_>>()
+        hinge.value.axes().iter().enumerate().map(direction).collect::<Vec<_>>()
     };
     hinges(draft).flat_map(direction).collect()
 }

@@ -245,6 +245,23 @@ pub enum Group {
 }
 
 impl HingeKind {
+    /// The axes that it is described by.
+    pub fn axes(&self) -> &[[Value; 3]] {
+        match self {
+            HingeKind::Pin { axis }
+            | HingeKind::Slider { axis }
+            | HingeKind::Screw { axis, .. }
+            | HingeKind::Cylindrical { axis } => std::slice::from_ref(axis),
+            HingeKind::Universal { axes } => axes,
+            HingeKind::Weld
+            | HingeKind::Ball
+            | HingeKind::Planar { .. }
+            | HingeKind::Floating
+            | HingeKind::Elastic
+            | HingeKind::PlaneElastic => &[],
+        }
+    }
+
     /// The numbers of this kind.
     pub fn shape(&self) -> &'static Shape {
         match self {

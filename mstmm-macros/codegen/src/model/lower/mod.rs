@@ -16,6 +16,7 @@ mod numbering;
 mod orientation;
 mod parameter;
 mod properties;
+mod references;
 mod route;
 mod setting;
 mod unit;
@@ -54,6 +55,7 @@ pub(super) fn draft<'a>(def: &'a ChainDef, diagnostics: &mut Diagnostics) -> (Dr
         visibility: def.visibility.clone(),
         attributes: def.attributes.clone(),
         constants: context.constants,
+        references: references::references(def, &stops),
     };
     let constants = surface.constants.len();
     let draft = Draft {

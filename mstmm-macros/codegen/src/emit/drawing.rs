@@ -1,0 +1,201 @@
+//! A picture of a chain as it starts, for the docs of its type: a person sees at once whether it is
+//! the one that was meant.
+
+use crate::examine::Drawing;
+use crate::model::{Dimension, Element, Hinge, HingeKind, Place};
+
+/// The longer side of the picture, and the room around it.
+const SIZE: f64 = 400.0;
+const MARGIN: f64 = 36.0;
+/// Names of more elements would cover each other.
+const NAMED: usize = 24;
+
+const BLUE: &str = "#3a87c8";
+
+/// The lines of the picture. Along each axis that shows there is an arrow.
+pub fn picture(drawing: &Drawing) -> Vec<String> {
+    let view = View::of(drawing);
+    let [width, height] = view.size;
+    let mut lines = vec![
+        String::new(),
+        format!(
+            " <svg role=\"img\" aria-label=\"The chain at its start\" viewBox=\"0 0 {width:.0} \
+             {height:.0}\" width=\"{width:.0}\" style=\"max-width:100%;height:auto\" \
+             font-size=\"12\" stroke-linecap=\"round\" fill=\"currentColor\">"
+        ),
+    ];
+    lines.extend(triad(drawing.chain.dimension, &view));
+    let elements = drawing.chain.route.iter().enumerate();
+    let bodies = elements.clone().filter(|(_, element)| matches!(element, Element::Body(_)));
+    lines.extend(bodies.map(|(place, _)| body(drawing, &view, place)));
+    lines.extend(ends(drawing, &view));
+    lines.extend(elements.filter_map(|(place, element)| match element {
+        Element::Hinge(index) => Some(hinge(drawing, &view, place, &drawing.chain.hinges[*index])),
+        Element::Body(_) => None,
+    }));
+    if drawing.chain.route.len() <= NAMED {
+        lines.extend(names(drawing, &view));
+    }
+    lines.push(" </svg>".into());
+    lines
+}
+
+/// How the world is seen: a plane chain from the front, one in space from above a corner.
+struct View {
+    /// What each axis is on the picture, right and down.
+    axes: [[f64; 2]; 3],
+    /// Pixels for a metre.
+    scale: f64,
+    /// Where the inertial origin is.
+    origin: [f64; 2],
+    size: [f64; 2],
+}
+
+impl View {
+    fn of(drawing: &Drawing) -> View {
+        let (c, s) = (0.866, 0.5);
+        let [away, across, up] = [[-c, s], [c, s], [0.0, -1.0]];
+        let axes = match (drawing.chain.dimension, drawing.up) {
+            (Dimension::Plane | Dimension::Line, _) => [[1.0, 0.0], [0.0, -1.0], [0.0, 0.0]],
+            (Dimension::Space, 0) => [up, away, across],
+            (Dimension::Space, 1) => [across, up, away],
+            (Dimension::Space, _) => [away, across, up],
+        };
+        let mut view = View { axes, scale: 1.0, origin: [0.0; 2], size: [0.0; 2] };
+        let seen = drawing.points.iter().chain(&drawing.centres).map(|point| view.place(point));
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for point in seen {
+            for k in 0..2 {
+                low[k] = low[k].min(point[k]);
+                high[k] = high[k].max(point[k]);
+            }
+        }
+        let extent = [high[0] - low[0], high[1] - low[1]];
+        let largest = extent[0].max(extent[1]);
+        view.scale = if largest > 0.0 { SIZE / largest } else { SIZE };
+        for k in 0..2 {
+            view.size[k] = extent[k] * view.scale + 2.0 * MARGIN;
+            view.origin[k] = MARGIN - low[k] * view.scale;
+        }
+        view
+    }
+
+    /// Where a point is on the picture.
+    fn place(&self, point: &[f64; 3]) -> [f64; 2] {
+        [0, 1].map(|k| {
+            let seen: f64 = self.axes.iter().zip(point).map(|(axis, x)| axis[k] * x).sum();
+            self.origin[k] + seen * self.scale
+        })
+    }
+}
+
+/// The directions of the inertial axes, in the corner.
+fn triad(dimension: Dimension, view: &View) -> Vec<String> {
+    let [x, y] = [22.0, view.size[1] - 22.0];
+    let arrow = |&axis: &usize| {
+        let [right, down] = view.axes[axis].map(|part| part * 14.0);
+        let name = ["x", "y", "z"][axis];
+        format!(
+            " <path d=\"M{x:.0} {y:.0}l{right:.1} {down:.1}\" stroke=\"currentColor\" \
+             opacity=\"0.6\"/><text x=\"{:.1}\" y=\"{:.1}\" font-size=\"10\" opacity=\"0.6\" \
+             text-anchor=\"middle\">{name}</text>",
+            x + right * 1.5,
+            y + down * 1.5 + 3.0
+        )
+    };
+    dimension.shifts().iter().map(arrow).collect()
+}
+
+/// A body: a bar from its input to its output, and a dot at its centre of mass.
+fn body(drawing: &Drawing, view: &View, place: usize) -> String {
+    let [input, output] = [place, place + 1].map(|end| view.place(&drawing.points[end]));
+    let centre = view.place(&drawing.centres[place]);
+    format!(
+        " <path d=\"M{}L{}\" stroke=\"{BLUE}\" stroke-width=\"7\" stroke-opacity=\"0.45\"/>\
+         <path d=\"M{}L{}L{}\" fill=\"none\" stroke=\"{BLUE}\" stroke-width=\"1\"/>\
+         <circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"3\" fill=\"{BLUE}\"/>",
+        text(input),
+        text(output),
+        text(input),
+        text(centre),
+        text(output),
+        centre[0],
+        centre[1]
+    )
+}
+
+/// What holds the ends: strokes on the ground, dashed where an end moves.
+fn ends(drawing: &Drawing, view: &View) -> Vec<String> {
+    let chain = &drawing.chain;
+    let hinge = |element: Option<&Element>| match element {
+        Some(Element::Hinge(index)) => Some(&chain.hinges[*index]),
+        _ => None,
+    };
+    let first = hinge(chain.route.first()).map(|hinge| (&hinge.inboard, 0));
+    let last = hinge(chain.route.last()).map(|hinge| (&hinge.outboard, chain.route.len()));
+    let end = |(place, point): (&Place, usize)| {
+        let [x, y] = view.place(&drawing.points[point]);
+        let dashes = match place {
+            Place::Ground(_) => "",
+            _ => " stroke-dasharray=\"3 3\"",
+        };
+        format!(
+            " <path d=\"M{:.1} {:.1}h28m-26 7l5 -7m2 7l5 -7m2 7l5 -7\" fill=\"none\" \
+             stroke=\"currentColor\"{dashes}/>",
+            x - 14.0,
+            y + 9.0
+        )
+    };
+    first.into_iter().chain(last).map(end).collect()
+}
+
+/// A hinge: a line between its sides, and a sign for what it lets free: a ring where it turns about
+/// axes, a disc where it turns in all ways, a box where it shifts, a cross where it is welded.
+fn hinge(drawing: &Drawing, view: &View, place: usize, hinge: &Hinge) -> String {
+    let [inboard, outboard] = [place, place + 1].map(|end| view.place(&drawing.points[end]));
+    let [x, y] = inboard;
+    let sign = match hinge.kind {
+        HingeKind::Weld => format!("<path d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\"", x - 4.0, y - 4.0),
+        HingeKind::Pin { .. } | HingeKind::Screw { .. } | HingeKind::Universal { .. } => {
+            format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\" fill-opacity=\"0.15\"")
+        }
+        HingeKind::Ball => format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\""),
+        _ => format!(
+            "<rect x=\"{:.1}\" y=\"{:.1}\" width=\"10\" height=\"10\" fill-opacity=\"0.15\"",
+            x - 5.0,
+            y - 5.0
+        ),
+    };
+    let way = match inboard == outboard {
+        true => String::new(),
+        false => format!(
+            "<path d=\"M{}L{}\" stroke=\"currentColor\" stroke-dasharray=\"4 3\"/>",
+            text(inboard),
+            text(outboard)
+        ),
+    };
+    format!(" {way}{sign} stroke=\"currentColor\" stroke-width=\"1.5\"/>")
+}
+
+/// The names of bodies beside their middles, those of hinges beside their signs.
+fn names(drawing: &Drawing, view: &View) -> Vec<String> {
+    let name = |(place, element): (usize, &Element)| {
+        let [a, b] = [place, place + 1].map(|end| view.place(&drawing.points[end]));
+        let (name, [x, y], style) = match *element {
+            Element::Body(index) => {
+                let middle = [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0 + 20.0];
+                let style = " text-anchor=\"middle\" font-style=\"italic\"";
+                (&drawing.chain.bodies[index].name, middle, style)
+            }
+            Element::Hinge(index) => {
+                (&drawing.chain.hinges[index].name, [a[0] + 8.0, a[1] - 8.0], "")
+            }
+        };
+        format!(" <text x=\"{x:.1}\" y=\"{y:.1}\"{style}>{name}</text>")
+    };
+    drawing.chain.route.iter().enumerate().map(name).collect()
+}
+
+fn text([x, y]: [f64; 2]) -> String {
+    format!("{x:.1} {y:.1}")
+}

@@ -1,0 +1,30 @@
+//! Names of a description that stand in it again: an editor follows them to where they were given.
+
+use super::Plan;
+use crate::syntax::References;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// Code that does nothing but name things at the places where the description does.
+pub fn emit(plan: &Plan) -> TokenStream {
+    let (mstmm, workspace) = (plan.mstmm, &plan.names.workspace);
+    let References { elements, types, uses_of_types } = &plan.surface.references;
+    let elements = (!elements.is_empty()).then(|| {
+        quote! {
+            const _: () = {
+                #[allow(dead_code)]
+                fn elements<T: #mstmm::Scalar>() {
+                    #(let _ = #workspace::<T>::#elements;)*
+                }
+            };
+        }
+    });
+    quote! {
+        #elements
+        #[allow(dead_code, non_camel_case_types, clippy::all)]
+        const _: () = {
+            #(struct #types;)*
+            #(const _: #uses_of_types = #uses_of_types;)*
+        };
+    }
+}

@@ -1,0 +1,34 @@
+//! Where a description names what stands elsewhere in it.
+
+use super::body;
+use super::route::Stop;
+use crate::syntax::{Block, BlockWord, ChainDef, References};
+
+/// All names of elements in blocks behind the route, and all names of types of bodies.
+pub(super) fn references(def: &ChainDef, stops: &[Stop]) -> References {
+    let is_element = |name: &&proc_macro2::Ident| {
+        stops.iter().any(|stop| match stop {
+            Stop::Hinge { name: own, .. } => own.is_some_and(|own| own == *name),
+            Stop::Body { name: own, .. } => own == *name,
+            _ => false,
+        })
+    };
+    let behind = def.blocks.iter().filter(|block| !body::is_type(block));
+    let named = behind.flat_map(|block: &Block| {
+        let on = block.fields.iter().find(|field| field.name == "on");
+        let on = on.and_then(|field| field.value.as_ref()?.word());
+        let names =
+            matches!(block.word, BlockWord::Body | BlockWord::Hinge).then_some(&block.names);
+        names.into_iter().flatten().chain(on)
+    });
+    let used = stops.iter().filter_map(|stop| match stop {
+        Stop::Body { word, body_type: Some(_), named: true, .. } => Some((*word).clone()),
+        _ => None,
+    });
+    let types = def.blocks.iter().filter(|block| body::is_type(block));
+    References {
+        elements: named.filter(is_element).cloned().collect(),
+        types: types.filter_map(|block| block.names.first().cloned()).collect(),
+        uses_of_types: used.collect(),
+    }
+}
