@@ -60,12 +60,16 @@ pub struct Drawing {
 }
 
 /// Tries a chain out; what is wrong with it is reported.
-pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Examination {
+pub fn examine(chain: &mut Chain, diagnostics: &mut Diagnostics) -> Examination {
     let Some(numbers) = defaults(chain) else { return Examination::default() };
     let whole = chain.elements(usize::MAX) <= ELEMENTS;
     let most = if whole { usize::MAX } else { CUT_SHORT };
-    let chain = &chain.unrolled(most);
-    let trial = Trial { chain, layout: Layout::of(chain), merged: Layout::merged(chain), numbers };
+    let mut trial = Trial::new(chain.unrolled(most), numbers);
+    if !trial.merged.closings.is_empty() && !trial.idle_hinges().is_empty() {
+        // What closes the chain may hold what is loose.
+        trial.chain.held_by_closure = true;
+        chain.held_by_closure = trial.idle_hinges().is_empty();
+    }
     trial.refuse_idle_hinges(diagnostics);
     let mobility = if whole { trial.mobility() } else { None };
     if let Some(Mobility { freedoms: 0, .. }) = mobility {
@@ -83,17 +87,22 @@ fn defaults(chain: &Chain) -> Option<Numbers<Number>> {
 }
 
 /// A chain without repeated parts and its numbers.
-struct Trial<'a> {
-    chain: &'a Chain,
+struct Trial {
+    chain: Chain,
     layout: Layout,
     /// The layout with welded bodies merged, which has the same hinges in the same places.
     merged: Layout,
     numbers: Numbers<Number>,
 }
 
-impl Trial<'_> {
-    /// A chain needs inertia beyond every hinge, along all that the hinge lets free.
-    fn refuse_idle_hinges(&self, diagnostics: &mut Diagnostics) {
+impl Trial {
+    fn new(chain: Chain, numbers: Numbers<Number>) -> Self {
+        let (layout, merged) = (Layout::of(&chain), Layout::merged(&chain));
+        Trial { chain, layout, merged, numbers }
+    }
+
+    /// Hinges that in no state move anything with inertia along one of their freedoms.
+    fn idle_hinges(&self) -> Vec<HingeId> {
         let mut idle: Option<Vec<HingeId>> = None;
         for seed in 0..STATES {
             let solved = self.solved(&self.coordinates(seed));
@@ -108,8 +117,13 @@ impl Trial<'_> {
                 Some(before) => before.into_iter().filter(|hinge| now.contains(hinge)).collect(),
             });
         }
+        idle.unwrap_or_default()
+    }
+
+    /// A chain needs inertia beyond every hinge, along all that the hinge lets free.
+    fn refuse_idle_hinges(&self, diagnostics: &mut Diagnostics) {
         let mut reported: Vec<&Ident> = Vec::new();
-        for hinge in idle.iter().flatten().map(|&hinge| &self.chain.hinges[hinge]) {
+        for hinge in self.idle_hinges().into_iter().map(|hinge| &self.chain.hinges[hinge]) {
             if !reported.contains(&&hinge.name) {
                 reported.push(&hinge.name);
                 diagnostics.error(hinge.name.span(), self.idle(hinge));
@@ -121,13 +135,6 @@ impl Trial<'_> {
     fn idle(&self, hinge: &Hinge) -> String {
         let name = &hinge.name;
         let floats = self.chain.bodies.iter().any(|body| body.name == *name);
-        let closed = match self.merged.closings.is_empty() {
-            true => "",
-            false => {
-                " (what closes the chain does not count: it may help to write the route the \
-                      other way round)"
-            }
-        };
         if floats {
             return format!(
                 "what floats with body `{name}` has no inertia about one of its axes: \
@@ -139,7 +146,8 @@ impl Trial<'_> {
             _ => "turns something about an axis about which it has no inertia",
         };
         format!(
-            "hinge `{name}` {turns}: give what it turns a moment of inertia, or the hinge an `armature`{closed}"
+            "hinge `{name}` {turns}: \
+             give what it turns a moment of inertia, or the hinge an `armature`"
         )
     }
 
@@ -181,7 +189,7 @@ impl Trial<'_> {
         let near = (0..=STATES).find_map(|seed| self.closed(self.coordinates(seed)));
         let q = near.unwrap_or_else(|| self.coordinates(0));
         let (v, inputs) = (self.at_rest(), self.inputs());
-        let situation = Situation::new(self.chain, &self.layout, &self.numbers, (&q, &v, &inputs));
+        let situation = Situation::new(&self.chain, &self.layout, &self.numbers, (&q, &v, &inputs));
         let report = equations::report(&situation, &self.solved(&q), &mut Trace::new());
         let position = |place: Vec3<Number>| place.0.map(Number::value);
         let centre = |(element, point): (&Element, &Point<Number>)| match *element {
@@ -208,7 +216,7 @@ impl Trial<'_> {
 
     fn solved(&self, q: &[Number]) -> Solved<Number> {
         let (v, inputs) = (self.at_rest(), self.inputs());
-        let situation = Situation::new(self.chain, &self.merged, &self.numbers, (q, &v, &inputs));
+        let situation = Situation::new(&self.chain, &self.merged, &self.numbers, (q, &v, &inputs));
         equations::accelerations(&situation, Method::Riccati, Axes::Body, &mut Trace::new())
     }
 
@@ -217,12 +225,12 @@ impl Trial<'_> {
         let (v, inputs) = (self.at_rest(), self.inputs());
         for _ in 0..CORRECTIONS {
             let situation =
-                Situation::new(self.chain, &self.merged, &self.numbers, (&q, &v, &inputs));
+                Situation::new(&self.chain, &self.merged, &self.numbers, (&q, &v, &inputs));
             let correction = equations::correction(&situation, &mut Trace::new())?;
             if correction.residual.value() < CLOSED {
                 return Some(q);
             }
-            q = equations::moved(self.chain, &self.merged, &q, &correction.coordinates);
+            q = equations::moved(&self.chain, &self.merged, &q, &correction.coordinates);
         }
         None
     }

@@ -52,13 +52,13 @@ pub struct Expansion {
 /// `mstmm` by this path.
 pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
     let mut diagnostics = Diagnostics::default();
-    let chains = understand(description, &mut diagnostics);
+    let mut chains = understand(description, &mut diagnostics);
     let right = diagnostics.is_empty();
-    let mut examine = |chain: &model::Chain| match right {
+    let mut examine = |chain: &mut model::Chain| match right {
         true => examine::examine(chain, &mut diagnostics),
         false => examine::Examination::default(),
     };
-    let examinations: Vec<_> = chains.iter().map(|(chain, _)| examine(chain)).collect();
+    let examinations: Vec<_> = chains.iter_mut().map(|(chain, _)| examine(chain)).collect();
     // From here on no mistake of the user is possible.
     let items = |((chain, surface), examination): (&Understood, &examine::Examination)| {
         let layout = model::Layout::of(chain);

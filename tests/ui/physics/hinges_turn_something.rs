@@ -28,10 +28,8 @@ mstmm::mstmm_chain! {
     }
 
     chain Closed {
-        body Block { mass = 1; com = [0, 0, 0]; output = [0, 0, 0]; inertia = diag(1, 1, 1) about com; }
         body Rod { mass = 1; com = [0.5, 0, 0]; output = [1, 0, 0]; inertia = diag(0, 0.1, 0.1) about com; }
-        ground -> planar(z) plate -> Block block -> ball socket -> Rod rod
-            -> universal(y, z) cross -> ground at [1, 0, 0];
+        ground -> ball socket -> Rod rod -> ball slack -> Rod other -> ball last -> ground at [1, 0.5, 0];
     }
 }
 

@@ -94,6 +94,7 @@ fn forces<'a, S: Scalar>(
         efforts: links.iter().map(|link| link.over.freedom.loads(&link.over.efforts)).collect(),
         ground: situation.ground(),
         closing: None,
+        added: None,
     };
     problem.closing = closing.map(|closing| {
         let a = child(closing, links, &problem) - closing.over.drift;
@@ -101,7 +102,7 @@ fn forces<'a, S: Scalar>(
         let reached = closing.held.iter().map(|held| a.power(held.wrench));
         Demand { closing, reached: reached.collect(), given: closing.given(efforts) }
     });
-    problem
+    if situation.chain.held_by_closure { problem.with_added_inertia() } else { problem }
 }
 
 /// The acceleration that the outboard side of the closing hinge has of itself.

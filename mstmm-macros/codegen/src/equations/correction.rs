@@ -148,7 +148,10 @@ fn along<S: Scalar>(
             reached: closing.held.iter().map(|held| wanted.power(held.wrench)).collect(),
             given: Wrench::zero(),
         }),
+        added: None,
     };
+    let problem =
+        if situation.chain.held_by_closure { problem.with_added_inertia() } else { problem };
     let (Movement { amounts, points, .. }, _) = riccati::solve(&problem, trace);
     let layout = situation.layout;
     let mut rates = vec![S::zero(); layout.freedoms()];

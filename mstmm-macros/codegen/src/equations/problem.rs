@@ -4,7 +4,7 @@
 use super::closing::Closing;
 use super::motion::LinkMotion;
 use super::passage::Passage;
-use crate::math::{Motion, Scalar, Wrench};
+use crate::math::{Motion, Scalar, SpatialInertia, Wrench};
 use crate::model::Dimension;
 
 /// What the links are to do. `a` may be accelerations, or changes of velocities.
@@ -26,6 +26,8 @@ pub struct Problem<'a, S> {
     pub ground: Motion<S>,
     /// The hinge that closes the chain, with what it demands, if there is one.
     pub closing: Option<Demand<'a, S>>,
+    /// Inertia that a link has besides its own, if any.
+    pub added: Option<(usize, SpatialInertia<S>)>,
 }
 
 /// What a closing hinge demands.
@@ -55,6 +57,43 @@ pub struct Movement<S> {
 }
 
 impl<S: Scalar> Problem<'_, S> {
+    /// The same with inertia along what the closing hinge holds: `μ p (pᵀ a − r)` of a direction with
+    /// `pᵀ a = r` is nothing, but it keeps a body that has no inertia there from being loose before
+    /// the chain is closed.
+    pub fn with_added_inertia(mut self) -> Self {
+        let (Some(demand), Some((link, pulls))) = (&self.closing, self.pulls()) else {
+            return self;
+        };
+        let mass = self.links.iter().fold(S::zero(), |sum, link| sum + link.mass);
+        let inertia = self.links.iter().fold(S::zero(), |sum, link| {
+            sum + link.inertia.trace() + link.mass * link.over.arm.dot(link.over.arm)
+        });
+        let mut added = SpatialInertia::from_fn(|_, _| S::zero());
+        let mut load = self.loads[link];
+        for ((held, pull), &reached) in demand.closing.held.iter().zip(&pulls).zip(&demand.reached)
+        {
+            if !held.inertia.vanishes() {
+                continue;
+            }
+            let turns = held.wrench.force.0.iter().all(|part| part.vanishes());
+            let along = pull.scaled(if turns { inertia } else { mass });
+            added = added + SpatialInertia::from_fn(|i, j| along.at(i) * pull.at(j));
+            load = load - along.scaled(reached);
+        }
+        self.loads[link] = load;
+        self.added = Some((link, added));
+        self
+    }
+
+    /// The inertia that links `a` and `F` at a link's point.
+    pub fn inertia(&self, link: usize) -> SpatialInertia<S> {
+        let own = self.links[link].rigid();
+        match self.added {
+            Some((to, added)) if to == link => own + added,
+            _ => own,
+        }
+    }
+
     /// `a` of a link's point but for the hinge's own columns.
     pub fn carried(&self, index: usize, points: &[Motion<S>]) -> Motion<S> {
         let link = &self.links[index];

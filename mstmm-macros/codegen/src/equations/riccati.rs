@@ -141,18 +141,17 @@ fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<S> {
 /// What every link carries of its own part, and of the closing hinge.
 fn own<S: Scalar>(problem: &Problem<S>) -> Vec<Carried<S>> {
     let none = problem.closing.as_ref().map_or(0, |it| it.closing.held.len());
-    let mut all: Vec<Carried<S>> = problem
-        .links
-        .iter()
-        .zip(&problem.loads)
-        .map(|(link, &load)| Carried {
-            inertia: link.rigid(),
+    let carried = |(index, &load): (usize, &Wrench<S>)| {
+        let inertia = problem.inertia(index);
+        Carried {
+            inertia,
             load,
             pulls: vec![Wrench::zero(); none],
             reach: S::zero(),
-            scales: (link.mass, link.inertia.trace()),
-        })
-        .collect();
+            scales: (inertia.linear.at(0, 0), inertia.angular.trace()),
+        }
+    };
+    let mut all: Vec<Carried<S>> = problem.loads.iter().enumerate().map(carried).collect();
     if let (Some(demand), Some((link, pulls))) = (&problem.closing, problem.pulls()) {
         all[link].load = all[link].load + demand.closing.over.returned(demand.given);
         all[link].pulls = pulls;

@@ -143,7 +143,7 @@ impl<S: Scalar> Product<S> {
 
     /// The wrench behind the body at a link, about its point, in place of the one in front of it.
     fn beyond(&self, problem: &Problem<S>, link: usize) -> Self {
-        let inertia = problem.links[link].rigid();
+        let inertia = problem.inertia(link);
         let taken = |part: &Part<S>| Part { a: part.a, f: part.f - inertia.times(part.a) };
         let known = taken(&self.known);
         Product {

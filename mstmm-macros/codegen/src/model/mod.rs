@@ -68,6 +68,9 @@ pub struct Chain {
     pub repeats: Vec<Repeat>,
     /// The method that the user asked for, if any.
     pub method: Option<Method>,
+    /// Whether bodies of a closed chain have inertia in all directions only by what holds them where
+    /// the chain closes.
+    pub held_by_closure: bool,
     /// What must hold of Rust constants: nothing but `rustc` knows.
     pub assertions: Vec<Requirement>,
 }
