@@ -6,22 +6,30 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use crate::compare::Comparison;
+use crate::exhibit::Exhibit;
+use crate::section::Outcome;
 
 /// The document.
 #[derive(Serialize)]
 pub struct Document<'a> {
-    /// In rad for angles, in rad/s² for accelerations.
+    /// In rad for angles, rad/s² for accelerations, m for positions.
     tolerance: f64,
     /// What differs by more than the tolerance.
-    complaints: Vec<String>,
+    complaints: &'a [String],
     files: &'a [PathBuf],
     comparisons: &'a [Comparison],
+    tables: &'a [Exhibit],
 }
 
 impl<'a> Document<'a> {
-    pub fn new(comparisons: &'a [Comparison], files: &'a [PathBuf], tolerance: f64) -> Self {
-        let complaints = comparisons.iter().flat_map(|one| one.complaints(tolerance)).collect();
-        Document { tolerance, complaints, files, comparisons }
+    pub fn new(
+        outcome: &'a Outcome,
+        files: &'a [PathBuf],
+        tolerance: f64,
+        complaints: &'a [String],
+    ) -> Self {
+        let Outcome { comparisons, exhibits: tables, .. } = outcome;
+        Document { tolerance, complaints, files, comparisons, tables }
     }
 
     pub fn print(&self) -> Result<(), io::Error> {

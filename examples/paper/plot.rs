@@ -10,8 +10,6 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::system::DURATION;
-
 /// Units of the drawing in a pixel of the picture. All points lie on whole units; with one unit a
 /// pixel, lines would show steps.
 const FINE: u32 = 4;
@@ -33,6 +31,10 @@ type Drawn = Result<(), Box<dyn Error>>;
 pub struct Figure {
     pub file_name: &'static str,
     pub title: &'static str,
+    /// What the marks are.
+    pub rival: &'static str,
+    /// The end of the axis of time in s.
+    pub end: f64,
     pub panels: Vec<Panel>,
 }
 
@@ -43,12 +45,12 @@ pub struct Panel {
     pub curves: Vec<Curve>,
 }
 
-/// An angle against time, in rad and s.
+/// A coordinate against time in s.
 pub struct Curve {
     pub label: &'static str,
     /// By generated code.
     pub line: Vec<(f64, f64)>,
-    /// By Newton–Euler.
+    /// By the rival.
     pub marks: Vec<(f64, f64)>,
 }
 
@@ -74,7 +76,7 @@ impl Figure {
         // Colours go on from panel to panel, so that one legend serves them all.
         let mut colours = COLOURS.iter().cycle();
         for (panel, area) in self.panels.iter().zip(below.split_evenly((self.panels.len(), 1))) {
-            panel.draw(&area, &mut colours)?;
+            panel.draw(&area, self.end, &mut colours)?;
         }
         root.present()?;
         Ok(())
@@ -98,19 +100,24 @@ impl Figure {
             x += 205;
         }
         header.draw(&Cross::new(at(x + 8, y), MARK_SIZE, BLACK.stroke_width(FINE)))?;
-        header.draw(&Text::new("Newton–Euler", at(x + 24, y), style(16, HPos::Left)))?;
+        header.draw(&Text::new(self.rival, at(x + 24, y), style(16, HPos::Left)))?;
         Ok(())
     }
 }
 
 impl Panel {
-    fn draw<'c>(&self, area: &Area, colours: &mut impl Iterator<Item = &'c RGBColor>) -> Drawn {
+    fn draw<'c>(
+        &self,
+        area: &Area,
+        end: f64,
+        colours: &mut impl Iterator<Item = &'c RGBColor>,
+    ) -> Drawn {
         let mut chart = ChartBuilder::on(area)
             .margin(8 * FINE)
             .margin_right(24 * FINE)
             .x_label_area_size(48 * FINE)
             .y_label_area_size(72 * FINE)
-            .build_cartesian_2d(0.0..f64::from(DURATION), self.range())?;
+            .build_cartesian_2d(0.0..end, self.range())?;
         chart
             .configure_mesh()
             .x_desc("t in s")

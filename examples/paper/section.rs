@@ -3,9 +3,10 @@
 use clap::ValueEnum;
 
 use crate::compare::Comparison;
+use crate::exhibit::Exhibit;
 use crate::plot::Figure;
 use crate::progress::Progress;
-use crate::{section_4_1, section_4_2};
+use crate::{compare, section_4_1, section_4_2, section_4_3, section_4_4};
 
 /// A section of the paper.
 #[derive(Clone, Copy, ValueEnum)]
@@ -16,23 +17,33 @@ pub enum Section {
     /// Three cubes on pin hinges, with two choices of axes
     #[value(name = "4.2")]
     PinHinges,
+    /// Errors of single steps of a pendulum (Table 1)
+    #[value(name = "4.3")]
+    Pendulum,
+    /// Five masses in a row on springs
+    #[value(name = "4.4")]
+    Springs,
 }
 
 /// What a section comes to.
 #[derive(Default)]
 pub struct Outcome {
     pub comparisons: Vec<Comparison>,
+    pub exhibits: Vec<Exhibit>,
     pub figures: Vec<Figure>,
 }
 
 impl Section {
-    pub const ALL: [Section; 2] = [Section::BallHinges, Section::PinHinges];
+    pub const ALL: [Section; 4] =
+        [Section::BallHinges, Section::PinHinges, Section::Pendulum, Section::Springs];
 
-    /// How many systems it compares.
-    pub fn systems(self) -> usize {
+    /// How many motions it computes.
+    pub fn motions(self) -> usize {
         match self {
-            Section::BallHinges => 1,
-            Section::PinHinges => 2,
+            Section::BallHinges => compare::MOTIONS_PER_SYSTEM,
+            Section::PinHinges => 2 * compare::MOTIONS_PER_SYSTEM,
+            Section::Pendulum => 1,
+            Section::Springs => 2,
         }
     }
 
@@ -40,6 +51,8 @@ impl Section {
         match self {
             Section::BallHinges => section_4_1::run(progress),
             Section::PinHinges => section_4_2::run(progress),
+            Section::Pendulum => section_4_3::run(progress),
+            Section::Springs => section_4_4::run(progress),
         }
     }
 }
@@ -47,6 +60,13 @@ impl Section {
 impl Outcome {
     pub fn extend(&mut self, other: Outcome) {
         self.comparisons.extend(other.comparisons);
+        self.exhibits.extend(other.exhibits);
         self.figures.extend(other.figures);
+    }
+
+    /// What does not come out as it must.
+    pub fn complaints(&self, tolerance: f64) -> Vec<String> {
+        let comparisons = self.comparisons.iter().flat_map(|one| one.complaints(tolerance));
+        comparisons.chain(self.exhibits.iter().flat_map(|one| one.complaints(tolerance))).collect()
     }
 }

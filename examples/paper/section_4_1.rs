@@ -13,7 +13,7 @@ use crate::newton_euler::{NewtonEuler, three_cubes};
 use crate::plot::{Figure, Panel};
 use crate::progress::Progress;
 use crate::section::Outcome;
-use crate::system::{Angle, GRAVITY, KnownAcceleration, System};
+use crate::system::{Angle, DURATION, GRAVITY, KnownAcceleration, System};
 
 // The chain is written once and compiled by either method.
 macro_rules! ball_pendulum {
@@ -74,7 +74,7 @@ pub fn run(progress: &Progress) -> Result<Outcome, Error> {
         progress,
     )?;
     let figures = vec![figure_4(&comparison)];
-    Ok(Outcome { comparisons: vec![comparison], figures })
+    Ok(Outcome { comparisons: vec![comparison], figures, ..Outcome::default() })
 }
 
 fn system() -> System {
@@ -129,6 +129,8 @@ fn figure_4(comparison: &Comparison) -> Figure {
     Figure {
         file_name: "figure_4.svg",
         title: "Figure 4: rotation angles of body 2 on ball-and-socket hinges",
+        rival: "Newton–Euler",
+        end: f64::from(DURATION),
         panels: vec![
             Panel { axis: "θ₁, θ₂ in rad", curves: comparison.curves(0..2) },
             Panel { axis: "θ₃ in rad", curves: comparison.curves(2..3) },

@@ -14,7 +14,7 @@ use crate::newton_euler::{NewtonEuler, three_cubes};
 use crate::plot::{Figure, Panel};
 use crate::progress::Progress;
 use crate::section::Outcome;
-use crate::system::{Angle, GRAVITY, KnownAcceleration, System};
+use crate::system::{Angle, DURATION, GRAVITY, KnownAcceleration, System};
 
 // The chain is written once and compiled for either choice of axes, by either method.
 macro_rules! pin_arm {
@@ -77,7 +77,7 @@ pub fn run(progress: &Progress) -> Result<Outcome, Error> {
         figure_6(&planar, "figure_6_a.svg", "Figure 6, A: angles of the pins, axes z, z, z"),
         figure_6(&spatial, "figure_6_b.svg", "Figure 6, B: angles of the pins, axes z, y, z"),
     ];
-    Ok(Outcome { comparisons: vec![planar, spatial], figures })
+    Ok(Outcome { comparisons: vec![planar, spatial], figures, ..Outcome::default() })
 }
 
 fn system_a() -> System {
@@ -129,5 +129,5 @@ fn newton_euler(second_axis: [f64; 3]) -> NewtonEuler {
 fn figure_6(comparison: &Comparison, file_name: &'static str, title: &'static str) -> Figure {
     let panels =
         vec![Panel { axis: "Θ₁, Θ₂, Θ₃ in rad", curves: comparison.curves(0..3) }];
-    Figure { file_name, title, panels }
+    Figure { file_name, title, rival: "Newton–Euler", end: f64::from(DURATION), panels }
 }

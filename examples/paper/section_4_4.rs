@@ -1,0 +1,296 @@
+//! Section 4.4: five masses in a row on springs, the first one to a wall, pulled at by a force.
+//!
+//! The paper's equation (48) has no length at which a spring is at rest, which can be read in two
+//! ways: as it is printed, so that springs are at rest where their masses are in one place; or with the
+//! masses at rest where they start, 0.1 m apart. Both are computed by generated code, by the paper's
+//! three by three matrices (47) and (52), and exactly, by modes.
+
+use mstmm::prelude::*;
+use mstmm::{ChainState, Error, GeneratedChain};
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+
+use crate::exhibit::{Exhibit, KnownDifference, Row};
+use crate::plot::{Curve, Figure, Panel};
+use crate::progress::Progress;
+use crate::section::Outcome;
+
+/// How many masses there are.
+const COUNT: usize = 5;
+const MASS: f64 = 0.1;
+const STIFFNESS: f64 = 1000.0;
+/// The force on the first mass in N.
+const FORCE: f64 = 100.0;
+/// How far the masses are apart at the start in m.
+const SPACING: f64 = 0.1;
+
+/// The step of the integrator in s; the fastest mode takes 33 ms.
+const STEP: f64 = 2e-5;
+/// The end of the figure and of the comparison in s.
+const FIGURE_END: f64 = 0.5;
+const END: f64 = 5.0;
+/// Times in s at which positions are printed.
+const TIMES: [f64; 4] = [0.01, 0.1, 1.0, 5.0];
+
+type Numbers = SVector<f64, COUNT>;
+
+macro_rules! spring_chain {
+    ($(#[$doc:meta])* $name:ident $rest:literal) => {
+        mstmm_chain! {
+            $(#[$doc])*
+            pub line chain $name {
+                body Mass { mass = 100 g; output = 0 m; }
+                ground -> elastic k1 -> Mass m2 -> elastic k3 -> Mass m4 -> elastic k5 -> Mass m6
+                       -> elastic k7 -> Mass m8 -> elastic k9 -> Mass m10;
+                hinge k1, k3, k5, k7, k9 { stiffness = 1000 N/m; start = 0.1 m; rest = $rest m; }
+                load pull { on = m2; force = 100 N; }
+            }
+        }
+    };
+}
+
+spring_chain! {
+    /// Springs without a length, as printed.
+    Literal 0
+}
+spring_chain! {
+    /// Springs that are at rest at the start.
+    Rested 0.1
+}
+
+pub fn run(progress: &Progress) -> Result<Outcome, Error> {
+    let mut outcome = Outcome::default();
+    progress.begin("4.4: springs without a length");
+    let literal = Reading { name: "springs without a length", rest: 0.0 };
+    let chain = Literal::<f64>::new();
+    literal.compare(&chain, "figure_10_a.svg", &mut outcome, progress)?;
+    progress.begin("4.4: springs at rest at the start");
+    let rested = Reading { name: "springs at rest at the start", rest: SPACING };
+    let chain = Rested::<f64>::new();
+    rested.compare(&chain, "figure_10_b.svg", &mut outcome, progress)?;
+    Ok(outcome)
+}
+
+/// One way to read equation (48).
+struct Reading {
+    name: &'static str,
+    /// The length of every spring without load in m.
+    rest: f64,
+}
+
+/// Positions of all masses over time, by each way.
+#[derive(Default)]
+struct Motion {
+    times: Vec<f64>,
+    generated: Vec<Numbers>,
+    matrices: Vec<Numbers>,
+    exact: Vec<Numbers>,
+}
+
+impl Reading {
+    fn compare<C: GeneratedChain<Scalar = f64>>(
+        &self,
+        chain: &C,
+        file_name: &'static str,
+        outcome: &mut Outcome,
+        progress: &Progress,
+    ) -> Result<(), Error> {
+        let motion = self.motion(chain, progress)?;
+        let largest = |found: &[Numbers]| {
+            let differences = found.iter().zip(&motion.exact).map(|(a, b)| (a - b).amax());
+            // In this order NaN is the largest of all.
+            differences.max_by(f64::total_cmp).unwrap_or(f64::NAN)
+        };
+        let difference = |what: &str, found: &[Numbers]| KnownDifference {
+            what: format!("{}, {what}: largest difference to the modes", self.name),
+            size: largest(found),
+            unit: "m",
+        };
+        let row = |name: &str, found: &[Numbers], mass: usize| Row {
+            name: format!("{name}, body {}", 2 * mass + 2),
+            values: TIMES.map(|time| found[index(time)][mass]).to_vec(),
+        };
+        outcome.exhibits.push(Exhibit {
+            section: "4.4",
+            title: match self.rest {
+                0.0 => "positions in m, springs without a length, as (48) is printed",
+                _ => "positions in m, springs at rest at the start",
+            },
+            columns: TIMES.iter().map(|time| format!("t = {time} s")).collect(),
+            rows: vec![
+                row("generated code", &motion.generated, 0),
+                row("matrices (47) and (52)", &motion.matrices, 0),
+                row("modes, exact", &motion.exact, 0),
+                row("generated code", &motion.generated, COUNT - 1),
+                row("matrices (47) and (52)", &motion.matrices, COUNT - 1),
+                row("modes, exact", &motion.exact, COUNT - 1),
+            ],
+            says: vec![
+                "Generated code and the paper's matrices move the masses as their modes do.",
+            ],
+            differences: vec![
+                difference("generated code", &motion.generated),
+                difference("matrices (47) and (52)", &motion.matrices),
+            ],
+            faults: Vec::new(),
+        });
+        outcome.figures.push(self.figure(file_name, &motion));
+        Ok(())
+    }
+
+    fn motion<C: GeneratedChain<Scalar = f64>>(
+        &self,
+        chain: &C,
+        progress: &Progress,
+    ) -> Result<Motion, Error> {
+        let modes = Modes::new(self.rest);
+        let mut state = chain.initial_state();
+        let mut rk4 = Rk4::new(STEP);
+        let (mut x, mut v) = (start(), Numbers::zeros());
+        let mut motion = Motion::default();
+        let steps_per_record = (RECORD / STEP).round() as usize;
+        for record in 0..=index(END) {
+            let time = record as f64 * RECORD;
+            if record > 0 {
+                for _ in 0..steps_per_record {
+                    rk4.step(chain, &mut state, |_time, _state| chain.no_inputs())?;
+                    runge_kutta(&mut x, &mut v, |x| self.by_matrices(x));
+                }
+            }
+            motion.times.push(time);
+            motion.generated.push(positions(state.q()));
+            motion.matrices.push(x);
+            motion.exact.push(modes.at(time));
+            progress.reach(time);
+        }
+        Ok(motion)
+    }
+
+    /// The force on each mass [P, Eqs. (48), (49)], with the wall at zero and springs of a length.
+    fn forces(&self, x: &Numbers) -> Numbers {
+        let pull = |k: usize| {
+            let before = if k == 0 { 0.0 } else { x[k - 1] };
+            STIFFNESS * (x[k] - before - self.rest)
+        };
+        Numbers::from_fn(|k, _| {
+            let own = if k == 0 { FORCE } else { 0.0 };
+            let next = if k + 1 < COUNT { pull(k + 1) } else { 0.0 };
+            own - pull(k) + next
+        })
+    }
+
+    /// Accelerations by the overall transfer equation of `z = [ẍ, q, 1]`.
+    fn by_matrices(&self, x: &Numbers) -> Numbers {
+        let forces = self.forces(x);
+        // [P, Eq. (47)]
+        let body = |k: usize| Matrix3::new(1.0, 0.0, 0.0, -MASS, 1.0, forces[k], 0.0, 0.0, 1.0);
+        // [P, Eq. (52)], before body k.
+        let hinge =
+            |k: usize| Matrix3::new(0.0, 0.0, forces[k] / MASS, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
+        let overall = (1..COUNT).fold(body(0), |product, k| body(k) * hinge(k) * product);
+        // Both ends are free, q = 0: the second row of z_{10,O} = U z_{2,I} gives ẍ of the first.
+        let first = -overall[(1, 2)] / overall[(1, 0)];
+        let mut z = Vector3::new(first, 0.0, 1.0);
+        let mut accelerations = Numbers::zeros();
+        for k in 0..COUNT {
+            if k > 0 {
+                z = hinge(k) * z;
+            }
+            accelerations[k] = z[0];
+            z = body(k) * z;
+        }
+        accelerations
+    }
+
+    fn figure(&self, file_name: &'static str, motion: &Motion) -> Figure {
+        let end = index(FIGURE_END);
+        let curve = |label: &'static str, mass: usize| {
+            let point = |k: usize, found: &[Numbers]| (motion.times[k], found[k][mass]);
+            Curve {
+                label,
+                line: (0..=end).map(|k| point(k, &motion.generated)).collect(),
+                marks: (0..=end).step_by(10).map(|k| point(k, &motion.exact)).collect(),
+            }
+        };
+        let curves = vec![curve("body 2", 0), curve("body 10", COUNT - 1)];
+        Figure {
+            file_name,
+            title: match self.rest {
+                0.0 => "Figure 10: positions, springs without a length",
+                _ => "Figure 10: positions, springs at rest at the start",
+            },
+            rival: "exact, by modes",
+            end: FIGURE_END,
+            panels: vec![Panel { axis: "x in m", curves }],
+        }
+    }
+}
+
+/// The time between two records in s.
+const RECORD: f64 = 1e-3;
+
+/// The record of a time.
+fn index(time: f64) -> usize {
+    (time / RECORD).round() as usize
+}
+
+fn start() -> Numbers {
+    Numbers::from_fn(|k, _| SPACING * (k + 1) as f64)
+}
+
+/// Positions from the way of each mass against the one before.
+fn positions(ways: &[f64]) -> Numbers {
+    let mut sum = 0.0;
+    Numbers::from_fn(|k, _| {
+        sum += ways[k];
+        sum
+    })
+}
+
+/// A step of the classical method of order four for `ẍ = f(x)`.
+fn runge_kutta(x: &mut Numbers, v: &mut Numbers, f: impl Fn(&Numbers) -> Numbers) {
+    let h = STEP;
+    let (v1, a1) = (*v, f(x));
+    let (v2, a2) = (*v + a1 * (h / 2.0), f(&(*x + v1 * (h / 2.0))));
+    let (v3, a3) = (*v + a2 * (h / 2.0), f(&(*x + v2 * (h / 2.0))));
+    let (v4, a4) = (*v + a3 * h, f(&(*x + v3 * h)));
+    *x += (v1 + (v2 + v3) * 2.0 + v4) * (h / 6.0);
+    *v += (a1 + (a2 + a3) * 2.0 + a4) * (h / 6.0);
+}
+
+/// The exact solution: every mode swings about its own rest.
+struct Modes {
+    shapes: SMatrix<f64, COUNT, COUNT>,
+    frequencies: Numbers,
+    /// Amplitudes of the modes at the start, at rest.
+    amplitudes: Numbers,
+    equilibrium: Numbers,
+}
+
+impl Modes {
+    fn new(rest: f64) -> Self {
+        let stiffness = SMatrix::<f64, COUNT, COUNT>::from_fn(|i, k| match i.abs_diff(k) {
+            0 if i + 1 == COUNT => STIFFNESS,
+            0 => 2.0 * STIFFNESS,
+            1 => -STIFFNESS,
+            _ => 0.0,
+        });
+        let eigen = stiffness.symmetric_eigen();
+        let mut load = Numbers::zeros();
+        load[0] = FORCE;
+        // Springs push their last mass away by their length; elsewhere two of them cancel.
+        load[COUNT - 1] = STIFFNESS * rest;
+        let modal = eigen.eigenvectors.transpose() * load;
+        let equilibrium = eigen.eigenvectors * modal.component_div(&eigen.eigenvalues);
+        Modes {
+            shapes: eigen.eigenvectors,
+            frequencies: eigen.eigenvalues.map(|value| (value / MASS).sqrt()),
+            amplitudes: eigen.eigenvectors.transpose() * (start() - equilibrium),
+            equilibrium,
+        }
+    }
+
+    fn at(&self, time: f64) -> Numbers {
+        let swung = self.frequencies.map(|frequency| (frequency * time).cos());
+        self.equilibrium + self.shapes * self.amplitudes.component_mul(&swung)
+    }
+}
