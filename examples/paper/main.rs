@@ -8,12 +8,15 @@ mod compare;
 mod csv_file;
 mod document;
 mod exhibit;
+mod figure_8;
 mod generated;
+mod log_plot;
 mod msdttmm;
 mod newton_euler;
 mod output_folder;
 mod plot;
 mod progress;
+mod rods;
 mod section;
 mod section_4_1;
 mod section_4_2;
@@ -99,6 +102,9 @@ fn write_files(outcome: &Outcome) -> Result<Vec<PathBuf>, Box<dyn Error>> {
         files.extend(csv_file::write(&folder, comparison)?);
     }
     for figure in &outcome.figures {
+        files.push(figure.write(&folder)?);
+    }
+    for figure in &outcome.log_figures {
         files.push(figure.write(&folder)?);
     }
     Ok(files)

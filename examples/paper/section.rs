@@ -4,9 +4,10 @@ use clap::ValueEnum;
 
 use crate::compare::Comparison;
 use crate::exhibit::Exhibit;
+use crate::log_plot::LogFigure;
 use crate::plot::Figure;
 use crate::progress::Progress;
-use crate::{compare, section_4_1, section_4_2, section_4_3, section_4_4};
+use crate::{compare, figure_8, section_4_1, section_4_2, section_4_3, section_4_4};
 
 /// A section of the paper.
 #[derive(Clone, Copy, ValueEnum)]
@@ -17,7 +18,7 @@ pub enum Section {
     /// Three cubes on pin hinges, with two choices of axes
     #[value(name = "4.2")]
     PinHinges,
-    /// Errors of single steps of a pendulum (Table 1)
+    /// Errors of single steps of a pendulum (Table 1), and what longer ones cost (Figure 8)
     #[value(name = "4.3")]
     Pendulum,
     /// Five masses in a row on springs
@@ -31,6 +32,7 @@ pub struct Outcome {
     pub comparisons: Vec<Comparison>,
     pub exhibits: Vec<Exhibit>,
     pub figures: Vec<Figure>,
+    pub log_figures: Vec<LogFigure>,
 }
 
 impl Section {
@@ -42,7 +44,7 @@ impl Section {
         match self {
             Section::BallHinges => compare::MOTIONS_PER_SYSTEM,
             Section::PinHinges => 2 * compare::MOTIONS_PER_SYSTEM,
-            Section::Pendulum => 1,
+            Section::Pendulum => 1 + figure_8::LENGTHS,
             Section::Springs => 2,
         }
     }
@@ -51,7 +53,11 @@ impl Section {
         match self {
             Section::BallHinges => section_4_1::run(progress),
             Section::PinHinges => section_4_2::run(progress),
-            Section::Pendulum => section_4_3::run(progress),
+            Section::Pendulum => {
+                let mut outcome = section_4_3::run(progress)?;
+                outcome.extend(figure_8::run(progress)?);
+                Ok(outcome)
+            }
             Section::Springs => section_4_4::run(progress),
         }
     }
@@ -62,6 +68,7 @@ impl Outcome {
         self.comparisons.extend(other.comparisons);
         self.exhibits.extend(other.exhibits);
         self.figures.extend(other.figures);
+        self.log_figures.extend(other.log_figures);
     }
 
     /// What does not come out as it must.
