@@ -3,6 +3,7 @@
 #![deny(missing_docs)]
 
 pub mod hinges;
+pub mod tutorial;
 
 #[doc(hidden)]
 pub use mstmm_macros::mstmm_chain_by;
