@@ -8,12 +8,12 @@ use mstmm_reference::Random;
 use support::difference;
 
 macro_rules! sliding_rods {
-    ($($name:ident $method:ident $thickness:literal)*) => { $(
+    ($($name:ident $method:ident $thickness:literal $mass:expr;)*) => { $(
         mstmm_chain! { chain $name {
             method = $method;
             gravity = [1, -9.8, 2] m/s^2;
             body Block {
-                mass = 1 kg;
+                mass = $mass;
                 com = [0, 0, 0] m;
                 output = [0, 0, 0] m;
                 inertia = diag(0.01, 0.01, 0.01) kg*m^2 about com;
@@ -30,12 +30,16 @@ macro_rules! sliding_rods {
     )* };
 }
 
+/// What the compiler does not know.
+const ONE: f64 = 1.0;
+
 sliding_rods! {
-    Thin riccati 0
-    ThinByTransfer transfer 0
-    Thick riccati 1e-3
-    ThickByTransfer transfer 1e-3
-    Thinner riccati 1e-6
+    Thin riccati 0 1;
+    ThinByTransfer transfer 0 1;
+    ThinConstant riccati 0 ONE;
+    Thick riccati 1e-3 1;
+    ThickByTransfer transfer 1e-3 1;
+    Thinner riccati 1e-6 1;
 }
 
 /// At rest in its zero position the rod falls about the universal hinge, with the block at its other
@@ -68,6 +72,8 @@ fn thin_is_the_limit_of_thick() {
         let a = results(&thin, state.q(), state.v());
         let b = results(&ThinByTransfer::<f64>::new(), state.q(), state.v());
         assert!(difference(&b, &a) < 1e-11, "seed {seed}: {:e}", difference(&b, &a));
+        let b = results(&ThinConstant::<f64>::new(), state.q(), state.v());
+        assert!(difference(&b, &a) < 1e-12, "seed {seed}: {:e}", difference(&b, &a));
         let c = results(&Thinner::<f64>::new(), state.q(), state.v());
         // A millionth of the inertia about the axis makes a difference of some millionths.
         assert!(difference(&c, &a) < 1e-4, "seed {seed}: {:e}", difference(&c, &a));

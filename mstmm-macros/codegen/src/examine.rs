@@ -4,7 +4,7 @@
 use crate::diag::Diagnostics;
 use crate::equations::{self, Axes, Numbers, Point, Situation, Solved, Trace};
 use crate::math::{Structured, Vec3, Wrench};
-use crate::model::{Chain, Drive, Driven, Element, Hinge, HingeId, Layout, Method, Source, Value};
+use crate::model::{Chain, Drive, Driven, Element, Hinge, HingeId, Layout, Method, Source};
 use proc_macro2::Ident;
 
 /// States tried besides the start. A hinge that moves nothing with inertia in all of them does so in
@@ -61,16 +61,18 @@ pub struct Drawing {
 
 /// Tries a chain out; what is wrong with it is reported.
 pub fn examine(chain: &mut Chain, diagnostics: &mut Diagnostics) -> Examination {
-    let Some(numbers) = defaults(chain) else { return Examination::default() };
     let whole = chain.elements(usize::MAX) <= ELEMENTS;
     let most = if whole { usize::MAX } else { CUT_SHORT };
-    let mut trial = Trial::new(chain.unrolled(most), numbers);
+    let mut trial = Trial::new(chain.unrolled(most));
     if !trial.merged.closings.is_empty() && !trial.idle_hinges().is_empty() {
         // What closes the chain may hold what is loose.
         trial.chain.held_by_closure = true;
         chain.held_by_closure = trial.idle_hinges().is_empty();
     }
     trial.refuse_idle_hinges(diagnostics);
+    if chain.constants > 0 {
+        return Examination::default();
+    }
     let mobility = if whole { trial.mobility() } else { None };
     if let Some(Mobility { freedoms: 0, .. }) = mobility {
         trial.refuse_rigid_chain(diagnostics);
@@ -78,12 +80,23 @@ pub fn examine(chain: &mut Chain, diagnostics: &mut Diagnostics) -> Examination 
     Examination { mobility, start: Some(trial.drawing()) }
 }
 
-/// The chain's numbers with parameters at their defaults, unless Rust constants decide.
-fn defaults(chain: &Chain) -> Option<Numbers<Number>> {
-    let known = |value: &Value| value.known().map(Number::variable);
-    let parameters = chain.parameters.iter().map(|parameter| known(&parameter.default));
-    let parameters = parameters.collect::<Option<Vec<Number>>>()?;
-    (chain.constants == 0).then(|| Numbers { parameters, constants: Vec::new() })
+/// The chain's numbers with parameters at their defaults. Rust constants, which are not known, are any
+/// numbers, others for every seed.
+fn numbers(chain: &Chain, seed: usize) -> Numbers<Number> {
+    let any = |constant: usize| 0.5 + scattered(constant + 1, seed + 1);
+    let constants = (0..chain.constants).map(|constant| Number::variable(any(constant))).collect();
+    let mut numbers = Numbers { parameters: Vec::new(), constants };
+    let defaults = chain.parameters.iter().map(|parameter| {
+        // No default uses another parameter.
+        Number::variable(numbers.scalar(&parameter.default).value())
+    });
+    numbers.parameters = defaults.collect();
+    numbers
+}
+
+/// Numbers from 0 to 1 as far from each other as they can be: multiples of the golden ratio.
+fn scattered(number: usize, seed: usize) -> f64 {
+    (number as f64 * seed as f64 * 0.618_033_988_749_895).fract()
 }
 
 /// A chain without repeated parts and its numbers.
@@ -96,8 +109,9 @@ struct Trial {
 }
 
 impl Trial {
-    fn new(chain: Chain, numbers: Numbers<Number>) -> Self {
+    fn new(chain: Chain) -> Self {
         let (layout, merged) = (Layout::of(&chain), Layout::merged(&chain));
+        let numbers = numbers(&chain, 0);
         Trial { chain, layout, merged, numbers }
     }
 
@@ -105,10 +119,14 @@ impl Trial {
     fn idle_hinges(&self) -> Vec<HingeId> {
         let mut idle: Option<Vec<HingeId>> = None;
         for seed in 0..STATES {
-            let solved = self.solved(&self.coordinates(seed));
+            let numbers = numbers(&self.chain, seed);
+            if !self.fits(&numbers) {
+                continue;
+            }
+            let solved = self.solved(&numbers, &self.coordinates(&numbers, seed));
             let vanishing = solved.pivots.iter().filter(|pivot| {
                 let (value, scale) = (pivot.value.value(), pivot.scale.value());
-                value <= NOISE * f64::EPSILON * scale
+                value.abs() <= NOISE * f64::EPSILON * scale
             });
             let now = vanishing.map(|pivot| self.merged.links[pivot.link].hinge);
             let now: Vec<HingeId> = now.collect();
@@ -118,6 +136,12 @@ impl Trial {
             });
         }
         idle.unwrap_or_default()
+    }
+
+    /// Whether Rust constants of these numbers would be right ones.
+    fn fits(&self, numbers: &Numbers<Number>) -> bool {
+        let mut conditions = self.chain.assertions.iter().flatten();
+        conditions.all(|condition| condition.must.holds(numbers.scalar(&condition.value).value()))
     }
 
     /// A chain needs inertia beyond every hinge, along all that the hinge lets free.
@@ -168,9 +192,10 @@ impl Trial {
     /// special pose.
     fn mobility(&self) -> Option<Mobility> {
         let closing = *self.merged.closings.first()?;
-        let poses = (0..=STATES).filter_map(|seed| self.closed(self.coordinates(seed)));
+        let poses =
+            (0..=STATES).filter_map(|seed| self.closed(self.coordinates(&self.numbers, seed)));
         let redundant = poses.filter_map(|q| {
-            let undetermined = self.solved(&q).reaction?.undetermined;
+            let undetermined = self.solved(&self.numbers, &q).reaction?.undetermined;
             let is_one = |wrench: &&Wrench<Number>| {
                 let entries = wrench.force.0.iter().chain(&wrench.moment.0);
                 entries.map(|x| x.value() * x.value()).sum::<f64>() > 0.5
@@ -186,11 +211,12 @@ impl Trial {
 
     /// The start, closed if that goes from there or nearby.
     fn drawing(&self) -> Drawing {
-        let near = (0..=STATES).find_map(|seed| self.closed(self.coordinates(seed)));
-        let q = near.unwrap_or_else(|| self.coordinates(0));
+        let near = (0..=STATES).find_map(|seed| self.closed(self.coordinates(&self.numbers, seed)));
+        let q = near.unwrap_or_else(|| self.coordinates(&self.numbers, 0));
         let (v, inputs) = (self.at_rest(), self.inputs());
         let situation = Situation::new(&self.chain, &self.layout, &self.numbers, (&q, &v, &inputs));
-        let report = equations::report(&situation, &self.solved(&q), &mut Trace::new());
+        let report =
+            equations::report(&situation, &self.solved(&self.numbers, &q), &mut Trace::new());
         let position = |place: Vec3<Number>| place.0.map(Number::value);
         let centre = |(element, point): (&Element, &Point<Number>)| match *element {
             Element::Hinge(_) => position(point.position),
@@ -214,9 +240,9 @@ impl Trial {
         largest.filter(|axis| size(axis) > 0.0).unwrap_or(2)
     }
 
-    fn solved(&self, q: &[Number]) -> Solved<Number> {
+    fn solved(&self, numbers: &Numbers<Number>, q: &[Number]) -> Solved<Number> {
         let (v, inputs) = (self.at_rest(), self.inputs());
-        let situation = Situation::new(&self.chain, &self.merged, &self.numbers, (q, &v, &inputs));
+        let situation = Situation::new(&self.chain, &self.merged, numbers, (q, &v, &inputs));
         equations::accelerations(&situation, Method::Riccati, Axes::Body, &mut Trace::new())
     }
 
@@ -235,19 +261,18 @@ impl Trial {
         None
     }
 
-    /// The start, or somewhere around it: every coordinate by up to one.
-    fn coordinates(&self, seed: usize) -> Vec<Number> {
-        let mut number = 0.0;
+    /// The start, or somewhere around it: every coordinate by up to a half.
+    fn coordinates(&self, numbers: &Numbers<Number>, seed: usize) -> Vec<Number> {
+        let mut count = 0;
         let free = self.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
         let coordinates = free.flat_map(|hinge| {
             let near: Vec<Number> = hinge
                 .start
                 .iter()
                 .map(|start| {
-                    // Multiples of the golden ratio lie as far from each other as they can.
-                    number += 0.618_033_988_749_895;
-                    let step = if seed == 0 { 0.0 } else { (number * seed as f64).fract() - 0.5 };
-                    Number::variable(self.numbers.scalar(start).value() + step)
+                    count += 1;
+                    let step = if seed == 0 { 0.0 } else { scattered(count, seed) - 0.5 };
+                    Number::variable(numbers.scalar(start).value() + step)
                 })
                 .collect();
             equations::hinge::normalized(&hinge.kind, &near)

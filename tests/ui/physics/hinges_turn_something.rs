@@ -17,6 +17,15 @@ mstmm::mstmm_chain! {
             -> cylindrical(x) tube -> Rod end;
     }
 
+    chain Constant {
+        body Rod {
+            mass = core::f64::consts::PI;
+            com = [core::f64::consts::PI, 0, 0] m;
+            inertia = diag(0, core::f64::consts::PI, core::f64::consts::PI) kg*m^2 about com;
+        }
+        ground -> ball joint -> Rod rod;
+    }
+
     chain Adrift {
         body Rod { mass = 1 kg; com = [0.5, 0, 0] m; inertia = diag(0, 0.1, 0.1) kg*m^2 about com; }
         Rod rod;

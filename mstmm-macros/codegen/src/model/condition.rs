@@ -36,7 +36,7 @@ pub type Requirement = Vec<Condition>;
 
 impl Must {
     /// Whether it holds. That a number is finite is a condition of its own.
-    fn holds(self, number: f64) -> bool {
+    pub fn holds(self, number: f64) -> bool {
         match self {
             Must::BeFinite => number.is_finite(),
             Must::BePositive => number > 0.0 || !number.is_finite(),
