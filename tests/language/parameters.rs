@@ -70,3 +70,25 @@ fn a_parameter_that_is_refused_changes_nothing() {
     assert_eq!(lift.set_arm(f64::NAN), Err(Error::Parameter { name: "arm", reason }));
     assert_eq!(lift, Lift::new());
 }
+
+mstmm_chain! {
+    plane chain Door {
+        param inertia = 0.1 kg*m^2;
+        param widest = 1 rad;
+        body Leaf { mass = 1 kg; com = [0.5, 0] m; inertia = inertia about com; }
+        ground -> pin edge -> Leaf leaf;
+        hinge edge { limits = [0, widest]; limit_stiffness = 100 N*m/rad; }
+    }
+}
+
+#[test]
+fn parameters_leave_moments_and_limits_in_order() {
+    let mut door = Door::<f64>::new();
+    let reason = "must leave the moments of inertia of body `leaf` not negative";
+    assert_eq!(door.set_inertia(-0.2), Err(Error::Parameter { name: "inertia", reason }));
+    let reason = "must leave the width of the limits of hinge `edge` positive";
+    assert_eq!(door.set_widest(-1.0), Err(Error::Parameter { name: "widest", reason }));
+    assert_eq!(door, Door::new());
+    door.set_inertia(0.0).expect("a point mass");
+    door.set_widest(2.0).expect("a wider door");
+}

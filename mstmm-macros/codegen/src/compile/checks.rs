@@ -20,7 +20,8 @@ pub(super) fn of(chain: &Chain) -> Vec<Check> {
     let mut checks = Vec::new();
     for (index, body) in chain.bodies.iter().enumerate() {
         let part = chain.repeat_of_body(index);
-        checks.extend(of_body(body).map(|check| Check { part, ..check }));
+        let own = of_body(body).into_iter();
+        checks.extend(own.map(|check| Check { part, ..check }));
     }
     for (index, hinge) in chain.hinges.iter().enumerate() {
         let part = chain.repeat_of_hinge(index);
@@ -35,9 +36,14 @@ pub(super) fn of(chain: &Chain) -> Vec<Check> {
     checks
 }
 
-fn of_body(body: &Body) -> impl Iterator<Item = Check> {
+/// That no moment is more than the sum of the others is not asked for: parameters are set one by one,
+/// and three moments could never be made larger then.
+fn of_body(body: &Body) -> Vec<Check> {
     let reason = format!("must leave the mass of body `{}` positive", body.name);
-    unknown(&body.mass, true, reason).into_iter()
+    let mass = unknown(&body.mass, true, reason);
+    let reason = format!("must leave the moments of inertia of body `{}` not negative", body.name);
+    let moments = body.inertia.tensor[..3].iter();
+    mass.into_iter().chain(moments.filter_map(|one| unknown(one, false, reason.clone()))).collect()
 }
 
 fn of_hinge(hinge: &Hinge) -> Vec<Check> {
@@ -51,9 +57,14 @@ fn of_hinge(hinge: &Hinge) -> Vec<Check> {
         if let Some(Friction { effort, speed }) = friction {
             numbers.extend([("friction", effort, false), ("friction speed", speed, true)]);
         }
-        if let Some(Limits { stiffness, damping, .. }) = limits {
-            numbers
-                .extend([("limit stiffness", stiffness, true), ("limit damping", damping, false)]);
+        let width;
+        if let Some(Limits { low, high, stiffness, damping }) = limits {
+            width = high.clone().minus(low.clone());
+            numbers.extend([
+                ("limit stiffness", stiffness, true),
+                ("limit damping", damping, false),
+                ("width of the limits", &width, true),
+            ]);
         }
         for (word, value, positive) in numbers {
             let adjective = if positive { "positive" } else { "not negative" };

@@ -6,6 +6,7 @@
 mod check;
 mod condition;
 mod hinge;
+mod inertia;
 mod layout;
 mod load;
 mod lower;

@@ -1,0 +1,113 @@
+//! Which tensors a body can have.
+
+use super::{About, Dimension, Inertia, Value};
+
+/// How far below zero a second moment may be against the trace of the tensor. Thin rods and flat
+/// plates have second moments of zero, and tensors are often written with two decimals only: this
+/// is what rounding `0.703…` to `0.70` amounts to.
+const TOLERANCE: f64 = 5e-3;
+
+/// The same about the centre of mass, against the trace of a tensor that is written about the input:
+/// three digits of it.
+const TOLERANCE_ABOUT_INPUT: f64 = 5e-4;
+
+/// Symmetric: xx, yy, zz, xy, xz, yz.
+type Tensor = [Value; 6];
+
+impl Inertia {
+    /// What must not be negative for a body to have this inertia. A real body has mass nowhere less
+    /// than zero, so its second moments `∫ x xᵀ dm = ½ tr(J) 1 − J` are positive or zero in all
+    /// directions. That is the triangle inequality of its principal moments, about any point.
+    pub fn signs(&self, space: Dimension) -> Vec<Value> {
+        let slack = Value::number(TOLERANCE).times(trace(space, &self.tensor));
+        minors(space, &self.tensor, slack)
+    }
+
+    /// The same about the centre of mass, where it is the sharpest; nothing where the tensor is about
+    /// that point already.
+    pub fn central_signs(&self, space: Dimension, mass: &Value, com: &[Value; 3]) -> Vec<Value> {
+        if self.about == About::Com {
+            return Vec::new();
+        }
+        let central = about_com(&self.tensor, mass, com);
+        let slack = Value::number(TOLERANCE).times(trace(space, &central));
+        let written = Value::number(TOLERANCE_ABOUT_INPUT).times(trace(space, &self.tensor));
+        minors(space, &central, slack.plus(written))
+    }
+}
+
+fn trace(space: Dimension, [xx, yy, zz, ..]: &Tensor) -> Value {
+    match space {
+        Dimension::Space => xx.clone().plus(yy.clone()).plus(zz.clone()),
+        Dimension::Plane | Dimension::Line => zz.clone(),
+    }
+}
+
+/// The tensor of the input shifted to the centre of mass, `J_C = J_I − m (cᵀc 1 − c cᵀ)`.
+fn about_com(tensor: &Tensor, mass: &Value, com: &[Value; 3]) -> Tensor {
+    let product = |a: usize, b: usize| com[a].clone().times(com[b].clone());
+    let steiner = [
+        product(1, 1).plus(product(2, 2)),
+        product(0, 0).plus(product(2, 2)),
+        product(0, 0).plus(product(1, 1)),
+        product(0, 1).negated(),
+        product(0, 2).negated(),
+        product(1, 2).negated(),
+    ];
+    let mut entries = steiner.into_iter().zip(tensor);
+    [(); 6].map(|()| {
+        let (steiner, entry) = entries.next().expect("six entries of both");
+        entry.clone().minus(mass.clone().times(steiner))
+    })
+}
+
+/// What must not be negative for a body to have this tensor: all principal minors of its second
+/// moments `½ tr(J) 1 − J + slack 1`. In a plane the moment itself.
+fn minors(space: Dimension, tensor: &Tensor, slack: Value) -> Vec<Value> {
+    let [xx, yy, zz, xy, xz, yz] = tensor.clone();
+    if space != Dimension::Space {
+        return vec![zz.plus(slack)];
+    }
+    let half = trace(space, tensor).times(Value::number(0.5)).plus(slack);
+    let [a, b, c] = [xx, yy, zz].map(|moment| half.clone().minus(moment));
+    let times = |a: &Value, b: &Value| a.clone().times(b.clone());
+    let minor = |a: &Value, b: &Value, off: &Value| times(a, b).minus(times(off, off));
+    // With the off-diagonal entries −xy, −xz and −yz.
+    let product = times(&xy, &xz).times(yz.clone());
+    let determinant = times(&a, &b)
+        .times(c.clone())
+        .minus(product.clone().plus(product))
+        .minus(times(&a, &times(&yz, &yz)))
+        .minus(times(&b, &times(&xz, &xz)))
+        .minus(times(&c, &times(&xy, &xy)));
+    let pairs = [minor(&a, &b, &xy), minor(&a, &c, &xz), minor(&b, &c, &yz)];
+    [a, b, c].into_iter().chain(pairs).chain([determinant]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Dimension, TOLERANCE, Value, minors, trace};
+
+    fn is_real(tensor: [f64; 6]) -> bool {
+        let tensor = tensor.map(Value::number);
+        let slack = Value::number(TOLERANCE).times(trace(Dimension::Space, &tensor));
+        let minors = minors(Dimension::Space, &tensor, slack);
+        minors.iter().all(|minor| minor.known().is_some_and(|minor| minor >= 0.0))
+    }
+
+    #[test]
+    fn the_triangle_inequality_holds_in_any_axes() {
+        assert!(is_real([0.0; 6]), "a mass in a point");
+        assert!(is_real([1.0, 1.0, 0.0, 0.0, 0.0, 0.0]), "a thin rod");
+        assert!(is_real([0.1, 0.2, 0.1 + 0.2, 0.0, 0.0, 0.0]), "a plate");
+        assert!(!is_real([1.0, 1.0, 2.1, 0.0, 0.0, 0.0]));
+        assert!(!is_real([0.0, 0.0, 0.0, 1.0, 0.0, 0.0]));
+        // The plate (1, 2, 3) turned by 45° about z, then one that is a little too flat.
+        assert!(is_real([1.5, 1.5, 3.0, 0.5, 0.0, 0.0]));
+        assert!(!is_real([1.5, 1.5, 3.2, 0.5, 0.0, 0.0]));
+        // A rod along (1, 1, 1): trace 2, the tensor is 1 − n nᵀ.
+        let (on, off) = (2.0 / 3.0, -1.0 / 3.0);
+        assert!(is_real([on, on, on, off, off, off]));
+        assert!(!is_real([on, on, on, -off, off, off]));
+    }
+}
