@@ -20,6 +20,8 @@ const COLOURS: [RGBColor; 4] =
 pub struct LogFigure {
     pub file_name: &'static str,
     pub title: &'static str,
+    /// What it shows.
+    pub says: &'static str,
     pub x: &'static str,
     pub y: &'static str,
     pub series: Vec<Series>,
@@ -34,14 +36,18 @@ pub struct Series {
 impl LogFigure {
     /// Draws the figure into a file in `folder` and returns the file.
     pub fn write(&self, folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
+        let path = folder.join(self.file_name);
+        fs::write(&path, self.svg()?)?;
+        Ok(path)
+    }
+
+    /// The picture.
+    pub fn svg(&self) -> Result<String, Box<dyn Error>> {
         let mut svg = String::new();
         self.draw(&mut svg)?;
         // The view box keeps the drawing's units; only the size of the picture is in pixels.
         let size = |scale: u32| format!(r#"width="{}" height="{}""#, WIDTH / scale, HEIGHT / scale);
-        let svg = svg.replacen(&size(1), &size(FINE), 1);
-        let path = folder.join(self.file_name);
-        fs::write(&path, svg)?;
-        Ok(path)
+        Ok(svg.replacen(&size(1), &size(FINE), 1))
     }
 
     fn draw(&self, svg: &mut String) -> Result<(), Box<dyn Error>> {

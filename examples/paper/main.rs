@@ -16,6 +16,7 @@ mod newton_euler;
 mod output_folder;
 mod plot;
 mod progress;
+mod report;
 mod rods;
 mod section;
 mod section_4_1;
@@ -107,6 +108,7 @@ fn write_files(outcome: &Outcome) -> Result<Vec<PathBuf>, Box<dyn Error>> {
     for figure in &outcome.log_figures {
         files.push(figure.write(&folder)?);
     }
+    files.push(report::write(&folder, outcome)?);
     Ok(files)
 }
 

@@ -31,6 +31,8 @@ type Drawn = Result<(), Box<dyn Error>>;
 pub struct Figure {
     pub file_name: &'static str,
     pub title: &'static str,
+    /// What it shows.
+    pub says: &'static str,
     /// What the marks are.
     pub rival: &'static str,
     /// The end of the axis of time in s.
@@ -57,16 +59,19 @@ pub struct Curve {
 impl Figure {
     /// Draws the figure into a file in `folder` and returns the file.
     pub fn write(&self, folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
+        let path = folder.join(self.file_name);
+        fs::write(&path, self.svg()?)?;
+        Ok(path)
+    }
+
+    /// The picture.
+    pub fn svg(&self) -> Result<String, Box<dyn Error>> {
         let height = HEADER_HEIGHT + PANEL_HEIGHT * self.panels.len() as u32;
         let mut svg = String::new();
         self.draw(SVGBackend::with_string(&mut svg, (WIDTH, height)).into_drawing_area())?;
         // The view box keeps the drawing's units; only the size of the picture is in pixels.
         let size = |scale: u32| format!(r#"width="{}" height="{}""#, WIDTH / scale, height / scale);
-        let svg = svg.replacen(&size(1), &size(FINE), 1);
-
-        let path = folder.join(self.file_name);
-        fs::write(&path, svg)?;
-        Ok(path)
+        Ok(svg.replacen(&size(1), &size(FINE), 1))
     }
 
     fn draw(&self, root: Area) -> Drawn {

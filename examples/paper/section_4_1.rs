@@ -129,6 +129,8 @@ fn figure_4(comparison: &Comparison) -> Figure {
     Figure {
         file_name: "figure_4.svg",
         title: "Figure 4: rotation angles of body 2 on ball-and-socket hinges",
+        says: "Lines are generated code, crosses Newton–Euler: they cannot be told apart. Bryan angles lie \
+               between −π and π, so that lines break where they wrap.",
         rival: "Newton–Euler",
         end: f64::from(DURATION),
         panels: vec![

@@ -218,6 +218,7 @@ impl Reading {
                 0.0 => "Figure 10: positions, springs without a length",
                 _ => "Figure 10: positions, springs at rest at the start",
             },
+            says: "Lines are generated code, crosses the exact motion by modes.",
             rival: "exact, by modes",
             end: FIGURE_END,
             panels: vec![Panel { axis: "x in m", curves }],
