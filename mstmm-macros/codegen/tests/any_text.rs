@@ -23,7 +23,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// Cases of a test, a few seconds of an unoptimised build.
-const CASES: u32 = 300;
+const CASES: u32 = 200;
 
 /// No text of this length takes longer, by far, even in an unoptimised build on a busy machine.
 const LONGEST: Duration = Duration::from_secs(100);
