@@ -1,7 +1,7 @@
 //! A place in the tokens. Unlike `syn`'s parse stream it can be left anywhere without a complaint,
 //! so that reading goes on behind a mistake.
 
-use proc_macro2::{Delimiter, Ident, Literal, Span, TokenTree};
+use proc_macro2::{Delimiter, Ident, Literal, Spacing, Span, TokenTree};
 use syn::{Error, Result, buffer};
 
 use super::tree::Extent;
@@ -73,10 +73,12 @@ impl<'a> Cursor<'a> {
         self.take(found).map(|punct| punct.span())
     }
 
-    /// Whether `second` stands behind `first` now.
+    /// Whether `second` stands right behind `first` now. With a space between them they would be
+    /// two signs in Rust, into which a path goes as it is.
     pub fn peek_pair(&self, first: char, second: char) -> bool {
-        let mut ahead = *self;
-        ahead.punct(first).is_some() && ahead.peek_punct(second)
+        let Some((sign, rest)) = self.rest.punct() else { return false };
+        let is_first = sign.as_char() == first && sign.spacing() == Spacing::Joint;
+        is_first && Cursor { rest, ..*self }.peek_punct(second)
     }
 
     /// A pair of signs such as `->` or `::`.

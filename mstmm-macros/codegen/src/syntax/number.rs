@@ -216,6 +216,11 @@ fn is_keyword(word: &Ident) -> bool {
     word != "Self" && syn::parse_str::<Ident>(&word.to_string()).is_err()
 }
 
+/// Where `crate` may stand in a path, Rust says.
+fn can_be_in_path(word: &Ident) -> bool {
+    !is_keyword(word) || ["crate", "self", "super"].iter().any(|known| word == known)
+}
+
 fn is_number_type(suffix: &str) -> bool {
     suffix.strip_prefix(['f', 'i', 'u']).is_some_and(|bits| {
         bits == "size" || (!bits.is_empty() && bits.bytes().all(|digit| digit.is_ascii_digit()))
@@ -234,7 +239,9 @@ fn path(input: &mut Cursor) -> Result<Expr> {
             tokens.extend(input.any());
             tokens.extend(input.any());
         }
-        let segment: Ident = input.ident().ok_or_else(|| input.unexpected("a name"))?;
+        let segment = input.peek_ident().filter(can_be_in_path);
+        let segment = segment.ok_or_else(|| input.unexpected("a name"))?;
+        input.ident();
         tokens.extend([proc_macro2::TokenTree::Ident(segment)]);
         if !input.peek_pair(':', ':') {
             break;

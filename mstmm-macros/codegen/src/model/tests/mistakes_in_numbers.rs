@@ -90,6 +90,10 @@ fn names_are_known() {
     expect_mass("paylod", &[("paylod", "unknown name `paylod`; did you mean `payload`?")]);
     expect_mass("Self", &[("Self", "`Self` is not known here; name the type itself")]);
     expect_mass("Self::M", &[("Self", "`Self` is not known here; name the type itself")]);
+    expect_mass("data::fn", &[("fn", "expected a name, found `fn`")]);
+    expect_mass("dyn::M", &[("dyn", "expected a name, found `dyn`")]);
+    // Two signs in Rust, which a path would take with it into the code.
+    expect_mass("data: :MASS", &[(":", "expected `;`, found `:`")]);
     expect_mass(
         "a::m(1)",
         &[("(1)", "functions of Rust cannot be called here; name a `const` instead")],
