@@ -133,10 +133,11 @@ fn the_index_and_the_tags_agree() {
             differences
                 .push(format!("({number}): the index has\n  {row}\nand the tags are\n  {tags}"));
         }
-        assert!(
-            !row.is_empty() || !remark.is_empty(),
-            "({number}) has neither a file nor a reason"
-        );
+        let compiled = tagged
+            .get(&number)
+            .is_some_and(|files| files.keys().any(|file| !file.starts_with("runtime/paper/")));
+        let said = compiled || !remark.is_empty();
+        assert!(said, "({number}) is not in the compiler, and there is no reason why");
     }
     assert!(differences.is_empty(), "\n{}", differences.join("\n"));
 }
