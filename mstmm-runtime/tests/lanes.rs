@@ -1,11 +1,14 @@
 //! The traits leave room for numbers that have no order: two lanes of `f64` go through all
-//! integrators.
+//! integrators and the paper's matrices.
 
 mod common;
 
 use core::ops::{Add, AddAssign, BitAnd, BitOr, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
 use common::{Pendulum, State};
+use mstmm_runtime::nalgebra::Vector2;
+use mstmm_runtime::paper::chain::{self, InputEnd, OutputEnd};
+use mstmm_runtime::paper::plane;
 use mstmm_runtime::{
     Chain, ChainState, Dopri5, LinearlyImplicitEuler, Mask, Newmark, Rk4, Scalar, SemiImplicitEuler,
 };
@@ -204,4 +207,34 @@ fn one_lane_that_is_not_finite_stops_both() {
     both.v[0].1 = f64::NAN;
     assert!(chain.derivative_into(&both, &Pair::default(), &mut rate).is_err());
     assert!(Rk4::new(Pair::constant(0.1)).step(&chain, &mut both, |_, _| Pair::default()).is_err());
+}
+
+/// z at the free end of two rods on pins at the given angles, by the paper's matrices.
+fn end_of_two_rods<T: Scalar>(angles: [T; 2]) -> [T; 7] {
+    let number = T::constant;
+    let rod = plane::Body {
+        mass: number(1.0),
+        com: Vector2::new(number(0.5), number(0.0)),
+        output: Vector2::new(number(1.0), number(0.0)),
+        inertia: number(1.0 / 3.0),
+    };
+    let [upper, lower] = angles.map(|angle| {
+        rod.transfer_matrix(&plane::Acting {
+            angle,
+            angular_velocity: number(1.5),
+            force: Vector2::new(number(0.0), number(-9.8)),
+            moment: number(0.1),
+        })
+    });
+    let elements = [plane::pin(&upper), upper, plane::pin(&lower), lower];
+    let (input, output) = (InputEnd::entries([4, 5]), OutputEnd::entries([3, 4, 5]));
+    chain::solve(&elements, &input, &output).outputs[3].into()
+}
+
+#[test]
+fn the_papers_matrices_take_lanes() {
+    let both = end_of_two_rods([Pair(0.3, -1.2), Pair(0.8, 2.0)]);
+    let (one, other) = (end_of_two_rods([0.3, 0.8]), end_of_two_rods([-1.2, 2.0]));
+    assert_eq!(both.map(|pair| pair.0), one);
+    assert_eq!(both.map(|pair| pair.1), other);
 }

@@ -1,11 +1,13 @@
-//! `EQUATIONS.md` and the tags in the compiler's and the runtime's files say the same.
+//! `EQUATIONS.md` and the tags in the compiler's and the runtime's files say the same: every tag
+//! stands in the table with its file and the item that it is at, and nothing else does.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// Equation number to the files that carry its tag.
-type Index = BTreeMap<u32, BTreeSet<String>>;
+/// Equation number to the files that carry its tag, with the items that the tags are at. A tag on a
+/// file as a whole is at no item.
+type Index = BTreeMap<u32, BTreeMap<String, BTreeSet<String>>>;
 
 const LAST_EQUATION: u32 = 66;
 
@@ -27,64 +29,133 @@ fn numbers(tag: &str) -> Vec<u32> {
     all
 }
 
+/// A text without its line breaks and the slashes of comments behind them.
+fn unbroken(text: &str) -> String {
+    let words = text.lines().map(|line| line.trim_start().trim_start_matches(['/', '!']).trim());
+    words.collect::<Vec<_>>().join(" ")
+}
+
+/// The tags of a text: where each begins, and its words.
+fn tags(text: &str) -> Vec<(usize, String)> {
+    let tag = |(at, _): (usize, &str)| {
+        let words = unbroken(text[at..].split(']').next()?);
+        words.strip_prefix("[P, Eq").map(|words| (at, words.to_owned()))
+    };
+    text.match_indices("[P,").filter_map(tag).collect()
+}
+
+/// The name that a line declares: of a function, a type, a constant, a field or a variant.
+fn declared(line: &str) -> Option<&str> {
+    let words = line.split(|c: char| !c.is_alphanumeric() && c != '_');
+    let marks =
+        ["pub", "super", "crate", "in", "const", "fn", "struct", "enum", "type", "trait", ""];
+    let mut names = words.skip_while(|word| marks.contains(word));
+    names.next().filter(|name| *name != "mod" && *name != "impl")
+}
+
+/// Whether a line begins a function, a type or a constant.
+fn declares_item(line: &str) -> bool {
+    let line = line.trim_start_matches("pub").trim_start_matches("(super)").trim_start();
+    let words = ["fn ", "const ", "struct ", "enum ", "type "];
+    words.iter().any(|word| line.starts_with(word))
+}
+
+/// The item at which a tag stands: the one that it documents, or the one that it is in.
+fn item(text: &str, at: usize) -> Option<String> {
+    let lines: Vec<&str> = text.lines().map(str::trim_start).collect();
+    let line = text[..at].matches('\n').count();
+    let found = if lines[line].starts_with("//!") {
+        None
+    } else if lines[line].starts_with("///") {
+        lines[line..].iter().find(|line| !line.starts_with("///") && !line.starts_with('#'))
+    } else {
+        lines[..=line].iter().rev().find(|line| declares_item(line))
+    };
+    found.and_then(|line| declared(line)).map(str::to_owned)
+}
+
 /// All tags of the files in `folder`, under their names with `prefix` before.
-fn tags(folder: &str, prefix: &str, index: &mut Index) {
+fn collect(folder: &str, prefix: &str, index: &mut Index) {
     for entry in fs::read_dir(root().join(folder)).expect("a readable folder") {
         let path = entry.expect("an entry").path();
         let name = path.file_name().expect("a name").to_string_lossy().into_owned();
         if path.is_dir() {
-            tags(&format!("{folder}/{name}"), &format!("{prefix}{name}/"), index);
-        } else {
-            let text = fs::read_to_string(&path).expect("a readable file");
-            for tag in text.split("[P, Eq").skip(1).filter_map(|rest| rest.split(']').next()) {
-                for number in numbers(tag) {
-                    index.entry(number).or_default().insert(format!("{prefix}{name}"));
-                }
+            collect(&format!("{folder}/{name}"), &format!("{prefix}{name}/"), index);
+            continue;
+        }
+        let text = fs::read_to_string(&path).expect("a readable file");
+        for (at, tag) in tags(&text) {
+            for number in numbers(&tag) {
+                let files = index.entry(number).or_default();
+                let items = files.entry(format!("{prefix}{name}")).or_default();
+                items.extend(item(&text, at));
             }
         }
     }
 }
 
-/// The rows of the table, and those equations that name no file but give no reason either.
-fn rows() -> (Index, Vec<u32>) {
+/// A cell of the table: `file: item, item; file`.
+fn written(files: &BTreeMap<String, BTreeSet<String>>) -> String {
+    let file = |(file, items): (&String, &BTreeSet<String>)| {
+        let items: Vec<&str> = items.iter().map(String::as_str).collect();
+        if items.is_empty() { file.clone() } else { format!("{file}: {}", items.join(", ")) }
+    };
+    files.iter().map(file).collect::<Vec<_>>().join("; ")
+}
+
+/// The rows of the table, as number, where and remark.
+fn rows() -> BTreeMap<u32, (String, String)> {
     let text = fs::read_to_string(root().join("EQUATIONS.md")).expect("the index");
-    let (mut index, mut silent) = (Index::new(), Vec::new());
+    let mut rows = BTreeMap::new();
     for row in text.lines().filter(|line| line.starts_with("| (")) {
         let cells: Vec<&str> = row.split('|').map(str::trim).collect();
         let number = cells[1].trim_matches(['(', ')']).parse().expect("a number");
-        let files: BTreeSet<String> = cells[3]
-            .split(',')
-            .map(|file| file.trim().to_owned())
-            .filter(|file| !file.is_empty())
-            .collect();
-        if files.is_empty() && cells[4].is_empty() {
-            silent.push(number);
-        }
-        assert!(index.insert(number, files).is_none(), "({number}) stands twice");
+        let row = (cells[3].to_owned(), cells[4].to_owned());
+        assert!(rows.insert(number, row).is_none(), "({number}) stands twice");
     }
-    (index, silent)
+    rows
 }
 
 #[test]
 fn the_index_and_the_tags_agree() {
     let mut tagged = Index::new();
-    tags("src", "", &mut tagged);
-    tags("../../mstmm-runtime/src", "runtime/", &mut tagged);
-    let (rows, silent) = rows();
+    collect("src", "", &mut tagged);
+    collect("../../mstmm-runtime/src", "runtime/", &mut tagged);
+    let rows = rows();
+    let outside =
+        tagged.keys().chain(rows.keys()).find(|number| !(1..=LAST_EQUATION).contains(*number));
+    assert_eq!(outside, None, "the paper has no such equation");
     let mut differences = Vec::new();
     for number in 1..=LAST_EQUATION {
-        let row = rows.get(&number).unwrap_or_else(|| panic!("({number}) has no row"));
-        let files = tagged.get(&number).cloned().unwrap_or_default();
-        if *row != files {
-            differences.push(format!("({number}): index {row:?}, tags {files:?}"));
+        let (row, remark) = rows.get(&number).unwrap_or_else(|| panic!("({number}) has no row"));
+        let tags = tagged.get(&number).map(written).unwrap_or_default();
+        if *row != tags {
+            differences
+                .push(format!("({number}): the index has\n  {row}\nand the tags are\n  {tags}"));
         }
+        let compiled = tagged
+            .get(&number)
+            .is_some_and(|files| files.keys().any(|file| !file.starts_with("runtime/paper/")));
+        let said = compiled || !remark.is_empty();
+        assert!(said, "({number}) is not in the compiler, and there is no reason why");
     }
     assert!(differences.is_empty(), "\n{}", differences.join("\n"));
-    assert!(silent.is_empty(), "neither a file nor a reason for {silent:?}");
 }
 
 #[test]
 fn ranges_are_read() {
     assert_eq!(numbers("s. (17) to (19), (21)"), [17, 18, 19, 21]);
     assert_eq!(numbers(". (8)"), [8]);
+}
+
+#[test]
+fn tags_are_found_with_their_items() {
+    let text = "//! Of all [P, Eq. (1)].\n\n/// A field of [P,\n/// Eqs. (2) to\n/// (4)].\n#[inline]\n\
+                pub fn turn() {\n    // [P, Eq. (5)]\n}\n\nstruct B {\n    /// [P, Eq. (6)]\n    pub e1: T,\n}\n";
+    let found: Vec<_> =
+        tags(text).into_iter().map(|(at, tag)| (numbers(&tag), item(text, at))).collect();
+    let at = |name: &str| Some(name.to_owned());
+    let expected =
+        [(vec![1], None), (vec![2, 3, 4], at("turn")), (vec![5], at("turn")), (vec![6], at("e1"))];
+    assert_eq!(found, expected);
 }

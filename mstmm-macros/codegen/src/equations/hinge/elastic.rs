@@ -7,7 +7,8 @@
 //!
 //! The efforts of [P, Eq. (54)] act along the rates of these six coordinates, which is what they do
 //! work on. So the springs have an energy, whatever the turn and the stiffnesses. In the frame of
-//! (54) this adds to `m_z` what turns an anisotropic spring, and terms of second order in `θ₁, θ₂`.
+//! (54) this adds to `m_z` what turns an anisotropic spring, and makes `(m_x + m_z sin θ₂)/cos θ₂` of
+//! `m_x`.
 //! Both reactions act at the outboard origin, and no angular momentum comes from nothing.
 
 use super::{Geometry, floating};
