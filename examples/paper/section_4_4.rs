@@ -5,9 +5,10 @@
 //! masses at rest where they start, 0.1 m apart. Both are computed by generated code, by the paper's
 //! three by three matrices (47) and (52), and exactly, by modes.
 
+use mstmm::paper::line;
 use mstmm::prelude::*;
 use mstmm::{ChainState, Error, GeneratedChain};
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{SMatrix, SVector, Vector3};
 
 use crate::exhibit::{Exhibit, KnownDifference, Row};
 use crate::plot::{Curve, Figure, Panel};
@@ -178,14 +179,12 @@ impl Reading {
         })
     }
 
-    /// Accelerations by the overall transfer equation of `z = [ẍ, q, 1]`.
+    /// Accelerations by the overall transfer equation of `z = [ẍ, q, 1]`, its matrices (47) and (52) as
+    /// printed.
     fn by_matrices(&self, x: &Numbers) -> Numbers {
         let forces = self.forces(x);
-        // [P, Eq. (47)]
-        let body = |k: usize| Matrix3::new(1.0, 0.0, 0.0, -MASS, 1.0, forces[k], 0.0, 0.0, 1.0);
-        // [P, Eq. (52)], before body k.
-        let hinge =
-            |k: usize| Matrix3::new(0.0, 0.0, forces[k] / MASS, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
+        let body = |k: usize| line::body(MASS, forces[k]);
+        let hinge = |k: usize| line::acceleration_hinge(MASS, forces[k]);
         let overall = (1..COUNT).fold(body(0), |product, k| body(k) * hinge(k) * product);
         // Both ends are free, q = 0: the second row of z_{10,O} = U z_{2,I} gives ẍ of the first.
         let first = -overall[(1, 2)] / overall[(1, 0)];
