@@ -21,7 +21,28 @@ impl<T: Scalar, const R: usize, const K: usize, const C: usize> Times<K, C, T>
 
     #[inline]
     fn times(&self, right: &SMatrix<T, K, C>) -> SMatrix<T, R, C> {
-        SMatrix::from_fn(|row, column| sum((0..K).map(|k| self[(row, k)] * right[(k, column)])))
+        SMatrix::from_fn(|row, column| {
+            sum((0..K).map(|k| entry(self, (row, k)) * entry(right, (k, column))))
+        })
+    }
+}
+
+/// An entry of a matrix. There is none outside, and no index that could panic.
+pub(super) fn entry<T: Scalar, const R: usize, const C: usize>(
+    matrix: &SMatrix<T, R, C>,
+    at: (usize, usize),
+) -> T {
+    matrix.get(at).copied().unwrap_or_default()
+}
+
+/// Replaces an entry of a matrix.
+fn set<T: Scalar, const R: usize, const C: usize>(
+    matrix: &mut SMatrix<T, R, C>,
+    at: (usize, usize),
+    value: T,
+) {
+    if let Some(place) = matrix.get_mut(at) {
+        *place = value;
     }
 }
 
@@ -51,7 +72,16 @@ pub(super) fn block<T: Scalar, const R: usize, const C: usize, const M: usize, c
     matrix: &SMatrix<T, M, N>,
     (row, column): (usize, usize),
 ) -> SMatrix<T, R, C> {
-    SMatrix::from_fn(|i, j| matrix[(row + i, column + j)])
+    SMatrix::from_fn(|i, j| entry(matrix, (row + i, column + j)))
+}
+
+/// The rows and columns of `matrix` that `entries` tells.
+pub(super) fn pick<T: Scalar, const D: usize, const N: usize>(
+    matrix: &SMatrix<T, N, N>,
+    entries: &[usize; D],
+) -> SMatrix<T, D, D> {
+    let place = |k: usize| entries.get(k).copied().unwrap_or_default();
+    SMatrix::from_fn(|row, column| entry(matrix, (place(row), place(column))))
 }
 
 /// `matrix` with `block` in place of what begins at `row` and `column`.
@@ -62,7 +92,7 @@ pub(super) fn with<T: Scalar, const R: usize, const C: usize, const M: usize, co
 ) -> SMatrix<T, M, N> {
     for i in 0..R {
         for j in 0..C {
-            matrix[(row + i, column + j)] = block[(i, j)];
+            set(&mut matrix, (row + i, column + j), entry(block, (i, j)));
         }
     }
     matrix
@@ -74,36 +104,45 @@ pub(super) fn solve<T: Scalar, const M: usize, const K: usize, const C: usize>(
     mut a: SMatrix<T, M, K>,
     mut b: SMatrix<T, M, C>,
 ) -> SMatrix<T, K, C> {
-    let zero = T::default();
-    let mut diagonal = [zero; K];
+    let mut diagonal = [T::default(); K];
     for (k, pivot) in diagonal.iter_mut().enumerate() {
-        let square = sum((k..M).map(|row| a[(row, k)] * a[(row, k)]));
-        *pivot = -square.sqrt().copysign(a[(k, k)]);
+        let square = sum((k..M).map(|row| entry(&a, (row, k)) * entry(&a, (row, k))));
+        let first = entry(&a, (k, k));
+        *pivot = -square.sqrt().copysign(first);
         // The mirror is at right angles to v = a_k − pivot e_k, and v · v / 2 is `half`.
-        let half = square - *pivot * a[(k, k)];
+        let half = square - *pivot * first;
+        let zero = T::default();
         let factor = T::select(half.greater(zero), half.recip(), zero);
-        a[(k, k)] -= *pivot;
-        for column in k + 1..K {
-            let along = sum((k..M).map(|row| a[(row, k)] * a[(row, column)])) * factor;
-            for row in k..M {
-                let part = a[(row, k)] * along;
-                a[(row, column)] -= part;
-            }
-        }
-        for column in 0..C {
-            let along = sum((k..M).map(|row| a[(row, k)] * b[(row, column)])) * factor;
-            for row in k..M {
-                let part = a[(row, k)] * along;
-                b[(row, column)] -= part;
-            }
-        }
+        set(&mut a, (k, k), first - *pivot);
+        let mirror = block::<T, M, 1, M, K>(&a, (0, k));
+        reflect(&mut a, (k, k + 1), &mirror, factor);
+        reflect(&mut b, (k, 0), &mirror, factor);
     }
     let mut x = zeros::<T, K, C>();
     for column in 0..C {
-        for k in (0..K).rev() {
-            let known = sum((k + 1..K).map(|later| a[(k, later)] * x[(later, column)]));
-            x[(k, column)] = (b[(k, column)] - known) * diagonal[k].recip();
+        for (k, pivot) in diagonal.iter().enumerate().rev() {
+            let later = (k + 1..K).map(|j| entry(&a, (k, j)) * entry(&x, (j, column)));
+            let value = (entry(&b, (k, column)) - sum(later)) * pivot.recip();
+            set(&mut x, (k, column), value);
         }
     }
     x
+}
+
+/// Reflects the columns of a matrix from one on, and of these the rows from one on, at the plane at
+/// right angles to `mirror`; `factor` is 2 over its square.
+fn reflect<T: Scalar, const M: usize, const C: usize>(
+    matrix: &mut SMatrix<T, M, C>,
+    (first, from): (usize, usize),
+    mirror: &SMatrix<T, M, 1>,
+    factor: T,
+) {
+    for column in from..C {
+        let along = (first..M).map(|row| entry(mirror, (row, 0)) * entry(matrix, (row, column)));
+        let along = sum(along) * factor;
+        for row in first..M {
+            let value = entry(matrix, (row, column)) - entry(mirror, (row, 0)) * along;
+            set(matrix, (row, column), value);
+        }
+    }
 }

@@ -12,7 +12,7 @@
 use nalgebra::{Matrix3, SMatrix, SVector};
 
 use super::TransferMatrix;
-use super::algebra::{Times, identity, solve as least, zeros};
+use super::algebra::{Times, block, identity, solve as least, with, zeros};
 use crate::Scalar;
 
 /// What is known of the input z_{1,I} of a chain: z_{1,I} = `known` + `unknown` x for any K numbers x.
@@ -30,11 +30,9 @@ impl<T: Scalar, const D: usize, const K: usize> InputEnd<T, D, K> {
         let one = T::constant(1.0);
         InputEnd {
             known: SVector::from_fn(|row, _| if row + 1 == D { one } else { T::default() }),
-            unknown: SMatrix::from_fn(
-                |row, column| {
-                    if row == unknown[column] { one } else { T::default() }
-                },
-            ),
+            unknown: SMatrix::from_fn(|row, column| {
+                if unknown.get(column) == Some(&row) { one } else { T::default() }
+            }),
         }
     }
 }
@@ -51,13 +49,9 @@ impl<T: Scalar> InputEnd<T, 13, 5> {
     /// acceleration, no moment about the axis; q and the moment about the first two columns are
     /// unknown.
     pub fn pin(orientation: &Matrix3<T>) -> Self {
-        let mut end = Self::entries([6, 7, 9, 10, 11]);
-        for column in 0..2 {
-            for row in 0..3 {
-                end.unknown[(6 + row, column)] = orientation[(row, column)];
-            }
-        }
-        end
+        let end = Self::entries([6, 7, 9, 10, 11]);
+        let across = block::<T, 3, 2, 3, 3>(orientation, (0, 0));
+        InputEnd { unknown: with(end.unknown, (6, 0), &across), ..end }
     }
 }
 
@@ -92,11 +86,9 @@ impl<T: Scalar, const D: usize, const M: usize> OutputEnd<T, D, M> {
     pub fn entries(vanishing: [usize; M]) -> Self {
         let one = T::constant(1.0);
         OutputEnd {
-            conditions: SMatrix::from_fn(
-                |row, column| {
-                    if column == vanishing[row] { one } else { T::default() }
-                },
-            ),
+            conditions: SMatrix::from_fn(|row, column| {
+                if vanishing.get(row) == Some(&column) { one } else { T::default() }
+            }),
         }
     }
 }

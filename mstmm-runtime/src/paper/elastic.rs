@@ -58,5 +58,5 @@ impl<T: Scalar> Springs<T> {
 }
 
 fn along<T: Scalar>(factors: &Vector3<T>, values: &Vector3<T>) -> Vector3<T> {
-    Vector3::from_fn(|k, _| factors[k] * values[k])
+    factors.zip_map(values, |factor, value| factor * value)
 }

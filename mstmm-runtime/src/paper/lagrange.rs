@@ -27,28 +27,29 @@ pub struct Rod<T> {
 /// a_ij = l_i l_j (m_k/2 + m_{k+1} + … + m_n) cos(θ_i − θ_j) with k = max(i, j); the paper prints k = j,
 /// which would leave A without symmetry. b_ij with sin(θ_i − θ_j) is the same otherwise.
 pub fn pendulum<T: Scalar, const N: usize>(rods: &[Rod<T>; N], gravity: T) -> SVector<T, N> {
-    let half = T::constant(0.5);
-    let beyond = |k: usize| sum(rods.iter().skip(k + 1).map(|rod| rod.mass));
-    let carried = |k: usize| rods[k].mass * half + beyond(k);
-    let lever = |i: usize, j: usize| rods[i].length * rods[j].length * carried(i.max(j));
-    let turned = |i: usize, j: usize| {
-        let ([sin], [cos]) = T::sin_cos([rods[i].angle - rods[j].angle]);
-        (sin, cos)
-    };
+    let of = |k: usize, what: fn(&Rod<T>) -> T| rods.get(k).map_or(T::default(), what);
+    let mass = |k: usize| of(k, |rod| rod.mass);
+    let length = |k: usize| of(k, |rod| rod.length);
+    let angle = |k: usize| of(k, |rod| rod.angle);
+    let beyond = |k: usize| sum((k + 1..N).map(mass));
+    let carried = |k: usize| mass(k) * T::constant(0.5) + beyond(k);
+    let lever = |i: usize, j: usize| length(i) * length(j) * carried(i.max(j));
+    let turned = |i: usize, j: usize| T::sin_cos([angle(i) - angle(j)]);
     let a = SMatrix::<T, N, N>::from_fn(|i, j| {
-        let rod = &rods[i];
         if i == j {
-            let quarter = rod.mass * T::constant(0.25);
-            (quarter + beyond(i)) * rod.length * rod.length + rod.inertia
-        } else {
-            lever(i, j) * turned(i, j).1
+            let quarter = mass(i) * T::constant(0.25);
+            return (quarter + beyond(i)) * length(i) * length(i) + of(i, |rod| rod.inertia);
         }
+        let (_, [cos]) = turned(i, j);
+        lever(i, j) * cos
     });
     let right = SVector::<T, N>::from_fn(|i, _| {
-        let square = |j: usize| rods[j].rate * rods[j].rate;
-        let turning = sum((0..N).map(|j| lever(i, j) * turned(i, j).0 * square(j)));
-        let ([_], [cos]) = T::sin_cos([rods[i].angle]);
-        -turning - gravity * rods[i].length * carried(i) * cos
+        let turning = |j: usize| {
+            let ([sin], _) = turned(i, j);
+            lever(i, j) * sin * of(j, |rod| rod.rate * rod.rate)
+        };
+        let (_, [cos]) = T::sin_cos([angle(i)]);
+        -sum((0..N).map(turning)) - gravity * length(i) * carried(i) * cos
     });
     solve(a, right)
 }

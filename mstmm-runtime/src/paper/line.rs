@@ -1,9 +1,10 @@
 //! What is left of the matrices for motion along x: 3×3, for z = \[ẍ, q_x, 1\] `[P, Eq. (7)]`, and
 //! the masses between springs of `[P, Section 4.4]`.
 
-use nalgebra::{Matrix3, SMatrix};
+use nalgebra::Matrix3;
 
 use super::TransferMatrix;
+use super::algebra::pick;
 use crate::Scalar;
 
 /// Which entries of the spatial z stay on a line `[P, Eqs. (3), (7)]`.
@@ -11,7 +12,7 @@ const ENTRIES: [usize; 3] = [0, 9, 12];
 
 /// The rows and columns of a spatial transfer matrix that stay on a line.
 pub fn cut<T: Scalar>(u: &TransferMatrix<T>) -> TransferMatrix<T, 3> {
-    SMatrix::from_fn(|row, column| u[(ENTRIES[row], ENTRIES[column])])
+    pick(u, &ENTRIES)
 }
 
 /// The transfer matrix of a body of the given mass (kg) on which the load F (N) acts, the springs at
@@ -61,14 +62,15 @@ pub struct Mass<T> {
 pub fn loads<T: Scalar, const N: usize>(masses: &[Mass<T>; N]) -> [T; N] {
     let mut loads = masses.map(|mass| mass.force);
     let (mut before, mut velocity_before) = (T::default(), T::default());
-    for (place, mass) in masses.iter().enumerate() {
+    let mut inboard: Option<&mut T> = None;
+    for (load, mass) in loads.iter_mut().zip(masses) {
         let pull = mass.stiffness * (before - mass.position)
             + mass.damping * (velocity_before - mass.velocity);
-        loads[place] += pull;
-        if place > 0 {
-            loads[place - 1] -= pull;
+        *load += pull;
+        if let Some(inboard) = inboard {
+            *inboard -= pull;
         }
-        (before, velocity_before) = (mass.position, mass.velocity);
+        (before, velocity_before, inboard) = (mass.position, mass.velocity, Some(load));
     }
     loads
 }

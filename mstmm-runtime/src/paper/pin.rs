@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, SVector, Vector3};
 
 use super::TransferMatrix;
-use super::algebra::{Times, block, identity, solve, tilde, with, zeros};
+use super::algebra::{Times, block, entry, identity, solve, tilde, with, zeros};
 use super::body::Rows;
 use super::state;
 use crate::Scalar;
@@ -116,7 +116,7 @@ impl<T: Scalar> Blocks<T> {
     /// pin moves as ever: it is only that the next pin's condition says nothing of this one's
     /// acceleration.
     pub fn determinant(&self) -> T {
-        let e = |row: usize, column: usize| self.e0[(row, column)];
+        let e = |row: usize, column: usize| entry(&self.e0, (row, column));
         let minor = |a: usize, b: usize| e(1, a) * e(2, b) - e(1, b) * e(2, a);
         e(0, 0) * minor(1, 2) - e(0, 1) * minor(0, 2) + e(0, 2) * minor(0, 1)
     }

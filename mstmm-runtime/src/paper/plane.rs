@@ -4,7 +4,7 @@
 use nalgebra::{SMatrix, Vector2};
 
 use super::TransferMatrix;
-use super::algebra::{block, identity, solve, with, zeros};
+use super::algebra::{block, entry, identity, pick, solve, with, zeros};
 use crate::Scalar;
 
 /// Which entries of the spatial z stay in a plane `[P, Eqs. (3), (6)]`.
@@ -13,7 +13,7 @@ const ENTRIES: [usize; 7] = [0, 1, 5, 8, 9, 10, 12];
 /// The rows and columns of a spatial transfer matrix that stay in a plane. It is exact where nothing
 /// leads out of the plane, since the others are then not coupled to them.
 pub fn cut<T: Scalar>(u: &TransferMatrix<T>) -> TransferMatrix<T, 7> {
-    SMatrix::from_fn(|row, column| u[(ENTRIES[row], ENTRIES[column])])
+    pick(u, &ENTRIES)
 }
 
 /// What a body in the plane is, in its own frame, whose origin is its input I.
@@ -74,9 +74,9 @@ impl<T: Scalar> Body<T> {
 ///
 /// Ω̇_O does not depend on Ω̇_I: the axes are all the same.
 pub fn pin<T: Scalar>(body: &TransferMatrix<T, 7>) -> TransferMatrix<T, 7> {
-    let rate = -body[(3, 2)].recip();
+    let rate = -entry(body, (3, 2)).recip();
     let row = SMatrix::<T, 1, 7>::from_fn(|_, column| {
-        if column == 2 { T::default() } else { body[(3, column)] * rate }
+        if column == 2 { T::default() } else { entry(body, (3, column)) * rate }
     });
     with(identity(), (2, 0), &row)
 }

@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::algebra::Times;
+use super::algebra::{Times, entry};
 use crate::Scalar;
 
 /// A = A_z(θ₃) A_y(θ₂) A_x(θ₁), which turns components in the frame K of a point into inertial ones
@@ -26,7 +26,7 @@ pub fn rotation_matrix<T: Scalar>(angles: &Vector3<T>) -> Matrix3<T> {
 /// The angles θ in rad whose rotation matrix `[P, Eq. (1)]` is A, with θ₂ within ±90°. At ±90°
 /// itself only θ₁ ∓ θ₃ matters, and any split of it comes out.
 pub fn angles<T: Scalar>(rotation: &Matrix3<T>) -> Vector3<T> {
-    let a = |row: usize, column: usize| rotation[(row, column)];
+    let a = |row: usize, column: usize| entry(rotation, (row, column));
     let cosine = (a(0, 0) * a(0, 0) + a(1, 0) * a(1, 0)).sqrt();
     Vector3::new(a(2, 1).atan2(a(2, 2)), (-a(2, 0)).atan2(cosine), a(1, 0).atan2(a(0, 0)))
 }
