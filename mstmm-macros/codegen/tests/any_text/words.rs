@@ -30,7 +30,7 @@ const STRANGE: &str = "Self @@ self @@ crate @@ super @@ _ @@ fn @@ let @@ r#typ
     @@ #[cfg(x)] @@ #![x] @@ #[derive(Debug)] @@ é @@ 名 @@ ẞ @@ µm @@ () @@ [] @@ {} \
     @@ invisible() @@ invisible(1 + 2) @@ invisible(-1) @@ invisible(x) @@ ((((1)))) \
     @@ [[1, 2], [3]] @@ {{{}}} @@ - - - - 1 @@ ::std::f64::consts::PI @@ <T as Trait>::K \
-    @@ crate::K @@ data::MASS @@ f::<1>(2) @@ 1..2 @@ if x { 1 } else { 2 }";
+    @@ crate::K @@ data::MASS @@ data::fn @@ _::K @@ data: :K @@ f::<1>(2) @@ 1..2 @@ if x { 1 } else { 2 }";
 
 /// One of the words of a list, now and then another.
 pub fn pick(list: &'static str) -> BoxedStrategy<String> {
