@@ -38,7 +38,7 @@ pub use number::FUNCTIONS;
 pub use surface::{References, Surface};
 pub use tree::*;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use std::collections::HashMap;
 use syn::buffer::TokenBuffer;
 
@@ -46,6 +46,10 @@ use crate::diag::Diagnostics;
 
 /// Reads all chains of one macro call. What could be read comes back, mistakes or not.
 pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<ChainDef> {
+    if let Some(at) = too_deep(&tokens) {
+        diagnostics.error(at, format!("more than {DEEPEST} groups within each other"));
+        return Vec::new();
+    }
     let buffer = TokenBuffer::new2(tokens);
     let mut input = cursor::Cursor::new(buffer.begin());
     let mut chains = Vec::new();
@@ -57,6 +61,26 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<ChainDef
     }
     tell_apart(&mut chains, diagnostics);
     chains
+}
+
+/// Groups within groups up to this depth are read, where some of them are refused at their place; a
+/// buffer of deeper ones is filled by a recursion that could overflow the stack.
+const DEEPEST: usize = 200;
+
+/// A group that lies too deep.
+fn too_deep(tokens: &TokenStream) -> Option<Span> {
+    let mut open = vec![tokens.clone().into_iter()];
+    while let Some(inner) = open.last_mut() {
+        match inner.next() {
+            None => _ = open.pop(),
+            Some(TokenTree::Group(group)) if open.len() > DEEPEST => {
+                return Some(group.span_open());
+            }
+            Some(TokenTree::Group(group)) => open.push(group.stream().into_iter()),
+            Some(_) => {}
+        }
+    }
+    None
 }
 
 /// What the names of the types end with that a chain becomes.

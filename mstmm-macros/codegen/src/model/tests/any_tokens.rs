@@ -2,7 +2,7 @@
 
 use super::{PENDULUM, read};
 use crate::model::Chain;
-use proc_macro2::{Group, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 /// What a slip of the keyboard may leave behind, and what no one would write.
 const SLIPS: &[&str] = &[
@@ -104,5 +104,20 @@ fn replace_each(source: &str) {
             }
         });
         assert!(place > 140, "only {place} places");
+    }
+}
+
+/// Groups within groups are refused before anything walks them by recursion: on the small stack of a
+/// test they would overflow it.
+#[test]
+fn deep_groups_are_refused() {
+    for depth in [100, 1000, 100_000] {
+        let mut inside = TokenStream::new();
+        for _ in 0..depth {
+            inside = TokenTree::Group(Group::new(Delimiter::Parenthesis, inside)).into();
+        }
+        let wrong: TokenStream = "chain A { param p = 1; }".parse().expect("tokens");
+        let mistakes = read(wrong.into_iter().chain(inside).collect()).expect_err("far too deep");
+        assert!(mistakes.into_iter().count() > 0);
     }
 }
