@@ -15,8 +15,10 @@ const STATES: usize = 4;
 const ELEMENTS: usize = 100;
 const CUT_SHORT: usize = 3;
 
-/// Corrections that put a chain onto its closure; they converge quadratically where they do.
+/// Corrections that put a chain onto its closure; they converge quadratically where they do. After so
+/// many that bring it no nearer it is given up.
 const CORRECTIONS: usize = 100;
+const PATIENCE: usize = 5;
 /// A residual in m, rad, m/s and rad/s that counts as closed.
 const CLOSED: f64 = 1e-9;
 
@@ -73,11 +75,12 @@ pub fn examine(chain: &mut Chain, diagnostics: &mut Diagnostics) -> Examination 
     if chain.constants > 0 {
         return Examination::default();
     }
-    let mobility = if whole { trial.mobility() } else { None };
+    let poses = trial.closed_poses();
+    let mobility = if whole { trial.mobility(&poses) } else { None };
     if let Some(Mobility { freedoms: 0, .. }) = mobility {
         trial.refuse_rigid_chain(diagnostics);
     }
-    Examination { mobility, start: Some(trial.drawing()) }
+    Examination { mobility, start: Some(trial.drawing(poses)) }
 }
 
 /// The chain's numbers with parameters at their defaults. Rust constants, which are not known, are any
@@ -188,14 +191,18 @@ impl Trial {
         diagnostics.error(closing.name.span(), message);
     }
 
-    /// How the closure holds the chain, at the start and next to it, for the start itself may be a
-    /// special pose.
-    fn mobility(&self) -> Option<Mobility> {
+    /// The start and poses next to it, for the start itself may be a special one, all put onto the
+    /// closure; none for a chain that is not closed.
+    fn closed_poses(&self) -> Vec<Vec<Number>> {
+        let seeds = if self.merged.closings.is_empty() { 0..0 } else { 0..STATES };
+        seeds.filter_map(|seed| self.closed(self.coordinates(&self.numbers, seed))).collect()
+    }
+
+    /// How the closure holds the chain in these poses.
+    fn mobility(&self, poses: &[Vec<Number>]) -> Option<Mobility> {
         let closing = *self.merged.closings.first()?;
-        let poses =
-            (0..=STATES).filter_map(|seed| self.closed(self.coordinates(&self.numbers, seed)));
-        let redundant = poses.filter_map(|q| {
-            let undetermined = self.solved(&self.numbers, &q).reaction?.undetermined;
+        let redundant = poses.iter().filter_map(|q| {
+            let undetermined = self.solved(&self.numbers, q).reaction?.undetermined;
             let is_one = |wrench: &&Wrench<Number>| {
                 let entries = wrench.force.0.iter().chain(&wrench.moment.0);
                 entries.map(|x| x.value() * x.value()).sum::<f64>() > 0.5
@@ -210,8 +217,8 @@ impl Trial {
     }
 
     /// The start, closed if that goes from there or nearby.
-    fn drawing(&self) -> Drawing {
-        let near = (0..=STATES).find_map(|seed| self.closed(self.coordinates(&self.numbers, seed)));
+    fn drawing(&self, poses: Vec<Vec<Number>>) -> Drawing {
+        let near = poses.into_iter().next();
         let q = near.unwrap_or_else(|| self.coordinates(&self.numbers, 0));
         let (v, inputs) = (self.at_rest(), self.inputs());
         let situation = Situation::new(&self.chain, &self.layout, &self.numbers, (&q, &v, &inputs));
@@ -249,13 +256,21 @@ impl Trial {
     /// The coordinates put onto the closure; nothing if that leads nowhere.
     fn closed(&self, mut q: Vec<Number>) -> Option<Vec<Number>> {
         let (v, inputs) = (self.at_rest(), self.inputs());
+        let (mut nearest, mut stalled) = (f64::INFINITY, 0);
         for _ in 0..CORRECTIONS {
             let situation =
                 Situation::new(&self.chain, &self.merged, &self.numbers, (&q, &v, &inputs));
             let correction = equations::correction(&situation, &mut Trace::new())?;
-            if correction.residual.value() < CLOSED {
+            let residual = correction.residual.value();
+            if residual < CLOSED {
                 return Some(q);
             }
+            // Written so that NaN is no progress.
+            stalled = if residual < 0.9 * nearest { 0 } else { stalled + 1 };
+            if stalled > PATIENCE {
+                return None;
+            }
+            nearest = nearest.min(residual);
             q = equations::moved(&self.chain, &self.merged, &q, &correction.coordinates);
         }
         None

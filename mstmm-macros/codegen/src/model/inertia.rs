@@ -54,11 +54,7 @@ fn about_com(tensor: &Tensor, mass: &Value, com: &[Value; 3]) -> Tensor {
         product(0, 2).negated(),
         product(1, 2).negated(),
     ];
-    let mut entries = steiner.into_iter().zip(tensor);
-    [(); 6].map(|()| {
-        let (steiner, entry) = entries.next().expect("six entries of both");
-        entry.clone().minus(mass.clone().times(steiner))
-    })
+    std::array::from_fn(|k| tensor[k].clone().minus(mass.clone().times(steiner[k].clone())))
 }
 
 /// What must not be negative for a body to have this tensor: all principal minors of its second
