@@ -8,8 +8,8 @@ use serde::Serialize;
 
 use crate::generated::{self, PaperChain};
 use crate::newton_euler::NewtonEuler;
-use crate::plot::Curve;
-use crate::progress::Progress;
+use crate::output::plot::Curve;
+use crate::output::progress::Progress;
 use crate::system::{MARKS_PER_SECOND, RECORDS_PER_SECOND, Record, System};
 
 /// How many motions [`compare`] computes.

@@ -8,9 +8,9 @@ use std::time::Instant;
 use mstmm::prelude::*;
 use mstmm::{Error, GeneratedChain};
 
-use crate::exhibit::{Exhibit, KnownDifference, Row};
-use crate::log_plot::{LogFigure, Series};
-use crate::progress::Progress;
+use crate::output::exhibit::{Exhibit, KnownDifference, Row};
+use crate::output::log_plot::{LogFigure, Series, Way};
+use crate::output::progress::Progress;
 use crate::rods::{Recursion, Rods};
 use crate::section::Outcome;
 use crate::system::GRAVITY;
@@ -22,6 +22,7 @@ const BATCHES: usize = 15;
 /// From so many rods on a power law is fitted.
 const LONG: usize = 20;
 
+/// The first two are generated code.
 const WAYS: [&str; 4] =
     ["riccati", "transfer", "Lagrange, Cholesky", "recursion of order n, at run time"];
 
@@ -86,7 +87,7 @@ pub fn run(progress: &Progress) -> Result<Outcome, Error> {
     let largest = timings.iter().map(|timing| timing.difference).max_by(f64::total_cmp);
     let columns = timings.iter().map(|timing| format!("{} rods", timing.rods));
     let exhibit = Exhibit {
-        section: "4.3",
+        section: "Section 4.3",
         title: "Figure 8, time for one evaluation of all accelerations in s",
         columns: columns.chain([format!("exponent, n ≥ {LONG}")]).collect(),
         rows: rows.collect(),
@@ -111,7 +112,11 @@ pub fn run(progress: &Progress) -> Result<Outcome, Error> {
         series: WAYS
             .iter()
             .enumerate()
-            .map(|(way, name)| Series { label: name, points: series(way) })
+            .map(|(way, name)| Series {
+                label: name,
+                way: if way < 2 { Way::Method } else { Way::Rival },
+                points: series(way),
+            })
             .collect(),
     };
     Ok(Outcome { exhibits: vec![exhibit], log_figures: vec![figure], ..Outcome::default() })

@@ -3,7 +3,7 @@
 use mstmm::prelude::*;
 use mstmm::{Energy, Error, GeneratedChain};
 
-use crate::progress::Progress;
+use crate::output::progress::Progress;
 use crate::system::{DURATION, RECORDS_PER_SECOND, Record};
 
 /// Steps of the integrator a second. The largest error of an angle within 5 s is 2e-8 rad with 1000

@@ -1,22 +1,16 @@
 //! The numerical examples of Rui, Bestle, Zhang and Zhou, *A new version of transfer matrix method
 //! for multibody systems* (Multibody System Dynamics, 2016), computed by generated code and, in
-//! the same run, by the ways that the paper compares with, or exactly.
+//! the same run, by the ways that the paper compares with, or exactly; and what it claims beyond them.
 //!
 //! `cargo run --release --example paper -- --help` tells what it takes.
 
+mod claims;
 mod compare;
-mod csv_file;
-mod document;
-mod exhibit;
 mod figure_8;
 mod generated;
-mod log_plot;
 mod msdttmm;
 mod newton_euler;
-mod output_folder;
-mod plot;
-mod progress;
-mod report;
+mod output;
 mod rods;
 mod section;
 mod section_4_1;
@@ -24,28 +18,24 @@ mod section_4_2;
 mod section_4_3;
 mod section_4_4;
 mod system;
-mod table;
 
 use std::error::Error;
-use std::io::{self, Write};
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
 
-use document::Document;
-use progress::Progress;
+use output::progress::Progress;
 use section::{Outcome, Section};
 
 /// Computes the examples of Rui et al. (2016), sections 4.1 to 4.4, by generated code and by the ways
-/// that the paper compares with, or exactly.
+/// that the paper compares with, or exactly, and then what it claims beyond its examples.
 ///
 /// Prints tables of angles, accelerations and energies; writes time series (CSV) and the paper's
 /// figures (SVG) to the folder `paper` in cargo's target folder. Fails if the two disagree.
 #[derive(Parser)]
 #[command(name = "paper")]
 struct Arguments {
-    /// The section of the paper to compute; all of them if none is named
+    /// The section of the paper, or the claim, to compute; all of them if none is named
     section: Option<Section>,
 
     /// Print all numbers as one JSON document, and nothing else, on standard output
@@ -75,13 +65,12 @@ fn main() -> ExitCode {
 fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
     let sections = arguments.section.map_or(Section::ALL.to_vec(), |section| vec![section]);
     let outcome = compute(&sections)?;
-    let files = write_files(&outcome)?;
+    let files = output::write_files(&outcome)?;
     let complaints = outcome.complaints(arguments.tolerance);
     if arguments.json {
-        let document = Document::new(&outcome, &files, arguments.tolerance, &complaints);
-        document.print()?;
+        output::print_document(&outcome, &files, arguments.tolerance, &complaints)?;
     } else {
-        print_tables(&outcome, &files)?;
+        output::print_tables(&outcome, &files)?;
     }
     Ok(complaints)
 }
@@ -94,35 +83,4 @@ fn compute(sections: &[Section]) -> Result<Outcome, mstmm::Error> {
     }
     progress.finish();
     Ok(outcome)
-}
-
-fn write_files(outcome: &Outcome) -> Result<Vec<PathBuf>, Box<dyn Error>> {
-    let folder = output_folder::create()?;
-    let mut files = Vec::new();
-    for comparison in &outcome.comparisons {
-        files.extend(csv_file::write(&folder, comparison)?);
-    }
-    for figure in &outcome.figures {
-        files.push(figure.write(&folder)?);
-    }
-    for figure in &outcome.log_figures {
-        files.push(figure.write(&folder)?);
-    }
-    files.push(report::write(&folder, outcome)?);
-    Ok(files)
-}
-
-fn print_tables(outcome: &Outcome, files: &[PathBuf]) -> Result<(), io::Error> {
-    let mut out = io::stdout().lock();
-    for comparison in &outcome.comparisons {
-        writeln!(out, "{}", table::of(comparison))?;
-    }
-    for exhibit in &outcome.exhibits {
-        writeln!(out, "{exhibit}")?;
-    }
-    writeln!(out, "Written:")?;
-    for file in files {
-        writeln!(out, "  {}", output_folder::shown(file).display())?;
-    }
-    Ok(())
 }

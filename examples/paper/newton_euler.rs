@@ -5,7 +5,7 @@ use mstmm_reference::{
     About, Body, Chain, Element, Frame, Hinge, HingeKind, Sample, Solution, State, simulate,
 };
 
-use crate::progress::Progress;
+use crate::output::progress::Progress;
 use crate::system::{DURATION, GRAVITY, MARKS_PER_SECOND, Record};
 
 /// A chain as the independent solver takes it, together with what is compared of it.

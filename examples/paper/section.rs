@@ -2,11 +2,12 @@
 
 use clap::ValueEnum;
 
+use crate::claims::{closed, integrators, limits, orientation, parallel};
 use crate::compare::Comparison;
-use crate::exhibit::Exhibit;
-use crate::log_plot::LogFigure;
-use crate::plot::Figure;
-use crate::progress::Progress;
+use crate::output::exhibit::Exhibit;
+use crate::output::log_plot::LogFigure;
+use crate::output::plot::Figure;
+use crate::output::progress::Progress;
 use crate::{compare, figure_8, section_4_1, section_4_2, section_4_3, section_4_4};
 
 /// A section of the paper.
@@ -24,6 +25,21 @@ pub enum Section {
     /// Five masses in a row on springs
     #[value(name = "4.4")]
     Springs,
+    /// How long, and for which hinges, the product of the printed matrices can be trusted
+    #[value(name = "limits")]
+    Limits,
+    /// Chains closed over ground: a four-bar, and a spatial chain between two balls
+    #[value(name = "closed")]
+    Closed,
+    /// The overall product in parts, in parallel
+    #[value(name = "parallel")]
+    Parallel,
+    /// One chain under five integrators
+    #[value(name = "integrators")]
+    Integrators,
+    /// An orientation through θ₂ = 89.98°, in Bryan angles and in quaternions
+    #[value(name = "orientation")]
+    Orientation,
 }
 
 /// What a section comes to.
@@ -36,8 +52,17 @@ pub struct Outcome {
 }
 
 impl Section {
-    pub const ALL: [Section; 4] =
-        [Section::BallHinges, Section::PinHinges, Section::Pendulum, Section::Springs];
+    pub const ALL: [Section; 9] = [
+        Section::BallHinges,
+        Section::PinHinges,
+        Section::Pendulum,
+        Section::Springs,
+        Section::Limits,
+        Section::Closed,
+        Section::Parallel,
+        Section::Integrators,
+        Section::Orientation,
+    ];
 
     /// How many motions it computes.
     pub fn motions(self) -> usize {
@@ -46,6 +71,11 @@ impl Section {
             Section::PinHinges => 2 * compare::MOTIONS_PER_SYSTEM,
             Section::Pendulum => 1 + figure_8::LENGTHS,
             Section::Springs => 2,
+            Section::Limits => limits::MOTIONS,
+            Section::Closed => closed::MOTIONS,
+            Section::Parallel => parallel::MOTIONS,
+            Section::Integrators => integrators::MOTIONS,
+            Section::Orientation => orientation::MOTIONS,
         }
     }
 
@@ -59,6 +89,11 @@ impl Section {
                 Ok(outcome)
             }
             Section::Springs => section_4_4::run(progress),
+            Section::Limits => limits::run(progress),
+            Section::Closed => closed::run(progress),
+            Section::Parallel => parallel::run(progress),
+            Section::Integrators => integrators::run(progress),
+            Section::Orientation => orientation::run(progress),
         }
     }
 }

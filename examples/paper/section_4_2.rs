@@ -11,8 +11,8 @@ use mstmm_reference::{HingeKind, State};
 use crate::compare::{Comparison, compare};
 use crate::generated::PaperChain;
 use crate::newton_euler::{NewtonEuler, three_cubes};
-use crate::plot::{Figure, Panel};
-use crate::progress::Progress;
+use crate::output::plot::{Figure, Panel};
+use crate::output::progress::Progress;
 use crate::section::Outcome;
 use crate::system::{Angle, DURATION, GRAVITY, KnownAcceleration, System};
 

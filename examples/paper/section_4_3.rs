@@ -4,9 +4,9 @@
 use mstmm::Error;
 use mstmm::prelude::*;
 
-use crate::exhibit::{Exhibit, Row};
 use crate::msdttmm::Rod;
-use crate::progress::Progress;
+use crate::output::exhibit::{Exhibit, Row};
+use crate::output::progress::Progress;
 use crate::section::Outcome;
 use crate::system::GRAVITY;
 
@@ -46,7 +46,7 @@ pub fn run(progress: &Progress) -> Result<Outcome, Error> {
     };
     let (method, original) = (errors(method), errors(original));
     let exhibit = Exhibit {
-        section: "4.3",
+        section: "Section 4.3",
         title: "Table 1, errors of the angle in rad (reference less computed), h = 0.1 s",
         columns: (1..=STEPS).map(|step| format!("e({:.1} s)", step as f64 * COARSE)).collect(),
         faults: digits_that_differ(&method),

@@ -10,9 +10,9 @@ use mstmm::prelude::*;
 use mstmm::{ChainState, Error, GeneratedChain};
 use nalgebra::{SMatrix, SVector, Vector3};
 
-use crate::exhibit::{Exhibit, KnownDifference, Row};
-use crate::plot::{Curve, Figure, Panel};
-use crate::progress::Progress;
+use crate::output::exhibit::{Exhibit, KnownDifference, Row};
+use crate::output::plot::{Curve, Figure, Panel};
+use crate::output::progress::Progress;
 use crate::section::Outcome;
 
 /// How many masses there are.
@@ -111,7 +111,7 @@ impl Reading {
             values: TIMES.map(|time| found[index(time)][mass]).to_vec(),
         };
         outcome.exhibits.push(Exhibit {
-            section: "4.4",
+            section: "Section 4.4",
             title: match self.rest {
                 0.0 => "positions in m, springs without a length, as (48) is printed",
                 _ => "positions in m, springs at rest at the start",

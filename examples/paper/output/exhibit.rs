@@ -7,6 +7,7 @@ use serde::Serialize;
 /// A table.
 #[derive(Serialize)]
 pub struct Exhibit {
+    /// The section of the paper, or the claim.
     pub section: &'static str,
     pub title: &'static str,
     /// The heading of each column of numbers.
@@ -24,6 +25,7 @@ pub struct Exhibit {
 #[derive(Serialize)]
 pub struct Row {
     pub name: String,
+    /// Where there is none, not a number.
     pub values: Vec<f64>,
 }
 
@@ -51,7 +53,7 @@ impl Exhibit {
 
 impl Display for Exhibit {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        writeln!(f, "Section {}: {}", self.section, self.title)?;
+        writeln!(f, "{}: {}", self.section, self.title)?;
         write!(f, "  {:<48}", "")?;
         for column in &self.columns {
             write!(f, " {column:>12}")?;
@@ -60,7 +62,7 @@ impl Display for Exhibit {
         for Row { name, values } in &self.rows {
             write!(f, "  {name:<48}")?;
             for value in values {
-                write!(f, " {:>12}", format!("{value:.2E}"))?;
+                write!(f, " {:>12}", shown(*value))?;
             }
             writeln!(f)?;
         }
@@ -72,4 +74,9 @@ impl Display for Exhibit {
         }
         Ok(())
     }
+}
+
+/// A number as tables show it.
+pub fn shown(value: f64) -> String {
+    if value.is_nan() { "–".into() } else { format!("{value:.2E}") }
 }

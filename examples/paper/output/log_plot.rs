@@ -1,4 +1,4 @@
-//! Figures with logarithmic axes.
+//! Figures with logarithmic axes: the method as lines, the rival as crosses.
 
 use std::error::Error;
 use std::fs;
@@ -13,10 +13,18 @@ const WIDTH: u32 = 900 * FINE;
 const HEIGHT: u32 = 520 * FINE;
 const FONT: &str = "sans-serif";
 /// Colours that readers with colour-deficient sight tell apart (Okabe and Ito 2008).
-const COLOURS: [RGBColor; 4] =
-    [RGBColor(0, 114, 178), RGBColor(213, 94, 0), RGBColor(0, 158, 115), RGBColor(204, 121, 167)];
+const COLOURS: [RGBColor; 6] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(86, 180, 233),
+    RGBColor(230, 159, 0),
+];
+/// Half the size of a mark.
+const MARK_SIZE: u32 = 4 * FINE;
 
-/// Lines through points, both axes logarithmic.
+/// Ways beside each other, both axes logarithmic.
 pub struct LogFigure {
     pub file_name: &'static str,
     pub title: &'static str,
@@ -27,10 +35,20 @@ pub struct LogFigure {
     pub series: Vec<Series>,
 }
 
-/// A line.
+/// Points of one way, in order.
 pub struct Series {
     pub label: &'static str,
+    pub way: Way,
     pub points: Vec<(f64, f64)>,
+}
+
+/// Whose points they are.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Way {
+    /// A line with dots.
+    Method,
+    /// Crosses.
+    Rival,
 }
 
 impl LogFigure {
@@ -75,12 +93,23 @@ impl LogFigure {
         for (series, &colour) in self.series.iter().zip(COLOURS.iter().cycle()) {
             let line = colour.stroke_width(2 * FINE);
             let points = series.points.iter().copied();
-            chart
-                .draw_series(LineSeries::new(points.clone(), line))?
-                .label(series.label)
-                .legend(move |(x, y)| PathElement::new([(x, y), (x + 30 * FINE as i32, y)], line));
-            let mark = move |point| Circle::new(point, 4 * FINE, colour.filled());
-            chart.draw_series(points.map(mark))?;
+            match series.way {
+                Way::Method => {
+                    let dot = move |point| Circle::new(point, MARK_SIZE, colour.filled());
+                    chart.draw_series(LineSeries::new(points.clone(), line))?;
+                    let legend = move |(x, y)| {
+                        PathElement::new([(x, y), (x + 30 * FINE as i32, y)], line).into_dyn()
+                    };
+                    chart.draw_series(points.map(dot))?.label(series.label).legend(legend);
+                }
+                Way::Rival => {
+                    let cross = move |point| Cross::new(point, MARK_SIZE, line);
+                    let legend = move |(x, y)| {
+                        Cross::new((x + 15 * FINE as i32, y), MARK_SIZE, line).into_dyn()
+                    };
+                    chart.draw_series(points.map(cross))?.label(series.label).legend(legend);
+                }
+            }
         }
         chart
             .configure_series_labels()

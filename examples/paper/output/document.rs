@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use crate::compare::Comparison;
-use crate::exhibit::Exhibit;
+use crate::output::exhibit::Exhibit;
 use crate::section::Outcome;
 
 /// The document.

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use crate::exhibit::{Exhibit, Row};
+use crate::output::exhibit::{Exhibit, Row, shown};
+use crate::output::table;
 use crate::section::Outcome;
-use crate::table;
 
 const STYLE: &str = "
     body { font: 16px/1.5 sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
@@ -69,7 +69,7 @@ fn page(outcome: &Outcome) -> Result<Markup, Box<dyn Error>> {
 
 fn of_exhibit(exhibit: &Exhibit) -> Markup {
     html! {
-        h3 { "Section " (exhibit.section) ": " (exhibit.title) }
+        h3 { (exhibit.section) ": " (exhibit.title) }
         table {
             tr {
                 th {}
@@ -78,7 +78,7 @@ fn of_exhibit(exhibit: &Exhibit) -> Markup {
             @for Row { name, values } in &exhibit.rows {
                 tr {
                     td { (name) }
-                    @for value in values { td { (format!("{value:.2E}")) } }
+                    @for value in values { td { (shown(*value)) } }
                 }
             }
         }

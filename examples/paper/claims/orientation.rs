@@ -1,0 +1,13 @@
+//! An orientation through θ₂ = 89.98°, in Bryan angles and in quaternions.
+
+use mstmm::Error;
+
+use crate::output::progress::Progress;
+use crate::section::Outcome;
+
+/// How many parts the progress counts.
+pub const MOTIONS: usize = 0;
+
+pub fn run(_progress: &Progress) -> Result<Outcome, Error> {
+    Ok(Outcome::default())
+}
