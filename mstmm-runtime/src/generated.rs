@@ -20,7 +20,14 @@ fn is_regular<T: Scalar, const P: usize, const N: usize>(
     for (pivot, scale) in pivots.into_iter().zip(scales) {
         regular = regular & pivot.greater(noise * scale);
     }
-    results.into_iter().fold(regular, |all, result| all & result.finite()).all()
+    (regular & all_finite(results.into_iter())).all()
+}
+
+/// Where all numbers are finite. The difference of a number to itself is zero, or NaN where it is not finite: one
+/// comparison for all of them, and nothing that a compiler would turn vectors for.
+#[inline(always)]
+fn all_finite<T: Scalar>(numbers: impl Iterator<Item = T>) -> T::Mask {
+    numbers.fold(T::constant(0.0), |sum, number| sum + (number - number)).finite()
 }
 
 /// Fails if any of the numbers is NaN or infinite. What a chain computes need not depend on all of them.
@@ -29,8 +36,7 @@ fn is_regular<T: Scalar, const P: usize, const N: usize>(
 /// [`Error::NotFinite`].
 #[inline]
 pub fn finite<T: Scalar>(numbers: &[&[T]]) -> Result<(), Error> {
-    let all = numbers.iter().copied().flatten();
-    if all.fold(T::Mask::splat(true), |all, number| all & number.finite()).all() {
+    if all_finite(numbers.iter().copied().flatten().copied()).all() {
         Ok(())
     } else {
         Err(Error::NotFinite)

@@ -116,6 +116,12 @@ pub enum Operation {
     Difference(Operand, Operand),
     /// `a b`
     Product(Operand, Operand),
+    /// `a b + c`
+    MulAdd(Operand, Operand, Operand),
+    /// `a b − c`
+    MulSub(Operand, Operand, Operand),
+    /// `c − a b`
+    MulNegAdd(Operand, Operand, Operand),
     /// `1 / a`
     Recip(Operand),
     /// `√a`
@@ -202,6 +208,9 @@ impl Section {
                     Cost { add: 1, ..Cost::default() }
                 }
                 Operation::Product(..) => Cost { mul: 1, ..Cost::default() },
+                Operation::MulAdd(..) | Operation::MulSub(..) | Operation::MulNegAdd(..) => {
+                    Cost { mul: 1, add: 1, ..Cost::default() }
+                }
                 Operation::Recip(_) | Operation::RecipAbove(..) => {
                     Cost { recip: 1, ..Cost::default() }
                 }

@@ -9,7 +9,7 @@ use mstmm_codegen::equations::Axes;
 use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
 use mstmm_codegen::math::{Scalar, Structured};
 use mstmm_codegen::model::{Layout, Method};
-use mstmm_codegen::passes::{Setup, Unknowns, factor, schedule};
+use mstmm_codegen::passes::{Setup, Unknowns, factor, order, schedule};
 use mstmm_codegen::program::{Operand, Operation, Program, Statement};
 use mstmm_reference::{Random, Recipe, random_mechanism, random_motion};
 use std::collections::HashMap;
@@ -28,6 +28,9 @@ fn run(program: &Program, symbols: &[f64], slots: &[f64]) -> Vec<Vec<f64>> {
                     Operation::Sum(a, b) => value(a) + value(b),
                     Operation::Difference(a, b) => value(a) - value(b),
                     Operation::Product(a, b) => value(a) * value(b),
+                    Operation::MulAdd(a, b, c) => value(a) * value(b) + value(c),
+                    Operation::MulSub(a, b, c) => value(a) * value(b) - value(c),
+                    Operation::MulNegAdd(a, b, c) => value(c) - value(a) * value(b),
                     Operation::Recip(a) => value(a).recip(),
                     Operation::Sqrt(a) => value(a).sqrt(),
                     Operation::CopySign(a, b) => value(a).copysign(value(b)),
@@ -261,19 +264,17 @@ fn passes_keep_the_value_of_every_formula() {
         let edges: Vec<Edge> =
             (0..3).map(|_| graph.edge(formula(&mut random, &unknowns, 5))).collect();
         let expected: Vec<f64> = edges.iter().map(|&e| evaluate(&graph, e, &values)).collect();
-        let image = factor(&graph, &edges);
-        let moved = |edge: Edge| {
-            let image = image[edge.node() as usize].expect("results are live");
-            if edge.is_negative() { image.negated() } else { image }
-        };
-        let factored: Vec<Edge> = edges.iter().map(|&edge| moved(edge)).collect();
+        let factored = factor(&graph, &edges, &[], &[None; 4]).edges(&edges);
         let direct: Vec<f64> = factored.iter().map(|&e| evaluate(&graph, e, &values)).collect();
+        let ordered = order(&graph, &factored, &[], &[None; 4]).edges(&factored);
+        let reordered: Vec<f64> = ordered.iter().map(|&e| evaluate(&graph, e, &values)).collect();
         let unknowns = Unknowns { names: &names, parts: &[None; 4], turns: &[] };
         let program =
-            schedule(&graph, &unknowns, Stage::State, &[], &[factored], &mut Setup::default());
+            schedule(&graph, &unknowns, Stage::State, &[], &[ordered], &mut Setup::default());
         let scheduled = &run(&program, &values, &[])[0];
-        // Factoring rounds anew: a few dozen operations on numbers that may grow to thousands.
+        // Factoring and order round anew: a few dozen operations on numbers that may grow to thousands.
         assert!(difference(&direct, &expected) < 1e-12, "seed {seed}: factor");
-        assert!(difference(scheduled, &direct) == 0.0, "seed {seed}: schedule");
+        assert!(difference(&reordered, &direct) < 1e-12, "seed {seed}: order");
+        assert!(difference(scheduled, &reordered) == 0.0, "seed {seed}: schedule");
     }
 }

@@ -1,9 +1,11 @@
 //! From formulas to programs: simplified, ordered, repeated parts as loops.
 
 use super::Scene;
-use crate::equations::Trace;
+use crate::equations::{Section, Trace};
 use crate::expr::{Edge, Expr, Stage};
-use crate::passes::{Carry, Heading, Setup, Turn, Unknowns, factor, needed_carries, schedule};
+use crate::passes::{
+    Carry, Heading, Setup, Turn, Unknowns, factor, needed_carries, order, schedule,
+};
 use crate::program::Program;
 use crate::weave::{self, Loom};
 
@@ -24,42 +26,16 @@ impl<'g> Scene<'_, 'g> {
         let results: Vec<Edge> = edges.iter().flatten().copied().collect();
         let turns: Vec<Turn> = turns.iter().map(|turn| self.turn(turn)).collect();
         let (turns, roots) = needed_carries(self.graph, &turns, &results);
-        let image = factor(self.graph, &roots);
-        let go = |edge: Edge| {
-            image[edge.node() as usize]
-                .map(|image| if edge.is_negative() { image.negated() } else { image })
-        };
-        let moved = |carry: &Carry| {
-            let [first, next] = [carry.first, carry.next].map(|edge| go(edge).unwrap_or(edge));
-            Carry { first, next, ..*carry }
-        };
-        let turns: Vec<Turn> = turns
-            .iter()
-            .map(|turn| Turn { carries: turn.carries.iter().map(moved).collect(), ..turn.clone() })
-            .collect();
+        let (names, parts) = (self.symbols.names(), self.symbols.parts());
+        let factored = factor(self.graph, &roots, &turns, parts);
+        let turns = factored.turns(&turns);
+        let ordered = order(self.graph, &factored.edges(&roots), &turns, parts);
+        let turns = ordered.turns(&turns);
+        let go = |edge: Edge| ordered.edge(factored.edge(edge)?);
         let outputs: Vec<Vec<Edge>> =
             edges.iter().map(|group| group.iter().filter_map(|&edge| go(edge)).collect()).collect();
-        let headings: Vec<Heading> = trace
-            .sections
-            .iter()
-            .map(|section| Heading {
-                title: section.title.clone(),
-                source: section.source.to_owned(),
-                values: section
-                    .values
-                    .iter()
-                    .filter_map(|(name, expr)| match expr {
-                        Expr::Formula(_, edge) => image
-                            .get(edge.node() as usize)
-                            .and_then(|_| go(*edge))
-                            .map(|edge| (name.clone(), edge)),
-                        Expr::Number(_) => None,
-                    })
-                    .collect(),
-            })
-            .collect();
-        let unknowns =
-            Unknowns { names: self.symbols.names(), parts: self.symbols.parts(), turns: &turns };
+        let headings: Vec<Heading> = trace.sections.iter().map(|one| heading(one, go)).collect();
+        let unknowns = Unknowns { names, parts, turns: &turns };
         schedule(self.graph, &unknowns, stage, &headings, &outputs, setup)
     }
 
@@ -88,5 +64,18 @@ impl<'g> Scene<'_, 'g> {
         };
         let ((result, trace), turns) = loom.run(run);
         (result, trace, turns)
+    }
+}
+
+/// A heading of a trace, over what has become of its values.
+fn heading<'g>(section: &Section<Expr<'g>>, go: impl Fn(Edge) -> Option<Edge>) -> Heading {
+    let formula = |(name, expr): &(String, Expr<'g>)| match expr {
+        Expr::Formula(_, edge) => go(*edge).map(|edge| (name.clone(), edge)),
+        Expr::Number(_) => None,
+    };
+    Heading {
+        title: section.title.clone(),
+        source: section.source.to_owned(),
+        values: section.values.iter().filter_map(formula).collect(),
     }
 }

@@ -208,6 +208,18 @@ impl Plan<'_> {
                 let (a, b) = (go(a), go(b));
                 quote!(#a * #b)
             }
+            Operation::MulAdd(a, b, c) => {
+                let (a, b, c) = (go(a), go(b), go(c));
+                quote!(T::mul_add(#a, #b, #c))
+            }
+            Operation::MulSub(a, b, c) => {
+                let (a, b, c) = (go(a), go(b), go(c));
+                quote!(T::mul_sub(#a, #b, #c))
+            }
+            Operation::MulNegAdd(a, b, c) => {
+                let (a, b, c) = (go(a), go(b), go(c));
+                quote!(T::mul_neg_add(#a, #b, #c))
+            }
             Operation::Recip(a) => {
                 let a = go(a);
                 quote!(T::recip(#a))
@@ -330,6 +342,9 @@ fn uses_numbers(program: &Program) -> bool {
             | Operation::CopySign(a, b)
             | Operation::Atan2(a, b)
             | Operation::RecipAbove(a, b) => number(a) || number(b),
+            Operation::MulAdd(a, b, c)
+            | Operation::MulSub(a, b, c)
+            | Operation::MulNegAdd(a, b, c) => number(a) || number(b) || number(c),
             Operation::Recip(a) | Operation::Sqrt(a) => number(a),
         },
     };

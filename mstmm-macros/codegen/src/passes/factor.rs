@@ -1,58 +1,89 @@
-//! `a b + a c = a (b + c)` where neither product is used elsewhere: one multiplication less.
+//! `a b + a c + … = a (b + c + …)` where no product is used elsewhere: a multiplication less for
+//! each product but the first.
 
-use super::Live;
-use crate::expr::{Edge, Expr, Graph, Node, NodeId};
+use super::sums::Sums;
+use super::{Images, Turn};
+use crate::expr::{Edge, Expr, Graph, NodeId};
 use crate::math::Scalar;
 
-/// Rewrites everything that `results` need; returns where each live node has gone, by its number.
-pub fn factor(graph: &Graph, results: &[Edge]) -> Vec<Option<Edge>> {
-    let live = Live::of(graph, results.iter().copied());
-    let mut image: Vec<Option<Edge>> = vec![None; graph.len()];
-    for id in 0..image.len() as NodeId {
-        if live.has(id) {
-            let expr = rewritten(graph, &live, &image, id);
-            image[id as usize] = Some(graph.edge(expr));
+/// Rewrites everything that `results` need.
+pub fn factor(graph: &Graph, results: &[Edge], turns: &[Turn], parts: &[Option<usize>]) -> Images {
+    let sums = Sums::of(graph, results, turns, parts);
+    let mut images = Images::new(graph);
+    for id in sums.nodes() {
+        let image = match sums.terms(id) {
+            Some(terms) => {
+                let terms = terms.iter().map(|&term| Term::of(&sums, &images, term, id));
+                sum(graph, terms.collect())
+            }
+            None => images.over_images(graph, id),
+        };
+        images.set(id, image, graph);
+    }
+    images
+}
+
+/// A term of a sum.
+#[derive(Clone, Copy)]
+enum Term {
+    /// The factors of a product that nothing else uses, the sign in the second.
+    Product(Edge, Edge),
+    Other(Edge),
+}
+
+impl Term {
+    fn of(sums: &Sums, images: &Images, term: Edge, id: NodeId) -> Self {
+        let go = |edge: Edge| images.edge(edge).unwrap_or(edge);
+        match sums.factors(term, id) {
+            Some([a, b]) => {
+                Term::Product(go(a), if term.is_negative() { go(b).negated() } else { go(b) })
+            }
+            None => Term::Other(go(term)),
         }
     }
-    image
-}
 
-fn rewritten<'g>(graph: &'g Graph, live: &Live, image: &[Option<Edge>], id: NodeId) -> Expr<'g> {
-    let node = graph.node(id);
-    let go = |edge: Edge| {
-        let image = image[edge.node() as usize].unwrap_or(edge.plain());
-        let expr = graph.expr(image);
-        if edge.is_negative() { -expr } else { expr }
-    };
-    match node {
-        Node::Number(_) | Node::Symbol(_) => graph.expr(Edge::to(id)),
-        Node::Sum(a, b) => match shared_factor(graph, live, a, b) {
-            Some((factor, rest_a, rest_b)) => {
-                let rest_b = if b.is_negative() { -go(rest_b) } else { go(rest_b) };
-                go(factor) * (go(rest_a) + rest_b)
-            }
-            None => go(a) + go(b),
-        },
-        Node::Product(a, b) => go(a) * go(b),
-        Node::Recip(a) => go(a).recip(),
-        Node::Sqrt(a) => go(a).sqrt(),
-        Node::Sin(a) => go(a).sin_cos().0,
-        Node::Cos(a) => go(a).sin_cos().1,
-        Node::CopySign(a, b) => go(a).copysign(go(b)),
-        Node::Atan2(a, b) => go(a).atan2(go(b)),
-        Node::RecipAbove(a, b) => go(a).recip_above(go(b)),
+    fn value(self, graph: &Graph) -> Expr<'_> {
+        match self {
+            Term::Product(a, b) => graph.expr(a) * graph.expr(b),
+            Term::Other(value) => graph.expr(value),
+        }
+    }
+
+    /// What is left of a product without a factor, which is one of its own or the negative of one.
+    fn without(self, factor: Edge) -> Option<Edge> {
+        let Term::Product(a, b) = self else { return None };
+        [(a, b), (b, a)].into_iter().find_map(|(one, other)| {
+            (one.node() == factor.node())
+                .then(|| if one == factor { other } else { other.negated() })
+        })
     }
 }
 
-/// The factor common to two products that nothing else uses, and what is left of each.
-fn shared_factor(graph: &Graph, live: &Live, a: Edge, b: Edge) -> Option<(Edge, Edge, Edge)> {
-    let product = |edge: Edge| match graph.node(edge.node()) {
-        Node::Product(x, y) if live.uses(edge.node()) == 1 => Some([(x, y), (y, x)]),
-        _ => None,
-    };
-    let (a, b) = (product(a)?, product(b)?);
-    a.into_iter()
-        .flat_map(|(factor, rest)| b.map(|(other, other_rest)| (factor, rest, other, other_rest)))
-        .find(|(factor, _, other, _)| factor == other)
-        .map(|(factor, rest, _, other_rest)| (factor, rest, other_rest))
+/// The sum of some terms, the factor that most of them share taken out first.
+fn sum(graph: &Graph, terms: Vec<Term>) -> Expr<'_> {
+    match shared_factor(&terms) {
+        Some(factor) => {
+            let rests = terms.iter().filter_map(|term| term.without(factor)).map(Term::Other);
+            let product = graph.expr(factor) * sum(graph, rests.collect());
+            let others = terms.iter().filter(|term| term.without(factor).is_none()).copied();
+            sum(graph, others.chain([Term::Other(graph.edge(product))]).collect())
+        }
+        None => {
+            let values = terms.into_iter().map(|term| term.value(graph));
+            values.reduce(|a, b| a + b).unwrap_or_else(Expr::zero)
+        }
+    }
+}
+
+/// The factor of most products, the first of several, if any is in more than one.
+fn shared_factor(terms: &[Term]) -> Option<Edge> {
+    let count = |factor: Edge| terms.iter().filter(|t| t.without(factor).is_some()).count();
+    let factors = terms.iter().flat_map(|term| match *term {
+        Term::Product(a, b) => [Some(a), Some(b)],
+        Term::Other(_) => [None, None],
+    });
+    // The last of several would come out of `max_by_key`.
+    let counted = factors.flatten().map(|factor| (count(factor), factor));
+    let (most, factor) = counted.reduce(|best, next| if next.0 > best.0 { next } else { best })?;
+    (most > 1).then_some(factor)
 }

@@ -2,22 +2,30 @@
 //!
 //! 1. `live` finds what the results need: the rest is dead.
 //! 2. [`factor()`] rewrites sums of products that share a factor.
-//! 3. `turns` finds which values belong into loops over repeated parts.
-//! 4. [`schedule()`] orders what is live under the headings of a trace and names it.
+//! 3. [`order()`] adds up sums in the order in which their terms are known.
+//! 4. `turns` finds which values belong into loops over repeated parts.
+//! 5. [`schedule()`] orders what is live under the headings of a trace and names it.
 //!
 //! Folding, signs and common subexpressions need no pass: the graph's rules see to them while the
 //! formulas are written down.
 
 mod angles;
+mod compute;
 mod factor;
+mod fuse;
+mod images;
 mod live;
 mod looped;
+mod order;
 mod schedule;
 mod setup;
+mod sums;
 mod turns;
 
 pub use factor::factor;
+pub use images::Images;
 pub use live::Live;
+pub use order::order;
 pub use schedule::{Heading, Unknowns, schedule};
 pub use setup::Setup;
 pub use turns::{Carry, Home, Turn, Turns, needed_carries};

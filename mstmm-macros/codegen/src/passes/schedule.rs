@@ -2,9 +2,10 @@
 //! the equations wrote it down.
 
 use super::angles::{Angles, angles};
+use super::fuse::fused;
 use super::{Home, Live, Setup, Turn, Turns};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
-use crate::program::{Block, Operand, Operation, Program, Section, Slot, Statement};
+use crate::program::{Block, Operand, Program, Section, Slot, Statement};
 use std::collections::{HashMap, HashSet};
 
 /// Named values under a heading.
@@ -59,14 +60,16 @@ pub fn schedule(
 
 pub(super) struct Scheduler<'a> {
     pub(super) graph: &'a Graph,
-    symbols: &'a [String],
+    pub(super) symbols: &'a [String],
     stage: Stage,
-    setup: &'a mut Setup,
+    pub(super) setup: &'a mut Setup,
     pub(super) live: Live,
     pub(super) turns: &'a Turns,
     /// Angles by how many sines and cosines deep they lie, and by where they are computed.
-    angles: Angles,
-    depths: Vec<u32>,
+    pub(super) angles: Angles,
+    pub(super) depths: Vec<u32>,
+    /// Products that are computed with their sums.
+    pub(super) fused: Vec<bool>,
     pub(super) names: HashMap<NodeId, String>,
     /// Names of what loops carry, by the number of the unknown.
     pub(super) carried: HashMap<u32, String>,
@@ -75,10 +78,10 @@ pub(super) struct Scheduler<'a> {
     /// The blocks of the loops that are done.
     pub(super) blocks: HashMap<usize, usize>,
     taken: HashSet<String>,
-    done: Vec<bool>,
+    pub(super) done: Vec<bool>,
     sections: Vec<Section>,
     pub(super) program: Program,
-    temporaries: usize,
+    pub(super) temporaries: usize,
 }
 
 impl<'a> Scheduler<'a> {
@@ -90,6 +93,7 @@ impl<'a> Scheduler<'a> {
         setup: &'a mut Setup,
     ) -> Self {
         let (angles, depths) = angles(graph, &live, turns, stage);
+        let fused = fused(graph, &live, turns, stage);
         Scheduler {
             graph,
             symbols,
@@ -99,6 +103,7 @@ impl<'a> Scheduler<'a> {
             turns,
             angles,
             depths,
+            fused,
             names: HashMap::new(),
             carried: HashMap::new(),
             blocks: HashMap::new(),
@@ -127,7 +132,7 @@ impl<'a> Scheduler<'a> {
         }
     }
 
-    fn fresh(&mut self, wanted: String) -> String {
+    pub(super) fn fresh(&mut self, wanted: String) -> String {
         let mut name = wanted.clone();
         let mut number = 2;
         while !self.taken.insert(name.clone()) {
@@ -208,7 +213,7 @@ impl<'a> Scheduler<'a> {
         });
     }
 
-    fn state(&mut self, statement: Statement) {
+    pub(super) fn state(&mut self, statement: Statement) {
         if let Some(section) = self.sections.last_mut() {
             section.statements.push(statement);
         }
@@ -220,7 +225,7 @@ impl<'a> Scheduler<'a> {
     }
 
     /// States everything that `node` needs and that has not been stated yet.
-    fn require(&mut self, node: NodeId) {
+    pub(super) fn require(&mut self, node: NodeId) {
         let mut needed = Vec::new();
         let mut open = vec![node];
         let mut seen = HashSet::new();
@@ -240,135 +245,6 @@ impl<'a> Scheduler<'a> {
                 self.compute(id);
             }
         }
-    }
-
-    fn compute(&mut self, id: NodeId) {
-        if self.is_slot(id) {
-            return self.read_slot(id);
-        }
-        let operation = match self.graph.node(id) {
-            Node::Number(_) => return,
-            Node::Symbol(number) => return self.read_symbol(number, id),
-            Node::Sin(_) | Node::Cos(_) => return self.compute_angles(id),
-            Node::Sum(a, b) => self.sum(a, b),
-            Node::Product(a, b) => Operation::Product(self.operand(a), self.operand(b)),
-            Node::Recip(a) => Operation::Recip(self.operand(a)),
-            Node::Sqrt(a) => Operation::Sqrt(self.operand(a)),
-            Node::CopySign(a, b) => Operation::CopySign(self.operand(a), self.operand(b)),
-            Node::Atan2(a, b) => Operation::Atan2(self.operand(a), self.operand(b)),
-            Node::RecipAbove(a, b) => Operation::RecipAbove(self.operand(a), self.operand(b)),
-        };
-        let name = self.name(id);
-        self.state(Statement::Let(name, operation));
-    }
-
-    fn read_symbol(&mut self, number: u32, id: NodeId) {
-        let is_once = matches!(self.turns.home(id), Home::Once(_));
-        if is_once && !self.carried.contains_key(&number) {
-            self.program.symbols.push(number);
-        }
-    }
-
-    fn read_slot(&mut self, id: NodeId) {
-        let slot = self.slot_of(id);
-        if self.part_of(id).is_none() {
-            self.program.slots.push(slot);
-        } else {
-            self.slots.insert(id, slot);
-        }
-    }
-
-    /// The repeated part that a node belongs to.
-    fn part_of(&self, id: NodeId) -> Option<usize> {
-        match self.turns.home(id) {
-            Home::Once(_) => None,
-            Home::Turn(turn) => self.turns.all.get(turn).map(|turn| turn.repeat),
-        }
-    }
-
-    /// The slot of a value that is known since setup, under a name of this program.
-    fn slot_of(&mut self, id: NodeId) -> Slot {
-        let (graph, symbols) = (self.graph, self.symbols);
-        let (given, part) = (self.names.get(&id).cloned(), self.part_of(id));
-        let (index, name) = self.setup.slot(part, id, |number| match graph.node(id) {
-            Node::Symbol(symbol) => symbols[symbol as usize].clone(),
-            _ => given.unwrap_or_else(|| format!("p{number}")),
-        });
-        let wanted = format!("known_{name}");
-        let name = self.fresh(wanted);
-        self.names.insert(id, name.clone());
-        Slot { index, name }
-    }
-
-    /// `a + b` with the sign of `b` in the operation.
-    fn sum(&self, a: Edge, b: Edge) -> Operation {
-        if b.is_negative() {
-            Operation::Difference(self.operand(a), self.operand(b.negated()))
-        } else {
-            Operation::Sum(self.operand(a), self.operand(b))
-        }
-    }
-
-    /// Sines and cosines of all angles of one depth, side by side.
-    fn compute_angles(&mut self, id: NodeId) {
-        let key = (self.depths[id as usize], self.turns.home(id));
-        let Some(angles) = self.angles.remove(&key) else { return };
-        for &angle in &angles {
-            self.require(angle);
-        }
-        let (mut sines, mut cosines, mut operands) = (Vec::new(), Vec::new(), Vec::new());
-        for &angle in &angles {
-            let graph = self.graph;
-            let number = sines.len();
-            for (names, prefix, node) in [
-                (&mut sines, "sin", graph.find(Node::Sin(Edge::to(angle)))),
-                (&mut cosines, "cos", graph.find(Node::Cos(Edge::to(angle)))),
-            ] {
-                names.push(match node.filter(|&node| self.live.has(node)) {
-                    Some(node) => {
-                        self.done[node as usize] = true;
-                        let name = match graph.node(angle) {
-                            Node::Symbol(symbol) if !self.carried.contains_key(&symbol) => {
-                                format!("{prefix}_{}", self.symbols[symbol as usize])
-                            }
-                            _ => format!("{prefix}_{number}"),
-                        };
-                        let name = self.fresh(name);
-                        self.names.insert(node, name.clone());
-                        Some(name)
-                    }
-                    None => None,
-                });
-            }
-            operands.push(self.operand(Edge::to(angle)));
-        }
-        self.state(Statement::SinCos { sines, cosines, angles: operands });
-    }
-
-    fn name(&mut self, id: NodeId) -> String {
-        if let Some(name) = self.names.get(&id) {
-            return name.clone();
-        }
-        let name = self.fresh(format!("t{}", self.temporaries));
-        self.temporaries += 1;
-        self.names.insert(id, name.clone());
-        name
-    }
-
-    pub(super) fn operand(&self, edge: Edge) -> Operand {
-        let node = edge.node();
-        let plain = match self.graph.node(node) {
-            Node::Number(bits) => {
-                let value = f64::from_bits(bits);
-                return Operand::Number(if edge.is_negative() { 0.0 - value } else { value });
-            }
-            Node::Symbol(number) if !self.is_slot(node) => match self.carried.get(&number) {
-                Some(name) => Operand::Named(name.clone()),
-                None => Operand::Symbol(number),
-            },
-            _ => Operand::Named(self.names.get(&node).cloned().unwrap_or_default()),
-        };
-        if edge.is_negative() { Operand::Minus(Box::new(plain)) } else { plain }
     }
 
     fn finish(mut self, outputs: &[Vec<Edge>]) -> Program {

@@ -37,7 +37,7 @@
 ///
 /// Mobility 1: 4 rates, of which the closure takes 3.
 ///
-/// Accelerations by `riccati`, 326 operations (192 mul, 120 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 489 operations.
+/// Accelerations by `riccati`, 323 operations (190 mul, 119 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 484 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct FourBar<T> {
@@ -103,7 +103,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for FourBar<T> {
 impl<T: ::mstmm::Scalar> FourBar<T> {
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
-    /// 326 operations: 192 mul, 120 add, 8 reciprocal, 6 square root, 4 sin/cos.
+    /// 323 operations: 190 mul, 119 add, 8 reciprocal, 6 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -111,9 +111,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 15 | 9 | 1 | 0 | 0 |
-    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 23 | 16 | 1 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 124 | 70 | 6 | 6 | 0 |
+    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 5 | 1 | 0 | 0 |
+    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 24 | 20 | 1 | 0 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 123 | 69 | 6 | 6 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 4 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 9 | 9 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 6 | 5 | 0 | 0 | 0 |
@@ -166,329 +166,239 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t4_ = c_(0.6) * b_omega_z_;
         let minus_b_e_force_x_ = b_omega_z_ * t4_;
-        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 15 mul, 9 add, 1 reciprocal.
+        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 13 mul, 5 add, 1 reciprocal.
         let t5_ = sin_b_angle_ * c_(1.5);
-        let t6_ = sin_b_angle_ * t5_;
-        let minus_a_k_xx_ = t6_ - c_(4.0);
-        let a_k_yy_ = c_(2.5) + t6_;
         let a_k_xy_ = cos_b_angle_ * t5_;
         let a_b_x_z_ = c_(0.6) * a_k_xy_;
+        let t6_ = sin_b_angle_ * t5_;
         let t7_ = c_(0.5) + t6_;
-        let t8_ = c_(0.6) * t7_;
-        let a_b_y_z_ = c_(0.6) + t8_;
-        let t9_ = c_(0.36) * t7_;
-        let a_j_zz_ = c_(0.24) + t9_;
-        let t10_ = minus_b_drift_lin_x_ * c_(2.0);
-        let t11_ = b_drift_lin_y_ * c_(0.5);
-        let t12_ = minus_b_e_force_x_ + t10_;
-        let t13_ = cos_b_angle_ * t12_;
-        let t14_ = sin_b_angle_ * t11_;
-        let t15_ = t13_ + t14_;
-        let minus_a_e_force_x_ = t3_ + t15_;
-        let t16_ = sin_b_angle_ * t12_;
-        let t17_ = cos_b_angle_ * t11_;
-        let minus_a_e_force_y_ = t16_ - t17_;
+        let a_b_y_z_ = T::mul_add(c_(0.6), t7_, c_(0.6));
+        let a_j_zz_ = T::mul_add(c_(0.36), t7_, c_(0.24));
+        let t8_ = b_drift_lin_y_ * c_(0.5);
+        let t9_ = T::mul_add(minus_b_drift_lin_x_, c_(2.0), minus_b_e_force_x_);
+        let t10_ = sin_b_angle_ * t9_;
+        let minus_a_e_force_y_ = T::mul_neg_add(cos_b_angle_, t8_, t10_);
         let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
-        let t18_ = T::recip(a_j_zz_);
-        let a_z0_force_x_ = a_b_x_z_ * t18_;
-        let a_z0_force_y_ = a_b_y_z_ * t18_;
-        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 23 mul, 16 add, 1 reciprocal.
-        let t19_ = a_b_x_z_ * a_z0_force_x_;
-        let t20_ = minus_a_k_xx_ + t19_;
-        let t21_ = a_b_y_z_ * a_z0_force_y_;
-        let t22_ = a_k_yy_ - t21_;
-        let t23_ = a_b_y_z_ * a_z0_force_x_;
-        let t24_ = a_k_xy_ - t23_;
-        let t25_ = t20_ + t22_;
-        let t26_ = sin_a_angle_ * t25_;
-        let t27_ = c_(2.0) * t24_;
-        let t28_ = cos_a_angle_ * t27_;
-        let t29_ = t26_ - t28_;
-        let t30_ = cos_a_angle_ * t29_;
-        let minus_crank_pin_k_xy_ = t24_ + t30_;
+        let t11_ = T::recip(a_j_zz_);
+        let a_z0_force_x_ = a_b_x_z_ * t11_;
+        let a_z0_force_y_ = a_b_y_z_ * t11_;
+        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 24 mul, 20 add, 1 reciprocal.
+        let t12_ = t6_ - c_(4.0);
+        let t13_ = c_(2.5) + t6_;
+        let t14_ = T::mul_add(a_b_x_z_, a_z0_force_x_, t12_);
+        let t15_ = T::mul_neg_add(a_b_y_z_, a_z0_force_y_, t13_);
+        let t16_ = T::mul_neg_add(a_b_y_z_, a_z0_force_x_, a_k_xy_);
+        let t17_ = t14_ + t15_;
+        let t18_ = sin_a_angle_ * t17_;
+        let t19_ = c_(2.0) * t16_;
+        let t20_ = T::mul_neg_add(cos_a_angle_, t19_, t18_);
+        let minus_crank_pin_k_xy_ = T::mul_add(cos_a_angle_, t20_, t16_);
         let minus_crank_pin_b_x_z_ = c_(0.2) * minus_crank_pin_k_xy_;
-        let t31_ = sin_a_angle_ * t29_;
-        let t32_ = t22_ - t31_;
-        let t33_ = c_(0.2) * t32_;
-        let crank_pin_b_y_z_ = c_(0.1) + t33_;
-        let t34_ = c_(0.04000000000000001) * t32_;
-        let crank_pin_j_zz_ = c_(0.020000000000000004) + t34_;
-        let t35_ = minus_a_e_moment_z_ * t18_;
-        let t36_ = a_b_x_z_ * t35_;
-        let t37_ = minus_a_e_force_x_ - t36_;
-        let t38_ = a_b_y_z_ * t35_;
-        let t39_ = minus_a_e_force_y_ - t38_;
-        let t40_ = minus_a_drift_lin_x_ * t20_;
-        let t41_ = a_drift_lin_y_ * t24_;
-        let t42_ = t40_ + t41_;
-        let t43_ = minus_a_drift_lin_x_ * t24_;
-        let t44_ = a_drift_lin_y_ * t22_;
-        let t45_ = t43_ - t44_;
-        let t46_ = t37_ - t42_;
-        let t47_ = t39_ + t45_;
-        let t48_ = sin_a_angle_ * t46_;
-        let t49_ = cos_a_angle_ * t47_;
-        let minus_crank_pin_e_force_y_ = t48_ + t49_;
-        let minus_crank_pin_e_moment_z_ = c_(0.2) * minus_crank_pin_e_force_y_;
-        let t50_ = T::recip(crank_pin_j_zz_);
-        let minus_crank_pin_z0_force_x_ = minus_crank_pin_b_x_z_ * t50_;
-        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t50_;
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 124 mul, 70 add, 6 reciprocal, 6 square root.
-        let t51_ = c_(0.6) * sin_rocker_pin_angle_;
-        let t52_ = sin_rocker_pin_angle_ * c_(2.5);
-        let t53_ = sin_rocker_pin_angle_ * c_(1.5);
-        let t54_ = sin_rocker_pin_angle_ - t53_;
-        let t55_ = t51_ * t52_;
-        let t56_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t57_ = sin_b_angle_ * t54_;
-        let t58_ = t56_ - t57_;
-        let t59_ = sin_b_angle_ * cos_rocker_pin_angle_;
-        let t60_ = cos_b_angle_ * t54_;
-        let t61_ = t59_ + t60_;
-        let t62_ = c_(0.6) * t61_;
-        let t63_ = t62_ * t18_;
-        let t64_ = t62_ * a_z0_force_x_;
-        let t65_ = t58_ - t64_;
-        let t66_ = t62_ * a_z0_force_y_;
-        let t67_ = t61_ - t66_;
-        let t68_ = t62_ * t63_;
-        let t69_ = t55_ + t68_;
-        let t70_ = sin_a_angle_ * t65_;
-        let t71_ = cos_a_angle_ * t67_;
-        let t72_ = t70_ + t71_;
-        let t73_ = c_(0.2) * t72_;
-        let t74_ = t73_ * t50_;
-        let t75_ = t73_ * t74_;
-        let closure_d0_ = t69_ + t75_;
-        let t76_ = c_(0.6) * cos_rocker_pin_angle_;
-        let t77_ = cos_rocker_pin_angle_ * c_(2.5);
-        let t78_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
-        let t79_ = sin_rocker_pin_angle_ * sin_rocker_pin_angle_;
-        let t80_ = t78_ + t79_;
-        let t81_ = t51_ * t51_;
-        let t82_ = t80_ * c_(0.36);
-        let t83_ = t81_ + t82_;
-        let t84_ = t83_ * c_(4.166666666666667);
-        let t85_ = cos_rocker_pin_angle_ * c_(1.5);
-        let t86_ = cos_rocker_pin_angle_ - t85_;
-        let t87_ = t76_ * t52_;
-        let t88_ = t76_ * t77_;
-        let t89_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t90_ = sin_b_angle_ * t86_;
-        let t91_ = t89_ + t90_;
-        let t92_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t93_ = cos_b_angle_ * t86_;
-        let t94_ = t92_ - t93_;
-        let t95_ = c_(0.6) * t94_;
-        let t96_ = t95_ * t18_;
-        let t97_ = t58_ * t58_;
-        let t98_ = t61_ * t61_;
-        let t99_ = t97_ + t98_;
-        let t100_ = t62_ * t62_;
-        let t101_ = t99_ * c_(0.72);
-        let t102_ = t100_ + t101_;
-        let t103_ = t18_ * t102_;
-        let t104_ = t84_ + t103_;
-        let t105_ = t95_ * a_z0_force_x_;
-        let t106_ = t91_ - t105_;
-        let t107_ = t95_ * a_z0_force_y_;
-        let t108_ = t94_ - t107_;
-        let t109_ = t95_ * t63_;
-        let t110_ = t87_ - t109_;
-        let t111_ = t95_ * t96_;
-        let t112_ = t88_ + t111_;
-        let t113_ = cos_a_angle_ * t65_;
-        let t114_ = sin_a_angle_ * t67_;
-        let t115_ = t113_ - t114_;
-        let t116_ = sin_a_angle_ * t106_;
-        let t117_ = cos_a_angle_ * t108_;
-        let t118_ = t116_ + t117_;
-        let t119_ = c_(0.2) * t118_;
-        let t120_ = t119_ * t50_;
-        let t121_ = t115_ * t115_;
-        let t122_ = t72_ * t72_;
-        let t123_ = t121_ + t122_;
-        let t124_ = t73_ * t73_;
-        let t125_ = t123_ * c_(0.76);
-        let t126_ = t124_ + t125_;
-        let t127_ = t50_ * t126_;
-        let t128_ = t104_ + t127_;
-        let t129_ = t119_ * t74_;
-        let t130_ = t110_ - t129_;
-        let t131_ = t119_ * t120_;
-        let t132_ = t112_ + t131_;
-        let t133_ = T::copysign(closure_d0_, c_(1.0));
-        let t134_ = closure_d0_ + t133_;
-        let t135_ = c_(0.5) * t134_;
-        let t136_ = T::sqrt(t135_);
-        let t137_ = T::sqrt(t128_);
-        let t138_ = ::mstmm::generated::recip_above(t136_, t137_);
-        let t139_ = t136_ * t138_;
-        let t140_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t141_ = t139_ * t140_;
-        let t142_ = t130_ * t141_;
-        let t143_ = t130_ * t142_;
-        let closure_d1_ = t132_ - t143_;
-        let t144_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
-        let t145_ = sin_rocker_pin_angle_ * minus_b_e_force_x_;
-        let t146_ = t145_ - c_(9.8);
-        let t147_ = t76_ * t76_;
-        let t148_ = t82_ + t147_;
-        let t149_ = c_(4.166666666666667) * t148_;
-        let t150_ = minus_b_drift_lin_x_ * cos_rocker_pin_angle_;
-        let t151_ = b_drift_lin_y_ * t54_;
-        let t152_ = t150_ - t151_;
-        let t153_ = minus_b_drift_lin_x_ * sin_rocker_pin_angle_;
-        let t154_ = b_drift_lin_y_ * t86_;
-        let t155_ = t153_ + t154_;
-        let t156_ = t62_ * t35_;
-        let t157_ = t152_ - t156_;
-        let t158_ = t95_ * t35_;
-        let t159_ = t155_ - t158_;
-        let t160_ = t91_ * t91_;
-        let t161_ = t94_ * t94_;
-        let t162_ = t160_ + t161_;
-        let t163_ = t95_ * t95_;
-        let t164_ = c_(0.72) * t162_;
-        let t165_ = t163_ + t164_;
-        let t166_ = t18_ * t165_;
-        let t167_ = t149_ + t166_;
-        let t168_ = minus_a_drift_lin_x_ * t65_;
-        let t169_ = a_drift_lin_y_ * t67_;
-        let t170_ = t168_ - t169_;
-        let t171_ = t157_ + t170_;
-        let t172_ = minus_a_drift_lin_x_ * t106_;
-        let t173_ = a_drift_lin_y_ * t108_;
-        let t174_ = t172_ - t173_;
-        let t175_ = t159_ + t174_;
-        let t176_ = cos_a_angle_ * t106_;
-        let t177_ = sin_a_angle_ * t108_;
-        let t178_ = t176_ - t177_;
-        let t179_ = crank_pin_input0_ + minus_crank_pin_e_moment_z_;
-        let t180_ = t50_ * t179_;
-        let t181_ = t73_ * minus_crank_pin_z0_force_x_;
-        let t182_ = t115_ + t181_;
-        let t183_ = t73_ * crank_pin_z0_force_y_;
-        let t184_ = t72_ - t183_;
-        let t185_ = t73_ * t180_;
-        let t186_ = t171_ - t185_;
-        let t187_ = t119_ * minus_crank_pin_z0_force_x_;
-        let t188_ = t178_ + t187_;
-        let t189_ = t119_ * crank_pin_z0_force_y_;
-        let t190_ = t118_ - t189_;
-        let t191_ = t119_ * t180_;
-        let t192_ = t175_ - t191_;
-        let t193_ = t178_ * t178_;
-        let t194_ = t118_ * t118_;
-        let t195_ = t193_ + t194_;
-        let t196_ = t119_ * t119_;
-        let t197_ = c_(0.76) * t195_;
-        let t198_ = t196_ + t197_;
-        let t199_ = t50_ * t198_;
-        let t200_ = t167_ + t199_;
+        let t21_ = T::mul_neg_add(sin_a_angle_, t20_, t15_);
+        let crank_pin_b_y_z_ = T::mul_add(c_(0.2), t21_, c_(0.1));
+        let crank_pin_j_zz_ = T::mul_add(
+            c_(0.04000000000000001),
+            t21_,
+            c_(0.020000000000000004),
+        );
+        let t22_ = sin_b_angle_ * t8_;
+        let t23_ = minus_a_e_moment_z_ * t11_;
+        let t24_ = T::mul_neg_add(a_b_y_z_, t23_, minus_a_e_force_y_);
+        let t25_ = T::mul_add(cos_b_angle_, t9_, t3_);
+        let t26_ = T::mul_sub(a_drift_lin_y_, t16_, t25_);
+        let t27_ = T::mul_neg_add(a_b_x_z_, t23_, t22_);
+        let t28_ = T::mul_sub(minus_a_drift_lin_x_, t14_, t27_);
+        let t29_ = t26_ + t28_;
+        let t30_ = T::mul_neg_add(a_drift_lin_y_, t15_, t24_);
+        let t31_ = T::mul_add(minus_a_drift_lin_x_, t16_, t30_);
+        let t32_ = sin_a_angle_ * t29_;
+        let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t31_, t32_);
+        let t33_ = T::recip(crank_pin_j_zz_);
+        let minus_crank_pin_z0_force_x_ = minus_crank_pin_b_x_z_ * t33_;
+        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t33_;
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 123 mul, 69 add, 6 reciprocal, 6 square root.
+        let t34_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t35_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t36_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
+        let t37_ = t34_ * t35_;
+        let t38_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t39_ = T::mul_neg_add(sin_b_angle_, t36_, t38_);
+        let t40_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        let t41_ = T::mul_add(cos_b_angle_, t36_, t40_);
+        let t42_ = c_(0.6) * t41_;
+        let t43_ = t42_ * t11_;
+        let t44_ = T::mul_neg_add(t42_, a_z0_force_x_, t39_);
+        let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
+        let t46_ = T::mul_add(t42_, t43_, t37_);
+        let t47_ = sin_a_angle_ * t44_;
+        let t48_ = T::mul_add(cos_a_angle_, t45_, t47_);
+        let t49_ = c_(0.2) * t48_;
+        let t50_ = t49_ * t33_;
+        let closure_d0_ = T::mul_add(t49_, t50_, t46_);
+        let t51_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t52_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
+        let t55_ = t54_ * c_(0.36);
+        let t56_ = T::mul_add(t34_, t34_, t55_);
+        let t57_ = t56_ * c_(4.166666666666667);
+        let t58_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let t59_ = t51_ * t35_;
+        let t60_ = t51_ * t52_;
+        let t61_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t62_ = T::mul_add(sin_b_angle_, t58_, t61_);
+        let t63_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t64_ = T::mul_neg_add(cos_b_angle_, t58_, t63_);
+        let t65_ = c_(0.6) * t64_;
+        let t66_ = t65_ * t11_;
+        let t67_ = t39_ * t39_;
+        let t68_ = T::mul_add(t41_, t41_, t67_);
+        let t69_ = t42_ * t42_;
+        let t70_ = T::mul_add(t68_, c_(0.72), t69_);
+        let t71_ = T::mul_add(t11_, t70_, t57_);
+        let t72_ = T::mul_neg_add(t65_, a_z0_force_x_, t62_);
+        let t73_ = T::mul_neg_add(t65_, a_z0_force_y_, t64_);
+        let t74_ = T::mul_neg_add(t65_, t43_, t59_);
+        let t75_ = T::mul_add(t65_, t66_, t60_);
+        let t76_ = cos_a_angle_ * t44_;
+        let t77_ = T::mul_neg_add(sin_a_angle_, t45_, t76_);
+        let t78_ = sin_a_angle_ * t72_;
+        let t79_ = T::mul_add(cos_a_angle_, t73_, t78_);
+        let t80_ = c_(0.2) * t79_;
+        let t81_ = t80_ * t33_;
+        let t82_ = t77_ * t77_;
+        let t83_ = T::mul_add(t48_, t48_, t82_);
+        let t84_ = t49_ * t49_;
+        let t85_ = T::mul_add(t83_, c_(0.76), t84_);
+        let t86_ = T::mul_add(t33_, t85_, t71_);
+        let t87_ = T::mul_neg_add(t80_, t50_, t74_);
+        let t88_ = T::mul_add(t80_, t81_, t75_);
+        let t89_ = T::copysign(closure_d0_, c_(1.0));
+        let t90_ = closure_d0_ + t89_;
+        let t91_ = c_(0.5) * t90_;
+        let t92_ = T::sqrt(t91_);
+        let t93_ = T::sqrt(t86_);
+        let t94_ = ::mstmm::generated::recip_above(t92_, t93_);
+        let t95_ = t92_ * t94_;
+        let t96_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t97_ = t95_ * t96_;
+        let t98_ = t87_ * t97_;
+        let closure_d1_ = T::mul_neg_add(t87_, t98_, t88_);
+        let t99_ = T::mul_add(t51_, t51_, t55_);
+        let t100_ = c_(4.166666666666667) * t99_;
+        let t101_ = b_drift_lin_y_ * t36_;
+        let t102_ = t42_ * t23_;
+        let t103_ = t65_ * t23_;
+        let t104_ = t62_ * t62_;
+        let t105_ = T::mul_add(t64_, t64_, t104_);
+        let t106_ = t65_ * t65_;
+        let t107_ = T::mul_add(c_(0.72), t105_, t106_);
+        let t108_ = T::mul_add(t11_, t107_, t100_);
+        let t109_ = cos_a_angle_ * t72_;
+        let t110_ = T::mul_neg_add(sin_a_angle_, t73_, t109_);
+        let t111_ = T::mul_add(t49_, minus_crank_pin_z0_force_x_, t77_);
+        let t112_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
+        let t113_ = T::mul_add(t80_, minus_crank_pin_z0_force_x_, t110_);
+        let t114_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
+        let t115_ = t110_ * t110_;
+        let t116_ = T::mul_add(t79_, t79_, t115_);
+        let t117_ = t80_ * t80_;
+        let t118_ = T::mul_add(c_(0.76), t116_, t117_);
+        let t119_ = T::mul_add(t33_, t118_, t108_);
         let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
-        let t201_ = t182_ * crank_pin_a_lin_x_;
-        let t202_ = t184_ * crank_pin_a_lin_y_;
-        let t203_ = t201_ + t202_;
-        let t204_ = t186_ - t203_;
-        let t205_ = t188_ * crank_pin_a_lin_x_;
-        let t206_ = t190_ * crank_pin_a_lin_y_;
-        let t207_ = t205_ + t206_;
-        let t208_ = t192_ - t207_;
-        let t209_ = t144_ + t204_;
-        let t210_ = t146_ + t208_;
-        let t211_ = T::copysign(closure_d1_, c_(1.0));
-        let t212_ = closure_d1_ + t211_;
-        let t213_ = c_(0.5) * t212_;
-        let t214_ = T::sqrt(t213_);
-        let t215_ = T::sqrt(t200_);
-        let t216_ = ::mstmm::generated::recip_above(t214_, t215_);
-        let t217_ = t214_ * t216_;
-        let t218_ = ::mstmm::generated::recip_above(closure_d1_, t132_);
-        let t219_ = t217_ * t218_;
-        let t220_ = t209_ * t142_;
-        let t221_ = t210_ + t220_;
-        let t222_ = t209_ * t141_;
-        let t223_ = t219_ * t221_;
-        let t224_ = t142_ * t223_;
-        let t225_ = t222_ + t224_;
-        let t226_ = closure_d0_ * t141_;
-        let t227_ = c_(1.0) - t226_;
-        let t228_ = t227_ * t227_;
-        let t229_ = ::mstmm::generated::recip_above(t228_, c_(1.0));
-        let t230_ = T::sqrt(t229_);
-        let t231_ = t227_ * t230_;
-        let t232_ = t225_ * t231_;
-        let t233_ = t231_ * t232_;
-        let t234_ = t225_ - t233_;
-        let t235_ = closure_d1_ * t219_;
-        let t236_ = c_(1.0) - t235_;
-        let t237_ = t142_ * t236_;
-        let t238_ = t231_ * t237_;
-        let t239_ = t231_ * t238_;
-        let t240_ = t237_ - t239_;
-        let t241_ = t240_ * t240_;
-        let t242_ = t236_ * t236_;
-        let t243_ = t241_ + t242_;
-        let t244_ = ::mstmm::generated::recip_above(t243_, c_(1.0));
-        let t245_ = T::sqrt(t244_);
-        let t246_ = t240_ * t245_;
-        let t247_ = t236_ * t245_;
-        let t248_ = t234_ * t246_;
-        let t249_ = t223_ * t247_;
-        let t250_ = t248_ + t249_;
-        let t251_ = t246_ * t250_;
-        let minus_closure_reaction0_ = t234_ - t251_;
-        let t252_ = t247_ * t250_;
-        let closure_reaction1_ = t223_ - t252_;
+        let t120_ = T::copysign(closure_d1_, c_(1.0));
+        let t121_ = closure_d1_ + t120_;
+        let t122_ = c_(0.5) * t121_;
+        let t123_ = T::sqrt(t122_);
+        let t124_ = T::sqrt(t119_);
+        let t125_ = ::mstmm::generated::recip_above(t123_, t124_);
+        let t126_ = t123_ * t125_;
+        let t127_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
+        let t128_ = t126_ * t127_;
+        let t129_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
+        let t130_ = t129_ * t129_;
+        let t131_ = ::mstmm::generated::recip_above(t130_, c_(1.0));
+        let t132_ = T::sqrt(t131_);
+        let t133_ = t129_ * t132_;
+        let t134_ = T::mul_neg_add(closure_d1_, t128_, c_(1.0));
+        let t135_ = t98_ * t134_;
+        let t136_ = t133_ * t135_;
+        let t137_ = T::mul_neg_add(t133_, t136_, t135_);
+        let t138_ = t137_ * t137_;
+        let t139_ = T::mul_add(t134_, t134_, t138_);
+        let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
+        let t141_ = T::sqrt(t140_);
+        let t142_ = t137_ * t141_;
+        let t143_ = t134_ * t141_;
+        let t144_ = minus_b_drift_lin_x_ + minus_b_e_force_x_;
+        let t145_ = T::mul_neg_add(b_drift_lin_y_, t58_, c_(9.8));
+        let t146_ = T::mul_neg_add(c_(0.2), crank_pin_e_force_y_, crank_pin_input0_);
+        let t147_ = t33_ * t146_;
+        let t148_ = T::mul_neg_add(cos_rocker_pin_angle_, t144_, t102_);
+        let t149_ = T::mul_sub(minus_a_drift_lin_x_, t44_, t148_);
+        let t150_ = T::mul_sub(t112_, crank_pin_a_lin_y_, t149_);
+        let t151_ = T::mul_add(a_drift_lin_y_, t45_, t101_);
+        let t152_ = T::mul_add(t49_, t147_, t151_);
+        let t153_ = T::mul_add(t111_, crank_pin_a_lin_x_, t152_);
+        let t154_ = t150_ + t153_;
+        let t155_ = T::mul_add(a_drift_lin_y_, t73_, t145_);
+        let t156_ = T::mul_add(t80_, t147_, t155_);
+        let t157_ = T::mul_add(t113_, crank_pin_a_lin_x_, t156_);
+        let t158_ = T::mul_neg_add(sin_rocker_pin_angle_, t144_, t103_);
+        let t159_ = T::mul_sub(minus_a_drift_lin_x_, t72_, t158_);
+        let t160_ = T::mul_sub(t114_, crank_pin_a_lin_y_, t159_);
+        let t161_ = T::mul_add(t98_, t154_, t160_);
+        let t162_ = t157_ + t161_;
+        let t163_ = t97_ * t154_;
+        let t164_ = t128_ * t162_;
+        let t165_ = T::mul_add(t98_, t164_, t163_);
+        let t166_ = t133_ * t165_;
+        let t167_ = T::mul_neg_add(t133_, t166_, t165_);
+        let t168_ = t142_ * t167_;
+        let t169_ = T::mul_add(t143_, t164_, t168_);
+        let closure_reaction0_ = T::mul_neg_add(t142_, t169_, t167_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t143_, t169_, t164_);
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 4 mul, 4 add, 0 reciprocal.
-        let t253_ = t74_ * minus_closure_reaction0_;
-        let t254_ = t120_ * closure_reaction1_;
-        let t255_ = t253_ + t254_;
-        let t256_ = t180_ + t255_;
-        let t257_ = minus_crank_pin_z0_force_x_ * crank_pin_a_lin_x_;
-        let t258_ = crank_pin_z0_force_y_ * crank_pin_a_lin_y_;
-        let t259_ = t257_ - t258_;
-        let crank_pin_a_ang_z_ = t256_ + t259_;
+        let t170_ = T::mul_sub(crank_pin_z0_force_y_, crank_pin_a_lin_y_, t147_);
+        let t171_ = T::mul_sub(minus_crank_pin_z0_force_x_, crank_pin_a_lin_x_, t170_);
+        let t172_ = T::mul_sub(t81_, minus_closure_reaction1_, t171_);
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t172_);
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 9 mul, 9 add, 0 reciprocal.
-        let t260_ = c_(0.2) * crank_pin_a_ang_z_;
-        let t261_ = crank_pin_a_lin_y_ + t260_;
-        let t262_ = cos_a_angle_ * crank_pin_a_lin_x_;
-        let t263_ = sin_a_angle_ * t261_;
-        let t264_ = t262_ + t263_;
-        let minus_a_a_lin_x_ = minus_a_drift_lin_x_ - t264_;
-        let t265_ = sin_a_angle_ * crank_pin_a_lin_x_;
-        let t266_ = cos_a_angle_ * t261_;
-        let t267_ = t265_ - t266_;
-        let a_a_lin_y_ = a_drift_lin_y_ - t267_;
-        let t268_ = t63_ * minus_closure_reaction0_;
-        let t269_ = t96_ * closure_reaction1_;
-        let t270_ = t268_ + t269_;
-        let t271_ = t35_ + t270_;
-        let t272_ = a_z0_force_x_ * minus_a_a_lin_x_;
-        let t273_ = a_z0_force_y_ * a_a_lin_y_;
-        let t274_ = t272_ - t273_;
-        let a_a_ang_z_ = t271_ + t274_;
+        let t173_ = T::mul_neg_add(
+            cos_a_angle_,
+            crank_pin_a_lin_x_,
+            minus_a_drift_lin_x_,
+        );
+        let t174_ = T::mul_neg_add(
+            c_(0.2),
+            minus_crank_pin_a_ang_z_,
+            crank_pin_a_lin_y_,
+        );
+        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t174_, t173_);
+        let t175_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t174_, t175_);
+        let t176_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t23_);
+        let t177_ = T::mul_sub(t43_, closure_reaction0_, t176_);
+        let t178_ = T::mul_add(a_z0_force_y_, a_a_lin_y_, t177_);
+        let a_a_ang_z_ = T::mul_sub(a_z0_force_x_, minus_a_a_lin_x_, t178_);
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 5 add, 0 reciprocal.
-        let t275_ = c_(0.6) * a_a_ang_z_;
-        let t276_ = a_a_lin_y_ + t275_;
-        let t277_ = sin_b_angle_ * minus_a_a_lin_x_;
-        let t278_ = cos_b_angle_ * t276_;
-        let t279_ = t277_ + t278_;
-        let b_a_lin_y_ = b_drift_lin_y_ + t279_;
-        let t280_ = t52_ * minus_closure_reaction0_;
-        let t281_ = t77_ * closure_reaction1_;
-        let t282_ = t280_ - t281_;
-        let t283_ = c_(2.5) * b_a_lin_y_;
-        let b_a_ang_z_ = t282_ - t283_;
+        let t179_ = T::mul_add(c_(0.6), a_a_ang_z_, a_a_lin_y_);
+        let t180_ = T::mul_add(sin_b_angle_, minus_a_a_lin_x_, b_drift_lin_y_);
+        let b_a_lin_y_ = T::mul_add(cos_b_angle_, t179_, t180_);
+        let t181_ = t35_ * closure_reaction0_;
+        let t182_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t181_);
+        let minus_b_a_ang_z_ = T::mul_add(c_(2.5), b_a_lin_y_, t182_);
         /// Results: 1 mul, 5 add, 0 reciprocal.
-        let t284_ = crank_pin_a_ang_z_ - a_a_ang_z_;
-        let t285_ = a_a_ang_z_ - b_a_ang_z_;
-        let t286_ = t20_ - t22_;
-        let t287_ = c_(4.0) - t286_;
-        let t288_ = t287_ * c_(0.04000000000000001);
-        let t289_ = t288_ + c_(0.030000000000000006);
+        let t183_ = minus_crank_pin_a_ang_z_ + a_a_ang_z_;
+        let t184_ = a_a_ang_z_ + minus_b_a_ang_z_;
+        let t185_ = c_(4.0) + t15_;
+        let t186_ = t14_ - t185_;
+        let t187_ = T::mul_neg_add(
+            c_(0.04000000000000001),
+            t186_,
+            c_(0.030000000000000006),
+        );
         ::mstmm::generated::finite::<
             T,
         >(
@@ -506,10 +416,12 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t289_],
-            [crank_pin_a_ang_z_, -t284_, -t285_, -b_a_ang_z_],
+            [c_(2.04), t187_],
+            [-minus_crank_pin_a_ang_z_, t183_, -t184_, minus_b_a_ang_z_],
         )?;
-        accelerations_.data.0 = [[crank_pin_a_ang_z_, -t284_, -t285_, -b_a_ang_z_]];
+        accelerations_.data.0 = [
+            [-minus_crank_pin_a_ang_z_, t183_, -t184_, minus_b_a_ang_z_],
+        ];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges by value; see
@@ -531,7 +443,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 489 operations: 291 mul, 184 add, 8 reciprocal, 6 square root, 4 sin/cos.
+    /// 484 operations: 287 mul, 183 add, 8 reciprocal, 6 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -539,24 +451,21 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 15 | 9 | 1 | 0 | 0 |
-    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 23 | 16 | 1 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 124 | 70 | 6 | 6 | 0 |
+    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 5 | 1 | 0 | 0 |
+    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 24 | 20 | 1 | 0 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 123 | 69 | 6 | 6 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 4 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 9 | 9 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 8 | 7 | 0 | 0 | 0 |
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 10 | 2 | 0 | 0 | 0 |
-    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 10 | 2 | 0 | 0 | 0 |
+    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 8 | 2 | 0 | 0 | 0 |
     /// | Point of `a` | \[P, Eqs. (12), (13), (36)\] | 2 | 2 | 0 | 0 | 0 |
-    /// | Point of `b` | \[P, Eqs. (12), (13), (36)\] | 2 | 4 | 0 | 0 | 0 |
-    /// | Load of the body at `crank_pin` | \[P, Eqs. (18), (19)\] | 7 | 4 | 0 | 0 | 0 |
-    /// | Load of the body at `a` | \[P, Eqs. (18), (19)\] | 6 | 4 | 0 | 0 | 0 |
-    /// | Load of the body at `b` | \[P, Eqs. (18), (19)\] | 7 | 4 | 0 | 0 | 0 |
+    /// | Point of `b` | \[P, Eqs. (12), (13), (36)\] | 4 | 4 | 0 | 0 | 0 |
     /// | Load on `rocker_pin` | \[P, Eqs. (18), (19)\] | 8 | 4 | 0 | 0 | 0 |
-    /// | Load on `b` | \[P, Eqs. (18), (19)\] | 0 | 2 | 0 | 0 | 0 |
-    /// | Load on `a` | \[P, Eqs. (18), (19)\] | 0 | 2 | 0 | 0 | 0 |
-    /// | Load on `crank_pin` | \[P, Eqs. (18), (19)\] | 0 | 2 | 0 | 0 | 0 |
-    /// | Results |  | 46 | 35 | 0 | 0 | 0 |
+    /// | Load on `b` | \[P, Eqs. (18), (19)\] | 7 | 6 | 0 | 0 | 0 |
+    /// | Load on `a` | \[P, Eqs. (18), (19)\] | 6 | 6 | 0 | 0 | 0 |
+    /// | Load on `crank_pin` | \[P, Eqs. (18), (19)\] | 7 | 6 | 0 | 0 | 0 |
+    /// | Results |  | 44 | 35 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -603,507 +512,377 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t4_ = c_(0.6) * b_omega_z_;
         let minus_b_e_force_x_ = b_omega_z_ * t4_;
-        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 15 mul, 9 add, 1 reciprocal.
+        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 13 mul, 5 add, 1 reciprocal.
         let t5_ = sin_b_angle_ * c_(1.5);
-        let t6_ = sin_b_angle_ * t5_;
-        let minus_a_k_xx_ = t6_ - c_(4.0);
-        let a_k_yy_ = c_(2.5) + t6_;
         let a_k_xy_ = cos_b_angle_ * t5_;
         let a_b_x_z_ = c_(0.6) * a_k_xy_;
+        let t6_ = sin_b_angle_ * t5_;
         let t7_ = c_(0.5) + t6_;
-        let t8_ = c_(0.6) * t7_;
-        let a_b_y_z_ = c_(0.6) + t8_;
-        let t9_ = c_(0.36) * t7_;
-        let a_j_zz_ = c_(0.24) + t9_;
-        let t10_ = minus_b_drift_lin_x_ * c_(2.0);
-        let t11_ = b_drift_lin_y_ * c_(0.5);
-        let t12_ = minus_b_e_force_x_ + t10_;
-        let t13_ = cos_b_angle_ * t12_;
-        let t14_ = sin_b_angle_ * t11_;
-        let t15_ = t13_ + t14_;
-        let minus_a_e_force_x_ = t3_ + t15_;
-        let t16_ = sin_b_angle_ * t12_;
-        let t17_ = cos_b_angle_ * t11_;
-        let minus_a_e_force_y_ = t16_ - t17_;
+        let a_b_y_z_ = T::mul_add(c_(0.6), t7_, c_(0.6));
+        let a_j_zz_ = T::mul_add(c_(0.36), t7_, c_(0.24));
+        let t8_ = b_drift_lin_y_ * c_(0.5);
+        let t9_ = T::mul_add(minus_b_drift_lin_x_, c_(2.0), minus_b_e_force_x_);
+        let t10_ = sin_b_angle_ * t9_;
+        let minus_a_e_force_y_ = T::mul_neg_add(cos_b_angle_, t8_, t10_);
         let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
-        let t18_ = T::recip(a_j_zz_);
-        let a_z0_force_x_ = a_b_x_z_ * t18_;
-        let a_z0_force_y_ = a_b_y_z_ * t18_;
-        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 23 mul, 16 add, 1 reciprocal.
-        let t19_ = a_b_x_z_ * a_z0_force_x_;
-        let t20_ = minus_a_k_xx_ + t19_;
-        let t21_ = a_b_y_z_ * a_z0_force_y_;
-        let t22_ = a_k_yy_ - t21_;
-        let t23_ = a_b_y_z_ * a_z0_force_x_;
-        let t24_ = a_k_xy_ - t23_;
-        let t25_ = t20_ + t22_;
-        let t26_ = sin_a_angle_ * t25_;
-        let t27_ = c_(2.0) * t24_;
-        let t28_ = cos_a_angle_ * t27_;
-        let t29_ = t26_ - t28_;
-        let t30_ = cos_a_angle_ * t29_;
-        let minus_crank_pin_k_xy_ = t24_ + t30_;
+        let t11_ = T::recip(a_j_zz_);
+        let a_z0_force_x_ = a_b_x_z_ * t11_;
+        let a_z0_force_y_ = a_b_y_z_ * t11_;
+        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 24 mul, 20 add, 1 reciprocal.
+        let t12_ = t6_ - c_(4.0);
+        let t13_ = c_(2.5) + t6_;
+        let t14_ = T::mul_add(a_b_x_z_, a_z0_force_x_, t12_);
+        let t15_ = T::mul_neg_add(a_b_y_z_, a_z0_force_y_, t13_);
+        let t16_ = T::mul_neg_add(a_b_y_z_, a_z0_force_x_, a_k_xy_);
+        let t17_ = t14_ + t15_;
+        let t18_ = sin_a_angle_ * t17_;
+        let t19_ = c_(2.0) * t16_;
+        let t20_ = T::mul_neg_add(cos_a_angle_, t19_, t18_);
+        let minus_crank_pin_k_xy_ = T::mul_add(cos_a_angle_, t20_, t16_);
         let minus_crank_pin_b_x_z_ = c_(0.2) * minus_crank_pin_k_xy_;
-        let t31_ = sin_a_angle_ * t29_;
-        let t32_ = t22_ - t31_;
-        let t33_ = c_(0.2) * t32_;
-        let crank_pin_b_y_z_ = c_(0.1) + t33_;
-        let t34_ = c_(0.04000000000000001) * t32_;
-        let crank_pin_j_zz_ = c_(0.020000000000000004) + t34_;
-        let t35_ = minus_a_e_moment_z_ * t18_;
-        let t36_ = a_b_x_z_ * t35_;
-        let t37_ = minus_a_e_force_x_ - t36_;
-        let t38_ = a_b_y_z_ * t35_;
-        let t39_ = minus_a_e_force_y_ - t38_;
-        let t40_ = minus_a_drift_lin_x_ * t20_;
-        let t41_ = a_drift_lin_y_ * t24_;
-        let t42_ = t40_ + t41_;
-        let t43_ = minus_a_drift_lin_x_ * t24_;
-        let t44_ = a_drift_lin_y_ * t22_;
-        let t45_ = t43_ - t44_;
-        let t46_ = t37_ - t42_;
-        let t47_ = t39_ + t45_;
-        let t48_ = sin_a_angle_ * t46_;
-        let t49_ = cos_a_angle_ * t47_;
-        let minus_crank_pin_e_force_y_ = t48_ + t49_;
-        let minus_crank_pin_e_moment_z_ = c_(0.2) * minus_crank_pin_e_force_y_;
-        let t50_ = T::recip(crank_pin_j_zz_);
-        let minus_crank_pin_z0_force_x_ = minus_crank_pin_b_x_z_ * t50_;
-        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t50_;
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 124 mul, 70 add, 6 reciprocal, 6 square root.
-        let t51_ = c_(0.6) * sin_rocker_pin_angle_;
-        let t52_ = sin_rocker_pin_angle_ * c_(2.5);
-        let t53_ = sin_rocker_pin_angle_ * c_(1.5);
-        let t54_ = sin_rocker_pin_angle_ - t53_;
-        let t55_ = t51_ * t52_;
-        let t56_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t57_ = sin_b_angle_ * t54_;
-        let t58_ = t56_ - t57_;
-        let t59_ = sin_b_angle_ * cos_rocker_pin_angle_;
-        let t60_ = cos_b_angle_ * t54_;
-        let t61_ = t59_ + t60_;
-        let t62_ = c_(0.6) * t61_;
-        let t63_ = t62_ * t18_;
-        let t64_ = t62_ * a_z0_force_x_;
-        let t65_ = t58_ - t64_;
-        let t66_ = t62_ * a_z0_force_y_;
-        let t67_ = t61_ - t66_;
-        let t68_ = t62_ * t63_;
-        let t69_ = t55_ + t68_;
-        let t70_ = sin_a_angle_ * t65_;
-        let t71_ = cos_a_angle_ * t67_;
-        let t72_ = t70_ + t71_;
-        let t73_ = c_(0.2) * t72_;
-        let t74_ = t73_ * t50_;
-        let t75_ = t73_ * t74_;
-        let closure_d0_ = t69_ + t75_;
-        let t76_ = c_(0.6) * cos_rocker_pin_angle_;
-        let t77_ = cos_rocker_pin_angle_ * c_(2.5);
-        let t78_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
-        let t79_ = sin_rocker_pin_angle_ * sin_rocker_pin_angle_;
-        let t80_ = t78_ + t79_;
-        let t81_ = t51_ * t51_;
-        let t82_ = t80_ * c_(0.36);
-        let t83_ = t81_ + t82_;
-        let t84_ = t83_ * c_(4.166666666666667);
-        let t85_ = cos_rocker_pin_angle_ * c_(1.5);
-        let t86_ = cos_rocker_pin_angle_ - t85_;
-        let t87_ = t76_ * t52_;
-        let t88_ = t76_ * t77_;
-        let t89_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t90_ = sin_b_angle_ * t86_;
-        let t91_ = t89_ + t90_;
-        let t92_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t93_ = cos_b_angle_ * t86_;
-        let t94_ = t92_ - t93_;
-        let t95_ = c_(0.6) * t94_;
-        let t96_ = t95_ * t18_;
-        let t97_ = t58_ * t58_;
-        let t98_ = t61_ * t61_;
-        let t99_ = t97_ + t98_;
-        let t100_ = t62_ * t62_;
-        let t101_ = t99_ * c_(0.72);
-        let t102_ = t100_ + t101_;
-        let t103_ = t18_ * t102_;
-        let t104_ = t84_ + t103_;
-        let t105_ = t95_ * a_z0_force_x_;
-        let t106_ = t91_ - t105_;
-        let t107_ = t95_ * a_z0_force_y_;
-        let t108_ = t94_ - t107_;
-        let t109_ = t95_ * t63_;
-        let t110_ = t87_ - t109_;
-        let t111_ = t95_ * t96_;
-        let t112_ = t88_ + t111_;
-        let t113_ = cos_a_angle_ * t65_;
-        let t114_ = sin_a_angle_ * t67_;
-        let t115_ = t113_ - t114_;
-        let t116_ = sin_a_angle_ * t106_;
-        let t117_ = cos_a_angle_ * t108_;
-        let t118_ = t116_ + t117_;
-        let t119_ = c_(0.2) * t118_;
-        let t120_ = t119_ * t50_;
-        let t121_ = t115_ * t115_;
-        let t122_ = t72_ * t72_;
-        let t123_ = t121_ + t122_;
-        let t124_ = t73_ * t73_;
-        let t125_ = t123_ * c_(0.76);
-        let t126_ = t124_ + t125_;
-        let t127_ = t50_ * t126_;
-        let t128_ = t104_ + t127_;
-        let t129_ = t119_ * t74_;
-        let t130_ = t110_ - t129_;
-        let t131_ = t119_ * t120_;
-        let t132_ = t112_ + t131_;
-        let t133_ = T::copysign(closure_d0_, c_(1.0));
-        let t134_ = closure_d0_ + t133_;
-        let t135_ = c_(0.5) * t134_;
-        let t136_ = T::sqrt(t135_);
-        let t137_ = T::sqrt(t128_);
-        let t138_ = ::mstmm::generated::recip_above(t136_, t137_);
-        let t139_ = t136_ * t138_;
-        let t140_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t141_ = t139_ * t140_;
-        let t142_ = t130_ * t141_;
-        let t143_ = t130_ * t142_;
-        let closure_d1_ = t132_ - t143_;
-        let t144_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
-        let t145_ = sin_rocker_pin_angle_ * minus_b_e_force_x_;
-        let t146_ = t145_ - c_(9.8);
-        let t147_ = t76_ * t76_;
-        let t148_ = t82_ + t147_;
-        let t149_ = c_(4.166666666666667) * t148_;
-        let t150_ = minus_b_drift_lin_x_ * cos_rocker_pin_angle_;
-        let t151_ = b_drift_lin_y_ * t54_;
-        let t152_ = t150_ - t151_;
-        let t153_ = minus_b_drift_lin_x_ * sin_rocker_pin_angle_;
-        let t154_ = b_drift_lin_y_ * t86_;
-        let t155_ = t153_ + t154_;
-        let t156_ = t62_ * t35_;
-        let t157_ = t152_ - t156_;
-        let t158_ = t95_ * t35_;
-        let t159_ = t155_ - t158_;
-        let t160_ = t91_ * t91_;
-        let t161_ = t94_ * t94_;
-        let t162_ = t160_ + t161_;
-        let t163_ = t95_ * t95_;
-        let t164_ = c_(0.72) * t162_;
-        let t165_ = t163_ + t164_;
-        let t166_ = t18_ * t165_;
-        let t167_ = t149_ + t166_;
-        let t168_ = minus_a_drift_lin_x_ * t65_;
-        let t169_ = a_drift_lin_y_ * t67_;
-        let t170_ = t168_ - t169_;
-        let t171_ = t157_ + t170_;
-        let t172_ = minus_a_drift_lin_x_ * t106_;
-        let t173_ = a_drift_lin_y_ * t108_;
-        let t174_ = t172_ - t173_;
-        let t175_ = t159_ + t174_;
-        let t176_ = cos_a_angle_ * t106_;
-        let t177_ = sin_a_angle_ * t108_;
-        let t178_ = t176_ - t177_;
-        let t179_ = crank_pin_input0_ + minus_crank_pin_e_moment_z_;
-        let t180_ = t50_ * t179_;
-        let t181_ = t73_ * minus_crank_pin_z0_force_x_;
-        let t182_ = t115_ + t181_;
-        let t183_ = t73_ * crank_pin_z0_force_y_;
-        let t184_ = t72_ - t183_;
-        let t185_ = t73_ * t180_;
-        let t186_ = t171_ - t185_;
-        let t187_ = t119_ * minus_crank_pin_z0_force_x_;
-        let t188_ = t178_ + t187_;
-        let t189_ = t119_ * crank_pin_z0_force_y_;
-        let t190_ = t118_ - t189_;
-        let t191_ = t119_ * t180_;
-        let t192_ = t175_ - t191_;
-        let t193_ = t178_ * t178_;
-        let t194_ = t118_ * t118_;
-        let t195_ = t193_ + t194_;
-        let t196_ = t119_ * t119_;
-        let t197_ = c_(0.76) * t195_;
-        let t198_ = t196_ + t197_;
-        let t199_ = t50_ * t198_;
-        let t200_ = t167_ + t199_;
+        let t21_ = T::mul_neg_add(sin_a_angle_, t20_, t15_);
+        let crank_pin_b_y_z_ = T::mul_add(c_(0.2), t21_, c_(0.1));
+        let crank_pin_j_zz_ = T::mul_add(
+            c_(0.04000000000000001),
+            t21_,
+            c_(0.020000000000000004),
+        );
+        let t22_ = sin_b_angle_ * t8_;
+        let t23_ = minus_a_e_moment_z_ * t11_;
+        let t24_ = T::mul_neg_add(a_b_y_z_, t23_, minus_a_e_force_y_);
+        let t25_ = T::mul_add(cos_b_angle_, t9_, t3_);
+        let t26_ = T::mul_sub(a_drift_lin_y_, t16_, t25_);
+        let t27_ = T::mul_neg_add(a_b_x_z_, t23_, t22_);
+        let t28_ = T::mul_sub(minus_a_drift_lin_x_, t14_, t27_);
+        let t29_ = t26_ + t28_;
+        let t30_ = T::mul_neg_add(a_drift_lin_y_, t15_, t24_);
+        let t31_ = T::mul_add(minus_a_drift_lin_x_, t16_, t30_);
+        let t32_ = sin_a_angle_ * t29_;
+        let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t31_, t32_);
+        let t33_ = T::recip(crank_pin_j_zz_);
+        let minus_crank_pin_z0_force_x_ = minus_crank_pin_b_x_z_ * t33_;
+        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t33_;
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 123 mul, 69 add, 6 reciprocal, 6 square root.
+        let t34_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t35_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t36_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
+        let t37_ = t34_ * t35_;
+        let t38_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t39_ = T::mul_neg_add(sin_b_angle_, t36_, t38_);
+        let t40_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        let t41_ = T::mul_add(cos_b_angle_, t36_, t40_);
+        let t42_ = c_(0.6) * t41_;
+        let t43_ = t42_ * t11_;
+        let t44_ = T::mul_neg_add(t42_, a_z0_force_x_, t39_);
+        let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
+        let t46_ = T::mul_add(t42_, t43_, t37_);
+        let t47_ = sin_a_angle_ * t44_;
+        let t48_ = T::mul_add(cos_a_angle_, t45_, t47_);
+        let t49_ = c_(0.2) * t48_;
+        let t50_ = t49_ * t33_;
+        let closure_d0_ = T::mul_add(t49_, t50_, t46_);
+        let t51_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t52_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
+        let t55_ = t54_ * c_(0.36);
+        let t56_ = T::mul_add(t34_, t34_, t55_);
+        let t57_ = t56_ * c_(4.166666666666667);
+        let t58_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let t59_ = t51_ * t35_;
+        let t60_ = t51_ * t52_;
+        let t61_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t62_ = T::mul_add(sin_b_angle_, t58_, t61_);
+        let t63_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t64_ = T::mul_neg_add(cos_b_angle_, t58_, t63_);
+        let t65_ = c_(0.6) * t64_;
+        let t66_ = t65_ * t11_;
+        let t67_ = t39_ * t39_;
+        let t68_ = T::mul_add(t41_, t41_, t67_);
+        let t69_ = t42_ * t42_;
+        let t70_ = T::mul_add(t68_, c_(0.72), t69_);
+        let t71_ = T::mul_add(t11_, t70_, t57_);
+        let t72_ = T::mul_neg_add(t65_, a_z0_force_x_, t62_);
+        let t73_ = T::mul_neg_add(t65_, a_z0_force_y_, t64_);
+        let t74_ = T::mul_neg_add(t65_, t43_, t59_);
+        let t75_ = T::mul_add(t65_, t66_, t60_);
+        let t76_ = cos_a_angle_ * t44_;
+        let t77_ = T::mul_neg_add(sin_a_angle_, t45_, t76_);
+        let t78_ = sin_a_angle_ * t72_;
+        let t79_ = T::mul_add(cos_a_angle_, t73_, t78_);
+        let t80_ = c_(0.2) * t79_;
+        let t81_ = t80_ * t33_;
+        let t82_ = t77_ * t77_;
+        let t83_ = T::mul_add(t48_, t48_, t82_);
+        let t84_ = t49_ * t49_;
+        let t85_ = T::mul_add(t83_, c_(0.76), t84_);
+        let t86_ = T::mul_add(t33_, t85_, t71_);
+        let t87_ = T::mul_neg_add(t80_, t50_, t74_);
+        let t88_ = T::mul_add(t80_, t81_, t75_);
+        let t89_ = T::copysign(closure_d0_, c_(1.0));
+        let t90_ = closure_d0_ + t89_;
+        let t91_ = c_(0.5) * t90_;
+        let t92_ = T::sqrt(t91_);
+        let t93_ = T::sqrt(t86_);
+        let t94_ = ::mstmm::generated::recip_above(t92_, t93_);
+        let t95_ = t92_ * t94_;
+        let t96_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t97_ = t95_ * t96_;
+        let t98_ = t87_ * t97_;
+        let closure_d1_ = T::mul_neg_add(t87_, t98_, t88_);
+        let t99_ = T::mul_add(t51_, t51_, t55_);
+        let t100_ = c_(4.166666666666667) * t99_;
+        let t101_ = b_drift_lin_y_ * t36_;
+        let t102_ = t42_ * t23_;
+        let t103_ = t65_ * t23_;
+        let t104_ = t62_ * t62_;
+        let t105_ = T::mul_add(t64_, t64_, t104_);
+        let t106_ = t65_ * t65_;
+        let t107_ = T::mul_add(c_(0.72), t105_, t106_);
+        let t108_ = T::mul_add(t11_, t107_, t100_);
+        let t109_ = cos_a_angle_ * t72_;
+        let t110_ = T::mul_neg_add(sin_a_angle_, t73_, t109_);
+        let t111_ = T::mul_add(t49_, minus_crank_pin_z0_force_x_, t77_);
+        let t112_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
+        let t113_ = T::mul_add(t80_, minus_crank_pin_z0_force_x_, t110_);
+        let t114_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
+        let t115_ = t110_ * t110_;
+        let t116_ = T::mul_add(t79_, t79_, t115_);
+        let t117_ = t80_ * t80_;
+        let t118_ = T::mul_add(c_(0.76), t116_, t117_);
+        let t119_ = T::mul_add(t33_, t118_, t108_);
         let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
-        let t201_ = t182_ * crank_pin_a_lin_x_;
-        let t202_ = t184_ * crank_pin_a_lin_y_;
-        let t203_ = t201_ + t202_;
-        let t204_ = t186_ - t203_;
-        let t205_ = t188_ * crank_pin_a_lin_x_;
-        let t206_ = t190_ * crank_pin_a_lin_y_;
-        let t207_ = t205_ + t206_;
-        let t208_ = t192_ - t207_;
-        let t209_ = t144_ + t204_;
-        let t210_ = t146_ + t208_;
-        let t211_ = T::copysign(closure_d1_, c_(1.0));
-        let t212_ = closure_d1_ + t211_;
-        let t213_ = c_(0.5) * t212_;
-        let t214_ = T::sqrt(t213_);
-        let t215_ = T::sqrt(t200_);
-        let t216_ = ::mstmm::generated::recip_above(t214_, t215_);
-        let t217_ = t214_ * t216_;
-        let t218_ = ::mstmm::generated::recip_above(closure_d1_, t132_);
-        let t219_ = t217_ * t218_;
-        let t220_ = t209_ * t142_;
-        let t221_ = t210_ + t220_;
-        let t222_ = t209_ * t141_;
-        let t223_ = t219_ * t221_;
-        let t224_ = t142_ * t223_;
-        let t225_ = t222_ + t224_;
-        let t226_ = closure_d0_ * t141_;
-        let t227_ = c_(1.0) - t226_;
-        let t228_ = t227_ * t227_;
-        let t229_ = ::mstmm::generated::recip_above(t228_, c_(1.0));
-        let t230_ = T::sqrt(t229_);
-        let t231_ = t227_ * t230_;
-        let t232_ = t225_ * t231_;
-        let t233_ = t231_ * t232_;
-        let t234_ = t225_ - t233_;
-        let t235_ = closure_d1_ * t219_;
-        let t236_ = c_(1.0) - t235_;
-        let t237_ = t142_ * t236_;
-        let t238_ = t231_ * t237_;
-        let t239_ = t231_ * t238_;
-        let t240_ = t237_ - t239_;
-        let t241_ = t240_ * t240_;
-        let t242_ = t236_ * t236_;
-        let t243_ = t241_ + t242_;
-        let t244_ = ::mstmm::generated::recip_above(t243_, c_(1.0));
-        let t245_ = T::sqrt(t244_);
-        let t246_ = t240_ * t245_;
-        let t247_ = t236_ * t245_;
-        let t248_ = t234_ * t246_;
-        let t249_ = t223_ * t247_;
-        let t250_ = t248_ + t249_;
-        let t251_ = t246_ * t250_;
-        let minus_closure_reaction0_ = t234_ - t251_;
-        let t252_ = t247_ * t250_;
-        let closure_reaction1_ = t223_ - t252_;
+        let t120_ = T::copysign(closure_d1_, c_(1.0));
+        let t121_ = closure_d1_ + t120_;
+        let t122_ = c_(0.5) * t121_;
+        let t123_ = T::sqrt(t122_);
+        let t124_ = T::sqrt(t119_);
+        let t125_ = ::mstmm::generated::recip_above(t123_, t124_);
+        let t126_ = t123_ * t125_;
+        let t127_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
+        let t128_ = t126_ * t127_;
+        let t129_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
+        let t130_ = t129_ * t129_;
+        let t131_ = ::mstmm::generated::recip_above(t130_, c_(1.0));
+        let t132_ = T::sqrt(t131_);
+        let t133_ = t129_ * t132_;
+        let t134_ = T::mul_neg_add(closure_d1_, t128_, c_(1.0));
+        let t135_ = t98_ * t134_;
+        let t136_ = t133_ * t135_;
+        let t137_ = T::mul_neg_add(t133_, t136_, t135_);
+        let t138_ = t137_ * t137_;
+        let t139_ = T::mul_add(t134_, t134_, t138_);
+        let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
+        let t141_ = T::sqrt(t140_);
+        let t142_ = t137_ * t141_;
+        let t143_ = t134_ * t141_;
+        let t144_ = minus_b_drift_lin_x_ + minus_b_e_force_x_;
+        let t145_ = T::mul_neg_add(b_drift_lin_y_, t58_, c_(9.8));
+        let t146_ = T::mul_neg_add(c_(0.2), crank_pin_e_force_y_, crank_pin_input0_);
+        let t147_ = t33_ * t146_;
+        let t148_ = T::mul_neg_add(cos_rocker_pin_angle_, t144_, t102_);
+        let t149_ = T::mul_sub(minus_a_drift_lin_x_, t44_, t148_);
+        let t150_ = T::mul_sub(t112_, crank_pin_a_lin_y_, t149_);
+        let t151_ = T::mul_add(a_drift_lin_y_, t45_, t101_);
+        let t152_ = T::mul_add(t49_, t147_, t151_);
+        let t153_ = T::mul_add(t111_, crank_pin_a_lin_x_, t152_);
+        let t154_ = t150_ + t153_;
+        let t155_ = T::mul_add(a_drift_lin_y_, t73_, t145_);
+        let t156_ = T::mul_add(t80_, t147_, t155_);
+        let t157_ = T::mul_add(t113_, crank_pin_a_lin_x_, t156_);
+        let t158_ = T::mul_neg_add(sin_rocker_pin_angle_, t144_, t103_);
+        let t159_ = T::mul_sub(minus_a_drift_lin_x_, t72_, t158_);
+        let t160_ = T::mul_sub(t114_, crank_pin_a_lin_y_, t159_);
+        let t161_ = T::mul_add(t98_, t154_, t160_);
+        let t162_ = t157_ + t161_;
+        let t163_ = t97_ * t154_;
+        let t164_ = t128_ * t162_;
+        let t165_ = T::mul_add(t98_, t164_, t163_);
+        let t166_ = t133_ * t165_;
+        let t167_ = T::mul_neg_add(t133_, t166_, t165_);
+        let t168_ = t142_ * t167_;
+        let t169_ = T::mul_add(t143_, t164_, t168_);
+        let closure_reaction0_ = T::mul_neg_add(t142_, t169_, t167_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t143_, t169_, t164_);
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 4 mul, 4 add, 0 reciprocal.
-        let t253_ = t74_ * minus_closure_reaction0_;
-        let t254_ = t120_ * closure_reaction1_;
-        let t255_ = t253_ + t254_;
-        let t256_ = t180_ + t255_;
-        let t257_ = minus_crank_pin_z0_force_x_ * crank_pin_a_lin_x_;
-        let t258_ = crank_pin_z0_force_y_ * crank_pin_a_lin_y_;
-        let t259_ = t257_ - t258_;
-        let crank_pin_a_ang_z_ = t256_ + t259_;
+        let t170_ = T::mul_sub(crank_pin_z0_force_y_, crank_pin_a_lin_y_, t147_);
+        let t171_ = T::mul_sub(minus_crank_pin_z0_force_x_, crank_pin_a_lin_x_, t170_);
+        let t172_ = T::mul_sub(t81_, minus_closure_reaction1_, t171_);
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t172_);
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 9 mul, 9 add, 0 reciprocal.
-        let t260_ = c_(0.2) * crank_pin_a_ang_z_;
-        let t261_ = crank_pin_a_lin_y_ + t260_;
-        let t262_ = cos_a_angle_ * crank_pin_a_lin_x_;
-        let t263_ = sin_a_angle_ * t261_;
-        let t264_ = t262_ + t263_;
-        let minus_a_a_lin_x_ = minus_a_drift_lin_x_ - t264_;
-        let t265_ = sin_a_angle_ * crank_pin_a_lin_x_;
-        let t266_ = cos_a_angle_ * t261_;
-        let t267_ = t265_ - t266_;
-        let a_a_lin_y_ = a_drift_lin_y_ - t267_;
-        let t268_ = t63_ * minus_closure_reaction0_;
-        let t269_ = t96_ * closure_reaction1_;
-        let t270_ = t268_ + t269_;
-        let t271_ = t35_ + t270_;
-        let t272_ = a_z0_force_x_ * minus_a_a_lin_x_;
-        let t273_ = a_z0_force_y_ * a_a_lin_y_;
-        let t274_ = t272_ - t273_;
-        let a_a_ang_z_ = t271_ + t274_;
+        let t173_ = T::mul_neg_add(
+            cos_a_angle_,
+            crank_pin_a_lin_x_,
+            minus_a_drift_lin_x_,
+        );
+        let t174_ = T::mul_neg_add(
+            c_(0.2),
+            minus_crank_pin_a_ang_z_,
+            crank_pin_a_lin_y_,
+        );
+        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t174_, t173_);
+        let t175_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t174_, t175_);
+        let t176_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t23_);
+        let t177_ = T::mul_sub(t43_, closure_reaction0_, t176_);
+        let t178_ = T::mul_add(a_z0_force_y_, a_a_lin_y_, t177_);
+        let a_a_ang_z_ = T::mul_sub(a_z0_force_x_, minus_a_a_lin_x_, t178_);
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 8 mul, 7 add, 0 reciprocal.
-        let t275_ = c_(0.6) * a_a_ang_z_;
-        let t276_ = a_a_lin_y_ + t275_;
-        let t277_ = cos_b_angle_ * minus_a_a_lin_x_;
-        let t278_ = sin_b_angle_ * t276_;
-        let t279_ = t277_ - t278_;
-        let minus_b_a_lin_x_ = minus_b_drift_lin_x_ + t279_;
-        let t280_ = sin_b_angle_ * minus_a_a_lin_x_;
-        let t281_ = cos_b_angle_ * t276_;
-        let t282_ = t280_ + t281_;
-        let b_a_lin_y_ = b_drift_lin_y_ + t282_;
-        let t283_ = t52_ * minus_closure_reaction0_;
-        let t284_ = t77_ * closure_reaction1_;
-        let t285_ = t283_ - t284_;
-        let t286_ = c_(2.5) * b_a_lin_y_;
-        let b_a_ang_z_ = t285_ - t286_;
+        let t179_ = c_(0.6) * a_a_ang_z_;
+        let t180_ = a_a_lin_y_ + t179_;
+        let t181_ = T::mul_add(cos_b_angle_, minus_a_a_lin_x_, minus_b_drift_lin_x_);
+        let b_a_lin_x_ = T::mul_sub(sin_b_angle_, t180_, t181_);
+        let t182_ = T::mul_add(sin_b_angle_, minus_a_a_lin_x_, b_drift_lin_y_);
+        let b_a_lin_y_ = T::mul_add(cos_b_angle_, t180_, t182_);
+        let t183_ = t35_ * closure_reaction0_;
+        let t184_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t183_);
+        let minus_b_a_ang_z_ = T::mul_add(c_(2.5), b_a_lin_y_, t184_);
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 10 mul, 2 add, 0 reciprocal.
-        let t287_ = cos_crank_pin_angle_ * cos_a_angle_;
-        let t288_ = sin_crank_pin_angle_ * sin_a_angle_;
-        let a_axes_x_x_ = t287_ - t288_;
-        let t289_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let t290_ = sin_crank_pin_angle_ * cos_a_angle_;
-        let minus_a_axes_x_y_ = t289_ + t290_;
-        let t291_ = cos_crank_pin_angle_ * c_(0.2);
-        let t292_ = crank_pin_rate_ * t291_;
-        let minus_a_drift_lin_x_2_ = crank_pin_rate_ * t292_;
-        let t293_ = sin_crank_pin_angle_ * c_(0.2);
-        let t294_ = crank_pin_rate_ * t293_;
-        let minus_a_drift_lin_y_ = crank_pin_rate_ * t294_;
-        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 10 mul, 2 add, 0 reciprocal.
-        let t295_ = cos_b_angle_ * a_axes_x_x_;
-        let t296_ = sin_b_angle_ * minus_a_axes_x_y_;
-        let b_axes_x_x_ = t295_ - t296_;
-        let t297_ = sin_b_angle_ * a_axes_x_x_;
-        let t298_ = cos_b_angle_ * minus_a_axes_x_y_;
-        let minus_b_axes_x_y_ = t297_ + t298_;
-        let t299_ = c_(0.6) * a_axes_x_x_;
-        let t300_ = a_omega_z_ * t299_;
-        let minus_b_drift_lin_x_2_ = a_omega_z_ * t300_;
-        let t301_ = c_(0.6) * minus_a_axes_x_y_;
-        let t302_ = a_omega_z_ * t301_;
-        let minus_b_drift_lin_y_ = a_omega_z_ * t302_;
+        let t185_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let a_axes_x_x_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t185_);
+        let t186_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let minus_a_axes_x_y_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t186_);
+        let t187_ = cos_crank_pin_angle_ * c_(0.2);
+        let t188_ = crank_pin_rate_ * t187_;
+        let minus_a_drift_lin_x_2_ = crank_pin_rate_ * t188_;
+        let t189_ = sin_crank_pin_angle_ * c_(0.2);
+        let t190_ = crank_pin_rate_ * t189_;
+        let minus_a_drift_lin_y_ = crank_pin_rate_ * t190_;
+        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 8 mul, 2 add, 0 reciprocal.
+        let t191_ = cos_b_angle_ * a_axes_x_x_;
+        let b_axes_x_x_ = T::mul_neg_add(sin_b_angle_, minus_a_axes_x_y_, t191_);
+        let t192_ = sin_b_angle_ * a_axes_x_x_;
+        let minus_b_axes_x_y_ = T::mul_add(cos_b_angle_, minus_a_axes_x_y_, t192_);
+        let t193_ = c_(0.6) * a_axes_x_x_;
+        let t194_ = a_omega_z_ * t193_;
+        let t195_ = c_(0.6) * minus_a_axes_x_y_;
+        let t196_ = a_omega_z_ * t195_;
         /// Point of `a`, [P, Eqs. (12), (13), (36)]: 2 mul, 2 add, 0 reciprocal.
-        let t303_ = crank_pin_a_ang_z_ * t293_;
-        let minus_a_acc_lin_x_ = minus_a_drift_lin_x_2_ + t303_;
-        let t304_ = crank_pin_a_ang_z_ * t291_;
-        let minus_a_acc_lin_y_ = minus_a_drift_lin_y_ - t304_;
-        /// Point of `b`, [P, Eqs. (12), (13), (36)]: 2 mul, 4 add, 0 reciprocal.
-        let t305_ = a_a_ang_z_ * t301_;
-        let t306_ = minus_a_acc_lin_x_ + t305_;
-        let minus_b_acc_lin_x_ = minus_b_drift_lin_x_2_ + t306_;
-        let t307_ = a_a_ang_z_ * t299_;
-        let t308_ = minus_a_acc_lin_y_ - t307_;
-        let minus_b_acc_lin_y_ = minus_b_drift_lin_y_ + t308_;
-        /// Load of the body at `crank_pin`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
-        let t309_ = crank_pin_rate_ * c_(0.1);
-        let t310_ = crank_pin_rate_ * t309_;
-        let t311_ = c_(0.1) * crank_pin_a_ang_z_;
-        let t312_ = crank_pin_a_lin_y_ + t311_;
-        let t313_ = t310_ - crank_pin_a_lin_x_;
-        let t314_ = cos_crank_pin_angle_ * t313_;
-        let t315_ = sin_crank_pin_angle_ * t312_;
-        let minus_crank_pin_own_force_x_ = t314_ + t315_;
-        let t316_ = sin_crank_pin_angle_ * t313_;
-        let t317_ = cos_crank_pin_angle_ * t312_;
-        let minus_crank_pin_own_force_y_ = t316_ - t317_;
-        /// Load of the body at `a`, [P, Eqs. (18), (19)]: 6 mul, 4 add, 0 reciprocal.
-        let t318_ = c_(2.0) * minus_a_a_lin_x_;
-        let t319_ = c_(2.0) * a_a_lin_y_;
-        let t320_ = t275_ + t319_;
-        let t321_ = t3_ + t318_;
-        let t322_ = a_axes_x_x_ * t321_;
-        let t323_ = minus_a_axes_x_y_ * t320_;
-        let minus_a_own_force_x_ = t322_ + t323_;
-        let t324_ = minus_a_axes_x_y_ * t321_;
-        let t325_ = a_axes_x_x_ * t320_;
-        let minus_a_own_force_y_ = t324_ - t325_;
-        /// Load of the body at `b`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
-        let t326_ = c_(0.6) * b_a_ang_z_;
-        let t327_ = c_(2.0) * minus_b_a_lin_x_;
-        let t328_ = c_(2.0) * b_a_lin_y_;
-        let t329_ = t326_ + t328_;
-        let t330_ = minus_b_e_force_x_ + t327_;
-        let t331_ = b_axes_x_x_ * t330_;
-        let t332_ = minus_b_axes_x_y_ * t329_;
-        let minus_b_own_force_x_ = t331_ + t332_;
-        let t333_ = minus_b_axes_x_y_ * t330_;
-        let t334_ = b_axes_x_x_ * t329_;
-        let minus_b_own_force_y_ = t333_ - t334_;
+        let minus_a_acc_lin_x_ = T::mul_neg_add(
+            minus_crank_pin_a_ang_z_,
+            t189_,
+            minus_a_drift_lin_x_2_,
+        );
+        let minus_a_acc_lin_y_ = T::mul_add(
+            minus_crank_pin_a_ang_z_,
+            t187_,
+            minus_a_drift_lin_y_,
+        );
+        /// Point of `b`, [P, Eqs. (12), (13), (36)]: 4 mul, 4 add, 0 reciprocal.
+        let t197_ = T::mul_add(a_omega_z_, t194_, minus_a_acc_lin_x_);
+        let minus_b_acc_lin_x_ = T::mul_add(a_a_ang_z_, t195_, t197_);
+        let t198_ = T::mul_add(a_omega_z_, t196_, minus_a_acc_lin_y_);
+        let b_acc_lin_y_ = T::mul_sub(a_a_ang_z_, t193_, t198_);
         /// Load on `rocker_pin`, [P, Eqs. (18), (19)]: 8 mul, 4 add, 0 reciprocal.
-        let t335_ = cos_rocker_pin_angle_ * minus_closure_reaction0_;
-        let t336_ = sin_rocker_pin_angle_ * closure_reaction1_;
-        let t337_ = t335_ + t336_;
-        let t338_ = sin_rocker_pin_angle_ * minus_closure_reaction0_;
-        let t339_ = cos_rocker_pin_angle_ * closure_reaction1_;
-        let t340_ = t338_ - t339_;
-        let t341_ = t337_ * b_axes_x_x_;
-        let t342_ = t340_ * minus_b_axes_x_y_;
-        let minus_rocker_pin_load_force_x_ = t341_ - t342_;
-        let t343_ = t337_ * minus_b_axes_x_y_;
-        let t344_ = t340_ * b_axes_x_x_;
-        let minus_rocker_pin_load_force_y_ = t343_ + t344_;
-        /// Load on `b`, [P, Eqs. (18), (19)]: 0 mul, 2 add, 0 reciprocal.
-        let minus_b_load_force_x_ = minus_b_own_force_x_
-            + minus_rocker_pin_load_force_x_;
-        let minus_b_load_force_y_ = minus_b_own_force_y_
-            + minus_rocker_pin_load_force_y_;
-        /// Load on `a`, [P, Eqs. (18), (19)]: 0 mul, 2 add, 0 reciprocal.
-        let minus_a_load_force_x_ = minus_a_own_force_x_ + minus_b_load_force_x_;
-        let minus_a_load_force_y_ = minus_a_own_force_y_ + minus_b_load_force_y_;
-        /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 0 mul, 2 add, 0 reciprocal.
-        let minus_crank_pin_load_force_x_ = minus_crank_pin_own_force_x_
-            + minus_a_load_force_x_;
-        let minus_crank_pin_load_force_y_ = minus_crank_pin_own_force_y_
-            + minus_a_load_force_y_;
-        /// Results: 46 mul, 35 add, 0 reciprocal.
-        let t345_ = crank_pin_a_ang_z_ - a_a_ang_z_;
-        let t346_ = a_a_ang_z_ - b_a_ang_z_;
-        let t347_ = t20_ - t22_;
-        let t348_ = c_(4.0) - t347_;
-        let t349_ = t348_ * c_(0.04000000000000001);
-        let t350_ = t349_ + c_(0.030000000000000006);
-        let t351_ = cos_crank_pin_angle_ * c_(0.1);
-        let t352_ = sin_crank_pin_angle_ * c_(0.1);
-        let t353_ = t294_ + t302_;
-        let t354_ = t292_ + t300_;
-        let t355_ = crank_pin_rate_ * t352_;
-        let t356_ = crank_pin_rate_ * t351_;
-        let t357_ = crank_pin_rate_ * c_(0.01);
-        let t358_ = crank_pin_rate_ * t357_;
-        let t359_ = t355_ * t355_;
-        let t360_ = t356_ * t356_;
-        let t361_ = t359_ + t360_;
-        let t362_ = t358_ + t361_;
-        let t363_ = a_axes_x_x_ * c_(0.3);
-        let t364_ = minus_a_axes_x_y_ * c_(0.3);
-        let t365_ = a_omega_z_ * t364_;
-        let t366_ = a_omega_z_ * t363_;
-        let t367_ = t294_ + t365_;
-        let t368_ = t292_ + t366_;
-        let t369_ = a_omega_z_ * c_(0.06);
-        let t370_ = a_omega_z_ * t369_;
-        let t371_ = t367_ * t367_;
-        let t372_ = t368_ * t368_;
-        let t373_ = t371_ + t372_;
-        let t374_ = c_(2.0) * t373_;
-        let t375_ = t370_ + t374_;
-        let t376_ = b_axes_x_x_ * c_(0.3);
-        let t377_ = minus_b_axes_x_y_ * c_(0.3);
-        let t378_ = b_omega_z_ * t377_;
-        let t379_ = b_omega_z_ * t376_;
-        let t380_ = t353_ + t378_;
-        let t381_ = t354_ + t379_;
-        let t382_ = b_omega_z_ * c_(0.06);
-        let t383_ = b_omega_z_ * t382_;
-        let t384_ = t380_ * t380_;
-        let t385_ = t381_ * t381_;
-        let t386_ = t384_ + t385_;
-        let t387_ = c_(2.0) * t386_;
-        let t388_ = t383_ + t387_;
-        let t389_ = c_(0.5) * t388_;
-        let t390_ = t362_ + t375_;
-        let t391_ = c_(0.5) * t390_;
-        let t392_ = t389_ + t391_;
-        let t393_ = t293_ + t301_;
-        let t394_ = sin_crank_pin_angle_ * c_(0.9800000000000001);
-        let t395_ = t293_ + t364_;
-        let t396_ = t395_ * c_(19.6);
-        let t397_ = t394_ + t396_;
-        let t398_ = t393_ + t377_;
-        let t399_ = c_(19.6) * t398_;
-        let t400_ = t397_ + t399_;
-        let t401_ = cos_rocker_pin_angle_ * t231_;
-        let t402_ = sin_rocker_pin_angle_ * t231_;
-        let t403_ = cos_rocker_pin_angle_ * t246_;
-        let t404_ = sin_rocker_pin_angle_ * t247_;
-        let t405_ = t403_ + t404_;
-        let t406_ = sin_rocker_pin_angle_ * t246_;
-        let t407_ = cos_rocker_pin_angle_ * t247_;
-        let t408_ = t406_ - t407_;
-        let t409_ = t291_ + t299_;
-        let t410_ = c_(0.6) * b_axes_x_x_;
-        let t411_ = t410_ + t409_;
-        let t412_ = c_(0.6) * minus_b_axes_x_y_;
-        let t413_ = t412_ + t393_;
-        let t414_ = b_omega_z_ * t412_;
-        let t415_ = t353_ + t414_;
-        let t416_ = b_omega_z_ * t410_;
-        let t417_ = t354_ + t416_;
-        let t418_ = b_omega_z_ * t416_;
-        let t419_ = b_a_ang_z_ * t412_;
-        let t420_ = minus_b_acc_lin_x_ + t419_;
-        let t421_ = t418_ + t420_;
-        let t422_ = b_omega_z_ * t414_;
-        let t423_ = b_a_ang_z_ * t410_;
-        let t424_ = minus_b_acc_lin_y_ - t423_;
-        let t425_ = t422_ + t424_;
+        let t199_ = cos_rocker_pin_angle_ * closure_reaction0_;
+        let t200_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t199_);
+        let t201_ = sin_rocker_pin_angle_ * closure_reaction0_;
+        let t202_ = T::mul_neg_add(
+            cos_rocker_pin_angle_,
+            minus_closure_reaction1_,
+            t201_,
+        );
+        let t203_ = b_axes_x_x_ * t200_;
+        let rocker_pin_load_force_x_ = T::mul_neg_add(minus_b_axes_x_y_, t202_, t203_);
+        let t204_ = minus_b_axes_x_y_ * t200_;
+        let rocker_pin_load_force_y_ = T::mul_add(b_axes_x_x_, t202_, t204_);
+        /// Load on `b`, [P, Eqs. (18), (19)]: 7 mul, 6 add, 0 reciprocal.
+        let t205_ = c_(0.6) * minus_b_a_ang_z_;
+        let t206_ = T::mul_neg_add(c_(2.0), b_a_lin_y_, t205_);
+        let t207_ = T::mul_neg_add(c_(2.0), b_a_lin_x_, minus_b_e_force_x_);
+        let t208_ = T::mul_sub(b_axes_x_x_, t207_, rocker_pin_load_force_x_);
+        let b_load_force_x_ = T::mul_sub(minus_b_axes_x_y_, t206_, t208_);
+        let t209_ = T::mul_sub(minus_b_axes_x_y_, t207_, rocker_pin_load_force_y_);
+        let minus_b_load_force_y_ = T::mul_add(b_axes_x_x_, t206_, t209_);
+        /// Load on `a`, [P, Eqs. (18), (19)]: 6 mul, 6 add, 0 reciprocal.
+        let t210_ = T::mul_add(c_(2.0), a_a_lin_y_, t179_);
+        let t211_ = T::mul_add(c_(2.0), minus_a_a_lin_x_, t3_);
+        let t212_ = a_axes_x_x_ * t211_;
+        let t213_ = T::mul_add(minus_a_axes_x_y_, t210_, t212_);
+        let a_load_force_x_ = b_load_force_x_ - t213_;
+        let t214_ = minus_a_axes_x_y_ * t211_;
+        let t215_ = T::mul_neg_add(a_axes_x_x_, t210_, t214_);
+        let minus_a_load_force_y_ = minus_b_load_force_y_ + t215_;
+        /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 7 mul, 6 add, 0 reciprocal.
+        let t216_ = crank_pin_rate_ * c_(0.1);
+        let t217_ = T::mul_sub(crank_pin_rate_, t216_, crank_pin_a_lin_x_);
+        let t218_ = cos_crank_pin_angle_ * t217_;
+        let t219_ = T::mul_neg_add(
+            c_(0.1),
+            minus_crank_pin_a_ang_z_,
+            crank_pin_a_lin_y_,
+        );
+        let t220_ = T::mul_add(sin_crank_pin_angle_, t219_, t218_);
+        let crank_pin_load_force_x_ = a_load_force_x_ - t220_;
+        let t221_ = sin_crank_pin_angle_ * t217_;
+        let t222_ = T::mul_neg_add(cos_crank_pin_angle_, t219_, t221_);
+        let minus_crank_pin_load_force_y_ = minus_a_load_force_y_ + t222_;
+        /// Results: 44 mul, 35 add, 0 reciprocal.
+        let t223_ = minus_crank_pin_a_ang_z_ + a_a_ang_z_;
+        let t224_ = a_a_ang_z_ + minus_b_a_ang_z_;
+        let t225_ = c_(4.0) + t15_;
+        let t226_ = t14_ - t225_;
+        let t227_ = T::mul_neg_add(
+            c_(0.04000000000000001),
+            t226_,
+            c_(0.030000000000000006),
+        );
+        let t228_ = cos_crank_pin_angle_ * c_(0.1);
+        let t229_ = sin_crank_pin_angle_ * c_(0.1);
+        let t230_ = t190_ + t196_;
+        let t231_ = t188_ + t194_;
+        let t232_ = crank_pin_rate_ * t229_;
+        let t233_ = crank_pin_rate_ * t228_;
+        let t234_ = crank_pin_rate_ * c_(0.01);
+        let t235_ = crank_pin_rate_ * t234_;
+        let t236_ = t233_ * t233_;
+        let t237_ = a_axes_x_x_ * c_(0.3);
+        let t238_ = minus_a_axes_x_y_ * c_(0.3);
+        let t239_ = T::mul_add(a_omega_z_, t238_, t190_);
+        let t240_ = T::mul_add(a_omega_z_, t237_, t188_);
+        let t241_ = a_omega_z_ * c_(0.06);
+        let t242_ = t239_ * t239_;
+        let t243_ = T::mul_add(t240_, t240_, t242_);
+        let t244_ = b_axes_x_x_ * c_(0.3);
+        let t245_ = minus_b_axes_x_y_ * c_(0.3);
+        let t246_ = T::mul_add(b_omega_z_, t245_, t230_);
+        let t247_ = T::mul_add(b_omega_z_, t244_, t231_);
+        let t248_ = b_omega_z_ * c_(0.06);
+        let t249_ = t246_ * t246_;
+        let t250_ = T::mul_add(t247_, t247_, t249_);
+        let t251_ = T::mul_add(b_omega_z_, t248_, t235_);
+        let t252_ = T::mul_add(t232_, t232_, t251_);
+        let t253_ = T::mul_add(c_(2.0), t250_, t252_);
+        let t254_ = T::mul_add(a_omega_z_, t241_, t236_);
+        let t255_ = T::mul_add(c_(2.0), t243_, t254_);
+        let t256_ = t253_ + t255_;
+        let t257_ = c_(0.5) * t256_;
+        let t258_ = t189_ + t195_;
+        let t259_ = sin_crank_pin_angle_ * c_(0.9800000000000001);
+        let t260_ = t189_ + t238_;
+        let t261_ = t258_ + t260_;
+        let t262_ = t245_ + t261_;
+        let t263_ = T::mul_add(c_(19.6), t262_, t259_);
+        let t264_ = cos_rocker_pin_angle_ * t133_;
+        let t265_ = sin_rocker_pin_angle_ * t133_;
+        let t266_ = cos_rocker_pin_angle_ * t142_;
+        let t267_ = T::mul_add(sin_rocker_pin_angle_, t143_, t266_);
+        let t268_ = sin_rocker_pin_angle_ * t142_;
+        let t269_ = T::mul_neg_add(cos_rocker_pin_angle_, t143_, t268_);
+        let t270_ = t187_ + t193_;
+        let t271_ = c_(0.6) * b_axes_x_x_;
+        let t272_ = t271_ + t270_;
+        let t273_ = c_(0.6) * minus_b_axes_x_y_;
+        let t274_ = t273_ + t258_;
+        let t275_ = b_omega_z_ * t273_;
+        let t276_ = t230_ + t275_;
+        let t277_ = b_omega_z_ * t271_;
+        let t278_ = t231_ + t277_;
+        let t279_ = T::mul_add(b_omega_z_, t277_, minus_b_acc_lin_x_);
+        let t280_ = T::mul_sub(minus_b_a_ang_z_, t273_, t279_);
+        let t281_ = T::mul_sub(b_omega_z_, t275_, b_acc_lin_y_);
+        let t282_ = T::mul_add(minus_b_a_ang_z_, t271_, t281_);
         ::mstmm::generated::finite::<
             T,
         >(
@@ -1121,20 +900,22 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t350_],
-            [crank_pin_a_ang_z_, -t345_, -t346_, -b_a_ang_z_],
+            [c_(2.04), t227_],
+            [-minus_crank_pin_a_ang_z_, t223_, -t224_, minus_b_a_ang_z_],
         )?;
-        at_.accelerations.data.0 = [[crank_pin_a_ang_z_, -t345_, -t346_, -b_a_ang_z_]];
+        at_.accelerations.data.0 = [
+            [-minus_crank_pin_a_ang_z_, t223_, -t224_, minus_b_a_ang_z_],
+        ];
         at_.rate_accelerations.data.0 = [
-            [crank_pin_a_ang_z_, -t345_, -t346_, -b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t223_, -t224_, minus_b_a_ang_z_],
         ];
         at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
         at_.closure = ::mstmm::generated::closure([
-            [t401_, t402_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
-            [-t405_, -t408_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [t264_, t265_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [-t267_, -t269_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
         ]);
-        at_.kinetic_energy = t392_;
-        at_.potential_energy = t400_;
+        at_.kinetic_energy = t257_;
+        at_.potential_energy = t263_;
         at_.points = [
             ::mstmm::PlanePoint::new(
                 [c_(0.0), c_(0.0)],
@@ -1145,7 +926,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                     [c_(0.0), c_(0.0)],
                     c_(0.0),
                     -crank_pin_input0_,
-                    [-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_],
+                    [crank_pin_load_force_x_, -minus_crank_pin_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
@@ -1155,69 +936,69 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                 crank_pin_rate_,
                 ::mstmm::PlaneStateVector::new(
                     [c_(0.0), c_(0.0)],
-                    crank_pin_a_ang_z_,
+                    -minus_crank_pin_a_ang_z_,
                     -crank_pin_input0_,
-                    [-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_],
+                    [crank_pin_load_force_x_, -minus_crank_pin_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t291_, t293_],
+                [t187_, t189_],
                 [cos_crank_pin_angle_, sin_crank_pin_angle_],
-                [-t294_, t292_],
+                [-t190_, t188_],
                 crank_pin_rate_,
                 ::mstmm::PlaneStateVector::new(
                     [-minus_a_acc_lin_x_, -minus_a_acc_lin_y_],
-                    crank_pin_a_ang_z_,
+                    -minus_crank_pin_a_ang_z_,
                     c_(0.0),
-                    [-minus_a_load_force_x_, -minus_a_load_force_y_],
+                    [a_load_force_x_, -minus_a_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t291_, t293_],
+                [t187_, t189_],
                 [a_axes_x_x_, minus_a_axes_x_y_],
-                [-t294_, t292_],
+                [-t190_, t188_],
                 a_omega_z_,
                 ::mstmm::PlaneStateVector::new(
                     [-minus_a_acc_lin_x_, -minus_a_acc_lin_y_],
                     a_a_ang_z_,
                     c_(0.0),
-                    [-minus_a_load_force_x_, -minus_a_load_force_y_],
+                    [a_load_force_x_, -minus_a_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t409_, t393_],
+                [t270_, t258_],
                 [a_axes_x_x_, minus_a_axes_x_y_],
-                [-t353_, t354_],
+                [-t230_, t231_],
                 a_omega_z_,
                 ::mstmm::PlaneStateVector::new(
-                    [-minus_b_acc_lin_x_, -minus_b_acc_lin_y_],
+                    [-minus_b_acc_lin_x_, b_acc_lin_y_],
                     a_a_ang_z_,
                     c_(0.0),
-                    [-minus_b_load_force_x_, -minus_b_load_force_y_],
+                    [b_load_force_x_, -minus_b_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t409_, t393_],
+                [t270_, t258_],
                 [b_axes_x_x_, minus_b_axes_x_y_],
-                [-t353_, t354_],
+                [-t230_, t231_],
                 b_omega_z_,
                 ::mstmm::PlaneStateVector::new(
-                    [-minus_b_acc_lin_x_, -minus_b_acc_lin_y_],
-                    b_a_ang_z_,
+                    [-minus_b_acc_lin_x_, b_acc_lin_y_],
+                    -minus_b_a_ang_z_,
                     c_(0.0),
-                    [-minus_b_load_force_x_, -minus_b_load_force_y_],
+                    [b_load_force_x_, -minus_b_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t411_, t413_],
+                [t272_, t274_],
                 [b_axes_x_x_, minus_b_axes_x_y_],
-                [-t415_, t417_],
+                [-t276_, t278_],
                 b_omega_z_,
                 ::mstmm::PlaneStateVector::new(
-                    [-t421_, -t425_],
-                    b_a_ang_z_,
+                    [t280_, -t282_],
+                    -minus_b_a_ang_z_,
                     c_(0.0),
-                    [-minus_rocker_pin_load_force_x_, -minus_rocker_pin_load_force_y_],
+                    [rocker_pin_load_force_x_, rocker_pin_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
@@ -1229,7 +1010,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                     [c_(0.0), c_(0.0)],
                     c_(0.0),
                     c_(0.0),
-                    [-minus_rocker_pin_load_force_x_, -minus_rocker_pin_load_force_y_],
+                    [rocker_pin_load_force_x_, rocker_pin_load_force_y_],
                 ),
             ),
         ];
@@ -1238,14 +1019,14 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 72 operations: 47 mul, 25 add, 0 reciprocal, 3 sin/cos.
+    /// 70 operations: 46 mul, 24 add, 0 reciprocal, 3 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 3 |
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 4 | 3 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 4 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 39 | 19 | 0 | 0 | 0 |
+    /// | Results |  | 38 | 18 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &FourBarState<T>) -> ::mstmm::Energy<T> {
@@ -1265,82 +1046,61 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         ) = T::sin_cos([crank_pin_angle_, a_angle_, b_angle_]);
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
         let t0_ = cos_crank_pin_angle_ * cos_a_angle_;
-        let t1_ = sin_crank_pin_angle_ * sin_a_angle_;
-        let a_axes_x_x_ = t0_ - t1_;
-        let t2_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let t3_ = sin_crank_pin_angle_ * cos_a_angle_;
-        let minus_a_axes_x_y_ = t2_ + t3_;
+        let a_axes_x_x_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t0_);
+        let t1_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let minus_a_axes_x_y_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t1_);
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t4_ = cos_b_angle_ * a_axes_x_x_;
-        let t5_ = sin_b_angle_ * minus_a_axes_x_y_;
-        let b_axes_x_x_ = t4_ - t5_;
-        let t6_ = sin_b_angle_ * a_axes_x_x_;
-        let t7_ = cos_b_angle_ * minus_a_axes_x_y_;
-        let minus_b_axes_x_y_ = t6_ + t7_;
+        let t2_ = cos_b_angle_ * a_axes_x_x_;
+        let b_axes_x_x_ = T::mul_neg_add(sin_b_angle_, minus_a_axes_x_y_, t2_);
+        let t3_ = sin_b_angle_ * a_axes_x_x_;
+        let minus_b_axes_x_y_ = T::mul_add(cos_b_angle_, minus_a_axes_x_y_, t3_);
         let b_omega_z_ = b_rate_ + a_omega_z_;
-        /// Results: 39 mul, 19 add, 0 reciprocal.
-        let t8_ = cos_crank_pin_angle_ * c_(0.1);
-        let t9_ = sin_crank_pin_angle_ * c_(0.1);
-        let t10_ = cos_crank_pin_angle_ * c_(0.2);
-        let t11_ = sin_crank_pin_angle_ * c_(0.2);
-        let t12_ = crank_pin_rate_ * t11_;
-        let t13_ = crank_pin_rate_ * t10_;
-        let t14_ = c_(0.6) * a_axes_x_x_;
-        let t15_ = c_(0.6) * minus_a_axes_x_y_;
-        let t16_ = a_omega_z_ * t15_;
-        let t17_ = a_omega_z_ * t14_;
-        let t18_ = t12_ + t16_;
-        let t19_ = t13_ + t17_;
-        let t20_ = crank_pin_rate_ * t9_;
-        let t21_ = crank_pin_rate_ * t8_;
-        let t22_ = crank_pin_rate_ * c_(0.01);
-        let t23_ = crank_pin_rate_ * t22_;
-        let t24_ = t20_ * t20_;
-        let t25_ = t21_ * t21_;
-        let t26_ = t24_ + t25_;
-        let t27_ = t23_ + t26_;
-        let t28_ = a_axes_x_x_ * c_(0.3);
-        let t29_ = minus_a_axes_x_y_ * c_(0.3);
-        let t30_ = a_omega_z_ * t29_;
-        let t31_ = a_omega_z_ * t28_;
-        let t32_ = t12_ + t30_;
-        let t33_ = t13_ + t31_;
-        let t34_ = a_omega_z_ * c_(0.06);
-        let t35_ = a_omega_z_ * t34_;
-        let t36_ = t32_ * t32_;
-        let t37_ = t33_ * t33_;
-        let t38_ = t36_ + t37_;
-        let t39_ = c_(2.0) * t38_;
-        let t40_ = t35_ + t39_;
-        let t41_ = b_axes_x_x_ * c_(0.3);
-        let t42_ = minus_b_axes_x_y_ * c_(0.3);
-        let t43_ = b_omega_z_ * t42_;
-        let t44_ = b_omega_z_ * t41_;
-        let t45_ = t18_ + t43_;
-        let t46_ = t19_ + t44_;
-        let t47_ = b_omega_z_ * c_(0.06);
-        let t48_ = b_omega_z_ * t47_;
-        let t49_ = t45_ * t45_;
-        let t50_ = t46_ * t46_;
-        let t51_ = t49_ + t50_;
-        let t52_ = c_(2.0) * t51_;
-        let t53_ = t48_ + t52_;
-        let t54_ = c_(0.5) * t53_;
-        let t55_ = t27_ + t40_;
-        let t56_ = c_(0.5) * t55_;
-        let t57_ = t54_ + t56_;
-        let t58_ = t11_ + t15_;
-        let t59_ = sin_crank_pin_angle_ * c_(0.9800000000000001);
-        let t60_ = t11_ + t29_;
-        let t61_ = t60_ * c_(19.6);
-        let t62_ = t59_ + t61_;
-        let t63_ = t58_ + t42_;
-        let t64_ = c_(19.6) * t63_;
-        let t65_ = t62_ + t64_;
+        /// Results: 38 mul, 18 add, 0 reciprocal.
+        let t4_ = cos_crank_pin_angle_ * c_(0.1);
+        let t5_ = sin_crank_pin_angle_ * c_(0.1);
+        let t6_ = cos_crank_pin_angle_ * c_(0.2);
+        let t7_ = sin_crank_pin_angle_ * c_(0.2);
+        let t8_ = crank_pin_rate_ * t7_;
+        let t9_ = crank_pin_rate_ * t6_;
+        let t10_ = c_(0.6) * a_axes_x_x_;
+        let t11_ = c_(0.6) * minus_a_axes_x_y_;
+        let t12_ = T::mul_add(a_omega_z_, t11_, t8_);
+        let t13_ = T::mul_add(a_omega_z_, t10_, t9_);
+        let t14_ = crank_pin_rate_ * t5_;
+        let t15_ = crank_pin_rate_ * t4_;
+        let t16_ = crank_pin_rate_ * c_(0.01);
+        let t17_ = crank_pin_rate_ * t16_;
+        let t18_ = t15_ * t15_;
+        let t19_ = a_axes_x_x_ * c_(0.3);
+        let t20_ = minus_a_axes_x_y_ * c_(0.3);
+        let t21_ = T::mul_add(a_omega_z_, t20_, t8_);
+        let t22_ = T::mul_add(a_omega_z_, t19_, t9_);
+        let t23_ = a_omega_z_ * c_(0.06);
+        let t24_ = t21_ * t21_;
+        let t25_ = T::mul_add(t22_, t22_, t24_);
+        let t26_ = b_axes_x_x_ * c_(0.3);
+        let t27_ = minus_b_axes_x_y_ * c_(0.3);
+        let t28_ = T::mul_add(b_omega_z_, t27_, t12_);
+        let t29_ = T::mul_add(b_omega_z_, t26_, t13_);
+        let t30_ = b_omega_z_ * c_(0.06);
+        let t31_ = t28_ * t28_;
+        let t32_ = T::mul_add(t29_, t29_, t31_);
+        let t33_ = T::mul_add(b_omega_z_, t30_, t17_);
+        let t34_ = T::mul_add(t14_, t14_, t33_);
+        let t35_ = T::mul_add(c_(2.0), t32_, t34_);
+        let t36_ = T::mul_add(a_omega_z_, t23_, t18_);
+        let t37_ = T::mul_add(c_(2.0), t25_, t36_);
+        let t38_ = t35_ + t37_;
+        let t39_ = c_(0.5) * t38_;
+        let t40_ = sin_crank_pin_angle_ * c_(0.9800000000000001);
+        let t41_ = T::mul_add(sin_crank_pin_angle_, c_(0.4), t20_);
+        let t42_ = t11_ + t41_;
+        let t43_ = t27_ + t42_;
+        let t44_ = T::mul_add(c_(19.6), t43_, t40_);
         ::mstmm::Energy {
-            kinetic: t57_,
-            potential: t65_,
+            kinetic: t39_,
+            potential: t44_,
         }
     }
 }
@@ -1401,16 +1161,16 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Corrects coordinates and rates once by the smallest motion that closes the
     /// chain, and returns how far it was from closed.
     ///
-    /// 343 operations: 200 mul, 126 add, 9 reciprocal, 8 square root, 5 sin/cos.
+    /// 340 operations: 198 mul, 125 add, 9 reciprocal, 8 square root, 5 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 4 |
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
-    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 5 | 1 | 0 | 0 |
-    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 7 | 0 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 121 | 61 | 7 | 6 | 0 |
+    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 3 | 1 | 0 | 0 |
+    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 9 | 0 | 0 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 119 | 61 | 7 | 6 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 7 | 3 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
@@ -1418,7 +1178,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 7 | 3 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
-    /// | Results |  | 10 | 23 | 1 | 2 | 1 |
+    /// | Results |  | 10 | 22 | 1 | 2 | 1 |
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn correct(&self, state_: &mut FourBarState<T>, inputs_: &FourBarInputs<T>) -> T {
         let c_ = T::constant;
@@ -1444,364 +1204,270 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let b_omega_z_ = b_rate_ + a_omega_z_;
-        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 5 add, 1 reciprocal.
+        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 3 add, 1 reciprocal.
         let t0_ = sin_b_angle_ * c_(1.5);
-        let t1_ = sin_b_angle_ * t0_;
-        let minus_a_k_xx_ = t1_ - c_(4.0);
-        let a_k_yy_ = c_(2.5) + t1_;
         let a_k_xy_ = cos_b_angle_ * t0_;
         let a_b_x_z_ = c_(0.6) * a_k_xy_;
+        let t1_ = sin_b_angle_ * t0_;
         let t2_ = c_(0.5) + t1_;
-        let t3_ = c_(0.6) * t2_;
-        let a_b_y_z_ = c_(0.6) + t3_;
-        let t4_ = c_(0.36) * t2_;
-        let a_j_zz_ = c_(0.24) + t4_;
-        let t5_ = T::recip(a_j_zz_);
-        let a_z0_force_x_ = a_b_x_z_ * t5_;
-        let a_z0_force_y_ = a_b_y_z_ * t5_;
-        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 7 add, 0 reciprocal.
-        let t6_ = a_b_x_z_ * a_z0_force_x_;
-        let t7_ = minus_a_k_xx_ + t6_;
-        let t8_ = a_b_y_z_ * a_z0_force_y_;
-        let t9_ = a_k_yy_ - t8_;
-        let t10_ = a_b_y_z_ * a_z0_force_x_;
-        let t11_ = a_k_xy_ - t10_;
-        let t12_ = t7_ + t9_;
-        let t13_ = sin_a_angle_ * t12_;
-        let t14_ = c_(2.0) * t11_;
-        let t15_ = cos_a_angle_ * t14_;
-        let t16_ = t13_ - t15_;
-        let t17_ = sin_a_angle_ * t16_;
-        let t18_ = t9_ - t17_;
-        let t19_ = c_(0.04000000000000001) * t18_;
-        let crank_pin_j_zz_ = c_(0.020000000000000004) + t19_;
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 121 mul, 61 add, 7 reciprocal, 6 square root.
-        let t20_ = c_(0.6) * sin_rocker_pin_angle_;
-        let t21_ = sin_rocker_pin_angle_ * c_(2.5);
-        let t22_ = sin_rocker_pin_angle_ * c_(1.5);
-        let t23_ = sin_rocker_pin_angle_ - t22_;
-        let t24_ = t20_ * t21_;
-        let t25_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t26_ = sin_b_angle_ * t23_;
-        let t27_ = t25_ - t26_;
-        let t28_ = sin_b_angle_ * cos_rocker_pin_angle_;
-        let t29_ = cos_b_angle_ * t23_;
-        let t30_ = t28_ + t29_;
-        let t31_ = c_(0.6) * t30_;
-        let t32_ = t31_ * t5_;
-        let t33_ = t31_ * a_z0_force_x_;
-        let t34_ = t27_ - t33_;
-        let t35_ = t31_ * a_z0_force_y_;
-        let t36_ = t30_ - t35_;
-        let t37_ = t31_ * t32_;
-        let t38_ = t24_ + t37_;
-        let t39_ = sin_a_angle_ * t34_;
-        let t40_ = cos_a_angle_ * t36_;
-        let t41_ = t39_ + t40_;
-        let t42_ = c_(0.2) * t41_;
-        let t43_ = T::recip(crank_pin_j_zz_);
-        let t44_ = t42_ * t43_;
-        let t45_ = t42_ * t44_;
-        let closure_d0_ = t38_ + t45_;
-        let t46_ = c_(0.6) * cos_rocker_pin_angle_;
-        let t47_ = cos_rocker_pin_angle_ * c_(2.5);
-        let t48_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
-        let t49_ = sin_rocker_pin_angle_ * sin_rocker_pin_angle_;
-        let t50_ = t48_ + t49_;
-        let t51_ = t20_ * t20_;
-        let t52_ = t50_ * c_(0.36);
-        let t53_ = t51_ + t52_;
-        let t54_ = t53_ * c_(4.166666666666667);
-        let t55_ = cos_rocker_pin_angle_ * c_(1.5);
-        let t56_ = cos_rocker_pin_angle_ - t55_;
-        let t57_ = t46_ * t21_;
-        let t58_ = t46_ * t47_;
-        let t59_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t60_ = sin_b_angle_ * t56_;
-        let t61_ = t59_ + t60_;
-        let t62_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t63_ = cos_b_angle_ * t56_;
-        let t64_ = t62_ - t63_;
-        let t65_ = c_(0.6) * t64_;
-        let t66_ = t65_ * t5_;
-        let t67_ = t27_ * t27_;
-        let t68_ = t30_ * t30_;
-        let t69_ = t67_ + t68_;
-        let t70_ = t31_ * t31_;
-        let t71_ = t69_ * c_(0.72);
-        let t72_ = t70_ + t71_;
-        let t73_ = t5_ * t72_;
-        let t74_ = t54_ + t73_;
-        let t75_ = t65_ * a_z0_force_x_;
-        let t76_ = t61_ - t75_;
-        let t77_ = t65_ * a_z0_force_y_;
-        let t78_ = t64_ - t77_;
-        let t79_ = t65_ * t32_;
-        let t80_ = t57_ - t79_;
-        let t81_ = t65_ * t66_;
-        let t82_ = t58_ + t81_;
-        let t83_ = cos_a_angle_ * t34_;
-        let t84_ = sin_a_angle_ * t36_;
-        let t85_ = t83_ - t84_;
-        let t86_ = sin_a_angle_ * t76_;
-        let t87_ = cos_a_angle_ * t78_;
-        let t88_ = t86_ + t87_;
-        let t89_ = c_(0.2) * t88_;
-        let t90_ = t89_ * t43_;
-        let t91_ = t85_ * t85_;
-        let t92_ = t41_ * t41_;
-        let t93_ = t91_ + t92_;
-        let t94_ = t42_ * t42_;
-        let t95_ = t93_ * c_(0.76);
-        let t96_ = t94_ + t95_;
-        let t97_ = t43_ * t96_;
-        let t98_ = t74_ + t97_;
-        let t99_ = t89_ * t44_;
-        let t100_ = t80_ - t99_;
-        let t101_ = t89_ * t90_;
-        let t102_ = t82_ + t101_;
-        let t103_ = T::copysign(closure_d0_, c_(1.0));
-        let t104_ = closure_d0_ + t103_;
-        let t105_ = c_(0.5) * t104_;
+        let a_b_y_z_ = T::mul_add(c_(0.6), t2_, c_(0.6));
+        let a_j_zz_ = T::mul_add(c_(0.36), t2_, c_(0.24));
+        let t3_ = T::recip(a_j_zz_);
+        let a_z0_force_x_ = a_b_x_z_ * t3_;
+        let a_z0_force_y_ = a_b_y_z_ * t3_;
+        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 9 add, 0 reciprocal.
+        let t4_ = t1_ - c_(4.0);
+        let t5_ = c_(2.5) + t1_;
+        let t6_ = T::mul_add(a_b_x_z_, a_z0_force_x_, t4_);
+        let t7_ = T::mul_neg_add(a_b_y_z_, a_z0_force_y_, t5_);
+        let t8_ = T::mul_neg_add(a_b_y_z_, a_z0_force_x_, a_k_xy_);
+        let t9_ = t6_ + t7_;
+        let t10_ = sin_a_angle_ * t9_;
+        let t11_ = c_(2.0) * t8_;
+        let t12_ = T::mul_neg_add(cos_a_angle_, t11_, t10_);
+        let t13_ = T::mul_neg_add(sin_a_angle_, t12_, t7_);
+        let crank_pin_j_zz_ = T::mul_add(
+            c_(0.04000000000000001),
+            t13_,
+            c_(0.020000000000000004),
+        );
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 119 mul, 61 add, 7 reciprocal, 6 square root.
+        let t14_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t15_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t16_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
+        let t17_ = t14_ * t15_;
+        let t18_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t19_ = T::mul_neg_add(sin_b_angle_, t16_, t18_);
+        let t20_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        let t21_ = T::mul_add(cos_b_angle_, t16_, t20_);
+        let t22_ = c_(0.6) * t21_;
+        let t23_ = t22_ * t3_;
+        let t24_ = T::mul_neg_add(t22_, a_z0_force_x_, t19_);
+        let t25_ = T::mul_neg_add(t22_, a_z0_force_y_, t21_);
+        let t26_ = T::mul_add(t22_, t23_, t17_);
+        let t27_ = sin_a_angle_ * t24_;
+        let t28_ = T::mul_add(cos_a_angle_, t25_, t27_);
+        let t29_ = c_(0.2) * t28_;
+        let t30_ = T::recip(crank_pin_j_zz_);
+        let t31_ = t29_ * t30_;
+        let closure_d0_ = T::mul_add(t29_, t31_, t26_);
+        let t32_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t33_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t34_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t35_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t34_);
+        let t36_ = t35_ * c_(0.36);
+        let t37_ = T::mul_add(t14_, t14_, t36_);
+        let t38_ = t37_ * c_(4.166666666666667);
+        let t39_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let t40_ = t32_ * t15_;
+        let t41_ = t32_ * t33_;
+        let t42_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t43_ = T::mul_add(sin_b_angle_, t39_, t42_);
+        let t44_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t45_ = T::mul_neg_add(cos_b_angle_, t39_, t44_);
+        let t46_ = c_(0.6) * t45_;
+        let t47_ = t46_ * t3_;
+        let t48_ = t19_ * t19_;
+        let t49_ = T::mul_add(t21_, t21_, t48_);
+        let t50_ = t22_ * t22_;
+        let t51_ = T::mul_add(t49_, c_(0.72), t50_);
+        let t52_ = T::mul_add(t3_, t51_, t38_);
+        let t53_ = T::mul_neg_add(t46_, a_z0_force_x_, t43_);
+        let t54_ = T::mul_neg_add(t46_, a_z0_force_y_, t45_);
+        let t55_ = T::mul_neg_add(t46_, t23_, t40_);
+        let t56_ = T::mul_add(t46_, t47_, t41_);
+        let t57_ = cos_a_angle_ * t24_;
+        let t58_ = T::mul_neg_add(sin_a_angle_, t25_, t57_);
+        let t59_ = sin_a_angle_ * t53_;
+        let t60_ = T::mul_add(cos_a_angle_, t54_, t59_);
+        let t61_ = c_(0.2) * t60_;
+        let t62_ = t61_ * t30_;
+        let t63_ = t58_ * t58_;
+        let t64_ = T::mul_add(t28_, t28_, t63_);
+        let t65_ = t29_ * t29_;
+        let t66_ = T::mul_add(t64_, c_(0.76), t65_);
+        let t67_ = T::mul_add(t30_, t66_, t52_);
+        let t68_ = T::mul_neg_add(t61_, t31_, t55_);
+        let t69_ = T::mul_add(t61_, t62_, t56_);
+        let t70_ = T::copysign(closure_d0_, c_(1.0));
+        let t71_ = closure_d0_ + t70_;
+        let t72_ = c_(0.5) * t71_;
+        let t73_ = T::sqrt(t72_);
+        let t74_ = T::sqrt(t67_);
+        let t75_ = ::mstmm::generated::recip_above(t73_, t74_);
+        let t76_ = t73_ * t75_;
+        let t77_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t78_ = t76_ * t77_;
+        let t79_ = t68_ * t78_;
+        let closure_d1_ = T::mul_neg_add(t68_, t79_, t69_);
+        let t80_ = T::mul_add(t32_, t32_, t36_);
+        let t81_ = c_(4.166666666666667) * t80_;
+        let t82_ = t43_ * t43_;
+        let t83_ = T::mul_add(t45_, t45_, t82_);
+        let t84_ = t46_ * t46_;
+        let t85_ = T::mul_add(c_(0.72), t83_, t84_);
+        let t86_ = T::mul_add(t3_, t85_, t81_);
+        let t87_ = cos_a_angle_ * t53_;
+        let t88_ = T::mul_neg_add(sin_a_angle_, t54_, t87_);
+        let t89_ = t88_ * t88_;
+        let t90_ = T::mul_add(t60_, t60_, t89_);
+        let t91_ = t61_ * t61_;
+        let t92_ = T::mul_add(c_(0.76), t90_, t91_);
+        let t93_ = T::mul_add(t30_, t92_, t86_);
+        let t94_ = T::copysign(closure_d1_, c_(1.0));
+        let t95_ = closure_d1_ + t94_;
+        let t96_ = c_(0.5) * t95_;
+        let t97_ = T::sqrt(t96_);
+        let t98_ = T::sqrt(t93_);
+        let t99_ = ::mstmm::generated::recip_above(t97_, t98_);
+        let t100_ = t97_ * t99_;
+        let t101_ = ::mstmm::generated::recip_above(closure_d1_, t69_);
+        let t102_ = t100_ * t101_;
+        let t103_ = T::mul_neg_add(closure_d0_, t78_, c_(1.0));
+        let t104_ = t103_ * t103_;
+        let t105_ = ::mstmm::generated::recip_above(t104_, c_(1.0));
         let t106_ = T::sqrt(t105_);
-        let t107_ = T::sqrt(t98_);
-        let t108_ = ::mstmm::generated::recip_above(t106_, t107_);
-        let t109_ = t106_ * t108_;
-        let t110_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t111_ = t109_ * t110_;
-        let t112_ = t100_ * t111_;
-        let t113_ = t100_ * t112_;
-        let closure_d1_ = t102_ - t113_;
-        let t114_ = t46_ * t46_;
-        let t115_ = t52_ + t114_;
-        let t116_ = c_(4.166666666666667) * t115_;
-        let t117_ = t61_ * t61_;
-        let t118_ = t64_ * t64_;
-        let t119_ = t117_ + t118_;
-        let t120_ = t65_ * t65_;
-        let t121_ = c_(0.72) * t119_;
-        let t122_ = t120_ + t121_;
-        let t123_ = t5_ * t122_;
-        let t124_ = t116_ + t123_;
-        let t125_ = cos_a_angle_ * t76_;
-        let t126_ = sin_a_angle_ * t78_;
-        let t127_ = t125_ - t126_;
-        let t128_ = t127_ * t127_;
-        let t129_ = t88_ * t88_;
-        let t130_ = t128_ + t129_;
-        let t131_ = t89_ * t89_;
-        let t132_ = c_(0.76) * t130_;
-        let t133_ = t131_ + t132_;
-        let t134_ = t43_ * t133_;
-        let t135_ = t124_ + t134_;
-        let t136_ = T::copysign(closure_d1_, c_(1.0));
-        let t137_ = closure_d1_ + t136_;
-        let t138_ = c_(0.5) * t137_;
-        let t139_ = T::sqrt(t138_);
-        let t140_ = T::sqrt(t135_);
-        let t141_ = ::mstmm::generated::recip_above(t139_, t140_);
-        let t142_ = t139_ * t141_;
-        let t143_ = ::mstmm::generated::recip_above(closure_d1_, t102_);
-        let t144_ = t142_ * t143_;
-        let t145_ = closure_d0_ * t111_;
-        let t146_ = c_(1.0) - t145_;
-        let t147_ = t146_ * t146_;
-        let t148_ = ::mstmm::generated::recip_above(t147_, c_(1.0));
-        let t149_ = T::sqrt(t148_);
-        let t150_ = t146_ * t149_;
-        let t151_ = closure_d1_ * t144_;
-        let t152_ = c_(1.0) - t151_;
-        let t153_ = t112_ * t152_;
-        let t154_ = t150_ * t153_;
-        let t155_ = t150_ * t154_;
-        let t156_ = t153_ - t155_;
-        let t157_ = t156_ * t156_;
-        let t158_ = t152_ * t152_;
-        let t159_ = t157_ + t158_;
-        let t160_ = ::mstmm::generated::recip_above(t159_, c_(1.0));
-        let t161_ = T::sqrt(t160_);
-        let t162_ = t156_ * t161_;
-        let t163_ = t152_ * t161_;
-        let t164_ = cos_crank_pin_angle_ * cos_a_angle_;
-        let t165_ = sin_crank_pin_angle_ * sin_a_angle_;
-        let t166_ = t164_ - t165_;
-        let t167_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let t168_ = sin_crank_pin_angle_ * cos_a_angle_;
-        let t169_ = t167_ + t168_;
-        let t170_ = cos_crank_pin_angle_ * c_(0.2);
-        let t171_ = sin_crank_pin_angle_ * c_(0.2);
-        let t172_ = c_(0.6) * t166_;
-        let t173_ = c_(0.6) * t169_;
-        let t174_ = cos_b_angle_ * t166_;
-        let t175_ = sin_b_angle_ * t169_;
-        let t176_ = t174_ - t175_;
-        let t177_ = sin_b_angle_ * t166_;
-        let t178_ = cos_b_angle_ * t169_;
-        let t179_ = t177_ + t178_;
-        let t180_ = c_(0.6) * t176_;
-        let t181_ = c_(0.6) * t179_;
-        let t182_ = t170_ + t172_;
-        let t183_ = t171_ + t173_;
-        let t184_ = cos_rocker_pin_angle_ * t176_;
-        let t185_ = sin_rocker_pin_angle_ * t179_;
-        let t186_ = t184_ - t185_;
-        let t187_ = sin_rocker_pin_angle_ * t176_;
-        let t188_ = cos_rocker_pin_angle_ * t179_;
-        let t189_ = t187_ + t188_;
-        let t190_ = t180_ + t182_;
-        let t191_ = t181_ + t183_;
-        let t192_ = c_(0.8) - t190_;
-        let t193_ = t186_ * t192_;
-        let t194_ = t189_ * t191_;
-        let t195_ = t193_ - t194_;
-        let t196_ = t189_ * t192_;
-        let t197_ = t186_ * t191_;
-        let t198_ = t196_ + t197_;
-        let t199_ = t112_ * t195_;
-        let t200_ = t198_ + t199_;
-        let t201_ = t111_ * t195_;
-        let t202_ = t144_ * t200_;
-        let t203_ = t112_ * t202_;
-        let t204_ = t201_ + t203_;
-        let t205_ = t150_ * t204_;
-        let t206_ = t150_ * t205_;
-        let t207_ = t204_ - t206_;
-        let t208_ = t162_ * t207_;
-        let t209_ = t163_ * t202_;
-        let t210_ = t208_ + t209_;
-        let t211_ = t162_ * t210_;
-        let minus_closure_reaction0_ = t207_ - t211_;
-        let t212_ = t163_ * t210_;
-        let closure_reaction1_ = t202_ - t212_;
+        let t107_ = t103_ * t106_;
+        let t108_ = T::mul_neg_add(closure_d1_, t102_, c_(1.0));
+        let t109_ = t79_ * t108_;
+        let t110_ = t107_ * t109_;
+        let t111_ = T::mul_neg_add(t107_, t110_, t109_);
+        let t112_ = t111_ * t111_;
+        let t113_ = T::mul_add(t108_, t108_, t112_);
+        let t114_ = ::mstmm::generated::recip_above(t113_, c_(1.0));
+        let t115_ = T::sqrt(t114_);
+        let t116_ = t111_ * t115_;
+        let t117_ = t108_ * t115_;
+        let t118_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let t119_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t118_);
+        let t120_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let t121_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t120_);
+        let t122_ = sin_crank_pin_angle_ * c_(0.2);
+        let t123_ = cos_b_angle_ * t119_;
+        let t124_ = T::mul_neg_add(sin_b_angle_, t121_, t123_);
+        let t125_ = sin_b_angle_ * t119_;
+        let t126_ = T::mul_add(cos_b_angle_, t121_, t125_);
+        let t127_ = cos_rocker_pin_angle_ * t124_;
+        let t128_ = T::mul_neg_add(sin_rocker_pin_angle_, t126_, t127_);
+        let t129_ = sin_rocker_pin_angle_ * t124_;
+        let t130_ = T::mul_add(cos_rocker_pin_angle_, t126_, t129_);
+        let t131_ = t121_ + t126_;
+        let t132_ = T::mul_add(c_(0.6), t131_, t122_);
+        let t133_ = t119_ + t124_;
+        let t134_ = T::mul_neg_add(cos_crank_pin_angle_, c_(0.2), c_(0.8));
+        let t135_ = T::mul_sub(c_(0.6), t133_, t134_);
+        let t136_ = t128_ * t135_;
+        let t137_ = T::mul_add(t130_, t132_, t136_);
+        let t138_ = t130_ * t135_;
+        let t139_ = T::mul_neg_add(t128_, t132_, t138_);
+        let t140_ = T::mul_add(t79_, t137_, t139_);
+        let t141_ = t78_ * t137_;
+        let t142_ = t102_ * t140_;
+        let t143_ = T::mul_add(t79_, t142_, t141_);
+        let t144_ = t107_ * t143_;
+        let t145_ = T::mul_neg_add(t107_, t144_, t143_);
+        let t146_ = t116_ * t145_;
+        let t147_ = T::mul_add(t117_, t142_, t146_);
+        let closure_reaction0_ = T::mul_neg_add(t116_, t147_, t145_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t117_, t147_, t142_);
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
-        let t213_ = t44_ * minus_closure_reaction0_;
-        let t214_ = t90_ * closure_reaction1_;
-        let crank_pin_a_ang_z_ = t213_ + t214_;
+        let t148_ = t31_ * closure_reaction0_;
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t62_, minus_closure_reaction1_, t148_);
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 7 mul, 3 add, 0 reciprocal.
-        let t215_ = c_(0.2) * crank_pin_a_ang_z_;
-        let a_a_lin_x_ = sin_a_angle_ * t215_;
-        let a_a_lin_y_ = cos_a_angle_ * t215_;
-        let t216_ = t32_ * minus_closure_reaction0_;
-        let t217_ = t66_ * closure_reaction1_;
-        let t218_ = t216_ + t217_;
-        let t219_ = a_z0_force_x_ * a_a_lin_x_;
-        let t220_ = a_z0_force_y_ * a_a_lin_y_;
-        let t221_ = t219_ + t220_;
-        let a_a_ang_z_ = t218_ - t221_;
+        let t149_ = c_(0.2) * minus_crank_pin_a_ang_z_;
+        let minus_a_a_lin_x_ = sin_a_angle_ * t149_;
+        let minus_a_a_lin_y_ = cos_a_angle_ * t149_;
+        let t150_ = t23_ * closure_reaction0_;
+        let t151_ = T::mul_add(t47_, minus_closure_reaction1_, t150_);
+        let t152_ = T::mul_sub(a_z0_force_y_, minus_a_a_lin_y_, t151_);
+        let a_a_ang_z_ = T::mul_add(a_z0_force_x_, minus_a_a_lin_x_, t152_);
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-        let t222_ = c_(0.6) * a_a_ang_z_;
-        let t223_ = a_a_lin_y_ + t222_;
-        let t224_ = sin_b_angle_ * a_a_lin_x_;
-        let t225_ = cos_b_angle_ * t223_;
-        let minus_b_a_lin_y_ = t224_ - t225_;
-        let t226_ = t21_ * minus_closure_reaction0_;
-        let t227_ = t47_ * closure_reaction1_;
-        let t228_ = t226_ - t227_;
-        let t229_ = c_(2.5) * minus_b_a_lin_y_;
-        let b_a_ang_z_ = t228_ + t229_;
+        let t153_ = sin_b_angle_ * minus_a_a_lin_x_;
+        let t154_ = T::mul_neg_add(c_(0.6), a_a_ang_z_, minus_a_a_lin_y_);
+        let b_a_lin_y_ = T::mul_neg_add(cos_b_angle_, t154_, t153_);
+        let t155_ = t15_ * closure_reaction0_;
+        let t156_ = T::mul_neg_add(t33_, minus_closure_reaction1_, t155_);
+        let minus_b_a_ang_z_ = T::mul_add(c_(2.5), b_a_lin_y_, t156_);
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 23 mul, 12 add, 0 reciprocal.
-        let t230_ = crank_pin_rate_ * c_(0.2);
-        let t231_ = a_omega_z_ * c_(0.6);
-        let t232_ = c_(0.6) * b_omega_z_;
-        let t233_ = sin_a_angle_ * t230_;
-        let t234_ = cos_a_angle_ * t230_;
-        let t235_ = t231_ + t234_;
-        let t236_ = cos_b_angle_ * t233_;
-        let t237_ = sin_b_angle_ * t235_;
-        let t238_ = t236_ + t237_;
-        let t239_ = sin_b_angle_ * t233_;
-        let t240_ = cos_b_angle_ * t235_;
-        let t241_ = t239_ - t240_;
-        let t242_ = t232_ - t241_;
-        let t243_ = cos_rocker_pin_angle_ * t238_;
-        let t244_ = sin_rocker_pin_angle_ * t242_;
-        let t245_ = t243_ + t244_;
-        let t246_ = sin_rocker_pin_angle_ * t238_;
-        let t247_ = cos_rocker_pin_angle_ * t242_;
-        let t248_ = t246_ - t247_;
-        let t249_ = t112_ * t245_;
-        let t250_ = t248_ + t249_;
-        let t251_ = t111_ * t245_;
-        let t252_ = t144_ * t250_;
-        let t253_ = t112_ * t252_;
-        let t254_ = t251_ + t253_;
-        let t255_ = t150_ * t254_;
-        let t256_ = t150_ * t255_;
-        let t257_ = t254_ - t256_;
-        let t258_ = t162_ * t257_;
-        let t259_ = t163_ * t252_;
-        let t260_ = t258_ + t259_;
-        let t261_ = t162_ * t260_;
-        let closure_reaction0_ = t257_ - t261_;
-        let t262_ = t163_ * t260_;
-        let minus_closure_reaction1_ = t252_ - t262_;
+        let t157_ = crank_pin_rate_ * c_(0.2);
+        let t158_ = a_omega_z_ * c_(0.6);
+        let t159_ = c_(0.6) * b_omega_z_;
+        let t160_ = sin_a_angle_ * t157_;
+        let t161_ = T::mul_add(cos_a_angle_, t157_, t158_);
+        let t162_ = cos_b_angle_ * t160_;
+        let t163_ = T::mul_add(sin_b_angle_, t161_, t162_);
+        let t164_ = cos_rocker_pin_angle_ * t163_;
+        let t165_ = sin_rocker_pin_angle_ * t163_;
+        let t166_ = T::mul_neg_add(sin_b_angle_, t160_, t159_);
+        let t167_ = T::mul_add(cos_b_angle_, t161_, t166_);
+        let t168_ = T::mul_add(sin_rocker_pin_angle_, t167_, t164_);
+        let t169_ = T::mul_neg_add(cos_rocker_pin_angle_, t167_, t165_);
+        let t170_ = T::mul_add(t79_, t168_, t169_);
+        let t171_ = t78_ * t168_;
+        let t172_ = t102_ * t170_;
+        let t173_ = T::mul_add(t79_, t172_, t171_);
+        let t174_ = t107_ * t173_;
+        let t175_ = T::mul_neg_add(t107_, t174_, t173_);
+        let t176_ = t116_ * t175_;
+        let t177_ = T::mul_add(t117_, t172_, t176_);
+        let closure_reaction0_2_ = T::mul_neg_add(t116_, t177_, t175_);
+        let minus_closure_reaction1_2_ = T::mul_neg_add(t117_, t177_, t172_);
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
-        let t263_ = t44_ * closure_reaction0_;
-        let t264_ = t90_ * minus_closure_reaction1_;
-        let minus_crank_pin_a_ang_z_ = t263_ + t264_;
+        let t178_ = t31_ * closure_reaction0_2_;
+        let minus_crank_pin_a_ang_z_2_ = T::mul_add(
+            t62_,
+            minus_closure_reaction1_2_,
+            t178_,
+        );
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 7 mul, 3 add, 0 reciprocal.
-        let t265_ = c_(0.2) * minus_crank_pin_a_ang_z_;
-        let minus_a_a_lin_x_ = sin_a_angle_ * t265_;
-        let minus_a_a_lin_y_ = cos_a_angle_ * t265_;
-        let t266_ = t32_ * closure_reaction0_;
-        let t267_ = t66_ * minus_closure_reaction1_;
-        let t268_ = t266_ + t267_;
-        let t269_ = a_z0_force_x_ * minus_a_a_lin_x_;
-        let t270_ = a_z0_force_y_ * minus_a_a_lin_y_;
-        let t271_ = t269_ + t270_;
-        let minus_a_a_ang_z_ = t268_ - t271_;
+        let t179_ = c_(0.2) * minus_crank_pin_a_ang_z_2_;
+        let minus_a_a_lin_x_2_ = sin_a_angle_ * t179_;
+        let minus_a_a_lin_y_2_ = cos_a_angle_ * t179_;
+        let t180_ = t23_ * closure_reaction0_2_;
+        let t181_ = T::mul_add(t47_, minus_closure_reaction1_2_, t180_);
+        let t182_ = T::mul_sub(a_z0_force_y_, minus_a_a_lin_y_2_, t181_);
+        let a_a_ang_z_2_ = T::mul_add(a_z0_force_x_, minus_a_a_lin_x_2_, t182_);
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-        let t272_ = c_(0.6) * minus_a_a_ang_z_;
-        let t273_ = minus_a_a_lin_y_ + t272_;
-        let t274_ = sin_b_angle_ * minus_a_a_lin_x_;
-        let t275_ = cos_b_angle_ * t273_;
-        let b_a_lin_y_ = t274_ - t275_;
-        let t276_ = t21_ * closure_reaction0_;
-        let t277_ = t47_ * minus_closure_reaction1_;
-        let t278_ = t276_ - t277_;
-        let t279_ = c_(2.5) * b_a_lin_y_;
-        let minus_b_a_ang_z_ = t278_ + t279_;
-        /// Results: 10 mul, 23 add, 1 reciprocal, 2 square root, 1 sin/cos.
-        let t280_ = crank_pin_angle_ + crank_pin_a_ang_z_;
-        let t281_ = crank_pin_a_ang_z_ - a_a_ang_z_;
-        let t282_ = a_angle_ - t281_;
-        let t283_ = a_a_ang_z_ - b_a_ang_z_;
-        let t284_ = b_angle_ - t283_;
-        let t285_ = t189_ * t189_;
-        let t286_ = t285_ + c_(0.000000000000000000000000000001);
-        let t287_ = T::sqrt(t286_);
-        let t288_ = T::atan2(t287_, t186_);
-        let t289_ = T::recip(t287_);
-        let t290_ = t288_ * t289_;
-        let t291_ = t189_ * t290_;
-        let t292_ = t291_ + b_a_ang_z_;
-        let t293_ = rocker_pin_angle_ - t292_;
-        let t294_ = crank_pin_rate_ - minus_crank_pin_a_ang_z_;
-        let t295_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
-        let t296_ = a_rate_ + t295_;
-        let t297_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
-        let t298_ = b_rate_ + t297_;
-        let t299_ = rocker_pin_rate_ + b_omega_z_;
-        let t300_ = t299_ - minus_b_a_ang_z_;
-        let t301_ = rocker_pin_rate_ - t300_;
-        let t302_ = t195_ * t195_;
-        let t303_ = t198_ * t198_;
-        let t304_ = t302_ + t303_;
-        let t305_ = t291_ * t291_;
-        let t306_ = t304_ + t305_;
-        let t307_ = c_(1.0) - t186_;
-        let t308_ = t307_ * t307_;
-        let t309_ = t306_ + t308_;
-        let t310_ = t245_ * t245_;
-        let t311_ = t248_ * t248_;
-        let t312_ = t310_ + t311_;
-        let t313_ = t299_ * t299_;
-        let t314_ = t312_ + t313_;
-        let t315_ = t309_ + t314_;
-        let t316_ = T::sqrt(t315_);
-        let residual_ = t316_;
-        state_.q.data.0 = [[t280_, t282_, t284_, t293_]];
-        state_.v.data.0 = [[t294_, t296_, t298_, t301_]];
+        let t183_ = sin_b_angle_ * minus_a_a_lin_x_2_;
+        let t184_ = T::mul_neg_add(c_(0.6), a_a_ang_z_2_, minus_a_a_lin_y_2_);
+        let b_a_lin_y_2_ = T::mul_neg_add(cos_b_angle_, t184_, t183_);
+        let t185_ = t15_ * closure_reaction0_2_;
+        let t186_ = T::mul_neg_add(t33_, minus_closure_reaction1_2_, t185_);
+        let minus_b_a_ang_z_2_ = T::mul_add(c_(2.5), b_a_lin_y_2_, t186_);
+        /// Results: 10 mul, 22 add, 1 reciprocal, 2 square root, 1 sin/cos.
+        let t187_ = crank_pin_angle_ - minus_crank_pin_a_ang_z_;
+        let t188_ = a_angle_ + minus_crank_pin_a_ang_z_;
+        let t189_ = t188_ + a_a_ang_z_;
+        let t190_ = b_angle_ - a_a_ang_z_;
+        let t191_ = minus_b_a_ang_z_ - t190_;
+        let t192_ = T::mul_add(t130_, t130_, c_(0.000000000000000000000000000001));
+        let t193_ = T::sqrt(t192_);
+        let t194_ = T::atan2(t193_, t128_);
+        let t195_ = T::recip(t193_);
+        let t196_ = t194_ * t195_;
+        let t197_ = t130_ * t196_;
+        let t198_ = rocker_pin_angle_ - t197_;
+        let t199_ = t198_ + minus_b_a_ang_z_;
+        let t200_ = crank_pin_rate_ - minus_crank_pin_a_ang_z_2_;
+        let t201_ = a_rate_ + minus_crank_pin_a_ang_z_2_;
+        let t202_ = t201_ + a_a_ang_z_2_;
+        let t203_ = b_rate_ - a_a_ang_z_2_;
+        let t204_ = minus_b_a_ang_z_2_ - t203_;
+        let t205_ = b_omega_z_ - minus_b_a_ang_z_2_;
+        let t206_ = rocker_pin_rate_ + b_omega_z_;
+        let t207_ = c_(1.0) - t128_;
+        let t208_ = t207_ * t207_;
+        let t209_ = t206_ * t206_;
+        let t210_ = T::mul_add(t168_, t168_, t209_);
+        let t211_ = T::mul_add(t137_, t137_, t210_);
+        let t212_ = T::mul_add(t197_, t197_, t211_);
+        let t213_ = T::mul_add(t169_, t169_, t208_);
+        let t214_ = T::mul_add(t139_, t139_, t213_);
+        let t215_ = t212_ + t214_;
+        let t216_ = T::sqrt(t215_);
+        let residual_ = t216_;
+        state_.q.data.0 = [[t187_, t189_, -t191_, t199_]];
+        state_.v.data.0 = [[t200_, t202_, -t204_, -t205_]];
         residual_
     }
 }

@@ -162,8 +162,11 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 3 mul, 1 add, 0 reciprocal.
         let joint_a_lin_y_ = cos_joint_angle_ * c_(9.8);
         let t0_ = joint_input0_ * known_p4_;
-        let t1_ = known_joint_z0_force_y_ * joint_a_lin_y_;
-        let joint_a_ang_z_ = t0_ - t1_;
+        let joint_a_ang_z_ = T::mul_neg_add(
+            known_joint_z0_force_y_,
+            joint_a_lin_y_,
+            t0_,
+        );
         ::mstmm::generated::finite::<
             T,
         >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t], &[inputs_.joint]])?;
@@ -229,35 +232,36 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let joint_a_lin_x_ = sin_joint_angle_ * c_(9.8);
         let joint_a_lin_y_ = cos_joint_angle_ * c_(9.8);
         let t1_ = joint_input0_ * known_p4_;
-        let t2_ = known_joint_z0_force_y_ * joint_a_lin_y_;
-        let joint_a_ang_z_ = t1_ - t2_;
+        let joint_a_ang_z_ = T::mul_neg_add(
+            known_joint_z0_force_y_,
+            joint_a_lin_y_,
+            t1_,
+        );
         /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
-        let t3_ = known_joint_k_xx_ * joint_a_lin_x_;
-        let t4_ = known_joint_k_xx_ * joint_a_lin_y_;
-        let t5_ = minus_joint_e_force_x_ - t3_;
-        let t6_ = known_joint_b_y_z_ * joint_a_ang_z_;
-        let t7_ = t4_ + t6_;
-        let t8_ = cos_joint_angle_ * t5_;
-        let t9_ = sin_joint_angle_ * t7_;
-        let minus_joint_own_force_x_ = t8_ + t9_;
-        let t10_ = sin_joint_angle_ * t5_;
-        let t11_ = cos_joint_angle_ * t7_;
-        let minus_joint_own_force_y_ = t10_ - t11_;
+        let t2_ = known_joint_k_xx_ * joint_a_lin_y_;
+        let t3_ = T::mul_neg_add(
+            known_joint_k_xx_,
+            joint_a_lin_x_,
+            minus_joint_e_force_x_,
+        );
+        let t4_ = T::mul_add(known_joint_b_y_z_, joint_a_ang_z_, t2_);
+        let t5_ = cos_joint_angle_ * t3_;
+        let minus_joint_own_force_x_ = T::mul_add(sin_joint_angle_, t4_, t5_);
+        let t6_ = sin_joint_angle_ * t3_;
+        let minus_joint_own_force_y_ = T::mul_neg_add(cos_joint_angle_, t4_, t6_);
         /// Results: 12 mul, 2 add, 0 reciprocal.
-        let t12_ = cos_joint_angle_ * c_(0.5);
-        let t13_ = sin_joint_angle_ * c_(0.5);
-        let t14_ = joint_rate_ * t13_;
-        let t15_ = joint_rate_ * t12_;
-        let t16_ = joint_rate_ * c_(0.08333333333333333);
-        let t17_ = joint_rate_ * t16_;
-        let t18_ = t14_ * t14_;
-        let t19_ = t15_ * t15_;
-        let t20_ = t18_ + t19_;
-        let t21_ = known_joint_k_xx_ * t20_;
-        let t22_ = t17_ + t21_;
-        let t23_ = c_(0.5) * t22_;
-        let t24_ = sin_joint_angle_ * c_(4.9);
-        let t25_ = known_joint_k_xx_ * t24_;
+        let t7_ = cos_joint_angle_ * c_(0.5);
+        let t8_ = sin_joint_angle_ * c_(0.5);
+        let t9_ = joint_rate_ * t8_;
+        let t10_ = joint_rate_ * t7_;
+        let t11_ = joint_rate_ * c_(0.08333333333333333);
+        let t12_ = joint_rate_ * t11_;
+        let t13_ = t9_ * t9_;
+        let t14_ = T::mul_add(t10_, t10_, t13_);
+        let t15_ = T::mul_add(known_joint_k_xx_, t14_, t12_);
+        let t16_ = c_(0.5) * t15_;
+        let t17_ = sin_joint_angle_ * c_(4.9);
+        let t18_ = known_joint_k_xx_ * t17_;
         ::mstmm::generated::finite::<
             T,
         >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t], &[inputs_.joint]])?;
@@ -269,8 +273,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         at_.accelerations.data.0 = [[joint_a_ang_z_]];
         at_.rate_accelerations.data.0 = [[joint_a_ang_z_]];
         at_.efforts.data.0 = [[joint_input0_]];
-        at_.kinetic_energy = t23_;
-        at_.potential_energy = t25_;
+        at_.kinetic_energy = t16_;
+        at_.potential_energy = t18_;
         at_.points = [
             ::mstmm::Point::new(
                 [c_(0.0), c_(0.0), c_(0.0)],
@@ -349,16 +353,14 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t4_ = joint_rate_ * c_(0.08333333333333333);
         let t5_ = joint_rate_ * t4_;
         let t6_ = t2_ * t2_;
-        let t7_ = t3_ * t3_;
-        let t8_ = t6_ + t7_;
-        let t9_ = known_joint_k_xx_ * t8_;
-        let t10_ = t5_ + t9_;
-        let t11_ = c_(0.5) * t10_;
-        let t12_ = sin_joint_angle_ * c_(4.9);
-        let t13_ = known_joint_k_xx_ * t12_;
+        let t7_ = T::mul_add(t3_, t3_, t6_);
+        let t8_ = T::mul_add(known_joint_k_xx_, t7_, t5_);
+        let t9_ = c_(0.5) * t8_;
+        let t10_ = sin_joint_angle_ * c_(4.9);
+        let t11_ = known_joint_k_xx_ * t10_;
         ::mstmm::Energy {
-            kinetic: t11_,
-            potential: t13_,
+            kinetic: t9_,
+            potential: t11_,
         }
     }
 }

@@ -225,7 +225,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for Rope<T> {
 impl<T: ::mstmm::Scalar> Rope<T> {
     /// The accelerations of a linearly implicit step of Euler's method.
     ///
-    /// 117 operations: 61 mul, 55 add, 1 reciprocal, 2 sin/cos.
+    /// 115 operations: 60 mul, 54 add, 1 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -233,16 +233,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Results |  | 5 | 3 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 5 | 2 | 0 | 0 | 0 |
+    /// | Results |  | 4 | 1 | 0 | 0 | 0 |
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Results |  | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 10 | 15 | 1 | 0 | 0 |
-    /// | Results |  | 24 | 23 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 9 | 11 | 1 | 0 | 0 |
+    /// | Results |  | 25 | 27 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 7 | 6 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
-    /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 3 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 1 | 0 | 0 | 0 |
+    /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 1 | 1 | 0 | 0 | 0 |
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn implicit_accelerations_into(
         &self,
@@ -266,9 +266,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let t2_ = cos_hook_angle_ * t0_;
         let t3_ = t1_ + c_(0.6666666666666667);
         let t4_ = t1_ - c_(2.0);
-        let t5_ = step_ * c_(0.2);
-        let t6_ = c_(0.01) + t5_;
-        let t7_ = step_ * t6_;
+        let t5_ = T::mul_add(step_, c_(0.2), c_(0.01));
+        let t6_ = step_ * t5_;
         let mut carry0_0_ = c_(0.0);
         for (
             (
@@ -297,33 +296,30 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t8_ = c_(0.1) * joint_omega_z_;
-            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t8_;
-            /// Results: 5 mul, 2 add, 0 reciprocal.
-            let t9_ = joint_angle_ * c_(0.2);
-            let t10_ = joint_rate_ * c_(0.01);
-            let t11_ = t9_ + t10_;
-            let t12_ = known_p2_ * joint_omega_z_;
-            let t13_ = joint_omega_z_ * t12_;
-            let t14_ = joint_rate_ * t5_;
-            let t15_ = t11_ + t14_;
+            let t7_ = c_(0.1) * joint_omega_z_;
+            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t7_;
+            /// Results: 4 mul, 1 add, 0 reciprocal.
+            let t8_ = joint_angle_ * c_(0.2);
+            let t9_ = known_p2_ * joint_omega_z_;
+            let t10_ = joint_omega_z_ * t9_;
+            let t11_ = T::mul_add(joint_rate_, t5_, t8_);
             *store_ = [
                 sin_joint_angle_,
                 cos_joint_angle_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t13_,
-                t15_,
+                t10_,
+                t11_,
             ];
             (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t16_ = c_(0.2) * hook_omega_z_;
-        let hook_e_force_y_ = hook_omega_z_ * t16_;
+        let t12_ = c_(0.2) * hook_omega_z_;
+        let hook_e_force_y_ = hook_omega_z_ * t12_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t17_ = sin_hook_angle_ * hook_e_force_y_;
-        let t18_ = cos_hook_angle_ * hook_e_force_y_;
+        let t13_ = sin_hook_angle_ * hook_e_force_y_;
+        let t14_ = cos_hook_angle_ * hook_e_force_y_;
         let mut carry1_0_ = t3_;
         let mut carry1_1_ = -t4_;
         let mut carry1_2_ = c_(2.0);
@@ -331,8 +327,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry1_4_ = c_(0.0);
         let mut carry1_5_ = c_(0.0);
         let mut carry1_6_ = c_(0.0);
-        let mut carry1_7_ = -t17_;
-        let mut carry1_8_ = t18_;
+        let mut carry1_7_ = -t13_;
+        let mut carry1_8_ = t14_;
         let mut carry1_9_ = c_(0.0);
         for (
             (
@@ -346,8 +342,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 &[sin_joint_angle_,
                 cos_joint_angle_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t13_,
-                t15_,
+                t10_,
+                t11_,
                 ],
             ),
             store_,
@@ -371,83 +367,72 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_7_before_ = carry1_7_;
             let carry1_8_before_ = carry1_8_;
             let carry1_9_before_ = carry1_9_;
-            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 10 mul, 15 add, 1 reciprocal.
-            let joint_k_xx_ = known_p1_ + carry1_0_before_;
-            let joint_k_yy_ = known_p1_ + carry1_1_before_;
+            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 9 mul, 11 add, 1 reciprocal.
             let joint_k_zz_ = known_p1_ + carry1_2_before_;
-            let t19_ = c_(0.1) * carry1_3_before_;
-            let joint_b_x_z_ = carry1_4_before_ + t19_;
-            let t20_ = c_(0.1) * carry1_1_before_;
-            let t21_ = carry1_5_before_ + t20_;
-            let joint_b_y_z_ = known_p2_ + t21_;
-            let t22_ = carry1_5_before_ + t21_;
-            let t23_ = c_(0.1) * t22_;
-            let t24_ = carry1_6_before_ + t23_;
-            let joint_j_zz_ = known_p4_ + t24_;
-            let t25_ = carry1_0_before_ * minus_end_of_repeat0_drift_lin_x_;
-            let t26_ = carry1_7_before_ - t25_;
-            let minus_joint_e_force_x_ = t13_ - t26_;
-            let t27_ = carry1_3_before_ * minus_end_of_repeat0_drift_lin_x_;
-            let joint_e_force_y_ = carry1_8_before_ - t27_;
-            let t28_ = carry1_4_before_ * minus_end_of_repeat0_drift_lin_x_;
-            let t29_ = carry1_9_before_ - t28_;
-            let t30_ = c_(0.1) * joint_e_force_y_;
-            let joint_e_moment_z_ = t29_ + t30_;
-            let joint_d0_ = t7_ + joint_j_zz_;
-            let t31_ = T::recip(joint_d0_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t31_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t31_;
-            let joint_z0_moment_z_ = joint_j_zz_ * t31_;
-            /// Results: 24 mul, 23 add, 0 reciprocal.
-            let t32_ = carry1_0_before_ + carry1_1_before_;
-            let t33_ = carry1_2_before_ + t32_;
-            let t34_ = c_(0.010000000000000002) * t33_;
-            let t35_ = known_p5_ + t34_;
-            let t36_ = t35_ + t7_;
-            let t37_ = t15_ + joint_e_moment_z_;
-            let t38_ = t37_ * t31_;
-            let t39_ = joint_b_x_z_ * joint_z0_force_x_;
-            let t40_ = joint_k_xx_ - t39_;
-            let t41_ = joint_b_y_z_ * joint_z0_force_y_;
-            let t42_ = joint_k_yy_ - t41_;
-            let t43_ = joint_b_y_z_ * joint_z0_force_x_;
-            let t44_ = carry1_3_before_ - t43_;
-            let t45_ = joint_j_zz_ * joint_z0_force_x_;
-            let t46_ = joint_b_x_z_ - t45_;
-            let t47_ = joint_j_zz_ * joint_z0_force_y_;
-            let t48_ = joint_b_y_z_ - t47_;
-            let t49_ = joint_j_zz_ * joint_z0_moment_z_;
-            let t50_ = joint_j_zz_ - t49_;
-            let t51_ = joint_b_x_z_ * t38_;
-            let t52_ = minus_joint_e_force_x_ + t51_;
-            let t53_ = joint_b_y_z_ * t38_;
-            let t54_ = joint_e_force_y_ - t53_;
-            let t55_ = joint_j_zz_ * t38_;
-            let t56_ = joint_e_moment_z_ - t55_;
-            let t57_ = t40_ - t42_;
-            let t58_ = sin_joint_angle_ * t57_;
-            let t59_ = c_(2.0) * t44_;
-            let t60_ = cos_joint_angle_ * t59_;
-            let t61_ = t58_ + t60_;
-            let t62_ = sin_joint_angle_ * t61_;
-            let t63_ = cos_joint_angle_ * t61_;
-            let t64_ = t40_ - t62_;
-            let t65_ = t44_ - t63_;
-            let t66_ = t42_ + t62_;
-            let t67_ = cos_joint_angle_ * t46_;
-            let t68_ = sin_joint_angle_ * t48_;
-            let t69_ = t67_ - t68_;
-            let t70_ = sin_joint_angle_ * t46_;
-            let t71_ = cos_joint_angle_ * t48_;
-            let t72_ = t70_ + t71_;
-            let t73_ = cos_joint_angle_ * t52_;
-            let t74_ = sin_joint_angle_ * t54_;
-            let t75_ = t73_ + t74_;
-            let t76_ = sin_joint_angle_ * t52_;
-            let t77_ = cos_joint_angle_ * t54_;
-            let t78_ = t76_ - t77_;
-            *store_ = [t38_, joint_z0_force_x_, joint_z0_force_y_, joint_z0_moment_z_];
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_d0_, t36_);
+            let joint_b_x_z_ = T::mul_add(c_(0.1), carry1_3_before_, carry1_4_before_);
+            let t15_ = T::mul_add(c_(0.1), carry1_1_before_, carry1_5_before_);
+            let joint_b_y_z_ = known_p2_ + t15_;
+            let t16_ = carry1_5_before_ + t15_;
+            let t17_ = known_p4_ + carry1_6_before_;
+            let joint_j_zz_ = T::mul_add(c_(0.1), t16_, t17_);
+            let joint_e_force_y_ = T::mul_neg_add(
+                carry1_3_before_,
+                minus_end_of_repeat0_drift_lin_x_,
+                carry1_8_before_,
+            );
+            let t18_ = T::mul_neg_add(
+                carry1_4_before_,
+                minus_end_of_repeat0_drift_lin_x_,
+                carry1_9_before_,
+            );
+            let joint_e_moment_z_ = T::mul_add(c_(0.1), joint_e_force_y_, t18_);
+            let joint_d0_ = t6_ + joint_j_zz_;
+            let t19_ = T::recip(joint_d0_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t19_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t19_;
+            let joint_z0_moment_z_ = joint_j_zz_ * t19_;
+            /// Results: 25 mul, 27 add, 0 reciprocal.
+            let t20_ = known_p1_ + carry1_0_before_;
+            let t21_ = carry1_0_before_ + carry1_1_before_;
+            let t22_ = carry1_2_before_ + t21_;
+            let t23_ = T::mul_add(c_(0.010000000000000002), t22_, known_p5_);
+            let t24_ = known_p1_ + carry1_1_before_;
+            let t25_ = t23_ + t6_;
+            let t26_ = joint_e_moment_z_ + t11_;
+            let t27_ = t19_ * t26_;
+            let t28_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t20_);
+            let t29_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t24_);
+            let t30_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
+            let t31_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_x_, joint_b_x_z_);
+            let t32_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_y_, joint_b_y_z_);
+            let t33_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
+            let t34_ = t10_ - carry1_7_before_;
+            let t35_ = T::mul_add(
+                carry1_0_before_,
+                minus_end_of_repeat0_drift_lin_x_,
+                t34_,
+            );
+            let t36_ = T::mul_add(joint_b_x_z_, t27_, t35_);
+            let t37_ = T::mul_neg_add(joint_b_y_z_, t27_, joint_e_force_y_);
+            let t38_ = T::mul_neg_add(joint_j_zz_, t27_, joint_e_moment_z_);
+            let t39_ = t28_ - t29_;
+            let t40_ = sin_joint_angle_ * t39_;
+            let t41_ = c_(2.0) * t30_;
+            let t42_ = T::mul_add(cos_joint_angle_, t41_, t40_);
+            let t43_ = sin_joint_angle_ * t42_;
+            let t44_ = t28_ - t43_;
+            let t45_ = T::mul_neg_add(cos_joint_angle_, t42_, t30_);
+            let t46_ = t29_ + t43_;
+            let t47_ = cos_joint_angle_ * t31_;
+            let t48_ = T::mul_neg_add(sin_joint_angle_, t32_, t47_);
+            let t49_ = sin_joint_angle_ * t31_;
+            let t50_ = T::mul_add(cos_joint_angle_, t32_, t49_);
+            let t51_ = cos_joint_angle_ * t36_;
+            let t52_ = T::mul_add(sin_joint_angle_, t37_, t51_);
+            let t53_ = sin_joint_angle_ * t36_;
+            let t54_ = T::mul_neg_add(cos_joint_angle_, t37_, t53_);
+            *store_ = [t27_, joint_z0_force_x_, joint_z0_force_y_, joint_z0_moment_z_];
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_d0_, t25_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -459,7 +444,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_7_,
                 carry1_8_,
                 carry1_9_,
-            ) = (t64_, t66_, joint_k_zz_, -t65_, t69_, t72_, t50_, -t75_, -t78_, t56_);
+            ) = (t44_, t46_, joint_k_zz_, -t45_, t48_, t50_, t33_, -t52_, -t54_, t38_);
         }
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
@@ -472,7 +457,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 _,
                 _,
                 ],
-                &[t38_,
+                &[t27_,
                 joint_z0_force_x_,
                 joint_z0_force_y_,
                 joint_z0_moment_z_,
@@ -489,43 +474,43 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 7 mul, 6 add, 0 reciprocal.
-            let t79_ = cos_joint_angle_ * carry2_0_before_;
-            let t80_ = sin_joint_angle_ * carry2_1_before_;
-            let joint_a_lin_x_ = t79_ + t80_;
-            let t81_ = sin_joint_angle_ * carry2_0_before_;
-            let t82_ = cos_joint_angle_ * carry2_1_before_;
-            let minus_joint_a_lin_y_ = t81_ - t82_;
-            let t83_ = joint_a_lin_x_ * joint_z0_force_x_;
-            let t84_ = minus_joint_a_lin_y_ * joint_z0_force_y_;
-            let t85_ = t83_ - t84_;
-            let t86_ = carry2_2_before_ * joint_z0_moment_z_;
-            let t87_ = t85_ + t86_;
-            let t88_ = t38_ + t87_;
-            let joint_a_ang_z_ = carry2_2_before_ - t88_;
+            let t55_ = cos_joint_angle_ * carry2_0_before_;
+            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t55_);
+            let t56_ = sin_joint_angle_ * carry2_0_before_;
+            let minus_joint_a_lin_y_ = T::mul_neg_add(
+                cos_joint_angle_,
+                carry2_1_before_,
+                t56_,
+            );
+            let t57_ = T::mul_add(carry2_2_before_, joint_z0_moment_z_, t27_);
+            let t58_ = T::mul_sub(minus_joint_a_lin_y_, joint_z0_force_y_, t57_);
+            let t59_ = T::mul_sub(joint_a_lin_x_, joint_z0_force_x_, t58_);
+            let joint_a_ang_z_ = carry2_2_before_ - t59_;
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
             let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_drift_lin_x_
                 - joint_a_lin_x_;
-            let t89_ = c_(0.1) * joint_a_ang_z_;
-            let minus_end_of_repeat0_a_lin_y_ = minus_joint_a_lin_y_ - t89_;
-            *o0_0_ = -t88_;
+            let minus_end_of_repeat0_a_lin_y_ = T::mul_neg_add(
+                c_(0.1),
+                joint_a_ang_z_,
+                minus_joint_a_lin_y_,
+            );
+            *o0_0_ = -t59_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 -minus_end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
                 joint_a_ang_z_,
             );
         }
-        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 3 mul, 1 add, 0 reciprocal.
-        let t90_ = cos_hook_angle_ * carry2_0_;
-        let t91_ = sin_hook_angle_ * carry2_1_;
-        let hook_a_lin_x_ = t90_ + t91_;
-        let minus_hook_a_ang_z_ = c_(6.666666666666666) * hook_a_lin_x_;
-        /// Results: 0 mul, 1 add, 0 reciprocal.
-        let t92_ = carry2_2_ + minus_hook_a_ang_z_;
+        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
+        let t60_ = cos_hook_angle_ * carry2_0_;
+        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t60_);
+        /// Results: 1 mul, 1 add, 0 reciprocal.
+        let t61_ = T::mul_add(c_(6.666666666666666), hook_a_lin_x_, carry2_2_);
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t92_;
+            *o0_ = -t61_;
         }
         ::mstmm::generated::finite::<
             T,
@@ -550,13 +535,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Results |  | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 9 | 1 | 0 | 0 |
-    /// | Results |  | 16 | 16 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 6 | 4 | 1 | 0 | 0 |
+    /// | Results |  | 18 | 21 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
     /// | Results |  | 0 | 1 | 0 | 0 | 0 |
-    /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 3 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 1 | 0 | 0 | 0 |
+    /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 1 | 1 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -617,33 +602,32 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t5_;
             /// Results: 4 mul, 1 add, 0 reciprocal.
             let t6_ = joint_angle_ * c_(0.2);
-            let t7_ = joint_rate_ * c_(0.01);
-            let t8_ = t6_ + t7_;
-            let t9_ = known_p2_ * joint_omega_z_;
-            let t10_ = joint_omega_z_ * t9_;
+            let t7_ = T::mul_add(joint_rate_, c_(0.01), t6_);
+            let t8_ = known_p2_ * joint_omega_z_;
+            let t9_ = joint_omega_z_ * t8_;
             *store_ = [
                 sin_joint_angle_,
                 cos_joint_angle_,
-                t8_,
+                t7_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t10_,
+                t9_,
             ];
             (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t11_ = c_(0.2) * hook_omega_z_;
-        let hook_e_force_y_ = hook_omega_z_ * t11_;
+        let t10_ = c_(0.2) * hook_omega_z_;
+        let hook_e_force_y_ = hook_omega_z_ * t10_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t12_ = sin_hook_angle_ * hook_e_force_y_;
-        let t13_ = cos_hook_angle_ * hook_e_force_y_;
+        let t11_ = sin_hook_angle_ * hook_e_force_y_;
+        let t12_ = cos_hook_angle_ * hook_e_force_y_;
         let mut carry1_0_ = t3_;
         let mut carry1_1_ = -t4_;
         let mut carry1_2_ = c_(2.0);
         let mut carry1_3_ = -t2_;
-        let mut carry1_4_ = -t12_;
-        let mut carry1_5_ = t13_;
+        let mut carry1_4_ = -t11_;
+        let mut carry1_5_ = t12_;
         let mut carry1_6_ = c_(0.0);
         for (
             (
@@ -656,9 +640,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 ],
                 &[sin_joint_angle_,
                 cos_joint_angle_,
-                t8_,
+                t7_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t10_,
+                t9_,
                 ],
             ),
             store_,
@@ -679,60 +663,57 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_4_before_ = carry1_4_;
             let carry1_5_before_ = carry1_5_;
             let carry1_6_before_ = carry1_6_;
-            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 9 add, 1 reciprocal.
-            let joint_k_xx_ = known_p1_ + carry1_0_before_;
-            let joint_k_yy_ = known_p1_ + carry1_1_before_;
+            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 6 mul, 4 add, 1 reciprocal.
             let joint_k_zz_ = known_p1_ + carry1_2_before_;
             let joint_b_x_z_ = c_(0.1) * carry1_3_before_;
-            let t14_ = c_(0.1) * carry1_1_before_;
-            let joint_b_y_z_ = known_p2_ + t14_;
-            let t15_ = carry1_1_before_ * c_(0.010000000000000002);
-            let joint_j_zz_ = known_p4_ + t15_;
-            let t16_ = carry1_0_before_ * minus_end_of_repeat0_drift_lin_x_;
-            let t17_ = carry1_4_before_ - t16_;
-            let minus_joint_e_force_x_ = t10_ - t17_;
-            let t18_ = carry1_3_before_ * minus_end_of_repeat0_drift_lin_x_;
-            let joint_e_force_y_ = carry1_5_before_ - t18_;
-            let t19_ = c_(0.1) * joint_e_force_y_;
-            let joint_e_moment_z_ = carry1_6_before_ + t19_;
-            let t20_ = T::recip(joint_j_zz_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t20_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t20_;
-            /// Results: 16 mul, 16 add, 0 reciprocal.
-            let t21_ = carry1_0_before_ + carry1_1_before_;
-            let t22_ = carry1_2_before_ + t21_;
-            let t23_ = c_(0.010000000000000002) * t22_;
-            let t24_ = known_p5_ + t23_;
-            let t25_ = t8_ + joint_e_moment_z_;
-            let t26_ = t20_ * t25_;
-            let t27_ = joint_b_x_z_ * joint_z0_force_x_;
-            let t28_ = joint_k_xx_ - t27_;
-            let t29_ = joint_b_y_z_ * joint_z0_force_y_;
-            let t30_ = joint_k_yy_ - t29_;
-            let t31_ = joint_b_y_z_ * joint_z0_force_x_;
-            let t32_ = carry1_3_before_ - t31_;
-            let t33_ = joint_b_x_z_ * t26_;
-            let t34_ = minus_joint_e_force_x_ + t33_;
-            let t35_ = joint_b_y_z_ * t26_;
-            let t36_ = joint_e_force_y_ - t35_;
-            let t37_ = t28_ - t30_;
-            let t38_ = sin_joint_angle_ * t37_;
-            let t39_ = c_(2.0) * t32_;
-            let t40_ = cos_joint_angle_ * t39_;
-            let t41_ = t38_ + t40_;
-            let t42_ = sin_joint_angle_ * t41_;
-            let t43_ = cos_joint_angle_ * t41_;
-            let t44_ = t28_ - t42_;
-            let t45_ = t32_ - t43_;
-            let t46_ = t30_ + t42_;
-            let t47_ = cos_joint_angle_ * t34_;
-            let t48_ = sin_joint_angle_ * t36_;
-            let t49_ = t47_ + t48_;
-            let t50_ = sin_joint_angle_ * t34_;
-            let t51_ = cos_joint_angle_ * t36_;
-            let t52_ = t50_ - t51_;
-            *store_ = [t26_, joint_z0_force_x_, joint_z0_force_y_];
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t24_);
+            let joint_b_y_z_ = T::mul_add(c_(0.1), carry1_1_before_, known_p2_);
+            let joint_j_zz_ = T::mul_add(
+                carry1_1_before_,
+                c_(0.010000000000000002),
+                known_p4_,
+            );
+            let joint_e_force_y_ = T::mul_neg_add(
+                carry1_3_before_,
+                minus_end_of_repeat0_drift_lin_x_,
+                carry1_5_before_,
+            );
+            let t13_ = T::recip(joint_j_zz_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t13_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t13_;
+            /// Results: 18 mul, 21 add, 0 reciprocal.
+            let t14_ = known_p1_ + carry1_0_before_;
+            let t15_ = carry1_0_before_ + carry1_1_before_;
+            let t16_ = carry1_2_before_ + t15_;
+            let t17_ = T::mul_add(c_(0.010000000000000002), t16_, known_p5_);
+            let t18_ = known_p1_ + carry1_1_before_;
+            let t19_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t14_);
+            let t20_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t18_);
+            let t21_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
+            let t22_ = t19_ - t20_;
+            let t23_ = sin_joint_angle_ * t22_;
+            let t24_ = c_(2.0) * t21_;
+            let t25_ = T::mul_add(cos_joint_angle_, t24_, t23_);
+            let t26_ = sin_joint_angle_ * t25_;
+            let t27_ = t19_ - t26_;
+            let t28_ = T::mul_neg_add(cos_joint_angle_, t25_, t21_);
+            let t29_ = t20_ + t26_;
+            let t30_ = t7_ + carry1_6_before_;
+            let t31_ = T::mul_add(c_(0.1), joint_e_force_y_, t30_);
+            let t32_ = t13_ * t31_;
+            let t33_ = t9_ - carry1_4_before_;
+            let t34_ = T::mul_add(
+                carry1_0_before_,
+                minus_end_of_repeat0_drift_lin_x_,
+                t33_,
+            );
+            let t35_ = T::mul_add(joint_b_x_z_, t32_, t34_);
+            let t36_ = T::mul_neg_add(joint_b_y_z_, t32_, joint_e_force_y_);
+            let t37_ = cos_joint_angle_ * t35_;
+            let t38_ = T::mul_add(sin_joint_angle_, t36_, t37_);
+            let t39_ = sin_joint_angle_ * t35_;
+            let t40_ = T::mul_neg_add(cos_joint_angle_, t36_, t39_);
+            *store_ = [joint_z0_force_x_, joint_z0_force_y_, t32_];
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t17_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -741,7 +722,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_4_,
                 carry1_5_,
                 carry1_6_,
-            ) = (t44_, t46_, joint_k_zz_, -t45_, -t49_, -t52_, -t8_);
+            ) = (t27_, t29_, joint_k_zz_, -t28_, -t38_, -t40_, -t7_);
         }
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
@@ -754,9 +735,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_drift_lin_x_,
                 _,
                 ],
-                &[t26_,
-                joint_z0_force_x_,
+                &[joint_z0_force_x_,
                 joint_z0_force_y_,
+                t32_,
                 ],
             ),
             [o0_0_,
@@ -770,42 +751,47 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-            let t53_ = cos_joint_angle_ * carry2_0_before_;
-            let t54_ = sin_joint_angle_ * carry2_1_before_;
-            let joint_a_lin_x_ = t53_ + t54_;
-            let t55_ = sin_joint_angle_ * carry2_0_before_;
-            let t56_ = cos_joint_angle_ * carry2_1_before_;
-            let minus_joint_a_lin_y_ = t55_ - t56_;
-            let t57_ = joint_z0_force_x_ * joint_a_lin_x_;
-            let t58_ = joint_z0_force_y_ * minus_joint_a_lin_y_;
-            let t59_ = t57_ - t58_;
-            let minus_joint_a_ang_z_ = t26_ + t59_;
+            let t41_ = cos_joint_angle_ * carry2_0_before_;
+            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t41_);
+            let t42_ = sin_joint_angle_ * carry2_0_before_;
+            let minus_joint_a_lin_y_ = T::mul_neg_add(
+                cos_joint_angle_,
+                carry2_1_before_,
+                t42_,
+            );
+            let t43_ = T::mul_sub(joint_z0_force_y_, minus_joint_a_lin_y_, t32_);
+            let minus_joint_a_ang_z_ = T::mul_sub(
+                joint_z0_force_x_,
+                joint_a_lin_x_,
+                t43_,
+            );
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
             let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_drift_lin_x_
                 - joint_a_lin_x_;
-            let t60_ = c_(0.1) * minus_joint_a_ang_z_;
-            let minus_end_of_repeat0_a_lin_y_ = minus_joint_a_lin_y_ + t60_;
+            let minus_end_of_repeat0_a_lin_y_ = T::mul_add(
+                c_(0.1),
+                minus_joint_a_ang_z_,
+                minus_joint_a_lin_y_,
+            );
             /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t61_ = carry2_2_before_ + minus_joint_a_ang_z_;
-            *o0_0_ = -t61_;
+            let t44_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            *o0_0_ = -t44_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 -minus_end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
                 -minus_joint_a_ang_z_,
             );
         }
-        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 3 mul, 1 add, 0 reciprocal.
-        let t62_ = cos_hook_angle_ * carry2_0_;
-        let t63_ = sin_hook_angle_ * carry2_1_;
-        let hook_a_lin_x_ = t62_ + t63_;
-        let minus_hook_a_ang_z_ = hook_a_lin_x_ * c_(6.666666666666666);
-        /// Results: 0 mul, 1 add, 0 reciprocal.
-        let t64_ = carry2_2_ + minus_hook_a_ang_z_;
+        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
+        let t45_ = cos_hook_angle_ * carry2_0_;
+        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t45_);
+        /// Results: 1 mul, 1 add, 0 reciprocal.
+        let t46_ = T::mul_add(hook_a_lin_x_, c_(6.666666666666666), carry2_2_);
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t64_;
+            *o0_ = -t46_;
         }
         ::mstmm::generated::finite::<
             T,
@@ -848,13 +834,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Results |  | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 9 | 1 | 0 | 0 |
-    /// | Results |  | 16 | 16 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 6 | 4 | 1 | 0 | 0 |
+    /// | Results |  | 18 | 21 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
     /// | Results |  | 0 | 1 | 0 | 0 | 0 |
-    /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 3 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 1 | 0 | 0 | 0 |
+    /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 1 | 1 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 8 | 5 | 0 | 0 | 0 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 6 | 0 | 0 | 0 | 0 |
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 8 | 5 | 0 | 0 | 0 |
@@ -982,20 +968,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t5_;
             /// Load on `joint`, [P, Eqs. (18), (19)]: 2 mul, 1 add, 0 reciprocal.
             let t6_ = joint_angle_ * c_(0.2);
-            let t7_ = joint_rate_ * c_(0.01);
-            let minus_joint_load_moment_z_ = t6_ + t7_;
+            let minus_joint_load_moment_z_ = T::mul_add(joint_rate_, c_(0.01), t6_);
             /// Results: 4 mul, 0 add, 0 reciprocal.
-            let t8_ = joint_angle_ * t6_;
-            let t9_ = t8_ * c_(0.5);
-            let t10_ = known_p2_ * joint_omega_z_;
-            let t11_ = joint_omega_z_ * t10_;
+            let t7_ = joint_angle_ * t6_;
+            let t8_ = t7_ * c_(0.5);
+            let t9_ = known_p2_ * joint_omega_z_;
+            let t10_ = joint_omega_z_ * t9_;
             *store_ = [
                 sin_joint_angle_,
                 cos_joint_angle_,
                 minus_joint_load_moment_z_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t11_,
-                t9_,
+                t10_,
+                t8_,
             ];
             *o7_23_ = minus_joint_load_moment_z_;
             (carry0_0_,) = (joint_omega_z_,);
@@ -1003,17 +988,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t12_ = c_(0.2) * hook_omega_z_;
-        let hook_e_force_y_ = hook_omega_z_ * t12_;
+        let t11_ = c_(0.2) * hook_omega_z_;
+        let hook_e_force_y_ = hook_omega_z_ * t11_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t13_ = sin_hook_angle_ * hook_e_force_y_;
-        let t14_ = cos_hook_angle_ * hook_e_force_y_;
+        let t12_ = sin_hook_angle_ * hook_e_force_y_;
+        let t13_ = cos_hook_angle_ * hook_e_force_y_;
         let mut carry1_0_ = t3_;
         let mut carry1_1_ = -t4_;
         let mut carry1_2_ = c_(2.0);
         let mut carry1_3_ = -t2_;
-        let mut carry1_4_ = -t13_;
-        let mut carry1_5_ = t14_;
+        let mut carry1_4_ = -t12_;
+        let mut carry1_5_ = t13_;
         let mut carry1_6_ = c_(0.0);
         for (
             (
@@ -1028,7 +1013,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 cos_joint_angle_,
                 minus_joint_load_moment_z_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t11_,
+                t10_,
                 _,
                 ],
             ),
@@ -1050,60 +1035,57 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_4_before_ = carry1_4_;
             let carry1_5_before_ = carry1_5_;
             let carry1_6_before_ = carry1_6_;
-            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 9 add, 1 reciprocal.
-            let joint_k_xx_ = known_p1_ + carry1_0_before_;
-            let joint_k_yy_ = known_p1_ + carry1_1_before_;
+            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 6 mul, 4 add, 1 reciprocal.
             let joint_k_zz_ = known_p1_ + carry1_2_before_;
             let joint_b_x_z_ = c_(0.1) * carry1_3_before_;
-            let t15_ = c_(0.1) * carry1_1_before_;
-            let joint_b_y_z_ = known_p2_ + t15_;
-            let t16_ = carry1_1_before_ * c_(0.010000000000000002);
-            let joint_j_zz_ = known_p4_ + t16_;
-            let t17_ = carry1_0_before_ * minus_end_of_repeat0_drift_lin_x_;
-            let t18_ = carry1_4_before_ - t17_;
-            let minus_joint_e_force_x_ = t11_ - t18_;
-            let t19_ = carry1_3_before_ * minus_end_of_repeat0_drift_lin_x_;
-            let joint_e_force_y_ = carry1_5_before_ - t19_;
-            let t20_ = c_(0.1) * joint_e_force_y_;
-            let joint_e_moment_z_ = carry1_6_before_ + t20_;
-            let t21_ = T::recip(joint_j_zz_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t21_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t21_;
-            /// Results: 16 mul, 16 add, 0 reciprocal.
-            let t22_ = carry1_0_before_ + carry1_1_before_;
-            let t23_ = carry1_2_before_ + t22_;
-            let t24_ = c_(0.010000000000000002) * t23_;
-            let t25_ = known_p5_ + t24_;
-            let t26_ = minus_joint_load_moment_z_ + joint_e_moment_z_;
-            let t27_ = t21_ * t26_;
-            let t28_ = joint_b_x_z_ * joint_z0_force_x_;
-            let t29_ = joint_k_xx_ - t28_;
-            let t30_ = joint_b_y_z_ * joint_z0_force_y_;
-            let t31_ = joint_k_yy_ - t30_;
-            let t32_ = joint_b_y_z_ * joint_z0_force_x_;
-            let t33_ = carry1_3_before_ - t32_;
-            let t34_ = joint_b_x_z_ * t27_;
-            let t35_ = minus_joint_e_force_x_ + t34_;
-            let t36_ = joint_b_y_z_ * t27_;
-            let t37_ = joint_e_force_y_ - t36_;
-            let t38_ = t29_ - t31_;
-            let t39_ = sin_joint_angle_ * t38_;
-            let t40_ = c_(2.0) * t33_;
-            let t41_ = cos_joint_angle_ * t40_;
-            let t42_ = t39_ + t41_;
-            let t43_ = sin_joint_angle_ * t42_;
-            let t44_ = cos_joint_angle_ * t42_;
-            let t45_ = t29_ - t43_;
-            let t46_ = t33_ - t44_;
-            let t47_ = t31_ + t43_;
-            let t48_ = cos_joint_angle_ * t35_;
-            let t49_ = sin_joint_angle_ * t37_;
-            let t50_ = t48_ + t49_;
-            let t51_ = sin_joint_angle_ * t35_;
-            let t52_ = cos_joint_angle_ * t37_;
-            let t53_ = t51_ - t52_;
-            *store_ = [t27_, joint_z0_force_x_, joint_z0_force_y_];
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t25_);
+            let joint_b_y_z_ = T::mul_add(c_(0.1), carry1_1_before_, known_p2_);
+            let joint_j_zz_ = T::mul_add(
+                carry1_1_before_,
+                c_(0.010000000000000002),
+                known_p4_,
+            );
+            let joint_e_force_y_ = T::mul_neg_add(
+                carry1_3_before_,
+                minus_end_of_repeat0_drift_lin_x_,
+                carry1_5_before_,
+            );
+            let t14_ = T::recip(joint_j_zz_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t14_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t14_;
+            /// Results: 18 mul, 21 add, 0 reciprocal.
+            let t15_ = known_p1_ + carry1_0_before_;
+            let t16_ = carry1_0_before_ + carry1_1_before_;
+            let t17_ = carry1_2_before_ + t16_;
+            let t18_ = T::mul_add(c_(0.010000000000000002), t17_, known_p5_);
+            let t19_ = known_p1_ + carry1_1_before_;
+            let t20_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t15_);
+            let t21_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t19_);
+            let t22_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
+            let t23_ = t20_ - t21_;
+            let t24_ = sin_joint_angle_ * t23_;
+            let t25_ = c_(2.0) * t22_;
+            let t26_ = T::mul_add(cos_joint_angle_, t25_, t24_);
+            let t27_ = sin_joint_angle_ * t26_;
+            let t28_ = t20_ - t27_;
+            let t29_ = T::mul_neg_add(cos_joint_angle_, t26_, t22_);
+            let t30_ = t21_ + t27_;
+            let t31_ = minus_joint_load_moment_z_ + carry1_6_before_;
+            let t32_ = T::mul_add(c_(0.1), joint_e_force_y_, t31_);
+            let t33_ = t14_ * t32_;
+            let t34_ = t10_ - carry1_4_before_;
+            let t35_ = T::mul_add(
+                carry1_0_before_,
+                minus_end_of_repeat0_drift_lin_x_,
+                t34_,
+            );
+            let t36_ = T::mul_add(joint_b_x_z_, t33_, t35_);
+            let t37_ = T::mul_neg_add(joint_b_y_z_, t33_, joint_e_force_y_);
+            let t38_ = cos_joint_angle_ * t36_;
+            let t39_ = T::mul_add(sin_joint_angle_, t37_, t38_);
+            let t40_ = sin_joint_angle_ * t36_;
+            let t41_ = T::mul_neg_add(cos_joint_angle_, t37_, t40_);
+            *store_ = [joint_z0_force_x_, joint_z0_force_y_, t33_];
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t18_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -1113,12 +1095,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_5_,
                 carry1_6_,
             ) = (
-                t45_,
-                t47_,
+                t28_,
+                t30_,
                 joint_k_zz_,
-                -t46_,
-                -t50_,
-                -t53_,
+                -t29_,
+                -t39_,
+                -t41_,
                 -minus_joint_load_moment_z_,
             );
         }
@@ -1136,9 +1118,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                         _,
                         _,
                         ],
-                        &[t27_,
-                        joint_z0_force_x_,
+                        &[joint_z0_force_x_,
                         joint_z0_force_y_,
+                        t33_,
                         ],
                     ),
                     store_,
@@ -1164,39 +1146,44 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-            let t54_ = cos_joint_angle_ * carry2_0_before_;
-            let t55_ = sin_joint_angle_ * carry2_1_before_;
-            let joint_a_lin_x_ = t54_ + t55_;
-            let t56_ = sin_joint_angle_ * carry2_0_before_;
-            let t57_ = cos_joint_angle_ * carry2_1_before_;
-            let minus_joint_a_lin_y_ = t56_ - t57_;
-            let t58_ = joint_z0_force_x_ * joint_a_lin_x_;
-            let t59_ = joint_z0_force_y_ * minus_joint_a_lin_y_;
-            let t60_ = t58_ - t59_;
-            let minus_joint_a_ang_z_ = t27_ + t60_;
+            let t42_ = cos_joint_angle_ * carry2_0_before_;
+            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t42_);
+            let t43_ = sin_joint_angle_ * carry2_0_before_;
+            let minus_joint_a_lin_y_ = T::mul_neg_add(
+                cos_joint_angle_,
+                carry2_1_before_,
+                t43_,
+            );
+            let t44_ = T::mul_sub(joint_z0_force_y_, minus_joint_a_lin_y_, t33_);
+            let minus_joint_a_ang_z_ = T::mul_sub(
+                joint_z0_force_x_,
+                joint_a_lin_x_,
+                t44_,
+            );
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
             let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_drift_lin_x_
                 - joint_a_lin_x_;
-            let t61_ = c_(0.1) * minus_joint_a_ang_z_;
-            let minus_end_of_repeat0_a_lin_y_ = minus_joint_a_lin_y_ + t61_;
+            let minus_end_of_repeat0_a_lin_y_ = T::mul_add(
+                c_(0.1),
+                minus_joint_a_ang_z_,
+                minus_joint_a_lin_y_,
+            );
             /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t62_ = carry2_2_before_ + minus_joint_a_ang_z_;
-            *store_ = [t62_];
-            *o0_0_ = -t62_;
-            *o3_0_ = -t62_;
+            let t45_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            *store_ = [t45_];
+            *o0_0_ = -t45_;
+            *o3_0_ = -t45_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 -minus_end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
                 -minus_joint_a_ang_z_,
             );
         }
-        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 3 mul, 1 add, 0 reciprocal.
-        let t63_ = cos_hook_angle_ * carry2_0_;
-        let t64_ = sin_hook_angle_ * carry2_1_;
-        let hook_a_lin_x_ = t63_ + t64_;
-        let minus_hook_a_ang_z_ = hook_a_lin_x_ * c_(6.666666666666666);
-        /// Results: 0 mul, 1 add, 0 reciprocal.
-        let t65_ = carry2_2_ + minus_hook_a_ang_z_;
+        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
+        let t46_ = cos_hook_angle_ * carry2_0_;
+        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t46_);
+        /// Results: 1 mul, 1 add, 0 reciprocal.
+        let t47_ = T::mul_add(hook_a_lin_x_, c_(6.666666666666666), carry2_2_);
         let mut carry3_0_ = c_(1.0);
         let mut carry3_1_ = c_(0.0);
         let mut carry3_2_ = c_(0.0);
@@ -1251,31 +1238,35 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry3_3_before_ = carry3_3_;
             let carry3_4_before_ = carry3_4_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-            let t66_ = cos_joint_angle_ * carry3_0_before_;
-            let t67_ = sin_joint_angle_ * carry3_1_before_;
-            let joint_axes_x_x_ = t66_ + t67_;
-            let t68_ = sin_joint_angle_ * carry3_0_before_;
-            let t69_ = cos_joint_angle_ * carry3_1_before_;
-            let minus_joint_axes_x_y_ = t68_ - t69_;
-            let t70_ = cos_joint_angle_ * carry3_2_before_;
-            let t71_ = sin_joint_angle_ * carry3_3_before_;
-            let joint_axes_y_x_ = t70_ + t71_;
-            let t72_ = sin_joint_angle_ * carry3_2_before_;
-            let t73_ = cos_joint_angle_ * carry3_3_before_;
-            let minus_joint_axes_y_y_ = t72_ - t73_;
+            let t48_ = cos_joint_angle_ * carry3_0_before_;
+            let joint_axes_x_x_ = T::mul_add(sin_joint_angle_, carry3_1_before_, t48_);
+            let t49_ = sin_joint_angle_ * carry3_0_before_;
+            let minus_joint_axes_x_y_ = T::mul_neg_add(
+                cos_joint_angle_,
+                carry3_1_before_,
+                t49_,
+            );
+            let t50_ = cos_joint_angle_ * carry3_2_before_;
+            let joint_axes_y_x_ = T::mul_add(sin_joint_angle_, carry3_3_before_, t50_);
+            let t51_ = sin_joint_angle_ * carry3_2_before_;
+            let minus_joint_axes_y_y_ = T::mul_neg_add(
+                cos_joint_angle_,
+                carry3_3_before_,
+                t51_,
+            );
             let joint_omega_z_2_ = joint_rate_ + carry3_4_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 6 mul, 0 add, 0 reciprocal.
-            let t74_ = c_(0.1) * joint_axes_x_x_;
-            let t75_ = joint_omega_z_2_ * t74_;
-            let minus_end_of_repeat0_drift_lin_x_2_ = joint_omega_z_2_ * t75_;
-            let t76_ = c_(0.1) * joint_axes_y_x_;
-            let t77_ = joint_omega_z_2_ * t76_;
-            let minus_end_of_repeat0_drift_lin_y_ = joint_omega_z_2_ * t77_;
+            let t52_ = c_(0.1) * joint_axes_x_x_;
+            let t53_ = joint_omega_z_2_ * t52_;
+            let minus_end_of_repeat0_drift_lin_x_2_ = joint_omega_z_2_ * t53_;
+            let t54_ = c_(0.1) * joint_axes_y_x_;
+            let t55_ = joint_omega_z_2_ * t54_;
+            let minus_end_of_repeat0_drift_lin_y_ = joint_omega_z_2_ * t55_;
             *store_ = [
-                t74_,
-                t76_,
-                t77_,
-                t75_,
+                t52_,
+                t54_,
+                t55_,
+                t53_,
                 minus_end_of_repeat0_drift_lin_x_2_,
                 minus_end_of_repeat0_drift_lin_y_,
                 joint_axes_x_x_,
@@ -1298,28 +1289,24 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-        let t78_ = cos_hook_angle_ * carry3_0_;
-        let t79_ = sin_hook_angle_ * carry3_1_;
-        let hook_axes_x_x_ = t78_ + t79_;
-        let t80_ = sin_hook_angle_ * carry3_0_;
-        let t81_ = cos_hook_angle_ * carry3_1_;
-        let minus_hook_axes_x_y_ = t80_ - t81_;
-        let t82_ = cos_hook_angle_ * carry3_2_;
-        let t83_ = sin_hook_angle_ * carry3_3_;
-        let hook_axes_y_x_ = t82_ + t83_;
-        let t84_ = sin_hook_angle_ * carry3_2_;
-        let t85_ = cos_hook_angle_ * carry3_3_;
-        let minus_hook_axes_y_y_ = t84_ - t85_;
+        let t56_ = cos_hook_angle_ * carry3_0_;
+        let hook_axes_x_x_ = T::mul_add(sin_hook_angle_, carry3_1_, t56_);
+        let t57_ = sin_hook_angle_ * carry3_0_;
+        let minus_hook_axes_x_y_ = T::mul_neg_add(cos_hook_angle_, carry3_1_, t57_);
+        let t58_ = cos_hook_angle_ * carry3_2_;
+        let hook_axes_y_x_ = T::mul_add(sin_hook_angle_, carry3_3_, t58_);
+        let t59_ = sin_hook_angle_ * carry3_2_;
+        let minus_hook_axes_y_y_ = T::mul_neg_add(cos_hook_angle_, carry3_3_, t59_);
         let hook_omega_z_2_ = hook_rate_ + carry3_4_;
         let mut carry4_0_ = c_(0.0);
         let mut carry4_1_ = c_(0.0);
         let mut carry4_2_ = c_(0.0);
         let mut carry4_3_ = c_(0.0);
         for (
-            &[t74_,
-            t76_,
-            t77_,
-            t75_,
+            &[t52_,
+            t54_,
+            t55_,
+            t53_,
             _,
             _,
             _,
@@ -1364,29 +1351,29 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry4_2_before_ = carry4_2_;
             let carry4_3_before_ = carry4_3_;
             /// Results: 0 mul, 4 add, 0 reciprocal.
-            let t86_ = t77_ - carry4_2_before_;
-            let t87_ = t75_ + carry4_3_before_;
-            let t88_ = t74_ + carry4_0_before_;
-            let t89_ = t76_ + carry4_1_before_;
+            let t60_ = t55_ - carry4_2_before_;
+            let t61_ = t53_ + carry4_3_before_;
+            let t62_ = t52_ + carry4_0_before_;
+            let t63_ = t54_ + carry4_1_before_;
             *o7_13_ = carry4_0_before_;
             *o7_14_ = carry4_1_before_;
             *o7_17_ = carry4_2_before_;
             *o7_18_ = carry4_3_before_;
-            *o7_26_ = t88_;
-            *o7_27_ = t89_;
-            *o7_30_ = -t86_;
-            *o7_31_ = t87_;
-            (carry4_0_, carry4_1_, carry4_2_, carry4_3_) = (t88_, t89_, -t86_, t87_);
+            *o7_26_ = t62_;
+            *o7_27_ = t63_;
+            *o7_30_ = -t60_;
+            *o7_31_ = t61_;
+            (carry4_0_, carry4_1_, carry4_2_, carry4_3_) = (t62_, t63_, -t60_, t61_);
         }
         let mut carry5_0_ = c_(0.0);
         let mut carry5_1_ = c_(0.0);
         let mut carry5_2_ = c_(0.0);
         for (
             (
-                &[t62_,
+                &[t45_,
                 ],
-                &[t74_,
-                t76_,
+                &[t52_,
+                t54_,
                 _,
                 _,
                 minus_end_of_repeat0_drift_lin_x_2_,
@@ -1433,16 +1420,20 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry5_1_before_ = carry5_1_;
             let carry5_2_before_ = carry5_2_;
             /// Point of `joint`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-            let minus_joint_acc_ang_z_ = t62_ - carry5_2_before_;
+            let minus_joint_acc_ang_z_ = t45_ - carry5_2_before_;
             /// Point of `end_of_repeat0`, [P, Eqs. (12), (13), (36)]: 2 mul, 4 add, 0 reciprocal.
-            let t90_ = t76_ * minus_joint_acc_ang_z_;
-            let t91_ = carry5_0_before_ + t90_;
-            let minus_end_of_repeat0_acc_lin_x_ = minus_end_of_repeat0_drift_lin_x_2_
-                - t91_;
-            let t92_ = t74_ * minus_joint_acc_ang_z_;
-            let t93_ = carry5_1_before_ - t92_;
-            let minus_end_of_repeat0_acc_lin_y_ = minus_end_of_repeat0_drift_lin_y_
-                - t93_;
+            let t64_ = minus_end_of_repeat0_drift_lin_x_2_ - carry5_0_before_;
+            let minus_end_of_repeat0_acc_lin_x_ = T::mul_neg_add(
+                t54_,
+                minus_joint_acc_ang_z_,
+                t64_,
+            );
+            let t65_ = minus_end_of_repeat0_drift_lin_y_ - carry5_1_before_;
+            let minus_end_of_repeat0_acc_lin_y_ = T::mul_add(
+                t52_,
+                minus_joint_acc_ang_z_,
+                t65_,
+            );
             *o7_20_ = carry5_0_before_;
             *o7_21_ = carry5_1_before_;
             *o7_22_ = -minus_joint_acc_ang_z_;
@@ -1456,7 +1447,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Point of `hook`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let minus_hook_acc_ang_z_ = t65_ - carry5_2_;
+        let minus_hook_acc_ang_z_ = t47_ - carry5_2_;
         let mut carry6_0_ = c_(0.0);
         for ((&[joint_rate_], &[_, _, known_p2_, _, _, _]), store_) in ::core::iter::zip(
             ::core::iter::zip(
@@ -1469,19 +1460,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
             let joint_omega_z_3_ = joint_rate_ + carry6_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t94_ = c_(0.1) * joint_omega_z_3_;
-            let minus_end_of_repeat0_drift_lin_x_3_ = joint_omega_z_3_ * t94_;
+            let t66_ = c_(0.1) * joint_omega_z_3_;
+            let minus_end_of_repeat0_drift_lin_x_3_ = joint_omega_z_3_ * t66_;
             /// Results: 2 mul, 0 add, 0 reciprocal.
-            let t95_ = known_p2_ * joint_omega_z_3_;
-            let t96_ = joint_omega_z_3_ * t95_;
-            *store_ = [minus_end_of_repeat0_drift_lin_x_3_, t96_];
+            let t67_ = known_p2_ * joint_omega_z_3_;
+            let t68_ = joint_omega_z_3_ * t67_;
+            *store_ = [minus_end_of_repeat0_drift_lin_x_3_, t68_];
             (carry6_0_,) = (joint_omega_z_3_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_3_ = hook_rate_ + carry6_0_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t97_ = c_(0.2) * hook_omega_z_3_;
-        let t98_ = hook_omega_z_3_ * t97_;
+        let t69_ = c_(0.2) * hook_omega_z_3_;
+        let t70_ = hook_omega_z_3_ * t69_;
         let mut carry7_0_ = c_(0.0);
         let mut carry7_1_ = c_(9.8);
         let mut carry7_2_ = c_(0.0);
@@ -1505,7 +1496,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                             _,
                             ],
                         ),
-                        &[t62_,
+                        &[t45_,
                         ],
                     ),
                     &[_,
@@ -1521,7 +1512,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     ],
                 ),
                 &[minus_end_of_repeat0_drift_lin_x_3_,
-                t96_,
+                t68_,
                 ],
             ),
             store_,
@@ -1549,50 +1540,37 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry7_1_before_ = carry7_1_;
             let carry7_2_before_ = carry7_2_;
             /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
-            let t99_ = cos_joint_angle_ * carry7_0_before_;
-            let t100_ = sin_joint_angle_ * carry7_1_before_;
-            let t101_ = t99_ + t100_;
-            let t102_ = sin_joint_angle_ * carry7_0_before_;
-            let t103_ = cos_joint_angle_ * carry7_1_before_;
-            let t104_ = t102_ - t103_;
-            let t105_ = t62_ - carry7_2_before_;
-            let t106_ = known_p1_ * t101_;
-            let t107_ = known_p1_ * t104_;
-            let t108_ = known_p2_ * t105_;
-            let t109_ = t107_ + t108_;
-            let t110_ = t106_ - t96_;
-            let t111_ = joint_axes_x_x_ * t110_;
-            let t112_ = minus_joint_axes_x_y_ * t109_;
-            let joint_own_force_x_ = t111_ + t112_;
-            let t113_ = joint_axes_y_x_ * t110_;
-            let t114_ = minus_joint_axes_y_y_ * t109_;
-            let joint_own_force_y_ = t113_ + t114_;
+            let t71_ = cos_joint_angle_ * carry7_0_before_;
+            let t72_ = T::mul_add(sin_joint_angle_, carry7_1_before_, t71_);
+            let t73_ = sin_joint_angle_ * carry7_0_before_;
+            let t74_ = T::mul_neg_add(cos_joint_angle_, carry7_1_before_, t73_);
+            let t75_ = known_p1_ * t74_;
+            let t76_ = T::mul_sub(known_p1_, t72_, t68_);
+            let t77_ = joint_axes_x_x_ * t76_;
+            let t78_ = t45_ - carry7_2_before_;
+            let t79_ = T::mul_add(known_p2_, t78_, t75_);
+            let joint_own_force_x_ = T::mul_add(minus_joint_axes_x_y_, t79_, t77_);
+            let t80_ = joint_axes_y_x_ * t76_;
+            let joint_own_force_y_ = T::mul_add(minus_joint_axes_y_y_, t79_, t80_);
             /// Results: 1 mul, 2 add, 0 reciprocal.
-            let t115_ = c_(0.1) * t105_;
-            let t116_ = t104_ + t115_;
-            let t117_ = minus_end_of_repeat0_drift_lin_x_3_ - t101_;
+            let t81_ = minus_end_of_repeat0_drift_lin_x_3_ - t72_;
+            let t82_ = T::mul_add(c_(0.1), t78_, t74_);
             *store_ = [joint_own_force_x_, joint_own_force_y_];
-            (carry7_0_, carry7_1_, carry7_2_) = (-t117_, -t116_, -t105_);
+            (carry7_0_, carry7_1_, carry7_2_) = (-t81_, -t82_, -t78_);
         }
         /// Load of the body at `hook`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
-        let t118_ = cos_hook_angle_ * carry7_0_;
-        let t119_ = sin_hook_angle_ * carry7_1_;
-        let t120_ = t118_ + t119_;
-        let t121_ = sin_hook_angle_ * carry7_0_;
-        let t122_ = cos_hook_angle_ * carry7_1_;
-        let t123_ = t121_ - t122_;
-        let t124_ = t65_ - carry7_2_;
-        let t125_ = c_(2.0) * t120_;
-        let t126_ = c_(2.0) * t123_;
-        let t127_ = c_(0.2) * t124_;
-        let t128_ = t125_ - t127_;
-        let t129_ = t126_ - t98_;
-        let t130_ = hook_axes_x_x_ * t128_;
-        let t131_ = minus_hook_axes_x_y_ * t129_;
-        let hook_own_force_x_ = t130_ + t131_;
-        let t132_ = hook_axes_y_x_ * t128_;
-        let t133_ = minus_hook_axes_y_y_ * t129_;
-        let hook_own_force_y_ = t132_ + t133_;
+        let t83_ = cos_hook_angle_ * carry7_0_;
+        let t84_ = T::mul_add(sin_hook_angle_, carry7_1_, t83_);
+        let t85_ = sin_hook_angle_ * carry7_0_;
+        let t86_ = T::mul_neg_add(cos_hook_angle_, carry7_1_, t85_);
+        let t87_ = t47_ - carry7_2_;
+        let t88_ = c_(2.0) * t84_;
+        let t89_ = T::mul_neg_add(c_(0.2), t87_, t88_);
+        let t90_ = T::mul_sub(c_(2.0), t86_, t70_);
+        let t91_ = hook_axes_x_x_ * t89_;
+        let hook_own_force_x_ = T::mul_add(minus_hook_axes_x_y_, t90_, t91_);
+        let t92_ = hook_axes_y_x_ * t89_;
+        let hook_own_force_y_ = T::mul_add(minus_hook_axes_y_y_, t90_, t92_);
         let mut carry8_0_ = hook_own_force_x_;
         let mut carry8_1_ = hook_own_force_y_;
         let mut carry8_2_ = c_(0.0);
@@ -1647,8 +1625,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry8_1_before_ = carry8_1_;
             let carry8_2_before_ = carry8_2_;
             /// Load on `joint`, [P, Eqs. (18), (19)]: 0 mul, 2 add, 0 reciprocal.
-            let joint_load_force_x_ = joint_own_force_x_ + carry8_0_before_;
-            let joint_load_force_y_ = joint_own_force_y_ + carry8_1_before_;
+            let joint_load_force_x_ = carry8_0_before_ + joint_own_force_x_;
+            let joint_load_force_y_ = carry8_1_before_ + joint_own_force_y_;
             *o7_24_ = joint_load_force_x_;
             *o7_25_ = joint_load_force_y_;
             *o7_36_ = -carry8_2_before_;
@@ -1681,31 +1659,35 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry9_3_before_ = carry9_3_;
             let carry9_4_before_ = carry9_4_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-            let t134_ = cos_joint_angle_ * carry9_0_before_;
-            let t135_ = sin_joint_angle_ * carry9_1_before_;
-            let joint_axes_x_x_2_ = t134_ + t135_;
-            let t136_ = sin_joint_angle_ * carry9_0_before_;
-            let t137_ = cos_joint_angle_ * carry9_1_before_;
-            let minus_joint_axes_x_y_2_ = t136_ - t137_;
-            let t138_ = cos_joint_angle_ * carry9_2_before_;
-            let t139_ = sin_joint_angle_ * carry9_3_before_;
-            let joint_axes_y_x_2_ = t138_ + t139_;
-            let t140_ = sin_joint_angle_ * carry9_2_before_;
-            let t141_ = cos_joint_angle_ * carry9_3_before_;
-            let minus_joint_axes_y_y_2_ = t140_ - t141_;
+            let t93_ = cos_joint_angle_ * carry9_0_before_;
+            let joint_axes_x_x_2_ = T::mul_add(sin_joint_angle_, carry9_1_before_, t93_);
+            let t94_ = sin_joint_angle_ * carry9_0_before_;
+            let minus_joint_axes_x_y_2_ = T::mul_neg_add(
+                cos_joint_angle_,
+                carry9_1_before_,
+                t94_,
+            );
+            let t95_ = cos_joint_angle_ * carry9_2_before_;
+            let joint_axes_y_x_2_ = T::mul_add(sin_joint_angle_, carry9_3_before_, t95_);
+            let t96_ = sin_joint_angle_ * carry9_2_before_;
+            let minus_joint_axes_y_y_2_ = T::mul_neg_add(
+                cos_joint_angle_,
+                carry9_3_before_,
+                t96_,
+            );
             let joint_omega_z_4_ = joint_rate_ + carry9_4_before_;
             /// Results: 10 mul, 0 add, 0 reciprocal.
-            let t142_ = c_(0.1) * joint_axes_x_x_2_;
-            let t143_ = c_(0.1) * joint_axes_y_x_2_;
-            let t144_ = joint_omega_z_4_ * t143_;
-            let t145_ = joint_omega_z_4_ * t142_;
-            let t146_ = c_(0.05) * joint_axes_x_x_2_;
-            let t147_ = c_(0.05) * joint_axes_y_x_2_;
-            let t148_ = joint_omega_z_4_ * t147_;
-            let t149_ = joint_omega_z_4_ * t146_;
-            let t150_ = c_(0.0001) * joint_omega_z_4_;
-            let t151_ = joint_omega_z_4_ * t150_;
-            *store_ = [t143_, t144_, t145_, t147_, t148_, t149_, t151_];
+            let t97_ = c_(0.1) * joint_axes_x_x_2_;
+            let t98_ = c_(0.1) * joint_axes_y_x_2_;
+            let t99_ = joint_omega_z_4_ * t98_;
+            let t100_ = joint_omega_z_4_ * t97_;
+            let t101_ = c_(0.05) * joint_axes_x_x_2_;
+            let t102_ = c_(0.05) * joint_axes_y_x_2_;
+            let t103_ = joint_omega_z_4_ * t102_;
+            let t104_ = joint_omega_z_4_ * t101_;
+            let t105_ = c_(0.0001) * joint_omega_z_4_;
+            let t106_ = joint_omega_z_4_ * t105_;
+            *store_ = [t98_, t99_, t100_, t102_, t103_, t104_, t106_];
             (carry9_0_, carry9_1_, carry9_2_, carry9_3_, carry9_4_) = (
                 joint_axes_x_x_2_,
                 -minus_joint_axes_x_y_2_,
@@ -1715,20 +1697,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t152_ = sin_hook_angle_ * carry9_0_;
-        let t153_ = cos_hook_angle_ * carry9_1_;
-        let minus_hook_axes_x_y_2_ = t152_ - t153_;
-        let t154_ = sin_hook_angle_ * carry9_2_;
-        let t155_ = cos_hook_angle_ * carry9_3_;
-        let minus_hook_axes_y_y_2_ = t154_ - t155_;
+        let t107_ = sin_hook_angle_ * carry9_0_;
+        let minus_hook_axes_x_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_1_, t107_);
+        let t108_ = sin_hook_angle_ * carry9_2_;
+        let minus_hook_axes_y_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_3_, t108_);
         let hook_omega_z_4_ = hook_rate_ + carry9_4_;
         /// Results: 6 mul, 0 add, 0 reciprocal.
-        let t156_ = c_(0.1) * minus_hook_axes_x_y_2_;
-        let t157_ = c_(0.1) * minus_hook_axes_y_y_2_;
-        let t158_ = hook_omega_z_4_ * t157_;
-        let t159_ = hook_omega_z_4_ * t156_;
-        let t160_ = c_(0.01) * hook_omega_z_4_;
-        let t161_ = hook_omega_z_4_ * t160_;
+        let t109_ = c_(0.1) * minus_hook_axes_x_y_2_;
+        let t110_ = c_(0.1) * minus_hook_axes_y_y_2_;
+        let t111_ = hook_omega_z_4_ * t110_;
+        let t112_ = hook_omega_z_4_ * t109_;
+        let t113_ = c_(0.01) * hook_omega_z_4_;
+        let t114_ = hook_omega_z_4_ * t113_;
         let mut carry10_0_ = c_(0.0);
         let mut carry10_1_ = c_(0.0);
         let mut carry10_2_ = c_(0.0);
@@ -1741,13 +1721,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 _,
                 _,
                 ],
-                &[t143_,
-                t144_,
-                t145_,
-                t147_,
-                t148_,
-                t149_,
-                t151_,
+                &[t98_,
+                t99_,
+                t100_,
+                t102_,
+                t103_,
+                t104_,
+                t106_,
                 ],
             ),
             store_,
@@ -1763,62 +1743,58 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry10_1_before_ = carry10_1_;
             let carry10_2_before_ = carry10_2_;
             /// Results: 6 mul, 8 add, 0 reciprocal.
-            let t162_ = t144_ - carry10_1_before_;
-            let t163_ = t145_ + carry10_2_before_;
-            let t164_ = t143_ + carry10_0_before_;
-            let t165_ = carry10_1_before_ - t148_;
-            let t166_ = carry10_2_before_ + t149_;
-            let t167_ = t165_ * t165_;
-            let t168_ = t166_ * t166_;
-            let t169_ = t167_ + t168_;
-            let t170_ = known_p1_ * t169_;
-            let t171_ = t151_ + t170_;
-            let t172_ = c_(0.5) * t171_;
-            let t173_ = carry10_0_before_ + t147_;
-            let t174_ = c_(9.8) * t173_;
-            let t175_ = known_p1_ * t174_;
-            *store_ = [t172_, t175_];
-            (carry10_0_, carry10_1_, carry10_2_) = (t164_, -t162_, t163_);
+            let t115_ = t99_ - carry10_1_before_;
+            let t116_ = t100_ + carry10_2_before_;
+            let t117_ = t98_ + carry10_0_before_;
+            let t118_ = carry10_1_before_ - t103_;
+            let t119_ = carry10_2_before_ + t104_;
+            let t120_ = t118_ * t118_;
+            let t121_ = T::mul_add(t119_, t119_, t120_);
+            let t122_ = T::mul_add(known_p1_, t121_, t106_);
+            let t123_ = c_(0.5) * t122_;
+            let t124_ = carry10_0_before_ + t102_;
+            let t125_ = c_(9.8) * t124_;
+            let t126_ = known_p1_ * t125_;
+            *store_ = [t123_, t126_];
+            (carry10_0_, carry10_1_, carry10_2_) = (t117_, -t115_, t116_);
         }
         /// Results: 5 mul, 5 add, 0 reciprocal.
-        let t176_ = carry10_1_ - t158_;
-        let t177_ = carry10_2_ + t159_;
-        let t178_ = t176_ * t176_;
-        let t179_ = t177_ * t177_;
-        let t180_ = t178_ + t179_;
-        let t181_ = c_(2.0) * t180_;
-        let t182_ = t161_ + t181_;
-        let t183_ = c_(0.5) * t182_;
-        let t184_ = carry10_0_ + t157_;
-        let t185_ = c_(19.6) * t184_;
+        let t127_ = carry10_1_ - t111_;
+        let t128_ = carry10_2_ + t112_;
+        let t129_ = t127_ * t127_;
+        let t130_ = T::mul_add(t128_, t128_, t129_);
+        let t131_ = T::mul_add(c_(2.0), t130_, t114_);
+        let t132_ = c_(0.5) * t131_;
+        let t133_ = carry10_0_ + t110_;
+        let t134_ = c_(19.6) * t133_;
         let mut carry11_0_ = c_(0.0);
         let mut carry11_1_ = c_(0.0);
-        for (&[_, _, _, _, _, t9_], &[t172_, t175_]) in ::core::iter::zip(
+        for (&[_, _, _, _, _, t8_], &[t123_, t126_]) in ::core::iter::zip(
             store1_.iter(),
             store18_.iter(),
         ) {
             let carry11_0_before_ = carry11_0_;
             let carry11_1_before_ = carry11_1_;
             /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t186_ = carry11_0_before_ + t172_;
-            let t187_ = carry11_1_before_ + t175_;
-            let t188_ = t9_ + t187_;
-            (carry11_0_, carry11_1_) = (t186_, t188_);
+            let t135_ = carry11_0_before_ + t123_;
+            let t136_ = t8_ + carry11_1_before_;
+            let t137_ = t126_ + t136_;
+            (carry11_0_, carry11_1_) = (t135_, t137_);
         }
         /// Results: 0 mul, 2 add, 0 reciprocal.
-        let t189_ = carry11_0_ + t183_;
-        let t190_ = carry11_1_ + t185_;
+        let t138_ = carry11_0_ + t132_;
+        let t139_ = carry11_1_ + t134_;
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t65_;
+            *o0_ = -t47_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results3_.as_mut_slice(), 10, 1) {
-            *o0_ = -t65_;
+            *o0_ = -t47_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
@@ -1891,8 +1867,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         at_.accelerations.data.0 = [results0_];
         at_.rate_accelerations.data.0 = [results3_];
         at_.efforts.data.0 = [results4_];
-        at_.kinetic_energy = t189_;
-        at_.potential_energy = t190_;
+        at_.kinetic_energy = t138_;
+        at_.potential_energy = t139_;
         for (
             point_,
             &[p0_,
@@ -1972,33 +1948,37 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal, 1 sin/cos.
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let t0_ = cos_joint_angle_ * carry0_0_before_;
-            let t1_ = sin_joint_angle_ * carry0_1_before_;
-            let joint_axes_x_x_ = t0_ + t1_;
-            let t2_ = sin_joint_angle_ * carry0_0_before_;
-            let t3_ = cos_joint_angle_ * carry0_1_before_;
-            let minus_joint_axes_x_y_ = t2_ - t3_;
-            let t4_ = sin_joint_angle_ * carry0_3_before_;
-            let t5_ = cos_joint_angle_ * carry0_2_before_;
-            let joint_axes_y_x_ = t4_ + t5_;
-            let t6_ = cos_joint_angle_ * carry0_3_before_;
-            let t7_ = sin_joint_angle_ * carry0_2_before_;
-            let joint_axes_y_y_ = t6_ - t7_;
+            let joint_axes_x_x_ = T::mul_add(sin_joint_angle_, carry0_1_before_, t0_);
+            let t1_ = sin_joint_angle_ * carry0_0_before_;
+            let minus_joint_axes_x_y_ = T::mul_neg_add(
+                cos_joint_angle_,
+                carry0_1_before_,
+                t1_,
+            );
+            let t2_ = sin_joint_angle_ * carry0_3_before_;
+            let joint_axes_y_x_ = T::mul_add(cos_joint_angle_, carry0_2_before_, t2_);
+            let t3_ = cos_joint_angle_ * carry0_3_before_;
+            let joint_axes_y_y_ = T::mul_neg_add(
+                sin_joint_angle_,
+                carry0_2_before_,
+                t3_,
+            );
             let joint_omega_z_ = joint_rate_ + carry0_4_before_;
             /// Results: 13 mul, 0 add, 0 reciprocal.
-            let t8_ = joint_angle_ * c_(0.2);
-            let t9_ = joint_angle_ * t8_;
-            let t10_ = t9_ * c_(0.5);
-            let t11_ = c_(0.1) * joint_axes_x_x_;
-            let t12_ = c_(0.1) * joint_axes_y_x_;
+            let t4_ = joint_angle_ * c_(0.2);
+            let t5_ = joint_angle_ * t4_;
+            let t6_ = t5_ * c_(0.5);
+            let t7_ = c_(0.1) * joint_axes_x_x_;
+            let t8_ = c_(0.1) * joint_axes_y_x_;
+            let t9_ = joint_omega_z_ * t8_;
+            let t10_ = joint_omega_z_ * t7_;
+            let t11_ = c_(0.05) * joint_axes_x_x_;
+            let t12_ = c_(0.05) * joint_axes_y_x_;
             let t13_ = joint_omega_z_ * t12_;
             let t14_ = joint_omega_z_ * t11_;
-            let t15_ = c_(0.05) * joint_axes_x_x_;
-            let t16_ = c_(0.05) * joint_axes_y_x_;
-            let t17_ = joint_omega_z_ * t16_;
-            let t18_ = joint_omega_z_ * t15_;
-            let t19_ = c_(0.0001) * joint_omega_z_;
-            let t20_ = joint_omega_z_ * t19_;
-            *store_ = [t12_, t13_, t14_, t16_, t17_, t18_, t20_, t10_];
+            let t15_ = c_(0.0001) * joint_omega_z_;
+            let t16_ = joint_omega_z_ * t15_;
+            *store_ = [t8_, t9_, t10_, t12_, t13_, t14_, t16_, t6_];
             (carry0_0_, carry0_1_, carry0_2_, carry0_3_, carry0_4_) = (
                 joint_axes_x_x_,
                 -minus_joint_axes_x_y_,
@@ -2008,42 +1988,23 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t21_ = sin_hook_angle_ * carry0_0_;
-        let t22_ = cos_hook_angle_ * carry0_1_;
-        let minus_hook_axes_x_y_ = t21_ - t22_;
-        let t23_ = sin_hook_angle_ * carry0_2_;
-        let t24_ = cos_hook_angle_ * carry0_3_;
-        let minus_hook_axes_y_y_ = t23_ - t24_;
+        let t17_ = sin_hook_angle_ * carry0_0_;
+        let minus_hook_axes_x_y_ = T::mul_neg_add(cos_hook_angle_, carry0_1_, t17_);
+        let t18_ = sin_hook_angle_ * carry0_2_;
+        let minus_hook_axes_y_y_ = T::mul_neg_add(cos_hook_angle_, carry0_3_, t18_);
         let hook_omega_z_ = hook_rate_ + carry0_4_;
         /// Results: 6 mul, 0 add, 0 reciprocal.
-        let t25_ = c_(0.1) * minus_hook_axes_x_y_;
-        let t26_ = c_(0.1) * minus_hook_axes_y_y_;
-        let t27_ = hook_omega_z_ * t26_;
-        let t28_ = hook_omega_z_ * t25_;
-        let t29_ = c_(0.01) * hook_omega_z_;
-        let t30_ = hook_omega_z_ * t29_;
+        let t19_ = c_(0.1) * minus_hook_axes_x_y_;
+        let t20_ = c_(0.1) * minus_hook_axes_y_y_;
+        let t21_ = hook_omega_z_ * t20_;
+        let t22_ = hook_omega_z_ * t19_;
+        let t23_ = c_(0.01) * hook_omega_z_;
+        let t24_ = hook_omega_z_ * t23_;
         let mut carry1_0_ = c_(0.0);
         let mut carry1_1_ = c_(0.0);
         let mut carry1_2_ = c_(0.0);
         for (
-            (
-                &[_,
-                known_p1_,
-                _,
-                _,
-                _,
-                _,
-                ],
-                &[t12_,
-                t13_,
-                t14_,
-                t16_,
-                t17_,
-                t18_,
-                t20_,
-                _,
-                ],
-            ),
+            (&[_, known_p1_, _, _, _, _], &[t8_, t9_, t10_, t12_, t13_, t14_, t16_, _]),
             store_,
         ) in ::core::iter::zip(
             ::core::iter::zip(
@@ -2057,54 +2018,50 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_1_before_ = carry1_1_;
             let carry1_2_before_ = carry1_2_;
             /// Results: 6 mul, 8 add, 0 reciprocal.
-            let t31_ = carry1_1_before_ - t13_;
-            let t32_ = carry1_2_before_ + t14_;
-            let t33_ = carry1_0_before_ + t12_;
-            let t34_ = carry1_1_before_ - t17_;
-            let t35_ = carry1_2_before_ + t18_;
-            let t36_ = t34_ * t34_;
-            let t37_ = t35_ * t35_;
-            let t38_ = t36_ + t37_;
-            let t39_ = known_p1_ * t38_;
-            let t40_ = t20_ + t39_;
-            let t41_ = c_(0.5) * t40_;
-            let t42_ = carry1_0_before_ + t16_;
-            let t43_ = c_(9.8) * t42_;
-            let t44_ = known_p1_ * t43_;
-            *store_ = [t41_, t44_];
-            (carry1_0_, carry1_1_, carry1_2_) = (t33_, t31_, t32_);
+            let t25_ = carry1_1_before_ - t9_;
+            let t26_ = carry1_2_before_ + t10_;
+            let t27_ = carry1_0_before_ + t8_;
+            let t28_ = carry1_1_before_ - t13_;
+            let t29_ = carry1_2_before_ + t14_;
+            let t30_ = t28_ * t28_;
+            let t31_ = T::mul_add(t29_, t29_, t30_);
+            let t32_ = T::mul_add(known_p1_, t31_, t16_);
+            let t33_ = c_(0.5) * t32_;
+            let t34_ = carry1_0_before_ + t12_;
+            let t35_ = c_(9.8) * t34_;
+            let t36_ = known_p1_ * t35_;
+            *store_ = [t33_, t36_];
+            (carry1_0_, carry1_1_, carry1_2_) = (t27_, t25_, t26_);
         }
         /// Results: 5 mul, 5 add, 0 reciprocal.
-        let t45_ = carry1_1_ - t27_;
-        let t46_ = carry1_2_ + t28_;
-        let t47_ = t45_ * t45_;
-        let t48_ = t46_ * t46_;
-        let t49_ = t47_ + t48_;
-        let t50_ = c_(2.0) * t49_;
-        let t51_ = t30_ + t50_;
-        let t52_ = c_(0.5) * t51_;
-        let t53_ = carry1_0_ + t26_;
-        let t54_ = c_(19.6) * t53_;
+        let t37_ = carry1_1_ - t21_;
+        let t38_ = carry1_2_ + t22_;
+        let t39_ = t37_ * t37_;
+        let t40_ = T::mul_add(t38_, t38_, t39_);
+        let t41_ = T::mul_add(c_(2.0), t40_, t24_);
+        let t42_ = c_(0.5) * t41_;
+        let t43_ = carry1_0_ + t20_;
+        let t44_ = c_(19.6) * t43_;
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(0.0);
-        for (&[_, _, _, _, _, _, _, t10_], &[t41_, t44_]) in ::core::iter::zip(
+        for (&[_, _, _, _, _, _, _, t6_], &[t33_, t36_]) in ::core::iter::zip(
             store1_.iter(),
             store3_.iter(),
         ) {
             let carry2_0_before_ = carry2_0_;
             let carry2_1_before_ = carry2_1_;
             /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t55_ = carry2_0_before_ + t41_;
-            let t56_ = carry2_1_before_ + t44_;
-            let t57_ = t10_ + t56_;
-            (carry2_0_, carry2_1_) = (t55_, t57_);
+            let t45_ = carry2_0_before_ + t33_;
+            let t46_ = t6_ + carry2_1_before_;
+            let t47_ = t36_ + t46_;
+            (carry2_0_, carry2_1_) = (t45_, t47_);
         }
         /// Results: 0 mul, 2 add, 0 reciprocal.
-        let t58_ = carry2_0_ + t52_;
-        let t59_ = carry2_1_ + t54_;
+        let t48_ = carry2_0_ + t42_;
+        let t49_ = carry2_1_ + t44_;
         ::mstmm::Energy {
-            kinetic: t58_,
-            potential: t59_,
+            kinetic: t48_,
+            potential: t49_,
         }
     }
 }

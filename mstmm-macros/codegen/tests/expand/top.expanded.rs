@@ -22,7 +22,7 @@
 ///
 /// Mobility 3: 3 degrees of freedom.
 ///
-/// Accelerations by `riccati`, 28 operations (21 mul, 7 add, 0 reciprocal); with everything at every connection point 149 operations.
+/// Accelerations by `riccati`, 28 operations (21 mul, 7 add, 0 reciprocal); with everything at every connection point 148 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 struct Top<T> {
@@ -120,32 +120,33 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t0_ = tip_qy_ * c_(2.0);
         let t1_ = tip_qz_ * c_(2.0);
         let t2_ = tip_qw_ * t0_;
-        let t3_ = tip_qx_ * t1_;
-        let minus_tip_turn_z_x_ = t2_ - t3_;
-        let t4_ = tip_qx_ * c_(2.0);
-        let t5_ = tip_qw_ * t4_;
-        let t6_ = tip_qy_ * t1_;
-        let tip_turn_z_y_ = t5_ + t6_;
+        let minus_tip_turn_z_x_ = T::mul_neg_add(tip_qx_, t1_, t2_);
+        let t3_ = tip_qx_ * c_(2.0);
+        let t4_ = tip_qw_ * t3_;
+        let tip_turn_z_y_ = T::mul_add(tip_qy_, t1_, t4_);
         /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 9 mul, 3 add, 0 reciprocal.
-        let t7_ = tip_wy_ * c_(0.001);
-        let t8_ = tip_wz_ * c_(0.0001);
-        let t9_ = tip_wy_ * t8_;
-        let t10_ = tip_wz_ * t7_;
-        let tip_e_moment_x_ = t9_ - t10_;
-        let t11_ = tip_wx_ * c_(0.001);
-        let t12_ = tip_wz_ * t11_;
-        let t13_ = tip_wx_ * t8_;
-        let tip_e_moment_y_ = t12_ - t13_;
-        let t14_ = tip_wx_ * t7_;
-        let t15_ = tip_wy_ * t11_;
-        let tip_e_moment_z_ = t14_ - t15_;
+        let t5_ = tip_wy_ * c_(0.001);
+        let t6_ = tip_wz_ * c_(0.0001);
+        let t7_ = tip_wy_ * t6_;
+        let tip_e_moment_x_ = T::mul_neg_add(tip_wz_, t5_, t7_);
+        let t8_ = tip_wx_ * c_(0.001);
+        let t9_ = tip_wz_ * t8_;
+        let tip_e_moment_y_ = T::mul_neg_add(tip_wx_, t6_, t9_);
+        let t10_ = tip_wx_ * t5_;
+        let tip_e_moment_z_ = T::mul_neg_add(tip_wy_, t8_, t10_);
         /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 5 mul, 2 add, 0 reciprocal.
-        let t16_ = tip_e_moment_x_ * c_(1000.0);
-        let t17_ = tip_turn_z_y_ * c_(117.60000000000001);
-        let minus_tip_a_ang_x_ = t16_ - t17_;
-        let t18_ = tip_e_moment_y_ * c_(1000.0);
-        let t19_ = minus_tip_turn_z_x_ * c_(117.60000000000001);
-        let minus_tip_a_ang_y_ = t18_ - t19_;
+        let t11_ = tip_e_moment_x_ * c_(1000.0);
+        let minus_tip_a_ang_x_ = T::mul_neg_add(
+            tip_turn_z_y_,
+            c_(117.60000000000001),
+            t11_,
+        );
+        let t12_ = tip_e_moment_y_ * c_(1000.0);
+        let minus_tip_a_ang_y_ = T::mul_neg_add(
+            minus_tip_turn_z_x_,
+            c_(117.60000000000001),
+            t12_,
+        );
         let minus_tip_a_ang_z_ = tip_e_moment_z_ * c_(10000.0);
         ::mstmm::generated::finite::<
             T,
@@ -179,16 +180,16 @@ impl<T: ::mstmm::Scalar> Top<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 149 operations: 94 mul, 55 add, 0 reciprocal.
+    /// 148 operations: 94 mul, 54 add, 0 reciprocal.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 12 | 12 | 0 | 0 | 0 |
-    /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 15 | 4 | 0 | 0 | 0 |
+    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 12 | 11 | 0 | 0 | 0 |
+    /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 3 | 0 | 0 | 0 |
     /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 5 | 2 | 0 | 0 | 0 |
     /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 9 | 6 | 0 | 0 | 0 |
     /// | Point of `tip` | \[P, Eqs. (12), (13), (36)\] | 9 | 6 | 0 | 0 | 0 |
-    /// | Load of the body at `tip` | \[P, Eqs. (18), (19)\] | 14 | 11 | 0 | 0 | 0 |
+    /// | Load of the body at `tip` | \[P, Eqs. (18), (19)\] | 16 | 12 | 0 | 0 | 0 |
     /// | Results |  | 30 | 14 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -204,13 +205,13 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let c_ = T::constant;
         let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
         let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
-        /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 12 mul, 12 add, 0 reciprocal.
+        /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 12 mul, 11 add, 0 reciprocal.
         let t0_ = tip_qy_ * c_(2.0);
         let t1_ = tip_qz_ * c_(2.0);
         let t2_ = tip_qy_ * t0_;
         let t3_ = tip_qz_ * t1_;
-        let t4_ = t2_ + t3_;
-        let minus_tip_turn_x_x_ = t4_ - c_(1.0);
+        let t4_ = t2_ - c_(1.0);
+        let minus_tip_turn_x_x_ = t3_ + t4_;
         let t5_ = tip_qw_ * t1_;
         let t6_ = tip_qx_ * t0_;
         let minus_tip_turn_x_y_ = t5_ - t6_;
@@ -219,147 +220,114 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let tip_turn_x_z_ = t7_ + t8_;
         let tip_turn_y_x_ = t5_ + t6_;
         let t9_ = tip_qx_ * c_(2.0);
-        let t10_ = tip_qx_ * t9_;
-        let t11_ = t10_ + t3_;
-        let tip_turn_y_y_ = c_(1.0) - t11_;
-        let t12_ = tip_qw_ * t9_;
-        let t13_ = tip_qy_ * t1_;
-        let minus_tip_turn_y_z_ = t12_ - t13_;
+        let t10_ = T::mul_sub(tip_qx_, t9_, c_(1.0));
+        let minus_tip_turn_y_y_ = t3_ + t10_;
+        let t11_ = tip_qw_ * t9_;
+        let t12_ = tip_qy_ * t1_;
+        let minus_tip_turn_y_z_ = t11_ - t12_;
         let minus_tip_turn_z_x_ = t7_ - t8_;
-        let tip_turn_z_y_ = t12_ + t13_;
-        let t14_ = t10_ + t2_;
-        let tip_turn_z_z_ = c_(1.0) - t14_;
-        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 15 mul, 4 add, 0 reciprocal.
-        let t15_ = tip_wx_ * c_(0.012);
-        let tip_e_force_x_ = tip_wz_ * t15_;
-        let t16_ = tip_wy_ * c_(0.012);
-        let tip_e_force_y_ = tip_wz_ * t16_;
-        let t17_ = tip_wx_ * t15_;
-        let t18_ = tip_wy_ * t16_;
-        let minus_tip_e_force_z_ = t17_ + t18_;
-        let t19_ = tip_wy_ * c_(0.001);
-        let t20_ = tip_wz_ * c_(0.0001);
-        let t21_ = tip_wy_ * t20_;
-        let t22_ = tip_wz_ * t19_;
-        let tip_e_moment_x_ = t21_ - t22_;
-        let t23_ = tip_wx_ * c_(0.001);
-        let t24_ = tip_wz_ * t23_;
-        let t25_ = tip_wx_ * t20_;
-        let tip_e_moment_y_ = t24_ - t25_;
-        let t26_ = tip_wx_ * t19_;
-        let t27_ = tip_wy_ * t23_;
-        let tip_e_moment_z_ = t26_ - t27_;
+        let tip_turn_z_y_ = t11_ + t12_;
+        let minus_tip_turn_z_z_ = t2_ + t10_;
+        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 13 mul, 3 add, 0 reciprocal.
+        let t13_ = tip_wx_ * c_(0.012);
+        let tip_e_force_x_ = tip_wz_ * t13_;
+        let t14_ = tip_wy_ * c_(0.012);
+        let tip_e_force_y_ = tip_wz_ * t14_;
+        let t15_ = tip_wy_ * c_(0.001);
+        let t16_ = tip_wz_ * c_(0.0001);
+        let t17_ = tip_wy_ * t16_;
+        let tip_e_moment_x_ = T::mul_neg_add(tip_wz_, t15_, t17_);
+        let t18_ = tip_wx_ * c_(0.001);
+        let t19_ = tip_wz_ * t18_;
+        let tip_e_moment_y_ = T::mul_neg_add(tip_wx_, t16_, t19_);
+        let t20_ = tip_wx_ * t15_;
+        let tip_e_moment_z_ = T::mul_neg_add(tip_wy_, t18_, t20_);
         /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 5 mul, 2 add, 0 reciprocal.
-        let t28_ = tip_e_moment_x_ * c_(1000.0);
-        let t29_ = tip_turn_z_y_ * c_(117.60000000000001);
-        let minus_tip_a_ang_x_ = t28_ - t29_;
-        let t30_ = tip_e_moment_y_ * c_(1000.0);
-        let t31_ = minus_tip_turn_z_x_ * c_(117.60000000000001);
-        let minus_tip_a_ang_y_ = t30_ - t31_;
+        let t21_ = tip_e_moment_x_ * c_(1000.0);
+        let minus_tip_a_ang_x_ = T::mul_neg_add(
+            tip_turn_z_y_,
+            c_(117.60000000000001),
+            t21_,
+        );
+        let t22_ = tip_e_moment_y_ * c_(1000.0);
+        let minus_tip_a_ang_y_ = T::mul_neg_add(
+            minus_tip_turn_z_x_,
+            c_(117.60000000000001),
+            t22_,
+        );
         let minus_tip_a_ang_z_ = tip_e_moment_z_ * c_(10000.0);
         /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
-        let t32_ = tip_wx_ * minus_tip_turn_x_x_;
-        let t33_ = tip_wy_ * minus_tip_turn_x_y_;
-        let t34_ = t32_ + t33_;
-        let t35_ = tip_wz_ * tip_turn_x_z_;
-        let minus_tip_omega_x_ = t34_ - t35_;
-        let t36_ = tip_wx_ * tip_turn_y_x_;
-        let t37_ = tip_wy_ * tip_turn_y_y_;
-        let t38_ = t36_ + t37_;
-        let t39_ = tip_wz_ * minus_tip_turn_y_z_;
-        let tip_omega_y_ = t38_ - t39_;
-        let t40_ = tip_wx_ * minus_tip_turn_z_x_;
-        let t41_ = tip_wy_ * tip_turn_z_y_;
-        let t42_ = t40_ - t41_;
-        let t43_ = tip_wz_ * tip_turn_z_z_;
-        let minus_tip_omega_z_ = t42_ - t43_;
+        let t23_ = tip_wy_ * minus_tip_turn_x_y_;
+        let t24_ = T::mul_neg_add(tip_wz_, tip_turn_x_z_, t23_);
+        let minus_tip_omega_x_ = T::mul_add(tip_wx_, minus_tip_turn_x_x_, t24_);
+        let t25_ = tip_wx_ * tip_turn_y_x_;
+        let t26_ = T::mul_neg_add(tip_wz_, minus_tip_turn_y_z_, t25_);
+        let minus_tip_omega_y_ = T::mul_sub(tip_wy_, minus_tip_turn_y_y_, t26_);
+        let t27_ = tip_wx_ * minus_tip_turn_z_x_;
+        let t28_ = T::mul_neg_add(tip_wy_, tip_turn_z_y_, t27_);
+        let minus_tip_omega_z_ = T::mul_add(tip_wz_, minus_tip_turn_z_z_, t28_);
         /// Point of `tip`, [P, Eqs. (12), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
-        let t44_ = minus_tip_turn_x_x_ * minus_tip_a_ang_x_;
-        let t45_ = minus_tip_turn_x_y_ * minus_tip_a_ang_y_;
-        let t46_ = t44_ + t45_;
-        let t47_ = tip_turn_x_z_ * minus_tip_a_ang_z_;
-        let tip_acc_ang_x_ = t46_ - t47_;
-        let t48_ = tip_turn_y_x_ * minus_tip_a_ang_x_;
-        let t49_ = tip_turn_y_y_ * minus_tip_a_ang_y_;
-        let t50_ = t48_ + t49_;
-        let t51_ = minus_tip_turn_y_z_ * minus_tip_a_ang_z_;
-        let minus_tip_acc_ang_y_ = t50_ - t51_;
-        let t52_ = minus_tip_turn_z_x_ * minus_tip_a_ang_x_;
-        let t53_ = tip_turn_z_y_ * minus_tip_a_ang_y_;
-        let t54_ = t52_ - t53_;
-        let t55_ = tip_turn_z_z_ * minus_tip_a_ang_z_;
-        let tip_acc_ang_z_ = t54_ - t55_;
-        /// Load of the body at `tip`, [P, Eqs. (18), (19)]: 14 mul, 11 add, 0 reciprocal.
-        let t56_ = minus_tip_turn_z_x_ * c_(1.9600000000000002);
-        let t57_ = tip_turn_z_y_ * c_(1.9600000000000002);
-        let t58_ = tip_turn_z_z_ * c_(1.9600000000000002);
-        let t59_ = minus_tip_e_force_z_ - t58_;
-        let t60_ = c_(0.012) * minus_tip_a_ang_y_;
-        let t61_ = c_(0.012) * minus_tip_a_ang_x_;
-        let t62_ = t56_ + t60_;
-        let t63_ = t57_ + t61_;
-        let t64_ = tip_e_force_x_ - t62_;
-        let t65_ = tip_e_force_y_ + t63_;
-        let t66_ = minus_tip_turn_x_x_ * t64_;
-        let t67_ = minus_tip_turn_x_y_ * t65_;
-        let t68_ = t66_ + t67_;
-        let t69_ = tip_turn_x_z_ * t59_;
-        let minus_tip_own_force_x_ = t68_ + t69_;
-        let t70_ = tip_turn_y_x_ * t64_;
-        let t71_ = tip_turn_y_y_ * t65_;
-        let t72_ = t70_ + t71_;
-        let t73_ = minus_tip_turn_y_z_ * t59_;
-        let tip_own_force_y_ = t72_ + t73_;
-        let t74_ = minus_tip_turn_z_x_ * t64_;
-        let t75_ = tip_turn_z_y_ * t65_;
-        let t76_ = t74_ - t75_;
-        let t77_ = tip_turn_z_z_ * t59_;
-        let minus_tip_own_force_z_ = t76_ + t77_;
+        let t29_ = tip_turn_x_z_ * minus_tip_a_ang_z_;
+        let t30_ = T::mul_neg_add(minus_tip_a_ang_x_, minus_tip_turn_x_x_, t29_);
+        let tip_acc_ang_x_ = T::mul_sub(minus_tip_turn_x_y_, minus_tip_a_ang_y_, t30_);
+        let t31_ = tip_turn_y_x_ * minus_tip_a_ang_x_;
+        let t32_ = T::mul_neg_add(minus_tip_turn_y_z_, minus_tip_a_ang_z_, t31_);
+        let tip_acc_ang_y_ = T::mul_sub(minus_tip_a_ang_y_, minus_tip_turn_y_y_, t32_);
+        let t33_ = minus_tip_turn_z_x_ * minus_tip_a_ang_x_;
+        let t34_ = T::mul_add(minus_tip_a_ang_z_, minus_tip_turn_z_z_, t33_);
+        let minus_tip_acc_ang_z_ = T::mul_sub(tip_turn_z_y_, minus_tip_a_ang_y_, t34_);
+        /// Load of the body at `tip`, [P, Eqs. (18), (19)]: 16 mul, 12 add, 0 reciprocal.
+        let t35_ = tip_wx_ * t13_;
+        let t36_ = T::mul_add(tip_wy_, t14_, t35_);
+        let t37_ = T::mul_neg_add(
+            minus_tip_turn_z_x_,
+            c_(1.9600000000000002),
+            tip_e_force_x_,
+        );
+        let t38_ = T::mul_add(tip_turn_z_y_, c_(1.9600000000000002), tip_e_force_y_);
+        let t39_ = T::mul_add(c_(1.9600000000000002), minus_tip_turn_z_z_, t36_);
+        let t40_ = T::mul_neg_add(c_(0.012), minus_tip_a_ang_y_, t37_);
+        let t41_ = T::mul_add(c_(0.012), minus_tip_a_ang_x_, t38_);
+        let t42_ = tip_turn_x_z_ * t39_;
+        let t43_ = T::mul_add(t40_, minus_tip_turn_x_x_, t42_);
+        let minus_tip_own_force_x_ = T::mul_add(minus_tip_turn_x_y_, t41_, t43_);
+        let t44_ = tip_turn_y_x_ * t40_;
+        let t45_ = T::mul_add(minus_tip_turn_y_z_, t39_, t44_);
+        let minus_tip_own_force_y_ = T::mul_sub(minus_tip_turn_y_y_, t41_, t45_);
+        let t46_ = minus_tip_turn_z_x_ * t40_;
+        let t47_ = T::mul_neg_add(minus_tip_turn_z_z_, t39_, t46_);
+        let tip_own_force_z_ = T::mul_sub(tip_turn_z_y_, t41_, t47_);
         /// Results: 30 mul, 14 add, 0 reciprocal.
-        let t78_ = tip_turn_x_z_ * c_(0.06);
-        let t79_ = minus_tip_turn_y_z_ * c_(0.06);
-        let t80_ = tip_turn_z_z_ * c_(0.06);
-        let t81_ = tip_omega_y_ * t80_;
-        let t82_ = minus_tip_omega_z_ * t79_;
-        let t83_ = t81_ - t82_;
-        let t84_ = minus_tip_omega_z_ * t78_;
-        let t85_ = minus_tip_omega_x_ * t80_;
-        let t86_ = t84_ - t85_;
-        let t87_ = minus_tip_omega_x_ * t79_;
-        let t88_ = tip_omega_y_ * t78_;
-        let t89_ = t87_ - t88_;
-        let t90_ = minus_tip_turn_x_x_ * minus_tip_omega_x_;
-        let t91_ = tip_turn_y_x_ * tip_omega_y_;
-        let t92_ = t90_ + t91_;
-        let t93_ = minus_tip_turn_z_x_ * minus_tip_omega_z_;
-        let t94_ = t92_ + t93_;
-        let t95_ = minus_tip_turn_x_y_ * minus_tip_omega_x_;
-        let t96_ = tip_turn_y_y_ * tip_omega_y_;
-        let t97_ = t95_ + t96_;
-        let t98_ = tip_turn_z_y_ * minus_tip_omega_z_;
-        let t99_ = t97_ - t98_;
-        let t100_ = tip_turn_x_z_ * minus_tip_omega_x_;
-        let t101_ = minus_tip_turn_y_z_ * tip_omega_y_;
-        let t102_ = t100_ + t101_;
-        let t103_ = tip_turn_z_z_ * minus_tip_omega_z_;
-        let t104_ = t102_ + t103_;
-        let t105_ = t94_ * c_(0.0002800000000000001);
-        let t106_ = t99_ * c_(0.0002800000000000001);
-        let t107_ = c_(0.0001) * t104_;
-        let t108_ = t94_ * t105_;
-        let t109_ = t99_ * t106_;
-        let t110_ = t108_ + t109_;
-        let t111_ = t104_ * t107_;
-        let t112_ = t110_ + t111_;
-        let t113_ = t83_ * t83_;
-        let t114_ = t86_ * t86_;
-        let t115_ = t113_ + t114_;
-        let t116_ = t89_ * t89_;
-        let t117_ = t115_ + t116_;
-        let t118_ = t117_ * c_(0.2);
-        let t119_ = t112_ + t118_;
-        let t120_ = t119_ * c_(0.5);
-        let t121_ = tip_turn_z_z_ * c_(0.1176);
+        let t48_ = tip_turn_x_z_ * c_(0.06);
+        let t49_ = minus_tip_turn_y_z_ * c_(0.06);
+        let t50_ = c_(0.06) * minus_tip_turn_z_z_;
+        let t51_ = t49_ * minus_tip_omega_z_;
+        let t52_ = t48_ * minus_tip_omega_z_;
+        let t53_ = minus_tip_turn_z_x_ * minus_tip_omega_z_;
+        let t54_ = tip_turn_z_y_ * minus_tip_omega_z_;
+        let t55_ = minus_tip_turn_z_z_ * minus_tip_omega_z_;
+        let t56_ = t49_ * minus_tip_omega_x_;
+        let t57_ = T::mul_neg_add(t50_, minus_tip_omega_y_, t51_);
+        let t58_ = T::mul_add(t50_, minus_tip_omega_x_, t52_);
+        let t59_ = T::mul_add(t48_, minus_tip_omega_y_, t56_);
+        let t60_ = T::mul_add(minus_tip_turn_x_x_, minus_tip_omega_x_, t53_);
+        let t61_ = T::mul_sub(tip_turn_y_x_, minus_tip_omega_y_, t60_);
+        let t62_ = T::mul_neg_add(minus_tip_turn_x_y_, minus_tip_omega_x_, t54_);
+        let t63_ = T::mul_sub(minus_tip_turn_y_y_, minus_tip_omega_y_, t62_);
+        let t64_ = T::mul_neg_add(tip_turn_x_z_, minus_tip_omega_x_, t55_);
+        let t65_ = T::mul_add(minus_tip_turn_y_z_, minus_tip_omega_y_, t64_);
+        let t66_ = c_(0.0002800000000000001) * t61_;
+        let t67_ = c_(0.0002800000000000001) * t63_;
+        let t68_ = c_(0.0001) * t65_;
+        let t69_ = t61_ * t66_;
+        let t70_ = t57_ * t57_;
+        let t71_ = T::mul_add(t59_, t59_, t70_);
+        let t72_ = T::mul_add(t58_, t58_, t71_);
+        let t73_ = T::mul_add(t65_, t68_, t69_);
+        let t74_ = T::mul_add(t63_, t67_, t73_);
+        let t75_ = T::mul_add(c_(0.2), t72_, t74_);
+        let t76_ = c_(0.5) * t75_;
+        let t77_ = c_(0.1176) * minus_tip_turn_z_z_;
         ::mstmm::generated::finite::<
             T,
         >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
@@ -375,8 +343,8 @@ impl<T: ::mstmm::Scalar> Top<T> {
             [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
         ];
         at_.efforts.data.0 = [[c_(0.0), c_(0.0), c_(0.0)]];
-        at_.kinetic_energy = t120_;
-        at_.potential_energy = t121_;
+        at_.kinetic_energy = t76_;
+        at_.potential_energy = -t77_;
         at_.points = [
             ::mstmm::Point::new(
                 [c_(0.0), c_(0.0), c_(0.0)],
@@ -391,37 +359,37 @@ impl<T: ::mstmm::Scalar> Top<T> {
                     [c_(0.0), c_(0.0), c_(0.0)],
                     [c_(0.0), c_(0.0), c_(0.0)],
                     [c_(0.0), c_(0.0), c_(0.0)],
-                    [-minus_tip_own_force_x_, tip_own_force_y_, -minus_tip_own_force_z_],
+                    [-minus_tip_own_force_x_, -minus_tip_own_force_y_, tip_own_force_z_],
                 ),
             ),
             ::mstmm::Point::new(
                 [c_(0.0), c_(0.0), c_(0.0)],
                 [
                     [-minus_tip_turn_x_x_, -minus_tip_turn_x_y_, tip_turn_x_z_],
-                    [tip_turn_y_x_, tip_turn_y_y_, -minus_tip_turn_y_z_],
-                    [-minus_tip_turn_z_x_, tip_turn_z_y_, tip_turn_z_z_],
+                    [tip_turn_y_x_, -minus_tip_turn_y_y_, -minus_tip_turn_y_z_],
+                    [-minus_tip_turn_z_x_, tip_turn_z_y_, -minus_tip_turn_z_z_],
                 ],
                 [c_(0.0), c_(0.0), c_(0.0)],
-                [-minus_tip_omega_x_, tip_omega_y_, -minus_tip_omega_z_],
+                [-minus_tip_omega_x_, -minus_tip_omega_y_, -minus_tip_omega_z_],
                 ::mstmm::StateVector::new(
                     [c_(0.0), c_(0.0), c_(0.0)],
-                    [tip_acc_ang_x_, -minus_tip_acc_ang_y_, tip_acc_ang_z_],
+                    [tip_acc_ang_x_, tip_acc_ang_y_, -minus_tip_acc_ang_z_],
                     [c_(0.0), c_(0.0), c_(0.0)],
-                    [-minus_tip_own_force_x_, tip_own_force_y_, -minus_tip_own_force_z_],
+                    [-minus_tip_own_force_x_, -minus_tip_own_force_y_, tip_own_force_z_],
                 ),
             ),
             ::mstmm::Point::new(
                 [c_(0.0), c_(0.0), c_(0.0)],
                 [
                     [-minus_tip_turn_x_x_, -minus_tip_turn_x_y_, tip_turn_x_z_],
-                    [tip_turn_y_x_, tip_turn_y_y_, -minus_tip_turn_y_z_],
-                    [-minus_tip_turn_z_x_, tip_turn_z_y_, tip_turn_z_z_],
+                    [tip_turn_y_x_, -minus_tip_turn_y_y_, -minus_tip_turn_y_z_],
+                    [-minus_tip_turn_z_x_, tip_turn_z_y_, -minus_tip_turn_z_z_],
                 ],
                 [c_(0.0), c_(0.0), c_(0.0)],
-                [-minus_tip_omega_x_, tip_omega_y_, -minus_tip_omega_z_],
+                [-minus_tip_omega_x_, -minus_tip_omega_y_, -minus_tip_omega_z_],
                 ::mstmm::StateVector::new(
                     [c_(0.0), c_(0.0), c_(0.0)],
-                    [tip_acc_ang_x_, -minus_tip_acc_ang_y_, tip_acc_ang_z_],
+                    [tip_acc_ang_x_, tip_acc_ang_y_, -minus_tip_acc_ang_z_],
                     [c_(0.0), c_(0.0), c_(0.0)],
                     [c_(0.0), c_(0.0), c_(0.0)],
                 ),
@@ -432,11 +400,11 @@ impl<T: ::mstmm::Scalar> Top<T> {
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 83 operations: 51 mul, 32 add, 0 reciprocal.
+    /// 82 operations: 51 mul, 31 add, 0 reciprocal.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 21 | 18 | 0 | 0 | 0 |
+    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 21 | 17 | 0 | 0 | 0 |
     /// | Results |  | 30 | 14 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
@@ -444,13 +412,13 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let c_ = T::constant;
         let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
         let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
-        /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 21 mul, 18 add, 0 reciprocal.
+        /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 21 mul, 17 add, 0 reciprocal.
         let t0_ = tip_qy_ * c_(2.0);
         let t1_ = tip_qz_ * c_(2.0);
         let t2_ = tip_qy_ * t0_;
         let t3_ = tip_qz_ * t1_;
-        let t4_ = t2_ + t3_;
-        let minus_tip_axes_x_x_ = t4_ - c_(1.0);
+        let t4_ = t2_ - c_(1.0);
+        let minus_tip_axes_x_x_ = t3_ + t4_;
         let t5_ = tip_qw_ * t1_;
         let t6_ = tip_qx_ * t0_;
         let minus_tip_axes_x_y_ = t5_ - t6_;
@@ -459,79 +427,57 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let tip_axes_x_z_ = t7_ + t8_;
         let tip_axes_y_x_ = t5_ + t6_;
         let t9_ = tip_qx_ * c_(2.0);
-        let t10_ = tip_qx_ * t9_;
-        let t11_ = t10_ + t3_;
-        let tip_axes_y_y_ = c_(1.0) - t11_;
-        let t12_ = tip_qw_ * t9_;
-        let t13_ = tip_qy_ * t1_;
-        let minus_tip_axes_y_z_ = t12_ - t13_;
+        let t10_ = T::mul_sub(tip_qx_, t9_, c_(1.0));
+        let minus_tip_axes_y_y_ = t3_ + t10_;
+        let t11_ = tip_qw_ * t9_;
+        let t12_ = tip_qy_ * t1_;
+        let minus_tip_axes_y_z_ = t11_ - t12_;
         let minus_tip_axes_z_x_ = t7_ - t8_;
-        let tip_axes_z_y_ = t12_ + t13_;
-        let t14_ = t10_ + t2_;
-        let tip_axes_z_z_ = c_(1.0) - t14_;
-        let t15_ = tip_wx_ * minus_tip_axes_x_x_;
-        let t16_ = tip_wy_ * minus_tip_axes_x_y_;
-        let t17_ = t15_ + t16_;
-        let t18_ = tip_wz_ * tip_axes_x_z_;
-        let minus_tip_omega_x_ = t17_ - t18_;
-        let t19_ = tip_wx_ * tip_axes_y_x_;
-        let t20_ = tip_wy_ * tip_axes_y_y_;
-        let t21_ = t19_ + t20_;
-        let t22_ = tip_wz_ * minus_tip_axes_y_z_;
-        let tip_omega_y_ = t21_ - t22_;
-        let t23_ = tip_wx_ * minus_tip_axes_z_x_;
-        let t24_ = tip_wy_ * tip_axes_z_y_;
-        let t25_ = t23_ - t24_;
-        let t26_ = tip_wz_ * tip_axes_z_z_;
-        let minus_tip_omega_z_ = t25_ - t26_;
+        let tip_axes_z_y_ = t11_ + t12_;
+        let minus_tip_axes_z_z_ = t2_ + t10_;
+        let t13_ = tip_wy_ * minus_tip_axes_x_y_;
+        let t14_ = T::mul_neg_add(tip_wz_, tip_axes_x_z_, t13_);
+        let minus_tip_omega_x_ = T::mul_add(tip_wx_, minus_tip_axes_x_x_, t14_);
+        let t15_ = tip_wx_ * tip_axes_y_x_;
+        let t16_ = T::mul_neg_add(tip_wz_, minus_tip_axes_y_z_, t15_);
+        let minus_tip_omega_y_ = T::mul_sub(tip_wy_, minus_tip_axes_y_y_, t16_);
+        let t17_ = tip_wx_ * minus_tip_axes_z_x_;
+        let t18_ = T::mul_neg_add(tip_wy_, tip_axes_z_y_, t17_);
+        let minus_tip_omega_z_ = T::mul_add(tip_wz_, minus_tip_axes_z_z_, t18_);
         /// Results: 30 mul, 14 add, 0 reciprocal.
-        let t27_ = tip_axes_x_z_ * c_(0.06);
-        let t28_ = minus_tip_axes_y_z_ * c_(0.06);
-        let t29_ = tip_axes_z_z_ * c_(0.06);
-        let t30_ = tip_omega_y_ * t29_;
-        let t31_ = minus_tip_omega_z_ * t28_;
-        let t32_ = t30_ - t31_;
-        let t33_ = minus_tip_omega_z_ * t27_;
-        let t34_ = minus_tip_omega_x_ * t29_;
-        let t35_ = t33_ - t34_;
-        let t36_ = minus_tip_omega_x_ * t28_;
-        let t37_ = tip_omega_y_ * t27_;
-        let t38_ = t36_ - t37_;
-        let t39_ = minus_tip_axes_x_x_ * minus_tip_omega_x_;
-        let t40_ = tip_axes_y_x_ * tip_omega_y_;
-        let t41_ = t39_ + t40_;
-        let t42_ = minus_tip_axes_z_x_ * minus_tip_omega_z_;
-        let t43_ = t41_ + t42_;
-        let t44_ = minus_tip_axes_x_y_ * minus_tip_omega_x_;
-        let t45_ = tip_axes_y_y_ * tip_omega_y_;
-        let t46_ = t44_ + t45_;
-        let t47_ = tip_axes_z_y_ * minus_tip_omega_z_;
-        let t48_ = t46_ - t47_;
-        let t49_ = tip_axes_x_z_ * minus_tip_omega_x_;
-        let t50_ = minus_tip_axes_y_z_ * tip_omega_y_;
-        let t51_ = t49_ + t50_;
-        let t52_ = tip_axes_z_z_ * minus_tip_omega_z_;
-        let t53_ = t51_ + t52_;
-        let t54_ = t43_ * c_(0.0002800000000000001);
-        let t55_ = t48_ * c_(0.0002800000000000001);
-        let t56_ = c_(0.0001) * t53_;
-        let t57_ = t43_ * t54_;
-        let t58_ = t48_ * t55_;
-        let t59_ = t57_ + t58_;
-        let t60_ = t53_ * t56_;
-        let t61_ = t59_ + t60_;
-        let t62_ = t32_ * t32_;
-        let t63_ = t35_ * t35_;
-        let t64_ = t62_ + t63_;
-        let t65_ = t38_ * t38_;
-        let t66_ = t64_ + t65_;
-        let t67_ = t66_ * c_(0.2);
-        let t68_ = t61_ + t67_;
-        let t69_ = t68_ * c_(0.5);
-        let t70_ = tip_axes_z_z_ * c_(0.1176);
+        let t19_ = tip_axes_x_z_ * c_(0.06);
+        let t20_ = minus_tip_axes_y_z_ * c_(0.06);
+        let t21_ = c_(0.06) * minus_tip_axes_z_z_;
+        let t22_ = t20_ * minus_tip_omega_z_;
+        let t23_ = t19_ * minus_tip_omega_z_;
+        let t24_ = minus_tip_axes_z_x_ * minus_tip_omega_z_;
+        let t25_ = tip_axes_z_y_ * minus_tip_omega_z_;
+        let t26_ = minus_tip_axes_z_z_ * minus_tip_omega_z_;
+        let t27_ = t20_ * minus_tip_omega_x_;
+        let t28_ = T::mul_neg_add(t21_, minus_tip_omega_y_, t22_);
+        let t29_ = T::mul_add(t21_, minus_tip_omega_x_, t23_);
+        let t30_ = T::mul_add(t19_, minus_tip_omega_y_, t27_);
+        let t31_ = T::mul_add(minus_tip_axes_x_x_, minus_tip_omega_x_, t24_);
+        let t32_ = T::mul_sub(tip_axes_y_x_, minus_tip_omega_y_, t31_);
+        let t33_ = T::mul_neg_add(minus_tip_axes_x_y_, minus_tip_omega_x_, t25_);
+        let t34_ = T::mul_sub(minus_tip_axes_y_y_, minus_tip_omega_y_, t33_);
+        let t35_ = T::mul_neg_add(tip_axes_x_z_, minus_tip_omega_x_, t26_);
+        let t36_ = T::mul_add(minus_tip_axes_y_z_, minus_tip_omega_y_, t35_);
+        let t37_ = c_(0.0002800000000000001) * t32_;
+        let t38_ = c_(0.0002800000000000001) * t34_;
+        let t39_ = c_(0.0001) * t36_;
+        let t40_ = t32_ * t37_;
+        let t41_ = t28_ * t28_;
+        let t42_ = T::mul_add(t30_, t30_, t41_);
+        let t43_ = T::mul_add(t29_, t29_, t42_);
+        let t44_ = T::mul_add(t36_, t39_, t40_);
+        let t45_ = T::mul_add(t34_, t38_, t44_);
+        let t46_ = T::mul_add(c_(0.2), t43_, t45_);
+        let t47_ = c_(0.5) * t46_;
+        let t48_ = c_(0.1176) * minus_tip_axes_z_z_;
         ::mstmm::Energy {
-            kinetic: t69_,
-            potential: t70_,
+            kinetic: t47_,
+            potential: -t48_,
         }
     }
 }
@@ -563,26 +509,18 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Top<T> {
             let t1_ = tip_wy_ * c_(0.5);
             let t2_ = tip_wz_ * c_(0.5);
             let t3_ = tip_qx_ * t0_;
-            let t4_ = tip_qy_ * t1_;
-            let t5_ = t3_ + t4_;
-            let t6_ = tip_qz_ * t2_;
-            let t7_ = t5_ + t6_;
-            let t8_ = tip_qw_ * t0_;
-            let t9_ = tip_qy_ * t2_;
-            let t10_ = tip_qz_ * t1_;
-            let t11_ = t9_ - t10_;
-            let t12_ = t8_ + t11_;
-            let t13_ = tip_qw_ * t1_;
-            let t14_ = tip_qz_ * t0_;
-            let t15_ = tip_qx_ * t2_;
-            let t16_ = t14_ - t15_;
-            let t17_ = t13_ + t16_;
-            let t18_ = tip_qw_ * t2_;
-            let t19_ = tip_qx_ * t1_;
-            let t20_ = tip_qy_ * t0_;
-            let t21_ = t19_ - t20_;
-            let t22_ = t18_ + t21_;
-            [[-t7_, t12_, t17_, t22_]]
+            let t4_ = T::mul_add(tip_qy_, t1_, t3_);
+            let t5_ = T::mul_add(tip_qz_, t2_, t4_);
+            let t6_ = tip_qw_ * t0_;
+            let t7_ = T::mul_neg_add(tip_qz_, t1_, t6_);
+            let t8_ = T::mul_add(tip_qy_, t2_, t7_);
+            let t9_ = tip_qw_ * t1_;
+            let t10_ = T::mul_neg_add(tip_qx_, t2_, t9_);
+            let t11_ = T::mul_add(tip_qz_, t0_, t10_);
+            let t12_ = tip_qw_ * t2_;
+            let t13_ = T::mul_neg_add(tip_qy_, t0_, t12_);
+            let t14_ = T::mul_add(tip_qx_, t1_, t13_);
+            [[-t5_, t8_, t11_, t14_]]
         };
     }
     #[inline]
@@ -592,19 +530,16 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Top<T> {
             let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
             /// Results: 8 mul, 3 add, 1 reciprocal, 1 square root.
             let t0_ = tip_qw_ * tip_qw_;
-            let t1_ = tip_qx_ * tip_qx_;
-            let t2_ = t0_ + t1_;
-            let t3_ = tip_qy_ * tip_qy_;
-            let t4_ = t2_ + t3_;
-            let t5_ = tip_qz_ * tip_qz_;
-            let t6_ = t4_ + t5_;
-            let t7_ = T::sqrt(t6_);
-            let t8_ = T::recip(t7_);
-            let t9_ = tip_qw_ * t8_;
-            let t10_ = tip_qx_ * t8_;
-            let t11_ = tip_qy_ * t8_;
-            let t12_ = tip_qz_ * t8_;
-            [[t9_, t10_, t11_, t12_]]
+            let t1_ = T::mul_add(tip_qx_, tip_qx_, t0_);
+            let t2_ = T::mul_add(tip_qy_, tip_qy_, t1_);
+            let t3_ = T::mul_add(tip_qz_, tip_qz_, t2_);
+            let t4_ = T::sqrt(t3_);
+            let t5_ = T::recip(t4_);
+            let t6_ = tip_qw_ * t5_;
+            let t7_ = tip_qx_ * t5_;
+            let t8_ = tip_qy_ * t5_;
+            let t9_ = tip_qz_ * t5_;
+            [[t6_, t7_, t8_, t9_]]
         };
     }
 }

@@ -1,0 +1,79 @@
+//! Sums of many terms: those that are written as sums of sums.
+
+use super::{Home, Live, Turn, Turns};
+use crate::expr::{Edge, Graph, Node, NodeId, Stage};
+
+/// The sums of formulas, with the sums in them taken apart.
+pub(super) struct Sums<'g> {
+    graph: &'g Graph,
+    live: Live,
+    turns: Turns,
+    /// The sums that are terms of one other sum and nothing else.
+    inner: Vec<bool>,
+}
+
+impl<'g> Sums<'g> {
+    /// Those that `results` need; `parts` says which unknowns belong to which repeated part.
+    pub(super) fn of(
+        graph: &'g Graph,
+        results: &[Edge],
+        turns: &[Turn],
+        parts: &[Option<usize>],
+    ) -> Self {
+        let live = Live::of(graph, results.iter().copied());
+        let turns = Turns::of(graph, turns.to_vec(), parts);
+        let mut sums = Sums { graph, live, turns, inner: vec![false; graph.len()] };
+        for id in 0..graph.len() as NodeId {
+            for term in sums.terms_as_written(id).into_iter().flatten() {
+                let is_sum = matches!(graph.node(term.node()), Node::Sum(..));
+                sums.inner[term.node() as usize] |= is_sum && sums.is_only_for(term.node(), id);
+            }
+        }
+        sums
+    }
+
+    /// The nodes that are needed for themselves, before those that they are needed for.
+    pub(super) fn nodes(&self) -> impl Iterator<Item = NodeId> {
+        let all = 0..self.inner.len() as NodeId;
+        all.filter(|&id| self.live.has(id) && !self.inner[id as usize])
+    }
+
+    /// All terms of a sum that is computed in every step.
+    pub(super) fn terms(&self, id: NodeId) -> Option<Vec<Edge>> {
+        let written = self.terms_as_written(id)?;
+        let mut terms = Vec::new();
+        for term in written {
+            match self.inner[term.node() as usize].then(|| self.terms(term.node())).flatten() {
+                Some(inner) => {
+                    let signed = |t: Edge| if term.is_negative() { t.negated() } else { t };
+                    terms.extend(inner.into_iter().map(signed));
+                }
+                None => terms.push(term),
+            }
+        }
+        Some(terms)
+    }
+
+    fn terms_as_written(&self, id: NodeId) -> Option<[Edge; 2]> {
+        match self.graph.node(id) {
+            Node::Sum(a, b) if self.live.has(id) && self.graph.stage(id) == Stage::State => {
+                Some([a, b])
+            }
+            _ => None,
+        }
+    }
+
+    /// The factors of a product that is computed for the sum `of` alone.
+    pub(super) fn factors(&self, term: Edge, of: NodeId) -> Option<[Edge; 2]> {
+        match self.graph.node(term.node()) {
+            Node::Product(a, b) if self.is_only_for(term.node(), of) => Some([a, b]),
+            _ => None,
+        }
+    }
+
+    /// Whether a node is used once, and computed where its user is.
+    fn is_only_for(&self, node: NodeId, user: NodeId) -> bool {
+        let place = |id: NodeId| -> (Stage, Home) { (self.graph.stage(id), self.turns.home(id)) };
+        self.live.uses(node) == 1 && place(node) == place(user)
+    }
+}
