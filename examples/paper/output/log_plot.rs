@@ -24,6 +24,9 @@ const COLOURS: [RGBColor; 6] = [
 /// Half the size of a mark.
 const MARK_SIZE: u32 = 4 * FINE;
 
+/// What marks reach beyond their points, of the diagram.
+const MARGIN: f64 = 0.02;
+
 /// Ways beside each other, both axes logarithmic.
 pub struct LogFigure {
     pub file_name: &'static str,
@@ -49,6 +52,28 @@ pub enum Way {
     Method,
     /// Crosses.
     Rival,
+}
+
+/// A number at the horizontal axis.
+fn tick(value: &f64) -> String {
+    if (1.0..1e6).contains(value) { format!("{value}") } else { format!("{value:.0e}") }
+}
+
+impl Series {
+    /// Its points, and where lines lead between them.
+    fn drawn_points(&self) -> Vec<(f64, f64)> {
+        let between = |pair: &[(f64, f64)]| -> Vec<(f64, f64)> {
+            let &[(x, y), (next_x, next_y)] = pair else { return Vec::new() };
+            let at = |from: f64, to: f64, part: f64| from * (to / from).powf(part);
+            let parts = (1..10).map(|part| f64::from(part) / 10.0);
+            parts.map(|part| (at(x, next_x, part), at(y, next_y, part))).collect()
+        };
+        let lines = match self.way {
+            Way::Method => self.points.windows(2).flat_map(between).collect(),
+            Way::Rival => Vec::new(),
+        };
+        [self.points.clone(), lines].concat()
+    }
 }
 
 impl LogFigure {
@@ -85,6 +110,7 @@ impl LogFigure {
             .y_desc(self.y)
             .axis_desc_style((FONT, 17 * FINE))
             .label_style((FONT, 15 * FINE))
+            .x_label_formatter(&tick)
             .y_label_formatter(&|value| format!("{value:.0e}"))
             .axis_style(BLACK.stroke_width(FINE))
             .bold_line_style(BLACK.mix(0.12).stroke_width(FINE))
@@ -111,9 +137,10 @@ impl LogFigure {
                 }
             }
         }
+        let place = self.emptiest_place(chart.plotting_area().dim_in_pixel());
         chart
             .configure_series_labels()
-            .position(SeriesLabelPosition::UpperLeft)
+            .position(place)
             .legend_area_size(44 * FINE)
             .label_font((FONT, 16 * FINE))
             .margin(16 * FINE)
@@ -121,6 +148,37 @@ impl LogFigure {
             .draw()?;
         root.present()?;
         Ok(())
+    }
+
+    /// Where the legend hides least, in a diagram of this size.
+    fn emptiest_place(&self, size: (u32, u32)) -> SeriesLabelPosition {
+        let (x, y) = (self.range(|point| point.0), self.range(|point| point.1));
+        let along = |range: &Range<f64>, value: f64| {
+            (value / range.start).ln() / (range.end / range.start).ln()
+        };
+        let points = self.series.iter().flat_map(Series::drawn_points);
+        let drawn: Vec<_> =
+            points.map(|point| (along(&x, point.0), 1.0 - along(&y, point.1))).collect();
+        // About what the legend takes of the diagram, with its margin.
+        let letters = self.series.iter().map(|series| series.label.chars().count()).max();
+        let letters = letters.unwrap_or(0) as u32;
+        let [width, height] = [
+            f64::from((100 + 8 * letters) * FINE) / f64::from(size.0),
+            f64::from((40 + 20 * self.series.len() as u32) * FINE) / f64::from(size.1),
+        ];
+        let hidden = |(left, top): &(f64, f64)| {
+            let near = |from: f64, length: f64, value: f64| {
+                (from - MARGIN..from + length + MARGIN).contains(&value)
+            };
+            let inside = |&&(x, y): &&(f64, f64)| near(*left, width, x) && near(*top, height, y);
+            drawn.iter().filter(inside).count()
+        };
+        let parts = || (0..=10).map(|part| f64::from(part) / 10.0);
+        let places = parts()
+            .flat_map(|left| parts().map(move |top| (left * (1.0 - width), top * (1.0 - height))));
+        let (left, top) = places.min_by_key(hidden).unwrap_or_default();
+        let at = |part: f64, size: u32| (part * f64::from(size)) as i32;
+        SeriesLabelPosition::Coordinate(at(left, size.0), at(top, size.1))
     }
 
     /// What an axis spans: all values and a little more.
