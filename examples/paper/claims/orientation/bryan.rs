@@ -1,0 +1,91 @@
+//! The cube on a ball with its orientation kept as the paper keeps it: Bryan angles θ and their rates
+//! are the state, and θ̈ = H⁻¹ Aᵀ Ω̇ − H⁻¹ Ḣ θ̇ [P, Section 2.1].
+//!
+//! Ω̇ is that of generated code, and the integrator the same, so that nothing else makes a difference.
+
+use mstmm::paper::rotation;
+use mstmm::{Chain, ChainState, Error};
+use nalgebra::Vector3;
+
+use super::{Top, TopInputs, TopState};
+
+/// The cube by Bryan angles.
+pub struct ByAngles<'a>(pub &'a Top<f64>);
+
+/// Angles in rad, their rates in rad/s, and the time in s.
+#[derive(Clone, Default)]
+pub struct Angles {
+    q: [f64; 3],
+    v: [f64; 3],
+    time: f64,
+}
+
+impl Angles {
+    /// At the angles zero, where the rates of the angles are Ω.
+    pub fn level(angular_velocity: Vector3<f64>) -> Self {
+        Angles { v: angular_velocity.into(), ..Angles::default() }
+    }
+
+    /// The same state as generated code takes it.
+    pub fn as_top(&self) -> TopState<f64> {
+        let rate = rotation::rate_matrix(&self.q.into()) * Vector3::from(self.v);
+        let mut state = TopState::default();
+        state.joint_mut().set_bryan_angles(self.q).set_rate(rate);
+        state
+    }
+}
+
+impl ChainState for Angles {
+    type Scalar = f64;
+
+    fn q(&self) -> &[f64] {
+        &self.q
+    }
+
+    fn q_mut(&mut self) -> &mut [f64] {
+        &mut self.q
+    }
+
+    fn v(&self) -> &[f64] {
+        &self.v
+    }
+
+    fn v_mut(&mut self) -> &mut [f64] {
+        &mut self.v
+    }
+
+    fn time(&self) -> f64 {
+        self.time
+    }
+
+    fn set_time(&mut self, time: f64) {
+        self.time = time;
+    }
+}
+
+impl Chain for ByAngles<'_> {
+    type Scalar = f64;
+    type State = Angles;
+    type Inputs = TopInputs<f64>;
+
+    fn derivative_into(
+        &self,
+        state: &Angles,
+        inputs: &TopInputs<f64>,
+        rate: &mut Angles,
+    ) -> Result<(), Error> {
+        let own = self.0.accelerations(&state.as_top(), inputs)?;
+        let (angles, rates) = (state.q.into(), state.v.into());
+        let turning = rotation::rotation_matrix(&angles) * own;
+        rate.q = state.v;
+        rate.v = rotation::angle_accelerations(&angles, &rates, &turning).into();
+        Ok(())
+    }
+
+    fn configuration_rate_into(&self, state: &Angles, rate: &mut Angles) {
+        rate.q = state.v;
+    }
+
+    /// There is nothing that has a length.
+    fn normalize(&self, _state: &mut Angles) {}
+}
