@@ -23,11 +23,12 @@ fn is_regular<T: Scalar, const P: usize, const N: usize>(
     (regular & all_finite(results.into_iter())).all()
 }
 
-/// Where all numbers are finite. The difference of a number to itself is zero, or NaN where it is not finite: one
-/// comparison for all of them, and nothing that a compiler would turn vectors for.
+/// Where all numbers are finite. Zero times a number is zero, or NaN where the number is not finite: one comparison for
+/// all of them.
 #[inline(always)]
 fn all_finite<T: Scalar>(numbers: impl Iterator<Item = T>) -> T::Mask {
-    numbers.fold(T::constant(0.0), |sum, number| sum + (number - number)).finite()
+    let zero = T::constant(0.0);
+    numbers.fold(zero, |sum, number| number.mul_add(zero, sum)).finite()
 }
 
 /// Fails if any of the numbers is NaN or infinite. What a chain computes need not depend on all of them.

@@ -34,7 +34,7 @@ twins! {
 
 #[test]
 fn in_single_precision() {
-    twins!(@compare f32 all [Once] One);
-    twins!(@compare f32 all [Twice] Two);
-    twins!(@compare f32 all [SevenTimes] Seven);
+    twins!(@compare f32 [Once] One);
+    twins!(@compare f32 [Twice] Two);
+    twins!(@compare f32 [SevenTimes] Seven);
 }

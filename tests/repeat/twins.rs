@@ -1,6 +1,9 @@
 //! Two chains that should be the same: everything that generic code can ask of them, side by side.
 
-use mstmm::{Chain, ChainState, Energy, Error, GeneratedChain, LinearlyImplicitEuler, Rk4, Scalar};
+use mstmm::{
+    Chain, ChainState, Energy, Error, GeneratedChain, LinearlyImplicitEuler, Scalar,
+    SemiImplicitEuler,
+};
 use mstmm_reference::Random;
 use std::collections::BTreeMap;
 use std::fmt::Debug;
@@ -99,9 +102,6 @@ pub fn copied<A: ChainState, B: ChainState<Scalar = A::Scalar> + Default>(from: 
 /// A repeated chain and the same one written out.
 pub struct Pair<A, B> {
     pub name: &'static str,
-    /// Whether motions are compared as well: not those of different methods, which see the stages of
-    /// an integration differently, whose quaternions are not quite of unit length.
-    pub moving: bool,
     pub repeated: A,
     pub written: B,
 }
@@ -200,13 +200,13 @@ where
         b.close(&mut twin_moved, |_| same);
         found.push(("closed", apart(&moved, &twin_moved)));
 
-        if !self.moving {
-            return found;
-        }
-        let (mut rk4, mut twin_rk4) = (Rk4::new(step), Rk4::new(step));
+        // No method with stages: there quaternions are not quite of unit length, and what a program
+        // makes of such is its own affair.
+        let (mut euler, mut twin_euler) =
+            (SemiImplicitEuler::new(step), SemiImplicitEuler::new(step));
         for _ in 0..STEPS {
-            regular(rk4.step(a, &mut moved, |_, _| given));
-            regular(twin_rk4.step(b, &mut twin_moved, |_, _| same));
+            regular(euler.step(a, &mut moved, |_, _| given));
+            regular(twin_euler.step(b, &mut twin_moved, |_, _| same));
         }
         found.push(("motion", apart(&moved, &twin_moved)));
 
@@ -240,8 +240,8 @@ macro_rules! twins {
 
         #[test]
         fn $test() {
-            twins!(@compare f64 all [$repeated] $written $($x $given $same)?);
-            twins!(@compare f64 still [$($transfer)?] $written $($x $given $same)?);
+            twins!(@compare f64 [$repeated] $written $($x $given $same)?);
+            twins!(@compare f64 [$($transfer)?] $written $($x $given $same)?);
         }
 
         twins! { $head $($others)* }
@@ -252,19 +252,16 @@ macro_rules! twins {
             $dimension chain $name { method = $method; $($head)* $($rest)* }
         }
     };
-    (@moving all) => { true };
-    (@moving still) => { false };
-    (@compare $number:ident $extent:ident [] $($rest:tt)*) => {};
-    (@compare $number:ident $extent:ident [$a:ident] $b:ident) => {
-        twins!(@compare $number $extent [$a] $b x {} {});
+    (@compare $number:ident [] $($rest:tt)*) => {};
+    (@compare $number:ident [$a:ident] $b:ident) => {
+        twins!(@compare $number [$a] $b x {} {});
     };
     (
-        @compare $number:ident $extent:ident [$a:ident] $b:ident
+        @compare $number:ident [$a:ident] $b:ident
         $x:ident { $($field:ident = $value:expr;)* } { $($twin:ident = $twin_value:expr;)* }
     ) => {
         $crate::repeat::twins::Pair {
             name: concat!(stringify!($a), "<", stringify!($number), ">"),
-            moving: twins!(@moving $extent),
             repeated: $a::<$number>::new(),
             written: $b::<$number>::new(),
         }

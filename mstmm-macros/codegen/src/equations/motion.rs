@@ -141,7 +141,7 @@ fn link_motion<S: Scalar>(
         omega: carried + over.relative.angular,
         mass: rigid.mass,
         moment: attitude * rigid.moment,
-        inertia: attitude.congruence(rigid.inertia),
+        inertia: attitude.rotated(rigid.inertia),
         over,
     }
 }
@@ -173,7 +173,7 @@ fn rigid_part<S: Scalar>(
         };
         all.mass = all.mass + mass;
         all.moment = all.moment + rotation * ((numbers.vector(&body.com) - seen) * mass);
-        all.inertia = all.inertia + rotation.congruence(inertia);
+        all.inertia = all.inertia + rotation.rotated(inertia);
     }
     all
 }

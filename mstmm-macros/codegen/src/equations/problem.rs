@@ -96,9 +96,12 @@ impl<S: Scalar> Problem<'_, S> {
 
     /// `a` of a link's point but for the hinge's own columns.
     pub fn carried(&self, index: usize, points: &[Motion<S>]) -> Motion<S> {
-        let link = &self.links[index];
-        let parent = link.parent.map_or(self.ground, |parent| points[parent]);
-        link.over.carried(parent) + self.drift[index]
+        self.links[index].over.carried(self.parent(index, points)) + self.drift[index]
+    }
+
+    /// `a` of the point of a link's parent.
+    pub fn parent(&self, index: usize, points: &[Motion<S>]) -> Motion<S> {
+        self.links[index].parent.map_or(self.ground, |parent| points[parent])
     }
 
     /// The wrenches with which the closing's reactions pull at the link that it hangs on, about its

@@ -85,6 +85,17 @@ impl<S: Scalar> Mat3<S> {
         let half = self * inner.full();
         Sym3::from_fn(|i, j| half.row(i).dot(self.row(j)))
     }
+
+    /// `self · inner · selfᵀ` of a rotation, which leaves any multiple of the identity as it is: as
+    /// much of it is taken out as the last entry of the diagonal is, always that one, since what
+    /// integrators make of quaternions is no rotation to the last digit.
+    pub fn rotated(self, inner: Sym3<S>) -> Sym3<S> {
+        let even = inner.at(2, 2);
+        let along = |i: usize, j: usize| if i == j { even } else { S::zero() };
+        let uneven = Sym3::from_fn(|i, j| inner.at(i, j) - along(i, j));
+        let turned = self.congruence(uneven);
+        Sym3::from_fn(|i, j| turned.at(i, j) + along(i, j))
+    }
 }
 
 impl<S> Index<usize> for Mat3<S> {

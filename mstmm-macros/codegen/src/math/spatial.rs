@@ -58,6 +58,11 @@ impl<S: Scalar> Motion<S> {
         Motion { linear: rotation.back(self.linear), angular: rotation.back(self.angular) }
     }
 
+    /// With another number at a place.
+    pub fn with(&self, place: usize, number: S) -> Self {
+        Motion::from_fn(|k| if k == place { number } else { self.at(k) })
+    }
+
     /// Power of a wrench on this motion.
     pub fn power(self, wrench: Wrench<S>) -> S {
         self.linear.dot(wrench.force) + self.angular.dot(wrench.moment)
@@ -197,9 +202,9 @@ impl<S: Scalar> SpatialInertia<S> {
     /// In the axes that `rotation` leads to.
     pub fn turned(&self, rotation: Mat3<S>) -> Self {
         SpatialInertia {
-            linear: rotation.congruence(self.linear),
+            linear: rotation.rotated(self.linear),
             coupling: rotation * self.coupling * rotation.transposed(),
-            angular: rotation.congruence(self.angular),
+            angular: rotation.rotated(self.angular),
         }
     }
 

@@ -37,7 +37,7 @@
 ///
 /// Mobility 1: 4 rates, of which the closure takes 3.
 ///
-/// Accelerations by `riccati`, 323 operations (190 mul, 119 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 484 operations.
+/// Accelerations by `riccati`, 348 operations (209 mul, 125 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 515 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct FourBar<T> {
@@ -103,7 +103,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for FourBar<T> {
 impl<T: ::mstmm::Scalar> FourBar<T> {
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
-    /// 323 operations: 190 mul, 119 add, 8 reciprocal, 6 square root, 4 sin/cos.
+    /// 348 operations: 209 mul, 125 add, 8 reciprocal, 6 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -111,12 +111,12 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 5 | 1 | 0 | 0 |
-    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 24 | 20 | 1 | 0 | 0 |
+    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 14 | 5 | 1 | 0 | 0 |
+    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 30 | 21 | 1 | 0 | 0 |
     /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 123 | 69 | 6 | 6 | 0 |
-    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 4 | 4 | 0 | 0 | 0 |
-    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 9 | 9 | 0 | 0 | 0 |
-    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 6 | 5 | 0 | 0 | 0 |
+    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
+    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 17 | 14 | 0 | 0 | 0 |
+    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 9 | 5 | 0 | 0 | 0 |
     /// | Results |  | 1 | 5 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -166,237 +166,258 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t4_ = c_(0.6) * b_omega_z_;
         let minus_b_e_force_x_ = b_omega_z_ * t4_;
-        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 13 mul, 5 add, 1 reciprocal.
-        let t5_ = sin_b_angle_ * c_(1.5);
-        let a_k_xy_ = cos_b_angle_ * t5_;
-        let a_b_x_z_ = c_(0.6) * a_k_xy_;
-        let t6_ = sin_b_angle_ * t5_;
-        let t7_ = c_(0.5) + t6_;
-        let a_b_y_z_ = T::mul_add(c_(0.6), t7_, c_(0.6));
-        let a_j_zz_ = T::mul_add(c_(0.36), t7_, c_(0.24));
-        let t8_ = b_drift_lin_y_ * c_(0.5);
-        let t9_ = T::mul_add(minus_b_drift_lin_x_, c_(2.0), minus_b_e_force_x_);
-        let t10_ = sin_b_angle_ * t9_;
-        let minus_a_e_force_y_ = T::mul_neg_add(cos_b_angle_, t8_, t10_);
+        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 14 mul, 5 add, 1 reciprocal.
+        let t5_ = sin_b_angle_ * cos_b_angle_;
+        let a_k_xy_ = c_(1.5) * t5_;
+        let a_b_x_z_ = t5_ * c_(0.8999999999999999);
+        let t6_ = sin_b_angle_ * sin_b_angle_;
+        let t7_ = c_(1.5) * t6_;
+        let t8_ = c_(0.5) + t7_;
+        let a_b_y_z_ = T::mul_add(c_(0.6), t8_, c_(0.6));
+        let a_j_zz_ = T::mul_add(c_(0.36), t8_, c_(0.24));
+        let t9_ = b_drift_lin_y_ * c_(0.5);
+        let t10_ = T::mul_add(minus_b_drift_lin_x_, c_(2.0), minus_b_e_force_x_);
+        let t11_ = sin_b_angle_ * t10_;
+        let minus_a_e_force_y_ = T::mul_neg_add(cos_b_angle_, t9_, t11_);
         let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
-        let t11_ = T::recip(a_j_zz_);
-        let a_z0_force_x_ = a_b_x_z_ * t11_;
-        let a_z0_force_y_ = a_b_y_z_ * t11_;
-        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 24 mul, 20 add, 1 reciprocal.
-        let t12_ = t6_ - c_(4.0);
-        let t13_ = c_(2.5) + t6_;
-        let t14_ = T::mul_add(a_b_x_z_, a_z0_force_x_, t12_);
-        let t15_ = T::mul_neg_add(a_b_y_z_, a_z0_force_y_, t13_);
-        let t16_ = T::mul_neg_add(a_b_y_z_, a_z0_force_x_, a_k_xy_);
-        let t17_ = t14_ + t15_;
-        let t18_ = sin_a_angle_ * t17_;
-        let t19_ = c_(2.0) * t16_;
-        let t20_ = T::mul_neg_add(cos_a_angle_, t19_, t18_);
-        let minus_crank_pin_k_xy_ = T::mul_add(cos_a_angle_, t20_, t16_);
-        let minus_crank_pin_b_x_z_ = c_(0.2) * minus_crank_pin_k_xy_;
-        let t21_ = T::mul_neg_add(sin_a_angle_, t20_, t15_);
-        let crank_pin_b_y_z_ = T::mul_add(c_(0.2), t21_, c_(0.1));
-        let crank_pin_j_zz_ = T::mul_add(
+        let t12_ = T::recip(a_j_zz_);
+        let a_z0_force_x_ = a_b_x_z_ * t12_;
+        let a_z0_force_y_ = a_b_y_z_ * t12_;
+        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 30 mul, 21 add, 1 reciprocal.
+        let t13_ = t7_ - c_(4.0);
+        let t14_ = c_(2.5) + t7_;
+        let t15_ = a_b_x_z_ * a_b_x_z_;
+        let t16_ = T::mul_add(t12_, t15_, t13_);
+        let t17_ = a_b_y_z_ * a_b_y_z_;
+        let t18_ = T::mul_neg_add(t12_, t17_, t14_);
+        let t19_ = a_b_x_z_ * a_b_y_z_;
+        let t20_ = T::mul_neg_add(t12_, t19_, a_k_xy_);
+        let t21_ = sin_a_angle_ * sin_a_angle_;
+        let t22_ = sin_a_angle_ * cos_a_angle_;
+        let t23_ = t16_ + t18_;
+        let t24_ = T::mul_neg_add(c_(2.0), t21_, c_(1.0));
+        let t25_ = t20_ * t24_;
+        let crank_pin_k_xy_ = T::mul_neg_add(t22_, t23_, t25_);
+        let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
+        let t26_ = c_(2.0) * t22_;
+        let t27_ = T::mul_add(t20_, t26_, t18_);
+        let t28_ = T::mul_sub(t21_, t23_, t27_);
+        let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t28_, c_(0.1));
+        let crank_pin_j_zz_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t21_,
+            t28_,
             c_(0.020000000000000004),
         );
-        let t22_ = sin_b_angle_ * t8_;
-        let t23_ = minus_a_e_moment_z_ * t11_;
-        let t24_ = T::mul_neg_add(a_b_y_z_, t23_, minus_a_e_force_y_);
-        let t25_ = T::mul_add(cos_b_angle_, t9_, t3_);
-        let t26_ = T::mul_sub(a_drift_lin_y_, t16_, t25_);
-        let t27_ = T::mul_neg_add(a_b_x_z_, t23_, t22_);
-        let t28_ = T::mul_sub(minus_a_drift_lin_x_, t14_, t27_);
-        let t29_ = t26_ + t28_;
-        let t30_ = T::mul_neg_add(a_drift_lin_y_, t15_, t24_);
-        let t31_ = T::mul_add(minus_a_drift_lin_x_, t16_, t30_);
-        let t32_ = sin_a_angle_ * t29_;
-        let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t31_, t32_);
-        let t33_ = T::recip(crank_pin_j_zz_);
-        let minus_crank_pin_z0_force_x_ = minus_crank_pin_b_x_z_ * t33_;
-        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t33_;
+        let t29_ = sin_b_angle_ * t9_;
+        let t30_ = minus_a_e_moment_z_ * t12_;
+        let t31_ = T::mul_neg_add(a_b_y_z_, t30_, minus_a_e_force_y_);
+        let t32_ = T::mul_add(cos_b_angle_, t10_, t3_);
+        let t33_ = T::mul_sub(a_drift_lin_y_, t20_, t32_);
+        let t34_ = T::mul_neg_add(a_b_x_z_, t30_, t29_);
+        let t35_ = T::mul_sub(minus_a_drift_lin_x_, t16_, t34_);
+        let t36_ = t33_ + t35_;
+        let t37_ = T::mul_neg_add(a_drift_lin_y_, t18_, t31_);
+        let t38_ = T::mul_add(minus_a_drift_lin_x_, t20_, t37_);
+        let t39_ = sin_a_angle_ * t36_;
+        let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t38_, t39_);
+        let t40_ = T::recip(crank_pin_j_zz_);
+        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t40_;
+        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t40_;
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 123 mul, 69 add, 6 reciprocal, 6 square root.
-        let t34_ = c_(0.6) * sin_rocker_pin_angle_;
-        let t35_ = sin_rocker_pin_angle_ * c_(2.5);
-        let t36_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
-        let t37_ = t34_ * t35_;
-        let t38_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t39_ = T::mul_neg_add(sin_b_angle_, t36_, t38_);
-        let t40_ = sin_b_angle_ * cos_rocker_pin_angle_;
-        let t41_ = T::mul_add(cos_b_angle_, t36_, t40_);
-        let t42_ = c_(0.6) * t41_;
-        let t43_ = t42_ * t11_;
-        let t44_ = T::mul_neg_add(t42_, a_z0_force_x_, t39_);
-        let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
-        let t46_ = T::mul_add(t42_, t43_, t37_);
-        let t47_ = sin_a_angle_ * t44_;
-        let t48_ = T::mul_add(cos_a_angle_, t45_, t47_);
-        let t49_ = c_(0.2) * t48_;
-        let t50_ = t49_ * t33_;
-        let closure_d0_ = T::mul_add(t49_, t50_, t46_);
-        let t51_ = c_(0.6) * cos_rocker_pin_angle_;
-        let t52_ = cos_rocker_pin_angle_ * c_(2.5);
-        let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
-        let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
-        let t55_ = t54_ * c_(0.36);
-        let t56_ = T::mul_add(t34_, t34_, t55_);
-        let t57_ = t56_ * c_(4.166666666666667);
-        let t58_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
-        let t59_ = t51_ * t35_;
-        let t60_ = t51_ * t52_;
-        let t61_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t62_ = T::mul_add(sin_b_angle_, t58_, t61_);
-        let t63_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t64_ = T::mul_neg_add(cos_b_angle_, t58_, t63_);
-        let t65_ = c_(0.6) * t64_;
-        let t66_ = t65_ * t11_;
-        let t67_ = t39_ * t39_;
-        let t68_ = T::mul_add(t41_, t41_, t67_);
-        let t69_ = t42_ * t42_;
-        let t70_ = T::mul_add(t68_, c_(0.72), t69_);
-        let t71_ = T::mul_add(t11_, t70_, t57_);
-        let t72_ = T::mul_neg_add(t65_, a_z0_force_x_, t62_);
-        let t73_ = T::mul_neg_add(t65_, a_z0_force_y_, t64_);
-        let t74_ = T::mul_neg_add(t65_, t43_, t59_);
-        let t75_ = T::mul_add(t65_, t66_, t60_);
-        let t76_ = cos_a_angle_ * t44_;
-        let t77_ = T::mul_neg_add(sin_a_angle_, t45_, t76_);
-        let t78_ = sin_a_angle_ * t72_;
-        let t79_ = T::mul_add(cos_a_angle_, t73_, t78_);
-        let t80_ = c_(0.2) * t79_;
-        let t81_ = t80_ * t33_;
-        let t82_ = t77_ * t77_;
-        let t83_ = T::mul_add(t48_, t48_, t82_);
-        let t84_ = t49_ * t49_;
-        let t85_ = T::mul_add(t83_, c_(0.76), t84_);
-        let t86_ = T::mul_add(t33_, t85_, t71_);
-        let t87_ = T::mul_neg_add(t80_, t50_, t74_);
-        let t88_ = T::mul_add(t80_, t81_, t75_);
-        let t89_ = T::copysign(closure_d0_, c_(1.0));
-        let t90_ = closure_d0_ + t89_;
-        let t91_ = c_(0.5) * t90_;
-        let t92_ = T::sqrt(t91_);
-        let t93_ = T::sqrt(t86_);
-        let t94_ = ::mstmm::generated::recip_above(t92_, t93_);
-        let t95_ = t92_ * t94_;
-        let t96_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t97_ = t95_ * t96_;
-        let t98_ = t87_ * t97_;
-        let closure_d1_ = T::mul_neg_add(t87_, t98_, t88_);
-        let t99_ = T::mul_add(t51_, t51_, t55_);
-        let t100_ = c_(4.166666666666667) * t99_;
-        let t101_ = b_drift_lin_y_ * t36_;
-        let t102_ = t42_ * t23_;
-        let t103_ = t65_ * t23_;
-        let t104_ = t62_ * t62_;
-        let t105_ = T::mul_add(t64_, t64_, t104_);
-        let t106_ = t65_ * t65_;
-        let t107_ = T::mul_add(c_(0.72), t105_, t106_);
-        let t108_ = T::mul_add(t11_, t107_, t100_);
-        let t109_ = cos_a_angle_ * t72_;
-        let t110_ = T::mul_neg_add(sin_a_angle_, t73_, t109_);
-        let t111_ = T::mul_add(t49_, minus_crank_pin_z0_force_x_, t77_);
-        let t112_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
-        let t113_ = T::mul_add(t80_, minus_crank_pin_z0_force_x_, t110_);
-        let t114_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
-        let t115_ = t110_ * t110_;
-        let t116_ = T::mul_add(t79_, t79_, t115_);
-        let t117_ = t80_ * t80_;
-        let t118_ = T::mul_add(c_(0.76), t116_, t117_);
-        let t119_ = T::mul_add(t33_, t118_, t108_);
+        let t41_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t42_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t43_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
+        let t44_ = t41_ * t42_;
+        let t45_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t46_ = T::mul_neg_add(sin_b_angle_, t43_, t45_);
+        let t47_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        let t48_ = T::mul_add(cos_b_angle_, t43_, t47_);
+        let t49_ = c_(0.6) * t48_;
+        let t50_ = t49_ * t12_;
+        let t51_ = T::mul_neg_add(t49_, a_z0_force_x_, t46_);
+        let t52_ = T::mul_neg_add(t49_, a_z0_force_y_, t48_);
+        let t53_ = T::mul_add(t49_, t50_, t44_);
+        let t54_ = sin_a_angle_ * t51_;
+        let t55_ = T::mul_add(cos_a_angle_, t52_, t54_);
+        let t56_ = c_(0.2) * t55_;
+        let t57_ = t56_ * t40_;
+        let closure_d0_ = T::mul_add(t56_, t57_, t53_);
+        let t58_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t59_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t60_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t61_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t60_);
+        let t62_ = t61_ * c_(0.36);
+        let t63_ = T::mul_add(t41_, t41_, t62_);
+        let t64_ = t63_ * c_(4.166666666666667);
+        let t65_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let t66_ = t58_ * t42_;
+        let t67_ = t58_ * t59_;
+        let t68_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t69_ = T::mul_add(sin_b_angle_, t65_, t68_);
+        let t70_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t71_ = T::mul_neg_add(cos_b_angle_, t65_, t70_);
+        let t72_ = c_(0.6) * t71_;
+        let t73_ = t72_ * t12_;
+        let t74_ = t46_ * t46_;
+        let t75_ = T::mul_add(t48_, t48_, t74_);
+        let t76_ = t49_ * t49_;
+        let t77_ = T::mul_add(t75_, c_(0.72), t76_);
+        let t78_ = T::mul_add(t12_, t77_, t64_);
+        let t79_ = T::mul_neg_add(t72_, a_z0_force_x_, t69_);
+        let t80_ = T::mul_neg_add(t72_, a_z0_force_y_, t71_);
+        let t81_ = T::mul_neg_add(t72_, t50_, t66_);
+        let t82_ = T::mul_add(t72_, t73_, t67_);
+        let t83_ = cos_a_angle_ * t51_;
+        let t84_ = T::mul_neg_add(sin_a_angle_, t52_, t83_);
+        let t85_ = sin_a_angle_ * t79_;
+        let t86_ = T::mul_add(cos_a_angle_, t80_, t85_);
+        let t87_ = c_(0.2) * t86_;
+        let t88_ = t84_ * t84_;
+        let t89_ = T::mul_add(t55_, t55_, t88_);
+        let t90_ = t56_ * t56_;
+        let t91_ = T::mul_add(t89_, c_(0.76), t90_);
+        let t92_ = t87_ * t40_;
+        let t93_ = T::mul_add(t91_, t40_, t78_);
+        let t94_ = T::mul_neg_add(t87_, t57_, t81_);
+        let t95_ = T::mul_add(t87_, t92_, t82_);
+        let t96_ = T::copysign(closure_d0_, c_(1.0));
+        let t97_ = closure_d0_ + t96_;
+        let t98_ = c_(0.5) * t97_;
+        let t99_ = T::sqrt(t98_);
+        let t100_ = T::sqrt(t93_);
+        let t101_ = ::mstmm::generated::recip_above(t99_, t100_);
+        let t102_ = t99_ * t101_;
+        let t103_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t104_ = t102_ * t103_;
+        let t105_ = t94_ * t104_;
+        let closure_d1_ = T::mul_neg_add(t94_, t105_, t95_);
+        let t106_ = T::mul_add(t58_, t58_, t62_);
+        let t107_ = c_(4.166666666666667) * t106_;
+        let t108_ = b_drift_lin_y_ * t43_;
+        let t109_ = t49_ * t30_;
+        let t110_ = t72_ * t30_;
+        let t111_ = t69_ * t69_;
+        let t112_ = T::mul_add(t71_, t71_, t111_);
+        let t113_ = t72_ * t72_;
+        let t114_ = T::mul_add(c_(0.72), t112_, t113_);
+        let t115_ = T::mul_add(t12_, t114_, t107_);
+        let t116_ = cos_a_angle_ * t79_;
+        let t117_ = T::mul_neg_add(sin_a_angle_, t80_, t116_);
+        let t118_ = t117_ * t117_;
+        let t119_ = T::mul_add(t86_, t86_, t118_);
+        let t120_ = t87_ * t87_;
+        let t121_ = T::mul_add(c_(0.76), t119_, t120_);
         let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
-        let t120_ = T::copysign(closure_d1_, c_(1.0));
-        let t121_ = closure_d1_ + t120_;
-        let t122_ = c_(0.5) * t121_;
-        let t123_ = T::sqrt(t122_);
-        let t124_ = T::sqrt(t119_);
-        let t125_ = ::mstmm::generated::recip_above(t123_, t124_);
-        let t126_ = t123_ * t125_;
-        let t127_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
-        let t128_ = t126_ * t127_;
-        let t129_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
-        let t130_ = t129_ * t129_;
-        let t131_ = ::mstmm::generated::recip_above(t130_, c_(1.0));
+        let t122_ = minus_b_drift_lin_x_ + minus_b_e_force_x_;
+        let t123_ = T::mul_neg_add(b_drift_lin_y_, t65_, c_(9.8));
+        let t124_ = T::mul_neg_add(t56_, crank_pin_z0_force_x_, t84_);
+        let t125_ = T::mul_neg_add(t56_, crank_pin_z0_force_y_, t55_);
+        let t126_ = T::mul_neg_add(t87_, crank_pin_z0_force_x_, t117_);
+        let t127_ = T::mul_neg_add(t87_, crank_pin_z0_force_y_, t86_);
+        let t128_ = T::mul_add(t121_, t40_, t115_);
+        let t129_ = T::copysign(closure_d1_, c_(1.0));
+        let t130_ = closure_d1_ + t129_;
+        let t131_ = c_(0.5) * t130_;
         let t132_ = T::sqrt(t131_);
-        let t133_ = t129_ * t132_;
-        let t134_ = T::mul_neg_add(closure_d1_, t128_, c_(1.0));
-        let t135_ = t98_ * t134_;
-        let t136_ = t133_ * t135_;
-        let t137_ = T::mul_neg_add(t133_, t136_, t135_);
-        let t138_ = t137_ * t137_;
-        let t139_ = T::mul_add(t134_, t134_, t138_);
+        let t133_ = T::sqrt(t128_);
+        let t134_ = ::mstmm::generated::recip_above(t132_, t133_);
+        let t135_ = t132_ * t134_;
+        let t136_ = ::mstmm::generated::recip_above(closure_d1_, t95_);
+        let t137_ = t135_ * t136_;
+        let t138_ = T::mul_neg_add(closure_d0_, t104_, c_(1.0));
+        let t139_ = t138_ * t138_;
         let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
         let t141_ = T::sqrt(t140_);
-        let t142_ = t137_ * t141_;
-        let t143_ = t134_ * t141_;
-        let t144_ = minus_b_drift_lin_x_ + minus_b_e_force_x_;
-        let t145_ = T::mul_neg_add(b_drift_lin_y_, t58_, c_(9.8));
-        let t146_ = T::mul_neg_add(c_(0.2), crank_pin_e_force_y_, crank_pin_input0_);
-        let t147_ = t33_ * t146_;
-        let t148_ = T::mul_neg_add(cos_rocker_pin_angle_, t144_, t102_);
-        let t149_ = T::mul_sub(minus_a_drift_lin_x_, t44_, t148_);
-        let t150_ = T::mul_sub(t112_, crank_pin_a_lin_y_, t149_);
-        let t151_ = T::mul_add(a_drift_lin_y_, t45_, t101_);
-        let t152_ = T::mul_add(t49_, t147_, t151_);
-        let t153_ = T::mul_add(t111_, crank_pin_a_lin_x_, t152_);
-        let t154_ = t150_ + t153_;
-        let t155_ = T::mul_add(a_drift_lin_y_, t73_, t145_);
-        let t156_ = T::mul_add(t80_, t147_, t155_);
-        let t157_ = T::mul_add(t113_, crank_pin_a_lin_x_, t156_);
-        let t158_ = T::mul_neg_add(sin_rocker_pin_angle_, t144_, t103_);
-        let t159_ = T::mul_sub(minus_a_drift_lin_x_, t72_, t158_);
-        let t160_ = T::mul_sub(t114_, crank_pin_a_lin_y_, t159_);
-        let t161_ = T::mul_add(t98_, t154_, t160_);
-        let t162_ = t157_ + t161_;
-        let t163_ = t97_ * t154_;
-        let t164_ = t128_ * t162_;
-        let t165_ = T::mul_add(t98_, t164_, t163_);
-        let t166_ = t133_ * t165_;
-        let t167_ = T::mul_neg_add(t133_, t166_, t165_);
-        let t168_ = t142_ * t167_;
-        let t169_ = T::mul_add(t143_, t164_, t168_);
-        let closure_reaction0_ = T::mul_neg_add(t142_, t169_, t167_);
-        let minus_closure_reaction1_ = T::mul_neg_add(t143_, t169_, t164_);
-        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 4 mul, 4 add, 0 reciprocal.
-        let t170_ = T::mul_sub(crank_pin_z0_force_y_, crank_pin_a_lin_y_, t147_);
-        let t171_ = T::mul_sub(minus_crank_pin_z0_force_x_, crank_pin_a_lin_x_, t170_);
-        let t172_ = T::mul_sub(t81_, minus_closure_reaction1_, t171_);
-        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t172_);
-        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 9 mul, 9 add, 0 reciprocal.
-        let t173_ = T::mul_neg_add(
+        let t142_ = t138_ * t141_;
+        let t143_ = T::mul_neg_add(closure_d1_, t137_, c_(1.0));
+        let t144_ = t105_ * t143_;
+        let t145_ = t142_ * t144_;
+        let t146_ = T::mul_neg_add(t142_, t145_, t144_);
+        let t147_ = t146_ * t146_;
+        let t148_ = T::mul_add(t143_, t143_, t147_);
+        let t149_ = ::mstmm::generated::recip_above(t148_, c_(1.0));
+        let t150_ = T::sqrt(t149_);
+        let t151_ = t146_ * t150_;
+        let t152_ = t143_ * t150_;
+        let t153_ = T::mul_neg_add(c_(0.2), crank_pin_e_force_y_, crank_pin_input0_);
+        let t154_ = t40_ * t153_;
+        let t155_ = T::mul_neg_add(cos_rocker_pin_angle_, t122_, t109_);
+        let t156_ = T::mul_sub(minus_a_drift_lin_x_, t51_, t155_);
+        let t157_ = T::mul_sub(crank_pin_a_lin_y_, t125_, t156_);
+        let t158_ = T::mul_add(a_drift_lin_y_, t52_, t108_);
+        let t159_ = T::mul_add(t56_, t154_, t158_);
+        let t160_ = T::mul_add(crank_pin_a_lin_x_, t124_, t159_);
+        let t161_ = t157_ + t160_;
+        let t162_ = T::mul_add(a_drift_lin_y_, t80_, t123_);
+        let t163_ = T::mul_add(t87_, t154_, t162_);
+        let t164_ = T::mul_add(crank_pin_a_lin_x_, t126_, t163_);
+        let t165_ = T::mul_neg_add(sin_rocker_pin_angle_, t122_, t110_);
+        let t166_ = T::mul_sub(minus_a_drift_lin_x_, t79_, t165_);
+        let t167_ = T::mul_sub(crank_pin_a_lin_y_, t127_, t166_);
+        let t168_ = T::mul_add(t105_, t161_, t167_);
+        let t169_ = t164_ + t168_;
+        let t170_ = t104_ * t161_;
+        let t171_ = t137_ * t169_;
+        let t172_ = T::mul_add(t105_, t171_, t170_);
+        let t173_ = t142_ * t172_;
+        let t174_ = T::mul_neg_add(t142_, t173_, t172_);
+        let t175_ = t151_ * t174_;
+        let t176_ = T::mul_add(t152_, t171_, t175_);
+        let closure_reaction0_ = T::mul_neg_add(t151_, t176_, t174_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t152_, t176_, t171_);
+        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
+        let t177_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        let t178_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t177_);
+        let t179_ = T::mul_sub(c_(9.8), t178_, t154_);
+        let t180_ = T::mul_add(t92_, minus_closure_reaction1_, t179_);
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t57_, closure_reaction0_, t180_);
+        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 17 mul, 14 add, 0 reciprocal.
+        let t181_ = T::mul_neg_add(
             cos_a_angle_,
             crank_pin_a_lin_x_,
             minus_a_drift_lin_x_,
         );
-        let t174_ = T::mul_neg_add(
+        let t182_ = T::mul_neg_add(
             c_(0.2),
             minus_crank_pin_a_ang_z_,
             crank_pin_a_lin_y_,
         );
-        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t174_, t173_);
-        let t175_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
-        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t174_, t175_);
-        let t176_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t23_);
-        let t177_ = T::mul_sub(t43_, closure_reaction0_, t176_);
-        let t178_ = T::mul_add(a_z0_force_y_, a_a_lin_y_, t177_);
-        let a_a_ang_z_ = T::mul_sub(a_z0_force_x_, minus_a_a_lin_x_, t178_);
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 5 add, 0 reciprocal.
-        let t179_ = T::mul_add(c_(0.6), a_a_ang_z_, a_a_lin_y_);
-        let t180_ = T::mul_add(sin_b_angle_, minus_a_a_lin_x_, b_drift_lin_y_);
-        let b_a_lin_y_ = T::mul_add(cos_b_angle_, t179_, t180_);
-        let t181_ = t35_ * closure_reaction0_;
-        let t182_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t181_);
-        let minus_b_a_ang_z_ = T::mul_add(c_(2.5), b_a_lin_y_, t182_);
+        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t182_, t181_);
+        let t183_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t182_, t183_);
+        let t184_ = a_drift_lin_y_ * a_z0_force_y_;
+        let t185_ = cos_a_angle_ * a_z0_force_x_;
+        let t186_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t185_);
+        let t187_ = sin_a_angle_ * a_z0_force_x_;
+        let t188_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t187_);
+        let t189_ = c_(0.2) * t188_;
+        let t190_ = T::mul_add(minus_a_drift_lin_x_, a_z0_force_x_, t30_);
+        let t191_ = T::mul_sub(crank_pin_a_lin_x_, t186_, t190_);
+        let t192_ = T::mul_add(t50_, closure_reaction0_, t191_);
+        let t193_ = T::mul_add(crank_pin_a_lin_y_, t188_, t184_);
+        let t194_ = T::mul_add(t73_, minus_closure_reaction1_, t193_);
+        let t195_ = T::mul_sub(t189_, minus_crank_pin_a_ang_z_, t194_);
+        let minus_a_a_ang_z_ = t192_ - t195_;
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 9 mul, 5 add, 0 reciprocal.
+        let t196_ = b_drift_lin_y_ * c_(2.5);
+        let t197_ = sin_b_angle_ * c_(2.5);
+        let t198_ = cos_b_angle_ * c_(2.5);
+        let t199_ = cos_b_angle_ * c_(1.5);
+        let t200_ = t42_ * closure_reaction0_;
+        let t201_ = T::mul_neg_add(t59_, minus_closure_reaction1_, t196_);
+        let t202_ = T::mul_add(t198_, a_a_lin_y_, t201_);
+        let t203_ = T::mul_neg_add(t199_, minus_a_a_ang_z_, t200_);
+        let t204_ = T::mul_add(t197_, minus_a_a_lin_x_, t203_);
+        let minus_b_a_ang_z_ = t202_ + t204_;
         /// Results: 1 mul, 5 add, 0 reciprocal.
-        let t183_ = minus_crank_pin_a_ang_z_ + a_a_ang_z_;
-        let t184_ = a_a_ang_z_ + minus_b_a_ang_z_;
-        let t185_ = c_(4.0) + t15_;
-        let t186_ = t14_ - t185_;
-        let t187_ = T::mul_neg_add(
+        let t205_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
+        let t206_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let t207_ = c_(4.0) + t18_;
+        let t208_ = t16_ - t207_;
+        let t209_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t186_,
+            t208_,
             c_(0.030000000000000006),
         );
         ::mstmm::generated::finite::<
@@ -416,11 +437,11 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t187_],
-            [-minus_crank_pin_a_ang_z_, t183_, -t184_, minus_b_a_ang_z_],
+            [c_(2.04), t209_],
+            [-minus_crank_pin_a_ang_z_, t205_, t206_, minus_b_a_ang_z_],
         )?;
         accelerations_.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t183_, -t184_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t205_, t206_, minus_b_a_ang_z_],
         ];
         ::core::result::Result::Ok(())
     }
@@ -443,7 +464,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 484 operations: 287 mul, 183 add, 8 reciprocal, 6 square root, 4 sin/cos.
+    /// 515 operations: 309 mul, 192 add, 8 reciprocal, 6 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -451,12 +472,12 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 5 | 1 | 0 | 0 |
-    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 24 | 20 | 1 | 0 | 0 |
+    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 14 | 5 | 1 | 0 | 0 |
+    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 30 | 21 | 1 | 0 | 0 |
     /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 123 | 69 | 6 | 6 | 0 |
-    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 4 | 4 | 0 | 0 | 0 |
-    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 9 | 9 | 0 | 0 | 0 |
-    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 8 | 7 | 0 | 0 | 0 |
+    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
+    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 17 | 14 | 0 | 0 | 0 |
+    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 14 | 10 | 0 | 0 | 0 |
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 10 | 2 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 8 | 2 | 0 | 0 | 0 |
     /// | Point of `a` | \[P, Eqs. (12), (13), (36)\] | 2 | 2 | 0 | 0 | 0 |
@@ -512,377 +533,401 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t4_ = c_(0.6) * b_omega_z_;
         let minus_b_e_force_x_ = b_omega_z_ * t4_;
-        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 13 mul, 5 add, 1 reciprocal.
-        let t5_ = sin_b_angle_ * c_(1.5);
-        let a_k_xy_ = cos_b_angle_ * t5_;
-        let a_b_x_z_ = c_(0.6) * a_k_xy_;
-        let t6_ = sin_b_angle_ * t5_;
-        let t7_ = c_(0.5) + t6_;
-        let a_b_y_z_ = T::mul_add(c_(0.6), t7_, c_(0.6));
-        let a_j_zz_ = T::mul_add(c_(0.36), t7_, c_(0.24));
-        let t8_ = b_drift_lin_y_ * c_(0.5);
-        let t9_ = T::mul_add(minus_b_drift_lin_x_, c_(2.0), minus_b_e_force_x_);
-        let t10_ = sin_b_angle_ * t9_;
-        let minus_a_e_force_y_ = T::mul_neg_add(cos_b_angle_, t8_, t10_);
+        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 14 mul, 5 add, 1 reciprocal.
+        let t5_ = sin_b_angle_ * cos_b_angle_;
+        let a_k_xy_ = c_(1.5) * t5_;
+        let a_b_x_z_ = t5_ * c_(0.8999999999999999);
+        let t6_ = sin_b_angle_ * sin_b_angle_;
+        let t7_ = c_(1.5) * t6_;
+        let t8_ = c_(0.5) + t7_;
+        let a_b_y_z_ = T::mul_add(c_(0.6), t8_, c_(0.6));
+        let a_j_zz_ = T::mul_add(c_(0.36), t8_, c_(0.24));
+        let t9_ = b_drift_lin_y_ * c_(0.5);
+        let t10_ = T::mul_add(minus_b_drift_lin_x_, c_(2.0), minus_b_e_force_x_);
+        let t11_ = sin_b_angle_ * t10_;
+        let minus_a_e_force_y_ = T::mul_neg_add(cos_b_angle_, t9_, t11_);
         let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
-        let t11_ = T::recip(a_j_zz_);
-        let a_z0_force_x_ = a_b_x_z_ * t11_;
-        let a_z0_force_y_ = a_b_y_z_ * t11_;
-        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 24 mul, 20 add, 1 reciprocal.
-        let t12_ = t6_ - c_(4.0);
-        let t13_ = c_(2.5) + t6_;
-        let t14_ = T::mul_add(a_b_x_z_, a_z0_force_x_, t12_);
-        let t15_ = T::mul_neg_add(a_b_y_z_, a_z0_force_y_, t13_);
-        let t16_ = T::mul_neg_add(a_b_y_z_, a_z0_force_x_, a_k_xy_);
-        let t17_ = t14_ + t15_;
-        let t18_ = sin_a_angle_ * t17_;
-        let t19_ = c_(2.0) * t16_;
-        let t20_ = T::mul_neg_add(cos_a_angle_, t19_, t18_);
-        let minus_crank_pin_k_xy_ = T::mul_add(cos_a_angle_, t20_, t16_);
-        let minus_crank_pin_b_x_z_ = c_(0.2) * minus_crank_pin_k_xy_;
-        let t21_ = T::mul_neg_add(sin_a_angle_, t20_, t15_);
-        let crank_pin_b_y_z_ = T::mul_add(c_(0.2), t21_, c_(0.1));
-        let crank_pin_j_zz_ = T::mul_add(
+        let t12_ = T::recip(a_j_zz_);
+        let a_z0_force_x_ = a_b_x_z_ * t12_;
+        let a_z0_force_y_ = a_b_y_z_ * t12_;
+        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 30 mul, 21 add, 1 reciprocal.
+        let t13_ = t7_ - c_(4.0);
+        let t14_ = c_(2.5) + t7_;
+        let t15_ = a_b_x_z_ * a_b_x_z_;
+        let t16_ = T::mul_add(t12_, t15_, t13_);
+        let t17_ = a_b_y_z_ * a_b_y_z_;
+        let t18_ = T::mul_neg_add(t12_, t17_, t14_);
+        let t19_ = a_b_x_z_ * a_b_y_z_;
+        let t20_ = T::mul_neg_add(t12_, t19_, a_k_xy_);
+        let t21_ = sin_a_angle_ * sin_a_angle_;
+        let t22_ = sin_a_angle_ * cos_a_angle_;
+        let t23_ = t16_ + t18_;
+        let t24_ = T::mul_neg_add(c_(2.0), t21_, c_(1.0));
+        let t25_ = t20_ * t24_;
+        let crank_pin_k_xy_ = T::mul_neg_add(t22_, t23_, t25_);
+        let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
+        let t26_ = c_(2.0) * t22_;
+        let t27_ = T::mul_add(t20_, t26_, t18_);
+        let t28_ = T::mul_sub(t21_, t23_, t27_);
+        let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t28_, c_(0.1));
+        let crank_pin_j_zz_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t21_,
+            t28_,
             c_(0.020000000000000004),
         );
-        let t22_ = sin_b_angle_ * t8_;
-        let t23_ = minus_a_e_moment_z_ * t11_;
-        let t24_ = T::mul_neg_add(a_b_y_z_, t23_, minus_a_e_force_y_);
-        let t25_ = T::mul_add(cos_b_angle_, t9_, t3_);
-        let t26_ = T::mul_sub(a_drift_lin_y_, t16_, t25_);
-        let t27_ = T::mul_neg_add(a_b_x_z_, t23_, t22_);
-        let t28_ = T::mul_sub(minus_a_drift_lin_x_, t14_, t27_);
-        let t29_ = t26_ + t28_;
-        let t30_ = T::mul_neg_add(a_drift_lin_y_, t15_, t24_);
-        let t31_ = T::mul_add(minus_a_drift_lin_x_, t16_, t30_);
-        let t32_ = sin_a_angle_ * t29_;
-        let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t31_, t32_);
-        let t33_ = T::recip(crank_pin_j_zz_);
-        let minus_crank_pin_z0_force_x_ = minus_crank_pin_b_x_z_ * t33_;
-        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t33_;
+        let t29_ = sin_b_angle_ * t9_;
+        let t30_ = minus_a_e_moment_z_ * t12_;
+        let t31_ = T::mul_neg_add(a_b_y_z_, t30_, minus_a_e_force_y_);
+        let t32_ = T::mul_add(cos_b_angle_, t10_, t3_);
+        let t33_ = T::mul_sub(a_drift_lin_y_, t20_, t32_);
+        let t34_ = T::mul_neg_add(a_b_x_z_, t30_, t29_);
+        let t35_ = T::mul_sub(minus_a_drift_lin_x_, t16_, t34_);
+        let t36_ = t33_ + t35_;
+        let t37_ = T::mul_neg_add(a_drift_lin_y_, t18_, t31_);
+        let t38_ = T::mul_add(minus_a_drift_lin_x_, t20_, t37_);
+        let t39_ = sin_a_angle_ * t36_;
+        let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t38_, t39_);
+        let t40_ = T::recip(crank_pin_j_zz_);
+        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t40_;
+        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t40_;
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 123 mul, 69 add, 6 reciprocal, 6 square root.
-        let t34_ = c_(0.6) * sin_rocker_pin_angle_;
-        let t35_ = sin_rocker_pin_angle_ * c_(2.5);
-        let t36_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
-        let t37_ = t34_ * t35_;
-        let t38_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t39_ = T::mul_neg_add(sin_b_angle_, t36_, t38_);
-        let t40_ = sin_b_angle_ * cos_rocker_pin_angle_;
-        let t41_ = T::mul_add(cos_b_angle_, t36_, t40_);
-        let t42_ = c_(0.6) * t41_;
-        let t43_ = t42_ * t11_;
-        let t44_ = T::mul_neg_add(t42_, a_z0_force_x_, t39_);
-        let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
-        let t46_ = T::mul_add(t42_, t43_, t37_);
-        let t47_ = sin_a_angle_ * t44_;
-        let t48_ = T::mul_add(cos_a_angle_, t45_, t47_);
-        let t49_ = c_(0.2) * t48_;
-        let t50_ = t49_ * t33_;
-        let closure_d0_ = T::mul_add(t49_, t50_, t46_);
-        let t51_ = c_(0.6) * cos_rocker_pin_angle_;
-        let t52_ = cos_rocker_pin_angle_ * c_(2.5);
-        let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
-        let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
-        let t55_ = t54_ * c_(0.36);
-        let t56_ = T::mul_add(t34_, t34_, t55_);
-        let t57_ = t56_ * c_(4.166666666666667);
-        let t58_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
-        let t59_ = t51_ * t35_;
-        let t60_ = t51_ * t52_;
-        let t61_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t62_ = T::mul_add(sin_b_angle_, t58_, t61_);
-        let t63_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t64_ = T::mul_neg_add(cos_b_angle_, t58_, t63_);
-        let t65_ = c_(0.6) * t64_;
-        let t66_ = t65_ * t11_;
-        let t67_ = t39_ * t39_;
-        let t68_ = T::mul_add(t41_, t41_, t67_);
-        let t69_ = t42_ * t42_;
-        let t70_ = T::mul_add(t68_, c_(0.72), t69_);
-        let t71_ = T::mul_add(t11_, t70_, t57_);
-        let t72_ = T::mul_neg_add(t65_, a_z0_force_x_, t62_);
-        let t73_ = T::mul_neg_add(t65_, a_z0_force_y_, t64_);
-        let t74_ = T::mul_neg_add(t65_, t43_, t59_);
-        let t75_ = T::mul_add(t65_, t66_, t60_);
-        let t76_ = cos_a_angle_ * t44_;
-        let t77_ = T::mul_neg_add(sin_a_angle_, t45_, t76_);
-        let t78_ = sin_a_angle_ * t72_;
-        let t79_ = T::mul_add(cos_a_angle_, t73_, t78_);
-        let t80_ = c_(0.2) * t79_;
-        let t81_ = t80_ * t33_;
-        let t82_ = t77_ * t77_;
-        let t83_ = T::mul_add(t48_, t48_, t82_);
-        let t84_ = t49_ * t49_;
-        let t85_ = T::mul_add(t83_, c_(0.76), t84_);
-        let t86_ = T::mul_add(t33_, t85_, t71_);
-        let t87_ = T::mul_neg_add(t80_, t50_, t74_);
-        let t88_ = T::mul_add(t80_, t81_, t75_);
-        let t89_ = T::copysign(closure_d0_, c_(1.0));
-        let t90_ = closure_d0_ + t89_;
-        let t91_ = c_(0.5) * t90_;
-        let t92_ = T::sqrt(t91_);
-        let t93_ = T::sqrt(t86_);
-        let t94_ = ::mstmm::generated::recip_above(t92_, t93_);
-        let t95_ = t92_ * t94_;
-        let t96_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t97_ = t95_ * t96_;
-        let t98_ = t87_ * t97_;
-        let closure_d1_ = T::mul_neg_add(t87_, t98_, t88_);
-        let t99_ = T::mul_add(t51_, t51_, t55_);
-        let t100_ = c_(4.166666666666667) * t99_;
-        let t101_ = b_drift_lin_y_ * t36_;
-        let t102_ = t42_ * t23_;
-        let t103_ = t65_ * t23_;
-        let t104_ = t62_ * t62_;
-        let t105_ = T::mul_add(t64_, t64_, t104_);
-        let t106_ = t65_ * t65_;
-        let t107_ = T::mul_add(c_(0.72), t105_, t106_);
-        let t108_ = T::mul_add(t11_, t107_, t100_);
-        let t109_ = cos_a_angle_ * t72_;
-        let t110_ = T::mul_neg_add(sin_a_angle_, t73_, t109_);
-        let t111_ = T::mul_add(t49_, minus_crank_pin_z0_force_x_, t77_);
-        let t112_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
-        let t113_ = T::mul_add(t80_, minus_crank_pin_z0_force_x_, t110_);
-        let t114_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
-        let t115_ = t110_ * t110_;
-        let t116_ = T::mul_add(t79_, t79_, t115_);
-        let t117_ = t80_ * t80_;
-        let t118_ = T::mul_add(c_(0.76), t116_, t117_);
-        let t119_ = T::mul_add(t33_, t118_, t108_);
+        let t41_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t42_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t43_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
+        let t44_ = t41_ * t42_;
+        let t45_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t46_ = T::mul_neg_add(sin_b_angle_, t43_, t45_);
+        let t47_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        let t48_ = T::mul_add(cos_b_angle_, t43_, t47_);
+        let t49_ = c_(0.6) * t48_;
+        let t50_ = t49_ * t12_;
+        let t51_ = T::mul_neg_add(t49_, a_z0_force_x_, t46_);
+        let t52_ = T::mul_neg_add(t49_, a_z0_force_y_, t48_);
+        let t53_ = T::mul_add(t49_, t50_, t44_);
+        let t54_ = sin_a_angle_ * t51_;
+        let t55_ = T::mul_add(cos_a_angle_, t52_, t54_);
+        let t56_ = c_(0.2) * t55_;
+        let t57_ = t56_ * t40_;
+        let closure_d0_ = T::mul_add(t56_, t57_, t53_);
+        let t58_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t59_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t60_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t61_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t60_);
+        let t62_ = t61_ * c_(0.36);
+        let t63_ = T::mul_add(t41_, t41_, t62_);
+        let t64_ = t63_ * c_(4.166666666666667);
+        let t65_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let t66_ = t58_ * t42_;
+        let t67_ = t58_ * t59_;
+        let t68_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t69_ = T::mul_add(sin_b_angle_, t65_, t68_);
+        let t70_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t71_ = T::mul_neg_add(cos_b_angle_, t65_, t70_);
+        let t72_ = c_(0.6) * t71_;
+        let t73_ = t72_ * t12_;
+        let t74_ = t46_ * t46_;
+        let t75_ = T::mul_add(t48_, t48_, t74_);
+        let t76_ = t49_ * t49_;
+        let t77_ = T::mul_add(t75_, c_(0.72), t76_);
+        let t78_ = T::mul_add(t12_, t77_, t64_);
+        let t79_ = T::mul_neg_add(t72_, a_z0_force_x_, t69_);
+        let t80_ = T::mul_neg_add(t72_, a_z0_force_y_, t71_);
+        let t81_ = T::mul_neg_add(t72_, t50_, t66_);
+        let t82_ = T::mul_add(t72_, t73_, t67_);
+        let t83_ = cos_a_angle_ * t51_;
+        let t84_ = T::mul_neg_add(sin_a_angle_, t52_, t83_);
+        let t85_ = sin_a_angle_ * t79_;
+        let t86_ = T::mul_add(cos_a_angle_, t80_, t85_);
+        let t87_ = c_(0.2) * t86_;
+        let t88_ = t84_ * t84_;
+        let t89_ = T::mul_add(t55_, t55_, t88_);
+        let t90_ = t56_ * t56_;
+        let t91_ = T::mul_add(t89_, c_(0.76), t90_);
+        let t92_ = t87_ * t40_;
+        let t93_ = T::mul_add(t91_, t40_, t78_);
+        let t94_ = T::mul_neg_add(t87_, t57_, t81_);
+        let t95_ = T::mul_add(t87_, t92_, t82_);
+        let t96_ = T::copysign(closure_d0_, c_(1.0));
+        let t97_ = closure_d0_ + t96_;
+        let t98_ = c_(0.5) * t97_;
+        let t99_ = T::sqrt(t98_);
+        let t100_ = T::sqrt(t93_);
+        let t101_ = ::mstmm::generated::recip_above(t99_, t100_);
+        let t102_ = t99_ * t101_;
+        let t103_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t104_ = t102_ * t103_;
+        let t105_ = t94_ * t104_;
+        let closure_d1_ = T::mul_neg_add(t94_, t105_, t95_);
+        let t106_ = T::mul_add(t58_, t58_, t62_);
+        let t107_ = c_(4.166666666666667) * t106_;
+        let t108_ = b_drift_lin_y_ * t43_;
+        let t109_ = t49_ * t30_;
+        let t110_ = t72_ * t30_;
+        let t111_ = t69_ * t69_;
+        let t112_ = T::mul_add(t71_, t71_, t111_);
+        let t113_ = t72_ * t72_;
+        let t114_ = T::mul_add(c_(0.72), t112_, t113_);
+        let t115_ = T::mul_add(t12_, t114_, t107_);
+        let t116_ = cos_a_angle_ * t79_;
+        let t117_ = T::mul_neg_add(sin_a_angle_, t80_, t116_);
+        let t118_ = t117_ * t117_;
+        let t119_ = T::mul_add(t86_, t86_, t118_);
+        let t120_ = t87_ * t87_;
+        let t121_ = T::mul_add(c_(0.76), t119_, t120_);
         let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
-        let t120_ = T::copysign(closure_d1_, c_(1.0));
-        let t121_ = closure_d1_ + t120_;
-        let t122_ = c_(0.5) * t121_;
-        let t123_ = T::sqrt(t122_);
-        let t124_ = T::sqrt(t119_);
-        let t125_ = ::mstmm::generated::recip_above(t123_, t124_);
-        let t126_ = t123_ * t125_;
-        let t127_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
-        let t128_ = t126_ * t127_;
-        let t129_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
-        let t130_ = t129_ * t129_;
-        let t131_ = ::mstmm::generated::recip_above(t130_, c_(1.0));
+        let t122_ = minus_b_drift_lin_x_ + minus_b_e_force_x_;
+        let t123_ = T::mul_neg_add(b_drift_lin_y_, t65_, c_(9.8));
+        let t124_ = T::mul_neg_add(t56_, crank_pin_z0_force_x_, t84_);
+        let t125_ = T::mul_neg_add(t56_, crank_pin_z0_force_y_, t55_);
+        let t126_ = T::mul_neg_add(t87_, crank_pin_z0_force_x_, t117_);
+        let t127_ = T::mul_neg_add(t87_, crank_pin_z0_force_y_, t86_);
+        let t128_ = T::mul_add(t121_, t40_, t115_);
+        let t129_ = T::copysign(closure_d1_, c_(1.0));
+        let t130_ = closure_d1_ + t129_;
+        let t131_ = c_(0.5) * t130_;
         let t132_ = T::sqrt(t131_);
-        let t133_ = t129_ * t132_;
-        let t134_ = T::mul_neg_add(closure_d1_, t128_, c_(1.0));
-        let t135_ = t98_ * t134_;
-        let t136_ = t133_ * t135_;
-        let t137_ = T::mul_neg_add(t133_, t136_, t135_);
-        let t138_ = t137_ * t137_;
-        let t139_ = T::mul_add(t134_, t134_, t138_);
+        let t133_ = T::sqrt(t128_);
+        let t134_ = ::mstmm::generated::recip_above(t132_, t133_);
+        let t135_ = t132_ * t134_;
+        let t136_ = ::mstmm::generated::recip_above(closure_d1_, t95_);
+        let t137_ = t135_ * t136_;
+        let t138_ = T::mul_neg_add(closure_d0_, t104_, c_(1.0));
+        let t139_ = t138_ * t138_;
         let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
         let t141_ = T::sqrt(t140_);
-        let t142_ = t137_ * t141_;
-        let t143_ = t134_ * t141_;
-        let t144_ = minus_b_drift_lin_x_ + minus_b_e_force_x_;
-        let t145_ = T::mul_neg_add(b_drift_lin_y_, t58_, c_(9.8));
-        let t146_ = T::mul_neg_add(c_(0.2), crank_pin_e_force_y_, crank_pin_input0_);
-        let t147_ = t33_ * t146_;
-        let t148_ = T::mul_neg_add(cos_rocker_pin_angle_, t144_, t102_);
-        let t149_ = T::mul_sub(minus_a_drift_lin_x_, t44_, t148_);
-        let t150_ = T::mul_sub(t112_, crank_pin_a_lin_y_, t149_);
-        let t151_ = T::mul_add(a_drift_lin_y_, t45_, t101_);
-        let t152_ = T::mul_add(t49_, t147_, t151_);
-        let t153_ = T::mul_add(t111_, crank_pin_a_lin_x_, t152_);
-        let t154_ = t150_ + t153_;
-        let t155_ = T::mul_add(a_drift_lin_y_, t73_, t145_);
-        let t156_ = T::mul_add(t80_, t147_, t155_);
-        let t157_ = T::mul_add(t113_, crank_pin_a_lin_x_, t156_);
-        let t158_ = T::mul_neg_add(sin_rocker_pin_angle_, t144_, t103_);
-        let t159_ = T::mul_sub(minus_a_drift_lin_x_, t72_, t158_);
-        let t160_ = T::mul_sub(t114_, crank_pin_a_lin_y_, t159_);
-        let t161_ = T::mul_add(t98_, t154_, t160_);
-        let t162_ = t157_ + t161_;
-        let t163_ = t97_ * t154_;
-        let t164_ = t128_ * t162_;
-        let t165_ = T::mul_add(t98_, t164_, t163_);
-        let t166_ = t133_ * t165_;
-        let t167_ = T::mul_neg_add(t133_, t166_, t165_);
-        let t168_ = t142_ * t167_;
-        let t169_ = T::mul_add(t143_, t164_, t168_);
-        let closure_reaction0_ = T::mul_neg_add(t142_, t169_, t167_);
-        let minus_closure_reaction1_ = T::mul_neg_add(t143_, t169_, t164_);
-        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 4 mul, 4 add, 0 reciprocal.
-        let t170_ = T::mul_sub(crank_pin_z0_force_y_, crank_pin_a_lin_y_, t147_);
-        let t171_ = T::mul_sub(minus_crank_pin_z0_force_x_, crank_pin_a_lin_x_, t170_);
-        let t172_ = T::mul_sub(t81_, minus_closure_reaction1_, t171_);
-        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t172_);
-        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 9 mul, 9 add, 0 reciprocal.
-        let t173_ = T::mul_neg_add(
+        let t142_ = t138_ * t141_;
+        let t143_ = T::mul_neg_add(closure_d1_, t137_, c_(1.0));
+        let t144_ = t105_ * t143_;
+        let t145_ = t142_ * t144_;
+        let t146_ = T::mul_neg_add(t142_, t145_, t144_);
+        let t147_ = t146_ * t146_;
+        let t148_ = T::mul_add(t143_, t143_, t147_);
+        let t149_ = ::mstmm::generated::recip_above(t148_, c_(1.0));
+        let t150_ = T::sqrt(t149_);
+        let t151_ = t146_ * t150_;
+        let t152_ = t143_ * t150_;
+        let t153_ = T::mul_neg_add(c_(0.2), crank_pin_e_force_y_, crank_pin_input0_);
+        let t154_ = t40_ * t153_;
+        let t155_ = T::mul_neg_add(cos_rocker_pin_angle_, t122_, t109_);
+        let t156_ = T::mul_sub(minus_a_drift_lin_x_, t51_, t155_);
+        let t157_ = T::mul_sub(crank_pin_a_lin_y_, t125_, t156_);
+        let t158_ = T::mul_add(a_drift_lin_y_, t52_, t108_);
+        let t159_ = T::mul_add(t56_, t154_, t158_);
+        let t160_ = T::mul_add(crank_pin_a_lin_x_, t124_, t159_);
+        let t161_ = t157_ + t160_;
+        let t162_ = T::mul_add(a_drift_lin_y_, t80_, t123_);
+        let t163_ = T::mul_add(t87_, t154_, t162_);
+        let t164_ = T::mul_add(crank_pin_a_lin_x_, t126_, t163_);
+        let t165_ = T::mul_neg_add(sin_rocker_pin_angle_, t122_, t110_);
+        let t166_ = T::mul_sub(minus_a_drift_lin_x_, t79_, t165_);
+        let t167_ = T::mul_sub(crank_pin_a_lin_y_, t127_, t166_);
+        let t168_ = T::mul_add(t105_, t161_, t167_);
+        let t169_ = t164_ + t168_;
+        let t170_ = t104_ * t161_;
+        let t171_ = t137_ * t169_;
+        let t172_ = T::mul_add(t105_, t171_, t170_);
+        let t173_ = t142_ * t172_;
+        let t174_ = T::mul_neg_add(t142_, t173_, t172_);
+        let t175_ = t151_ * t174_;
+        let t176_ = T::mul_add(t152_, t171_, t175_);
+        let closure_reaction0_ = T::mul_neg_add(t151_, t176_, t174_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t152_, t176_, t171_);
+        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
+        let t177_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        let t178_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t177_);
+        let t179_ = T::mul_sub(c_(9.8), t178_, t154_);
+        let t180_ = T::mul_add(t92_, minus_closure_reaction1_, t179_);
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t57_, closure_reaction0_, t180_);
+        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 17 mul, 14 add, 0 reciprocal.
+        let t181_ = T::mul_neg_add(
             cos_a_angle_,
             crank_pin_a_lin_x_,
             minus_a_drift_lin_x_,
         );
-        let t174_ = T::mul_neg_add(
+        let t182_ = T::mul_neg_add(
             c_(0.2),
             minus_crank_pin_a_ang_z_,
             crank_pin_a_lin_y_,
         );
-        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t174_, t173_);
-        let t175_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
-        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t174_, t175_);
-        let t176_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t23_);
-        let t177_ = T::mul_sub(t43_, closure_reaction0_, t176_);
-        let t178_ = T::mul_add(a_z0_force_y_, a_a_lin_y_, t177_);
-        let a_a_ang_z_ = T::mul_sub(a_z0_force_x_, minus_a_a_lin_x_, t178_);
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 8 mul, 7 add, 0 reciprocal.
-        let t179_ = c_(0.6) * a_a_ang_z_;
-        let t180_ = a_a_lin_y_ + t179_;
-        let t181_ = T::mul_add(cos_b_angle_, minus_a_a_lin_x_, minus_b_drift_lin_x_);
-        let b_a_lin_x_ = T::mul_sub(sin_b_angle_, t180_, t181_);
-        let t182_ = T::mul_add(sin_b_angle_, minus_a_a_lin_x_, b_drift_lin_y_);
-        let b_a_lin_y_ = T::mul_add(cos_b_angle_, t180_, t182_);
-        let t183_ = t35_ * closure_reaction0_;
-        let t184_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t183_);
-        let minus_b_a_ang_z_ = T::mul_add(c_(2.5), b_a_lin_y_, t184_);
+        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t182_, t181_);
+        let t183_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t182_, t183_);
+        let t184_ = a_drift_lin_y_ * a_z0_force_y_;
+        let t185_ = cos_a_angle_ * a_z0_force_x_;
+        let t186_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t185_);
+        let t187_ = sin_a_angle_ * a_z0_force_x_;
+        let t188_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t187_);
+        let t189_ = c_(0.2) * t188_;
+        let t190_ = T::mul_add(minus_a_drift_lin_x_, a_z0_force_x_, t30_);
+        let t191_ = T::mul_sub(crank_pin_a_lin_x_, t186_, t190_);
+        let t192_ = T::mul_add(t50_, closure_reaction0_, t191_);
+        let t193_ = T::mul_add(crank_pin_a_lin_y_, t188_, t184_);
+        let t194_ = T::mul_add(t73_, minus_closure_reaction1_, t193_);
+        let t195_ = T::mul_sub(t189_, minus_crank_pin_a_ang_z_, t194_);
+        let minus_a_a_ang_z_ = t192_ - t195_;
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 14 mul, 10 add, 0 reciprocal.
+        let t196_ = c_(0.6) * minus_a_a_ang_z_;
+        let t197_ = a_a_lin_y_ - t196_;
+        let t198_ = T::mul_add(cos_b_angle_, minus_a_a_lin_x_, minus_b_drift_lin_x_);
+        let b_a_lin_x_ = T::mul_sub(sin_b_angle_, t197_, t198_);
+        let t199_ = T::mul_add(sin_b_angle_, minus_a_a_lin_x_, b_drift_lin_y_);
+        let b_a_lin_y_ = T::mul_add(cos_b_angle_, t197_, t199_);
+        let t200_ = b_drift_lin_y_ * c_(2.5);
+        let t201_ = sin_b_angle_ * c_(2.5);
+        let t202_ = cos_b_angle_ * c_(2.5);
+        let t203_ = cos_b_angle_ * c_(1.5);
+        let t204_ = t42_ * closure_reaction0_;
+        let t205_ = T::mul_neg_add(t59_, minus_closure_reaction1_, t200_);
+        let t206_ = T::mul_add(t202_, a_a_lin_y_, t205_);
+        let t207_ = T::mul_neg_add(t203_, minus_a_a_ang_z_, t204_);
+        let t208_ = T::mul_add(t201_, minus_a_a_lin_x_, t207_);
+        let minus_b_a_ang_z_ = t206_ + t208_;
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 10 mul, 2 add, 0 reciprocal.
-        let t185_ = cos_crank_pin_angle_ * cos_a_angle_;
-        let a_axes_x_x_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t185_);
-        let t186_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let minus_a_axes_x_y_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t186_);
-        let t187_ = cos_crank_pin_angle_ * c_(0.2);
-        let t188_ = crank_pin_rate_ * t187_;
-        let minus_a_drift_lin_x_2_ = crank_pin_rate_ * t188_;
-        let t189_ = sin_crank_pin_angle_ * c_(0.2);
-        let t190_ = crank_pin_rate_ * t189_;
-        let minus_a_drift_lin_y_ = crank_pin_rate_ * t190_;
+        let t209_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let a_axes_x_x_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t209_);
+        let t210_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let minus_a_axes_x_y_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t210_);
+        let t211_ = cos_crank_pin_angle_ * c_(0.2);
+        let t212_ = crank_pin_rate_ * t211_;
+        let minus_a_drift_lin_x_2_ = crank_pin_rate_ * t212_;
+        let t213_ = sin_crank_pin_angle_ * c_(0.2);
+        let t214_ = crank_pin_rate_ * t213_;
+        let minus_a_drift_lin_y_ = crank_pin_rate_ * t214_;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 8 mul, 2 add, 0 reciprocal.
-        let t191_ = cos_b_angle_ * a_axes_x_x_;
-        let b_axes_x_x_ = T::mul_neg_add(sin_b_angle_, minus_a_axes_x_y_, t191_);
-        let t192_ = sin_b_angle_ * a_axes_x_x_;
-        let minus_b_axes_x_y_ = T::mul_add(cos_b_angle_, minus_a_axes_x_y_, t192_);
-        let t193_ = c_(0.6) * a_axes_x_x_;
-        let t194_ = a_omega_z_ * t193_;
-        let t195_ = c_(0.6) * minus_a_axes_x_y_;
-        let t196_ = a_omega_z_ * t195_;
+        let t215_ = cos_b_angle_ * a_axes_x_x_;
+        let b_axes_x_x_ = T::mul_neg_add(sin_b_angle_, minus_a_axes_x_y_, t215_);
+        let t216_ = sin_b_angle_ * a_axes_x_x_;
+        let minus_b_axes_x_y_ = T::mul_add(cos_b_angle_, minus_a_axes_x_y_, t216_);
+        let t217_ = c_(0.6) * a_axes_x_x_;
+        let t218_ = a_omega_z_ * t217_;
+        let t219_ = c_(0.6) * minus_a_axes_x_y_;
+        let t220_ = a_omega_z_ * t219_;
         /// Point of `a`, [P, Eqs. (12), (13), (36)]: 2 mul, 2 add, 0 reciprocal.
         let minus_a_acc_lin_x_ = T::mul_neg_add(
             minus_crank_pin_a_ang_z_,
-            t189_,
+            t213_,
             minus_a_drift_lin_x_2_,
         );
         let minus_a_acc_lin_y_ = T::mul_add(
             minus_crank_pin_a_ang_z_,
-            t187_,
+            t211_,
             minus_a_drift_lin_y_,
         );
         /// Point of `b`, [P, Eqs. (12), (13), (36)]: 4 mul, 4 add, 0 reciprocal.
-        let t197_ = T::mul_add(a_omega_z_, t194_, minus_a_acc_lin_x_);
-        let minus_b_acc_lin_x_ = T::mul_add(a_a_ang_z_, t195_, t197_);
-        let t198_ = T::mul_add(a_omega_z_, t196_, minus_a_acc_lin_y_);
-        let b_acc_lin_y_ = T::mul_sub(a_a_ang_z_, t193_, t198_);
+        let t221_ = T::mul_add(a_omega_z_, t218_, minus_a_acc_lin_x_);
+        let b_acc_lin_x_ = T::mul_sub(minus_a_a_ang_z_, t219_, t221_);
+        let t222_ = T::mul_add(a_omega_z_, t220_, minus_a_acc_lin_y_);
+        let minus_b_acc_lin_y_ = T::mul_add(minus_a_a_ang_z_, t217_, t222_);
         /// Load on `rocker_pin`, [P, Eqs. (18), (19)]: 8 mul, 4 add, 0 reciprocal.
-        let t199_ = cos_rocker_pin_angle_ * closure_reaction0_;
-        let t200_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t199_);
-        let t201_ = sin_rocker_pin_angle_ * closure_reaction0_;
-        let t202_ = T::mul_neg_add(
+        let t223_ = cos_rocker_pin_angle_ * closure_reaction0_;
+        let t224_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t223_);
+        let t225_ = sin_rocker_pin_angle_ * closure_reaction0_;
+        let t226_ = T::mul_neg_add(
             cos_rocker_pin_angle_,
             minus_closure_reaction1_,
-            t201_,
+            t225_,
         );
-        let t203_ = b_axes_x_x_ * t200_;
-        let rocker_pin_load_force_x_ = T::mul_neg_add(minus_b_axes_x_y_, t202_, t203_);
-        let t204_ = minus_b_axes_x_y_ * t200_;
-        let rocker_pin_load_force_y_ = T::mul_add(b_axes_x_x_, t202_, t204_);
+        let t227_ = b_axes_x_x_ * t224_;
+        let rocker_pin_load_force_x_ = T::mul_neg_add(minus_b_axes_x_y_, t226_, t227_);
+        let t228_ = minus_b_axes_x_y_ * t224_;
+        let rocker_pin_load_force_y_ = T::mul_add(b_axes_x_x_, t226_, t228_);
         /// Load on `b`, [P, Eqs. (18), (19)]: 7 mul, 6 add, 0 reciprocal.
-        let t205_ = c_(0.6) * minus_b_a_ang_z_;
-        let t206_ = T::mul_neg_add(c_(2.0), b_a_lin_y_, t205_);
-        let t207_ = T::mul_neg_add(c_(2.0), b_a_lin_x_, minus_b_e_force_x_);
-        let t208_ = T::mul_sub(b_axes_x_x_, t207_, rocker_pin_load_force_x_);
-        let b_load_force_x_ = T::mul_sub(minus_b_axes_x_y_, t206_, t208_);
-        let t209_ = T::mul_sub(minus_b_axes_x_y_, t207_, rocker_pin_load_force_y_);
-        let minus_b_load_force_y_ = T::mul_add(b_axes_x_x_, t206_, t209_);
+        let t229_ = c_(0.6) * minus_b_a_ang_z_;
+        let t230_ = T::mul_neg_add(c_(2.0), b_a_lin_y_, t229_);
+        let t231_ = T::mul_neg_add(c_(2.0), b_a_lin_x_, minus_b_e_force_x_);
+        let t232_ = T::mul_sub(b_axes_x_x_, t231_, rocker_pin_load_force_x_);
+        let b_load_force_x_ = T::mul_sub(minus_b_axes_x_y_, t230_, t232_);
+        let t233_ = T::mul_sub(minus_b_axes_x_y_, t231_, rocker_pin_load_force_y_);
+        let minus_b_load_force_y_ = T::mul_add(b_axes_x_x_, t230_, t233_);
         /// Load on `a`, [P, Eqs. (18), (19)]: 6 mul, 6 add, 0 reciprocal.
-        let t210_ = T::mul_add(c_(2.0), a_a_lin_y_, t179_);
-        let t211_ = T::mul_add(c_(2.0), minus_a_a_lin_x_, t3_);
-        let t212_ = a_axes_x_x_ * t211_;
-        let t213_ = T::mul_add(minus_a_axes_x_y_, t210_, t212_);
-        let a_load_force_x_ = b_load_force_x_ - t213_;
-        let t214_ = minus_a_axes_x_y_ * t211_;
-        let t215_ = T::mul_neg_add(a_axes_x_x_, t210_, t214_);
-        let minus_a_load_force_y_ = minus_b_load_force_y_ + t215_;
+        let t234_ = T::mul_neg_add(c_(2.0), a_a_lin_y_, t196_);
+        let t235_ = T::mul_add(c_(2.0), minus_a_a_lin_x_, t3_);
+        let t236_ = a_axes_x_x_ * t235_;
+        let t237_ = T::mul_neg_add(minus_a_axes_x_y_, t234_, t236_);
+        let a_load_force_x_ = b_load_force_x_ - t237_;
+        let t238_ = minus_a_axes_x_y_ * t235_;
+        let t239_ = T::mul_add(a_axes_x_x_, t234_, t238_);
+        let minus_a_load_force_y_ = minus_b_load_force_y_ + t239_;
         /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 7 mul, 6 add, 0 reciprocal.
-        let t216_ = crank_pin_rate_ * c_(0.1);
-        let t217_ = T::mul_sub(crank_pin_rate_, t216_, crank_pin_a_lin_x_);
-        let t218_ = cos_crank_pin_angle_ * t217_;
-        let t219_ = T::mul_neg_add(
+        let t240_ = crank_pin_rate_ * c_(0.1);
+        let t241_ = T::mul_sub(crank_pin_rate_, t240_, crank_pin_a_lin_x_);
+        let t242_ = cos_crank_pin_angle_ * t241_;
+        let t243_ = T::mul_neg_add(
             c_(0.1),
             minus_crank_pin_a_ang_z_,
             crank_pin_a_lin_y_,
         );
-        let t220_ = T::mul_add(sin_crank_pin_angle_, t219_, t218_);
-        let crank_pin_load_force_x_ = a_load_force_x_ - t220_;
-        let t221_ = sin_crank_pin_angle_ * t217_;
-        let t222_ = T::mul_neg_add(cos_crank_pin_angle_, t219_, t221_);
-        let minus_crank_pin_load_force_y_ = minus_a_load_force_y_ + t222_;
+        let t244_ = T::mul_add(sin_crank_pin_angle_, t243_, t242_);
+        let crank_pin_load_force_x_ = a_load_force_x_ - t244_;
+        let t245_ = sin_crank_pin_angle_ * t241_;
+        let t246_ = T::mul_neg_add(cos_crank_pin_angle_, t243_, t245_);
+        let minus_crank_pin_load_force_y_ = minus_a_load_force_y_ + t246_;
         /// Results: 44 mul, 35 add, 0 reciprocal.
-        let t223_ = minus_crank_pin_a_ang_z_ + a_a_ang_z_;
-        let t224_ = a_a_ang_z_ + minus_b_a_ang_z_;
-        let t225_ = c_(4.0) + t15_;
-        let t226_ = t14_ - t225_;
-        let t227_ = T::mul_neg_add(
+        let t247_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
+        let t248_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let t249_ = c_(4.0) + t18_;
+        let t250_ = t16_ - t249_;
+        let t251_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t226_,
+            t250_,
             c_(0.030000000000000006),
         );
-        let t228_ = cos_crank_pin_angle_ * c_(0.1);
-        let t229_ = sin_crank_pin_angle_ * c_(0.1);
-        let t230_ = t190_ + t196_;
-        let t231_ = t188_ + t194_;
-        let t232_ = crank_pin_rate_ * t229_;
-        let t233_ = crank_pin_rate_ * t228_;
-        let t234_ = crank_pin_rate_ * c_(0.01);
-        let t235_ = crank_pin_rate_ * t234_;
-        let t236_ = t233_ * t233_;
-        let t237_ = a_axes_x_x_ * c_(0.3);
-        let t238_ = minus_a_axes_x_y_ * c_(0.3);
-        let t239_ = T::mul_add(a_omega_z_, t238_, t190_);
-        let t240_ = T::mul_add(a_omega_z_, t237_, t188_);
-        let t241_ = a_omega_z_ * c_(0.06);
-        let t242_ = t239_ * t239_;
-        let t243_ = T::mul_add(t240_, t240_, t242_);
-        let t244_ = b_axes_x_x_ * c_(0.3);
-        let t245_ = minus_b_axes_x_y_ * c_(0.3);
-        let t246_ = T::mul_add(b_omega_z_, t245_, t230_);
-        let t247_ = T::mul_add(b_omega_z_, t244_, t231_);
-        let t248_ = b_omega_z_ * c_(0.06);
-        let t249_ = t246_ * t246_;
-        let t250_ = T::mul_add(t247_, t247_, t249_);
-        let t251_ = T::mul_add(b_omega_z_, t248_, t235_);
-        let t252_ = T::mul_add(t232_, t232_, t251_);
-        let t253_ = T::mul_add(c_(2.0), t250_, t252_);
-        let t254_ = T::mul_add(a_omega_z_, t241_, t236_);
-        let t255_ = T::mul_add(c_(2.0), t243_, t254_);
-        let t256_ = t253_ + t255_;
-        let t257_ = c_(0.5) * t256_;
-        let t258_ = t189_ + t195_;
-        let t259_ = sin_crank_pin_angle_ * c_(0.9800000000000001);
-        let t260_ = t189_ + t238_;
-        let t261_ = t258_ + t260_;
-        let t262_ = t245_ + t261_;
-        let t263_ = T::mul_add(c_(19.6), t262_, t259_);
-        let t264_ = cos_rocker_pin_angle_ * t133_;
-        let t265_ = sin_rocker_pin_angle_ * t133_;
-        let t266_ = cos_rocker_pin_angle_ * t142_;
-        let t267_ = T::mul_add(sin_rocker_pin_angle_, t143_, t266_);
-        let t268_ = sin_rocker_pin_angle_ * t142_;
-        let t269_ = T::mul_neg_add(cos_rocker_pin_angle_, t143_, t268_);
-        let t270_ = t187_ + t193_;
-        let t271_ = c_(0.6) * b_axes_x_x_;
-        let t272_ = t271_ + t270_;
-        let t273_ = c_(0.6) * minus_b_axes_x_y_;
-        let t274_ = t273_ + t258_;
-        let t275_ = b_omega_z_ * t273_;
-        let t276_ = t230_ + t275_;
-        let t277_ = b_omega_z_ * t271_;
-        let t278_ = t231_ + t277_;
-        let t279_ = T::mul_add(b_omega_z_, t277_, minus_b_acc_lin_x_);
-        let t280_ = T::mul_sub(minus_b_a_ang_z_, t273_, t279_);
-        let t281_ = T::mul_sub(b_omega_z_, t275_, b_acc_lin_y_);
-        let t282_ = T::mul_add(minus_b_a_ang_z_, t271_, t281_);
+        let t252_ = cos_crank_pin_angle_ * c_(0.1);
+        let t253_ = sin_crank_pin_angle_ * c_(0.1);
+        let t254_ = t214_ + t220_;
+        let t255_ = t212_ + t218_;
+        let t256_ = crank_pin_rate_ * t253_;
+        let t257_ = crank_pin_rate_ * t252_;
+        let t258_ = crank_pin_rate_ * c_(0.01);
+        let t259_ = crank_pin_rate_ * t258_;
+        let t260_ = t257_ * t257_;
+        let t261_ = a_axes_x_x_ * c_(0.3);
+        let t262_ = minus_a_axes_x_y_ * c_(0.3);
+        let t263_ = T::mul_add(a_omega_z_, t262_, t214_);
+        let t264_ = T::mul_add(a_omega_z_, t261_, t212_);
+        let t265_ = a_omega_z_ * c_(0.06);
+        let t266_ = t263_ * t263_;
+        let t267_ = T::mul_add(t264_, t264_, t266_);
+        let t268_ = b_axes_x_x_ * c_(0.3);
+        let t269_ = minus_b_axes_x_y_ * c_(0.3);
+        let t270_ = T::mul_add(b_omega_z_, t269_, t254_);
+        let t271_ = T::mul_add(b_omega_z_, t268_, t255_);
+        let t272_ = b_omega_z_ * c_(0.06);
+        let t273_ = t270_ * t270_;
+        let t274_ = T::mul_add(t271_, t271_, t273_);
+        let t275_ = T::mul_add(b_omega_z_, t272_, t259_);
+        let t276_ = T::mul_add(t256_, t256_, t275_);
+        let t277_ = T::mul_add(c_(2.0), t274_, t276_);
+        let t278_ = T::mul_add(a_omega_z_, t265_, t260_);
+        let t279_ = T::mul_add(c_(2.0), t267_, t278_);
+        let t280_ = t277_ + t279_;
+        let t281_ = c_(0.5) * t280_;
+        let t282_ = t213_ + t219_;
+        let t283_ = sin_crank_pin_angle_ * c_(0.9800000000000001);
+        let t284_ = t213_ + t262_;
+        let t285_ = t282_ + t284_;
+        let t286_ = t269_ + t285_;
+        let t287_ = T::mul_add(c_(19.6), t286_, t283_);
+        let t288_ = cos_rocker_pin_angle_ * t142_;
+        let t289_ = sin_rocker_pin_angle_ * t142_;
+        let t290_ = cos_rocker_pin_angle_ * t151_;
+        let t291_ = T::mul_add(sin_rocker_pin_angle_, t152_, t290_);
+        let t292_ = sin_rocker_pin_angle_ * t151_;
+        let t293_ = T::mul_neg_add(cos_rocker_pin_angle_, t152_, t292_);
+        let t294_ = t211_ + t217_;
+        let t295_ = c_(0.6) * b_axes_x_x_;
+        let t296_ = t295_ + t294_;
+        let t297_ = c_(0.6) * minus_b_axes_x_y_;
+        let t298_ = t297_ + t282_;
+        let t299_ = b_omega_z_ * t297_;
+        let t300_ = t254_ + t299_;
+        let t301_ = b_omega_z_ * t295_;
+        let t302_ = t255_ + t301_;
+        let t303_ = T::mul_sub(b_omega_z_, t301_, b_acc_lin_x_);
+        let t304_ = T::mul_sub(minus_b_a_ang_z_, t297_, t303_);
+        let t305_ = T::mul_add(b_omega_z_, t299_, minus_b_acc_lin_y_);
+        let t306_ = T::mul_add(minus_b_a_ang_z_, t295_, t305_);
         ::mstmm::generated::finite::<
             T,
         >(
@@ -900,22 +945,22 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t227_],
-            [-minus_crank_pin_a_ang_z_, t223_, -t224_, minus_b_a_ang_z_],
+            [c_(2.04), t251_],
+            [-minus_crank_pin_a_ang_z_, t247_, t248_, minus_b_a_ang_z_],
         )?;
         at_.accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t223_, -t224_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t247_, t248_, minus_b_a_ang_z_],
         ];
         at_.rate_accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t223_, -t224_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t247_, t248_, minus_b_a_ang_z_],
         ];
         at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
         at_.closure = ::mstmm::generated::closure([
-            [t264_, t265_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
-            [-t267_, -t269_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [t288_, t289_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [-t291_, -t293_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
         ]);
-        at_.kinetic_energy = t257_;
-        at_.potential_energy = t263_;
+        at_.kinetic_energy = t281_;
+        at_.potential_energy = t287_;
         at_.points = [
             ::mstmm::PlanePoint::new(
                 [c_(0.0), c_(0.0)],
@@ -942,9 +987,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t187_, t189_],
+                [t211_, t213_],
                 [cos_crank_pin_angle_, sin_crank_pin_angle_],
-                [-t190_, t188_],
+                [-t214_, t212_],
                 crank_pin_rate_,
                 ::mstmm::PlaneStateVector::new(
                     [-minus_a_acc_lin_x_, -minus_a_acc_lin_y_],
@@ -954,48 +999,48 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t187_, t189_],
+                [t211_, t213_],
                 [a_axes_x_x_, minus_a_axes_x_y_],
-                [-t190_, t188_],
+                [-t214_, t212_],
                 a_omega_z_,
                 ::mstmm::PlaneStateVector::new(
                     [-minus_a_acc_lin_x_, -minus_a_acc_lin_y_],
-                    a_a_ang_z_,
+                    -minus_a_a_ang_z_,
                     c_(0.0),
                     [a_load_force_x_, -minus_a_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t270_, t258_],
+                [t294_, t282_],
                 [a_axes_x_x_, minus_a_axes_x_y_],
-                [-t230_, t231_],
+                [-t254_, t255_],
                 a_omega_z_,
                 ::mstmm::PlaneStateVector::new(
-                    [-minus_b_acc_lin_x_, b_acc_lin_y_],
-                    a_a_ang_z_,
+                    [b_acc_lin_x_, -minus_b_acc_lin_y_],
+                    -minus_a_a_ang_z_,
                     c_(0.0),
                     [b_load_force_x_, -minus_b_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t270_, t258_],
+                [t294_, t282_],
                 [b_axes_x_x_, minus_b_axes_x_y_],
-                [-t230_, t231_],
+                [-t254_, t255_],
                 b_omega_z_,
                 ::mstmm::PlaneStateVector::new(
-                    [-minus_b_acc_lin_x_, b_acc_lin_y_],
+                    [b_acc_lin_x_, -minus_b_acc_lin_y_],
                     -minus_b_a_ang_z_,
                     c_(0.0),
                     [b_load_force_x_, -minus_b_load_force_y_],
                 ),
             ),
             ::mstmm::PlanePoint::new(
-                [t272_, t274_],
+                [t296_, t298_],
                 [b_axes_x_x_, minus_b_axes_x_y_],
-                [-t276_, t278_],
+                [-t300_, t302_],
                 b_omega_z_,
                 ::mstmm::PlaneStateVector::new(
-                    [t280_, -t282_],
+                    [t304_, -t306_],
                     -minus_b_a_ang_z_,
                     c_(0.0),
                     [rocker_pin_load_force_x_, rocker_pin_load_force_y_],
@@ -1161,23 +1206,23 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Corrects coordinates and rates once by the smallest motion that closes the
     /// chain, and returns how far it was from closed.
     ///
-    /// 340 operations: 198 mul, 125 add, 9 reciprocal, 8 square root, 5 sin/cos.
+    /// 346 operations: 205 mul, 124 add, 9 reciprocal, 8 square root, 5 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 4 |
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
-    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 3 | 1 | 0 | 0 |
-    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 9 | 0 | 0 | 0 |
+    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 9 | 3 | 1 | 0 | 0 |
+    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 12 | 9 | 0 | 0 | 0 |
     /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 119 | 61 | 7 | 6 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
-    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 7 | 3 | 0 | 0 | 0 |
-    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
+    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 9 | 3 | 0 | 0 | 0 |
+    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 8 | 4 | 0 | 0 | 0 |
     /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 23 | 12 | 0 | 0 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
-    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 7 | 3 | 0 | 0 | 0 |
-    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
+    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 6 | 2 | 0 | 0 | 0 |
+    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     /// | Results |  | 10 | 22 | 1 | 2 | 1 |
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn correct(&self, state_: &mut FourBarState<T>, inputs_: &FourBarInputs<T>) -> T {
@@ -1204,270 +1249,277 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let b_omega_z_ = b_rate_ + a_omega_z_;
-        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 3 add, 1 reciprocal.
-        let t0_ = sin_b_angle_ * c_(1.5);
-        let a_k_xy_ = cos_b_angle_ * t0_;
-        let a_b_x_z_ = c_(0.6) * a_k_xy_;
-        let t1_ = sin_b_angle_ * t0_;
-        let t2_ = c_(0.5) + t1_;
-        let a_b_y_z_ = T::mul_add(c_(0.6), t2_, c_(0.6));
-        let a_j_zz_ = T::mul_add(c_(0.36), t2_, c_(0.24));
-        let t3_ = T::recip(a_j_zz_);
-        let a_z0_force_x_ = a_b_x_z_ * t3_;
-        let a_z0_force_y_ = a_b_y_z_ * t3_;
-        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 9 add, 0 reciprocal.
-        let t4_ = t1_ - c_(4.0);
-        let t5_ = c_(2.5) + t1_;
-        let t6_ = T::mul_add(a_b_x_z_, a_z0_force_x_, t4_);
-        let t7_ = T::mul_neg_add(a_b_y_z_, a_z0_force_y_, t5_);
-        let t8_ = T::mul_neg_add(a_b_y_z_, a_z0_force_x_, a_k_xy_);
-        let t9_ = t6_ + t7_;
-        let t10_ = sin_a_angle_ * t9_;
-        let t11_ = c_(2.0) * t8_;
-        let t12_ = T::mul_neg_add(cos_a_angle_, t11_, t10_);
-        let t13_ = T::mul_neg_add(sin_a_angle_, t12_, t7_);
-        let crank_pin_j_zz_ = T::mul_add(
+        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 9 mul, 3 add, 1 reciprocal.
+        let t0_ = sin_b_angle_ * cos_b_angle_;
+        let a_k_xy_ = c_(1.5) * t0_;
+        let a_b_x_z_ = t0_ * c_(0.8999999999999999);
+        let t1_ = sin_b_angle_ * sin_b_angle_;
+        let t2_ = c_(1.5) * t1_;
+        let t3_ = c_(0.5) + t2_;
+        let a_b_y_z_ = T::mul_add(c_(0.6), t3_, c_(0.6));
+        let a_j_zz_ = T::mul_add(c_(0.36), t3_, c_(0.24));
+        let t4_ = T::recip(a_j_zz_);
+        let a_z0_force_x_ = a_b_x_z_ * t4_;
+        let a_z0_force_y_ = a_b_y_z_ * t4_;
+        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 12 mul, 9 add, 0 reciprocal.
+        let t5_ = t2_ - c_(4.0);
+        let t6_ = c_(2.5) + t2_;
+        let t7_ = a_b_x_z_ * a_b_x_z_;
+        let t8_ = T::mul_add(t4_, t7_, t5_);
+        let t9_ = a_b_y_z_ * a_b_y_z_;
+        let t10_ = T::mul_neg_add(t4_, t9_, t6_);
+        let t11_ = a_b_x_z_ * a_b_y_z_;
+        let t12_ = T::mul_neg_add(t4_, t11_, a_k_xy_);
+        let t13_ = sin_a_angle_ * sin_a_angle_;
+        let t14_ = sin_a_angle_ * cos_a_angle_;
+        let t15_ = t8_ + t10_;
+        let t16_ = c_(2.0) * t14_;
+        let t17_ = T::mul_add(t12_, t16_, t10_);
+        let t18_ = T::mul_sub(t13_, t15_, t17_);
+        let crank_pin_j_zz_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t13_,
+            t18_,
             c_(0.020000000000000004),
         );
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 119 mul, 61 add, 7 reciprocal, 6 square root.
-        let t14_ = c_(0.6) * sin_rocker_pin_angle_;
-        let t15_ = sin_rocker_pin_angle_ * c_(2.5);
-        let t16_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
-        let t17_ = t14_ * t15_;
-        let t18_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t19_ = T::mul_neg_add(sin_b_angle_, t16_, t18_);
-        let t20_ = sin_b_angle_ * cos_rocker_pin_angle_;
-        let t21_ = T::mul_add(cos_b_angle_, t16_, t20_);
-        let t22_ = c_(0.6) * t21_;
-        let t23_ = t22_ * t3_;
-        let t24_ = T::mul_neg_add(t22_, a_z0_force_x_, t19_);
-        let t25_ = T::mul_neg_add(t22_, a_z0_force_y_, t21_);
-        let t26_ = T::mul_add(t22_, t23_, t17_);
-        let t27_ = sin_a_angle_ * t24_;
-        let t28_ = T::mul_add(cos_a_angle_, t25_, t27_);
-        let t29_ = c_(0.2) * t28_;
-        let t30_ = T::recip(crank_pin_j_zz_);
-        let t31_ = t29_ * t30_;
-        let closure_d0_ = T::mul_add(t29_, t31_, t26_);
-        let t32_ = c_(0.6) * cos_rocker_pin_angle_;
-        let t33_ = cos_rocker_pin_angle_ * c_(2.5);
-        let t34_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
-        let t35_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t34_);
-        let t36_ = t35_ * c_(0.36);
-        let t37_ = T::mul_add(t14_, t14_, t36_);
-        let t38_ = t37_ * c_(4.166666666666667);
-        let t39_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
-        let t40_ = t32_ * t15_;
-        let t41_ = t32_ * t33_;
-        let t42_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t43_ = T::mul_add(sin_b_angle_, t39_, t42_);
-        let t44_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t45_ = T::mul_neg_add(cos_b_angle_, t39_, t44_);
-        let t46_ = c_(0.6) * t45_;
-        let t47_ = t46_ * t3_;
-        let t48_ = t19_ * t19_;
-        let t49_ = T::mul_add(t21_, t21_, t48_);
-        let t50_ = t22_ * t22_;
-        let t51_ = T::mul_add(t49_, c_(0.72), t50_);
-        let t52_ = T::mul_add(t3_, t51_, t38_);
-        let t53_ = T::mul_neg_add(t46_, a_z0_force_x_, t43_);
-        let t54_ = T::mul_neg_add(t46_, a_z0_force_y_, t45_);
-        let t55_ = T::mul_neg_add(t46_, t23_, t40_);
-        let t56_ = T::mul_add(t46_, t47_, t41_);
-        let t57_ = cos_a_angle_ * t24_;
-        let t58_ = T::mul_neg_add(sin_a_angle_, t25_, t57_);
-        let t59_ = sin_a_angle_ * t53_;
-        let t60_ = T::mul_add(cos_a_angle_, t54_, t59_);
-        let t61_ = c_(0.2) * t60_;
-        let t62_ = t61_ * t30_;
-        let t63_ = t58_ * t58_;
-        let t64_ = T::mul_add(t28_, t28_, t63_);
-        let t65_ = t29_ * t29_;
-        let t66_ = T::mul_add(t64_, c_(0.76), t65_);
-        let t67_ = T::mul_add(t30_, t66_, t52_);
-        let t68_ = T::mul_neg_add(t61_, t31_, t55_);
-        let t69_ = T::mul_add(t61_, t62_, t56_);
-        let t70_ = T::copysign(closure_d0_, c_(1.0));
-        let t71_ = closure_d0_ + t70_;
-        let t72_ = c_(0.5) * t71_;
-        let t73_ = T::sqrt(t72_);
-        let t74_ = T::sqrt(t67_);
-        let t75_ = ::mstmm::generated::recip_above(t73_, t74_);
-        let t76_ = t73_ * t75_;
-        let t77_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t78_ = t76_ * t77_;
-        let t79_ = t68_ * t78_;
-        let closure_d1_ = T::mul_neg_add(t68_, t79_, t69_);
-        let t80_ = T::mul_add(t32_, t32_, t36_);
-        let t81_ = c_(4.166666666666667) * t80_;
-        let t82_ = t43_ * t43_;
-        let t83_ = T::mul_add(t45_, t45_, t82_);
-        let t84_ = t46_ * t46_;
-        let t85_ = T::mul_add(c_(0.72), t83_, t84_);
-        let t86_ = T::mul_add(t3_, t85_, t81_);
-        let t87_ = cos_a_angle_ * t53_;
-        let t88_ = T::mul_neg_add(sin_a_angle_, t54_, t87_);
-        let t89_ = t88_ * t88_;
-        let t90_ = T::mul_add(t60_, t60_, t89_);
-        let t91_ = t61_ * t61_;
-        let t92_ = T::mul_add(c_(0.76), t90_, t91_);
-        let t93_ = T::mul_add(t30_, t92_, t86_);
-        let t94_ = T::copysign(closure_d1_, c_(1.0));
-        let t95_ = closure_d1_ + t94_;
-        let t96_ = c_(0.5) * t95_;
-        let t97_ = T::sqrt(t96_);
-        let t98_ = T::sqrt(t93_);
-        let t99_ = ::mstmm::generated::recip_above(t97_, t98_);
-        let t100_ = t97_ * t99_;
-        let t101_ = ::mstmm::generated::recip_above(closure_d1_, t69_);
-        let t102_ = t100_ * t101_;
-        let t103_ = T::mul_neg_add(closure_d0_, t78_, c_(1.0));
-        let t104_ = t103_ * t103_;
-        let t105_ = ::mstmm::generated::recip_above(t104_, c_(1.0));
-        let t106_ = T::sqrt(t105_);
-        let t107_ = t103_ * t106_;
-        let t108_ = T::mul_neg_add(closure_d1_, t102_, c_(1.0));
-        let t109_ = t79_ * t108_;
-        let t110_ = t107_ * t109_;
-        let t111_ = T::mul_neg_add(t107_, t110_, t109_);
-        let t112_ = t111_ * t111_;
-        let t113_ = T::mul_add(t108_, t108_, t112_);
-        let t114_ = ::mstmm::generated::recip_above(t113_, c_(1.0));
-        let t115_ = T::sqrt(t114_);
-        let t116_ = t111_ * t115_;
-        let t117_ = t108_ * t115_;
-        let t118_ = cos_crank_pin_angle_ * cos_a_angle_;
-        let t119_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t118_);
-        let t120_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let t121_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t120_);
-        let t122_ = sin_crank_pin_angle_ * c_(0.2);
-        let t123_ = cos_b_angle_ * t119_;
-        let t124_ = T::mul_neg_add(sin_b_angle_, t121_, t123_);
-        let t125_ = sin_b_angle_ * t119_;
-        let t126_ = T::mul_add(cos_b_angle_, t121_, t125_);
-        let t127_ = cos_rocker_pin_angle_ * t124_;
-        let t128_ = T::mul_neg_add(sin_rocker_pin_angle_, t126_, t127_);
-        let t129_ = sin_rocker_pin_angle_ * t124_;
-        let t130_ = T::mul_add(cos_rocker_pin_angle_, t126_, t129_);
-        let t131_ = t121_ + t126_;
-        let t132_ = T::mul_add(c_(0.6), t131_, t122_);
-        let t133_ = t119_ + t124_;
-        let t134_ = T::mul_neg_add(cos_crank_pin_angle_, c_(0.2), c_(0.8));
-        let t135_ = T::mul_sub(c_(0.6), t133_, t134_);
-        let t136_ = t128_ * t135_;
-        let t137_ = T::mul_add(t130_, t132_, t136_);
-        let t138_ = t130_ * t135_;
-        let t139_ = T::mul_neg_add(t128_, t132_, t138_);
-        let t140_ = T::mul_add(t79_, t137_, t139_);
-        let t141_ = t78_ * t137_;
-        let t142_ = t102_ * t140_;
-        let t143_ = T::mul_add(t79_, t142_, t141_);
-        let t144_ = t107_ * t143_;
-        let t145_ = T::mul_neg_add(t107_, t144_, t143_);
-        let t146_ = t116_ * t145_;
-        let t147_ = T::mul_add(t117_, t142_, t146_);
-        let closure_reaction0_ = T::mul_neg_add(t116_, t147_, t145_);
-        let minus_closure_reaction1_ = T::mul_neg_add(t117_, t147_, t142_);
+        let t19_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t20_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t21_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
+        let t22_ = t19_ * t20_;
+        let t23_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t24_ = T::mul_neg_add(sin_b_angle_, t21_, t23_);
+        let t25_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        let t26_ = T::mul_add(cos_b_angle_, t21_, t25_);
+        let t27_ = c_(0.6) * t26_;
+        let t28_ = t27_ * t4_;
+        let t29_ = T::mul_neg_add(t27_, a_z0_force_x_, t24_);
+        let t30_ = T::mul_neg_add(t27_, a_z0_force_y_, t26_);
+        let t31_ = T::mul_add(t27_, t28_, t22_);
+        let t32_ = sin_a_angle_ * t29_;
+        let t33_ = T::mul_add(cos_a_angle_, t30_, t32_);
+        let t34_ = c_(0.2) * t33_;
+        let t35_ = T::recip(crank_pin_j_zz_);
+        let t36_ = t34_ * t35_;
+        let closure_d0_ = T::mul_add(t34_, t36_, t31_);
+        let t37_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t38_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t39_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t40_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t39_);
+        let t41_ = t40_ * c_(0.36);
+        let t42_ = T::mul_add(t19_, t19_, t41_);
+        let t43_ = t42_ * c_(4.166666666666667);
+        let t44_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let t45_ = t37_ * t20_;
+        let t46_ = t37_ * t38_;
+        let t47_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t48_ = T::mul_add(sin_b_angle_, t44_, t47_);
+        let t49_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t50_ = T::mul_neg_add(cos_b_angle_, t44_, t49_);
+        let t51_ = c_(0.6) * t50_;
+        let t52_ = t51_ * t4_;
+        let t53_ = t24_ * t24_;
+        let t54_ = T::mul_add(t26_, t26_, t53_);
+        let t55_ = t27_ * t27_;
+        let t56_ = T::mul_add(t54_, c_(0.72), t55_);
+        let t57_ = T::mul_add(t4_, t56_, t43_);
+        let t58_ = T::mul_neg_add(t51_, a_z0_force_x_, t48_);
+        let t59_ = T::mul_neg_add(t51_, a_z0_force_y_, t50_);
+        let t60_ = T::mul_neg_add(t51_, t28_, t45_);
+        let t61_ = T::mul_add(t51_, t52_, t46_);
+        let t62_ = cos_a_angle_ * t29_;
+        let t63_ = T::mul_neg_add(sin_a_angle_, t30_, t62_);
+        let t64_ = sin_a_angle_ * t58_;
+        let t65_ = T::mul_add(cos_a_angle_, t59_, t64_);
+        let t66_ = c_(0.2) * t65_;
+        let t67_ = t63_ * t63_;
+        let t68_ = T::mul_add(t33_, t33_, t67_);
+        let t69_ = t34_ * t34_;
+        let t70_ = T::mul_add(t68_, c_(0.76), t69_);
+        let t71_ = t66_ * t35_;
+        let t72_ = T::mul_add(t70_, t35_, t57_);
+        let t73_ = T::mul_neg_add(t66_, t36_, t60_);
+        let t74_ = T::mul_add(t66_, t71_, t61_);
+        let t75_ = T::copysign(closure_d0_, c_(1.0));
+        let t76_ = closure_d0_ + t75_;
+        let t77_ = c_(0.5) * t76_;
+        let t78_ = T::sqrt(t77_);
+        let t79_ = T::sqrt(t72_);
+        let t80_ = ::mstmm::generated::recip_above(t78_, t79_);
+        let t81_ = t78_ * t80_;
+        let t82_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t83_ = t81_ * t82_;
+        let t84_ = t73_ * t83_;
+        let closure_d1_ = T::mul_neg_add(t73_, t84_, t74_);
+        let t85_ = T::mul_add(t37_, t37_, t41_);
+        let t86_ = c_(4.166666666666667) * t85_;
+        let t87_ = t48_ * t48_;
+        let t88_ = T::mul_add(t50_, t50_, t87_);
+        let t89_ = t51_ * t51_;
+        let t90_ = T::mul_add(c_(0.72), t88_, t89_);
+        let t91_ = T::mul_add(t4_, t90_, t86_);
+        let t92_ = cos_a_angle_ * t58_;
+        let t93_ = T::mul_neg_add(sin_a_angle_, t59_, t92_);
+        let t94_ = t93_ * t93_;
+        let t95_ = T::mul_add(t65_, t65_, t94_);
+        let t96_ = t66_ * t66_;
+        let t97_ = T::mul_add(c_(0.76), t95_, t96_);
+        let t98_ = T::mul_add(t97_, t35_, t91_);
+        let t99_ = T::copysign(closure_d1_, c_(1.0));
+        let t100_ = closure_d1_ + t99_;
+        let t101_ = c_(0.5) * t100_;
+        let t102_ = T::sqrt(t101_);
+        let t103_ = T::sqrt(t98_);
+        let t104_ = ::mstmm::generated::recip_above(t102_, t103_);
+        let t105_ = t102_ * t104_;
+        let t106_ = ::mstmm::generated::recip_above(closure_d1_, t74_);
+        let t107_ = t105_ * t106_;
+        let t108_ = T::mul_neg_add(closure_d0_, t83_, c_(1.0));
+        let t109_ = t108_ * t108_;
+        let t110_ = ::mstmm::generated::recip_above(t109_, c_(1.0));
+        let t111_ = T::sqrt(t110_);
+        let t112_ = t108_ * t111_;
+        let t113_ = T::mul_neg_add(closure_d1_, t107_, c_(1.0));
+        let t114_ = t84_ * t113_;
+        let t115_ = t112_ * t114_;
+        let t116_ = T::mul_neg_add(t112_, t115_, t114_);
+        let t117_ = t116_ * t116_;
+        let t118_ = T::mul_add(t113_, t113_, t117_);
+        let t119_ = ::mstmm::generated::recip_above(t118_, c_(1.0));
+        let t120_ = T::sqrt(t119_);
+        let t121_ = t116_ * t120_;
+        let t122_ = t113_ * t120_;
+        let t123_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let t124_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t123_);
+        let t125_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let t126_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t125_);
+        let t127_ = sin_crank_pin_angle_ * c_(0.2);
+        let t128_ = cos_b_angle_ * t124_;
+        let t129_ = T::mul_neg_add(sin_b_angle_, t126_, t128_);
+        let t130_ = sin_b_angle_ * t124_;
+        let t131_ = T::mul_add(cos_b_angle_, t126_, t130_);
+        let t132_ = cos_rocker_pin_angle_ * t129_;
+        let t133_ = T::mul_neg_add(sin_rocker_pin_angle_, t131_, t132_);
+        let t134_ = sin_rocker_pin_angle_ * t129_;
+        let t135_ = T::mul_add(cos_rocker_pin_angle_, t131_, t134_);
+        let t136_ = t126_ + t131_;
+        let t137_ = T::mul_add(c_(0.6), t136_, t127_);
+        let t138_ = t124_ + t129_;
+        let t139_ = T::mul_neg_add(cos_crank_pin_angle_, c_(0.2), c_(0.8));
+        let t140_ = T::mul_sub(c_(0.6), t138_, t139_);
+        let t141_ = t133_ * t140_;
+        let t142_ = T::mul_add(t135_, t137_, t141_);
+        let t143_ = t135_ * t140_;
+        let t144_ = T::mul_neg_add(t133_, t137_, t143_);
+        let t145_ = T::mul_add(t84_, t142_, t144_);
+        let t146_ = t83_ * t142_;
+        let t147_ = t107_ * t145_;
+        let t148_ = T::mul_add(t84_, t147_, t146_);
+        let t149_ = t112_ * t148_;
+        let t150_ = T::mul_neg_add(t112_, t149_, t148_);
+        let t151_ = t121_ * t150_;
+        let t152_ = T::mul_add(t122_, t147_, t151_);
+        let closure_reaction0_ = T::mul_neg_add(t121_, t152_, t150_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t122_, t152_, t147_);
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
-        let t148_ = t31_ * closure_reaction0_;
-        let minus_crank_pin_a_ang_z_ = T::mul_add(t62_, minus_closure_reaction1_, t148_);
-        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 7 mul, 3 add, 0 reciprocal.
-        let t149_ = c_(0.2) * minus_crank_pin_a_ang_z_;
-        let minus_a_a_lin_x_ = sin_a_angle_ * t149_;
-        let minus_a_a_lin_y_ = cos_a_angle_ * t149_;
-        let t150_ = t23_ * closure_reaction0_;
-        let t151_ = T::mul_add(t47_, minus_closure_reaction1_, t150_);
-        let t152_ = T::mul_sub(a_z0_force_y_, minus_a_a_lin_y_, t151_);
-        let a_a_ang_z_ = T::mul_add(a_z0_force_x_, minus_a_a_lin_x_, t152_);
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-        let t153_ = sin_b_angle_ * minus_a_a_lin_x_;
-        let t154_ = T::mul_neg_add(c_(0.6), a_a_ang_z_, minus_a_a_lin_y_);
-        let b_a_lin_y_ = T::mul_neg_add(cos_b_angle_, t154_, t153_);
-        let t155_ = t15_ * closure_reaction0_;
-        let t156_ = T::mul_neg_add(t33_, minus_closure_reaction1_, t155_);
-        let minus_b_a_ang_z_ = T::mul_add(c_(2.5), b_a_lin_y_, t156_);
+        let t153_ = t36_ * closure_reaction0_;
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t71_, minus_closure_reaction1_, t153_);
+        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 9 mul, 3 add, 0 reciprocal.
+        let t154_ = c_(0.2) * minus_crank_pin_a_ang_z_;
+        let minus_a_a_lin_x_ = sin_a_angle_ * t154_;
+        let minus_a_a_lin_y_ = cos_a_angle_ * t154_;
+        let t155_ = sin_a_angle_ * a_z0_force_x_;
+        let t156_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t155_);
+        let t157_ = c_(0.2) * t156_;
+        let t158_ = t28_ * closure_reaction0_;
+        let t159_ = T::mul_add(t52_, minus_closure_reaction1_, t158_);
+        let a_a_ang_z_ = T::mul_sub(t157_, minus_crank_pin_a_ang_z_, t159_);
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 8 mul, 4 add, 0 reciprocal.
+        let t160_ = sin_b_angle_ * c_(2.5);
+        let t161_ = cos_b_angle_ * c_(2.5);
+        let t162_ = cos_b_angle_ * c_(1.5);
+        let t163_ = t20_ * closure_reaction0_;
+        let t164_ = T::mul_neg_add(t38_, minus_closure_reaction1_, t163_);
+        let t165_ = T::mul_add(t162_, a_a_ang_z_, t164_);
+        let t166_ = T::mul_sub(t161_, minus_a_a_lin_y_, t165_);
+        let minus_b_a_ang_z_ = T::mul_sub(t160_, minus_a_a_lin_x_, t166_);
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 23 mul, 12 add, 0 reciprocal.
-        let t157_ = crank_pin_rate_ * c_(0.2);
-        let t158_ = a_omega_z_ * c_(0.6);
-        let t159_ = c_(0.6) * b_omega_z_;
-        let t160_ = sin_a_angle_ * t157_;
-        let t161_ = T::mul_add(cos_a_angle_, t157_, t158_);
-        let t162_ = cos_b_angle_ * t160_;
-        let t163_ = T::mul_add(sin_b_angle_, t161_, t162_);
-        let t164_ = cos_rocker_pin_angle_ * t163_;
-        let t165_ = sin_rocker_pin_angle_ * t163_;
-        let t166_ = T::mul_neg_add(sin_b_angle_, t160_, t159_);
-        let t167_ = T::mul_add(cos_b_angle_, t161_, t166_);
-        let t168_ = T::mul_add(sin_rocker_pin_angle_, t167_, t164_);
-        let t169_ = T::mul_neg_add(cos_rocker_pin_angle_, t167_, t165_);
-        let t170_ = T::mul_add(t79_, t168_, t169_);
-        let t171_ = t78_ * t168_;
-        let t172_ = t102_ * t170_;
-        let t173_ = T::mul_add(t79_, t172_, t171_);
-        let t174_ = t107_ * t173_;
-        let t175_ = T::mul_neg_add(t107_, t174_, t173_);
-        let t176_ = t116_ * t175_;
-        let t177_ = T::mul_add(t117_, t172_, t176_);
-        let closure_reaction0_2_ = T::mul_neg_add(t116_, t177_, t175_);
-        let minus_closure_reaction1_2_ = T::mul_neg_add(t117_, t177_, t172_);
+        let t167_ = crank_pin_rate_ * c_(0.2);
+        let t168_ = a_omega_z_ * c_(0.6);
+        let t169_ = c_(0.6) * b_omega_z_;
+        let t170_ = sin_a_angle_ * t167_;
+        let t171_ = T::mul_add(cos_a_angle_, t167_, t168_);
+        let t172_ = cos_b_angle_ * t170_;
+        let t173_ = T::mul_add(sin_b_angle_, t171_, t172_);
+        let t174_ = cos_rocker_pin_angle_ * t173_;
+        let t175_ = sin_rocker_pin_angle_ * t173_;
+        let t176_ = T::mul_neg_add(sin_b_angle_, t170_, t169_);
+        let t177_ = T::mul_add(cos_b_angle_, t171_, t176_);
+        let t178_ = T::mul_add(sin_rocker_pin_angle_, t177_, t174_);
+        let t179_ = T::mul_neg_add(cos_rocker_pin_angle_, t177_, t175_);
+        let t180_ = T::mul_add(t84_, t178_, t179_);
+        let t181_ = t83_ * t178_;
+        let t182_ = t107_ * t180_;
+        let t183_ = T::mul_add(t84_, t182_, t181_);
+        let t184_ = t112_ * t183_;
+        let t185_ = T::mul_neg_add(t112_, t184_, t183_);
+        let t186_ = t121_ * t185_;
+        let t187_ = T::mul_add(t122_, t182_, t186_);
+        let closure_reaction0_2_ = T::mul_neg_add(t121_, t187_, t185_);
+        let minus_closure_reaction1_2_ = T::mul_neg_add(t122_, t187_, t182_);
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
-        let t178_ = t31_ * closure_reaction0_2_;
+        let t188_ = t36_ * closure_reaction0_2_;
         let minus_crank_pin_a_ang_z_2_ = T::mul_add(
-            t62_,
+            t71_,
             minus_closure_reaction1_2_,
-            t178_,
+            t188_,
         );
-        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 7 mul, 3 add, 0 reciprocal.
-        let t179_ = c_(0.2) * minus_crank_pin_a_ang_z_2_;
-        let minus_a_a_lin_x_2_ = sin_a_angle_ * t179_;
-        let minus_a_a_lin_y_2_ = cos_a_angle_ * t179_;
-        let t180_ = t23_ * closure_reaction0_2_;
-        let t181_ = T::mul_add(t47_, minus_closure_reaction1_2_, t180_);
-        let t182_ = T::mul_sub(a_z0_force_y_, minus_a_a_lin_y_2_, t181_);
-        let a_a_ang_z_2_ = T::mul_add(a_z0_force_x_, minus_a_a_lin_x_2_, t182_);
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-        let t183_ = sin_b_angle_ * minus_a_a_lin_x_2_;
-        let t184_ = T::mul_neg_add(c_(0.6), a_a_ang_z_2_, minus_a_a_lin_y_2_);
-        let b_a_lin_y_2_ = T::mul_neg_add(cos_b_angle_, t184_, t183_);
-        let t185_ = t15_ * closure_reaction0_2_;
-        let t186_ = T::mul_neg_add(t33_, minus_closure_reaction1_2_, t185_);
-        let minus_b_a_ang_z_2_ = T::mul_add(c_(2.5), b_a_lin_y_2_, t186_);
+        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 6 mul, 2 add, 0 reciprocal.
+        let t189_ = c_(0.2) * minus_crank_pin_a_ang_z_2_;
+        let minus_a_a_lin_x_2_ = sin_a_angle_ * t189_;
+        let minus_a_a_lin_y_2_ = cos_a_angle_ * t189_;
+        let t190_ = t28_ * closure_reaction0_2_;
+        let t191_ = T::mul_add(t52_, minus_closure_reaction1_2_, t190_);
+        let a_a_ang_z_2_ = T::mul_sub(t157_, minus_crank_pin_a_ang_z_2_, t191_);
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
+        let t192_ = t20_ * closure_reaction0_2_;
+        let t193_ = T::mul_neg_add(t38_, minus_closure_reaction1_2_, t192_);
+        let t194_ = T::mul_add(t162_, a_a_ang_z_2_, t193_);
+        let t195_ = T::mul_sub(t161_, minus_a_a_lin_y_2_, t194_);
+        let minus_b_a_ang_z_2_ = T::mul_sub(t160_, minus_a_a_lin_x_2_, t195_);
         /// Results: 10 mul, 22 add, 1 reciprocal, 2 square root, 1 sin/cos.
-        let t187_ = crank_pin_angle_ - minus_crank_pin_a_ang_z_;
-        let t188_ = a_angle_ + minus_crank_pin_a_ang_z_;
-        let t189_ = t188_ + a_a_ang_z_;
-        let t190_ = b_angle_ - a_a_ang_z_;
-        let t191_ = minus_b_a_ang_z_ - t190_;
-        let t192_ = T::mul_add(t130_, t130_, c_(0.000000000000000000000000000001));
-        let t193_ = T::sqrt(t192_);
-        let t194_ = T::atan2(t193_, t128_);
-        let t195_ = T::recip(t193_);
-        let t196_ = t194_ * t195_;
-        let t197_ = t130_ * t196_;
-        let t198_ = rocker_pin_angle_ - t197_;
-        let t199_ = t198_ + minus_b_a_ang_z_;
-        let t200_ = crank_pin_rate_ - minus_crank_pin_a_ang_z_2_;
-        let t201_ = a_rate_ + minus_crank_pin_a_ang_z_2_;
-        let t202_ = t201_ + a_a_ang_z_2_;
-        let t203_ = b_rate_ - a_a_ang_z_2_;
-        let t204_ = minus_b_a_ang_z_2_ - t203_;
-        let t205_ = b_omega_z_ - minus_b_a_ang_z_2_;
-        let t206_ = rocker_pin_rate_ + b_omega_z_;
-        let t207_ = c_(1.0) - t128_;
-        let t208_ = t207_ * t207_;
-        let t209_ = t206_ * t206_;
-        let t210_ = T::mul_add(t168_, t168_, t209_);
-        let t211_ = T::mul_add(t137_, t137_, t210_);
-        let t212_ = T::mul_add(t197_, t197_, t211_);
-        let t213_ = T::mul_add(t169_, t169_, t208_);
-        let t214_ = T::mul_add(t139_, t139_, t213_);
-        let t215_ = t212_ + t214_;
-        let t216_ = T::sqrt(t215_);
-        let residual_ = t216_;
-        state_.q.data.0 = [[t187_, t189_, -t191_, t199_]];
-        state_.v.data.0 = [[t200_, t202_, -t204_, -t205_]];
+        let t196_ = crank_pin_angle_ - minus_crank_pin_a_ang_z_;
+        let t197_ = a_angle_ + minus_crank_pin_a_ang_z_;
+        let t198_ = a_a_ang_z_ + t197_;
+        let t199_ = b_angle_ - a_a_ang_z_;
+        let t200_ = minus_b_a_ang_z_ - t199_;
+        let t201_ = T::mul_add(t135_, t135_, c_(0.000000000000000000000000000001));
+        let t202_ = T::sqrt(t201_);
+        let t203_ = T::atan2(t202_, t133_);
+        let t204_ = T::recip(t202_);
+        let t205_ = t203_ * t204_;
+        let t206_ = t135_ * t205_;
+        let t207_ = rocker_pin_angle_ - t206_;
+        let t208_ = t207_ + minus_b_a_ang_z_;
+        let t209_ = crank_pin_rate_ - minus_crank_pin_a_ang_z_2_;
+        let t210_ = a_rate_ + minus_crank_pin_a_ang_z_2_;
+        let t211_ = a_a_ang_z_2_ + t210_;
+        let t212_ = b_rate_ - a_a_ang_z_2_;
+        let t213_ = minus_b_a_ang_z_2_ - t212_;
+        let t214_ = b_omega_z_ - minus_b_a_ang_z_2_;
+        let t215_ = rocker_pin_rate_ + b_omega_z_;
+        let t216_ = c_(1.0) - t133_;
+        let t217_ = t216_ * t216_;
+        let t218_ = t215_ * t215_;
+        let t219_ = T::mul_add(t178_, t178_, t218_);
+        let t220_ = T::mul_add(t142_, t142_, t219_);
+        let t221_ = T::mul_add(t206_, t206_, t220_);
+        let t222_ = T::mul_add(t179_, t179_, t217_);
+        let t223_ = T::mul_add(t144_, t144_, t222_);
+        let t224_ = t221_ + t223_;
+        let t225_ = T::sqrt(t224_);
+        let residual_ = t225_;
+        state_.q.data.0 = [[t196_, t198_, -t200_, t208_]];
+        state_.v.data.0 = [[t209_, t211_, -t213_, -t214_]];
         residual_
     }
 }

@@ -22,12 +22,12 @@
 ///
 /// Mobility 1: 1 degree of freedom.
 ///
-/// Accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 32 operations.
+/// Accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 33 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Pendulum<T> {
     parameters: PendulumParameters<T>,
-    derived: [T; 6],
+    derived: [T; 7],
 }
 /// Numbers of [`Pendulum`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,22 +97,32 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             t: T::constant(0.0),
         }
     }
-    /// Quantities derived from parameters and constants: 3 mul, 4 add, 1 reciprocal.
+    /// Quantities derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
     fn derive(parameters_: PendulumParameters<T>) -> (Self, [T; 1]) {
         let c_ = T::constant;
         let payload_ = parameters_.payload;
-        /// Quantities derived from parameters and constants: 3 mul, 4 add, 1 reciprocal.
+        /// Quantities derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
         let joint_k_xx_ = payload_ + c_(1.0);
         let joint_b_y_z_ = joint_k_xx_ * c_(0.5);
         let t0_ = joint_k_xx_ * c_(0.25);
         let joint_j_yy_ = t0_ + c_(0.08333333333333333);
-        let p4_ = T::recip(joint_j_yy_);
-        let joint_z0_force_y_ = joint_b_y_z_ * p4_;
-        let t1_ = t0_ + c_(0.09333333333333332);
-        let p5_ = joint_j_yy_ + t1_;
+        let t1_ = t0_ + c_(0.07333333333333333);
+        let joint_j_xx_ = joint_j_yy_ - t1_;
+        let p5_ = T::recip(joint_j_yy_);
+        let joint_z0_force_y_ = joint_b_y_z_ * p5_;
+        let t2_ = joint_j_yy_ + joint_j_xx_;
+        let p6_ = joint_j_yy_ + t2_;
         let (derived_, checks_) = (
-            [joint_k_xx_, joint_b_y_z_, joint_j_yy_, joint_z0_force_y_, p4_, p5_],
+            [
+                joint_k_xx_,
+                joint_b_y_z_,
+                joint_j_xx_,
+                joint_j_yy_,
+                joint_z0_force_y_,
+                p5_,
+                p6_,
+            ],
             [joint_k_xx_],
         );
         (
@@ -153,20 +163,16 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         accelerations_: &mut ::mstmm::nalgebra::SVector<T, 1>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         let c_ = T::constant;
-        let [known_joint_k_xx_, known_joint_b_y_z_, known_joint_j_yy_,
-        known_joint_z0_force_y_, known_p4_, known_p5_, ..] = self.derived;
+        let [known_joint_k_xx_, known_joint_b_y_z_, known_joint_j_xx_, known_joint_j_yy_,
+        known_joint_z0_force_y_, known_p5_, known_p6_, ..] = self.derived;
         let [[joint_angle_]] = state_.q.data.0;
         let joint_input0_ = inputs_.joint;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 3 mul, 1 add, 0 reciprocal.
-        let joint_a_lin_y_ = cos_joint_angle_ * c_(9.8);
-        let t0_ = joint_input0_ * known_p4_;
-        let joint_a_ang_z_ = T::mul_neg_add(
-            known_joint_z0_force_y_,
-            joint_a_lin_y_,
-            t0_,
-        );
+        let t0_ = joint_input0_ * known_p5_;
+        let t1_ = cos_joint_angle_ * known_joint_z0_force_y_;
+        let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t1_, t0_);
         ::mstmm::generated::finite::<
             T,
         >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t], &[inputs_.joint]])?;
@@ -174,7 +180,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             T,
             _,
             _,
-        >(&["joint"], [known_joint_j_yy_], [known_p5_], [joint_a_ang_z_])?;
+        >(&["joint"], [known_joint_j_yy_], [known_p6_], [joint_a_ang_z_])?;
         accelerations_.data.0 = [[joint_a_ang_z_]];
         ::core::result::Result::Ok(())
     }
@@ -197,13 +203,13 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 32 operations: 25 mul, 7 add, 0 reciprocal, 1 sin/cos.
+    /// 33 operations: 26 mul, 7 add, 0 reciprocal, 1 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
     /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 4 | 1 | 0 | 0 | 0 |
+    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 5 | 1 | 0 | 0 | 0 |
     /// | Load of the body at `joint` | \[P, Eqs. (18), (19)\] | 7 | 4 | 0 | 0 | 0 |
     /// | Results |  | 12 | 2 | 0 | 0 | 0 |
     ///
@@ -218,8 +224,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         at_: &mut PendulumWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         let c_ = T::constant;
-        let [known_joint_k_xx_, known_joint_b_y_z_, known_joint_j_yy_,
-        known_joint_z0_force_y_, known_p4_, known_p5_, ..] = self.derived;
+        let [known_joint_k_xx_, known_joint_b_y_z_, known_joint_j_xx_, known_joint_j_yy_,
+        known_joint_z0_force_y_, known_p5_, known_p6_, ..] = self.derived;
         let [[joint_angle_]] = state_.q.data.0;
         let [[joint_rate_]] = state_.v.data.0;
         let joint_input0_ = inputs_.joint;
@@ -228,40 +234,37 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t0_ = joint_rate_ * known_joint_b_y_z_;
         let minus_joint_e_force_x_ = joint_rate_ * t0_;
-        /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 1 add, 0 reciprocal.
+        /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 5 mul, 1 add, 0 reciprocal.
         let joint_a_lin_x_ = sin_joint_angle_ * c_(9.8);
         let joint_a_lin_y_ = cos_joint_angle_ * c_(9.8);
-        let t1_ = joint_input0_ * known_p4_;
-        let joint_a_ang_z_ = T::mul_neg_add(
-            known_joint_z0_force_y_,
-            joint_a_lin_y_,
-            t1_,
-        );
+        let t1_ = joint_input0_ * known_p5_;
+        let t2_ = cos_joint_angle_ * known_joint_z0_force_y_;
+        let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t2_, t1_);
         /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
-        let t2_ = known_joint_k_xx_ * joint_a_lin_y_;
-        let t3_ = T::mul_neg_add(
+        let t3_ = known_joint_k_xx_ * joint_a_lin_y_;
+        let t4_ = T::mul_neg_add(
             known_joint_k_xx_,
             joint_a_lin_x_,
             minus_joint_e_force_x_,
         );
-        let t4_ = T::mul_add(known_joint_b_y_z_, joint_a_ang_z_, t2_);
-        let t5_ = cos_joint_angle_ * t3_;
-        let minus_joint_own_force_x_ = T::mul_add(sin_joint_angle_, t4_, t5_);
-        let t6_ = sin_joint_angle_ * t3_;
-        let minus_joint_own_force_y_ = T::mul_neg_add(cos_joint_angle_, t4_, t6_);
+        let t5_ = T::mul_add(known_joint_b_y_z_, joint_a_ang_z_, t3_);
+        let t6_ = cos_joint_angle_ * t4_;
+        let minus_joint_own_force_x_ = T::mul_add(sin_joint_angle_, t5_, t6_);
+        let t7_ = sin_joint_angle_ * t4_;
+        let minus_joint_own_force_y_ = T::mul_neg_add(cos_joint_angle_, t5_, t7_);
         /// Results: 12 mul, 2 add, 0 reciprocal.
-        let t7_ = cos_joint_angle_ * c_(0.5);
-        let t8_ = sin_joint_angle_ * c_(0.5);
-        let t9_ = joint_rate_ * t8_;
-        let t10_ = joint_rate_ * t7_;
-        let t11_ = joint_rate_ * c_(0.08333333333333333);
-        let t12_ = joint_rate_ * t11_;
-        let t13_ = t9_ * t9_;
-        let t14_ = T::mul_add(t10_, t10_, t13_);
-        let t15_ = T::mul_add(known_joint_k_xx_, t14_, t12_);
-        let t16_ = c_(0.5) * t15_;
-        let t17_ = sin_joint_angle_ * c_(4.9);
-        let t18_ = known_joint_k_xx_ * t17_;
+        let t8_ = cos_joint_angle_ * c_(0.5);
+        let t9_ = sin_joint_angle_ * c_(0.5);
+        let t10_ = joint_rate_ * t9_;
+        let t11_ = joint_rate_ * t8_;
+        let t12_ = joint_rate_ * c_(0.08333333333333333);
+        let t13_ = joint_rate_ * t12_;
+        let t14_ = t10_ * t10_;
+        let t15_ = T::mul_add(t11_, t11_, t14_);
+        let t16_ = T::mul_add(known_joint_k_xx_, t15_, t13_);
+        let t17_ = c_(0.5) * t16_;
+        let t18_ = sin_joint_angle_ * c_(4.9);
+        let t19_ = known_joint_k_xx_ * t18_;
         ::mstmm::generated::finite::<
             T,
         >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t], &[inputs_.joint]])?;
@@ -269,12 +272,12 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             T,
             _,
             _,
-        >(&["joint"], [known_joint_j_yy_], [known_p5_], [joint_a_ang_z_])?;
+        >(&["joint"], [known_joint_j_yy_], [known_p6_], [joint_a_ang_z_])?;
         at_.accelerations.data.0 = [[joint_a_ang_z_]];
         at_.rate_accelerations.data.0 = [[joint_a_ang_z_]];
         at_.efforts.data.0 = [[joint_input0_]];
-        at_.kinetic_energy = t16_;
-        at_.potential_energy = t18_;
+        at_.kinetic_energy = t17_;
+        at_.potential_energy = t19_;
         at_.points = [
             ::mstmm::Point::new(
                 [c_(0.0), c_(0.0), c_(0.0)],

@@ -63,7 +63,7 @@
 ///
 /// Mobility 11: 11 degrees of freedom.
 ///
-/// Accelerations by `riccati`, 87 operations (47 mul, 39 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 247 operations; those of repeated parts are counted once.
+/// Accelerations by `riccati`, 103 operations (59 mul, 43 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 263 operations; those of repeated parts are counted once.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Rope<T> {
@@ -225,12 +225,12 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for Rope<T> {
 impl<T: ::mstmm::Scalar> Rope<T> {
     /// The accelerations of a linearly implicit step of Euler's method.
     ///
-    /// 115 operations: 60 mul, 54 add, 1 reciprocal, 2 sin/cos.
+    /// 117 operations: 62 mul, 54 add, 1 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Results |  | 5 | 3 | 0 | 0 | 0 |
+    /// | Results |  | 8 | 3 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Results |  | 4 | 1 | 0 | 0 | 0 |
@@ -241,8 +241,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Results |  | 25 | 27 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 7 | 6 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
-    /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 1 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 2 | 2 | 0 | 0 | 0 |
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn implicit_accelerations_into(
         &self,
@@ -260,14 +259,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut store3_ = [[T::constant(0.0); 4]; 10];
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
-        /// Results: 5 mul, 3 add, 0 reciprocal.
-        let t0_ = sin_hook_angle_ * c_(1.3333333333333333);
-        let t1_ = sin_hook_angle_ * t0_;
-        let t2_ = cos_hook_angle_ * t0_;
-        let t3_ = t1_ + c_(0.6666666666666667);
-        let t4_ = t1_ - c_(2.0);
-        let t5_ = T::mul_add(step_, c_(0.2), c_(0.01));
-        let t6_ = step_ * t5_;
+        /// Results: 8 mul, 3 add, 0 reciprocal.
+        let t0_ = sin_hook_angle_ * sin_hook_angle_;
+        let t1_ = sin_hook_angle_ * cos_hook_angle_;
+        let t2_ = t0_ * c_(1.3333333333333335);
+        let t3_ = t2_ - c_(2.0);
+        let t4_ = t1_ * c_(1.3333333333333335);
+        let t5_ = t2_ + c_(0.6666666666666665);
+        let t6_ = cos_hook_angle_ * c_(6.666666666666666);
+        let t7_ = sin_hook_angle_ * c_(6.666666666666666);
+        let t8_ = T::mul_add(step_, c_(0.2), c_(0.01));
+        let t9_ = step_ * t8_;
         let mut carry0_0_ = c_(0.0);
         for (
             (
@@ -296,39 +298,39 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t7_ = c_(0.1) * joint_omega_z_;
-            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t7_;
+            let t10_ = c_(0.1) * joint_omega_z_;
+            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t10_;
             /// Results: 4 mul, 1 add, 0 reciprocal.
-            let t8_ = joint_angle_ * c_(0.2);
-            let t9_ = known_p2_ * joint_omega_z_;
-            let t10_ = joint_omega_z_ * t9_;
-            let t11_ = T::mul_add(joint_rate_, t5_, t8_);
+            let t11_ = joint_angle_ * c_(0.2);
+            let t12_ = known_p2_ * joint_omega_z_;
+            let t13_ = joint_omega_z_ * t12_;
+            let t14_ = T::mul_add(joint_rate_, t8_, t11_);
             *store_ = [
                 sin_joint_angle_,
                 cos_joint_angle_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t10_,
-                t11_,
+                t13_,
+                t14_,
             ];
             (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t12_ = c_(0.2) * hook_omega_z_;
-        let hook_e_force_y_ = hook_omega_z_ * t12_;
+        let t15_ = c_(0.2) * hook_omega_z_;
+        let hook_e_force_y_ = hook_omega_z_ * t15_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t13_ = sin_hook_angle_ * hook_e_force_y_;
-        let t14_ = cos_hook_angle_ * hook_e_force_y_;
-        let mut carry1_0_ = t3_;
-        let mut carry1_1_ = -t4_;
+        let t16_ = sin_hook_angle_ * hook_e_force_y_;
+        let t17_ = cos_hook_angle_ * hook_e_force_y_;
+        let mut carry1_0_ = t5_;
+        let mut carry1_1_ = -t3_;
         let mut carry1_2_ = c_(2.0);
-        let mut carry1_3_ = -t2_;
+        let mut carry1_3_ = -t4_;
         let mut carry1_4_ = c_(0.0);
         let mut carry1_5_ = c_(0.0);
         let mut carry1_6_ = c_(0.0);
-        let mut carry1_7_ = -t13_;
-        let mut carry1_8_ = t14_;
+        let mut carry1_7_ = -t16_;
+        let mut carry1_8_ = t17_;
         let mut carry1_9_ = c_(0.0);
         for (
             (
@@ -342,8 +344,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 &[sin_joint_angle_,
                 cos_joint_angle_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t10_,
-                t11_,
+                t13_,
+                t14_,
                 ],
             ),
             store_,
@@ -370,69 +372,69 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 9 mul, 11 add, 1 reciprocal.
             let joint_k_zz_ = known_p1_ + carry1_2_before_;
             let joint_b_x_z_ = T::mul_add(c_(0.1), carry1_3_before_, carry1_4_before_);
-            let t15_ = T::mul_add(c_(0.1), carry1_1_before_, carry1_5_before_);
-            let joint_b_y_z_ = known_p2_ + t15_;
-            let t16_ = carry1_5_before_ + t15_;
-            let t17_ = known_p4_ + carry1_6_before_;
-            let joint_j_zz_ = T::mul_add(c_(0.1), t16_, t17_);
+            let t18_ = T::mul_add(c_(0.1), carry1_1_before_, carry1_5_before_);
+            let joint_b_y_z_ = known_p2_ + t18_;
+            let t19_ = carry1_5_before_ + t18_;
+            let t20_ = known_p4_ + carry1_6_before_;
+            let joint_j_zz_ = T::mul_add(c_(0.1), t19_, t20_);
             let joint_e_force_y_ = T::mul_neg_add(
                 carry1_3_before_,
                 minus_end_of_repeat0_drift_lin_x_,
                 carry1_8_before_,
             );
-            let t18_ = T::mul_neg_add(
+            let t21_ = T::mul_neg_add(
                 carry1_4_before_,
                 minus_end_of_repeat0_drift_lin_x_,
                 carry1_9_before_,
             );
-            let joint_e_moment_z_ = T::mul_add(c_(0.1), joint_e_force_y_, t18_);
-            let joint_d0_ = t6_ + joint_j_zz_;
-            let t19_ = T::recip(joint_d0_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t19_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t19_;
-            let joint_z0_moment_z_ = joint_j_zz_ * t19_;
+            let joint_e_moment_z_ = T::mul_add(c_(0.1), joint_e_force_y_, t21_);
+            let joint_d0_ = t9_ + joint_j_zz_;
+            let t22_ = T::recip(joint_d0_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t22_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t22_;
+            let joint_z0_moment_z_ = joint_j_zz_ * t22_;
             /// Results: 25 mul, 27 add, 0 reciprocal.
-            let t20_ = known_p1_ + carry1_0_before_;
-            let t21_ = carry1_0_before_ + carry1_1_before_;
-            let t22_ = carry1_2_before_ + t21_;
-            let t23_ = T::mul_add(c_(0.010000000000000002), t22_, known_p5_);
-            let t24_ = known_p1_ + carry1_1_before_;
-            let t25_ = t23_ + t6_;
-            let t26_ = joint_e_moment_z_ + t11_;
-            let t27_ = t19_ * t26_;
-            let t28_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t20_);
-            let t29_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t24_);
-            let t30_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
-            let t31_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_x_, joint_b_x_z_);
-            let t32_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_y_, joint_b_y_z_);
-            let t33_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
-            let t34_ = t10_ - carry1_7_before_;
-            let t35_ = T::mul_add(
+            let t23_ = known_p1_ + carry1_0_before_;
+            let t24_ = carry1_0_before_ + carry1_1_before_;
+            let t25_ = carry1_2_before_ + t24_;
+            let t26_ = T::mul_add(c_(0.010000000000000002), t25_, known_p5_);
+            let t27_ = known_p1_ + carry1_1_before_;
+            let t28_ = t26_ + t9_;
+            let t29_ = joint_e_moment_z_ + t14_;
+            let t30_ = t22_ * t29_;
+            let t31_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t23_);
+            let t32_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t27_);
+            let t33_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
+            let t34_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_x_, joint_b_x_z_);
+            let t35_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_y_, joint_b_y_z_);
+            let t36_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
+            let t37_ = t13_ - carry1_7_before_;
+            let t38_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t34_,
+                t37_,
             );
-            let t36_ = T::mul_add(joint_b_x_z_, t27_, t35_);
-            let t37_ = T::mul_neg_add(joint_b_y_z_, t27_, joint_e_force_y_);
-            let t38_ = T::mul_neg_add(joint_j_zz_, t27_, joint_e_moment_z_);
-            let t39_ = t28_ - t29_;
-            let t40_ = sin_joint_angle_ * t39_;
-            let t41_ = c_(2.0) * t30_;
-            let t42_ = T::mul_add(cos_joint_angle_, t41_, t40_);
+            let t39_ = T::mul_add(joint_b_x_z_, t30_, t38_);
+            let t40_ = T::mul_neg_add(joint_b_y_z_, t30_, joint_e_force_y_);
+            let t41_ = T::mul_neg_add(joint_j_zz_, t30_, joint_e_moment_z_);
+            let t42_ = t31_ - t32_;
             let t43_ = sin_joint_angle_ * t42_;
-            let t44_ = t28_ - t43_;
-            let t45_ = T::mul_neg_add(cos_joint_angle_, t42_, t30_);
-            let t46_ = t29_ + t43_;
-            let t47_ = cos_joint_angle_ * t31_;
-            let t48_ = T::mul_neg_add(sin_joint_angle_, t32_, t47_);
-            let t49_ = sin_joint_angle_ * t31_;
-            let t50_ = T::mul_add(cos_joint_angle_, t32_, t49_);
-            let t51_ = cos_joint_angle_ * t36_;
-            let t52_ = T::mul_add(sin_joint_angle_, t37_, t51_);
-            let t53_ = sin_joint_angle_ * t36_;
-            let t54_ = T::mul_neg_add(cos_joint_angle_, t37_, t53_);
-            *store_ = [t27_, joint_z0_force_x_, joint_z0_force_y_, joint_z0_moment_z_];
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_d0_, t25_);
+            let t44_ = c_(2.0) * t33_;
+            let t45_ = T::mul_add(cos_joint_angle_, t44_, t43_);
+            let t46_ = sin_joint_angle_ * t45_;
+            let t47_ = t31_ - t46_;
+            let t48_ = T::mul_neg_add(cos_joint_angle_, t45_, t33_);
+            let t49_ = t32_ + t46_;
+            let t50_ = cos_joint_angle_ * t34_;
+            let t51_ = T::mul_neg_add(sin_joint_angle_, t35_, t50_);
+            let t52_ = sin_joint_angle_ * t34_;
+            let t53_ = T::mul_add(cos_joint_angle_, t35_, t52_);
+            let t54_ = cos_joint_angle_ * t39_;
+            let t55_ = T::mul_add(sin_joint_angle_, t40_, t54_);
+            let t56_ = sin_joint_angle_ * t39_;
+            let t57_ = T::mul_neg_add(cos_joint_angle_, t40_, t56_);
+            *store_ = [t30_, joint_z0_force_x_, joint_z0_force_y_, joint_z0_moment_z_];
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_d0_, t28_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -444,7 +446,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_7_,
                 carry1_8_,
                 carry1_9_,
-            ) = (t44_, t46_, joint_k_zz_, -t45_, t48_, t50_, t33_, -t52_, -t54_, t38_);
+            ) = (t47_, t49_, joint_k_zz_, -t48_, t51_, t53_, t36_, -t55_, -t57_, t41_);
         }
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
@@ -457,7 +459,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 _,
                 _,
                 ],
-                &[t27_,
+                &[t30_,
                 joint_z0_force_x_,
                 joint_z0_force_y_,
                 joint_z0_moment_z_,
@@ -474,18 +476,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 7 mul, 6 add, 0 reciprocal.
-            let t55_ = cos_joint_angle_ * carry2_0_before_;
-            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t55_);
-            let t56_ = sin_joint_angle_ * carry2_0_before_;
+            let t58_ = cos_joint_angle_ * carry2_0_before_;
+            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t58_);
+            let t59_ = sin_joint_angle_ * carry2_0_before_;
             let minus_joint_a_lin_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry2_1_before_,
-                t56_,
+                t59_,
             );
-            let t57_ = T::mul_add(carry2_2_before_, joint_z0_moment_z_, t27_);
-            let t58_ = T::mul_sub(minus_joint_a_lin_y_, joint_z0_force_y_, t57_);
-            let t59_ = T::mul_sub(joint_a_lin_x_, joint_z0_force_x_, t58_);
-            let joint_a_ang_z_ = carry2_2_before_ - t59_;
+            let t60_ = T::mul_add(carry2_2_before_, joint_z0_moment_z_, t30_);
+            let t61_ = T::mul_sub(minus_joint_a_lin_y_, joint_z0_force_y_, t60_);
+            let t62_ = T::mul_sub(joint_a_lin_x_, joint_z0_force_x_, t61_);
+            let joint_a_ang_z_ = carry2_2_before_ - t62_;
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
             let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_drift_lin_x_
                 - joint_a_lin_x_;
@@ -494,23 +496,21 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 joint_a_ang_z_,
                 minus_joint_a_lin_y_,
             );
-            *o0_0_ = -t59_;
+            *o0_0_ = -t62_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 -minus_end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
                 joint_a_ang_z_,
             );
         }
-        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
-        let t60_ = cos_hook_angle_ * carry2_0_;
-        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t60_);
-        /// Results: 1 mul, 1 add, 0 reciprocal.
-        let t61_ = T::mul_add(c_(6.666666666666666), hook_a_lin_x_, carry2_2_);
+        /// Results: 2 mul, 2 add, 0 reciprocal.
+        let t63_ = T::mul_add(t7_, carry2_1_, carry2_2_);
+        let t64_ = T::mul_add(t6_, carry2_0_, t63_);
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t61_;
+            *o0_ = -t64_;
         }
         ::mstmm::generated::finite::<
             T,
@@ -523,25 +523,24 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     }
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
-    /// 87 operations: 47 mul, 39 add, 1 reciprocal, 2 sin/cos.
+    /// 103 operations: 59 mul, 43 add, 1 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Results |  | 3 | 2 | 0 | 0 | 0 |
+    /// | Results |  | 6 | 2 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 4 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 8 | 2 | 0 | 0 | 0 |
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Results |  | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 6 | 4 | 1 | 0 | 0 |
-    /// | Results |  | 18 | 21 | 0 | 0 | 0 |
-    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
-    /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
+    /// | Results |  | 24 | 24 | 0 | 0 | 0 |
+    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
+    /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     /// | Results |  | 0 | 1 | 0 | 0 | 0 |
-    /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 1 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 2 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -560,16 +559,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
         let mut results0_ = [T::constant(0.0); 11];
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
-        let mut store1_ = [[T::constant(0.0); 5]; 10];
+        let mut store1_ = [[T::constant(0.0); 9]; 10];
         let mut store3_ = [[T::constant(0.0); 3]; 10];
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
-        /// Results: 3 mul, 2 add, 0 reciprocal.
-        let t0_ = sin_hook_angle_ * c_(1.3333333333333333);
-        let t1_ = sin_hook_angle_ * t0_;
-        let t2_ = cos_hook_angle_ * t0_;
-        let t3_ = t1_ + c_(0.6666666666666667);
-        let t4_ = t1_ - c_(2.0);
+        /// Results: 6 mul, 2 add, 0 reciprocal.
+        let t0_ = sin_hook_angle_ * sin_hook_angle_;
+        let t1_ = sin_hook_angle_ * cos_hook_angle_;
+        let t2_ = t0_ * c_(1.3333333333333335);
+        let t3_ = t2_ - c_(2.0);
+        let t4_ = t1_ * c_(1.3333333333333335);
+        let t5_ = t2_ + c_(0.6666666666666665);
+        let t6_ = cos_hook_angle_ * c_(6.666666666666666);
+        let t7_ = sin_hook_angle_ * c_(6.666666666666666);
         let mut carry0_0_ = c_(0.0);
         for (
             (
@@ -598,36 +600,44 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t5_ = c_(0.1) * joint_omega_z_;
-            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t5_;
-            /// Results: 4 mul, 1 add, 0 reciprocal.
-            let t6_ = joint_angle_ * c_(0.2);
-            let t7_ = T::mul_add(joint_rate_, c_(0.01), t6_);
-            let t8_ = known_p2_ * joint_omega_z_;
-            let t9_ = joint_omega_z_ * t8_;
+            let t8_ = c_(0.1) * joint_omega_z_;
+            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t8_;
+            /// Results: 8 mul, 2 add, 0 reciprocal.
+            let t9_ = joint_angle_ * c_(0.2);
+            let t10_ = T::mul_add(joint_rate_, c_(0.01), t9_);
+            let t11_ = sin_joint_angle_ * sin_joint_angle_;
+            let t12_ = sin_joint_angle_ * cos_joint_angle_;
+            let t13_ = c_(2.0) * t12_;
+            let t14_ = T::mul_neg_add(c_(2.0), t11_, c_(1.0));
+            let t15_ = known_p2_ * joint_omega_z_;
+            let t16_ = joint_omega_z_ * t15_;
             *store_ = [
                 sin_joint_angle_,
                 cos_joint_angle_,
-                t7_,
+                t10_,
+                t11_,
+                t12_,
+                t13_,
+                t14_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t9_,
+                t16_,
             ];
             (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t10_ = c_(0.2) * hook_omega_z_;
-        let hook_e_force_y_ = hook_omega_z_ * t10_;
+        let t17_ = c_(0.2) * hook_omega_z_;
+        let hook_e_force_y_ = hook_omega_z_ * t17_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t11_ = sin_hook_angle_ * hook_e_force_y_;
-        let t12_ = cos_hook_angle_ * hook_e_force_y_;
-        let mut carry1_0_ = t3_;
-        let mut carry1_1_ = -t4_;
+        let t18_ = sin_hook_angle_ * hook_e_force_y_;
+        let t19_ = cos_hook_angle_ * hook_e_force_y_;
+        let mut carry1_0_ = t5_;
+        let mut carry1_1_ = -t3_;
         let mut carry1_2_ = c_(2.0);
-        let mut carry1_3_ = -t2_;
-        let mut carry1_4_ = -t11_;
-        let mut carry1_5_ = t12_;
+        let mut carry1_3_ = -t4_;
+        let mut carry1_4_ = -t18_;
+        let mut carry1_5_ = t19_;
         let mut carry1_6_ = c_(0.0);
         for (
             (
@@ -640,9 +650,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 ],
                 &[sin_joint_angle_,
                 cos_joint_angle_,
-                t7_,
+                t10_,
+                t11_,
+                t12_,
+                t13_,
+                t14_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t9_,
+                t16_,
                 ],
             ),
             store_,
@@ -677,43 +691,49 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_drift_lin_x_,
                 carry1_5_before_,
             );
-            let t13_ = T::recip(joint_j_zz_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t13_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t13_;
-            /// Results: 18 mul, 21 add, 0 reciprocal.
-            let t14_ = known_p1_ + carry1_0_before_;
-            let t15_ = carry1_0_before_ + carry1_1_before_;
-            let t16_ = carry1_2_before_ + t15_;
-            let t17_ = T::mul_add(c_(0.010000000000000002), t16_, known_p5_);
-            let t18_ = known_p1_ + carry1_1_before_;
-            let t19_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t14_);
-            let t20_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t18_);
-            let t21_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
-            let t22_ = t19_ - t20_;
-            let t23_ = sin_joint_angle_ * t22_;
-            let t24_ = c_(2.0) * t21_;
-            let t25_ = T::mul_add(cos_joint_angle_, t24_, t23_);
-            let t26_ = sin_joint_angle_ * t25_;
-            let t27_ = t19_ - t26_;
-            let t28_ = T::mul_neg_add(cos_joint_angle_, t25_, t21_);
-            let t29_ = t20_ + t26_;
-            let t30_ = t7_ + carry1_6_before_;
-            let t31_ = T::mul_add(c_(0.1), joint_e_force_y_, t30_);
-            let t32_ = t13_ * t31_;
-            let t33_ = t9_ - carry1_4_before_;
-            let t34_ = T::mul_add(
+            let t20_ = T::recip(joint_j_zz_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t20_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t20_;
+            /// Results: 24 mul, 24 add, 0 reciprocal.
+            let t21_ = known_p1_ + carry1_0_before_;
+            let t22_ = carry1_0_before_ + carry1_1_before_;
+            let t23_ = carry1_2_before_ + t22_;
+            let t24_ = T::mul_add(c_(0.010000000000000002), t23_, known_p5_);
+            let t25_ = known_p1_ + carry1_1_before_;
+            let t26_ = joint_b_x_z_ * joint_b_x_z_;
+            let t27_ = T::mul_neg_add(t20_, t26_, t21_);
+            let t28_ = joint_b_y_z_ * joint_b_y_z_;
+            let t29_ = T::mul_neg_add(t20_, t28_, t25_);
+            let t30_ = joint_b_x_z_ * joint_b_y_z_;
+            let t31_ = T::mul_neg_add(t20_, t30_, carry1_3_before_);
+            let t32_ = t27_ + t29_;
+            let t33_ = t27_ - t29_;
+            let t34_ = T::mul_add(t11_, t33_, t29_);
+            let t35_ = T::mul_add(t13_, t31_, t34_);
+            let t36_ = t14_ * t31_;
+            let t37_ = T::mul_add(t12_, t33_, t36_);
+            let t38_ = t32_ - t35_;
+            let t39_ = cos_joint_angle_ * joint_z0_force_x_;
+            let t40_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t39_);
+            let t41_ = sin_joint_angle_ * joint_z0_force_x_;
+            let t42_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t41_);
+            let t43_ = t10_ + carry1_6_before_;
+            let t44_ = T::mul_add(c_(0.1), joint_e_force_y_, t43_);
+            let t45_ = t20_ * t44_;
+            let t46_ = t16_ - carry1_4_before_;
+            let t47_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t33_,
+                t46_,
             );
-            let t35_ = T::mul_add(joint_b_x_z_, t32_, t34_);
-            let t36_ = T::mul_neg_add(joint_b_y_z_, t32_, joint_e_force_y_);
-            let t37_ = cos_joint_angle_ * t35_;
-            let t38_ = T::mul_add(sin_joint_angle_, t36_, t37_);
-            let t39_ = sin_joint_angle_ * t35_;
-            let t40_ = T::mul_neg_add(cos_joint_angle_, t36_, t39_);
-            *store_ = [joint_z0_force_x_, joint_z0_force_y_, t32_];
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t17_);
+            let t48_ = T::mul_add(joint_b_x_z_, t45_, t47_);
+            let t49_ = T::mul_neg_add(joint_b_y_z_, t45_, joint_e_force_y_);
+            let t50_ = cos_joint_angle_ * t48_;
+            let t51_ = T::mul_add(sin_joint_angle_, t49_, t50_);
+            let t52_ = sin_joint_angle_ * t48_;
+            let t53_ = T::mul_neg_add(cos_joint_angle_, t49_, t52_);
+            *store_ = [t40_, t42_, t45_];
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t24_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -722,7 +742,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_4_,
                 carry1_5_,
                 carry1_6_,
-            ) = (t27_, t29_, joint_k_zz_, -t28_, -t38_, -t40_, -t7_);
+            ) = (t38_, t35_, joint_k_zz_, t37_, -t51_, -t53_, -t10_);
         }
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
@@ -732,12 +752,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 &[sin_joint_angle_,
                 cos_joint_angle_,
                 _,
+                _,
+                _,
+                _,
+                _,
                 minus_end_of_repeat0_drift_lin_x_,
                 _,
                 ],
-                &[joint_z0_force_x_,
-                joint_z0_force_y_,
-                t32_,
+                &[t40_,
+                t42_,
+                t45_,
                 ],
             ),
             [o0_0_,
@@ -750,48 +774,44 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_0_before_ = carry2_0_;
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
-            /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-            let t41_ = cos_joint_angle_ * carry2_0_before_;
-            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t41_);
-            let t42_ = sin_joint_angle_ * carry2_0_before_;
-            let minus_joint_a_lin_y_ = T::mul_neg_add(
-                cos_joint_angle_,
+            /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
+            let t54_ = T::mul_add(carry2_1_before_, t42_, t45_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t40_, t54_);
+            /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
+            let t55_ = T::mul_neg_add(
+                sin_joint_angle_,
                 carry2_1_before_,
-                t42_,
+                minus_end_of_repeat0_drift_lin_x_,
             );
-            let t43_ = T::mul_sub(joint_z0_force_y_, minus_joint_a_lin_y_, t32_);
-            let minus_joint_a_ang_z_ = T::mul_sub(
-                joint_z0_force_x_,
-                joint_a_lin_x_,
-                t43_,
+            let end_of_repeat0_a_lin_x_ = T::mul_sub(
+                cos_joint_angle_,
+                carry2_0_before_,
+                t55_,
             );
-            /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
-            let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_drift_lin_x_
-                - joint_a_lin_x_;
+            let t56_ = sin_joint_angle_ * carry2_0_before_;
+            let t57_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t56_);
             let minus_end_of_repeat0_a_lin_y_ = T::mul_add(
                 c_(0.1),
                 minus_joint_a_ang_z_,
-                minus_joint_a_lin_y_,
+                t57_,
             );
             /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t44_ = carry2_2_before_ + minus_joint_a_ang_z_;
-            *o0_0_ = -t44_;
+            let t58_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            *o0_0_ = -t58_;
             (carry2_0_, carry2_1_, carry2_2_) = (
-                -minus_end_of_repeat0_a_lin_x_,
+                end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
                 -minus_joint_a_ang_z_,
             );
         }
-        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
-        let t45_ = cos_hook_angle_ * carry2_0_;
-        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t45_);
-        /// Results: 1 mul, 1 add, 0 reciprocal.
-        let t46_ = T::mul_add(hook_a_lin_x_, c_(6.666666666666666), carry2_2_);
+        /// Results: 2 mul, 2 add, 0 reciprocal.
+        let t59_ = T::mul_add(t7_, carry2_1_, carry2_2_);
+        let t60_ = T::mul_add(t6_, carry2_0_, t59_);
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t46_;
+            *o0_ = -t60_;
         }
         ::mstmm::generated::finite::<
             T,
@@ -821,26 +841,25 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 247 operations: 141 mul, 105 add, 1 reciprocal, 2 sin/cos.
+    /// 263 operations: 153 mul, 109 add, 1 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Results |  | 3 | 2 | 0 | 0 | 0 |
+    /// | Results |  | 6 | 2 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 2 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 4 | 0 | 0 | 0 | 0 |
+    /// | Results |  | 8 | 1 | 0 | 0 | 0 |
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Results |  | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 6 | 4 | 1 | 0 | 0 |
-    /// | Results |  | 18 | 21 | 0 | 0 | 0 |
-    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
-    /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
+    /// | Results |  | 24 | 24 | 0 | 0 | 0 |
+    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
+    /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     /// | Results |  | 0 | 1 | 0 | 0 | 0 |
-    /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 1 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 2 | 2 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 8 | 5 | 0 | 0 | 0 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 6 | 0 | 0 | 0 | 0 |
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 8 | 5 | 0 | 0 | 0 |
@@ -884,7 +903,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut results4_ = [T::constant(0.0); 11];
         let mut results7_ = [T::constant(0.0); 299];
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
-        let mut store1_ = [[T::constant(0.0); 6]; 10];
+        let mut store1_ = [[T::constant(0.0); 10]; 10];
         let mut store3_ = [[T::constant(0.0); 3]; 10];
         let mut store4_ = [[T::constant(0.0); 1]; 10];
         let mut store6_ = [[T::constant(0.0); 10]; 10];
@@ -894,12 +913,15 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut store18_ = [[T::constant(0.0); 2]; 10];
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
-        /// Results: 3 mul, 2 add, 0 reciprocal.
-        let t0_ = sin_hook_angle_ * c_(1.3333333333333333);
-        let t1_ = sin_hook_angle_ * t0_;
-        let t2_ = cos_hook_angle_ * t0_;
-        let t3_ = t1_ + c_(0.6666666666666667);
-        let t4_ = t1_ - c_(2.0);
+        /// Results: 6 mul, 2 add, 0 reciprocal.
+        let t0_ = sin_hook_angle_ * sin_hook_angle_;
+        let t1_ = sin_hook_angle_ * cos_hook_angle_;
+        let t2_ = t0_ * c_(1.3333333333333335);
+        let t3_ = t2_ - c_(2.0);
+        let t4_ = t1_ * c_(1.3333333333333335);
+        let t5_ = t2_ + c_(0.6666666666666665);
+        let t6_ = cos_hook_angle_ * c_(6.666666666666666);
+        let t7_ = sin_hook_angle_ * c_(6.666666666666666);
         let mut carry0_0_ = c_(0.0);
         for (
             (
@@ -964,23 +986,31 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t5_ = c_(0.1) * joint_omega_z_;
-            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t5_;
+            let t8_ = c_(0.1) * joint_omega_z_;
+            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t8_;
             /// Load on `joint`, [P, Eqs. (18), (19)]: 2 mul, 1 add, 0 reciprocal.
-            let t6_ = joint_angle_ * c_(0.2);
-            let minus_joint_load_moment_z_ = T::mul_add(joint_rate_, c_(0.01), t6_);
-            /// Results: 4 mul, 0 add, 0 reciprocal.
-            let t7_ = joint_angle_ * t6_;
-            let t8_ = t7_ * c_(0.5);
-            let t9_ = known_p2_ * joint_omega_z_;
-            let t10_ = joint_omega_z_ * t9_;
+            let t9_ = joint_angle_ * c_(0.2);
+            let minus_joint_load_moment_z_ = T::mul_add(joint_rate_, c_(0.01), t9_);
+            /// Results: 8 mul, 1 add, 0 reciprocal.
+            let t10_ = joint_angle_ * t9_;
+            let t11_ = t10_ * c_(0.5);
+            let t12_ = sin_joint_angle_ * sin_joint_angle_;
+            let t13_ = sin_joint_angle_ * cos_joint_angle_;
+            let t14_ = c_(2.0) * t13_;
+            let t15_ = T::mul_neg_add(c_(2.0), t12_, c_(1.0));
+            let t16_ = known_p2_ * joint_omega_z_;
+            let t17_ = joint_omega_z_ * t16_;
             *store_ = [
                 sin_joint_angle_,
                 cos_joint_angle_,
                 minus_joint_load_moment_z_,
+                t12_,
+                t13_,
+                t14_,
+                t15_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t10_,
-                t8_,
+                t17_,
+                t11_,
             ];
             *o7_23_ = minus_joint_load_moment_z_;
             (carry0_0_,) = (joint_omega_z_,);
@@ -988,17 +1018,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t11_ = c_(0.2) * hook_omega_z_;
-        let hook_e_force_y_ = hook_omega_z_ * t11_;
+        let t18_ = c_(0.2) * hook_omega_z_;
+        let hook_e_force_y_ = hook_omega_z_ * t18_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t12_ = sin_hook_angle_ * hook_e_force_y_;
-        let t13_ = cos_hook_angle_ * hook_e_force_y_;
-        let mut carry1_0_ = t3_;
-        let mut carry1_1_ = -t4_;
+        let t19_ = sin_hook_angle_ * hook_e_force_y_;
+        let t20_ = cos_hook_angle_ * hook_e_force_y_;
+        let mut carry1_0_ = t5_;
+        let mut carry1_1_ = -t3_;
         let mut carry1_2_ = c_(2.0);
-        let mut carry1_3_ = -t2_;
-        let mut carry1_4_ = -t12_;
-        let mut carry1_5_ = t13_;
+        let mut carry1_3_ = -t4_;
+        let mut carry1_4_ = -t19_;
+        let mut carry1_5_ = t20_;
         let mut carry1_6_ = c_(0.0);
         for (
             (
@@ -1012,8 +1042,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 &[sin_joint_angle_,
                 cos_joint_angle_,
                 minus_joint_load_moment_z_,
+                t12_,
+                t13_,
+                t14_,
+                t15_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t10_,
+                t17_,
                 _,
                 ],
             ),
@@ -1049,43 +1083,49 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_drift_lin_x_,
                 carry1_5_before_,
             );
-            let t14_ = T::recip(joint_j_zz_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t14_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t14_;
-            /// Results: 18 mul, 21 add, 0 reciprocal.
-            let t15_ = known_p1_ + carry1_0_before_;
-            let t16_ = carry1_0_before_ + carry1_1_before_;
-            let t17_ = carry1_2_before_ + t16_;
-            let t18_ = T::mul_add(c_(0.010000000000000002), t17_, known_p5_);
-            let t19_ = known_p1_ + carry1_1_before_;
-            let t20_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t15_);
-            let t21_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t19_);
-            let t22_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
-            let t23_ = t20_ - t21_;
-            let t24_ = sin_joint_angle_ * t23_;
-            let t25_ = c_(2.0) * t22_;
-            let t26_ = T::mul_add(cos_joint_angle_, t25_, t24_);
-            let t27_ = sin_joint_angle_ * t26_;
-            let t28_ = t20_ - t27_;
-            let t29_ = T::mul_neg_add(cos_joint_angle_, t26_, t22_);
-            let t30_ = t21_ + t27_;
-            let t31_ = minus_joint_load_moment_z_ + carry1_6_before_;
-            let t32_ = T::mul_add(c_(0.1), joint_e_force_y_, t31_);
-            let t33_ = t14_ * t32_;
-            let t34_ = t10_ - carry1_4_before_;
-            let t35_ = T::mul_add(
+            let t21_ = T::recip(joint_j_zz_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t21_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t21_;
+            /// Results: 24 mul, 24 add, 0 reciprocal.
+            let t22_ = known_p1_ + carry1_0_before_;
+            let t23_ = carry1_0_before_ + carry1_1_before_;
+            let t24_ = carry1_2_before_ + t23_;
+            let t25_ = T::mul_add(c_(0.010000000000000002), t24_, known_p5_);
+            let t26_ = known_p1_ + carry1_1_before_;
+            let t27_ = joint_b_x_z_ * joint_b_x_z_;
+            let t28_ = T::mul_neg_add(t21_, t27_, t22_);
+            let t29_ = joint_b_y_z_ * joint_b_y_z_;
+            let t30_ = T::mul_neg_add(t21_, t29_, t26_);
+            let t31_ = joint_b_x_z_ * joint_b_y_z_;
+            let t32_ = T::mul_neg_add(t21_, t31_, carry1_3_before_);
+            let t33_ = t28_ + t30_;
+            let t34_ = t28_ - t30_;
+            let t35_ = T::mul_add(t12_, t34_, t30_);
+            let t36_ = T::mul_add(t14_, t32_, t35_);
+            let t37_ = t15_ * t32_;
+            let t38_ = T::mul_add(t13_, t34_, t37_);
+            let t39_ = t33_ - t36_;
+            let t40_ = cos_joint_angle_ * joint_z0_force_x_;
+            let t41_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t40_);
+            let t42_ = sin_joint_angle_ * joint_z0_force_x_;
+            let t43_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t42_);
+            let t44_ = minus_joint_load_moment_z_ + carry1_6_before_;
+            let t45_ = T::mul_add(c_(0.1), joint_e_force_y_, t44_);
+            let t46_ = t21_ * t45_;
+            let t47_ = t17_ - carry1_4_before_;
+            let t48_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t34_,
+                t47_,
             );
-            let t36_ = T::mul_add(joint_b_x_z_, t33_, t35_);
-            let t37_ = T::mul_neg_add(joint_b_y_z_, t33_, joint_e_force_y_);
-            let t38_ = cos_joint_angle_ * t36_;
-            let t39_ = T::mul_add(sin_joint_angle_, t37_, t38_);
-            let t40_ = sin_joint_angle_ * t36_;
-            let t41_ = T::mul_neg_add(cos_joint_angle_, t37_, t40_);
-            *store_ = [joint_z0_force_x_, joint_z0_force_y_, t33_];
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t18_);
+            let t49_ = T::mul_add(joint_b_x_z_, t46_, t48_);
+            let t50_ = T::mul_neg_add(joint_b_y_z_, t46_, joint_e_force_y_);
+            let t51_ = cos_joint_angle_ * t49_;
+            let t52_ = T::mul_add(sin_joint_angle_, t50_, t51_);
+            let t53_ = sin_joint_angle_ * t49_;
+            let t54_ = T::mul_neg_add(cos_joint_angle_, t50_, t53_);
+            *store_ = [t41_, t43_, t46_];
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t25_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -1095,12 +1135,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_5_,
                 carry1_6_,
             ) = (
-                t28_,
-                t30_,
+                t39_,
+                t36_,
                 joint_k_zz_,
-                -t29_,
-                -t39_,
-                -t41_,
+                t38_,
+                -t52_,
+                -t54_,
                 -minus_joint_load_moment_z_,
             );
         }
@@ -1114,13 +1154,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                         &[sin_joint_angle_,
                         cos_joint_angle_,
                         _,
+                        _,
+                        _,
+                        _,
+                        _,
                         minus_end_of_repeat0_drift_lin_x_,
                         _,
                         _,
                         ],
-                        &[joint_z0_force_x_,
-                        joint_z0_force_y_,
-                        t33_,
+                        &[t41_,
+                        t43_,
+                        t46_,
                         ],
                     ),
                     store_,
@@ -1145,45 +1189,41 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_0_before_ = carry2_0_;
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
-            /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-            let t42_ = cos_joint_angle_ * carry2_0_before_;
-            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t42_);
-            let t43_ = sin_joint_angle_ * carry2_0_before_;
-            let minus_joint_a_lin_y_ = T::mul_neg_add(
-                cos_joint_angle_,
+            /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
+            let t55_ = T::mul_add(carry2_1_before_, t43_, t46_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t41_, t55_);
+            /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
+            let t56_ = T::mul_neg_add(
+                sin_joint_angle_,
                 carry2_1_before_,
-                t43_,
+                minus_end_of_repeat0_drift_lin_x_,
             );
-            let t44_ = T::mul_sub(joint_z0_force_y_, minus_joint_a_lin_y_, t33_);
-            let minus_joint_a_ang_z_ = T::mul_sub(
-                joint_z0_force_x_,
-                joint_a_lin_x_,
-                t44_,
+            let end_of_repeat0_a_lin_x_ = T::mul_sub(
+                cos_joint_angle_,
+                carry2_0_before_,
+                t56_,
             );
-            /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
-            let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_drift_lin_x_
-                - joint_a_lin_x_;
+            let t57_ = sin_joint_angle_ * carry2_0_before_;
+            let t58_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t57_);
             let minus_end_of_repeat0_a_lin_y_ = T::mul_add(
                 c_(0.1),
                 minus_joint_a_ang_z_,
-                minus_joint_a_lin_y_,
+                t58_,
             );
             /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t45_ = carry2_2_before_ + minus_joint_a_ang_z_;
-            *store_ = [t45_];
-            *o0_0_ = -t45_;
-            *o3_0_ = -t45_;
+            let t59_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            *store_ = [t59_];
+            *o0_0_ = -t59_;
+            *o3_0_ = -t59_;
             (carry2_0_, carry2_1_, carry2_2_) = (
-                -minus_end_of_repeat0_a_lin_x_,
+                end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
                 -minus_joint_a_ang_z_,
             );
         }
-        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
-        let t46_ = cos_hook_angle_ * carry2_0_;
-        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t46_);
-        /// Results: 1 mul, 1 add, 0 reciprocal.
-        let t47_ = T::mul_add(hook_a_lin_x_, c_(6.666666666666666), carry2_2_);
+        /// Results: 2 mul, 2 add, 0 reciprocal.
+        let t60_ = T::mul_add(t7_, carry2_1_, carry2_2_);
+        let t61_ = T::mul_add(t6_, carry2_0_, t60_);
         let mut carry3_0_ = c_(1.0);
         let mut carry3_1_ = c_(0.0);
         let mut carry3_2_ = c_(0.0);
@@ -1191,7 +1231,21 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry3_4_ = c_(0.0);
         for (
             (
-                (&[joint_rate_], &[sin_joint_angle_, cos_joint_angle_, _, _, _, _]),
+                (
+                    &[joint_rate_,
+                    ],
+                    &[sin_joint_angle_,
+                    cos_joint_angle_,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    ],
+                ),
                 store_,
             ),
             [_,
@@ -1238,35 +1292,35 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry3_3_before_ = carry3_3_;
             let carry3_4_before_ = carry3_4_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-            let t48_ = cos_joint_angle_ * carry3_0_before_;
-            let joint_axes_x_x_ = T::mul_add(sin_joint_angle_, carry3_1_before_, t48_);
-            let t49_ = sin_joint_angle_ * carry3_0_before_;
+            let t62_ = cos_joint_angle_ * carry3_0_before_;
+            let joint_axes_x_x_ = T::mul_add(sin_joint_angle_, carry3_1_before_, t62_);
+            let t63_ = sin_joint_angle_ * carry3_0_before_;
             let minus_joint_axes_x_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry3_1_before_,
-                t49_,
+                t63_,
             );
-            let t50_ = cos_joint_angle_ * carry3_2_before_;
-            let joint_axes_y_x_ = T::mul_add(sin_joint_angle_, carry3_3_before_, t50_);
-            let t51_ = sin_joint_angle_ * carry3_2_before_;
+            let t64_ = cos_joint_angle_ * carry3_2_before_;
+            let joint_axes_y_x_ = T::mul_add(sin_joint_angle_, carry3_3_before_, t64_);
+            let t65_ = sin_joint_angle_ * carry3_2_before_;
             let minus_joint_axes_y_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry3_3_before_,
-                t51_,
+                t65_,
             );
             let joint_omega_z_2_ = joint_rate_ + carry3_4_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 6 mul, 0 add, 0 reciprocal.
-            let t52_ = c_(0.1) * joint_axes_x_x_;
-            let t53_ = joint_omega_z_2_ * t52_;
-            let minus_end_of_repeat0_drift_lin_x_2_ = joint_omega_z_2_ * t53_;
-            let t54_ = c_(0.1) * joint_axes_y_x_;
-            let t55_ = joint_omega_z_2_ * t54_;
-            let minus_end_of_repeat0_drift_lin_y_ = joint_omega_z_2_ * t55_;
+            let t66_ = c_(0.1) * joint_axes_x_x_;
+            let t67_ = joint_omega_z_2_ * t66_;
+            let minus_end_of_repeat0_drift_lin_x_2_ = joint_omega_z_2_ * t67_;
+            let t68_ = c_(0.1) * joint_axes_y_x_;
+            let t69_ = joint_omega_z_2_ * t68_;
+            let minus_end_of_repeat0_drift_lin_y_ = joint_omega_z_2_ * t69_;
             *store_ = [
-                t52_,
-                t54_,
-                t55_,
-                t53_,
+                t66_,
+                t68_,
+                t69_,
+                t67_,
                 minus_end_of_repeat0_drift_lin_x_2_,
                 minus_end_of_repeat0_drift_lin_y_,
                 joint_axes_x_x_,
@@ -1289,24 +1343,24 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-        let t56_ = cos_hook_angle_ * carry3_0_;
-        let hook_axes_x_x_ = T::mul_add(sin_hook_angle_, carry3_1_, t56_);
-        let t57_ = sin_hook_angle_ * carry3_0_;
-        let minus_hook_axes_x_y_ = T::mul_neg_add(cos_hook_angle_, carry3_1_, t57_);
-        let t58_ = cos_hook_angle_ * carry3_2_;
-        let hook_axes_y_x_ = T::mul_add(sin_hook_angle_, carry3_3_, t58_);
-        let t59_ = sin_hook_angle_ * carry3_2_;
-        let minus_hook_axes_y_y_ = T::mul_neg_add(cos_hook_angle_, carry3_3_, t59_);
+        let t70_ = cos_hook_angle_ * carry3_0_;
+        let hook_axes_x_x_ = T::mul_add(sin_hook_angle_, carry3_1_, t70_);
+        let t71_ = sin_hook_angle_ * carry3_0_;
+        let minus_hook_axes_x_y_ = T::mul_neg_add(cos_hook_angle_, carry3_1_, t71_);
+        let t72_ = cos_hook_angle_ * carry3_2_;
+        let hook_axes_y_x_ = T::mul_add(sin_hook_angle_, carry3_3_, t72_);
+        let t73_ = sin_hook_angle_ * carry3_2_;
+        let minus_hook_axes_y_y_ = T::mul_neg_add(cos_hook_angle_, carry3_3_, t73_);
         let hook_omega_z_2_ = hook_rate_ + carry3_4_;
         let mut carry4_0_ = c_(0.0);
         let mut carry4_1_ = c_(0.0);
         let mut carry4_2_ = c_(0.0);
         let mut carry4_3_ = c_(0.0);
         for (
-            &[t52_,
-            t54_,
-            t55_,
-            t53_,
+            &[t66_,
+            t68_,
+            t69_,
+            t67_,
             _,
             _,
             _,
@@ -1351,29 +1405,29 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry4_2_before_ = carry4_2_;
             let carry4_3_before_ = carry4_3_;
             /// Results: 0 mul, 4 add, 0 reciprocal.
-            let t60_ = t55_ - carry4_2_before_;
-            let t61_ = t53_ + carry4_3_before_;
-            let t62_ = t52_ + carry4_0_before_;
-            let t63_ = t54_ + carry4_1_before_;
+            let t74_ = t69_ - carry4_2_before_;
+            let t75_ = t67_ + carry4_3_before_;
+            let t76_ = t66_ + carry4_0_before_;
+            let t77_ = t68_ + carry4_1_before_;
             *o7_13_ = carry4_0_before_;
             *o7_14_ = carry4_1_before_;
             *o7_17_ = carry4_2_before_;
             *o7_18_ = carry4_3_before_;
-            *o7_26_ = t62_;
-            *o7_27_ = t63_;
-            *o7_30_ = -t60_;
-            *o7_31_ = t61_;
-            (carry4_0_, carry4_1_, carry4_2_, carry4_3_) = (t62_, t63_, -t60_, t61_);
+            *o7_26_ = t76_;
+            *o7_27_ = t77_;
+            *o7_30_ = -t74_;
+            *o7_31_ = t75_;
+            (carry4_0_, carry4_1_, carry4_2_, carry4_3_) = (t76_, t77_, -t74_, t75_);
         }
         let mut carry5_0_ = c_(0.0);
         let mut carry5_1_ = c_(0.0);
         let mut carry5_2_ = c_(0.0);
         for (
             (
-                &[t45_,
+                &[t59_,
                 ],
-                &[t52_,
-                t54_,
+                &[t66_,
+                t68_,
                 _,
                 _,
                 minus_end_of_repeat0_drift_lin_x_2_,
@@ -1420,19 +1474,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry5_1_before_ = carry5_1_;
             let carry5_2_before_ = carry5_2_;
             /// Point of `joint`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-            let minus_joint_acc_ang_z_ = t45_ - carry5_2_before_;
+            let minus_joint_acc_ang_z_ = t59_ - carry5_2_before_;
             /// Point of `end_of_repeat0`, [P, Eqs. (12), (13), (36)]: 2 mul, 4 add, 0 reciprocal.
-            let t64_ = minus_end_of_repeat0_drift_lin_x_2_ - carry5_0_before_;
+            let t78_ = minus_end_of_repeat0_drift_lin_x_2_ - carry5_0_before_;
             let minus_end_of_repeat0_acc_lin_x_ = T::mul_neg_add(
-                t54_,
+                t68_,
                 minus_joint_acc_ang_z_,
-                t64_,
+                t78_,
             );
-            let t65_ = minus_end_of_repeat0_drift_lin_y_ - carry5_1_before_;
+            let t79_ = minus_end_of_repeat0_drift_lin_y_ - carry5_1_before_;
             let minus_end_of_repeat0_acc_lin_y_ = T::mul_add(
-                t52_,
+                t66_,
                 minus_joint_acc_ang_z_,
-                t65_,
+                t79_,
             );
             *o7_20_ = carry5_0_before_;
             *o7_21_ = carry5_1_before_;
@@ -1447,7 +1501,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Point of `hook`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let minus_hook_acc_ang_z_ = t47_ - carry5_2_;
+        let minus_hook_acc_ang_z_ = t61_ - carry5_2_;
         let mut carry6_0_ = c_(0.0);
         for ((&[joint_rate_], &[_, _, known_p2_, _, _, _]), store_) in ::core::iter::zip(
             ::core::iter::zip(
@@ -1460,19 +1514,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
             let joint_omega_z_3_ = joint_rate_ + carry6_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t66_ = c_(0.1) * joint_omega_z_3_;
-            let minus_end_of_repeat0_drift_lin_x_3_ = joint_omega_z_3_ * t66_;
+            let t80_ = c_(0.1) * joint_omega_z_3_;
+            let minus_end_of_repeat0_drift_lin_x_3_ = joint_omega_z_3_ * t80_;
             /// Results: 2 mul, 0 add, 0 reciprocal.
-            let t67_ = known_p2_ * joint_omega_z_3_;
-            let t68_ = joint_omega_z_3_ * t67_;
-            *store_ = [minus_end_of_repeat0_drift_lin_x_3_, t68_];
+            let t81_ = known_p2_ * joint_omega_z_3_;
+            let t82_ = joint_omega_z_3_ * t81_;
+            *store_ = [minus_end_of_repeat0_drift_lin_x_3_, t82_];
             (carry6_0_,) = (joint_omega_z_3_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_3_ = hook_rate_ + carry6_0_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t69_ = c_(0.2) * hook_omega_z_3_;
-        let t70_ = hook_omega_z_3_ * t69_;
+        let t83_ = c_(0.2) * hook_omega_z_3_;
+        let t84_ = hook_omega_z_3_ * t83_;
         let mut carry7_0_ = c_(0.0);
         let mut carry7_1_ = c_(9.8);
         let mut carry7_2_ = c_(0.0);
@@ -1494,9 +1548,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                             _,
                             _,
                             _,
+                            _,
+                            _,
+                            _,
+                            _,
                             ],
                         ),
-                        &[t45_,
+                        &[t59_,
                         ],
                     ),
                     &[_,
@@ -1512,7 +1570,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     ],
                 ),
                 &[minus_end_of_repeat0_drift_lin_x_3_,
-                t68_,
+                t82_,
                 ],
             ),
             store_,
@@ -1540,37 +1598,37 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry7_1_before_ = carry7_1_;
             let carry7_2_before_ = carry7_2_;
             /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
-            let t71_ = cos_joint_angle_ * carry7_0_before_;
-            let t72_ = T::mul_add(sin_joint_angle_, carry7_1_before_, t71_);
-            let t73_ = sin_joint_angle_ * carry7_0_before_;
-            let t74_ = T::mul_neg_add(cos_joint_angle_, carry7_1_before_, t73_);
-            let t75_ = known_p1_ * t74_;
-            let t76_ = T::mul_sub(known_p1_, t72_, t68_);
-            let t77_ = joint_axes_x_x_ * t76_;
-            let t78_ = t45_ - carry7_2_before_;
-            let t79_ = T::mul_add(known_p2_, t78_, t75_);
-            let joint_own_force_x_ = T::mul_add(minus_joint_axes_x_y_, t79_, t77_);
-            let t80_ = joint_axes_y_x_ * t76_;
-            let joint_own_force_y_ = T::mul_add(minus_joint_axes_y_y_, t79_, t80_);
+            let t85_ = cos_joint_angle_ * carry7_0_before_;
+            let t86_ = T::mul_add(sin_joint_angle_, carry7_1_before_, t85_);
+            let t87_ = sin_joint_angle_ * carry7_0_before_;
+            let t88_ = T::mul_neg_add(cos_joint_angle_, carry7_1_before_, t87_);
+            let t89_ = known_p1_ * t88_;
+            let t90_ = T::mul_sub(known_p1_, t86_, t82_);
+            let t91_ = joint_axes_x_x_ * t90_;
+            let t92_ = t59_ - carry7_2_before_;
+            let t93_ = T::mul_add(known_p2_, t92_, t89_);
+            let joint_own_force_x_ = T::mul_add(minus_joint_axes_x_y_, t93_, t91_);
+            let t94_ = joint_axes_y_x_ * t90_;
+            let joint_own_force_y_ = T::mul_add(minus_joint_axes_y_y_, t93_, t94_);
             /// Results: 1 mul, 2 add, 0 reciprocal.
-            let t81_ = minus_end_of_repeat0_drift_lin_x_3_ - t72_;
-            let t82_ = T::mul_add(c_(0.1), t78_, t74_);
+            let t95_ = minus_end_of_repeat0_drift_lin_x_3_ - t86_;
+            let t96_ = T::mul_add(c_(0.1), t92_, t88_);
             *store_ = [joint_own_force_x_, joint_own_force_y_];
-            (carry7_0_, carry7_1_, carry7_2_) = (-t81_, -t82_, -t78_);
+            (carry7_0_, carry7_1_, carry7_2_) = (-t95_, -t96_, -t92_);
         }
         /// Load of the body at `hook`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
-        let t83_ = cos_hook_angle_ * carry7_0_;
-        let t84_ = T::mul_add(sin_hook_angle_, carry7_1_, t83_);
-        let t85_ = sin_hook_angle_ * carry7_0_;
-        let t86_ = T::mul_neg_add(cos_hook_angle_, carry7_1_, t85_);
-        let t87_ = t47_ - carry7_2_;
-        let t88_ = c_(2.0) * t84_;
-        let t89_ = T::mul_neg_add(c_(0.2), t87_, t88_);
-        let t90_ = T::mul_sub(c_(2.0), t86_, t70_);
-        let t91_ = hook_axes_x_x_ * t89_;
-        let hook_own_force_x_ = T::mul_add(minus_hook_axes_x_y_, t90_, t91_);
-        let t92_ = hook_axes_y_x_ * t89_;
-        let hook_own_force_y_ = T::mul_add(minus_hook_axes_y_y_, t90_, t92_);
+        let t97_ = cos_hook_angle_ * carry7_0_;
+        let t98_ = T::mul_add(sin_hook_angle_, carry7_1_, t97_);
+        let t99_ = sin_hook_angle_ * carry7_0_;
+        let t100_ = T::mul_neg_add(cos_hook_angle_, carry7_1_, t99_);
+        let t101_ = c_(2.0) * t98_;
+        let t102_ = T::mul_sub(c_(2.0), t100_, t84_);
+        let t103_ = minus_hook_axes_x_y_ * t102_;
+        let t104_ = t61_ - carry7_2_;
+        let t105_ = T::mul_neg_add(c_(0.2), t104_, t101_);
+        let hook_own_force_x_ = T::mul_add(hook_axes_x_x_, t105_, t103_);
+        let t106_ = minus_hook_axes_y_y_ * t102_;
+        let hook_own_force_y_ = T::mul_add(hook_axes_y_x_, t105_, t106_);
         let mut carry8_0_ = hook_own_force_x_;
         let mut carry8_1_ = hook_own_force_y_;
         let mut carry8_2_ = c_(0.0);
@@ -1579,6 +1637,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 &[_,
                 _,
                 minus_joint_load_moment_z_,
+                _,
+                _,
+                _,
+                _,
                 _,
                 _,
                 _,
@@ -1644,7 +1706,21 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry9_3_ = c_(1.0);
         let mut carry9_4_ = c_(0.0);
         for (
-            (&[joint_rate_], &[sin_joint_angle_, cos_joint_angle_, _, _, _, _]),
+            (
+                &[joint_rate_,
+                ],
+                &[sin_joint_angle_,
+                cos_joint_angle_,
+                _,
+                _,
+                _,
+                _,
+                _,
+                _,
+                _,
+                _,
+                ],
+            ),
             store_,
         ) in ::core::iter::zip(
             ::core::iter::zip(
@@ -1659,35 +1735,43 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry9_3_before_ = carry9_3_;
             let carry9_4_before_ = carry9_4_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-            let t93_ = cos_joint_angle_ * carry9_0_before_;
-            let joint_axes_x_x_2_ = T::mul_add(sin_joint_angle_, carry9_1_before_, t93_);
-            let t94_ = sin_joint_angle_ * carry9_0_before_;
+            let t107_ = cos_joint_angle_ * carry9_0_before_;
+            let joint_axes_x_x_2_ = T::mul_add(
+                sin_joint_angle_,
+                carry9_1_before_,
+                t107_,
+            );
+            let t108_ = sin_joint_angle_ * carry9_0_before_;
             let minus_joint_axes_x_y_2_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry9_1_before_,
-                t94_,
+                t108_,
             );
-            let t95_ = cos_joint_angle_ * carry9_2_before_;
-            let joint_axes_y_x_2_ = T::mul_add(sin_joint_angle_, carry9_3_before_, t95_);
-            let t96_ = sin_joint_angle_ * carry9_2_before_;
+            let t109_ = cos_joint_angle_ * carry9_2_before_;
+            let joint_axes_y_x_2_ = T::mul_add(
+                sin_joint_angle_,
+                carry9_3_before_,
+                t109_,
+            );
+            let t110_ = sin_joint_angle_ * carry9_2_before_;
             let minus_joint_axes_y_y_2_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry9_3_before_,
-                t96_,
+                t110_,
             );
             let joint_omega_z_4_ = joint_rate_ + carry9_4_before_;
             /// Results: 10 mul, 0 add, 0 reciprocal.
-            let t97_ = c_(0.1) * joint_axes_x_x_2_;
-            let t98_ = c_(0.1) * joint_axes_y_x_2_;
-            let t99_ = joint_omega_z_4_ * t98_;
-            let t100_ = joint_omega_z_4_ * t97_;
-            let t101_ = c_(0.05) * joint_axes_x_x_2_;
-            let t102_ = c_(0.05) * joint_axes_y_x_2_;
-            let t103_ = joint_omega_z_4_ * t102_;
-            let t104_ = joint_omega_z_4_ * t101_;
-            let t105_ = c_(0.0001) * joint_omega_z_4_;
-            let t106_ = joint_omega_z_4_ * t105_;
-            *store_ = [t98_, t99_, t100_, t102_, t103_, t104_, t106_];
+            let t111_ = c_(0.1) * joint_axes_x_x_2_;
+            let t112_ = c_(0.1) * joint_axes_y_x_2_;
+            let t113_ = joint_omega_z_4_ * t112_;
+            let t114_ = joint_omega_z_4_ * t111_;
+            let t115_ = c_(0.05) * joint_axes_x_x_2_;
+            let t116_ = c_(0.05) * joint_axes_y_x_2_;
+            let t117_ = joint_omega_z_4_ * t116_;
+            let t118_ = joint_omega_z_4_ * t115_;
+            let t119_ = c_(0.0001) * joint_omega_z_4_;
+            let t120_ = joint_omega_z_4_ * t119_;
+            *store_ = [t112_, t113_, t114_, t116_, t117_, t118_, t120_];
             (carry9_0_, carry9_1_, carry9_2_, carry9_3_, carry9_4_) = (
                 joint_axes_x_x_2_,
                 -minus_joint_axes_x_y_2_,
@@ -1697,18 +1781,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t107_ = sin_hook_angle_ * carry9_0_;
-        let minus_hook_axes_x_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_1_, t107_);
-        let t108_ = sin_hook_angle_ * carry9_2_;
-        let minus_hook_axes_y_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_3_, t108_);
+        let t121_ = sin_hook_angle_ * carry9_0_;
+        let minus_hook_axes_x_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_1_, t121_);
+        let t122_ = sin_hook_angle_ * carry9_2_;
+        let minus_hook_axes_y_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_3_, t122_);
         let hook_omega_z_4_ = hook_rate_ + carry9_4_;
         /// Results: 6 mul, 0 add, 0 reciprocal.
-        let t109_ = c_(0.1) * minus_hook_axes_x_y_2_;
-        let t110_ = c_(0.1) * minus_hook_axes_y_y_2_;
-        let t111_ = hook_omega_z_4_ * t110_;
-        let t112_ = hook_omega_z_4_ * t109_;
-        let t113_ = c_(0.01) * hook_omega_z_4_;
-        let t114_ = hook_omega_z_4_ * t113_;
+        let t123_ = c_(0.1) * minus_hook_axes_x_y_2_;
+        let t124_ = c_(0.1) * minus_hook_axes_y_y_2_;
+        let t125_ = hook_omega_z_4_ * t124_;
+        let t126_ = hook_omega_z_4_ * t123_;
+        let t127_ = c_(0.01) * hook_omega_z_4_;
+        let t128_ = hook_omega_z_4_ * t127_;
         let mut carry10_0_ = c_(0.0);
         let mut carry10_1_ = c_(0.0);
         let mut carry10_2_ = c_(0.0);
@@ -1721,13 +1805,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 _,
                 _,
                 ],
-                &[t98_,
-                t99_,
-                t100_,
-                t102_,
-                t103_,
-                t104_,
-                t106_,
+                &[t112_,
+                t113_,
+                t114_,
+                t116_,
+                t117_,
+                t118_,
+                t120_,
                 ],
             ),
             store_,
@@ -1743,58 +1827,58 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry10_1_before_ = carry10_1_;
             let carry10_2_before_ = carry10_2_;
             /// Results: 6 mul, 8 add, 0 reciprocal.
-            let t115_ = t99_ - carry10_1_before_;
-            let t116_ = t100_ + carry10_2_before_;
-            let t117_ = t98_ + carry10_0_before_;
-            let t118_ = carry10_1_before_ - t103_;
-            let t119_ = carry10_2_before_ + t104_;
-            let t120_ = t118_ * t118_;
-            let t121_ = T::mul_add(t119_, t119_, t120_);
-            let t122_ = T::mul_add(known_p1_, t121_, t106_);
-            let t123_ = c_(0.5) * t122_;
-            let t124_ = carry10_0_before_ + t102_;
-            let t125_ = c_(9.8) * t124_;
-            let t126_ = known_p1_ * t125_;
-            *store_ = [t123_, t126_];
-            (carry10_0_, carry10_1_, carry10_2_) = (t117_, -t115_, t116_);
+            let t129_ = t113_ - carry10_1_before_;
+            let t130_ = t114_ + carry10_2_before_;
+            let t131_ = t112_ + carry10_0_before_;
+            let t132_ = carry10_1_before_ - t117_;
+            let t133_ = carry10_2_before_ + t118_;
+            let t134_ = t132_ * t132_;
+            let t135_ = T::mul_add(t133_, t133_, t134_);
+            let t136_ = T::mul_add(known_p1_, t135_, t120_);
+            let t137_ = c_(0.5) * t136_;
+            let t138_ = carry10_0_before_ + t116_;
+            let t139_ = c_(9.8) * t138_;
+            let t140_ = known_p1_ * t139_;
+            *store_ = [t137_, t140_];
+            (carry10_0_, carry10_1_, carry10_2_) = (t131_, -t129_, t130_);
         }
         /// Results: 5 mul, 5 add, 0 reciprocal.
-        let t127_ = carry10_1_ - t111_;
-        let t128_ = carry10_2_ + t112_;
-        let t129_ = t127_ * t127_;
-        let t130_ = T::mul_add(t128_, t128_, t129_);
-        let t131_ = T::mul_add(c_(2.0), t130_, t114_);
-        let t132_ = c_(0.5) * t131_;
-        let t133_ = carry10_0_ + t110_;
-        let t134_ = c_(19.6) * t133_;
+        let t141_ = carry10_1_ - t125_;
+        let t142_ = carry10_2_ + t126_;
+        let t143_ = t141_ * t141_;
+        let t144_ = T::mul_add(t142_, t142_, t143_);
+        let t145_ = T::mul_add(c_(2.0), t144_, t128_);
+        let t146_ = c_(0.5) * t145_;
+        let t147_ = carry10_0_ + t124_;
+        let t148_ = c_(19.6) * t147_;
         let mut carry11_0_ = c_(0.0);
         let mut carry11_1_ = c_(0.0);
-        for (&[_, _, _, _, _, t8_], &[t123_, t126_]) in ::core::iter::zip(
+        for (&[_, _, _, _, _, _, _, _, _, t11_], &[t137_, t140_]) in ::core::iter::zip(
             store1_.iter(),
             store18_.iter(),
         ) {
             let carry11_0_before_ = carry11_0_;
             let carry11_1_before_ = carry11_1_;
             /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t135_ = carry11_0_before_ + t123_;
-            let t136_ = t8_ + carry11_1_before_;
-            let t137_ = t126_ + t136_;
-            (carry11_0_, carry11_1_) = (t135_, t137_);
+            let t149_ = carry11_0_before_ + t137_;
+            let t150_ = t11_ + carry11_1_before_;
+            let t151_ = t140_ + t150_;
+            (carry11_0_, carry11_1_) = (t149_, t151_);
         }
         /// Results: 0 mul, 2 add, 0 reciprocal.
-        let t138_ = carry11_0_ + t132_;
-        let t139_ = carry11_1_ + t134_;
+        let t152_ = carry11_0_ + t146_;
+        let t153_ = carry11_1_ + t148_;
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t47_;
+            *o0_ = -t61_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results3_.as_mut_slice(), 10, 1) {
-            *o0_ = -t47_;
+            *o0_ = -t61_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
@@ -1867,8 +1951,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         at_.accelerations.data.0 = [results0_];
         at_.rate_accelerations.data.0 = [results3_];
         at_.efforts.data.0 = [results4_];
-        at_.kinetic_energy = t138_;
-        at_.potential_energy = t139_;
+        at_.kinetic_energy = t152_;
+        at_.potential_energy = t153_;
         for (
             point_,
             &[p0_,

@@ -133,8 +133,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
         /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
-        let t0_ = sin_elbow_angle_ * c_(0.75);
-        let shoulder_d_ = T::mul_add(sin_elbow_angle_, t0_, c_(0.5833333333333333));
+        let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
+        let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
         /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
         let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
         let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
@@ -321,8 +321,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let minus_elbow_drift_lin_x_ = cos_elbow_angle_ * t0_;
         let elbow_drift_lin_y_ = sin_elbow_angle_ * t0_;
         /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
-        let t1_ = sin_elbow_angle_ * c_(0.75);
-        let shoulder_d_ = T::mul_add(sin_elbow_angle_, t1_, c_(0.5833333333333333));
+        let t1_ = sin_elbow_angle_ * sin_elbow_angle_;
+        let shoulder_d_ = T::mul_add(t1_, c_(0.75), c_(0.5833333333333333));
         /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
         let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
         let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);

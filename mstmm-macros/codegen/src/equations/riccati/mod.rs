@@ -16,12 +16,15 @@
 //! (4)  `u = Eᵀ s`, `E ← E − z uᵀ`, `γ ← γ + u w / d`, `G ← G + u uᵀ / d`
 //! (5)  `Tᵀ a = γ + Eᵀ a_ground − G λ`
 
+mod recover;
+
 use super::closure::{self, Closure};
 use super::hinge::Column;
 use super::passage::Bundle;
 use super::problem::{Movement, Problem};
 use super::{Pivot, Trace};
 use crate::math::{Motion, Scalar, SpatialInertia, Wrench};
+use recover::recover;
 
 /// A free direction that has been eliminated.
 struct Eliminated<S> {
@@ -32,7 +35,19 @@ struct Eliminated<S> {
     rest: S,
     /// `u / d`
     pulls: Vec<S>,
+    /// Whether so little hangs on `y` that the next results wait for `1 / d` most of the time.
+    waits: bool,
 }
+
+impl<S: Scalar> Eliminated<S> {
+    /// `z` without its entry along the axis, which is one.
+    fn beside(&self, axis: usize) -> Wrench<S> {
+        Wrench::from_fn(|k| if k == axis { S::zero() } else { self.gain.at(k) })
+    }
+}
+
+/// How many directions a plane has.
+const PLANE: usize = 3;
 
 /// What is carried inwards.
 #[derive(Clone)]
@@ -259,8 +274,15 @@ fn eliminate<S: Scalar>(
     };
     let along = |k: usize| axis == Some(k);
     let gain = Wrench::from_fn(|k| if along(k) { S::one() } else { y.at(k) * inverse });
+    let waits = axis.is_some() && (0..6).filter(|&k| !y.at(k).vanishes()).count() <= PLANE;
     here.inertia = SpatialInertia::from_fn(|i, j| {
-        if along(i) || along(j) { S::zero() } else { old.at(i, j) - gain.at(i) * y.at(j) }
+        if along(i) || along(j) {
+            S::zero()
+        } else if waits {
+            old.at(i, j) - y.at(i) * y.at(j) * inverse
+        } else {
+            old.at(i, j) - gain.at(i) * y.at(j)
+        }
     });
     here.load = Wrench::from_fn(|k| if along(k) { effort } else { before.at(k) + y.at(k) * rest });
     let u: Vec<S> = here.pulls.iter().map(|&pull| direction.power(pull)).collect();
@@ -277,50 +299,7 @@ fn eliminate<S: Scalar>(
             *sum = *sum + u[i] * pull;
         }
     }
-    (pivot, Eliminated { column, gain, rest, pulls })
-}
-
-/// Equation (3), from the ground outwards.
-fn recover<S: Scalar>(
-    problem: &Problem<S>,
-    eliminated: &[Vec<Eliminated<S>>],
-    trace: &mut Trace<S>,
-) -> (Vec<Vec<S>>, Vec<Motion<S>>) {
-    let mut points: Vec<Motion<S>> = Vec::new();
-    let mut amounts = Vec::new();
-    for (index, (link, eliminated)) in problem.links.iter().zip(eliminated).enumerate() {
-        let over = &link.over;
-        trace.section(format!("Acceleration of `{}`", over.name), "[P, Eqs. (13), (36), (44)]");
-        let mut acceleration = problem.carried(index, &points);
-        let mut betas: Vec<S> = Vec::new();
-        let steps = eliminated.iter().zip(&over.freedom.armature);
-        for (step, &armature) in steps.rev() {
-            betas.insert(0, advance(&mut acceleration, step, armature));
-        }
-        trace.motion(&format!("{}_a", over.name), acceleration);
-        points.push(problem.passage.outwards(index, acceleration));
-        amounts.push(betas);
-    }
-    (amounts, points)
-}
-
-/// Adds one free direction's part to `acceleration` and returns its amount `β`.
-fn advance<S: Scalar>(acceleration: &mut Motion<S>, step: &Eliminated<S>, armature: S) -> S {
-    let before = *acceleration;
-    match step.column {
-        // The new component follows without the old one, which then matters to `β` alone.
-        Column::Axis(axis) if armature.vanishes() => {
-            let others = Motion::from_fn(|k| if k == axis { S::zero() } else { before.at(k) });
-            let new = step.rest - others.power(step.gain);
-            *acceleration = Motion::from_fn(|k| if k == axis { new } else { before.at(k) });
-            new - before.at(axis)
-        }
-        column => {
-            let beta = step.rest - before.power(step.gain);
-            *acceleration = before + column.motion().scaled(beta);
-            beta
-        }
-    }
+    (pivot, Eliminated { column, gain, rest, pulls, waits })
 }
 
 #[cfg(test)]
