@@ -6,12 +6,12 @@
 mod models;
 mod states;
 
-use mstmm::{ChainState, Error, GeneratedChain, Scalar};
+use mstmm::{Error, GeneratedChain};
 
 pub use models::{
     Balls3, Balls10, Balls100, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
 };
-pub use states::{numbers_of_state, random_states};
+pub use states::{numbers_of_state, random_angles, random_states, samples, state_from};
 
 /// A chain that is timed: every hinge of it has a motor.
 pub trait Case: GeneratedChain<Inputs: Clone> + Default {
@@ -35,15 +35,11 @@ pub trait Case: GeneratedChain<Inputs: Clone> + Default {
     /// The motors' torques, in the order of the rates.
     fn set_torques(inputs: &mut Self::Inputs, torques: &[Self::Scalar]);
 
-    /// A state and inputs from [numbers](numbers_of_state) in the order `q`, `v`, torques.
+    /// A state and inputs from [numbers](random_states).
     fn sample(&self, numbers: &[f64]) -> (Self::State, Self::Inputs) {
-        let (mut state, mut inputs) = (Self::State::default(), self.no_inputs());
-        let numbers: Vec<_> = numbers.iter().map(|&number| Scalar::constant(number)).collect();
-        let (q, rest) = numbers.split_at(state.q().len());
-        let (v, torques) = rest.split_at(state.v().len());
-        state.q_mut().copy_from_slice(q);
-        state.v_mut().copy_from_slice(v);
-        Self::set_torques(&mut inputs, torques);
+        let (state, torques) = state_from(numbers);
+        let mut inputs = self.no_inputs();
+        Self::set_torques(&mut inputs, &torques);
         (state, inputs)
     }
 }

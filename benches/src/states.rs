@@ -1,6 +1,8 @@
 //! Random states, the same in every run and for every tool.
 
-use mstmm::ChainState;
+use std::f64::consts::PI;
+
+use mstmm::{ChainState, Scalar};
 
 use crate::Case;
 
@@ -11,24 +13,32 @@ const SEED: u64 = 0x6d73_746d_6d20_3031;
 const LARGEST_RATE: f64 = 2.0;
 const LARGEST_TORQUE: f64 = 5.0;
 
+/// So many states of a case with their inputs.
+pub fn samples<C: Case>(chain: &C, count: usize) -> Vec<(C::State, C::Inputs)> {
+    let numbers = random_states::<C::State>(count);
+    let each = numbers.chunks_exact(numbers_of_state::<C::State>());
+    each.map(|numbers| chain.sample(numbers)).collect()
+}
+
 /// How many numbers are in a state: coordinates, rates and torques.
-pub fn numbers_of_state<C: Case>() -> usize {
-    let state = C::State::default();
+pub fn numbers_of_state<S: ChainState + Default>() -> usize {
+    let state = S::default();
     state.q().len() + 2 * state.v().len()
 }
 
-/// So many states, one after the other: coordinates, rates and torques of all hinges.
+/// So many states, one after the other: coordinates, rates and torques of all hinges, which are
+/// pins alone or balls alone.
 ///
 /// Angles go all around and orientations everywhere, so that no branch can be foreseen.
-pub fn random_states<C: Case>(count: usize) -> Vec<f64> {
-    let state = C::State::default();
+pub fn random_states<S: ChainState + Default>(count: usize) -> Vec<f64> {
+    let state = S::default();
     let (coordinates, rates) = (state.q().len(), state.v().len());
     let mut random = Random(SEED);
-    let mut numbers = Vec::with_capacity(count * numbers_of_state::<C>());
+    let mut numbers = Vec::with_capacity(count * numbers_of_state::<S>());
     for _ in 0..count {
-        // A case has pins alone or balls alone: of the latter the orientation takes four numbers.
+        // Of a ball the orientation takes four numbers, its rate three.
         if coordinates == rates {
-            numbers.extend((0..coordinates).map(|_| random.within(std::f64::consts::PI)));
+            numbers.extend((0..coordinates).map(|_| random.within(PI)));
         } else {
             numbers.extend((0..coordinates / 4).flat_map(|_| random.orientation()));
         }
@@ -36,6 +46,26 @@ pub fn random_states<C: Case>(count: usize) -> Vec<f64> {
         numbers.extend((0..rates).map(|_| random.within(LARGEST_TORQUE)));
     }
     numbers
+}
+
+/// So many angles, all around.
+pub fn random_angles(count: usize) -> Vec<f64> {
+    let mut random = Random(SEED);
+    (0..count).map(|_| random.within(PI)).collect()
+}
+
+/// A state from such numbers, and the torques that are left.
+pub fn state_from<S: ChainState + Default>(numbers: &[f64]) -> (S, Vec<S::Scalar>) {
+    let mut state = S::default();
+    let mut numbers = numbers.iter().map(|&number| S::Scalar::constant(number));
+    let (coordinates, rates) = (state.q().len(), state.v().len());
+    for (place, number) in state.q_mut().iter_mut().zip(numbers.by_ref().take(coordinates)) {
+        *place = number;
+    }
+    for (place, number) in state.v_mut().iter_mut().zip(numbers.by_ref().take(rates)) {
+        *place = number;
+    }
+    (state, numbers.collect())
 }
 
 /// Numbers by SplitMix64 (Steele, Lea and Flood 2014).

@@ -41,13 +41,13 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn run<C: Case<Scalar = f64>>(arguments: &[&str]) -> Result<(), Box<dyn Error>> {
     match *arguments {
         ["states", _, count, path] => {
-            let numbers = random_states::<C>(count.parse()?);
+            let numbers = random_states::<C::State>(count.parse()?);
             Ok(fs::write(path, to_bytes(&numbers))?)
         }
         [what, _, states, results, milliseconds] => {
             let numbers = from_bytes(&fs::read(states)?);
             let chain = C::default();
-            let each = numbers.chunks_exact(numbers_of_state::<C>());
+            let each = numbers.chunks_exact(numbers_of_state::<C::State>());
             let samples: Vec<_> = each.map(|numbers| chain.sample(numbers)).collect();
             let budget = Duration::from_millis(milliseconds.parse()?);
             let run = match what {
