@@ -37,7 +37,9 @@ def main() -> None:
             peers = [*builder.casadi(case, what), builder.pinocchio(case, what), builder.mujoco(case, what)]
             states, expected = expectation(native, case, what, options.work)
             say(f"timing {name}, {what}")
-            rows = measure([*own, *peers], states, expected, options.rounds, options.milliseconds, options.core)
+            rows = measure(
+                [*own, *peers], states, expected, options.rounds, options.milliseconds, options.core
+            )
             tables.append(report.Table(name, what, case.states, rows))
     print(report.write(options.work, options.clang, tables))
     broken = [
@@ -53,9 +55,18 @@ def parse() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="benches/peers/run", description=__doc__)
     parser.add_argument("--work", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--clang", required=True, help=argparse.SUPPRESS)
-    parser.add_argument("--cases", type=lambda text: text.split(","), default=list(CASES), help="such as A10,D7")
-    parser.add_argument("--what", type=lambda text: text.split(","), default=list(report.TITLES), help="of accelerations,all,rk4")
-    parser.add_argument("--all", action="store_true", help="all and rk4 for all cases, not for B3 and D7 alone")
+    parser.add_argument(
+        "--cases", type=lambda text: text.split(","), default=list(CASES), help="such as A10,D7"
+    )
+    parser.add_argument(
+        "--what",
+        type=lambda text: text.split(","),
+        default=list(report.TITLES),
+        help="of accelerations,all,rk4",
+    )
+    parser.add_argument(
+        "--all", action="store_true", help="all and rk4 for all cases, not for B3 and D7 alone"
+    )
     parser.add_argument("--quick", action="store_true", help="fewer and shorter rounds")
     parser.add_argument("--rounds", type=int)
     parser.add_argument("--milliseconds", type=int, help="for which a contender is timed in a round")
@@ -77,7 +88,7 @@ def own_contenders(native: Path, any_processor: Path, case: Case, what: str) -> 
     # What a contender can do is in its usage.
     usage = subprocess.run([native], capture_output=True, text=True).stderr
     if what == "accelerations" and "lanes" in usage:
-        contenders.append(Contender("mstmm, lanes", (str(native), "lanes", case.name), own=True))
+        contenders.append(Contender("mstmm, lanes", (str(native), "lanes", case.name), own=True, wide=True))
     return contenders
 
 
@@ -88,8 +99,7 @@ def expectation(own: Path, case: Case, what: str, work: Path) -> tuple[Path, np.
     states = np.fromfile(path).reshape(case.states, case.coordinates + 2 * case.rates)
     q, v, torques = reference.parts(case, states)
     accelerations = reference.of(case, q, v, torques)
-    error = reference.torque_error(case, q, v, accelerations, torques)
-    assert error < 1e-12, f"the reference of {case.name} is off by {error}"
+    reference.check(case, q, v, accelerations, torques)
     if what == "rk4":
         return path, reference.after_step(case, q, v, torques, STEP).T
     return path, accelerations.T

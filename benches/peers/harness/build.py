@@ -6,10 +6,10 @@ import subprocess
 import sys
 import sysconfig
 import tomllib
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
-from . import casadi_code, models
+from . import algebra, casadi_code, cases, hinges, models, recursion
 from .cases import Case
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -35,11 +35,15 @@ class Contender:
     name: str
     command: tuple[str, ...]
     """Before the files of states and results and the milliseconds."""
-    own: bool = field(default=False)
+    own: bool = False
+    wide: bool = False
+    """Whether several states are evaluated at once."""
 
 
 @dataclass(frozen=True)
 class Builder:
+    """What is made lies in `work`, each with a stamp of what it was made of."""
+
     work: Path
     clang: str
 
@@ -59,35 +63,32 @@ class Builder:
         return folder / "release/contender"
 
     def casadi(self, case: Case, what: str) -> list[Contender]:
-        """Every way to compile CasADi's code; there is none of an integrator."""
-        if what == "rk4":
-            return []
-        folder = self.work / "casadi" / case.name / what
+        """Every way to compile CasADi's code."""
+        wrenches = what == "all"
+        folder = self.work / "casadi" / case.name / ("wrenches" if wrenches else "accelerations")
         folder.mkdir(parents=True, exist_ok=True)
-        recursion = [Path(casadi_code.__file__), *(Path(__file__).parent / f"{n}.py" for n in ("recursion", "cases"))]
         core = folder / "core.h"
-        if self._outdated(core, "", recursion):
-            say(f"CasADi's code of {case.name}, {what}")
-            casadi_code.generate(case, what == "all", core)
-            self._done(core, "", recursion)
+        sources = [Path(module.__file__ or "") for module in (algebra, hinges, recursion, casadi_code, cases)]
+        if self._outdated(core, "", sources):
+            say(f"CasADi's code of {case.name}, {folder.name}")
+            casadi_code.generate(case, wrenches, core)
+            self._done(core, "", sources)
 
         vector = [] if case.balls else ["-DVECTOR_TRIGONOMETRY"]
         words = "" if case.balls else ", vector sin/cos"
-        variants = {
-            "CasADi C": [],
-            f"CasADi C{words}, fast math": [*vector, "-ffast-math"],
-            "CasADi C, 8 states wide": ["-DWIDE", "-mprefer-vector-width=512"],
-        }
-        if not case.balls:
-            variants[f"CasADi C{words}"] = vector
-        if what == "all":
-            del variants["CasADi C, 8 states wide"]
+        wide = ["-DWIDE", "-mprefer-vector-width=512"]
+        fast = ["-ffast-math"]
+        variants: dict[str, list[str]] = {"CasADi C": [], f"CasADi C{words}": vector}
+        variants[f"CasADi C{words}, fast math"] = vector + fast
+        if what == "accelerations":
+            variants["CasADi C, 8 states wide"] = wide
+            variants["CasADi C, 8 states wide, fast math"] = wide + fast
         contenders = []
-        for index, (name, flags) in enumerate(sorted(variants.items())):
-            binary = folder / f"contender{index}"
-            include = ["-I", str(folder), "-I", str(DRIVERS)]
-            self._compile(binary, DRIVERS / "casadi.c", [*CASADI, *flags, *include], ["-lmvec", "-lm"], [core])
-            contenders.append(Contender(name, (str(binary),)))
+        for name, flags in variants.items():
+            flags = [*flags, *(["-DRK4"] if what == "rk4" else []), "-I", str(folder), "-I", str(DRIVERS)]
+            binary = folder / f"{what} {name}".replace(" ", "-").replace("/", "-").replace(",", "")
+            self._compile(binary, DRIVERS / "casadi.c", [*CASADI, *flags], ["-lmvec", "-lm"], [core])
+            contenders.append(Contender(name, (str(binary),), wide="-DWIDE" in flags))
         return contenders
 
     def pinocchio(self, case: Case, what: str) -> Contender:
@@ -110,7 +111,9 @@ class Builder:
         models.for_mujoco(case, model)
         return Contender("MuJoCo", (str(binary), str(model), what))
 
-    def _compile(self, binary: Path, source: Path, flags: list[str], libraries: list[str], others: list[Path]) -> None:
+    def _compile(
+        self, binary: Path, source: Path, flags: list[str], libraries: list[str], others: list[Path]
+    ) -> None:
         command = [self.clang, *flags, str(source), "-o", str(binary), *libraries]
         sources = [source, DRIVERS / "contender.h", *others]
         if self._outdated(binary, " ".join(command), sources):
@@ -119,12 +122,16 @@ class Builder:
             self._done(binary, " ".join(command), sources)
 
     def _outdated(self, made: Path, command: str, sources: list[Path]) -> bool:
-        stamp = made.with_suffix(".stamp")
+        stamp = stamp_of(made)
         is_made = made.exists() and stamp.exists()
         return not is_made or stamp.read_text() != digest(command, sources)
 
     def _done(self, made: Path, command: str, sources: list[Path]) -> None:
-        made.with_suffix(".stamp").write_text(digest(command, sources))
+        stamp_of(made).write_text(digest(command, sources))
+
+
+def stamp_of(made: Path) -> Path:
+    return made.with_name(f"{made.name}.stamp")
 
 
 def digest(command: str, sources: list[Path]) -> str:

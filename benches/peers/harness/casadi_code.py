@@ -18,7 +18,7 @@ def generate(case: Case, wrenches: bool, path: Path) -> None:
     casadi.GlobalOptions.setSimplificationOnTheFly(False)
     names = ["q"] if case.balls else ["sines", "cosines"]
     sizes = [case.coordinates] * len(names)
-    coordinates = [casadi.SX.sym(name, size) for name, size in zip(names, sizes)]
+    coordinates = [casadi.SX.sym(name, size) for name, size in zip(names, sizes, strict=True)]
     rates, torques = (casadi.SX.sym(name, case.rates) for name in ("v", "torques"))
     if case.balls:
         (q,) = coordinates

@@ -37,7 +37,7 @@ class Measured:
         """What this one takes of the time of the other, in the same rounds."""
         if not self.rounds or not other.rounds:
             return float("nan")
-        return statistics.median(a / b for a, b in zip(self.rounds, other.rounds))
+        return statistics.median(a / b for a, b in zip(self.rounds, other.rounds, strict=True))
 
 
 def measure(
@@ -60,8 +60,8 @@ def measure(
             command = [*measured.contender.command, *files, str(milliseconds)]
             run = subprocess.run(command, capture_output=True, text=True, preexec_fn=lambda: confine(core))
             if run.returncode:
-                words = run.stderr.strip().splitlines()
-                measured.failure = words[-1] if words else f"ends with {run.returncode}"
+                words = run.stderr.strip().splitlines() or [f"ends with {run.returncode}"]
+                measured.failure = words[-1].strip()
                 continue
             times = json.loads(run.stdout)
             each = [time / times["evaluations"] for time in times["nanoseconds"]]

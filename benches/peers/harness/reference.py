@@ -1,27 +1,31 @@
 """Accelerations in long doubles, which all contenders are held against, and a check of these."""
 
+from typing import Any
+
 import numpy as np
 
 from .cases import Case
 from .recursion import accelerations
 
-Array = np.ndarray
+Array = np.ndarray[Any, np.dtype[Any]]
 Long = np.longdouble
 
 
 def parts(case: Case, states: Array) -> tuple[Array, Array, Array]:
     """Coordinates, rates and torques: a row for each number, a column for each state."""
     columns = states.astype(Long).T
-    return tuple(np.split(columns, [case.coordinates, case.coordinates + case.rates]))
+    q, v, torques = np.split(columns, [case.coordinates, case.coordinates + case.rates])
+    if case.balls:
+        # They have unit length up to the rounding of shorter numbers.
+        quaternions = q.reshape(-1, 4, q.shape[1])
+        q = (quaternions / np.sqrt((quaternions**2).sum(axis=1, keepdims=True))).reshape(q.shape)
+    return q, v, torques
 
 
 def of(case: Case, q: Array, v: Array, torques: Array) -> Array:
     """Accelerations of all hinges."""
-    if case.balls:
-        hinges = list(q.reshape(-1, 4, q.shape[1]))
-    else:
-        hinges = list(zip(np.sin(q), np.cos(q)))
-    return np.array(accelerations(case, hinges, list(v), list(torques), number=Long))
+    hinges = q.reshape(-1, 4, q.shape[1]) if case.balls else np.stack([np.sin(q), np.cos(q)], axis=1)
+    return np.array(accelerations(case, list(hinges), list(v), list(torques), number=Long))
 
 
 def after_step(case: Case, q: Array, v: Array, torques: Array, step: float) -> Array:
@@ -30,17 +34,11 @@ def after_step(case: Case, q: Array, v: Array, torques: Array, step: float) -> A
     sums = [np.zeros_like(q), np.zeros_like(v)]
     rates = coordinate_rates(case, q, v), of(case, q, v, torques)
     for weight, way in ((1, h / 2), (2, h / 2), (2, h), (1, h)):
-        sums = [total + weight * rate for total, rate in zip(sums, rates)]
+        sums = [total + weight * rate for total, rate in zip(sums, rates, strict=True)]
+        # As the contenders do, which bring quaternions to unit length only after the step.
         at_q, at_v = q + way * rates[0], v + way * rates[1]
-        if case.balls:
-            at_q = normalized(at_q)
         rates = coordinate_rates(case, at_q, at_v), of(case, at_q, at_v, torques)
     return v + h / 6 * sums[1]
-
-
-def normalized(q: Array) -> Array:
-    quaternions = q.reshape(-1, 4, q.shape[1])
-    return (quaternions / np.sqrt((quaternions**2).sum(axis=1, keepdims=True))).reshape(q.shape)
 
 
 def coordinate_rates(case: Case, q: Array, v: Array) -> Array:
@@ -52,8 +50,17 @@ def coordinate_rates(case: Case, q: Array, v: Array) -> Array:
     return (np.stack(rate, axis=1) / 2).reshape(q.shape)
 
 
+def check(case: Case, q: Array, v: Array, accelerations: Array, torques: Array) -> None:
+    """Accelerations that were off by a part in 10¹⁴ would be seen in the torques."""
+    change = 1e-9
+    left = torque_error(case, q, v, accelerations, torques)
+    seen = torque_error(case, q, v, accelerations * (1 + change), torques)
+    assert left < 1e-14 / change * seen, f"the reference of {case.name} is wrong"
+
+
 def torque_error(case: Case, q: Array, v: Array, a: Array, torques: Array) -> float:
-    """By how much the torques that these accelerations take differ from those given, of the largest.
+    """By how much the torques that these accelerations take differ from those given, of the largest
+    moment in any hinge.
 
     Newton's and Euler's equations of each body in the inertial frame: they have nothing in common
     with the recursion.
@@ -61,13 +68,11 @@ def torque_error(case: Case, q: Array, v: Array, a: Array, torques: Array) -> fl
     count = q.shape[1]
     turn = np.broadcast_to(np.eye(3, dtype=Long)[:, :, None], (3, 3, count))
     omega, alpha = np.zeros((3, count), Long), np.zeros((3, count), Long)
-    hinge = np.zeros((3, count), Long)
-    acceleration = -np.array(case.gravity, Long)[:, None] + hinge
+    acceleration = np.zeros((3, count), Long) - np.array(case.gravity, Long)[:, None]
     bodies = []
     place_q = place_v = 0
     for body in case.bodies:
         arm = rotated(turn, np.array(body.position, Long)[:, None])
-        hinge = hinge + arm
         acceleration = acceleration + np.cross(alpha, arm, axis=0)
         acceleration = acceleration + np.cross(omega, np.cross(omega, arm, axis=0), axis=0)
         turn = product(turn, np.array(body.rotation, Long)[:, :, None])
@@ -90,24 +95,29 @@ def torque_error(case: Case, q: Array, v: Array, a: Array, torques: Array) -> fl
         inertia = np.array(body.inertia, Long)[:, :, None]
         world = product(product(turn, inertia), np.swapaxes(turn, 0, 1))
         moment = rotated(world, alpha) + np.cross(omega, rotated(world, omega), axis=0)
-        bodies.append((hinge, hinge + com, Long(body.mass) * of_com, moment, axes))
+        bodies.append((arm, com, Long(body.mass) * of_com, moment, axes))
 
-    force, moment_about_origin = np.zeros((3, count), Long), np.zeros((3, count), Long)
-    taken = []
-    for at, com, own_force, own_moment, axes in reversed(bodies):
+    force, moment = np.zeros((2, 3, count), Long)
+    largest = np.zeros(count, Long)
+    taken: list[Array] = []
+    for arm, com, own_force, own_moment, axes in reversed(bodies):
         force = force + own_force
-        moment_about_origin = moment_about_origin + own_moment + np.cross(com, own_force, axis=0)
-        moment = moment_about_origin - np.cross(at, force, axis=0)
+        moment = moment + own_moment + np.cross(com, own_force, axis=0)
         taken.insert(0, np.einsum("ijn,in->jn", axes, moment))
-    return float(np.abs(np.concatenate(taken) - torques).max() / np.abs(torques).max())
+        largest = np.maximum(largest, np.abs(moment).max(axis=0))
+        # About the hinge of the body before, from here on.
+        moment = moment + np.cross(arm, force, axis=0)
+    return float((np.abs(np.concatenate(taken) - torques) / largest).max())
 
 
 def rotated(turn: Array, v: Array) -> Array:
-    return np.einsum("ijn,jn->in", turn, np.broadcast_to(v, (3, turn.shape[2])))
+    result: Array = np.einsum("ijn,jn->in", turn, np.broadcast_to(v, (3, turn.shape[2])))
+    return result
 
 
 def product(a: Array, b: Array) -> Array:
-    return np.einsum("ijn,jkn->ikn", a, np.broadcast_to(b, (3, 3, a.shape[2])))
+    result: Array = np.einsum("ijn,jkn->ikn", a, np.broadcast_to(b, (3, 3, a.shape[2])))
+    return result
 
 
 def about(axis: Array, angle: Array) -> Array:

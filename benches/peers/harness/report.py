@@ -3,10 +3,10 @@
 import json
 import math
 import os
-import platform
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from .measure import Measured
 
@@ -44,11 +44,37 @@ class Table:
                 lines.append(f"| {name} | – | – | – | {row.failure} |")
                 continue
             wrong = " **wrong**" if row.error > WRONG else ""
-            cells = [name, digits(row.nanoseconds), f"{self.own.ratio(row):.2f}", f"{row.error:.0e}{wrong}", f"{row.typical_error:.0e}"]
+            cells = [
+                name,
+                digits(row.nanoseconds),
+                f"{self.own.ratio(row):.2f}",
+                f"{row.error:.0e}{wrong}",
+                f"{row.typical_error:.0e}",
+            ]
             lines.append(f"| {' | '.join(cells)} |")
         return [*lines, ""]
 
-    def json(self) -> dict:
+    def summary(self, wide: bool) -> str | None:
+        """The project's fastest beside the fastest of the others that is right, one state at a time or
+        several.
+        """
+        rows = [row for row in self.rows if row.contender.wide == wide and row.error <= WRONG]
+        own = [row for row in rows if row.contender.own]
+        others = [row for row in rows if not row.contender.own]
+        if not own or not others:
+            return None
+        best, rival = (min(rows, key=lambda row: row.nanoseconds) for rows in (own, others))
+        cells = [
+            f"{self.case}, {TITLES[self.what]}",
+            f"`{best.contender.name}`",
+            digits(best.nanoseconds),
+            rival.contender.name,
+            digits(rival.nanoseconds),
+            f"{best.ratio(rival):.2f}",
+        ]
+        return f"| {' | '.join(cells)} |"
+
+    def json(self) -> dict[str, Any]:
         def number(value: float) -> float | None:
             return value if math.isfinite(value) else None
 
@@ -76,18 +102,30 @@ def digits(nanoseconds: float) -> str:
 
 def machine(clang: str) -> list[str]:
     """What the figures are of."""
-    model = next(
-        (line.split(":", 1)[1].strip() for line in Path("/proc/cpuinfo").read_text().splitlines() if line.startswith("model name")),
-        platform.processor(),
-    )
-    first = lambda *command: subprocess.run(command, capture_output=True, text=True).stdout.splitlines()[0]  # noqa: E731
+    lines = Path("/proc/cpuinfo").read_text().splitlines()
+    models = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
+    compilers = [first_line("rustc", "--version"), first_line(clang, "--version")]
     packages = (Path(__file__).parents[1] / "requirements.txt").read_text().split()
-    return [model, first("rustc", "--version"), first(clang, "--version"), *packages]
+    return [*models[:1], *compilers, *packages]
+
+
+def first_line(*command: str) -> str:
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()[0]
 
 
 def write(work: Path, clang: str, tables: list[Table]) -> str:
     about = machine(clang)
-    text = "\n".join([", ".join(about) + ".", "", *(line for table in tables for line in table.lines())])
+    summaries = [table.summary(wide) for wide in (False, True) for table in tables]
+    lines = [
+        ", ".join(about) + ".",
+        "",
+        "| | | ns | fastest rival | ns | ratio |",
+        "|---|---|---:|---|---:|---:|",
+        *(line for line in summaries if line),
+        "",
+        *(line for table in tables for line in table.lines()),
+    ]
+    text = "\n".join(lines)
     (work / "report.md").write_text(text)
     document = {"machine": about, "load": os.getloadavg(), "tables": [table.json() for table in tables]}
     (work / "report.json").write_text(json.dumps(document, indent=1))
