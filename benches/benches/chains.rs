@@ -1,0 +1,97 @@
+//! What chains cost: accelerations in both precisions, everything at every connection point, and steps.
+//!
+//! Each evaluation is of another state, so that no branch can be foreseen.
+
+use std::hint::black_box;
+use std::time::Duration;
+
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
+use mstmm::{Rk4, Scalar};
+use mstmm_benches::{
+    Balls3, Balls10, Balls100, Case, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
+    numbers_of_state, samples, with_cases,
+};
+
+type Group<'a> = BenchmarkGroup<'a, WallTime>;
+
+/// The states of a chain have so many numbers together, which a cache holds, but there are no more
+/// states than this.
+const NUMBERS: usize = 1 << 16;
+const MOST_STATES: usize = 1024;
+
+/// The step in s.
+const STEP: f64 = 1e-3;
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default()
+        .warm_up_time(Duration::from_millis(300))
+        .measurement_time(Duration::from_millis(700))
+        .sample_size(40);
+    targets = all_chains
+}
+criterion_main!(benches);
+
+macro_rules! groups {
+    ($($chain:ident)*) => {
+        fn all_chains(criterion: &mut Criterion) {
+            let mut group = criterion.benchmark_group("accelerations");
+            $(accelerations::<$chain<f64>>(&mut group);)*
+            group.finish();
+            let mut group = criterion.benchmark_group("accelerations, f32");
+            $(accelerations::<$chain<f32>>(&mut group);)*
+            group.finish();
+            let mut group = criterion.benchmark_group("everything");
+            $(everything::<$chain<f64>>(&mut group);)*
+            group.finish();
+            let mut group = criterion.benchmark_group("RK4 step");
+            $(step::<$chain<f64>>(&mut group);)*
+            group.finish();
+        }
+    };
+}
+with_cases!(groups);
+
+fn accelerations<C: Case>(group: &mut Group) {
+    let (chain, mut rate) = (C::default(), C::State::default());
+    bench_each::<C>(group, &chain, |(state, inputs)| {
+        let result = chain.accelerations_into(black_box(state), inputs, black_box(&mut rate));
+        let _ = black_box(result);
+    });
+}
+
+fn everything<C: Case>(group: &mut Group) {
+    let chain = C::default();
+    let mut at = chain.workspace();
+    bench_each::<C>(group, &chain, |(state, inputs)| {
+        let result = chain.solve_into(black_box(state), inputs, black_box(&mut at));
+        let _ = black_box(result);
+    });
+}
+
+fn step<C: Case>(group: &mut Group) {
+    let chain = C::default();
+    let mut rk4 = Rk4::new(Scalar::constant(STEP));
+    bench_each::<C>(group, &chain, |(state, inputs)| {
+        let mut state = black_box(state).clone();
+        let result = rk4.step(&chain, &mut state, |_, _| inputs.clone());
+        let _ = black_box((result, &state));
+    });
+}
+
+fn bench_each<C: Case>(
+    group: &mut Group,
+    chain: &C,
+    mut evaluate: impl FnMut(&(C::State, C::Inputs)),
+) {
+    let count = (NUMBERS / numbers_of_state::<C::State>()).min(MOST_STATES);
+    let samples = samples(chain, count);
+    let mut index = 0;
+    group.bench_function(C::NAME, |bencher| {
+        bencher.iter(|| {
+            evaluate(&samples[index]);
+            index = if index + 1 == count { 0 } else { index + 1 };
+        });
+    });
+}

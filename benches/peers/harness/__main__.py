@@ -1,0 +1,109 @@
+"""`benches/peers/run`: see README.md."""
+
+import argparse
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from . import reference, report
+from .build import Builder, Contender, say
+from .cases import CASES, Case
+from .measure import measure
+
+STEP = 1e-3
+"""Of the integrators, in s: the contenders have it too."""
+
+OWN_ERROR = 1e-9
+"""With more the project's own code is broken, and its speed means nothing."""
+
+LONGER = {"B3", "D7"}
+"""Where not only accelerations are timed."""
+
+
+def main() -> None:
+    options = parse()
+    builder = Builder(options.work, options.clang)
+    native, any_processor = builder.own(native=True), builder.own(native=False)
+    tables = []
+    for name in options.cases:
+        case = CASES[name]
+        for what in options.what:
+            if what != "accelerations" and name not in LONGER and not options.all:
+                continue
+            own = own_contenders(native, any_processor, case, what)
+            peers = [*builder.casadi(case, what), builder.pinocchio(case, what), builder.mujoco(case, what)]
+            states, expected = expectation(native, case, what, options.work)
+            say(f"timing {name}, {what}")
+            rows = measure(
+                [*own, *peers], states, expected, options.rounds, options.milliseconds, options.core
+            )
+            tables.append(report.Table(name, what, case.states, rows))
+    print(report.write(options.work, options.clang, tables))
+    broken = [
+        f"{table.case}, {table.what}: {row.contender.name} {row.failure or f'is off by {row.error:.0e}'}"
+        for table in tables
+        for row in table.rows
+        if row.contender.own and not row.error < OWN_ERROR
+    ]
+    sys.exit("\n".join(broken))
+
+
+def parse() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="benches/peers/run", description=__doc__)
+    parser.add_argument("--work", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--clang", required=True, help=argparse.SUPPRESS)
+    parser.add_argument(
+        "--cases", type=lambda text: text.split(","), default=list(CASES), help="such as A10,D7"
+    )
+    parser.add_argument(
+        "--what",
+        type=lambda text: text.split(","),
+        default=list(report.TITLES),
+        help="of accelerations,all,rk4",
+    )
+    parser.add_argument(
+        "--all", action="store_true", help="all and rk4 for all cases, not for B3 and D7 alone"
+    )
+    parser.add_argument("--quick", action="store_true", help="fewer and shorter rounds")
+    parser.add_argument("--rounds", type=int)
+    parser.add_argument("--milliseconds", type=int, help="for which a contender is timed in a round")
+    parser.add_argument("--core", type=int, default=max(os.sched_getaffinity(0)), help="to run on")
+    options = parser.parse_args()
+    options.rounds = options.rounds or (5 if options.quick else 15)
+    options.milliseconds = options.milliseconds or (20 if options.quick else 50)
+    if unknown := [*set(options.cases) - set(CASES), *set(options.what) - set(report.TITLES)]:
+        parser.error(f"not known: {', '.join(unknown)}")
+    return options
+
+
+def own_contenders(native: Path, any_processor: Path, case: Case, what: str) -> list[Contender]:
+    """The first one is what the others are compared with."""
+    contenders = [
+        Contender("mstmm, native", (str(native), what, case.name), own=True),
+        Contender("mstmm, any processor", (str(any_processor), what, case.name), own=True),
+    ]
+    # What a contender can do is in its usage.
+    usage = subprocess.run([native], capture_output=True, text=True).stderr
+    if what == "accelerations" and "lanes" in usage:
+        contenders.append(Contender("mstmm, lanes", (str(native), "lanes", case.name), own=True, wide=True))
+    return contenders
+
+
+def expectation(own: Path, case: Case, what: str, work: Path) -> tuple[Path, np.ndarray]:
+    """The states, and what must come out for each."""
+    path = work / f"{case.name}.states"
+    subprocess.run([own, "states", case.name, str(case.states), path], check=True)
+    states = np.fromfile(path).reshape(case.states, case.coordinates + 2 * case.rates)
+    q, v, torques = reference.parts(case, states)
+    accelerations = reference.of(case, q, v, torques)
+    reference.check(case, q, v, accelerations, torques)
+    if what == "rk4":
+        return path, reference.after_step(case, q, v, torques, STEP).T
+    return path, accelerations.T
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,87 @@
+"""Runs contenders in turns and holds what they compute against the reference."""
+
+import json
+import os
+import resource
+import statistics
+import subprocess
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from .build import Contender
+
+MEMORY = 8 << 30
+"""What a contender may take, in bytes: one that needs more is not to take the machine with it."""
+
+
+@dataclass
+class Measured:
+    contender: Contender
+    rounds: list[float] = field(default_factory=list)
+    """ns an evaluation: the median of each round's batches."""
+    fastest: float = float("inf")
+    """ns an evaluation, of all batches."""
+    error: float = float("nan")
+    """Of an acceleration, of the largest in its state; the largest of all states."""
+    typical_error: float = float("nan")
+    """The median of all states."""
+    failure: str = ""
+
+    @property
+    def nanoseconds(self) -> float:
+        return statistics.median(self.rounds) if self.rounds else float("nan")
+
+    def ratio(self, other: "Measured") -> float:
+        """What this one takes of the time of the other, in the same rounds."""
+        if not self.rounds or not other.rounds:
+            return float("nan")
+        return statistics.median(a / b for a, b in zip(self.rounds, other.rounds, strict=True))
+
+
+def measure(
+    contenders: list[Contender],
+    states: Path,
+    reference: np.ndarray,
+    rounds: int,
+    milliseconds: int,
+    core: int,
+) -> list[Measured]:
+    """Each contender once a round, so that what else the machine does falls on all of them."""
+    all_measured = [Measured(contender) for contender in contenders]
+    results = states.with_suffix(".results")
+    for index in range(rounds):
+        for measured in all_measured:
+            if measured.failure:
+                continue
+            # The first round also writes results.
+            files = [str(states), str(results) if index == 0 else "-"]
+            command = [*measured.contender.command, *files, str(milliseconds)]
+            run = subprocess.run(command, capture_output=True, text=True, preexec_fn=lambda: confine(core))
+            if run.returncode:
+                words = run.stderr.strip().splitlines() or [f"ends with {run.returncode}"]
+                measured.failure = words[-1].strip()
+                continue
+            times = json.loads(run.stdout)
+            each = [time / times["evaluations"] for time in times["nanoseconds"]]
+            measured.rounds.append(statistics.median(each))
+            measured.fastest = min(measured.fastest, *each)
+            if index == 0:
+                compare(measured, np.fromfile(results), reference)
+    return all_measured
+
+
+def confine(core: int) -> None:
+    os.sched_setaffinity(0, {core})
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_STACK, (256 << 20, 256 << 20))
+
+
+def compare(measured: Measured, results: np.ndarray, reference: np.ndarray) -> None:
+    """What comes out begins with the accelerations of each state."""
+    rows = results.reshape(reference.shape[0], -1)[:, : reference.shape[1]]
+    errors = np.abs(rows - reference).max(axis=1) / np.abs(reference).max(axis=1)
+    # What is not a number is as wrong as can be.
+    errors = np.where(np.isnan(errors), np.inf, errors)
+    measured.error, measured.typical_error = float(errors.max()), float(np.median(errors))

@@ -1,0 +1,49 @@
+"""The mechanisms as files for tools that read a model."""
+
+from pathlib import Path
+
+import mujoco
+
+from .cases import Body, Case
+
+
+def for_pinocchio(case: Case) -> str:
+    """What `pinocchio.cpp` reads: gravity, then a line for each body."""
+
+    def line(body: Body) -> str:
+        entries = [*body.position, *(x for row in body.rotation for x in row), body.mass, *body.com]
+        entries += [x for row in body.inertia for x in row]
+        return " ".join([body.hinge, *map(repr, entries)])
+
+    first = " ".join(map(repr, [len(case.bodies), *case.gravity]))
+    return "\n".join([first, *map(line, case.bodies)]) + "\n"
+
+
+def for_mujoco(case: Case, path: Path) -> None:
+    """A compiled model; MJCF cannot be nested a thousand times."""
+    spec = mujoco.MjSpec()
+    spec.option.timestep = 1e-3
+    spec.option.integrator = mujoco.mjtIntegrator.mjINT_RK4
+    spec.option.gravity = case.gravity
+    # Nothing touches, and nothing is limited.
+    flags = mujoco.mjtDisableBit
+    spec.option.disableflags = flags.mjDSBL_CONSTRAINT | flags.mjDSBL_CONTACT
+    before = spec.worldbody
+    for body in case.bodies:
+        inertia = body.inertia
+        rotation = body.rotation
+        before = before.add_body(
+            pos=body.position,
+            mass=body.mass,
+            ipos=body.com,
+            fullinertia=[inertia[i][j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))],
+            explicitinertial=True,
+        )
+        before.alt.type = mujoco.mjtOrientation.mjORIENTATION_XYAXES
+        before.alt.xyaxes = [rotation[i][column] for column in (0, 1) for i in range(3)]
+        if body.hinge == "ball":
+            before.add_joint(type=mujoco.mjtJoint.mjJNT_BALL)
+        else:
+            axis = [float(name == body.hinge) for name in "xyz"]
+            before.add_joint(type=mujoco.mjtJoint.mjJNT_HINGE, axis=axis)
+    mujoco.mj_saveModel(spec.compile(), str(path))

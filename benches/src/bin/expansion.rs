@@ -1,0 +1,74 @@
+//! How long the macro takes to expand, built as cargo builds macros unless told otherwise: run it
+//! without `--release`. `benches/compile-time/run` does.
+
+use std::error::Error;
+use std::fmt::Write;
+use std::time::Instant;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The file that has the Panda.
+const PANDA: &str = include_str!("../models/panda.rs");
+
+/// How many bodies a long chain has, no two of them alike.
+const BODIES: usize = 32;
+
+const RUNS: usize = 11;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    time("the Panda", &description(PANDA)?)?;
+    time("32 different bodies", &different_bodies()?.parse::<TokenStream>()?)
+}
+
+/// Prints the median of some expansions.
+fn time(name: &str, description: &TokenStream) -> Result<(), Box<dyn Error>> {
+    let mut milliseconds = Vec::new();
+    for _ in 0..RUNS {
+        let (description, start) = (description.clone(), Instant::now());
+        let expansion = mstmm_codegen::expand(description, &quote!(::mstmm));
+        milliseconds.push(start.elapsed().as_secs_f64() * 1e3);
+        if let Some(mistakes) = expansion.mistakes {
+            return Err(mistakes.into());
+        }
+    }
+    milliseconds.sort_by(f64::total_cmp);
+    println!("{name}\t{:.1}", milliseconds[RUNS / 2]);
+    Ok(())
+}
+
+/// What stands in the macro call of a file.
+fn description(file: &str) -> Result<TokenStream, Box<dyn Error>> {
+    let file = syn::parse_file(file)?;
+    let mut macros = file.items.into_iter().filter_map(|item| match item {
+        syn::Item::Macro(call) if call.mac.path.is_ident("mstmm_chain") => Some(call.mac.tokens),
+        _ => None,
+    });
+    Ok(macros.next().ok_or("the file has no chain")?)
+}
+
+/// A chain of pins whose bodies have full tensors.
+fn different_bodies() -> Result<String, std::fmt::Error> {
+    let mut text = String::from("chain Long { gravity = [0, 0, -9.81] m/s^2;");
+    for index in 0..BODIES {
+        let number = index as f64 / 100.0;
+        write!(
+            text,
+            "body Link{index} {{
+                mass = {} kg;
+                com = [{}, 0.02, {}] m;
+                output = [0.1, {}, 0] m turned rpy(90, 0, 0) deg;
+                inertia = tensor({}, 0.11, 0.12, 0.001, 0.002, 0.003) kg*m^2 about com;
+            }}",
+            1.0 + number,
+            0.01 + number,
+            0.03 - number,
+            0.2 + number,
+            0.1 + number / 4.0,
+        )?;
+    }
+    let route =
+        (0..BODIES).map(|index| format!("-> pin(z) joint{index} -> Link{index} link{index}"));
+    write!(text, "ground {}; }}", route.collect::<String>())?;
+    Ok(text)
+}

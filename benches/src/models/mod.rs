@@ -1,0 +1,60 @@
+//! The chains, as their users would write them: short ones in full, long ones by `repeat`.
+
+mod balls;
+mod panda;
+mod pins;
+mod rods;
+
+pub use balls::{Balls3, Balls10, Balls100};
+pub use panda::Panda;
+pub use pins::{Pins7, Pins30};
+pub use rods::{Rods3, Rods10, Rods100, Rods1000};
+
+/// Makes a generated chain a [`Case`](crate::Case) from its name and the way to its inputs.
+macro_rules! case {
+    ($chain:ident, $name:literal, |$inputs:ident, $torques:ident| $set:expr) => {
+        impl<T: ::mstmm::Scalar> $crate::Case for $chain<T> {
+            const NAME: &'static str = $name;
+
+            fn accelerations_into(
+                &self,
+                state: &Self::State,
+                inputs: &Self::Inputs,
+                rate: &mut Self::State,
+            ) -> Result<(), ::mstmm::Error> {
+                self.accelerations_into(state, inputs, &mut rate.v)
+            }
+
+            fn accelerations_at(at: &Self::Workspace) -> &[T] {
+                at.accelerations().as_slice()
+            }
+
+            fn set_torques($inputs: &mut Self::Inputs, $torques: &[T]) {
+                $set
+            }
+        }
+    };
+}
+use case;
+
+/// Torques of hinges with a name each: `each_hinge!(inputs, torques: a b c)`.
+macro_rules! each_hinge {
+    ($inputs:ident, $torques:ident: $($hinge:ident)*) => {{
+        let hinges = [$(&mut $inputs.$hinge),*];
+        for (hinge, torque) in hinges.into_iter().zip($torques) {
+            *hinge = *torque;
+        }
+    }};
+}
+use each_hinge;
+
+/// The same of hinges that take a vector each.
+macro_rules! each_vector {
+    ($inputs:ident, $torques:ident: $($hinge:ident)*) => {{
+        let hinges = [$(&mut $inputs.$hinge),*];
+        for (hinge, torque) in hinges.into_iter().zip($torques.as_chunks::<3>().0) {
+            *hinge = (*torque).into();
+        }
+    }};
+}
+use each_vector;

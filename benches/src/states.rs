@@ -1,0 +1,98 @@
+//! Random states, the same in every run and for every tool.
+
+use std::f64::consts::PI;
+
+use mstmm::{ChainState, Scalar};
+
+use crate::Case;
+
+/// The seed of all states.
+const SEED: u64 = 0x6d73_746d_6d20_3031;
+
+/// Largest rate in rad/s and largest torque in N m.
+const LARGEST_RATE: f64 = 2.0;
+const LARGEST_TORQUE: f64 = 5.0;
+
+/// So many states of a case with their inputs.
+pub fn samples<C: Case>(chain: &C, count: usize) -> Vec<(C::State, C::Inputs)> {
+    let numbers = random_states::<C::State>(count);
+    let each = numbers.chunks_exact(numbers_of_state::<C::State>());
+    each.map(|numbers| chain.sample(numbers)).collect()
+}
+
+/// How many numbers are in a state: coordinates, rates and torques.
+pub fn numbers_of_state<S: ChainState + Default>() -> usize {
+    let state = S::default();
+    state.q().len() + 2 * state.v().len()
+}
+
+/// So many states, one after the other: coordinates, rates and torques of all hinges, which are
+/// pins alone or balls alone.
+///
+/// Angles go all around and orientations everywhere, so that no branch can be foreseen.
+pub fn random_states<S: ChainState + Default>(count: usize) -> Vec<f64> {
+    let state = S::default();
+    let (coordinates, rates) = (state.q().len(), state.v().len());
+    let mut random = Random(SEED);
+    let mut numbers = Vec::with_capacity(count * numbers_of_state::<S>());
+    for _ in 0..count {
+        // Of a ball the orientation takes four numbers, its rate three.
+        if coordinates == rates {
+            numbers.extend((0..coordinates).map(|_| random.within(PI)));
+        } else {
+            numbers.extend((0..coordinates / 4).flat_map(|_| random.orientation()));
+        }
+        numbers.extend((0..rates).map(|_| random.within(LARGEST_RATE)));
+        numbers.extend((0..rates).map(|_| random.within(LARGEST_TORQUE)));
+    }
+    numbers
+}
+
+/// So many angles, all around.
+pub fn random_angles(count: usize) -> Vec<f64> {
+    let mut random = Random(SEED);
+    (0..count).map(|_| random.within(PI)).collect()
+}
+
+/// A state from such numbers, and the torques that are left.
+pub fn state_from<S: ChainState + Default>(numbers: &[f64]) -> (S, Vec<S::Scalar>) {
+    let mut state = S::default();
+    let mut numbers = numbers.iter().map(|&number| S::Scalar::constant(number));
+    let (coordinates, rates) = (state.q().len(), state.v().len());
+    for (place, number) in state.q_mut().iter_mut().zip(numbers.by_ref().take(coordinates)) {
+        *place = number;
+    }
+    for (place, number) in state.v_mut().iter_mut().zip(numbers.by_ref().take(rates)) {
+        *place = number;
+    }
+    (state, numbers.collect())
+}
+
+/// Numbers by SplitMix64 (Steele, Lea and Flood 2014).
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        mixed ^ (mixed >> 31)
+    }
+
+    /// Evenly between −`bound` and `bound`.
+    fn within(&mut self, bound: f64) -> f64 {
+        let unit = (self.bits() >> 11) as f64 / (1_u64 << 53) as f64;
+        bound * (2.0 * unit - 1.0)
+    }
+
+    /// A unit quaternion, all of them alike: a point of the ball, brought to its surface.
+    fn orientation(&mut self) -> [f64; 4] {
+        loop {
+            let point = [(); 4].map(|()| self.within(1.0));
+            let square: f64 = point.iter().map(|x| x * x).sum();
+            if (0.1..=1.0).contains(&square) {
+                return point.map(|x| x / square.sqrt());
+            }
+        }
+    }
+}
