@@ -111,6 +111,8 @@ mod error;
 pub mod generated;
 pub mod hinge;
 pub mod integrate;
+#[cfg(feature = "wide")]
+mod lanes;
 pub mod paper;
 mod point;
 mod scalar;
@@ -132,3 +134,5 @@ pub use point::{
     ConnectionPoint, LinePoint, LineStateVector, PlanePoint, PlaneStateVector, Point, StateVector,
 };
 pub use scalar::{Mask, Scalar};
+#[cfg(feature = "wide")]
+pub use wide;

@@ -9,26 +9,30 @@
 //! 80 digits. Coefficients were rounded one after the other, from the lowest power on, and those
 //! left fitted again each time.
 
+use crate::Scalar;
+
 /// c₀ + c₁ z + c₂ z² + … of z and z², in pairs, which hang on each other half as long as Horner's
 /// terms. Written out: a loop in the loop over angles would keep that from becoming vector
 /// instructions.
 macro_rules! polynomial {
     ($z:ident, $square:ident: $even:ident) => { $even };
     ($z:ident, $square:ident: $even:ident $odd:ident $($rest:ident)*) => {{
-        let pair = Scalar::mul_add($z, $odd, $even);
+        let pair = $z.mul_add($odd, $even);
         polynomial!(@ $z, $square: pair $($rest)*)
     }};
     (@ $z:ident, $square:ident: $pair:ident) => { $pair };
     (@ $z:ident, $square:ident: $pair:ident $($rest:ident)+) => {
-        Scalar::mul_add($square, polynomial!($z, $square: $($rest)+), $pair)
+        $square.mul_add(polynomial!($z, $square: $($rest)+), $pair)
     };
 }
 
-/// The functions of one precision. Its constants stand where this is called.
+/// The functions of one precision, for a number or for lanes of such. Their constants stand where
+/// this is called.
 macro_rules! implementation {
-    ($real:ident, $bits:ident) => {
-        use super::super::side_by_side::side_by_side;
+    ($real:ident) => {
+        use super::Quadrant;
         use crate::Scalar;
+        use crate::trig::side_by_side::side_by_side;
 
         /// Sines and cosines of all angles, each computed by the same straight line of instructions.
         #[inline]
@@ -38,27 +42,29 @@ macro_rules! implementation {
 
         /// Sine and cosine of an angle.
         #[inline(always)]
-        fn one(angle: $real) -> ($real, $real) {
-            let (rest, quadrant) = reduce(angle);
-            turn(sine_near_zero(rest), cosine_near_zero(rest), quadrant)
+        pub(crate) fn one<T: Quadrant<Real = $real>>(angle: T) -> (T, T) {
+            let (rest, shifted) = reduce(angle);
+            T::turn(sine_near_zero(rest), cosine_near_zero(rest), shifted)
         }
 
-        /// The angle less the nearest multiple of π/2, as an unevaluated sum of two numbers, and
-        /// that multiple's last bits.
+        /// The angle less the nearest multiple of π/2, as an unevaluated sum of two numbers, and a
+        /// number whose last bits are those of the multiple.
         #[inline(always)]
-        fn reduce(angle: $real) -> (($real, $real), $bits) {
-            let shifted = Scalar::mul_add(angle, core::$real::consts::FRAC_2_PI, MAGIC);
-            let multiple = shifted - MAGIC;
-            let angle = if multiple.abs() < MULTIPLE_LIMIT { angle } else { $real::NAN };
+        fn reduce<T: Quadrant<Real = $real>>(angle: T) -> ((T, T), T) {
+            let [magic, limit] = [MAGIC, MULTIPLE_LIMIT].map(T::splat);
+            let shifted = angle.mul_add(T::splat(core::$real::consts::FRAC_2_PI), magic);
+            let multiple = shifted - magic;
+            let answered = limit.greater(Scalar::abs(multiple));
+            let angle = T::select(answered, angle, T::splat($real::NAN));
             // Exact, for the angle and the product are close.
-            let left = angle - multiple * PI_HALF;
-            (less_rest(left, multiple), shifted.to_bits())
+            let left = angle - multiple * T::splat(PI_HALF);
+            (less_rest(left, multiple), shifted)
         }
 
         /// The rounded sum and what rounding took from it, exactly, whichever of the two is larger
         /// (Knuth).
         #[inline(always)]
-        fn two_sum(a: $real, b: $real) -> ($real, $real) {
+        fn two_sum<T: Scalar>(a: T, b: T) -> (T, T) {
             let sum = a + b;
             let b_part = sum - a;
             (sum, (a - (sum - b_part)) + (b - b_part))
@@ -67,39 +73,54 @@ macro_rules! implementation {
         /// The sine of x + lo. The leading correction x³/6 is added last, so that only its own
         /// rounding is seen beside that of x.
         #[inline(always)]
-        fn sine_near_zero((x, lo): ($real, $real)) -> $real {
+        fn sine_near_zero<T: Scalar<Real = $real>>((x, lo): (T, T)) -> T {
             let square = x * x;
             let cube = square * x;
             // sin(x + lo) = sin x + lo cos x, of which cos x ≈ 1 − x²/2 is enough.
-            let small = cube.mul_neg_add(sine_tail(square), 0.5 * lo);
-            x - cube.mul_neg_add(SINE[0], square.mul_sub(small, lo))
+            let small = cube.mul_neg_add(sine_tail(square), T::splat(0.5) * lo);
+            x - cube.mul_neg_add(T::splat(SINE[0]), square.mul_sub(small, lo))
         }
 
         /// The cosine of x + lo. What rounding takes from 1 − x²/2 is put back.
         #[inline(always)]
-        fn cosine_near_zero((x, lo): ($real, $real)) -> $real {
+        fn cosine_near_zero<T: Scalar<Real = $real>>((x, lo): (T, T)) -> T {
             let square = x * x;
-            let half = 0.5 * square;
-            let near_one = 1.0 - half;
+            let half = T::splat(0.5) * square;
+            let near_one = T::splat(1.0) - half;
             // cos(x + lo) = cos x − lo sin x, of which sin x ≈ x is enough.
             let small = (square * square).mul_sub(cosine_tail(square), x * lo);
-            near_one + (((1.0 - near_one) - half) + small)
-        }
-
-        /// Sine and cosine after as many quarter turns as the last two bits of `quadrant` say.
-        #[inline(always)]
-        fn turn(sine: $real, cosine: $real, quadrant: $bits) -> ($real, $real) {
-            let odd = quadrant & 1 != 0;
-            let (new_sine, new_cosine) = if odd { (cosine, sine) } else { (sine, cosine) };
-            let sine_sign = (quadrant & 2) << ($bits::BITS - 2);
-            let cosine_sign = (quadrant.wrapping_add(1) & 2) << ($bits::BITS - 2);
-            (
-                $real::from_bits(new_sine.to_bits() ^ sine_sign),
-                $real::from_bits(new_cosine.to_bits() ^ cosine_sign),
-            )
+            near_one + (((T::splat(1.0) - near_one) - half) + small)
         }
     };
 }
+
+/// Numbers whose bits say in which quarter of a turn an angle lies.
+pub(crate) trait Quadrant: Scalar {
+    /// Sine and cosine after as many quarter turns as the last two bits of `shifted` say.
+    fn turn(sine: Self, cosine: Self, shifted: Self) -> (Self, Self);
+}
+
+macro_rules! quadrant {
+    ($real:ident, $bits:ident) => {
+        impl Quadrant for $real {
+            #[inline(always)]
+            fn turn(sine: Self, cosine: Self, shifted: Self) -> (Self, Self) {
+                let quadrant = shifted.to_bits();
+                let odd = quadrant & 1 != 0;
+                let (new_sine, new_cosine) = if odd { (cosine, sine) } else { (sine, cosine) };
+                let sine_sign = (quadrant & 2) << ($bits::BITS - 2);
+                let cosine_sign = (quadrant.wrapping_add(1) & 2) << ($bits::BITS - 2);
+                (
+                    $real::from_bits(new_sine.to_bits() ^ sine_sign),
+                    $real::from_bits(new_cosine.to_bits() ^ cosine_sign),
+                )
+            }
+        }
+    };
+}
+
+quadrant!(f32, u32);
+quadrant!(f64, u64);
 
 /// In double precision.
 pub(crate) mod double {
@@ -139,15 +160,15 @@ pub(crate) mod double {
 
     /// S₁ + S₂ z + …
     #[inline(always)]
-    fn sine_tail(z: f64) -> f64 {
-        let ([_, s1, s2, s3, s4, s5], square) = (SINE, z * z);
+    fn sine_tail<T: Scalar<Real = f64>>(z: T) -> T {
+        let ([_, s1, s2, s3, s4, s5], square) = (SINE.map(T::splat), z * z);
         polynomial!(z, square: s1 s2 s3 s4 s5)
     }
 
     /// C₀ + C₁ z + …
     #[inline(always)]
-    fn cosine_tail(z: f64) -> f64 {
-        let ([c0, c1, c2, c3, c4, c5], square) = (COSINE, z * z);
+    fn cosine_tail<T: Scalar<Real = f64>>(z: T) -> T {
+        let ([c0, c1, c2, c3, c4, c5], square) = (COSINE.map(T::splat), z * z);
         polynomial!(z, square: c0 c1 c2 c3 c4 c5)
     }
 
@@ -155,12 +176,13 @@ pub(crate) mod double {
     /// further product may exceed all that the ones before it left; but where rounding took
     /// anything, what is left exceeds the last product by far.
     #[inline(always)]
-    fn less_rest(left: f64, multiple: f64) -> (f64, f64) {
-        let (left, lost) = two_sum(left, -(multiple * PI_HALF_REST[0]));
-        two_sum(left, lost - multiple * PI_HALF_REST[1])
+    fn less_rest<T: Scalar<Real = f64>>(left: T, multiple: T) -> (T, T) {
+        let rest = PI_HALF_REST.map(T::splat);
+        let (left, lost) = two_sum(left, -(multiple * rest[0]));
+        two_sum(left, lost - multiple * rest[1])
     }
 
-    implementation!(f64, u64);
+    implementation!(f64);
 }
 
 /// In single precision, computed in single precision alone.
@@ -185,25 +207,26 @@ pub(crate) mod single {
 
     /// S₁ + S₂ z
     #[inline(always)]
-    fn sine_tail(z: f32) -> f32 {
-        let [_, s1, s2] = SINE;
-        Scalar::mul_add(z, s2, s1)
+    fn sine_tail<T: Scalar<Real = f32>>(z: T) -> T {
+        let [_, s1, s2] = SINE.map(T::splat);
+        z.mul_add(s2, s1)
     }
 
     /// C₀ + C₁ z + C₂ z²
     #[inline(always)]
-    fn cosine_tail(z: f32) -> f32 {
-        let ([c0, c1, c2], square) = (COSINE, z * z);
+    fn cosine_tail<T: Scalar<Real = f32>>(z: T) -> T {
+        let ([c0, c1, c2], square) = (COSINE.map(T::splat), z * z);
         polynomial!(z, square: c0 c1 c2)
     }
 
     /// What is left of an angle less the rest of so many times π/2, as in double precision.
     #[inline(always)]
-    fn less_rest(left: f32, multiple: f32) -> (f32, f32) {
-        let (left, first_lost) = two_sum(left, -(multiple * PI_HALF_REST[0]));
-        let (left, second_lost) = two_sum(left, -(multiple * PI_HALF_REST[1]));
-        two_sum(left, (first_lost + second_lost) - multiple * PI_HALF_REST[2])
+    fn less_rest<T: Scalar<Real = f32>>(left: T, multiple: T) -> (T, T) {
+        let rest = PI_HALF_REST.map(T::splat);
+        let (left, first_lost) = two_sum(left, -(multiple * rest[0]));
+        let (left, second_lost) = two_sum(left, -(multiple * rest[1]));
+        two_sum(left, (first_lost + second_lost) - multiple * rest[2])
     }
 
-    implementation!(f32, u32);
+    implementation!(f32);
 }
