@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+use crate::compare::Comparison;
 use crate::output::exhibit::{Exhibit, Row, shown};
-use crate::output::table;
+use crate::output::table::{self, Grid};
 use crate::section::Outcome;
 
 const STYLE: &str = "
@@ -59,12 +60,32 @@ fn page(outcome: &Outcome) -> Result<Markup, Box<dyn Error>> {
                 }
                 h2 { "Tables" }
                 @for exhibit in &outcome.exhibits { (of_exhibit(exhibit)) }
-                @for comparison in &outcome.comparisons {
-                    pre { (table::of(comparison).to_string()) }
-                }
+                @for comparison in &outcome.comparisons { (of_comparison(comparison)) }
             }
         }
     })
+}
+
+fn of_comparison(comparison: &Comparison) -> Markup {
+    html! {
+        h3 { (table::title(comparison)) }
+        p { (table::method(comparison)) "." }
+        @for Grid { title, says, columns, rows } in table::grids(comparison) {
+            h4 { (title) }
+            table {
+                tr { @for column in columns { th { (column) } } }
+                @for row in rows {
+                    tr { @for cell in row { td { (cell) } } }
+                }
+            }
+            p { (says) }
+        }
+        ul {
+            @for (what, value) in table::summary(comparison) {
+                li { (what) ": " (value) }
+            }
+        }
+    }
 }
 
 fn of_exhibit(exhibit: &Exhibit) -> Markup {
