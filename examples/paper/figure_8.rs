@@ -1,9 +1,7 @@
 //! Figure 8: what an evaluation of all accelerations costs against the number of rods, by generated
-//! code of both methods, by Lagrange's equations and by a recursion of order n. All are timed in one
-//! run, in turns, so that what else the machine does falls on all of them.
+//! code of both methods, by Lagrange's equations and by a recursion of order n.
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use mstmm::prelude::*;
 use mstmm::{Error, GeneratedChain};
@@ -11,14 +9,12 @@ use mstmm::{Error, GeneratedChain};
 use crate::output::exhibit::{Exhibit, KnownDifference, Row};
 use crate::output::log_plot::{LogFigure, Series, Way};
 use crate::output::progress::Progress;
+use crate::power_law;
 use crate::rods::{Recursion, Rods};
 use crate::section::Outcome;
 use crate::system::GRAVITY;
+use crate::timing::{BATCHES, Evaluation, Generated, difference, fastest};
 
-/// How long a batch of evaluations is timed in s, and how many batches of each way; the fastest counts,
-/// which other work on the machine has slowed least.
-const BATCH: f64 = 1e-3;
-const BATCHES: usize = 15;
 /// From so many rods on a power law is fitted.
 const LONG: usize = 20;
 
@@ -29,7 +25,7 @@ const WAYS: [&str; 4] =
 /// What an evaluation by each way takes in s, and how far the ways differ from the first.
 struct Timing {
     rods: usize,
-    seconds: [f64; WAYS.len()],
+    seconds: Vec<f64>,
     difference: f64,
 }
 
@@ -80,7 +76,8 @@ pub fn run(progress: &Progress) -> Result<Outcome, Error> {
         timings.iter().map(|timing| (timing.rods as f64, timing.seconds[way])).collect::<Vec<_>>()
     };
     let rows = WAYS.iter().enumerate().map(|(way, name)| {
-        let exponent = exponent(&series(way));
+        let long = series(way).into_iter().filter(|(rods, _)| *rods >= LONG as f64);
+        let exponent = power_law::exponent(&long.collect::<Vec<_>>());
         let seconds = timings.iter().map(|timing| timing.seconds[way]);
         Row { name: (*name).to_owned(), values: seconds.chain([exponent]).collect() }
     });
@@ -125,8 +122,8 @@ pub fn run(progress: &Progress) -> Result<Outcome, Error> {
 /// Times a length; the pose is one like any other.
 fn timing<A, B>(riccati: &A, transfer: &B, count: usize) -> Result<Timing, Error>
 where
-    A: GeneratedChain<Scalar = f64, State: Default>,
-    B: GeneratedChain<Scalar = f64, State: Default>,
+    A: GeneratedChain<Scalar = f64>,
+    B: GeneratedChain<Scalar = f64>,
 {
     let angle = |k: usize| 0.4 * (1.7 * k as f64 + 0.3).sin();
     let rods = Rods {
@@ -134,8 +131,8 @@ where
         angles: (0..count).map(angle).collect(),
         rates: (0..count).map(|k| 0.5 * (2.3 * k as f64).cos()).collect(),
     };
-    let mut by_riccati = Generated::new(riccati, &rods);
-    let mut by_transfer = Generated::new(transfer, &rods);
+    let mut by_riccati = Generated::new(riccati, &rods.angles, &rods.rates);
+    let mut by_transfer = Generated::new(transfer, &rods.angles, &rods.rates);
     let mut work = Recursion::new(count);
     by_riccati.evaluate()?;
     by_transfer.evaluate()?;
@@ -143,7 +140,7 @@ where
     let all = [by_transfer.accelerations(), &lagrange, &recursion];
     let differences = all.map(|other| difference(by_riccati.accelerations(), other));
 
-    let mut ways: [Box<dyn FnMut() + '_>; WAYS.len()] = [
+    let mut ways: [Evaluation; WAYS.len()] = [
         Box::new(|| {
             let _ = black_box(by_riccati.evaluate());
         }),
@@ -157,75 +154,7 @@ where
             black_box(black_box(&rods).by_recursion(&mut work));
         }),
     ];
-    let counts = ways.each_mut().map(|way| evaluations_in(BATCH, way));
-    let mut times = [(); WAYS.len()].map(|()| Vec::new());
-    for _ in 0..BATCHES {
-        for ((way, &count), times) in ways.iter_mut().zip(&counts).zip(&mut times) {
-            times.push(seconds(count, way) / f64::from(count));
-        }
-    }
-    let seconds = times.map(|times| times.into_iter().fold(f64::INFINITY, f64::min));
+    let seconds = fastest(&mut ways, BATCHES);
     let difference = differences.into_iter().max_by(f64::total_cmp).unwrap_or(f64::NAN);
     Ok(Timing { rods: count, seconds, difference })
-}
-
-/// A generated chain in a pose.
-struct Generated<'a, C: GeneratedChain> {
-    chain: &'a C,
-    state: C::State,
-    rate: C::State,
-    inputs: C::Inputs,
-}
-
-impl<'a, C: GeneratedChain<Scalar = f64, State: Default>> Generated<'a, C> {
-    fn new(chain: &'a C, rods: &Rods) -> Self {
-        let mut state = chain.initial_state();
-        state.q_mut().copy_from_slice(&rods.angles);
-        state.v_mut().copy_from_slice(&rods.rates);
-        Generated { chain, state, rate: C::State::default(), inputs: chain.no_inputs() }
-    }
-
-    fn evaluate(&mut self) -> Result<(), Error> {
-        let state = black_box(&self.state);
-        self.chain.derivative_into(state, black_box(&self.inputs), black_box(&mut self.rate))
-    }
-
-    fn accelerations(&self) -> &[f64] {
-        self.rate.v()
-    }
-}
-
-/// The largest difference, of the largest number.
-fn difference(a: &[f64], b: &[f64]) -> f64 {
-    let largest = a.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
-    let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs() / largest);
-    differences.max_by(f64::total_cmp).unwrap_or(f64::NAN)
-}
-
-/// How many evaluations take about so long, at least one.
-fn evaluations_in(duration: f64, way: &mut impl FnMut()) -> u32 {
-    let mut count = 1;
-    while seconds(count, way) < duration && count < 1 << 24 {
-        count *= 2;
-    }
-    count
-}
-
-fn seconds(count: u32, way: &mut impl FnMut()) -> f64 {
-    let start = Instant::now();
-    for _ in 0..count {
-        way();
-    }
-    start.elapsed().as_secs_f64()
-}
-
-/// The exponent of the power law through the points of long pendulums, by least squares.
-fn exponent(points: &[(f64, f64)]) -> f64 {
-    let long = points.iter().filter(|(rods, _)| *rods >= LONG as f64);
-    let logs: Vec<(f64, f64)> = long.map(|(x, y)| (x.ln(), y.ln())).collect();
-    let count = logs.len() as f64;
-    let mean_x = logs.iter().map(|(x, _)| x).sum::<f64>() / count;
-    let mean_y = logs.iter().map(|(_, y)| y).sum::<f64>() / count;
-    let covariance: f64 = logs.iter().map(|(x, y)| (x - mean_x) * (y - mean_y)).sum();
-    covariance / logs.iter().map(|(x, _)| (x - mean_x).powi(2)).sum::<f64>()
 }

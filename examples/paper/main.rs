@@ -11,6 +11,7 @@ mod generated;
 mod msdttmm;
 mod newton_euler;
 mod output;
+mod power_law;
 mod rods;
 mod section;
 mod section_4_1;
@@ -18,6 +19,7 @@ mod section_4_2;
 mod section_4_3;
 mod section_4_4;
 mod system;
+mod timing;
 
 use std::error::Error;
 use std::process::ExitCode;

@@ -4,10 +4,10 @@
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 /// Rods of 1 m and 1 kg.
-const LENGTH: f64 = 1.0;
-const MASS: f64 = 1.0;
+pub const LENGTH: f64 = 1.0;
+pub const MASS: f64 = 1.0;
 /// About the centre.
-const INERTIA: f64 = MASS * LENGTH * LENGTH / 12.0;
+pub const INERTIA: f64 = MASS * LENGTH * LENGTH / 12.0;
 
 /// Angles of hinges and their rates, and room for results.
 pub struct Rods {

@@ -181,11 +181,17 @@ impl LogFigure {
         SeriesLabelPosition::Coordinate(at(left, size.0), at(top, size.1))
     }
 
-    /// What an axis spans: all values and a little more.
+    /// What an axis spans: all values and a little more. A short one begins at a power of ten, without
+    /// which it would have next to no numbers.
     fn range(&self, value: impl Fn(&(f64, f64)) -> f64) -> Range<f64> {
         let values = || self.series.iter().flat_map(|series| &series.points).map(&value);
         let lowest = values().fold(f64::INFINITY, f64::min);
         let highest = values().fold(0.0, f64::max);
-        lowest / 1.3..highest * 1.3
+        let start = if highest < 30.0 * lowest {
+            10.0_f64.powf(lowest.log10().floor())
+        } else {
+            lowest / 1.3
+        };
+        start..highest * 1.3
     }
 }

@@ -158,7 +158,9 @@ impl Panel {
     }
 }
 
-/// The parts of a line between jumps from π to −π or back, which are no motion.
+/// The parts of a line between jumps from π to −π or back, which are no motion. What leaves these
+/// bounds is no angle that wraps.
 fn unbroken_parts(line: &[(f64, f64)]) -> impl Iterator<Item = &[(f64, f64)]> {
-    line.chunk_by(|(_, value), (_, next)| (next - value).abs() < PI)
+    let wraps = line.iter().all(|(_, value)| value.abs() <= PI);
+    line.chunk_by(move |(_, value), (_, next)| !wraps || (next - value).abs() < PI)
 }
