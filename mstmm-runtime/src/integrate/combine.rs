@@ -18,17 +18,32 @@ pub(super) fn copy<S: ChainState>(to: &mut S, from: &S) {
 
 /// `sum` += weight · `rate`; its time stays.
 pub(super) fn add_scaled<S: ChainState>(sum: &mut S, weight: S::Scalar, rate: &S) {
-    change(sum, rate, |entry, given| *entry += weight * given);
+    change(sum, rate, |entry, given| *entry = weight.mul_add(given, *entry));
+}
+
+/// `to` = `from` + factor · `rate`; its time stays.
+pub(super) fn sum_scaled<S: ChainState>(to: &mut S, from: &S, factor: S::Scalar, rate: &S) {
+    let sum = |((to, &from), &rate): ((&mut S::Scalar, &S::Scalar), &S::Scalar)| {
+        *to = factor.mul_add(rate, from);
+    };
+    to.q_mut().iter_mut().zip(from.q()).zip(rate.q()).for_each(sum);
+    to.v_mut().iter_mut().zip(from.v()).zip(rate.v()).for_each(sum);
 }
 
 /// The coordinates of `sum` += weight · those of `rate`; all else stays.
 pub(super) fn add_scaled_coordinates<S: ChainState>(sum: &mut S, weight: S::Scalar, rate: &S) {
-    sum.q_mut().iter_mut().zip(rate.q()).for_each(|(entry, &given)| *entry += weight * given);
+    sum.q_mut()
+        .iter_mut()
+        .zip(rate.q())
+        .for_each(|(entry, &given)| *entry = weight.mul_add(given, *entry));
 }
 
 /// The rates of `sum` += weight · those of `rate`; all else stays.
 pub(super) fn add_scaled_rates<S: ChainState>(sum: &mut S, weight: S::Scalar, rate: &S) {
-    sum.v_mut().iter_mut().zip(rate.v()).for_each(|(entry, &given)| *entry += weight * given);
+    sum.v_mut()
+        .iter_mut()
+        .zip(rate.v())
+        .for_each(|(entry, &given)| *entry = weight.mul_add(given, *entry));
 }
 
 /// `sum` = Σ weight · rate; its time stays.
@@ -50,7 +65,7 @@ pub(super) fn weighted_sum<S: ChainState, const N: usize>(
 ///
 /// The mean rate is summed up first and `start` added last, so that `start` is rounded once.
 pub(super) fn start_plus_scaled<S: ChainState>(end: &mut S, start: &S, step: S::Scalar) {
-    change(end, start, |entry, given| *entry = given + step * *entry);
+    change(end, start, |entry, given| *entry = step.mul_add(*entry, given));
 }
 
 /// Whether every coordinate, every rate and the time are finite, in every lane.

@@ -1,7 +1,7 @@
 //! The classical method of order four.
 
 use super::Real;
-use super::combine::{add_scaled, copy, start_plus_scaled, weighted_sum};
+use super::combine::{add_scaled, copy, start_plus_scaled, sum_scaled, weighted_sum};
 use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug};
 use crate::{Chain, ChainState, Error, Scalar};
 
@@ -94,22 +94,25 @@ impl<C: Chain> FixedStep<C> for Rk4<C> {
         inputs: &mut impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
         let half = step * C::Scalar::constant(0.5);
-        let (zero, one, two) =
-            (C::Scalar::default(), C::Scalar::constant(1.0), C::Scalar::constant(2.0));
+        let [one, two] = [1.0, 2.0].map(C::Scalar::constant);
         let (start, middle) = (state.time(), state.time() + half);
 
         weighted_sum(&mut self.sum, [], []);
         copy(&mut self.stage, state);
         // Each stage: its time, its weight in the mean of the rates, in sixths, and how far it
-        // leads to the next one.
-        for (time, weight, onward) in
-            [(start, one, half), (middle, two, half), (middle, two, step), (end, one, zero)]
-        {
+        // leads to the next one, if there is one.
+        for (time, weight, onward) in [
+            (start, one, Some(half)),
+            (middle, two, Some(half)),
+            (middle, two, Some(step)),
+            (end, one, None),
+        ] {
             self.stage.set_time(time);
             chain.derivative_into(&self.stage, &inputs(time, &self.stage), &mut self.rate)?;
             add_scaled(&mut self.sum, weight, &self.rate);
-            copy(&mut self.stage, state);
-            add_scaled(&mut self.stage, onward, &self.rate);
+            if let Some(onward) = onward {
+                sum_scaled(&mut self.stage, state, onward, &self.rate);
+            }
         }
         start_plus_scaled(&mut self.sum, state, step * C::Scalar::constant(1.0 / 6.0));
         arrive(chain, &mut self.sum, end, state, inputs)
