@@ -20,15 +20,7 @@ fn is_regular<T: Scalar, const P: usize, const N: usize>(
     for (pivot, scale) in pivots.into_iter().zip(scales) {
         regular = regular & pivot.greater(noise * scale);
     }
-    (regular & all_finite(results.into_iter())).all()
-}
-
-/// Where all numbers are finite. Zero times a number is zero, or NaN where the number is not finite: one comparison for
-/// all of them.
-#[inline(always)]
-fn all_finite<T: Scalar>(numbers: impl Iterator<Item = T>) -> T::Mask {
-    let zero = T::constant(0.0);
-    numbers.fold(zero, |sum, number| number.mul_add(zero, sum)).finite()
+    (regular & T::all_finite(&[&results])).all()
 }
 
 /// Fails if any of the numbers is NaN or infinite. What a chain computes need not depend on all of them.
@@ -37,11 +29,7 @@ fn all_finite<T: Scalar>(numbers: impl Iterator<Item = T>) -> T::Mask {
 /// [`Error::NotFinite`].
 #[inline]
 pub fn finite<T: Scalar>(numbers: &[&[T]]) -> Result<(), Error> {
-    if all_finite(numbers.iter().copied().flatten().copied()).all() {
-        Ok(())
-    } else {
-        Err(Error::NotFinite)
-    }
+    if T::all_finite(numbers).all() { Ok(()) } else { Err(Error::NotFinite) }
 }
 
 /// Fails with the name of the first hinge whose pivot vanishes, or because something is not finite.
