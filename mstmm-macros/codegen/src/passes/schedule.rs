@@ -43,7 +43,7 @@ pub fn schedule(
     let carried = unknowns.turns.iter().flat_map(|turn| &turn.carries);
     let carried: Vec<Edge> = carried.flat_map(|carry| [carry.first, carry.next]).collect();
     let live = Live::of(graph, outputs.iter().flatten().copied().chain(carried));
-    let turns = Turns::of(graph, unknowns.turns.to_vec(), unknowns.parts);
+    let turns = Turns::of(graph, &live, unknowns.turns.to_vec(), unknowns.parts);
     let mut scheduler = Scheduler::new(graph, unknowns.names, stage, (live, &turns), setup);
     scheduler.name_carries();
     for (name, edge) in headings.iter().flat_map(|heading| &heading.values) {
@@ -78,7 +78,11 @@ pub(super) struct Scheduler<'a> {
     /// The blocks of the loops that are done.
     pub(super) blocks: HashMap<usize, usize>,
     taken: HashSet<String>,
+    /// What has been stated.
     pub(super) done: Vec<bool>,
+    /// For which request every node was last found to be needed.
+    found: Vec<u32>,
+    requests: u32,
     sections: Vec<Section>,
     pub(super) program: Program,
     pub(super) temporaries: usize,
@@ -110,6 +114,8 @@ impl<'a> Scheduler<'a> {
             slots: HashMap::new(),
             taken: symbols.iter().cloned().collect(),
             done: vec![false; graph.len()],
+            found: vec![0; graph.len()],
+            requests: 0,
             program: Program {
                 symbols: Vec::new(),
                 slots: Vec::new(),
@@ -161,12 +167,7 @@ impl<'a> Scheduler<'a> {
     }
 
     /// States what lives at `home`, under its headings and then the rest.
-    pub(super) fn state_all(
-        &mut self,
-        home: Home,
-        headings: &[Heading],
-        rest: impl Iterator<Item = NodeId>,
-    ) {
+    pub(super) fn state_all(&mut self, home: Home, headings: &[Heading], rest: Vec<NodeId>) {
         for heading in headings {
             self.open(&heading.title, &heading.source);
             for (_, edge) in &heading.values {
@@ -190,9 +191,9 @@ impl<'a> Scheduler<'a> {
         let rest: Vec<NodeId> = if self.turns.all.is_empty() {
             outputs.iter().flatten().map(|edge| edge.node()).collect()
         } else {
-            (0..self.graph.len() as NodeId).collect()
+            self.live.nodes().to_vec()
         };
-        self.state_all(home, headings, rest.into_iter());
+        self.state_all(home, headings, rest);
         let sections = self.take_sections();
         if !sections.is_empty() {
             self.program.blocks.push(Block::Once(sections));
@@ -226,14 +227,22 @@ impl<'a> Scheduler<'a> {
 
     /// States everything that `node` needs and that has not been stated yet.
     pub(super) fn require(&mut self, node: NodeId) {
+        if self.done[node as usize] {
+            return;
+        }
+        self.requests += 1;
         let mut needed = Vec::new();
         let mut open = vec![node];
-        let mut seen = HashSet::new();
         while let Some(id) = open.pop() {
-            if !self.done[id as usize] && seen.insert(id) {
-                needed.push(id);
-                if !self.is_slot(id) {
-                    open.extend(self.graph.node(id).operands().map(Edge::node));
+            let found = &mut self.found[id as usize];
+            if self.done[id as usize] || *found == self.requests {
+                continue;
+            }
+            *found = self.requests;
+            needed.push(id);
+            if !self.is_slot(id) {
+                for operand in self.graph.node(id).operands() {
+                    open.push(operand.node());
                 }
             }
         }
