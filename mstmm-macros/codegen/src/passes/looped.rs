@@ -87,7 +87,7 @@ impl Scheduler<'_> {
     /// Lets a loop read what an earlier one has computed at the same time.
     fn load(&mut self, node: NodeId, from: usize, loads: &mut Vec<(usize, Vec<String>)>) {
         let carried = self.graph.symbol_number(node).and_then(|symbol| self.carried.get(&symbol));
-        let Some(name) = self.names.get(&node).or(carried).cloned() else { return };
+        let Some(name) = self.names.get(node).or(carried).cloned() else { return };
         if let Some(Block::Loop(earlier)) = self.program.blocks.get_mut(from)
             && !earlier.stores.contains(&name)
         {

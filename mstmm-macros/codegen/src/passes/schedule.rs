@@ -3,6 +3,7 @@
 
 use super::angles::{Angles, angles};
 use super::fuse::fused;
+use super::names::Names;
 use super::{Home, Live, Setup, Turn, Turns};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
 use crate::program::{Block, Operand, Program, Section, Slot, Statement};
@@ -70,7 +71,7 @@ pub(super) struct Scheduler<'a> {
     pub(super) depths: Vec<u32>,
     /// Products that are computed with their sums.
     pub(super) fused: Vec<bool>,
-    pub(super) names: HashMap<NodeId, String>,
+    pub(super) names: Names,
     /// Names of what loops carry, by the number of the unknown.
     pub(super) carried: HashMap<u32, String>,
     /// Slots of repeated parts, which their loops read.
@@ -108,7 +109,7 @@ impl<'a> Scheduler<'a> {
             angles,
             depths,
             fused,
-            names: HashMap::new(),
+            names: Names::new(graph.len()),
             carried: HashMap::new(),
             blocks: HashMap::new(),
             slots: HashMap::new(),
@@ -131,7 +132,7 @@ impl<'a> Scheduler<'a> {
     fn christen(&mut self, name: &str, edge: Edge) {
         let node = edge.node();
         let computed = !matches!(self.graph.node(node), Node::Number(_) | Node::Symbol(_));
-        if computed && self.live.has(node) && !self.names.contains_key(&node) {
+        if computed && self.live.has(node) && self.names.get(node).is_none() {
             let sign = if edge.is_negative() { "minus_" } else { "" };
             let name = self.fresh(format!("{sign}{name}"));
             self.names.insert(node, name);
@@ -139,13 +140,12 @@ impl<'a> Scheduler<'a> {
     }
 
     pub(super) fn fresh(&mut self, wanted: String) -> String {
-        let mut name = wanted.clone();
-        let mut number = 2;
-        while !self.taken.insert(name.clone()) {
-            name = format!("{wanted}_{number}");
-            number += 1;
+        if self.taken.insert(wanted.clone()) {
+            return wanted;
         }
-        name
+        let numbered = (2..).map(|number| format!("{wanted}_{number}"));
+        let mut free = numbered.filter(|name| self.taken.insert(name.clone()));
+        free.next().unwrap_or_default()
     }
 
     /// Names what loops carry.
