@@ -6,7 +6,7 @@ use super::names::local;
 use super::spread::Spread;
 use super::statement::Writer;
 use crate::program::{Loop, Operand, Operation, Program, Section, Statement};
-use proc_macro2::TokenStream;
+use proc_macro2::{Delimiter, Group, TokenStream};
 use quote::{ToTokens, quote};
 use std::ops::Range;
 
@@ -79,7 +79,9 @@ impl Plan<'_> {
     /// Results with the statements of a program that may have loops.
     fn finished(&self, mut results: Results, program: &Program, targets: &[Target]) -> Results {
         if self.chain.repeats.is_empty() {
-            results.statements.extend(self.plain(program));
+            let mut writer = Writer::after(self, results.statements);
+            writer.sections(program.sections(), is_long(program));
+            results.statements = writer.finish();
             return results;
         }
         results.looped = true;
@@ -105,21 +107,10 @@ impl Plan<'_> {
         Results { statements, outputs, arrays, looped: false, masks: Masks::new() }
     }
 
-    /// The statements of a program without loops.
-    fn plain(&self, program: &Program) -> TokenStream {
-        self.sections(program.sections(), is_long(program))
-    }
-
     /// Some sections.
-    pub fn sections<'s>(
-        &self,
-        sections: impl IntoIterator<Item = &'s Section>,
-        flat: bool,
-    ) -> TokenStream {
+    pub fn sections(&self, sections: &[Section], flat: bool) -> TokenStream {
         let mut writer = Writer::new(self);
-        for section in sections {
-            writer.section(section, flat);
-        }
+        writer.sections(sections, flat);
         writer.finish()
     }
 
@@ -189,6 +180,13 @@ impl Plan<'_> {
         let rest = (last + 1 < range.end).then(|| quote!(, ..));
         Some(quote!([#(#entries),* #rest]))
     }
+}
+
+/// The body of a function: statements, and what follows them. As a group it is put into `quote!`
+/// without a copy of every token.
+pub fn body(mut statements: TokenStream, rest: TokenStream) -> Group {
+    statements.extend(rest);
+    Group::new(Delimiter::Brace, statements)
 }
 
 /// Whether a program has more statements than may open a scope each.

@@ -20,14 +20,25 @@ impl<'a> Writer<'a> {
         Writer { plan, tokens: Vec::new() }
     }
 
+    /// What is there already.
+    pub fn after(plan: &'a Plan<'a>, tokens: TokenStream) -> Self {
+        Writer { plan, tokens: tokens.into_iter().collect() }
+    }
+
     /// What has been written.
     pub fn finish(self) -> TokenStream {
         self.tokens.into_iter().collect()
     }
 
-    /// The statements of a section, its heading on the first; `flat` if all names are declared before
-    /// any of them is computed.
-    pub fn section(&mut self, section: &Section, flat: bool) {
+    /// The statements of sections, the headings on the first of each; `flat` if the names of a section
+    /// are declared before any of them is computed.
+    pub fn sections<'s>(&mut self, sections: impl IntoIterator<Item = &'s Section>, flat: bool) {
+        for section in sections {
+            self.section(section, flat);
+        }
+    }
+
+    fn section(&mut self, section: &Section, flat: bool) {
         self.heading(section);
         if flat {
             self.word("let");
