@@ -133,10 +133,14 @@ impl Trial {
             });
             let now = vanishing.map(|pivot| self.merged.links[pivot.link].hinge);
             let now: Vec<HingeId> = now.collect();
-            idle = Some(match idle {
+            let still: Vec<HingeId> = match idle {
                 None => now,
                 Some(before) => before.into_iter().filter(|hinge| now.contains(hinge)).collect(),
-            });
+            };
+            if still.is_empty() {
+                return still;
+            }
+            idle = Some(still);
         }
         idle.unwrap_or_default()
     }

@@ -4,8 +4,9 @@ use super::Plan;
 use super::looped::{self, Masks, Target};
 use super::names::local;
 use super::spread::Spread;
+use super::statement::Writer;
 use crate::program::{Loop, Operand, Operation, Program, Section, Statement};
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Delimiter, Group, TokenStream};
 use quote::{ToTokens, quote};
 use std::ops::Range;
 
@@ -78,7 +79,9 @@ impl Plan<'_> {
     /// Results with the statements of a program that may have loops.
     fn finished(&self, mut results: Results, program: &Program, targets: &[Target]) -> Results {
         if self.chain.repeats.is_empty() {
-            results.statements.extend(self.plain(program));
+            let mut writer = Writer::after(self, results.statements);
+            writer.sections(program.sections(), is_long(program));
+            results.statements = writer.finish();
             return results;
         }
         results.looped = true;
@@ -104,15 +107,11 @@ impl Plan<'_> {
         Results { statements, outputs, arrays, looped: false, masks: Masks::new() }
     }
 
-    /// The statements of a program without loops.
-    fn plain(&self, program: &Program) -> TokenStream {
-        let flat = is_long(program);
-        program.sections().map(|section| self.section(section, flat)).collect()
-    }
-
     /// Some sections.
     pub fn sections(&self, sections: &[Section], flat: bool) -> TokenStream {
-        sections.iter().map(|section| self.section(section, flat)).collect()
+        let mut writer = Writer::new(self);
+        writer.sections(sections, flat);
+        writer.finish()
     }
 
     /// Takes the unknowns that stand once out of arrays that hold those of repeated parts as well.
@@ -149,127 +148,11 @@ impl Plan<'_> {
         any.then(|| quote!([#(#entries),*]))
     }
 
-    /// The statements of a section, its heading on the first.
-    fn section(&self, section: &Section, flat: bool) -> TokenStream {
-        let source =
-            if section.source.is_empty() { String::new() } else { format!(", {}", section.source) };
-        let heading = format!(" {}{source}: {}.", section.title, section.cost());
-        let declared = flat.then(|| {
-            let names = section.statements.iter().flat_map(Statement::names).map(local);
-            quote!(let (#(#names,)*);)
-        });
-        let keyword = (!flat).then(|| quote!(let));
-        let mut statements =
-            section.statements.iter().map(|statement| self.statement(statement, &keyword));
-        let first = if flat { None } else { statements.next() };
-        quote! {
-            #[doc = #heading]
-            #declared
-            #first
-            #(#statements)*
-        }
-    }
-
-    /// A statement; `keyword` is `let` unless its names are declared already.
-    fn statement(&self, statement: &Statement, keyword: &Option<TokenStream>) -> TokenStream {
-        match statement {
-            Statement::Let(name, operation) => {
-                let (name, value) = (local(name), self.operation(operation));
-                quote!(#keyword #name = #value;)
-            }
-            Statement::SinCos { sines, cosines, angles } => {
-                let variable = |name: &Option<String>| match name {
-                    None => quote!(_),
-                    Some(name) => {
-                        let name = local(name);
-                        quote!(#name)
-                    }
-                };
-                let (sines, cosines) = (sines.iter().map(variable), cosines.iter().map(variable));
-                let angles = angles.iter().map(|angle| self.operand(angle));
-                quote!(#keyword ([#(#sines),*], [#(#cosines),*]) = T::sin_cos([#(#angles),*]);)
-            }
-        }
-    }
-
-    fn operation(&self, operation: &Operation) -> TokenStream {
-        let mstmm = &self.mstmm;
-        let go = |operand: &Operand| self.operand(operand);
-        match operation {
-            Operation::Sum(a, b) => {
-                let (a, b) = (go(a), go(b));
-                quote!(#a + #b)
-            }
-            Operation::Difference(a, b) => {
-                let (a, b) = (go(a), go(b));
-                quote!(#a - #b)
-            }
-            Operation::Product(a, b) => {
-                let (a, b) = (go(a), go(b));
-                quote!(#a * #b)
-            }
-            Operation::MulAdd(a, b, c) => {
-                let (a, b, c) = (go(a), go(b), go(c));
-                quote!(T::mul_add(#a, #b, #c))
-            }
-            Operation::MulSub(a, b, c) => {
-                let (a, b, c) = (go(a), go(b), go(c));
-                quote!(T::mul_sub(#a, #b, #c))
-            }
-            Operation::MulNegAdd(a, b, c) => {
-                let (a, b, c) = (go(a), go(b), go(c));
-                quote!(T::mul_neg_add(#a, #b, #c))
-            }
-            Operation::Recip(a) => {
-                let a = go(a);
-                quote!(T::recip(#a))
-            }
-            Operation::Sqrt(a) => {
-                let a = go(a);
-                quote!(T::sqrt(#a))
-            }
-            Operation::CopySign(a, b) => {
-                let (a, b) = (go(a), go(b));
-                quote!(T::copysign(#a, #b))
-            }
-            Operation::Atan2(a, b) => {
-                let (a, b) = (go(a), go(b));
-                quote!(T::atan2(#a, #b))
-            }
-            Operation::RecipAbove(a, b) => {
-                let (a, b) = (go(a), go(b));
-                quote!(#mstmm::generated::recip_above(#a, #b))
-            }
-        }
-    }
-
+    /// An operand.
     pub fn operand(&self, operand: &Operand) -> TokenStream {
-        match operand {
-            // A pivot that vanishes in every state leaves its reciprocal behind: the test of the
-            // pivots comes first, but the number has to be written.
-            Operand::Number(value) if !value.is_finite() => {
-                let c = local("c");
-                quote!(#c(::core::f64::NAN))
-            }
-            Operand::Number(value) => {
-                let (c, magnitude) = (local("c"), Literal::f64_unsuffixed(value.abs()));
-                if *value < 0.0 { quote!(#c(-#magnitude)) } else { quote!(#c(#magnitude)) }
-            }
-            Operand::Symbol(number) => {
-                let name = self.symbol(*number);
-                quote!(#name)
-            }
-            Operand::Named(name) => {
-                let name = local(name);
-                quote!(#name)
-            }
-            Operand::Minus(inner) => {
-                let inner = self.operand(inner);
-                quote!(-#inner)
-            }
-            // It is written by its loop.
-            Operand::Repeated => TokenStream::new(),
-        }
+        let mut writer = Writer::new(self);
+        writer.operand(operand);
+        writer.finish()
     }
 
     fn symbol(&self, number: u32) -> proc_macro2::Ident {
@@ -297,6 +180,13 @@ impl Plan<'_> {
         let rest = (last + 1 < range.end).then(|| quote!(, ..));
         Some(quote!([#(#entries),* #rest]))
     }
+}
+
+/// The body of a function: statements, and what follows them. As a group it is put into `quote!`
+/// without a copy of every token.
+pub fn body(mut statements: TokenStream, rest: TokenStream) -> Group {
+    statements.extend(rest);
+    Group::new(Delimiter::Brace, statements)
 }
 
 /// Whether a program has more statements than may open a scope each.

@@ -2,7 +2,7 @@
 //! integrator sees it.
 
 use super::Plan;
-use super::block::Results;
+use super::block::{Results, body};
 use super::docs;
 use super::integrable::{generated, integrable};
 use super::looped::{Target, usize_literal};
@@ -42,7 +42,15 @@ fn accelerations(plan: &Plan) -> TokenStream {
     let target = Target { group: 0, spread: Spread::freedoms(plan) };
     let block = plan.step(program, &[target], true);
     let check = check(plan, &block, &plan.programs.pivots);
-    let (statements, results) = (block.statements, &block.arrays[0]);
+    let results = &block.arrays[0];
+    let body = body(
+        block.statements,
+        quote! {
+            #check
+            accelerations_.data.0 = [#results];
+            ::core::result::Result::Ok(())
+        },
+    );
     let cost = docs::cost(program);
     let implicit = implicit(plan);
     quote! {
@@ -63,12 +71,7 @@ fn accelerations(plan: &Plan) -> TokenStream {
             state_: &#state<T>,
             inputs_: &#inputs<T>,
             accelerations_: &mut #mstmm::nalgebra::SVector<T, #freedoms>,
-        ) -> ::core::result::Result<(), #mstmm::Error> {
-            #statements
-            #check
-            accelerations_.data.0 = [#results];
-            ::core::result::Result::Ok(())
-        }
+        ) -> ::core::result::Result<(), #mstmm::Error> #body
 
         /// The accelerations `v̇` of all hinges by value; see
         /// [`accelerations_into`](Self::accelerations_into).
@@ -99,7 +102,15 @@ fn implicit(plan: &Plan) -> Option<TokenStream> {
     let target = Target { group: 0, spread: Spread::freedoms(plan) };
     let block = plan.step(program, &[target], true);
     let check = check(plan, &block, pivots);
-    let (statements, results) = (block.statements, &block.arrays[0]);
+    let results = &block.arrays[0];
+    let body = body(
+        block.statements,
+        quote! {
+            #check
+            accelerations_.data.0 = [#results];
+            ::core::result::Result::Ok(())
+        },
+    );
     let cost = docs::cost(program);
     let step = local(&plan.programs.symbols.names()[plan.programs.symbols.step().start]);
     Some(quote! {
@@ -113,12 +124,7 @@ fn implicit(plan: &Plan) -> Option<TokenStream> {
             inputs_: &#inputs<T>,
             #step: T,
             accelerations_: &mut #mstmm::nalgebra::SVector<T, #freedoms>,
-        ) -> ::core::result::Result<(), #mstmm::Error> {
-            #statements
-            #check
-            accelerations_.data.0 = [#results];
-            ::core::result::Result::Ok(())
-        }
+        ) -> ::core::result::Result<(), #mstmm::Error> #body
     })
 }
 
@@ -133,7 +139,6 @@ fn solution(plan: &Plan) -> TokenStream {
     let block = plan.step(program, &targets, true);
     let check = check(plan, &block, &plan.programs.pivots);
     let points = points(plan, &block);
-    let statements = block.statements;
     let [results, _, _, rates, efforts, ..] = &block.arrays[..] else { return TokenStream::new() };
     let (energies, undetermined) = (&block.outputs[5], &block.outputs[6]);
     let (kinetic, potential) = (&energies[0], &energies[1]);
@@ -141,6 +146,20 @@ fn solution(plan: &Plan) -> TokenStream {
         let wrenches = undetermined.chunks(6).map(|wrench| quote!([#(#wrench),*]));
         quote!(at_.closure = #mstmm::generated::closure([#(#wrenches),*]);)
     });
+    let body = body(
+        block.statements,
+        quote! {
+            #check
+            at_.accelerations.data.0 = [#results];
+            at_.rate_accelerations.data.0 = [#rates];
+            at_.efforts.data.0 = [#efforts];
+            #closure
+            at_.kinetic_energy = #kinetic;
+            at_.potential_energy = #potential;
+            #points
+            ::core::result::Result::Ok(())
+        },
+    );
     let cost = docs::cost(program);
     quote! {
         /// Everything: accelerations, efforts, energies and, at every connection point, pose,
@@ -157,18 +176,7 @@ fn solution(plan: &Plan) -> TokenStream {
             state_: &#state<T>,
             inputs_: &#inputs<T>,
             at_: &mut #workspace<T>,
-        ) -> ::core::result::Result<(), #mstmm::Error> {
-            #statements
-            #check
-            at_.accelerations.data.0 = [#results];
-            at_.rate_accelerations.data.0 = [#rates];
-            at_.efforts.data.0 = [#efforts];
-            #closure
-            at_.kinetic_energy = #kinetic;
-            at_.potential_energy = #potential;
-            #points
-            ::core::result::Result::Ok(())
-        }
+        ) -> ::core::result::Result<(), #mstmm::Error> #body
     }
 }
 
@@ -250,13 +258,10 @@ fn energy(plan: &Plan) -> TokenStream {
     let visibility = &plan.surface.visibility;
     let program = &plan.programs.energy;
     let block = plan.step(program, &[], false);
-    let (statements, kinetic, potential) =
-        (block.statements, &block.outputs[0][0], &block.outputs[0][1]);
+    let (kinetic, potential) = (&block.outputs[0][0], &block.outputs[0][1]);
+    let energy = quote!(#mstmm::Energy { kinetic: #kinetic, potential: #potential });
+    let body = body(block.statements, energy);
     let cost = docs::cost(program);
-    let body = quote! {
-        #statements
-        #mstmm::Energy { kinetic: #kinetic, potential: #potential }
-    };
     if !plan.chain.hinges.iter().any(Hinge::is_prescribed) {
         return quote! {
             /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
@@ -265,9 +270,7 @@ fn energy(plan: &Plan) -> TokenStream {
             #(#[doc = #cost])*
             #[must_use]
             #[allow(unused_doc_comments, unused_variables, clippy::all)]
-            #visibility fn energy(&self, state_: &#state<T>) -> #mstmm::Energy<T> {
-                #body
-            }
+            #visibility fn energy(&self, state_: &#state<T>) -> #mstmm::Energy<T> #body
         };
     }
     quote! {
@@ -288,9 +291,7 @@ fn energy(plan: &Plan) -> TokenStream {
             &self,
             state_: &#state<T>,
             inputs_: &#inputs<T>,
-        ) -> #mstmm::Energy<T> {
-            #body
-        }
+        ) -> #mstmm::Energy<T> #body
     }
 }
 

@@ -13,6 +13,7 @@ mod references;
 mod repeated;
 mod spread;
 mod state;
+mod statement;
 mod workspace;
 
 use crate::compile::Programs;

@@ -35,7 +35,10 @@ impl Names {
 /// A local variable, its name with a low line at its end as in all templates: where a constant or a
 /// static of the user had the same name, Rust would take the variable for that one.
 pub fn local(name: &str) -> Ident {
-    Ident::new(&format!("{name}_"), Span::mixed_site())
+    let mut text = String::with_capacity(name.len() + 1);
+    text.push_str(name);
+    text.push('_');
+    Ident::new(&text, Span::mixed_site())
 }
 
 /// The method that hands out `x` to be changed: `x_mut`.

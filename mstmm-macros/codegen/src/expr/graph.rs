@@ -2,7 +2,6 @@
 
 use super::{Edge, Expr, Node, NodeId};
 use std::cell::RefCell;
-use std::collections::HashMap;
 
 /// When the value of a formula becomes known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -25,8 +24,45 @@ pub struct Graph {
 struct Inner {
     nodes: Vec<Node>,
     stages: Vec<Stage>,
-    // Only looked up, never walked through: its order would not be the same in every build.
-    index: HashMap<Node, NodeId>,
+    index: Index,
+}
+
+/// Where nodes are: a table with open addresses, at most half full. It takes a fraction of the time
+/// of a hash map of the standard library where it is not optimised, as macros are built.
+#[derive(Debug, Default)]
+struct Index {
+    /// Numbers of nodes, the next places taken where those of several would be the same; its length
+    /// is a power of two.
+    places: Vec<Option<NodeId>>,
+}
+
+impl Index {
+    const SMALLEST: usize = 1 << 10;
+
+    /// The place of `node`, which is free if it is not there.
+    fn place(&self, nodes: &[Node], node: Node) -> usize {
+        let last = self.places.len() - 1;
+        let mut place = (node.scattered() >> 32) as usize & last;
+        while let Some(id) = self.places[place] {
+            if nodes[id as usize] == node {
+                break;
+            }
+            place = (place + 1) & last;
+        }
+        place
+    }
+
+    /// Makes room for one more than `nodes`.
+    fn reserve(&mut self, nodes: &[Node]) {
+        if 2 * nodes.len() < self.places.len() {
+            return;
+        }
+        self.places = vec![None; (2 * self.places.len()).max(Self::SMALLEST)];
+        for (id, &node) in nodes.iter().enumerate() {
+            let place = self.place(nodes, node);
+            self.places[place] = Some(id as NodeId);
+        }
+    }
 }
 
 impl Graph {
@@ -37,8 +73,10 @@ impl Graph {
 
     /// The formula of `node`, whose form the rules have made canonical.
     pub(super) fn formula(&self, node: Node) -> Expr<'_> {
-        let stage =
-            node.operands().map(|edge| self.stage(edge.node())).max().unwrap_or(Stage::Compile);
+        let mut stage = Stage::Compile;
+        for operand in node.operands() {
+            stage = stage.max(self.stage(operand.node()));
+        }
         Expr::Formula(self, self.insert(node, stage))
     }
 
@@ -74,7 +112,8 @@ impl Graph {
 
     /// Where `node` is, if it is there.
     pub fn find(&self, node: Node) -> Option<NodeId> {
-        self.inner.borrow().index.get(&node).copied()
+        let Inner { nodes, index, .. } = &*self.inner.borrow();
+        if nodes.is_empty() { None } else { index.places[index.place(nodes, node)] }
     }
 
     /// When the value of the node at `id` becomes known.
@@ -101,12 +140,16 @@ impl Graph {
     }
 
     fn insert(&self, node: Node, stage: Stage) -> Edge {
-        let inner = &mut *self.inner.borrow_mut();
-        let id = *inner.index.entry(node).or_insert_with(|| {
-            inner.nodes.push(node);
-            inner.stages.push(stage);
-            (inner.nodes.len() - 1) as NodeId
-        });
+        let Inner { nodes, stages, index } = &mut *self.inner.borrow_mut();
+        index.reserve(nodes);
+        let place = index.place(nodes, node);
+        if let Some(id) = index.places[place] {
+            return Edge::to(id);
+        }
+        let id = nodes.len() as NodeId;
+        index.places[place] = Some(id);
+        nodes.push(node);
+        stages.push(stage);
         Edge::to(id)
     }
 }

@@ -6,7 +6,7 @@ use std::fmt;
 pub type NodeId = u32;
 
 /// A use of a node, with a sign: negation is a property of the use, so `x` and `−x` share a node.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Edge(u32);
 
 impl Edge {
@@ -43,7 +43,7 @@ impl fmt::Debug for Edge {
 }
 
 /// A formula over edges.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Node {
     /// A known number by its bits: positive, as the sign is the edge's.
     Number(u64),
@@ -72,8 +72,8 @@ pub enum Node {
 
 impl Node {
     /// The edges that it uses.
-    pub fn operands(self) -> impl Iterator<Item = Edge> {
-        let (first, second) = match self {
+    pub fn operands(self) -> Operands {
+        let (next, last) = match self {
             Node::Number(_) | Node::Symbol(_) => (None, None),
             Node::Sum(a, b)
             | Node::Product(a, b)
@@ -82,6 +82,45 @@ impl Node {
             | Node::RecipAbove(a, b) => (Some(a), Some(b)),
             Node::Recip(a) | Node::Sqrt(a) | Node::Sin(a) | Node::Cos(a) => (Some(a), None),
         };
-        first.into_iter().chain(second)
+        Operands { next, last }
+    }
+
+    /// A number that differs between most nodes that differ, in its upper bits.
+    pub(super) fn scattered(self) -> u64 {
+        let (kind, first, second) = match self {
+            Node::Number(bits) => (0, bits, 0),
+            Node::Symbol(number) => (1, number.into(), 0),
+            Node::Sum(a, b) => (2, a.0.into(), b.0.into()),
+            Node::Product(a, b) => (3, a.0.into(), b.0.into()),
+            Node::Recip(a) => (4, a.0.into(), 0),
+            Node::Sqrt(a) => (5, a.0.into(), 0),
+            Node::Sin(a) => (6, a.0.into(), 0),
+            Node::Cos(a) => (7, a.0.into(), 0),
+            Node::CopySign(a, b) => (8, a.0.into(), b.0.into()),
+            Node::Atan2(a, b) => (9, a.0.into(), b.0.into()),
+            Node::RecipAbove(a, b) => (10, a.0.into(), b.0.into()),
+        };
+        // A prime near the golden ratio of 2^64, as Knuth has it.
+        let mixed = (first << 4 | kind).wrapping_mul(0x9e37_79b9_7f4a_7c55) ^ second;
+        mixed.wrapping_mul(0x9e37_79b9_7f4a_7c55)
+    }
+}
+
+/// The edges that a node uses, by hand: unoptimised, as macros are built, it takes a fraction of
+/// what a chain of iterators does.
+#[derive(Clone, Debug)]
+pub struct Operands {
+    next: Option<Edge>,
+    last: Option<Edge>,
+}
+
+impl Iterator for Operands {
+    type Item = Edge;
+
+    fn next(&mut self) -> Option<Edge> {
+        let next = self.next;
+        self.next = self.last;
+        self.last = None;
+        next
     }
 }

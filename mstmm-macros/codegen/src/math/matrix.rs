@@ -11,7 +11,8 @@ pub struct Mat3<S>(pub [[S; 3]; 3]);
 impl<S: Scalar> Mat3<S> {
     /// The matrix with `entry(row, column)`.
     pub fn from_fn(entry: impl Fn(usize, usize) -> S) -> Self {
-        Mat3([0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j))))
+        let row = |i| Vec3::from_fn(|j| entry(i, j)).0;
+        Mat3([row(0), row(1), row(2)])
     }
 
     /// The identity.
@@ -115,7 +116,7 @@ impl<S: Scalar> Mul for Mat3<S> {
 impl<S: Scalar> Mul<Vec3<S>> for Mat3<S> {
     type Output = Vec3<S>;
     fn mul(self, vector: Vec3<S>) -> Vec3<S> {
-        Vec3([0, 1, 2].map(|i| self.row(i).dot(vector)))
+        Vec3::from_fn(|i| self.row(i).dot(vector))
     }
 }
 
@@ -136,14 +137,14 @@ impl<S: Scalar> Sub for Mat3<S> {
 impl<S: Scalar> Neg for Mat3<S> {
     type Output = Self;
     fn neg(self) -> Self {
-        Mat3(self.0.map(|row| row.map(|x| -x)))
+        Mat3::from_fn(|i, j| -self[i][j])
     }
 }
 
 impl<S: Scalar> Mul<S> for Mat3<S> {
     type Output = Self;
     fn mul(self, factor: S) -> Self {
-        Mat3(self.0.map(|row| row.map(|x| x * factor)))
+        Mat3::from_fn(|i, j| self[i][j] * factor)
     }
 }
 
@@ -157,7 +158,7 @@ const PLACE: [[usize; 3]; 3] = [[0, 3, 4], [3, 1, 5], [4, 5, 2]];
 impl<S: Scalar> Sym3<S> {
     /// The matrix with `entry(row, column)`, asked for on and above the diagonal only.
     pub fn from_fn(entry: impl Fn(usize, usize) -> S) -> Self {
-        Sym3([(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|(i, j)| entry(i, j)))
+        Sym3([entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)])
     }
 
     /// The diagonal matrix.

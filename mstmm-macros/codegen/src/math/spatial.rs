@@ -40,7 +40,7 @@ impl<S: Scalar> Motion<S> {
 
     /// From its six entries.
     pub fn from_fn(entry: impl Fn(usize) -> S) -> Self {
-        Motion { linear: Vec3([0, 1, 2].map(&entry)), angular: Vec3([3, 4, 5].map(&entry)) }
+        Motion { linear: Vec3::from_fn(&entry), angular: Vec3::from_fn(|k| entry(k + 3)) }
     }
 
     /// The part linear in the motion of the law of rigid bodies: the motion of the point at `r`.
@@ -92,7 +92,7 @@ impl<S: Scalar> Wrench<S> {
 
     /// From its six entries.
     pub fn from_fn(entry: impl Fn(usize) -> S) -> Self {
-        Wrench { force: Vec3([0, 1, 2].map(&entry)), moment: Vec3([3, 4, 5].map(&entry)) }
+        Wrench { force: Vec3::from_fn(&entry), moment: Vec3::from_fn(|k| entry(k + 3)) }
     }
 
     /// The same load that acts at `r`, taken about the origin.

@@ -13,9 +13,15 @@ impl<S: Scalar> Vec3<S> {
         Vec3([S::zero(); 3])
     }
 
+    /// The vector with `entry(axis)`.
+    pub fn from_fn(entry: impl Fn(usize) -> S) -> Self {
+        // Not by `map`, which takes several times as long unoptimised, as macros are built.
+        Vec3([entry(0), entry(1), entry(2)])
+    }
+
     /// The unit vector along axis `k`.
     pub fn unit(k: usize) -> Self {
-        Vec3([0, 1, 2].map(|i| if i == k { S::one() } else { S::zero() }))
+        Vec3::from_fn(|i| if i == k { S::one() } else { S::zero() })
     }
 
     /// `self · other`
@@ -52,27 +58,27 @@ impl<S> Index<usize> for Vec3<S> {
 impl<S: Scalar> Add for Vec3<S> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Vec3([0, 1, 2].map(|k| self[k] + other[k]))
+        Vec3::from_fn(|k| self[k] + other[k])
     }
 }
 
 impl<S: Scalar> Sub for Vec3<S> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Vec3([0, 1, 2].map(|k| self[k] - other[k]))
+        Vec3::from_fn(|k| self[k] - other[k])
     }
 }
 
 impl<S: Scalar> Neg for Vec3<S> {
     type Output = Self;
     fn neg(self) -> Self {
-        Vec3(self.0.map(|x| -x))
+        Vec3::from_fn(|k| -self[k])
     }
 }
 
 impl<S: Scalar> Mul<S> for Vec3<S> {
     type Output = Self;
     fn mul(self, factor: S) -> Self {
-        Vec3(self.0.map(|x| x * factor))
+        Vec3::from_fn(|k| self[k] * factor)
     }
 }

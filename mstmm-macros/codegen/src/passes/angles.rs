@@ -17,16 +17,16 @@ pub(super) fn angles(
 ) -> (Angles, Vec<u32>) {
     let mut depths = vec![0; graph.len()];
     let mut angles = Angles::new();
-    for id in (0..depths.len()).filter(|&id| live.has(id as NodeId)) {
-        let node = graph.node(id as NodeId);
-        if stage == Stage::State && graph.stage(id as NodeId) < Stage::State {
+    for &id in live.nodes() {
+        let node = graph.node(id);
+        if stage == Stage::State && graph.stage(id) < Stage::State {
             continue;
         }
         let below = node.operands().map(|edge| depths[edge.node() as usize]).max().unwrap_or(0);
-        depths[id] = below;
+        depths[id as usize] = below;
         if let Node::Sin(angle) | Node::Cos(angle) = node {
-            depths[id] = below + 1;
-            let group = angles.entry((depths[id], turns.home(id as NodeId))).or_default();
+            depths[id as usize] = below + 1;
+            let group = angles.entry((below + 1, turns.home(id))).or_default();
             if !group.contains(&angle.node()) {
                 group.push(angle.node());
             }

@@ -57,7 +57,7 @@ impl Scheduler<'_> {
     /// The slot of a value that is known since setup, under a name of this program.
     fn slot_of(&mut self, id: NodeId) -> Slot {
         let (graph, symbols) = (self.graph, self.symbols);
-        let (given, part) = (self.names.get(&id).cloned(), self.part_of(id));
+        let (given, part) = (self.names.get(id).cloned(), self.part_of(id));
         let (index, name) = self.setup.slot(part, id, |number| match graph.node(id) {
             Node::Symbol(symbol) => symbols[symbol as usize].clone(),
             _ => given.unwrap_or_else(|| format!("p{number}")),
@@ -131,7 +131,7 @@ impl Scheduler<'_> {
     }
 
     fn name(&mut self, id: NodeId) -> String {
-        if let Some(name) = self.names.get(&id) {
+        if let Some(name) = self.names.get(id) {
             return name.clone();
         }
         let name = self.fresh(format!("t{}", self.temporaries));
@@ -151,7 +151,7 @@ impl Scheduler<'_> {
                 Some(name) => Operand::Named(name.clone()),
                 None => Operand::Symbol(number),
             },
-            _ => Operand::Named(self.names.get(&node).cloned().unwrap_or_default()),
+            _ => Operand::Named(self.names.get(node).cloned().unwrap_or_default()),
         };
         if edge.is_negative() { Operand::Minus(Box::new(plain)) } else { plain }
     }

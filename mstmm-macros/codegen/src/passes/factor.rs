@@ -49,6 +49,14 @@ impl Term {
         }
     }
 
+    /// Whether it is a product of a factor or of the negative of it.
+    fn has(self, factor: Edge) -> bool {
+        match self {
+            Term::Product(a, b) => a.node() == factor.node() || b.node() == factor.node(),
+            Term::Other(_) => false,
+        }
+    }
+
     /// What is left of a product without a factor, which is one of its own or the negative of one.
     fn without(self, factor: Edge) -> Option<Edge> {
         let Term::Product(a, b) = self else { return None };
@@ -65,7 +73,7 @@ fn sum(graph: &Graph, terms: Vec<Term>) -> Expr<'_> {
         Some(factor) => {
             let rests = terms.iter().filter_map(|term| term.without(factor)).map(Term::Other);
             let product = graph.expr(factor) * sum(graph, rests.collect());
-            let others = terms.iter().filter(|term| term.without(factor).is_none()).copied();
+            let others = terms.iter().filter(|term| !term.has(factor)).copied();
             sum(graph, others.chain([Term::Other(graph.edge(product))]).collect())
         }
         None => {
@@ -77,13 +85,15 @@ fn sum(graph: &Graph, terms: Vec<Term>) -> Expr<'_> {
 
 /// The factor of most products, the first of several, if any is in more than one.
 fn shared_factor(terms: &[Term]) -> Option<Edge> {
-    let count = |factor: Edge| terms.iter().filter(|t| t.without(factor).is_some()).count();
-    let factors = terms.iter().flat_map(|term| match *term {
-        Term::Product(a, b) => [Some(a), Some(b)],
-        Term::Other(_) => [None, None],
-    });
-    // The last of several would come out of `max_by_key`.
-    let counted = factors.flatten().map(|factor| (count(factor), factor));
-    let (most, factor) = counted.reduce(|best, next| if next.0 > best.0 { next } else { best })?;
-    (most > 1).then_some(factor)
+    let (mut shared, mut most) = (None, 1);
+    for term in terms {
+        let Term::Product(a, b) = *term else { continue };
+        for factor in [a, b] {
+            let count = terms.iter().filter(|term| term.has(factor)).count();
+            if count > most {
+                (shared, most) = (Some(factor), count);
+            }
+        }
+    }
+    shared
 }

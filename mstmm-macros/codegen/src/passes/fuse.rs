@@ -1,14 +1,14 @@
 //! Products that are computed in one operation with the sum that they are a term of.
 
 use super::{Live, Turns};
-use crate::expr::{Edge, Graph, Node, NodeId, Stage};
+use crate::expr::{Edge, Graph, Node, Stage};
 
 /// Which products are taken into the sum that alone uses them: one for every sum that has any, the
 /// later one of two. Both must be computed at the same place; what is known earlier than `stage`
 /// is no product but a number.
 pub(super) fn fused(graph: &Graph, live: &Live, turns: &Turns, stage: Stage) -> Vec<bool> {
     let mut fused = vec![false; graph.len()];
-    for id in (0..graph.len() as NodeId).filter(|&id| live.has(id)) {
+    for &id in live.nodes() {
         let Node::Sum(a, b) = graph.node(id) else { continue };
         let belongs = |term: &Edge| {
             let node = term.node();

@@ -10,8 +10,7 @@ impl Scheduler<'_> {
     /// A loop.
     pub(super) fn turn(&mut self, number: usize, headings: &[Heading], outputs: &[Vec<Edge>]) {
         let home = Home::Turn(number);
-        let all = 0..self.graph.len() as NodeId;
-        self.state_all(home, headings, all.clone());
+        self.state_all(home, headings, self.live.nodes().to_vec());
         let turn = &self.turns.all[number];
         let own = |edge: &Edge| self.live.has(edge.node()) && self.turns.home(edge.node()) == home;
         let places = outputs.iter().enumerate().flat_map(|(group, edges)| {
@@ -23,7 +22,7 @@ impl Scheduler<'_> {
         if results.is_empty() && turn.carries.is_empty() && sections.is_empty() {
             return;
         }
-        let read = self.read_by(home, turn, all);
+        let read = self.read_by(home, turn);
         let mut loads: Vec<(usize, Vec<String>)> = Vec::new();
         let (mut symbols, mut slots) = (Vec::new(), Vec::new());
         for node in read {
@@ -70,10 +69,10 @@ impl Scheduler<'_> {
     }
 
     /// What a loop reads: operands of what it computes, of what it hands on, and of its results.
-    fn read_by(&self, home: Home, turn: &Turn, all: std::ops::Range<NodeId>) -> Vec<NodeId> {
-        let own = all.filter(|&node| self.live.has(node) && self.turns.home(node) == home);
+    fn read_by(&self, home: Home, turn: &Turn) -> Vec<NodeId> {
+        let own = self.live.nodes().iter().filter(|&&node| self.turns.home(node) == home);
         let mut read: Vec<NodeId> = Vec::new();
-        for node in own {
+        for &node in own {
             read.push(node);
             if !self.is_slot(node) {
                 read.extend(self.graph.node(node).operands().map(Edge::node));
@@ -88,7 +87,7 @@ impl Scheduler<'_> {
     /// Lets a loop read what an earlier one has computed at the same time.
     fn load(&mut self, node: NodeId, from: usize, loads: &mut Vec<(usize, Vec<String>)>) {
         let carried = self.graph.symbol_number(node).and_then(|symbol| self.carried.get(&symbol));
-        let Some(name) = self.names.get(&node).or(carried).cloned() else { return };
+        let Some(name) = self.names.get(node).or(carried).cloned() else { return };
         if let Some(Block::Loop(earlier)) = self.program.blocks.get_mut(from)
             && !earlier.stores.contains(&name)
         {

@@ -16,6 +16,7 @@ mod fuse;
 mod images;
 mod live;
 mod looped;
+mod names;
 mod order;
 mod schedule;
 mod setup;

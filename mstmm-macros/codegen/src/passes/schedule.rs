@@ -3,6 +3,7 @@
 
 use super::angles::{Angles, angles};
 use super::fuse::fused;
+use super::names::Names;
 use super::{Home, Live, Setup, Turn, Turns};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
 use crate::program::{Block, Operand, Program, Section, Slot, Statement};
@@ -43,7 +44,7 @@ pub fn schedule(
     let carried = unknowns.turns.iter().flat_map(|turn| &turn.carries);
     let carried: Vec<Edge> = carried.flat_map(|carry| [carry.first, carry.next]).collect();
     let live = Live::of(graph, outputs.iter().flatten().copied().chain(carried));
-    let turns = Turns::of(graph, unknowns.turns.to_vec(), unknowns.parts);
+    let turns = Turns::of(graph, &live, unknowns.turns.to_vec(), unknowns.parts);
     let mut scheduler = Scheduler::new(graph, unknowns.names, stage, (live, &turns), setup);
     scheduler.name_carries();
     for (name, edge) in headings.iter().flat_map(|heading| &heading.values) {
@@ -70,7 +71,7 @@ pub(super) struct Scheduler<'a> {
     pub(super) depths: Vec<u32>,
     /// Products that are computed with their sums.
     pub(super) fused: Vec<bool>,
-    pub(super) names: HashMap<NodeId, String>,
+    pub(super) names: Names,
     /// Names of what loops carry, by the number of the unknown.
     pub(super) carried: HashMap<u32, String>,
     /// Slots of repeated parts, which their loops read.
@@ -78,7 +79,11 @@ pub(super) struct Scheduler<'a> {
     /// The blocks of the loops that are done.
     pub(super) blocks: HashMap<usize, usize>,
     taken: HashSet<String>,
+    /// What has been stated.
     pub(super) done: Vec<bool>,
+    /// For which request every node was last found to be needed.
+    found: Vec<u32>,
+    requests: u32,
     sections: Vec<Section>,
     pub(super) program: Program,
     pub(super) temporaries: usize,
@@ -104,12 +109,14 @@ impl<'a> Scheduler<'a> {
             angles,
             depths,
             fused,
-            names: HashMap::new(),
+            names: Names::new(graph.len()),
             carried: HashMap::new(),
             blocks: HashMap::new(),
             slots: HashMap::new(),
             taken: symbols.iter().cloned().collect(),
             done: vec![false; graph.len()],
+            found: vec![0; graph.len()],
+            requests: 0,
             program: Program {
                 symbols: Vec::new(),
                 slots: Vec::new(),
@@ -125,7 +132,7 @@ impl<'a> Scheduler<'a> {
     fn christen(&mut self, name: &str, edge: Edge) {
         let node = edge.node();
         let computed = !matches!(self.graph.node(node), Node::Number(_) | Node::Symbol(_));
-        if computed && self.live.has(node) && !self.names.contains_key(&node) {
+        if computed && self.live.has(node) && self.names.get(node).is_none() {
             let sign = if edge.is_negative() { "minus_" } else { "" };
             let name = self.fresh(format!("{sign}{name}"));
             self.names.insert(node, name);
@@ -133,13 +140,12 @@ impl<'a> Scheduler<'a> {
     }
 
     pub(super) fn fresh(&mut self, wanted: String) -> String {
-        let mut name = wanted.clone();
-        let mut number = 2;
-        while !self.taken.insert(name.clone()) {
-            name = format!("{wanted}_{number}");
-            number += 1;
+        if self.taken.insert(wanted.clone()) {
+            return wanted;
         }
-        name
+        let numbered = (2..).map(|number| format!("{wanted}_{number}"));
+        let mut free = numbered.filter(|name| self.taken.insert(name.clone()));
+        free.next().unwrap_or_default()
     }
 
     /// Names what loops carry.
@@ -161,12 +167,7 @@ impl<'a> Scheduler<'a> {
     }
 
     /// States what lives at `home`, under its headings and then the rest.
-    pub(super) fn state_all(
-        &mut self,
-        home: Home,
-        headings: &[Heading],
-        rest: impl Iterator<Item = NodeId>,
-    ) {
+    pub(super) fn state_all(&mut self, home: Home, headings: &[Heading], rest: Vec<NodeId>) {
         for heading in headings {
             self.open(&heading.title, &heading.source);
             for (_, edge) in &heading.values {
@@ -190,9 +191,9 @@ impl<'a> Scheduler<'a> {
         let rest: Vec<NodeId> = if self.turns.all.is_empty() {
             outputs.iter().flatten().map(|edge| edge.node()).collect()
         } else {
-            (0..self.graph.len() as NodeId).collect()
+            self.live.nodes().to_vec()
         };
-        self.state_all(home, headings, rest.into_iter());
+        self.state_all(home, headings, rest);
         let sections = self.take_sections();
         if !sections.is_empty() {
             self.program.blocks.push(Block::Once(sections));
@@ -226,14 +227,22 @@ impl<'a> Scheduler<'a> {
 
     /// States everything that `node` needs and that has not been stated yet.
     pub(super) fn require(&mut self, node: NodeId) {
+        if self.done[node as usize] {
+            return;
+        }
+        self.requests += 1;
         let mut needed = Vec::new();
         let mut open = vec![node];
-        let mut seen = HashSet::new();
         while let Some(id) = open.pop() {
-            if !self.done[id as usize] && seen.insert(id) {
-                needed.push(id);
-                if !self.is_slot(id) {
-                    open.extend(self.graph.node(id).operands().map(Edge::node));
+            let found = &mut self.found[id as usize];
+            if self.done[id as usize] || *found == self.requests {
+                continue;
+            }
+            *found = self.requests;
+            needed.push(id);
+            if !self.is_slot(id) {
+                for operand in self.graph.node(id).operands() {
+                    open.push(operand.node());
                 }
             }
         }

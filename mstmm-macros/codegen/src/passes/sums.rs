@@ -1,6 +1,6 @@
 //! Sums of many terms: those that are written as sums of sums.
 
-use super::{Home, Live, Turn, Turns};
+use super::{Live, Turn, Turns};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
 
 /// The sums of formulas, with the sums in them taken apart.
@@ -21,10 +21,12 @@ impl<'g> Sums<'g> {
         parts: &[Option<usize>],
     ) -> Self {
         let live = Live::of(graph, results.iter().copied());
-        let turns = Turns::of(graph, turns.to_vec(), parts);
+        let turns = Turns::of(graph, &live, turns.to_vec(), parts);
         let mut sums = Sums { graph, live, turns, inner: vec![false; graph.len()] };
-        for id in 0..graph.len() as NodeId {
-            for term in sums.terms_as_written(id).into_iter().flatten() {
+        for at in 0..sums.live.nodes().len() {
+            let id = sums.live.nodes()[at];
+            let Some(terms) = sums.terms_as_written(id) else { continue };
+            for term in terms {
                 let is_sum = matches!(graph.node(term.node()), Node::Sum(..));
                 sums.inner[term.node() as usize] |= is_sum && sums.is_only_for(term.node(), id);
             }
@@ -34,11 +36,10 @@ impl<'g> Sums<'g> {
 
     /// The nodes that are needed for themselves, before those that they are needed for.
     pub(super) fn nodes(&self) -> impl Iterator<Item = NodeId> {
-        let all = 0..self.inner.len() as NodeId;
-        all.filter(|&id| self.live.has(id) && !self.inner[id as usize])
+        self.live.nodes().iter().copied().filter(|&id| !self.inner[id as usize])
     }
 
-    /// All terms of a sum that is computed in every step.
+    /// All terms of a sum that is needed and computed in every step.
     pub(super) fn terms(&self, id: NodeId) -> Option<Vec<Edge>> {
         let written = self.terms_as_written(id)?;
         let mut terms = Vec::new();
@@ -56,9 +57,7 @@ impl<'g> Sums<'g> {
 
     fn terms_as_written(&self, id: NodeId) -> Option<[Edge; 2]> {
         match self.graph.node(id) {
-            Node::Sum(a, b) if self.live.has(id) && self.graph.stage(id) == Stage::State => {
-                Some([a, b])
-            }
+            Node::Sum(a, b) if self.graph.stage(id) == Stage::State => Some([a, b]),
             _ => None,
         }
     }
@@ -73,7 +72,8 @@ impl<'g> Sums<'g> {
 
     /// Whether a node is used once, and computed where its user is.
     fn is_only_for(&self, node: NodeId, user: NodeId) -> bool {
-        let place = |id: NodeId| -> (Stage, Home) { (self.graph.stage(id), self.turns.home(id)) };
-        self.live.uses(node) == 1 && place(node) == place(user)
+        self.live.uses(node) == 1
+            && self.graph.stage(node) == self.graph.stage(user)
+            && self.turns.home(node) == self.turns.home(user)
     }
 }

@@ -42,24 +42,28 @@ pub enum Home {
 pub struct Turns {
     /// In the order in which they run.
     pub all: Vec<Turn>,
+    /// Where the nodes are computed; none where there is no loop.
     homes: Vec<Home>,
 }
 
 impl Turns {
-    /// The homes of all nodes of `graph`; `parts` says which unknowns belong to which repeated part.
-    pub fn of(graph: &Graph, turns: Vec<Turn>, parts: &[Option<usize>]) -> Self {
+    /// The homes of all live nodes of `graph`; `parts` says which unknowns belong to which repeated
+    /// part.
+    pub fn of(graph: &Graph, live: &Live, turns: Vec<Turn>, parts: &[Option<usize>]) -> Self {
         let mut all = turns;
         let count = parts.iter().flatten().max().map_or(0, |&last| last + 1);
         all.extend((0..count).map(|repeat| Turn { repeat, inwards: false, carries: Vec::new() }));
-        let mut places: Vec<Place> = Vec::with_capacity(graph.len());
-        for id in 0..graph.len() as NodeId {
-            let place = match graph.symbol_number(id) {
+        if all.is_empty() {
+            return Turns { all, homes: Vec::new() };
+        }
+        let mut places = vec![Place::START; graph.len()];
+        for &id in live.nodes() {
+            places[id as usize] = match graph.symbol_number(id) {
                 Some(number) => Place::of_symbol(number, &all, parts),
                 None => graph.node(id).operands().fold(Place::START, |place, operand| {
                     place.together_with(places[operand.node() as usize])
                 }),
             };
-            places.push(place);
         }
         let home = |place: &Place| match place.repeat {
             None => Home::Once(place.earliest),
@@ -74,7 +78,10 @@ impl Turns {
 
     /// Where a node is computed.
     pub fn home(&self, node: NodeId) -> Home {
-        self.homes[node as usize]
+        match self.homes.get(node as usize) {
+            Some(home) => *home,
+            None => Home::Once(0),
+        }
     }
 }
 
@@ -115,6 +122,9 @@ impl Place {
 
 /// The carries that `results` need, in place of all; and all that has to be computed for both.
 pub fn needed_carries(graph: &Graph, turns: &[Turn], results: &[Edge]) -> (Vec<Turn>, Vec<Edge>) {
+    if turns.is_empty() {
+        return (Vec::new(), results.to_vec());
+    }
     let mut needed: Vec<Vec<bool>> =
         turns.iter().map(|turn| vec![false; turn.carries.len()]).collect();
     let mut roots = results.to_vec();

@@ -1,0 +1,224 @@
+//! Statements, token by token.
+//!
+//! There are thousands of them, and `quote!` makes a stream of every part of each. In a macro that is
+//! as many calls of rustc; here a stream is made of a whole program, and of what stands in brackets.
+
+use super::Plan;
+use super::names::local;
+use crate::program::{Operand, Operation, Section, Statement};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+
+/// Tokens that are being written.
+pub struct Writer<'a> {
+    plan: &'a Plan<'a>,
+    tokens: Vec<TokenTree>,
+}
+
+impl<'a> Writer<'a> {
+    /// Nothing yet.
+    pub fn new(plan: &'a Plan<'a>) -> Self {
+        Writer { plan, tokens: Vec::new() }
+    }
+
+    /// What is there already.
+    pub fn after(plan: &'a Plan<'a>, tokens: TokenStream) -> Self {
+        Writer { plan, tokens: tokens.into_iter().collect() }
+    }
+
+    /// What has been written.
+    pub fn finish(self) -> TokenStream {
+        self.tokens.into_iter().collect()
+    }
+
+    /// The statements of sections, the headings on the first of each; `flat` if the names of a section
+    /// are declared before any of them is computed.
+    pub fn sections<'s>(&mut self, sections: impl IntoIterator<Item = &'s Section>, flat: bool) {
+        for section in sections {
+            self.section(section, flat);
+        }
+    }
+
+    fn section(&mut self, section: &Section, flat: bool) {
+        self.heading(section);
+        if flat {
+            self.word("let");
+            self.group(Delimiter::Parenthesis, |names| {
+                for name in section.statements.iter().flat_map(Statement::names) {
+                    names.local(name);
+                    names.sign(',');
+                }
+            });
+            self.sign(';');
+        }
+        for statement in &section.statements {
+            if !flat {
+                self.word("let");
+            }
+            self.statement(statement);
+            self.sign(';');
+        }
+    }
+
+    /// The heading as documentation, which survives the expansion.
+    fn heading(&mut self, section: &Section) {
+        let source =
+            if section.source.is_empty() { String::new() } else { format!(", {}", section.source) };
+        let heading = format!(" {}{source}: {}.", section.title, section.cost());
+        self.sign('#');
+        self.group(Delimiter::Bracket, |attribute| {
+            attribute.word("doc");
+            attribute.sign('=');
+            attribute.literal(Literal::string(&heading));
+        });
+    }
+
+    fn statement(&mut self, statement: &Statement) {
+        match statement {
+            Statement::Let(name, operation) => {
+                self.local(name);
+                self.sign('=');
+                self.operation(operation);
+            }
+            Statement::SinCos { sines, cosines, angles } => {
+                self.group(Delimiter::Parenthesis, |both| {
+                    both.names(sines);
+                    both.sign(',');
+                    both.names(cosines);
+                });
+                self.sign('=');
+                self.function("sin_cos");
+                self.group(Delimiter::Parenthesis, |arguments| {
+                    arguments
+                        .group(Delimiter::Bracket, |list| list.separated(angles, Self::operand));
+                });
+            }
+        }
+    }
+
+    /// A pattern of names where there are some.
+    fn names(&mut self, names: &[Option<String>]) {
+        self.group(Delimiter::Bracket, |pattern| {
+            pattern.separated(names, |pattern, name| match name {
+                Some(name) => pattern.local(name),
+                None => pattern.word("_"),
+            });
+        });
+    }
+
+    fn operation(&mut self, operation: &Operation) {
+        match operation {
+            Operation::Sum(a, b) => self.infix(a, '+', b),
+            Operation::Difference(a, b) => self.infix(a, '-', b),
+            Operation::Product(a, b) => self.infix(a, '*', b),
+            Operation::MulAdd(a, b, c) => self.call("mul_add", [a, b, c]),
+            Operation::MulSub(a, b, c) => self.call("mul_sub", [a, b, c]),
+            Operation::MulNegAdd(a, b, c) => self.call("mul_neg_add", [a, b, c]),
+            Operation::Recip(a) => self.call("recip", [a]),
+            Operation::Sqrt(a) => self.call("sqrt", [a]),
+            Operation::CopySign(a, b) => self.call("copysign", [a, b]),
+            Operation::Atan2(a, b) => self.call("atan2", [a, b]),
+            Operation::RecipAbove(a, b) => {
+                self.tokens.extend(self.plan.mstmm.clone());
+                self.step_into("generated");
+                self.step_into("recip_above");
+                self.arguments([a, b]);
+            }
+        }
+    }
+
+    fn infix(&mut self, a: &Operand, sign: char, b: &Operand) {
+        self.operand(a);
+        self.sign(sign);
+        self.operand(b);
+    }
+
+    fn call<const N: usize>(&mut self, function: &str, operands: [&Operand; N]) {
+        self.function(function);
+        self.arguments(operands);
+    }
+
+    fn arguments<const N: usize>(&mut self, operands: [&Operand; N]) {
+        self.group(Delimiter::Parenthesis, |arguments| {
+            arguments.separated(&operands, |arguments, operand| arguments.operand(operand));
+        });
+    }
+
+    /// An operand.
+    pub fn operand(&mut self, operand: &Operand) {
+        match operand {
+            Operand::Number(value) => self.number(*value),
+            Operand::Symbol(number) => {
+                self.local(&self.plan.programs.symbols.names()[*number as usize]);
+            }
+            Operand::Named(name) => self.local(name),
+            Operand::Minus(inner) => {
+                self.sign('-');
+                self.operand(inner);
+            }
+            // It is written by its loop.
+            Operand::Repeated => {}
+        }
+    }
+
+    fn number(&mut self, value: f64) {
+        self.local("c");
+        self.group(Delimiter::Parenthesis, |number| {
+            // A pivot that vanishes in every state leaves its reciprocal behind: the test of the
+            // pivots comes first, but the number has to be written.
+            if !value.is_finite() {
+                for part in ["core", "f64", "NAN"] {
+                    number.step_into(part);
+                }
+                return;
+            }
+            if value < 0.0 {
+                number.sign('-');
+            }
+            number.literal(Literal::f64_unsuffixed(value.abs()));
+        });
+    }
+
+    /// A function of the scalar.
+    fn function(&mut self, name: &str) {
+        self.word("T");
+        self.step_into(name);
+    }
+
+    /// `::name`
+    fn step_into(&mut self, name: &str) {
+        self.tokens.push(Punct::new(':', Spacing::Joint).into());
+        self.sign(':');
+        self.word(name);
+    }
+
+    fn separated<T>(&mut self, items: &[T], write: impl Fn(&mut Self, &T)) {
+        for (place, item) in items.iter().enumerate() {
+            if place > 0 {
+                self.sign(',');
+            }
+            write(self, item);
+        }
+    }
+
+    fn group(&mut self, delimiter: Delimiter, write: impl FnOnce(&mut Self)) {
+        let mut inner = Writer::new(self.plan);
+        write(&mut inner);
+        self.tokens.push(Group::new(delimiter, inner.finish()).into());
+    }
+
+    fn local(&mut self, name: &str) {
+        self.tokens.push(local(name).into());
+    }
+
+    fn word(&mut self, word: &str) {
+        self.tokens.push(Ident::new(word, Span::call_site()).into());
+    }
+
+    fn sign(&mut self, sign: char) {
+        self.tokens.push(Punct::new(sign, Spacing::Alone).into());
+    }
+
+    fn literal(&mut self, literal: Literal) {
+        self.tokens.push(literal.into());
+    }
+}
