@@ -3,13 +3,14 @@
 //! Each evaluation is of another state, so that no branch can be foreseen.
 
 use std::hint::black_box;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
+use mstmm::wide::{f32x16, f64x8};
 use mstmm::{Rk4, Scalar};
 use mstmm_benches::{
-    Balls3, Balls10, Balls100, Case, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
+    Balls3, Balls10, Balls100, Case, Lanes, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
     numbers_of_state, samples, with_cases,
 };
 
@@ -48,10 +49,23 @@ macro_rules! groups {
             let mut group = criterion.benchmark_group("RK4 step");
             $(step::<$chain<f64>>(&mut group);)*
             group.finish();
+            lanes(criterion);
         }
     };
 }
 with_cases!(groups);
+
+/// In lanes; times are those of one state.
+fn lanes(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("accelerations, f64x8, a state");
+    accelerations::<Balls3<f64x8>>(&mut group);
+    accelerations::<Panda<f64x8>>(&mut group);
+    group.finish();
+    let mut group = criterion.benchmark_group("accelerations, f32x16, a state");
+    accelerations::<Balls3<f32x16>>(&mut group);
+    accelerations::<Panda<f32x16>>(&mut group);
+    group.finish();
+}
 
 fn accelerations<C: Case>(group: &mut Group) {
     let (chain, mut rate) = (C::default(), C::State::default());
@@ -88,10 +102,18 @@ fn bench_each<C: Case>(
     let count = (NUMBERS / numbers_of_state::<C::State>()).min(MOST_STATES);
     let samples = samples(chain, count);
     let mut index = 0;
-    group.bench_function(C::NAME, |bencher| {
-        bencher.iter(|| {
-            evaluate(&samples[index]);
-            index = if index + 1 == count { 0 } else { index + 1 };
-        });
+    let mut next = || {
+        evaluate(&samples[index]);
+        index = if index + 1 == samples.len() { 0 } else { index + 1 };
+    };
+    let lanes = C::Scalar::COUNT as u64;
+    group.bench_function(C::NAME, |bencher| match lanes {
+        1 => bencher.iter(&mut next),
+        _ => bencher.iter_custom(|states| {
+            let start = Instant::now();
+            let samples = states.div_ceil(lanes);
+            (0..samples).for_each(|_| next());
+            start.elapsed().mul_f64(states as f64 / (samples * lanes) as f64)
+        }),
     });
 }

@@ -76,7 +76,7 @@ fn set_randomly<S: ChainState<Scalar = f64> + Default>(states: &mut [S]) {
     let numbers = random_states::<S>(states.len());
     let each = numbers.chunks_exact(numbers_of_state::<S>());
     for (state, numbers) in states.iter_mut().zip(each) {
-        (*state, _) = state_from(numbers);
+        (*state, _) = state_from(numbers.iter().copied());
     }
 }
 

@@ -3,18 +3,22 @@
 //! The letters are those of `benches/README.md`: A rods on parallel pins, B cubes on balls, C cubes on
 //! crossed pins, D an arm.
 
+mod lanes;
 mod models;
 mod states;
 
 use mstmm::{Error, GeneratedChain};
 
+pub use lanes::Lanes;
 pub use models::{
     Balls3, Balls10, Balls100, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
 };
-pub use states::{numbers_of_state, random_angles, random_states, samples, state_from};
+pub use states::{
+    numbers_of_state, random_angles, random_states, samples, samples_from, state_from,
+};
 
 /// A chain that is timed: every hinge of it has a motor.
-pub trait Case: GeneratedChain<Inputs: Clone> + Default {
+pub trait Case: GeneratedChain<Scalar: Lanes, Inputs: Clone> + Default {
     /// Its letter and the number of its hinges.
     const NAME: &'static str;
 
@@ -36,7 +40,7 @@ pub trait Case: GeneratedChain<Inputs: Clone> + Default {
     fn set_torques(inputs: &mut Self::Inputs, torques: &[Self::Scalar]);
 
     /// A state and inputs from [numbers](random_states).
-    fn sample(&self, numbers: &[f64]) -> (Self::State, Self::Inputs) {
+    fn sample(&self, numbers: impl Iterator<Item = Self::Scalar>) -> (Self::State, Self::Inputs) {
         let (state, torques) = state_from(numbers);
         let mut inputs = self.no_inputs();
         Self::set_torques(&mut inputs, &torques);

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use mstmm::{ChainState, Scalar};
+use mstmm::ChainState;
 
-use crate::Case;
+use crate::{Case, Lanes};
 
 /// The seed of all states.
 const SEED: u64 = 0x6d73_746d_6d20_3031;
@@ -16,8 +16,20 @@ const LARGEST_TORQUE: f64 = 5.0;
 /// So many states of a case with their inputs.
 pub fn samples<C: Case>(chain: &C, count: usize) -> Vec<(C::State, C::Inputs)> {
     let numbers = random_states::<C::State>(count);
-    let each = numbers.chunks_exact(numbers_of_state::<C::State>());
-    each.map(|numbers| chain.sample(numbers)).collect()
+    samples_from(chain, &numbers)
+}
+
+/// The same from [numbers](random_states), with as many states side by side as a number has lanes.
+/// Where the last of them are too few, the last one fills the other lanes.
+pub fn samples_from<C: Case>(chain: &C, numbers: &[f64]) -> Vec<(C::State, C::Inputs)> {
+    let of_state = numbers_of_state::<C::State>();
+    let states: Vec<&[f64]> = numbers.chunks_exact(of_state).collect();
+    let side_by_side = |states: &[&[f64]]| {
+        let number =
+            |index: usize| C::Scalar::from_lanes(|lane| states[lane.min(states.len() - 1)][index]);
+        chain.sample((0..of_state).map(number))
+    };
+    states.chunks(C::Scalar::COUNT).map(side_by_side).collect()
 }
 
 /// How many numbers are in a state: coordinates, rates and torques.
@@ -55,9 +67,10 @@ pub fn random_angles(count: usize) -> Vec<f64> {
 }
 
 /// A state from such numbers, and the torques that are left.
-pub fn state_from<S: ChainState + Default>(numbers: &[f64]) -> (S, Vec<S::Scalar>) {
+pub fn state_from<S: ChainState + Default>(
+    mut numbers: impl Iterator<Item = S::Scalar>,
+) -> (S, Vec<S::Scalar>) {
     let mut state = S::default();
-    let mut numbers = numbers.iter().map(|&number| S::Scalar::constant(number));
     let (coordinates, rates) = (state.q().len(), state.v().len());
     for (place, number) in state.q_mut().iter_mut().zip(numbers.by_ref().take(coordinates)) {
         *place = number;

@@ -38,6 +38,8 @@ class Contender:
     own: bool = False
     wide: bool = False
     """Whether several states are evaluated at once."""
+    single: bool = False
+    """Whether in single precision."""
 
 
 @dataclass(frozen=True)

@@ -43,7 +43,7 @@ class Table:
             if row.failure:
                 lines.append(f"| {name} | – | – | – | {row.failure} |")
                 continue
-            wrong = " **wrong**" if row.error > WRONG else ""
+            wrong = " **wrong**" if row.error > WRONG and not row.contender.single else ""
             cells = [
                 name,
                 digits(row.nanoseconds),
@@ -59,7 +59,7 @@ class Table:
         several.
         """
         rows = [row for row in self.rows if row.contender.wide == wide and row.error <= WRONG]
-        own = [row for row in rows if row.contender.own]
+        own = [row for row in rows if row.contender.own and not row.contender.single]
         others = [row for row in rows if not row.contender.own]
         if not own or not others:
             return None

@@ -5,14 +5,15 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 use std::{env, fs};
 
-use mstmm::{ChainState, Rk4};
+use mstmm::wide::{f32x16, f64x8};
+use mstmm::{ChainState, Rk4, Scalar};
 use mstmm_benches::{
-    Balls3, Balls10, Balls100, Case, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
-    numbers_of_state, random_states, with_cases,
+    Balls3, Balls10, Balls100, Case, Lanes, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
+    numbers_of_state, random_states, samples_from, with_cases,
 };
 
 const USAGE: &str = "contender states CASE COUNT STATES_OUT
-contender accelerations|all|rk4 CASE STATES_IN RESULTS_OUT MILLISECONDS";
+contender accelerations|all|rk4|lanes|lanes32 CASE STATES_IN RESULTS_OUT MILLISECONDS";
 
 /// The step of the integration in s.
 const STEP: f64 = 1e-3;
@@ -26,11 +27,15 @@ const BATCH: Duration = Duration::from_micros(200);
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    let &[_, case, ..] = arguments.as_slice() else { return Err(USAGE.into()) };
+    let &[what, case, ..] = arguments.as_slice() else { return Err(USAGE.into()) };
     macro_rules! run {
         ($($chain:ident)*) => {
-            match case {
-                $($chain::<f64>::NAME => run::<$chain<f64>>(&arguments),)*
+            match (what, case) {
+                $(
+                    ("lanes", $chain::<f64>::NAME) => run::<$chain<f64x8>>(&arguments),
+                    ("lanes32", $chain::<f64>::NAME) => run::<$chain<f32x16>>(&arguments),
+                    (_, $chain::<f64>::NAME) => run::<$chain<f64>>(&arguments),
+                )*
                 _ => Err("no such case".into()),
             }
         };
@@ -38,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     with_cases!(run)
 }
 
-fn run<C: Case<Scalar = f64>>(arguments: &[&str]) -> Result<(), Box<dyn Error>> {
+fn run<C: Case>(arguments: &[&str]) -> Result<(), Box<dyn Error>> {
     match *arguments {
         ["states", _, count, path] => {
             let numbers = random_states::<C::State>(count.parse()?);
@@ -47,15 +52,17 @@ fn run<C: Case<Scalar = f64>>(arguments: &[&str]) -> Result<(), Box<dyn Error>> 
         [what, _, states, results, milliseconds] => {
             let numbers = from_bytes(&fs::read(states)?);
             let chain = C::default();
-            let each = numbers.chunks_exact(numbers_of_state::<C::State>());
-            let samples: Vec<_> = each.map(|numbers| chain.sample(numbers)).collect();
+            let samples = samples_from(&chain, &numbers);
             let budget = Duration::from_millis(milliseconds.parse()?);
-            let run = match what {
-                "accelerations" => accelerations(&chain, &samples, budget)?,
+            let mut run = match what {
+                "accelerations" | "lanes" | "lanes32" => accelerations(&chain, &samples, budget)?,
                 "all" => all(&chain, &samples, budget)?,
                 "rk4" => rk4(&chain, &samples, budget)?,
                 _ => return Err(USAGE.into()),
             };
+            // What fills the last lanes is no state.
+            let states = numbers.len() / numbers_of_state::<C::State>();
+            run.results.truncate(states * C::State::default().v().len());
             if results != "-" {
                 fs::write(results, to_bytes(&run.results))?;
             }
@@ -72,7 +79,7 @@ struct Run {
     times: Times,
 }
 
-fn accelerations<C: Case<Scalar = f64>>(
+fn accelerations<C: Case>(
     chain: &C,
     samples: &[(C::State, C::Inputs)],
     budget: Duration,
@@ -81,16 +88,16 @@ fn accelerations<C: Case<Scalar = f64>>(
     let mut results = Vec::new();
     for (state, inputs) in samples {
         chain.accelerations_into(state, inputs, &mut rate)?;
-        results.extend_from_slice(rate.v());
+        push_lanes(&mut results, rate.v());
     }
-    let times = Times::of(budget, samples, |(state, inputs)| {
+    let times = Times::of(budget, samples, C::Scalar::COUNT, |(state, inputs)| {
         let result = chain.accelerations_into(black_box(state), inputs, black_box(&mut rate));
         let _ = black_box(result);
     });
     Ok(Run { results, times })
 }
 
-fn all<C: Case<Scalar = f64>>(
+fn all<C: Case>(
     chain: &C,
     samples: &[(C::State, C::Inputs)],
     budget: Duration,
@@ -99,9 +106,9 @@ fn all<C: Case<Scalar = f64>>(
     let mut results = Vec::new();
     for (state, inputs) in samples {
         chain.solve_into(state, inputs, &mut at)?;
-        results.extend_from_slice(C::accelerations_at(&at));
+        push_lanes(&mut results, C::accelerations_at(&at));
     }
-    let times = Times::of(budget, samples, |(state, inputs)| {
+    let times = Times::of(budget, samples, C::Scalar::COUNT, |(state, inputs)| {
         let result = chain.solve_into(black_box(state), inputs, black_box(&mut at));
         let _ = black_box(result);
     });
@@ -109,19 +116,19 @@ fn all<C: Case<Scalar = f64>>(
 }
 
 /// A step from each of the states, the torques being held.
-fn rk4<C: Case<Scalar = f64>>(
+fn rk4<C: Case>(
     chain: &C,
     samples: &[(C::State, C::Inputs)],
     budget: Duration,
 ) -> Result<Run, mstmm::Error> {
-    let mut integrator = Rk4::new(STEP);
+    let mut integrator = Rk4::new(Scalar::constant(STEP));
     let mut results = Vec::new();
     for sample in samples {
         let mut state = sample.0.clone();
         integrator.step(chain, &mut state, |_, _| sample.1.clone())?;
-        results.extend_from_slice(state.v());
+        push_lanes(&mut results, state.v());
     }
-    let times = Times::of(budget, samples, |sample| {
+    let times = Times::of(budget, samples, C::Scalar::COUNT, |sample| {
         let mut state = black_box(sample).0.clone();
         let result = integrator.step(chain, &mut state, |_, _| sample.1.clone());
         let _ = black_box((result, &state));
@@ -129,15 +136,23 @@ fn rk4<C: Case<Scalar = f64>>(
     Ok(Run { results, times })
 }
 
-/// Batches of the same number of evaluations.
+/// Adds numbers state by state.
+fn push_lanes<T: Lanes>(results: &mut Vec<f64>, numbers: &[T]) {
+    for lane in 0..T::COUNT {
+        results.extend(numbers.iter().map(|number| number.lane(lane)));
+    }
+}
+
+/// Batches of the same number of evaluations, each of one state.
 struct Times {
     evaluations: usize,
     nanoseconds: Vec<u128>,
 }
 
 impl Times {
-    /// Times `evaluate` for all samples, again and again, for about so long.
-    fn of<S>(budget: Duration, samples: &[S], mut evaluate: impl FnMut(&S)) -> Self {
+    /// Times `evaluate` for all samples, again and again, for about so long; so many states are in a
+    /// sample.
+    fn of<S>(budget: Duration, samples: &[S], states: usize, mut evaluate: impl FnMut(&S)) -> Self {
         let mut samples = samples.iter().cycle();
         let mut batch = |evaluations: usize| {
             let start = Instant::now();
@@ -148,16 +163,16 @@ impl Times {
         while start.elapsed() < WARM_UP {
             batch(1);
         }
-        let mut evaluations = 1;
-        while batch(evaluations) < BATCH {
-            evaluations *= 2;
+        let mut count = 1;
+        while batch(count) < BATCH {
+            count *= 2;
         }
         let start = Instant::now();
-        let mut nanoseconds = vec![batch(evaluations).as_nanos()];
+        let mut nanoseconds = vec![batch(count).as_nanos()];
         while start.elapsed() < budget {
-            nanoseconds.push(batch(evaluations).as_nanos());
+            nanoseconds.push(batch(count).as_nanos());
         }
-        Self { evaluations, nanoseconds }
+        Self { evaluations: count * states, nanoseconds }
     }
 
     fn print(&self) {

@@ -13,7 +13,7 @@ pub use rods::{Rods3, Rods10, Rods100, Rods1000};
 /// Makes a generated chain a [`Case`](crate::Case) from its name and the way to its inputs.
 macro_rules! case {
     ($chain:ident, $name:literal, |$inputs:ident, $torques:ident| $set:expr) => {
-        impl<T: ::mstmm::Scalar> $crate::Case for $chain<T> {
+        impl<T: $crate::Lanes> $crate::Case for $chain<T> {
             const NAME: &'static str = $name;
 
             fn accelerations_into(

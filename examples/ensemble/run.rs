@@ -1,0 +1,170 @@
+//! Simulating arms, and timing it.
+
+use std::error::Error;
+use std::io::{IsTerminal, stderr};
+use std::time::Instant;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use mstmm::Rk4;
+use mstmm::wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
+use rayon::prelude::*;
+use serde::Serialize;
+
+use crate::arm::{Arm, End};
+use crate::chain::Controller;
+use crate::lanes::Lanes;
+
+/// How many arms a core takes at a time.
+const ARMS: usize = 64;
+
+/// How long each arm is simulated.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Settings {
+    /// In s.
+    pub step: f64,
+    pub steps: u32,
+}
+
+impl Settings {
+    pub fn new(time: f64, step: f64) -> Result<Self, Box<dyn Error>> {
+        let steps = (time / step).round();
+        if !(step > 0.0 && (1.0..=f64::from(u32::MAX / 2)).contains(&steps)) {
+            return Err("the time must be a number of steps, at least one".into());
+        }
+        Ok(Self { step, steps: steps as u32 })
+    }
+
+    /// The same time in steps of half the length.
+    pub fn finer(&self) -> Self {
+        Self { step: 0.5 * self.step, steps: 2 * self.steps }
+    }
+
+    pub fn time(&self) -> f64 {
+        self.step * f64::from(self.steps)
+    }
+}
+
+/// A type of numbers to simulate with.
+#[derive(Clone, Copy)]
+pub struct Way {
+    name: &'static str,
+    lanes: usize,
+    simulate: fn(&[Arm], &Settings) -> Result<Vec<End>, mstmm::Error>,
+}
+
+macro_rules! ways {
+    ($($number:ident)*) => {
+        &[$(Way {
+            name: stringify!($number),
+            lanes: <$number as Lanes>::COUNT,
+            simulate: simulate::<$number>,
+        }),*]
+    };
+}
+
+/// One by one.
+pub const ONE_BY_ONE: &[Way] = ways!(f64);
+
+/// In lanes: the more, the fewer registers are left for each number, and of those that the processor
+/// does not have several stand for one.
+pub const DOUBLE: &[Way] = ways!(f64x2 f64x4 f64x8);
+pub const SINGLE: &[Way] = ways!(f32x4 f32x8 f32x16);
+
+/// Simulates arms one after the other, as many at a time as there are lanes.
+fn simulate<T: Lanes>(arms: &[Arm], settings: &Settings) -> Result<Vec<End>, mstmm::Error> {
+    let controller = Controller::new();
+    let mut ends = Vec::with_capacity(arms.len());
+    for arms in arms.chunks(T::COUNT) {
+        let (chain, mut state) = Arm::chain::<T>(arms)?;
+        let mut rk4 = Rk4::new(T::constant(settings.step));
+        for _ in 0..settings.steps {
+            rk4.step(&chain, &mut state, |_, state| controller.torques(state))?;
+        }
+        ends.extend(End::of_lanes(&chain, &state)?.take(arms.len()));
+    }
+    Ok(ends)
+}
+
+/// What a way took.
+#[derive(Serialize)]
+pub struct Run {
+    pub number: &'static str,
+    pub lanes: usize,
+    pub cores: usize,
+    pub arms: usize,
+    pub seconds: f64,
+    /// Steps of one arm; each takes four evaluations.
+    pub steps_per_second: f64,
+}
+
+impl Way {
+    /// Simulates arms on so many cores and takes the time.
+    pub fn run(
+        self,
+        arms: &[Arm],
+        settings: &Settings,
+        cores: usize,
+        progress: &Progress,
+    ) -> Result<(Run, Vec<End>), Box<dyn Error>> {
+        let Self { name: number, lanes, simulate } = self;
+        progress.begin(&format!("{number}, {}", count(cores, "core")));
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(cores).build()?;
+        let start = Instant::now();
+        let parts: Result<Vec<Vec<End>>, mstmm::Error> = pool.install(|| {
+            let part = |arms: &[Arm]| {
+                let ends = simulate(arms, settings)?;
+                progress.advance(arms.len());
+                Ok(ends)
+            };
+            arms.par_chunks(ARMS).map(part).collect()
+        });
+        let seconds = start.elapsed().as_secs_f64();
+        let (ends, arms) = (parts?.concat(), arms.len());
+        let steps_per_second = arms as f64 * f64::from(settings.steps) / seconds;
+        Ok((Run { number, lanes, cores, arms, seconds, steps_per_second }, ends))
+    }
+
+    /// Where arms end, without more ado.
+    pub fn ends(self, arms: &[Arm], settings: &Settings) -> Result<Vec<End>, mstmm::Error> {
+        (self.simulate)(arms, settings)
+    }
+}
+
+/// A number of things.
+pub fn count(number: usize, thing: &str) -> String {
+    format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
+}
+
+/// How far all runs have come: a bar on a terminal, plain lines elsewhere. All of it goes to standard
+/// error, so that standard output holds results only.
+pub struct Progress(Option<ProgressBar>);
+
+impl Progress {
+    pub fn new(arms: usize) -> Self {
+        Self(stderr().is_terminal().then(|| {
+            let style = ProgressStyle::with_template("{bar:30} {percent:>3} %, {eta}  {msg}");
+            let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+            ProgressBar::new(arms as u64).with_style(style)
+        }))
+    }
+
+    fn begin(&self, what: &str) {
+        match &self.0 {
+            Some(bar) => bar.set_message(what.to_owned()),
+            None => eprintln!("{what}"),
+        }
+    }
+
+    fn advance(&self, arms: usize) {
+        if let Some(bar) = &self.0 {
+            bar.inc(arms as u64);
+        }
+    }
+
+    /// The bar makes way for the results.
+    pub fn finish(&self) {
+        if let Some(bar) = &self.0 {
+            bar.finish_and_clear();
+        }
+    }
+}
