@@ -51,7 +51,8 @@ def main() -> None:
         for row in table.rows
         if row.contender.own and not row.error < (OWN_ERROR_SINGLE if row.contender.single else OWN_ERROR)
     ]
-    sys.exit("\n".join(broken))
+    if broken:
+        sys.exit("\n".join(broken))
 
 
 def parse() -> argparse.Namespace:
