@@ -84,8 +84,7 @@ impl<S: Scalar> Turn<S> {
 
     /// Whether forces in the plane of the turn hang on shifts in it alone.
     fn leaves_plane_alone(&self, inertia: &SpatialInertia<S>) -> bool {
-        let in_plane = (0..3).filter(|&row| row != self.axis);
-        in_plane.into_iter().all(|row| {
+        (0..3).filter(|&row| row != self.axis).all(|row| {
             inertia.linear.at(row, self.axis).vanishes()
                 && inertia.coupling[row].iter().all(|entry| entry.vanishes())
         })

@@ -7,6 +7,10 @@
 //! (2)  `A ← A − z yᵀ`, `e ← e + z w`
 //! (3)  `β = w / d − zᵀ a'`, on the way back
 //!
+//! Chains in a plane have so little to compute for each body that they wait for `1 / d` most of the
+//! time: there (2) is `A ← A − (y yᵀ) / d`, and in (3) `zᵀ a'` is taken apart into what hangs on the
+//! parent and what does not.
+//!
 //! What is left has `A s = 0` and `sᵀ e = τ`. Where `s` is an axis both are set exactly, and `A`
 //! keeps one of each pair of entries only: without that, chains of balls lose all digits.
 //!
@@ -35,8 +39,9 @@ struct Eliminated<S> {
     rest: S,
     /// `u / d`
     pulls: Vec<S>,
-    /// Whether so little hangs on `y` that the next results wait for `1 / d` most of the time.
-    waits: bool,
+    /// The axis that it is, where so little hangs on `y` that the next results wait for `1 / d` most of
+    /// the time.
+    waiting: Option<usize>,
 }
 
 impl<S: Scalar> Eliminated<S> {
@@ -274,11 +279,12 @@ fn eliminate<S: Scalar>(
     };
     let along = |k: usize| axis == Some(k);
     let gain = Wrench::from_fn(|k| if along(k) { S::one() } else { y.at(k) * inverse });
-    let waits = axis.is_some() && (0..6).filter(|&k| !y.at(k).vanishes()).count() <= PLANE;
+    let linked = (0..6).filter(|&k| !y.at(k).vanishes()).count();
+    let waiting = axis.filter(|_| linked <= PLANE);
     here.inertia = SpatialInertia::from_fn(|i, j| {
         if along(i) || along(j) {
             S::zero()
-        } else if waits {
+        } else if waiting.is_some() {
             old.at(i, j) - y.at(i) * y.at(j) * inverse
         } else {
             old.at(i, j) - gain.at(i) * y.at(j)
@@ -299,7 +305,7 @@ fn eliminate<S: Scalar>(
             *sum = *sum + u[i] * pull;
         }
     }
-    (pivot, Eliminated { column, gain, rest, pulls, waits })
+    (pivot, Eliminated { column, gain, rest, pulls, waiting })
 }
 
 #[cfg(test)]

@@ -19,7 +19,10 @@ pub(super) fn recover<S: Scalar>(
         trace.section(format!("Acceleration of `{}`", over.name), "[P, Eqs. (13), (36), (44)]");
         let carried = problem.carried(index, &points);
         let (betas, acceleration) = match &eliminated[..] {
-            [step] if step.waits => advance_early(problem, index, carried, &points, step),
+            [step @ Eliminated { waiting: Some(axis), .. }] => {
+                let parent = problem.parent(index, &points);
+                advance_early(problem, index, (parent, carried), step, *axis)
+            }
             steps => advance(carried, steps, &over.freedom.armature),
         };
         trace.motion(&format!("{}_a", over.name), acceleration);
@@ -61,16 +64,12 @@ fn advance<S: Scalar>(
 fn advance_early<S: Scalar>(
     problem: &Problem<S>,
     index: usize,
-    carried: Motion<S>,
-    points: &[Motion<S>],
+    (parent, carried): (Motion<S>, Motion<S>),
     step: &Eliminated<S>,
+    axis: usize,
 ) -> (Vec<S>, Motion<S>) {
-    let Column::Axis(axis) = step.column else {
-        return advance(carried, std::slice::from_ref(step), &[S::zero()]);
-    };
     let beside = step.beside(axis);
     let rest = step.rest - problem.drift[index].power(beside);
-    let gain = problem.links[index].over.returned(beside);
-    let new = rest - problem.parent(index, points).power(gain);
+    let new = rest - parent.power(problem.links[index].over.returned(beside));
     (vec![new - carried.at(axis)], carried.with(axis, new))
 }
