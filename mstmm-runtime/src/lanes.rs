@@ -129,8 +129,7 @@ macro_rules! lanes {
             #[inline]
             fn worst(self) -> $real {
                 self.to_array().into_iter().fold($real::NEG_INFINITY, |worst, lane| {
-                    // In this order NaN stays.
-                    if worst >= lane { worst } else if worst.is_nan() { worst } else { lane }
+                    if worst >= lane || worst.is_nan() { worst } else { lane }
                 })
             }
 

@@ -82,6 +82,20 @@ impl Scalar for Pair {
         Pair(f64::EPSILON, f64::EPSILON)
     }
 
+    // Lane by lane, since numbers may be fused.
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        let lane = |a: f64, b: f64, c: f64| Scalar::mul_add(a, b, c);
+        Pair(lane(self.0, factor.0, addend.0), lane(self.1, factor.1, addend.1))
+    }
+
+    fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {
+        Scalar::mul_add(self, factor, -subtrahend)
+    }
+
+    fn mul_neg_add(self, factor: Self, addend: Self) -> Self {
+        Scalar::mul_add(-self, factor, addend)
+    }
+
     fn recip(self) -> Self {
         Pair(self.0.recip(), self.1.recip())
     }
