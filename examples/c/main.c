@@ -1,0 +1,72 @@
+/* The arm under its own weight and a controller that holds it, for one second. */
+#include <stdio.h>
+
+#include "mstmm_arm.h"
+
+/* Where the joints are to be, in rad, and how stiffly and with what damping they are held there. */
+static const mstmm_real TARGET[MSTMM_ARM_MOTORS] = {0.5f, -0.5f, 1.25f};
+static const mstmm_real STIFFNESS[MSTMM_ARM_MOTORS] = {200.0f, 400.0f, 200.0f}; /* N m/rad */
+static const mstmm_real DAMPING[MSTMM_ARM_MOTORS] = {40.0f, 60.0f, 20.0f};      /* N m s/rad */
+
+/* Of a fixed size: where they lie is the program's choice, here beside the code's other data. */
+static mstmm_arm arm;
+static mstmm_arm_state state;
+static mstmm_arm_inputs inputs;
+static mstmm_arm_results at;
+
+static int failed(mstmm_status status)
+{
+    if (status.code == MSTMM_OK) {
+        return 0;
+    }
+    fprintf(stderr, "%s %s\n", mstmm_code_name(status.code), mstmm_arm_hinge_name(status.hinge));
+    return 1;
+}
+
+static void print(const char *name, const mstmm_real *numbers, int count)
+{
+    printf("%-22s", name);
+    for (int i = 0; i < count; ++i) {
+        printf(" %.9g", (double)numbers[i]); /* with nine digits a float is told exactly */
+    }
+    printf("\n");
+}
+
+int main(void)
+{
+    if (mstmm_arm_size() != sizeof arm) {
+        fprintf(stderr, "this library is not that of the header\n");
+        return 1;
+    }
+    if (failed(mstmm_arm_init(&arm, 1e-3f)) || failed(mstmm_arm_set_payload_mass(&arm, 3.0f)) ||
+        failed(mstmm_arm_initial_state(&arm, &state))) {
+        return 1;
+    }
+    for (int step = 0; step < 1000; ++step) {
+        for (int i = 0; i < MSTMM_ARM_MOTORS; ++i) {
+            mstmm_real pull = STIFFNESS[i] * (TARGET[i] - state.q[i]);
+            mstmm_real brake = DAMPING[i] * state.v[i];
+            inputs.torque[i] = pull - brake;
+        }
+        if (failed(mstmm_arm_step(&arm, &state, &inputs))) {
+            return 1;
+        }
+    }
+    if (failed(mstmm_arm_solve(&arm, &state, &inputs, &at))) {
+        return 1;
+    }
+    print("time, s", &state.t, 1);
+    print("joint angles, rad", state.q, MSTMM_ARM_MOTORS);
+    print("hook, quaternion", &state.q[MSTMM_ARM_HOOK], 4);
+    print("rates, rad/s", state.v, MSTMM_ARM_RATES);
+    print("tip, m", at.points[MSTMM_ARM_AT_PAYLOAD].position, 3);
+    print("its orientation", at.points[MSTMM_ARM_AT_PAYLOAD].orientation[0], 3);
+    print("", at.points[MSTMM_ARM_AT_PAYLOAD].orientation[1], 3);
+    print("", at.points[MSTMM_ARM_AT_PAYLOAD].orientation[2], 3);
+    print("its acceleration, m/s2", at.points[MSTMM_ARM_AT_PAYLOAD].acceleration, 3);
+    print("force at the hook, N", at.points[MSTMM_ARM_AT_HOOK].force, 3);
+    print("moment at the base, Nm", at.points[MSTMM_ARM_AT_GROUND].moment, 3);
+    print("kinetic energy, J", &at.kinetic_energy, 1);
+    print("potential energy, J", &at.potential_energy, 1);
+    return 0;
+}

@@ -1,0 +1,160 @@
+/* What the library answers to calls that cannot be done, and that they change nothing. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "mstmm_arm.h"
+
+static int failures = 0;
+
+static void check(int holds, const char *what, int line)
+{
+    if (!holds) {
+        fprintf(stderr, "misuse.c:%d: %s\n", line, what);
+        ++failures;
+    }
+}
+
+#define CHECK(condition) check(condition, #condition, __LINE__)
+
+static mstmm_arm arm, arm_before;
+static mstmm_arm_state state, state_before;
+static mstmm_arm_inputs inputs;
+static mstmm_arm_results at, at_before;
+
+/* Whether a call was answered with this code, and all is as it was. */
+static int refused(mstmm_status status, int32_t code, int32_t hinge)
+{
+    return status.code == code && status.hinge == hinge && !memcmp(&arm, &arm_before, sizeof arm) &&
+           !memcmp(&state, &state_before, sizeof state) && !memcmp(&at, &at_before, sizeof at);
+}
+
+static int done(mstmm_status status)
+{
+    return status.code == MSTMM_OK && status.hinge == -1;
+}
+
+static void remember(void)
+{
+    arm_before = arm;
+    state_before = state;
+    at_before = at;
+}
+
+static void null_pointers(void)
+{
+    const int32_t code = MSTMM_NULL_POINTER;
+    remember();
+    CHECK(refused(mstmm_arm_init(NULL, 1e-3f), code, -1));
+    CHECK(refused(mstmm_arm_initial_state(NULL, &state), code, -1));
+    CHECK(refused(mstmm_arm_initial_state(&arm, NULL), code, -1));
+    CHECK(refused(mstmm_arm_set_payload_mass(NULL, 1.0f), code, -1));
+    CHECK(refused(mstmm_arm_set_payload_spin(NULL, 1.0f), code, -1));
+    CHECK(refused(mstmm_arm_step(NULL, &state, &inputs), code, -1));
+    CHECK(refused(mstmm_arm_step(&arm, NULL, &inputs), code, -1));
+    CHECK(refused(mstmm_arm_step(&arm, &state, NULL), code, -1));
+    CHECK(refused(mstmm_arm_solve(NULL, &state, &inputs, &at), code, -1));
+    CHECK(refused(mstmm_arm_solve(&arm, NULL, &inputs, &at), code, -1));
+    CHECK(refused(mstmm_arm_solve(&arm, &state, NULL, &at), code, -1));
+    CHECK(refused(mstmm_arm_solve(&arm, &state, &inputs, NULL), code, -1));
+}
+
+/* An arm holds what its last try led to, which is its own business. */
+static int step_refused(int32_t code, int32_t hinge)
+{
+    mstmm_status status = mstmm_arm_step(&arm, &state, &inputs);
+    arm = arm_before;
+    return refused(status, code, hinge);
+}
+
+static void numbers(void)
+{
+    static const mstmm_real STRANGE[] = {NAN, INFINITY, -INFINITY};
+    for (int i = 0; i < 3; ++i) {
+        remember();
+        CHECK(refused(mstmm_arm_init(&arm, STRANGE[i]), MSTMM_NOT_FINITE, -1));
+        CHECK(refused(mstmm_arm_set_payload_mass(&arm, STRANGE[i]), MSTMM_PARAMETER, -1));
+        CHECK(refused(mstmm_arm_set_payload_spin(&arm, STRANGE[i]), MSTMM_PARAMETER, -1));
+
+        mstmm_real *places[] = {&state.q[MSTMM_ARM_ELBOW], &state.q[MSTMM_ARM_HOOK],
+                                &state.v[MSTMM_ARM_WAIST], &state.t, &inputs.torque[0]};
+        for (size_t place = 0; place < sizeof places / sizeof *places; ++place) {
+            mstmm_real kept = *places[place];
+            *places[place] = STRANGE[i];
+            remember();
+            CHECK(step_refused(MSTMM_NOT_FINITE, -1));
+            CHECK(refused(mstmm_arm_solve(&arm, &state, &inputs, &at), MSTMM_NOT_FINITE, -1));
+            *places[place] = kept;
+        }
+    }
+    /* Finite, but not what comes of it. */
+    state.v[MSTMM_ARM_WAIST] = 1e30f;
+    remember();
+    CHECK(step_refused(MSTMM_NOT_FINITE, -1));
+    CHECK(done(mstmm_arm_initial_state(&arm, &state)));
+}
+
+static void parameters(void)
+{
+    remember();
+    CHECK(refused(mstmm_arm_set_payload_mass(&arm, 0.0f), MSTMM_PARAMETER, -1));
+    CHECK(refused(mstmm_arm_set_payload_mass(&arm, -1.0f), MSTMM_PARAMETER, -1));
+    CHECK(refused(mstmm_arm_set_payload_spin(&arm, 0.0f), MSTMM_PARAMETER, -1));
+    CHECK(refused(mstmm_arm_set_payload_spin(&arm, -0.01f), MSTMM_PARAMETER, -1));
+
+    /* As good as a thin rod: nothing says how it turns about itself. */
+    CHECK(done(mstmm_arm_set_payload_spin(&arm, 1e-9f)));
+    remember();
+    CHECK(step_refused(MSTMM_SINGULAR, MSTMM_ARM_HOOK));
+    CHECK(refused(mstmm_arm_solve(&arm, &state, &inputs, &at), MSTMM_SINGULAR, MSTMM_ARM_HOOK));
+    CHECK(done(mstmm_arm_set_payload_spin(&arm, 0.01f)));
+    CHECK(done(mstmm_arm_step(&arm, &state, &inputs)));
+    CHECK(state.t == 1e-3f);
+}
+
+/* An arm is moved by assignment, and goes on the same there. */
+static void copies(void)
+{
+    mstmm_arm other = arm;
+    mstmm_arm_state other_state = state;
+    for (int step = 0; step < 100; ++step) {
+        CHECK(done(mstmm_arm_step(&arm, &state, &inputs)));
+        CHECK(done(mstmm_arm_step(&other, &other_state, &inputs)));
+    }
+    CHECK(!memcmp(&state, &other_state, sizeof state));
+}
+
+#define NAMED(code) CHECK(!strcmp(mstmm_code_name(code), #code))
+
+static void names(void)
+{
+    NAMED(MSTMM_OK);
+    NAMED(MSTMM_NULL_POINTER);
+    NAMED(MSTMM_NOT_FINITE);
+    NAMED(MSTMM_SINGULAR);
+    NAMED(MSTMM_PARAMETER);
+    NAMED(MSTMM_OTHER);
+    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_WAIST), "waist"));
+    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_SHOULDER), "shoulder"));
+    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_ELBOW), "elbow"));
+    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_HOOK), "hook"));
+    static const int32_t NONE[] = {-1, INT32_MIN, INT32_MAX, 6};
+    for (int i = 0; i < 4; ++i) {
+        CHECK(!strcmp(mstmm_code_name(NONE[i]), ""));
+        CHECK(!strcmp(mstmm_arm_hinge_name(NONE[i]), ""));
+    }
+}
+
+int main(void)
+{
+    CHECK(mstmm_arm_size() == sizeof arm);
+    CHECK(done(mstmm_arm_init(&arm, 1e-3f)));
+    CHECK(done(mstmm_arm_initial_state(&arm, &state)));
+    CHECK(done(mstmm_arm_solve(&arm, &state, &inputs, &at)));
+    null_pointers();
+    numbers();
+    parameters();
+    copies();
+    names();
+    return failures != 0;
+}
