@@ -1,0 +1,179 @@
+//! Emulated boards.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use anyhow::{Result, bail, ensure};
+
+/// The emulator of both boards.
+pub const EMULATOR: &str = "qemu-system-arm";
+
+/// Where instructions are counted, one takes 2⁸ ns of the emulated time.
+const COUNTING: u32 = 8;
+
+/// Where time is to pass as on a board, one takes 2⁵ ns.
+const LIFELIKE: u32 = 5;
+
+/// The system timer of both boards ticks at 25 MHz.
+const NANOSECONDS_PER_TICK: u32 = 40;
+
+/// A processor that the firmware is built for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Processor {
+    /// With a floating-point unit for single precision, on the board MPS2 AN386.
+    CortexM4,
+    /// With one for both precisions, on the board MPS2 AN500.
+    CortexM7,
+}
+
+impl Processor {
+    pub const ALL: [Self; 2] = [Self::CortexM4, Self::CortexM7];
+
+    /// The compiler's name for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::CortexM4 => "cortex-m4",
+            Self::CortexM7 => "cortex-m7",
+        }
+    }
+
+    fn board(self) -> &'static str {
+        match self {
+            Self::CortexM4 => "mps2-an386",
+            Self::CortexM7 => "mps2-an500",
+        }
+    }
+
+    /// Whether it computes in double precision itself.
+    pub fn has_double(self) -> bool {
+        self == Self::CortexM7
+    }
+}
+
+/// What a board told.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// Instructions of a step, over the random states.
+    pub fewest: u32,
+    pub most: u32,
+    /// The same over states that are out of bounds or no numbers.
+    pub most_of_bad: u32,
+    /// The deepest that a step went, in bytes.
+    pub stack: u32,
+    /// The bits of the coordinates and rates at the end of the motion.
+    pub end: Vec<u64>,
+    /// Of the bits of all states of the motion.
+    pub hash: u64,
+}
+
+/// The emulator and its version, if there is one.
+pub fn emulator() -> Option<String> {
+    let output = Command::new(EMULATOR).arg("--version").output().ok()?;
+    let version = String::from_utf8_lossy(&output.stdout).lines().next()?.to_owned();
+    output.status.success().then_some(version)
+}
+
+/// What the arm in a timer's interrupt told.
+#[derive(Clone, Debug)]
+pub struct InterruptRun {
+    /// The bits of the coordinates and rates at the end.
+    pub end: Vec<u64>,
+    /// From the timer's call to the end of the longest step, and from call to call, in ticks.
+    pub longest: u64,
+    pub period: u64,
+}
+
+/// Measures the steps of an image.
+pub fn run(processor: Processor, image: &Path) -> Result<Run> {
+    Report::of(processor, image, COUNTING)?.run()
+}
+
+/// Lets the timer's interrupt call.
+pub fn run_interrupt(processor: Processor, image: &Path) -> Result<InterruptRun> {
+    let report = Report::of(processor, image, LIFELIKE)?;
+    let [longest, period] = report.words("longest")?[..] else { bail!("longest are two numbers") };
+    Ok(InterruptRun { end: report.end()?, longest, period })
+}
+
+/// Lines of a name and words in hexadecimal.
+struct Report(String);
+
+impl Report {
+    /// Runs an image to its end, an instruction taking 2 to so many ns.
+    fn of(processor: Processor, image: &Path, shift: u32) -> Result<Self> {
+        let output = Command::new(EMULATOR)
+            .args(["-machine", processor.board(), "-nographic", "-monitor", "none"])
+            .args(["-serial", "none", "-semihosting-config", "enable=on,target=native"])
+            .args(["-icount", &format!("shift={shift},align=off,sleep=off")])
+            .arg("-kernel")
+            .arg(image)
+            .stdin(Stdio::null())
+            .output()?;
+        let told = String::from_utf8_lossy(&output.stdout).into_owned();
+        let complaint = String::from_utf8_lossy(&output.stderr);
+        ensure!(output.status.success(), "{} failed: {told}{complaint}", image.display());
+        Ok(Self(told))
+    }
+
+    fn words(&self, name: &str) -> Result<Vec<u64>> {
+        let line = self.0.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(' '));
+        let Some(line) = line else { bail!("there is no {name} in {:?}", self.0) };
+        line.split_whitespace().map(|word| Ok(u64::from_str_radix(word, 16)?)).collect()
+    }
+
+    fn end(&self) -> Result<Vec<u64>> {
+        Ok([self.words("q")?, self.words("v")?].concat())
+    }
+
+    fn run(&self) -> Result<Run> {
+        let [fewest, most, bad] = self.words("ticks")?[..] else {
+            bail!("ticks are three numbers")
+        };
+        let [stack] = self.words("stack")?[..] else { bail!("stack is one number") };
+        let [hash] = self.words("hash")?[..] else { bail!("hash is one number") };
+        Ok(Run {
+            fewest: instructions(fewest),
+            most: instructions(most),
+            most_of_bad: instructions(bad),
+            stack: stack.try_into()?,
+            end: self.end()?,
+            hash,
+        })
+    }
+}
+
+/// The instructions that take so many ticks: 6.4 are one, so that a tick more or less, where a
+/// count starts or ends between two of them, changes nothing.
+fn instructions(ticks: u64) -> u32 {
+    let nanoseconds = ticks * u64::from(NANOSECONDS_PER_TICK);
+    let one = 1 << COUNTING;
+    ((nanoseconds + one / 2) / one) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tick_more_or_less_is_no_instruction() {
+        for ticks in 6400 - 2..=6400 + 2 {
+            assert_eq!(instructions(ticks), 1000, "{ticks} ticks");
+        }
+        assert_eq!(instructions(6406), 1001);
+    }
+
+    #[test]
+    fn a_report_without_a_line_is_none() {
+        let report =
+            "ticks 00000040 00000080 00000046\nstack 00000010\nq 3f800000\nv 00000000\nhash 00ff\n";
+        let run = Report(report.into()).run().expect("all lines are there");
+        assert_eq!((run.fewest, run.most, run.most_of_bad), (10, 20, 11));
+        assert_eq!((run.stack, run.hash), (16, 255));
+        assert_eq!(run.end, [0x3f80_0000, 0]);
+        for missing in 0..5 {
+            let lines = report.lines().enumerate().filter(|&(line, _)| line != missing);
+            let rest: Vec<_> = lines.map(|(_, line)| line).collect();
+            assert!(Report(rest.join("\n")).run().is_err());
+        }
+    }
+}

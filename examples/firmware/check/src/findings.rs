@@ -1,0 +1,123 @@
+//! What must hold, and what does not.
+
+use std::fs;
+
+use crate::case::{Case, Precision};
+use anyhow::{Context, Result, bail};
+
+use crate::board::{InterruptRun, Processor};
+use crate::host::Motion;
+use crate::table::{self, Row, Table};
+
+/// In the names of functions that a step has no use for.
+const PANICS: [&str; 2] = ["panic", "unwind"];
+const ALLOCATIONS: [&str; 4] = ["__rust_alloc", "__rust_dealloc", "malloc", "alloc::"];
+
+/// In the names of functions that compute in double precision by whole numbers.
+const SOFT_DOUBLES: [&str; 3] = ["__aeabi_d", "__aeabi_f2d", "df3"];
+
+/// Everything that does not hold, in the order in which it was found.
+#[derive(Default)]
+pub struct Findings {
+    wrong: Vec<String>,
+}
+
+impl Findings {
+    /// Notes what is wrong where something does not hold.
+    pub fn require(&mut self, holds: bool, otherwise: impl FnOnce() -> String) {
+        if !holds {
+            self.wrong.push(otherwise());
+        }
+    }
+
+    /// An image beside this machine.
+    pub fn of_image(&mut self, row: &Row, host: &Motion) {
+        let Row { case, processor, image, run } = row;
+        let name = format!("{case} on the {}", processor.name());
+        let is_single = case.precision == Precision::Single;
+        let by_whole_numbers = !is_single && !processor.has_double();
+
+        for unwanted in [&PANICS[..], &ALLOCATIONS] {
+            let found = image.named(unwanted);
+            self.require(found.is_empty(), || format!("{name}: the image holds {found:?}"));
+        }
+        let doubles = image.named(&SOFT_DOUBLES);
+        // Where they have to be there, finding them shows that they would be found.
+        self.require(doubles.is_empty() != by_whole_numbers, || {
+            format!("{name}: routines for double precision: {doubles:?}")
+        });
+
+        if let Some(budget) = case.budget() {
+            self.require(image.stack <= budget.stack, || {
+                format!("{name}: {} bytes of stack, more than {}", image.stack, budget.stack)
+            });
+            self.require(budget.code.is_none_or(|code| image.code <= code), || {
+                format!("{name}: {} bytes of code, more than {:?}", image.code, budget.code)
+            });
+            let most = run.as_ref().map_or(0, |run| run.most);
+            self.require(most <= budget.instructions, || {
+                format!("{name}: {most} instructions, more than {}", budget.instructions)
+            });
+        }
+
+        let Some(run) = run else { return };
+        self.require(run.end == host.end && run.hash == host.hash, || {
+            format!("{name}: other bits than on this machine, hash {:016x}", run.hash)
+        });
+        self.require(run.stack <= image.stack, || {
+            format!("{name}: {} bytes of stack, more than the bound {}", run.stack, image.stack)
+        });
+        // What computes by whole numbers takes as long as its numbers want: that this is seen shows
+        // that it would be seen elsewhere.
+        self.require((run.fewest == run.most) != by_whole_numbers, || {
+            format!("{name}: {} to {} instructions", run.fewest, run.most)
+        });
+        self.require(by_whole_numbers || run.most_of_bad <= run.most, || {
+            format!("{name}: {} instructions from a bad state", run.most_of_bad)
+        });
+    }
+
+    /// The arm in an interrupt beside the same steps on this machine.
+    pub fn of_interrupt(&mut self, processor: Processor, run: &InterruptRun, end: &[u64]) {
+        let name = format!("interrupt on the {}", processor.name());
+        self.require(run.end == end, || format!("{name}: other bits than on this machine"));
+        self.require(run.longest < run.period, || {
+            format!("{name}: a step took {} ticks of {}", run.longest, run.period)
+        });
+    }
+
+    /// The figures that are kept: their bits must still be the same.
+    pub fn of_table(&mut self, table: &Table, bless: bool) -> Result<()> {
+        let path = Table::path();
+        if bless {
+            println!("wrote {}", path.display());
+            return Ok(fs::write(path, table.to_string())?);
+        }
+        let kept = fs::read_to_string(&path).context("the figures that are kept cannot be read")?;
+        for (case, motion) in &table.motions {
+            self.of_motion(&kept, *case, motion);
+        }
+        if kept != table.to_string() {
+            println!("\nSome figures differ from {}; now they are\n\n{table}", path.display());
+        }
+        Ok(())
+    }
+
+    fn of_motion(&mut self, kept: &str, case: Case, motion: &Motion) {
+        self.require(kept.contains(&table::bits(case, motion)), || {
+            format!(
+                "{case}: other bits than the figures have, hash {:016x}; --bless keeps them",
+                motion.hash
+            )
+        });
+    }
+
+    /// Fails with all that is wrong.
+    pub fn conclude(self) -> Result<()> {
+        if !self.wrong.is_empty() {
+            bail!("\n{}", self.wrong.join("\n"));
+        }
+        println!("\nAll of it holds.");
+        Ok(())
+    }
+}

@@ -1,0 +1,57 @@
+//! The same motion on this machine.
+
+use std::fmt;
+
+use models::{Arm, Hash, INTERRUPT_STEPS, MOTION_STEPS, Model, Number};
+use mstmm::ChainState;
+
+use crate::case::{Case, Visitor};
+
+/// Where a motion leads.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// The bits of the coordinates and rates at its end.
+    pub end: Vec<u64>,
+    /// Of the bits of all its states.
+    pub hash: u64,
+    shown: String,
+}
+
+impl fmt::Display for Motion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "after {MOTION_STEPS} steps {}; hash {:016x}", self.shown, self.hash)
+    }
+}
+
+/// The motion from the start of the description.
+pub fn simulate(case: Case) -> Motion {
+    case.visit(Simulation { steps: MOTION_STEPS })
+}
+
+/// The arm in single precision after as many steps as the timer of `interrupt` calls for.
+pub fn arm_of_interrupt() -> Vec<u64> {
+    Simulation { steps: INTERRUPT_STEPS as usize }.visit::<Arm<f32>>().end
+}
+
+struct Simulation {
+    steps: usize,
+}
+
+impl Visitor for Simulation {
+    type Result = Motion;
+
+    fn visit<M: Model>(self) -> Motion {
+        let (model, mut rk4) = (M::new(), M::integrator());
+        let (mut state, mut hash) = (model.start(), Hash::default());
+        for _ in 0..self.steps {
+            model.step(&mut rk4, &mut state).expect("the motions are regular everywhere");
+            hash.add_state(&state);
+        }
+        let numbers = state.q().iter().chain(state.v());
+        Motion {
+            end: numbers.map(|number| number.bits()).collect(),
+            hash: hash.value(),
+            shown: format!("q = {:?}, v = {:?}", state.q(), state.v()),
+        }
+    }
+}

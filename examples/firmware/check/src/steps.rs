@@ -1,0 +1,42 @@
+//! Steps from random states, to be counted by callgrind.
+
+use std::hint::black_box;
+
+use anyhow::{Result, anyhow};
+use models::{Model, Random, SEED};
+use mstmm::{Error, Rk4};
+
+use crate::case::{Case, Visitor};
+
+/// So many: each is slow under callgrind.
+const STATES: usize = 200;
+
+/// What this program does beneath callgrind.
+pub fn take(case: Case) -> Result<()> {
+    case.visit(Steps).map_err(|error| anyhow!("{error}"))
+}
+
+struct Steps;
+
+impl Visitor for Steps {
+    type Result = std::result::Result<(), Error>;
+
+    fn visit<M: Model>(self) -> Self::Result {
+        let (model, mut rk4, mut random) = (M::new(), M::integrator(), Random::new(SEED));
+        for _ in 0..STATES {
+            let mut state = model.random_state(&mut random);
+            counted_step(black_box(&model), &mut rk4, black_box(&mut state))?;
+        }
+        Ok(())
+    }
+}
+
+/// On its own, to be found by its name.
+#[inline(never)]
+fn counted_step<M: Model>(
+    model: &M,
+    rk4: &mut Rk4<M>,
+    state: &mut M::State,
+) -> std::result::Result<(), Error> {
+    model.step(rk4, state)
+}

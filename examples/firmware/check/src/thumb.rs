@@ -1,0 +1,215 @@
+//! As much of the Thumb-2 instruction set as tells where a function goes and what it puts on the
+//! stack (Armv7-M Architecture Reference Manual, DDI 0403, chapter A5).
+
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What matters here of an instruction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Instruction {
+    /// Any that goes on to the next one.
+    Other,
+    /// Puts so many bytes on the stack.
+    Push(u32),
+    /// Calls the function at an address.
+    Call(u32),
+    /// Goes to an address, or on if a condition does not hold.
+    Branch { to: u32, conditional: bool },
+    /// The next ones, so many, are executed under a condition.
+    IfThen(u32),
+    /// Goes back to the caller, or nowhere.
+    End,
+    /// Goes to an address, or moves the stack by a number, that is known at run time alone.
+    Unknown,
+}
+
+/// A function as its instructions tell.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Function {
+    /// All that it ever puts on the stack, in bytes: at least as much as is there at any time.
+    pub frame: u32,
+    /// Which functions it calls, or goes over to at its end, by address.
+    pub calls: BTreeSet<u32>,
+    /// How many places can be reached again from themselves.
+    pub loops: usize,
+    /// Where what it does cannot be told, by address.
+    pub unknown: Vec<u32>,
+}
+
+/// Where an instruction leads within its function.
+type Edges = BTreeMap<u32, Vec<u32>>;
+
+/// Reads a function from its parts: code without the data in between, with the address of each.
+pub fn function(parts: &[(u32, &[u8])]) -> Function {
+    let inside = |to: u32| {
+        parts.iter().any(|(start, code)| (*start..*start + code.len() as u32).contains(&to))
+    };
+    let (mut function, mut edges) = (Function::default(), Edges::new());
+    for &(start, code) in parts {
+        let (mut at, mut left_of_block) = (start, 0);
+        while let Some((instruction, length)) = decode(&code[(at - start) as usize..], at) {
+            let next = at + length;
+            let always = left_of_block == 0;
+            left_of_block = u32::saturating_sub(left_of_block, 1);
+            let goes_on = match instruction {
+                Instruction::Branch { conditional, .. } => conditional || !always,
+                Instruction::End => !always,
+                _ => true,
+            };
+            match instruction {
+                Instruction::Push(bytes) => function.frame += bytes,
+                Instruction::IfThen(count) => left_of_block = count,
+                Instruction::Unknown => function.unknown.push(at),
+                Instruction::Branch { to, .. } if inside(to) => {
+                    edges.entry(at).or_default().push(to)
+                }
+                Instruction::Call(to) | Instruction::Branch { to, .. } => {
+                    _ = function.calls.insert(to)
+                }
+                Instruction::Other | Instruction::End => (),
+            }
+            if goes_on {
+                edges.entry(at).or_default().push(next);
+            }
+            at = next;
+        }
+    }
+    let entry = parts.first().map(|&(start, _)| start);
+    function.loops = entry.map_or(0, |entry| loops(&edges, entry));
+    function
+}
+
+/// How many instructions a walk in depth comes back to while it is still beyond them.
+fn loops(edges: &Edges, entry: u32) -> usize {
+    let none = Vec::new();
+    let onward = |at: u32| edges.get(&at).unwrap_or(&none).iter();
+    let (mut seen, mut on_the_way, mut heads) =
+        (BTreeSet::from([entry]), BTreeSet::from([entry]), BTreeSet::new());
+    let mut way = vec![(entry, onward(entry))];
+    while let Some((at, rest)) = way.last_mut() {
+        match rest.next() {
+            Some(&to) if on_the_way.contains(&to) => _ = heads.insert(to),
+            Some(&to) if seen.insert(to) => {
+                on_the_way.insert(to);
+                way.push((to, onward(to)));
+            }
+            Some(_) => (),
+            None => {
+                on_the_way.remove(at);
+                way.pop();
+            }
+        }
+    }
+    heads.len()
+}
+
+/// The instruction at the start of `code`, which lies at an address, and its length in bytes.
+fn decode(code: &[u8], at: u32) -> Option<(Instruction, u32)> {
+    let half = |index: usize| {
+        let bytes = code.get(2 * index..2 * index + 2)?;
+        Some(u32::from(u16::from_le_bytes([bytes[0], bytes[1]])))
+    };
+    let first = half(0)?;
+    // A5.1: these begin instructions of two halfwords.
+    if matches!(first >> 11, 0b11101..=0b11111) {
+        Some((wide(first, half(1)?, at), 4))
+    } else {
+        Some((narrow(first, at), 2))
+    }
+}
+
+/// Section A5.2.
+fn narrow(code: u32, at: u32) -> Instruction {
+    use Instruction::*;
+    // A branch counts from the instruction after the next.
+    let target = |offset: i32| at.wrapping_add(4).wrapping_add_signed(offset);
+    let low = code & 0xff;
+    match code >> 8 {
+        // BX and BLX: to the link register is a return.
+        0x47 if code & 0x80 == 0 && (code >> 3) & 0xf == 14 => End,
+        0x47 => Unknown,
+        // ADD and MOV of high registers, to the stack pointer or the program counter.
+        0x44 | 0x46 if matches!((code >> 4) & 8 | code & 7, 13 | 15) => Unknown,
+        0xb0 if low >= 0x80 => Push((low & 0x7f) * 4),
+        0xb4 | 0xb5 => Push((low.count_ones() + (code >> 8 & 1)) * 4),
+        0xbd => End,
+        0xbf if low & 0xf != 0 => IfThen(4 - low.trailing_zeros()),
+        // Permanently undefined, and calls of a supervisor.
+        0xde => End,
+        0xd0..=0xdd => Branch { to: target(signed(low, 8) * 2), conditional: true },
+        0xe0..=0xe7 => Branch { to: target(signed(code & 0x7ff, 11) * 2), conditional: false },
+        // CBZ and CBNZ.
+        0xb1 | 0xb3 | 0xb9 | 0xbb => {
+            let offset = (code >> 9 & 1) << 6 | (code >> 3 & 0x1f) << 1;
+            Branch { to: target(offset as i32), conditional: true }
+        }
+        _ => Other,
+    }
+}
+
+/// Section A5.3.
+fn wide(first: u32, second: u32, at: u32) -> Instruction {
+    use Instruction::*;
+    let target = |offset: i32| at.wrapping_add(4).wrapping_add_signed(offset);
+    let register_list = (second.count_ones()) * 4;
+    match (first, second) {
+        // PUSH of many, of one, of two and more by store with writeback, and of vectors.
+        (0xe92d, _) => Push(register_list),
+        (0xf84d, _) if second & 0x0f00 == 0x0d00 => Push(second & 0xff),
+        (0xe96d, _) => Push((second & 0xff) * 4),
+        (0xed2d | 0xed6d, _) => Push((second & 0xff) * 4),
+        // SUB of a constant or of a register from the stack pointer, to itself.
+        (0xf1ad | 0xf5ad, _) if second & 0x8f00 == 0x0d00 => Push(expanded(first, second)),
+        (0xf2ad | 0xf6ad, _) if second & 0x8f00 == 0x0d00 => Push(immediate(first, second)),
+        (0xebad, _) if second & 0x0f00 == 0x0d00 => Unknown,
+        // POP with the program counter, LDR to it, and branches by tables.
+        (0xe8bd, _) if second & 0x8000 != 0 => End,
+        (0xf85d, 0xfb04) => End,
+        (0xf850..=0xf85f | 0xf8d0..=0xf8df, _) if second >> 12 == 15 => Unknown,
+        (0xe8d0..=0xe8df, _) if second & 0xffe0 == 0xf000 => Unknown,
+        (0xf000..=0xf7ff, _) if second & 0x8000 != 0 => {
+            let sign = first >> 10 & 1;
+            let [j1, j2] = [second >> 13 & 1, second >> 11 & 1];
+            let low = (second & 0x7ff) << 1;
+            // Encoding T4 of B and T1 of BL: two more bits of the offset, turned by the sign.
+            let [i1, i2] = [j1, j2].map(|bit| !(bit ^ sign) & 1);
+            let far = sign << 24 | i1 << 23 | i2 << 22 | (first & 0x3ff) << 12 | low;
+            let near = sign << 20 | j2 << 19 | j1 << 18 | (first & 0x3f) << 12 | low;
+            match (second >> 14 & 1, second >> 12 & 1) {
+                (1, 1) => Call(target(signed(far, 25))),
+                (0, 1) => Branch { to: target(signed(far, 25)), conditional: false },
+                // Conditions 14 and 15 are other instructions, of which none goes anywhere.
+                (0, 0) if (first >> 6) & 0xf < 14 => {
+                    Branch { to: target(signed(near, 21)), conditional: true }
+                }
+                _ => Other,
+            }
+        }
+        _ => Other,
+    }
+}
+
+/// A number of so many bits with its sign.
+fn signed(number: u32, bits: u32) -> i32 {
+    (number << (32 - bits)) as i32 >> (32 - bits)
+}
+
+/// The twelve bits of a plain constant.
+fn immediate(first: u32, second: u32) -> u32 {
+    (first >> 10 & 1) << 11 | (second >> 12 & 7) << 8 | second & 0xff
+}
+
+/// The number that the twelve bits of a modified constant stand for (ThumbExpandImm, A5.3.2).
+fn expanded(first: u32, second: u32) -> u32 {
+    let bits = immediate(first, second);
+    let low = bits & 0xff;
+    match bits >> 8 {
+        0b0000 => low,
+        0b0001 => low << 16 | low,
+        0b0010 => low << 24 | low << 8,
+        0b0011 => low * 0x0101_0101,
+        _ => (0x80 | bits & 0x7f).rotate_right(bits >> 7),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,10 @@
+//! The arm in single precision.
+#![no_std]
+#![no_main]
+
+use models::Arm;
+
+#[image::entry]
+fn main() -> ! {
+    image::run::<Arm<f32>>()
+}

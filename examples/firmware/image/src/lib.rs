@@ -1,0 +1,94 @@
+//! Firmware that steps a chain, measures the steps, and tells the host through the debugger.
+//!
+//! It is linked against no panic: the [handler](panic) calls what does not exist, so an image whose
+//! steps could panic has no image.
+#![no_std]
+
+mod board;
+mod report;
+
+pub use cortex_m_rt::{entry, exception};
+
+use core::panic::PanicInfo;
+
+use models::{Hash, MOTION_STEPS, Model, RANDOM_STATES, Random, SEED};
+use mstmm::{ChainState, Error, Rk4};
+
+pub use board::{Board, TIMER_LIMIT};
+pub use report::Report;
+
+/// What a timer's interrupt would call, on its own so that it can be found in the image.
+#[inline(never)]
+pub fn step<M: Model>(model: &M, rk4: &mut Rk4<M>, state: &mut M::State) -> Result<(), Error> {
+    #[cfg(feature = "control")]
+    core::hint::black_box(can_panic());
+    model.step(rk4, state)
+}
+
+/// An index that the compiler cannot know to be right: the linker must refuse this step.
+#[cfg(feature = "control")]
+fn can_panic() -> u8 {
+    let numbers = core::hint::black_box([1, 2, 3]);
+    numbers[core::hint::black_box(1)]
+}
+
+/// Measures steps from random states, then tells where a motion leads and what all its bits are.
+pub fn run<M: Model>() -> ! {
+    let mut report = Report::new();
+    match measure::<M>(&mut report).and_then(|()| simulate::<M>(&mut report)) {
+        Ok(()) => report.success(),
+        Err(_) => report.failure("a step failed"),
+    }
+}
+
+/// Instructions and stack of a step.
+fn measure<M: Model>(report: &mut Report) -> Result<(), Error> {
+    let Some(mut board) = Board::take() else { report.failure("the board is taken") };
+    let (model, mut rk4, mut random) = (M::new(), M::integrator(), Random::new(SEED));
+    let (mut fewest, mut most, mut deepest) = (u32::MAX, 0, 0);
+    for _ in 0..RANDOM_STATES {
+        let mut state = model.random_state(&mut random);
+        let mut other = state.clone();
+        let (ticks, result) = board.ticks(|| step(&model, &mut rk4, &mut state));
+        result?;
+        (fewest, most) = (fewest.min(ticks), most.max(ticks));
+        let (stack, result) = board::stack_used(|| step(&model, &mut rk4, &mut other));
+        result?;
+        deepest = deepest.max(stack);
+    }
+    // Many of these are refused: how long that takes is what counts.
+    let mut longest = 0;
+    model.for_each_bad_state(|mut state| {
+        let (ticks, _) = board.ticks(|| step(&model, &mut rk4, &mut state));
+        longest = longest.max(ticks);
+    });
+    let (nothing, ()) = board.ticks(|| ());
+    let counts = [fewest, most, longest].map(|ticks| ticks.saturating_sub(nothing));
+    report.line("ticks", &counts);
+    report.line("stack", &[deepest]);
+    Ok(())
+}
+
+/// The motion from the start of the description.
+fn simulate<M: Model>(report: &mut Report) -> Result<(), Error> {
+    let (model, mut rk4) = (M::new(), M::integrator());
+    let (mut state, mut hash) = (model.start(), Hash::default());
+    for _ in 0..MOTION_STEPS {
+        step(&model, &mut rk4, &mut state)?;
+        hash.add_state(&state);
+    }
+    report.numbers("q", state.q());
+    report.numbers("v", state.v());
+    report.bits("hash", hash.value());
+    Ok(())
+}
+
+/// Refers to a function that is nowhere: what may panic does not link.
+#[panic_handler]
+fn panic(_: &PanicInfo) -> ! {
+    // SAFETY: there is no such function, so nothing calls it.
+    unsafe extern "C" {
+        safe fn this_firmware_can_panic() -> !;
+    }
+    this_firmware_can_panic()
+}

@@ -1,0 +1,78 @@
+//! The chains that the firmware steps, the same for the board and for the host.
+#![no_std]
+
+mod arm;
+mod number;
+mod pendulum;
+
+pub use arm::{Arm, ArmState};
+pub use number::{Hash, Number, Random};
+pub use pendulum::{BallPendulum, BallPendulumState};
+
+use mstmm::{Chain, ChainState, Error, Rk4, Scalar};
+
+/// The seed of all random states.
+pub const SEED: u64 = 0x6d73_746d_6d20_3037;
+
+/// From how many random states a step is measured.
+pub const RANDOM_STATES: usize = 1000;
+
+/// How many steps are compared bit by bit.
+pub const MOTION_STEPS: usize = 10_000;
+
+/// After how many steps in a timer's interrupt the state is compared.
+pub const INTERRUPT_STEPS: u32 = 1000;
+
+/// A chain and how it is stepped.
+pub trait Model: Chain<Scalar: Number> + Sized {
+    /// Of a step, in s.
+    const STEP: f64;
+
+    /// The chain as described.
+    fn new() -> Self;
+
+    /// Where the motion starts.
+    fn start(&self) -> Self::State;
+
+    /// What acts on the chain in a state.
+    fn inputs(&self, state: &Self::State) -> Self::Inputs;
+
+    /// Any state: angles all around, orientations everywhere, rates up to 2 rad/s.
+    fn random_state(&self, random: &mut Random) -> Self::State {
+        let mut state = Self::State::default();
+        let pi = <Self::Scalar as Scalar>::constant(core::f64::consts::PI);
+        let two = <Self::Scalar as Scalar>::constant(2.0);
+        state.q_mut().iter_mut().for_each(|q| *q = pi * random.between_minus_one_and_one());
+        state.v_mut().iter_mut().for_each(|v| *v = two * random.between_minus_one_and_one());
+        self.normalize(&mut state);
+        state
+    }
+
+    /// Does something with where the motion starts, but for one number: each of them is each
+    /// [bad](Number::BAD) one.
+    fn for_each_bad_state(&self, mut work: impl FnMut(Self::State)) {
+        let start = self.start();
+        let coordinates = start.q().len();
+        for place in 0..coordinates + start.v().len() {
+            for bad in Self::Scalar::BAD {
+                let mut state = start.clone();
+                if let Some(number) = state.q_mut().get_mut(place) {
+                    *number = bad;
+                } else if let Some(number) = state.v_mut().get_mut(place - coordinates) {
+                    *number = bad;
+                }
+                work(state);
+            }
+        }
+    }
+
+    /// An integrator for the chain.
+    fn integrator() -> Rk4<Self> {
+        Rk4::new(<Self::Scalar as Scalar>::constant(Self::STEP))
+    }
+
+    /// What a timer's interrupt does: one step of the classical Runge–Kutta method.
+    fn step(&self, rk4: &mut Rk4<Self>, state: &mut Self::State) -> Result<(), Error> {
+        rk4.step(self, state, |_, state| self.inputs(state))
+    }
+}
