@@ -14,9 +14,10 @@ mod random {
 }
 mod support;
 
+use mstmm::{ChainState, Error};
 use mstmm_reference::{
-    Chain, Dimension, End, Ends, Gravity, HingeKind, Joining, Random, Recipe, Solution, Source,
-    random_mechanism, random_motion,
+    Chain, Dimension, Drives, End, Ends, Gravity, HingeKind, HingeMotion, Joining, Random, Recipe,
+    Solution, Source, random_mechanism, random_motion,
 };
 use random::chains;
 use random::face::{Answer, Printed};
@@ -184,6 +185,62 @@ fn differences<P: ComparedPoint>(
     differences
 }
 
+const BAD: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+
+/// Puts each bad number at every place of a state and of what drives a chain.
+fn refuses_what_is_not_finite<C: Printed>(name: &str, seed: u64) {
+    let (reference, generated) = (chain(seed), C::default());
+    let (motion, drives) = random_motion(&mut Random::new(1000 * seed), &reference);
+    let good = (generated.state(&motion.q, &motion.v), generated.inputs(&drives));
+    let answer = |state: &C::State, inputs: &C::Inputs| {
+        let (mut at, mut rate) = (generated.workspace(), C::State::default());
+        let result = generated.solve_into(state, inputs, &mut at);
+        let fast = generated.derivative_into(state, inputs, &mut rate);
+        assert_eq!(result, fast, "{name}");
+        result.map(|()| rate.v().to_vec())
+    };
+    for bad in BAD {
+        let entries = motion.q.len() + motion.v.len();
+        for place in 0..=entries {
+            let mut state = good.0.clone();
+            match place.checked_sub(motion.q.len()) {
+                None => state.q_mut()[place] = bad,
+                Some(place) if place < motion.v.len() => state.v_mut()[place] = bad,
+                Some(_) => state.set_time(bad),
+            }
+            let found = answer(&state, &good.1);
+            assert_eq!(found, Err(Error::NotFinite), "{name}: {bad} at {place} of a state");
+        }
+        // Not all that drives the reference is an input of the chain.
+        let unchanged = answer(&good.0, &good.1);
+        for (place, drives) in with_each_number_replaced(&drives, bad).iter().enumerate() {
+            let found = answer(&good.0, &generated.inputs(drives));
+            assert!(
+                found == Err(Error::NotFinite) || found == unchanged,
+                "{name}: {bad} at {place} of the inputs: {found:?}"
+            );
+        }
+    }
+}
+
+/// What drives a chain, with one number after the other replaced.
+fn with_each_number_replaced(drives: &Drives, by: f64) -> Vec<Drives> {
+    fn numbers(drives: &mut Drives) -> impl Iterator<Item = &mut f64> {
+        let motions = drives.motions.iter_mut().flat_map(|HingeMotion { q, v, a }| [q, v, a]);
+        let loads = drives.loads.iter_mut();
+        let loads = loads.flat_map(|load| load.force.iter_mut().chain(&mut load.torque));
+        let motions = motions.flatten().chain(loads);
+        drives.efforts.iter_mut().chain(motions).chain(&mut drives.gravity)
+    }
+    let count = numbers(&mut drives.clone()).count();
+    let replaced = |place| {
+        let mut drives = drives.clone();
+        numbers(&mut drives).nth(place).into_iter().for_each(|number| *number = by);
+        drives
+    };
+    (0..count).map(replaced).collect()
+}
+
 /// One test a seed, for both methods.
 macro_rules! seeds {
     ($($seed:literal $test:ident $riccati:ident $transfer:ident;)*) => {
@@ -195,6 +252,14 @@ macro_rules! seeds {
                 compare::<chains::$transfer<f64>>(stringify!($transfer), $seed);
             }
         )*
+
+        #[test]
+        fn what_is_not_finite_is_refused() {
+            $(
+                refuses_what_is_not_finite::<chains::$riccati<f64>>(stringify!($riccati), $seed);
+                refuses_what_is_not_finite::<chains::$transfer<f64>>(stringify!($transfer), $seed);
+            )*
+        }
     };
 }
 

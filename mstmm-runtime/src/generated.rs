@@ -32,6 +32,24 @@ pub fn finite<T: Scalar>(numbers: &[&[T]]) -> Result<(), Error> {
     if T::all_finite(numbers).all() { Ok(()) } else { Err(Error::NotFinite) }
 }
 
+/// Fails if any of the numbers is NaN or infinite, of which there may be many: they are added up
+/// side by side, for a sum of all of them would take as long as a chain does.
+///
+/// # Errors
+/// [`Error::NotFinite`].
+#[inline]
+pub fn all_finite<T: Scalar>(numbers: &[T]) -> Result<(), Error> {
+    let zero = T::constant(0.0);
+    let (chunks, rest) = numbers.as_chunks::<16>();
+    let mut sums = [zero; 16];
+    for chunk in chunks {
+        for (sum, number) in sums.iter_mut().zip(chunk) {
+            *sum = number.mul_add(zero, *sum);
+        }
+    }
+    finite(&[&sums, rest])
+}
+
 /// Fails with the name of the first hinge whose pivot vanishes, or because something is not finite.
 ///
 /// # Errors
@@ -121,10 +139,14 @@ pub fn recip_above<T: Scalar>(value: T, scale: T) -> T {
     T::select(above, value.recip(), T::constant(0.0))
 }
 
+/// More than nothing, and less than any inertia: so a pivot of zero vanishes beside a scale of zero.
+const TINY: f64 = 1e-30;
+
 /// Whether a pivot is a number that is not positive beyond rounding.
 #[inline]
 pub fn vanishes<T: Scalar>(pivot: T, scale: T) -> T::Mask {
-    pivot.finite() & !pivot.greater(T::epsilon() * T::constant(NOISE) * scale)
+    // One comparison, for there may be thousands of them; with NaN it says no.
+    scale.mul_add(T::epsilon() * T::constant(NOISE), T::constant(TINY)).greater(pivot)
 }
 
 /// Fails with the name of a repeated hinge if a pivot of it is not positive.

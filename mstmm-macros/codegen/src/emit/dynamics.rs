@@ -9,8 +9,11 @@ use super::looped::{Target, usize_literal};
 use super::names::local;
 use super::spread::{Spread, numbers_of_point};
 use crate::model::{Dimension, Hinge, HingeId};
+use crate::passes::shown;
+use crate::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
+use std::collections::HashSet;
 
 /// The chain's methods and its `Chain` implementation.
 pub fn emit(plan: &Plan) -> TokenStream {
@@ -41,7 +44,7 @@ fn accelerations(plan: &Plan) -> TokenStream {
     let program = &plan.programs.accelerations;
     let target = Target { group: 0, spread: Spread::freedoms(plan) };
     let block = plan.step(program, &[target], true);
-    let check = check(plan, &block, &plan.programs.pivots);
+    let check = check(plan, program, &block, &plan.programs.pivots);
     let results = &block.arrays[0];
     let body = body(
         block.statements,
@@ -101,7 +104,7 @@ fn implicit(plan: &Plan) -> Option<TokenStream> {
     let freedoms = usize_literal(Spread::freedoms(plan).total);
     let target = Target { group: 0, spread: Spread::freedoms(plan) };
     let block = plan.step(program, &[target], true);
-    let check = check(plan, &block, pivots);
+    let check = check(plan, program, &block, pivots);
     let results = &block.arrays[0];
     let body = body(
         block.statements,
@@ -137,7 +140,7 @@ fn solution(plan: &Plan) -> TokenStream {
     let targets = [(0, freedoms), (3, rates.clone()), (4, rates), (7, Spread::points(plan))];
     let targets = targets.map(|(group, spread)| Target { group, spread });
     let block = plan.step(program, &targets, true);
-    let check = check(plan, &block, &plan.programs.pivots);
+    let check = check(plan, program, &block, &plan.programs.pivots);
     let points = points(plan, &block);
     let [results, _, _, rates, efforts, ..] = &block.arrays[..] else { return TokenStream::new() };
     let (energies, undetermined) = (&block.outputs[5], &block.outputs[6]);
@@ -296,7 +299,10 @@ fn energy(plan: &Plan) -> TokenStream {
 }
 
 /// The test that comes before any result is written.
-fn check(plan: &Plan, block: &Results, pivots: &[HingeId]) -> TokenStream {
+///
+/// Of the numbers given, those are looked at that the results, which are looked at anyway, do not
+/// show.
+fn check(plan: &Plan, program: &Program, block: &Results, pivots: &[HingeId]) -> TokenStream {
     let mstmm = &plan.mstmm;
     let name = |&hinge: &HingeId| plan.chain.hinges[hinge].name.to_string();
     let once = |number: &usize| block.masks.iter().all(|(repeated, _)| repeated != number);
@@ -305,25 +311,23 @@ fn check(plan: &Plan, block: &Results, pivots: &[HingeId]) -> TokenStream {
     let values = numbers.iter().map(|&number| &block.outputs[1][number]);
     let scales = numbers.iter().map(|&number| &block.outputs[2][number]);
     let results = &block.arrays[0];
-    let (taken, inputs) = plan.input_slices();
+    let shown = shown(program, 0);
+    let (taken, inputs) = plan.input_slices(&shown);
+    let (many_hidden, state) = hidden_state(plan, &shown, block.looped);
     let repeated = block.masks.iter().map(|(number, mask)| {
         let name = name(&pivots[*number]);
         quote!(#mstmm::generated::require(#mask, #name)?;)
     });
     // An array of many numbers is not handed over by value.
     let (few, many) = if block.looped {
-        (quote!([]), Some(quote!(#mstmm::generated::finite::<T>(&[#results.as_slice()])?;)))
+        (quote!([]), Some(quote!(#mstmm::generated::all_finite::<T>(#results.as_slice())?;)))
     } else {
         (quote!(#results), None)
     };
     quote! {
         #taken
-        #mstmm::generated::finite::<T>(&[
-            state_.q.as_slice(),
-            state_.v.as_slice(),
-            &[state_.t],
-            #(#inputs,)*
-        ])?;
+        #many_hidden
+        #mstmm::generated::finite::<T>(&[#state, #(#inputs,)*])?;
         #(#repeated)*
         #mstmm::generated::regular::<T, _, _>(
             &[#(#names),*],
@@ -333,4 +337,32 @@ fn check(plan: &Plan, block: &Results, pivots: &[HingeId]) -> TokenStream {
         )?;
         #many
     }
+}
+
+/// A slice that holds the time and the coordinates and rates that no result shows. Where parts are
+/// repeated, statements look at all coordinates, or all rates, if there is one such among them.
+fn hidden_state(
+    plan: &Plan,
+    shown: &HashSet<u32>,
+    looped: bool,
+) -> (Option<TokenStream>, TokenStream) {
+    let (mstmm, symbols) = (&plan.mstmm, &plan.programs.symbols);
+    let vectors = [(symbols.q(), quote!(q)), (symbols.v(), quote!(v))];
+    let hidden = vectors.map(|(range, vector)| {
+        let start = range.start;
+        let hidden = range.filter(|&number| !shown.contains(&(number as u32)));
+        let indices = hidden.map(|number| usize_literal(number - start)).collect::<Vec<_>>();
+        (vector, indices)
+    });
+    if looped {
+        let some = hidden.into_iter().filter(|(_, indices)| !indices.is_empty());
+        let checks = some.map(
+            |(vector, _)| quote!(#mstmm::generated::all_finite::<T>(state_.#vector.as_slice())?;),
+        );
+        return (Some(checks.collect()), quote!(&[state_.t]));
+    }
+    let entries = hidden.into_iter().flat_map(|(vector, indices)| {
+        indices.into_iter().map(move |index| quote!(state_.#vector.data.0[0][#index]))
+    });
+    (None, quote!(&[#(#entries,)* state_.t]))
 }

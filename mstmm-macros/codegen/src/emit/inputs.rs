@@ -7,6 +7,7 @@ use crate::model::{Driven, Group, Hinge, HingeId, Input};
 use crate::program::{Loop, Program};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
+use std::collections::HashSet;
 
 /// `struct ChainInputs<T>` and how to get one.
 pub fn emit(plan: &Plan) -> TokenStream {
@@ -210,13 +211,18 @@ impl Plan<'_> {
         input.range.clone().map(|k| local(&symbols.names()[first + k])).collect()
     }
 
-    /// Slices that together hold all numbers of the inputs that stand once, and statements before,
-    /// which look at all others.
-    pub fn input_slices(&self) -> (TokenStream, Vec<TokenStream>) {
+    /// Slices that together hold all numbers of the inputs that stand once, but for inputs all of
+    /// whose numbers are `shown`, and statements before, which look at all others.
+    pub fn input_slices(&self, shown: &HashSet<u32>) -> (TokenStream, Vec<TokenStream>) {
+        let first = self.programs.symbols.inputs().start;
+        let is_shown = |number: usize| shown.contains(&((first + number) as u32));
         let mstmm = &self.mstmm;
         let mut before = TokenStream::new();
         let mut slices = Vec::new();
         for input in &self.layout.inputs {
+            if input.range.clone().all(is_shown) {
+                continue;
+            }
             let name = field(self, input);
             if times(self, input).is_some() {
                 let (taken, slice) = self.input_slice(input, &quote!(item_));

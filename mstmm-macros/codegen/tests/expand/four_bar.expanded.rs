@@ -420,16 +420,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             t208_,
             c_(0.030000000000000006),
         );
-        ::mstmm::generated::finite::<
-            T,
-        >(
-            &[
-                state_.q.as_slice(),
-                state_.v.as_slice(),
-                &[state_.t],
-                &[inputs_.crank_pin],
-            ],
-        )?;
+        ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,
@@ -928,16 +919,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t304_ = T::mul_sub(minus_b_a_ang_z_, t297_, t303_);
         let t305_ = T::mul_add(b_omega_z_, t299_, minus_b_acc_lin_y_);
         let t306_ = T::mul_add(minus_b_a_ang_z_, t295_, t305_);
-        ::mstmm::generated::finite::<
-            T,
-        >(
-            &[
-                state_.q.as_slice(),
-                state_.v.as_slice(),
-                &[state_.t],
-                &[inputs_.crank_pin],
-            ],
-        )?;
+        ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,

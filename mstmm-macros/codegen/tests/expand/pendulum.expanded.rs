@@ -173,9 +173,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t0_ = joint_input0_ * known_p5_;
         let t1_ = cos_joint_angle_ * known_joint_z0_force_y_;
         let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t1_, t0_);
-        ::mstmm::generated::finite::<
-            T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t], &[inputs_.joint]])?;
+        ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][0], state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,
@@ -265,9 +263,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t17_ = c_(0.5) * t16_;
         let t18_ = sin_joint_angle_ * c_(4.9);
         let t19_ = known_joint_k_xx_ * t18_;
-        ::mstmm::generated::finite::<
-            T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t], &[inputs_.joint]])?;
+        ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][0], state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,

@@ -512,12 +512,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         >(results0_.as_mut_slice(), 10, 1) {
             *o0_ = -t64_;
         }
-        ::mstmm::generated::finite::<
-            T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
+        ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
+        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::require(regular0_, "joint")?;
         ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
-        ::mstmm::generated::finite::<T>(&[results0_.as_slice()])?;
+        ::mstmm::generated::all_finite::<T>(results0_.as_slice())?;
         accelerations_.data.0 = [results0_];
         ::core::result::Result::Ok(())
     }
@@ -813,12 +812,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         >(results0_.as_mut_slice(), 10, 1) {
             *o0_ = -t60_;
         }
-        ::mstmm::generated::finite::<
-            T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
+        ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
+        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::require(regular0_, "joint")?;
         ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
-        ::mstmm::generated::finite::<T>(&[results0_.as_slice()])?;
+        ::mstmm::generated::all_finite::<T>(results0_.as_slice())?;
         accelerations_.data.0 = [results0_];
         ::core::result::Result::Ok(())
     }
@@ -1942,12 +1940,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o24_ = c_(0.0);
             *o25_ = c_(0.0);
         }
-        ::mstmm::generated::finite::<
-            T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
+        ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
+        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::require(regular0_, "joint")?;
         ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
-        ::mstmm::generated::finite::<T>(&[results0_.as_slice()])?;
+        ::mstmm::generated::all_finite::<T>(results0_.as_slice())?;
         at_.accelerations.data.0 = [results0_];
         at_.rate_accelerations.data.0 = [results3_];
         at_.efforts.data.0 = [results4_];

@@ -148,9 +148,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
             t12_,
         );
         let minus_tip_a_ang_z_ = tip_e_moment_z_ * c_(10000.0);
-        ::mstmm::generated::finite::<
-            T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
+        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,
@@ -328,9 +326,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t75_ = T::mul_add(c_(0.2), t72_, t74_);
         let t76_ = c_(0.5) * t75_;
         let t77_ = c_(0.1176) * minus_tip_turn_z_z_;
-        ::mstmm::generated::finite::<
-            T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
+        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,

@@ -241,9 +241,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             t75_,
             minus_end_x4_,
         );
-        ::mstmm::generated::finite::<
-            T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
+        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,
@@ -514,9 +512,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t123_ = elbow_omega_z_ * t116_;
         let t124_ = T::mul_neg_add(elbow_axes_x_x_, elbow_acc_ang_z_, t123_);
         let t125_ = minus_elbow_acc_lin_y_ + t124_;
-        ::mstmm::generated::finite::<
-            T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
+        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,
