@@ -17,12 +17,13 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let doc = format!(" What drives [`{chain}`] from outside, given at every step.");
     let inputs = &plan.layout.inputs;
     let fields = inputs.iter().map(|input| {
-        let (name, doc, one) = (field(plan, input), doc_of(plan, input), type_of(plan, input));
+        let (name, doc, one) =
+            (plan.chain.name_of_input(input.what), doc_of(plan, input), type_of(plan, input));
         let ty = times(plan, input).map_or(one.clone(), |times| quote!([#one; #times]));
         quote!(#[doc = #doc] #visibility #name: #ty)
     });
     let zeros = inputs.iter().map(|input| {
-        let (name, one) = (field(plan, input), zero_of(plan, input));
+        let (name, one) = (plan.chain.name_of_input(input.what), zero_of(plan, input));
         let zero = times(plan, input).map_or(one.clone(), |times| quote!([#one; #times]));
         quote!(#name: #zero)
     });
@@ -71,27 +72,13 @@ pub fn streams(plan: &Plan, turn: &Loop) -> (Vec<Stream>, TokenStream) {
     for input in &plan.layout.inputs {
         let is_read = input.range.clone().any(|k| plan.read_in(turn, first + k).is_some());
         if plan.chain.repeat_of_input(input.what) == Some(turn.repeat) && is_read {
-            let name = field(plan, input);
+            let name = plan.chain.name_of_input(input.what);
             let item = local(&format!("input_{name}"));
             streams.push((quote!(&#item), quote!(inputs_.#name.iter())));
             taken.extend(plan.read_input(input, &quote!(#item)));
         }
     }
     (streams, taken)
-}
-
-/// The name of an input's field.
-fn field(plan: &Plan, input: &Input) -> Ident {
-    match input.what {
-        Driven::Gravity => format_ident!("gravity"),
-        Driven::Efforts(hinge) | Driven::Motion(hinge) => plan.chain.hinges[hinge].name.clone(),
-        Driven::Force(load) => of_load(&plan.chain.loads[load].name, "force"),
-        Driven::Torque(load) => of_load(&plan.chain.loads[load].name, "torque"),
-    }
-}
-
-fn of_load(name: &Ident, what: &str) -> Ident {
-    format_ident!("{name}_{what}", span = name.span())
 }
 
 fn doc_of(plan: &Plan, input: &Input) -> String {
@@ -173,7 +160,7 @@ impl Plan<'_> {
             numbers.any(|k| program.symbols.binary_search(&((first + k) as u32)).is_ok())
         });
         let read = |input: &Input| {
-            let name = field(self, input);
+            let name = self.chain.name_of_input(input.what);
             self.read_input(input, &quote!(inputs_.#name))
         };
         needed.map(read).collect()
@@ -223,7 +210,7 @@ impl Plan<'_> {
             if input.range.clone().all(is_shown) {
                 continue;
             }
-            let name = field(self, input);
+            let name = self.chain.name_of_input(input.what);
             if times(self, input).is_some() {
                 let (taken, slice) = self.input_slice(input, &quote!(item_));
                 before.extend(quote! {

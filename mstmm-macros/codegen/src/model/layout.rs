@@ -2,6 +2,8 @@
 //! hinge's numbers in the coordinates `q`, the rates `v` and the inputs.
 
 use super::{BodyId, Chain, Drive, Effort, Hinge, HingeId, HingeKind, Load, Place, Seam, Source};
+use proc_macro2::Ident;
+use quote::format_ident;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -133,6 +135,22 @@ impl Layout {
     pub fn input(&self, what: Driven) -> Range<usize> {
         let found = self.inputs.iter().find(|input| input.what == what);
         found.map_or(0..0, |input| input.range.clone())
+    }
+}
+
+impl Chain {
+    /// What the field of the inputs is called that gives `what`.
+    pub fn name_of_input(&self, what: Driven) -> Ident {
+        let of_load = |load: usize, what: &str| {
+            let name = &self.loads[load].name;
+            format_ident!("{name}_{what}", span = name.span())
+        };
+        match what {
+            Driven::Gravity => format_ident!("gravity"),
+            Driven::Efforts(hinge) | Driven::Motion(hinge) => self.hinges[hinge].name.clone(),
+            Driven::Force(load) => of_load(load, "force"),
+            Driven::Torque(load) => of_load(load, "torque"),
+        }
     }
 }
 

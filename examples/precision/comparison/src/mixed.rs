@@ -1,0 +1,43 @@
+//! A chain whose state is kept in one precision and whose rates are computed in another: what
+//! rounding in the step brings is told apart from what rounding in the model brings.
+
+use mstmm::{Chain, Error};
+
+use crate::subject::{Subject, convert};
+
+/// Kept as `kept` keeps its state, computed as `computed` computes.
+pub struct Mixed<'a, K, C> {
+    pub kept: &'a K,
+    pub computed: &'a C,
+}
+
+impl<K: Subject, C: Subject> Chain for Mixed<'_, K, C> {
+    type Scalar = K::Scalar;
+    type State = K::State;
+    type Inputs = (K::Inputs, C::Inputs);
+
+    fn derivative_into(
+        &self,
+        state: &K::State,
+        (_, inputs): &Self::Inputs,
+        rate: &mut K::State,
+    ) -> Result<(), Error> {
+        let (mut at, mut found) = (C::State::default(), C::State::default());
+        convert(state, &mut at);
+        self.computed.derivative_into(&at, inputs, &mut found)?;
+        convert(&found, rate);
+        Ok(())
+    }
+
+    fn configuration_rate_into(&self, state: &K::State, rate: &mut K::State) {
+        self.kept.configuration_rate_into(state, rate);
+    }
+
+    fn normalize(&self, state: &mut K::State) {
+        self.kept.normalize(state);
+    }
+
+    fn close(&self, state: &mut K::State, inputs: impl FnOnce(&K::State) -> Self::Inputs) {
+        self.kept.close(state, |state| inputs(state).0);
+    }
+}

@@ -1,0 +1,118 @@
+//! What a comparison needs to know of a chain, out of the compiler's model of it.
+
+use mstmm_codegen::model::{
+    Chain, Drive, Driven, Effort, Form, Freedoms, Hinge, HingeKind, Layout, Source, Value,
+};
+use mstmm_precision as told;
+
+/// Tells of a chain.
+pub fn describe(chain: &Chain, random_inputs: bool) -> told::Description {
+    let layout = Layout::of(chain);
+    let hinge = |index: usize| hinge(chain, &chain.hinges[index]);
+    let mut parts: Vec<told::Part> = Vec::new();
+    let mut last = None;
+    for index in (0..chain.hinges.len()).filter(|&index| !layout.q[index].is_empty()) {
+        let repeat = chain.repeat_of_hinge(index);
+        match parts.last_mut() {
+            Some(part) if last == Some(repeat) => part.hinges.push(hinge(index)),
+            _ => parts.push(told::Part {
+                times: repeat.map(|repeat| chain.repeats[repeat].count),
+                hinges: vec![hinge(index)],
+            }),
+        }
+        last = Some(repeat);
+    }
+    let inputs = layout.inputs.iter().map(|input| {
+        let count = input.range.len();
+        let what = match input.what {
+            Driven::Gravity => told::Given::Gravity(count),
+            Driven::Force(_) => told::Given::Efforts(vec![false; count]),
+            Driven::Torque(_) => told::Given::Efforts(vec![true; count]),
+            Driven::Efforts(index) => told::Given::Efforts(driven(&chain.hinges[index])),
+            Driven::Motion(index) => told::Given::Motion(hinge(index)),
+        };
+        told::Input { times: times(chain, input.what).unwrap_or(1), what }
+    });
+    told::Description {
+        name: chain.name.to_string(),
+        closed: !layout.closings.is_empty(),
+        conservative: conservative(chain, random_inputs),
+        inputs: inputs.collect(),
+        parts,
+    }
+}
+
+/// How often an input stands there, if it is one to a repeated part.
+pub fn times(chain: &Chain, what: Driven) -> Option<usize> {
+    chain.repeat_of_input(what).map(|repeat| chain.repeats[repeat].count)
+}
+
+/// For each effort that is an input whether it is a torque.
+fn driven(hinge: &Hinge) -> Vec<bool> {
+    let Drive::Efforts(efforts) = &hinge.drive else { return Vec::new() };
+    let groups = hinge.kind.shape().groups.iter();
+    let turns = groups.flat_map(|group| group.rates.clone().map(|_| group.turns));
+    let inputs = efforts.iter().zip(turns).filter(|(effort, _)| **effort == Effort::Input);
+    inputs.map(|(_, turns)| turns).collect()
+}
+
+fn hinge(chain: &Chain, hinge: &Hinge) -> told::Hinge {
+    let shape = hinge.kind.shape();
+    let name = |rate: usize| match shape.rates {
+        [_] => String::new(),
+        rates => rates[rate].to_owned(),
+    };
+    let group = |group: &Freedoms| {
+        let quaternion = group.form == Form::Quaternion;
+        told::Group {
+            turns: group.turns,
+            quaternion,
+            rates: group.rates.clone().map(name).collect(),
+            limits: group.rates.clone().map(|strain| limits(chain, hinge, strain)).collect(),
+        }
+    };
+    told::Hinge {
+        name: hinge.name.to_string(),
+        elastic: matches!(hinge.kind, HingeKind::Elastic | HingeKind::PlaneElastic),
+        groups: shape.groups.iter().map(group).collect(),
+    }
+}
+
+/// The limits of a coordinate with parameters at their defaults, where those are known.
+fn limits(chain: &Chain, hinge: &Hinge, strain: usize) -> Option<[f64; 2]> {
+    let defaults: Vec<Option<f64>> =
+        chain.parameters.iter().map(|parameter| parameter.default.known()).collect();
+    let limits = hinge.passive.get(strain)?.limits.as_ref()?;
+    Some([limits.low.at(&defaults)?, limits.high.at(&defaults)?])
+}
+
+/// Whether nothing acts but what has a potential.
+fn conservative(chain: &Chain, random_inputs: bool) -> bool {
+    let no_input = !random_inputs;
+    let hinge = |hinge: &Hinge| {
+        let driven = match &hinge.drive {
+            Drive::Motion => false,
+            Drive::Efforts(efforts) => efforts.iter().any(|effort| match effort {
+                Effort::Free => false,
+                Effort::Constant(value) => !value.is_zero(),
+                Effort::Input => random_inputs,
+            }),
+        };
+        let dissipates = hinge.passive.iter().any(|passive| {
+            let limits = passive.limits.as_ref();
+            !passive.damping.is_zero()
+                || passive.friction.is_some()
+                || limits.is_some_and(|limits| !limits.damping.is_zero())
+        });
+        !driven && !dissipates
+    };
+    let acts = |source: &Source| match source {
+        Source::Nothing => false,
+        Source::Constant(values) => !values.iter().all(Value::is_zero),
+        Source::Input => random_inputs,
+    };
+    chain.hinges.iter().all(hinge)
+        && chain.loads.iter().all(|load| !acts(&load.force) && !acts(&load.torque))
+        && chain.springs.iter().all(|spring| spring.damping.is_zero())
+        && (no_input || chain.gravity != Source::Input)
+}
