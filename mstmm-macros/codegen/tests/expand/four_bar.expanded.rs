@@ -498,6 +498,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         inputs_: &FourBarInputs<T>,
         at_: &mut FourBarWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
+        let [point0_, point1_, point2_, point3_, point4_, point5_, point6_, point7_] = &mut at_
+            .points;
         let c_ = T::constant;
         let [[crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]] = state_
             .q
@@ -865,35 +867,6 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             t244_,
             c_(0.030000000000000006),
         );
-        let t246_ = crank_pin_rate_ * c_(0.020000000000000004);
-        let t247_ = a_omega_z_ * c_(0.24);
-        let t248_ = b_omega_z_ * c_(0.24);
-        let t249_ = t210_ + t216_;
-        let t250_ = t208_ + t214_;
-        let t251_ = t249_ + t231_;
-        let t252_ = t250_ + t227_;
-        let t253_ = crank_pin_rate_ * t246_;
-        let t254_ = T::mul_add(a_omega_z_, t247_, t253_);
-        let t255_ = T::mul_add(b_omega_z_, t248_, t254_);
-        let t256_ = c_(0.5) * t255_;
-        let t257_ = t210_ + t251_;
-        let t258_ = t208_ + t252_;
-        let t259_ = T::mul_add(t250_, t258_, t256_);
-        let t260_ = T::mul_add(t249_, t257_, t259_);
-        let t261_ = t209_ + t215_;
-        let t262_ = t261_ * c_(19.6);
-        let t263_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
-        let t264_ = T::mul_add(sin_crank_pin_angle_, c_(4.9), t262_);
-        let t265_ = T::mul_add(c_(5.88), t263_, t264_);
-        let t266_ = cos_rocker_pin_angle_ * t142_;
-        let t267_ = sin_rocker_pin_angle_ * t142_;
-        let t268_ = cos_rocker_pin_angle_ * t151_;
-        let t269_ = T::mul_add(sin_rocker_pin_angle_, t152_, t268_);
-        let t270_ = sin_rocker_pin_angle_ * t151_;
-        let t271_ = T::mul_neg_add(cos_rocker_pin_angle_, t152_, t270_);
-        let t272_ = t207_ + t213_;
-        let t273_ = t225_ + t272_;
-        let t274_ = t226_ + t261_;
         ::mstmm::generated::finite::<
             T,
         >(
@@ -921,110 +894,107 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             [-minus_crank_pin_a_ang_z_, t241_, t242_, minus_b_a_ang_z_],
         ];
         at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
+        point0_.set_position([c_(0.0), c_(0.0)]);
+        point0_.set_rotation([c_(1.0), c_(0.0)]);
+        point0_.set_velocity([c_(0.0), c_(0.0)]);
+        point0_.set_angular_velocity([c_(0.0)]);
+        point0_.set_acceleration([c_(0.0), c_(0.0)]);
+        point0_.set_angular_acceleration([c_(0.0)]);
+        point0_.set_moment([-crank_pin_input0_]);
+        point0_
+            .set_force([-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_]);
+        point1_.set_position([c_(0.0), c_(0.0)]);
+        point1_.set_rotation([cos_crank_pin_angle_, sin_crank_pin_angle_]);
+        point1_.set_velocity([c_(0.0), c_(0.0)]);
+        point1_.set_angular_velocity([crank_pin_rate_]);
+        point1_.set_acceleration([c_(0.0), c_(0.0)]);
+        point1_.set_angular_acceleration([-minus_crank_pin_a_ang_z_]);
+        point1_.set_moment([-crank_pin_input0_]);
+        point1_
+            .set_force([-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_]);
+        point2_.set_position([t207_, t209_]);
+        point2_.set_rotation([cos_crank_pin_angle_, sin_crank_pin_angle_]);
+        point2_.set_velocity([-t210_, t208_]);
+        point2_.set_angular_velocity([crank_pin_rate_]);
+        point2_.set_acceleration([-minus_a_acc_lin_x_, -minus_a_acc_lin_y_]);
+        point2_.set_angular_acceleration([-minus_crank_pin_a_ang_z_]);
+        point2_.set_moment([c_(0.0)]);
+        point2_.set_force([a_load_force_x_, -minus_a_load_force_y_]);
+        point3_.set_position([t207_, t209_]);
+        point3_.set_rotation([a_axes_x_x_, minus_a_axes_x_y_]);
+        point3_.set_velocity([-t210_, t208_]);
+        point3_.set_angular_velocity([a_omega_z_]);
+        point3_.set_acceleration([-minus_a_acc_lin_x_, -minus_a_acc_lin_y_]);
+        point3_.set_angular_acceleration([-minus_a_a_ang_z_]);
+        point3_.set_moment([c_(0.0)]);
+        point3_.set_force([a_load_force_x_, -minus_a_load_force_y_]);
+        point4_.set_rotation([a_axes_x_x_, minus_a_axes_x_y_]);
+        point4_.set_angular_velocity([a_omega_z_]);
+        point4_.set_acceleration([b_acc_lin_x_, -minus_b_acc_lin_y_]);
+        point4_.set_angular_acceleration([-minus_a_a_ang_z_]);
+        point4_.set_moment([c_(0.0)]);
+        point4_.set_force([b_load_force_x_, -minus_b_load_force_y_]);
+        point5_.set_rotation([b_axes_x_x_, minus_b_axes_x_y_]);
+        point5_.set_angular_velocity([b_omega_z_]);
+        point5_.set_acceleration([b_acc_lin_x_, -minus_b_acc_lin_y_]);
+        point5_.set_angular_acceleration([-minus_b_a_ang_z_]);
+        point5_.set_moment([c_(0.0)]);
+        point5_.set_force([b_load_force_x_, -minus_b_load_force_y_]);
+        point6_.set_rotation([b_axes_x_x_, minus_b_axes_x_y_]);
+        point6_.set_angular_velocity([b_omega_z_]);
+        point6_.set_acceleration([t229_, -t233_]);
+        point6_.set_angular_acceleration([-minus_b_a_ang_z_]);
+        point6_.set_moment([c_(0.0)]);
+        point6_.set_force([rocker_pin_load_force_x_, rocker_pin_load_force_y_]);
+        point7_.set_position([c_(0.8), c_(0.0)]);
+        point7_.set_rotation([c_(1.0), c_(0.0)]);
+        point7_.set_velocity([c_(0.0), c_(0.0)]);
+        point7_.set_angular_velocity([c_(0.0)]);
+        point7_.set_acceleration([c_(0.0), c_(0.0)]);
+        point7_.set_angular_acceleration([c_(0.0)]);
+        point7_.set_moment([c_(0.0)]);
+        point7_.set_force([rocker_pin_load_force_x_, rocker_pin_load_force_y_]);
+        let t246_ = crank_pin_rate_ * c_(0.020000000000000004);
+        let t247_ = a_omega_z_ * c_(0.24);
+        let t248_ = b_omega_z_ * c_(0.24);
+        let t249_ = t210_ + t216_;
+        let t250_ = t208_ + t214_;
+        point4_.set_velocity([-t249_, t250_]);
+        point5_.set_velocity([-t249_, t250_]);
+        let t251_ = t249_ + t231_;
+        let t252_ = t250_ + t227_;
+        point6_.set_velocity([-t251_, t252_]);
+        let t253_ = crank_pin_rate_ * t246_;
+        let t254_ = T::mul_add(a_omega_z_, t247_, t253_);
+        let t255_ = T::mul_add(b_omega_z_, t248_, t254_);
+        let t256_ = c_(0.5) * t255_;
+        let t257_ = t210_ + t251_;
+        let t258_ = t208_ + t252_;
+        let t259_ = T::mul_add(t250_, t258_, t256_);
+        let t260_ = T::mul_add(t249_, t257_, t259_);
+        at_.kinetic_energy = t260_;
+        let t261_ = t209_ + t215_;
+        let t262_ = t261_ * c_(19.6);
+        let t263_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
+        let t264_ = T::mul_add(sin_crank_pin_angle_, c_(4.9), t262_);
+        let t265_ = T::mul_add(c_(5.88), t263_, t264_);
+        at_.potential_energy = t265_;
+        let t266_ = cos_rocker_pin_angle_ * t142_;
+        let t267_ = sin_rocker_pin_angle_ * t142_;
+        let t268_ = cos_rocker_pin_angle_ * t151_;
+        let t269_ = T::mul_add(sin_rocker_pin_angle_, t152_, t268_);
+        let t270_ = sin_rocker_pin_angle_ * t151_;
+        let t271_ = T::mul_neg_add(cos_rocker_pin_angle_, t152_, t270_);
         at_.closure = ::mstmm::generated::closure([
             [t266_, t267_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
             [-t269_, -t271_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
         ]);
-        at_.kinetic_energy = t260_;
-        at_.potential_energy = t265_;
-        at_.points = [
-            ::mstmm::PlanePoint::new(
-                [c_(0.0), c_(0.0)],
-                [c_(1.0), c_(0.0)],
-                [c_(0.0), c_(0.0)],
-                c_(0.0),
-                ::mstmm::PlaneStateVector::new(
-                    [c_(0.0), c_(0.0)],
-                    c_(0.0),
-                    -crank_pin_input0_,
-                    [-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_],
-                ),
-            ),
-            ::mstmm::PlanePoint::new(
-                [c_(0.0), c_(0.0)],
-                [cos_crank_pin_angle_, sin_crank_pin_angle_],
-                [c_(0.0), c_(0.0)],
-                crank_pin_rate_,
-                ::mstmm::PlaneStateVector::new(
-                    [c_(0.0), c_(0.0)],
-                    -minus_crank_pin_a_ang_z_,
-                    -crank_pin_input0_,
-                    [-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_],
-                ),
-            ),
-            ::mstmm::PlanePoint::new(
-                [t207_, t209_],
-                [cos_crank_pin_angle_, sin_crank_pin_angle_],
-                [-t210_, t208_],
-                crank_pin_rate_,
-                ::mstmm::PlaneStateVector::new(
-                    [-minus_a_acc_lin_x_, -minus_a_acc_lin_y_],
-                    -minus_crank_pin_a_ang_z_,
-                    c_(0.0),
-                    [a_load_force_x_, -minus_a_load_force_y_],
-                ),
-            ),
-            ::mstmm::PlanePoint::new(
-                [t207_, t209_],
-                [a_axes_x_x_, minus_a_axes_x_y_],
-                [-t210_, t208_],
-                a_omega_z_,
-                ::mstmm::PlaneStateVector::new(
-                    [-minus_a_acc_lin_x_, -minus_a_acc_lin_y_],
-                    -minus_a_a_ang_z_,
-                    c_(0.0),
-                    [a_load_force_x_, -minus_a_load_force_y_],
-                ),
-            ),
-            ::mstmm::PlanePoint::new(
-                [t272_, t261_],
-                [a_axes_x_x_, minus_a_axes_x_y_],
-                [-t249_, t250_],
-                a_omega_z_,
-                ::mstmm::PlaneStateVector::new(
-                    [b_acc_lin_x_, -minus_b_acc_lin_y_],
-                    -minus_a_a_ang_z_,
-                    c_(0.0),
-                    [b_load_force_x_, -minus_b_load_force_y_],
-                ),
-            ),
-            ::mstmm::PlanePoint::new(
-                [t272_, t261_],
-                [b_axes_x_x_, minus_b_axes_x_y_],
-                [-t249_, t250_],
-                b_omega_z_,
-                ::mstmm::PlaneStateVector::new(
-                    [b_acc_lin_x_, -minus_b_acc_lin_y_],
-                    -minus_b_a_ang_z_,
-                    c_(0.0),
-                    [b_load_force_x_, -minus_b_load_force_y_],
-                ),
-            ),
-            ::mstmm::PlanePoint::new(
-                [t273_, t274_],
-                [b_axes_x_x_, minus_b_axes_x_y_],
-                [-t251_, t252_],
-                b_omega_z_,
-                ::mstmm::PlaneStateVector::new(
-                    [t229_, -t233_],
-                    -minus_b_a_ang_z_,
-                    c_(0.0),
-                    [rocker_pin_load_force_x_, rocker_pin_load_force_y_],
-                ),
-            ),
-            ::mstmm::PlanePoint::new(
-                [c_(0.8), c_(0.0)],
-                [c_(1.0), c_(0.0)],
-                [c_(0.0), c_(0.0)],
-                c_(0.0),
-                ::mstmm::PlaneStateVector::new(
-                    [c_(0.0), c_(0.0)],
-                    c_(0.0),
-                    c_(0.0),
-                    [rocker_pin_load_force_x_, rocker_pin_load_force_y_],
-                ),
-            ),
-        ];
+        let t272_ = t207_ + t213_;
+        point4_.set_position([t272_, t261_]);
+        point5_.set_position([t272_, t261_]);
+        let t273_ = t225_ + t272_;
+        let t274_ = t226_ + t261_;
+        point6_.set_position([t273_, t274_]);
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre

@@ -223,6 +223,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         inputs_: &PendulumInputs<T>,
         at_: &mut PendulumWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
+        let [point0_, point1_, point2_] = &mut at_.points;
         let c_ = T::constant;
         let [known_joint_k_xx_, known_joint_b_y_z_, known_joint_j_xx_, known_joint_j_yy_,
         known_joint_z0_force_y_, known_p5_, known_p6_, ..] = self.derived;
@@ -240,6 +241,72 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t1_ = joint_input0_ * known_p5_;
         let t2_ = cos_joint_angle_ * known_joint_z0_force_y_;
         let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t2_, t1_);
+        ::mstmm::generated::finite::<
+            T,
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t], &[inputs_.joint]])?;
+        ::mstmm::generated::regular::<
+            T,
+            _,
+            _,
+        >(&["joint"], [known_joint_j_yy_], [known_p6_], [joint_a_ang_z_])?;
+        at_.efforts.data.0 = [[joint_input0_]];
+        point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_
+            .set_rotation([
+                c_(1.0),
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+            ]);
+        point0_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_angular_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_angular_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_moment([c_(0.0), c_(0.0), -joint_input0_]);
+        point1_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_
+            .set_rotation([
+                cos_joint_angle_,
+                -sin_joint_angle_,
+                c_(0.0),
+                sin_joint_angle_,
+                cos_joint_angle_,
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+            ]);
+        point1_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_.set_angular_velocity([c_(0.0), c_(0.0), joint_rate_]);
+        point1_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_.set_moment([c_(0.0), c_(0.0), -joint_input0_]);
+        point2_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_
+            .set_rotation([
+                cos_joint_angle_,
+                -sin_joint_angle_,
+                c_(0.0),
+                sin_joint_angle_,
+                cos_joint_angle_,
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+            ]);
+        point2_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_angular_velocity([c_(0.0), c_(0.0), joint_rate_]);
+        point2_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_force([c_(0.0), c_(0.0), c_(0.0)]);
+        at_.accelerations.data.0 = [[joint_a_ang_z_]];
+        at_.rate_accelerations.data.0 = [[joint_a_ang_z_]];
+        point1_.set_angular_acceleration([c_(0.0), c_(0.0), joint_a_ang_z_]);
+        point2_.set_angular_acceleration([c_(0.0), c_(0.0), joint_a_ang_z_]);
         /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
         let t3_ = known_joint_k_xx_ * joint_a_lin_y_;
         let t4_ = T::mul_neg_add(
@@ -252,75 +319,18 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let minus_joint_own_force_x_ = T::mul_add(sin_joint_angle_, t5_, t6_);
         let t7_ = sin_joint_angle_ * t4_;
         let minus_joint_own_force_y_ = T::mul_neg_add(cos_joint_angle_, t5_, t7_);
+        point0_
+            .set_force([-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)]);
+        point1_
+            .set_force([-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)]);
         /// Results: 5 mul, 0 add, 0 reciprocal.
         let t8_ = joint_rate_ * known_joint_j_yy_;
         let t9_ = joint_rate_ * t8_;
         let t10_ = c_(0.5) * t9_;
+        at_.kinetic_energy = t10_;
         let t11_ = sin_joint_angle_ * known_joint_b_y_z_;
         let t12_ = c_(9.8) * t11_;
-        ::mstmm::generated::finite::<
-            T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t], &[inputs_.joint]])?;
-        ::mstmm::generated::regular::<
-            T,
-            _,
-            _,
-        >(&["joint"], [known_joint_j_yy_], [known_p6_], [joint_a_ang_z_])?;
-        at_.accelerations.data.0 = [[joint_a_ang_z_]];
-        at_.rate_accelerations.data.0 = [[joint_a_ang_z_]];
-        at_.efforts.data.0 = [[joint_input0_]];
-        at_.kinetic_energy = t10_;
         at_.potential_energy = t12_;
-        at_.points = [
-            ::mstmm::Point::new(
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [
-                    [c_(1.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(1.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(1.0)],
-                ],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                ::mstmm::StateVector::new(
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), -joint_input0_],
-                    [-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)],
-                ),
-            ),
-            ::mstmm::Point::new(
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [
-                    [cos_joint_angle_, -sin_joint_angle_, c_(0.0)],
-                    [sin_joint_angle_, cos_joint_angle_, c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(1.0)],
-                ],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [c_(0.0), c_(0.0), joint_rate_],
-                ::mstmm::StateVector::new(
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), joint_a_ang_z_],
-                    [c_(0.0), c_(0.0), -joint_input0_],
-                    [-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)],
-                ),
-            ),
-            ::mstmm::Point::new(
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [
-                    [cos_joint_angle_, -sin_joint_angle_, c_(0.0)],
-                    [sin_joint_angle_, cos_joint_angle_, c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(1.0)],
-                ],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [c_(0.0), c_(0.0), joint_rate_],
-                ::mstmm::StateVector::new(
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), joint_a_ang_z_],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                ),
-            ),
-        ];
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre

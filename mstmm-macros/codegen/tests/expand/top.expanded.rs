@@ -202,6 +202,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         inputs_: &TopInputs<T>,
         at_: &mut TopWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
+        let [point0_, point1_, point2_] = &mut at_.points;
         let c_ = T::constant;
         let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
         let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
@@ -256,6 +257,72 @@ impl<T: ::mstmm::Scalar> Top<T> {
             t22_,
         );
         let minus_tip_a_ang_z_ = tip_e_moment_z_ * c_(10000.0);
+        ::mstmm::generated::finite::<
+            T,
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
+        ::mstmm::generated::regular::<
+            T,
+            _,
+            _,
+        >(&[], [], [], [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_])?;
+        at_.efforts.data.0 = [[c_(0.0), c_(0.0), c_(0.0)]];
+        point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_
+            .set_rotation([
+                c_(1.0),
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+            ]);
+        point0_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_angular_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_angular_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_
+            .set_rotation([
+                -minus_tip_turn_x_x_,
+                -minus_tip_turn_x_y_,
+                tip_turn_x_z_,
+                tip_turn_y_x_,
+                -minus_tip_turn_y_y_,
+                -minus_tip_turn_y_z_,
+                -minus_tip_turn_z_x_,
+                tip_turn_z_y_,
+                -minus_tip_turn_z_z_,
+            ]);
+        point1_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_
+            .set_rotation([
+                -minus_tip_turn_x_x_,
+                -minus_tip_turn_x_y_,
+                tip_turn_x_z_,
+                tip_turn_y_x_,
+                -minus_tip_turn_y_y_,
+                -minus_tip_turn_y_z_,
+                -minus_tip_turn_z_x_,
+                tip_turn_z_y_,
+                -minus_tip_turn_z_z_,
+            ]);
+        point2_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_force([c_(0.0), c_(0.0), c_(0.0)]);
+        at_.accelerations.data.0 = [
+            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
+        ];
+        at_.rate_accelerations.data.0 = [
+            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
+        ];
         /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
         let t23_ = tip_wy_ * minus_tip_turn_x_y_;
         let t24_ = T::mul_neg_add(tip_wz_, tip_turn_x_z_, t23_);
@@ -266,6 +333,18 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t27_ = tip_wx_ * minus_tip_turn_z_x_;
         let t28_ = T::mul_neg_add(tip_wy_, tip_turn_z_y_, t27_);
         let minus_tip_omega_z_ = T::mul_add(tip_wz_, minus_tip_turn_z_z_, t28_);
+        point1_
+            .set_angular_velocity([
+                -minus_tip_omega_x_,
+                -minus_tip_omega_y_,
+                -minus_tip_omega_z_,
+            ]);
+        point2_
+            .set_angular_velocity([
+                -minus_tip_omega_x_,
+                -minus_tip_omega_y_,
+                -minus_tip_omega_z_,
+            ]);
         /// Point of `tip`, [P, Eqs. (12), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
         let t29_ = tip_turn_x_z_ * minus_tip_a_ang_z_;
         let t30_ = T::mul_neg_add(minus_tip_a_ang_x_, minus_tip_turn_x_x_, t29_);
@@ -276,6 +355,18 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t33_ = minus_tip_turn_z_x_ * minus_tip_a_ang_x_;
         let t34_ = T::mul_add(minus_tip_a_ang_z_, minus_tip_turn_z_z_, t33_);
         let minus_tip_acc_ang_z_ = T::mul_sub(tip_turn_z_y_, minus_tip_a_ang_y_, t34_);
+        point1_
+            .set_angular_acceleration([
+                tip_acc_ang_x_,
+                tip_acc_ang_y_,
+                -minus_tip_acc_ang_z_,
+            ]);
+        point2_
+            .set_angular_acceleration([
+                tip_acc_ang_x_,
+                tip_acc_ang_y_,
+                -minus_tip_acc_ang_z_,
+            ]);
         /// Load of the body at `tip`, [P, Eqs. (18), (19)]: 16 mul, 12 add, 0 reciprocal.
         let t35_ = tip_wx_ * t13_;
         let t36_ = T::mul_add(tip_wy_, t14_, t35_);
@@ -297,79 +388,26 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t46_ = minus_tip_turn_z_x_ * t40_;
         let t47_ = T::mul_neg_add(minus_tip_turn_z_z_, t39_, t46_);
         let tip_own_force_z_ = T::mul_sub(tip_turn_z_y_, t41_, t47_);
+        point0_
+            .set_force([
+                -minus_tip_own_force_x_,
+                -minus_tip_own_force_y_,
+                tip_own_force_z_,
+            ]);
+        point1_
+            .set_force([
+                -minus_tip_own_force_x_,
+                -minus_tip_own_force_y_,
+                tip_own_force_z_,
+            ]);
         /// Results: 5 mul, 2 add, 0 reciprocal.
         let t48_ = tip_wx_ * t18_;
         let t49_ = T::mul_add(tip_wy_, t15_, t48_);
         let t50_ = T::mul_add(tip_wz_, t16_, t49_);
         let t51_ = t50_ * c_(0.5);
-        let t52_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
-        ::mstmm::generated::finite::<
-            T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
-        ::mstmm::generated::regular::<
-            T,
-            _,
-            _,
-        >(&[], [], [], [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_])?;
-        at_.accelerations.data.0 = [
-            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
-        ];
-        at_.rate_accelerations.data.0 = [
-            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
-        ];
-        at_.efforts.data.0 = [[c_(0.0), c_(0.0), c_(0.0)]];
         at_.kinetic_energy = t51_;
+        let t52_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
         at_.potential_energy = -t52_;
-        at_.points = [
-            ::mstmm::Point::new(
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [
-                    [c_(1.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(1.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(1.0)],
-                ],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                ::mstmm::StateVector::new(
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [-minus_tip_own_force_x_, -minus_tip_own_force_y_, tip_own_force_z_],
-                ),
-            ),
-            ::mstmm::Point::new(
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [
-                    [-minus_tip_turn_x_x_, -minus_tip_turn_x_y_, tip_turn_x_z_],
-                    [tip_turn_y_x_, -minus_tip_turn_y_y_, -minus_tip_turn_y_z_],
-                    [-minus_tip_turn_z_x_, tip_turn_z_y_, -minus_tip_turn_z_z_],
-                ],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [-minus_tip_omega_x_, -minus_tip_omega_y_, -minus_tip_omega_z_],
-                ::mstmm::StateVector::new(
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [tip_acc_ang_x_, tip_acc_ang_y_, -minus_tip_acc_ang_z_],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [-minus_tip_own_force_x_, -minus_tip_own_force_y_, tip_own_force_z_],
-                ),
-            ),
-            ::mstmm::Point::new(
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [
-                    [-minus_tip_turn_x_x_, -minus_tip_turn_x_y_, tip_turn_x_z_],
-                    [tip_turn_y_x_, -minus_tip_turn_y_y_, -minus_tip_turn_y_z_],
-                    [-minus_tip_turn_z_x_, tip_turn_z_y_, -minus_tip_turn_z_z_],
-                ],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [-minus_tip_omega_x_, -minus_tip_omega_y_, -minus_tip_omega_z_],
-                ::mstmm::StateVector::new(
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [tip_acc_ang_x_, tip_acc_ang_y_, -minus_tip_acc_ang_z_],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                ),
-            ),
-        ];
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre

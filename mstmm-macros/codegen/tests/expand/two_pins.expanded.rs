@@ -304,6 +304,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         inputs_: &TwoPinsInputs<T>,
         at_: &mut TwoPinsWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
+        let [point0_, point1_, point2_, point3_, point4_] = &mut at_.points;
         let c_ = T::constant;
         let [[shoulder_angle_, elbow_angle_]] = state_.q.data.0;
         let [[shoulder_rate_, elbow_rate_]] = state_.v.data.0;
@@ -427,6 +428,80 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             t75_,
             minus_end_x4_,
         );
+        ::mstmm::generated::finite::<
+            T,
+        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
+        ::mstmm::generated::regular::<
+            T,
+            _,
+            _,
+        >(
+            &["shoulder"],
+            [shoulder_d_],
+            [c_(2.9266666666666667)],
+            [-minus_shoulder_beta0_, end_x5_],
+        )?;
+        at_.efforts.data.0 = [[c_(0.0), c_(0.0)]];
+        point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_
+            .set_rotation([
+                c_(1.0),
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+            ]);
+        point0_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_angular_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_angular_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_
+            .set_rotation([
+                cos_shoulder_angle_,
+                -sin_shoulder_angle_,
+                c_(0.0),
+                sin_shoulder_angle_,
+                cos_shoulder_angle_,
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+            ]);
+        point1_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_.set_angular_velocity([c_(0.0), c_(0.0), shoulder_rate_]);
+        point1_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_position([cos_shoulder_angle_, sin_shoulder_angle_, c_(0.0)]);
+        point2_
+            .set_rotation([
+                cos_shoulder_angle_,
+                -sin_shoulder_angle_,
+                c_(0.0),
+                sin_shoulder_angle_,
+                cos_shoulder_angle_,
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+            ]);
+        point2_.set_angular_velocity([c_(0.0), c_(0.0), shoulder_rate_]);
+        point2_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
+        point3_.set_position([cos_shoulder_angle_, sin_shoulder_angle_, c_(0.0)]);
+        point3_.set_angular_velocity([c_(0.0), c_(0.0), elbow_omega_z_]);
+        point3_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
+        point4_.set_angular_velocity([c_(0.0), c_(0.0), elbow_omega_z_]);
+        point4_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
+        point4_.set_force([c_(0.0), c_(0.0), c_(0.0)]);
+        at_.accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
+        at_.rate_accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
+        point1_.set_angular_acceleration([c_(0.0), c_(0.0), -minus_shoulder_beta0_]);
+        point2_.set_angular_acceleration([c_(0.0), c_(0.0), -minus_shoulder_beta0_]);
         /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 8 mul, 2 add, 0 reciprocal.
         let t76_ = cos_shoulder_angle_ * cos_elbow_angle_;
         let elbow_axes_x_x_ = T::mul_neg_add(
@@ -440,9 +515,35 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             cos_elbow_angle_,
             t77_,
         );
+        point3_
+            .set_rotation([
+                elbow_axes_x_x_,
+                -minus_elbow_axes_x_y_,
+                c_(0.0),
+                minus_elbow_axes_x_y_,
+                elbow_axes_x_x_,
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+            ]);
+        point4_
+            .set_rotation([
+                elbow_axes_x_x_,
+                -minus_elbow_axes_x_y_,
+                c_(0.0),
+                minus_elbow_axes_x_y_,
+                elbow_axes_x_x_,
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+            ]);
         let t78_ = shoulder_rate_ * cos_shoulder_angle_;
         let minus_elbow_drift_lin_x_ = shoulder_rate_ * t78_;
         let t79_ = shoulder_rate_ * sin_shoulder_angle_;
+        point2_.set_velocity([-t79_, t78_, c_(0.0)]);
+        point3_.set_velocity([-t79_, t78_, c_(0.0)]);
         let minus_elbow_drift_lin_y_ = shoulder_rate_ * t79_;
         /// Point of `elbow`, [P, Eqs. (12), (13), (36)]: 2 mul, 3 add, 0 reciprocal.
         let minus_elbow_acc_lin_x_ = T::mul_neg_add(
@@ -455,7 +556,21 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             minus_shoulder_beta0_,
             minus_elbow_drift_lin_y_,
         );
+        point2_
+            .set_acceleration([
+                -minus_elbow_acc_lin_x_,
+                -minus_elbow_acc_lin_y_,
+                c_(0.0),
+            ]);
+        point3_
+            .set_acceleration([
+                -minus_elbow_acc_lin_x_,
+                -minus_elbow_acc_lin_y_,
+                c_(0.0),
+            ]);
         let elbow_acc_ang_z_ = end_x5_ - minus_shoulder_beta0_;
+        point3_.set_angular_acceleration([c_(0.0), c_(0.0), elbow_acc_ang_z_]);
+        point4_.set_angular_acceleration([c_(0.0), c_(0.0), elbow_acc_ang_z_]);
         /// Load of the body at `shoulder`, [P, Eqs. (18), (19)]: 1 mul, 0 add, 0 reciprocal.
         let minus_shoulder_own_force_x_ = c_(0.5) * minus_elbow_acc_lin_x_;
         /// Load of the body at `elbow`, [P, Eqs. (18), (19)]: 9 mul, 8 add, 0 reciprocal.
@@ -474,18 +589,26 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t87_ = c_(0.5) * t86_;
         let t88_ = T::mul_neg_add(elbow_axes_x_x_, elbow_acc_ang_z_, t85_);
         let t89_ = minus_elbow_acc_lin_y_ + t88_;
+        point4_.set_acceleration([-t83_, -t89_, c_(0.0)]);
         let t90_ = c_(9.8) - t89_;
         let elbow_own_force_y_ = T::mul_add(c_(0.5), t90_, t87_);
+        point2_.set_force([-minus_elbow_own_force_x_, elbow_own_force_y_, c_(0.0)]);
+        point3_.set_force([-minus_elbow_own_force_x_, elbow_own_force_y_, c_(0.0)]);
         /// Load on `shoulder`, [P, Eqs. (18), (19)]: 0 mul, 3 add, 0 reciprocal.
         let minus_shoulder_load_force_x_ = minus_shoulder_own_force_x_
             + minus_elbow_own_force_x_;
         let t91_ = c_(4.9) + t87_;
         let shoulder_load_force_y_ = elbow_own_force_y_ + t91_;
+        point0_
+            .set_force([-minus_shoulder_load_force_x_, shoulder_load_force_y_, c_(0.0)]);
+        point1_
+            .set_force([-minus_shoulder_load_force_x_, shoulder_load_force_y_, c_(0.0)]);
         /// Results: 10 mul, 8 add, 0 reciprocal.
         let t92_ = shoulder_rate_ * c_(0.3333333333333333);
         let t93_ = elbow_omega_z_ * c_(0.3333333333333333);
         let t94_ = t79_ + t84_;
         let t95_ = t78_ + t80_;
+        point4_.set_velocity([-t94_, t95_, c_(0.0)]);
         let t96_ = shoulder_rate_ * t92_;
         let t97_ = c_(0.5) * t94_;
         let t98_ = c_(0.5) * t95_;
@@ -493,109 +616,12 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t100_ = T::mul_add(elbow_omega_z_, t93_, t96_);
         let t101_ = T::mul_add(c_(0.5), t100_, t99_);
         let t102_ = T::mul_add(t78_, t98_, t101_);
+        at_.kinetic_energy = t102_;
         let t103_ = sin_shoulder_angle_ + minus_elbow_axes_x_y_;
         let t104_ = T::mul_add(c_(4.9), t103_, shoulder_a_lin_x_);
-        let t105_ = cos_shoulder_angle_ + elbow_axes_x_x_;
-        ::mstmm::generated::finite::<
-            T,
-        >(&[state_.q.as_slice(), state_.v.as_slice(), &[state_.t]])?;
-        ::mstmm::generated::regular::<
-            T,
-            _,
-            _,
-        >(
-            &["shoulder"],
-            [shoulder_d_],
-            [c_(2.9266666666666667)],
-            [-minus_shoulder_beta0_, end_x5_],
-        )?;
-        at_.accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
-        at_.rate_accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
-        at_.efforts.data.0 = [[c_(0.0), c_(0.0)]];
-        at_.kinetic_energy = t102_;
         at_.potential_energy = t104_;
-        at_.points = [
-            ::mstmm::Point::new(
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [
-                    [c_(1.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(1.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(1.0)],
-                ],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                ::mstmm::StateVector::new(
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [-minus_shoulder_load_force_x_, shoulder_load_force_y_, c_(0.0)],
-                ),
-            ),
-            ::mstmm::Point::new(
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [
-                    [cos_shoulder_angle_, -sin_shoulder_angle_, c_(0.0)],
-                    [sin_shoulder_angle_, cos_shoulder_angle_, c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(1.0)],
-                ],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [c_(0.0), c_(0.0), shoulder_rate_],
-                ::mstmm::StateVector::new(
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), -minus_shoulder_beta0_],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [-minus_shoulder_load_force_x_, shoulder_load_force_y_, c_(0.0)],
-                ),
-            ),
-            ::mstmm::Point::new(
-                [cos_shoulder_angle_, sin_shoulder_angle_, c_(0.0)],
-                [
-                    [cos_shoulder_angle_, -sin_shoulder_angle_, c_(0.0)],
-                    [sin_shoulder_angle_, cos_shoulder_angle_, c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(1.0)],
-                ],
-                [-t79_, t78_, c_(0.0)],
-                [c_(0.0), c_(0.0), shoulder_rate_],
-                ::mstmm::StateVector::new(
-                    [-minus_elbow_acc_lin_x_, -minus_elbow_acc_lin_y_, c_(0.0)],
-                    [c_(0.0), c_(0.0), -minus_shoulder_beta0_],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [-minus_elbow_own_force_x_, elbow_own_force_y_, c_(0.0)],
-                ),
-            ),
-            ::mstmm::Point::new(
-                [cos_shoulder_angle_, sin_shoulder_angle_, c_(0.0)],
-                [
-                    [elbow_axes_x_x_, -minus_elbow_axes_x_y_, c_(0.0)],
-                    [minus_elbow_axes_x_y_, elbow_axes_x_x_, c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(1.0)],
-                ],
-                [-t79_, t78_, c_(0.0)],
-                [c_(0.0), c_(0.0), elbow_omega_z_],
-                ::mstmm::StateVector::new(
-                    [-minus_elbow_acc_lin_x_, -minus_elbow_acc_lin_y_, c_(0.0)],
-                    [c_(0.0), c_(0.0), elbow_acc_ang_z_],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [-minus_elbow_own_force_x_, elbow_own_force_y_, c_(0.0)],
-                ),
-            ),
-            ::mstmm::Point::new(
-                [t105_, t103_, c_(0.0)],
-                [
-                    [elbow_axes_x_x_, -minus_elbow_axes_x_y_, c_(0.0)],
-                    [minus_elbow_axes_x_y_, elbow_axes_x_x_, c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(1.0)],
-                ],
-                [-t94_, t95_, c_(0.0)],
-                [c_(0.0), c_(0.0), elbow_omega_z_],
-                ::mstmm::StateVector::new(
-                    [-t83_, -t89_, c_(0.0)],
-                    [c_(0.0), c_(0.0), elbow_acc_ang_z_],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                ),
-            ),
-        ];
+        let t105_ = cos_shoulder_angle_ + elbow_axes_x_x_;
+        point4_.set_position([t105_, t103_, c_(0.0)]);
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
