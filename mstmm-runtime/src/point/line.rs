@@ -88,3 +88,28 @@ impl<T: Scalar> LinePoint<T> {
         self.z.force()
     }
 }
+
+/// Parts one by one, for generated code, which writes them as soon as they are known.
+#[doc(hidden)]
+#[allow(missing_docs)]
+impl<T: Scalar> LinePoint<T> {
+    #[inline(always)]
+    pub fn set_position(&mut self, value: [T; 1]) {
+        [self.position] = value;
+    }
+
+    #[inline(always)]
+    pub fn set_velocity(&mut self, value: [T; 1]) {
+        [self.velocity] = value;
+    }
+
+    #[inline(always)]
+    pub fn set_acceleration(&mut self, value: [T; 1]) {
+        [self.z.acceleration] = value;
+    }
+
+    #[inline(always)]
+    pub fn set_force(&mut self, value: [T; 1]) {
+        [self.z.force] = value;
+    }
+}

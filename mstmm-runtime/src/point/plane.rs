@@ -167,3 +167,48 @@ impl<T: Scalar> Default for PlanePoint<T> {
         Self::new([zero; 2], aligned, [zero; 2], zero, PlaneStateVector::default())
     }
 }
+
+/// Parts one by one, for generated code, which writes them as soon as they are known.
+#[doc(hidden)]
+#[allow(missing_docs)]
+impl<T: Scalar> PlanePoint<T> {
+    #[inline(always)]
+    pub fn set_position(&mut self, value: [T; 2]) {
+        self.position = value;
+    }
+
+    #[inline(always)]
+    pub fn set_rotation(&mut self, value: [T; 2]) {
+        self.cos_sin = value;
+    }
+
+    #[inline(always)]
+    pub fn set_velocity(&mut self, value: [T; 2]) {
+        self.velocity = value;
+    }
+
+    #[inline(always)]
+    pub fn set_angular_velocity(&mut self, value: [T; 1]) {
+        [self.angular_velocity] = value;
+    }
+
+    #[inline(always)]
+    pub fn set_acceleration(&mut self, value: [T; 2]) {
+        self.z.acceleration = value;
+    }
+
+    #[inline(always)]
+    pub fn set_angular_acceleration(&mut self, value: [T; 1]) {
+        [self.z.angular_acceleration] = value;
+    }
+
+    #[inline(always)]
+    pub fn set_moment(&mut self, value: [T; 1]) {
+        [self.z.moment] = value;
+    }
+
+    #[inline(always)]
+    pub fn set_force(&mut self, value: [T; 2]) {
+        self.z.force = value;
+    }
+}

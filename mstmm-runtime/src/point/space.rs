@@ -166,3 +166,48 @@ impl<T: Scalar> Default for Point<T> {
         Self::new([zero; 3], identity, [zero; 3], [zero; 3], StateVector::default())
     }
 }
+
+/// Parts one by one, for generated code, which writes them as soon as they are known.
+#[doc(hidden)]
+#[allow(missing_docs)]
+impl<T: Scalar> Point<T> {
+    #[inline(always)]
+    pub fn set_position(&mut self, value: [T; 3]) {
+        self.position = value;
+    }
+
+    #[inline(always)]
+    pub fn set_rotation(&mut self, [xx, xy, xz, yx, yy, yz, zx, zy, zz]: [T; 9]) {
+        self.rotation = [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]];
+    }
+
+    #[inline(always)]
+    pub fn set_velocity(&mut self, value: [T; 3]) {
+        self.velocity = value;
+    }
+
+    #[inline(always)]
+    pub fn set_angular_velocity(&mut self, value: [T; 3]) {
+        self.angular_velocity = value;
+    }
+
+    #[inline(always)]
+    pub fn set_acceleration(&mut self, value: [T; 3]) {
+        self.z.acceleration = value;
+    }
+
+    #[inline(always)]
+    pub fn set_angular_acceleration(&mut self, value: [T; 3]) {
+        self.z.angular_acceleration = value;
+    }
+
+    #[inline(always)]
+    pub fn set_moment(&mut self, value: [T; 3]) {
+        self.z.moment = value;
+    }
+
+    #[inline(always)]
+    pub fn set_force(&mut self, value: [T; 3]) {
+        self.z.force = value;
+    }
+}

@@ -1,6 +1,7 @@
 //! A program as statements.
 
 use super::Plan;
+use super::delivery::Deliveries;
 use super::looped::{self, Masks, Target};
 use super::names::local;
 use super::spread::Spread;
@@ -36,6 +37,11 @@ impl Plan<'_> {
     /// its results go into arrays as `targets` say, and its second and third groups are pivots and
     /// scales if `pivoted`.
     pub fn step(&self, program: &Program, targets: &[Target], pivoted: bool) -> Results {
+        self.finished(self.opened(program, pivoted), program, targets)
+    }
+
+    /// The same without statements, but for those that read the unknowns.
+    pub fn opened(&self, program: &Program, pivoted: bool) -> Results {
         let looped = !self.chain.repeats.is_empty();
         let reading = if looped {
             let once = self.read_once(program);
@@ -58,8 +64,21 @@ impl Plan<'_> {
         } else {
             Masks::new()
         };
-        let results = Results { masks, ..self.results(program, reading) };
-        self.finished(results, program, targets)
+        Results { masks, ..self.results(program, reading) }
+    }
+
+    /// What reads the unknowns, the statements, and what is written in between.
+    pub fn delivering(
+        &self,
+        opened: Results,
+        program: &Program,
+        mut deliveries: Deliveries,
+    ) -> TokenStream {
+        let mut writer = Writer::after(self, opened.statements);
+        writer.add(deliveries.at_once());
+        let mut after = |statement: &Statement| deliveries.after(statement);
+        writer.sections_with(program.sections(), is_long(program), &mut after);
+        writer.finish()
     }
 
     /// The program of the setup: it reads `parameters` and `constants`.

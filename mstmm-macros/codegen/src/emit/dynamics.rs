@@ -7,8 +7,9 @@ use super::docs;
 use super::integrable::{generated, integrable};
 use super::looped::{Target, usize_literal};
 use super::names::local;
-use super::spread::{Spread, numbers_of_point};
-use crate::model::{Dimension, Hinge, HingeId};
+use super::solution::solution;
+use super::spread::Spread;
+use crate::model::{Hinge, HingeId};
 use crate::passes::shown;
 use crate::program::Program;
 use proc_macro2::TokenStream;
@@ -131,130 +132,6 @@ fn implicit(plan: &Plan) -> Option<TokenStream> {
     })
 }
 
-fn solution(plan: &Plan) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let (state, inputs) = (&plan.names.state, &plan.names.inputs);
-    let (workspace, visibility) = (&plan.names.workspace, &plan.surface.visibility);
-    let program = &plan.programs.solution;
-    let (freedoms, rates) = (Spread::freedoms(plan), Spread::rates(plan));
-    let targets = [(0, freedoms), (3, rates.clone()), (4, rates), (7, Spread::points(plan))];
-    let targets = targets.map(|(group, spread)| Target { group, spread });
-    let block = plan.step(program, &targets, true);
-    let check = check(plan, program, &block, &plan.programs.pivots);
-    let points = points(plan, &block);
-    let [results, _, _, rates, efforts, ..] = &block.arrays[..] else { return TokenStream::new() };
-    let (energies, undetermined) = (&block.outputs[5], &block.outputs[6]);
-    let (kinetic, potential) = (&energies[0], &energies[1]);
-    let closure = plan.programs.held.map(|_| {
-        let wrenches = undetermined.chunks(6).map(|wrench| quote!([#(#wrench),*]));
-        quote!(at_.closure = #mstmm::generated::closure([#(#wrenches),*]);)
-    });
-    let body = body(
-        block.statements,
-        quote! {
-            #check
-            at_.accelerations.data.0 = [#results];
-            at_.rate_accelerations.data.0 = [#rates];
-            at_.efforts.data.0 = [#efforts];
-            #closure
-            at_.kinetic_energy = #kinetic;
-            at_.potential_energy = #potential;
-            #points
-            ::core::result::Result::Ok(())
-        },
-    );
-    let cost = docs::cost(program);
-    quote! {
-        /// Everything: accelerations, efforts, energies and, at every connection point, pose,
-        /// velocity and the state vector `z`, written into `at`.
-        ///
-        #(#[doc = #cost])*
-        ///
-        /// # Errors
-        ///
-        /// As [`accelerations_into`](Self::accelerations_into); `at` is not touched then.
-        #[allow(unused_doc_comments, unused_variables, clippy::all)]
-        #visibility fn solve_into(
-            &self,
-            state_: &#state<T>,
-            inputs_: &#inputs<T>,
-            at_: &mut #workspace<T>,
-        ) -> ::core::result::Result<(), #mstmm::Error> #body
-    }
-}
-
-/// Writes all connection points.
-fn points(plan: &Plan, block: &Results) -> TokenStream {
-    let each = numbers_of_point(plan.chain.dimension);
-    if !block.looped {
-        let points = block.outputs[7].chunks(each).map(|numbers| point(plan, numbers));
-        return quote!(at_.points = [#(#points),*];);
-    }
-    let names: Vec<TokenStream> = (0..each)
-        .map(|k| {
-            let name = local(&format!("p{k}"));
-            quote!(#name)
-        })
-        .collect();
-    let (point, numbers, each) = (point(plan, &names), &block.arrays[7], usize_literal(each));
-    quote! {
-        for (point_, &[#(#names),*]) in
-            ::core::iter::zip(&mut at_.points, #numbers.as_chunks::<#each>().0)
-        {
-            *point_ = #point;
-        }
-    }
-}
-
-/// A connection point from its numbers.
-fn point(plan: &Plan, numbers: &[TokenStream]) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let mut rest = numbers.iter();
-    let mut take = |count: usize| {
-        let entries: Vec<&TokenStream> = rest.by_ref().take(count).collect();
-        if count == 1 { quote!(#(#entries)*) } else { quote!([#(#entries),*]) }
-    };
-    match plan.chain.dimension {
-        Dimension::Space => {
-            let (position, rows) = (take(3), [take(3), take(3), take(3)]);
-            let (velocity, omega) = (take(3), take(3));
-            let z = [take(3), take(3), take(3), take(3)];
-            quote! {
-                #mstmm::Point::new(
-                    #position,
-                    [#(#rows),*],
-                    #velocity,
-                    #omega,
-                    #mstmm::StateVector::new(#(#z),*),
-                )
-            }
-        }
-        Dimension::Plane => {
-            let (position, turn, velocity, omega) = (take(2), take(2), take(2), take(1));
-            let z = [take(2), take(1), take(1), take(2)];
-            quote! {
-                #mstmm::PlanePoint::new(
-                    #position,
-                    #turn,
-                    #velocity,
-                    #omega,
-                    #mstmm::PlaneStateVector::new(#(#z),*),
-                )
-            }
-        }
-        Dimension::Line => {
-            let (position, velocity, z) = (take(1), take(1), [take(1), take(1)]);
-            quote! {
-                #mstmm::LinePoint::new(
-                    #position,
-                    #velocity,
-                    #mstmm::LineStateVector::new(#(#z),*),
-                )
-            }
-        }
-    }
-}
-
 fn energy(plan: &Plan) -> TokenStream {
     let mstmm = &plan.mstmm;
     let (state, inputs) = (&plan.names.state, &plan.names.inputs);
@@ -302,7 +179,12 @@ fn energy(plan: &Plan) -> TokenStream {
 ///
 /// Of the numbers given, those are looked at that the results, which are looked at anyway, do not
 /// show.
-fn check(plan: &Plan, program: &Program, block: &Results, pivots: &[HingeId]) -> TokenStream {
+pub(super) fn check(
+    plan: &Plan,
+    program: &Program,
+    block: &Results,
+    pivots: &[HingeId],
+) -> TokenStream {
     let mstmm = &plan.mstmm;
     let name = |&hinge: &HingeId| plan.chain.hinges[hinge].name.to_string();
     let once = |number: &usize| block.masks.iter().all(|(repeated, _)| repeated != number);

@@ -2,6 +2,7 @@
 
 mod block;
 mod construction;
+mod delivery;
 mod docs;
 mod drawing;
 mod dynamics;
@@ -11,6 +12,7 @@ mod looped;
 mod names;
 mod references;
 mod repeated;
+mod solution;
 mod spread;
 mod state;
 mod statement;

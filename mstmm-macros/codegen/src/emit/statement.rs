@@ -25,6 +25,11 @@ impl<'a> Writer<'a> {
         Writer { plan, tokens: tokens.into_iter().collect() }
     }
 
+    /// Adds what is written already.
+    pub fn add(&mut self, tokens: TokenStream) {
+        self.tokens.extend(tokens);
+    }
+
     /// What has been written.
     pub fn finish(self) -> TokenStream {
         self.tokens.into_iter().collect()
@@ -34,11 +39,28 @@ impl<'a> Writer<'a> {
     /// are declared before any of them is computed.
     pub fn sections<'s>(&mut self, sections: impl IntoIterator<Item = &'s Section>, flat: bool) {
         for section in sections {
-            self.section(section, flat);
+            self.section(section, flat, &mut |_| TokenStream::new());
         }
     }
 
-    fn section(&mut self, section: &Section, flat: bool) {
+    /// The statements of sections, with what `after` has to say behind each of them.
+    pub fn sections_with<'s>(
+        &mut self,
+        sections: impl IntoIterator<Item = &'s Section>,
+        flat: bool,
+        after: &mut dyn FnMut(&Statement) -> TokenStream,
+    ) {
+        for section in sections {
+            self.section(section, flat, after);
+        }
+    }
+
+    fn section(
+        &mut self,
+        section: &Section,
+        flat: bool,
+        after: &mut dyn FnMut(&Statement) -> TokenStream,
+    ) {
         self.heading(section);
         if flat {
             self.word("let");
@@ -56,6 +78,7 @@ impl<'a> Writer<'a> {
             }
             self.statement(statement);
             self.sign(';');
+            self.tokens.extend(after(statement));
         }
     }
 

@@ -3,9 +3,11 @@
 use super::closing::closing;
 use super::hinge::Passives;
 use super::load::{poses, spring_energy};
+use super::motion::LinkMotion;
+use super::own_load::{arm_of_output, share_of_output};
 use super::{Axes, Situation, Trace, motion};
 use crate::math::{Scalar, Vec3};
-use crate::model::Source;
+use crate::model::{Link, Source};
 
 /// The energy of a chain in J.
 #[derive(Clone, Copy, Debug)]
@@ -18,8 +20,13 @@ pub struct Energy<S> {
 }
 
 /// The energy in the given situation, whose layout has every body for itself.
+///
+/// Turning about the link's point, of which the sweeps have `J Ω`, takes fewer operations than about
+/// the centre of mass: `½ m ṙᵀ ṙ + ṙᵀ (Ω × m r_C) + ½ Ωᵀ J Ω`.
 pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Energy<S> {
     let links = motion(situation, Axes::Inertial, trace);
+    // Inertias are constant in body axes, and the sweeps have turned them already.
+    let bodies = motion(situation, Axes::Body, trace);
     trace.section("Energy", "");
     let half = S::number(0.5);
     let gravity = match &situation.chain.gravity {
@@ -28,17 +35,13 @@ pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Ener
     };
     let poses = poses(situation, &links);
     let mut energy = Energy { kinetic: S::zero(), potential: spring_energy(situation, None) };
-    for (index, ((link, pose), place)) in
-        links.iter().zip(&poses).zip(&situation.layout.links).enumerate()
-    {
-        let body = &situation.chain.bodies[place.body];
-        let com = link.attitude * (situation.numbers.vector(&body.com) - link.point);
-        let velocity = pose.velocity + link.omega.cross(com);
-        // The inertia is constant in body axes.
-        let spin = link.attitude.transposed() * link.omega;
-        let turning = spin.dot(situation.numbers.central_inertia(body) * spin);
-        energy.kinetic = energy.kinetic + (link.mass * velocity.dot(velocity) + turning) * half;
-        energy.potential = energy.potential - gravity.dot(pose.position + com) * link.mass;
+    for (index, (link, pose)) in links.iter().zip(&poses).enumerate() {
+        let (moment, beside) = first_moment(situation, &situation.layout.links[index], link);
+        let shifting = pose.velocity.dot(pose.velocity * (link.mass * half) + beside);
+        let turning = bodies[index].omega.dot(bodies[index].inertia * bodies[index].omega);
+        energy.kinetic = energy.kinetic + shifting + turning * half;
+        let weight = gravity * link.mass;
+        energy.potential = energy.potential - weight.dot(pose.position) - gravity.dot(moment);
         energy.potential = energy.potential + spring_energy(situation, Some((index, link, pose)));
         energy.add_passives(&link.over.passives);
         let sums = (energy.kinetic, energy.potential);
@@ -48,6 +51,19 @@ pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Ener
         energy.add_passives(&closing.over.passives);
     }
     energy
+}
+
+/// The first moment `m r_C` about a link's point, inertial axes, and `Ω × m r_C`.
+fn first_moment<S: Scalar>(
+    situation: &Situation<S>,
+    place: &Link,
+    link: &LinkMotion<S>,
+) -> (Vec3<S>, Vec3<S>) {
+    let Some(share) = share_of_output(situation, place) else {
+        return (link.moment, link.omega.cross(link.moment));
+    };
+    let (arm, share) = (arm_of_output(situation, place, link), link.mass * S::number(share));
+    (arm * share, link.omega.cross(arm) * share)
 }
 
 impl<S: Scalar> Energy<S> {

@@ -31,6 +31,7 @@ pub mod hinge;
 mod load;
 mod motion;
 mod numbers;
+mod own_load;
 mod passage;
 mod problem;
 mod report;

@@ -78,10 +78,16 @@ impl<S: Scalar> LinkMotion<S> {
     /// The load that the velocities take: `[m Ω̃Ω̃ r_C; Ω × J Ω]`, of [P, Eq. (20)] `−E_5` and, about
     /// the point, the gyroscopic part of `E_9`.
     pub fn velocity_load(&self) -> Wrench<S> {
-        Wrench {
-            force: self.moment.centripetal(self.omega),
-            moment: self.omega.cross(self.inertia * self.omega),
-        }
+        Wrench { force: self.moment.centripetal(self.omega), moment: self.gyroscopic() }
+    }
+
+    fn gyroscopic(&self) -> Vec3<S> {
+        self.omega.cross(self.inertia * self.omega)
+    }
+
+    /// The moment that turning takes about a point at rest: `J Ω̇ + Ω × J Ω`.
+    pub fn turning_load(&self, acceleration: Vec3<S>) -> Vec3<S> {
+        self.inertia * acceleration + self.gyroscopic()
     }
 }
 

@@ -5,8 +5,9 @@
 //! is inertial, and `r̈` is true, whatever axes and tricks the sums are made with.
 
 use super::closing::closing;
-use super::load::{Pose, loads, point_acceleration, poses};
+use super::load::{Pose, point_acceleration, poses};
 use super::motion::{Crossed, LinkMotion};
+use super::own_load::own_loads;
 use super::{Axes, Situation, Solved, Trace, hinge, motion};
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::{Element, HingeId, Part, Place};
@@ -62,8 +63,10 @@ pub fn report<S: Scalar>(
     let links = motion(situation, Axes::Inertial, trace);
     let poses = poses(situation, &links);
     let accelerations = rate_accelerations(situation, &solved.accelerations);
-    let points = outwards(situation, &links, &accelerations, trace);
-    let loads = own_loads(situation, &links, &accelerations, trace);
+    let bodies = motion(situation, Axes::Body, trace);
+    let felt = felt(situation, &bodies, &accelerations, trace);
+    let points = outwards(situation, (&links, &bodies), (&felt, &accelerations), trace);
+    let loads = own_loads(situation, (&links, &points), (&bodies, &felt), trace);
     let hinges = inwards(situation, &links, loads, solved, trace);
     let sheet = Sheet { situation, links: &links, poses: &poses, points: &points, hinges: &hinges };
     trace.section("Connection points", "[P, Eqs. (4), (12)]");
@@ -83,11 +86,31 @@ fn rate_accelerations<S: Scalar>(situation: &Situation<S>, free: &[S]) -> Vec<S>
     (0..situation.chain.hinges.len()).flat_map(of).collect()
 }
 
-/// True accelerations of all points [P, Eqs. (13), (36)].
+/// Accelerations of all points in body axes, gravity among them, as the sweeps have them.
+fn felt<S: Scalar>(
+    situation: &Situation<S>,
+    bodies: &[LinkMotion<S>],
+    accelerations: &[S],
+    trace: &mut Trace<S>,
+) -> Vec<Motion<S>> {
+    let ground = situation.ground();
+    let mut felt: Vec<Motion<S>> = Vec::new();
+    for (index, link) in bodies.iter().enumerate() {
+        let over = &link.over;
+        trace.section(format!("Acceleration felt behind `{}`", over.name), "[P, Eqs. (13), (36)]");
+        let carried = over.carried(link.parent.map_or(ground, |parent| felt[parent]));
+        let own = carried + over.drift + own_acceleration(situation, over, accelerations);
+        felt.push(situation.passage.outwards(index, own));
+    }
+    felt
+}
+
+/// True accelerations of all points [P, Eqs. (13), (36)]. Behind a hinge that turns about all axes
+/// `Ω̇` takes fewer operations from that in body axes.
 fn outwards<S: Scalar>(
     situation: &Situation<S>,
-    links: &[LinkMotion<S>],
-    accelerations: &[S],
+    (links, bodies): (&[LinkMotion<S>], &[LinkMotion<S>]),
+    (felt, accelerations): (&[Motion<S>], &[S]),
     trace: &mut Trace<S>,
 ) -> Vec<Motion<S>> {
     let mut points: Vec<Motion<S>> = Vec::new();
@@ -95,8 +118,12 @@ fn outwards<S: Scalar>(
         let over = &link.over;
         trace.section(format!("Point of `{}`", over.name), "[P, Eqs. (12), (13), (36)]");
         let parent = link.parent.map_or(Motion::zero(), |parent| points[parent]);
-        let acceleration =
+        let mut acceleration =
             over.carried(parent) + over.drift + own_acceleration(situation, over, accelerations);
+        if over.subspace.iter().filter(|s| s.turns()).count() > 2 {
+            let to_inertial = link.attitude * bodies[index].attitude.transposed();
+            acceleration.angular = to_inertial * felt[index].angular;
+        }
         trace.motion(&format!("{}_acc", over.name), acceleration);
         points.push(situation.passage.outwards(index, acceleration));
     }
@@ -114,35 +141,6 @@ fn own_acceleration<S: Scalar>(
     }
     let own = &accelerations[situation.layout.rates[over.hinge].clone()];
     hinge::combine(over.subspace.iter(), own)
-}
-
-/// The load that every body's own motion takes, less what acts on it from outside, about its link's
-/// point, inertial axes: the parts of [P, Eqs. (18), (19)] without its ends. Inertias are constant
-/// in body axes, so the sums are made there.
-fn own_loads<S: Scalar>(
-    situation: &Situation<S>,
-    inertial: &[LinkMotion<S>],
-    accelerations: &[S],
-    trace: &mut Trace<S>,
-) -> Vec<Wrench<S>> {
-    let links = motion(situation, Axes::Body, trace);
-    let outer = loads(situation, &links);
-    let ground = situation.ground();
-    let mut felt: Vec<Motion<S>> = Vec::new();
-    let mut all = Vec::new();
-    for (index, link) in links.iter().enumerate() {
-        let over = &link.over;
-        trace.section(format!("Load of the body at `{}`", over.name), "[P, Eqs. (18), (19)]");
-        let carried = over.carried(link.parent.map_or(ground, |parent| felt[parent]));
-        let own = carried + over.drift + own_acceleration(situation, over, accelerations);
-        let load = link.rigid().times(own) + link.velocity_load() - outer[index];
-        let to_inertial = inertial[index].attitude * link.attitude.transposed();
-        let load = load.turned(&Rotation::general(to_inertial));
-        trace.wrench(&format!("{}_own", over.name), load);
-        felt.push(situation.passage.outwards(index, own));
-        all.push(load);
-    }
-    all
 }
 
 /// What every hinge transmits, from the free end or from the closing hinge [P, Eqs. (18), (19)];

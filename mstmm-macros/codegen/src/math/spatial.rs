@@ -43,6 +43,11 @@ impl<S: Scalar> Motion<S> {
         Motion { linear: Vec3::from_fn(&entry), angular: Vec3::from_fn(|k| entry(k + 3)) }
     }
 
+    /// Whether the frame turns.
+    pub fn turns(&self) -> bool {
+        self.angular.0.iter().any(|entry| !entry.vanishes())
+    }
+
     /// The part linear in the motion of the law of rigid bodies: the motion of the point at `r`.
     pub fn carried_to(self, r: Vec3<S>) -> Self {
         Motion { linear: self.linear + self.angular.cross(r), angular: self.angular }

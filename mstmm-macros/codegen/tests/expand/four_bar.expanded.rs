@@ -37,7 +37,7 @@
 ///
 /// Mobility 1: 4 rates, of which the closure takes 3.
 ///
-/// Accelerations by `riccati`, 348 operations (209 mul, 125 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 515 operations.
+/// Accelerations by `riccati`, 348 operations (209 mul, 125 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 459 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct FourBar<T> {
@@ -455,7 +455,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 515 operations: 309 mul, 192 add, 8 reciprocal, 6 square root, 4 sin/cos.
+    /// 459 operations: 269 mul, 176 add, 8 reciprocal, 6 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -468,16 +468,16 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 123 | 69 | 6 | 6 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 17 | 14 | 0 | 0 | 0 |
-    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 14 | 10 | 0 | 0 | 0 |
+    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 9 | 5 | 0 | 0 | 0 |
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 10 | 2 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 8 | 2 | 0 | 0 | 0 |
     /// | Point of `a` | \[P, Eqs. (12), (13), (36)\] | 2 | 2 | 0 | 0 | 0 |
     /// | Point of `b` | \[P, Eqs. (12), (13), (36)\] | 4 | 4 | 0 | 0 | 0 |
     /// | Load on `rocker_pin` | \[P, Eqs. (18), (19)\] | 8 | 4 | 0 | 0 | 0 |
-    /// | Load on `b` | \[P, Eqs. (18), (19)\] | 7 | 6 | 0 | 0 | 0 |
-    /// | Load on `a` | \[P, Eqs. (18), (19)\] | 6 | 6 | 0 | 0 | 0 |
-    /// | Load on `crank_pin` | \[P, Eqs. (18), (19)\] | 7 | 6 | 0 | 0 | 0 |
-    /// | Results |  | 44 | 35 | 0 | 0 | 0 |
+    /// | Load on `b` | \[P, Eqs. (18), (19)\] | 8 | 9 | 0 | 0 | 0 |
+    /// | Load on `a` | \[P, Eqs. (18), (19)\] | 0 | 5 | 0 | 0 | 0 |
+    /// | Load on `crank_pin` | \[P, Eqs. (18), (19)\] | 2 | 4 | 0 | 0 | 0 |
+    /// | Results |  | 19 | 24 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -489,6 +489,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         inputs_: &FourBarInputs<T>,
         at_: &mut FourBarWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
+        let [point0_, point1_, point2_, point3_, point4_, point5_, point6_, point7_] = &mut at_
+            .points;
         let c_ = T::constant;
         let [[crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]] = state_
             .q
@@ -757,168 +759,105 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t194_ = T::mul_add(t73_, minus_closure_reaction1_, t193_);
         let t195_ = T::mul_sub(t189_, minus_crank_pin_a_ang_z_, t194_);
         let minus_a_a_ang_z_ = t192_ - t195_;
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 14 mul, 10 add, 0 reciprocal.
-        let t196_ = c_(0.6) * minus_a_a_ang_z_;
-        let t197_ = a_a_lin_y_ - t196_;
-        let t198_ = T::mul_add(cos_b_angle_, minus_a_a_lin_x_, minus_b_drift_lin_x_);
-        let b_a_lin_x_ = T::mul_sub(sin_b_angle_, t197_, t198_);
-        let t199_ = T::mul_add(sin_b_angle_, minus_a_a_lin_x_, b_drift_lin_y_);
-        let b_a_lin_y_ = T::mul_add(cos_b_angle_, t197_, t199_);
-        let t200_ = b_drift_lin_y_ * c_(2.5);
-        let t201_ = sin_b_angle_ * c_(2.5);
-        let t202_ = cos_b_angle_ * c_(2.5);
-        let t203_ = cos_b_angle_ * c_(1.5);
-        let t204_ = t42_ * closure_reaction0_;
-        let t205_ = T::mul_neg_add(t59_, minus_closure_reaction1_, t200_);
-        let t206_ = T::mul_add(t202_, a_a_lin_y_, t205_);
-        let t207_ = T::mul_neg_add(t203_, minus_a_a_ang_z_, t204_);
-        let t208_ = T::mul_add(t201_, minus_a_a_lin_x_, t207_);
-        let minus_b_a_ang_z_ = t206_ + t208_;
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 9 mul, 5 add, 0 reciprocal.
+        let t196_ = b_drift_lin_y_ * c_(2.5);
+        let t197_ = sin_b_angle_ * c_(2.5);
+        let t198_ = cos_b_angle_ * c_(2.5);
+        let t199_ = cos_b_angle_ * c_(1.5);
+        let t200_ = t42_ * closure_reaction0_;
+        let t201_ = T::mul_neg_add(t59_, minus_closure_reaction1_, t196_);
+        let t202_ = T::mul_add(t198_, a_a_lin_y_, t201_);
+        let t203_ = T::mul_neg_add(t199_, minus_a_a_ang_z_, t200_);
+        let t204_ = T::mul_add(t197_, minus_a_a_lin_x_, t203_);
+        let minus_b_a_ang_z_ = t202_ + t204_;
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 10 mul, 2 add, 0 reciprocal.
-        let t209_ = cos_crank_pin_angle_ * cos_a_angle_;
-        let a_axes_x_x_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t209_);
-        let t210_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let minus_a_axes_x_y_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t210_);
-        let t211_ = cos_crank_pin_angle_ * c_(0.2);
-        let t212_ = crank_pin_rate_ * t211_;
-        let minus_a_drift_lin_x_2_ = crank_pin_rate_ * t212_;
-        let t213_ = sin_crank_pin_angle_ * c_(0.2);
-        let t214_ = crank_pin_rate_ * t213_;
-        let minus_a_drift_lin_y_ = crank_pin_rate_ * t214_;
+        let t205_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let a_axes_x_x_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t205_);
+        let t206_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let minus_a_axes_x_y_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t206_);
+        let t207_ = cos_crank_pin_angle_ * c_(0.2);
+        let t208_ = crank_pin_rate_ * t207_;
+        let minus_a_drift_lin_x_2_ = crank_pin_rate_ * t208_;
+        let t209_ = sin_crank_pin_angle_ * c_(0.2);
+        let t210_ = crank_pin_rate_ * t209_;
+        let minus_a_drift_lin_y_ = crank_pin_rate_ * t210_;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 8 mul, 2 add, 0 reciprocal.
-        let t215_ = cos_b_angle_ * a_axes_x_x_;
-        let b_axes_x_x_ = T::mul_neg_add(sin_b_angle_, minus_a_axes_x_y_, t215_);
-        let t216_ = sin_b_angle_ * a_axes_x_x_;
-        let minus_b_axes_x_y_ = T::mul_add(cos_b_angle_, minus_a_axes_x_y_, t216_);
-        let t217_ = c_(0.6) * a_axes_x_x_;
-        let t218_ = a_omega_z_ * t217_;
-        let t219_ = c_(0.6) * minus_a_axes_x_y_;
-        let t220_ = a_omega_z_ * t219_;
+        let t211_ = cos_b_angle_ * a_axes_x_x_;
+        let b_axes_x_x_ = T::mul_neg_add(sin_b_angle_, minus_a_axes_x_y_, t211_);
+        let t212_ = sin_b_angle_ * a_axes_x_x_;
+        let minus_b_axes_x_y_ = T::mul_add(cos_b_angle_, minus_a_axes_x_y_, t212_);
+        let t213_ = c_(0.6) * a_axes_x_x_;
+        let t214_ = a_omega_z_ * t213_;
+        let t215_ = c_(0.6) * minus_a_axes_x_y_;
+        let t216_ = a_omega_z_ * t215_;
         /// Point of `a`, [P, Eqs. (12), (13), (36)]: 2 mul, 2 add, 0 reciprocal.
         let minus_a_acc_lin_x_ = T::mul_neg_add(
             minus_crank_pin_a_ang_z_,
-            t213_,
+            t209_,
             minus_a_drift_lin_x_2_,
         );
         let minus_a_acc_lin_y_ = T::mul_add(
             minus_crank_pin_a_ang_z_,
-            t211_,
+            t207_,
             minus_a_drift_lin_y_,
         );
         /// Point of `b`, [P, Eqs. (12), (13), (36)]: 4 mul, 4 add, 0 reciprocal.
-        let t221_ = T::mul_add(a_omega_z_, t218_, minus_a_acc_lin_x_);
-        let b_acc_lin_x_ = T::mul_sub(minus_a_a_ang_z_, t219_, t221_);
-        let t222_ = T::mul_add(a_omega_z_, t220_, minus_a_acc_lin_y_);
-        let minus_b_acc_lin_y_ = T::mul_add(minus_a_a_ang_z_, t217_, t222_);
+        let t217_ = T::mul_add(a_omega_z_, t214_, minus_a_acc_lin_x_);
+        let b_acc_lin_x_ = T::mul_sub(minus_a_a_ang_z_, t215_, t217_);
+        let t218_ = T::mul_add(a_omega_z_, t216_, minus_a_acc_lin_y_);
+        let minus_b_acc_lin_y_ = T::mul_add(minus_a_a_ang_z_, t213_, t218_);
         /// Load on `rocker_pin`, [P, Eqs. (18), (19)]: 8 mul, 4 add, 0 reciprocal.
-        let t223_ = cos_rocker_pin_angle_ * closure_reaction0_;
-        let t224_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t223_);
-        let t225_ = sin_rocker_pin_angle_ * closure_reaction0_;
-        let t226_ = T::mul_neg_add(
+        let t219_ = cos_rocker_pin_angle_ * closure_reaction0_;
+        let t220_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t219_);
+        let t221_ = sin_rocker_pin_angle_ * closure_reaction0_;
+        let t222_ = T::mul_neg_add(
             cos_rocker_pin_angle_,
             minus_closure_reaction1_,
-            t225_,
+            t221_,
         );
-        let t227_ = b_axes_x_x_ * t224_;
-        let rocker_pin_load_force_x_ = T::mul_neg_add(minus_b_axes_x_y_, t226_, t227_);
-        let t228_ = minus_b_axes_x_y_ * t224_;
-        let rocker_pin_load_force_y_ = T::mul_add(b_axes_x_x_, t226_, t228_);
-        /// Load on `b`, [P, Eqs. (18), (19)]: 7 mul, 6 add, 0 reciprocal.
-        let t229_ = c_(0.6) * minus_b_a_ang_z_;
-        let t230_ = T::mul_neg_add(c_(2.0), b_a_lin_y_, t229_);
-        let t231_ = T::mul_neg_add(c_(2.0), b_a_lin_x_, minus_b_e_force_x_);
-        let t232_ = T::mul_sub(b_axes_x_x_, t231_, rocker_pin_load_force_x_);
-        let b_load_force_x_ = T::mul_sub(minus_b_axes_x_y_, t230_, t232_);
-        let t233_ = T::mul_sub(minus_b_axes_x_y_, t231_, rocker_pin_load_force_y_);
-        let minus_b_load_force_y_ = T::mul_add(b_axes_x_x_, t230_, t233_);
-        /// Load on `a`, [P, Eqs. (18), (19)]: 6 mul, 6 add, 0 reciprocal.
-        let t234_ = T::mul_neg_add(c_(2.0), a_a_lin_y_, t196_);
-        let t235_ = T::mul_add(c_(2.0), minus_a_a_lin_x_, t3_);
-        let t236_ = a_axes_x_x_ * t235_;
-        let t237_ = T::mul_neg_add(minus_a_axes_x_y_, t234_, t236_);
-        let a_load_force_x_ = b_load_force_x_ - t237_;
-        let t238_ = minus_a_axes_x_y_ * t235_;
-        let t239_ = T::mul_add(a_axes_x_x_, t234_, t238_);
-        let minus_a_load_force_y_ = minus_b_load_force_y_ + t239_;
-        /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 7 mul, 6 add, 0 reciprocal.
-        let t240_ = crank_pin_rate_ * c_(0.1);
-        let t241_ = T::mul_sub(crank_pin_rate_, t240_, crank_pin_a_lin_x_);
-        let t242_ = cos_crank_pin_angle_ * t241_;
-        let t243_ = T::mul_neg_add(
-            c_(0.1),
-            minus_crank_pin_a_ang_z_,
-            crank_pin_a_lin_y_,
+        let t223_ = b_axes_x_x_ * t220_;
+        let rocker_pin_load_force_x_ = T::mul_neg_add(minus_b_axes_x_y_, t222_, t223_);
+        let t224_ = minus_b_axes_x_y_ * t220_;
+        let rocker_pin_load_force_y_ = T::mul_add(b_axes_x_x_, t222_, t224_);
+        /// Load on `b`, [P, Eqs. (18), (19)]: 8 mul, 9 add, 0 reciprocal.
+        let t225_ = c_(0.6) * b_axes_x_x_;
+        let t226_ = c_(0.6) * minus_b_axes_x_y_;
+        let t227_ = b_omega_z_ * t225_;
+        let t228_ = T::mul_sub(b_omega_z_, t227_, b_acc_lin_x_);
+        let t229_ = T::mul_sub(minus_b_a_ang_z_, t226_, t228_);
+        let t230_ = b_acc_lin_x_ + rocker_pin_load_force_x_;
+        let b_load_force_x_ = t229_ + t230_;
+        let t231_ = b_omega_z_ * t226_;
+        let t232_ = T::mul_add(b_omega_z_, t231_, minus_b_acc_lin_y_);
+        let t233_ = T::mul_add(minus_b_a_ang_z_, t225_, t232_);
+        let t234_ = c_(19.6) + rocker_pin_load_force_y_;
+        let t235_ = minus_b_acc_lin_y_ - t234_;
+        let minus_b_load_force_y_ = t233_ + t235_;
+        /// Load on `a`, [P, Eqs. (18), (19)]: 0 mul, 5 add, 0 reciprocal.
+        let t236_ = minus_a_acc_lin_x_ - b_acc_lin_x_;
+        let a_load_force_x_ = b_load_force_x_ - t236_;
+        let t237_ = c_(19.6) - minus_a_acc_lin_y_;
+        let t238_ = minus_b_acc_lin_y_ - t237_;
+        let minus_a_load_force_y_ = minus_b_load_force_y_ + t238_;
+        /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 2 mul, 4 add, 0 reciprocal.
+        let minus_crank_pin_load_force_x_ = T::mul_sub(
+            c_(0.5),
+            minus_a_acc_lin_x_,
+            a_load_force_x_,
         );
-        let t244_ = T::mul_add(sin_crank_pin_angle_, t243_, t242_);
-        let crank_pin_load_force_x_ = a_load_force_x_ - t244_;
-        let t245_ = sin_crank_pin_angle_ * t241_;
-        let t246_ = T::mul_neg_add(cos_crank_pin_angle_, t243_, t245_);
-        let minus_crank_pin_load_force_y_ = minus_a_load_force_y_ + t246_;
-        /// Results: 44 mul, 35 add, 0 reciprocal.
-        let t247_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
-        let t248_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
-        let t249_ = c_(4.0) + t18_;
-        let t250_ = t16_ - t249_;
-        let t251_ = T::mul_neg_add(
+        let t239_ = c_(9.8) - minus_a_acc_lin_y_;
+        let t240_ = T::mul_add(c_(0.5), t239_, c_(4.9));
+        let minus_crank_pin_load_force_y_ = minus_a_load_force_y_ - t240_;
+        /// Results: 19 mul, 24 add, 0 reciprocal.
+        let t241_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
+        let t242_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let t243_ = c_(4.0) + t18_;
+        let t244_ = t16_ - t243_;
+        let t245_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t250_,
+            t244_,
             c_(0.030000000000000006),
         );
-        let t252_ = cos_crank_pin_angle_ * c_(0.1);
-        let t253_ = sin_crank_pin_angle_ * c_(0.1);
-        let t254_ = t214_ + t220_;
-        let t255_ = t212_ + t218_;
-        let t256_ = crank_pin_rate_ * t253_;
-        let t257_ = crank_pin_rate_ * t252_;
-        let t258_ = crank_pin_rate_ * c_(0.01);
-        let t259_ = crank_pin_rate_ * t258_;
-        let t260_ = t257_ * t257_;
-        let t261_ = a_axes_x_x_ * c_(0.3);
-        let t262_ = minus_a_axes_x_y_ * c_(0.3);
-        let t263_ = T::mul_add(a_omega_z_, t262_, t214_);
-        let t264_ = T::mul_add(a_omega_z_, t261_, t212_);
-        let t265_ = a_omega_z_ * c_(0.06);
-        let t266_ = t263_ * t263_;
-        let t267_ = T::mul_add(t264_, t264_, t266_);
-        let t268_ = b_axes_x_x_ * c_(0.3);
-        let t269_ = minus_b_axes_x_y_ * c_(0.3);
-        let t270_ = T::mul_add(b_omega_z_, t269_, t254_);
-        let t271_ = T::mul_add(b_omega_z_, t268_, t255_);
-        let t272_ = b_omega_z_ * c_(0.06);
-        let t273_ = t270_ * t270_;
-        let t274_ = T::mul_add(t271_, t271_, t273_);
-        let t275_ = T::mul_add(b_omega_z_, t272_, t259_);
-        let t276_ = T::mul_add(t256_, t256_, t275_);
-        let t277_ = T::mul_add(c_(2.0), t274_, t276_);
-        let t278_ = T::mul_add(a_omega_z_, t265_, t260_);
-        let t279_ = T::mul_add(c_(2.0), t267_, t278_);
-        let t280_ = t277_ + t279_;
-        let t281_ = c_(0.5) * t280_;
-        let t282_ = t213_ + t219_;
-        let t283_ = sin_crank_pin_angle_ * c_(0.9800000000000001);
-        let t284_ = t213_ + t262_;
-        let t285_ = t282_ + t284_;
-        let t286_ = t269_ + t285_;
-        let t287_ = T::mul_add(c_(19.6), t286_, t283_);
-        let t288_ = cos_rocker_pin_angle_ * t142_;
-        let t289_ = sin_rocker_pin_angle_ * t142_;
-        let t290_ = cos_rocker_pin_angle_ * t151_;
-        let t291_ = T::mul_add(sin_rocker_pin_angle_, t152_, t290_);
-        let t292_ = sin_rocker_pin_angle_ * t151_;
-        let t293_ = T::mul_neg_add(cos_rocker_pin_angle_, t152_, t292_);
-        let t294_ = t211_ + t217_;
-        let t295_ = c_(0.6) * b_axes_x_x_;
-        let t296_ = t295_ + t294_;
-        let t297_ = c_(0.6) * minus_b_axes_x_y_;
-        let t298_ = t297_ + t282_;
-        let t299_ = b_omega_z_ * t297_;
-        let t300_ = t254_ + t299_;
-        let t301_ = b_omega_z_ * t295_;
-        let t302_ = t255_ + t301_;
-        let t303_ = T::mul_sub(b_omega_z_, t301_, b_acc_lin_x_);
-        let t304_ = T::mul_sub(minus_b_a_ang_z_, t297_, t303_);
-        let t305_ = T::mul_add(b_omega_z_, t299_, minus_b_acc_lin_y_);
-        let t306_ = T::mul_add(minus_b_a_ang_z_, t295_, t305_);
         ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
         ::mstmm::generated::regular::<
             T,
@@ -927,133 +866,130 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t251_],
-            [-minus_crank_pin_a_ang_z_, t247_, t248_, minus_b_a_ang_z_],
+            [c_(2.04), t245_],
+            [-minus_crank_pin_a_ang_z_, t241_, t242_, minus_b_a_ang_z_],
         )?;
         at_.accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t247_, t248_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t241_, t242_, minus_b_a_ang_z_],
         ];
         at_.rate_accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t247_, t248_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t241_, t242_, minus_b_a_ang_z_],
         ];
         at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
+        point0_.set_position([c_(0.0), c_(0.0)]);
+        point0_.set_rotation([c_(1.0), c_(0.0)]);
+        point0_.set_velocity([c_(0.0), c_(0.0)]);
+        point0_.set_angular_velocity([c_(0.0)]);
+        point0_.set_acceleration([c_(0.0), c_(0.0)]);
+        point0_.set_angular_acceleration([c_(0.0)]);
+        point0_.set_moment([-crank_pin_input0_]);
+        point0_
+            .set_force([-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_]);
+        point1_.set_position([c_(0.0), c_(0.0)]);
+        point1_.set_rotation([cos_crank_pin_angle_, sin_crank_pin_angle_]);
+        point1_.set_velocity([c_(0.0), c_(0.0)]);
+        point1_.set_angular_velocity([crank_pin_rate_]);
+        point1_.set_acceleration([c_(0.0), c_(0.0)]);
+        point1_.set_angular_acceleration([-minus_crank_pin_a_ang_z_]);
+        point1_.set_moment([-crank_pin_input0_]);
+        point1_
+            .set_force([-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_]);
+        point2_.set_position([t207_, t209_]);
+        point2_.set_rotation([cos_crank_pin_angle_, sin_crank_pin_angle_]);
+        point2_.set_velocity([-t210_, t208_]);
+        point2_.set_angular_velocity([crank_pin_rate_]);
+        point2_.set_acceleration([-minus_a_acc_lin_x_, -minus_a_acc_lin_y_]);
+        point2_.set_angular_acceleration([-minus_crank_pin_a_ang_z_]);
+        point2_.set_moment([c_(0.0)]);
+        point2_.set_force([a_load_force_x_, -minus_a_load_force_y_]);
+        point3_.set_position([t207_, t209_]);
+        point3_.set_rotation([a_axes_x_x_, minus_a_axes_x_y_]);
+        point3_.set_velocity([-t210_, t208_]);
+        point3_.set_angular_velocity([a_omega_z_]);
+        point3_.set_acceleration([-minus_a_acc_lin_x_, -minus_a_acc_lin_y_]);
+        point3_.set_angular_acceleration([-minus_a_a_ang_z_]);
+        point3_.set_moment([c_(0.0)]);
+        point3_.set_force([a_load_force_x_, -minus_a_load_force_y_]);
+        point4_.set_rotation([a_axes_x_x_, minus_a_axes_x_y_]);
+        point4_.set_angular_velocity([a_omega_z_]);
+        point4_.set_acceleration([b_acc_lin_x_, -minus_b_acc_lin_y_]);
+        point4_.set_angular_acceleration([-minus_a_a_ang_z_]);
+        point4_.set_moment([c_(0.0)]);
+        point4_.set_force([b_load_force_x_, -minus_b_load_force_y_]);
+        point5_.set_rotation([b_axes_x_x_, minus_b_axes_x_y_]);
+        point5_.set_angular_velocity([b_omega_z_]);
+        point5_.set_acceleration([b_acc_lin_x_, -minus_b_acc_lin_y_]);
+        point5_.set_angular_acceleration([-minus_b_a_ang_z_]);
+        point5_.set_moment([c_(0.0)]);
+        point5_.set_force([b_load_force_x_, -minus_b_load_force_y_]);
+        point6_.set_rotation([b_axes_x_x_, minus_b_axes_x_y_]);
+        point6_.set_angular_velocity([b_omega_z_]);
+        point6_.set_acceleration([t229_, -t233_]);
+        point6_.set_angular_acceleration([-minus_b_a_ang_z_]);
+        point6_.set_moment([c_(0.0)]);
+        point6_.set_force([rocker_pin_load_force_x_, rocker_pin_load_force_y_]);
+        point7_.set_position([c_(0.8), c_(0.0)]);
+        point7_.set_rotation([c_(1.0), c_(0.0)]);
+        point7_.set_velocity([c_(0.0), c_(0.0)]);
+        point7_.set_angular_velocity([c_(0.0)]);
+        point7_.set_acceleration([c_(0.0), c_(0.0)]);
+        point7_.set_angular_acceleration([c_(0.0)]);
+        point7_.set_moment([c_(0.0)]);
+        point7_.set_force([rocker_pin_load_force_x_, rocker_pin_load_force_y_]);
+        let t246_ = crank_pin_rate_ * c_(0.020000000000000004);
+        let t247_ = a_omega_z_ * c_(0.24);
+        let t248_ = b_omega_z_ * c_(0.24);
+        let t249_ = t210_ + t216_;
+        let t250_ = t208_ + t214_;
+        point4_.set_velocity([-t249_, t250_]);
+        point5_.set_velocity([-t249_, t250_]);
+        let t251_ = t249_ + t231_;
+        let t252_ = t250_ + t227_;
+        point6_.set_velocity([-t251_, t252_]);
+        let t253_ = crank_pin_rate_ * t246_;
+        let t254_ = T::mul_add(a_omega_z_, t247_, t253_);
+        let t255_ = T::mul_add(b_omega_z_, t248_, t254_);
+        let t256_ = c_(0.5) * t255_;
+        let t257_ = t210_ + t251_;
+        let t258_ = t208_ + t252_;
+        let t259_ = T::mul_add(t250_, t258_, t256_);
+        let t260_ = T::mul_add(t249_, t257_, t259_);
+        at_.kinetic_energy = t260_;
+        let t261_ = t209_ + t215_;
+        let t262_ = t261_ * c_(19.6);
+        let t263_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
+        let t264_ = T::mul_add(sin_crank_pin_angle_, c_(4.9), t262_);
+        let t265_ = T::mul_add(c_(5.88), t263_, t264_);
+        at_.potential_energy = t265_;
+        let t266_ = cos_rocker_pin_angle_ * t142_;
+        let t267_ = sin_rocker_pin_angle_ * t142_;
+        let t268_ = cos_rocker_pin_angle_ * t151_;
+        let t269_ = T::mul_add(sin_rocker_pin_angle_, t152_, t268_);
+        let t270_ = sin_rocker_pin_angle_ * t151_;
+        let t271_ = T::mul_neg_add(cos_rocker_pin_angle_, t152_, t270_);
         at_.closure = ::mstmm::generated::closure([
-            [t288_, t289_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
-            [-t291_, -t293_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [t266_, t267_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [-t269_, -t271_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
         ]);
-        at_.kinetic_energy = t281_;
-        at_.potential_energy = t287_;
-        at_.points = [
-            ::mstmm::PlanePoint::new(
-                [c_(0.0), c_(0.0)],
-                [c_(1.0), c_(0.0)],
-                [c_(0.0), c_(0.0)],
-                c_(0.0),
-                ::mstmm::PlaneStateVector::new(
-                    [c_(0.0), c_(0.0)],
-                    c_(0.0),
-                    -crank_pin_input0_,
-                    [crank_pin_load_force_x_, -minus_crank_pin_load_force_y_],
-                ),
-            ),
-            ::mstmm::PlanePoint::new(
-                [c_(0.0), c_(0.0)],
-                [cos_crank_pin_angle_, sin_crank_pin_angle_],
-                [c_(0.0), c_(0.0)],
-                crank_pin_rate_,
-                ::mstmm::PlaneStateVector::new(
-                    [c_(0.0), c_(0.0)],
-                    -minus_crank_pin_a_ang_z_,
-                    -crank_pin_input0_,
-                    [crank_pin_load_force_x_, -minus_crank_pin_load_force_y_],
-                ),
-            ),
-            ::mstmm::PlanePoint::new(
-                [t211_, t213_],
-                [cos_crank_pin_angle_, sin_crank_pin_angle_],
-                [-t214_, t212_],
-                crank_pin_rate_,
-                ::mstmm::PlaneStateVector::new(
-                    [-minus_a_acc_lin_x_, -minus_a_acc_lin_y_],
-                    -minus_crank_pin_a_ang_z_,
-                    c_(0.0),
-                    [a_load_force_x_, -minus_a_load_force_y_],
-                ),
-            ),
-            ::mstmm::PlanePoint::new(
-                [t211_, t213_],
-                [a_axes_x_x_, minus_a_axes_x_y_],
-                [-t214_, t212_],
-                a_omega_z_,
-                ::mstmm::PlaneStateVector::new(
-                    [-minus_a_acc_lin_x_, -minus_a_acc_lin_y_],
-                    -minus_a_a_ang_z_,
-                    c_(0.0),
-                    [a_load_force_x_, -minus_a_load_force_y_],
-                ),
-            ),
-            ::mstmm::PlanePoint::new(
-                [t294_, t282_],
-                [a_axes_x_x_, minus_a_axes_x_y_],
-                [-t254_, t255_],
-                a_omega_z_,
-                ::mstmm::PlaneStateVector::new(
-                    [b_acc_lin_x_, -minus_b_acc_lin_y_],
-                    -minus_a_a_ang_z_,
-                    c_(0.0),
-                    [b_load_force_x_, -minus_b_load_force_y_],
-                ),
-            ),
-            ::mstmm::PlanePoint::new(
-                [t294_, t282_],
-                [b_axes_x_x_, minus_b_axes_x_y_],
-                [-t254_, t255_],
-                b_omega_z_,
-                ::mstmm::PlaneStateVector::new(
-                    [b_acc_lin_x_, -minus_b_acc_lin_y_],
-                    -minus_b_a_ang_z_,
-                    c_(0.0),
-                    [b_load_force_x_, -minus_b_load_force_y_],
-                ),
-            ),
-            ::mstmm::PlanePoint::new(
-                [t296_, t298_],
-                [b_axes_x_x_, minus_b_axes_x_y_],
-                [-t300_, t302_],
-                b_omega_z_,
-                ::mstmm::PlaneStateVector::new(
-                    [t304_, -t306_],
-                    -minus_b_a_ang_z_,
-                    c_(0.0),
-                    [rocker_pin_load_force_x_, rocker_pin_load_force_y_],
-                ),
-            ),
-            ::mstmm::PlanePoint::new(
-                [c_(0.8), c_(0.0)],
-                [c_(1.0), c_(0.0)],
-                [c_(0.0), c_(0.0)],
-                c_(0.0),
-                ::mstmm::PlaneStateVector::new(
-                    [c_(0.0), c_(0.0)],
-                    c_(0.0),
-                    c_(0.0),
-                    [rocker_pin_load_force_x_, rocker_pin_load_force_y_],
-                ),
-            ),
-        ];
+        let t272_ = t207_ + t213_;
+        point4_.set_position([t272_, t261_]);
+        point5_.set_position([t272_, t261_]);
+        let t273_ = t225_ + t272_;
+        let t274_ = t226_ + t261_;
+        point6_.set_position([t273_, t274_]);
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 70 operations: 46 mul, 24 add, 0 reciprocal, 3 sin/cos.
+    /// 52 operations: 32 mul, 20 add, 0 reciprocal, 3 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 3 |
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 4 | 3 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 4 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 38 | 18 | 0 | 0 | 0 |
+    /// | Results |  | 24 | 14 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &FourBarState<T>) -> ::mstmm::Energy<T> {
@@ -1083,51 +1019,38 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t3_ = sin_b_angle_ * a_axes_x_x_;
         let minus_b_axes_x_y_ = T::mul_add(cos_b_angle_, minus_a_axes_x_y_, t3_);
         let b_omega_z_ = b_rate_ + a_omega_z_;
-        /// Results: 38 mul, 18 add, 0 reciprocal.
-        let t4_ = cos_crank_pin_angle_ * c_(0.1);
-        let t5_ = sin_crank_pin_angle_ * c_(0.1);
-        let t6_ = cos_crank_pin_angle_ * c_(0.2);
-        let t7_ = sin_crank_pin_angle_ * c_(0.2);
-        let t8_ = crank_pin_rate_ * t7_;
-        let t9_ = crank_pin_rate_ * t6_;
-        let t10_ = c_(0.6) * a_axes_x_x_;
-        let t11_ = c_(0.6) * minus_a_axes_x_y_;
-        let t12_ = T::mul_add(a_omega_z_, t11_, t8_);
-        let t13_ = T::mul_add(a_omega_z_, t10_, t9_);
-        let t14_ = crank_pin_rate_ * t5_;
-        let t15_ = crank_pin_rate_ * t4_;
-        let t16_ = crank_pin_rate_ * c_(0.01);
-        let t17_ = crank_pin_rate_ * t16_;
-        let t18_ = t15_ * t15_;
-        let t19_ = a_axes_x_x_ * c_(0.3);
-        let t20_ = minus_a_axes_x_y_ * c_(0.3);
-        let t21_ = T::mul_add(a_omega_z_, t20_, t8_);
-        let t22_ = T::mul_add(a_omega_z_, t19_, t9_);
-        let t23_ = a_omega_z_ * c_(0.06);
-        let t24_ = t21_ * t21_;
-        let t25_ = T::mul_add(t22_, t22_, t24_);
-        let t26_ = b_axes_x_x_ * c_(0.3);
-        let t27_ = minus_b_axes_x_y_ * c_(0.3);
-        let t28_ = T::mul_add(b_omega_z_, t27_, t12_);
-        let t29_ = T::mul_add(b_omega_z_, t26_, t13_);
-        let t30_ = b_omega_z_ * c_(0.06);
-        let t31_ = t28_ * t28_;
-        let t32_ = T::mul_add(t29_, t29_, t31_);
-        let t33_ = T::mul_add(b_omega_z_, t30_, t17_);
-        let t34_ = T::mul_add(t14_, t14_, t33_);
-        let t35_ = T::mul_add(c_(2.0), t32_, t34_);
-        let t36_ = T::mul_add(a_omega_z_, t23_, t18_);
-        let t37_ = T::mul_add(c_(2.0), t25_, t36_);
-        let t38_ = t35_ + t37_;
-        let t39_ = c_(0.5) * t38_;
-        let t40_ = sin_crank_pin_angle_ * c_(0.9800000000000001);
-        let t41_ = T::mul_add(sin_crank_pin_angle_, c_(0.4), t20_);
-        let t42_ = t11_ + t41_;
-        let t43_ = t27_ + t42_;
-        let t44_ = T::mul_add(c_(19.6), t43_, t40_);
+        /// Results: 24 mul, 14 add, 0 reciprocal.
+        let t4_ = crank_pin_rate_ * c_(0.020000000000000004);
+        let t5_ = a_omega_z_ * c_(0.24);
+        let t6_ = b_omega_z_ * c_(0.24);
+        let t7_ = cos_crank_pin_angle_ * c_(0.2);
+        let t8_ = sin_crank_pin_angle_ * c_(0.2);
+        let t9_ = crank_pin_rate_ * t8_;
+        let t10_ = crank_pin_rate_ * t7_;
+        let t11_ = c_(0.6) * a_axes_x_x_;
+        let t12_ = c_(0.6) * minus_a_axes_x_y_;
+        let t13_ = c_(0.6) * b_axes_x_x_;
+        let t14_ = c_(0.6) * minus_b_axes_x_y_;
+        let t15_ = T::mul_add(a_omega_z_, t12_, t9_);
+        let t16_ = T::mul_add(a_omega_z_, t11_, t10_);
+        let t17_ = crank_pin_rate_ * t4_;
+        let t18_ = T::mul_add(a_omega_z_, t5_, t17_);
+        let t19_ = T::mul_add(b_omega_z_, t6_, t18_);
+        let t20_ = c_(0.5) * t19_;
+        let t21_ = t9_ + t15_;
+        let t22_ = T::mul_add(b_omega_z_, t14_, t21_);
+        let t23_ = t10_ + t16_;
+        let t24_ = T::mul_add(b_omega_z_, t13_, t23_);
+        let t25_ = T::mul_add(t16_, t24_, t20_);
+        let t26_ = T::mul_add(t15_, t22_, t25_);
+        let t27_ = t8_ + t12_;
+        let t28_ = t27_ * c_(19.6);
+        let t29_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
+        let t30_ = T::mul_add(sin_crank_pin_angle_, c_(4.9), t28_);
+        let t31_ = T::mul_add(c_(5.88), t29_, t30_);
         ::mstmm::Energy {
-            kinetic: t39_,
-            potential: t44_,
+            kinetic: t26_,
+            potential: t31_,
         }
     }
 }

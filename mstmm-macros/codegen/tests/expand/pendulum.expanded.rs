@@ -22,7 +22,7 @@
 ///
 /// Mobility 1: 1 degree of freedom.
 ///
-/// Accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 33 operations.
+/// Accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 24 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Pendulum<T> {
@@ -201,7 +201,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 33 operations: 26 mul, 7 add, 0 reciprocal, 1 sin/cos.
+    /// 24 operations: 19 mul, 5 add, 0 reciprocal, 1 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -209,7 +209,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 5 | 1 | 0 | 0 | 0 |
     /// | Load of the body at `joint` | \[P, Eqs. (18), (19)\] | 7 | 4 | 0 | 0 | 0 |
-    /// | Results |  | 12 | 2 | 0 | 0 | 0 |
+    /// | Results |  | 5 | 0 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -221,6 +221,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         inputs_: &PendulumInputs<T>,
         at_: &mut PendulumWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
+        let [point0_, point1_, point2_] = &mut at_.points;
         let c_ = T::constant;
         let [known_joint_k_xx_, known_joint_b_y_z_, known_joint_j_xx_, known_joint_j_yy_,
         known_joint_z0_force_y_, known_p5_, known_p6_, ..] = self.derived;
@@ -238,6 +239,70 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t1_ = joint_input0_ * known_p5_;
         let t2_ = cos_joint_angle_ * known_joint_z0_force_y_;
         let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t2_, t1_);
+        ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][0], state_.t]])?;
+        ::mstmm::generated::regular::<
+            T,
+            _,
+            _,
+        >(&["joint"], [known_joint_j_yy_], [known_p6_], [joint_a_ang_z_])?;
+        at_.efforts.data.0 = [[joint_input0_]];
+        point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_
+            .set_rotation([
+                c_(1.0),
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+            ]);
+        point0_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_angular_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_angular_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_moment([c_(0.0), c_(0.0), -joint_input0_]);
+        point1_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_
+            .set_rotation([
+                cos_joint_angle_,
+                -sin_joint_angle_,
+                c_(0.0),
+                sin_joint_angle_,
+                cos_joint_angle_,
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+            ]);
+        point1_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_.set_angular_velocity([c_(0.0), c_(0.0), joint_rate_]);
+        point1_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_.set_moment([c_(0.0), c_(0.0), -joint_input0_]);
+        point2_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_
+            .set_rotation([
+                cos_joint_angle_,
+                -sin_joint_angle_,
+                c_(0.0),
+                sin_joint_angle_,
+                cos_joint_angle_,
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+            ]);
+        point2_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_angular_velocity([c_(0.0), c_(0.0), joint_rate_]);
+        point2_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_force([c_(0.0), c_(0.0), c_(0.0)]);
+        at_.accelerations.data.0 = [[joint_a_ang_z_]];
+        at_.rate_accelerations.data.0 = [[joint_a_ang_z_]];
+        point1_.set_angular_acceleration([c_(0.0), c_(0.0), joint_a_ang_z_]);
+        point2_.set_angular_acceleration([c_(0.0), c_(0.0), joint_a_ang_z_]);
         /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
         let t3_ = known_joint_k_xx_ * joint_a_lin_y_;
         let t4_ = T::mul_neg_add(
@@ -250,116 +315,47 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let minus_joint_own_force_x_ = T::mul_add(sin_joint_angle_, t5_, t6_);
         let t7_ = sin_joint_angle_ * t4_;
         let minus_joint_own_force_y_ = T::mul_neg_add(cos_joint_angle_, t5_, t7_);
-        /// Results: 12 mul, 2 add, 0 reciprocal.
-        let t8_ = cos_joint_angle_ * c_(0.5);
-        let t9_ = sin_joint_angle_ * c_(0.5);
-        let t10_ = joint_rate_ * t9_;
-        let t11_ = joint_rate_ * t8_;
-        let t12_ = joint_rate_ * c_(0.08333333333333333);
-        let t13_ = joint_rate_ * t12_;
-        let t14_ = t10_ * t10_;
-        let t15_ = T::mul_add(t11_, t11_, t14_);
-        let t16_ = T::mul_add(known_joint_k_xx_, t15_, t13_);
-        let t17_ = c_(0.5) * t16_;
-        let t18_ = sin_joint_angle_ * c_(4.9);
-        let t19_ = known_joint_k_xx_ * t18_;
-        ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][0], state_.t]])?;
-        ::mstmm::generated::regular::<
-            T,
-            _,
-            _,
-        >(&["joint"], [known_joint_j_yy_], [known_p6_], [joint_a_ang_z_])?;
-        at_.accelerations.data.0 = [[joint_a_ang_z_]];
-        at_.rate_accelerations.data.0 = [[joint_a_ang_z_]];
-        at_.efforts.data.0 = [[joint_input0_]];
-        at_.kinetic_energy = t17_;
-        at_.potential_energy = t19_;
-        at_.points = [
-            ::mstmm::Point::new(
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [
-                    [c_(1.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(1.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(1.0)],
-                ],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                ::mstmm::StateVector::new(
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), -joint_input0_],
-                    [-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)],
-                ),
-            ),
-            ::mstmm::Point::new(
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [
-                    [cos_joint_angle_, -sin_joint_angle_, c_(0.0)],
-                    [sin_joint_angle_, cos_joint_angle_, c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(1.0)],
-                ],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [c_(0.0), c_(0.0), joint_rate_],
-                ::mstmm::StateVector::new(
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), joint_a_ang_z_],
-                    [c_(0.0), c_(0.0), -joint_input0_],
-                    [-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)],
-                ),
-            ),
-            ::mstmm::Point::new(
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [
-                    [cos_joint_angle_, -sin_joint_angle_, c_(0.0)],
-                    [sin_joint_angle_, cos_joint_angle_, c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(1.0)],
-                ],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [c_(0.0), c_(0.0), joint_rate_],
-                ::mstmm::StateVector::new(
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), joint_a_ang_z_],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                ),
-            ),
-        ];
+        point0_
+            .set_force([-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)]);
+        point1_
+            .set_force([-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)]);
+        /// Results: 5 mul, 0 add, 0 reciprocal.
+        let t8_ = joint_rate_ * known_joint_j_yy_;
+        let t9_ = joint_rate_ * t8_;
+        let t10_ = c_(0.5) * t9_;
+        at_.kinetic_energy = t10_;
+        let t11_ = sin_joint_angle_ * known_joint_b_y_z_;
+        let t12_ = c_(9.8) * t11_;
+        at_.potential_energy = t12_;
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 14 operations: 12 mul, 2 add, 0 reciprocal, 1 sin/cos.
+    /// 5 operations: 5 mul, 0 add, 0 reciprocal, 1 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Results |  | 12 | 2 | 0 | 0 | 0 |
+    /// | Results |  | 5 | 0 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &PendulumState<T>) -> ::mstmm::Energy<T> {
         let c_ = T::constant;
-        let [known_joint_k_xx_, ..] = self.derived;
+        let [_, known_joint_b_y_z_, _, known_joint_j_yy_, ..] = self.derived;
         let [[joint_angle_]] = state_.q.data.0;
         let [[joint_rate_]] = state_.v.data.0;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
-        let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
-        /// Results: 12 mul, 2 add, 0 reciprocal.
-        let t0_ = cos_joint_angle_ * c_(0.5);
-        let t1_ = sin_joint_angle_ * c_(0.5);
-        let t2_ = joint_rate_ * t1_;
-        let t3_ = joint_rate_ * t0_;
-        let t4_ = joint_rate_ * c_(0.08333333333333333);
-        let t5_ = joint_rate_ * t4_;
-        let t6_ = t2_ * t2_;
-        let t7_ = T::mul_add(t3_, t3_, t6_);
-        let t8_ = T::mul_add(known_joint_k_xx_, t7_, t5_);
-        let t9_ = c_(0.5) * t8_;
-        let t10_ = sin_joint_angle_ * c_(4.9);
-        let t11_ = known_joint_k_xx_ * t10_;
+        let ([sin_joint_angle_], [_]) = T::sin_cos([joint_angle_]);
+        /// Results: 5 mul, 0 add, 0 reciprocal.
+        let t0_ = joint_rate_ * known_joint_j_yy_;
+        let t1_ = joint_rate_ * t0_;
+        let t2_ = c_(0.5) * t1_;
+        let t3_ = sin_joint_angle_ * known_joint_b_y_z_;
+        let t4_ = c_(9.8) * t3_;
         ::mstmm::Energy {
-            kinetic: t9_,
-            potential: t11_,
+            kinetic: t2_,
+            potential: t4_,
         }
     }
 }

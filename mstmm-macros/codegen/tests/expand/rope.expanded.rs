@@ -63,13 +63,13 @@
 ///
 /// Mobility 11: 11 degrees of freedom.
 ///
-/// Accelerations by `riccati`, 103 operations (59 mul, 43 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 263 operations; those of repeated parts are counted once.
+/// Accelerations by `riccati`, 103 operations (59 mul, 43 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 260 operations; those of repeated parts are counted once.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Rope<T> {
     parameters: RopeParameters<T>,
     derived: [T; 0],
-    derived0: [T; 60],
+    derived0: [T; 90],
 }
 /// Numbers of [`Rope`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -175,27 +175,42 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             t: T::constant(0.0),
         }
     }
-    /// Quantities derived from parameters and constants: 2 mul, 3 add, 0 reciprocal.
+    /// Quantities derived from parameters and constants: 4 mul, 4 add, 0 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
     fn derive(parameters_: RopeParameters<T>) -> (Self, [T; 10]) {
         let c_ = T::constant;
         let mut results1_ = [T::constant(0.0); 10];
-        let mut results2_ = [T::constant(0.0); 60];
-        for ((&knot_, [o1_0_]), [o2_0_, o2_1_, o2_2_, o2_3_, o2_4_, o2_5_]) in ::core::iter::zip(
+        let mut results2_ = [T::constant(0.0); 90];
+        for (
+            (&knot_, [o1_0_]),
+            [o2_0_,
+            o2_1_,
+            o2_2_,
+            o2_3_,
+            o2_4_,
+            o2_5_,
+            o2_6_,
+            o2_7_,
+            o2_8_,
+            ],
+        ) in ::core::iter::zip(
             ::core::iter::zip(
                 parameters_.knot.iter(),
                 ::mstmm::generated::times_mut::<T, 1>(results1_.as_mut_slice(), 0, 10)
                     .iter_mut(),
             ),
-            ::mstmm::generated::times_mut::<T, 6>(results2_.as_mut_slice(), 0, 10)
+            ::mstmm::generated::times_mut::<T, 9>(results2_.as_mut_slice(), 0, 10)
                 .iter_mut(),
         ) {
-            /// Quantities derived from parameters and constants: 2 mul, 3 add, 0 reciprocal.
+            /// Quantities derived from parameters and constants: 4 mul, 4 add, 0 reciprocal.
             let p1_ = knot_ + c_(0.1);
             let p2_ = p1_ * c_(0.05);
             let p3_ = p1_ * c_(0.0025000000000000005);
             let p4_ = p3_ + c_(0.0001);
             let p5_ = p3_ + p4_;
+            let p6_ = c_(0.5) * p1_;
+            let p7_ = p1_ - p6_;
+            let p8_ = p1_ * c_(9.8);
             *o1_0_ = p1_;
             *o2_0_ = knot_;
             *o2_1_ = p1_;
@@ -203,6 +218,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o2_3_ = p3_;
             *o2_4_ = p4_;
             *o2_5_ = p5_;
+            *o2_6_ = p6_;
+            *o2_7_ = p7_;
+            *o2_8_ = p8_;
             () = ();
         }
         let (derived_, checks_) = ([], results1_);
@@ -280,6 +298,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 known_p3_,
                 known_p4_,
                 known_p5_,
+                _,
+                _,
+                _,
                 ],
             ),
             store_,
@@ -289,7 +310,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
                     ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
                 ),
-                ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
             ),
             store1_.iter_mut(),
         ) {
@@ -340,6 +361,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 _,
                 known_p4_,
                 known_p5_,
+                _,
+                _,
+                _,
                 ],
                 &[sin_joint_angle_,
                 cos_joint_angle_,
@@ -352,7 +376,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
                 ::core::iter::zip(
-                    ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
+                    ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
                         .iter(),
                     store1_.iter(),
                 ),
@@ -581,6 +605,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 known_p3_,
                 known_p4_,
                 known_p5_,
+                _,
+                _,
+                _,
                 ],
             ),
             store_,
@@ -590,7 +617,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
                     ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
                 ),
-                ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
             ),
             store1_.iter_mut(),
         ) {
@@ -646,6 +673,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 _,
                 known_p4_,
                 known_p5_,
+                _,
+                _,
+                _,
                 ],
                 &[sin_joint_angle_,
                 cos_joint_angle_,
@@ -662,7 +692,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
                 ::core::iter::zip(
-                    ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
+                    ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
                         .iter(),
                     store1_.iter(),
                 ),
@@ -839,7 +869,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 263 operations: 153 mul, 109 add, 1 reciprocal, 2 sin/cos.
+    /// 260 operations: 148 mul, 111 add, 1 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -862,26 +892,29 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 6 | 0 | 0 | 0 | 0 |
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 8 | 5 | 0 | 0 | 0 |
     /// | Results |  | 0 | 4 | 0 | 0 | 0 |
-    /// | Point of `joint` | \[P, Eqs. (12), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
-    /// | Point of `end_of_repeat0` | \[P, Eqs. (12), (13), (36)\] | 2 | 4 | 0 | 0 | 0 |
-    /// | Point of `hook` | \[P, Eqs. (12), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 2 | 0 | 0 | 0 | 0 |
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Results |  | 2 | 0 | 0 | 0 | 0 |
-    /// | Load of the body at `joint` | \[P, Eqs. (18), (19)\] | 11 | 7 | 0 | 0 | 0 |
-    /// | Results |  | 1 | 2 | 0 | 0 | 0 |
+    /// | Results |  | 5 | 5 | 0 | 0 | 0 |
     /// | Load of the body at `hook` | \[P, Eqs. (18), (19)\] | 11 | 7 | 0 | 0 | 0 |
+    /// | Point of `joint` | \[P, Eqs. (12), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
+    /// | Point of `end_of_repeat0` | \[P, Eqs. (12), (13), (36)\] | 2 | 4 | 0 | 0 | 0 |
+    /// | Load of the body at `joint` | \[P, Eqs. (18), (19)\] | 4 | 4 | 0 | 0 | 0 |
+    /// | Point of `hook` | \[P, Eqs. (12), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 0 | 2 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 8 | 5 | 0 | 0 | 0 |
-    /// | Results |  | 10 | 0 | 0 | 0 | 0 |
+    /// | Results |  | 8 | 0 | 0 | 0 | 0 |
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 4 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 6 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 6 | 8 | 0 | 0 | 0 |
-    /// | Results |  | 5 | 5 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 2 | 0 | 0 | 0 |
+    /// | Results |  | 5 | 0 | 0 | 0 | 0 |
+    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 3 | 0 | 0 | 0 | 0 |
+    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 3 | 0 | 0 | 0 | 0 |
+    /// | Results |  | 5 | 6 | 0 | 0 | 0 |
+    /// | Results |  | 3 | 3 | 0 | 0 | 0 |
+    /// | Results |  | 0 | 5 | 0 | 0 | 0 |
+    /// | Results |  | 0 | 4 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -904,11 +937,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut store1_ = [[T::constant(0.0); 10]; 10];
         let mut store3_ = [[T::constant(0.0); 3]; 10];
         let mut store4_ = [[T::constant(0.0); 1]; 10];
-        let mut store6_ = [[T::constant(0.0); 10]; 10];
-        let mut store11_ = [[T::constant(0.0); 2]; 10];
+        let mut store6_ = [[T::constant(0.0); 6]; 10];
+        let mut store9_ = [[T::constant(0.0); 1]; 10];
         let mut store13_ = [[T::constant(0.0); 2]; 10];
-        let mut store16_ = [[T::constant(0.0); 7]; 10];
-        let mut store18_ = [[T::constant(0.0); 2]; 10];
+        let mut store16_ = [[T::constant(0.0); 6]; 10];
+        let mut store18_ = [[T::constant(0.0); 1]; 10];
+        let mut store20_ = [[T::constant(0.0); 2]; 10];
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         /// Results: 6 mul, 2 add, 0 reciprocal.
@@ -931,6 +965,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     known_p3_,
                     known_p4_,
                     known_p5_,
+                    known_p6_,
+                    known_p7_,
+                    known_p8_,
                     ],
                 ),
                 store_,
@@ -971,7 +1008,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                         ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10)
                             .iter(),
                     ),
-                    ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
+                    ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
                         .iter(),
                 ),
                 store1_.iter_mut(),
@@ -1036,6 +1073,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 _,
                 known_p4_,
                 known_p5_,
+                _,
+                _,
+                _,
                 ],
                 &[sin_joint_angle_,
                 cos_joint_angle_,
@@ -1053,7 +1093,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
                 ::core::iter::zip(
-                    ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
+                    ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
                         .iter(),
                     store1_.iter(),
                 ),
@@ -1321,10 +1361,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 t67_,
                 minus_end_of_repeat0_drift_lin_x_2_,
                 minus_end_of_repeat0_drift_lin_y_,
-                joint_axes_x_x_,
-                minus_joint_axes_x_y_,
-                joint_axes_y_x_,
-                minus_joint_axes_y_y_,
             ];
             *o7_15_ = joint_axes_x_x_;
             *o7_16_ = joint_axes_y_x_;
@@ -1359,10 +1395,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             t68_,
             t69_,
             t67_,
-            _,
-            _,
-            _,
-            _,
             _,
             _,
             ],
@@ -1418,23 +1450,80 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             (carry4_0_, carry4_1_, carry4_2_, carry4_3_) = (t76_, t77_, -t74_, t75_);
         }
         let mut carry5_0_ = c_(0.0);
-        let mut carry5_1_ = c_(0.0);
-        let mut carry5_2_ = c_(0.0);
+        for (&[joint_rate_], store_) in ::core::iter::zip(
+            ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+            store9_.iter_mut(),
+        ) {
+            let carry5_0_before_ = carry5_0_;
+            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
+            let joint_omega_z_3_ = joint_rate_ + carry5_0_before_;
+            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
+            let t78_ = c_(0.1) * joint_omega_z_3_;
+            let minus_end_of_repeat0_drift_lin_x_3_ = joint_omega_z_3_ * t78_;
+            *store_ = [minus_end_of_repeat0_drift_lin_x_3_];
+            (carry5_0_,) = (joint_omega_z_3_,);
+        }
+        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
+        let hook_omega_z_3_ = hook_rate_ + carry5_0_;
+        /// Results: 2 mul, 0 add, 0 reciprocal.
+        let t79_ = c_(0.2) * hook_omega_z_3_;
+        let t80_ = hook_omega_z_3_ * t79_;
+        let mut carry6_0_ = c_(0.0);
+        let mut carry6_1_ = c_(9.8);
+        let mut carry6_2_ = c_(0.0);
+        for (
+            (&[sin_joint_angle_, cos_joint_angle_, _, _, _, _, _, _, _, _], &[t59_]),
+            &[minus_end_of_repeat0_drift_lin_x_3_,
+            ],
+        ) in ::core::iter::zip(
+            ::core::iter::zip(store1_.iter(), store4_.iter()),
+            store9_.iter(),
+        ) {
+            let carry6_0_before_ = carry6_0_;
+            let carry6_1_before_ = carry6_1_;
+            let carry6_2_before_ = carry6_2_;
+            /// Results: 5 mul, 5 add, 0 reciprocal.
+            let t81_ = sin_joint_angle_ * carry6_0_before_;
+            let t82_ = T::mul_neg_add(cos_joint_angle_, carry6_1_before_, t81_);
+            let t83_ = t59_ - carry6_2_before_;
+            let t84_ = T::mul_add(c_(0.1), t83_, t82_);
+            let t85_ = T::mul_neg_add(
+                sin_joint_angle_,
+                carry6_1_before_,
+                minus_end_of_repeat0_drift_lin_x_3_,
+            );
+            let t86_ = T::mul_sub(cos_joint_angle_, carry6_0_before_, t85_);
+            (carry6_0_, carry6_1_, carry6_2_) = (t86_, -t84_, -t83_);
+        }
+        /// Load of the body at `hook`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
+        let t87_ = cos_hook_angle_ * carry6_0_;
+        let t88_ = T::mul_add(sin_hook_angle_, carry6_1_, t87_);
+        let t89_ = sin_hook_angle_ * carry6_0_;
+        let t90_ = T::mul_neg_add(cos_hook_angle_, carry6_1_, t89_);
+        let t91_ = c_(2.0) * t88_;
+        let t92_ = T::mul_sub(c_(2.0), t90_, t80_);
+        let t93_ = minus_hook_axes_x_y_ * t92_;
+        let t94_ = t61_ - carry6_2_;
+        let t95_ = T::mul_neg_add(c_(0.2), t94_, t91_);
+        let hook_own_force_x_ = T::mul_add(hook_axes_x_x_, t95_, t93_);
+        let t96_ = minus_hook_axes_y_y_ * t92_;
+        let hook_own_force_y_ = T::mul_add(hook_axes_y_x_, t95_, t96_);
+        let mut carry7_0_ = c_(0.0);
+        let mut carry7_1_ = c_(0.0);
+        let mut carry7_2_ = c_(0.0);
         for (
             (
-                &[t59_,
-                ],
-                &[t66_,
-                t68_,
-                _,
-                _,
-                minus_end_of_repeat0_drift_lin_x_2_,
-                minus_end_of_repeat0_drift_lin_y_,
-                _,
-                _,
-                _,
-                _,
-                ],
+                (
+                    (&[_, _, _, _, _, _, known_p6_, known_p7_, _], &[t59_]),
+                    &[t66_,
+                    t68_,
+                    _,
+                    _,
+                    minus_end_of_repeat0_drift_lin_x_2_,
+                    minus_end_of_repeat0_drift_lin_y_,
+                    ],
+                ),
+                store_,
             ),
             [_,
             _,
@@ -1464,169 +1553,67 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             ],
         ) in ::core::iter::zip(
-            ::core::iter::zip(store4_.iter(), store6_.iter()),
+            ::core::iter::zip(
+                ::core::iter::zip(
+                    ::core::iter::zip(
+                        ::mstmm::generated::times::<
+                            T,
+                            9,
+                        >(self.derived0.as_slice(), 0, 10)
+                            .iter(),
+                        store4_.iter(),
+                    ),
+                    store6_.iter(),
+                ),
+                store13_.iter_mut(),
+            ),
             ::mstmm::generated::times_mut::<T, 26>(results7_.as_mut_slice(), 13, 10)
                 .iter_mut(),
         ) {
-            let carry5_0_before_ = carry5_0_;
-            let carry5_1_before_ = carry5_1_;
-            let carry5_2_before_ = carry5_2_;
+            let carry7_0_before_ = carry7_0_;
+            let carry7_1_before_ = carry7_1_;
+            let carry7_2_before_ = carry7_2_;
             /// Point of `joint`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-            let minus_joint_acc_ang_z_ = t59_ - carry5_2_before_;
+            let minus_joint_acc_ang_z_ = t59_ - carry7_2_before_;
             /// Point of `end_of_repeat0`, [P, Eqs. (12), (13), (36)]: 2 mul, 4 add, 0 reciprocal.
-            let t78_ = minus_end_of_repeat0_drift_lin_x_2_ - carry5_0_before_;
+            let t97_ = minus_end_of_repeat0_drift_lin_x_2_ - carry7_0_before_;
             let minus_end_of_repeat0_acc_lin_x_ = T::mul_neg_add(
                 t68_,
                 minus_joint_acc_ang_z_,
-                t78_,
+                t97_,
             );
-            let t79_ = minus_end_of_repeat0_drift_lin_y_ - carry5_1_before_;
+            let t98_ = minus_end_of_repeat0_drift_lin_y_ - carry7_1_before_;
             let minus_end_of_repeat0_acc_lin_y_ = T::mul_add(
                 t66_,
                 minus_joint_acc_ang_z_,
-                t79_,
+                t98_,
             );
-            *o7_20_ = carry5_0_before_;
-            *o7_21_ = carry5_1_before_;
+            /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 4 mul, 4 add, 0 reciprocal.
+            let t99_ = known_p7_ * carry7_0_before_;
+            let joint_own_force_x_ = T::mul_neg_add(
+                known_p6_,
+                minus_end_of_repeat0_acc_lin_x_,
+                t99_,
+            );
+            let t100_ = c_(9.8) + carry7_1_before_;
+            let t101_ = known_p7_ * t100_;
+            let t102_ = c_(9.8) - minus_end_of_repeat0_acc_lin_y_;
+            let joint_own_force_y_ = T::mul_add(known_p6_, t102_, t101_);
+            *store_ = [joint_own_force_x_, joint_own_force_y_];
+            *o7_20_ = carry7_0_before_;
+            *o7_21_ = carry7_1_before_;
             *o7_22_ = -minus_joint_acc_ang_z_;
             *o7_33_ = -minus_end_of_repeat0_acc_lin_x_;
             *o7_34_ = -minus_end_of_repeat0_acc_lin_y_;
             *o7_35_ = -minus_joint_acc_ang_z_;
-            (carry5_0_, carry5_1_, carry5_2_) = (
+            (carry7_0_, carry7_1_, carry7_2_) = (
                 -minus_end_of_repeat0_acc_lin_x_,
                 -minus_end_of_repeat0_acc_lin_y_,
                 -minus_joint_acc_ang_z_,
             );
         }
         /// Point of `hook`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let minus_hook_acc_ang_z_ = t61_ - carry5_2_;
-        let mut carry6_0_ = c_(0.0);
-        for ((&[joint_rate_], &[_, _, known_p2_, _, _, _]), store_) in ::core::iter::zip(
-            ::core::iter::zip(
-                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
-                ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10).iter(),
-            ),
-            store11_.iter_mut(),
-        ) {
-            let carry6_0_before_ = carry6_0_;
-            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-            let joint_omega_z_3_ = joint_rate_ + carry6_0_before_;
-            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t80_ = c_(0.1) * joint_omega_z_3_;
-            let minus_end_of_repeat0_drift_lin_x_3_ = joint_omega_z_3_ * t80_;
-            /// Results: 2 mul, 0 add, 0 reciprocal.
-            let t81_ = known_p2_ * joint_omega_z_3_;
-            let t82_ = joint_omega_z_3_ * t81_;
-            *store_ = [minus_end_of_repeat0_drift_lin_x_3_, t82_];
-            (carry6_0_,) = (joint_omega_z_3_,);
-        }
-        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let hook_omega_z_3_ = hook_rate_ + carry6_0_;
-        /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t83_ = c_(0.2) * hook_omega_z_3_;
-        let t84_ = hook_omega_z_3_ * t83_;
-        let mut carry7_0_ = c_(0.0);
-        let mut carry7_1_ = c_(9.8);
-        let mut carry7_2_ = c_(0.0);
-        for (
-            (
-                (
-                    (
-                        (
-                            &[_,
-                            known_p1_,
-                            known_p2_,
-                            _,
-                            _,
-                            _,
-                            ],
-                            &[sin_joint_angle_,
-                            cos_joint_angle_,
-                            _,
-                            _,
-                            _,
-                            _,
-                            _,
-                            _,
-                            _,
-                            _,
-                            ],
-                        ),
-                        &[t59_,
-                        ],
-                    ),
-                    &[_,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    joint_axes_x_x_,
-                    minus_joint_axes_x_y_,
-                    joint_axes_y_x_,
-                    minus_joint_axes_y_y_,
-                    ],
-                ),
-                &[minus_end_of_repeat0_drift_lin_x_3_,
-                t82_,
-                ],
-            ),
-            store_,
-        ) in ::core::iter::zip(
-            ::core::iter::zip(
-                ::core::iter::zip(
-                    ::core::iter::zip(
-                        ::core::iter::zip(
-                            ::mstmm::generated::times::<
-                                T,
-                                6,
-                            >(self.derived0.as_slice(), 0, 10)
-                                .iter(),
-                            store1_.iter(),
-                        ),
-                        store4_.iter(),
-                    ),
-                    store6_.iter(),
-                ),
-                store11_.iter(),
-            ),
-            store13_.iter_mut(),
-        ) {
-            let carry7_0_before_ = carry7_0_;
-            let carry7_1_before_ = carry7_1_;
-            let carry7_2_before_ = carry7_2_;
-            /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
-            let t85_ = cos_joint_angle_ * carry7_0_before_;
-            let t86_ = T::mul_add(sin_joint_angle_, carry7_1_before_, t85_);
-            let t87_ = sin_joint_angle_ * carry7_0_before_;
-            let t88_ = T::mul_neg_add(cos_joint_angle_, carry7_1_before_, t87_);
-            let t89_ = known_p1_ * t88_;
-            let t90_ = T::mul_sub(known_p1_, t86_, t82_);
-            let t91_ = joint_axes_x_x_ * t90_;
-            let t92_ = t59_ - carry7_2_before_;
-            let t93_ = T::mul_add(known_p2_, t92_, t89_);
-            let joint_own_force_x_ = T::mul_add(minus_joint_axes_x_y_, t93_, t91_);
-            let t94_ = joint_axes_y_x_ * t90_;
-            let joint_own_force_y_ = T::mul_add(minus_joint_axes_y_y_, t93_, t94_);
-            /// Results: 1 mul, 2 add, 0 reciprocal.
-            let t95_ = minus_end_of_repeat0_drift_lin_x_3_ - t86_;
-            let t96_ = T::mul_add(c_(0.1), t92_, t88_);
-            *store_ = [joint_own_force_x_, joint_own_force_y_];
-            (carry7_0_, carry7_1_, carry7_2_) = (-t95_, -t96_, -t92_);
-        }
-        /// Load of the body at `hook`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
-        let t97_ = cos_hook_angle_ * carry7_0_;
-        let t98_ = T::mul_add(sin_hook_angle_, carry7_1_, t97_);
-        let t99_ = sin_hook_angle_ * carry7_0_;
-        let t100_ = T::mul_neg_add(cos_hook_angle_, carry7_1_, t99_);
-        let t101_ = c_(2.0) * t98_;
-        let t102_ = T::mul_sub(c_(2.0), t100_, t84_);
-        let t103_ = minus_hook_axes_x_y_ * t102_;
-        let t104_ = t61_ - carry7_2_;
-        let t105_ = T::mul_neg_add(c_(0.2), t104_, t101_);
-        let hook_own_force_x_ = T::mul_add(hook_axes_x_x_, t105_, t103_);
-        let t106_ = minus_hook_axes_y_y_ * t102_;
-        let hook_own_force_y_ = T::mul_add(hook_axes_y_x_, t105_, t106_);
+        let minus_hook_acc_ang_z_ = t61_ - carry7_2_;
         let mut carry8_0_ = hook_own_force_x_;
         let mut carry8_1_ = hook_own_force_y_;
         let mut carry8_2_ = c_(0.0);
@@ -1705,8 +1692,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry9_4_ = c_(0.0);
         for (
             (
-                &[joint_rate_,
-                ],
+                (&[joint_rate_], &[_, _, _, _, _, _, known_p6_, _, _]),
                 &[sin_joint_angle_,
                 cos_joint_angle_,
                 _,
@@ -1722,7 +1708,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             store_,
         ) in ::core::iter::zip(
             ::core::iter::zip(
-                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+                ::core::iter::zip(
+                    ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+                    ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
+                        .iter(),
+                ),
                 store1_.iter(),
             ),
             store16_.iter_mut(),
@@ -1733,43 +1723,41 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry9_3_before_ = carry9_3_;
             let carry9_4_before_ = carry9_4_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-            let t107_ = cos_joint_angle_ * carry9_0_before_;
+            let t103_ = cos_joint_angle_ * carry9_0_before_;
             let joint_axes_x_x_2_ = T::mul_add(
                 sin_joint_angle_,
                 carry9_1_before_,
-                t107_,
+                t103_,
             );
-            let t108_ = sin_joint_angle_ * carry9_0_before_;
+            let t104_ = sin_joint_angle_ * carry9_0_before_;
             let minus_joint_axes_x_y_2_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry9_1_before_,
-                t108_,
+                t104_,
             );
-            let t109_ = cos_joint_angle_ * carry9_2_before_;
+            let t105_ = cos_joint_angle_ * carry9_2_before_;
             let joint_axes_y_x_2_ = T::mul_add(
                 sin_joint_angle_,
                 carry9_3_before_,
-                t109_,
+                t105_,
             );
-            let t110_ = sin_joint_angle_ * carry9_2_before_;
+            let t106_ = sin_joint_angle_ * carry9_2_before_;
             let minus_joint_axes_y_y_2_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry9_3_before_,
-                t110_,
+                t106_,
             );
             let joint_omega_z_4_ = joint_rate_ + carry9_4_before_;
-            /// Results: 10 mul, 0 add, 0 reciprocal.
-            let t111_ = c_(0.1) * joint_axes_x_x_2_;
-            let t112_ = c_(0.1) * joint_axes_y_x_2_;
-            let t113_ = joint_omega_z_4_ * t112_;
-            let t114_ = joint_omega_z_4_ * t111_;
-            let t115_ = c_(0.05) * joint_axes_x_x_2_;
-            let t116_ = c_(0.05) * joint_axes_y_x_2_;
-            let t117_ = joint_omega_z_4_ * t116_;
-            let t118_ = joint_omega_z_4_ * t115_;
-            let t119_ = c_(0.0001) * joint_omega_z_4_;
-            let t120_ = joint_omega_z_4_ * t119_;
-            *store_ = [t112_, t113_, t114_, t116_, t117_, t118_, t120_];
+            /// Results: 8 mul, 0 add, 0 reciprocal.
+            let t107_ = c_(0.1) * joint_axes_x_x_2_;
+            let t108_ = c_(0.1) * joint_axes_y_x_2_;
+            let t109_ = joint_omega_z_4_ * t108_;
+            let t110_ = joint_omega_z_4_ * t107_;
+            let t111_ = known_p6_ * t108_;
+            let t112_ = known_p6_ * t109_;
+            let t113_ = known_p6_ * t110_;
+            let t114_ = c_(9.8) * t111_;
+            *store_ = [t108_, t109_, t110_, t112_, t113_, t114_];
             (carry9_0_, carry9_1_, carry9_2_, carry9_3_, carry9_4_) = (
                 joint_axes_x_x_2_,
                 -minus_joint_axes_x_y_2_,
@@ -1779,93 +1767,127 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t121_ = sin_hook_angle_ * carry9_0_;
-        let minus_hook_axes_x_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_1_, t121_);
-        let t122_ = sin_hook_angle_ * carry9_2_;
-        let minus_hook_axes_y_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_3_, t122_);
+        let t115_ = sin_hook_angle_ * carry9_0_;
+        let minus_hook_axes_x_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_1_, t115_);
+        let t116_ = sin_hook_angle_ * carry9_2_;
+        let minus_hook_axes_y_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_3_, t116_);
         let hook_omega_z_4_ = hook_rate_ + carry9_4_;
-        /// Results: 6 mul, 0 add, 0 reciprocal.
-        let t123_ = c_(0.1) * minus_hook_axes_x_y_2_;
-        let t124_ = c_(0.1) * minus_hook_axes_y_y_2_;
-        let t125_ = hook_omega_z_4_ * t124_;
-        let t126_ = hook_omega_z_4_ * t123_;
-        let t127_ = c_(0.01) * hook_omega_z_4_;
-        let t128_ = hook_omega_z_4_ * t127_;
+        /// Results: 5 mul, 0 add, 0 reciprocal.
+        let t117_ = c_(0.2) * minus_hook_axes_x_y_2_;
+        let t118_ = c_(0.2) * minus_hook_axes_y_y_2_;
+        let t119_ = hook_omega_z_4_ * t118_;
+        let t120_ = hook_omega_z_4_ * t117_;
+        let t121_ = c_(1.9600000000000002) * minus_hook_axes_y_y_2_;
         let mut carry10_0_ = c_(0.0);
-        let mut carry10_1_ = c_(0.0);
-        let mut carry10_2_ = c_(0.0);
+        for ((&[joint_rate_], &[_, _, _, _, known_p4_, _, _, _, _]), store_) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
+            ),
+            store18_.iter_mut(),
+        ) {
+            let carry10_0_before_ = carry10_0_;
+            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
+            let joint_omega_z_5_ = joint_rate_ + carry10_0_before_;
+            /// Results: 3 mul, 0 add, 0 reciprocal.
+            let t122_ = known_p4_ * joint_omega_z_5_;
+            let t123_ = joint_omega_z_5_ * t122_;
+            let t124_ = c_(0.5) * t123_;
+            *store_ = [t124_];
+            (carry10_0_,) = (joint_omega_z_5_,);
+        }
+        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
+        let hook_omega_z_5_ = hook_rate_ + carry10_0_;
+        /// Results: 3 mul, 0 add, 0 reciprocal.
+        let t125_ = c_(0.030000000000000006) * hook_omega_z_5_;
+        let t126_ = hook_omega_z_5_ * t125_;
+        let t127_ = c_(0.5) * t126_;
+        let mut carry11_0_ = c_(0.0);
+        let mut carry11_1_ = c_(0.0);
+        let mut carry11_2_ = c_(0.0);
         for (
             (
                 &[_,
-                known_p1_,
                 _,
                 _,
                 _,
                 _,
+                _,
+                known_p6_,
+                _,
+                known_p8_,
                 ],
-                &[t112_,
+                &[t108_,
+                t109_,
+                t110_,
+                t112_,
                 t113_,
-                t114_,
-                t116_,
-                t117_,
-                t118_,
-                t120_,
+                _,
                 ],
             ),
             store_,
         ) in ::core::iter::zip(
             ::core::iter::zip(
-                ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
+                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
                     .iter(),
                 store16_.iter(),
             ),
-            store18_.iter_mut(),
-        ) {
-            let carry10_0_before_ = carry10_0_;
-            let carry10_1_before_ = carry10_1_;
-            let carry10_2_before_ = carry10_2_;
-            /// Results: 6 mul, 8 add, 0 reciprocal.
-            let t129_ = t113_ - carry10_1_before_;
-            let t130_ = t114_ + carry10_2_before_;
-            let t131_ = t112_ + carry10_0_before_;
-            let t132_ = carry10_1_before_ - t117_;
-            let t133_ = carry10_2_before_ + t118_;
-            let t134_ = t132_ * t132_;
-            let t135_ = T::mul_add(t133_, t133_, t134_);
-            let t136_ = T::mul_add(known_p1_, t135_, t120_);
-            let t137_ = c_(0.5) * t136_;
-            let t138_ = carry10_0_before_ + t116_;
-            let t139_ = c_(9.8) * t138_;
-            let t140_ = known_p1_ * t139_;
-            *store_ = [t137_, t140_];
-            (carry10_0_, carry10_1_, carry10_2_) = (t131_, -t129_, t130_);
-        }
-        /// Results: 5 mul, 5 add, 0 reciprocal.
-        let t141_ = carry10_1_ - t125_;
-        let t142_ = carry10_2_ + t126_;
-        let t143_ = t141_ * t141_;
-        let t144_ = T::mul_add(t142_, t142_, t143_);
-        let t145_ = T::mul_add(c_(2.0), t144_, t128_);
-        let t146_ = c_(0.5) * t145_;
-        let t147_ = carry10_0_ + t124_;
-        let t148_ = c_(19.6) * t147_;
-        let mut carry11_0_ = c_(0.0);
-        let mut carry11_1_ = c_(0.0);
-        for (&[_, _, _, _, _, _, _, _, _, t11_], &[t137_, t140_]) in ::core::iter::zip(
-            store1_.iter(),
-            store18_.iter(),
+            store20_.iter_mut(),
         ) {
             let carry11_0_before_ = carry11_0_;
             let carry11_1_before_ = carry11_1_;
-            /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t149_ = carry11_0_before_ + t137_;
-            let t150_ = t11_ + carry11_1_before_;
-            let t151_ = t140_ + t150_;
-            (carry11_0_, carry11_1_) = (t149_, t151_);
+            let carry11_2_before_ = carry11_2_;
+            /// Results: 5 mul, 6 add, 0 reciprocal.
+            let t128_ = t109_ - carry11_1_before_;
+            let t129_ = t110_ + carry11_2_before_;
+            let t130_ = t108_ + carry11_0_before_;
+            let t131_ = T::mul_neg_add(known_p6_, carry11_1_before_, t112_);
+            let t132_ = T::mul_add(known_p6_, carry11_2_before_, t113_);
+            let t133_ = carry11_1_before_ * t131_;
+            let t134_ = T::mul_neg_add(carry11_2_before_, t132_, t133_);
+            let t135_ = known_p8_ * carry11_0_before_;
+            *store_ = [t134_, t135_];
+            (carry11_0_, carry11_1_, carry11_2_) = (t130_, -t128_, t129_);
         }
-        /// Results: 0 mul, 2 add, 0 reciprocal.
-        let t152_ = carry11_0_ + t146_;
-        let t153_ = carry11_1_ + t148_;
+        /// Results: 3 mul, 3 add, 0 reciprocal.
+        let t136_ = carry11_1_ - t119_;
+        let t137_ = carry11_2_ + t120_;
+        let t138_ = carry11_1_ * t136_;
+        let t139_ = T::mul_add(carry11_2_, t137_, t138_);
+        let t140_ = c_(19.6) * carry11_0_;
+        let mut carry12_0_ = c_(0.0);
+        let mut carry12_1_ = c_(0.0);
+        for (
+            ((&[_, _, _, _, _, _, _, _, _, t11_], &[t134_, t135_]), &[t124_]),
+            &[_,
+            _,
+            _,
+            _,
+            _,
+            t114_,
+            ],
+        ) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::core::iter::zip(store1_.iter(), store20_.iter()),
+                store18_.iter(),
+            ),
+            store16_.iter(),
+        ) {
+            let carry12_0_before_ = carry12_0_;
+            let carry12_1_before_ = carry12_1_;
+            /// Results: 0 mul, 5 add, 0 reciprocal.
+            let t141_ = carry12_1_before_ + t135_;
+            let t142_ = carry12_0_before_ + t124_;
+            let t143_ = t134_ - t142_;
+            let t144_ = t11_ + t141_;
+            let t145_ = t114_ + t144_;
+            (carry12_0_, carry12_1_) = (-t143_, t145_);
+        }
+        /// Results: 0 mul, 4 add, 0 reciprocal.
+        let t146_ = carry12_1_ + t140_;
+        let t147_ = t146_ + t121_;
+        let t148_ = carry12_0_ + t127_;
+        let t149_ = t139_ + t148_;
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
@@ -1920,8 +1942,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o4_ = carry4_2_;
             *o5_ = carry4_3_;
             *o6_ = hook_omega_z_2_;
-            *o7_ = carry5_0_;
-            *o8_ = carry5_1_;
+            *o7_ = carry7_0_;
+            *o8_ = carry7_1_;
             *o9_ = -minus_hook_acc_ang_z_;
             *o10_ = c_(0.0);
             *o11_ = hook_own_force_x_;
@@ -1933,8 +1955,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o17_ = carry4_2_;
             *o18_ = carry4_3_;
             *o19_ = hook_omega_z_2_;
-            *o20_ = carry5_0_;
-            *o21_ = carry5_1_;
+            *o20_ = carry7_0_;
+            *o21_ = carry7_1_;
             *o22_ = -minus_hook_acc_ang_z_;
             *o23_ = c_(0.0);
             *o24_ = c_(0.0);
@@ -1948,8 +1970,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         at_.accelerations.data.0 = [results0_];
         at_.rate_accelerations.data.0 = [results3_];
         at_.efforts.data.0 = [results4_];
-        at_.kinetic_energy = t152_;
-        at_.potential_energy = t153_;
+        at_.kinetic_energy = t149_;
+        at_.potential_energy = t147_;
         for (
             point_,
             &[p0_,
@@ -1980,28 +2002,33 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 68 operations: 42 mul, 26 add, 0 reciprocal, 2 sin/cos.
+    /// 70 operations: 42 mul, 28 add, 0 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Results |  | 0 | 0 | 0 | 0 | 1 |
+    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 8 | 5 | 0 | 0 | 1 |
-    /// | Results |  | 13 | 0 | 0 | 0 | 0 |
+    /// | Results |  | 11 | 0 | 0 | 0 | 0 |
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 4 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 6 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 6 | 8 | 0 | 0 | 0 |
-    /// | Results |  | 5 | 5 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 2 | 0 | 0 | 0 |
+    /// | Results |  | 5 | 0 | 0 | 0 | 0 |
+    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 3 | 0 | 0 | 0 | 0 |
+    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 3 | 0 | 0 | 0 | 0 |
+    /// | Results |  | 5 | 6 | 0 | 0 | 0 |
+    /// | Results |  | 3 | 3 | 0 | 0 | 0 |
+    /// | Results |  | 0 | 5 | 0 | 0 | 0 |
+    /// | Results |  | 0 | 4 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &RopeState<T>) -> ::mstmm::Energy<T> {
         let c_ = T::constant;
         let [hook_angle_] = ::mstmm::generated::piece::<T, 1>(state_.q.as_slice(), 10);
         let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
-        let mut store1_ = [[T::constant(0.0); 8]; 10];
-        let mut store3_ = [[T::constant(0.0); 2]; 10];
-        /// Results: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
+        let mut store1_ = [[T::constant(0.0); 7]; 10];
+        let mut store3_ = [[T::constant(0.0); 1]; 10];
+        let mut store5_ = [[T::constant(0.0); 2]; 10];
+        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         let mut carry0_0_ = c_(1.0);
         let mut carry0_1_ = c_(0.0);
@@ -2009,7 +2036,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry0_3_ = c_(1.0);
         let mut carry0_4_ = c_(0.0);
         for (
-            ((&[joint_angle_], &[joint_rate_]), &[known_knot_, known_p1_, _, _, _, _]),
+            (
+                (&[joint_angle_], &[joint_rate_]),
+                &[known_knot_,
+                known_p1_,
+                _,
+                known_p3_,
+                known_p4_,
+                _,
+                known_p6_,
+                _,
+                known_p8_,
+                ],
+            ),
             store_,
         ) in ::core::iter::zip(
             ::core::iter::zip(
@@ -2017,7 +2056,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
                     ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
                 ),
-                ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
             ),
             store1_.iter_mut(),
         ) {
@@ -2045,7 +2084,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 t3_,
             );
             let joint_omega_z_ = joint_rate_ + carry0_4_before_;
-            /// Results: 13 mul, 0 add, 0 reciprocal.
+            /// Results: 11 mul, 0 add, 0 reciprocal.
             let t4_ = joint_angle_ * c_(0.2);
             let t5_ = joint_angle_ * t4_;
             let t6_ = t5_ * c_(0.5);
@@ -2053,13 +2092,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t8_ = c_(0.1) * joint_axes_y_x_;
             let t9_ = joint_omega_z_ * t8_;
             let t10_ = joint_omega_z_ * t7_;
-            let t11_ = c_(0.05) * joint_axes_x_x_;
-            let t12_ = c_(0.05) * joint_axes_y_x_;
-            let t13_ = joint_omega_z_ * t12_;
-            let t14_ = joint_omega_z_ * t11_;
-            let t15_ = c_(0.0001) * joint_omega_z_;
-            let t16_ = joint_omega_z_ * t15_;
-            *store_ = [t8_, t9_, t10_, t12_, t13_, t14_, t16_, t6_];
+            let t11_ = known_p6_ * t8_;
+            let t12_ = known_p6_ * t9_;
+            let t13_ = known_p6_ * t10_;
+            let t14_ = c_(9.8) * t11_;
+            *store_ = [t8_, t9_, t10_, t12_, t13_, t6_, t14_];
             (carry0_0_, carry0_1_, carry0_2_, carry0_3_, carry0_4_) = (
                 joint_axes_x_x_,
                 -minus_joint_axes_x_y_,
@@ -2069,80 +2106,119 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t17_ = sin_hook_angle_ * carry0_0_;
-        let minus_hook_axes_x_y_ = T::mul_neg_add(cos_hook_angle_, carry0_1_, t17_);
-        let t18_ = sin_hook_angle_ * carry0_2_;
-        let minus_hook_axes_y_y_ = T::mul_neg_add(cos_hook_angle_, carry0_3_, t18_);
+        let t15_ = sin_hook_angle_ * carry0_0_;
+        let minus_hook_axes_x_y_ = T::mul_neg_add(cos_hook_angle_, carry0_1_, t15_);
+        let t16_ = sin_hook_angle_ * carry0_2_;
+        let minus_hook_axes_y_y_ = T::mul_neg_add(cos_hook_angle_, carry0_3_, t16_);
         let hook_omega_z_ = hook_rate_ + carry0_4_;
-        /// Results: 6 mul, 0 add, 0 reciprocal.
-        let t19_ = c_(0.1) * minus_hook_axes_x_y_;
-        let t20_ = c_(0.1) * minus_hook_axes_y_y_;
-        let t21_ = hook_omega_z_ * t20_;
-        let t22_ = hook_omega_z_ * t19_;
-        let t23_ = c_(0.01) * hook_omega_z_;
-        let t24_ = hook_omega_z_ * t23_;
+        /// Results: 5 mul, 0 add, 0 reciprocal.
+        let t17_ = c_(0.2) * minus_hook_axes_x_y_;
+        let t18_ = c_(0.2) * minus_hook_axes_y_y_;
+        let t19_ = hook_omega_z_ * t18_;
+        let t20_ = hook_omega_z_ * t17_;
+        let t21_ = c_(1.9600000000000002) * minus_hook_axes_y_y_;
         let mut carry1_0_ = c_(0.0);
-        let mut carry1_1_ = c_(0.0);
-        let mut carry1_2_ = c_(0.0);
-        for (
-            (&[_, known_p1_, _, _, _, _], &[t8_, t9_, t10_, t12_, t13_, t14_, t16_, _]),
-            store_,
-        ) in ::core::iter::zip(
+        for ((&[joint_rate_], &[_, _, _, _, known_p4_, _, _, _, _]), store_) in ::core::iter::zip(
             ::core::iter::zip(
-                ::mstmm::generated::times::<T, 6>(self.derived0.as_slice(), 0, 10)
-                    .iter(),
-                store1_.iter(),
+                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
             ),
             store3_.iter_mut(),
         ) {
             let carry1_0_before_ = carry1_0_;
-            let carry1_1_before_ = carry1_1_;
-            let carry1_2_before_ = carry1_2_;
-            /// Results: 6 mul, 8 add, 0 reciprocal.
-            let t25_ = carry1_1_before_ - t9_;
-            let t26_ = carry1_2_before_ + t10_;
-            let t27_ = carry1_0_before_ + t8_;
-            let t28_ = carry1_1_before_ - t13_;
-            let t29_ = carry1_2_before_ + t14_;
-            let t30_ = t28_ * t28_;
-            let t31_ = T::mul_add(t29_, t29_, t30_);
-            let t32_ = T::mul_add(known_p1_, t31_, t16_);
-            let t33_ = c_(0.5) * t32_;
-            let t34_ = carry1_0_before_ + t12_;
-            let t35_ = c_(9.8) * t34_;
-            let t36_ = known_p1_ * t35_;
-            *store_ = [t33_, t36_];
-            (carry1_0_, carry1_1_, carry1_2_) = (t27_, t25_, t26_);
+            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
+            let joint_omega_z_2_ = joint_rate_ + carry1_0_before_;
+            /// Results: 3 mul, 0 add, 0 reciprocal.
+            let t22_ = known_p4_ * joint_omega_z_2_;
+            let t23_ = joint_omega_z_2_ * t22_;
+            let t24_ = c_(0.5) * t23_;
+            *store_ = [t24_];
+            (carry1_0_,) = (joint_omega_z_2_,);
         }
-        /// Results: 5 mul, 5 add, 0 reciprocal.
-        let t37_ = carry1_1_ - t21_;
-        let t38_ = carry1_2_ + t22_;
-        let t39_ = t37_ * t37_;
-        let t40_ = T::mul_add(t38_, t38_, t39_);
-        let t41_ = T::mul_add(c_(2.0), t40_, t24_);
-        let t42_ = c_(0.5) * t41_;
-        let t43_ = carry1_0_ + t20_;
-        let t44_ = c_(19.6) * t43_;
+        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
+        let hook_omega_z_2_ = hook_rate_ + carry1_0_;
+        /// Results: 3 mul, 0 add, 0 reciprocal.
+        let t25_ = c_(0.030000000000000006) * hook_omega_z_2_;
+        let t26_ = hook_omega_z_2_ * t25_;
+        let t27_ = c_(0.5) * t26_;
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(0.0);
-        for (&[_, _, _, _, _, _, _, t6_], &[t33_, t36_]) in ::core::iter::zip(
-            store1_.iter(),
-            store3_.iter(),
+        let mut carry2_2_ = c_(0.0);
+        for (
+            (
+                &[_,
+                _,
+                _,
+                _,
+                _,
+                _,
+                known_p6_,
+                _,
+                known_p8_,
+                ],
+                &[t8_,
+                t9_,
+                t10_,
+                t12_,
+                t13_,
+                _,
+                _,
+                ],
+            ),
+            store_,
+        ) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
+                    .iter(),
+                store1_.iter(),
+            ),
+            store5_.iter_mut(),
         ) {
             let carry2_0_before_ = carry2_0_;
             let carry2_1_before_ = carry2_1_;
-            /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t45_ = carry2_0_before_ + t33_;
-            let t46_ = t6_ + carry2_1_before_;
-            let t47_ = t36_ + t46_;
-            (carry2_0_, carry2_1_) = (t45_, t47_);
+            let carry2_2_before_ = carry2_2_;
+            /// Results: 5 mul, 6 add, 0 reciprocal.
+            let t28_ = carry2_1_before_ - t9_;
+            let t29_ = carry2_2_before_ + t10_;
+            let t30_ = carry2_0_before_ + t8_;
+            let t31_ = T::mul_neg_add(carry2_1_before_, known_p6_, t12_);
+            let t32_ = T::mul_add(carry2_2_before_, known_p6_, t13_);
+            let t33_ = carry2_1_before_ * t31_;
+            let t34_ = T::mul_neg_add(carry2_2_before_, t32_, t33_);
+            let t35_ = carry2_0_before_ * known_p8_;
+            *store_ = [t34_, t35_];
+            (carry2_0_, carry2_1_, carry2_2_) = (t30_, t28_, t29_);
         }
-        /// Results: 0 mul, 2 add, 0 reciprocal.
-        let t48_ = carry2_0_ + t42_;
-        let t49_ = carry2_1_ + t44_;
+        /// Results: 3 mul, 3 add, 0 reciprocal.
+        let t36_ = carry2_1_ - t19_;
+        let t37_ = carry2_2_ + t20_;
+        let t38_ = carry2_1_ * t36_;
+        let t39_ = T::mul_add(carry2_2_, t37_, t38_);
+        let t40_ = carry2_0_ * c_(19.6);
+        let mut carry3_0_ = c_(0.0);
+        let mut carry3_1_ = c_(0.0);
+        for ((&[_, _, _, _, _, t6_, t14_], &[t34_, t35_]), &[t24_]) in ::core::iter::zip(
+            ::core::iter::zip(store1_.iter(), store5_.iter()),
+            store3_.iter(),
+        ) {
+            let carry3_0_before_ = carry3_0_;
+            let carry3_1_before_ = carry3_1_;
+            /// Results: 0 mul, 5 add, 0 reciprocal.
+            let t41_ = carry3_1_before_ + t35_;
+            let t42_ = carry3_0_before_ + t24_;
+            let t43_ = t34_ - t42_;
+            let t44_ = t6_ + t41_;
+            let t45_ = t14_ + t44_;
+            (carry3_0_, carry3_1_) = (-t43_, t45_);
+        }
+        /// Results: 0 mul, 4 add, 0 reciprocal.
+        let t46_ = carry3_1_ + t40_;
+        let t47_ = t46_ + t21_;
+        let t48_ = carry3_0_ + t27_;
+        let t49_ = t39_ + t48_;
         ::mstmm::Energy {
-            kinetic: t48_,
-            potential: t49_,
+            kinetic: t49_,
+            potential: t47_,
         }
     }
 }

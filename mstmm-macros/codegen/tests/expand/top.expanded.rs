@@ -22,7 +22,7 @@
 ///
 /// Mobility 3: 3 degrees of freedom.
 ///
-/// Accelerations by `riccati`, 28 operations (21 mul, 7 add, 0 reciprocal); with everything at every connection point 148 operations.
+/// Accelerations by `riccati`, 28 operations (21 mul, 7 add, 0 reciprocal); with everything at every connection point 111 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 struct Top<T> {
@@ -178,7 +178,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 148 operations: 94 mul, 54 add, 0 reciprocal.
+    /// 111 operations: 69 mul, 42 add, 0 reciprocal.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -188,7 +188,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
     /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 9 | 6 | 0 | 0 | 0 |
     /// | Point of `tip` | \[P, Eqs. (12), (13), (36)\] | 9 | 6 | 0 | 0 | 0 |
     /// | Load of the body at `tip` | \[P, Eqs. (18), (19)\] | 16 | 12 | 0 | 0 | 0 |
-    /// | Results |  | 30 | 14 | 0 | 0 | 0 |
+    /// | Results |  | 5 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -200,6 +200,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         inputs_: &TopInputs<T>,
         at_: &mut TopWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
+        let [point0_, point1_, point2_] = &mut at_.points;
         let c_ = T::constant;
         let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
         let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
@@ -254,6 +255,70 @@ impl<T: ::mstmm::Scalar> Top<T> {
             t22_,
         );
         let minus_tip_a_ang_z_ = tip_e_moment_z_ * c_(10000.0);
+        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
+        ::mstmm::generated::regular::<
+            T,
+            _,
+            _,
+        >(&[], [], [], [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_])?;
+        at_.efforts.data.0 = [[c_(0.0), c_(0.0), c_(0.0)]];
+        point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_
+            .set_rotation([
+                c_(1.0),
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+                c_(0.0),
+                c_(0.0),
+                c_(0.0),
+                c_(1.0),
+            ]);
+        point0_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_angular_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_angular_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point0_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_
+            .set_rotation([
+                -minus_tip_turn_x_x_,
+                -minus_tip_turn_x_y_,
+                tip_turn_x_z_,
+                tip_turn_y_x_,
+                -minus_tip_turn_y_y_,
+                -minus_tip_turn_y_z_,
+                -minus_tip_turn_z_x_,
+                tip_turn_z_y_,
+                -minus_tip_turn_z_z_,
+            ]);
+        point1_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point1_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_
+            .set_rotation([
+                -minus_tip_turn_x_x_,
+                -minus_tip_turn_x_y_,
+                tip_turn_x_z_,
+                tip_turn_y_x_,
+                -minus_tip_turn_y_y_,
+                -minus_tip_turn_y_z_,
+                -minus_tip_turn_z_x_,
+                tip_turn_z_y_,
+                -minus_tip_turn_z_z_,
+            ]);
+        point2_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
+        point2_.set_force([c_(0.0), c_(0.0), c_(0.0)]);
+        at_.accelerations.data.0 = [
+            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
+        ];
+        at_.rate_accelerations.data.0 = [
+            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
+        ];
         /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
         let t23_ = tip_wy_ * minus_tip_turn_x_y_;
         let t24_ = T::mul_neg_add(tip_wz_, tip_turn_x_z_, t23_);
@@ -264,6 +329,18 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t27_ = tip_wx_ * minus_tip_turn_z_x_;
         let t28_ = T::mul_neg_add(tip_wy_, tip_turn_z_y_, t27_);
         let minus_tip_omega_z_ = T::mul_add(tip_wz_, minus_tip_turn_z_z_, t28_);
+        point1_
+            .set_angular_velocity([
+                -minus_tip_omega_x_,
+                -minus_tip_omega_y_,
+                -minus_tip_omega_z_,
+            ]);
+        point2_
+            .set_angular_velocity([
+                -minus_tip_omega_x_,
+                -minus_tip_omega_y_,
+                -minus_tip_omega_z_,
+            ]);
         /// Point of `tip`, [P, Eqs. (12), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
         let t29_ = tip_turn_x_z_ * minus_tip_a_ang_z_;
         let t30_ = T::mul_neg_add(minus_tip_a_ang_x_, minus_tip_turn_x_x_, t29_);
@@ -274,6 +351,18 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t33_ = minus_tip_turn_z_x_ * minus_tip_a_ang_x_;
         let t34_ = T::mul_add(minus_tip_a_ang_z_, minus_tip_turn_z_z_, t33_);
         let minus_tip_acc_ang_z_ = T::mul_sub(tip_turn_z_y_, minus_tip_a_ang_y_, t34_);
+        point1_
+            .set_angular_acceleration([
+                tip_acc_ang_x_,
+                tip_acc_ang_y_,
+                -minus_tip_acc_ang_z_,
+            ]);
+        point2_
+            .set_angular_acceleration([
+                tip_acc_ang_x_,
+                tip_acc_ang_y_,
+                -minus_tip_acc_ang_z_,
+            ]);
         /// Load of the body at `tip`, [P, Eqs. (18), (19)]: 16 mul, 12 add, 0 reciprocal.
         let t35_ = tip_wx_ * t13_;
         let t36_ = T::mul_add(tip_wy_, t14_, t35_);
@@ -295,185 +384,60 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t46_ = minus_tip_turn_z_x_ * t40_;
         let t47_ = T::mul_neg_add(minus_tip_turn_z_z_, t39_, t46_);
         let tip_own_force_z_ = T::mul_sub(tip_turn_z_y_, t41_, t47_);
-        /// Results: 30 mul, 14 add, 0 reciprocal.
-        let t48_ = tip_turn_x_z_ * c_(0.06);
-        let t49_ = minus_tip_turn_y_z_ * c_(0.06);
-        let t50_ = c_(0.06) * minus_tip_turn_z_z_;
-        let t51_ = t49_ * minus_tip_omega_z_;
-        let t52_ = t48_ * minus_tip_omega_z_;
-        let t53_ = minus_tip_turn_z_x_ * minus_tip_omega_z_;
-        let t54_ = tip_turn_z_y_ * minus_tip_omega_z_;
-        let t55_ = minus_tip_turn_z_z_ * minus_tip_omega_z_;
-        let t56_ = t49_ * minus_tip_omega_x_;
-        let t57_ = T::mul_neg_add(t50_, minus_tip_omega_y_, t51_);
-        let t58_ = T::mul_add(t50_, minus_tip_omega_x_, t52_);
-        let t59_ = T::mul_add(t48_, minus_tip_omega_y_, t56_);
-        let t60_ = T::mul_add(minus_tip_turn_x_x_, minus_tip_omega_x_, t53_);
-        let t61_ = T::mul_sub(tip_turn_y_x_, minus_tip_omega_y_, t60_);
-        let t62_ = T::mul_neg_add(minus_tip_turn_x_y_, minus_tip_omega_x_, t54_);
-        let t63_ = T::mul_sub(minus_tip_turn_y_y_, minus_tip_omega_y_, t62_);
-        let t64_ = T::mul_neg_add(tip_turn_x_z_, minus_tip_omega_x_, t55_);
-        let t65_ = T::mul_add(minus_tip_turn_y_z_, minus_tip_omega_y_, t64_);
-        let t66_ = c_(0.0002800000000000001) * t61_;
-        let t67_ = c_(0.0002800000000000001) * t63_;
-        let t68_ = c_(0.0001) * t65_;
-        let t69_ = t61_ * t66_;
-        let t70_ = t57_ * t57_;
-        let t71_ = T::mul_add(t59_, t59_, t70_);
-        let t72_ = T::mul_add(t58_, t58_, t71_);
-        let t73_ = T::mul_add(t65_, t68_, t69_);
-        let t74_ = T::mul_add(t63_, t67_, t73_);
-        let t75_ = T::mul_add(c_(0.2), t72_, t74_);
-        let t76_ = c_(0.5) * t75_;
-        let t77_ = c_(0.1176) * minus_tip_turn_z_z_;
-        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
-        ::mstmm::generated::regular::<
-            T,
-            _,
-            _,
-        >(&[], [], [], [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_])?;
-        at_.accelerations.data.0 = [
-            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
-        ];
-        at_.rate_accelerations.data.0 = [
-            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
-        ];
-        at_.efforts.data.0 = [[c_(0.0), c_(0.0), c_(0.0)]];
-        at_.kinetic_energy = t76_;
-        at_.potential_energy = -t77_;
-        at_.points = [
-            ::mstmm::Point::new(
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [
-                    [c_(1.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(1.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(1.0)],
-                ],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                ::mstmm::StateVector::new(
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [-minus_tip_own_force_x_, -minus_tip_own_force_y_, tip_own_force_z_],
-                ),
-            ),
-            ::mstmm::Point::new(
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [
-                    [-minus_tip_turn_x_x_, -minus_tip_turn_x_y_, tip_turn_x_z_],
-                    [tip_turn_y_x_, -minus_tip_turn_y_y_, -minus_tip_turn_y_z_],
-                    [-minus_tip_turn_z_x_, tip_turn_z_y_, -minus_tip_turn_z_z_],
-                ],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [-minus_tip_omega_x_, -minus_tip_omega_y_, -minus_tip_omega_z_],
-                ::mstmm::StateVector::new(
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [tip_acc_ang_x_, tip_acc_ang_y_, -minus_tip_acc_ang_z_],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [-minus_tip_own_force_x_, -minus_tip_own_force_y_, tip_own_force_z_],
-                ),
-            ),
-            ::mstmm::Point::new(
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [
-                    [-minus_tip_turn_x_x_, -minus_tip_turn_x_y_, tip_turn_x_z_],
-                    [tip_turn_y_x_, -minus_tip_turn_y_y_, -minus_tip_turn_y_z_],
-                    [-minus_tip_turn_z_x_, tip_turn_z_y_, -minus_tip_turn_z_z_],
-                ],
-                [c_(0.0), c_(0.0), c_(0.0)],
-                [-minus_tip_omega_x_, -minus_tip_omega_y_, -minus_tip_omega_z_],
-                ::mstmm::StateVector::new(
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [tip_acc_ang_x_, tip_acc_ang_y_, -minus_tip_acc_ang_z_],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                    [c_(0.0), c_(0.0), c_(0.0)],
-                ),
-            ),
-        ];
+        point0_
+            .set_force([
+                -minus_tip_own_force_x_,
+                -minus_tip_own_force_y_,
+                tip_own_force_z_,
+            ]);
+        point1_
+            .set_force([
+                -minus_tip_own_force_x_,
+                -minus_tip_own_force_y_,
+                tip_own_force_z_,
+            ]);
+        /// Results: 5 mul, 2 add, 0 reciprocal.
+        let t48_ = tip_wx_ * t18_;
+        let t49_ = T::mul_add(tip_wy_, t15_, t48_);
+        let t50_ = T::mul_add(tip_wz_, t16_, t49_);
+        let t51_ = t50_ * c_(0.5);
+        at_.kinetic_energy = t51_;
+        let t52_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
+        at_.potential_energy = -t52_;
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 82 operations: 51 mul, 31 add, 0 reciprocal.
+    /// 16 operations: 12 mul, 4 add, 0 reciprocal.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 21 | 17 | 0 | 0 | 0 |
-    /// | Results |  | 30 | 14 | 0 | 0 | 0 |
+    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 4 | 2 | 0 | 0 | 0 |
+    /// | Results |  | 8 | 2 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn energy(&self, state_: &TopState<T>) -> ::mstmm::Energy<T> {
         let c_ = T::constant;
-        let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
+        let [[_, tip_qx_, tip_qy_, ..]] = state_.q.data.0;
         let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
-        /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 21 mul, 17 add, 0 reciprocal.
-        let t0_ = tip_qy_ * c_(2.0);
-        let t1_ = tip_qz_ * c_(2.0);
-        let t2_ = tip_qy_ * t0_;
-        let t3_ = tip_qz_ * t1_;
-        let t4_ = t2_ - c_(1.0);
-        let minus_tip_axes_x_x_ = t3_ + t4_;
-        let t5_ = tip_qw_ * t1_;
-        let t6_ = tip_qx_ * t0_;
-        let minus_tip_axes_x_y_ = t5_ - t6_;
-        let t7_ = tip_qw_ * t0_;
-        let t8_ = tip_qx_ * t1_;
-        let tip_axes_x_z_ = t7_ + t8_;
-        let tip_axes_y_x_ = t5_ + t6_;
-        let t9_ = tip_qx_ * c_(2.0);
-        let t10_ = T::mul_sub(tip_qx_, t9_, c_(1.0));
-        let minus_tip_axes_y_y_ = t3_ + t10_;
-        let t11_ = tip_qw_ * t9_;
-        let t12_ = tip_qy_ * t1_;
-        let minus_tip_axes_y_z_ = t11_ - t12_;
-        let minus_tip_axes_z_x_ = t7_ - t8_;
-        let tip_axes_z_y_ = t11_ + t12_;
-        let minus_tip_axes_z_z_ = t2_ + t10_;
-        let t13_ = tip_wy_ * minus_tip_axes_x_y_;
-        let t14_ = T::mul_neg_add(tip_wz_, tip_axes_x_z_, t13_);
-        let minus_tip_omega_x_ = T::mul_add(tip_wx_, minus_tip_axes_x_x_, t14_);
-        let t15_ = tip_wx_ * tip_axes_y_x_;
-        let t16_ = T::mul_neg_add(tip_wz_, minus_tip_axes_y_z_, t15_);
-        let minus_tip_omega_y_ = T::mul_sub(tip_wy_, minus_tip_axes_y_y_, t16_);
-        let t17_ = tip_wx_ * minus_tip_axes_z_x_;
-        let t18_ = T::mul_neg_add(tip_wy_, tip_axes_z_y_, t17_);
-        let minus_tip_omega_z_ = T::mul_add(tip_wz_, minus_tip_axes_z_z_, t18_);
-        /// Results: 30 mul, 14 add, 0 reciprocal.
-        let t19_ = tip_axes_x_z_ * c_(0.06);
-        let t20_ = minus_tip_axes_y_z_ * c_(0.06);
-        let t21_ = c_(0.06) * minus_tip_axes_z_z_;
-        let t22_ = t20_ * minus_tip_omega_z_;
-        let t23_ = t19_ * minus_tip_omega_z_;
-        let t24_ = minus_tip_axes_z_x_ * minus_tip_omega_z_;
-        let t25_ = tip_axes_z_y_ * minus_tip_omega_z_;
-        let t26_ = minus_tip_axes_z_z_ * minus_tip_omega_z_;
-        let t27_ = t20_ * minus_tip_omega_x_;
-        let t28_ = T::mul_neg_add(t21_, minus_tip_omega_y_, t22_);
-        let t29_ = T::mul_add(t21_, minus_tip_omega_x_, t23_);
-        let t30_ = T::mul_add(t19_, minus_tip_omega_y_, t27_);
-        let t31_ = T::mul_add(minus_tip_axes_x_x_, minus_tip_omega_x_, t24_);
-        let t32_ = T::mul_sub(tip_axes_y_x_, minus_tip_omega_y_, t31_);
-        let t33_ = T::mul_neg_add(minus_tip_axes_x_y_, minus_tip_omega_x_, t25_);
-        let t34_ = T::mul_sub(minus_tip_axes_y_y_, minus_tip_omega_y_, t33_);
-        let t35_ = T::mul_neg_add(tip_axes_x_z_, minus_tip_omega_x_, t26_);
-        let t36_ = T::mul_add(minus_tip_axes_y_z_, minus_tip_omega_y_, t35_);
-        let t37_ = c_(0.0002800000000000001) * t32_;
-        let t38_ = c_(0.0002800000000000001) * t34_;
-        let t39_ = c_(0.0001) * t36_;
-        let t40_ = t32_ * t37_;
-        let t41_ = t28_ * t28_;
-        let t42_ = T::mul_add(t30_, t30_, t41_);
-        let t43_ = T::mul_add(t29_, t29_, t42_);
-        let t44_ = T::mul_add(t36_, t39_, t40_);
-        let t45_ = T::mul_add(t34_, t38_, t44_);
-        let t46_ = T::mul_add(c_(0.2), t43_, t45_);
-        let t47_ = c_(0.5) * t46_;
-        let t48_ = c_(0.1176) * minus_tip_axes_z_z_;
+        /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 4 mul, 2 add, 0 reciprocal.
+        let t0_ = tip_qx_ * c_(2.0);
+        let t1_ = tip_qy_ * c_(2.0);
+        let t2_ = T::mul_sub(tip_qy_, t1_, c_(1.0));
+        let minus_tip_axes_z_z_ = T::mul_add(tip_qx_, t0_, t2_);
+        /// Results: 8 mul, 2 add, 0 reciprocal.
+        let t3_ = tip_wx_ * c_(0.001);
+        let t4_ = tip_wy_ * c_(0.001);
+        let t5_ = tip_wz_ * c_(0.0001);
+        let t6_ = tip_wx_ * t3_;
+        let t7_ = T::mul_add(tip_wy_, t4_, t6_);
+        let t8_ = T::mul_add(tip_wz_, t5_, t7_);
+        let t9_ = t8_ * c_(0.5);
+        let t10_ = c_(0.11760000000000001) * minus_tip_axes_z_z_;
         ::mstmm::Energy {
-            kinetic: t47_,
-            potential: -t48_,
+            kinetic: t9_,
+            potential: -t10_,
         }
     }
 }
