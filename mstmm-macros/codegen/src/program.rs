@@ -1,6 +1,8 @@
 //! A straight-line program: named values in headed sections, computed in order. It knows neither
 //! where the formulas came from nor which language they will be printed in.
 
+mod shown;
+
 /// A program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {

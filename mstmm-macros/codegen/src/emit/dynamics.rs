@@ -10,7 +10,6 @@ use super::names::local;
 use super::solution::solution;
 use super::spread::Spread;
 use crate::model::{Hinge, HingeId};
-use crate::passes::shown;
 use crate::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -193,7 +192,7 @@ pub(super) fn check(
     let values = numbers.iter().map(|&number| &block.outputs[1][number]);
     let scales = numbers.iter().map(|&number| &block.outputs[2][number]);
     let results = &block.arrays[0];
-    let shown = shown(program, 0);
+    let shown = program.shown(0);
     let (taken, inputs) = plan.input_slices(&shown);
     let (many_hidden, state) = hidden_state(plan, &shown, block.looped);
     let repeated = block.masks.iter().map(|(number, mask)| {

@@ -20,7 +20,6 @@ mod names;
 mod order;
 mod schedule;
 mod setup;
-mod shows;
 mod sums;
 mod turns;
 
@@ -30,5 +29,4 @@ pub use live::Live;
 pub use order::order;
 pub use schedule::{Heading, Unknowns, schedule};
 pub use setup::Setup;
-pub use shows::shown;
 pub use turns::{Carry, Home, Turn, Turns, needed_carries};
