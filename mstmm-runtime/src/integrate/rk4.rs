@@ -94,7 +94,7 @@ impl<C: Chain> FixedStep<C> for Rk4<C> {
         inputs: &mut impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
         let half = step * C::Scalar::constant(0.5);
-        let [one, two] = [1.0, 2.0].map(C::Scalar::constant);
+        let (one, two) = (C::Scalar::constant(1.0), C::Scalar::constant(2.0));
         let (start, middle) = (state.time(), state.time() + half);
 
         weighted_sum(&mut self.sum, [], []);

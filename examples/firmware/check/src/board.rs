@@ -1,9 +1,11 @@
 //! Emulated boards.
 
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Output, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Context, Result, bail, ensure};
 
 /// The emulator of both boards.
 pub const EMULATOR: &str = "qemu-system-arm";
@@ -16,6 +18,9 @@ const LIFELIKE: u32 = 5;
 
 /// The system timer of both boards ticks at 25 MHz.
 const NANOSECONDS_PER_TICK: u32 = 40;
+
+/// Longer than any image takes, which is a minute on a slow machine: one that does not end hangs.
+const PATIENCE: Duration = Duration::from_secs(600);
 
 /// A processor that the firmware is built for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,14 +106,18 @@ struct Report(String);
 impl Report {
     /// Runs an image to its end, an instruction taking 2 to so many ns.
     fn of(processor: Processor, image: &Path, shift: u32) -> Result<Self> {
-        let output = Command::new(EMULATOR)
+        let emulator = Command::new(EMULATOR)
             .args(["-machine", processor.board(), "-nographic", "-monitor", "none"])
             .args(["-serial", "none", "-semihosting-config", "enable=on,target=native"])
             .args(["-icount", &format!("shift={shift},align=off,sleep=off")])
             .arg("-kernel")
             .arg(image)
             .stdin(Stdio::null())
-            .output()?;
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()?;
+        let output = output(emulator, PATIENCE)
+            .with_context(|| format!("{} on the {}", image.display(), processor.name()))?;
         let told = String::from_utf8_lossy(&output.stdout).into_owned();
         let complaint = String::from_utf8_lossy(&output.stderr);
         ensure!(output.status.success(), "{} failed: {told}{complaint}", image.display());
@@ -142,6 +151,19 @@ impl Report {
     }
 }
 
+/// What a program told, if it ends in time; it must be short enough for a pipe to hold.
+fn output(mut program: Child, patience: Duration) -> Result<Output> {
+    let start = Instant::now();
+    while program.try_wait()?.is_none() {
+        if start.elapsed() > patience {
+            program.kill()?;
+            bail!("no end after {patience:?}: {:?}", program.wait_with_output()?);
+        }
+        sleep(Duration::from_millis(20));
+    }
+    Ok(program.wait_with_output()?)
+}
+
 /// The instructions that take so many ticks: 6.4 are one, so that a tick more or less, where a
 /// count starts or ends between two of them, changes nothing.
 fn instructions(ticks: u64) -> u32 {
@@ -160,6 +182,12 @@ mod tests {
             assert_eq!(instructions(ticks), 1000, "{ticks} ticks");
         }
         assert_eq!(instructions(6406), 1001);
+    }
+
+    #[test]
+    fn what_does_not_end_is_ended() {
+        let endless = Command::new("sleep").arg("60").spawn().expect("there is one");
+        assert!(output(endless, Duration::from_millis(10)).is_err());
     }
 
     #[test]

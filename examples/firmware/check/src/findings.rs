@@ -2,16 +2,20 @@
 
 use std::fs;
 
-use crate::case::{Case, Precision};
 use anyhow::{Context, Result, bail};
 
 use crate::board::{InterruptRun, Processor};
+use crate::case::{Case, Precision};
 use crate::host::Motion;
 use crate::table::{self, Row, Table};
 
 /// In the names of functions that a step has no use for.
 const PANICS: [&str; 2] = ["panic", "unwind"];
 const ALLOCATIONS: [&str; 4] = ["__rust_alloc", "__rust_dealloc", "malloc", "alloc::"];
+
+/// The most bytes of data in an image, which has a few: an allocator that the compiler put into its
+/// callers has no name any more, but memory to give away.
+const MOST_DATA: u64 = 64;
 
 /// In the names of functions that compute in double precision by whole numbers.
 const SOFT_DOUBLES: [&str; 3] = ["__aeabi_d", "__aeabi_f2d", "df3"];
@@ -41,6 +45,9 @@ impl Findings {
             let found = image.named(unwanted);
             self.require(found.is_empty(), || format!("{name}: the image holds {found:?}"));
         }
+        self.require(image.ram <= MOST_DATA, || {
+            format!("{name}: {} bytes of data, more than {MOST_DATA}", image.ram)
+        });
         let doubles = image.named(&SOFT_DOUBLES);
         // Where they have to be there, finding them shows that they would be found.
         self.require(doubles.is_empty() != by_whole_numbers, || {

@@ -42,8 +42,7 @@ pub fn read(path: &Path) -> Result<Image> {
     let bytes = fs::read(path)?;
     let file = object::File::parse(&*bytes)?;
     let code = Code::of(&file)?;
-    let of_name = |(_, symbol): &(&u32, &Symbol)| symbol.name.starts_with(STEP);
-    let (&step, _) = code.symbols.iter().find(of_name).context("the image has no step")?;
+    let step = code.step()?;
     let functions = code.reached(step)?;
 
     let data = |section: &object::Section| section.kind() == SectionKind::Data;
@@ -97,6 +96,15 @@ impl<'data> Code<'data> {
         Ok(Self { symbols, names, kinds, start: text.address() as u32, bytes: text.data()? })
     }
 
+    /// Where the step begins.
+    fn step(&self) -> Result<u32> {
+        let steps = self.symbols.iter().filter(|(_, symbol)| symbol.name.starts_with(STEP));
+        let [(&step, _)] = steps.collect::<Vec<_>>()[..] else {
+            bail!("{STEP} is not one function")
+        };
+        Ok(step)
+    }
+
     /// The function at an address and all that it calls, one through another.
     fn reached(&self, from: u32) -> Result<BTreeMap<u32, Function>> {
         let (mut reached, mut waiting) = (BTreeMap::new(), vec![from]);
@@ -106,9 +114,10 @@ impl<'data> Code<'data> {
             }
             let symbol = self.symbols.get(&address);
             let symbol = symbol.with_context(|| format!("no function begins at {address:#x}"))?;
+            ensure!(symbol.size > 0, "where {} ends is not told", symbol.name);
             let function = thumb::function(&self.parts(address, symbol.size)?);
             if let Some(place) = function.unknown.first() {
-                bail!("{} does what hangs on a number at {place:#x}", symbol.name);
+                bail!("what {} does at {place:#x} cannot be told", symbol.name);
             }
             waiting.extend(&function.calls);
             reached.insert(address, function);

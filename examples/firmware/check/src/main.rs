@@ -12,7 +12,7 @@ mod steps;
 mod table;
 mod thumb;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 
 use crate::board::Processor;
 use crate::case::Case;
@@ -39,6 +39,11 @@ fn check(bless: bool) -> Result<()> {
 
     let emulator = board::emulator();
     let valgrind = callgrind::version();
+    ensure!(
+        !bless || emulator.is_some() && valgrind.is_some(),
+        "the figures to keep come from {} and valgrind: one is missing",
+        board::EMULATOR
+    );
     for case in Case::ALL {
         let host = host::simulate(case);
         println!("\n{case}: {host}");

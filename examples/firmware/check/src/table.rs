@@ -3,10 +3,9 @@
 use std::fmt;
 use std::path::PathBuf;
 
-use crate::case::Case;
-
 use crate::board::{Processor, Run};
 use crate::callgrind::Counts;
+use crate::case::Case;
 use crate::host::Motion;
 use crate::image::Image;
 

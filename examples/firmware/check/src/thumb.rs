@@ -31,8 +31,9 @@ pub struct Function {
     pub calls: BTreeSet<u32>,
     /// How many places can be reached again from themselves.
     pub loops: usize,
-    /// Where what it does cannot be told, by address.
-    pub unknown: Vec<u32>,
+    /// Where what it does cannot be told, by address: also where it runs on beyond its end, and
+    /// where it puts something on the stack again and again.
+    pub unknown: BTreeSet<u32>,
 }
 
 /// Where an instruction leads within its function.
@@ -44,6 +45,7 @@ pub fn function(parts: &[(u32, &[u8])]) -> Function {
         parts.iter().any(|(start, code)| (*start..*start + code.len() as u32).contains(&to))
     };
     let (mut function, mut edges) = (Function::default(), Edges::new());
+    let mut pushes = Vec::new();
     for &(start, code) in parts {
         let (mut at, mut left_of_block) = (start, 0);
         while let Some((instruction, length)) = decode(&code[(at - start) as usize..], at) {
@@ -53,12 +55,17 @@ pub fn function(parts: &[(u32, &[u8])]) -> Function {
             let goes_on = match instruction {
                 Instruction::Branch { conditional, .. } => conditional || !always,
                 Instruction::End => !always,
+                // At the very end is a call that never comes back.
+                Instruction::Call(_) => inside(next),
                 _ => true,
             };
             match instruction {
-                Instruction::Push(bytes) => function.frame += bytes,
+                Instruction::Push(bytes) => {
+                    function.frame += bytes;
+                    pushes.push(at);
+                }
                 Instruction::IfThen(count) => left_of_block = count,
-                Instruction::Unknown => function.unknown.push(at),
+                Instruction::Unknown => _ = function.unknown.insert(at),
                 Instruction::Branch { to, .. } if inside(to) => {
                     edges.entry(at).or_default().push(to)
                 }
@@ -73,8 +80,13 @@ pub fn function(parts: &[(u32, &[u8])]) -> Function {
             at = next;
         }
     }
-    let entry = parts.first().map(|&(start, _)| start);
-    function.loops = entry.map_or(0, |entry| loops(&edges, entry));
+    function
+        .unknown
+        .extend(pushes.into_iter().filter(|push| reached(&edges, *push).contains(push)));
+    if let Some(&(entry, _)) = parts.first() {
+        function.unknown.extend(reached(&edges, entry).into_iter().filter(|&at| !inside(at)));
+        function.loops = loops(&edges, entry);
+    }
     function
 }
 
@@ -100,6 +112,16 @@ fn loops(edges: &Edges, entry: u32) -> usize {
         }
     }
     heads.len()
+}
+
+/// All that some way from an instruction leads to.
+fn reached(edges: &Edges, from: u32) -> BTreeSet<u32> {
+    let (mut reached, mut waiting) = (BTreeSet::new(), vec![from]);
+    while let Some(at) = waiting.pop() {
+        let onward = edges.get(&at).into_iter().flatten();
+        waiting.extend(onward.filter(|&&to| reached.insert(to)));
+    }
+    reached
 }
 
 /// The instruction at the start of `code`, which lies at an address, and its length in bytes.
@@ -129,12 +151,15 @@ fn narrow(code: u32, at: u32) -> Instruction {
         0x47 => Unknown,
         // ADD and MOV of high registers, to the stack pointer or the program counter.
         0x44 | 0x46 if matches!((code >> 4) & 8 | code & 7, 13 | 15) => Unknown,
+        // SUB of a constant from the stack pointer, and PUSH.
         0xb0 if low >= 0x80 => Push((low & 0x7f) * 4),
         0xb4 | 0xb5 => Push((low.count_ones() + (code >> 8 & 1)) * 4),
+        // POP with the program counter.
         0xbd => End,
         0xbf if low & 0xf != 0 => IfThen(4 - low.trailing_zeros()),
-        // Permanently undefined, and calls of a supervisor.
+        // UDF, permanently undefined, and SVC, whose handler puts what it wants on the stack.
         0xde => End,
+        0xdf => Unknown,
         0xd0..=0xdd => Branch { to: target(signed(low, 8) * 2), conditional: true },
         0xe0..=0xe7 => Branch { to: target(signed(code & 0x7ff, 11) * 2), conditional: false },
         // CBZ and CBNZ.
@@ -150,22 +175,29 @@ fn narrow(code: u32, at: u32) -> Instruction {
 fn wide(first: u32, second: u32, at: u32) -> Instruction {
     use Instruction::*;
     let target = |offset: i32| at.wrapping_add(4).wrapping_add_signed(offset);
-    let register_list = (second.count_ones()) * 4;
+    let [low, destination] = [second & 0xff, second >> 8 & 0xf];
     match (first, second) {
-        // PUSH of many, of one, of two and more by store with writeback, and of vectors.
-        (0xe92d, _) => Push(register_list),
-        (0xf84d, _) if second & 0x0f00 == 0x0d00 => Push(second & 0xff),
-        (0xe96d, _) => Push((second & 0xff) * 4),
-        (0xed2d | 0xed6d, _) => Push((second & 0xff) * 4),
-        // SUB of a constant or of a register from the stack pointer, to itself.
-        (0xf1ad | 0xf5ad, _) if second & 0x8f00 == 0x0d00 => Push(expanded(first, second)),
-        (0xf2ad | 0xf6ad, _) if second & 0x8f00 == 0x0d00 => Push(immediate(first, second)),
-        (0xebad, _) if second & 0x0f00 == 0x0d00 => Unknown,
-        // POP with the program counter, LDR to it, and branches by tables.
+        // POP with the program counter, other loads of it or of the stack pointer, and branches by
+        // tables.
         (0xe8bd, _) if second & 0x8000 != 0 => End,
         (0xf85d, 0xfb04) => End,
-        (0xf850..=0xf85f | 0xf8d0..=0xf8df, _) if second >> 12 == 15 => Unknown,
+        _ if first & 0xfe50 == 0xe810 && second & 0x8000 != 0 => Unknown,
+        (0xf850..=0xf85f | 0xf8d0..=0xf8df, _) if matches!(second >> 12, 13 | 15) => Unknown,
         (0xe8d0..=0xe8df, _) if second & 0xffe0 == 0xf000 => Unknown,
+        // Stores and loads with writeback that move the stack pointer down: of many registers,
+        // which is PUSH, of one, of two, and of vectors, among them VPUSH.
+        _ if first & 0xffef == 0xe92d => Push(second.count_ones() * 4),
+        _ if first & 0xfe8f == 0xf80d && second & 0x0b00 == 0x0900 => Push(low),
+        _ if first & 0xfeef == 0xe86d => Push(low * 4),
+        _ if first & 0xfeaf == 0xec2d => Push(low * 4),
+        // SUB and ADD of a constant to the stack pointer itself; other constants and registers that
+        // it is computed from; MSR to it, or to what selects it.
+        (0xf1ad | 0xf5ad, _) if second & 0x8f00 == 0x0d00 => Push(expanded(first, second)),
+        (0xf2ad | 0xf6ad, _) if second & 0x8f00 == 0x0d00 => Push(immediate(first, second)),
+        (0xf10d | 0xf50d | 0xf20d | 0xf60d, _) if second & 0x8f00 == 0x0d00 => Other,
+        (0xf000..=0xf7ff, _) if second & 0x8000 == 0 && destination == 13 => Unknown,
+        (0xea00..=0xebff, _) if destination == 13 => Unknown,
+        (0xf380..=0xf39f, _) if second >> 8 == 0x88 && matches!(low, 8 | 9 | 20) => Unknown,
         (0xf000..=0xf7ff, _) if second & 0x8000 != 0 => {
             let sign = first >> 10 & 1;
             let [j1, j2] = [second >> 13 & 1, second >> 11 & 1];
