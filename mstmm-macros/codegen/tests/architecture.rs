@@ -12,7 +12,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("equations", &["math", "model"]),
     ("examine.rs", &["diag", "equations", "math", "model"]),
     ("expr", &["math"]),
-    ("program.rs", &[]),
+    ("program", &[]),
     ("passes", &["expr", "math", "program"]),
     ("symbols.rs", &["model"]),
     ("weave.rs", &["equations", "expr"]),
