@@ -13,11 +13,11 @@ use crate::Scalar;
 
 /// c₀ + c₁ z + c₂ z² + … of z and z², in pairs, which hang on each other half as long as Horner's
 /// terms. Written out: a loop in the loop over angles would keep that from becoming vector
-/// instructions.
+/// instructions, and so may a closure over the constants.
 macro_rules! polynomial {
-    ($z:ident, $square:ident: $even:ident) => { $even };
+    ($z:ident, $square:ident: $even:ident) => { T::splat($even) };
     ($z:ident, $square:ident: $even:ident $odd:ident $($rest:ident)*) => {{
-        let pair = $z.mul_add($odd, $even);
+        let pair = $z.mul_add(T::splat($odd), T::splat($even));
         polynomial!(@ $z, $square: pair $($rest)*)
     }};
     (@ $z:ident, $square:ident: $pair:ident) => { $pair };
@@ -51,10 +51,10 @@ macro_rules! implementation {
         /// number whose last bits are those of the multiple.
         #[inline(always)]
         fn reduce<T: Quadrant<Real = $real>>(angle: T) -> ((T, T), T) {
-            let [magic, limit] = [MAGIC, MULTIPLE_LIMIT].map(T::splat);
+            let magic = T::splat(MAGIC);
             let shifted = angle.mul_add(T::splat(core::$real::consts::FRAC_2_PI), magic);
             let multiple = shifted - magic;
-            let answered = limit.greater(Scalar::abs(multiple));
+            let answered = T::splat(MULTIPLE_LIMIT).greater(Scalar::abs(multiple));
             let angle = T::select(answered, angle, T::splat($real::NAN));
             // Exact, for the angle and the product are close.
             let left = angle - multiple * T::splat(PI_HALF);
@@ -161,14 +161,14 @@ pub(crate) mod double {
     /// S₁ + S₂ z + …
     #[inline(always)]
     fn sine_tail<T: Scalar<Real = f64>>(z: T) -> T {
-        let ([_, s1, s2, s3, s4, s5], square) = (SINE.map(T::splat), z * z);
+        let ([_, s1, s2, s3, s4, s5], square) = (SINE, z * z);
         polynomial!(z, square: s1 s2 s3 s4 s5)
     }
 
     /// C₀ + C₁ z + …
     #[inline(always)]
     fn cosine_tail<T: Scalar<Real = f64>>(z: T) -> T {
-        let ([c0, c1, c2, c3, c4, c5], square) = (COSINE.map(T::splat), z * z);
+        let ([c0, c1, c2, c3, c4, c5], square) = (COSINE, z * z);
         polynomial!(z, square: c0 c1 c2 c3 c4 c5)
     }
 
@@ -177,9 +177,9 @@ pub(crate) mod double {
     /// anything, what is left exceeds the last product by far.
     #[inline(always)]
     fn less_rest<T: Scalar<Real = f64>>(left: T, multiple: T) -> (T, T) {
-        let rest = PI_HALF_REST.map(T::splat);
-        let (left, lost) = two_sum(left, -(multiple * rest[0]));
-        two_sum(left, lost - multiple * rest[1])
+        let [near, far] = PI_HALF_REST;
+        let (left, lost) = two_sum(left, -(multiple * T::splat(near)));
+        two_sum(left, lost - multiple * T::splat(far))
     }
 
     implementation!(f64);
@@ -208,24 +208,24 @@ pub(crate) mod single {
     /// S₁ + S₂ z
     #[inline(always)]
     fn sine_tail<T: Scalar<Real = f32>>(z: T) -> T {
-        let [_, s1, s2] = SINE.map(T::splat);
-        z.mul_add(s2, s1)
+        let [_, s1, s2] = SINE;
+        z.mul_add(T::splat(s2), T::splat(s1))
     }
 
     /// C₀ + C₁ z + C₂ z²
     #[inline(always)]
     fn cosine_tail<T: Scalar<Real = f32>>(z: T) -> T {
-        let ([c0, c1, c2], square) = (COSINE.map(T::splat), z * z);
+        let ([c0, c1, c2], square) = (COSINE, z * z);
         polynomial!(z, square: c0 c1 c2)
     }
 
     /// What is left of an angle less the rest of so many times π/2, as in double precision.
     #[inline(always)]
     fn less_rest<T: Scalar<Real = f32>>(left: T, multiple: T) -> (T, T) {
-        let rest = PI_HALF_REST.map(T::splat);
-        let (left, first_lost) = two_sum(left, -(multiple * rest[0]));
-        let (left, second_lost) = two_sum(left, -(multiple * rest[1]));
-        two_sum(left, (first_lost + second_lost) - multiple * rest[2])
+        let [near, far, farthest] = PI_HALF_REST;
+        let (left, first_lost) = two_sum(left, -(multiple * T::splat(near)));
+        let (left, second_lost) = two_sum(left, -(multiple * T::splat(far)));
+        two_sum(left, (first_lost + second_lost) - multiple * T::splat(farthest))
     }
 
     implementation!(f32);
