@@ -178,7 +178,7 @@ impl<T: Scalar> PlanePoint<T> {
     }
 
     #[inline(always)]
-    pub fn set_rotation(&mut self, value: [T; 2]) {
+    pub fn set_orientation(&mut self, value: [T; 2]) {
         self.cos_sin = value;
     }
 

@@ -177,7 +177,7 @@ impl<T: Scalar> Point<T> {
     }
 
     #[inline(always)]
-    pub fn set_rotation(&mut self, [xx, xy, xz, yx, yy, yz, zx, zy, zz]: [T; 9]) {
+    pub fn set_orientation(&mut self, [xx, xy, xz, yx, yy, yz, zx, zy, zz]: [T; 9]) {
         self.rotation = [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]];
     }
 

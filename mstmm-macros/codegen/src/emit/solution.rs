@@ -127,7 +127,7 @@ fn fields(dimension: Dimension) -> Vec<(&'static str, Range<usize>)> {
     let sizes: &[(&str, usize)] = match dimension {
         Dimension::Space => &[
             ("position", 3),
-            ("rotation", 9),
+            ("orientation", 9),
             ("velocity", 3),
             ("angular_velocity", 3),
             ("acceleration", 3),
@@ -137,7 +137,7 @@ fn fields(dimension: Dimension) -> Vec<(&'static str, Range<usize>)> {
         ],
         Dimension::Plane => &[
             ("position", 2),
-            ("rotation", 2),
+            ("orientation", 2),
             ("velocity", 2),
             ("angular_velocity", 1),
             ("acceleration", 2),
@@ -159,67 +159,17 @@ fn fields(dimension: Dimension) -> Vec<(&'static str, Range<usize>)> {
 /// Writes all connection points from their array.
 fn points(plan: &Plan, block: &Results) -> TokenStream {
     let each = numbers_of_point(plan.chain.dimension);
-    let names: Vec<TokenStream> = (0..each)
-        .map(|k| {
-            let name = local(&format!("p{k}"));
-            quote!(#name)
-        })
-        .collect();
-    let (point, numbers, each) = (point(plan, &names), &block.arrays[7], usize_literal(each));
+    let names: Vec<Ident> = (0..each).map(|number| local(&format!("p{number}"))).collect();
+    let parts = fields(plan.chain.dimension).into_iter().map(|(field, range)| {
+        let (field, numbers) = (format_ident!("set_{field}"), &names[range]);
+        quote!(point_.#field([#(#numbers),*]);)
+    });
+    let (numbers, each) = (&block.arrays[7], usize_literal(each));
     quote! {
         for (point_, &[#(#names),*]) in
             ::core::iter::zip(&mut at_.points, #numbers.as_chunks::<#each>().0)
         {
-            *point_ = #point;
-        }
-    }
-}
-
-/// A connection point from its numbers.
-fn point(plan: &Plan, numbers: &[TokenStream]) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let mut rest = numbers.iter();
-    let mut take = |count: usize| {
-        let entries: Vec<&TokenStream> = rest.by_ref().take(count).collect();
-        if count == 1 { quote!(#(#entries)*) } else { quote!([#(#entries),*]) }
-    };
-    match plan.chain.dimension {
-        Dimension::Space => {
-            let (position, rows) = (take(3), [take(3), take(3), take(3)]);
-            let (velocity, omega) = (take(3), take(3));
-            let z = [take(3), take(3), take(3), take(3)];
-            quote! {
-                #mstmm::Point::new(
-                    #position,
-                    [#(#rows),*],
-                    #velocity,
-                    #omega,
-                    #mstmm::StateVector::new(#(#z),*),
-                )
-            }
-        }
-        Dimension::Plane => {
-            let (position, turn, velocity, omega) = (take(2), take(2), take(2), take(1));
-            let z = [take(2), take(1), take(1), take(2)];
-            quote! {
-                #mstmm::PlanePoint::new(
-                    #position,
-                    #turn,
-                    #velocity,
-                    #omega,
-                    #mstmm::PlaneStateVector::new(#(#z),*),
-                )
-            }
-        }
-        Dimension::Line => {
-            let (position, velocity, z) = (take(1), take(1), [take(1), take(1)]);
-            quote! {
-                #mstmm::LinePoint::new(
-                    #position,
-                    #velocity,
-                    #mstmm::LineStateVector::new(#(#z),*),
-                )
-            }
+            #(#parts)*
         }
     }
 }

@@ -38,9 +38,7 @@ impl<'a> Writer<'a> {
     /// The statements of sections, the headings on the first of each; `flat` if the names of a section
     /// are declared before any of them is computed.
     pub fn sections<'s>(&mut self, sections: impl IntoIterator<Item = &'s Section>, flat: bool) {
-        for section in sections {
-            self.section(section, flat, &mut |_| TokenStream::new());
-        }
+        self.sections_with(sections, flat, &mut |_| TokenStream::new());
     }
 
     /// The statements of sections, with what `after` has to say behind each of them.

@@ -87,9 +87,9 @@ impl<S: Scalar> Here<'_, S> {
     }
 }
 
-/// Where the centre of mass lies on an axis of the body between input, where the link's point is,
-/// and output, its distance from the input as a part of the output's: it moves by that share with
-/// the output.
+/// Where the centre of mass lies on an axis of the body through input, where the link's point is,
+/// and output, not far from both, its distance from the input as a part of the output's: it moves by
+/// that share with the output.
 pub(super) fn share_of_output<S: Scalar>(situation: &Situation<S>, link: &Link) -> Option<f64> {
     let (_, to) = sides(situation.chain, link);
     let Body { com, output, .. } = &situation.chain.bodies[link.body];
@@ -99,8 +99,9 @@ pub(super) fn share_of_output<S: Scalar>(situation: &Situation<S>, link: &Link) 
     let axis = (0..3).find(|&axis| !output.position[axis].is_zero())?;
     let others = (0..3).filter(|&other| other != axis);
     let alone = others.clone().all(|k| com[k].is_zero() && output.position[k].is_zero());
-    let (com, output) = (com[axis].known()?, output.position[axis].known()?);
-    alone.then_some(com / output)
+    let share = com[axis].known()? / output.position[axis].known()?;
+    // Farther out, large multiples of what both ends do would cancel; so rounding grows threefold.
+    (alone && (-1.0..=2.0).contains(&share)).then_some(share)
 }
 
 /// From a link's point to its body's output, work axes.

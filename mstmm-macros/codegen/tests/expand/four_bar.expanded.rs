@@ -877,7 +877,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         ];
         at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
         point0_.set_position([c_(0.0), c_(0.0)]);
-        point0_.set_rotation([c_(1.0), c_(0.0)]);
+        point0_.set_orientation([c_(1.0), c_(0.0)]);
         point0_.set_velocity([c_(0.0), c_(0.0)]);
         point0_.set_angular_velocity([c_(0.0)]);
         point0_.set_acceleration([c_(0.0), c_(0.0)]);
@@ -886,7 +886,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         point0_
             .set_force([-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_]);
         point1_.set_position([c_(0.0), c_(0.0)]);
-        point1_.set_rotation([cos_crank_pin_angle_, sin_crank_pin_angle_]);
+        point1_.set_orientation([cos_crank_pin_angle_, sin_crank_pin_angle_]);
         point1_.set_velocity([c_(0.0), c_(0.0)]);
         point1_.set_angular_velocity([crank_pin_rate_]);
         point1_.set_acceleration([c_(0.0), c_(0.0)]);
@@ -895,7 +895,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         point1_
             .set_force([-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_]);
         point2_.set_position([t207_, t209_]);
-        point2_.set_rotation([cos_crank_pin_angle_, sin_crank_pin_angle_]);
+        point2_.set_orientation([cos_crank_pin_angle_, sin_crank_pin_angle_]);
         point2_.set_velocity([-t210_, t208_]);
         point2_.set_angular_velocity([crank_pin_rate_]);
         point2_.set_acceleration([-minus_a_acc_lin_x_, -minus_a_acc_lin_y_]);
@@ -903,33 +903,33 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         point2_.set_moment([c_(0.0)]);
         point2_.set_force([a_load_force_x_, -minus_a_load_force_y_]);
         point3_.set_position([t207_, t209_]);
-        point3_.set_rotation([a_axes_x_x_, minus_a_axes_x_y_]);
+        point3_.set_orientation([a_axes_x_x_, minus_a_axes_x_y_]);
         point3_.set_velocity([-t210_, t208_]);
         point3_.set_angular_velocity([a_omega_z_]);
         point3_.set_acceleration([-minus_a_acc_lin_x_, -minus_a_acc_lin_y_]);
         point3_.set_angular_acceleration([-minus_a_a_ang_z_]);
         point3_.set_moment([c_(0.0)]);
         point3_.set_force([a_load_force_x_, -minus_a_load_force_y_]);
-        point4_.set_rotation([a_axes_x_x_, minus_a_axes_x_y_]);
+        point4_.set_orientation([a_axes_x_x_, minus_a_axes_x_y_]);
         point4_.set_angular_velocity([a_omega_z_]);
         point4_.set_acceleration([b_acc_lin_x_, -minus_b_acc_lin_y_]);
         point4_.set_angular_acceleration([-minus_a_a_ang_z_]);
         point4_.set_moment([c_(0.0)]);
         point4_.set_force([b_load_force_x_, -minus_b_load_force_y_]);
-        point5_.set_rotation([b_axes_x_x_, minus_b_axes_x_y_]);
+        point5_.set_orientation([b_axes_x_x_, minus_b_axes_x_y_]);
         point5_.set_angular_velocity([b_omega_z_]);
         point5_.set_acceleration([b_acc_lin_x_, -minus_b_acc_lin_y_]);
         point5_.set_angular_acceleration([-minus_b_a_ang_z_]);
         point5_.set_moment([c_(0.0)]);
         point5_.set_force([b_load_force_x_, -minus_b_load_force_y_]);
-        point6_.set_rotation([b_axes_x_x_, minus_b_axes_x_y_]);
+        point6_.set_orientation([b_axes_x_x_, minus_b_axes_x_y_]);
         point6_.set_angular_velocity([b_omega_z_]);
         point6_.set_acceleration([t229_, -t233_]);
         point6_.set_angular_acceleration([-minus_b_a_ang_z_]);
         point6_.set_moment([c_(0.0)]);
         point6_.set_force([rocker_pin_load_force_x_, rocker_pin_load_force_y_]);
         point7_.set_position([c_(0.8), c_(0.0)]);
-        point7_.set_rotation([c_(1.0), c_(0.0)]);
+        point7_.set_orientation([c_(1.0), c_(0.0)]);
         point7_.set_velocity([c_(0.0), c_(0.0)]);
         point7_.set_angular_velocity([c_(0.0)]);
         point7_.set_acceleration([c_(0.0), c_(0.0)]);

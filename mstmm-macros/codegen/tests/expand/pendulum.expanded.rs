@@ -248,7 +248,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         at_.efforts.data.0 = [[joint_input0_]];
         point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
         point0_
-            .set_rotation([
+            .set_orientation([
                 c_(1.0),
                 c_(0.0),
                 c_(0.0),
@@ -266,7 +266,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         point0_.set_moment([c_(0.0), c_(0.0), -joint_input0_]);
         point1_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
         point1_
-            .set_rotation([
+            .set_orientation([
                 cos_joint_angle_,
                 -sin_joint_angle_,
                 c_(0.0),
@@ -283,7 +283,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         point1_.set_moment([c_(0.0), c_(0.0), -joint_input0_]);
         point2_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
         point2_
-            .set_rotation([
+            .set_orientation([
                 cos_joint_angle_,
                 -sin_joint_angle_,
                 c_(0.0),

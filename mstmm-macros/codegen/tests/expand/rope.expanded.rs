@@ -1989,13 +1989,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             p12_,
             ],
         ) in ::core::iter::zip(&mut at_.points, results7_.as_chunks::<13>().0) {
-            *point_ = ::mstmm::PlanePoint::new(
-                [p0_, p1_],
-                [p2_, p3_],
-                [p4_, p5_],
-                p6_,
-                ::mstmm::PlaneStateVector::new([p7_, p8_], p9_, p10_, [p11_, p12_]),
-            );
+            point_.set_position([p0_, p1_]);
+            point_.set_orientation([p2_, p3_]);
+            point_.set_velocity([p4_, p5_]);
+            point_.set_angular_velocity([p6_]);
+            point_.set_acceleration([p7_, p8_]);
+            point_.set_angular_acceleration([p9_]);
+            point_.set_moment([p10_]);
+            point_.set_force([p11_, p12_]);
         }
         ::core::result::Result::Ok(())
     }

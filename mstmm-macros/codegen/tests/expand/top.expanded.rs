@@ -264,7 +264,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         at_.efforts.data.0 = [[c_(0.0), c_(0.0), c_(0.0)]];
         point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
         point0_
-            .set_rotation([
+            .set_orientation([
                 c_(1.0),
                 c_(0.0),
                 c_(0.0),
@@ -282,7 +282,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         point0_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
         point1_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
         point1_
-            .set_rotation([
+            .set_orientation([
                 -minus_tip_turn_x_x_,
                 -minus_tip_turn_x_y_,
                 tip_turn_x_z_,
@@ -298,7 +298,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         point1_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
         point2_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
         point2_
-            .set_rotation([
+            .set_orientation([
                 -minus_tip_turn_x_x_,
                 -minus_tip_turn_x_y_,
                 tip_turn_x_z_,

@@ -440,7 +440,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         at_.efforts.data.0 = [[c_(0.0), c_(0.0)]];
         point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
         point0_
-            .set_rotation([
+            .set_orientation([
                 c_(1.0),
                 c_(0.0),
                 c_(0.0),
@@ -458,7 +458,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         point0_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
         point1_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
         point1_
-            .set_rotation([
+            .set_orientation([
                 cos_shoulder_angle_,
                 -sin_shoulder_angle_,
                 c_(0.0),
@@ -475,7 +475,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         point1_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
         point2_.set_position([cos_shoulder_angle_, sin_shoulder_angle_, c_(0.0)]);
         point2_
-            .set_rotation([
+            .set_orientation([
                 cos_shoulder_angle_,
                 -sin_shoulder_angle_,
                 c_(0.0),
@@ -512,7 +512,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             t77_,
         );
         point3_
-            .set_rotation([
+            .set_orientation([
                 elbow_axes_x_x_,
                 -minus_elbow_axes_x_y_,
                 c_(0.0),
@@ -524,7 +524,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                 c_(1.0),
             ]);
         point4_
-            .set_rotation([
+            .set_orientation([
                 elbow_axes_x_x_,
                 -minus_elbow_axes_x_y_,
                 c_(0.0),
