@@ -36,8 +36,8 @@
 //!
 //! | angle in rad | `f32` | `f64` |
 //! |---|---|---|
-//! | up to 10⁴ | below 0.8 | below 0.8 |
-//! | up to 10⁶ | absolute error below ε · angle | below 1.1 |
+//! | up to 10⁴ | below 0.85 | below 0.8 |
+//! | up to 10⁶ | absolute error below ε · angle | below 1.8 |
 //! | beyond | the same | absolute error below ε · angle |
 //! | NaN | from 3.3·10⁶ on | from 1.8·10¹⁵ on |
 //!

@@ -2,8 +2,9 @@
 //!
 //! An angle is reduced to [−π/4, π/4] by subtracting the nearest multiple k of π/2, which is kept
 //! as a sum of parts with so few digits that k times a part is exact (Cody and Waite 1980). What is
-//! left is the sum of two numbers, the second one being what the first cannot hold. Two polynomials
-//! give sine and cosine there, and the last two bits of k say which is which, and the signs.
+//! left is the difference of two numbers, the second one being what the first cannot hold. Two
+//! polynomials give sine and cosine there, and the last two bits of k say which is which, and the
+//! signs.
 //!
 //! The polynomials are minimax fits in relative error over |x| ≤ 1.0001 π/4, by Remez's exchange in
 //! 80 digits. Coefficients were rounded one after the other, from the lowest power on, and those
@@ -44,52 +45,47 @@ macro_rules! implementation {
         #[inline(always)]
         pub(crate) fn one<T: Quadrant<Real = $real>>(angle: T) -> (T, T) {
             let (rest, shifted) = reduce(angle);
-            T::turn(sine_near_zero(rest), cosine_near_zero(rest), shifted)
+            let (sine, cosine) = near_zero(rest);
+            T::turn(sine, cosine, shifted)
         }
 
-        /// The angle less the nearest multiple of π/2, as an unevaluated sum of two numbers, and a
-        /// number whose last bits are those of the multiple.
+        /// The angle less the nearest multiple of π/2, as an unevaluated difference of two numbers,
+        /// and a number whose last bits are those of the multiple.
         #[inline(always)]
         fn reduce<T: Quadrant<Real = $real>>(angle: T) -> ((T, T), T) {
             let magic = T::splat(MAGIC);
             let shifted = angle.mul_add(T::splat(core::$real::consts::FRAC_2_PI), magic);
             let multiple = shifted - magic;
             let answered = T::splat(MULTIPLE_LIMIT).greater(Scalar::abs(multiple));
-            let angle = T::select(answered, angle, T::splat($real::NAN));
             // Exact, for the angle and the product are close.
-            let left = angle - multiple * T::splat(PI_HALF);
-            (less_rest(left, multiple), shifted)
+            let left = multiple.mul_neg_add(T::splat(PI_HALF), angle);
+            let (x, excess) = less_rest(left, multiple);
+            ((x, T::select(answered, excess, T::splat($real::NAN))), shifted)
         }
 
-        /// The rounded sum and what rounding took from it, exactly, whichever of the two is larger
-        /// (Knuth).
+        /// `from − multiple · part`, rounded, and by how much that is too large, exactly, whichever
+        /// of the two is larger (Knuth's sum, the product being exact).
         #[inline(always)]
-        fn two_sum<T: Scalar>(a: T, b: T) -> (T, T) {
-            let sum = a + b;
-            let b_part = sum - a;
-            (sum, (a - (sum - b_part)) + (b - b_part))
+        fn less_part<T: Scalar>(from: T, multiple: T, part: T) -> (T, T) {
+            let difference = multiple.mul_neg_add(part, from);
+            let taken = difference - from;
+            (difference, multiple.mul_add(part, taken) - (from - (difference - taken)))
         }
 
-        /// The sine of x + lo. The leading correction x³/6 is added last, so that only its own
-        /// rounding is seen beside that of x.
+        /// Sine and cosine of x − e, where e is small.
         #[inline(always)]
-        fn sine_near_zero<T: Scalar<Real = $real>>((x, lo): (T, T)) -> T {
+        fn near_zero<T: Scalar<Real = $real>>((x, excess): (T, T)) -> (T, T) {
             let square = x * x;
-            let cube = square * x;
-            // sin(x + lo) = sin x + lo cos x, of which cos x ≈ 1 − x²/2 is enough.
-            let small = cube.mul_neg_add(sine_tail(square), T::splat(0.5) * lo);
-            x - cube.mul_neg_add(T::splat(SINE[0]), square.mul_sub(small, lo))
-        }
-
-        /// The cosine of x + lo. What rounding takes from 1 − x²/2 is put back.
-        #[inline(always)]
-        fn cosine_near_zero<T: Scalar<Real = $real>>((x, lo): (T, T)) -> T {
-            let square = x * x;
-            let half = T::splat(0.5) * square;
-            let near_one = T::splat(1.0) - half;
-            // cos(x + lo) = cos x − lo sin x, of which sin x ≈ x is enough.
-            let small = (square * square).mul_sub(cosine_tail(square), x * lo);
-            near_one + (((T::splat(1.0) - near_one) - half) + small)
+            let fourth = square * square;
+            let near_cosine = square.mul_neg_add(T::splat(0.5), T::splat(1.0));
+            // sin(x − e) = sin x − e cos x, of which cos x ≈ 1 − x²/2 is enough.
+            let tail = square.mul_add(sine_tail(square, fourth), T::splat(SINE));
+            let sine = x - (square * x).mul_neg_add(tail, excess * near_cosine);
+            // cos(x − e) = cos x + e sin x, of which sin x ≈ x is enough. What rounding takes from
+            // 1 − x²/2 is put back.
+            let rounded = square.mul_neg_add(T::splat(0.5), T::splat(1.0) - near_cosine);
+            let small = fourth.mul_add(cosine_tail(square, fourth), x.mul_add(excess, rounded));
+            (sine, near_cosine + small)
         }
     };
 }
@@ -132,15 +128,15 @@ pub(crate) mod double {
     /// a turn.
     const MULTIPLE_LIMIT: f64 = 1125899906842624.0; // 2⁵⁰
 
-    /// π/2 in two parts of 33 bits and a rest of 53. Up to 2²⁰ times a part is exact; what the
-    /// product with the rest loses is seen only beside a multiple of π/2, where the parts cancel,
-    /// and adds up to 0.3 units in the last place for k near 2²⁰.
+    /// π/2 in two parts of 33 bits and a rest of 53. Up to 2²⁰ times a part is exact. Up to 10⁴ rad
+    /// k times the rest stays below a unit in the last place of what is left; for k near 2²⁰ it is
+    /// ten, of which the polynomials leave out one.
     const PI_HALF: f64 = 1.5707963267341256;
     const PI_HALF_REST: [f64; 2] = [6.077100506303966e-11, 2.0222662487959506e-21];
 
     /// sin x = x + x³ (S₀ + S₁ x² + …), to 2⁻⁵⁷·⁸ of sin x.
-    const SINE: [f64; 6] = [
-        -0.1666666666666663,
+    const SINE: f64 = -0.1666666666666663;
+    const SINE_TAIL: [f64; 5] = [
         0.00833333333332184,
         -0.00019841269829358528,
         2.7557313538514234e-06,
@@ -158,28 +154,27 @@ pub(crate) mod double {
         -1.1358732776601736e-11,
     ];
 
-    /// S₁ + S₂ z + …
+    /// S₁ + S₂ z + … of z and z².
     #[inline(always)]
-    fn sine_tail<T: Scalar<Real = f64>>(z: T) -> T {
-        let ([_, s1, s2, s3, s4, s5], square) = (SINE, z * z);
+    fn sine_tail<T: Scalar<Real = f64>>(z: T, square: T) -> T {
+        let [s1, s2, s3, s4, s5] = SINE_TAIL;
         polynomial!(z, square: s1 s2 s3 s4 s5)
     }
 
-    /// C₀ + C₁ z + …
+    /// C₀ + C₁ z + … of z and z².
     #[inline(always)]
-    fn cosine_tail<T: Scalar<Real = f64>>(z: T) -> T {
-        let ([c0, c1, c2, c3, c4, c5], square) = (COSINE, z * z);
+    fn cosine_tail<T: Scalar<Real = f64>>(z: T, square: T) -> T {
+        let [c0, c1, c2, c3, c4, c5] = COSINE;
         polynomial!(z, square: c0 c1 c2 c3 c4 c5)
     }
 
-    /// What is left of an angle less the rest of so many times π/2. Beside a multiple of π/2 each
-    /// further product may exceed all that the ones before it left; but where rounding took
-    /// anything, what is left exceeds the last product by far.
+    /// What is left of an angle less the rest of so many times π/2, as x − e. Beside a multiple of
+    /// π/2, e may exceed x; then both are so small that only their difference matters.
     #[inline(always)]
     fn less_rest<T: Scalar<Real = f64>>(left: T, multiple: T) -> (T, T) {
         let [near, far] = PI_HALF_REST;
-        let (left, lost) = two_sum(left, -(multiple * T::splat(near)));
-        two_sum(left, lost - multiple * T::splat(far))
+        let (left, excess) = less_part(left, multiple, T::splat(near));
+        (left, multiple.mul_add(T::splat(far), excess))
     }
 
     implementation!(f64);
@@ -200,22 +195,23 @@ pub(crate) mod single {
     const PI_HALF_REST: [f32; 3] = [0.00048398972, -1.6298145e-07, 6.0771006e-11];
 
     /// sin x = x + x³ (S₀ + S₁ x² + …), to 2⁻²⁷·⁹ of sin x.
-    const SINE: [f32; 3] = [-0.166_666_55, 0.008_332_189, -0.000_195_182_85];
+    const SINE: f32 = -0.166_666_55;
+    const SINE_TAIL: [f32; 2] = [0.008_332_189, -0.000_195_182_85];
 
     /// cos x = 1 − x²/2 + x⁴ (C₀ + C₁ x² + …), to 2⁻³²·⁹ of cos x.
     const COSINE: [f32; 3] = [0.041_666_646, -0.001_388_731, 2.443_232_7e-5];
 
-    /// S₁ + S₂ z
+    /// S₁ + S₂ z of z and z².
     #[inline(always)]
-    fn sine_tail<T: Scalar<Real = f32>>(z: T) -> T {
-        let [_, s1, s2] = SINE;
+    fn sine_tail<T: Scalar<Real = f32>>(z: T, _: T) -> T {
+        let [s1, s2] = SINE_TAIL;
         z.mul_add(T::splat(s2), T::splat(s1))
     }
 
-    /// C₀ + C₁ z + C₂ z²
+    /// C₀ + C₁ z + C₂ z² of z and z².
     #[inline(always)]
-    fn cosine_tail<T: Scalar<Real = f32>>(z: T) -> T {
-        let ([c0, c1, c2], square) = (COSINE, z * z);
+    fn cosine_tail<T: Scalar<Real = f32>>(z: T, square: T) -> T {
+        let [c0, c1, c2] = COSINE;
         polynomial!(z, square: c0 c1 c2)
     }
 
@@ -223,9 +219,11 @@ pub(crate) mod single {
     #[inline(always)]
     fn less_rest<T: Scalar<Real = f32>>(left: T, multiple: T) -> (T, T) {
         let [near, far, farthest] = PI_HALF_REST;
-        let (left, first_lost) = two_sum(left, -(multiple * T::splat(near)));
-        let (left, second_lost) = two_sum(left, -(multiple * T::splat(far)));
-        two_sum(left, (first_lost + second_lost) - multiple * T::splat(farthest))
+        let (left, first) = less_part(left, multiple, T::splat(near));
+        let (left, second) = less_part(left, multiple, T::splat(far));
+        // The excess is up to 4e-7 and would be seen in what `near_zero` leaves out.
+        let excess = multiple.mul_add(T::splat(farthest), first + second);
+        less_part(left, excess, T::splat(1.0))
     }
 
     implementation!(f32);
