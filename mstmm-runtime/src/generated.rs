@@ -2,6 +2,9 @@
 //!
 //! Not for use by hand; it may change with every version.
 
+/// What a loop leaves for later ones, time by time: room that nothing fills before it does.
+pub use arrayvec::ArrayVec as Stored;
+
 use crate::{ChainState, Closure, Error, Mask, Scalar};
 
 /// How many units in the last place of its scale a pivot must exceed to count as positive: a pivot that should vanish is

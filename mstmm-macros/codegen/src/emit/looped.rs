@@ -47,7 +47,7 @@ impl Plan<'_> {
             Block::Loop(turn) if !turn.stores.is_empty() => {
                 let (store, count) = (store_name(number), usize_literal(turn.stores.len()));
                 let times = usize_literal(self.chain.repeats[turn.repeat].count);
-                quote!(let mut #store = [[T::constant(0.0); #count]; #times];)
+                quote!(let mut #store = #mstmm::generated::Stored::<[T; #count], #times>::new_const();)
             }
             _ => TokenStream::new(),
         });
@@ -110,8 +110,7 @@ impl Plan<'_> {
         let mut writes = TokenStream::new();
         if !turn.stores.is_empty() {
             let (store, names) = (store_name(number), turn.stores.iter().map(|name| local(name)));
-            streams.push((quote!(store_), quote!(#store.iter_mut())));
-            writes.extend(quote!(*store_ = [#(#names),*];));
+            writes.extend(quote!(_ = #store.try_push([#(#names),*]);));
         }
         for target in targets {
             let own = target.spread.pieces.iter();
@@ -265,7 +264,12 @@ fn load_stream(program: &Program, (from, names): &(usize, Vec<String>)) -> Optio
     let wanted: Vec<Option<Ident>> =
         earlier.stores.iter().map(|name| names.contains(name).then(|| local(name))).collect();
     let (pattern, store) = (pattern(&wanted), store_name(*from));
-    Some((quote!(&#pattern), quote!(#store.iter())))
+    let times = if earlier.inwards {
+        quote!(::core::iter::Iterator::rev(#store.iter()))
+    } else {
+        quote!(#store.iter())
+    };
+    Some((quote!(&#pattern), times))
 }
 
 fn store_name(block: usize) -> Ident {

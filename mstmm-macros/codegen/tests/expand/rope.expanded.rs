@@ -273,8 +273,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
         let mut results0_ = [T::constant(0.0); 11];
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
-        let mut store1_ = [[T::constant(0.0); 5]; 10];
-        let mut store3_ = [[T::constant(0.0); 4]; 10];
+        let mut store1_ = ::mstmm::generated::Stored::<[T; 5], 10>::new_const();
+        let mut store3_ = ::mstmm::generated::Stored::<[T; 4], 10>::new_const();
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         /// Results: 8 mul, 3 add, 0 reciprocal.
@@ -290,29 +290,23 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let t9_ = step_ * t8_;
         let mut carry0_0_ = c_(0.0);
         for (
-            (
-                (&[joint_angle_], &[joint_rate_]),
-                &[known_knot_,
-                known_p1_,
-                known_p2_,
-                known_p3_,
-                known_p4_,
-                known_p5_,
-                _,
-                _,
-                _,
-                ],
-            ),
-            store_,
+            (&[joint_angle_], &[joint_rate_]),
+            &[known_knot_,
+            known_p1_,
+            known_p2_,
+            known_p3_,
+            known_p4_,
+            known_p5_,
+            _,
+            _,
+            _,
+            ],
         ) in ::core::iter::zip(
             ::core::iter::zip(
-                ::core::iter::zip(
-                    ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
-                    ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
-                ),
-                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
             ),
-            store1_.iter_mut(),
+            ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
         ) {
             let carry0_0_before_ = carry0_0_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
@@ -326,13 +320,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t12_ = known_p2_ * joint_omega_z_;
             let t13_ = joint_omega_z_ * t12_;
             let t14_ = T::mul_add(joint_rate_, t8_, t11_);
-            *store_ = [
-                sin_joint_angle_,
-                cos_joint_angle_,
-                minus_end_of_repeat0_drift_lin_x_,
-                t13_,
-                t14_,
-            ];
+            _ = store1_
+                .try_push([
+                    sin_joint_angle_,
+                    cos_joint_angle_,
+                    minus_end_of_repeat0_drift_lin_x_,
+                    t13_,
+                    t14_,
+                ]);
             (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
@@ -354,33 +349,27 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry1_8_ = t17_;
         let mut carry1_9_ = c_(0.0);
         for (
-            (
-                &[_,
-                known_p1_,
-                known_p2_,
-                _,
-                known_p4_,
-                known_p5_,
-                _,
-                _,
-                _,
-                ],
-                &[sin_joint_angle_,
-                cos_joint_angle_,
-                minus_end_of_repeat0_drift_lin_x_,
-                t13_,
-                t14_,
-                ],
-            ),
-            store_,
+            &[_,
+            known_p1_,
+            known_p2_,
+            _,
+            known_p4_,
+            known_p5_,
+            _,
+            _,
+            _,
+            ],
+            &[sin_joint_angle_,
+            cos_joint_angle_,
+            minus_end_of_repeat0_drift_lin_x_,
+            t13_,
+            t14_,
+            ],
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
-                ::core::iter::zip(
-                    ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
-                        .iter(),
-                    store1_.iter(),
-                ),
-                store3_.iter_mut(),
+                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
+                    .iter(),
+                store1_.iter(),
             ),
         ) {
             let carry1_0_before_ = carry1_0_;
@@ -457,7 +446,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t55_ = T::mul_add(sin_joint_angle_, t40_, t54_);
             let t56_ = sin_joint_angle_ * t39_;
             let t57_ = T::mul_neg_add(cos_joint_angle_, t40_, t56_);
-            *store_ = [t30_, joint_z0_force_x_, joint_z0_force_y_, joint_z0_moment_z_];
+            _ = store3_
+                .try_push([
+                    t30_,
+                    joint_z0_force_x_,
+                    joint_z0_force_y_,
+                    joint_z0_moment_z_,
+                ]);
             regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_d0_, t28_);
             (
                 carry1_0_,
@@ -492,7 +487,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             [o0_0_,
             ],
         ) in ::core::iter::zip(
-            ::core::iter::zip(store1_.iter(), store3_.iter()),
+            ::core::iter::zip(
+                store1_.iter(),
+                ::core::iter::Iterator::rev(store3_.iter()),
+            ),
             ::mstmm::generated::times_mut::<T, 1>(results0_.as_mut_slice(), 0, 10)
                 .iter_mut(),
         ) {
@@ -582,8 +580,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
         let mut results0_ = [T::constant(0.0); 11];
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
-        let mut store1_ = [[T::constant(0.0); 9]; 10];
-        let mut store3_ = [[T::constant(0.0); 3]; 10];
+        let mut store1_ = ::mstmm::generated::Stored::<[T; 9], 10>::new_const();
+        let mut store3_ = ::mstmm::generated::Stored::<[T; 3], 10>::new_const();
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         /// Results: 6 mul, 2 add, 0 reciprocal.
@@ -597,29 +595,23 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let t7_ = sin_hook_angle_ * c_(6.666666666666666);
         let mut carry0_0_ = c_(0.0);
         for (
-            (
-                (&[joint_angle_], &[joint_rate_]),
-                &[known_knot_,
-                known_p1_,
-                known_p2_,
-                known_p3_,
-                known_p4_,
-                known_p5_,
-                _,
-                _,
-                _,
-                ],
-            ),
-            store_,
+            (&[joint_angle_], &[joint_rate_]),
+            &[known_knot_,
+            known_p1_,
+            known_p2_,
+            known_p3_,
+            known_p4_,
+            known_p5_,
+            _,
+            _,
+            _,
+            ],
         ) in ::core::iter::zip(
             ::core::iter::zip(
-                ::core::iter::zip(
-                    ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
-                    ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
-                ),
-                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
             ),
-            store1_.iter_mut(),
+            ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
         ) {
             let carry0_0_before_ = carry0_0_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
@@ -637,17 +629,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t14_ = T::mul_neg_add(c_(2.0), t11_, c_(1.0));
             let t15_ = known_p2_ * joint_omega_z_;
             let t16_ = joint_omega_z_ * t15_;
-            *store_ = [
-                sin_joint_angle_,
-                cos_joint_angle_,
-                t10_,
-                t11_,
-                t12_,
-                t13_,
-                t14_,
-                minus_end_of_repeat0_drift_lin_x_,
-                t16_,
-            ];
+            _ = store1_
+                .try_push([
+                    sin_joint_angle_,
+                    cos_joint_angle_,
+                    t10_,
+                    t11_,
+                    t12_,
+                    t13_,
+                    t14_,
+                    minus_end_of_repeat0_drift_lin_x_,
+                    t16_,
+                ]);
             (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
@@ -666,37 +659,31 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry1_5_ = t19_;
         let mut carry1_6_ = c_(0.0);
         for (
-            (
-                &[_,
-                known_p1_,
-                known_p2_,
-                _,
-                known_p4_,
-                known_p5_,
-                _,
-                _,
-                _,
-                ],
-                &[sin_joint_angle_,
-                cos_joint_angle_,
-                t10_,
-                t11_,
-                t12_,
-                t13_,
-                t14_,
-                minus_end_of_repeat0_drift_lin_x_,
-                t16_,
-                ],
-            ),
-            store_,
+            &[_,
+            known_p1_,
+            known_p2_,
+            _,
+            known_p4_,
+            known_p5_,
+            _,
+            _,
+            _,
+            ],
+            &[sin_joint_angle_,
+            cos_joint_angle_,
+            t10_,
+            t11_,
+            t12_,
+            t13_,
+            t14_,
+            minus_end_of_repeat0_drift_lin_x_,
+            t16_,
+            ],
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
-                ::core::iter::zip(
-                    ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
-                        .iter(),
-                    store1_.iter(),
-                ),
-                store3_.iter_mut(),
+                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
+                    .iter(),
+                store1_.iter(),
             ),
         ) {
             let carry1_0_before_ = carry1_0_;
@@ -761,7 +748,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t51_ = T::mul_add(sin_joint_angle_, t49_, t50_);
             let t52_ = sin_joint_angle_ * t48_;
             let t53_ = T::mul_neg_add(cos_joint_angle_, t49_, t52_);
-            *store_ = [t40_, t42_, t45_];
+            _ = store3_.try_push([t40_, t42_, t45_]);
             regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t24_);
             (
                 carry1_0_,
@@ -796,7 +783,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             [o0_0_,
             ],
         ) in ::core::iter::zip(
-            ::core::iter::zip(store1_.iter(), store3_.iter()),
+            ::core::iter::zip(
+                store1_.iter(),
+                ::core::iter::Iterator::rev(store3_.iter()),
+            ),
             ::mstmm::generated::times_mut::<T, 1>(results0_.as_mut_slice(), 0, 10)
                 .iter_mut(),
         ) {
@@ -934,15 +924,15 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut results4_ = [T::constant(0.0); 11];
         let mut results7_ = [T::constant(0.0); 299];
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
-        let mut store1_ = [[T::constant(0.0); 10]; 10];
-        let mut store3_ = [[T::constant(0.0); 3]; 10];
-        let mut store4_ = [[T::constant(0.0); 1]; 10];
-        let mut store6_ = [[T::constant(0.0); 6]; 10];
-        let mut store9_ = [[T::constant(0.0); 1]; 10];
-        let mut store13_ = [[T::constant(0.0); 2]; 10];
-        let mut store16_ = [[T::constant(0.0); 6]; 10];
-        let mut store18_ = [[T::constant(0.0); 1]; 10];
-        let mut store20_ = [[T::constant(0.0); 2]; 10];
+        let mut store1_ = ::mstmm::generated::Stored::<[T; 10], 10>::new_const();
+        let mut store3_ = ::mstmm::generated::Stored::<[T; 3], 10>::new_const();
+        let mut store4_ = ::mstmm::generated::Stored::<[T; 1], 10>::new_const();
+        let mut store6_ = ::mstmm::generated::Stored::<[T; 6], 10>::new_const();
+        let mut store9_ = ::mstmm::generated::Stored::<[T; 1], 10>::new_const();
+        let mut store13_ = ::mstmm::generated::Stored::<[T; 2], 10>::new_const();
+        let mut store16_ = ::mstmm::generated::Stored::<[T; 6], 10>::new_const();
+        let mut store18_ = ::mstmm::generated::Stored::<[T; 1], 10>::new_const();
+        let mut store20_ = ::mstmm::generated::Stored::<[T; 2], 10>::new_const();
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         /// Results: 6 mul, 2 add, 0 reciprocal.
@@ -957,20 +947,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry0_0_ = c_(0.0);
         for (
             (
-                (
-                    (&[joint_angle_], &[joint_rate_]),
-                    &[known_knot_,
-                    known_p1_,
-                    known_p2_,
-                    known_p3_,
-                    known_p4_,
-                    known_p5_,
-                    known_p6_,
-                    known_p7_,
-                    known_p8_,
-                    ],
-                ),
-                store_,
+                (&[joint_angle_], &[joint_rate_]),
+                &[known_knot_,
+                known_p1_,
+                known_p2_,
+                known_p3_,
+                known_p4_,
+                known_p5_,
+                known_p6_,
+                known_p7_,
+                known_p8_,
+                ],
             ),
             [_,
             _,
@@ -1002,16 +989,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         ) in ::core::iter::zip(
             ::core::iter::zip(
                 ::core::iter::zip(
-                    ::core::iter::zip(
-                        ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10)
-                            .iter(),
-                        ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10)
-                            .iter(),
-                    ),
-                    ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
-                        .iter(),
+                    ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
+                    ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
                 ),
-                store1_.iter_mut(),
+                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
             ),
             ::mstmm::generated::times_mut::<T, 26>(results7_.as_mut_slice(), 13, 10)
                 .iter_mut(),
@@ -1035,18 +1016,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t15_ = T::mul_neg_add(c_(2.0), t12_, c_(1.0));
             let t16_ = known_p2_ * joint_omega_z_;
             let t17_ = joint_omega_z_ * t16_;
-            *store_ = [
-                sin_joint_angle_,
-                cos_joint_angle_,
-                minus_joint_load_moment_z_,
-                t12_,
-                t13_,
-                t14_,
-                t15_,
-                minus_end_of_repeat0_drift_lin_x_,
-                t17_,
-                t11_,
-            ];
+            _ = store1_
+                .try_push([
+                    sin_joint_angle_,
+                    cos_joint_angle_,
+                    minus_joint_load_moment_z_,
+                    t12_,
+                    t13_,
+                    t14_,
+                    t15_,
+                    minus_end_of_repeat0_drift_lin_x_,
+                    t17_,
+                    t11_,
+                ]);
             *o7_23_ = minus_joint_load_moment_z_;
             (carry0_0_,) = (joint_omega_z_,);
         }
@@ -1066,38 +1048,32 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry1_5_ = t20_;
         let mut carry1_6_ = c_(0.0);
         for (
-            (
-                &[_,
-                known_p1_,
-                known_p2_,
-                _,
-                known_p4_,
-                known_p5_,
-                _,
-                _,
-                _,
-                ],
-                &[sin_joint_angle_,
-                cos_joint_angle_,
-                minus_joint_load_moment_z_,
-                t12_,
-                t13_,
-                t14_,
-                t15_,
-                minus_end_of_repeat0_drift_lin_x_,
-                t17_,
-                _,
-                ],
-            ),
-            store_,
+            &[_,
+            known_p1_,
+            known_p2_,
+            _,
+            known_p4_,
+            known_p5_,
+            _,
+            _,
+            _,
+            ],
+            &[sin_joint_angle_,
+            cos_joint_angle_,
+            minus_joint_load_moment_z_,
+            t12_,
+            t13_,
+            t14_,
+            t15_,
+            minus_end_of_repeat0_drift_lin_x_,
+            t17_,
+            _,
+            ],
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
-                ::core::iter::zip(
-                    ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
-                        .iter(),
-                    store1_.iter(),
-                ),
-                store3_.iter_mut(),
+                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
+                    .iter(),
+                store1_.iter(),
             ),
         ) {
             let carry1_0_before_ = carry1_0_;
@@ -1162,7 +1138,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t52_ = T::mul_add(sin_joint_angle_, t50_, t51_);
             let t53_ = sin_joint_angle_ * t49_;
             let t54_ = T::mul_neg_add(cos_joint_angle_, t50_, t53_);
-            *store_ = [t41_, t43_, t46_];
+            _ = store3_.try_push([t41_, t43_, t46_]);
             regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t25_);
             (
                 carry1_0_,
@@ -1188,24 +1164,21 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         for (
             (
                 (
-                    (
-                        &[sin_joint_angle_,
-                        cos_joint_angle_,
-                        _,
-                        _,
-                        _,
-                        _,
-                        _,
-                        minus_end_of_repeat0_drift_lin_x_,
-                        _,
-                        _,
-                        ],
-                        &[t41_,
-                        t43_,
-                        t46_,
-                        ],
-                    ),
-                    store_,
+                    &[sin_joint_angle_,
+                    cos_joint_angle_,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    minus_end_of_repeat0_drift_lin_x_,
+                    _,
+                    _,
+                    ],
+                    &[t41_,
+                    t43_,
+                    t46_,
+                    ],
                 ),
                 [o0_0_,
                 ],
@@ -1215,8 +1188,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         ) in ::core::iter::zip(
             ::core::iter::zip(
                 ::core::iter::zip(
-                    ::core::iter::zip(store1_.iter(), store3_.iter()),
-                    store4_.iter_mut(),
+                    store1_.iter(),
+                    ::core::iter::Iterator::rev(store3_.iter()),
                 ),
                 ::mstmm::generated::times_mut::<T, 1>(results0_.as_mut_slice(), 0, 10)
                     .iter_mut(),
@@ -1250,7 +1223,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
             /// Results: 0 mul, 1 add, 0 reciprocal.
             let t59_ = carry2_2_before_ + minus_joint_a_ang_z_;
-            *store_ = [t59_];
+            _ = store4_.try_push([t59_]);
             *o0_0_ = -t59_;
             *o3_0_ = -t59_;
             (carry2_0_, carry2_1_, carry2_2_) = (
@@ -1269,22 +1242,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry3_4_ = c_(0.0);
         for (
             (
-                (
-                    &[joint_rate_,
-                    ],
-                    &[sin_joint_angle_,
-                    cos_joint_angle_,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    ],
-                ),
-                store_,
+                &[joint_rate_,
+                ],
+                &[sin_joint_angle_,
+                cos_joint_angle_,
+                _,
+                _,
+                _,
+                _,
+                _,
+                _,
+                _,
+                _,
+                ],
             ),
             [_,
             _,
@@ -1315,11 +1285,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             ],
         ) in ::core::iter::zip(
             ::core::iter::zip(
-                ::core::iter::zip(
-                    ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
-                    store1_.iter(),
-                ),
-                store6_.iter_mut(),
+                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+                store1_.iter(),
             ),
             ::mstmm::generated::times_mut::<T, 26>(results7_.as_mut_slice(), 13, 10)
                 .iter_mut(),
@@ -1354,14 +1321,15 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t68_ = c_(0.1) * joint_axes_y_x_;
             let t69_ = joint_omega_z_2_ * t68_;
             let minus_end_of_repeat0_drift_lin_y_ = joint_omega_z_2_ * t69_;
-            *store_ = [
-                t66_,
-                t68_,
-                t69_,
-                t67_,
-                minus_end_of_repeat0_drift_lin_x_2_,
-                minus_end_of_repeat0_drift_lin_y_,
-            ];
+            _ = store6_
+                .try_push([
+                    t66_,
+                    t68_,
+                    t69_,
+                    t67_,
+                    minus_end_of_repeat0_drift_lin_x_2_,
+                    minus_end_of_repeat0_drift_lin_y_,
+                ]);
             *o7_15_ = joint_axes_x_x_;
             *o7_16_ = joint_axes_y_x_;
             *o7_19_ = joint_omega_z_2_;
@@ -1450,17 +1418,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             (carry4_0_, carry4_1_, carry4_2_, carry4_3_) = (t76_, t77_, -t74_, t75_);
         }
         let mut carry5_0_ = c_(0.0);
-        for (&[joint_rate_], store_) in ::core::iter::zip(
-            ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
-            store9_.iter_mut(),
-        ) {
+        for &[joint_rate_] in ::mstmm::generated::times::<
+            T,
+            1,
+        >(state_.v.as_slice(), 0, 10)
+            .iter()
+        {
             let carry5_0_before_ = carry5_0_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
             let joint_omega_z_3_ = joint_rate_ + carry5_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
             let t78_ = c_(0.1) * joint_omega_z_3_;
             let minus_end_of_repeat0_drift_lin_x_3_ = joint_omega_z_3_ * t78_;
-            *store_ = [minus_end_of_repeat0_drift_lin_x_3_];
+            _ = store9_.try_push([minus_end_of_repeat0_drift_lin_x_3_]);
             (carry5_0_,) = (joint_omega_z_3_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
@@ -1513,17 +1483,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry7_2_ = c_(0.0);
         for (
             (
-                (
-                    (&[_, _, _, _, _, _, known_p6_, known_p7_, _], &[t59_]),
-                    &[t66_,
-                    t68_,
-                    _,
-                    _,
-                    minus_end_of_repeat0_drift_lin_x_2_,
-                    minus_end_of_repeat0_drift_lin_y_,
-                    ],
-                ),
-                store_,
+                (&[_, _, _, _, _, _, known_p6_, known_p7_, _], &[t59_]),
+                &[t66_,
+                t68_,
+                _,
+                _,
+                minus_end_of_repeat0_drift_lin_x_2_,
+                minus_end_of_repeat0_drift_lin_y_,
+                ],
             ),
             [_,
             _,
@@ -1555,17 +1522,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         ) in ::core::iter::zip(
             ::core::iter::zip(
                 ::core::iter::zip(
-                    ::core::iter::zip(
-                        ::mstmm::generated::times::<
-                            T,
-                            9,
-                        >(self.derived0.as_slice(), 0, 10)
-                            .iter(),
-                        store4_.iter(),
-                    ),
-                    store6_.iter(),
+                    ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
+                        .iter(),
+                    store4_.iter(),
                 ),
-                store13_.iter_mut(),
+                store6_.iter(),
             ),
             ::mstmm::generated::times_mut::<T, 26>(results7_.as_mut_slice(), 13, 10)
                 .iter_mut(),
@@ -1599,7 +1560,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t101_ = known_p7_ * t100_;
             let t102_ = c_(9.8) - minus_end_of_repeat0_acc_lin_y_;
             let joint_own_force_y_ = T::mul_add(known_p6_, t102_, t101_);
-            *store_ = [joint_own_force_x_, joint_own_force_y_];
+            _ = store13_.try_push([joint_own_force_x_, joint_own_force_y_]);
             *o7_20_ = carry7_0_before_;
             *o7_21_ = carry7_1_before_;
             *o7_22_ = -minus_joint_acc_ang_z_;
@@ -1691,31 +1652,24 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry9_3_ = c_(1.0);
         let mut carry9_4_ = c_(0.0);
         for (
-            (
-                (&[joint_rate_], &[_, _, _, _, _, _, known_p6_, _, _]),
-                &[sin_joint_angle_,
-                cos_joint_angle_,
-                _,
-                _,
-                _,
-                _,
-                _,
-                _,
-                _,
-                _,
-                ],
-            ),
-            store_,
+            (&[joint_rate_], &[_, _, _, _, _, _, known_p6_, _, _]),
+            &[sin_joint_angle_,
+            cos_joint_angle_,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            ],
         ) in ::core::iter::zip(
             ::core::iter::zip(
-                ::core::iter::zip(
-                    ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
-                    ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
-                        .iter(),
-                ),
-                store1_.iter(),
+                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
             ),
-            store16_.iter_mut(),
+            store1_.iter(),
         ) {
             let carry9_0_before_ = carry9_0_;
             let carry9_1_before_ = carry9_1_;
@@ -1757,7 +1711,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t112_ = known_p6_ * t109_;
             let t113_ = known_p6_ * t110_;
             let t114_ = c_(9.8) * t111_;
-            *store_ = [t108_, t109_, t110_, t112_, t113_, t114_];
+            _ = store16_.try_push([t108_, t109_, t110_, t112_, t113_, t114_]);
             (carry9_0_, carry9_1_, carry9_2_, carry9_3_, carry9_4_) = (
                 joint_axes_x_x_2_,
                 -minus_joint_axes_x_y_2_,
@@ -1779,12 +1733,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let t120_ = hook_omega_z_4_ * t117_;
         let t121_ = c_(1.9600000000000002) * minus_hook_axes_y_y_2_;
         let mut carry10_0_ = c_(0.0);
-        for ((&[joint_rate_], &[_, _, _, _, known_p4_, _, _, _, _]), store_) in ::core::iter::zip(
-            ::core::iter::zip(
-                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
-                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
-            ),
-            store18_.iter_mut(),
+        for (&[joint_rate_], &[_, _, _, _, known_p4_, _, _, _, _]) in ::core::iter::zip(
+            ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+            ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
         ) {
             let carry10_0_before_ = carry10_0_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
@@ -1793,7 +1744,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t122_ = known_p4_ * joint_omega_z_5_;
             let t123_ = joint_omega_z_5_ * t122_;
             let t124_ = c_(0.5) * t123_;
-            *store_ = [t124_];
+            _ = store18_.try_push([t124_]);
             (carry10_0_,) = (joint_omega_z_5_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
@@ -1806,33 +1757,26 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry11_1_ = c_(0.0);
         let mut carry11_2_ = c_(0.0);
         for (
-            (
-                &[_,
-                _,
-                _,
-                _,
-                _,
-                _,
-                known_p6_,
-                _,
-                known_p8_,
-                ],
-                &[t108_,
-                t109_,
-                t110_,
-                t112_,
-                t113_,
-                _,
-                ],
-            ),
-            store_,
+            &[_,
+            _,
+            _,
+            _,
+            _,
+            _,
+            known_p6_,
+            _,
+            known_p8_,
+            ],
+            &[t108_,
+            t109_,
+            t110_,
+            t112_,
+            t113_,
+            _,
+            ],
         ) in ::core::iter::zip(
-            ::core::iter::zip(
-                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
-                    .iter(),
-                store16_.iter(),
-            ),
-            store20_.iter_mut(),
+            ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
+            store16_.iter(),
         ) {
             let carry11_0_before_ = carry11_0_;
             let carry11_1_before_ = carry11_1_;
@@ -1846,7 +1790,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t133_ = carry11_1_before_ * t131_;
             let t134_ = T::mul_neg_add(carry11_2_before_, t132_, t133_);
             let t135_ = known_p8_ * carry11_0_before_;
-            *store_ = [t134_, t135_];
+            _ = store20_.try_push([t134_, t135_]);
             (carry11_0_, carry11_1_, carry11_2_) = (t130_, -t128_, t129_);
         }
         /// Results: 3 mul, 3 add, 0 reciprocal.
@@ -2026,9 +1970,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let c_ = T::constant;
         let [hook_angle_] = ::mstmm::generated::piece::<T, 1>(state_.q.as_slice(), 10);
         let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
-        let mut store1_ = [[T::constant(0.0); 7]; 10];
-        let mut store3_ = [[T::constant(0.0); 1]; 10];
-        let mut store5_ = [[T::constant(0.0); 2]; 10];
+        let mut store1_ = ::mstmm::generated::Stored::<[T; 7], 10>::new_const();
+        let mut store3_ = ::mstmm::generated::Stored::<[T; 1], 10>::new_const();
+        let mut store5_ = ::mstmm::generated::Stored::<[T; 2], 10>::new_const();
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         let mut carry0_0_ = c_(1.0);
@@ -2037,29 +1981,23 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry0_3_ = c_(1.0);
         let mut carry0_4_ = c_(0.0);
         for (
-            (
-                (&[joint_angle_], &[joint_rate_]),
-                &[known_knot_,
-                known_p1_,
-                _,
-                known_p3_,
-                known_p4_,
-                _,
-                known_p6_,
-                _,
-                known_p8_,
-                ],
-            ),
-            store_,
+            (&[joint_angle_], &[joint_rate_]),
+            &[known_knot_,
+            known_p1_,
+            _,
+            known_p3_,
+            known_p4_,
+            _,
+            known_p6_,
+            _,
+            known_p8_,
+            ],
         ) in ::core::iter::zip(
             ::core::iter::zip(
-                ::core::iter::zip(
-                    ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
-                    ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
-                ),
-                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
             ),
-            store1_.iter_mut(),
+            ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
         ) {
             let carry0_0_before_ = carry0_0_;
             let carry0_1_before_ = carry0_1_;
@@ -2097,7 +2035,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t12_ = known_p6_ * t9_;
             let t13_ = known_p6_ * t10_;
             let t14_ = c_(9.8) * t11_;
-            *store_ = [t8_, t9_, t10_, t12_, t13_, t6_, t14_];
+            _ = store1_.try_push([t8_, t9_, t10_, t12_, t13_, t6_, t14_]);
             (carry0_0_, carry0_1_, carry0_2_, carry0_3_, carry0_4_) = (
                 joint_axes_x_x_,
                 -minus_joint_axes_x_y_,
@@ -2119,12 +2057,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let t20_ = hook_omega_z_ * t17_;
         let t21_ = c_(1.9600000000000002) * minus_hook_axes_y_y_;
         let mut carry1_0_ = c_(0.0);
-        for ((&[joint_rate_], &[_, _, _, _, known_p4_, _, _, _, _]), store_) in ::core::iter::zip(
-            ::core::iter::zip(
-                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
-                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
-            ),
-            store3_.iter_mut(),
+        for (&[joint_rate_], &[_, _, _, _, known_p4_, _, _, _, _]) in ::core::iter::zip(
+            ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+            ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
         ) {
             let carry1_0_before_ = carry1_0_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
@@ -2133,7 +2068,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t22_ = known_p4_ * joint_omega_z_2_;
             let t23_ = joint_omega_z_2_ * t22_;
             let t24_ = c_(0.5) * t23_;
-            *store_ = [t24_];
+            _ = store3_.try_push([t24_]);
             (carry1_0_,) = (joint_omega_z_2_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
@@ -2146,34 +2081,27 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry2_1_ = c_(0.0);
         let mut carry2_2_ = c_(0.0);
         for (
-            (
-                &[_,
-                _,
-                _,
-                _,
-                _,
-                _,
-                known_p6_,
-                _,
-                known_p8_,
-                ],
-                &[t8_,
-                t9_,
-                t10_,
-                t12_,
-                t13_,
-                _,
-                _,
-                ],
-            ),
-            store_,
+            &[_,
+            _,
+            _,
+            _,
+            _,
+            _,
+            known_p6_,
+            _,
+            known_p8_,
+            ],
+            &[t8_,
+            t9_,
+            t10_,
+            t12_,
+            t13_,
+            _,
+            _,
+            ],
         ) in ::core::iter::zip(
-            ::core::iter::zip(
-                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
-                    .iter(),
-                store1_.iter(),
-            ),
-            store5_.iter_mut(),
+            ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
+            store1_.iter(),
         ) {
             let carry2_0_before_ = carry2_0_;
             let carry2_1_before_ = carry2_1_;
@@ -2187,7 +2115,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t33_ = carry2_1_before_ * t31_;
             let t34_ = T::mul_neg_add(carry2_2_before_, t32_, t33_);
             let t35_ = carry2_0_before_ * known_p8_;
-            *store_ = [t34_, t35_];
+            _ = store5_.try_push([t34_, t35_]);
             (carry2_0_, carry2_1_, carry2_2_) = (t30_, t28_, t29_);
         }
         /// Results: 3 mul, 3 add, 0 reciprocal.
