@@ -111,9 +111,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 14 | 5 | 1 | 0 | 0 |
-    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 30 | 21 | 1 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 123 | 69 | 6 | 6 | 0 |
+    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 15 | 5 | 1 | 0 | 0 |
+    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 31 | 22 | 1 | 0 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 121 | 68 | 6 | 6 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 17 | 14 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 9 | 5 | 0 | 0 | 0 |
@@ -166,7 +166,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t4_ = c_(0.6) * b_omega_z_;
         let minus_b_e_force_x_ = b_omega_z_ * t4_;
-        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 14 mul, 5 add, 1 reciprocal.
+        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 15 mul, 5 add, 1 reciprocal.
         let t5_ = sin_b_angle_ * cos_b_angle_;
         let a_k_xy_ = c_(1.5) * t5_;
         let a_b_x_z_ = t5_ * c_(0.8999999999999999);
@@ -183,7 +183,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t12_ = T::recip(a_j_zz_);
         let a_z0_force_x_ = a_b_x_z_ * t12_;
         let a_z0_force_y_ = a_b_y_z_ * t12_;
-        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 30 mul, 21 add, 1 reciprocal.
+        let a_w0_ = minus_a_e_moment_z_ * t12_;
+        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 31 mul, 22 add, 1 reciprocal.
         let t13_ = t7_ - c_(4.0);
         let t14_ = c_(2.5) + t7_;
         let t15_ = a_b_x_z_ * a_b_x_z_;
@@ -209,21 +210,22 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             c_(0.020000000000000004),
         );
         let t29_ = sin_b_angle_ * t9_;
-        let t30_ = minus_a_e_moment_z_ * t12_;
-        let t31_ = T::mul_neg_add(a_b_y_z_, t30_, minus_a_e_force_y_);
-        let t32_ = T::mul_add(cos_b_angle_, t10_, t3_);
-        let t33_ = T::mul_sub(a_drift_lin_y_, t20_, t32_);
-        let t34_ = T::mul_neg_add(a_b_x_z_, t30_, t29_);
-        let t35_ = T::mul_sub(minus_a_drift_lin_x_, t16_, t34_);
-        let t36_ = t33_ + t35_;
-        let t37_ = T::mul_neg_add(a_drift_lin_y_, t18_, t31_);
-        let t38_ = T::mul_add(minus_a_drift_lin_x_, t20_, t37_);
-        let t39_ = sin_a_angle_ * t36_;
-        let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t38_, t39_);
-        let t40_ = T::recip(crank_pin_j_zz_);
-        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t40_;
-        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t40_;
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 123 mul, 69 add, 6 reciprocal, 6 square root.
+        let t30_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
+        let t31_ = T::mul_add(cos_b_angle_, t10_, t3_);
+        let t32_ = T::mul_sub(a_drift_lin_y_, t20_, t31_);
+        let t33_ = T::mul_neg_add(a_b_x_z_, a_w0_, t29_);
+        let t34_ = T::mul_sub(minus_a_drift_lin_x_, t16_, t33_);
+        let t35_ = t32_ + t34_;
+        let t36_ = T::mul_neg_add(a_drift_lin_y_, t18_, t30_);
+        let t37_ = T::mul_add(minus_a_drift_lin_x_, t20_, t36_);
+        let t38_ = sin_a_angle_ * t35_;
+        let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t37_, t38_);
+        let t39_ = T::recip(crank_pin_j_zz_);
+        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t39_;
+        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t39_;
+        let t40_ = T::mul_neg_add(c_(0.2), crank_pin_e_force_y_, crank_pin_input0_);
+        let crank_pin_w0_ = t39_ * t40_;
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 121 mul, 68 add, 6 reciprocal, 6 square root.
         let t41_ = c_(0.6) * sin_rocker_pin_angle_;
         let t42_ = sin_rocker_pin_angle_ * c_(2.5);
         let t43_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
@@ -240,7 +242,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t54_ = sin_a_angle_ * t51_;
         let t55_ = T::mul_add(cos_a_angle_, t52_, t54_);
         let t56_ = c_(0.2) * t55_;
-        let t57_ = t56_ * t40_;
+        let t57_ = t56_ * t39_;
         let closure_d0_ = T::mul_add(t56_, t57_, t53_);
         let t58_ = c_(0.6) * cos_rocker_pin_angle_;
         let t59_ = cos_rocker_pin_angle_ * c_(2.5);
@@ -276,8 +278,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t89_ = T::mul_add(t55_, t55_, t88_);
         let t90_ = t56_ * t56_;
         let t91_ = T::mul_add(t89_, c_(0.76), t90_);
-        let t92_ = t87_ * t40_;
-        let t93_ = T::mul_add(t91_, t40_, t78_);
+        let t92_ = t87_ * t39_;
+        let t93_ = T::mul_add(t91_, t39_, t78_);
         let t94_ = T::mul_neg_add(t87_, t57_, t81_);
         let t95_ = T::mul_add(t87_, t92_, t82_);
         let t96_ = T::copysign(closure_d0_, c_(1.0));
@@ -294,8 +296,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t106_ = T::mul_add(t58_, t58_, t62_);
         let t107_ = c_(4.166666666666667) * t106_;
         let t108_ = b_drift_lin_y_ * t43_;
-        let t109_ = t49_ * t30_;
-        let t110_ = t72_ * t30_;
+        let t109_ = t49_ * a_w0_;
+        let t110_ = t72_ * a_w0_;
         let t111_ = t69_ * t69_;
         let t112_ = T::mul_add(t71_, t71_, t111_);
         let t113_ = t72_ * t72_;
@@ -315,7 +317,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t125_ = T::mul_neg_add(t56_, crank_pin_z0_force_y_, t55_);
         let t126_ = T::mul_neg_add(t87_, crank_pin_z0_force_x_, t117_);
         let t127_ = T::mul_neg_add(t87_, crank_pin_z0_force_y_, t86_);
-        let t128_ = T::mul_add(t121_, t40_, t115_);
+        let t128_ = T::mul_add(t121_, t39_, t115_);
         let t129_ = T::copysign(closure_d1_, c_(1.0));
         let t130_ = closure_d1_ + t129_;
         let t131_ = c_(0.5) * t130_;
@@ -340,84 +342,82 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t150_ = T::sqrt(t149_);
         let t151_ = t146_ * t150_;
         let t152_ = t143_ * t150_;
-        let t153_ = T::mul_neg_add(c_(0.2), crank_pin_e_force_y_, crank_pin_input0_);
-        let t154_ = t40_ * t153_;
-        let t155_ = T::mul_neg_add(cos_rocker_pin_angle_, t122_, t109_);
-        let t156_ = T::mul_sub(minus_a_drift_lin_x_, t51_, t155_);
-        let t157_ = T::mul_sub(crank_pin_a_lin_y_, t125_, t156_);
-        let t158_ = T::mul_add(a_drift_lin_y_, t52_, t108_);
-        let t159_ = T::mul_add(t56_, t154_, t158_);
-        let t160_ = T::mul_add(crank_pin_a_lin_x_, t124_, t159_);
-        let t161_ = t157_ + t160_;
-        let t162_ = T::mul_add(a_drift_lin_y_, t80_, t123_);
-        let t163_ = T::mul_add(t87_, t154_, t162_);
-        let t164_ = T::mul_add(crank_pin_a_lin_x_, t126_, t163_);
-        let t165_ = T::mul_neg_add(sin_rocker_pin_angle_, t122_, t110_);
-        let t166_ = T::mul_sub(minus_a_drift_lin_x_, t79_, t165_);
-        let t167_ = T::mul_sub(crank_pin_a_lin_y_, t127_, t166_);
-        let t168_ = T::mul_add(t105_, t161_, t167_);
-        let t169_ = t164_ + t168_;
-        let t170_ = t104_ * t161_;
-        let t171_ = t137_ * t169_;
-        let t172_ = T::mul_add(t105_, t171_, t170_);
-        let t173_ = t142_ * t172_;
-        let t174_ = T::mul_neg_add(t142_, t173_, t172_);
-        let t175_ = t151_ * t174_;
-        let t176_ = T::mul_add(t152_, t171_, t175_);
-        let closure_reaction0_ = T::mul_neg_add(t151_, t176_, t174_);
-        let minus_closure_reaction1_ = T::mul_neg_add(t152_, t176_, t171_);
+        let t153_ = T::mul_neg_add(cos_rocker_pin_angle_, t122_, t109_);
+        let t154_ = T::mul_sub(minus_a_drift_lin_x_, t51_, t153_);
+        let t155_ = T::mul_sub(crank_pin_a_lin_y_, t125_, t154_);
+        let t156_ = T::mul_add(a_drift_lin_y_, t52_, t108_);
+        let t157_ = T::mul_add(t56_, crank_pin_w0_, t156_);
+        let t158_ = T::mul_add(crank_pin_a_lin_x_, t124_, t157_);
+        let t159_ = t155_ + t158_;
+        let t160_ = T::mul_add(a_drift_lin_y_, t80_, t123_);
+        let t161_ = T::mul_add(t87_, crank_pin_w0_, t160_);
+        let t162_ = T::mul_add(crank_pin_a_lin_x_, t126_, t161_);
+        let t163_ = T::mul_neg_add(sin_rocker_pin_angle_, t122_, t110_);
+        let t164_ = T::mul_sub(minus_a_drift_lin_x_, t79_, t163_);
+        let t165_ = T::mul_sub(crank_pin_a_lin_y_, t127_, t164_);
+        let t166_ = T::mul_add(t105_, t159_, t165_);
+        let t167_ = t162_ + t166_;
+        let t168_ = t104_ * t159_;
+        let t169_ = t137_ * t167_;
+        let t170_ = T::mul_add(t105_, t169_, t168_);
+        let t171_ = t142_ * t170_;
+        let t172_ = T::mul_neg_add(t142_, t171_, t170_);
+        let t173_ = t151_ * t172_;
+        let t174_ = T::mul_add(t152_, t169_, t173_);
+        let closure_reaction0_ = T::mul_neg_add(t151_, t174_, t172_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t152_, t174_, t169_);
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-        let t177_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
-        let t178_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t177_);
-        let t179_ = T::mul_sub(c_(9.8), t178_, t154_);
-        let t180_ = T::mul_add(t92_, minus_closure_reaction1_, t179_);
-        let minus_crank_pin_a_ang_z_ = T::mul_add(t57_, closure_reaction0_, t180_);
+        let t175_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        let t176_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t175_);
+        let t177_ = T::mul_sub(c_(9.8), t176_, crank_pin_w0_);
+        let t178_ = T::mul_add(t92_, minus_closure_reaction1_, t177_);
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t57_, closure_reaction0_, t178_);
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 17 mul, 14 add, 0 reciprocal.
-        let t181_ = T::mul_neg_add(
+        let t179_ = T::mul_neg_add(
             cos_a_angle_,
             crank_pin_a_lin_x_,
             minus_a_drift_lin_x_,
         );
-        let t182_ = T::mul_neg_add(
+        let t180_ = T::mul_neg_add(
             c_(0.2),
             minus_crank_pin_a_ang_z_,
             crank_pin_a_lin_y_,
         );
-        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t182_, t181_);
-        let t183_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
-        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t182_, t183_);
-        let t184_ = a_drift_lin_y_ * a_z0_force_y_;
-        let t185_ = cos_a_angle_ * a_z0_force_x_;
-        let t186_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t185_);
-        let t187_ = sin_a_angle_ * a_z0_force_x_;
-        let t188_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t187_);
-        let t189_ = c_(0.2) * t188_;
-        let t190_ = T::mul_add(minus_a_drift_lin_x_, a_z0_force_x_, t30_);
-        let t191_ = T::mul_sub(crank_pin_a_lin_x_, t186_, t190_);
-        let t192_ = T::mul_add(t50_, closure_reaction0_, t191_);
-        let t193_ = T::mul_add(crank_pin_a_lin_y_, t188_, t184_);
-        let t194_ = T::mul_add(t73_, minus_closure_reaction1_, t193_);
-        let t195_ = T::mul_sub(t189_, minus_crank_pin_a_ang_z_, t194_);
-        let minus_a_a_ang_z_ = t192_ - t195_;
+        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t180_, t179_);
+        let t181_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t180_, t181_);
+        let t182_ = a_drift_lin_y_ * a_z0_force_y_;
+        let t183_ = cos_a_angle_ * a_z0_force_x_;
+        let t184_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t183_);
+        let t185_ = sin_a_angle_ * a_z0_force_x_;
+        let t186_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t185_);
+        let t187_ = c_(0.2) * t186_;
+        let t188_ = T::mul_add(minus_a_drift_lin_x_, a_z0_force_x_, a_w0_);
+        let t189_ = T::mul_sub(crank_pin_a_lin_x_, t184_, t188_);
+        let t190_ = T::mul_add(t50_, closure_reaction0_, t189_);
+        let t191_ = T::mul_add(crank_pin_a_lin_y_, t186_, t182_);
+        let t192_ = T::mul_add(t73_, minus_closure_reaction1_, t191_);
+        let t193_ = T::mul_sub(t187_, minus_crank_pin_a_ang_z_, t192_);
+        let minus_a_a_ang_z_ = t190_ - t193_;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 9 mul, 5 add, 0 reciprocal.
-        let t196_ = b_drift_lin_y_ * c_(2.5);
-        let t197_ = sin_b_angle_ * c_(2.5);
-        let t198_ = cos_b_angle_ * c_(2.5);
-        let t199_ = cos_b_angle_ * c_(1.5);
-        let t200_ = t42_ * closure_reaction0_;
-        let t201_ = T::mul_neg_add(t59_, minus_closure_reaction1_, t196_);
-        let t202_ = T::mul_add(t198_, a_a_lin_y_, t201_);
-        let t203_ = T::mul_neg_add(t199_, minus_a_a_ang_z_, t200_);
-        let t204_ = T::mul_add(t197_, minus_a_a_lin_x_, t203_);
-        let minus_b_a_ang_z_ = t202_ + t204_;
+        let t194_ = b_drift_lin_y_ * c_(2.5);
+        let t195_ = sin_b_angle_ * c_(2.5);
+        let t196_ = cos_b_angle_ * c_(2.5);
+        let t197_ = cos_b_angle_ * c_(1.5);
+        let t198_ = t42_ * closure_reaction0_;
+        let t199_ = T::mul_neg_add(t59_, minus_closure_reaction1_, t194_);
+        let t200_ = T::mul_add(t196_, a_a_lin_y_, t199_);
+        let t201_ = T::mul_neg_add(t197_, minus_a_a_ang_z_, t198_);
+        let t202_ = T::mul_add(t195_, minus_a_a_lin_x_, t201_);
+        let minus_b_a_ang_z_ = t200_ + t202_;
         /// Results: 1 mul, 5 add, 0 reciprocal.
-        let t205_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
-        let t206_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
-        let t207_ = c_(4.0) + t18_;
-        let t208_ = t16_ - t207_;
-        let t209_ = T::mul_neg_add(
+        let t203_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
+        let t204_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let t205_ = c_(4.0) + t18_;
+        let t206_ = t16_ - t205_;
+        let t207_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t208_,
+            t206_,
             c_(0.030000000000000006),
         );
         ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
@@ -428,11 +428,11 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t209_],
-            [-minus_crank_pin_a_ang_z_, t205_, t206_, minus_b_a_ang_z_],
+            [c_(2.04), t207_],
+            [-minus_crank_pin_a_ang_z_, t203_, t204_, minus_b_a_ang_z_],
         )?;
         accelerations_.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t205_, t206_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t203_, t204_, minus_b_a_ang_z_],
         ];
         ::core::result::Result::Ok(())
     }
@@ -463,9 +463,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 14 | 5 | 1 | 0 | 0 |
-    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 30 | 21 | 1 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 123 | 69 | 6 | 6 | 0 |
+    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 15 | 5 | 1 | 0 | 0 |
+    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 31 | 22 | 1 | 0 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 121 | 68 | 6 | 6 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 17 | 14 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 9 | 5 | 0 | 0 | 0 |
@@ -526,7 +526,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t4_ = c_(0.6) * b_omega_z_;
         let minus_b_e_force_x_ = b_omega_z_ * t4_;
-        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 14 mul, 5 add, 1 reciprocal.
+        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 15 mul, 5 add, 1 reciprocal.
         let t5_ = sin_b_angle_ * cos_b_angle_;
         let a_k_xy_ = c_(1.5) * t5_;
         let a_b_x_z_ = t5_ * c_(0.8999999999999999);
@@ -543,7 +543,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t12_ = T::recip(a_j_zz_);
         let a_z0_force_x_ = a_b_x_z_ * t12_;
         let a_z0_force_y_ = a_b_y_z_ * t12_;
-        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 30 mul, 21 add, 1 reciprocal.
+        let a_w0_ = minus_a_e_moment_z_ * t12_;
+        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 31 mul, 22 add, 1 reciprocal.
         let t13_ = t7_ - c_(4.0);
         let t14_ = c_(2.5) + t7_;
         let t15_ = a_b_x_z_ * a_b_x_z_;
@@ -569,21 +570,22 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             c_(0.020000000000000004),
         );
         let t29_ = sin_b_angle_ * t9_;
-        let t30_ = minus_a_e_moment_z_ * t12_;
-        let t31_ = T::mul_neg_add(a_b_y_z_, t30_, minus_a_e_force_y_);
-        let t32_ = T::mul_add(cos_b_angle_, t10_, t3_);
-        let t33_ = T::mul_sub(a_drift_lin_y_, t20_, t32_);
-        let t34_ = T::mul_neg_add(a_b_x_z_, t30_, t29_);
-        let t35_ = T::mul_sub(minus_a_drift_lin_x_, t16_, t34_);
-        let t36_ = t33_ + t35_;
-        let t37_ = T::mul_neg_add(a_drift_lin_y_, t18_, t31_);
-        let t38_ = T::mul_add(minus_a_drift_lin_x_, t20_, t37_);
-        let t39_ = sin_a_angle_ * t36_;
-        let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t38_, t39_);
-        let t40_ = T::recip(crank_pin_j_zz_);
-        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t40_;
-        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t40_;
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 123 mul, 69 add, 6 reciprocal, 6 square root.
+        let t30_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
+        let t31_ = T::mul_add(cos_b_angle_, t10_, t3_);
+        let t32_ = T::mul_sub(a_drift_lin_y_, t20_, t31_);
+        let t33_ = T::mul_neg_add(a_b_x_z_, a_w0_, t29_);
+        let t34_ = T::mul_sub(minus_a_drift_lin_x_, t16_, t33_);
+        let t35_ = t32_ + t34_;
+        let t36_ = T::mul_neg_add(a_drift_lin_y_, t18_, t30_);
+        let t37_ = T::mul_add(minus_a_drift_lin_x_, t20_, t36_);
+        let t38_ = sin_a_angle_ * t35_;
+        let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t37_, t38_);
+        let t39_ = T::recip(crank_pin_j_zz_);
+        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t39_;
+        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t39_;
+        let t40_ = T::mul_neg_add(c_(0.2), crank_pin_e_force_y_, crank_pin_input0_);
+        let crank_pin_w0_ = t39_ * t40_;
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 121 mul, 68 add, 6 reciprocal, 6 square root.
         let t41_ = c_(0.6) * sin_rocker_pin_angle_;
         let t42_ = sin_rocker_pin_angle_ * c_(2.5);
         let t43_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
@@ -600,7 +602,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t54_ = sin_a_angle_ * t51_;
         let t55_ = T::mul_add(cos_a_angle_, t52_, t54_);
         let t56_ = c_(0.2) * t55_;
-        let t57_ = t56_ * t40_;
+        let t57_ = t56_ * t39_;
         let closure_d0_ = T::mul_add(t56_, t57_, t53_);
         let t58_ = c_(0.6) * cos_rocker_pin_angle_;
         let t59_ = cos_rocker_pin_angle_ * c_(2.5);
@@ -636,8 +638,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t89_ = T::mul_add(t55_, t55_, t88_);
         let t90_ = t56_ * t56_;
         let t91_ = T::mul_add(t89_, c_(0.76), t90_);
-        let t92_ = t87_ * t40_;
-        let t93_ = T::mul_add(t91_, t40_, t78_);
+        let t92_ = t87_ * t39_;
+        let t93_ = T::mul_add(t91_, t39_, t78_);
         let t94_ = T::mul_neg_add(t87_, t57_, t81_);
         let t95_ = T::mul_add(t87_, t92_, t82_);
         let t96_ = T::copysign(closure_d0_, c_(1.0));
@@ -654,8 +656,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t106_ = T::mul_add(t58_, t58_, t62_);
         let t107_ = c_(4.166666666666667) * t106_;
         let t108_ = b_drift_lin_y_ * t43_;
-        let t109_ = t49_ * t30_;
-        let t110_ = t72_ * t30_;
+        let t109_ = t49_ * a_w0_;
+        let t110_ = t72_ * a_w0_;
         let t111_ = t69_ * t69_;
         let t112_ = T::mul_add(t71_, t71_, t111_);
         let t113_ = t72_ * t72_;
@@ -675,7 +677,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t125_ = T::mul_neg_add(t56_, crank_pin_z0_force_y_, t55_);
         let t126_ = T::mul_neg_add(t87_, crank_pin_z0_force_x_, t117_);
         let t127_ = T::mul_neg_add(t87_, crank_pin_z0_force_y_, t86_);
-        let t128_ = T::mul_add(t121_, t40_, t115_);
+        let t128_ = T::mul_add(t121_, t39_, t115_);
         let t129_ = T::copysign(closure_d1_, c_(1.0));
         let t130_ = closure_d1_ + t129_;
         let t131_ = c_(0.5) * t130_;
@@ -700,162 +702,160 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t150_ = T::sqrt(t149_);
         let t151_ = t146_ * t150_;
         let t152_ = t143_ * t150_;
-        let t153_ = T::mul_neg_add(c_(0.2), crank_pin_e_force_y_, crank_pin_input0_);
-        let t154_ = t40_ * t153_;
-        let t155_ = T::mul_neg_add(cos_rocker_pin_angle_, t122_, t109_);
-        let t156_ = T::mul_sub(minus_a_drift_lin_x_, t51_, t155_);
-        let t157_ = T::mul_sub(crank_pin_a_lin_y_, t125_, t156_);
-        let t158_ = T::mul_add(a_drift_lin_y_, t52_, t108_);
-        let t159_ = T::mul_add(t56_, t154_, t158_);
-        let t160_ = T::mul_add(crank_pin_a_lin_x_, t124_, t159_);
-        let t161_ = t157_ + t160_;
-        let t162_ = T::mul_add(a_drift_lin_y_, t80_, t123_);
-        let t163_ = T::mul_add(t87_, t154_, t162_);
-        let t164_ = T::mul_add(crank_pin_a_lin_x_, t126_, t163_);
-        let t165_ = T::mul_neg_add(sin_rocker_pin_angle_, t122_, t110_);
-        let t166_ = T::mul_sub(minus_a_drift_lin_x_, t79_, t165_);
-        let t167_ = T::mul_sub(crank_pin_a_lin_y_, t127_, t166_);
-        let t168_ = T::mul_add(t105_, t161_, t167_);
-        let t169_ = t164_ + t168_;
-        let t170_ = t104_ * t161_;
-        let t171_ = t137_ * t169_;
-        let t172_ = T::mul_add(t105_, t171_, t170_);
-        let t173_ = t142_ * t172_;
-        let t174_ = T::mul_neg_add(t142_, t173_, t172_);
-        let t175_ = t151_ * t174_;
-        let t176_ = T::mul_add(t152_, t171_, t175_);
-        let closure_reaction0_ = T::mul_neg_add(t151_, t176_, t174_);
-        let minus_closure_reaction1_ = T::mul_neg_add(t152_, t176_, t171_);
+        let t153_ = T::mul_neg_add(cos_rocker_pin_angle_, t122_, t109_);
+        let t154_ = T::mul_sub(minus_a_drift_lin_x_, t51_, t153_);
+        let t155_ = T::mul_sub(crank_pin_a_lin_y_, t125_, t154_);
+        let t156_ = T::mul_add(a_drift_lin_y_, t52_, t108_);
+        let t157_ = T::mul_add(t56_, crank_pin_w0_, t156_);
+        let t158_ = T::mul_add(crank_pin_a_lin_x_, t124_, t157_);
+        let t159_ = t155_ + t158_;
+        let t160_ = T::mul_add(a_drift_lin_y_, t80_, t123_);
+        let t161_ = T::mul_add(t87_, crank_pin_w0_, t160_);
+        let t162_ = T::mul_add(crank_pin_a_lin_x_, t126_, t161_);
+        let t163_ = T::mul_neg_add(sin_rocker_pin_angle_, t122_, t110_);
+        let t164_ = T::mul_sub(minus_a_drift_lin_x_, t79_, t163_);
+        let t165_ = T::mul_sub(crank_pin_a_lin_y_, t127_, t164_);
+        let t166_ = T::mul_add(t105_, t159_, t165_);
+        let t167_ = t162_ + t166_;
+        let t168_ = t104_ * t159_;
+        let t169_ = t137_ * t167_;
+        let t170_ = T::mul_add(t105_, t169_, t168_);
+        let t171_ = t142_ * t170_;
+        let t172_ = T::mul_neg_add(t142_, t171_, t170_);
+        let t173_ = t151_ * t172_;
+        let t174_ = T::mul_add(t152_, t169_, t173_);
+        let closure_reaction0_ = T::mul_neg_add(t151_, t174_, t172_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t152_, t174_, t169_);
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-        let t177_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
-        let t178_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t177_);
-        let t179_ = T::mul_sub(c_(9.8), t178_, t154_);
-        let t180_ = T::mul_add(t92_, minus_closure_reaction1_, t179_);
-        let minus_crank_pin_a_ang_z_ = T::mul_add(t57_, closure_reaction0_, t180_);
+        let t175_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        let t176_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t175_);
+        let t177_ = T::mul_sub(c_(9.8), t176_, crank_pin_w0_);
+        let t178_ = T::mul_add(t92_, minus_closure_reaction1_, t177_);
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t57_, closure_reaction0_, t178_);
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 17 mul, 14 add, 0 reciprocal.
-        let t181_ = T::mul_neg_add(
+        let t179_ = T::mul_neg_add(
             cos_a_angle_,
             crank_pin_a_lin_x_,
             minus_a_drift_lin_x_,
         );
-        let t182_ = T::mul_neg_add(
+        let t180_ = T::mul_neg_add(
             c_(0.2),
             minus_crank_pin_a_ang_z_,
             crank_pin_a_lin_y_,
         );
-        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t182_, t181_);
-        let t183_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
-        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t182_, t183_);
-        let t184_ = a_drift_lin_y_ * a_z0_force_y_;
-        let t185_ = cos_a_angle_ * a_z0_force_x_;
-        let t186_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t185_);
-        let t187_ = sin_a_angle_ * a_z0_force_x_;
-        let t188_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t187_);
-        let t189_ = c_(0.2) * t188_;
-        let t190_ = T::mul_add(minus_a_drift_lin_x_, a_z0_force_x_, t30_);
-        let t191_ = T::mul_sub(crank_pin_a_lin_x_, t186_, t190_);
-        let t192_ = T::mul_add(t50_, closure_reaction0_, t191_);
-        let t193_ = T::mul_add(crank_pin_a_lin_y_, t188_, t184_);
-        let t194_ = T::mul_add(t73_, minus_closure_reaction1_, t193_);
-        let t195_ = T::mul_sub(t189_, minus_crank_pin_a_ang_z_, t194_);
-        let minus_a_a_ang_z_ = t192_ - t195_;
+        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t180_, t179_);
+        let t181_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t180_, t181_);
+        let t182_ = a_drift_lin_y_ * a_z0_force_y_;
+        let t183_ = cos_a_angle_ * a_z0_force_x_;
+        let t184_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t183_);
+        let t185_ = sin_a_angle_ * a_z0_force_x_;
+        let t186_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t185_);
+        let t187_ = c_(0.2) * t186_;
+        let t188_ = T::mul_add(minus_a_drift_lin_x_, a_z0_force_x_, a_w0_);
+        let t189_ = T::mul_sub(crank_pin_a_lin_x_, t184_, t188_);
+        let t190_ = T::mul_add(t50_, closure_reaction0_, t189_);
+        let t191_ = T::mul_add(crank_pin_a_lin_y_, t186_, t182_);
+        let t192_ = T::mul_add(t73_, minus_closure_reaction1_, t191_);
+        let t193_ = T::mul_sub(t187_, minus_crank_pin_a_ang_z_, t192_);
+        let minus_a_a_ang_z_ = t190_ - t193_;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 9 mul, 5 add, 0 reciprocal.
-        let t196_ = b_drift_lin_y_ * c_(2.5);
-        let t197_ = sin_b_angle_ * c_(2.5);
-        let t198_ = cos_b_angle_ * c_(2.5);
-        let t199_ = cos_b_angle_ * c_(1.5);
-        let t200_ = t42_ * closure_reaction0_;
-        let t201_ = T::mul_neg_add(t59_, minus_closure_reaction1_, t196_);
-        let t202_ = T::mul_add(t198_, a_a_lin_y_, t201_);
-        let t203_ = T::mul_neg_add(t199_, minus_a_a_ang_z_, t200_);
-        let t204_ = T::mul_add(t197_, minus_a_a_lin_x_, t203_);
-        let minus_b_a_ang_z_ = t202_ + t204_;
+        let t194_ = b_drift_lin_y_ * c_(2.5);
+        let t195_ = sin_b_angle_ * c_(2.5);
+        let t196_ = cos_b_angle_ * c_(2.5);
+        let t197_ = cos_b_angle_ * c_(1.5);
+        let t198_ = t42_ * closure_reaction0_;
+        let t199_ = T::mul_neg_add(t59_, minus_closure_reaction1_, t194_);
+        let t200_ = T::mul_add(t196_, a_a_lin_y_, t199_);
+        let t201_ = T::mul_neg_add(t197_, minus_a_a_ang_z_, t198_);
+        let t202_ = T::mul_add(t195_, minus_a_a_lin_x_, t201_);
+        let minus_b_a_ang_z_ = t200_ + t202_;
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 10 mul, 2 add, 0 reciprocal.
-        let t205_ = cos_crank_pin_angle_ * cos_a_angle_;
-        let a_axes_x_x_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t205_);
-        let t206_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let minus_a_axes_x_y_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t206_);
-        let t207_ = cos_crank_pin_angle_ * c_(0.2);
+        let t203_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let a_axes_x_x_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t203_);
+        let t204_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let minus_a_axes_x_y_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t204_);
+        let t205_ = cos_crank_pin_angle_ * c_(0.2);
+        let t206_ = crank_pin_rate_ * t205_;
+        let minus_a_drift_lin_x_2_ = crank_pin_rate_ * t206_;
+        let t207_ = sin_crank_pin_angle_ * c_(0.2);
         let t208_ = crank_pin_rate_ * t207_;
-        let minus_a_drift_lin_x_2_ = crank_pin_rate_ * t208_;
-        let t209_ = sin_crank_pin_angle_ * c_(0.2);
-        let t210_ = crank_pin_rate_ * t209_;
-        let minus_a_drift_lin_y_ = crank_pin_rate_ * t210_;
+        let minus_a_drift_lin_y_ = crank_pin_rate_ * t208_;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 8 mul, 2 add, 0 reciprocal.
-        let t211_ = cos_b_angle_ * a_axes_x_x_;
-        let b_axes_x_x_ = T::mul_neg_add(sin_b_angle_, minus_a_axes_x_y_, t211_);
-        let t212_ = sin_b_angle_ * a_axes_x_x_;
-        let minus_b_axes_x_y_ = T::mul_add(cos_b_angle_, minus_a_axes_x_y_, t212_);
-        let t213_ = c_(0.6) * a_axes_x_x_;
+        let t209_ = cos_b_angle_ * a_axes_x_x_;
+        let b_axes_x_x_ = T::mul_neg_add(sin_b_angle_, minus_a_axes_x_y_, t209_);
+        let t210_ = sin_b_angle_ * a_axes_x_x_;
+        let minus_b_axes_x_y_ = T::mul_add(cos_b_angle_, minus_a_axes_x_y_, t210_);
+        let t211_ = c_(0.6) * a_axes_x_x_;
+        let t212_ = a_omega_z_ * t211_;
+        let t213_ = c_(0.6) * minus_a_axes_x_y_;
         let t214_ = a_omega_z_ * t213_;
-        let t215_ = c_(0.6) * minus_a_axes_x_y_;
-        let t216_ = a_omega_z_ * t215_;
         /// Point of `a`, [P, Eqs. (12), (13), (36)]: 2 mul, 2 add, 0 reciprocal.
         let minus_a_acc_lin_x_ = T::mul_neg_add(
             minus_crank_pin_a_ang_z_,
-            t209_,
+            t207_,
             minus_a_drift_lin_x_2_,
         );
         let minus_a_acc_lin_y_ = T::mul_add(
             minus_crank_pin_a_ang_z_,
-            t207_,
+            t205_,
             minus_a_drift_lin_y_,
         );
         /// Point of `b`, [P, Eqs. (12), (13), (36)]: 4 mul, 4 add, 0 reciprocal.
-        let t217_ = T::mul_add(a_omega_z_, t214_, minus_a_acc_lin_x_);
-        let b_acc_lin_x_ = T::mul_sub(minus_a_a_ang_z_, t215_, t217_);
-        let t218_ = T::mul_add(a_omega_z_, t216_, minus_a_acc_lin_y_);
-        let minus_b_acc_lin_y_ = T::mul_add(minus_a_a_ang_z_, t213_, t218_);
+        let t215_ = T::mul_add(a_omega_z_, t212_, minus_a_acc_lin_x_);
+        let b_acc_lin_x_ = T::mul_sub(minus_a_a_ang_z_, t213_, t215_);
+        let t216_ = T::mul_add(a_omega_z_, t214_, minus_a_acc_lin_y_);
+        let minus_b_acc_lin_y_ = T::mul_add(minus_a_a_ang_z_, t211_, t216_);
         /// Load on `rocker_pin`, [P, Eqs. (18), (19)]: 8 mul, 4 add, 0 reciprocal.
-        let t219_ = cos_rocker_pin_angle_ * closure_reaction0_;
-        let t220_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t219_);
-        let t221_ = sin_rocker_pin_angle_ * closure_reaction0_;
-        let t222_ = T::mul_neg_add(
+        let t217_ = cos_rocker_pin_angle_ * closure_reaction0_;
+        let t218_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t217_);
+        let t219_ = sin_rocker_pin_angle_ * closure_reaction0_;
+        let t220_ = T::mul_neg_add(
             cos_rocker_pin_angle_,
             minus_closure_reaction1_,
-            t221_,
+            t219_,
         );
-        let t223_ = b_axes_x_x_ * t220_;
-        let rocker_pin_load_force_x_ = T::mul_neg_add(minus_b_axes_x_y_, t222_, t223_);
-        let t224_ = minus_b_axes_x_y_ * t220_;
-        let rocker_pin_load_force_y_ = T::mul_add(b_axes_x_x_, t222_, t224_);
+        let t221_ = b_axes_x_x_ * t218_;
+        let rocker_pin_load_force_x_ = T::mul_neg_add(minus_b_axes_x_y_, t220_, t221_);
+        let t222_ = minus_b_axes_x_y_ * t218_;
+        let rocker_pin_load_force_y_ = T::mul_add(b_axes_x_x_, t220_, t222_);
         /// Load on `b`, [P, Eqs. (18), (19)]: 8 mul, 9 add, 0 reciprocal.
-        let t225_ = c_(0.6) * b_axes_x_x_;
-        let t226_ = c_(0.6) * minus_b_axes_x_y_;
-        let t227_ = b_omega_z_ * t225_;
-        let t228_ = T::mul_sub(b_omega_z_, t227_, b_acc_lin_x_);
-        let t229_ = T::mul_sub(minus_b_a_ang_z_, t226_, t228_);
-        let t230_ = b_acc_lin_x_ + rocker_pin_load_force_x_;
-        let b_load_force_x_ = t229_ + t230_;
-        let t231_ = b_omega_z_ * t226_;
-        let t232_ = T::mul_add(b_omega_z_, t231_, minus_b_acc_lin_y_);
-        let t233_ = T::mul_add(minus_b_a_ang_z_, t225_, t232_);
-        let t234_ = c_(19.6) + rocker_pin_load_force_y_;
-        let t235_ = minus_b_acc_lin_y_ - t234_;
-        let minus_b_load_force_y_ = t233_ + t235_;
+        let t223_ = c_(0.6) * b_axes_x_x_;
+        let t224_ = c_(0.6) * minus_b_axes_x_y_;
+        let t225_ = b_omega_z_ * t223_;
+        let t226_ = T::mul_sub(b_omega_z_, t225_, b_acc_lin_x_);
+        let t227_ = T::mul_sub(minus_b_a_ang_z_, t224_, t226_);
+        let t228_ = b_acc_lin_x_ + rocker_pin_load_force_x_;
+        let b_load_force_x_ = t227_ + t228_;
+        let t229_ = b_omega_z_ * t224_;
+        let t230_ = T::mul_add(b_omega_z_, t229_, minus_b_acc_lin_y_);
+        let t231_ = T::mul_add(minus_b_a_ang_z_, t223_, t230_);
+        let t232_ = c_(19.6) + rocker_pin_load_force_y_;
+        let t233_ = minus_b_acc_lin_y_ - t232_;
+        let minus_b_load_force_y_ = t231_ + t233_;
         /// Load on `a`, [P, Eqs. (18), (19)]: 0 mul, 5 add, 0 reciprocal.
-        let t236_ = minus_a_acc_lin_x_ - b_acc_lin_x_;
-        let a_load_force_x_ = b_load_force_x_ - t236_;
-        let t237_ = c_(19.6) - minus_a_acc_lin_y_;
-        let t238_ = minus_b_acc_lin_y_ - t237_;
-        let minus_a_load_force_y_ = minus_b_load_force_y_ + t238_;
+        let t234_ = minus_a_acc_lin_x_ - b_acc_lin_x_;
+        let a_load_force_x_ = b_load_force_x_ - t234_;
+        let t235_ = c_(19.6) - minus_a_acc_lin_y_;
+        let t236_ = minus_b_acc_lin_y_ - t235_;
+        let minus_a_load_force_y_ = minus_b_load_force_y_ + t236_;
         /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 2 mul, 4 add, 0 reciprocal.
         let minus_crank_pin_load_force_x_ = T::mul_sub(
             c_(0.5),
             minus_a_acc_lin_x_,
             a_load_force_x_,
         );
-        let t239_ = c_(9.8) - minus_a_acc_lin_y_;
-        let t240_ = T::mul_add(c_(0.5), t239_, c_(4.9));
-        let minus_crank_pin_load_force_y_ = minus_a_load_force_y_ - t240_;
+        let t237_ = c_(9.8) - minus_a_acc_lin_y_;
+        let t238_ = T::mul_add(c_(0.5), t237_, c_(4.9));
+        let minus_crank_pin_load_force_y_ = minus_a_load_force_y_ - t238_;
         /// Results: 19 mul, 24 add, 0 reciprocal.
-        let t241_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
-        let t242_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
-        let t243_ = c_(4.0) + t18_;
-        let t244_ = t16_ - t243_;
-        let t245_ = T::mul_neg_add(
+        let t239_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
+        let t240_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let t241_ = c_(4.0) + t18_;
+        let t242_ = t16_ - t241_;
+        let t243_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t244_,
+            t242_,
             c_(0.030000000000000006),
         );
         ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
@@ -866,14 +866,14 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t245_],
-            [-minus_crank_pin_a_ang_z_, t241_, t242_, minus_b_a_ang_z_],
+            [c_(2.04), t243_],
+            [-minus_crank_pin_a_ang_z_, t239_, t240_, minus_b_a_ang_z_],
         )?;
         at_.accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t241_, t242_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t239_, t240_, minus_b_a_ang_z_],
         ];
         at_.rate_accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t241_, t242_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t239_, t240_, minus_b_a_ang_z_],
         ];
         at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
         point0_.set_position([c_(0.0), c_(0.0)]);
@@ -894,17 +894,17 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         point1_.set_moment([-crank_pin_input0_]);
         point1_
             .set_force([-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_]);
-        point2_.set_position([t207_, t209_]);
+        point2_.set_position([t205_, t207_]);
         point2_.set_orientation([cos_crank_pin_angle_, sin_crank_pin_angle_]);
-        point2_.set_velocity([-t210_, t208_]);
+        point2_.set_velocity([-t208_, t206_]);
         point2_.set_angular_velocity([crank_pin_rate_]);
         point2_.set_acceleration([-minus_a_acc_lin_x_, -minus_a_acc_lin_y_]);
         point2_.set_angular_acceleration([-minus_crank_pin_a_ang_z_]);
         point2_.set_moment([c_(0.0)]);
         point2_.set_force([a_load_force_x_, -minus_a_load_force_y_]);
-        point3_.set_position([t207_, t209_]);
+        point3_.set_position([t205_, t207_]);
         point3_.set_orientation([a_axes_x_x_, minus_a_axes_x_y_]);
-        point3_.set_velocity([-t210_, t208_]);
+        point3_.set_velocity([-t208_, t206_]);
         point3_.set_angular_velocity([a_omega_z_]);
         point3_.set_acceleration([-minus_a_acc_lin_x_, -minus_a_acc_lin_y_]);
         point3_.set_angular_acceleration([-minus_a_a_ang_z_]);
@@ -924,7 +924,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         point5_.set_force([b_load_force_x_, -minus_b_load_force_y_]);
         point6_.set_orientation([b_axes_x_x_, minus_b_axes_x_y_]);
         point6_.set_angular_velocity([b_omega_z_]);
-        point6_.set_acceleration([t229_, -t233_]);
+        point6_.set_acceleration([t227_, -t231_]);
         point6_.set_angular_acceleration([-minus_b_a_ang_z_]);
         point6_.set_moment([c_(0.0)]);
         point6_.set_force([rocker_pin_load_force_x_, rocker_pin_load_force_y_]);
@@ -936,47 +936,47 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         point7_.set_angular_acceleration([c_(0.0)]);
         point7_.set_moment([c_(0.0)]);
         point7_.set_force([rocker_pin_load_force_x_, rocker_pin_load_force_y_]);
-        let t246_ = crank_pin_rate_ * c_(0.020000000000000004);
-        let t247_ = a_omega_z_ * c_(0.24);
-        let t248_ = b_omega_z_ * c_(0.24);
-        let t249_ = t210_ + t216_;
-        let t250_ = t208_ + t214_;
-        point4_.set_velocity([-t249_, t250_]);
-        point5_.set_velocity([-t249_, t250_]);
-        let t251_ = t249_ + t231_;
-        let t252_ = t250_ + t227_;
-        point6_.set_velocity([-t251_, t252_]);
-        let t253_ = crank_pin_rate_ * t246_;
-        let t254_ = T::mul_add(a_omega_z_, t247_, t253_);
-        let t255_ = T::mul_add(b_omega_z_, t248_, t254_);
-        let t256_ = c_(0.5) * t255_;
-        let t257_ = t210_ + t251_;
-        let t258_ = t208_ + t252_;
-        let t259_ = T::mul_add(t250_, t258_, t256_);
-        let t260_ = T::mul_add(t249_, t257_, t259_);
-        at_.kinetic_energy = t260_;
-        let t261_ = t209_ + t215_;
-        let t262_ = t261_ * c_(19.6);
-        let t263_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
-        let t264_ = T::mul_add(sin_crank_pin_angle_, c_(4.9), t262_);
-        let t265_ = T::mul_add(c_(5.88), t263_, t264_);
-        at_.potential_energy = t265_;
-        let t266_ = cos_rocker_pin_angle_ * t142_;
-        let t267_ = sin_rocker_pin_angle_ * t142_;
-        let t268_ = cos_rocker_pin_angle_ * t151_;
-        let t269_ = T::mul_add(sin_rocker_pin_angle_, t152_, t268_);
-        let t270_ = sin_rocker_pin_angle_ * t151_;
-        let t271_ = T::mul_neg_add(cos_rocker_pin_angle_, t152_, t270_);
+        let t244_ = crank_pin_rate_ * c_(0.020000000000000004);
+        let t245_ = a_omega_z_ * c_(0.24);
+        let t246_ = b_omega_z_ * c_(0.24);
+        let t247_ = t208_ + t214_;
+        let t248_ = t206_ + t212_;
+        point4_.set_velocity([-t247_, t248_]);
+        point5_.set_velocity([-t247_, t248_]);
+        let t249_ = t247_ + t229_;
+        let t250_ = t248_ + t225_;
+        point6_.set_velocity([-t249_, t250_]);
+        let t251_ = crank_pin_rate_ * t244_;
+        let t252_ = T::mul_add(a_omega_z_, t245_, t251_);
+        let t253_ = T::mul_add(b_omega_z_, t246_, t252_);
+        let t254_ = c_(0.5) * t253_;
+        let t255_ = t208_ + t249_;
+        let t256_ = t206_ + t250_;
+        let t257_ = T::mul_add(t248_, t256_, t254_);
+        let t258_ = T::mul_add(t247_, t255_, t257_);
+        at_.kinetic_energy = t258_;
+        let t259_ = t207_ + t213_;
+        let t260_ = t259_ * c_(19.6);
+        let t261_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
+        let t262_ = T::mul_add(sin_crank_pin_angle_, c_(4.9), t260_);
+        let t263_ = T::mul_add(c_(5.88), t261_, t262_);
+        at_.potential_energy = t263_;
+        let t264_ = cos_rocker_pin_angle_ * t142_;
+        let t265_ = sin_rocker_pin_angle_ * t142_;
+        let t266_ = cos_rocker_pin_angle_ * t151_;
+        let t267_ = T::mul_add(sin_rocker_pin_angle_, t152_, t266_);
+        let t268_ = sin_rocker_pin_angle_ * t151_;
+        let t269_ = T::mul_neg_add(cos_rocker_pin_angle_, t152_, t268_);
         at_.closure = ::mstmm::generated::closure([
-            [t266_, t267_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
-            [-t269_, -t271_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [t264_, t265_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [-t267_, -t269_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
         ]);
-        let t272_ = t207_ + t213_;
-        point4_.set_position([t272_, t261_]);
-        point5_.set_position([t272_, t261_]);
-        let t273_ = t225_ + t272_;
-        let t274_ = t226_ + t261_;
-        point6_.set_position([t273_, t274_]);
+        let t270_ = t205_ + t211_;
+        point4_.set_position([t270_, t259_]);
+        point5_.set_position([t270_, t259_]);
+        let t271_ = t223_ + t270_;
+        let t272_ = t224_ + t259_;
+        point6_.set_position([t271_, t272_]);
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre

@@ -148,7 +148,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 3 | 1 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 1 | 0 | 0 | 0 | 0 |
+    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -169,10 +170,11 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let joint_input0_ = inputs_.joint;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
-        /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 3 mul, 1 add, 0 reciprocal.
-        let t0_ = joint_input0_ * known_p5_;
-        let t1_ = cos_joint_angle_ * known_joint_z0_force_y_;
-        let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t1_, t0_);
+        /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 1 mul, 0 add, 0 reciprocal.
+        let joint_w0_ = joint_input0_ * known_p5_;
+        /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
+        let t0_ = cos_joint_angle_ * known_joint_z0_force_y_;
+        let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t0_, joint_w0_);
         ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][0], state_.t]])?;
         ::mstmm::generated::regular::<
             T,
@@ -206,8 +208,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 5 | 1 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 3 | 0 | 0 | 0 | 0 |
+    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Load of the body at `joint` | \[P, Eqs. (18), (19)\] | 7 | 4 | 0 | 0 | 0 |
     /// | Results |  | 5 | 0 | 0 | 0 | 0 |
     ///
@@ -230,15 +232,15 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let joint_input0_ = inputs_.joint;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
-        /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
+        /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 3 mul, 0 add, 0 reciprocal.
         let t0_ = joint_rate_ * known_joint_b_y_z_;
         let minus_joint_e_force_x_ = joint_rate_ * t0_;
-        /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 5 mul, 1 add, 0 reciprocal.
+        let joint_w0_ = joint_input0_ * known_p5_;
+        /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 1 add, 0 reciprocal.
         let joint_a_lin_x_ = sin_joint_angle_ * c_(9.8);
         let joint_a_lin_y_ = cos_joint_angle_ * c_(9.8);
-        let t1_ = joint_input0_ * known_p5_;
-        let t2_ = cos_joint_angle_ * known_joint_z0_force_y_;
-        let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t2_, t1_);
+        let t1_ = cos_joint_angle_ * known_joint_z0_force_y_;
+        let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t1_, joint_w0_);
         ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][0], state_.t]])?;
         ::mstmm::generated::regular::<
             T,
@@ -304,29 +306,29 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         point1_.set_angular_acceleration([c_(0.0), c_(0.0), joint_a_ang_z_]);
         point2_.set_angular_acceleration([c_(0.0), c_(0.0), joint_a_ang_z_]);
         /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
-        let t3_ = known_joint_k_xx_ * joint_a_lin_y_;
-        let t4_ = T::mul_neg_add(
+        let t2_ = known_joint_k_xx_ * joint_a_lin_y_;
+        let t3_ = T::mul_neg_add(
             known_joint_k_xx_,
             joint_a_lin_x_,
             minus_joint_e_force_x_,
         );
-        let t5_ = T::mul_add(known_joint_b_y_z_, joint_a_ang_z_, t3_);
-        let t6_ = cos_joint_angle_ * t4_;
-        let minus_joint_own_force_x_ = T::mul_add(sin_joint_angle_, t5_, t6_);
-        let t7_ = sin_joint_angle_ * t4_;
-        let minus_joint_own_force_y_ = T::mul_neg_add(cos_joint_angle_, t5_, t7_);
+        let t4_ = T::mul_add(known_joint_b_y_z_, joint_a_ang_z_, t2_);
+        let t5_ = cos_joint_angle_ * t3_;
+        let minus_joint_own_force_x_ = T::mul_add(sin_joint_angle_, t4_, t5_);
+        let t6_ = sin_joint_angle_ * t3_;
+        let minus_joint_own_force_y_ = T::mul_neg_add(cos_joint_angle_, t4_, t6_);
         point0_
             .set_force([-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)]);
         point1_
             .set_force([-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)]);
         /// Results: 5 mul, 0 add, 0 reciprocal.
-        let t8_ = joint_rate_ * known_joint_j_yy_;
-        let t9_ = joint_rate_ * t8_;
-        let t10_ = c_(0.5) * t9_;
-        at_.kinetic_energy = t10_;
-        let t11_ = sin_joint_angle_ * known_joint_b_y_z_;
-        let t12_ = c_(9.8) * t11_;
-        at_.potential_energy = t12_;
+        let t7_ = joint_rate_ * known_joint_j_yy_;
+        let t8_ = joint_rate_ * t7_;
+        let t9_ = c_(0.5) * t8_;
+        at_.kinetic_energy = t9_;
+        let t10_ = sin_joint_angle_ * known_joint_b_y_z_;
+        let t11_ = c_(9.8) * t10_;
+        at_.potential_energy = t11_;
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre

@@ -255,8 +255,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Results |  | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 9 | 11 | 1 | 0 | 0 |
-    /// | Results |  | 25 | 27 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 10 | 12 | 1 | 0 | 0 |
+    /// | Results |  | 24 | 26 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 7 | 6 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
     /// | Results |  | 2 | 2 | 0 | 0 | 0 |
@@ -382,7 +382,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_7_before_ = carry1_7_;
             let carry1_8_before_ = carry1_8_;
             let carry1_9_before_ = carry1_9_;
-            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 9 mul, 11 add, 1 reciprocal.
+            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 10 mul, 12 add, 1 reciprocal.
             let joint_k_zz_ = known_p1_ + carry1_2_before_;
             let joint_b_x_z_ = T::mul_add(c_(0.1), carry1_3_before_, carry1_4_before_);
             let t18_ = T::mul_add(c_(0.1), carry1_1_before_, carry1_5_before_);
@@ -406,54 +406,54 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let joint_z0_force_x_ = joint_b_x_z_ * t22_;
             let joint_z0_force_y_ = joint_b_y_z_ * t22_;
             let joint_z0_moment_z_ = joint_j_zz_ * t22_;
-            /// Results: 25 mul, 27 add, 0 reciprocal.
-            let t23_ = known_p1_ + carry1_0_before_;
-            let t24_ = carry1_0_before_ + carry1_1_before_;
-            let t25_ = carry1_2_before_ + t24_;
-            let t26_ = T::mul_add(c_(0.010000000000000002), t25_, known_p5_);
-            let t27_ = known_p1_ + carry1_1_before_;
-            let t28_ = t26_ + t9_;
-            let t29_ = joint_e_moment_z_ + t14_;
-            let t30_ = t22_ * t29_;
-            let t31_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t23_);
-            let t32_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t27_);
-            let t33_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
-            let t34_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_x_, joint_b_x_z_);
-            let t35_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_y_, joint_b_y_z_);
-            let t36_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
-            let t37_ = t13_ - carry1_7_before_;
-            let t38_ = T::mul_add(
+            let t23_ = joint_e_moment_z_ + t14_;
+            let minus_joint_w0_ = t22_ * t23_;
+            /// Results: 24 mul, 26 add, 0 reciprocal.
+            let t24_ = known_p1_ + carry1_0_before_;
+            let t25_ = carry1_0_before_ + carry1_1_before_;
+            let t26_ = carry1_2_before_ + t25_;
+            let t27_ = T::mul_add(c_(0.010000000000000002), t26_, known_p5_);
+            let t28_ = known_p1_ + carry1_1_before_;
+            let t29_ = t27_ + t9_;
+            let t30_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t24_);
+            let t31_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t28_);
+            let t32_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
+            let t33_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_x_, joint_b_x_z_);
+            let t34_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_y_, joint_b_y_z_);
+            let t35_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
+            let t36_ = t13_ - carry1_7_before_;
+            let t37_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t37_,
+                t36_,
             );
-            let t39_ = T::mul_add(joint_b_x_z_, t30_, t38_);
-            let t40_ = T::mul_neg_add(joint_b_y_z_, t30_, joint_e_force_y_);
-            let t41_ = T::mul_neg_add(joint_j_zz_, t30_, joint_e_moment_z_);
-            let t42_ = t31_ - t32_;
-            let t43_ = sin_joint_angle_ * t42_;
-            let t44_ = c_(2.0) * t33_;
-            let t45_ = T::mul_add(cos_joint_angle_, t44_, t43_);
-            let t46_ = sin_joint_angle_ * t45_;
-            let t47_ = t31_ - t46_;
-            let t48_ = T::mul_neg_add(cos_joint_angle_, t45_, t33_);
-            let t49_ = t32_ + t46_;
-            let t50_ = cos_joint_angle_ * t34_;
-            let t51_ = T::mul_neg_add(sin_joint_angle_, t35_, t50_);
-            let t52_ = sin_joint_angle_ * t34_;
-            let t53_ = T::mul_add(cos_joint_angle_, t35_, t52_);
-            let t54_ = cos_joint_angle_ * t39_;
-            let t55_ = T::mul_add(sin_joint_angle_, t40_, t54_);
-            let t56_ = sin_joint_angle_ * t39_;
-            let t57_ = T::mul_neg_add(cos_joint_angle_, t40_, t56_);
+            let t38_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t37_);
+            let t39_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
+            let t40_ = T::mul_neg_add(joint_j_zz_, minus_joint_w0_, joint_e_moment_z_);
+            let t41_ = t30_ - t31_;
+            let t42_ = sin_joint_angle_ * t41_;
+            let t43_ = c_(2.0) * t32_;
+            let t44_ = T::mul_add(cos_joint_angle_, t43_, t42_);
+            let t45_ = sin_joint_angle_ * t44_;
+            let t46_ = t30_ - t45_;
+            let t47_ = T::mul_neg_add(cos_joint_angle_, t44_, t32_);
+            let t48_ = t31_ + t45_;
+            let t49_ = cos_joint_angle_ * t33_;
+            let t50_ = T::mul_neg_add(sin_joint_angle_, t34_, t49_);
+            let t51_ = sin_joint_angle_ * t33_;
+            let t52_ = T::mul_add(cos_joint_angle_, t34_, t51_);
+            let t53_ = cos_joint_angle_ * t38_;
+            let t54_ = T::mul_add(sin_joint_angle_, t39_, t53_);
+            let t55_ = sin_joint_angle_ * t38_;
+            let t56_ = T::mul_neg_add(cos_joint_angle_, t39_, t55_);
             _ = store3_
                 .try_push([
-                    t30_,
+                    minus_joint_w0_,
                     joint_z0_force_x_,
                     joint_z0_force_y_,
                     joint_z0_moment_z_,
                 ]);
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_d0_, t28_);
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_d0_, t29_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -465,7 +465,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_7_,
                 carry1_8_,
                 carry1_9_,
-            ) = (t47_, t49_, joint_k_zz_, -t48_, t51_, t53_, t36_, -t55_, -t57_, t41_);
+            ) = (t46_, t48_, joint_k_zz_, -t47_, t50_, t52_, t35_, -t54_, -t56_, t40_);
         }
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
@@ -478,7 +478,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 _,
                 _,
                 ],
-                &[t30_,
+                &[minus_joint_w0_,
                 joint_z0_force_x_,
                 joint_z0_force_y_,
                 joint_z0_moment_z_,
@@ -498,18 +498,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 7 mul, 6 add, 0 reciprocal.
-            let t58_ = cos_joint_angle_ * carry2_0_before_;
-            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t58_);
-            let t59_ = sin_joint_angle_ * carry2_0_before_;
+            let t57_ = cos_joint_angle_ * carry2_0_before_;
+            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t57_);
+            let t58_ = sin_joint_angle_ * carry2_0_before_;
             let minus_joint_a_lin_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry2_1_before_,
-                t59_,
+                t58_,
             );
-            let t60_ = T::mul_add(carry2_2_before_, joint_z0_moment_z_, t30_);
-            let t61_ = T::mul_sub(minus_joint_a_lin_y_, joint_z0_force_y_, t60_);
-            let t62_ = T::mul_sub(joint_a_lin_x_, joint_z0_force_x_, t61_);
-            let joint_a_ang_z_ = carry2_2_before_ - t62_;
+            let t59_ = T::mul_add(carry2_2_before_, joint_z0_moment_z_, minus_joint_w0_);
+            let t60_ = T::mul_sub(minus_joint_a_lin_y_, joint_z0_force_y_, t59_);
+            let t61_ = T::mul_sub(joint_a_lin_x_, joint_z0_force_x_, t60_);
+            let joint_a_ang_z_ = carry2_2_before_ - t61_;
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
             let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_drift_lin_x_
                 - joint_a_lin_x_;
@@ -518,7 +518,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 joint_a_ang_z_,
                 minus_joint_a_lin_y_,
             );
-            *o0_0_ = -t62_;
+            *o0_0_ = -t61_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 -minus_end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
@@ -526,13 +526,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Results: 2 mul, 2 add, 0 reciprocal.
-        let t63_ = T::mul_add(t7_, carry2_1_, carry2_2_);
-        let t64_ = T::mul_add(t6_, carry2_0_, t63_);
+        let t62_ = T::mul_add(t7_, carry2_1_, carry2_2_);
+        let t63_ = T::mul_add(t6_, carry2_0_, t62_);
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t64_;
+            *o0_ = -t63_;
         }
         ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
@@ -556,8 +556,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Results |  | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 6 | 4 | 1 | 0 | 0 |
-    /// | Results |  | 24 | 24 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 6 | 1 | 0 | 0 |
+    /// | Results |  | 22 | 22 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     /// | Results |  | 0 | 1 | 0 | 0 | 0 |
@@ -693,7 +693,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_4_before_ = carry1_4_;
             let carry1_5_before_ = carry1_5_;
             let carry1_6_before_ = carry1_6_;
-            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 6 mul, 4 add, 1 reciprocal.
+            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 6 add, 1 reciprocal.
             let joint_k_zz_ = known_p1_ + carry1_2_before_;
             let joint_b_x_z_ = c_(0.1) * carry1_3_before_;
             let joint_b_y_z_ = T::mul_add(c_(0.1), carry1_1_before_, known_p2_);
@@ -710,46 +710,46 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t20_ = T::recip(joint_j_zz_);
             let joint_z0_force_x_ = joint_b_x_z_ * t20_;
             let joint_z0_force_y_ = joint_b_y_z_ * t20_;
-            /// Results: 24 mul, 24 add, 0 reciprocal.
-            let t21_ = known_p1_ + carry1_0_before_;
-            let t22_ = carry1_0_before_ + carry1_1_before_;
-            let t23_ = carry1_2_before_ + t22_;
-            let t24_ = T::mul_add(c_(0.010000000000000002), t23_, known_p5_);
-            let t25_ = known_p1_ + carry1_1_before_;
-            let t26_ = joint_b_x_z_ * joint_b_x_z_;
-            let t27_ = T::mul_neg_add(t20_, t26_, t21_);
-            let t28_ = joint_b_y_z_ * joint_b_y_z_;
-            let t29_ = T::mul_neg_add(t20_, t28_, t25_);
-            let t30_ = joint_b_x_z_ * joint_b_y_z_;
-            let t31_ = T::mul_neg_add(t20_, t30_, carry1_3_before_);
-            let t32_ = t27_ + t29_;
-            let t33_ = t27_ - t29_;
-            let t34_ = T::mul_add(t11_, t33_, t29_);
-            let t35_ = T::mul_add(t13_, t31_, t34_);
-            let t36_ = t14_ * t31_;
-            let t37_ = T::mul_add(t12_, t33_, t36_);
-            let t38_ = t32_ - t35_;
-            let t39_ = cos_joint_angle_ * joint_z0_force_x_;
-            let t40_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t39_);
-            let t41_ = sin_joint_angle_ * joint_z0_force_x_;
-            let t42_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t41_);
-            let t43_ = t10_ + carry1_6_before_;
-            let t44_ = T::mul_add(c_(0.1), joint_e_force_y_, t43_);
-            let t45_ = t20_ * t44_;
-            let t46_ = t16_ - carry1_4_before_;
-            let t47_ = T::mul_add(
+            let t21_ = t10_ + carry1_6_before_;
+            let t22_ = T::mul_add(c_(0.1), joint_e_force_y_, t21_);
+            let minus_joint_w0_ = t20_ * t22_;
+            /// Results: 22 mul, 22 add, 0 reciprocal.
+            let t23_ = known_p1_ + carry1_0_before_;
+            let t24_ = carry1_0_before_ + carry1_1_before_;
+            let t25_ = carry1_2_before_ + t24_;
+            let t26_ = T::mul_add(c_(0.010000000000000002), t25_, known_p5_);
+            let t27_ = known_p1_ + carry1_1_before_;
+            let t28_ = joint_b_x_z_ * joint_b_x_z_;
+            let t29_ = T::mul_neg_add(t20_, t28_, t23_);
+            let t30_ = joint_b_y_z_ * joint_b_y_z_;
+            let t31_ = T::mul_neg_add(t20_, t30_, t27_);
+            let t32_ = joint_b_x_z_ * joint_b_y_z_;
+            let t33_ = T::mul_neg_add(t20_, t32_, carry1_3_before_);
+            let t34_ = t29_ + t31_;
+            let t35_ = t29_ - t31_;
+            let t36_ = T::mul_add(t11_, t35_, t31_);
+            let t37_ = T::mul_add(t13_, t33_, t36_);
+            let t38_ = t14_ * t33_;
+            let t39_ = T::mul_add(t12_, t35_, t38_);
+            let t40_ = t34_ - t37_;
+            let t41_ = cos_joint_angle_ * joint_z0_force_x_;
+            let t42_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t41_);
+            let t43_ = sin_joint_angle_ * joint_z0_force_x_;
+            let t44_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t43_);
+            let t45_ = t16_ - carry1_4_before_;
+            let t46_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t46_,
+                t45_,
             );
-            let t48_ = T::mul_add(joint_b_x_z_, t45_, t47_);
-            let t49_ = T::mul_neg_add(joint_b_y_z_, t45_, joint_e_force_y_);
-            let t50_ = cos_joint_angle_ * t48_;
-            let t51_ = T::mul_add(sin_joint_angle_, t49_, t50_);
-            let t52_ = sin_joint_angle_ * t48_;
-            let t53_ = T::mul_neg_add(cos_joint_angle_, t49_, t52_);
-            _ = store3_.try_push([t40_, t42_, t45_]);
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t24_);
+            let t47_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t46_);
+            let t48_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
+            let t49_ = cos_joint_angle_ * t47_;
+            let t50_ = T::mul_add(sin_joint_angle_, t48_, t49_);
+            let t51_ = sin_joint_angle_ * t47_;
+            let t52_ = T::mul_neg_add(cos_joint_angle_, t48_, t51_);
+            _ = store3_.try_push([t42_, t44_, minus_joint_w0_]);
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t26_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -758,7 +758,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_4_,
                 carry1_5_,
                 carry1_6_,
-            ) = (t38_, t35_, joint_k_zz_, t37_, -t51_, -t53_, -t10_);
+            ) = (t40_, t37_, joint_k_zz_, t39_, -t50_, -t52_, -t10_);
         }
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
@@ -775,9 +775,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_drift_lin_x_,
                 _,
                 ],
-                &[t40_,
-                t42_,
-                t45_,
+                &[t42_,
+                t44_,
+                minus_joint_w0_,
                 ],
             ),
             [o0_0_,
@@ -794,10 +794,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
-            let t54_ = T::mul_add(carry2_1_before_, t42_, t45_);
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t40_, t54_);
+            let t53_ = T::mul_add(carry2_1_before_, t44_, minus_joint_w0_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t42_, t53_);
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-            let t55_ = T::mul_neg_add(
+            let t54_ = T::mul_neg_add(
                 sin_joint_angle_,
                 carry2_1_before_,
                 minus_end_of_repeat0_drift_lin_x_,
@@ -805,18 +805,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let end_of_repeat0_a_lin_x_ = T::mul_sub(
                 cos_joint_angle_,
                 carry2_0_before_,
-                t55_,
+                t54_,
             );
-            let t56_ = sin_joint_angle_ * carry2_0_before_;
-            let t57_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t56_);
+            let t55_ = sin_joint_angle_ * carry2_0_before_;
+            let t56_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t55_);
             let minus_end_of_repeat0_a_lin_y_ = T::mul_add(
                 c_(0.1),
                 minus_joint_a_ang_z_,
-                t57_,
+                t56_,
             );
             /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t58_ = carry2_2_before_ + minus_joint_a_ang_z_;
-            *o0_0_ = -t58_;
+            let t57_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            *o0_0_ = -t57_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
@@ -824,13 +824,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Results: 2 mul, 2 add, 0 reciprocal.
-        let t59_ = T::mul_add(t7_, carry2_1_, carry2_2_);
-        let t60_ = T::mul_add(t6_, carry2_0_, t59_);
+        let t58_ = T::mul_add(t7_, carry2_1_, carry2_2_);
+        let t59_ = T::mul_add(t6_, carry2_0_, t58_);
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t60_;
+            *o0_ = -t59_;
         }
         ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
@@ -872,8 +872,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Results |  | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 6 | 4 | 1 | 0 | 0 |
-    /// | Results |  | 24 | 24 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 6 | 1 | 0 | 0 |
+    /// | Results |  | 22 | 22 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     /// | Results |  | 0 | 1 | 0 | 0 | 0 |
@@ -1083,7 +1083,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_4_before_ = carry1_4_;
             let carry1_5_before_ = carry1_5_;
             let carry1_6_before_ = carry1_6_;
-            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 6 mul, 4 add, 1 reciprocal.
+            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 6 add, 1 reciprocal.
             let joint_k_zz_ = known_p1_ + carry1_2_before_;
             let joint_b_x_z_ = c_(0.1) * carry1_3_before_;
             let joint_b_y_z_ = T::mul_add(c_(0.1), carry1_1_before_, known_p2_);
@@ -1100,46 +1100,46 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t21_ = T::recip(joint_j_zz_);
             let joint_z0_force_x_ = joint_b_x_z_ * t21_;
             let joint_z0_force_y_ = joint_b_y_z_ * t21_;
-            /// Results: 24 mul, 24 add, 0 reciprocal.
-            let t22_ = known_p1_ + carry1_0_before_;
-            let t23_ = carry1_0_before_ + carry1_1_before_;
-            let t24_ = carry1_2_before_ + t23_;
-            let t25_ = T::mul_add(c_(0.010000000000000002), t24_, known_p5_);
-            let t26_ = known_p1_ + carry1_1_before_;
-            let t27_ = joint_b_x_z_ * joint_b_x_z_;
-            let t28_ = T::mul_neg_add(t21_, t27_, t22_);
-            let t29_ = joint_b_y_z_ * joint_b_y_z_;
-            let t30_ = T::mul_neg_add(t21_, t29_, t26_);
-            let t31_ = joint_b_x_z_ * joint_b_y_z_;
-            let t32_ = T::mul_neg_add(t21_, t31_, carry1_3_before_);
-            let t33_ = t28_ + t30_;
-            let t34_ = t28_ - t30_;
-            let t35_ = T::mul_add(t12_, t34_, t30_);
-            let t36_ = T::mul_add(t14_, t32_, t35_);
-            let t37_ = t15_ * t32_;
-            let t38_ = T::mul_add(t13_, t34_, t37_);
-            let t39_ = t33_ - t36_;
-            let t40_ = cos_joint_angle_ * joint_z0_force_x_;
-            let t41_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t40_);
-            let t42_ = sin_joint_angle_ * joint_z0_force_x_;
-            let t43_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t42_);
-            let t44_ = minus_joint_load_moment_z_ + carry1_6_before_;
-            let t45_ = T::mul_add(c_(0.1), joint_e_force_y_, t44_);
-            let t46_ = t21_ * t45_;
-            let t47_ = t17_ - carry1_4_before_;
-            let t48_ = T::mul_add(
+            let t22_ = minus_joint_load_moment_z_ + carry1_6_before_;
+            let t23_ = T::mul_add(c_(0.1), joint_e_force_y_, t22_);
+            let minus_joint_w0_ = t21_ * t23_;
+            /// Results: 22 mul, 22 add, 0 reciprocal.
+            let t24_ = known_p1_ + carry1_0_before_;
+            let t25_ = carry1_0_before_ + carry1_1_before_;
+            let t26_ = carry1_2_before_ + t25_;
+            let t27_ = T::mul_add(c_(0.010000000000000002), t26_, known_p5_);
+            let t28_ = known_p1_ + carry1_1_before_;
+            let t29_ = joint_b_x_z_ * joint_b_x_z_;
+            let t30_ = T::mul_neg_add(t21_, t29_, t24_);
+            let t31_ = joint_b_y_z_ * joint_b_y_z_;
+            let t32_ = T::mul_neg_add(t21_, t31_, t28_);
+            let t33_ = joint_b_x_z_ * joint_b_y_z_;
+            let t34_ = T::mul_neg_add(t21_, t33_, carry1_3_before_);
+            let t35_ = t30_ + t32_;
+            let t36_ = t30_ - t32_;
+            let t37_ = T::mul_add(t12_, t36_, t32_);
+            let t38_ = T::mul_add(t14_, t34_, t37_);
+            let t39_ = t15_ * t34_;
+            let t40_ = T::mul_add(t13_, t36_, t39_);
+            let t41_ = t35_ - t38_;
+            let t42_ = cos_joint_angle_ * joint_z0_force_x_;
+            let t43_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t42_);
+            let t44_ = sin_joint_angle_ * joint_z0_force_x_;
+            let t45_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t44_);
+            let t46_ = t17_ - carry1_4_before_;
+            let t47_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t47_,
+                t46_,
             );
-            let t49_ = T::mul_add(joint_b_x_z_, t46_, t48_);
-            let t50_ = T::mul_neg_add(joint_b_y_z_, t46_, joint_e_force_y_);
-            let t51_ = cos_joint_angle_ * t49_;
-            let t52_ = T::mul_add(sin_joint_angle_, t50_, t51_);
-            let t53_ = sin_joint_angle_ * t49_;
-            let t54_ = T::mul_neg_add(cos_joint_angle_, t50_, t53_);
-            _ = store3_.try_push([t41_, t43_, t46_]);
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t25_);
+            let t48_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t47_);
+            let t49_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
+            let t50_ = cos_joint_angle_ * t48_;
+            let t51_ = T::mul_add(sin_joint_angle_, t49_, t50_);
+            let t52_ = sin_joint_angle_ * t48_;
+            let t53_ = T::mul_neg_add(cos_joint_angle_, t49_, t52_);
+            _ = store3_.try_push([t43_, t45_, minus_joint_w0_]);
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t27_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -1149,12 +1149,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_5_,
                 carry1_6_,
             ) = (
-                t39_,
-                t36_,
-                joint_k_zz_,
+                t41_,
                 t38_,
-                -t52_,
-                -t54_,
+                joint_k_zz_,
+                t40_,
+                -t51_,
+                -t53_,
                 -minus_joint_load_moment_z_,
             );
         }
@@ -1175,9 +1175,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     _,
                     _,
                     ],
-                    &[t41_,
-                    t43_,
-                    t46_,
+                    &[t43_,
+                    t45_,
+                    minus_joint_w0_,
                     ],
                 ),
                 [o0_0_,
@@ -1201,10 +1201,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
-            let t55_ = T::mul_add(carry2_1_before_, t43_, t46_);
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t41_, t55_);
+            let t54_ = T::mul_add(carry2_1_before_, t45_, minus_joint_w0_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t43_, t54_);
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-            let t56_ = T::mul_neg_add(
+            let t55_ = T::mul_neg_add(
                 sin_joint_angle_,
                 carry2_1_before_,
                 minus_end_of_repeat0_drift_lin_x_,
@@ -1212,20 +1212,20 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let end_of_repeat0_a_lin_x_ = T::mul_sub(
                 cos_joint_angle_,
                 carry2_0_before_,
-                t56_,
+                t55_,
             );
-            let t57_ = sin_joint_angle_ * carry2_0_before_;
-            let t58_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t57_);
+            let t56_ = sin_joint_angle_ * carry2_0_before_;
+            let t57_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t56_);
             let minus_end_of_repeat0_a_lin_y_ = T::mul_add(
                 c_(0.1),
                 minus_joint_a_ang_z_,
-                t58_,
+                t57_,
             );
             /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t59_ = carry2_2_before_ + minus_joint_a_ang_z_;
-            _ = store4_.try_push([t59_]);
-            *o0_0_ = -t59_;
-            *o3_0_ = -t59_;
+            let t58_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            _ = store4_.try_push([t58_]);
+            *o0_0_ = -t58_;
+            *o3_0_ = -t58_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
@@ -1233,8 +1233,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Results: 2 mul, 2 add, 0 reciprocal.
-        let t60_ = T::mul_add(t7_, carry2_1_, carry2_2_);
-        let t61_ = T::mul_add(t6_, carry2_0_, t60_);
+        let t59_ = T::mul_add(t7_, carry2_1_, carry2_2_);
+        let t60_ = T::mul_add(t6_, carry2_0_, t59_);
         let mut carry3_0_ = c_(1.0);
         let mut carry3_1_ = c_(0.0);
         let mut carry3_2_ = c_(0.0);
@@ -1297,36 +1297,36 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry3_3_before_ = carry3_3_;
             let carry3_4_before_ = carry3_4_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-            let t62_ = cos_joint_angle_ * carry3_0_before_;
-            let joint_axes_x_x_ = T::mul_add(sin_joint_angle_, carry3_1_before_, t62_);
-            let t63_ = sin_joint_angle_ * carry3_0_before_;
+            let t61_ = cos_joint_angle_ * carry3_0_before_;
+            let joint_axes_x_x_ = T::mul_add(sin_joint_angle_, carry3_1_before_, t61_);
+            let t62_ = sin_joint_angle_ * carry3_0_before_;
             let minus_joint_axes_x_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry3_1_before_,
-                t63_,
+                t62_,
             );
-            let t64_ = cos_joint_angle_ * carry3_2_before_;
-            let joint_axes_y_x_ = T::mul_add(sin_joint_angle_, carry3_3_before_, t64_);
-            let t65_ = sin_joint_angle_ * carry3_2_before_;
+            let t63_ = cos_joint_angle_ * carry3_2_before_;
+            let joint_axes_y_x_ = T::mul_add(sin_joint_angle_, carry3_3_before_, t63_);
+            let t64_ = sin_joint_angle_ * carry3_2_before_;
             let minus_joint_axes_y_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry3_3_before_,
-                t65_,
+                t64_,
             );
             let joint_omega_z_2_ = joint_rate_ + carry3_4_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 6 mul, 0 add, 0 reciprocal.
-            let t66_ = c_(0.1) * joint_axes_x_x_;
-            let t67_ = joint_omega_z_2_ * t66_;
-            let minus_end_of_repeat0_drift_lin_x_2_ = joint_omega_z_2_ * t67_;
-            let t68_ = c_(0.1) * joint_axes_y_x_;
-            let t69_ = joint_omega_z_2_ * t68_;
-            let minus_end_of_repeat0_drift_lin_y_ = joint_omega_z_2_ * t69_;
+            let t65_ = c_(0.1) * joint_axes_x_x_;
+            let t66_ = joint_omega_z_2_ * t65_;
+            let minus_end_of_repeat0_drift_lin_x_2_ = joint_omega_z_2_ * t66_;
+            let t67_ = c_(0.1) * joint_axes_y_x_;
+            let t68_ = joint_omega_z_2_ * t67_;
+            let minus_end_of_repeat0_drift_lin_y_ = joint_omega_z_2_ * t68_;
             _ = store6_
                 .try_push([
-                    t66_,
-                    t68_,
-                    t69_,
+                    t65_,
                     t67_,
+                    t68_,
+                    t66_,
                     minus_end_of_repeat0_drift_lin_x_2_,
                     minus_end_of_repeat0_drift_lin_y_,
                 ]);
@@ -1345,24 +1345,24 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-        let t70_ = cos_hook_angle_ * carry3_0_;
-        let hook_axes_x_x_ = T::mul_add(sin_hook_angle_, carry3_1_, t70_);
-        let t71_ = sin_hook_angle_ * carry3_0_;
-        let minus_hook_axes_x_y_ = T::mul_neg_add(cos_hook_angle_, carry3_1_, t71_);
-        let t72_ = cos_hook_angle_ * carry3_2_;
-        let hook_axes_y_x_ = T::mul_add(sin_hook_angle_, carry3_3_, t72_);
-        let t73_ = sin_hook_angle_ * carry3_2_;
-        let minus_hook_axes_y_y_ = T::mul_neg_add(cos_hook_angle_, carry3_3_, t73_);
+        let t69_ = cos_hook_angle_ * carry3_0_;
+        let hook_axes_x_x_ = T::mul_add(sin_hook_angle_, carry3_1_, t69_);
+        let t70_ = sin_hook_angle_ * carry3_0_;
+        let minus_hook_axes_x_y_ = T::mul_neg_add(cos_hook_angle_, carry3_1_, t70_);
+        let t71_ = cos_hook_angle_ * carry3_2_;
+        let hook_axes_y_x_ = T::mul_add(sin_hook_angle_, carry3_3_, t71_);
+        let t72_ = sin_hook_angle_ * carry3_2_;
+        let minus_hook_axes_y_y_ = T::mul_neg_add(cos_hook_angle_, carry3_3_, t72_);
         let hook_omega_z_2_ = hook_rate_ + carry3_4_;
         let mut carry4_0_ = c_(0.0);
         let mut carry4_1_ = c_(0.0);
         let mut carry4_2_ = c_(0.0);
         let mut carry4_3_ = c_(0.0);
         for (
-            &[t66_,
-            t68_,
-            t69_,
+            &[t65_,
             t67_,
+            t68_,
+            t66_,
             _,
             _,
             ],
@@ -1403,19 +1403,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry4_2_before_ = carry4_2_;
             let carry4_3_before_ = carry4_3_;
             /// Results: 0 mul, 4 add, 0 reciprocal.
-            let t74_ = t69_ - carry4_2_before_;
-            let t75_ = t67_ + carry4_3_before_;
-            let t76_ = t66_ + carry4_0_before_;
-            let t77_ = t68_ + carry4_1_before_;
+            let t73_ = t68_ - carry4_2_before_;
+            let t74_ = t66_ + carry4_3_before_;
+            let t75_ = t65_ + carry4_0_before_;
+            let t76_ = t67_ + carry4_1_before_;
             *o7_13_ = carry4_0_before_;
             *o7_14_ = carry4_1_before_;
             *o7_17_ = carry4_2_before_;
             *o7_18_ = carry4_3_before_;
-            *o7_26_ = t76_;
-            *o7_27_ = t77_;
-            *o7_30_ = -t74_;
-            *o7_31_ = t75_;
-            (carry4_0_, carry4_1_, carry4_2_, carry4_3_) = (t76_, t77_, -t74_, t75_);
+            *o7_26_ = t75_;
+            *o7_27_ = t76_;
+            *o7_30_ = -t73_;
+            *o7_31_ = t74_;
+            (carry4_0_, carry4_1_, carry4_2_, carry4_3_) = (t75_, t76_, -t73_, t74_);
         }
         let mut carry5_0_ = c_(0.0);
         for &[joint_rate_] in ::mstmm::generated::times::<
@@ -1428,21 +1428,21 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
             let joint_omega_z_3_ = joint_rate_ + carry5_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t78_ = c_(0.1) * joint_omega_z_3_;
-            let minus_end_of_repeat0_drift_lin_x_3_ = joint_omega_z_3_ * t78_;
+            let t77_ = c_(0.1) * joint_omega_z_3_;
+            let minus_end_of_repeat0_drift_lin_x_3_ = joint_omega_z_3_ * t77_;
             _ = store9_.try_push([minus_end_of_repeat0_drift_lin_x_3_]);
             (carry5_0_,) = (joint_omega_z_3_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_3_ = hook_rate_ + carry5_0_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t79_ = c_(0.2) * hook_omega_z_3_;
-        let t80_ = hook_omega_z_3_ * t79_;
+        let t78_ = c_(0.2) * hook_omega_z_3_;
+        let t79_ = hook_omega_z_3_ * t78_;
         let mut carry6_0_ = c_(0.0);
         let mut carry6_1_ = c_(9.8);
         let mut carry6_2_ = c_(0.0);
         for (
-            (&[sin_joint_angle_, cos_joint_angle_, _, _, _, _, _, _, _, _], &[t59_]),
+            (&[sin_joint_angle_, cos_joint_angle_, _, _, _, _, _, _, _, _], &[t58_]),
             &[minus_end_of_repeat0_drift_lin_x_3_,
             ],
         ) in ::core::iter::zip(
@@ -1453,39 +1453,39 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry6_1_before_ = carry6_1_;
             let carry6_2_before_ = carry6_2_;
             /// Results: 5 mul, 5 add, 0 reciprocal.
-            let t81_ = sin_joint_angle_ * carry6_0_before_;
-            let t82_ = T::mul_neg_add(cos_joint_angle_, carry6_1_before_, t81_);
-            let t83_ = t59_ - carry6_2_before_;
-            let t84_ = T::mul_add(c_(0.1), t83_, t82_);
-            let t85_ = T::mul_neg_add(
+            let t80_ = sin_joint_angle_ * carry6_0_before_;
+            let t81_ = T::mul_neg_add(cos_joint_angle_, carry6_1_before_, t80_);
+            let t82_ = t58_ - carry6_2_before_;
+            let t83_ = T::mul_add(c_(0.1), t82_, t81_);
+            let t84_ = T::mul_neg_add(
                 sin_joint_angle_,
                 carry6_1_before_,
                 minus_end_of_repeat0_drift_lin_x_3_,
             );
-            let t86_ = T::mul_sub(cos_joint_angle_, carry6_0_before_, t85_);
-            (carry6_0_, carry6_1_, carry6_2_) = (t86_, -t84_, -t83_);
+            let t85_ = T::mul_sub(cos_joint_angle_, carry6_0_before_, t84_);
+            (carry6_0_, carry6_1_, carry6_2_) = (t85_, -t83_, -t82_);
         }
         /// Load of the body at `hook`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
-        let t87_ = cos_hook_angle_ * carry6_0_;
-        let t88_ = T::mul_add(sin_hook_angle_, carry6_1_, t87_);
-        let t89_ = sin_hook_angle_ * carry6_0_;
-        let t90_ = T::mul_neg_add(cos_hook_angle_, carry6_1_, t89_);
-        let t91_ = c_(2.0) * t88_;
-        let t92_ = T::mul_sub(c_(2.0), t90_, t80_);
-        let t93_ = minus_hook_axes_x_y_ * t92_;
-        let t94_ = t61_ - carry6_2_;
-        let t95_ = T::mul_neg_add(c_(0.2), t94_, t91_);
-        let hook_own_force_x_ = T::mul_add(hook_axes_x_x_, t95_, t93_);
-        let t96_ = minus_hook_axes_y_y_ * t92_;
-        let hook_own_force_y_ = T::mul_add(hook_axes_y_x_, t95_, t96_);
+        let t86_ = cos_hook_angle_ * carry6_0_;
+        let t87_ = T::mul_add(sin_hook_angle_, carry6_1_, t86_);
+        let t88_ = sin_hook_angle_ * carry6_0_;
+        let t89_ = T::mul_neg_add(cos_hook_angle_, carry6_1_, t88_);
+        let t90_ = c_(2.0) * t87_;
+        let t91_ = T::mul_sub(c_(2.0), t89_, t79_);
+        let t92_ = minus_hook_axes_x_y_ * t91_;
+        let t93_ = t60_ - carry6_2_;
+        let t94_ = T::mul_neg_add(c_(0.2), t93_, t90_);
+        let hook_own_force_x_ = T::mul_add(hook_axes_x_x_, t94_, t92_);
+        let t95_ = minus_hook_axes_y_y_ * t91_;
+        let hook_own_force_y_ = T::mul_add(hook_axes_y_x_, t94_, t95_);
         let mut carry7_0_ = c_(0.0);
         let mut carry7_1_ = c_(0.0);
         let mut carry7_2_ = c_(0.0);
         for (
             (
-                (&[_, _, _, _, _, _, known_p6_, known_p7_, _], &[t59_]),
-                &[t66_,
-                t68_,
+                (&[_, _, _, _, _, _, known_p6_, known_p7_, _], &[t58_]),
+                &[t65_,
+                t67_,
                 _,
                 _,
                 minus_end_of_repeat0_drift_lin_x_2_,
@@ -1535,31 +1535,31 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry7_1_before_ = carry7_1_;
             let carry7_2_before_ = carry7_2_;
             /// Point of `joint`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-            let minus_joint_acc_ang_z_ = t59_ - carry7_2_before_;
+            let minus_joint_acc_ang_z_ = t58_ - carry7_2_before_;
             /// Point of `end_of_repeat0`, [P, Eqs. (12), (13), (36)]: 2 mul, 4 add, 0 reciprocal.
-            let t97_ = minus_end_of_repeat0_drift_lin_x_2_ - carry7_0_before_;
+            let t96_ = minus_end_of_repeat0_drift_lin_x_2_ - carry7_0_before_;
             let minus_end_of_repeat0_acc_lin_x_ = T::mul_neg_add(
-                t68_,
+                t67_,
+                minus_joint_acc_ang_z_,
+                t96_,
+            );
+            let t97_ = minus_end_of_repeat0_drift_lin_y_ - carry7_1_before_;
+            let minus_end_of_repeat0_acc_lin_y_ = T::mul_add(
+                t65_,
                 minus_joint_acc_ang_z_,
                 t97_,
             );
-            let t98_ = minus_end_of_repeat0_drift_lin_y_ - carry7_1_before_;
-            let minus_end_of_repeat0_acc_lin_y_ = T::mul_add(
-                t66_,
-                minus_joint_acc_ang_z_,
-                t98_,
-            );
             /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 4 mul, 4 add, 0 reciprocal.
-            let t99_ = known_p7_ * carry7_0_before_;
+            let t98_ = known_p7_ * carry7_0_before_;
             let joint_own_force_x_ = T::mul_neg_add(
                 known_p6_,
                 minus_end_of_repeat0_acc_lin_x_,
-                t99_,
+                t98_,
             );
-            let t100_ = c_(9.8) + carry7_1_before_;
-            let t101_ = known_p7_ * t100_;
-            let t102_ = c_(9.8) - minus_end_of_repeat0_acc_lin_y_;
-            let joint_own_force_y_ = T::mul_add(known_p6_, t102_, t101_);
+            let t99_ = c_(9.8) + carry7_1_before_;
+            let t100_ = known_p7_ * t99_;
+            let t101_ = c_(9.8) - minus_end_of_repeat0_acc_lin_y_;
+            let joint_own_force_y_ = T::mul_add(known_p6_, t101_, t100_);
             _ = store13_.try_push([joint_own_force_x_, joint_own_force_y_]);
             *o7_20_ = carry7_0_before_;
             *o7_21_ = carry7_1_before_;
@@ -1574,7 +1574,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Point of `hook`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let minus_hook_acc_ang_z_ = t61_ - carry7_2_;
+        let minus_hook_acc_ang_z_ = t60_ - carry7_2_;
         let mut carry8_0_ = hook_own_force_x_;
         let mut carry8_1_ = hook_own_force_y_;
         let mut carry8_2_ = c_(0.0);
@@ -1677,41 +1677,41 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry9_3_before_ = carry9_3_;
             let carry9_4_before_ = carry9_4_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-            let t103_ = cos_joint_angle_ * carry9_0_before_;
+            let t102_ = cos_joint_angle_ * carry9_0_before_;
             let joint_axes_x_x_2_ = T::mul_add(
                 sin_joint_angle_,
                 carry9_1_before_,
-                t103_,
+                t102_,
             );
-            let t104_ = sin_joint_angle_ * carry9_0_before_;
+            let t103_ = sin_joint_angle_ * carry9_0_before_;
             let minus_joint_axes_x_y_2_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry9_1_before_,
-                t104_,
+                t103_,
             );
-            let t105_ = cos_joint_angle_ * carry9_2_before_;
+            let t104_ = cos_joint_angle_ * carry9_2_before_;
             let joint_axes_y_x_2_ = T::mul_add(
                 sin_joint_angle_,
                 carry9_3_before_,
-                t105_,
+                t104_,
             );
-            let t106_ = sin_joint_angle_ * carry9_2_before_;
+            let t105_ = sin_joint_angle_ * carry9_2_before_;
             let minus_joint_axes_y_y_2_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry9_3_before_,
-                t106_,
+                t105_,
             );
             let joint_omega_z_4_ = joint_rate_ + carry9_4_before_;
             /// Results: 8 mul, 0 add, 0 reciprocal.
-            let t107_ = c_(0.1) * joint_axes_x_x_2_;
-            let t108_ = c_(0.1) * joint_axes_y_x_2_;
-            let t109_ = joint_omega_z_4_ * t108_;
-            let t110_ = joint_omega_z_4_ * t107_;
+            let t106_ = c_(0.1) * joint_axes_x_x_2_;
+            let t107_ = c_(0.1) * joint_axes_y_x_2_;
+            let t108_ = joint_omega_z_4_ * t107_;
+            let t109_ = joint_omega_z_4_ * t106_;
+            let t110_ = known_p6_ * t107_;
             let t111_ = known_p6_ * t108_;
             let t112_ = known_p6_ * t109_;
-            let t113_ = known_p6_ * t110_;
-            let t114_ = c_(9.8) * t111_;
-            _ = store16_.try_push([t108_, t109_, t110_, t112_, t113_, t114_]);
+            let t113_ = c_(9.8) * t110_;
+            _ = store16_.try_push([t107_, t108_, t109_, t111_, t112_, t113_]);
             (carry9_0_, carry9_1_, carry9_2_, carry9_3_, carry9_4_) = (
                 joint_axes_x_x_2_,
                 -minus_joint_axes_x_y_2_,
@@ -1721,17 +1721,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t115_ = sin_hook_angle_ * carry9_0_;
-        let minus_hook_axes_x_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_1_, t115_);
-        let t116_ = sin_hook_angle_ * carry9_2_;
-        let minus_hook_axes_y_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_3_, t116_);
+        let t114_ = sin_hook_angle_ * carry9_0_;
+        let minus_hook_axes_x_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_1_, t114_);
+        let t115_ = sin_hook_angle_ * carry9_2_;
+        let minus_hook_axes_y_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_3_, t115_);
         let hook_omega_z_4_ = hook_rate_ + carry9_4_;
         /// Results: 5 mul, 0 add, 0 reciprocal.
-        let t117_ = c_(0.2) * minus_hook_axes_x_y_2_;
-        let t118_ = c_(0.2) * minus_hook_axes_y_y_2_;
-        let t119_ = hook_omega_z_4_ * t118_;
-        let t120_ = hook_omega_z_4_ * t117_;
-        let t121_ = c_(1.9600000000000002) * minus_hook_axes_y_y_2_;
+        let t116_ = c_(0.2) * minus_hook_axes_x_y_2_;
+        let t117_ = c_(0.2) * minus_hook_axes_y_y_2_;
+        let t118_ = hook_omega_z_4_ * t117_;
+        let t119_ = hook_omega_z_4_ * t116_;
+        let t120_ = c_(1.9600000000000002) * minus_hook_axes_y_y_2_;
         let mut carry10_0_ = c_(0.0);
         for (&[joint_rate_], &[_, _, _, _, known_p4_, _, _, _, _]) in ::core::iter::zip(
             ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
@@ -1741,18 +1741,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
             let joint_omega_z_5_ = joint_rate_ + carry10_0_before_;
             /// Results: 3 mul, 0 add, 0 reciprocal.
-            let t122_ = known_p4_ * joint_omega_z_5_;
-            let t123_ = joint_omega_z_5_ * t122_;
-            let t124_ = c_(0.5) * t123_;
-            _ = store18_.try_push([t124_]);
+            let t121_ = known_p4_ * joint_omega_z_5_;
+            let t122_ = joint_omega_z_5_ * t121_;
+            let t123_ = c_(0.5) * t122_;
+            _ = store18_.try_push([t123_]);
             (carry10_0_,) = (joint_omega_z_5_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_5_ = hook_rate_ + carry10_0_;
         /// Results: 3 mul, 0 add, 0 reciprocal.
-        let t125_ = c_(0.030000000000000006) * hook_omega_z_5_;
-        let t126_ = hook_omega_z_5_ * t125_;
-        let t127_ = c_(0.5) * t126_;
+        let t124_ = c_(0.030000000000000006) * hook_omega_z_5_;
+        let t125_ = hook_omega_z_5_ * t124_;
+        let t126_ = c_(0.5) * t125_;
         let mut carry11_0_ = c_(0.0);
         let mut carry11_1_ = c_(0.0);
         let mut carry11_2_ = c_(0.0);
@@ -1767,11 +1767,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             known_p8_,
             ],
-            &[t108_,
+            &[t107_,
+            t108_,
             t109_,
-            t110_,
+            t111_,
             t112_,
-            t113_,
             _,
             ],
         ) in ::core::iter::zip(
@@ -1782,33 +1782,33 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry11_1_before_ = carry11_1_;
             let carry11_2_before_ = carry11_2_;
             /// Results: 5 mul, 6 add, 0 reciprocal.
-            let t128_ = t109_ - carry11_1_before_;
-            let t129_ = t110_ + carry11_2_before_;
-            let t130_ = t108_ + carry11_0_before_;
-            let t131_ = T::mul_neg_add(known_p6_, carry11_1_before_, t112_);
-            let t132_ = T::mul_add(known_p6_, carry11_2_before_, t113_);
-            let t133_ = carry11_1_before_ * t131_;
-            let t134_ = T::mul_neg_add(carry11_2_before_, t132_, t133_);
-            let t135_ = known_p8_ * carry11_0_before_;
-            _ = store20_.try_push([t134_, t135_]);
-            (carry11_0_, carry11_1_, carry11_2_) = (t130_, -t128_, t129_);
+            let t127_ = t108_ - carry11_1_before_;
+            let t128_ = t109_ + carry11_2_before_;
+            let t129_ = t107_ + carry11_0_before_;
+            let t130_ = T::mul_neg_add(known_p6_, carry11_1_before_, t111_);
+            let t131_ = T::mul_add(known_p6_, carry11_2_before_, t112_);
+            let t132_ = carry11_1_before_ * t130_;
+            let t133_ = T::mul_neg_add(carry11_2_before_, t131_, t132_);
+            let t134_ = known_p8_ * carry11_0_before_;
+            _ = store20_.try_push([t133_, t134_]);
+            (carry11_0_, carry11_1_, carry11_2_) = (t129_, -t127_, t128_);
         }
         /// Results: 3 mul, 3 add, 0 reciprocal.
-        let t136_ = carry11_1_ - t119_;
-        let t137_ = carry11_2_ + t120_;
-        let t138_ = carry11_1_ * t136_;
-        let t139_ = T::mul_add(carry11_2_, t137_, t138_);
-        let t140_ = c_(19.6) * carry11_0_;
+        let t135_ = carry11_1_ - t118_;
+        let t136_ = carry11_2_ + t119_;
+        let t137_ = carry11_1_ * t135_;
+        let t138_ = T::mul_add(carry11_2_, t136_, t137_);
+        let t139_ = c_(19.6) * carry11_0_;
         let mut carry12_0_ = c_(0.0);
         let mut carry12_1_ = c_(0.0);
         for (
-            ((&[_, _, _, _, _, _, _, _, _, t11_], &[t134_, t135_]), &[t124_]),
+            ((&[_, _, _, _, _, _, _, _, _, t11_], &[t133_, t134_]), &[t123_]),
             &[_,
             _,
             _,
             _,
             _,
-            t114_,
+            t113_,
             ],
         ) in ::core::iter::zip(
             ::core::iter::zip(
@@ -1820,29 +1820,29 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry12_0_before_ = carry12_0_;
             let carry12_1_before_ = carry12_1_;
             /// Results: 0 mul, 5 add, 0 reciprocal.
-            let t141_ = carry12_1_before_ + t135_;
-            let t142_ = carry12_0_before_ + t124_;
-            let t143_ = t134_ - t142_;
-            let t144_ = t11_ + t141_;
-            let t145_ = t114_ + t144_;
-            (carry12_0_, carry12_1_) = (-t143_, t145_);
+            let t140_ = carry12_1_before_ + t134_;
+            let t141_ = carry12_0_before_ + t123_;
+            let t142_ = t133_ - t141_;
+            let t143_ = t11_ + t140_;
+            let t144_ = t113_ + t143_;
+            (carry12_0_, carry12_1_) = (-t142_, t144_);
         }
         /// Results: 0 mul, 4 add, 0 reciprocal.
-        let t146_ = carry12_1_ + t140_;
-        let t147_ = t146_ + t121_;
-        let t148_ = carry12_0_ + t127_;
-        let t149_ = t139_ + t148_;
+        let t145_ = carry12_1_ + t139_;
+        let t146_ = t145_ + t120_;
+        let t147_ = carry12_0_ + t126_;
+        let t148_ = t138_ + t147_;
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t61_;
+            *o0_ = -t60_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results3_.as_mut_slice(), 10, 1) {
-            *o0_ = -t61_;
+            *o0_ = -t60_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
@@ -1914,8 +1914,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         at_.accelerations.data.0 = [results0_];
         at_.rate_accelerations.data.0 = [results3_];
         at_.efforts.data.0 = [results4_];
-        at_.kinetic_energy = t149_;
-        at_.potential_energy = t147_;
+        at_.kinetic_energy = t148_;
+        at_.potential_energy = t146_;
         for (
             point_,
             &[p0_,

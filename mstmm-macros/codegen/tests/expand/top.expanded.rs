@@ -98,8 +98,8 @@ impl<T: ::mstmm::Scalar> Top<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 7 | 2 | 0 | 0 | 0 |
-    /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 9 | 3 | 0 | 0 | 0 |
-    /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 5 | 2 | 0 | 0 | 0 |
+    /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 12 | 3 | 0 | 0 | 0 |
+    /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -124,7 +124,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t3_ = tip_qx_ * c_(2.0);
         let t4_ = tip_qw_ * t3_;
         let tip_turn_z_y_ = T::mul_add(tip_qy_, t1_, t4_);
-        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 9 mul, 3 add, 0 reciprocal.
+        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 12 mul, 3 add, 0 reciprocal.
         let t5_ = tip_wy_ * c_(0.001);
         let t6_ = tip_wz_ * c_(0.0001);
         let t7_ = tip_wy_ * t6_;
@@ -134,28 +134,28 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let tip_e_moment_y_ = T::mul_neg_add(tip_wx_, t6_, t9_);
         let t10_ = tip_wx_ * t5_;
         let tip_e_moment_z_ = T::mul_neg_add(tip_wy_, t8_, t10_);
-        /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 5 mul, 2 add, 0 reciprocal.
-        let t11_ = tip_e_moment_x_ * c_(1000.0);
+        let minus_tip_w0_ = tip_e_moment_x_ * c_(1000.0);
+        let minus_tip_w1_ = tip_e_moment_y_ * c_(1000.0);
+        let minus_tip_w2_ = tip_e_moment_z_ * c_(10000.0);
+        /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
         let minus_tip_a_ang_x_ = T::mul_neg_add(
             tip_turn_z_y_,
             c_(117.60000000000001),
-            t11_,
+            minus_tip_w0_,
         );
-        let t12_ = tip_e_moment_y_ * c_(1000.0);
         let minus_tip_a_ang_y_ = T::mul_neg_add(
             minus_tip_turn_z_x_,
             c_(117.60000000000001),
-            t12_,
+            minus_tip_w1_,
         );
-        let minus_tip_a_ang_z_ = tip_e_moment_z_ * c_(10000.0);
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
-        >(&[], [], [], [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_])?;
+        >(&[], [], [], [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_w2_])?;
         accelerations_.data.0 = [
-            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
+            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_w2_],
         ];
         ::core::result::Result::Ok(())
     }
@@ -183,8 +183,8 @@ impl<T: ::mstmm::Scalar> Top<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 12 | 11 | 0 | 0 | 0 |
-    /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 3 | 0 | 0 | 0 |
-    /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 5 | 2 | 0 | 0 | 0 |
+    /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 16 | 3 | 0 | 0 | 0 |
+    /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
     /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 9 | 6 | 0 | 0 | 0 |
     /// | Point of `tip` | \[P, Eqs. (12), (13), (36)\] | 9 | 6 | 0 | 0 | 0 |
     /// | Load of the body at `tip` | \[P, Eqs. (18), (19)\] | 16 | 12 | 0 | 0 | 0 |
@@ -227,7 +227,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let minus_tip_turn_z_x_ = t7_ - t8_;
         let tip_turn_z_y_ = t11_ + t12_;
         let minus_tip_turn_z_z_ = t2_ + t10_;
-        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 13 mul, 3 add, 0 reciprocal.
+        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 16 mul, 3 add, 0 reciprocal.
         let t13_ = tip_wx_ * c_(0.012);
         let tip_e_force_x_ = tip_wz_ * t13_;
         let t14_ = tip_wy_ * c_(0.012);
@@ -241,26 +241,26 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let tip_e_moment_y_ = T::mul_neg_add(tip_wx_, t16_, t19_);
         let t20_ = tip_wx_ * t15_;
         let tip_e_moment_z_ = T::mul_neg_add(tip_wy_, t18_, t20_);
-        /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 5 mul, 2 add, 0 reciprocal.
-        let t21_ = tip_e_moment_x_ * c_(1000.0);
+        let minus_tip_w0_ = tip_e_moment_x_ * c_(1000.0);
+        let minus_tip_w1_ = tip_e_moment_y_ * c_(1000.0);
+        let minus_tip_w2_ = tip_e_moment_z_ * c_(10000.0);
+        /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
         let minus_tip_a_ang_x_ = T::mul_neg_add(
             tip_turn_z_y_,
             c_(117.60000000000001),
-            t21_,
+            minus_tip_w0_,
         );
-        let t22_ = tip_e_moment_y_ * c_(1000.0);
         let minus_tip_a_ang_y_ = T::mul_neg_add(
             minus_tip_turn_z_x_,
             c_(117.60000000000001),
-            t22_,
+            minus_tip_w1_,
         );
-        let minus_tip_a_ang_z_ = tip_e_moment_z_ * c_(10000.0);
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
-        >(&[], [], [], [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_])?;
+        >(&[], [], [], [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_w2_])?;
         at_.efforts.data.0 = [[c_(0.0), c_(0.0), c_(0.0)]];
         point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
         point0_
@@ -314,21 +314,21 @@ impl<T: ::mstmm::Scalar> Top<T> {
         point2_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
         point2_.set_force([c_(0.0), c_(0.0), c_(0.0)]);
         at_.accelerations.data.0 = [
-            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
+            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_w2_],
         ];
         at_.rate_accelerations.data.0 = [
-            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_a_ang_z_],
+            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_w2_],
         ];
         /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
-        let t23_ = tip_wy_ * minus_tip_turn_x_y_;
-        let t24_ = T::mul_neg_add(tip_wz_, tip_turn_x_z_, t23_);
-        let minus_tip_omega_x_ = T::mul_add(tip_wx_, minus_tip_turn_x_x_, t24_);
-        let t25_ = tip_wx_ * tip_turn_y_x_;
-        let t26_ = T::mul_neg_add(tip_wz_, minus_tip_turn_y_z_, t25_);
-        let minus_tip_omega_y_ = T::mul_sub(tip_wy_, minus_tip_turn_y_y_, t26_);
-        let t27_ = tip_wx_ * minus_tip_turn_z_x_;
-        let t28_ = T::mul_neg_add(tip_wy_, tip_turn_z_y_, t27_);
-        let minus_tip_omega_z_ = T::mul_add(tip_wz_, minus_tip_turn_z_z_, t28_);
+        let t21_ = tip_wy_ * minus_tip_turn_x_y_;
+        let t22_ = T::mul_neg_add(tip_wz_, tip_turn_x_z_, t21_);
+        let minus_tip_omega_x_ = T::mul_add(tip_wx_, minus_tip_turn_x_x_, t22_);
+        let t23_ = tip_wx_ * tip_turn_y_x_;
+        let t24_ = T::mul_neg_add(tip_wz_, minus_tip_turn_y_z_, t23_);
+        let minus_tip_omega_y_ = T::mul_sub(tip_wy_, minus_tip_turn_y_y_, t24_);
+        let t25_ = tip_wx_ * minus_tip_turn_z_x_;
+        let t26_ = T::mul_neg_add(tip_wy_, tip_turn_z_y_, t25_);
+        let minus_tip_omega_z_ = T::mul_add(tip_wz_, minus_tip_turn_z_z_, t26_);
         point1_
             .set_angular_velocity([
                 -minus_tip_omega_x_,
@@ -342,15 +342,15 @@ impl<T: ::mstmm::Scalar> Top<T> {
                 -minus_tip_omega_z_,
             ]);
         /// Point of `tip`, [P, Eqs. (12), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
-        let t29_ = tip_turn_x_z_ * minus_tip_a_ang_z_;
-        let t30_ = T::mul_neg_add(minus_tip_a_ang_x_, minus_tip_turn_x_x_, t29_);
-        let tip_acc_ang_x_ = T::mul_sub(minus_tip_turn_x_y_, minus_tip_a_ang_y_, t30_);
-        let t31_ = tip_turn_y_x_ * minus_tip_a_ang_x_;
-        let t32_ = T::mul_neg_add(minus_tip_turn_y_z_, minus_tip_a_ang_z_, t31_);
-        let tip_acc_ang_y_ = T::mul_sub(minus_tip_a_ang_y_, minus_tip_turn_y_y_, t32_);
-        let t33_ = minus_tip_turn_z_x_ * minus_tip_a_ang_x_;
-        let t34_ = T::mul_add(minus_tip_a_ang_z_, minus_tip_turn_z_z_, t33_);
-        let minus_tip_acc_ang_z_ = T::mul_sub(tip_turn_z_y_, minus_tip_a_ang_y_, t34_);
+        let t27_ = tip_turn_x_z_ * minus_tip_w2_;
+        let t28_ = T::mul_neg_add(minus_tip_a_ang_x_, minus_tip_turn_x_x_, t27_);
+        let tip_acc_ang_x_ = T::mul_sub(minus_tip_turn_x_y_, minus_tip_a_ang_y_, t28_);
+        let t29_ = tip_turn_y_x_ * minus_tip_a_ang_x_;
+        let t30_ = T::mul_neg_add(minus_tip_turn_y_z_, minus_tip_w2_, t29_);
+        let tip_acc_ang_y_ = T::mul_sub(minus_tip_a_ang_y_, minus_tip_turn_y_y_, t30_);
+        let t31_ = minus_tip_turn_z_x_ * minus_tip_a_ang_x_;
+        let t32_ = T::mul_add(minus_tip_w2_, minus_tip_turn_z_z_, t31_);
+        let minus_tip_acc_ang_z_ = T::mul_sub(tip_turn_z_y_, minus_tip_a_ang_y_, t32_);
         point1_
             .set_angular_acceleration([
                 tip_acc_ang_x_,
@@ -364,26 +364,26 @@ impl<T: ::mstmm::Scalar> Top<T> {
                 -minus_tip_acc_ang_z_,
             ]);
         /// Load of the body at `tip`, [P, Eqs. (18), (19)]: 16 mul, 12 add, 0 reciprocal.
-        let t35_ = tip_wx_ * t13_;
-        let t36_ = T::mul_add(tip_wy_, t14_, t35_);
-        let t37_ = T::mul_neg_add(
+        let t33_ = tip_wx_ * t13_;
+        let t34_ = T::mul_add(tip_wy_, t14_, t33_);
+        let t35_ = T::mul_neg_add(
             minus_tip_turn_z_x_,
             c_(1.9600000000000002),
             tip_e_force_x_,
         );
-        let t38_ = T::mul_add(tip_turn_z_y_, c_(1.9600000000000002), tip_e_force_y_);
-        let t39_ = T::mul_add(c_(1.9600000000000002), minus_tip_turn_z_z_, t36_);
-        let t40_ = T::mul_neg_add(c_(0.012), minus_tip_a_ang_y_, t37_);
-        let t41_ = T::mul_add(c_(0.012), minus_tip_a_ang_x_, t38_);
-        let t42_ = tip_turn_x_z_ * t39_;
-        let t43_ = T::mul_add(t40_, minus_tip_turn_x_x_, t42_);
-        let minus_tip_own_force_x_ = T::mul_add(minus_tip_turn_x_y_, t41_, t43_);
-        let t44_ = tip_turn_y_x_ * t40_;
-        let t45_ = T::mul_add(minus_tip_turn_y_z_, t39_, t44_);
-        let minus_tip_own_force_y_ = T::mul_sub(minus_tip_turn_y_y_, t41_, t45_);
-        let t46_ = minus_tip_turn_z_x_ * t40_;
-        let t47_ = T::mul_neg_add(minus_tip_turn_z_z_, t39_, t46_);
-        let tip_own_force_z_ = T::mul_sub(tip_turn_z_y_, t41_, t47_);
+        let t36_ = T::mul_add(tip_turn_z_y_, c_(1.9600000000000002), tip_e_force_y_);
+        let t37_ = T::mul_add(c_(1.9600000000000002), minus_tip_turn_z_z_, t34_);
+        let t38_ = T::mul_neg_add(c_(0.012), minus_tip_a_ang_y_, t35_);
+        let t39_ = T::mul_add(c_(0.012), minus_tip_a_ang_x_, t36_);
+        let t40_ = tip_turn_x_z_ * t37_;
+        let t41_ = T::mul_add(t38_, minus_tip_turn_x_x_, t40_);
+        let minus_tip_own_force_x_ = T::mul_add(minus_tip_turn_x_y_, t39_, t41_);
+        let t42_ = tip_turn_y_x_ * t38_;
+        let t43_ = T::mul_add(minus_tip_turn_y_z_, t37_, t42_);
+        let minus_tip_own_force_y_ = T::mul_sub(minus_tip_turn_y_y_, t39_, t43_);
+        let t44_ = minus_tip_turn_z_x_ * t38_;
+        let t45_ = T::mul_neg_add(minus_tip_turn_z_z_, t37_, t44_);
+        let tip_own_force_z_ = T::mul_sub(tip_turn_z_y_, t39_, t45_);
         point0_
             .set_force([
                 -minus_tip_own_force_x_,
@@ -397,13 +397,13 @@ impl<T: ::mstmm::Scalar> Top<T> {
                 tip_own_force_z_,
             ]);
         /// Results: 5 mul, 2 add, 0 reciprocal.
-        let t48_ = tip_wx_ * t18_;
-        let t49_ = T::mul_add(tip_wy_, t15_, t48_);
-        let t50_ = T::mul_add(tip_wz_, t16_, t49_);
-        let t51_ = t50_ * c_(0.5);
-        at_.kinetic_energy = t51_;
-        let t52_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
-        at_.potential_energy = -t52_;
+        let t46_ = tip_wx_ * t18_;
+        let t47_ = T::mul_add(tip_wy_, t15_, t46_);
+        let t48_ = T::mul_add(tip_wz_, t16_, t47_);
+        let t49_ = t48_ * c_(0.5);
+        at_.kinetic_energy = t49_;
+        let t50_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
+        at_.potential_energy = -t50_;
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre

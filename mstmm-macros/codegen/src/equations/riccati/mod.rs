@@ -11,6 +11,11 @@
 //! time: there (2) is `A ← A − (y yᵀ) / d`, and in (3) `zᵀ a'` is taken apart into what hangs on the
 //! parent and what does not.
 //!
+//! The last of several axes of a hinge need not wait for the one before. With what `A` was before that
+//! one, `a` and `c` on its diagonal for the two and `b` beside it, `d = c − b² / a`:
+//!
+//! (6)  `1 / d = a / (a c − b²)`
+//!
 //! What is left has `A s = 0` and `sᵀ e = τ`. Where `s` is an axis both are set exactly, and `A`
 //! keeps one of each pair of entries only: without that, chains of balls lose all digits.
 //!
@@ -20,39 +25,16 @@
 //! (4)  `u = Eᵀ s`, `E ← E − z uᵀ`, `γ ← γ + u w / d`, `G ← G + u uᵀ / d`
 //! (5)  `Tᵀ a = γ + Eᵀ a_ground − G λ`
 
+mod direction;
 mod recover;
 
 use super::closure::{self, Closure};
-use super::hinge::Column;
 use super::passage::Bundle;
 use super::problem::{Movement, Problem};
 use super::{Pivot, Trace};
 use crate::math::{Motion, Scalar, SpatialInertia, Wrench};
+use direction::{Condition, Eliminated, eliminate};
 use recover::recover;
-
-/// A free direction that has been eliminated.
-struct Eliminated<S> {
-    column: Column<S>,
-    /// `z`
-    gain: Wrench<S>,
-    /// `w / d`
-    rest: S,
-    /// `u / d`
-    pulls: Vec<S>,
-    /// The axis that it is, where so little hangs on `y` that the next results wait for `1 / d` most of
-    /// the time.
-    waiting: Option<usize>,
-}
-
-impl<S: Scalar> Eliminated<S> {
-    /// `z` without its entry along the axis, which is one.
-    fn beside(&self, axis: usize) -> Wrench<S> {
-        Wrench::from_fn(|k| if k == axis { S::zero() } else { self.gain.at(k) })
-    }
-}
-
-/// How many directions a plane has.
-const PLANE: usize = 3;
 
 /// What is carried inwards.
 #[derive(Clone)]
@@ -136,14 +118,19 @@ fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<S> {
         trace.inertia(&over.name, here.inertia);
         trace.wrench(&format!("{}_e", over.name), here.load);
         let conditions = problem.efforts[index].iter().zip(&over.freedom.armature);
-        for (number, (&column, (&effort, &armature))) in
-            over.freedom.columns.iter().zip(conditions).enumerate()
-        {
-            let scale = column.scale(here.scales.0, here.scales.1) + armature;
-            let condition = Condition { column, effort, armature };
-            let (pivot, step) = eliminate(&mut here, &mut sums, &condition);
+        let conditions: Vec<Condition<S>> = over
+            .freedom
+            .columns
+            .iter()
+            .zip(conditions)
+            .map(|(&column, (&effort, &armature))| Condition { column, effort, armature })
+            .collect();
+        let steps = eliminate(&mut here, &mut sums, &conditions);
+        for (number, (condition, (pivot, step))) in conditions.iter().zip(steps).enumerate() {
+            let scale = condition.column.scale(here.scales.0, here.scales.1) + condition.armature;
             trace.number(format!("{}_d{number}", over.name), pivot);
             trace.wrench(&format!("{}_z{number}", over.name), step.gain);
+            trace.number(format!("{}_w{number}", over.name), step.rest);
             eliminated[index].push(step);
             pivots.push(Pivot { link: index, value: pivot, scale });
         }
@@ -250,101 +237,4 @@ fn close<S: Scalar>(problem: &Problem<S>, sums: Sums<S>, trace: &mut Trace<S>) -
     }
     let right: Vec<S> = gamma.iter().zip(&demand.reached).map(|(&g, &r)| g - r).collect();
     closure::solve(&left, &sizes, &right, trace)
-}
-
-/// A free direction with its effort and the inertia of its rotor.
-struct Condition<S> {
-    column: Column<S>,
-    effort: S,
-    armature: S,
-}
-
-/// Equations (1), (2) and (4) for one free direction; returns `d` as well.
-fn eliminate<S: Scalar>(
-    here: &mut Carried<S>,
-    sums: &mut Sums<S>,
-    condition: &Condition<S>,
-) -> (S, Eliminated<S>) {
-    let &Condition { column, effort, armature } = condition;
-    let direction = column.motion();
-    let (old, before) = (here.inertia, here.load);
-    let y = old.times(direction);
-    let pivot = direction.power(y) + armature;
-    let inverse = pivot.recip();
-    let rest = (effort - direction.power(before)) * inverse;
-    // Beside a rotor nothing becomes zero.
-    let axis = match column {
-        Column::Axis(axis) if armature.vanishes() => Some(axis),
-        _ => None,
-    };
-    let along = |k: usize| axis == Some(k);
-    let gain = Wrench::from_fn(|k| if along(k) { S::one() } else { y.at(k) * inverse });
-    let linked = (0..6).filter(|&k| !y.at(k).vanishes()).count();
-    let waiting = axis.filter(|_| linked <= PLANE);
-    here.inertia = SpatialInertia::from_fn(|i, j| {
-        if along(i) || along(j) {
-            S::zero()
-        } else if waiting.is_some() {
-            old.at(i, j) - y.at(i) * y.at(j) * inverse
-        } else {
-            old.at(i, j) - gain.at(i) * y.at(j)
-        }
-    });
-    here.load = Wrench::from_fn(|k| if along(k) { effort } else { before.at(k) + y.at(k) * rest });
-    let u: Vec<S> = here.pulls.iter().map(|&pull| direction.power(pull)).collect();
-    let pulls: Vec<S> = u.iter().map(|&u| u * inverse).collect();
-    for (i, pull) in here.pulls.iter_mut().enumerate() {
-        let old = *pull;
-        *pull =
-            Wrench::from_fn(|k| if along(k) { S::zero() } else { old.at(k) - gain.at(k) * u[i] });
-        sums.gamma[i] = sums.gamma[i] + u[i] * rest;
-        let force = old.force.dot(old.force);
-        let size = column.scale(force, old.moment.dot(old.moment) + force * here.reach);
-        sums.sizes[i] = sums.sizes[i] + size * inverse;
-        for (sum, &pull) in sums.matrix[i].iter_mut().zip(&pulls) {
-            *sum = *sum + u[i] * pull;
-        }
-    }
-    (pivot, Eliminated { column, gain, rest, pulls, waiting })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Carried, Column, Condition, SpatialInertia, Sums, Wrench, eliminate};
-    use crate::math::{Mat3, Scalar, Structured, Sym3, Vec3};
-
-    /// Without exact zeros, rounding leaks back into the angular block of every ball and grows from
-    /// one to the next until no digit is left.
-    #[test]
-    fn what_a_ball_lets_go_is_exactly_zero() {
-        let some = |value: f64| Structured::variable(value);
-        let inertia = SpatialInertia {
-            linear: Sym3([3.1, 2.7, 4.3, 0.3, -0.2, 0.7].map(some)),
-            coupling: Mat3(
-                [[0.1, 0.7, -0.3], [0.2, -0.6, 0.9], [0.4, 0.3, 0.8]].map(|row| row.map(some)),
-            ),
-            angular: Sym3([2.3, 3.7, 2.9, 0.11, -0.23, 0.37].map(some)),
-        };
-        let load = Wrench {
-            force: Vec3([0.3, -0.7, 1.1].map(some)),
-            moment: Vec3([1.3, 0.9, -0.1].map(some)),
-        };
-        let mut here = Carried {
-            inertia,
-            load,
-            pulls: Vec::new(),
-            reach: Structured::zero(),
-            scales: (some(10.0), some(7.0)),
-        };
-        let efforts = [0.25, -0.5, 0.125].map(some);
-        for (k, effort) in efforts.into_iter().enumerate() {
-            let armature = Structured::zero();
-            let condition = Condition { column: Column::Axis(3 + k), effort, armature };
-            let (pivot, _) = eliminate(&mut here, &mut Sums::of(0), &condition);
-            assert!(pivot.value() > 0.0);
-        }
-        assert!(here.inertia.angular.0.iter().all(|x| x.vanishes()));
-        assert!(here.inertia.coupling.0.iter().flatten().all(|x| x.vanishes()));
-        assert_eq!(here.load.moment.0.map(|x| x.value()), [0.25, -0.5, 0.125]);
-    }
 }

@@ -3,7 +3,7 @@
 use super::super::Trace;
 use super::super::hinge::Column;
 use super::super::problem::Problem;
-use super::Eliminated;
+use super::direction::Eliminated;
 use crate::math::{Motion, Scalar};
 
 /// The amounts `β` and the accelerations of all points.
@@ -72,4 +72,60 @@ fn advance_early<S: Scalar>(
     let rest = step.rest - problem.drift[index].power(beside);
     let new = rest - parent.power(problem.links[index].over.returned(beside));
     (vec![new - carried.at(axis)], carried.with(axis, new))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Sums;
+    use super::super::direction::tests::{carried, some};
+    use super::super::direction::{Condition, eliminate};
+    use super::{Column, Eliminated, Motion, advance};
+    use crate::math::{Scalar, Structured, Vec3};
+
+    /// `Sᵀ (A (a' + S β) + e) + H β = τ` for all directions of a hinge at once.
+    fn check(columns: &[usize], armatures: &[f64]) {
+        let mut here = carried();
+        let (inertia, load) = (here.inertia, here.load);
+        let rotor = |number: usize| match armatures[number] {
+            0.0 => Structured::zero(),
+            armature => some(armature),
+        };
+        let conditions: Vec<Condition<Structured<f64>>> = columns
+            .iter()
+            .enumerate()
+            .map(|(number, &axis)| Condition {
+                column: Column::Axis(axis),
+                effort: some(0.25 - 0.375 * number as f64),
+                armature: rotor(number),
+            })
+            .collect();
+        let steps = eliminate(&mut here, &mut Sums::of(0), &conditions);
+        let steps: Vec<Eliminated<_>> = steps.into_iter().map(|(_, step)| step).collect();
+        let carried = Motion {
+            linear: Vec3([0.7, -0.2, 1.9].map(some)),
+            angular: Vec3([-0.4, 0.6, 0.5].map(some)),
+        };
+        let rotors: Vec<Structured<f64>> = conditions.iter().map(|c| c.armature).collect();
+        let (betas, acceleration) = advance(carried, &steps, &rotors);
+        let transmitted = inertia.times(acceleration) + load;
+        for (condition, beta) in conditions.iter().zip(betas) {
+            let found = condition.column.motion().power(transmitted) + condition.armature * beta;
+            // Sums of products up to 10, pivots above 0.1 of what they come from: a hundred roundings.
+            let error = (found - condition.effort).value().abs();
+            assert!(error < 10.0 * 100.0 * f64::EPSILON, "{columns:?} {armatures:?}: {error:e}");
+        }
+    }
+
+    #[test]
+    fn what_is_recovered_fulfils_the_conditions_of_all_directions() {
+        check(&[5], &[0.0]);
+        check(&[3, 4, 5], &[0.0, 0.0, 0.0]);
+        check(&[4, 5], &[0.0, 0.0]);
+        check(&[2, 5], &[0.0, 0.0]);
+        check(&[0, 1, 5], &[0.0, 0.0, 0.0]);
+        check(&[0, 1, 2, 3, 4, 5], &[0.0; 6]);
+        for armatures in [[0.7, 0.0, 0.0], [0.0, 0.7, 0.0], [0.0, 0.0, 0.7], [0.3, 0.5, 0.7]] {
+            check(&[3, 4, 5], &armatures);
+        }
+    }
 }
