@@ -14,6 +14,7 @@ mod compute;
 mod factor;
 mod fuse;
 mod images;
+mod latency;
 mod live;
 mod looped;
 mod names;

@@ -1,6 +1,6 @@
 //! Sums of many terms: those that are written as sums of sums.
 
-use super::{Live, Turn, Turns};
+use super::{Home, Live, Turn, Turns};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
 
 /// The sums of formulas, with the sums in them taken apart.
@@ -37,6 +37,11 @@ impl<'g> Sums<'g> {
     /// The nodes that are needed for themselves, before those that they are needed for.
     pub(super) fn nodes(&self) -> impl Iterator<Item = NodeId> {
         self.live.nodes().iter().copied().filter(|&id| !self.inner[id as usize])
+    }
+
+    /// Where a node is computed.
+    pub(super) fn home(&self, id: NodeId) -> Home {
+        self.turns.home(id)
     }
 
     /// All terms of a sum that is needed and computed in every step.

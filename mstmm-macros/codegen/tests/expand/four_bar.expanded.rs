@@ -210,15 +210,15 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             c_(0.020000000000000004),
         );
         let t29_ = sin_b_angle_ * t9_;
-        let t30_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
-        let t31_ = T::mul_add(cos_b_angle_, t10_, t3_);
-        let t32_ = T::mul_sub(a_drift_lin_y_, t20_, t31_);
-        let t33_ = T::mul_neg_add(a_b_x_z_, a_w0_, t29_);
-        let t34_ = T::mul_sub(minus_a_drift_lin_x_, t16_, t33_);
-        let t35_ = t32_ + t34_;
-        let t36_ = T::mul_neg_add(a_drift_lin_y_, t18_, t30_);
-        let t37_ = T::mul_add(minus_a_drift_lin_x_, t20_, t36_);
-        let t38_ = sin_a_angle_ * t35_;
+        let t30_ = T::mul_add(cos_b_angle_, t10_, t3_);
+        let t31_ = T::mul_sub(minus_a_drift_lin_x_, t16_, t30_);
+        let t32_ = T::mul_neg_add(a_drift_lin_y_, t20_, t29_);
+        let t33_ = T::mul_sub(a_b_x_z_, a_w0_, t32_);
+        let t34_ = t31_ + t33_;
+        let t35_ = T::mul_neg_add(a_drift_lin_y_, t18_, minus_a_e_force_y_);
+        let t36_ = T::mul_sub(a_b_y_z_, a_w0_, t35_);
+        let t37_ = T::mul_sub(minus_a_drift_lin_x_, t20_, t36_);
+        let t38_ = sin_a_angle_ * t34_;
         let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t37_, t38_);
         let t39_ = T::recip(crank_pin_j_zz_);
         let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t39_;
@@ -296,13 +296,13 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t106_ = T::mul_add(t58_, t58_, t62_);
         let t107_ = c_(4.166666666666667) * t106_;
         let t108_ = b_drift_lin_y_ * t43_;
-        let t109_ = t49_ * a_w0_;
-        let t110_ = t72_ * a_w0_;
-        let t111_ = t69_ * t69_;
-        let t112_ = T::mul_add(t71_, t71_, t111_);
-        let t113_ = t72_ * t72_;
-        let t114_ = T::mul_add(c_(0.72), t112_, t113_);
-        let t115_ = T::mul_add(t12_, t114_, t107_);
+        let t109_ = b_drift_lin_y_ * t65_;
+        let t110_ = t69_ * t69_;
+        let t111_ = T::mul_add(t71_, t71_, t110_);
+        let t112_ = t72_ * t72_;
+        let t113_ = T::mul_add(c_(0.72), t111_, t112_);
+        let t114_ = T::mul_add(t12_, t113_, t107_);
+        let t115_ = a_drift_lin_y_ * t52_;
         let t116_ = cos_a_angle_ * t79_;
         let t117_ = T::mul_neg_add(sin_a_angle_, t80_, t116_);
         let t118_ = t117_ * t117_;
@@ -312,77 +312,73 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
         let t122_ = minus_b_drift_lin_x_ + minus_b_e_force_x_;
-        let t123_ = T::mul_neg_add(b_drift_lin_y_, t65_, c_(9.8));
-        let t124_ = T::mul_neg_add(t56_, crank_pin_z0_force_x_, t84_);
-        let t125_ = T::mul_neg_add(t56_, crank_pin_z0_force_y_, t55_);
-        let t126_ = T::mul_neg_add(t87_, crank_pin_z0_force_x_, t117_);
-        let t127_ = T::mul_neg_add(t87_, crank_pin_z0_force_y_, t86_);
-        let t128_ = T::mul_add(t121_, t39_, t115_);
-        let t129_ = T::copysign(closure_d1_, c_(1.0));
-        let t130_ = closure_d1_ + t129_;
-        let t131_ = c_(0.5) * t130_;
-        let t132_ = T::sqrt(t131_);
-        let t133_ = T::sqrt(t128_);
-        let t134_ = ::mstmm::generated::recip_above(t132_, t133_);
-        let t135_ = t132_ * t134_;
-        let t136_ = ::mstmm::generated::recip_above(closure_d1_, t95_);
-        let t137_ = t135_ * t136_;
-        let t138_ = T::mul_neg_add(closure_d0_, t104_, c_(1.0));
-        let t139_ = t138_ * t138_;
-        let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
-        let t141_ = T::sqrt(t140_);
-        let t142_ = t138_ * t141_;
-        let t143_ = T::mul_neg_add(closure_d1_, t137_, c_(1.0));
-        let t144_ = t105_ * t143_;
-        let t145_ = t142_ * t144_;
-        let t146_ = T::mul_neg_add(t142_, t145_, t144_);
-        let t147_ = t146_ * t146_;
-        let t148_ = T::mul_add(t143_, t143_, t147_);
-        let t149_ = ::mstmm::generated::recip_above(t148_, c_(1.0));
-        let t150_ = T::sqrt(t149_);
-        let t151_ = t146_ * t150_;
-        let t152_ = t143_ * t150_;
-        let t153_ = T::mul_neg_add(cos_rocker_pin_angle_, t122_, t109_);
-        let t154_ = T::mul_sub(minus_a_drift_lin_x_, t51_, t153_);
-        let t155_ = T::mul_sub(crank_pin_a_lin_y_, t125_, t154_);
-        let t156_ = T::mul_add(a_drift_lin_y_, t52_, t108_);
-        let t157_ = T::mul_add(t56_, crank_pin_w0_, t156_);
-        let t158_ = T::mul_add(crank_pin_a_lin_x_, t124_, t157_);
-        let t159_ = t155_ + t158_;
-        let t160_ = T::mul_add(a_drift_lin_y_, t80_, t123_);
+        let t123_ = T::mul_add(t49_, a_w0_, t108_);
+        let t124_ = T::mul_sub(minus_a_drift_lin_x_, t51_, t123_);
+        let t125_ = T::mul_neg_add(t56_, crank_pin_z0_force_x_, t84_);
+        let t126_ = T::mul_neg_add(t56_, crank_pin_z0_force_y_, t55_);
+        let t127_ = T::mul_neg_add(t87_, crank_pin_z0_force_x_, t117_);
+        let t128_ = T::mul_neg_add(t87_, crank_pin_z0_force_y_, t86_);
+        let t129_ = T::mul_add(t121_, t39_, t114_);
+        let t130_ = T::copysign(closure_d1_, c_(1.0));
+        let t131_ = closure_d1_ + t130_;
+        let t132_ = c_(0.5) * t131_;
+        let t133_ = T::sqrt(t132_);
+        let t134_ = T::sqrt(t129_);
+        let t135_ = ::mstmm::generated::recip_above(t133_, t134_);
+        let t136_ = t133_ * t135_;
+        let t137_ = ::mstmm::generated::recip_above(closure_d1_, t95_);
+        let t138_ = t136_ * t137_;
+        let t139_ = T::mul_neg_add(closure_d0_, t104_, c_(1.0));
+        let t140_ = t139_ * t139_;
+        let t141_ = ::mstmm::generated::recip_above(t140_, c_(1.0));
+        let t142_ = T::sqrt(t141_);
+        let t143_ = t139_ * t142_;
+        let t144_ = T::mul_neg_add(closure_d1_, t138_, c_(1.0));
+        let t145_ = t105_ * t144_;
+        let t146_ = t143_ * t145_;
+        let t147_ = T::mul_neg_add(t143_, t146_, t145_);
+        let t148_ = t147_ * t147_;
+        let t149_ = T::mul_add(t144_, t144_, t148_);
+        let t150_ = ::mstmm::generated::recip_above(t149_, c_(1.0));
+        let t151_ = T::sqrt(t150_);
+        let t152_ = t147_ * t151_;
+        let t153_ = t144_ * t151_;
+        let t154_ = T::mul_neg_add(crank_pin_a_lin_y_, t126_, t124_);
+        let t155_ = T::mul_neg_add(cos_rocker_pin_angle_, t122_, t115_);
+        let t156_ = T::mul_add(t56_, crank_pin_w0_, t155_);
+        let t157_ = T::mul_add(crank_pin_a_lin_x_, t125_, t156_);
+        let t158_ = t154_ - t157_;
+        let t159_ = T::mul_neg_add(sin_rocker_pin_angle_, t122_, c_(9.8));
+        let t160_ = T::mul_add(a_drift_lin_y_, t80_, t159_);
         let t161_ = T::mul_add(t87_, crank_pin_w0_, t160_);
-        let t162_ = T::mul_add(crank_pin_a_lin_x_, t126_, t161_);
-        let t163_ = T::mul_neg_add(sin_rocker_pin_angle_, t122_, t110_);
-        let t164_ = T::mul_sub(minus_a_drift_lin_x_, t79_, t163_);
-        let t165_ = T::mul_sub(crank_pin_a_lin_y_, t127_, t164_);
-        let t166_ = T::mul_add(t105_, t159_, t165_);
-        let t167_ = t162_ + t166_;
-        let t168_ = t104_ * t159_;
-        let t169_ = t137_ * t167_;
-        let t170_ = T::mul_add(t105_, t169_, t168_);
-        let t171_ = t142_ * t170_;
-        let t172_ = T::mul_neg_add(t142_, t171_, t170_);
-        let t173_ = t151_ * t172_;
-        let t174_ = T::mul_add(t152_, t169_, t173_);
-        let closure_reaction0_ = T::mul_neg_add(t151_, t174_, t172_);
-        let minus_closure_reaction1_ = T::mul_neg_add(t152_, t174_, t169_);
+        let t162_ = T::mul_add(crank_pin_a_lin_x_, t127_, t161_);
+        let t163_ = T::mul_neg_add(t72_, a_w0_, t109_);
+        let t164_ = T::mul_add(minus_a_drift_lin_x_, t79_, t163_);
+        let t165_ = T::mul_sub(crank_pin_a_lin_y_, t128_, t164_);
+        let t166_ = T::mul_sub(t105_, t158_, t165_);
+        let t167_ = t162_ - t166_;
+        let t168_ = t104_ * t158_;
+        let t169_ = t138_ * t167_;
+        let t170_ = T::mul_neg_add(t105_, t169_, t168_);
+        let t171_ = t143_ * t170_;
+        let t172_ = T::mul_neg_add(t143_, t171_, t170_);
+        let t173_ = t152_ * t172_;
+        let t174_ = T::mul_neg_add(t153_, t169_, t173_);
+        let minus_closure_reaction0_ = T::mul_neg_add(t152_, t174_, t172_);
+        let minus_closure_reaction1_ = T::mul_add(t153_, t174_, t169_);
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
         let t175_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
         let t176_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t175_);
         let t177_ = T::mul_sub(c_(9.8), t176_, crank_pin_w0_);
         let t178_ = T::mul_add(t92_, minus_closure_reaction1_, t177_);
-        let minus_crank_pin_a_ang_z_ = T::mul_add(t57_, closure_reaction0_, t178_);
+        let crank_pin_a_ang_z_ = T::mul_sub(t57_, minus_closure_reaction0_, t178_);
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 17 mul, 14 add, 0 reciprocal.
         let t179_ = T::mul_neg_add(
             cos_a_angle_,
             crank_pin_a_lin_x_,
             minus_a_drift_lin_x_,
         );
-        let t180_ = T::mul_neg_add(
-            c_(0.2),
-            minus_crank_pin_a_ang_z_,
-            crank_pin_a_lin_y_,
-        );
+        let t180_ = T::mul_add(c_(0.2), crank_pin_a_ang_z_, crank_pin_a_lin_y_);
         let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t180_, t179_);
         let t181_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
         let a_a_lin_y_ = T::mul_add(cos_a_angle_, t180_, t181_);
@@ -394,25 +390,25 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t187_ = c_(0.2) * t186_;
         let t188_ = T::mul_add(minus_a_drift_lin_x_, a_z0_force_x_, a_w0_);
         let t189_ = T::mul_sub(crank_pin_a_lin_x_, t184_, t188_);
-        let t190_ = T::mul_add(t50_, closure_reaction0_, t189_);
+        let t190_ = T::mul_sub(t50_, minus_closure_reaction0_, t189_);
         let t191_ = T::mul_add(crank_pin_a_lin_y_, t186_, t182_);
         let t192_ = T::mul_add(t73_, minus_closure_reaction1_, t191_);
-        let t193_ = T::mul_sub(t187_, minus_crank_pin_a_ang_z_, t192_);
-        let minus_a_a_ang_z_ = t190_ - t193_;
+        let t193_ = T::mul_add(t187_, crank_pin_a_ang_z_, t192_);
+        let a_a_ang_z_ = t190_ - t193_;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 9 mul, 5 add, 0 reciprocal.
         let t194_ = b_drift_lin_y_ * c_(2.5);
         let t195_ = sin_b_angle_ * c_(2.5);
         let t196_ = cos_b_angle_ * c_(2.5);
         let t197_ = cos_b_angle_ * c_(1.5);
-        let t198_ = t42_ * closure_reaction0_;
+        let t198_ = t42_ * minus_closure_reaction0_;
         let t199_ = T::mul_neg_add(t59_, minus_closure_reaction1_, t194_);
         let t200_ = T::mul_add(t196_, a_a_lin_y_, t199_);
-        let t201_ = T::mul_neg_add(t197_, minus_a_a_ang_z_, t198_);
-        let t202_ = T::mul_add(t195_, minus_a_a_lin_x_, t201_);
+        let t201_ = T::mul_neg_add(t197_, a_a_ang_z_, t198_);
+        let t202_ = T::mul_sub(t195_, minus_a_a_lin_x_, t201_);
         let minus_b_a_ang_z_ = t200_ + t202_;
         /// Results: 1 mul, 5 add, 0 reciprocal.
-        let t203_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
-        let t204_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let t203_ = crank_pin_a_ang_z_ - a_a_ang_z_;
+        let t204_ = a_a_ang_z_ + minus_b_a_ang_z_;
         let t205_ = c_(4.0) + t18_;
         let t206_ = t16_ - t205_;
         let t207_ = T::mul_neg_add(
@@ -429,11 +425,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             &["a", "crank_pin"],
             [a_j_zz_, crank_pin_j_zz_],
             [c_(2.04), t207_],
-            [-minus_crank_pin_a_ang_z_, t203_, t204_, minus_b_a_ang_z_],
+            [crank_pin_a_ang_z_, -t203_, -t204_, minus_b_a_ang_z_],
         )?;
-        accelerations_.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t203_, t204_, minus_b_a_ang_z_],
-        ];
+        accelerations_.data.0 = [[crank_pin_a_ang_z_, -t203_, -t204_, minus_b_a_ang_z_]];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges by value; see
@@ -570,15 +564,15 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             c_(0.020000000000000004),
         );
         let t29_ = sin_b_angle_ * t9_;
-        let t30_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
-        let t31_ = T::mul_add(cos_b_angle_, t10_, t3_);
-        let t32_ = T::mul_sub(a_drift_lin_y_, t20_, t31_);
-        let t33_ = T::mul_neg_add(a_b_x_z_, a_w0_, t29_);
-        let t34_ = T::mul_sub(minus_a_drift_lin_x_, t16_, t33_);
-        let t35_ = t32_ + t34_;
-        let t36_ = T::mul_neg_add(a_drift_lin_y_, t18_, t30_);
-        let t37_ = T::mul_add(minus_a_drift_lin_x_, t20_, t36_);
-        let t38_ = sin_a_angle_ * t35_;
+        let t30_ = T::mul_add(cos_b_angle_, t10_, t3_);
+        let t31_ = T::mul_sub(minus_a_drift_lin_x_, t16_, t30_);
+        let t32_ = T::mul_neg_add(a_drift_lin_y_, t20_, t29_);
+        let t33_ = T::mul_sub(a_b_x_z_, a_w0_, t32_);
+        let t34_ = t31_ + t33_;
+        let t35_ = T::mul_neg_add(a_drift_lin_y_, t18_, minus_a_e_force_y_);
+        let t36_ = T::mul_sub(a_b_y_z_, a_w0_, t35_);
+        let t37_ = T::mul_sub(minus_a_drift_lin_x_, t20_, t36_);
+        let t38_ = sin_a_angle_ * t34_;
         let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t37_, t38_);
         let t39_ = T::recip(crank_pin_j_zz_);
         let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t39_;
@@ -656,13 +650,13 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t106_ = T::mul_add(t58_, t58_, t62_);
         let t107_ = c_(4.166666666666667) * t106_;
         let t108_ = b_drift_lin_y_ * t43_;
-        let t109_ = t49_ * a_w0_;
-        let t110_ = t72_ * a_w0_;
-        let t111_ = t69_ * t69_;
-        let t112_ = T::mul_add(t71_, t71_, t111_);
-        let t113_ = t72_ * t72_;
-        let t114_ = T::mul_add(c_(0.72), t112_, t113_);
-        let t115_ = T::mul_add(t12_, t114_, t107_);
+        let t109_ = b_drift_lin_y_ * t65_;
+        let t110_ = t69_ * t69_;
+        let t111_ = T::mul_add(t71_, t71_, t110_);
+        let t112_ = t72_ * t72_;
+        let t113_ = T::mul_add(c_(0.72), t111_, t112_);
+        let t114_ = T::mul_add(t12_, t113_, t107_);
+        let t115_ = a_drift_lin_y_ * t52_;
         let t116_ = cos_a_angle_ * t79_;
         let t117_ = T::mul_neg_add(sin_a_angle_, t80_, t116_);
         let t118_ = t117_ * t117_;
@@ -672,77 +666,73 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
         let t122_ = minus_b_drift_lin_x_ + minus_b_e_force_x_;
-        let t123_ = T::mul_neg_add(b_drift_lin_y_, t65_, c_(9.8));
-        let t124_ = T::mul_neg_add(t56_, crank_pin_z0_force_x_, t84_);
-        let t125_ = T::mul_neg_add(t56_, crank_pin_z0_force_y_, t55_);
-        let t126_ = T::mul_neg_add(t87_, crank_pin_z0_force_x_, t117_);
-        let t127_ = T::mul_neg_add(t87_, crank_pin_z0_force_y_, t86_);
-        let t128_ = T::mul_add(t121_, t39_, t115_);
-        let t129_ = T::copysign(closure_d1_, c_(1.0));
-        let t130_ = closure_d1_ + t129_;
-        let t131_ = c_(0.5) * t130_;
-        let t132_ = T::sqrt(t131_);
-        let t133_ = T::sqrt(t128_);
-        let t134_ = ::mstmm::generated::recip_above(t132_, t133_);
-        let t135_ = t132_ * t134_;
-        let t136_ = ::mstmm::generated::recip_above(closure_d1_, t95_);
-        let t137_ = t135_ * t136_;
-        let t138_ = T::mul_neg_add(closure_d0_, t104_, c_(1.0));
-        let t139_ = t138_ * t138_;
-        let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
-        let t141_ = T::sqrt(t140_);
-        let t142_ = t138_ * t141_;
-        let t143_ = T::mul_neg_add(closure_d1_, t137_, c_(1.0));
-        let t144_ = t105_ * t143_;
-        let t145_ = t142_ * t144_;
-        let t146_ = T::mul_neg_add(t142_, t145_, t144_);
-        let t147_ = t146_ * t146_;
-        let t148_ = T::mul_add(t143_, t143_, t147_);
-        let t149_ = ::mstmm::generated::recip_above(t148_, c_(1.0));
-        let t150_ = T::sqrt(t149_);
-        let t151_ = t146_ * t150_;
-        let t152_ = t143_ * t150_;
-        let t153_ = T::mul_neg_add(cos_rocker_pin_angle_, t122_, t109_);
-        let t154_ = T::mul_sub(minus_a_drift_lin_x_, t51_, t153_);
-        let t155_ = T::mul_sub(crank_pin_a_lin_y_, t125_, t154_);
-        let t156_ = T::mul_add(a_drift_lin_y_, t52_, t108_);
-        let t157_ = T::mul_add(t56_, crank_pin_w0_, t156_);
-        let t158_ = T::mul_add(crank_pin_a_lin_x_, t124_, t157_);
-        let t159_ = t155_ + t158_;
-        let t160_ = T::mul_add(a_drift_lin_y_, t80_, t123_);
+        let t123_ = T::mul_add(t49_, a_w0_, t108_);
+        let t124_ = T::mul_sub(minus_a_drift_lin_x_, t51_, t123_);
+        let t125_ = T::mul_neg_add(t56_, crank_pin_z0_force_x_, t84_);
+        let t126_ = T::mul_neg_add(t56_, crank_pin_z0_force_y_, t55_);
+        let t127_ = T::mul_neg_add(t87_, crank_pin_z0_force_x_, t117_);
+        let t128_ = T::mul_neg_add(t87_, crank_pin_z0_force_y_, t86_);
+        let t129_ = T::mul_add(t121_, t39_, t114_);
+        let t130_ = T::copysign(closure_d1_, c_(1.0));
+        let t131_ = closure_d1_ + t130_;
+        let t132_ = c_(0.5) * t131_;
+        let t133_ = T::sqrt(t132_);
+        let t134_ = T::sqrt(t129_);
+        let t135_ = ::mstmm::generated::recip_above(t133_, t134_);
+        let t136_ = t133_ * t135_;
+        let t137_ = ::mstmm::generated::recip_above(closure_d1_, t95_);
+        let t138_ = t136_ * t137_;
+        let t139_ = T::mul_neg_add(closure_d0_, t104_, c_(1.0));
+        let t140_ = t139_ * t139_;
+        let t141_ = ::mstmm::generated::recip_above(t140_, c_(1.0));
+        let t142_ = T::sqrt(t141_);
+        let t143_ = t139_ * t142_;
+        let t144_ = T::mul_neg_add(closure_d1_, t138_, c_(1.0));
+        let t145_ = t105_ * t144_;
+        let t146_ = t143_ * t145_;
+        let t147_ = T::mul_neg_add(t143_, t146_, t145_);
+        let t148_ = t147_ * t147_;
+        let t149_ = T::mul_add(t144_, t144_, t148_);
+        let t150_ = ::mstmm::generated::recip_above(t149_, c_(1.0));
+        let t151_ = T::sqrt(t150_);
+        let t152_ = t147_ * t151_;
+        let t153_ = t144_ * t151_;
+        let t154_ = T::mul_neg_add(crank_pin_a_lin_y_, t126_, t124_);
+        let t155_ = T::mul_neg_add(cos_rocker_pin_angle_, t122_, t115_);
+        let t156_ = T::mul_add(t56_, crank_pin_w0_, t155_);
+        let t157_ = T::mul_add(crank_pin_a_lin_x_, t125_, t156_);
+        let t158_ = t154_ - t157_;
+        let t159_ = T::mul_neg_add(sin_rocker_pin_angle_, t122_, c_(9.8));
+        let t160_ = T::mul_add(a_drift_lin_y_, t80_, t159_);
         let t161_ = T::mul_add(t87_, crank_pin_w0_, t160_);
-        let t162_ = T::mul_add(crank_pin_a_lin_x_, t126_, t161_);
-        let t163_ = T::mul_neg_add(sin_rocker_pin_angle_, t122_, t110_);
-        let t164_ = T::mul_sub(minus_a_drift_lin_x_, t79_, t163_);
-        let t165_ = T::mul_sub(crank_pin_a_lin_y_, t127_, t164_);
-        let t166_ = T::mul_add(t105_, t159_, t165_);
-        let t167_ = t162_ + t166_;
-        let t168_ = t104_ * t159_;
-        let t169_ = t137_ * t167_;
-        let t170_ = T::mul_add(t105_, t169_, t168_);
-        let t171_ = t142_ * t170_;
-        let t172_ = T::mul_neg_add(t142_, t171_, t170_);
-        let t173_ = t151_ * t172_;
-        let t174_ = T::mul_add(t152_, t169_, t173_);
-        let closure_reaction0_ = T::mul_neg_add(t151_, t174_, t172_);
-        let minus_closure_reaction1_ = T::mul_neg_add(t152_, t174_, t169_);
+        let t162_ = T::mul_add(crank_pin_a_lin_x_, t127_, t161_);
+        let t163_ = T::mul_neg_add(t72_, a_w0_, t109_);
+        let t164_ = T::mul_add(minus_a_drift_lin_x_, t79_, t163_);
+        let t165_ = T::mul_sub(crank_pin_a_lin_y_, t128_, t164_);
+        let t166_ = T::mul_sub(t105_, t158_, t165_);
+        let t167_ = t162_ - t166_;
+        let t168_ = t104_ * t158_;
+        let t169_ = t138_ * t167_;
+        let t170_ = T::mul_neg_add(t105_, t169_, t168_);
+        let t171_ = t143_ * t170_;
+        let t172_ = T::mul_neg_add(t143_, t171_, t170_);
+        let t173_ = t152_ * t172_;
+        let t174_ = T::mul_neg_add(t153_, t169_, t173_);
+        let minus_closure_reaction0_ = T::mul_neg_add(t152_, t174_, t172_);
+        let minus_closure_reaction1_ = T::mul_add(t153_, t174_, t169_);
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
         let t175_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
         let t176_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t175_);
         let t177_ = T::mul_sub(c_(9.8), t176_, crank_pin_w0_);
         let t178_ = T::mul_add(t92_, minus_closure_reaction1_, t177_);
-        let minus_crank_pin_a_ang_z_ = T::mul_add(t57_, closure_reaction0_, t178_);
+        let crank_pin_a_ang_z_ = T::mul_sub(t57_, minus_closure_reaction0_, t178_);
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 17 mul, 14 add, 0 reciprocal.
         let t179_ = T::mul_neg_add(
             cos_a_angle_,
             crank_pin_a_lin_x_,
             minus_a_drift_lin_x_,
         );
-        let t180_ = T::mul_neg_add(
-            c_(0.2),
-            minus_crank_pin_a_ang_z_,
-            crank_pin_a_lin_y_,
-        );
+        let t180_ = T::mul_add(c_(0.2), crank_pin_a_ang_z_, crank_pin_a_lin_y_);
         let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t180_, t179_);
         let t181_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
         let a_a_lin_y_ = T::mul_add(cos_a_angle_, t180_, t181_);
@@ -754,21 +744,21 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t187_ = c_(0.2) * t186_;
         let t188_ = T::mul_add(minus_a_drift_lin_x_, a_z0_force_x_, a_w0_);
         let t189_ = T::mul_sub(crank_pin_a_lin_x_, t184_, t188_);
-        let t190_ = T::mul_add(t50_, closure_reaction0_, t189_);
+        let t190_ = T::mul_sub(t50_, minus_closure_reaction0_, t189_);
         let t191_ = T::mul_add(crank_pin_a_lin_y_, t186_, t182_);
         let t192_ = T::mul_add(t73_, minus_closure_reaction1_, t191_);
-        let t193_ = T::mul_sub(t187_, minus_crank_pin_a_ang_z_, t192_);
-        let minus_a_a_ang_z_ = t190_ - t193_;
+        let t193_ = T::mul_add(t187_, crank_pin_a_ang_z_, t192_);
+        let a_a_ang_z_ = t190_ - t193_;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 9 mul, 5 add, 0 reciprocal.
         let t194_ = b_drift_lin_y_ * c_(2.5);
         let t195_ = sin_b_angle_ * c_(2.5);
         let t196_ = cos_b_angle_ * c_(2.5);
         let t197_ = cos_b_angle_ * c_(1.5);
-        let t198_ = t42_ * closure_reaction0_;
+        let t198_ = t42_ * minus_closure_reaction0_;
         let t199_ = T::mul_neg_add(t59_, minus_closure_reaction1_, t194_);
         let t200_ = T::mul_add(t196_, a_a_lin_y_, t199_);
-        let t201_ = T::mul_neg_add(t197_, minus_a_a_ang_z_, t198_);
-        let t202_ = T::mul_add(t195_, minus_a_a_lin_x_, t201_);
+        let t201_ = T::mul_neg_add(t197_, a_a_ang_z_, t198_);
+        let t202_ = T::mul_sub(t195_, minus_a_a_lin_x_, t201_);
         let minus_b_a_ang_z_ = t200_ + t202_;
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 10 mul, 2 add, 0 reciprocal.
         let t203_ = cos_crank_pin_angle_ * cos_a_angle_;
@@ -791,54 +781,58 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t213_ = c_(0.6) * minus_a_axes_x_y_;
         let t214_ = a_omega_z_ * t213_;
         /// Point of `a`, [P, Eqs. (12), (13), (36)]: 2 mul, 2 add, 0 reciprocal.
-        let minus_a_acc_lin_x_ = T::mul_neg_add(
-            minus_crank_pin_a_ang_z_,
+        let minus_a_acc_lin_x_ = T::mul_add(
+            crank_pin_a_ang_z_,
             t207_,
             minus_a_drift_lin_x_2_,
         );
-        let minus_a_acc_lin_y_ = T::mul_add(
-            minus_crank_pin_a_ang_z_,
+        let minus_a_acc_lin_y_ = T::mul_neg_add(
+            crank_pin_a_ang_z_,
             t205_,
             minus_a_drift_lin_y_,
         );
         /// Point of `b`, [P, Eqs. (12), (13), (36)]: 4 mul, 4 add, 0 reciprocal.
         let t215_ = T::mul_add(a_omega_z_, t212_, minus_a_acc_lin_x_);
-        let b_acc_lin_x_ = T::mul_sub(minus_a_a_ang_z_, t213_, t215_);
+        let minus_b_acc_lin_x_ = T::mul_add(a_a_ang_z_, t213_, t215_);
         let t216_ = T::mul_add(a_omega_z_, t214_, minus_a_acc_lin_y_);
-        let minus_b_acc_lin_y_ = T::mul_add(minus_a_a_ang_z_, t211_, t216_);
+        let b_acc_lin_y_ = T::mul_sub(a_a_ang_z_, t211_, t216_);
         /// Load on `rocker_pin`, [P, Eqs. (18), (19)]: 8 mul, 4 add, 0 reciprocal.
-        let t217_ = cos_rocker_pin_angle_ * closure_reaction0_;
-        let t218_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t217_);
-        let t219_ = sin_rocker_pin_angle_ * closure_reaction0_;
-        let t220_ = T::mul_neg_add(
-            cos_rocker_pin_angle_,
+        let t217_ = cos_rocker_pin_angle_ * minus_closure_reaction0_;
+        let t218_ = T::mul_neg_add(
+            sin_rocker_pin_angle_,
             minus_closure_reaction1_,
-            t219_,
+            t217_,
         );
+        let t219_ = sin_rocker_pin_angle_ * minus_closure_reaction0_;
+        let t220_ = T::mul_add(cos_rocker_pin_angle_, minus_closure_reaction1_, t219_);
         let t221_ = b_axes_x_x_ * t218_;
-        let rocker_pin_load_force_x_ = T::mul_neg_add(minus_b_axes_x_y_, t220_, t221_);
+        let minus_rocker_pin_load_force_x_ = T::mul_neg_add(
+            minus_b_axes_x_y_,
+            t220_,
+            t221_,
+        );
         let t222_ = minus_b_axes_x_y_ * t218_;
-        let rocker_pin_load_force_y_ = T::mul_add(b_axes_x_x_, t220_, t222_);
+        let minus_rocker_pin_load_force_y_ = T::mul_add(b_axes_x_x_, t220_, t222_);
         /// Load on `b`, [P, Eqs. (18), (19)]: 8 mul, 9 add, 0 reciprocal.
         let t223_ = c_(0.6) * b_axes_x_x_;
         let t224_ = c_(0.6) * minus_b_axes_x_y_;
         let t225_ = b_omega_z_ * t223_;
-        let t226_ = T::mul_sub(b_omega_z_, t225_, b_acc_lin_x_);
+        let t226_ = T::mul_add(b_omega_z_, t225_, minus_b_acc_lin_x_);
         let t227_ = T::mul_sub(minus_b_a_ang_z_, t224_, t226_);
-        let t228_ = b_acc_lin_x_ + rocker_pin_load_force_x_;
-        let b_load_force_x_ = t227_ + t228_;
+        let t228_ = minus_b_acc_lin_x_ + minus_rocker_pin_load_force_x_;
+        let b_load_force_x_ = t227_ - t228_;
         let t229_ = b_omega_z_ * t224_;
-        let t230_ = T::mul_add(b_omega_z_, t229_, minus_b_acc_lin_y_);
+        let t230_ = T::mul_sub(b_omega_z_, t229_, b_acc_lin_y_);
         let t231_ = T::mul_add(minus_b_a_ang_z_, t223_, t230_);
-        let t232_ = c_(19.6) + rocker_pin_load_force_y_;
-        let t233_ = minus_b_acc_lin_y_ - t232_;
-        let minus_b_load_force_y_ = t231_ + t233_;
+        let t232_ = c_(19.6) - minus_rocker_pin_load_force_y_;
+        let t233_ = b_acc_lin_y_ + t232_;
+        let minus_b_load_force_y_ = t231_ - t233_;
         /// Load on `a`, [P, Eqs. (18), (19)]: 0 mul, 5 add, 0 reciprocal.
-        let t234_ = minus_a_acc_lin_x_ - b_acc_lin_x_;
+        let t234_ = minus_a_acc_lin_x_ + minus_b_acc_lin_x_;
         let a_load_force_x_ = b_load_force_x_ - t234_;
         let t235_ = c_(19.6) - minus_a_acc_lin_y_;
-        let t236_ = minus_b_acc_lin_y_ - t235_;
-        let minus_a_load_force_y_ = minus_b_load_force_y_ + t236_;
+        let t236_ = b_acc_lin_y_ + t235_;
+        let minus_a_load_force_y_ = minus_b_load_force_y_ - t236_;
         /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 2 mul, 4 add, 0 reciprocal.
         let minus_crank_pin_load_force_x_ = T::mul_sub(
             c_(0.5),
@@ -849,8 +843,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t238_ = T::mul_add(c_(0.5), t237_, c_(4.9));
         let minus_crank_pin_load_force_y_ = minus_a_load_force_y_ - t238_;
         /// Results: 19 mul, 24 add, 0 reciprocal.
-        let t239_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
-        let t240_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let t239_ = crank_pin_a_ang_z_ - a_a_ang_z_;
+        let t240_ = a_a_ang_z_ + minus_b_a_ang_z_;
         let t241_ = c_(4.0) + t18_;
         let t242_ = t16_ - t241_;
         let t243_ = T::mul_neg_add(
@@ -867,13 +861,13 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             &["a", "crank_pin"],
             [a_j_zz_, crank_pin_j_zz_],
             [c_(2.04), t243_],
-            [-minus_crank_pin_a_ang_z_, t239_, t240_, minus_b_a_ang_z_],
+            [crank_pin_a_ang_z_, -t239_, -t240_, minus_b_a_ang_z_],
         )?;
         at_.accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t239_, t240_, minus_b_a_ang_z_],
+            [crank_pin_a_ang_z_, -t239_, -t240_, minus_b_a_ang_z_],
         ];
         at_.rate_accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t239_, t240_, minus_b_a_ang_z_],
+            [crank_pin_a_ang_z_, -t239_, -t240_, minus_b_a_ang_z_],
         ];
         at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
         point0_.set_position([c_(0.0), c_(0.0)]);
@@ -890,7 +884,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         point1_.set_velocity([c_(0.0), c_(0.0)]);
         point1_.set_angular_velocity([crank_pin_rate_]);
         point1_.set_acceleration([c_(0.0), c_(0.0)]);
-        point1_.set_angular_acceleration([-minus_crank_pin_a_ang_z_]);
+        point1_.set_angular_acceleration([crank_pin_a_ang_z_]);
         point1_.set_moment([-crank_pin_input0_]);
         point1_
             .set_force([-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_]);
@@ -899,7 +893,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         point2_.set_velocity([-t208_, t206_]);
         point2_.set_angular_velocity([crank_pin_rate_]);
         point2_.set_acceleration([-minus_a_acc_lin_x_, -minus_a_acc_lin_y_]);
-        point2_.set_angular_acceleration([-minus_crank_pin_a_ang_z_]);
+        point2_.set_angular_acceleration([crank_pin_a_ang_z_]);
         point2_.set_moment([c_(0.0)]);
         point2_.set_force([a_load_force_x_, -minus_a_load_force_y_]);
         point3_.set_position([t205_, t207_]);
@@ -907,18 +901,18 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         point3_.set_velocity([-t208_, t206_]);
         point3_.set_angular_velocity([a_omega_z_]);
         point3_.set_acceleration([-minus_a_acc_lin_x_, -minus_a_acc_lin_y_]);
-        point3_.set_angular_acceleration([-minus_a_a_ang_z_]);
+        point3_.set_angular_acceleration([a_a_ang_z_]);
         point3_.set_moment([c_(0.0)]);
         point3_.set_force([a_load_force_x_, -minus_a_load_force_y_]);
         point4_.set_orientation([a_axes_x_x_, minus_a_axes_x_y_]);
         point4_.set_angular_velocity([a_omega_z_]);
-        point4_.set_acceleration([b_acc_lin_x_, -minus_b_acc_lin_y_]);
-        point4_.set_angular_acceleration([-minus_a_a_ang_z_]);
+        point4_.set_acceleration([-minus_b_acc_lin_x_, b_acc_lin_y_]);
+        point4_.set_angular_acceleration([a_a_ang_z_]);
         point4_.set_moment([c_(0.0)]);
         point4_.set_force([b_load_force_x_, -minus_b_load_force_y_]);
         point5_.set_orientation([b_axes_x_x_, minus_b_axes_x_y_]);
         point5_.set_angular_velocity([b_omega_z_]);
-        point5_.set_acceleration([b_acc_lin_x_, -minus_b_acc_lin_y_]);
+        point5_.set_acceleration([-minus_b_acc_lin_x_, b_acc_lin_y_]);
         point5_.set_angular_acceleration([-minus_b_a_ang_z_]);
         point5_.set_moment([c_(0.0)]);
         point5_.set_force([b_load_force_x_, -minus_b_load_force_y_]);
@@ -927,7 +921,11 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         point6_.set_acceleration([t227_, -t231_]);
         point6_.set_angular_acceleration([-minus_b_a_ang_z_]);
         point6_.set_moment([c_(0.0)]);
-        point6_.set_force([rocker_pin_load_force_x_, rocker_pin_load_force_y_]);
+        point6_
+            .set_force([
+                -minus_rocker_pin_load_force_x_,
+                -minus_rocker_pin_load_force_y_,
+            ]);
         point7_.set_position([c_(0.8), c_(0.0)]);
         point7_.set_orientation([c_(1.0), c_(0.0)]);
         point7_.set_velocity([c_(0.0), c_(0.0)]);
@@ -935,7 +933,11 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         point7_.set_acceleration([c_(0.0), c_(0.0)]);
         point7_.set_angular_acceleration([c_(0.0)]);
         point7_.set_moment([c_(0.0)]);
-        point7_.set_force([rocker_pin_load_force_x_, rocker_pin_load_force_y_]);
+        point7_
+            .set_force([
+                -minus_rocker_pin_load_force_x_,
+                -minus_rocker_pin_load_force_y_,
+            ]);
         let t244_ = crank_pin_rate_ * c_(0.020000000000000004);
         let t245_ = a_omega_z_ * c_(0.24);
         let t246_ = b_omega_z_ * c_(0.24);
@@ -961,12 +963,12 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t262_ = T::mul_add(sin_crank_pin_angle_, c_(4.9), t260_);
         let t263_ = T::mul_add(c_(5.88), t261_, t262_);
         at_.potential_energy = t263_;
-        let t264_ = cos_rocker_pin_angle_ * t142_;
-        let t265_ = sin_rocker_pin_angle_ * t142_;
-        let t266_ = cos_rocker_pin_angle_ * t151_;
-        let t267_ = T::mul_add(sin_rocker_pin_angle_, t152_, t266_);
-        let t268_ = sin_rocker_pin_angle_ * t151_;
-        let t269_ = T::mul_neg_add(cos_rocker_pin_angle_, t152_, t268_);
+        let t264_ = cos_rocker_pin_angle_ * t143_;
+        let t265_ = sin_rocker_pin_angle_ * t143_;
+        let t266_ = cos_rocker_pin_angle_ * t152_;
+        let t267_ = T::mul_add(sin_rocker_pin_angle_, t153_, t266_);
+        let t268_ = sin_rocker_pin_angle_ * t152_;
+        let t269_ = T::mul_neg_add(cos_rocker_pin_angle_, t153_, t268_);
         at_.closure = ::mstmm::generated::closure([
             [t264_, t265_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
             [-t267_, -t269_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
@@ -1357,10 +1359,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t173_ = T::mul_add(sin_b_angle_, t171_, t172_);
         let t174_ = cos_rocker_pin_angle_ * t173_;
         let t175_ = sin_rocker_pin_angle_ * t173_;
-        let t176_ = T::mul_neg_add(sin_b_angle_, t170_, t169_);
-        let t177_ = T::mul_add(cos_b_angle_, t171_, t176_);
-        let t178_ = T::mul_add(sin_rocker_pin_angle_, t177_, t174_);
-        let t179_ = T::mul_neg_add(cos_rocker_pin_angle_, t177_, t175_);
+        let t176_ = T::mul_add(cos_b_angle_, t171_, t169_);
+        let t177_ = T::mul_sub(sin_b_angle_, t170_, t176_);
+        let t178_ = T::mul_neg_add(sin_rocker_pin_angle_, t177_, t174_);
+        let t179_ = T::mul_add(cos_rocker_pin_angle_, t177_, t175_);
         let t180_ = T::mul_add(t84_, t178_, t179_);
         let t181_ = t83_ * t178_;
         let t182_ = t107_ * t180_;

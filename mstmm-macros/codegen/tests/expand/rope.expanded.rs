@@ -251,12 +251,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Results |  | 8 | 3 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 4 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 4 | 2 | 0 | 0 | 0 |
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Results |  | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 10 | 12 | 1 | 0 | 0 |
-    /// | Results |  | 24 | 26 | 0 | 0 | 0 |
+    /// | Results |  | 24 | 25 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 7 | 6 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
     /// | Results |  | 2 | 2 | 0 | 0 | 0 |
@@ -273,7 +273,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
         let mut results0_ = [T::constant(0.0); 11];
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
-        let mut store1_ = ::mstmm::generated::Stored::<[T; 5], 10>::new_const();
+        let mut store1_ = ::mstmm::generated::Stored::<[T; 6], 10>::new_const();
         let mut store3_ = ::mstmm::generated::Stored::<[T; 4], 10>::new_const();
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
@@ -315,11 +315,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
             let t10_ = c_(0.1) * joint_omega_z_;
             let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t10_;
-            /// Results: 4 mul, 1 add, 0 reciprocal.
+            /// Results: 4 mul, 2 add, 0 reciprocal.
             let t11_ = joint_angle_ * c_(0.2);
             let t12_ = known_p2_ * joint_omega_z_;
             let t13_ = joint_omega_z_ * t12_;
             let t14_ = T::mul_add(joint_rate_, t8_, t11_);
+            let t15_ = known_p5_ + t9_;
             _ = store1_
                 .try_push([
                     sin_joint_angle_,
@@ -327,17 +328,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     minus_end_of_repeat0_drift_lin_x_,
                     t13_,
                     t14_,
+                    t15_,
                 ]);
             (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t15_ = c_(0.2) * hook_omega_z_;
-        let hook_e_force_y_ = hook_omega_z_ * t15_;
+        let t16_ = c_(0.2) * hook_omega_z_;
+        let hook_e_force_y_ = hook_omega_z_ * t16_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t16_ = sin_hook_angle_ * hook_e_force_y_;
-        let t17_ = cos_hook_angle_ * hook_e_force_y_;
+        let t17_ = sin_hook_angle_ * hook_e_force_y_;
+        let t18_ = cos_hook_angle_ * hook_e_force_y_;
         let mut carry1_0_ = t5_;
         let mut carry1_1_ = -t3_;
         let mut carry1_2_ = c_(2.0);
@@ -345,8 +347,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry1_4_ = c_(0.0);
         let mut carry1_5_ = c_(0.0);
         let mut carry1_6_ = c_(0.0);
-        let mut carry1_7_ = -t16_;
-        let mut carry1_8_ = t17_;
+        let mut carry1_7_ = -t17_;
+        let mut carry1_8_ = t18_;
         let mut carry1_9_ = c_(0.0);
         for (
             &[_,
@@ -354,7 +356,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             known_p2_,
             _,
             known_p4_,
-            known_p5_,
+            _,
             _,
             _,
             _,
@@ -364,6 +366,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             minus_end_of_repeat0_drift_lin_x_,
             t13_,
             t14_,
+            t15_,
             ],
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
@@ -385,67 +388,66 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 10 mul, 12 add, 1 reciprocal.
             let joint_k_zz_ = known_p1_ + carry1_2_before_;
             let joint_b_x_z_ = T::mul_add(c_(0.1), carry1_3_before_, carry1_4_before_);
-            let t18_ = T::mul_add(c_(0.1), carry1_1_before_, carry1_5_before_);
-            let joint_b_y_z_ = known_p2_ + t18_;
-            let t19_ = carry1_5_before_ + t18_;
-            let t20_ = known_p4_ + carry1_6_before_;
-            let joint_j_zz_ = T::mul_add(c_(0.1), t19_, t20_);
+            let t19_ = T::mul_add(c_(0.1), carry1_1_before_, carry1_5_before_);
+            let joint_b_y_z_ = known_p2_ + t19_;
+            let t20_ = carry1_5_before_ + t19_;
+            let t21_ = known_p4_ + carry1_6_before_;
+            let joint_j_zz_ = T::mul_add(c_(0.1), t20_, t21_);
             let joint_e_force_y_ = T::mul_neg_add(
                 carry1_3_before_,
                 minus_end_of_repeat0_drift_lin_x_,
                 carry1_8_before_,
             );
-            let t21_ = T::mul_neg_add(
+            let t22_ = T::mul_neg_add(
                 carry1_4_before_,
                 minus_end_of_repeat0_drift_lin_x_,
                 carry1_9_before_,
             );
-            let joint_e_moment_z_ = T::mul_add(c_(0.1), joint_e_force_y_, t21_);
+            let joint_e_moment_z_ = T::mul_add(c_(0.1), joint_e_force_y_, t22_);
             let joint_d0_ = t9_ + joint_j_zz_;
-            let t22_ = T::recip(joint_d0_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t22_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t22_;
-            let joint_z0_moment_z_ = joint_j_zz_ * t22_;
-            let t23_ = joint_e_moment_z_ + t14_;
-            let minus_joint_w0_ = t22_ * t23_;
-            /// Results: 24 mul, 26 add, 0 reciprocal.
-            let t24_ = known_p1_ + carry1_0_before_;
-            let t25_ = carry1_0_before_ + carry1_1_before_;
-            let t26_ = carry1_2_before_ + t25_;
-            let t27_ = T::mul_add(c_(0.010000000000000002), t26_, known_p5_);
+            let t23_ = T::recip(joint_d0_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t23_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t23_;
+            let joint_z0_moment_z_ = joint_j_zz_ * t23_;
+            let t24_ = joint_e_moment_z_ + t14_;
+            let minus_joint_w0_ = t23_ * t24_;
+            /// Results: 24 mul, 25 add, 0 reciprocal.
+            let t25_ = known_p1_ + carry1_0_before_;
+            let t26_ = carry1_0_before_ + carry1_1_before_;
+            let t27_ = carry1_2_before_ + t26_;
             let t28_ = known_p1_ + carry1_1_before_;
-            let t29_ = t27_ + t9_;
-            let t30_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t24_);
-            let t31_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t28_);
-            let t32_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
-            let t33_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_x_, joint_b_x_z_);
-            let t34_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_y_, joint_b_y_z_);
-            let t35_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
-            let t36_ = t13_ - carry1_7_before_;
-            let t37_ = T::mul_add(
+            let t29_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t25_);
+            let t30_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t28_);
+            let t31_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
+            let t32_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_x_, joint_b_x_z_);
+            let t33_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_y_, joint_b_y_z_);
+            let t34_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
+            let t35_ = t13_ - carry1_7_before_;
+            let t36_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t36_,
+                t35_,
             );
-            let t38_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t37_);
-            let t39_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
-            let t40_ = T::mul_neg_add(joint_j_zz_, minus_joint_w0_, joint_e_moment_z_);
-            let t41_ = t30_ - t31_;
-            let t42_ = sin_joint_angle_ * t41_;
-            let t43_ = c_(2.0) * t32_;
-            let t44_ = T::mul_add(cos_joint_angle_, t43_, t42_);
-            let t45_ = sin_joint_angle_ * t44_;
-            let t46_ = t30_ - t45_;
-            let t47_ = T::mul_neg_add(cos_joint_angle_, t44_, t32_);
-            let t48_ = t31_ + t45_;
-            let t49_ = cos_joint_angle_ * t33_;
-            let t50_ = T::mul_neg_add(sin_joint_angle_, t34_, t49_);
-            let t51_ = sin_joint_angle_ * t33_;
-            let t52_ = T::mul_add(cos_joint_angle_, t34_, t51_);
-            let t53_ = cos_joint_angle_ * t38_;
-            let t54_ = T::mul_add(sin_joint_angle_, t39_, t53_);
-            let t55_ = sin_joint_angle_ * t38_;
-            let t56_ = T::mul_neg_add(cos_joint_angle_, t39_, t55_);
+            let t37_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t36_);
+            let t38_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
+            let t39_ = T::mul_neg_add(joint_j_zz_, minus_joint_w0_, joint_e_moment_z_);
+            let t40_ = t29_ - t30_;
+            let t41_ = sin_joint_angle_ * t40_;
+            let t42_ = c_(2.0) * t31_;
+            let t43_ = T::mul_add(cos_joint_angle_, t42_, t41_);
+            let t44_ = sin_joint_angle_ * t43_;
+            let t45_ = t29_ - t44_;
+            let t46_ = T::mul_neg_add(cos_joint_angle_, t43_, t31_);
+            let t47_ = t30_ + t44_;
+            let t48_ = cos_joint_angle_ * t32_;
+            let t49_ = T::mul_neg_add(sin_joint_angle_, t33_, t48_);
+            let t50_ = sin_joint_angle_ * t32_;
+            let t51_ = T::mul_add(cos_joint_angle_, t33_, t50_);
+            let t52_ = cos_joint_angle_ * t37_;
+            let t53_ = T::mul_add(sin_joint_angle_, t38_, t52_);
+            let t54_ = sin_joint_angle_ * t37_;
+            let t55_ = T::mul_neg_add(cos_joint_angle_, t38_, t54_);
+            let t56_ = T::mul_add(c_(0.010000000000000002), t27_, t15_);
             _ = store3_
                 .try_push([
                     minus_joint_w0_,
@@ -453,7 +455,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     joint_z0_force_y_,
                     joint_z0_moment_z_,
                 ]);
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_d0_, t29_);
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_d0_, t56_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -465,7 +467,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_7_,
                 carry1_8_,
                 carry1_9_,
-            ) = (t46_, t48_, joint_k_zz_, -t47_, t50_, t52_, t35_, -t54_, -t56_, t40_);
+            ) = (t45_, t47_, joint_k_zz_, -t46_, t49_, t51_, t34_, -t53_, -t55_, t39_);
         }
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
@@ -475,6 +477,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 &[sin_joint_angle_,
                 cos_joint_angle_,
                 minus_end_of_repeat0_drift_lin_x_,
+                _,
                 _,
                 _,
                 ],
@@ -727,28 +730,28 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t33_ = T::mul_neg_add(t20_, t32_, carry1_3_before_);
             let t34_ = t29_ + t31_;
             let t35_ = t29_ - t31_;
-            let t36_ = T::mul_add(t11_, t35_, t31_);
-            let t37_ = T::mul_add(t13_, t33_, t36_);
-            let t38_ = t14_ * t33_;
-            let t39_ = T::mul_add(t12_, t35_, t38_);
-            let t40_ = t34_ - t37_;
-            let t41_ = cos_joint_angle_ * joint_z0_force_x_;
-            let t42_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t41_);
-            let t43_ = sin_joint_angle_ * joint_z0_force_x_;
-            let t44_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t43_);
-            let t45_ = t16_ - carry1_4_before_;
-            let t46_ = T::mul_add(
+            let t36_ = t14_ * t33_;
+            let t37_ = T::mul_add(t12_, t35_, t36_);
+            let t38_ = cos_joint_angle_ * joint_z0_force_x_;
+            let t39_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t38_);
+            let t40_ = sin_joint_angle_ * joint_z0_force_x_;
+            let t41_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t40_);
+            let t42_ = t16_ - carry1_4_before_;
+            let t43_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t45_,
+                t42_,
             );
-            let t47_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t46_);
-            let t48_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
-            let t49_ = cos_joint_angle_ * t47_;
-            let t50_ = T::mul_add(sin_joint_angle_, t48_, t49_);
-            let t51_ = sin_joint_angle_ * t47_;
-            let t52_ = T::mul_neg_add(cos_joint_angle_, t48_, t51_);
-            _ = store3_.try_push([t42_, t44_, minus_joint_w0_]);
+            let t44_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t43_);
+            let t45_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
+            let t46_ = cos_joint_angle_ * t44_;
+            let t47_ = T::mul_add(sin_joint_angle_, t45_, t46_);
+            let t48_ = sin_joint_angle_ * t44_;
+            let t49_ = T::mul_neg_add(cos_joint_angle_, t45_, t48_);
+            let t50_ = T::mul_add(t13_, t33_, t31_);
+            let t51_ = T::mul_add(t11_, t35_, t50_);
+            let t52_ = t34_ - t51_;
+            _ = store3_.try_push([t39_, t41_, minus_joint_w0_]);
             regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t26_);
             (
                 carry1_0_,
@@ -758,7 +761,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_4_,
                 carry1_5_,
                 carry1_6_,
-            ) = (t40_, t37_, joint_k_zz_, t39_, -t50_, -t52_, -t10_);
+            ) = (t52_, t51_, joint_k_zz_, t37_, -t47_, -t49_, -t10_);
         }
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
@@ -775,8 +778,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_drift_lin_x_,
                 _,
                 ],
-                &[t42_,
-                t44_,
+                &[t39_,
+                t41_,
                 minus_joint_w0_,
                 ],
             ),
@@ -794,8 +797,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
-            let t53_ = T::mul_add(carry2_1_before_, t44_, minus_joint_w0_);
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t42_, t53_);
+            let t53_ = T::mul_add(carry2_1_before_, t41_, minus_joint_w0_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t39_, t53_);
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
             let t54_ = T::mul_neg_add(
                 sin_joint_angle_,
@@ -901,9 +904,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Results |  | 3 | 0 | 0 | 0 | 0 |
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Results |  | 3 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 5 | 6 | 0 | 0 | 0 |
+    /// | Results |  | 5 | 8 | 0 | 0 | 0 |
     /// | Results |  | 3 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 5 | 0 | 0 | 0 |
+    /// | Results |  | 0 | 3 | 0 | 0 | 0 |
     /// | Results |  | 0 | 4 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -1115,30 +1118,30 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t32_ = T::mul_neg_add(t21_, t31_, t28_);
             let t33_ = joint_b_x_z_ * joint_b_y_z_;
             let t34_ = T::mul_neg_add(t21_, t33_, carry1_3_before_);
-            let t35_ = t30_ + t32_;
-            let t36_ = t30_ - t32_;
-            let t37_ = T::mul_add(t12_, t36_, t32_);
-            let t38_ = T::mul_add(t14_, t34_, t37_);
-            let t39_ = t15_ * t34_;
-            let t40_ = T::mul_add(t13_, t36_, t39_);
-            let t41_ = t35_ - t38_;
-            let t42_ = cos_joint_angle_ * joint_z0_force_x_;
-            let t43_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t42_);
-            let t44_ = sin_joint_angle_ * joint_z0_force_x_;
-            let t45_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t44_);
-            let t46_ = t17_ - carry1_4_before_;
-            let t47_ = T::mul_add(
+            let t35_ = t30_ - t32_;
+            let t36_ = t15_ * t34_;
+            let t37_ = T::mul_add(t13_, t35_, t36_);
+            let t38_ = cos_joint_angle_ * joint_z0_force_x_;
+            let t39_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t38_);
+            let t40_ = sin_joint_angle_ * joint_z0_force_x_;
+            let t41_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t40_);
+            let t42_ = t17_ - carry1_4_before_;
+            let t43_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_drift_lin_x_,
-                t46_,
+                t42_,
             );
-            let t48_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t47_);
-            let t49_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
-            let t50_ = cos_joint_angle_ * t48_;
-            let t51_ = T::mul_add(sin_joint_angle_, t49_, t50_);
-            let t52_ = sin_joint_angle_ * t48_;
-            let t53_ = T::mul_neg_add(cos_joint_angle_, t49_, t52_);
-            _ = store3_.try_push([t43_, t45_, minus_joint_w0_]);
+            let t44_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t43_);
+            let t45_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
+            let t46_ = cos_joint_angle_ * t44_;
+            let t47_ = T::mul_add(sin_joint_angle_, t45_, t46_);
+            let t48_ = sin_joint_angle_ * t44_;
+            let t49_ = T::mul_neg_add(cos_joint_angle_, t45_, t48_);
+            let t50_ = T::mul_add(t14_, t34_, t32_);
+            let t51_ = T::mul_add(t12_, t35_, t50_);
+            let t52_ = t30_ - t51_;
+            let t53_ = t32_ + t52_;
+            _ = store3_.try_push([t39_, t41_, minus_joint_w0_]);
             regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t27_);
             (
                 carry1_0_,
@@ -1149,12 +1152,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_5_,
                 carry1_6_,
             ) = (
-                t41_,
-                t38_,
+                t53_,
+                t51_,
                 joint_k_zz_,
-                t40_,
-                -t51_,
-                -t53_,
+                t37_,
+                -t47_,
+                -t49_,
                 -minus_joint_load_moment_z_,
             );
         }
@@ -1175,8 +1178,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     _,
                     _,
                     ],
-                    &[t43_,
-                    t45_,
+                    &[t39_,
+                    t41_,
                     minus_joint_w0_,
                     ],
                 ),
@@ -1201,8 +1204,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
-            let t54_ = T::mul_add(carry2_1_before_, t45_, minus_joint_w0_);
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t43_, t54_);
+            let t54_ = T::mul_add(carry2_1_before_, t41_, minus_joint_w0_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t39_, t54_);
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
             let t55_ = T::mul_neg_add(
                 sin_joint_angle_,
@@ -1757,31 +1760,48 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry11_1_ = c_(0.0);
         let mut carry11_2_ = c_(0.0);
         for (
-            &[_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            known_p6_,
-            _,
-            known_p8_,
-            ],
+            (
+                &[_,
+                _,
+                _,
+                _,
+                _,
+                _,
+                known_p6_,
+                _,
+                known_p8_,
+                ],
+                &[_,
+                _,
+                _,
+                _,
+                _,
+                _,
+                _,
+                _,
+                _,
+                t11_,
+                ],
+            ),
             &[t107_,
             t108_,
             t109_,
             t111_,
             t112_,
-            _,
+            t113_,
             ],
         ) in ::core::iter::zip(
-            ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
+            ::core::iter::zip(
+                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
+                    .iter(),
+                store1_.iter(),
+            ),
             store16_.iter(),
         ) {
             let carry11_0_before_ = carry11_0_;
             let carry11_1_before_ = carry11_1_;
             let carry11_2_before_ = carry11_2_;
-            /// Results: 5 mul, 6 add, 0 reciprocal.
+            /// Results: 5 mul, 8 add, 0 reciprocal.
             let t127_ = t108_ - carry11_1_before_;
             let t128_ = t109_ + carry11_2_before_;
             let t129_ = t107_ + carry11_0_before_;
@@ -1789,49 +1809,36 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t131_ = T::mul_add(known_p6_, carry11_2_before_, t112_);
             let t132_ = carry11_1_before_ * t130_;
             let t133_ = T::mul_neg_add(carry11_2_before_, t131_, t132_);
-            let t134_ = known_p8_ * carry11_0_before_;
-            _ = store20_.try_push([t133_, t134_]);
+            let t134_ = T::mul_add(known_p8_, carry11_0_before_, t113_);
+            let t135_ = t11_ + t134_;
+            _ = store20_.try_push([t133_, t135_]);
             (carry11_0_, carry11_1_, carry11_2_) = (t129_, -t127_, t128_);
         }
         /// Results: 3 mul, 3 add, 0 reciprocal.
-        let t135_ = carry11_1_ - t118_;
-        let t136_ = carry11_2_ + t119_;
-        let t137_ = carry11_1_ * t135_;
-        let t138_ = T::mul_add(carry11_2_, t136_, t137_);
-        let t139_ = c_(19.6) * carry11_0_;
+        let t136_ = carry11_1_ - t118_;
+        let t137_ = carry11_2_ + t119_;
+        let t138_ = carry11_1_ * t136_;
+        let t139_ = T::mul_add(carry11_2_, t137_, t138_);
+        let t140_ = c_(19.6) * carry11_0_;
         let mut carry12_0_ = c_(0.0);
         let mut carry12_1_ = c_(0.0);
-        for (
-            ((&[_, _, _, _, _, _, _, _, _, t11_], &[t133_, t134_]), &[t123_]),
-            &[_,
-            _,
-            _,
-            _,
-            _,
-            t113_,
-            ],
-        ) in ::core::iter::zip(
-            ::core::iter::zip(
-                ::core::iter::zip(store1_.iter(), store20_.iter()),
-                store18_.iter(),
-            ),
-            store16_.iter(),
+        for (&[t133_, t135_], &[t123_]) in ::core::iter::zip(
+            store20_.iter(),
+            store18_.iter(),
         ) {
             let carry12_0_before_ = carry12_0_;
             let carry12_1_before_ = carry12_1_;
-            /// Results: 0 mul, 5 add, 0 reciprocal.
-            let t140_ = carry12_1_before_ + t134_;
-            let t141_ = carry12_0_before_ + t123_;
-            let t142_ = t133_ - t141_;
-            let t143_ = t11_ + t140_;
-            let t144_ = t113_ + t143_;
-            (carry12_0_, carry12_1_) = (-t142_, t144_);
+            /// Results: 0 mul, 3 add, 0 reciprocal.
+            let t141_ = carry12_0_before_ - t133_;
+            let t142_ = t141_ + t123_;
+            let t143_ = carry12_1_before_ + t135_;
+            (carry12_0_, carry12_1_) = (t142_, t143_);
         }
         /// Results: 0 mul, 4 add, 0 reciprocal.
-        let t145_ = carry12_1_ + t139_;
-        let t146_ = t145_ + t120_;
-        let t147_ = carry12_0_ + t126_;
-        let t148_ = t138_ + t147_;
+        let t144_ = carry12_0_ + t139_;
+        let t145_ = t144_ + t126_;
+        let t146_ = carry12_1_ + t140_;
+        let t147_ = t146_ + t120_;
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
@@ -1914,8 +1921,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         at_.accelerations.data.0 = [results0_];
         at_.rate_accelerations.data.0 = [results3_];
         at_.efforts.data.0 = [results4_];
-        at_.kinetic_energy = t148_;
-        at_.potential_energy = t146_;
+        at_.kinetic_energy = t145_;
+        at_.potential_energy = t147_;
         for (
             point_,
             &[p0_,
@@ -1960,9 +1967,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Results |  | 3 | 0 | 0 | 0 | 0 |
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Results |  | 3 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 5 | 6 | 0 | 0 | 0 |
+    /// | Results |  | 5 | 8 | 0 | 0 | 0 |
     /// | Results |  | 3 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 5 | 0 | 0 | 0 |
+    /// | Results |  | 0 | 3 | 0 | 0 | 0 |
     /// | Results |  | 0 | 4 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
@@ -2035,7 +2042,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t12_ = known_p6_ * t9_;
             let t13_ = known_p6_ * t10_;
             let t14_ = c_(9.8) * t11_;
-            _ = store1_.try_push([t8_, t9_, t10_, t12_, t13_, t6_, t14_]);
+            _ = store1_.try_push([t6_, t8_, t9_, t10_, t12_, t13_, t14_]);
             (carry0_0_, carry0_1_, carry0_2_, carry0_3_, carry0_4_) = (
                 joint_axes_x_x_,
                 -minus_joint_axes_x_y_,
@@ -2091,13 +2098,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             known_p8_,
             ],
-            &[t8_,
+            &[t6_,
+            t8_,
             t9_,
             t10_,
             t12_,
             t13_,
-            _,
-            _,
+            t14_,
             ],
         ) in ::core::iter::zip(
             ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
@@ -2106,7 +2113,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_0_before_ = carry2_0_;
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
-            /// Results: 5 mul, 6 add, 0 reciprocal.
+            /// Results: 5 mul, 8 add, 0 reciprocal.
             let t28_ = carry2_1_before_ - t9_;
             let t29_ = carry2_2_before_ + t10_;
             let t30_ = carry2_0_before_ + t8_;
@@ -2114,40 +2121,39 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t32_ = T::mul_add(carry2_2_before_, known_p6_, t13_);
             let t33_ = carry2_1_before_ * t31_;
             let t34_ = T::mul_neg_add(carry2_2_before_, t32_, t33_);
-            let t35_ = carry2_0_before_ * known_p8_;
-            _ = store5_.try_push([t34_, t35_]);
+            let t35_ = T::mul_add(carry2_0_before_, known_p8_, t14_);
+            let t36_ = t6_ + t35_;
+            _ = store5_.try_push([t34_, t36_]);
             (carry2_0_, carry2_1_, carry2_2_) = (t30_, t28_, t29_);
         }
         /// Results: 3 mul, 3 add, 0 reciprocal.
-        let t36_ = carry2_1_ - t19_;
-        let t37_ = carry2_2_ + t20_;
-        let t38_ = carry2_1_ * t36_;
-        let t39_ = T::mul_add(carry2_2_, t37_, t38_);
-        let t40_ = carry2_0_ * c_(19.6);
+        let t37_ = carry2_1_ - t19_;
+        let t38_ = carry2_2_ + t20_;
+        let t39_ = carry2_1_ * t37_;
+        let t40_ = T::mul_add(carry2_2_, t38_, t39_);
+        let t41_ = carry2_0_ * c_(19.6);
         let mut carry3_0_ = c_(0.0);
         let mut carry3_1_ = c_(0.0);
-        for ((&[_, _, _, _, _, t6_, t14_], &[t34_, t35_]), &[t24_]) in ::core::iter::zip(
-            ::core::iter::zip(store1_.iter(), store5_.iter()),
+        for (&[t34_, t36_], &[t24_]) in ::core::iter::zip(
+            store5_.iter(),
             store3_.iter(),
         ) {
             let carry3_0_before_ = carry3_0_;
             let carry3_1_before_ = carry3_1_;
-            /// Results: 0 mul, 5 add, 0 reciprocal.
-            let t41_ = carry3_1_before_ + t35_;
-            let t42_ = carry3_0_before_ + t24_;
-            let t43_ = t34_ - t42_;
-            let t44_ = t6_ + t41_;
-            let t45_ = t14_ + t44_;
-            (carry3_0_, carry3_1_) = (-t43_, t45_);
+            /// Results: 0 mul, 3 add, 0 reciprocal.
+            let t42_ = carry3_0_before_ - t34_;
+            let t43_ = t42_ + t24_;
+            let t44_ = carry3_1_before_ + t36_;
+            (carry3_0_, carry3_1_) = (t43_, t44_);
         }
         /// Results: 0 mul, 4 add, 0 reciprocal.
-        let t46_ = carry3_1_ + t40_;
-        let t47_ = t46_ + t21_;
-        let t48_ = carry3_0_ + t27_;
-        let t49_ = t39_ + t48_;
+        let t45_ = carry3_0_ + t40_;
+        let t46_ = t45_ + t27_;
+        let t47_ = carry3_1_ + t41_;
+        let t48_ = t47_ + t21_;
         ::mstmm::Energy {
-            kinetic: t49_,
-            potential: t47_,
+            kinetic: t46_,
+            potential: t48_,
         }
     }
 }

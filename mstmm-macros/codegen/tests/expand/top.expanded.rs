@@ -321,8 +321,8 @@ impl<T: ::mstmm::Scalar> Top<T> {
         ];
         /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
         let t21_ = tip_wy_ * minus_tip_turn_x_y_;
-        let t22_ = T::mul_neg_add(tip_wz_, tip_turn_x_z_, t21_);
-        let minus_tip_omega_x_ = T::mul_add(tip_wx_, minus_tip_turn_x_x_, t22_);
+        let t22_ = T::mul_add(tip_wx_, minus_tip_turn_x_x_, t21_);
+        let tip_omega_x_ = T::mul_sub(tip_wz_, tip_turn_x_z_, t22_);
         let t23_ = tip_wx_ * tip_turn_y_x_;
         let t24_ = T::mul_neg_add(tip_wz_, minus_tip_turn_y_z_, t23_);
         let minus_tip_omega_y_ = T::mul_sub(tip_wy_, minus_tip_turn_y_y_, t24_);
@@ -331,13 +331,13 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let minus_tip_omega_z_ = T::mul_add(tip_wz_, minus_tip_turn_z_z_, t26_);
         point1_
             .set_angular_velocity([
-                -minus_tip_omega_x_,
+                tip_omega_x_,
                 -minus_tip_omega_y_,
                 -minus_tip_omega_z_,
             ]);
         point2_
             .set_angular_velocity([
-                -minus_tip_omega_x_,
+                tip_omega_x_,
                 -minus_tip_omega_y_,
                 -minus_tip_omega_z_,
             ]);

@@ -154,10 +154,10 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 55 mul, 39 add, 3 reciprocal, 2 square root.
         let t7_ = shoulder_rate_ * c_(0.5);
         let t8_ = elbow_omega_z_ * c_(0.5);
-        let t9_ = T::mul_sub(shoulder_rate_, t7_, shoulder_a_lin_x_);
-        let t10_ = sin_elbow_angle_ * shoulder_a_lin_y_;
-        let t11_ = T::mul_add(sin_elbow_angle_, t9_, t1_);
-        let t12_ = t2_ * c_(0.0810810810810811);
+        let t9_ = elbow_omega_z_ * t8_;
+        let t10_ = T::mul_sub(shoulder_rate_, t7_, shoulder_a_lin_x_);
+        let t11_ = sin_elbow_angle_ * shoulder_a_lin_y_;
+        let t12_ = sin_elbow_angle_ * t10_;
         let t13_ = t2_ * c_(0.054054054054054064);
         let t14_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
         let t15_ = cos_elbow_angle_ * cos_elbow_angle_;
@@ -166,17 +166,17 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             c_(2.0685934174848226),
             cos_elbow_angle_,
         );
-        let t17_ = t9_ + t5_;
-        let t18_ = T::mul_sub(elbow_omega_z_, t8_, t10_);
-        let t19_ = t10_ - t18_;
-        let t20_ = T::mul_neg_add(
+        let t17_ = t10_ + t5_;
+        let t18_ = T::mul_neg_add(
             sin_elbow_angle_,
             c_(0.16439898730535732),
             sin_elbow_angle_,
         );
-        let t21_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t20_);
-        let t22_ = T::mul_neg_add(t3_, t21_, t19_);
-        let t23_ = T::mul_sub(cos_elbow_angle_, t17_, t22_);
+        let t19_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t18_);
+        let t20_ = T::mul_add(cos_elbow_angle_, t17_, t9_);
+        let t21_ = t11_ - t20_;
+        let t22_ = t11_ + t21_;
+        let t23_ = T::mul_sub(t3_, t19_, t22_);
         let t24_ = T::mul_add(
             sin_elbow_angle_,
             c_(0.48639392383214375),
@@ -199,48 +199,45 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t39_ = t34_ * t38_;
         let t40_ = T::mul_neg_add(t32_, t39_, sin_elbow_angle_);
         let t41_ = T::mul_neg_add(t25_, t39_, t28_);
-        let t42_ = t11_ - minus_elbow_a_lin_y_;
-        let t43_ = T::mul_neg_add(t3_, t16_, t12_);
-        let t44_ = T::mul_sub(t36_, t40_, t43_);
-        let t45_ = t42_ + t44_;
-        let t46_ = t14_ * t25_;
-        let t47_ = t34_ * t46_;
-        let t48_ = t32_ * t47_;
-        let t49_ = T::mul_neg_add(t25_, t47_, t14_);
-        let t50_ = T::mul_add(t41_, t41_, c_(0.25));
-        let t51_ = T::sqrt(t50_);
-        let t52_ = T::copysign(t51_, -t41_);
-        let t53_ = t41_ - t52_;
-        let t54_ = t52_ * t53_;
-        let t55_ = T::recip(t54_);
-        let t56_ = t53_ * t55_;
-        let t57_ = t45_ * t56_;
-        let t58_ = T::mul_add(t49_, t53_, c_(0.16666666666666666));
-        let t59_ = t55_ * t58_;
-        let t60_ = T::mul_add(t53_, t59_, t49_);
-        let t61_ = T::mul_add(c_(0.5), t59_, c_(0.3333333333333333));
-        let t62_ = T::mul_add(c_(0.5), minus_elbow_a_lin_y_, t13_);
-        let t63_ = T::mul_add(t36_, t48_, t62_);
-        let t64_ = T::mul_add(t57_, t60_, t63_);
-        let t65_ = T::recip(t61_);
-        let t66_ = t64_ * t65_;
-        let t67_ = t53_ * t57_;
-        let t68_ = T::mul_neg_add(c_(0.5), t66_, t67_);
-        let t69_ = t55_ * t68_;
-        let t70_ = T::mul_add(t53_, t69_, t57_);
-        let t71_ = t32_ * t36_;
-        let t72_ = T::mul_neg_add(t25_, t70_, t71_);
-        let t73_ = t34_ * t72_;
-        let minus_end_x4_ = T::mul_add(t25_, t73_, t70_);
-        let end_x5_ = T::mul_neg_add(c_(0.5), t69_, t66_);
+        let t42_ = T::mul_neg_add(t2_, c_(0.0810810810810811), t12_);
+        let t43_ = minus_elbow_a_lin_y_ - t42_;
+        let t44_ = T::mul_add(t3_, t16_, t1_);
+        let t45_ = T::mul_add(t36_, t40_, t44_);
+        let t46_ = t43_ - t45_;
+        let t47_ = t14_ * t25_;
+        let t48_ = t34_ * t47_;
+        let t49_ = t32_ * t48_;
+        let t50_ = T::mul_neg_add(t25_, t48_, t14_);
+        let t51_ = T::mul_add(t41_, t41_, c_(0.25));
+        let t52_ = T::sqrt(t51_);
+        let t53_ = T::copysign(t52_, -t41_);
+        let t54_ = t41_ - t53_;
+        let t55_ = t53_ * t54_;
+        let t56_ = T::recip(t55_);
+        let t57_ = t54_ * t56_;
+        let t58_ = t46_ * t57_;
+        let t59_ = T::mul_add(t50_, t54_, c_(0.16666666666666666));
+        let t60_ = t56_ * t59_;
+        let t61_ = T::mul_add(t54_, t60_, t50_);
+        let t62_ = T::mul_add(c_(0.5), t60_, c_(0.3333333333333333));
+        let t63_ = T::mul_add(c_(0.5), minus_elbow_a_lin_y_, t13_);
+        let t64_ = T::mul_add(t36_, t49_, t63_);
+        let t65_ = T::mul_sub(t58_, t61_, t64_);
+        let t66_ = T::recip(t62_);
+        let t67_ = t65_ * t66_;
+        let t68_ = t54_ * t58_;
+        let t69_ = T::mul_neg_add(c_(0.5), t67_, t68_);
+        let t70_ = t56_ * t69_;
+        let t71_ = T::mul_add(t54_, t70_, t58_);
+        let t72_ = t32_ * t36_;
+        let t73_ = T::mul_add(t25_, t71_, t72_);
+        let t74_ = t34_ * t73_;
+        let end_x4_ = T::mul_neg_add(t25_, t74_, t71_);
+        let minus_end_x5_ = T::mul_neg_add(c_(0.5), t70_, t67_);
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t74_ = t2_ * c_(1.9863939238321437);
-        let t75_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t74_);
-        let minus_shoulder_beta0_ = T::mul_add(
-            c_(0.0816364570071376),
-            t75_,
-            minus_end_x4_,
-        );
+        let t75_ = t2_ * c_(1.9863939238321437);
+        let t76_ = T::mul_add(c_(0.16666666666666669), end_x4_, t75_);
+        let shoulder_beta0_ = T::mul_neg_add(c_(0.0816364570071376), t76_, end_x4_);
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
@@ -250,9 +247,9 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             &["shoulder"],
             [shoulder_d_],
             [c_(2.9266666666666667)],
-            [-minus_shoulder_beta0_, end_x5_],
+            [shoulder_beta0_, -minus_end_x5_],
         )?;
-        accelerations_.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
+        accelerations_.data.0 = [[shoulder_beta0_, -minus_end_x5_]];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges by value; see
@@ -339,10 +336,10 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 55 mul, 39 add, 3 reciprocal, 2 square root.
         let t7_ = shoulder_rate_ * c_(0.5);
         let t8_ = elbow_omega_z_ * c_(0.5);
-        let t9_ = T::mul_sub(shoulder_rate_, t7_, shoulder_a_lin_x_);
-        let t10_ = sin_elbow_angle_ * shoulder_a_lin_y_;
-        let t11_ = T::mul_add(sin_elbow_angle_, t9_, t1_);
-        let t12_ = t2_ * c_(0.0810810810810811);
+        let t9_ = elbow_omega_z_ * t8_;
+        let t10_ = T::mul_sub(shoulder_rate_, t7_, shoulder_a_lin_x_);
+        let t11_ = sin_elbow_angle_ * shoulder_a_lin_y_;
+        let t12_ = sin_elbow_angle_ * t10_;
         let t13_ = t2_ * c_(0.054054054054054064);
         let t14_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
         let t15_ = cos_elbow_angle_ * cos_elbow_angle_;
@@ -351,17 +348,17 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             c_(2.0685934174848226),
             cos_elbow_angle_,
         );
-        let t17_ = t9_ + t5_;
-        let t18_ = T::mul_sub(elbow_omega_z_, t8_, t10_);
-        let t19_ = t10_ - t18_;
-        let t20_ = T::mul_neg_add(
+        let t17_ = t10_ + t5_;
+        let t18_ = T::mul_neg_add(
             sin_elbow_angle_,
             c_(0.16439898730535732),
             sin_elbow_angle_,
         );
-        let t21_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t20_);
-        let t22_ = T::mul_neg_add(t3_, t21_, t19_);
-        let t23_ = T::mul_sub(cos_elbow_angle_, t17_, t22_);
+        let t19_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t18_);
+        let t20_ = T::mul_add(cos_elbow_angle_, t17_, t9_);
+        let t21_ = t11_ - t20_;
+        let t22_ = t11_ + t21_;
+        let t23_ = T::mul_sub(t3_, t19_, t22_);
         let t24_ = T::mul_add(
             sin_elbow_angle_,
             c_(0.48639392383214375),
@@ -384,48 +381,45 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t39_ = t34_ * t38_;
         let t40_ = T::mul_neg_add(t32_, t39_, sin_elbow_angle_);
         let t41_ = T::mul_neg_add(t25_, t39_, t28_);
-        let t42_ = t11_ - minus_elbow_a_lin_y_;
-        let t43_ = T::mul_neg_add(t3_, t16_, t12_);
-        let t44_ = T::mul_sub(t36_, t40_, t43_);
-        let t45_ = t42_ + t44_;
-        let t46_ = t14_ * t25_;
-        let t47_ = t34_ * t46_;
-        let t48_ = t32_ * t47_;
-        let t49_ = T::mul_neg_add(t25_, t47_, t14_);
-        let t50_ = T::mul_add(t41_, t41_, c_(0.25));
-        let t51_ = T::sqrt(t50_);
-        let t52_ = T::copysign(t51_, -t41_);
-        let t53_ = t41_ - t52_;
-        let t54_ = t52_ * t53_;
-        let t55_ = T::recip(t54_);
-        let t56_ = t53_ * t55_;
-        let t57_ = t45_ * t56_;
-        let t58_ = T::mul_add(t49_, t53_, c_(0.16666666666666666));
-        let t59_ = t55_ * t58_;
-        let t60_ = T::mul_add(t53_, t59_, t49_);
-        let t61_ = T::mul_add(c_(0.5), t59_, c_(0.3333333333333333));
-        let t62_ = T::mul_add(c_(0.5), minus_elbow_a_lin_y_, t13_);
-        let t63_ = T::mul_add(t36_, t48_, t62_);
-        let t64_ = T::mul_add(t57_, t60_, t63_);
-        let t65_ = T::recip(t61_);
-        let t66_ = t64_ * t65_;
-        let t67_ = t53_ * t57_;
-        let t68_ = T::mul_neg_add(c_(0.5), t66_, t67_);
-        let t69_ = t55_ * t68_;
-        let t70_ = T::mul_add(t53_, t69_, t57_);
-        let t71_ = t32_ * t36_;
-        let t72_ = T::mul_neg_add(t25_, t70_, t71_);
-        let t73_ = t34_ * t72_;
-        let minus_end_x4_ = T::mul_add(t25_, t73_, t70_);
-        let end_x5_ = T::mul_neg_add(c_(0.5), t69_, t66_);
+        let t42_ = T::mul_neg_add(t2_, c_(0.0810810810810811), t12_);
+        let t43_ = minus_elbow_a_lin_y_ - t42_;
+        let t44_ = T::mul_add(t3_, t16_, t1_);
+        let t45_ = T::mul_add(t36_, t40_, t44_);
+        let t46_ = t43_ - t45_;
+        let t47_ = t14_ * t25_;
+        let t48_ = t34_ * t47_;
+        let t49_ = t32_ * t48_;
+        let t50_ = T::mul_neg_add(t25_, t48_, t14_);
+        let t51_ = T::mul_add(t41_, t41_, c_(0.25));
+        let t52_ = T::sqrt(t51_);
+        let t53_ = T::copysign(t52_, -t41_);
+        let t54_ = t41_ - t53_;
+        let t55_ = t53_ * t54_;
+        let t56_ = T::recip(t55_);
+        let t57_ = t54_ * t56_;
+        let t58_ = t46_ * t57_;
+        let t59_ = T::mul_add(t50_, t54_, c_(0.16666666666666666));
+        let t60_ = t56_ * t59_;
+        let t61_ = T::mul_add(t54_, t60_, t50_);
+        let t62_ = T::mul_add(c_(0.5), t60_, c_(0.3333333333333333));
+        let t63_ = T::mul_add(c_(0.5), minus_elbow_a_lin_y_, t13_);
+        let t64_ = T::mul_add(t36_, t49_, t63_);
+        let t65_ = T::mul_sub(t58_, t61_, t64_);
+        let t66_ = T::recip(t62_);
+        let t67_ = t65_ * t66_;
+        let t68_ = t54_ * t58_;
+        let t69_ = T::mul_neg_add(c_(0.5), t67_, t68_);
+        let t70_ = t56_ * t69_;
+        let t71_ = T::mul_add(t54_, t70_, t58_);
+        let t72_ = t32_ * t36_;
+        let t73_ = T::mul_add(t25_, t71_, t72_);
+        let t74_ = t34_ * t73_;
+        let end_x4_ = T::mul_neg_add(t25_, t74_, t71_);
+        let minus_end_x5_ = T::mul_neg_add(c_(0.5), t70_, t67_);
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t74_ = t2_ * c_(1.9863939238321437);
-        let t75_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t74_);
-        let minus_shoulder_beta0_ = T::mul_add(
-            c_(0.0816364570071376),
-            t75_,
-            minus_end_x4_,
-        );
+        let t75_ = t2_ * c_(1.9863939238321437);
+        let t76_ = T::mul_add(c_(0.16666666666666669), end_x4_, t75_);
+        let shoulder_beta0_ = T::mul_neg_add(c_(0.0816364570071376), t76_, end_x4_);
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
@@ -435,7 +429,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             &["shoulder"],
             [shoulder_d_],
             [c_(2.9266666666666667)],
-            [-minus_shoulder_beta0_, end_x5_],
+            [shoulder_beta0_, -minus_end_x5_],
         )?;
         at_.efforts.data.0 = [[c_(0.0), c_(0.0)]];
         point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
@@ -494,22 +488,22 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         point4_.set_angular_velocity([c_(0.0), c_(0.0), elbow_omega_z_]);
         point4_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
         point4_.set_force([c_(0.0), c_(0.0), c_(0.0)]);
-        at_.accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
-        at_.rate_accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
-        point1_.set_angular_acceleration([c_(0.0), c_(0.0), -minus_shoulder_beta0_]);
-        point2_.set_angular_acceleration([c_(0.0), c_(0.0), -minus_shoulder_beta0_]);
+        at_.accelerations.data.0 = [[shoulder_beta0_, -minus_end_x5_]];
+        at_.rate_accelerations.data.0 = [[shoulder_beta0_, -minus_end_x5_]];
+        point1_.set_angular_acceleration([c_(0.0), c_(0.0), shoulder_beta0_]);
+        point2_.set_angular_acceleration([c_(0.0), c_(0.0), shoulder_beta0_]);
         /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 8 mul, 2 add, 0 reciprocal.
-        let t76_ = cos_shoulder_angle_ * cos_elbow_angle_;
+        let t77_ = cos_shoulder_angle_ * cos_elbow_angle_;
         let elbow_axes_x_x_ = T::mul_neg_add(
             sin_shoulder_angle_,
             sin_elbow_angle_,
-            t76_,
+            t77_,
         );
-        let t77_ = cos_shoulder_angle_ * sin_elbow_angle_;
+        let t78_ = cos_shoulder_angle_ * sin_elbow_angle_;
         let minus_elbow_axes_x_y_ = T::mul_add(
             sin_shoulder_angle_,
             cos_elbow_angle_,
-            t77_,
+            t78_,
         );
         point3_
             .set_orientation([
@@ -535,21 +529,21 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                 c_(0.0),
                 c_(1.0),
             ]);
-        let t78_ = shoulder_rate_ * cos_shoulder_angle_;
-        let minus_elbow_drift_lin_x_ = shoulder_rate_ * t78_;
-        let t79_ = shoulder_rate_ * sin_shoulder_angle_;
-        point2_.set_velocity([-t79_, t78_, c_(0.0)]);
-        point3_.set_velocity([-t79_, t78_, c_(0.0)]);
-        let minus_elbow_drift_lin_y_ = shoulder_rate_ * t79_;
+        let t79_ = shoulder_rate_ * cos_shoulder_angle_;
+        let minus_elbow_drift_lin_x_ = shoulder_rate_ * t79_;
+        let t80_ = shoulder_rate_ * sin_shoulder_angle_;
+        point2_.set_velocity([-t80_, t79_, c_(0.0)]);
+        point3_.set_velocity([-t80_, t79_, c_(0.0)]);
+        let minus_elbow_drift_lin_y_ = shoulder_rate_ * t80_;
         /// Point of `elbow`, [P, Eqs. (12), (13), (36)]: 2 mul, 3 add, 0 reciprocal.
-        let minus_elbow_acc_lin_x_ = T::mul_neg_add(
+        let minus_elbow_acc_lin_x_ = T::mul_add(
             sin_shoulder_angle_,
-            minus_shoulder_beta0_,
+            shoulder_beta0_,
             minus_elbow_drift_lin_x_,
         );
-        let minus_elbow_acc_lin_y_ = T::mul_add(
+        let minus_elbow_acc_lin_y_ = T::mul_neg_add(
             cos_shoulder_angle_,
-            minus_shoulder_beta0_,
+            shoulder_beta0_,
             minus_elbow_drift_lin_y_,
         );
         point2_
@@ -564,60 +558,60 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                 -minus_elbow_acc_lin_y_,
                 c_(0.0),
             ]);
-        let elbow_acc_ang_z_ = end_x5_ - minus_shoulder_beta0_;
-        point3_.set_angular_acceleration([c_(0.0), c_(0.0), elbow_acc_ang_z_]);
-        point4_.set_angular_acceleration([c_(0.0), c_(0.0), elbow_acc_ang_z_]);
+        let minus_elbow_acc_ang_z_ = minus_end_x5_ - shoulder_beta0_;
+        point3_.set_angular_acceleration([c_(0.0), c_(0.0), -minus_elbow_acc_ang_z_]);
+        point4_.set_angular_acceleration([c_(0.0), c_(0.0), -minus_elbow_acc_ang_z_]);
         /// Load of the body at `shoulder`, [P, Eqs. (18), (19)]: 1 mul, 0 add, 0 reciprocal.
         let minus_shoulder_own_force_x_ = c_(0.5) * minus_elbow_acc_lin_x_;
         /// Load of the body at `elbow`, [P, Eqs. (18), (19)]: 9 mul, 8 add, 0 reciprocal.
-        let t80_ = elbow_omega_z_ * elbow_axes_x_x_;
-        let t81_ = elbow_omega_z_ * t80_;
-        let t82_ = T::mul_add(minus_elbow_axes_x_y_, elbow_acc_ang_z_, t81_);
-        let t83_ = minus_elbow_acc_lin_x_ + t82_;
+        let t81_ = elbow_omega_z_ * elbow_axes_x_x_;
+        let t82_ = elbow_omega_z_ * t81_;
+        let t83_ = T::mul_neg_add(minus_elbow_axes_x_y_, minus_elbow_acc_ang_z_, t82_);
+        let t84_ = minus_elbow_acc_lin_x_ + t83_;
         let minus_elbow_own_force_x_ = T::mul_add(
             c_(0.5),
-            t83_,
+            t84_,
             minus_shoulder_own_force_x_,
         );
-        let t84_ = elbow_omega_z_ * minus_elbow_axes_x_y_;
-        let t85_ = elbow_omega_z_ * t84_;
-        let t86_ = c_(9.8) - minus_elbow_acc_lin_y_;
-        let t87_ = c_(0.5) * t86_;
-        let t88_ = T::mul_neg_add(elbow_axes_x_x_, elbow_acc_ang_z_, t85_);
-        let t89_ = minus_elbow_acc_lin_y_ + t88_;
-        point4_.set_acceleration([-t83_, -t89_, c_(0.0)]);
-        let t90_ = c_(9.8) - t89_;
-        let elbow_own_force_y_ = T::mul_add(c_(0.5), t90_, t87_);
+        let t85_ = elbow_omega_z_ * minus_elbow_axes_x_y_;
+        let t86_ = elbow_omega_z_ * t85_;
+        let t87_ = c_(9.8) - minus_elbow_acc_lin_y_;
+        let t88_ = c_(0.5) * t87_;
+        let t89_ = T::mul_add(elbow_axes_x_x_, minus_elbow_acc_ang_z_, t86_);
+        let t90_ = minus_elbow_acc_lin_y_ + t89_;
+        point4_.set_acceleration([-t84_, -t90_, c_(0.0)]);
+        let t91_ = c_(9.8) - t90_;
+        let elbow_own_force_y_ = T::mul_add(c_(0.5), t91_, t88_);
         point2_.set_force([-minus_elbow_own_force_x_, elbow_own_force_y_, c_(0.0)]);
         point3_.set_force([-minus_elbow_own_force_x_, elbow_own_force_y_, c_(0.0)]);
         /// Load on `shoulder`, [P, Eqs. (18), (19)]: 0 mul, 3 add, 0 reciprocal.
         let minus_shoulder_load_force_x_ = minus_shoulder_own_force_x_
             + minus_elbow_own_force_x_;
-        let t91_ = c_(4.9) + t87_;
-        let shoulder_load_force_y_ = elbow_own_force_y_ + t91_;
+        let t92_ = c_(4.9) + t88_;
+        let shoulder_load_force_y_ = elbow_own_force_y_ + t92_;
         point0_
             .set_force([-minus_shoulder_load_force_x_, shoulder_load_force_y_, c_(0.0)]);
         point1_
             .set_force([-minus_shoulder_load_force_x_, shoulder_load_force_y_, c_(0.0)]);
         /// Results: 10 mul, 8 add, 0 reciprocal.
-        let t92_ = shoulder_rate_ * c_(0.3333333333333333);
-        let t93_ = elbow_omega_z_ * c_(0.3333333333333333);
-        let t94_ = t79_ + t84_;
-        let t95_ = t78_ + t80_;
-        point4_.set_velocity([-t94_, t95_, c_(0.0)]);
-        let t96_ = shoulder_rate_ * t92_;
-        let t97_ = c_(0.5) * t94_;
+        let t93_ = shoulder_rate_ * c_(0.3333333333333333);
+        let t94_ = elbow_omega_z_ * c_(0.3333333333333333);
+        let t95_ = t80_ + t85_;
+        let t96_ = t79_ + t81_;
+        point4_.set_velocity([-t95_, t96_, c_(0.0)]);
+        let t97_ = shoulder_rate_ * t93_;
         let t98_ = c_(0.5) * t95_;
-        let t99_ = t79_ * t97_;
-        let t100_ = T::mul_add(elbow_omega_z_, t93_, t96_);
-        let t101_ = T::mul_add(c_(0.5), t100_, t99_);
-        let t102_ = T::mul_add(t78_, t98_, t101_);
-        at_.kinetic_energy = t102_;
-        let t103_ = sin_shoulder_angle_ + minus_elbow_axes_x_y_;
-        let t104_ = T::mul_add(c_(4.9), t103_, shoulder_a_lin_x_);
-        at_.potential_energy = t104_;
-        let t105_ = cos_shoulder_angle_ + elbow_axes_x_x_;
-        point4_.set_position([t105_, t103_, c_(0.0)]);
+        let t99_ = c_(0.5) * t96_;
+        let t100_ = t80_ * t98_;
+        let t101_ = T::mul_add(elbow_omega_z_, t94_, t97_);
+        let t102_ = T::mul_add(c_(0.5), t101_, t100_);
+        let t103_ = T::mul_add(t79_, t99_, t102_);
+        at_.kinetic_energy = t103_;
+        let t104_ = sin_shoulder_angle_ + minus_elbow_axes_x_y_;
+        let t105_ = T::mul_add(c_(4.9), t104_, shoulder_a_lin_x_);
+        at_.potential_energy = t105_;
+        let t106_ = cos_shoulder_angle_ + elbow_axes_x_x_;
+        point4_.set_position([t106_, t104_, c_(0.0)]);
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
