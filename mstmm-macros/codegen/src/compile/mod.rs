@@ -8,7 +8,7 @@ pub use checks::Check;
 use crate::equations::{self, Axes, Numbers, Pivot, Point, Situation, Solved, Trace};
 use crate::expr::{Expr, Graph, Stage};
 use crate::model::{Chain, Dimension, Hinge, HingeId, HingeKind, Layout, Method, Passive, Value};
-use crate::passes::Setup;
+use crate::passes::{Setup, issue};
 use crate::program::Program;
 use crate::symbols::Symbols;
 
@@ -177,7 +177,7 @@ impl<'a, 'g> Scene<'a, 'g> {
             equations::accelerations(&situation, method, AXES, trace)
         });
         let (groups, hinges) = self.split(&solved);
-        (self.program(Stage::State, &trace, &groups, &turns, setup), hinges)
+        (issue(self.program(Stage::State, &trace, &groups, &turns, setup)), hinges)
     }
 
     fn solution(&self, method: Method, setup: &mut Setup) -> (Program, Option<usize>) {

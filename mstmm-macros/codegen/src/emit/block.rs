@@ -6,7 +6,7 @@ use super::looped::{self, Masks, Target};
 use super::names::local;
 use super::spread::Spread;
 use super::statement::Writer;
-use crate::program::{Loop, Operand, Operation, Program, Section, Statement};
+use crate::program::{Loop, Operand, Program, Section, Statement};
 use proc_macro2::{Delimiter, Group, TokenStream};
 use quote::{ToTokens, quote};
 use std::ops::Range;
@@ -25,7 +25,7 @@ pub struct Results {
     pub masks: Masks,
 }
 
-/// Programs of more statements than this declare the names of a section before they compute them.
+/// Programs of more statements than this declare names, many at once, before they compute them.
 ///
 /// Small ones read better with one `let` a line. But every `let` opens a scope inside the one
 /// before, and rustc walks nested scopes recursively where it writes debug information: some
@@ -242,21 +242,7 @@ fn uses_numbers(program: &Program) -> bool {
             Operand::Symbol(_) | Operand::Named(_) | Operand::Repeated => false,
         }
     }
-    let in_statement = |statement: &Statement| match statement {
-        Statement::SinCos { angles, .. } => angles.iter().any(number),
-        Statement::Let(_, operation) => match operation {
-            Operation::Sum(a, b)
-            | Operation::Difference(a, b)
-            | Operation::Product(a, b)
-            | Operation::CopySign(a, b)
-            | Operation::Atan2(a, b)
-            | Operation::RecipAbove(a, b) => number(a) || number(b),
-            Operation::MulAdd(a, b, c)
-            | Operation::MulSub(a, b, c)
-            | Operation::MulNegAdd(a, b, c) => number(a) || number(b) || number(c),
-            Operation::Recip(a) | Operation::Sqrt(a) => number(a),
-        },
-    };
+    let in_statement = |statement: &Statement| statement.operands().any(number);
     let carried = |turn: &Loop| turn.carries.iter().any(|c| number(&c.first) || number(&c.next));
     let written = |turn: &Loop| turn.outputs.iter().any(|(_, _, value)| number(value));
     program.sections().flat_map(|section| &section.statements).any(in_statement)

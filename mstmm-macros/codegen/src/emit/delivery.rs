@@ -34,7 +34,7 @@ impl<'a> Deliveries<'a> {
 
     /// Adds what is written as soon as `operands` are known, and the first is written.
     pub fn add(&mut self, operands: impl IntoIterator<Item = &'a Operand>, tokens: TokenStream) {
-        let names: HashSet<&str> = operands.into_iter().filter_map(name).collect();
+        let names: HashSet<&str> = operands.into_iter().filter_map(Operand::name).collect();
         let number = self.all.len();
         let mut missing = usize::from(number > 0);
         for name in names.intersection(&self.computed) {
@@ -78,14 +78,5 @@ impl<'a> Deliveries<'a> {
         if number == 0 {
             (1..self.all.len()).for_each(|other| self.arrive(other, tokens));
         }
-    }
-}
-
-/// The name of a value.
-fn name(operand: &Operand) -> Option<&str> {
-    match operand {
-        Operand::Named(name) => Some(name),
-        Operand::Minus(inner) => name(inner),
-        Operand::Number(_) | Operand::Symbol(_) | Operand::Repeated => None,
     }
 }

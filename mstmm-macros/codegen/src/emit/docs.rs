@@ -4,7 +4,7 @@ use super::spread::Spread;
 use super::{Plan, drawing};
 use crate::examine::Mobility;
 use crate::model::{Element, Method, Parameter, Place, Role, Value};
-use crate::program::{Cost, Program};
+use crate::program::{Cost, Headed, Program, by_heading};
 
 /// The chain at a glance: its route, a picture, its elements, its freedoms, its method and costs.
 pub fn chain(plan: &Plan) -> Vec<String> {
@@ -127,7 +127,7 @@ fn axis(axis: &[Value; 3]) -> Option<String> {
     })
 }
 
-/// The operations of a program, section by section.
+/// The operations of a program by headings.
 pub fn cost(program: &Program) -> Vec<String> {
     let total = program.cost();
     let mut lines = vec![
@@ -136,13 +136,14 @@ pub fn cost(program: &Program) -> Vec<String> {
         " | section | equations | mul | add | reciprocal | square root | sin/cos |".into(),
         " |---|---|---|---|---|---|---|".into(),
     ];
-    lines.extend(program.sections().map(|section| {
-        let Cost { mul, add, recip, sqrt, trig } = section.cost();
-        // Brackets would make links of the tags.
-        let source = section.source.replace('[', "\\[").replace(']', "\\]");
-        let title = &section.title;
-        format!(" | {title} | {source} | {mul} | {add} | {recip} | {sqrt} | {trig} |")
-    }));
+    lines.extend(by_heading(program.sections()).into_iter().map(
+        |Headed { title, source, cost }| {
+            let Cost { mul, add, recip, sqrt, trig } = cost;
+            // Brackets would make links of the tags.
+            let source = source.replace('[', "\\[").replace(']', "\\]");
+            format!(" | {title} | {source} | {mul} | {add} | {recip} | {sqrt} | {trig} |")
+        },
+    ));
     lines
 }
 

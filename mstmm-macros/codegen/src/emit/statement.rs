@@ -5,8 +5,11 @@
 
 use super::Plan;
 use super::names::local;
-use crate::program::{Operand, Operation, Section, Statement};
+use crate::program::{Headed, Operand, Operation, Section, Statement, by_heading};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+
+/// So many names are declared at once where they are declared before they are computed.
+const DECLARED: usize = 500;
 
 /// Tokens that are being written.
 pub struct Writer<'a> {
@@ -35,8 +38,8 @@ impl<'a> Writer<'a> {
         self.tokens.into_iter().collect()
     }
 
-    /// The statements of sections, the headings on the first of each; `flat` if the names of a section
-    /// are declared before any of them is computed.
+    /// The statements of sections with their headings; `flat` if names are declared
+    /// before they are computed.
     pub fn sections<'s>(&mut self, sections: impl IntoIterator<Item = &'s Section>, flat: bool) {
         self.sections_with(sections, flat, &mut |_| TokenStream::new());
     }
@@ -48,48 +51,71 @@ impl<'a> Writer<'a> {
         flat: bool,
         after: &mut dyn FnMut(&Statement) -> TokenStream,
     ) {
-        for section in sections {
-            self.section(section, flat, after);
-        }
-    }
-
-    fn section(
-        &mut self,
-        section: &Section,
-        flat: bool,
-        after: &mut dyn FnMut(&Statement) -> TokenStream,
-    ) {
-        self.heading(section);
-        if flat {
-            self.word("let");
-            self.group(Delimiter::Parenthesis, |names| {
-                for name in section.statements.iter().flat_map(Statement::names) {
-                    names.local(name);
-                    names.sign(',');
-                }
-            });
-            self.sign(';');
-        }
-        for statement in &section.statements {
-            if !flat {
-                self.word("let");
+        let sections: Vec<&Section> = sections.into_iter().collect();
+        let mut headings = by_heading(sections.iter().copied());
+        let mut declared = 0;
+        for (number, section) in sections.iter().enumerate() {
+            if flat && number == declared {
+                declared = self.declare(&sections, declared, &mut headings);
             }
-            self.statement(statement);
-            self.sign(';');
-            self.tokens.extend(after(statement));
+            if !flat && !self.heading(section, &mut headings) {
+                self.documentation(&format!(" {}.", section.title));
+            }
+            for statement in &section.statements {
+                if !flat {
+                    self.word("let");
+                }
+                self.statement(statement);
+                self.sign(';');
+                self.tokens.extend(after(statement));
+            }
         }
     }
 
-    /// The heading as documentation, which survives the expansion.
-    fn heading(&mut self, section: &Section) {
-        let source =
-            if section.source.is_empty() { String::new() } else { format!(", {}", section.source) };
-        let heading = format!(" {}{source}: {}.", section.title, section.cost());
+    /// Declares the names of some sections, at least [`DECLARED`] of them or all, from the one with this
+    /// number on, under their headings, for only declarations can be documented; returns the number of
+    /// the first section beyond.
+    fn declare(
+        &mut self,
+        sections: &[&Section],
+        first: usize,
+        headings: &mut Vec<Headed>,
+    ) -> usize {
+        let (mut next, mut count) = (first, 0);
+        while next < sections.len() && count < DECLARED {
+            self.heading(sections[next], headings);
+            count += sections[next].statements.len();
+            next += 1;
+        }
+        self.word("let");
+        self.group(Delimiter::Parenthesis, |names| {
+            let statements = sections[first..next].iter().flat_map(|section| &section.statements);
+            for name in statements.flat_map(Statement::names) {
+                names.local(name);
+                names.sign(',');
+            }
+        });
+        self.sign(';');
+        next
+    }
+
+    /// The heading of a section in full, if it is still among `headings`.
+    fn heading(&mut self, section: &Section, headings: &mut Vec<Headed>) -> bool {
+        let same = |headed: &Headed| (headed.title, headed.source) == section.heading();
+        let Some(first) = headings.iter().position(same) else { return false };
+        let Headed { title, source, cost } = headings.remove(first);
+        let source = if source.is_empty() { String::new() } else { format!(", {source}") };
+        self.documentation(&format!(" {title}{source}: {cost}."));
+        true
+    }
+
+    /// Documentation, which unlike comments survives the expansion.
+    fn documentation(&mut self, text: &str) {
         self.sign('#');
         self.group(Delimiter::Bracket, |attribute| {
             attribute.word("doc");
             attribute.sign('=');
-            attribute.literal(Literal::string(&heading));
+            attribute.literal(Literal::string(text));
         });
     }
 

@@ -2,6 +2,7 @@
 //! take in double precision, about. Only their proportions matter.
 
 use crate::expr::Node;
+use crate::program::{Operation, Statement};
 
 pub(super) const ADDITION: u32 = 3;
 /// Also with an addition in one operation.
@@ -20,5 +21,22 @@ pub(super) fn of_node(node: &Node) -> u32 {
         Node::Recip(_) | Node::RecipAbove(..) => DIVISION,
         Node::Sqrt(_) => ROOT,
         Node::Sin(_) | Node::Cos(_) | Node::Atan2(..) => ANGLE,
+    }
+}
+
+/// Of a statement.
+pub(super) fn of_statement(statement: &Statement) -> u32 {
+    match statement {
+        Statement::SinCos { .. } => ANGLE,
+        Statement::Let(_, operation) => match operation {
+            Operation::Sum(..) | Operation::Difference(..) | Operation::CopySign(..) => ADDITION,
+            Operation::Product(..)
+            | Operation::MulAdd(..)
+            | Operation::MulSub(..)
+            | Operation::MulNegAdd(..) => MULTIPLICATION,
+            Operation::Recip(_) | Operation::RecipAbove(..) => DIVISION,
+            Operation::Sqrt(_) => ROOT,
+            Operation::Atan2(..) => ANGLE,
+        },
     }
 }

@@ -4,7 +4,8 @@
 //! 2. [`factor()`] rewrites sums of products that share a factor.
 //! 3. [`order()`] adds up sums in the order in which their terms are known.
 //! 4. `turns` finds which values belong into loops over repeated parts.
-//! 5. [`schedule()`] orders what is live under the headings of a trace and names it.
+//! 5. [`schedule()`] puts what is live under the headings of a trace and names it.
+//! 6. [`issue()`] orders the statements so that a processor waits little.
 //!
 //! Folding, signs and common subexpressions need no pass: the graph's rules see to them while the
 //! formulas are written down.
@@ -14,6 +15,7 @@ mod compute;
 mod factor;
 mod fuse;
 mod images;
+mod issue;
 mod latency;
 mod live;
 mod looped;
@@ -26,6 +28,7 @@ mod turns;
 
 pub use factor::factor;
 pub use images::Images;
+pub use issue::issue;
 pub use live::Live;
 pub use order::order;
 pub use schedule::{Heading, Unknowns, schedule};

@@ -1,7 +1,10 @@
-//! A straight-line program: named values in headed sections, computed in order. It knows neither
+//! A straight-line program: named values under headings, computed in order. It knows neither
 //! where the formulas came from nor which language they will be printed in.
 
+mod cost;
 mod shown;
+
+pub use cost::{Cost, Headed, by_heading};
 
 /// A program.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,7 +74,7 @@ pub struct Slot {
     pub name: String,
 }
 
-/// Statements under one heading.
+/// Statements under one heading, which may have others elsewhere.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
     /// What is computed.
@@ -80,6 +83,13 @@ pub struct Section {
     pub source: String,
     /// The statements.
     pub statements: Vec<Statement>,
+}
+
+impl Section {
+    /// Title and source.
+    pub fn heading(&self) -> (&str, &str) {
+        (&self.title, &self.source)
+    }
 }
 
 /// A statement.
@@ -106,6 +116,15 @@ impl Statement {
             Statement::SinCos { sines, cosines, .. } => (None, Some(sines.iter().chain(cosines))),
         };
         one.into_iter().chain(many.into_iter().flatten().filter_map(Option::as_deref))
+    }
+
+    /// What it reads.
+    pub fn operands(&self) -> impl Iterator<Item = &Operand> {
+        let (some, many) = match self {
+            Statement::Let(_, operation) => (operation.operands(), &[][..]),
+            Statement::SinCos { angles, .. } => ([None; 3], &angles[..]),
+        };
+        some.into_iter().flatten().chain(many)
     }
 }
 
@@ -136,6 +155,24 @@ pub enum Operation {
     RecipAbove(Operand, Operand),
 }
 
+impl Operation {
+    /// What it works on.
+    pub fn operands(&self) -> [Option<&Operand>; 3] {
+        match self {
+            Operation::Recip(a) | Operation::Sqrt(a) => [Some(a), None, None],
+            Operation::Sum(a, b)
+            | Operation::Difference(a, b)
+            | Operation::Product(a, b)
+            | Operation::CopySign(a, b)
+            | Operation::Atan2(a, b)
+            | Operation::RecipAbove(a, b) => [Some(a), Some(b), None],
+            Operation::MulAdd(a, b, c)
+            | Operation::MulSub(a, b, c)
+            | Operation::MulNegAdd(a, b, c) => [Some(a), Some(b), Some(c)],
+        }
+    }
+}
+
 /// What an operation works on.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Operand {
@@ -151,86 +188,18 @@ pub enum Operand {
     Repeated,
 }
 
-/// How many operations of each kind a program has.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Cost {
-    /// Multiplications.
-    pub mul: usize,
-    /// Additions and subtractions.
-    pub add: usize,
-    /// Reciprocals.
-    pub recip: usize,
-    /// Square roots.
-    pub sqrt: usize,
-    /// Pairs of sine and cosine, and arctangents.
-    pub trig: usize,
-}
-
-impl Cost {
-    /// Multiplications, additions, reciprocals and square roots together.
-    pub fn arithmetic(&self) -> usize {
-        self.mul + self.add + self.recip + self.sqrt
-    }
-}
-
-impl std::ops::Add for Cost {
-    type Output = Cost;
-    fn add(self, other: Cost) -> Cost {
-        Cost {
-            mul: self.mul + other.mul,
-            add: self.add + other.add,
-            recip: self.recip + other.recip,
-            sqrt: self.sqrt + other.sqrt,
-            trig: self.trig + other.trig,
+impl Operand {
+    /// Its name, or that of the value that it is the negative of.
+    pub fn name(&self) -> Option<&str> {
+        match self {
+            Operand::Named(name) => Some(name),
+            Operand::Minus(inner) => inner.name(),
+            Operand::Number(_) | Operand::Symbol(_) | Operand::Repeated => None,
         }
-    }
-}
-
-impl std::fmt::Display for Cost {
-    fn fmt(&self, out: &mut std::fmt::Formatter) -> std::fmt::Result {
-        let Cost { mul, add, recip, sqrt, trig } = self;
-        write!(out, "{mul} mul, {add} add, {recip} reciprocal")?;
-        if *sqrt > 0 {
-            write!(out, ", {sqrt} square root")?;
-        }
-        if *trig > 0 {
-            write!(out, ", {trig} sin/cos")?;
-        }
-        Ok(())
-    }
-}
-
-impl Section {
-    /// Its operations.
-    pub fn cost(&self) -> Cost {
-        let one = |statement: &Statement| match statement {
-            Statement::SinCos { angles, .. } => Cost { trig: angles.len(), ..Cost::default() },
-            Statement::Let(_, operation) => match operation {
-                Operation::Sum(..) | Operation::Difference(..) => {
-                    Cost { add: 1, ..Cost::default() }
-                }
-                Operation::Product(..) => Cost { mul: 1, ..Cost::default() },
-                Operation::MulAdd(..) | Operation::MulSub(..) | Operation::MulNegAdd(..) => {
-                    Cost { mul: 1, add: 1, ..Cost::default() }
-                }
-                Operation::Recip(_) | Operation::RecipAbove(..) => {
-                    Cost { recip: 1, ..Cost::default() }
-                }
-                Operation::Atan2(..) => Cost { trig: 1, ..Cost::default() },
-                Operation::Sqrt(_) => Cost { sqrt: 1, ..Cost::default() },
-                Operation::CopySign(..) => Cost::default(),
-            },
-        };
-        self.statements.iter().map(one).fold(Cost::default(), |sum, cost| sum + cost)
     }
 }
 
 impl Program {
-    /// Its operations; those of loops once.
-    pub fn cost(&self) -> Cost {
-        self.sections().map(Section::cost).fold(Cost::default(), |sum, cost| sum + cost)
-    }
-
     /// All sections, those of loops once.
     pub fn sections(&self) -> impl Iterator<Item = &Section> {
         self.blocks.iter().flat_map(|block| match block {

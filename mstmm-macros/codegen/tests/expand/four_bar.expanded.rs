@@ -114,10 +114,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 15 | 5 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 31 | 22 | 1 | 0 | 0 |
     /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 121 | 68 | 6 | 6 | 0 |
-    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
-    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 17 | 14 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 9 | 5 | 0 | 0 | 0 |
+    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 17 | 14 | 0 | 0 | 0 |
     /// | Results |  | 1 | 5 | 0 | 0 | 0 |
+    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -154,268 +154,358 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 4 mul, 1 add, 0 reciprocal.
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         let t0_ = crank_pin_rate_ * c_(0.2);
-        let t1_ = crank_pin_rate_ * t0_;
-        let minus_a_drift_lin_x_ = cos_a_angle_ * t1_;
-        let a_drift_lin_y_ = sin_a_angle_ * t1_;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 4 mul, 1 add, 0 reciprocal.
-        let b_omega_z_ = b_rate_ + a_omega_z_;
         let t2_ = a_omega_z_ * c_(0.6);
-        let t3_ = a_omega_z_ * t2_;
-        let minus_b_drift_lin_x_ = cos_b_angle_ * t3_;
-        let b_drift_lin_y_ = sin_b_angle_ * t3_;
+        let b_omega_z_ = b_rate_ + a_omega_z_;
+        /// Motion across `a`.
+        let t1_ = crank_pin_rate_ * t0_;
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t4_ = c_(0.6) * b_omega_z_;
+        /// Motion across `b`.
+        let t3_ = a_omega_z_ * t2_;
+        /// Riccati transfer over `b`.
         let minus_b_e_force_x_ = b_omega_z_ * t4_;
         /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 15 mul, 5 add, 1 reciprocal.
-        let t5_ = sin_b_angle_ * cos_b_angle_;
-        let a_k_xy_ = c_(1.5) * t5_;
-        let a_b_x_z_ = t5_ * c_(0.8999999999999999);
         let t6_ = sin_b_angle_ * sin_b_angle_;
-        let t7_ = c_(1.5) * t6_;
-        let t8_ = c_(0.5) + t7_;
-        let a_b_y_z_ = T::mul_add(c_(0.6), t8_, c_(0.6));
-        let a_j_zz_ = T::mul_add(c_(0.36), t8_, c_(0.24));
-        let t9_ = b_drift_lin_y_ * c_(0.5);
-        let t10_ = T::mul_add(minus_b_drift_lin_x_, c_(2.0), minus_b_e_force_x_);
-        let t11_ = sin_b_angle_ * t10_;
-        let minus_a_e_force_y_ = T::mul_neg_add(cos_b_angle_, t9_, t11_);
-        let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
-        let t12_ = T::recip(a_j_zz_);
-        let a_z0_force_x_ = a_b_x_z_ * t12_;
-        let a_z0_force_y_ = a_b_y_z_ * t12_;
-        let a_w0_ = minus_a_e_moment_z_ * t12_;
+        let t5_ = sin_b_angle_ * cos_b_angle_;
         /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 31 mul, 22 add, 1 reciprocal.
-        let t13_ = t7_ - c_(4.0);
-        let t14_ = c_(2.5) + t7_;
-        let t15_ = a_b_x_z_ * a_b_x_z_;
-        let t16_ = T::mul_add(t12_, t15_, t13_);
-        let t17_ = a_b_y_z_ * a_b_y_z_;
-        let t18_ = T::mul_neg_add(t12_, t17_, t14_);
-        let t19_ = a_b_x_z_ * a_b_y_z_;
-        let t20_ = T::mul_neg_add(t12_, t19_, a_k_xy_);
-        let t21_ = sin_a_angle_ * sin_a_angle_;
         let t22_ = sin_a_angle_ * cos_a_angle_;
-        let t23_ = t16_ + t18_;
-        let t24_ = T::mul_neg_add(c_(2.0), t21_, c_(1.0));
-        let t25_ = t20_ * t24_;
-        let crank_pin_k_xy_ = T::mul_neg_add(t22_, t23_, t25_);
-        let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
-        let t26_ = c_(2.0) * t22_;
-        let t27_ = T::mul_add(t20_, t26_, t18_);
-        let t28_ = T::mul_sub(t21_, t23_, t27_);
-        let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t28_, c_(0.1));
-        let crank_pin_j_zz_ = T::mul_neg_add(
-            c_(0.04000000000000001),
-            t28_,
-            c_(0.020000000000000004),
-        );
-        let t29_ = sin_b_angle_ * t9_;
-        let t30_ = T::mul_add(cos_b_angle_, t10_, t3_);
-        let t31_ = T::mul_sub(minus_a_drift_lin_x_, t16_, t30_);
-        let t32_ = T::mul_neg_add(a_drift_lin_y_, t20_, t29_);
-        let t33_ = T::mul_sub(a_b_x_z_, a_w0_, t32_);
-        let t34_ = t31_ + t33_;
-        let t35_ = T::mul_neg_add(a_drift_lin_y_, t18_, minus_a_e_force_y_);
-        let t36_ = T::mul_sub(a_b_y_z_, a_w0_, t35_);
-        let t37_ = T::mul_sub(minus_a_drift_lin_x_, t20_, t36_);
-        let t38_ = sin_a_angle_ * t34_;
-        let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t37_, t38_);
-        let t39_ = T::recip(crank_pin_j_zz_);
-        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t39_;
-        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t39_;
-        let t40_ = T::mul_neg_add(c_(0.2), crank_pin_e_force_y_, crank_pin_input0_);
-        let crank_pin_w0_ = t39_ * t40_;
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 121 mul, 68 add, 6 reciprocal, 6 square root.
+        let t43_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
+        let t47_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        /// Riccati transfer over `crank_pin`.
+        let t21_ = sin_a_angle_ * sin_a_angle_;
+        /// Closure.
+        let t45_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t60_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
         let t41_ = c_(0.6) * sin_rocker_pin_angle_;
         let t42_ = sin_rocker_pin_angle_ * c_(2.5);
-        let t43_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
-        let t44_ = t41_ * t42_;
-        let t45_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t46_ = T::mul_neg_add(sin_b_angle_, t43_, t45_);
-        let t47_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        /// Riccati transfer over `a`.
+        let t7_ = c_(1.5) * t6_;
+        let a_b_x_z_ = t5_ * c_(0.8999999999999999);
+        let a_k_xy_ = c_(1.5) * t5_;
+        /// Riccati transfer over `crank_pin`.
+        let t26_ = c_(2.0) * t22_;
+        /// Closure.
         let t48_ = T::mul_add(cos_b_angle_, t43_, t47_);
+        let t65_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let t46_ = T::mul_neg_add(sin_b_angle_, t43_, t45_);
+        let t61_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t60_);
+        let t70_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t44_ = t41_ * t42_;
+        /// Riccati transfer over `a`.
+        let t8_ = c_(0.5) + t7_;
+        /// Riccati transfer over `crank_pin`.
+        let t14_ = c_(2.5) + t7_;
+        let t15_ = a_b_x_z_ * a_b_x_z_;
+        let t13_ = t7_ - c_(4.0);
+        /// Closure.
         let t49_ = c_(0.6) * t48_;
-        let t50_ = t49_ * t12_;
-        let t51_ = T::mul_neg_add(t49_, a_z0_force_x_, t46_);
-        let t52_ = T::mul_neg_add(t49_, a_z0_force_y_, t48_);
-        let t53_ = T::mul_add(t49_, t50_, t44_);
-        let t54_ = sin_a_angle_ * t51_;
-        let t55_ = T::mul_add(cos_a_angle_, t52_, t54_);
-        let t56_ = c_(0.2) * t55_;
-        let t57_ = t56_ * t39_;
-        let closure_d0_ = T::mul_add(t56_, t57_, t53_);
+        let t68_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t74_ = t46_ * t46_;
+        let t62_ = t61_ * c_(0.36);
+        /// Riccati transfer over `a`.
+        let a_j_zz_ = T::mul_add(c_(0.36), t8_, c_(0.24));
+        let a_b_y_z_ = T::mul_add(c_(0.6), t8_, c_(0.6));
+        /// Closure.
+        let t71_ = T::mul_neg_add(cos_b_angle_, t65_, t70_);
         let t58_ = c_(0.6) * cos_rocker_pin_angle_;
         let t59_ = cos_rocker_pin_angle_ * c_(2.5);
-        let t60_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
-        let t61_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t60_);
-        let t62_ = t61_ * c_(0.36);
+        /// Motion across `b`.
+        let minus_b_drift_lin_x_ = cos_b_angle_ * t3_;
+        /// Closure.
+        let t76_ = t49_ * t49_;
+        let t69_ = T::mul_add(sin_b_angle_, t65_, t68_);
+        let t75_ = T::mul_add(t48_, t48_, t74_);
         let t63_ = T::mul_add(t41_, t41_, t62_);
-        let t64_ = t63_ * c_(4.166666666666667);
-        let t65_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        /// Riccati transfer over `a`.
+        let t12_ = T::recip(a_j_zz_);
+        /// Riccati transfer over `crank_pin`.
+        let t17_ = a_b_y_z_ * a_b_y_z_;
+        let t19_ = a_b_x_z_ * a_b_y_z_;
+        /// Closure.
+        let t72_ = c_(0.6) * t71_;
         let t66_ = t58_ * t42_;
         let t67_ = t58_ * t59_;
-        let t68_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t69_ = T::mul_add(sin_b_angle_, t65_, t68_);
-        let t70_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t71_ = T::mul_neg_add(cos_b_angle_, t65_, t70_);
-        let t72_ = c_(0.6) * t71_;
-        let t73_ = t72_ * t12_;
-        let t74_ = t46_ * t46_;
-        let t75_ = T::mul_add(t48_, t48_, t74_);
-        let t76_ = t49_ * t49_;
-        let t77_ = T::mul_add(t75_, c_(0.72), t76_);
-        let t78_ = T::mul_add(t12_, t77_, t64_);
-        let t79_ = T::mul_neg_add(t72_, a_z0_force_x_, t69_);
-        let t80_ = T::mul_neg_add(t72_, a_z0_force_y_, t71_);
-        let t81_ = T::mul_neg_add(t72_, t50_, t66_);
-        let t82_ = T::mul_add(t72_, t73_, t67_);
-        let t83_ = cos_a_angle_ * t51_;
-        let t84_ = T::mul_neg_add(sin_a_angle_, t52_, t83_);
-        let t85_ = sin_a_angle_ * t79_;
-        let t86_ = T::mul_add(cos_a_angle_, t80_, t85_);
-        let t87_ = c_(0.2) * t86_;
-        let t88_ = t84_ * t84_;
-        let t89_ = T::mul_add(t55_, t55_, t88_);
-        let t90_ = t56_ * t56_;
-        let t91_ = T::mul_add(t89_, c_(0.76), t90_);
-        let t92_ = t87_ * t39_;
-        let t93_ = T::mul_add(t91_, t39_, t78_);
-        let t94_ = T::mul_neg_add(t87_, t57_, t81_);
-        let t95_ = T::mul_add(t87_, t92_, t82_);
-        let t96_ = T::copysign(closure_d0_, c_(1.0));
-        let t97_ = closure_d0_ + t96_;
-        let t98_ = c_(0.5) * t97_;
-        let t99_ = T::sqrt(t98_);
-        let t100_ = T::sqrt(t93_);
-        let t101_ = ::mstmm::generated::recip_above(t99_, t100_);
-        let t102_ = t99_ * t101_;
-        let t103_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t104_ = t102_ * t103_;
-        let t105_ = t94_ * t104_;
-        let closure_d1_ = T::mul_neg_add(t94_, t105_, t95_);
         let t106_ = T::mul_add(t58_, t58_, t62_);
+        let t110_ = t69_ * t69_;
+        let t77_ = T::mul_add(t75_, c_(0.72), t76_);
+        let t64_ = t63_ * c_(4.166666666666667);
+        /// Motion across `b`.
+        let b_drift_lin_y_ = sin_b_angle_ * t3_;
+        /// Riccati transfer over `a`.
+        let t10_ = T::mul_add(minus_b_drift_lin_x_, c_(2.0), minus_b_e_force_x_);
+        /// Motion across `a`.
+        let a_drift_lin_y_ = sin_a_angle_ * t1_;
+        /// Closure.
+        let t112_ = t72_ * t72_;
+        /// Motion across `a`.
+        let minus_a_drift_lin_x_ = cos_a_angle_ * t1_;
+        /// Riccati transfer over `crank_pin`.
+        let t24_ = T::mul_neg_add(c_(2.0), t21_, c_(1.0));
+        /// Closure.
         let t107_ = c_(4.166666666666667) * t106_;
+        let t111_ = T::mul_add(t71_, t71_, t110_);
+        let t122_ = minus_b_drift_lin_x_ + minus_b_e_force_x_;
+        let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
+        /// Riccati transfer over `a`.
+        let t9_ = b_drift_lin_y_ * c_(0.5);
+        let t11_ = sin_b_angle_ * t10_;
+        /// Riccati transfer over `crank_pin`.
+        let t30_ = T::mul_add(cos_b_angle_, t10_, t3_);
+        /// Closure.
         let t108_ = b_drift_lin_y_ * t43_;
         let t109_ = b_drift_lin_y_ * t65_;
-        let t110_ = t69_ * t69_;
-        let t111_ = T::mul_add(t71_, t71_, t110_);
-        let t112_ = t72_ * t72_;
-        let t113_ = T::mul_add(c_(0.72), t111_, t112_);
-        let t114_ = T::mul_add(t12_, t113_, t107_);
-        let t115_ = a_drift_lin_y_ * t52_;
-        let t116_ = cos_a_angle_ * t79_;
-        let t117_ = T::mul_neg_add(sin_a_angle_, t80_, t116_);
-        let t118_ = t117_ * t117_;
-        let t119_ = T::mul_add(t86_, t86_, t118_);
-        let t120_ = t87_ * t87_;
-        let t121_ = T::mul_add(c_(0.76), t119_, t120_);
-        let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
-        let t122_ = minus_b_drift_lin_x_ + minus_b_e_force_x_;
-        let t123_ = T::mul_add(t49_, a_w0_, t108_);
-        let t124_ = T::mul_sub(minus_a_drift_lin_x_, t51_, t123_);
-        let t125_ = T::mul_neg_add(t56_, crank_pin_z0_force_x_, t84_);
-        let t126_ = T::mul_neg_add(t56_, crank_pin_z0_force_y_, t55_);
-        let t127_ = T::mul_neg_add(t87_, crank_pin_z0_force_x_, t117_);
-        let t128_ = T::mul_neg_add(t87_, crank_pin_z0_force_y_, t86_);
-        let t129_ = T::mul_add(t121_, t39_, t114_);
-        let t130_ = T::copysign(closure_d1_, c_(1.0));
-        let t131_ = closure_d1_ + t130_;
-        let t132_ = c_(0.5) * t131_;
-        let t133_ = T::sqrt(t132_);
-        let t134_ = T::sqrt(t129_);
-        let t135_ = ::mstmm::generated::recip_above(t133_, t134_);
-        let t136_ = t133_ * t135_;
-        let t137_ = ::mstmm::generated::recip_above(closure_d1_, t95_);
-        let t138_ = t136_ * t137_;
-        let t139_ = T::mul_neg_add(closure_d0_, t104_, c_(1.0));
-        let t140_ = t139_ * t139_;
-        let t141_ = ::mstmm::generated::recip_above(t140_, c_(1.0));
-        let t142_ = T::sqrt(t141_);
-        let t143_ = t139_ * t142_;
-        let t144_ = T::mul_neg_add(closure_d1_, t138_, c_(1.0));
-        let t145_ = t105_ * t144_;
-        let t146_ = t143_ * t145_;
-        let t147_ = T::mul_neg_add(t143_, t146_, t145_);
-        let t148_ = t147_ * t147_;
-        let t149_ = T::mul_add(t144_, t144_, t148_);
-        let t150_ = ::mstmm::generated::recip_above(t149_, c_(1.0));
-        let t151_ = T::sqrt(t150_);
-        let t152_ = t147_ * t151_;
-        let t153_ = t144_ * t151_;
-        let t154_ = T::mul_neg_add(crank_pin_a_lin_y_, t126_, t124_);
-        let t155_ = T::mul_neg_add(cos_rocker_pin_angle_, t122_, t115_);
-        let t156_ = T::mul_add(t56_, crank_pin_w0_, t155_);
-        let t157_ = T::mul_add(crank_pin_a_lin_x_, t125_, t156_);
-        let t158_ = t154_ - t157_;
         let t159_ = T::mul_neg_add(sin_rocker_pin_angle_, t122_, c_(9.8));
-        let t160_ = T::mul_add(a_drift_lin_y_, t80_, t159_);
-        let t161_ = T::mul_add(t87_, crank_pin_w0_, t160_);
-        let t162_ = T::mul_add(crank_pin_a_lin_x_, t127_, t161_);
-        let t163_ = T::mul_neg_add(t72_, a_w0_, t109_);
-        let t164_ = T::mul_add(minus_a_drift_lin_x_, t79_, t163_);
-        let t165_ = T::mul_sub(crank_pin_a_lin_y_, t128_, t164_);
-        let t166_ = T::mul_sub(t105_, t158_, t165_);
-        let t167_ = t162_ - t166_;
-        let t168_ = t104_ * t158_;
-        let t169_ = t138_ * t167_;
-        let t170_ = T::mul_neg_add(t105_, t169_, t168_);
-        let t171_ = t143_ * t170_;
-        let t172_ = T::mul_neg_add(t143_, t171_, t170_);
-        let t173_ = t152_ * t172_;
-        let t174_ = T::mul_neg_add(t153_, t169_, t173_);
-        let minus_closure_reaction0_ = T::mul_neg_add(t152_, t174_, t172_);
-        let minus_closure_reaction1_ = T::mul_add(t153_, t174_, t169_);
-        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-        let t175_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
-        let t176_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t175_);
-        let t177_ = T::mul_sub(c_(9.8), t176_, crank_pin_w0_);
-        let t178_ = T::mul_add(t92_, minus_closure_reaction1_, t177_);
-        let crank_pin_a_ang_z_ = T::mul_sub(t57_, minus_closure_reaction0_, t178_);
+        let t113_ = T::mul_add(c_(0.72), t111_, t112_);
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 9 mul, 5 add, 0 reciprocal.
+        let t194_ = b_drift_lin_y_ * c_(2.5);
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 17 mul, 14 add, 0 reciprocal.
         let t179_ = T::mul_neg_add(
             cos_a_angle_,
             crank_pin_a_lin_x_,
             minus_a_drift_lin_x_,
         );
-        let t180_ = T::mul_add(c_(0.2), crank_pin_a_ang_z_, crank_pin_a_lin_y_);
-        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t180_, t179_);
+        /// Riccati transfer over `crank_pin`.
+        let t29_ = sin_b_angle_ * t9_;
+        /// Riccati transfer over `a`.
+        let minus_a_e_force_y_ = T::mul_neg_add(cos_b_angle_, t9_, t11_);
+        /// Acceleration of `a`.
         let t181_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
-        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t180_, t181_);
-        let t182_ = a_drift_lin_y_ * a_z0_force_y_;
-        let t183_ = cos_a_angle_ * a_z0_force_x_;
-        let t184_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t183_);
-        let t185_ = sin_a_angle_ * a_z0_force_x_;
-        let t186_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t185_);
-        let t187_ = c_(0.2) * t186_;
-        let t188_ = T::mul_add(minus_a_drift_lin_x_, a_z0_force_x_, a_w0_);
-        let t189_ = T::mul_sub(crank_pin_a_lin_x_, t184_, t188_);
-        let t190_ = T::mul_sub(t50_, minus_closure_reaction0_, t189_);
-        let t191_ = T::mul_add(crank_pin_a_lin_y_, t186_, t182_);
-        let t192_ = T::mul_add(t73_, minus_closure_reaction1_, t191_);
-        let t193_ = T::mul_add(t187_, crank_pin_a_ang_z_, t192_);
-        let a_a_ang_z_ = t190_ - t193_;
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 9 mul, 5 add, 0 reciprocal.
-        let t194_ = b_drift_lin_y_ * c_(2.5);
-        let t195_ = sin_b_angle_ * c_(2.5);
-        let t196_ = cos_b_angle_ * c_(2.5);
+        /// Acceleration of `b`.
         let t197_ = cos_b_angle_ * c_(1.5);
-        let t198_ = t42_ * minus_closure_reaction0_;
-        let t199_ = T::mul_neg_add(t59_, minus_closure_reaction1_, t194_);
-        let t200_ = T::mul_add(t196_, a_a_lin_y_, t199_);
-        let t201_ = T::mul_neg_add(t197_, a_a_ang_z_, t198_);
-        let t202_ = T::mul_sub(t195_, minus_a_a_lin_x_, t201_);
-        let minus_b_a_ang_z_ = t200_ + t202_;
+        let t195_ = sin_b_angle_ * c_(2.5);
+        /// Riccati transfer over `crank_pin`.
+        let t18_ = T::mul_neg_add(t12_, t17_, t14_);
+        let t20_ = T::mul_neg_add(t12_, t19_, a_k_xy_);
+        let t16_ = T::mul_add(t12_, t15_, t13_);
+        /// Riccati transfer over `a`.
+        let a_z0_force_x_ = a_b_x_z_ * t12_;
+        let a_z0_force_y_ = a_b_y_z_ * t12_;
+        /// Closure.
+        let t50_ = t49_ * t12_;
+        let t78_ = T::mul_add(t12_, t77_, t64_);
+        let t73_ = t72_ * t12_;
+        let t114_ = T::mul_add(t12_, t113_, t107_);
+        /// Riccati transfer over `a`.
+        let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
+        /// Riccati transfer over `crank_pin`.
+        let t35_ = T::mul_neg_add(a_drift_lin_y_, t18_, minus_a_e_force_y_);
+        let t27_ = T::mul_add(t20_, t26_, t18_);
+        let t23_ = t16_ + t18_;
+        /// Closure.
+        let t51_ = T::mul_neg_add(t49_, a_z0_force_x_, t46_);
+        let t52_ = T::mul_neg_add(t49_, a_z0_force_y_, t48_);
+        let t53_ = T::mul_add(t49_, t50_, t44_);
+        let t79_ = T::mul_neg_add(t72_, a_z0_force_x_, t69_);
+        let t80_ = T::mul_neg_add(t72_, a_z0_force_y_, t71_);
+        let t81_ = T::mul_neg_add(t72_, t50_, t66_);
+        let t82_ = T::mul_add(t72_, t73_, t67_);
+        /// Riccati transfer over `a`.
+        let a_w0_ = minus_a_e_moment_z_ * t12_;
+        /// Riccati transfer over `crank_pin`.
+        let t28_ = T::mul_sub(t21_, t23_, t27_);
+        let t32_ = T::mul_neg_add(a_drift_lin_y_, t20_, t29_);
+        /// Closure.
+        let t54_ = sin_a_angle_ * t51_;
+        let t83_ = cos_a_angle_ * t51_;
+        /// Riccati transfer over `crank_pin`.
+        let t31_ = T::mul_sub(minus_a_drift_lin_x_, t16_, t30_);
+        /// Closure.
+        let t85_ = sin_a_angle_ * t79_;
+        let t116_ = cos_a_angle_ * t79_;
+        /// Riccati transfer over `crank_pin`.
+        let t25_ = t20_ * t24_;
+        /// Closure.
+        let t115_ = a_drift_lin_y_ * t52_;
+        /// Riccati transfer over `crank_pin`.
+        let t36_ = T::mul_sub(a_b_y_z_, a_w0_, t35_);
+        let crank_pin_j_zz_ = T::mul_neg_add(
+            c_(0.04000000000000001),
+            t28_,
+            c_(0.020000000000000004),
+        );
+        let t33_ = T::mul_sub(a_b_x_z_, a_w0_, t32_);
+        /// Closure.
+        let t55_ = T::mul_add(cos_a_angle_, t52_, t54_);
+        let t84_ = T::mul_neg_add(sin_a_angle_, t52_, t83_);
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t28_, c_(0.1));
+        /// Closure.
+        let t86_ = T::mul_add(cos_a_angle_, t80_, t85_);
+        let t117_ = T::mul_neg_add(sin_a_angle_, t80_, t116_);
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_k_xy_ = T::mul_neg_add(t22_, t23_, t25_);
+        /// Closure.
+        let t123_ = T::mul_add(t49_, a_w0_, t108_);
+        /// Riccati transfer over `crank_pin`.
+        let t37_ = T::mul_sub(minus_a_drift_lin_x_, t20_, t36_);
+        let t39_ = T::recip(crank_pin_j_zz_);
+        let t34_ = t31_ + t33_;
+        /// Closure.
+        let t56_ = c_(0.2) * t55_;
+        let t88_ = t84_ * t84_;
+        let t155_ = T::mul_neg_add(cos_rocker_pin_angle_, t122_, t115_);
+        let t87_ = c_(0.2) * t86_;
+        let t118_ = t117_ * t117_;
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
+        /// Closure.
+        let t163_ = T::mul_neg_add(t72_, a_w0_, t109_);
+        /// Riccati transfer over `crank_pin`.
+        let t38_ = sin_a_angle_ * t34_;
+        /// Closure.
+        let t124_ = T::mul_sub(minus_a_drift_lin_x_, t51_, t123_);
+        let t160_ = T::mul_add(a_drift_lin_y_, t80_, t159_);
+        let t90_ = t56_ * t56_;
+        let t89_ = T::mul_add(t55_, t55_, t88_);
+        /// Acceleration of `a`.
+        let t185_ = sin_a_angle_ * a_z0_force_x_;
+        /// Closure.
+        let t120_ = t87_ * t87_;
+        let t119_ = T::mul_add(t86_, t86_, t118_);
+        /// Acceleration of `a`.
+        let t182_ = a_drift_lin_y_ * a_z0_force_y_;
+        /// Closure.
+        let t164_ = T::mul_add(minus_a_drift_lin_x_, t79_, t163_);
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t37_, t38_);
+        /// Acceleration of `a`.
+        let t183_ = cos_a_angle_ * a_z0_force_x_;
+        let t188_ = T::mul_add(minus_a_drift_lin_x_, a_z0_force_x_, a_w0_);
+        /// Acceleration of `b`.
+        let t196_ = cos_b_angle_ * c_(2.5);
+        /// Closure.
+        let t91_ = T::mul_add(t89_, c_(0.76), t90_);
+        /// Acceleration of `a`.
+        let t186_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t185_);
         /// Results: 1 mul, 5 add, 0 reciprocal.
-        let t203_ = crank_pin_a_ang_z_ - a_a_ang_z_;
-        let t204_ = a_a_ang_z_ + minus_b_a_ang_z_;
         let t205_ = c_(4.0) + t18_;
+        /// Closure.
+        let t121_ = T::mul_add(c_(0.76), t119_, t120_);
+        /// Riccati transfer over `crank_pin`.
+        let t40_ = T::mul_neg_add(c_(0.2), crank_pin_e_force_y_, crank_pin_input0_);
+        /// Acceleration of `a`.
+        let t184_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t183_);
+        /// Results.
         let t206_ = t16_ - t205_;
+        /// Acceleration of `a`.
+        let t191_ = T::mul_add(crank_pin_a_lin_y_, t186_, t182_);
+        /// Closure.
+        let t57_ = t56_ * t39_;
+        let t93_ = T::mul_add(t91_, t39_, t78_);
+        let t92_ = t87_ * t39_;
+        let t129_ = T::mul_add(t121_, t39_, t114_);
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t39_;
+        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t39_;
+        let crank_pin_w0_ = t39_ * t40_;
+        /// Acceleration of `a`.
+        let t187_ = c_(0.2) * t186_;
+        let t189_ = T::mul_sub(crank_pin_a_lin_x_, t184_, t188_);
+        /// Results.
         let t207_ = T::mul_neg_add(
             c_(0.04000000000000001),
             t206_,
             c_(0.030000000000000006),
         );
+        /// Closure.
+        let closure_d0_ = T::mul_add(t56_, t57_, t53_);
+        let t100_ = T::sqrt(t93_);
+        let t94_ = T::mul_neg_add(t87_, t57_, t81_);
+        let t95_ = T::mul_add(t87_, t92_, t82_);
+        let t134_ = T::sqrt(t129_);
+        let t125_ = T::mul_neg_add(t56_, crank_pin_z0_force_x_, t84_);
+        let t126_ = T::mul_neg_add(t56_, crank_pin_z0_force_y_, t55_);
+        let t156_ = T::mul_add(t56_, crank_pin_w0_, t155_);
+        let t128_ = T::mul_neg_add(t87_, crank_pin_z0_force_y_, t86_);
+        let t127_ = T::mul_neg_add(t87_, crank_pin_z0_force_x_, t117_);
+        let t96_ = T::copysign(closure_d0_, c_(1.0));
+        let t103_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t161_ = T::mul_add(t87_, crank_pin_w0_, t160_);
+        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
+        let t175_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        /// Closure.
+        let t154_ = T::mul_neg_add(crank_pin_a_lin_y_, t126_, t124_);
+        let t157_ = T::mul_add(crank_pin_a_lin_x_, t125_, t156_);
+        let t97_ = closure_d0_ + t96_;
+        let t165_ = T::mul_sub(crank_pin_a_lin_y_, t128_, t164_);
+        let t162_ = T::mul_add(crank_pin_a_lin_x_, t127_, t161_);
+        /// Acceleration of `crank_pin`.
+        let t176_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t175_);
+        /// Closure.
+        let t98_ = c_(0.5) * t97_;
+        let t158_ = t154_ - t157_;
+        /// Acceleration of `crank_pin`.
+        let t177_ = T::mul_sub(c_(9.8), t176_, crank_pin_w0_);
+        /// Closure.
+        let t99_ = T::sqrt(t98_);
+        let t101_ = ::mstmm::generated::recip_above(t99_, t100_);
+        let t102_ = t99_ * t101_;
+        let t104_ = t102_ * t103_;
+        let t105_ = t94_ * t104_;
+        let t139_ = T::mul_neg_add(closure_d0_, t104_, c_(1.0));
+        let t168_ = t104_ * t158_;
+        let closure_d1_ = T::mul_neg_add(t94_, t105_, t95_);
+        let t140_ = t139_ * t139_;
+        let t166_ = T::mul_sub(t105_, t158_, t165_);
+        let t130_ = T::copysign(closure_d1_, c_(1.0));
+        let t141_ = ::mstmm::generated::recip_above(t140_, c_(1.0));
+        let t137_ = ::mstmm::generated::recip_above(closure_d1_, t95_);
+        let t167_ = t162_ - t166_;
+        let t131_ = closure_d1_ + t130_;
+        let t132_ = c_(0.5) * t131_;
+        let t133_ = T::sqrt(t132_);
+        let t142_ = T::sqrt(t141_);
+        let t135_ = ::mstmm::generated::recip_above(t133_, t134_);
+        let t143_ = t139_ * t142_;
+        let t136_ = t133_ * t135_;
+        let t138_ = t136_ * t137_;
+        let t144_ = T::mul_neg_add(closure_d1_, t138_, c_(1.0));
+        let t169_ = t138_ * t167_;
+        let t145_ = t105_ * t144_;
+        let t170_ = T::mul_neg_add(t105_, t169_, t168_);
+        let t146_ = t143_ * t145_;
+        let t171_ = t143_ * t170_;
+        let t147_ = T::mul_neg_add(t143_, t146_, t145_);
+        let t172_ = T::mul_neg_add(t143_, t171_, t170_);
+        let t148_ = t147_ * t147_;
+        let t149_ = T::mul_add(t144_, t144_, t148_);
+        let t150_ = ::mstmm::generated::recip_above(t149_, c_(1.0));
+        let t151_ = T::sqrt(t150_);
+        let t152_ = t147_ * t151_;
+        let t153_ = t144_ * t151_;
+        let t173_ = t152_ * t172_;
+        let t174_ = T::mul_neg_add(t153_, t169_, t173_);
+        let minus_closure_reaction1_ = T::mul_add(t153_, t174_, t169_);
+        let minus_closure_reaction0_ = T::mul_neg_add(t152_, t174_, t172_);
+        /// Acceleration of `crank_pin`.
+        let t178_ = T::mul_add(t92_, minus_closure_reaction1_, t177_);
+        /// Acceleration of `a`.
+        let t192_ = T::mul_add(t73_, minus_closure_reaction1_, t191_);
+        let t190_ = T::mul_sub(t50_, minus_closure_reaction0_, t189_);
+        /// Acceleration of `b`.
+        let t198_ = t42_ * minus_closure_reaction0_;
+        let t199_ = T::mul_neg_add(t59_, minus_closure_reaction1_, t194_);
+        /// Acceleration of `crank_pin`.
+        let crank_pin_a_ang_z_ = T::mul_sub(t57_, minus_closure_reaction0_, t178_);
+        /// Acceleration of `a`.
+        let t193_ = T::mul_add(t187_, crank_pin_a_ang_z_, t192_);
+        let t180_ = T::mul_add(c_(0.2), crank_pin_a_ang_z_, crank_pin_a_lin_y_);
+        let a_a_ang_z_ = t190_ - t193_;
+        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t180_, t179_);
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t180_, t181_);
+        /// Acceleration of `b`.
+        let t201_ = T::mul_neg_add(t197_, a_a_ang_z_, t198_);
+        /// Results.
+        let t203_ = crank_pin_a_ang_z_ - a_a_ang_z_;
+        /// Acceleration of `b`.
+        let t200_ = T::mul_add(t196_, a_a_lin_y_, t199_);
+        let t202_ = T::mul_sub(t195_, minus_a_a_lin_x_, t201_);
+        let minus_b_a_ang_z_ = t200_ + t202_;
+        /// Results.
+        let t204_ = a_a_ang_z_ + minus_b_a_ang_z_;
         ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
         ::mstmm::generated::regular::<
             T,
@@ -454,8 +544,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 4 |
-    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
-    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
+    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 14 | 3 | 0 | 0 | 0 |
+    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 12 | 3 | 0 | 0 | 0 |
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 15 | 5 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 31 | 22 | 1 | 0 | 0 |
@@ -463,8 +553,6 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 17 | 14 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 9 | 5 | 0 | 0 | 0 |
-    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 10 | 2 | 0 | 0 | 0 |
-    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 8 | 2 | 0 | 0 | 0 |
     /// | Point of `a` | \[P, Eqs. (12), (13), (36)\] | 2 | 2 | 0 | 0 | 0 |
     /// | Point of `b` | \[P, Eqs. (12), (13), (36)\] | 4 | 4 | 0 | 0 | 0 |
     /// | Load on `rocker_pin` | \[P, Eqs. (18), (19)\] | 8 | 4 | 0 | 0 | 0 |
@@ -505,13 +593,13 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             cos_rocker_pin_angle_,
             ],
         ) = T::sin_cos([crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]);
-        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 4 mul, 1 add, 0 reciprocal.
+        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 14 mul, 3 add, 0 reciprocal.
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         let t0_ = crank_pin_rate_ * c_(0.2);
         let t1_ = crank_pin_rate_ * t0_;
         let minus_a_drift_lin_x_ = cos_a_angle_ * t1_;
         let a_drift_lin_y_ = sin_a_angle_ * t1_;
-        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 4 mul, 1 add, 0 reciprocal.
+        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 12 mul, 3 add, 0 reciprocal.
         let b_omega_z_ = b_rate_ + a_omega_z_;
         let t2_ = a_omega_z_ * c_(0.6);
         let t3_ = a_omega_z_ * t2_;
@@ -760,7 +848,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t201_ = T::mul_neg_add(t197_, a_a_ang_z_, t198_);
         let t202_ = T::mul_sub(t195_, minus_a_a_lin_x_, t201_);
         let minus_b_a_ang_z_ = t200_ + t202_;
-        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 10 mul, 2 add, 0 reciprocal.
+        /// Motion across `a`.
         let t203_ = cos_crank_pin_angle_ * cos_a_angle_;
         let a_axes_x_x_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t203_);
         let t204_ = cos_crank_pin_angle_ * sin_a_angle_;
@@ -771,7 +859,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t207_ = sin_crank_pin_angle_ * c_(0.2);
         let t208_ = crank_pin_rate_ * t207_;
         let minus_a_drift_lin_y_ = crank_pin_rate_ * t208_;
-        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 8 mul, 2 add, 0 reciprocal.
+        /// Motion across `b`.
         let t209_ = cos_b_angle_ * a_axes_x_x_;
         let b_axes_x_x_ = T::mul_neg_add(sin_b_angle_, minus_a_axes_x_y_, t209_);
         let t210_ = sin_b_angle_ * a_axes_x_x_;
@@ -1122,14 +1210,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 9 | 3 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 12 | 9 | 0 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 119 | 61 | 7 | 6 | 0 |
-    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
-    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 9 | 3 | 0 | 0 | 0 |
-    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 8 | 4 | 0 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 23 | 12 | 0 | 0 | 0 |
-    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
-    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 6 | 2 | 0 | 0 | 0 |
-    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 142 | 73 | 7 | 6 | 0 |
+    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 4 | 2 | 0 | 0 | 0 |
+    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 15 | 5 | 0 | 0 | 0 |
+    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 13 | 8 | 0 | 0 | 0 |
     /// | Results |  | 10 | 22 | 1 | 2 | 1 |
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn correct(&self, state_: &mut FourBarState<T>, inputs_: &FourBarInputs<T>) -> T {
@@ -1188,7 +1272,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             t18_,
             c_(0.020000000000000004),
         );
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 119 mul, 61 add, 7 reciprocal, 6 square root.
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 142 mul, 73 add, 7 reciprocal, 6 square root.
         let t19_ = c_(0.6) * sin_rocker_pin_angle_;
         let t20_ = sin_rocker_pin_angle_ * c_(2.5);
         let t21_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
@@ -1327,10 +1411,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t152_ = T::mul_add(t122_, t147_, t151_);
         let closure_reaction0_ = T::mul_neg_add(t121_, t152_, t150_);
         let minus_closure_reaction1_ = T::mul_neg_add(t122_, t152_, t147_);
-        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
+        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 4 mul, 2 add, 0 reciprocal.
         let t153_ = t36_ * closure_reaction0_;
         let minus_crank_pin_a_ang_z_ = T::mul_add(t71_, minus_closure_reaction1_, t153_);
-        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 9 mul, 3 add, 0 reciprocal.
+        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 15 mul, 5 add, 0 reciprocal.
         let t154_ = c_(0.2) * minus_crank_pin_a_ang_z_;
         let minus_a_a_lin_x_ = sin_a_angle_ * t154_;
         let minus_a_a_lin_y_ = cos_a_angle_ * t154_;
@@ -1340,7 +1424,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t158_ = t28_ * closure_reaction0_;
         let t159_ = T::mul_add(t52_, minus_closure_reaction1_, t158_);
         let a_a_ang_z_ = T::mul_sub(t157_, minus_crank_pin_a_ang_z_, t159_);
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 8 mul, 4 add, 0 reciprocal.
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 13 mul, 8 add, 0 reciprocal.
         let t160_ = sin_b_angle_ * c_(2.5);
         let t161_ = cos_b_angle_ * c_(2.5);
         let t162_ = cos_b_angle_ * c_(1.5);
@@ -1349,7 +1433,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t165_ = T::mul_add(t162_, a_a_ang_z_, t164_);
         let t166_ = T::mul_sub(t161_, minus_a_a_lin_y_, t165_);
         let minus_b_a_ang_z_ = T::mul_sub(t160_, minus_a_a_lin_x_, t166_);
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 23 mul, 12 add, 0 reciprocal.
+        /// Closure.
         let t167_ = crank_pin_rate_ * c_(0.2);
         let t168_ = a_omega_z_ * c_(0.6);
         let t169_ = c_(0.6) * b_omega_z_;
@@ -1373,21 +1457,21 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t187_ = T::mul_add(t122_, t182_, t186_);
         let closure_reaction0_2_ = T::mul_neg_add(t121_, t187_, t185_);
         let minus_closure_reaction1_2_ = T::mul_neg_add(t122_, t187_, t182_);
-        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
+        /// Acceleration of `crank_pin`.
         let t188_ = t36_ * closure_reaction0_2_;
         let minus_crank_pin_a_ang_z_2_ = T::mul_add(
             t71_,
             minus_closure_reaction1_2_,
             t188_,
         );
-        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 6 mul, 2 add, 0 reciprocal.
+        /// Acceleration of `a`.
         let t189_ = c_(0.2) * minus_crank_pin_a_ang_z_2_;
         let minus_a_a_lin_x_2_ = sin_a_angle_ * t189_;
         let minus_a_a_lin_y_2_ = cos_a_angle_ * t189_;
         let t190_ = t28_ * closure_reaction0_2_;
         let t191_ = T::mul_add(t52_, minus_closure_reaction1_2_, t190_);
         let a_a_ang_z_2_ = T::mul_sub(t157_, minus_crank_pin_a_ang_z_2_, t191_);
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
+        /// Acceleration of `b`.
         let t192_ = t20_ * closure_reaction0_2_;
         let t193_ = T::mul_neg_add(t38_, minus_closure_reaction1_2_, t192_);
         let t194_ = T::mul_add(t162_, a_a_ang_z_2_, t193_);

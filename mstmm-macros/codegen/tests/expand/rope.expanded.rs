@@ -247,19 +247,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Results |  | 8 | 3 | 0 | 0 | 0 |
+    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
+    /// | Results |  | 40 | 32 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 4 | 2 | 0 | 0 | 0 |
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 10 | 12 | 1 | 0 | 0 |
-    /// | Results |  | 24 | 25 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 7 | 6 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
-    /// | Results |  | 2 | 2 | 0 | 0 | 0 |
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn implicit_accelerations_into(
         &self,
@@ -278,16 +273,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         /// Results: 8 mul, 3 add, 0 reciprocal.
-        let t0_ = sin_hook_angle_ * sin_hook_angle_;
-        let t1_ = sin_hook_angle_ * cos_hook_angle_;
-        let t2_ = t0_ * c_(1.3333333333333335);
-        let t3_ = t2_ - c_(2.0);
-        let t4_ = t1_ * c_(1.3333333333333335);
-        let t5_ = t2_ + c_(0.6666666666666665);
-        let t6_ = cos_hook_angle_ * c_(6.666666666666666);
-        let t7_ = sin_hook_angle_ * c_(6.666666666666666);
         let t8_ = T::mul_add(step_, c_(0.2), c_(0.01));
         let t9_ = step_ * t8_;
+        let t0_ = sin_hook_angle_ * sin_hook_angle_;
+        let t1_ = sin_hook_angle_ * cos_hook_angle_;
+        let t6_ = cos_hook_angle_ * c_(6.666666666666666);
+        let t7_ = sin_hook_angle_ * c_(6.666666666666666);
+        let t2_ = t0_ * c_(1.3333333333333335);
+        let t4_ = t1_ * c_(1.3333333333333335);
+        let t3_ = t2_ - c_(2.0);
+        let t5_ = t2_ + c_(0.6666666666666665);
         let mut carry0_0_ = c_(0.0);
         for (
             (&[joint_angle_], &[joint_rate_]),
@@ -312,15 +307,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
-            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t10_ = c_(0.1) * joint_omega_z_;
-            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t10_;
             /// Results: 4 mul, 2 add, 0 reciprocal.
             let t11_ = joint_angle_ * c_(0.2);
-            let t12_ = known_p2_ * joint_omega_z_;
-            let t13_ = joint_omega_z_ * t12_;
-            let t14_ = T::mul_add(joint_rate_, t8_, t11_);
             let t15_ = known_p5_ + t9_;
+            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
+            let t10_ = c_(0.1) * joint_omega_z_;
+            /// Results.
+            let t12_ = known_p2_ * joint_omega_z_;
+            let t14_ = T::mul_add(joint_rate_, t8_, t11_);
+            /// Motion across `end_of_repeat0`.
+            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t10_;
+            /// Results.
+            let t13_ = joint_omega_z_ * t12_;
             _ = store1_
                 .try_push([
                     sin_joint_angle_,
@@ -386,13 +384,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_8_before_ = carry1_8_;
             let carry1_9_before_ = carry1_9_;
             /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 10 mul, 12 add, 1 reciprocal.
-            let joint_k_zz_ = known_p1_ + carry1_2_before_;
-            let joint_b_x_z_ = T::mul_add(c_(0.1), carry1_3_before_, carry1_4_before_);
             let t19_ = T::mul_add(c_(0.1), carry1_1_before_, carry1_5_before_);
-            let joint_b_y_z_ = known_p2_ + t19_;
-            let t20_ = carry1_5_before_ + t19_;
             let t21_ = known_p4_ + carry1_6_before_;
-            let joint_j_zz_ = T::mul_add(c_(0.1), t20_, t21_);
+            let joint_b_x_z_ = T::mul_add(c_(0.1), carry1_3_before_, carry1_4_before_);
             let joint_e_force_y_ = T::mul_neg_add(
                 carry1_3_before_,
                 minus_end_of_repeat0_drift_lin_x_,
@@ -403,51 +397,61 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_drift_lin_x_,
                 carry1_9_before_,
             );
-            let joint_e_moment_z_ = T::mul_add(c_(0.1), joint_e_force_y_, t22_);
-            let joint_d0_ = t9_ + joint_j_zz_;
-            let t23_ = T::recip(joint_d0_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t23_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t23_;
-            let joint_z0_moment_z_ = joint_j_zz_ * t23_;
-            let t24_ = joint_e_moment_z_ + t14_;
-            let minus_joint_w0_ = t23_ * t24_;
             /// Results: 24 mul, 25 add, 0 reciprocal.
             let t25_ = known_p1_ + carry1_0_before_;
-            let t26_ = carry1_0_before_ + carry1_1_before_;
-            let t27_ = carry1_2_before_ + t26_;
             let t28_ = known_p1_ + carry1_1_before_;
-            let t29_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t25_);
-            let t30_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t28_);
-            let t31_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
-            let t32_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_x_, joint_b_x_z_);
-            let t33_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_y_, joint_b_y_z_);
-            let t34_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
             let t35_ = t13_ - carry1_7_before_;
+            let t26_ = carry1_0_before_ + carry1_1_before_;
+            /// Riccati transfer over `joint`.
+            let joint_k_zz_ = known_p1_ + carry1_2_before_;
+            let t20_ = carry1_5_before_ + t19_;
+            let joint_b_y_z_ = known_p2_ + t19_;
+            let joint_e_moment_z_ = T::mul_add(c_(0.1), joint_e_force_y_, t22_);
+            /// Results.
             let t36_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_drift_lin_x_,
                 t35_,
             );
+            let t27_ = carry1_2_before_ + t26_;
+            /// Riccati transfer over `joint`.
+            let joint_j_zz_ = T::mul_add(c_(0.1), t20_, t21_);
+            /// Results.
+            let t56_ = T::mul_add(c_(0.010000000000000002), t27_, t15_);
+            /// Riccati transfer over `joint`.
+            let t24_ = joint_e_moment_z_ + t14_;
+            let joint_d0_ = t9_ + joint_j_zz_;
+            let t23_ = T::recip(joint_d0_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t23_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t23_;
+            let minus_joint_w0_ = t23_ * t24_;
+            let joint_z0_moment_z_ = joint_j_zz_ * t23_;
+            /// Results.
+            let t29_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t25_);
+            let t30_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t28_);
+            let t31_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
+            let t32_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_x_, joint_b_x_z_);
             let t37_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t36_);
+            let t33_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_y_, joint_b_y_z_);
             let t38_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
+            let t34_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
             let t39_ = T::mul_neg_add(joint_j_zz_, minus_joint_w0_, joint_e_moment_z_);
             let t40_ = t29_ - t30_;
-            let t41_ = sin_joint_angle_ * t40_;
             let t42_ = c_(2.0) * t31_;
+            let t48_ = cos_joint_angle_ * t32_;
+            let t50_ = sin_joint_angle_ * t32_;
+            let t52_ = cos_joint_angle_ * t37_;
+            let t54_ = sin_joint_angle_ * t37_;
+            let t41_ = sin_joint_angle_ * t40_;
+            let t49_ = T::mul_neg_add(sin_joint_angle_, t33_, t48_);
+            let t51_ = T::mul_add(cos_joint_angle_, t33_, t50_);
+            let t53_ = T::mul_add(sin_joint_angle_, t38_, t52_);
+            let t55_ = T::mul_neg_add(cos_joint_angle_, t38_, t54_);
             let t43_ = T::mul_add(cos_joint_angle_, t42_, t41_);
             let t44_ = sin_joint_angle_ * t43_;
-            let t45_ = t29_ - t44_;
             let t46_ = T::mul_neg_add(cos_joint_angle_, t43_, t31_);
+            let t45_ = t29_ - t44_;
             let t47_ = t30_ + t44_;
-            let t48_ = cos_joint_angle_ * t32_;
-            let t49_ = T::mul_neg_add(sin_joint_angle_, t33_, t48_);
-            let t50_ = sin_joint_angle_ * t32_;
-            let t51_ = T::mul_add(cos_joint_angle_, t33_, t50_);
-            let t52_ = cos_joint_angle_ * t37_;
-            let t53_ = T::mul_add(sin_joint_angle_, t38_, t52_);
-            let t54_ = sin_joint_angle_ * t37_;
-            let t55_ = T::mul_neg_add(cos_joint_angle_, t38_, t54_);
-            let t56_ = T::mul_add(c_(0.010000000000000002), t27_, t15_);
             _ = store3_
                 .try_push([
                     minus_joint_w0_,
@@ -501,21 +505,23 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 7 mul, 6 add, 0 reciprocal.
-            let t57_ = cos_joint_angle_ * carry2_0_before_;
-            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t57_);
             let t58_ = sin_joint_angle_ * carry2_0_before_;
+            let t57_ = cos_joint_angle_ * carry2_0_before_;
+            let t59_ = T::mul_add(carry2_2_before_, joint_z0_moment_z_, minus_joint_w0_);
             let minus_joint_a_lin_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry2_1_before_,
                 t58_,
             );
-            let t59_ = T::mul_add(carry2_2_before_, joint_z0_moment_z_, minus_joint_w0_);
+            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t57_);
             let t60_ = T::mul_sub(minus_joint_a_lin_y_, joint_z0_force_y_, t59_);
-            let t61_ = T::mul_sub(joint_a_lin_x_, joint_z0_force_x_, t60_);
-            let joint_a_ang_z_ = carry2_2_before_ - t61_;
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
             let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_drift_lin_x_
                 - joint_a_lin_x_;
+            /// Acceleration of `joint`.
+            let t61_ = T::mul_sub(joint_a_lin_x_, joint_z0_force_x_, t60_);
+            let joint_a_ang_z_ = carry2_2_before_ - t61_;
+            /// Acceleration of `end_of_repeat0`.
             let minus_end_of_repeat0_a_lin_y_ = T::mul_neg_add(
                 c_(0.1),
                 joint_a_ang_z_,
@@ -551,20 +557,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Results |  | 6 | 2 | 0 | 0 | 0 |
+    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
+    /// | Results |  | 40 | 29 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 8 | 2 | 0 | 0 | 0 |
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 6 | 1 | 0 | 0 |
-    /// | Results |  | 22 | 22 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 2 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -590,12 +590,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         /// Results: 6 mul, 2 add, 0 reciprocal.
         let t0_ = sin_hook_angle_ * sin_hook_angle_;
         let t1_ = sin_hook_angle_ * cos_hook_angle_;
-        let t2_ = t0_ * c_(1.3333333333333335);
-        let t3_ = t2_ - c_(2.0);
-        let t4_ = t1_ * c_(1.3333333333333335);
-        let t5_ = t2_ + c_(0.6666666666666665);
         let t6_ = cos_hook_angle_ * c_(6.666666666666666);
         let t7_ = sin_hook_angle_ * c_(6.666666666666666);
+        let t2_ = t0_ * c_(1.3333333333333335);
+        let t4_ = t1_ * c_(1.3333333333333335);
+        let t3_ = t2_ - c_(2.0);
+        let t5_ = t2_ + c_(0.6666666666666665);
         let mut carry0_0_ = c_(0.0);
         for (
             (&[joint_angle_], &[joint_rate_]),
@@ -620,18 +620,21 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
-            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t8_ = c_(0.1) * joint_omega_z_;
-            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t8_;
             /// Results: 8 mul, 2 add, 0 reciprocal.
             let t9_ = joint_angle_ * c_(0.2);
+            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
+            let t8_ = c_(0.1) * joint_omega_z_;
+            /// Results.
+            let t15_ = known_p2_ * joint_omega_z_;
             let t10_ = T::mul_add(joint_rate_, c_(0.01), t9_);
+            /// Motion across `end_of_repeat0`.
+            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t8_;
+            /// Results.
+            let t16_ = joint_omega_z_ * t15_;
             let t11_ = sin_joint_angle_ * sin_joint_angle_;
             let t12_ = sin_joint_angle_ * cos_joint_angle_;
-            let t13_ = c_(2.0) * t12_;
             let t14_ = T::mul_neg_add(c_(2.0), t11_, c_(1.0));
-            let t15_ = known_p2_ * joint_omega_z_;
-            let t16_ = joint_omega_z_ * t15_;
+            let t13_ = c_(2.0) * t12_;
             _ = store1_
                 .try_push([
                     sin_joint_angle_,
@@ -697,9 +700,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_5_before_ = carry1_5_;
             let carry1_6_before_ = carry1_6_;
             /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 6 add, 1 reciprocal.
-            let joint_k_zz_ = known_p1_ + carry1_2_before_;
-            let joint_b_x_z_ = c_(0.1) * carry1_3_before_;
-            let joint_b_y_z_ = T::mul_add(c_(0.1), carry1_1_before_, known_p2_);
             let joint_j_zz_ = T::mul_add(
                 carry1_1_before_,
                 c_(0.010000000000000002),
@@ -710,46 +710,55 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_drift_lin_x_,
                 carry1_5_before_,
             );
-            let t20_ = T::recip(joint_j_zz_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t20_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t20_;
+            let joint_b_x_z_ = c_(0.1) * carry1_3_before_;
+            let joint_b_y_z_ = T::mul_add(c_(0.1), carry1_1_before_, known_p2_);
             let t21_ = t10_ + carry1_6_before_;
-            let t22_ = T::mul_add(c_(0.1), joint_e_force_y_, t21_);
-            let minus_joint_w0_ = t20_ * t22_;
             /// Results: 22 mul, 22 add, 0 reciprocal.
+            let t42_ = t16_ - carry1_4_before_;
+            let t27_ = known_p1_ + carry1_1_before_;
             let t23_ = known_p1_ + carry1_0_before_;
             let t24_ = carry1_0_before_ + carry1_1_before_;
-            let t25_ = carry1_2_before_ + t24_;
-            let t26_ = T::mul_add(c_(0.010000000000000002), t25_, known_p5_);
-            let t27_ = known_p1_ + carry1_1_before_;
+            /// Riccati transfer over `joint`.
+            let joint_k_zz_ = known_p1_ + carry1_2_before_;
+            let t20_ = T::recip(joint_j_zz_);
+            let t22_ = T::mul_add(c_(0.1), joint_e_force_y_, t21_);
+            /// Results.
             let t28_ = joint_b_x_z_ * joint_b_x_z_;
-            let t29_ = T::mul_neg_add(t20_, t28_, t23_);
             let t30_ = joint_b_y_z_ * joint_b_y_z_;
-            let t31_ = T::mul_neg_add(t20_, t30_, t27_);
             let t32_ = joint_b_x_z_ * joint_b_y_z_;
-            let t33_ = T::mul_neg_add(t20_, t32_, carry1_3_before_);
-            let t34_ = t29_ + t31_;
-            let t35_ = t29_ - t31_;
-            let t36_ = t14_ * t33_;
-            let t37_ = T::mul_add(t12_, t35_, t36_);
-            let t38_ = cos_joint_angle_ * joint_z0_force_x_;
-            let t39_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t38_);
-            let t40_ = sin_joint_angle_ * joint_z0_force_x_;
-            let t41_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t40_);
-            let t42_ = t16_ - carry1_4_before_;
             let t43_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_drift_lin_x_,
                 t42_,
             );
+            let t25_ = carry1_2_before_ + t24_;
+            let t26_ = T::mul_add(c_(0.010000000000000002), t25_, known_p5_);
+            /// Riccati transfer over `joint`.
+            let minus_joint_w0_ = t20_ * t22_;
+            /// Results.
+            let t31_ = T::mul_neg_add(t20_, t30_, t27_);
+            let t33_ = T::mul_neg_add(t20_, t32_, carry1_3_before_);
+            let t29_ = T::mul_neg_add(t20_, t28_, t23_);
+            /// Riccati transfer over `joint`.
+            let joint_z0_force_x_ = joint_b_x_z_ * t20_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t20_;
+            /// Results.
             let t44_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t43_);
             let t45_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
-            let t46_ = cos_joint_angle_ * t44_;
-            let t47_ = T::mul_add(sin_joint_angle_, t45_, t46_);
-            let t48_ = sin_joint_angle_ * t44_;
-            let t49_ = T::mul_neg_add(cos_joint_angle_, t45_, t48_);
             let t50_ = T::mul_add(t13_, t33_, t31_);
+            let t35_ = t29_ - t31_;
+            let t36_ = t14_ * t33_;
+            let t38_ = cos_joint_angle_ * joint_z0_force_x_;
+            let t40_ = sin_joint_angle_ * joint_z0_force_x_;
+            let t34_ = t29_ + t31_;
+            let t46_ = cos_joint_angle_ * t44_;
+            let t48_ = sin_joint_angle_ * t44_;
             let t51_ = T::mul_add(t11_, t35_, t50_);
+            let t37_ = T::mul_add(t12_, t35_, t36_);
+            let t39_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t38_);
+            let t41_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t40_);
+            let t47_ = T::mul_add(sin_joint_angle_, t45_, t46_);
+            let t49_ = T::mul_neg_add(cos_joint_angle_, t45_, t48_);
             let t52_ = t34_ - t51_;
             _ = store3_.try_push([t39_, t41_, minus_joint_w0_]);
             regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t26_);
@@ -798,27 +807,30 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
             let t53_ = T::mul_add(carry2_1_before_, t41_, minus_joint_w0_);
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t39_, t53_);
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
+            let t55_ = sin_joint_angle_ * carry2_0_before_;
             let t54_ = T::mul_neg_add(
                 sin_joint_angle_,
                 carry2_1_before_,
                 minus_end_of_repeat0_drift_lin_x_,
             );
+            /// Acceleration of `joint`.
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t39_, t53_);
+            /// Acceleration of `end_of_repeat0`.
+            let t56_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t55_);
             let end_of_repeat0_a_lin_x_ = T::mul_sub(
                 cos_joint_angle_,
                 carry2_0_before_,
                 t54_,
             );
-            let t55_ = sin_joint_angle_ * carry2_0_before_;
-            let t56_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t55_);
+            /// Results: 0 mul, 1 add, 0 reciprocal.
+            let t57_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            /// Acceleration of `end_of_repeat0`.
             let minus_end_of_repeat0_a_lin_y_ = T::mul_add(
                 c_(0.1),
                 minus_joint_a_ang_z_,
                 t56_,
             );
-            /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t57_ = carry2_2_before_ + minus_joint_a_ang_z_;
             *o0_0_ = -t57_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 end_of_repeat0_a_lin_x_,
@@ -866,48 +878,20 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Results |  | 6 | 2 | 0 | 0 | 0 |
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
-    /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 2 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 8 | 1 | 0 | 0 | 0 |
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
+    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 12 | 11 | 0 | 0 | 1 |
+    /// | Results |  | 74 | 55 | 0 | 0 | 0 |
+    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 16 | 13 | 0 | 0 | 1 |
+    /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 10 | 0 | 0 | 0 | 0 |
+    /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 2 | 3 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 6 | 1 | 0 | 0 |
-    /// | Results |  | 22 | 22 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 2 | 2 | 0 | 0 | 0 |
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 8 | 5 | 0 | 0 | 0 |
-    /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 6 | 0 | 0 | 0 | 0 |
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 8 | 5 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 4 | 0 | 0 | 0 |
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
-    /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 2 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 5 | 5 | 0 | 0 | 0 |
     /// | Load of the body at `hook` | \[P, Eqs. (18), (19)\] | 11 | 7 | 0 | 0 | 0 |
     /// | Point of `joint` | \[P, Eqs. (12), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Point of `end_of_repeat0` | \[P, Eqs. (12), (13), (36)\] | 2 | 4 | 0 | 0 | 0 |
     /// | Load of the body at `joint` | \[P, Eqs. (18), (19)\] | 4 | 4 | 0 | 0 | 0 |
     /// | Point of `hook` | \[P, Eqs. (12), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
-    /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 0 | 2 | 0 | 0 | 0 |
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 8 | 5 | 0 | 0 | 0 |
-    /// | Results |  | 8 | 0 | 0 | 0 | 0 |
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 4 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 5 | 0 | 0 | 0 | 0 |
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 3 | 0 | 0 | 0 | 0 |
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 3 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 5 | 8 | 0 | 0 | 0 |
-    /// | Results |  | 3 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 4 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -1958,19 +1942,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 8 | 5 | 0 | 0 | 1 |
-    /// | Results |  | 11 | 0 | 0 | 0 | 0 |
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 4 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 5 | 0 | 0 | 0 | 0 |
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 3 | 0 | 0 | 0 | 0 |
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 3 | 0 | 0 | 0 | 0 |
-    /// | Results |  | 5 | 8 | 0 | 0 | 0 |
-    /// | Results |  | 3 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 0 | 4 | 0 | 0 | 0 |
+    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 4 | 4 | 0 | 0 | 1 |
+    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 8 | 6 | 0 | 0 | 1 |
+    /// | Results |  | 30 | 18 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &RopeState<T>) -> ::mstmm::Energy<T> {

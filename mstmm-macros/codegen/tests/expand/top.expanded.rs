@@ -97,8 +97,8 @@ impl<T: ::mstmm::Scalar> Top<T> {
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 7 | 2 | 0 | 0 | 0 |
     /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 12 | 3 | 0 | 0 | 0 |
+    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 7 | 2 | 0 | 0 | 0 |
     /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -116,23 +116,30 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let c_ = T::constant;
         let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
         let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
+        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 12 mul, 3 add, 0 reciprocal.
+        let t6_ = tip_wz_ * c_(0.0001);
+        let t8_ = tip_wx_ * c_(0.001);
         /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 7 mul, 2 add, 0 reciprocal.
         let t0_ = tip_qy_ * c_(2.0);
-        let t1_ = tip_qz_ * c_(2.0);
-        let t2_ = tip_qw_ * t0_;
-        let minus_tip_turn_z_x_ = T::mul_neg_add(tip_qx_, t1_, t2_);
         let t3_ = tip_qx_ * c_(2.0);
-        let t4_ = tip_qw_ * t3_;
-        let tip_turn_z_y_ = T::mul_add(tip_qy_, t1_, t4_);
-        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 12 mul, 3 add, 0 reciprocal.
+        /// Riccati transfer over `tip`.
         let t5_ = tip_wy_ * c_(0.001);
-        let t6_ = tip_wz_ * c_(0.0001);
+        /// Motion across `tip`.
+        let t1_ = tip_qz_ * c_(2.0);
+        /// Riccati transfer over `tip`.
         let t7_ = tip_wy_ * t6_;
-        let tip_e_moment_x_ = T::mul_neg_add(tip_wz_, t5_, t7_);
-        let t8_ = tip_wx_ * c_(0.001);
         let t9_ = tip_wz_ * t8_;
-        let tip_e_moment_y_ = T::mul_neg_add(tip_wx_, t6_, t9_);
+        /// Motion across `tip`.
+        let t2_ = tip_qw_ * t0_;
+        let t4_ = tip_qw_ * t3_;
+        /// Riccati transfer over `tip`.
         let t10_ = tip_wx_ * t5_;
+        let tip_e_moment_x_ = T::mul_neg_add(tip_wz_, t5_, t7_);
+        let tip_e_moment_y_ = T::mul_neg_add(tip_wx_, t6_, t9_);
+        /// Motion across `tip`.
+        let minus_tip_turn_z_x_ = T::mul_neg_add(tip_qx_, t1_, t2_);
+        let tip_turn_z_y_ = T::mul_add(tip_qy_, t1_, t4_);
+        /// Riccati transfer over `tip`.
         let tip_e_moment_z_ = T::mul_neg_add(tip_wy_, t8_, t10_);
         let minus_tip_w0_ = tip_e_moment_x_ * c_(1000.0);
         let minus_tip_w1_ = tip_e_moment_y_ * c_(1000.0);
@@ -182,10 +189,9 @@ impl<T: ::mstmm::Scalar> Top<T> {
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 12 | 11 | 0 | 0 | 0 |
+    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 21 | 17 | 0 | 0 | 0 |
     /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 16 | 3 | 0 | 0 | 0 |
     /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
-    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 9 | 6 | 0 | 0 | 0 |
     /// | Point of `tip` | \[P, Eqs. (12), (13), (36)\] | 9 | 6 | 0 | 0 | 0 |
     /// | Load of the body at `tip` | \[P, Eqs. (18), (19)\] | 16 | 12 | 0 | 0 | 0 |
     /// | Results |  | 5 | 2 | 0 | 0 | 0 |
@@ -204,7 +210,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let c_ = T::constant;
         let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
         let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
-        /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 12 mul, 11 add, 0 reciprocal.
+        /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 21 mul, 17 add, 0 reciprocal.
         let t0_ = tip_qy_ * c_(2.0);
         let t1_ = tip_qz_ * c_(2.0);
         let t2_ = tip_qy_ * t0_;
@@ -319,7 +325,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         at_.rate_accelerations.data.0 = [
             [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_w2_],
         ];
-        /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
+        /// Motion across `tip`.
         let t21_ = tip_wy_ * minus_tip_turn_x_y_;
         let t22_ = T::mul_add(tip_wx_, minus_tip_turn_x_x_, t21_);
         let tip_omega_x_ = T::mul_sub(tip_wz_, tip_turn_x_z_, t22_);

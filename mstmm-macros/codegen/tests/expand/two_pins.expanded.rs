@@ -100,10 +100,10 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// |---|---|---|---|---|---|---|
     /// | Motion across `shoulder` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 2 |
     /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
-    /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
-    /// | Transfer to `shoulder` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 2 | 0 | 0 | 0 | 0 |
-    /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 8 | 5 | 0 | 0 | 0 |
     /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 55 | 39 | 3 | 2 | 0 |
+    /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 8 | 5 | 0 | 0 | 0 |
+    /// | Transfer to `shoulder` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 2 | 0 | 0 | 0 | 0 |
+    /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
     /// | Back to `shoulder` | \[P, Eqs. (8), (11)\] | 3 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -132,110 +132,129 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         ) = T::sin_cos([shoulder_angle_, elbow_angle_]);
         /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
-        /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
-        let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
-        let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
-        /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
-        let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
-        let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
+        /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 55 mul, 39 add, 3 reciprocal, 2 square root.
+        let t7_ = shoulder_rate_ * c_(0.5);
+        let t8_ = elbow_omega_z_ * c_(0.5);
+        let t9_ = elbow_omega_z_ * t8_;
+        let t24_ = T::mul_add(
+            sin_elbow_angle_,
+            c_(0.48639392383214375),
+            sin_elbow_angle_,
+        );
+        let t15_ = cos_elbow_angle_ * cos_elbow_angle_;
+        let t26_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
         /// Transfer to `elbow`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 8 mul, 5 add, 0 reciprocal.
         let elbow_a4_lin_y_ = T::mul_neg_add(
             cos_elbow_angle_,
             c_(0.013606076167856269),
             cos_elbow_angle_,
         );
-        let t1_ = cos_elbow_angle_ * shoulder_a_lin_y_;
-        let t2_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
-        let t3_ = t2_ * c_(0.9863939238321437);
-        let t4_ = cos_elbow_angle_ * c_(0.16439898730535732);
-        let t5_ = T::mul_sub(shoulder_rate_, shoulder_rate_, shoulder_a_lin_x_);
-        let t6_ = T::mul_add(sin_elbow_angle_, t5_, t1_);
-        let minus_elbow_a_lin_y_ = T::mul_sub(t3_, t4_, t6_);
-        /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 55 mul, 39 add, 3 reciprocal, 2 square root.
-        let t7_ = shoulder_rate_ * c_(0.5);
-        let t8_ = elbow_omega_z_ * c_(0.5);
-        let t9_ = elbow_omega_z_ * t8_;
-        let t10_ = T::mul_sub(shoulder_rate_, t7_, shoulder_a_lin_x_);
-        let t11_ = sin_elbow_angle_ * shoulder_a_lin_y_;
-        let t12_ = sin_elbow_angle_ * t10_;
-        let t13_ = t2_ * c_(0.054054054054054064);
-        let t14_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
-        let t15_ = cos_elbow_angle_ * cos_elbow_angle_;
-        let t16_ = T::mul_neg_add(
-            cos_elbow_angle_,
-            c_(2.0685934174848226),
-            cos_elbow_angle_,
-        );
-        let t17_ = t10_ + t5_;
+        /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
+        let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
+        let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
+        /// Boundary solve at the far end.
         let t18_ = T::mul_neg_add(
             sin_elbow_angle_,
             c_(0.16439898730535732),
             sin_elbow_angle_,
         );
-        let t19_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t18_);
-        let t20_ = T::mul_add(cos_elbow_angle_, t17_, t9_);
-        let t21_ = t11_ - t20_;
-        let t22_ = t11_ + t21_;
-        let t23_ = T::mul_sub(t3_, t19_, t22_);
-        let t24_ = T::mul_add(
-            sin_elbow_angle_,
-            c_(0.48639392383214375),
-            sin_elbow_angle_,
+        let t16_ = T::mul_neg_add(
+            cos_elbow_angle_,
+            c_(2.0685934174848226),
+            cos_elbow_angle_,
         );
+        /// Transfer to `elbow`.
+        let t4_ = cos_elbow_angle_ * c_(0.16439898730535732);
+        /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
+        let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
+        /// Boundary solve at the far end.
         let t25_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t24_);
-        let t26_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
         let t27_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t26_);
-        let t28_ = elbow_a4_lin_y_ - t27_;
+        let t14_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
+        /// Transfer to `elbow`.
+        let t5_ = T::mul_sub(shoulder_rate_, shoulder_rate_, shoulder_a_lin_x_);
+        /// Boundary solve at the far end.
+        let t10_ = T::mul_sub(shoulder_rate_, t7_, shoulder_a_lin_x_);
+        let t11_ = sin_elbow_angle_ * shoulder_a_lin_y_;
+        /// Transfer to `elbow`.
+        let t2_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
+        /// Boundary solve at the far end.
+        let t19_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t18_);
+        /// Transfer to `elbow`.
+        let t1_ = cos_elbow_angle_ * shoulder_a_lin_y_;
+        /// Boundary solve at the far end.
         let t29_ = T::mul_add(t25_, t25_, t15_);
+        /// Inertia beyond the hinges, to be divided by.
+        let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
+        /// Boundary solve at the far end.
+        let t28_ = elbow_a4_lin_y_ - t27_;
+        let t47_ = t14_ * t25_;
+        let t17_ = t10_ + t5_;
+        let t12_ = sin_elbow_angle_ * t10_;
+        /// Transfer to `elbow`.
+        let t3_ = t2_ * c_(0.9863939238321437);
+        /// Boundary solve at the far end.
+        let t13_ = t2_ * c_(0.054054054054054064);
+        /// Transfer to `elbow`.
+        let t6_ = T::mul_add(sin_elbow_angle_, t5_, t1_);
+        /// Boundary solve at the far end.
         let t30_ = T::sqrt(t29_);
+        /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
+        let t75_ = t2_ * c_(1.9863939238321437);
+        /// Boundary solve at the far end.
+        let t20_ = T::mul_add(cos_elbow_angle_, t17_, t9_);
+        let t42_ = T::mul_neg_add(t2_, c_(0.0810810810810811), t12_);
+        let t44_ = T::mul_add(t3_, t16_, t1_);
+        /// Transfer to `elbow`.
+        let minus_elbow_a_lin_y_ = T::mul_sub(t3_, t4_, t6_);
+        /// Boundary solve at the far end.
+        let t21_ = t11_ - t20_;
+        let t43_ = minus_elbow_a_lin_y_ - t42_;
+        let t22_ = t11_ + t21_;
+        let t63_ = T::mul_add(c_(0.5), minus_elbow_a_lin_y_, t13_);
+        let t23_ = T::mul_sub(t3_, t19_, t22_);
         let t31_ = T::copysign(t30_, cos_elbow_angle_);
         let t32_ = cos_elbow_angle_ + t31_;
         let t33_ = t31_ * t32_;
-        let t34_ = T::recip(t33_);
-        let t35_ = t32_ * t34_;
-        let t36_ = t23_ * t35_;
         let t37_ = sin_elbow_angle_ * t32_;
+        let t34_ = T::recip(t33_);
         let t38_ = T::mul_add(t25_, t28_, t37_);
         let t39_ = t34_ * t38_;
-        let t40_ = T::mul_neg_add(t32_, t39_, sin_elbow_angle_);
-        let t41_ = T::mul_neg_add(t25_, t39_, t28_);
-        let t42_ = T::mul_neg_add(t2_, c_(0.0810810810810811), t12_);
-        let t43_ = minus_elbow_a_lin_y_ - t42_;
-        let t44_ = T::mul_add(t3_, t16_, t1_);
-        let t45_ = T::mul_add(t36_, t40_, t44_);
-        let t46_ = t43_ - t45_;
-        let t47_ = t14_ * t25_;
         let t48_ = t34_ * t47_;
-        let t49_ = t32_ * t48_;
+        let t35_ = t32_ * t34_;
+        let t41_ = T::mul_neg_add(t25_, t39_, t28_);
         let t50_ = T::mul_neg_add(t25_, t48_, t14_);
+        let t36_ = t23_ * t35_;
+        let t40_ = T::mul_neg_add(t32_, t39_, sin_elbow_angle_);
+        let t49_ = t32_ * t48_;
         let t51_ = T::mul_add(t41_, t41_, c_(0.25));
+        let t72_ = t32_ * t36_;
+        let t45_ = T::mul_add(t36_, t40_, t44_);
+        let t64_ = T::mul_add(t36_, t49_, t63_);
         let t52_ = T::sqrt(t51_);
+        let t46_ = t43_ - t45_;
         let t53_ = T::copysign(t52_, -t41_);
         let t54_ = t41_ - t53_;
         let t55_ = t53_ * t54_;
-        let t56_ = T::recip(t55_);
-        let t57_ = t54_ * t56_;
-        let t58_ = t46_ * t57_;
         let t59_ = T::mul_add(t50_, t54_, c_(0.16666666666666666));
+        let t56_ = T::recip(t55_);
         let t60_ = t56_ * t59_;
-        let t61_ = T::mul_add(t54_, t60_, t50_);
+        let t57_ = t54_ * t56_;
         let t62_ = T::mul_add(c_(0.5), t60_, c_(0.3333333333333333));
-        let t63_ = T::mul_add(c_(0.5), minus_elbow_a_lin_y_, t13_);
-        let t64_ = T::mul_add(t36_, t49_, t63_);
-        let t65_ = T::mul_sub(t58_, t61_, t64_);
+        let t58_ = t46_ * t57_;
+        let t61_ = T::mul_add(t54_, t60_, t50_);
         let t66_ = T::recip(t62_);
-        let t67_ = t65_ * t66_;
         let t68_ = t54_ * t58_;
+        let t65_ = T::mul_sub(t58_, t61_, t64_);
+        let t67_ = t65_ * t66_;
         let t69_ = T::mul_neg_add(c_(0.5), t67_, t68_);
         let t70_ = t56_ * t69_;
         let t71_ = T::mul_add(t54_, t70_, t58_);
-        let t72_ = t32_ * t36_;
+        let minus_end_x5_ = T::mul_neg_add(c_(0.5), t70_, t67_);
         let t73_ = T::mul_add(t25_, t71_, t72_);
         let t74_ = t34_ * t73_;
         let end_x4_ = T::mul_neg_add(t25_, t74_, t71_);
-        let minus_end_x5_ = T::mul_neg_add(c_(0.5), t70_, t67_);
-        /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t75_ = t2_ * c_(1.9863939238321437);
+        /// Back to `shoulder`.
         let t76_ = T::mul_add(c_(0.16666666666666669), end_x4_, t75_);
         let shoulder_beta0_ = T::mul_neg_add(c_(0.0816364570071376), t76_, end_x4_);
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
@@ -276,13 +295,12 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `shoulder` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 2 |
-    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
+    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 8 | 3 | 0 | 0 | 0 |
     /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
     /// | Transfer to `shoulder` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 2 | 0 | 0 | 0 | 0 |
     /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 8 | 5 | 0 | 0 | 0 |
     /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 55 | 39 | 3 | 2 | 0 |
     /// | Back to `shoulder` | \[P, Eqs. (8), (11)\] | 3 | 2 | 0 | 0 | 0 |
-    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 8 | 2 | 0 | 0 | 0 |
     /// | Point of `elbow` | \[P, Eqs. (12), (13), (36)\] | 2 | 3 | 0 | 0 | 0 |
     /// | Load of the body at `shoulder` | \[P, Eqs. (18), (19)\] | 1 | 0 | 0 | 0 | 0 |
     /// | Load of the body at `elbow` | \[P, Eqs. (18), (19)\] | 9 | 8 | 0 | 0 | 0 |
@@ -312,7 +330,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             cos_elbow_angle_,
             ],
         ) = T::sin_cos([shoulder_angle_, elbow_angle_]);
-        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
+        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 8 mul, 3 add, 0 reciprocal.
         let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
         /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
         let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
@@ -492,7 +510,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         at_.rate_accelerations.data.0 = [[shoulder_beta0_, -minus_end_x5_]];
         point1_.set_angular_acceleration([c_(0.0), c_(0.0), shoulder_beta0_]);
         point2_.set_angular_acceleration([c_(0.0), c_(0.0), shoulder_beta0_]);
-        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 8 mul, 2 add, 0 reciprocal.
+        /// Motion across `elbow`.
         let t77_ = cos_shoulder_angle_ * cos_elbow_angle_;
         let elbow_axes_x_x_ = T::mul_neg_add(
             sin_shoulder_angle_,
