@@ -66,7 +66,7 @@ pub fn accelerations<S: Scalar>(
     if let Some(demand) = &problem.closing {
         let a = reached(demand.closing, problem.ground, &movement);
         let a_child = child(demand.closing, &links, &problem);
-        let relative = a_child - a - demand.closing.over.drift;
+        let relative = a_child - a;
         let range = layout.v[demand.closing.over.hinge].clone();
         let rates = demand.closing.rates(relative);
         if !range.is_empty() {
@@ -97,7 +97,8 @@ fn forces<'a, S: Scalar>(
         added: None,
     };
     problem.closing = closing.map(|closing| {
-        let a = child(closing, links, &problem) - closing.over.drift;
+        let drift = closing.over.carried_with(Motion::zero(), closing.over.drift);
+        let a = child(closing, links, &problem) - drift;
         let efforts = &closing.over.efforts;
         let reached = closing.held.iter().map(|held| a.power(held.wrench));
         Demand { closing, reached: reached.collect(), given: closing.given(efforts) }
@@ -119,13 +120,15 @@ fn child<S: Scalar>(
     closing.of_child(own) + closing.child_drift(links)
 }
 
-/// The acceleration at the closing hinge that comes over from its inboard side.
+/// The acceleration at the closing hinge that comes over from its inboard side, with what joins on the
+/// way.
 fn reached<S: Scalar>(
     closing: &Closing<S>,
     ground: Motion<S>,
     movement: &Movement<S>,
 ) -> Motion<S> {
-    closing.over.carried(closing.parent.map_or(ground, |link| movement.points[link]))
+    let parent = closing.parent.map_or(ground, |link| movement.points[link]);
+    closing.over.carried_with(parent, closing.over.drift)
 }
 
 fn reaction<S: Scalar>(

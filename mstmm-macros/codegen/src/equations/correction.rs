@@ -7,7 +7,7 @@
 use super::closing::{Closing, closing};
 use super::hinge::{alignment, coordinate_rates, dot, normalized};
 use super::load::{Pose, poses};
-use super::motion::LinkMotion;
+use super::motion::{Drift, LinkMotion};
 use super::problem::{Demand, Movement, Problem};
 use super::{Axes, Situation, Trace, motion, riccati};
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
@@ -136,7 +136,7 @@ fn along<S: Scalar>(
         links,
         dimension: situation.chain.dimension,
         passage: situation.passage,
-        drift: links.iter().map(|_| Motion::zero()).collect(),
+        drift: links.iter().map(|_| Drift::none()).collect(),
         loads: links.iter().map(|_| Wrench::zero()).collect(),
         efforts: links
             .iter()

@@ -41,11 +41,33 @@ pub struct Crossed<S> {
     pub efforts: Vec<S>,
     /// Motion against the parent, at the point.
     pub relative: Motion<S>,
-    /// What velocities and prescribed accelerations add to the acceleration of the point on the way
-    /// from the parent's.
-    pub drift: Motion<S>,
+    /// What joins the acceleration of the point on the way from the parent's.
+    pub drift: Drift<S>,
     /// Aligned child axes of the hinge to work axes.
     pub from_child: Mat3<S>,
+}
+
+/// What velocities and prescribed accelerations add to the acceleration of a point on the way from its
+/// parent's [P, Eqs. (13), (36)], each part in the axes in which it has most zeros.
+#[derive(Clone, Copy, Debug)]
+pub struct Drift<S> {
+    /// Of the way on the parent to the hinge, `Ω_p × (Ω_p × arm)`; parent's work axes.
+    pub on_parent: Vec3<S>,
+    /// Of the hinge; work axes of its child.
+    pub in_hinge: Motion<S>,
+}
+
+impl<S: Scalar> Drift<S> {
+    /// Nothing joins.
+    pub fn none() -> Self {
+        Drift { on_parent: Vec3::zero(), in_hinge: Motion::zero() }
+    }
+
+    /// Power of a wrench on it, in the hinge's work axes, which `to_parent` leads to those of the
+    /// parent.
+    pub fn power(self, to_parent: &Rotation<S>, wrench: Wrench<S>) -> S {
+        self.in_hinge.power(wrench) + self.on_parent.dot(to_parent.of_vector(wrench.force))
+    }
 }
 
 /// A part in motion, in its link's work axes unless another frame is named.
@@ -97,6 +119,13 @@ impl<S: Scalar> Crossed<S> {
         parent.carried_to(self.arm).turned_back(&self.to_parent)
     }
 
+    /// The same with what joins on the way.
+    pub fn carried_with(&self, parent: Motion<S>, drift: Drift<S>) -> Motion<S> {
+        let Motion { linear, angular } = parent.carried_to(self.arm);
+        let at_hinge = Motion { linear: linear + drift.on_parent, angular };
+        at_hinge.turned_back(&self.to_parent) + drift.in_hinge
+    }
+
     /// A wrench on the child at the point, as one at the parent's point in its work axes.
     pub fn returned(&self, wrench: Wrench<S>) -> Wrench<S> {
         wrench.turned(&self.to_parent).moved_from(self.arm)
@@ -119,7 +148,8 @@ pub fn motion<S: Scalar>(
         trace.matrix(&format!("{name}_turn"), next.over.to_parent.matrix());
         trace.matrix(&format!("{name}_axes"), next.attitude);
         trace.vector(&format!("{name}_omega"), next.omega);
-        trace.motion(&format!("{name}_drift"), next.over.drift);
+        trace.vector(&format!("{name}_centripetal"), next.over.drift.on_parent);
+        trace.motion(&format!("{name}_drift"), next.over.drift.in_hinge);
         links.push(next);
     }
     links
@@ -219,11 +249,11 @@ pub fn cross<S: Scalar>(
     let relative = hinge::combine(subspace.iter(), v);
     let own_drift = crossing.drift(&subspace, v, &work);
     let omega = parent.map_or(Vec3::zero(), |parent| parent.omega);
-    let mut drift = drift(arm.centripetal(omega), &to_parent, omega, relative) + own_drift;
+    let mut in_hinge = own_drift + hinge_drift(to_parent.back(omega), relative);
     let passives = hinge::passives(hinge, numbers, q, v, situation.implicit);
     let freedom = match situation.prescribed_accelerations(index) {
         Some(accelerations) => {
-            drift = drift + hinge::combine(subspace.iter(), accelerations);
+            in_hinge = in_hinge + hinge::combine(subspace.iter(), accelerations);
             hinge::prescribed()
         }
         None => hinge::freedom(&subspace, &passives.strains, &passives.inertias),
@@ -242,22 +272,15 @@ pub fn cross<S: Scalar>(
         passives,
         efforts,
         relative,
-        drift,
+        drift: Drift { on_parent: arm.centripetal(omega), in_hinge },
         from_child: work.from_child,
     }
 }
 
-/// `[Ω_p × (Ω_p × arm) + 2 Ω_p × v_rel; Ω_p × ω_rel]`, as in [P, Eqs. (13), (36)].
-fn drift<S: Scalar>(
-    centripetal: Vec3<S>,
-    to_parent: &Rotation<S>,
-    parent_omega: Vec3<S>,
-    relative: Motion<S>,
-) -> Motion<S> {
-    let parent_omega = to_parent.back(parent_omega);
-    let coriolis = parent_omega.cross(relative.linear) * S::number(2.0);
+/// `[2 Ω_p × v_rel; Ω_p × ω_rel]`, as in [P, Eqs. (13), (36)].
+fn hinge_drift<S: Scalar>(parent_omega: Vec3<S>, relative: Motion<S>) -> Motion<S> {
     Motion {
-        linear: to_parent.back(centripetal) + coriolis,
+        linear: parent_omega.cross(relative.linear) * S::number(2.0),
         angular: parent_omega.cross(relative.angular),
     }
 }

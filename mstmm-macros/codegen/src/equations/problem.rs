@@ -2,7 +2,7 @@
 //! velocities, with or without a closing hinge.
 
 use super::closing::Closing;
-use super::motion::LinkMotion;
+use super::motion::{Drift, LinkMotion};
 use super::passage::Passage;
 use crate::math::{Motion, Scalar, SpatialInertia, Wrench};
 use crate::model::Dimension;
@@ -17,7 +17,7 @@ pub struct Problem<'a, S> {
     /// What happens at the seams of repeated parts.
     pub passage: Passage<'a, S>,
     /// What joins `a` at every link on the way from its parent.
-    pub drift: Vec<Motion<S>>,
+    pub drift: Vec<Drift<S>>,
     /// The part of the wrench at every link's point that does not hang on `a`, of its part alone.
     pub loads: Vec<Wrench<S>>,
     /// Efforts along the columns of every link.
@@ -96,7 +96,7 @@ impl<S: Scalar> Problem<'_, S> {
 
     /// `a` of a link's point but for the hinge's own columns.
     pub fn carried(&self, index: usize, points: &[Motion<S>]) -> Motion<S> {
-        self.links[index].over.carried(self.parent(index, points)) + self.drift[index]
+        self.links[index].over.carried_with(self.parent(index, points), self.drift[index])
     }
 
     /// `a` of the point of a link's parent.

@@ -98,8 +98,9 @@ fn felt<S: Scalar>(
     for (index, link) in bodies.iter().enumerate() {
         let over = &link.over;
         trace.section(format!("Acceleration felt behind `{}`", over.name), "[P, Eqs. (13), (36)]");
-        let carried = over.carried(link.parent.map_or(ground, |parent| felt[parent]));
-        let own = carried + over.drift + own_acceleration(situation, over, accelerations);
+        let parent = link.parent.map_or(ground, |parent| felt[parent]);
+        let carried = over.carried_with(parent, over.drift);
+        let own = carried + own_acceleration(situation, over, accelerations);
         felt.push(situation.passage.outwards(index, own));
     }
     felt
@@ -118,8 +119,8 @@ fn outwards<S: Scalar>(
         let over = &link.over;
         trace.section(format!("Point of `{}`", over.name), "[P, Eqs. (12), (13), (36)]");
         let parent = link.parent.map_or(Motion::zero(), |parent| points[parent]);
-        let mut acceleration =
-            over.carried(parent) + over.drift + own_acceleration(situation, over, accelerations);
+        let mut acceleration = over.carried_with(parent, over.drift)
+            + own_acceleration(situation, over, accelerations);
         if over.subspace.iter().filter(|s| s.turns()).count() > 2 {
             let to_inertial = link.attitude * bodies[index].attitude.transposed();
             acceleration.angular = to_inertial * felt[index].angular;

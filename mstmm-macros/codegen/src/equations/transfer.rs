@@ -134,9 +134,9 @@ impl<S: Scalar> Product<S> {
         let beyond = |f: Wrench<S>| f.moved_from(-over.arm).turned_back(&over.to_parent);
         let Product { known, columns } = self.beyond(problem, from);
         let cross = |part: Part<S>| Part { a: over.carried(part.a), f: beyond(part.f) };
-        let known = cross(known);
+        let a = over.carried_with(known.a, problem.drift[to]);
         Product {
-            known: Part { a: known.a + problem.drift[to], f: known.f },
+            known: Part { a, f: beyond(known.f) },
             columns: columns.into_iter().map(cross).collect(),
         }
     }

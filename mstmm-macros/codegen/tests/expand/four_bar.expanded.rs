@@ -37,7 +37,7 @@
 ///
 /// Mobility 1: 4 rates, of which the closure takes 3.
 ///
-/// Accelerations by `riccati`, 348 operations (209 mul, 125 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 459 operations.
+/// Accelerations by `riccati`, 325 operations (195 mul, 116 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 436 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct FourBar<T> {
@@ -103,19 +103,19 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for FourBar<T> {
 impl<T: ::mstmm::Scalar> FourBar<T> {
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
-    /// 348 operations: 209 mul, 125 add, 8 reciprocal, 6 square root, 4 sin/cos.
+    /// 325 operations: 195 mul, 116 add, 8 reciprocal, 6 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 4 |
-    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
-    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 4 | 1 | 0 | 0 | 0 |
+    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
+    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 15 | 5 | 1 | 0 | 0 |
-    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 31 | 22 | 1 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 121 | 68 | 6 | 6 | 0 |
-    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 9 | 5 | 0 | 0 | 0 |
-    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 17 | 14 | 0 | 0 | 0 |
+    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 4 | 1 | 0 | 0 |
+    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 28 | 20 | 1 | 0 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 119 | 65 | 6 | 6 | 0 |
+    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 10 | 6 | 0 | 0 | 0 |
+    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 13 | 10 | 0 | 0 | 0 |
     /// | Results |  | 1 | 5 | 0 | 0 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     ///
@@ -151,361 +151,338 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             cos_rocker_pin_angle_,
             ],
         ) = T::sin_cos([crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]);
-        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 4 mul, 1 add, 0 reciprocal.
+        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         let t0_ = crank_pin_rate_ * c_(0.2);
-        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 4 mul, 1 add, 0 reciprocal.
-        let t2_ = a_omega_z_ * c_(0.6);
+        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
         let b_omega_z_ = b_rate_ + a_omega_z_;
+        let t1_ = a_omega_z_ * c_(0.6);
         /// Motion across `a`.
-        let t1_ = crank_pin_rate_ * t0_;
+        let minus_a_centripetal_x_ = crank_pin_rate_ * t0_;
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t4_ = c_(0.6) * b_omega_z_;
+        let t2_ = c_(0.6) * b_omega_z_;
         /// Motion across `b`.
-        let t3_ = a_omega_z_ * t2_;
+        let minus_b_centripetal_x_ = a_omega_z_ * t1_;
         /// Riccati transfer over `b`.
-        let minus_b_e_force_x_ = b_omega_z_ * t4_;
-        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 15 mul, 5 add, 1 reciprocal.
-        let t6_ = sin_b_angle_ * sin_b_angle_;
-        let t5_ = sin_b_angle_ * cos_b_angle_;
-        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 31 mul, 22 add, 1 reciprocal.
-        let t22_ = sin_a_angle_ * cos_a_angle_;
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 121 mul, 68 add, 6 reciprocal, 6 square root.
-        let t43_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
-        let t47_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        let minus_b_e_force_x_ = b_omega_z_ * t2_;
+        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 13 mul, 4 add, 1 reciprocal.
+        let t4_ = sin_b_angle_ * sin_b_angle_;
+        let t3_ = sin_b_angle_ * cos_b_angle_;
+        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 28 mul, 20 add, 1 reciprocal.
+        let t18_ = sin_a_angle_ * cos_a_angle_;
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 119 mul, 65 add, 6 reciprocal, 6 square root.
+        let t36_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
+        let t40_ = sin_b_angle_ * cos_rocker_pin_angle_;
         /// Riccati transfer over `crank_pin`.
-        let t21_ = sin_a_angle_ * sin_a_angle_;
+        let t17_ = sin_a_angle_ * sin_a_angle_;
         /// Closure.
-        let t45_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t60_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
-        let t41_ = c_(0.6) * sin_rocker_pin_angle_;
-        let t42_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t38_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t34_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t35_ = sin_rocker_pin_angle_ * c_(2.5);
         /// Riccati transfer over `a`.
-        let t7_ = c_(1.5) * t6_;
-        let a_b_x_z_ = t5_ * c_(0.8999999999999999);
-        let a_k_xy_ = c_(1.5) * t5_;
+        let t5_ = c_(1.5) * t4_;
+        let a_b_x_z_ = t3_ * c_(0.8999999999999999);
+        let a_k_xy_ = c_(1.5) * t3_;
         /// Riccati transfer over `crank_pin`.
-        let t26_ = c_(2.0) * t22_;
+        let t22_ = c_(2.0) * t18_;
         /// Closure.
-        let t48_ = T::mul_add(cos_b_angle_, t43_, t47_);
-        let t65_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
-        let t46_ = T::mul_neg_add(sin_b_angle_, t43_, t45_);
-        let t61_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t60_);
-        let t70_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t44_ = t41_ * t42_;
+        let t41_ = T::mul_add(cos_b_angle_, t36_, t40_);
+        let t58_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let t39_ = T::mul_neg_add(sin_b_angle_, t36_, t38_);
+        let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
+        let t63_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t37_ = t34_ * t35_;
         /// Riccati transfer over `a`.
-        let t8_ = c_(0.5) + t7_;
+        let t6_ = t5_ + c_(0.5);
         /// Riccati transfer over `crank_pin`.
-        let t14_ = c_(2.5) + t7_;
-        let t15_ = a_b_x_z_ * a_b_x_z_;
-        let t13_ = t7_ - c_(4.0);
+        let t10_ = c_(2.5) + t5_;
+        let t11_ = a_b_x_z_ * a_b_x_z_;
+        let t9_ = t5_ - c_(4.0);
         /// Closure.
-        let t49_ = c_(0.6) * t48_;
-        let t68_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t74_ = t46_ * t46_;
-        let t62_ = t61_ * c_(0.36);
+        let t42_ = c_(0.6) * t41_;
+        let t61_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t67_ = t39_ * t39_;
+        let t55_ = t54_ * c_(0.36);
         /// Riccati transfer over `a`.
-        let a_j_zz_ = T::mul_add(c_(0.36), t8_, c_(0.24));
-        let a_b_y_z_ = T::mul_add(c_(0.6), t8_, c_(0.6));
+        let a_j_zz_ = T::mul_add(c_(0.36), t6_, c_(0.24));
+        let a_b_y_z_ = T::mul_add(c_(0.6), t6_, c_(0.6));
         /// Closure.
-        let t71_ = T::mul_neg_add(cos_b_angle_, t65_, t70_);
-        let t58_ = c_(0.6) * cos_rocker_pin_angle_;
-        let t59_ = cos_rocker_pin_angle_ * c_(2.5);
-        /// Motion across `b`.
-        let minus_b_drift_lin_x_ = cos_b_angle_ * t3_;
-        /// Closure.
-        let t76_ = t49_ * t49_;
-        let t69_ = T::mul_add(sin_b_angle_, t65_, t68_);
-        let t75_ = T::mul_add(t48_, t48_, t74_);
-        let t63_ = T::mul_add(t41_, t41_, t62_);
+        let t64_ = T::mul_neg_add(cos_b_angle_, t58_, t63_);
+        let t51_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t52_ = cos_rocker_pin_angle_ * c_(2.5);
         /// Riccati transfer over `a`.
-        let t12_ = T::recip(a_j_zz_);
+        let t7_ = sin_b_angle_ * minus_b_e_force_x_;
+        /// Closure.
+        let t69_ = t42_ * t42_;
+        let t62_ = T::mul_add(sin_b_angle_, t58_, t61_);
+        let t68_ = T::mul_add(t41_, t41_, t67_);
+        let t56_ = T::mul_add(t34_, t34_, t55_);
+        /// Riccati transfer over `a`.
+        let t8_ = T::recip(a_j_zz_);
         /// Riccati transfer over `crank_pin`.
-        let t17_ = a_b_y_z_ * a_b_y_z_;
-        let t19_ = a_b_x_z_ * a_b_y_z_;
+        let t13_ = a_b_y_z_ * a_b_y_z_;
+        let t15_ = a_b_x_z_ * a_b_y_z_;
         /// Closure.
-        let t72_ = c_(0.6) * t71_;
-        let t66_ = t58_ * t42_;
-        let t67_ = t58_ * t59_;
-        let t106_ = T::mul_add(t58_, t58_, t62_);
-        let t110_ = t69_ * t69_;
-        let t77_ = T::mul_add(t75_, c_(0.72), t76_);
-        let t64_ = t63_ * c_(4.166666666666667);
-        /// Motion across `b`.
-        let b_drift_lin_y_ = sin_b_angle_ * t3_;
+        let t65_ = c_(0.6) * t64_;
+        let t59_ = t51_ * t35_;
+        let t60_ = t51_ * t52_;
+        let t101_ = T::mul_add(t51_, t51_, t55_);
+        let t104_ = t62_ * t62_;
+        let t70_ = T::mul_add(t68_, c_(0.72), t69_);
+        let t57_ = t56_ * c_(4.166666666666667);
         /// Riccati transfer over `a`.
-        let t10_ = T::mul_add(minus_b_drift_lin_x_, c_(2.0), minus_b_e_force_x_);
-        /// Motion across `a`.
-        let a_drift_lin_y_ = sin_a_angle_ * t1_;
-        /// Closure.
-        let t112_ = t72_ * t72_;
-        /// Motion across `a`.
-        let minus_a_drift_lin_x_ = cos_a_angle_ * t1_;
+        let minus_a_e_force_y_ = T::mul_add(minus_b_centripetal_x_, a_k_xy_, t7_);
         /// Riccati transfer over `crank_pin`.
-        let t24_ = T::mul_neg_add(c_(2.0), t21_, c_(1.0));
+        let t28_ = T::mul_add(cos_b_angle_, minus_b_e_force_x_, minus_b_centripetal_x_);
+        let t25_ = t5_ - c_(2.0);
         /// Closure.
-        let t107_ = c_(4.166666666666667) * t106_;
-        let t111_ = T::mul_add(t71_, t71_, t110_);
-        let t122_ = minus_b_drift_lin_x_ + minus_b_e_force_x_;
-        let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
-        /// Riccati transfer over `a`.
-        let t9_ = b_drift_lin_y_ * c_(0.5);
-        let t11_ = sin_b_angle_ * t10_;
+        let t106_ = t65_ * t65_;
         /// Riccati transfer over `crank_pin`.
-        let t30_ = T::mul_add(cos_b_angle_, t10_, t3_);
+        let t20_ = T::mul_neg_add(c_(2.0), t17_, c_(1.0));
         /// Closure.
-        let t108_ = b_drift_lin_y_ * t43_;
-        let t109_ = b_drift_lin_y_ * t65_;
-        let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
-        let t159_ = T::mul_neg_add(sin_rocker_pin_angle_, t122_, c_(9.8));
-        let t113_ = T::mul_add(c_(0.72), t111_, t112_);
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 9 mul, 5 add, 0 reciprocal.
-        let t194_ = b_drift_lin_y_ * c_(2.5);
-        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 17 mul, 14 add, 0 reciprocal.
-        let t179_ = T::mul_neg_add(
-            cos_a_angle_,
-            crank_pin_a_lin_x_,
-            minus_a_drift_lin_x_,
-        );
-        /// Riccati transfer over `crank_pin`.
-        let t29_ = sin_b_angle_ * t9_;
-        /// Riccati transfer over `a`.
-        let minus_a_e_force_y_ = T::mul_neg_add(cos_b_angle_, t9_, t11_);
-        /// Acceleration of `a`.
-        let t181_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
-        /// Acceleration of `b`.
-        let t197_ = cos_b_angle_ * c_(1.5);
-        let t195_ = sin_b_angle_ * c_(2.5);
-        /// Riccati transfer over `crank_pin`.
-        let t18_ = T::mul_neg_add(t12_, t17_, t14_);
-        let t20_ = T::mul_neg_add(t12_, t19_, a_k_xy_);
-        let t16_ = T::mul_add(t12_, t15_, t13_);
-        /// Riccati transfer over `a`.
-        let a_z0_force_x_ = a_b_x_z_ * t12_;
-        let a_z0_force_y_ = a_b_y_z_ * t12_;
-        /// Closure.
-        let t50_ = t49_ * t12_;
-        let t78_ = T::mul_add(t12_, t77_, t64_);
-        let t73_ = t72_ * t12_;
-        let t114_ = T::mul_add(t12_, t113_, t107_);
+        let t99_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t102_ = c_(4.166666666666667) * t101_;
+        let t105_ = T::mul_add(t64_, t64_, t104_);
+        let t103_ = minus_b_centripetal_x_ * t39_;
+        let t100_ = sin_rocker_pin_angle_ * minus_b_e_force_x_;
         /// Riccati transfer over `a`.
         let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
         /// Riccati transfer over `crank_pin`.
-        let t35_ = T::mul_neg_add(a_drift_lin_y_, t18_, minus_a_e_force_y_);
-        let t27_ = T::mul_add(t20_, t26_, t18_);
-        let t23_ = t16_ + t18_;
+        let t29_ = T::mul_sub(minus_b_centripetal_x_, t25_, t28_);
         /// Closure.
-        let t51_ = T::mul_neg_add(t49_, a_z0_force_x_, t46_);
-        let t52_ = T::mul_neg_add(t49_, a_z0_force_y_, t48_);
-        let t53_ = T::mul_add(t49_, t50_, t44_);
-        let t79_ = T::mul_neg_add(t72_, a_z0_force_x_, t69_);
-        let t80_ = T::mul_neg_add(t72_, a_z0_force_y_, t71_);
-        let t81_ = T::mul_neg_add(t72_, t50_, t66_);
-        let t82_ = T::mul_add(t72_, t73_, t67_);
+        let t150_ = T::mul_neg_add(minus_b_centripetal_x_, t62_, c_(9.8));
+        let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
+        let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 10 mul, 6 add, 0 reciprocal.
+        let t184_ = cos_b_angle_ * c_(1.5);
+        let t182_ = sin_b_angle_ * c_(2.5);
+        /// Closure.
+        let t107_ = T::mul_add(c_(0.72), t105_, t106_);
+        /// Acceleration of `b`.
+        let t183_ = cos_b_angle_ * c_(2.5);
+        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 13 mul, 10 add, 0 reciprocal.
+        let t169_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
+        /// Riccati transfer over `crank_pin`.
+        let t14_ = T::mul_neg_add(t8_, t13_, t10_);
+        let t16_ = T::mul_neg_add(t8_, t15_, a_k_xy_);
+        let t12_ = T::mul_add(t8_, t11_, t9_);
         /// Riccati transfer over `a`.
-        let a_w0_ = minus_a_e_moment_z_ * t12_;
-        /// Riccati transfer over `crank_pin`.
-        let t28_ = T::mul_sub(t21_, t23_, t27_);
-        let t32_ = T::mul_neg_add(a_drift_lin_y_, t20_, t29_);
+        let a_z0_force_x_ = a_b_x_z_ * t8_;
+        let a_z0_force_y_ = a_b_y_z_ * t8_;
         /// Closure.
-        let t54_ = sin_a_angle_ * t51_;
-        let t83_ = cos_a_angle_ * t51_;
+        let t43_ = t42_ * t8_;
+        let t71_ = T::mul_add(t8_, t70_, t57_);
+        let t66_ = t65_ * t8_;
+        let t108_ = T::mul_add(t8_, t107_, t102_);
+        /// Riccati transfer over `a`.
+        let a_w0_ = minus_a_e_moment_z_ * t8_;
+        /// Acceleration of `b`.
+        let t186_ = T::mul_add(cos_a_angle_, t169_, minus_b_centripetal_x_);
         /// Riccati transfer over `crank_pin`.
-        let t31_ = T::mul_sub(minus_a_drift_lin_x_, t16_, t30_);
+        let t23_ = T::mul_add(t16_, t22_, t14_);
+        let t19_ = t12_ + t14_;
         /// Closure.
-        let t85_ = sin_a_angle_ * t79_;
-        let t116_ = cos_a_angle_ * t79_;
+        let t44_ = T::mul_neg_add(t42_, a_z0_force_x_, t39_);
+        let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
+        let t46_ = T::mul_add(t42_, t43_, t37_);
+        let t72_ = T::mul_neg_add(t65_, a_z0_force_x_, t62_);
+        let t73_ = T::mul_neg_add(t65_, a_z0_force_y_, t64_);
+        let t74_ = T::mul_neg_add(t65_, t43_, t59_);
+        let t75_ = T::mul_add(t65_, t66_, t60_);
         /// Riccati transfer over `crank_pin`.
-        let t25_ = t20_ * t24_;
+        let t26_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
+        let t24_ = T::mul_sub(t17_, t19_, t23_);
+        let t21_ = t16_ * t20_;
         /// Closure.
-        let t115_ = a_drift_lin_y_ * t52_;
+        let t47_ = sin_a_angle_ * t44_;
+        let t76_ = cos_a_angle_ * t44_;
         /// Riccati transfer over `crank_pin`.
-        let t36_ = T::mul_sub(a_b_y_z_, a_w0_, t35_);
+        let t30_ = T::mul_add(a_b_x_z_, a_w0_, t29_);
+        /// Closure.
+        let t78_ = sin_a_angle_ * t72_;
+        let t109_ = cos_a_angle_ * t72_;
+        let t144_ = T::mul_neg_add(t42_, a_w0_, t99_);
+        let t154_ = T::mul_neg_add(t65_, a_w0_, t100_);
+        /// Riccati transfer over `crank_pin`.
+        let t27_ = cos_a_angle_ * t26_;
         let crank_pin_j_zz_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t28_,
+            t24_,
             c_(0.020000000000000004),
         );
-        let t33_ = T::mul_sub(a_b_x_z_, a_w0_, t32_);
+        let crank_pin_k_xy_ = T::mul_neg_add(t18_, t19_, t21_);
         /// Closure.
-        let t55_ = T::mul_add(cos_a_angle_, t52_, t54_);
-        let t84_ = T::mul_neg_add(sin_a_angle_, t52_, t83_);
+        let t48_ = T::mul_add(cos_a_angle_, t45_, t47_);
+        let t77_ = T::mul_neg_add(sin_a_angle_, t45_, t76_);
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t28_, c_(0.1));
+        let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t24_, c_(0.1));
         /// Closure.
-        let t86_ = T::mul_add(cos_a_angle_, t80_, t85_);
-        let t117_ = T::mul_neg_add(sin_a_angle_, t80_, t116_);
+        let t79_ = T::mul_add(cos_a_angle_, t73_, t78_);
+        let t110_ = T::mul_neg_add(sin_a_angle_, t73_, t109_);
+        /// Acceleration of `a`.
+        let t172_ = cos_a_angle_ * a_z0_force_x_;
+        let t174_ = sin_a_angle_ * a_z0_force_x_;
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_k_xy_ = T::mul_neg_add(t22_, t23_, t25_);
-        /// Closure.
-        let t123_ = T::mul_add(t49_, a_w0_, t108_);
-        /// Riccati transfer over `crank_pin`.
-        let t37_ = T::mul_sub(minus_a_drift_lin_x_, t20_, t36_);
-        let t39_ = T::recip(crank_pin_j_zz_);
-        let t34_ = t31_ + t33_;
-        /// Closure.
-        let t56_ = c_(0.2) * t55_;
-        let t88_ = t84_ * t84_;
-        let t155_ = T::mul_neg_add(cos_rocker_pin_angle_, t122_, t115_);
-        let t87_ = c_(0.2) * t86_;
-        let t118_ = t117_ * t117_;
-        /// Riccati transfer over `crank_pin`.
+        let t31_ = T::mul_neg_add(sin_a_angle_, t30_, t27_);
+        let t32_ = T::recip(crank_pin_j_zz_);
         let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
         /// Closure.
-        let t163_ = T::mul_neg_add(t72_, a_w0_, t109_);
+        let t49_ = c_(0.2) * t48_;
+        let t81_ = t77_ * t77_;
+        let t147_ = T::mul_add(minus_a_centripetal_x_, t77_, t103_);
+        let t80_ = c_(0.2) * t79_;
+        let t111_ = t110_ * t110_;
+        let t151_ = T::mul_sub(minus_a_centripetal_x_, t110_, t150_);
+        /// Acceleration of `a`.
+        let t173_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t172_);
         /// Riccati transfer over `crank_pin`.
-        let t38_ = sin_a_angle_ * t34_;
-        /// Closure.
-        let t124_ = T::mul_sub(minus_a_drift_lin_x_, t51_, t123_);
-        let t160_ = T::mul_add(a_drift_lin_y_, t80_, t159_);
-        let t90_ = t56_ * t56_;
-        let t89_ = T::mul_add(t55_, t55_, t88_);
+        let minus_crank_pin_e_force_y_ = T::mul_add(
+            minus_a_centripetal_x_,
+            crank_pin_k_xy_,
+            t31_,
+        );
         /// Acceleration of `a`.
-        let t185_ = sin_a_angle_ * a_z0_force_x_;
+        let t175_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t174_);
+        let t170_ = sin_a_angle_ * t169_;
         /// Closure.
-        let t120_ = t87_ * t87_;
-        let t119_ = T::mul_add(t86_, t86_, t118_);
-        /// Acceleration of `a`.
-        let t182_ = a_drift_lin_y_ * a_z0_force_y_;
-        /// Closure.
-        let t164_ = T::mul_add(minus_a_drift_lin_x_, t79_, t163_);
-        /// Riccati transfer over `crank_pin`.
-        let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t37_, t38_);
-        /// Acceleration of `a`.
-        let t183_ = cos_a_angle_ * a_z0_force_x_;
-        let t188_ = T::mul_add(minus_a_drift_lin_x_, a_z0_force_x_, a_w0_);
-        /// Acceleration of `b`.
-        let t196_ = cos_b_angle_ * c_(2.5);
-        /// Closure.
-        let t91_ = T::mul_add(t89_, c_(0.76), t90_);
-        /// Acceleration of `a`.
-        let t186_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t185_);
+        let t83_ = t49_ * t49_;
+        let t82_ = T::mul_add(t48_, t48_, t81_);
         /// Results: 1 mul, 5 add, 0 reciprocal.
-        let t205_ = c_(4.0) + t18_;
+        let t193_ = c_(4.0) + t14_;
         /// Closure.
-        let t121_ = T::mul_add(c_(0.76), t119_, t120_);
+        let t113_ = t80_ * t80_;
+        let t112_ = T::mul_add(t79_, t79_, t111_);
+        /// Acceleration of `a`.
+        let t177_ = t169_ * t173_;
         /// Riccati transfer over `crank_pin`.
-        let t40_ = T::mul_neg_add(c_(0.2), crank_pin_e_force_y_, crank_pin_input0_);
+        let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
         /// Acceleration of `a`.
-        let t184_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t183_);
+        let t176_ = c_(0.2) * t175_;
+        let t178_ = T::mul_neg_add(crank_pin_a_lin_y_, t175_, a_w0_);
         /// Results.
-        let t206_ = t16_ - t205_;
-        /// Acceleration of `a`.
-        let t191_ = T::mul_add(crank_pin_a_lin_y_, t186_, t182_);
+        let t194_ = t12_ - t193_;
         /// Closure.
-        let t57_ = t56_ * t39_;
-        let t93_ = T::mul_add(t91_, t39_, t78_);
-        let t92_ = t87_ * t39_;
-        let t129_ = T::mul_add(t121_, t39_, t114_);
-        /// Riccati transfer over `crank_pin`.
-        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t39_;
-        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t39_;
-        let crank_pin_w0_ = t39_ * t40_;
-        /// Acceleration of `a`.
-        let t187_ = c_(0.2) * t186_;
-        let t189_ = T::mul_sub(crank_pin_a_lin_x_, t184_, t188_);
+        let t84_ = T::mul_add(t82_, c_(0.76), t83_);
+        let t114_ = T::mul_add(c_(0.76), t112_, t113_);
         /// Results.
-        let t207_ = T::mul_neg_add(
+        let t195_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t206_,
+            t194_,
             c_(0.030000000000000006),
         );
         /// Closure.
-        let closure_d0_ = T::mul_add(t56_, t57_, t53_);
-        let t100_ = T::sqrt(t93_);
-        let t94_ = T::mul_neg_add(t87_, t57_, t81_);
-        let t95_ = T::mul_add(t87_, t92_, t82_);
-        let t134_ = T::sqrt(t129_);
-        let t125_ = T::mul_neg_add(t56_, crank_pin_z0_force_x_, t84_);
-        let t126_ = T::mul_neg_add(t56_, crank_pin_z0_force_y_, t55_);
-        let t156_ = T::mul_add(t56_, crank_pin_w0_, t155_);
-        let t128_ = T::mul_neg_add(t87_, crank_pin_z0_force_y_, t86_);
-        let t127_ = T::mul_neg_add(t87_, crank_pin_z0_force_x_, t117_);
-        let t96_ = T::copysign(closure_d0_, c_(1.0));
-        let t103_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t161_ = T::mul_add(t87_, crank_pin_w0_, t160_);
+        let t50_ = t49_ * t32_;
+        let t86_ = T::mul_add(t84_, t32_, t71_);
+        let t85_ = t80_ * t32_;
+        let t119_ = T::mul_add(t114_, t32_, t108_);
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
+        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t32_;
+        let crank_pin_w0_ = t33_ * t32_;
+        /// Closure.
+        let closure_d0_ = T::mul_add(t49_, t50_, t46_);
+        let t93_ = T::sqrt(t86_);
+        let t87_ = T::mul_neg_add(t80_, t50_, t74_);
+        let t88_ = T::mul_add(t80_, t85_, t75_);
+        let t124_ = T::sqrt(t119_);
+        let t115_ = T::mul_neg_add(t49_, crank_pin_z0_force_x_, t77_);
+        let t116_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
+        let t145_ = T::mul_sub(t49_, crank_pin_w0_, t144_);
+        let t118_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
+        let t117_ = T::mul_neg_add(t80_, crank_pin_z0_force_x_, t110_);
+        let t89_ = T::copysign(closure_d0_, c_(1.0));
+        let t96_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t155_ = T::mul_sub(t80_, crank_pin_w0_, t154_);
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-        let t175_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        let t165_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
         /// Closure.
-        let t154_ = T::mul_neg_add(crank_pin_a_lin_y_, t126_, t124_);
-        let t157_ = T::mul_add(crank_pin_a_lin_x_, t125_, t156_);
-        let t97_ = closure_d0_ + t96_;
-        let t165_ = T::mul_sub(crank_pin_a_lin_y_, t128_, t164_);
-        let t162_ = T::mul_add(crank_pin_a_lin_x_, t127_, t161_);
+        let t148_ = T::mul_sub(crank_pin_a_lin_y_, t116_, t147_);
+        let t146_ = T::mul_add(crank_pin_a_lin_x_, t115_, t145_);
+        let t90_ = closure_d0_ + t89_;
+        let t152_ = T::mul_sub(crank_pin_a_lin_y_, t118_, t151_);
+        let t156_ = T::mul_add(crank_pin_a_lin_x_, t117_, t155_);
         /// Acceleration of `crank_pin`.
-        let t176_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t175_);
+        let t166_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t165_);
         /// Closure.
-        let t98_ = c_(0.5) * t97_;
-        let t158_ = t154_ - t157_;
+        let t91_ = c_(0.5) * t90_;
+        let t149_ = t146_ + t148_;
         /// Acceleration of `crank_pin`.
-        let t177_ = T::mul_sub(c_(9.8), t176_, crank_pin_w0_);
+        let t167_ = T::mul_sub(c_(9.8), t166_, crank_pin_w0_);
         /// Closure.
-        let t99_ = T::sqrt(t98_);
-        let t101_ = ::mstmm::generated::recip_above(t99_, t100_);
-        let t102_ = t99_ * t101_;
-        let t104_ = t102_ * t103_;
-        let t105_ = t94_ * t104_;
-        let t139_ = T::mul_neg_add(closure_d0_, t104_, c_(1.0));
-        let t168_ = t104_ * t158_;
-        let closure_d1_ = T::mul_neg_add(t94_, t105_, t95_);
-        let t140_ = t139_ * t139_;
-        let t166_ = T::mul_sub(t105_, t158_, t165_);
-        let t130_ = T::copysign(closure_d1_, c_(1.0));
-        let t141_ = ::mstmm::generated::recip_above(t140_, c_(1.0));
-        let t137_ = ::mstmm::generated::recip_above(closure_d1_, t95_);
-        let t167_ = t162_ - t166_;
-        let t131_ = closure_d1_ + t130_;
-        let t132_ = c_(0.5) * t131_;
-        let t133_ = T::sqrt(t132_);
-        let t142_ = T::sqrt(t141_);
-        let t135_ = ::mstmm::generated::recip_above(t133_, t134_);
-        let t143_ = t139_ * t142_;
+        let t92_ = T::sqrt(t91_);
+        let t94_ = ::mstmm::generated::recip_above(t92_, t93_);
+        let t95_ = t92_ * t94_;
+        let t97_ = t95_ * t96_;
+        let t98_ = t87_ * t97_;
+        let t129_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
+        let t158_ = t97_ * t149_;
+        let closure_d1_ = T::mul_neg_add(t87_, t98_, t88_);
+        let t130_ = t129_ * t129_;
+        let t153_ = T::mul_add(t98_, t149_, t152_);
+        let t120_ = T::copysign(closure_d1_, c_(1.0));
+        let t131_ = ::mstmm::generated::recip_above(t130_, c_(1.0));
+        let t127_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
+        let t157_ = t153_ + t156_;
+        let t121_ = closure_d1_ + t120_;
+        let t122_ = c_(0.5) * t121_;
+        let t123_ = T::sqrt(t122_);
+        let t132_ = T::sqrt(t131_);
+        let t125_ = ::mstmm::generated::recip_above(t123_, t124_);
+        let t133_ = t129_ * t132_;
+        let t126_ = t123_ * t125_;
+        let t128_ = t126_ * t127_;
+        let t134_ = T::mul_neg_add(closure_d1_, t128_, c_(1.0));
+        let t159_ = t128_ * t157_;
+        let t135_ = t98_ * t134_;
+        let t160_ = T::mul_add(t98_, t159_, t158_);
         let t136_ = t133_ * t135_;
-        let t138_ = t136_ * t137_;
-        let t144_ = T::mul_neg_add(closure_d1_, t138_, c_(1.0));
-        let t169_ = t138_ * t167_;
-        let t145_ = t105_ * t144_;
-        let t170_ = T::mul_neg_add(t105_, t169_, t168_);
-        let t146_ = t143_ * t145_;
-        let t171_ = t143_ * t170_;
-        let t147_ = T::mul_neg_add(t143_, t146_, t145_);
-        let t172_ = T::mul_neg_add(t143_, t171_, t170_);
-        let t148_ = t147_ * t147_;
-        let t149_ = T::mul_add(t144_, t144_, t148_);
-        let t150_ = ::mstmm::generated::recip_above(t149_, c_(1.0));
-        let t151_ = T::sqrt(t150_);
-        let t152_ = t147_ * t151_;
-        let t153_ = t144_ * t151_;
-        let t173_ = t152_ * t172_;
-        let t174_ = T::mul_neg_add(t153_, t169_, t173_);
-        let minus_closure_reaction1_ = T::mul_add(t153_, t174_, t169_);
-        let minus_closure_reaction0_ = T::mul_neg_add(t152_, t174_, t172_);
+        let t161_ = t133_ * t160_;
+        let t137_ = T::mul_neg_add(t133_, t136_, t135_);
+        let t162_ = T::mul_neg_add(t133_, t161_, t160_);
+        let t138_ = t137_ * t137_;
+        let t139_ = T::mul_add(t134_, t134_, t138_);
+        let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
+        let t141_ = T::sqrt(t140_);
+        let t142_ = t137_ * t141_;
+        let t143_ = t134_ * t141_;
+        let t163_ = t142_ * t162_;
+        let t164_ = T::mul_add(t143_, t159_, t163_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t143_, t164_, t159_);
+        let closure_reaction0_ = T::mul_neg_add(t142_, t164_, t162_);
         /// Acceleration of `crank_pin`.
-        let t178_ = T::mul_add(t92_, minus_closure_reaction1_, t177_);
+        let t168_ = T::mul_add(t85_, minus_closure_reaction1_, t167_);
         /// Acceleration of `a`.
-        let t192_ = T::mul_add(t73_, minus_closure_reaction1_, t191_);
-        let t190_ = T::mul_sub(t50_, minus_closure_reaction0_, t189_);
+        let t180_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t177_);
         /// Acceleration of `b`.
-        let t198_ = t42_ * minus_closure_reaction0_;
-        let t199_ = T::mul_neg_add(t59_, minus_closure_reaction1_, t194_);
+        let t185_ = t35_ * closure_reaction0_;
+        /// Acceleration of `a`.
+        let t179_ = T::mul_sub(t43_, closure_reaction0_, t178_);
         /// Acceleration of `crank_pin`.
-        let crank_pin_a_ang_z_ = T::mul_sub(t57_, minus_closure_reaction0_, t178_);
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t168_);
+        /// Acceleration of `b`.
+        let t188_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t185_);
         /// Acceleration of `a`.
-        let t193_ = T::mul_add(t187_, crank_pin_a_ang_z_, t192_);
-        let t180_ = T::mul_add(c_(0.2), crank_pin_a_ang_z_, crank_pin_a_lin_y_);
-        let a_a_ang_z_ = t190_ - t193_;
-        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t180_, t179_);
-        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t180_, t181_);
+        let t181_ = T::mul_add(t176_, minus_crank_pin_a_ang_z_, t180_);
+        let t171_ = T::mul_neg_add(
+            c_(0.2),
+            minus_crank_pin_a_ang_z_,
+            crank_pin_a_lin_y_,
+        );
+        let minus_a_a_ang_z_ = t179_ - t181_;
         /// Acceleration of `b`.
-        let t201_ = T::mul_neg_add(t197_, a_a_ang_z_, t198_);
-        /// Results.
-        let t203_ = crank_pin_a_ang_z_ - a_a_ang_z_;
+        let t187_ = T::mul_sub(sin_a_angle_, t171_, t186_);
+        /// Acceleration of `a`.
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t171_, t170_);
         /// Acceleration of `b`.
-        let t200_ = T::mul_add(t196_, a_a_lin_y_, t199_);
-        let t202_ = T::mul_sub(t195_, minus_a_a_lin_x_, t201_);
-        let minus_b_a_ang_z_ = t200_ + t202_;
+        let t189_ = T::mul_sub(t184_, minus_a_a_ang_z_, t188_);
         /// Results.
-        let t204_ = a_a_ang_z_ + minus_b_a_ang_z_;
+        let t191_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
+        /// Acceleration of `b`.
+        let t190_ = T::mul_add(t182_, t187_, t189_);
+        let minus_b_a_ang_z_ = T::mul_sub(t183_, a_a_lin_y_, t190_);
+        /// Results.
+        let t192_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
         ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
         ::mstmm::generated::regular::<
             T,
@@ -514,10 +491,12 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t207_],
-            [crank_pin_a_ang_z_, -t203_, -t204_, minus_b_a_ang_z_],
+            [c_(2.04), t195_],
+            [-minus_crank_pin_a_ang_z_, t191_, t192_, minus_b_a_ang_z_],
         )?;
-        accelerations_.data.0 = [[crank_pin_a_ang_z_, -t203_, -t204_, minus_b_a_ang_z_]];
+        accelerations_.data.0 = [
+            [-minus_crank_pin_a_ang_z_, t191_, t192_, minus_b_a_ang_z_],
+        ];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges by value; see
@@ -539,20 +518,20 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 459 operations: 269 mul, 176 add, 8 reciprocal, 6 square root, 4 sin/cos.
+    /// 436 operations: 255 mul, 167 add, 8 reciprocal, 6 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 4 |
-    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 14 | 3 | 0 | 0 | 0 |
-    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 12 | 3 | 0 | 0 | 0 |
+    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 12 | 3 | 0 | 0 | 0 |
+    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 10 | 3 | 0 | 0 | 0 |
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 15 | 5 | 1 | 0 | 0 |
-    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 31 | 22 | 1 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 121 | 68 | 6 | 6 | 0 |
+    /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 4 | 1 | 0 | 0 |
+    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 28 | 20 | 1 | 0 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 119 | 65 | 6 | 6 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
-    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 17 | 14 | 0 | 0 | 0 |
-    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 9 | 5 | 0 | 0 | 0 |
+    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 13 | 10 | 0 | 0 | 0 |
+    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 10 | 6 | 0 | 0 | 0 |
     /// | Point of `a` | \[P, Eqs. (12), (13), (36)\] | 2 | 2 | 0 | 0 | 0 |
     /// | Point of `b` | \[P, Eqs. (12), (13), (36)\] | 4 | 4 | 0 | 0 | 0 |
     /// | Load on `rocker_pin` | \[P, Eqs. (18), (19)\] | 8 | 4 | 0 | 0 | 0 |
@@ -593,351 +572,336 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             cos_rocker_pin_angle_,
             ],
         ) = T::sin_cos([crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]);
-        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 14 mul, 3 add, 0 reciprocal.
+        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 12 mul, 3 add, 0 reciprocal.
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         let t0_ = crank_pin_rate_ * c_(0.2);
-        let t1_ = crank_pin_rate_ * t0_;
-        let minus_a_drift_lin_x_ = cos_a_angle_ * t1_;
-        let a_drift_lin_y_ = sin_a_angle_ * t1_;
-        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 12 mul, 3 add, 0 reciprocal.
+        let minus_a_centripetal_x_ = crank_pin_rate_ * t0_;
+        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 10 mul, 3 add, 0 reciprocal.
         let b_omega_z_ = b_rate_ + a_omega_z_;
-        let t2_ = a_omega_z_ * c_(0.6);
-        let t3_ = a_omega_z_ * t2_;
-        let minus_b_drift_lin_x_ = cos_b_angle_ * t3_;
-        let b_drift_lin_y_ = sin_b_angle_ * t3_;
+        let t1_ = a_omega_z_ * c_(0.6);
+        let minus_b_centripetal_x_ = a_omega_z_ * t1_;
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t4_ = c_(0.6) * b_omega_z_;
-        let minus_b_e_force_x_ = b_omega_z_ * t4_;
-        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 15 mul, 5 add, 1 reciprocal.
-        let t5_ = sin_b_angle_ * cos_b_angle_;
-        let a_k_xy_ = c_(1.5) * t5_;
-        let a_b_x_z_ = t5_ * c_(0.8999999999999999);
-        let t6_ = sin_b_angle_ * sin_b_angle_;
-        let t7_ = c_(1.5) * t6_;
-        let t8_ = c_(0.5) + t7_;
-        let a_b_y_z_ = T::mul_add(c_(0.6), t8_, c_(0.6));
-        let a_j_zz_ = T::mul_add(c_(0.36), t8_, c_(0.24));
-        let t9_ = b_drift_lin_y_ * c_(0.5);
-        let t10_ = T::mul_add(minus_b_drift_lin_x_, c_(2.0), minus_b_e_force_x_);
-        let t11_ = sin_b_angle_ * t10_;
-        let minus_a_e_force_y_ = T::mul_neg_add(cos_b_angle_, t9_, t11_);
+        let t2_ = c_(0.6) * b_omega_z_;
+        let minus_b_e_force_x_ = b_omega_z_ * t2_;
+        /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 13 mul, 4 add, 1 reciprocal.
+        let t3_ = sin_b_angle_ * cos_b_angle_;
+        let a_k_xy_ = c_(1.5) * t3_;
+        let a_b_x_z_ = t3_ * c_(0.8999999999999999);
+        let t4_ = sin_b_angle_ * sin_b_angle_;
+        let t5_ = c_(1.5) * t4_;
+        let t6_ = t5_ + c_(0.5);
+        let a_b_y_z_ = T::mul_add(c_(0.6), t6_, c_(0.6));
+        let a_j_zz_ = T::mul_add(c_(0.36), t6_, c_(0.24));
+        let t7_ = sin_b_angle_ * minus_b_e_force_x_;
+        let minus_a_e_force_y_ = T::mul_add(minus_b_centripetal_x_, a_k_xy_, t7_);
         let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
-        let t12_ = T::recip(a_j_zz_);
-        let a_z0_force_x_ = a_b_x_z_ * t12_;
-        let a_z0_force_y_ = a_b_y_z_ * t12_;
-        let a_w0_ = minus_a_e_moment_z_ * t12_;
-        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 31 mul, 22 add, 1 reciprocal.
-        let t13_ = t7_ - c_(4.0);
-        let t14_ = c_(2.5) + t7_;
-        let t15_ = a_b_x_z_ * a_b_x_z_;
-        let t16_ = T::mul_add(t12_, t15_, t13_);
-        let t17_ = a_b_y_z_ * a_b_y_z_;
-        let t18_ = T::mul_neg_add(t12_, t17_, t14_);
-        let t19_ = a_b_x_z_ * a_b_y_z_;
-        let t20_ = T::mul_neg_add(t12_, t19_, a_k_xy_);
-        let t21_ = sin_a_angle_ * sin_a_angle_;
-        let t22_ = sin_a_angle_ * cos_a_angle_;
-        let t23_ = t16_ + t18_;
-        let t24_ = T::mul_neg_add(c_(2.0), t21_, c_(1.0));
-        let t25_ = t20_ * t24_;
-        let crank_pin_k_xy_ = T::mul_neg_add(t22_, t23_, t25_);
+        let t8_ = T::recip(a_j_zz_);
+        let a_z0_force_x_ = a_b_x_z_ * t8_;
+        let a_z0_force_y_ = a_b_y_z_ * t8_;
+        let a_w0_ = minus_a_e_moment_z_ * t8_;
+        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 28 mul, 20 add, 1 reciprocal.
+        let t9_ = t5_ - c_(4.0);
+        let t10_ = c_(2.5) + t5_;
+        let t11_ = a_b_x_z_ * a_b_x_z_;
+        let t12_ = T::mul_add(t8_, t11_, t9_);
+        let t13_ = a_b_y_z_ * a_b_y_z_;
+        let t14_ = T::mul_neg_add(t8_, t13_, t10_);
+        let t15_ = a_b_x_z_ * a_b_y_z_;
+        let t16_ = T::mul_neg_add(t8_, t15_, a_k_xy_);
+        let t17_ = sin_a_angle_ * sin_a_angle_;
+        let t18_ = sin_a_angle_ * cos_a_angle_;
+        let t19_ = t12_ + t14_;
+        let t20_ = T::mul_neg_add(c_(2.0), t17_, c_(1.0));
+        let t21_ = t16_ * t20_;
+        let crank_pin_k_xy_ = T::mul_neg_add(t18_, t19_, t21_);
         let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
-        let t26_ = c_(2.0) * t22_;
-        let t27_ = T::mul_add(t20_, t26_, t18_);
-        let t28_ = T::mul_sub(t21_, t23_, t27_);
-        let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t28_, c_(0.1));
+        let t22_ = c_(2.0) * t18_;
+        let t23_ = T::mul_add(t16_, t22_, t14_);
+        let t24_ = T::mul_sub(t17_, t19_, t23_);
+        let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t24_, c_(0.1));
         let crank_pin_j_zz_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t28_,
+            t24_,
             c_(0.020000000000000004),
         );
-        let t29_ = sin_b_angle_ * t9_;
-        let t30_ = T::mul_add(cos_b_angle_, t10_, t3_);
-        let t31_ = T::mul_sub(minus_a_drift_lin_x_, t16_, t30_);
-        let t32_ = T::mul_neg_add(a_drift_lin_y_, t20_, t29_);
-        let t33_ = T::mul_sub(a_b_x_z_, a_w0_, t32_);
-        let t34_ = t31_ + t33_;
-        let t35_ = T::mul_neg_add(a_drift_lin_y_, t18_, minus_a_e_force_y_);
-        let t36_ = T::mul_sub(a_b_y_z_, a_w0_, t35_);
-        let t37_ = T::mul_sub(minus_a_drift_lin_x_, t20_, t36_);
-        let t38_ = sin_a_angle_ * t34_;
-        let crank_pin_e_force_y_ = T::mul_neg_add(cos_a_angle_, t37_, t38_);
-        let t39_ = T::recip(crank_pin_j_zz_);
-        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t39_;
-        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t39_;
-        let t40_ = T::mul_neg_add(c_(0.2), crank_pin_e_force_y_, crank_pin_input0_);
-        let crank_pin_w0_ = t39_ * t40_;
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 121 mul, 68 add, 6 reciprocal, 6 square root.
-        let t41_ = c_(0.6) * sin_rocker_pin_angle_;
-        let t42_ = sin_rocker_pin_angle_ * c_(2.5);
-        let t43_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
-        let t44_ = t41_ * t42_;
-        let t45_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t46_ = T::mul_neg_add(sin_b_angle_, t43_, t45_);
-        let t47_ = sin_b_angle_ * cos_rocker_pin_angle_;
-        let t48_ = T::mul_add(cos_b_angle_, t43_, t47_);
-        let t49_ = c_(0.6) * t48_;
-        let t50_ = t49_ * t12_;
-        let t51_ = T::mul_neg_add(t49_, a_z0_force_x_, t46_);
-        let t52_ = T::mul_neg_add(t49_, a_z0_force_y_, t48_);
-        let t53_ = T::mul_add(t49_, t50_, t44_);
-        let t54_ = sin_a_angle_ * t51_;
-        let t55_ = T::mul_add(cos_a_angle_, t52_, t54_);
-        let t56_ = c_(0.2) * t55_;
-        let t57_ = t56_ * t39_;
-        let closure_d0_ = T::mul_add(t56_, t57_, t53_);
-        let t58_ = c_(0.6) * cos_rocker_pin_angle_;
-        let t59_ = cos_rocker_pin_angle_ * c_(2.5);
-        let t60_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
-        let t61_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t60_);
-        let t62_ = t61_ * c_(0.36);
-        let t63_ = T::mul_add(t41_, t41_, t62_);
-        let t64_ = t63_ * c_(4.166666666666667);
-        let t65_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
-        let t66_ = t58_ * t42_;
-        let t67_ = t58_ * t59_;
-        let t68_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t69_ = T::mul_add(sin_b_angle_, t65_, t68_);
-        let t70_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t71_ = T::mul_neg_add(cos_b_angle_, t65_, t70_);
-        let t72_ = c_(0.6) * t71_;
-        let t73_ = t72_ * t12_;
-        let t74_ = t46_ * t46_;
-        let t75_ = T::mul_add(t48_, t48_, t74_);
-        let t76_ = t49_ * t49_;
-        let t77_ = T::mul_add(t75_, c_(0.72), t76_);
-        let t78_ = T::mul_add(t12_, t77_, t64_);
-        let t79_ = T::mul_neg_add(t72_, a_z0_force_x_, t69_);
-        let t80_ = T::mul_neg_add(t72_, a_z0_force_y_, t71_);
-        let t81_ = T::mul_neg_add(t72_, t50_, t66_);
-        let t82_ = T::mul_add(t72_, t73_, t67_);
-        let t83_ = cos_a_angle_ * t51_;
-        let t84_ = T::mul_neg_add(sin_a_angle_, t52_, t83_);
-        let t85_ = sin_a_angle_ * t79_;
-        let t86_ = T::mul_add(cos_a_angle_, t80_, t85_);
-        let t87_ = c_(0.2) * t86_;
-        let t88_ = t84_ * t84_;
-        let t89_ = T::mul_add(t55_, t55_, t88_);
-        let t90_ = t56_ * t56_;
-        let t91_ = T::mul_add(t89_, c_(0.76), t90_);
-        let t92_ = t87_ * t39_;
-        let t93_ = T::mul_add(t91_, t39_, t78_);
-        let t94_ = T::mul_neg_add(t87_, t57_, t81_);
-        let t95_ = T::mul_add(t87_, t92_, t82_);
-        let t96_ = T::copysign(closure_d0_, c_(1.0));
-        let t97_ = closure_d0_ + t96_;
-        let t98_ = c_(0.5) * t97_;
-        let t99_ = T::sqrt(t98_);
-        let t100_ = T::sqrt(t93_);
-        let t101_ = ::mstmm::generated::recip_above(t99_, t100_);
-        let t102_ = t99_ * t101_;
-        let t103_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t104_ = t102_ * t103_;
-        let t105_ = t94_ * t104_;
-        let closure_d1_ = T::mul_neg_add(t94_, t105_, t95_);
-        let t106_ = T::mul_add(t58_, t58_, t62_);
-        let t107_ = c_(4.166666666666667) * t106_;
-        let t108_ = b_drift_lin_y_ * t43_;
-        let t109_ = b_drift_lin_y_ * t65_;
-        let t110_ = t69_ * t69_;
-        let t111_ = T::mul_add(t71_, t71_, t110_);
-        let t112_ = t72_ * t72_;
-        let t113_ = T::mul_add(c_(0.72), t111_, t112_);
-        let t114_ = T::mul_add(t12_, t113_, t107_);
-        let t115_ = a_drift_lin_y_ * t52_;
-        let t116_ = cos_a_angle_ * t79_;
-        let t117_ = T::mul_neg_add(sin_a_angle_, t80_, t116_);
-        let t118_ = t117_ * t117_;
-        let t119_ = T::mul_add(t86_, t86_, t118_);
-        let t120_ = t87_ * t87_;
-        let t121_ = T::mul_add(c_(0.76), t119_, t120_);
+        let t25_ = t5_ - c_(2.0);
+        let t26_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
+        let t27_ = cos_a_angle_ * t26_;
+        let t28_ = T::mul_add(cos_b_angle_, minus_b_e_force_x_, minus_b_centripetal_x_);
+        let t29_ = T::mul_sub(minus_b_centripetal_x_, t25_, t28_);
+        let t30_ = T::mul_add(a_b_x_z_, a_w0_, t29_);
+        let t31_ = T::mul_neg_add(sin_a_angle_, t30_, t27_);
+        let minus_crank_pin_e_force_y_ = T::mul_add(
+            minus_a_centripetal_x_,
+            crank_pin_k_xy_,
+            t31_,
+        );
+        let t32_ = T::recip(crank_pin_j_zz_);
+        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
+        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t32_;
+        let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
+        let crank_pin_w0_ = t33_ * t32_;
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 119 mul, 65 add, 6 reciprocal, 6 square root.
+        let t34_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t35_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t36_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
+        let t37_ = t34_ * t35_;
+        let t38_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t39_ = T::mul_neg_add(sin_b_angle_, t36_, t38_);
+        let t40_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        let t41_ = T::mul_add(cos_b_angle_, t36_, t40_);
+        let t42_ = c_(0.6) * t41_;
+        let t43_ = t42_ * t8_;
+        let t44_ = T::mul_neg_add(t42_, a_z0_force_x_, t39_);
+        let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
+        let t46_ = T::mul_add(t42_, t43_, t37_);
+        let t47_ = sin_a_angle_ * t44_;
+        let t48_ = T::mul_add(cos_a_angle_, t45_, t47_);
+        let t49_ = c_(0.2) * t48_;
+        let t50_ = t49_ * t32_;
+        let closure_d0_ = T::mul_add(t49_, t50_, t46_);
+        let t51_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t52_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
+        let t55_ = t54_ * c_(0.36);
+        let t56_ = T::mul_add(t34_, t34_, t55_);
+        let t57_ = t56_ * c_(4.166666666666667);
+        let t58_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let t59_ = t51_ * t35_;
+        let t60_ = t51_ * t52_;
+        let t61_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t62_ = T::mul_add(sin_b_angle_, t58_, t61_);
+        let t63_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t64_ = T::mul_neg_add(cos_b_angle_, t58_, t63_);
+        let t65_ = c_(0.6) * t64_;
+        let t66_ = t65_ * t8_;
+        let t67_ = t39_ * t39_;
+        let t68_ = T::mul_add(t41_, t41_, t67_);
+        let t69_ = t42_ * t42_;
+        let t70_ = T::mul_add(t68_, c_(0.72), t69_);
+        let t71_ = T::mul_add(t8_, t70_, t57_);
+        let t72_ = T::mul_neg_add(t65_, a_z0_force_x_, t62_);
+        let t73_ = T::mul_neg_add(t65_, a_z0_force_y_, t64_);
+        let t74_ = T::mul_neg_add(t65_, t43_, t59_);
+        let t75_ = T::mul_add(t65_, t66_, t60_);
+        let t76_ = cos_a_angle_ * t44_;
+        let t77_ = T::mul_neg_add(sin_a_angle_, t45_, t76_);
+        let t78_ = sin_a_angle_ * t72_;
+        let t79_ = T::mul_add(cos_a_angle_, t73_, t78_);
+        let t80_ = c_(0.2) * t79_;
+        let t81_ = t77_ * t77_;
+        let t82_ = T::mul_add(t48_, t48_, t81_);
+        let t83_ = t49_ * t49_;
+        let t84_ = T::mul_add(t82_, c_(0.76), t83_);
+        let t85_ = t80_ * t32_;
+        let t86_ = T::mul_add(t84_, t32_, t71_);
+        let t87_ = T::mul_neg_add(t80_, t50_, t74_);
+        let t88_ = T::mul_add(t80_, t85_, t75_);
+        let t89_ = T::copysign(closure_d0_, c_(1.0));
+        let t90_ = closure_d0_ + t89_;
+        let t91_ = c_(0.5) * t90_;
+        let t92_ = T::sqrt(t91_);
+        let t93_ = T::sqrt(t86_);
+        let t94_ = ::mstmm::generated::recip_above(t92_, t93_);
+        let t95_ = t92_ * t94_;
+        let t96_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t97_ = t95_ * t96_;
+        let t98_ = t87_ * t97_;
+        let closure_d1_ = T::mul_neg_add(t87_, t98_, t88_);
+        let t99_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t100_ = sin_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t101_ = T::mul_add(t51_, t51_, t55_);
+        let t102_ = c_(4.166666666666667) * t101_;
+        let t103_ = minus_b_centripetal_x_ * t39_;
+        let t104_ = t62_ * t62_;
+        let t105_ = T::mul_add(t64_, t64_, t104_);
+        let t106_ = t65_ * t65_;
+        let t107_ = T::mul_add(c_(0.72), t105_, t106_);
+        let t108_ = T::mul_add(t8_, t107_, t102_);
+        let t109_ = cos_a_angle_ * t72_;
+        let t110_ = T::mul_neg_add(sin_a_angle_, t73_, t109_);
+        let t111_ = t110_ * t110_;
+        let t112_ = T::mul_add(t79_, t79_, t111_);
+        let t113_ = t80_ * t80_;
+        let t114_ = T::mul_add(c_(0.76), t112_, t113_);
         let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
-        let t122_ = minus_b_drift_lin_x_ + minus_b_e_force_x_;
-        let t123_ = T::mul_add(t49_, a_w0_, t108_);
-        let t124_ = T::mul_sub(minus_a_drift_lin_x_, t51_, t123_);
-        let t125_ = T::mul_neg_add(t56_, crank_pin_z0_force_x_, t84_);
-        let t126_ = T::mul_neg_add(t56_, crank_pin_z0_force_y_, t55_);
-        let t127_ = T::mul_neg_add(t87_, crank_pin_z0_force_x_, t117_);
-        let t128_ = T::mul_neg_add(t87_, crank_pin_z0_force_y_, t86_);
-        let t129_ = T::mul_add(t121_, t39_, t114_);
-        let t130_ = T::copysign(closure_d1_, c_(1.0));
-        let t131_ = closure_d1_ + t130_;
-        let t132_ = c_(0.5) * t131_;
-        let t133_ = T::sqrt(t132_);
-        let t134_ = T::sqrt(t129_);
-        let t135_ = ::mstmm::generated::recip_above(t133_, t134_);
+        let t115_ = T::mul_neg_add(t49_, crank_pin_z0_force_x_, t77_);
+        let t116_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
+        let t117_ = T::mul_neg_add(t80_, crank_pin_z0_force_x_, t110_);
+        let t118_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
+        let t119_ = T::mul_add(t114_, t32_, t108_);
+        let t120_ = T::copysign(closure_d1_, c_(1.0));
+        let t121_ = closure_d1_ + t120_;
+        let t122_ = c_(0.5) * t121_;
+        let t123_ = T::sqrt(t122_);
+        let t124_ = T::sqrt(t119_);
+        let t125_ = ::mstmm::generated::recip_above(t123_, t124_);
+        let t126_ = t123_ * t125_;
+        let t127_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
+        let t128_ = t126_ * t127_;
+        let t129_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
+        let t130_ = t129_ * t129_;
+        let t131_ = ::mstmm::generated::recip_above(t130_, c_(1.0));
+        let t132_ = T::sqrt(t131_);
+        let t133_ = t129_ * t132_;
+        let t134_ = T::mul_neg_add(closure_d1_, t128_, c_(1.0));
+        let t135_ = t98_ * t134_;
         let t136_ = t133_ * t135_;
-        let t137_ = ::mstmm::generated::recip_above(closure_d1_, t95_);
-        let t138_ = t136_ * t137_;
-        let t139_ = T::mul_neg_add(closure_d0_, t104_, c_(1.0));
-        let t140_ = t139_ * t139_;
-        let t141_ = ::mstmm::generated::recip_above(t140_, c_(1.0));
-        let t142_ = T::sqrt(t141_);
-        let t143_ = t139_ * t142_;
-        let t144_ = T::mul_neg_add(closure_d1_, t138_, c_(1.0));
-        let t145_ = t105_ * t144_;
-        let t146_ = t143_ * t145_;
-        let t147_ = T::mul_neg_add(t143_, t146_, t145_);
-        let t148_ = t147_ * t147_;
-        let t149_ = T::mul_add(t144_, t144_, t148_);
-        let t150_ = ::mstmm::generated::recip_above(t149_, c_(1.0));
-        let t151_ = T::sqrt(t150_);
-        let t152_ = t147_ * t151_;
-        let t153_ = t144_ * t151_;
-        let t154_ = T::mul_neg_add(crank_pin_a_lin_y_, t126_, t124_);
-        let t155_ = T::mul_neg_add(cos_rocker_pin_angle_, t122_, t115_);
-        let t156_ = T::mul_add(t56_, crank_pin_w0_, t155_);
-        let t157_ = T::mul_add(crank_pin_a_lin_x_, t125_, t156_);
-        let t158_ = t154_ - t157_;
-        let t159_ = T::mul_neg_add(sin_rocker_pin_angle_, t122_, c_(9.8));
-        let t160_ = T::mul_add(a_drift_lin_y_, t80_, t159_);
-        let t161_ = T::mul_add(t87_, crank_pin_w0_, t160_);
-        let t162_ = T::mul_add(crank_pin_a_lin_x_, t127_, t161_);
-        let t163_ = T::mul_neg_add(t72_, a_w0_, t109_);
-        let t164_ = T::mul_add(minus_a_drift_lin_x_, t79_, t163_);
-        let t165_ = T::mul_sub(crank_pin_a_lin_y_, t128_, t164_);
-        let t166_ = T::mul_sub(t105_, t158_, t165_);
-        let t167_ = t162_ - t166_;
-        let t168_ = t104_ * t158_;
-        let t169_ = t138_ * t167_;
-        let t170_ = T::mul_neg_add(t105_, t169_, t168_);
-        let t171_ = t143_ * t170_;
-        let t172_ = T::mul_neg_add(t143_, t171_, t170_);
-        let t173_ = t152_ * t172_;
-        let t174_ = T::mul_neg_add(t153_, t169_, t173_);
-        let minus_closure_reaction0_ = T::mul_neg_add(t152_, t174_, t172_);
-        let minus_closure_reaction1_ = T::mul_add(t153_, t174_, t169_);
+        let t137_ = T::mul_neg_add(t133_, t136_, t135_);
+        let t138_ = t137_ * t137_;
+        let t139_ = T::mul_add(t134_, t134_, t138_);
+        let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
+        let t141_ = T::sqrt(t140_);
+        let t142_ = t137_ * t141_;
+        let t143_ = t134_ * t141_;
+        let t144_ = T::mul_neg_add(t42_, a_w0_, t99_);
+        let t145_ = T::mul_sub(t49_, crank_pin_w0_, t144_);
+        let t146_ = T::mul_add(crank_pin_a_lin_x_, t115_, t145_);
+        let t147_ = T::mul_add(minus_a_centripetal_x_, t77_, t103_);
+        let t148_ = T::mul_sub(crank_pin_a_lin_y_, t116_, t147_);
+        let t149_ = t146_ + t148_;
+        let t150_ = T::mul_neg_add(minus_b_centripetal_x_, t62_, c_(9.8));
+        let t151_ = T::mul_sub(minus_a_centripetal_x_, t110_, t150_);
+        let t152_ = T::mul_sub(crank_pin_a_lin_y_, t118_, t151_);
+        let t153_ = T::mul_add(t98_, t149_, t152_);
+        let t154_ = T::mul_neg_add(t65_, a_w0_, t100_);
+        let t155_ = T::mul_sub(t80_, crank_pin_w0_, t154_);
+        let t156_ = T::mul_add(crank_pin_a_lin_x_, t117_, t155_);
+        let t157_ = t153_ + t156_;
+        let t158_ = t97_ * t149_;
+        let t159_ = t128_ * t157_;
+        let t160_ = T::mul_add(t98_, t159_, t158_);
+        let t161_ = t133_ * t160_;
+        let t162_ = T::mul_neg_add(t133_, t161_, t160_);
+        let t163_ = t142_ * t162_;
+        let t164_ = T::mul_add(t143_, t159_, t163_);
+        let closure_reaction0_ = T::mul_neg_add(t142_, t164_, t162_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t143_, t164_, t159_);
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-        let t175_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
-        let t176_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t175_);
-        let t177_ = T::mul_sub(c_(9.8), t176_, crank_pin_w0_);
-        let t178_ = T::mul_add(t92_, minus_closure_reaction1_, t177_);
-        let crank_pin_a_ang_z_ = T::mul_sub(t57_, minus_closure_reaction0_, t178_);
-        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 17 mul, 14 add, 0 reciprocal.
-        let t179_ = T::mul_neg_add(
-            cos_a_angle_,
-            crank_pin_a_lin_x_,
-            minus_a_drift_lin_x_,
+        let t165_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        let t166_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t165_);
+        let t167_ = T::mul_sub(c_(9.8), t166_, crank_pin_w0_);
+        let t168_ = T::mul_add(t85_, minus_closure_reaction1_, t167_);
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t168_);
+        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 13 mul, 10 add, 0 reciprocal.
+        let t169_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
+        let t170_ = sin_a_angle_ * t169_;
+        let t171_ = T::mul_neg_add(
+            c_(0.2),
+            minus_crank_pin_a_ang_z_,
+            crank_pin_a_lin_y_,
         );
-        let t180_ = T::mul_add(c_(0.2), crank_pin_a_ang_z_, crank_pin_a_lin_y_);
-        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t180_, t179_);
-        let t181_ = T::mul_neg_add(sin_a_angle_, crank_pin_a_lin_x_, a_drift_lin_y_);
-        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t180_, t181_);
-        let t182_ = a_drift_lin_y_ * a_z0_force_y_;
-        let t183_ = cos_a_angle_ * a_z0_force_x_;
-        let t184_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t183_);
-        let t185_ = sin_a_angle_ * a_z0_force_x_;
-        let t186_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t185_);
-        let t187_ = c_(0.2) * t186_;
-        let t188_ = T::mul_add(minus_a_drift_lin_x_, a_z0_force_x_, a_w0_);
-        let t189_ = T::mul_sub(crank_pin_a_lin_x_, t184_, t188_);
-        let t190_ = T::mul_sub(t50_, minus_closure_reaction0_, t189_);
-        let t191_ = T::mul_add(crank_pin_a_lin_y_, t186_, t182_);
-        let t192_ = T::mul_add(t73_, minus_closure_reaction1_, t191_);
-        let t193_ = T::mul_add(t187_, crank_pin_a_ang_z_, t192_);
-        let a_a_ang_z_ = t190_ - t193_;
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 9 mul, 5 add, 0 reciprocal.
-        let t194_ = b_drift_lin_y_ * c_(2.5);
-        let t195_ = sin_b_angle_ * c_(2.5);
-        let t196_ = cos_b_angle_ * c_(2.5);
-        let t197_ = cos_b_angle_ * c_(1.5);
-        let t198_ = t42_ * minus_closure_reaction0_;
-        let t199_ = T::mul_neg_add(t59_, minus_closure_reaction1_, t194_);
-        let t200_ = T::mul_add(t196_, a_a_lin_y_, t199_);
-        let t201_ = T::mul_neg_add(t197_, a_a_ang_z_, t198_);
-        let t202_ = T::mul_sub(t195_, minus_a_a_lin_x_, t201_);
-        let minus_b_a_ang_z_ = t200_ + t202_;
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t171_, t170_);
+        let t172_ = cos_a_angle_ * a_z0_force_x_;
+        let t173_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t172_);
+        let t174_ = sin_a_angle_ * a_z0_force_x_;
+        let t175_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t174_);
+        let t176_ = c_(0.2) * t175_;
+        let t177_ = t169_ * t173_;
+        let t178_ = T::mul_neg_add(crank_pin_a_lin_y_, t175_, a_w0_);
+        let t179_ = T::mul_sub(t43_, closure_reaction0_, t178_);
+        let t180_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t177_);
+        let t181_ = T::mul_add(t176_, minus_crank_pin_a_ang_z_, t180_);
+        let minus_a_a_ang_z_ = t179_ - t181_;
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 10 mul, 6 add, 0 reciprocal.
+        let t182_ = sin_b_angle_ * c_(2.5);
+        let t183_ = cos_b_angle_ * c_(2.5);
+        let t184_ = cos_b_angle_ * c_(1.5);
+        let t185_ = t35_ * closure_reaction0_;
+        let t186_ = T::mul_add(cos_a_angle_, t169_, minus_b_centripetal_x_);
+        let t187_ = T::mul_sub(sin_a_angle_, t171_, t186_);
+        let t188_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t185_);
+        let t189_ = T::mul_sub(t184_, minus_a_a_ang_z_, t188_);
+        let t190_ = T::mul_add(t182_, t187_, t189_);
+        let minus_b_a_ang_z_ = T::mul_sub(t183_, a_a_lin_y_, t190_);
         /// Motion across `a`.
-        let t203_ = cos_crank_pin_angle_ * cos_a_angle_;
-        let a_axes_x_x_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t203_);
-        let t204_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let minus_a_axes_x_y_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t204_);
-        let t205_ = cos_crank_pin_angle_ * c_(0.2);
-        let t206_ = crank_pin_rate_ * t205_;
-        let minus_a_drift_lin_x_2_ = crank_pin_rate_ * t206_;
-        let t207_ = sin_crank_pin_angle_ * c_(0.2);
-        let t208_ = crank_pin_rate_ * t207_;
-        let minus_a_drift_lin_y_ = crank_pin_rate_ * t208_;
+        let t191_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let a_axes_x_x_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t191_);
+        let t192_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let minus_a_axes_x_y_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t192_);
+        let t193_ = cos_crank_pin_angle_ * c_(0.2);
+        let t194_ = crank_pin_rate_ * t193_;
+        let minus_a_centripetal_x_2_ = crank_pin_rate_ * t194_;
+        let t195_ = sin_crank_pin_angle_ * c_(0.2);
+        let t196_ = crank_pin_rate_ * t195_;
+        let minus_a_centripetal_y_ = crank_pin_rate_ * t196_;
         /// Motion across `b`.
-        let t209_ = cos_b_angle_ * a_axes_x_x_;
-        let b_axes_x_x_ = T::mul_neg_add(sin_b_angle_, minus_a_axes_x_y_, t209_);
-        let t210_ = sin_b_angle_ * a_axes_x_x_;
-        let minus_b_axes_x_y_ = T::mul_add(cos_b_angle_, minus_a_axes_x_y_, t210_);
-        let t211_ = c_(0.6) * a_axes_x_x_;
-        let t212_ = a_omega_z_ * t211_;
-        let t213_ = c_(0.6) * minus_a_axes_x_y_;
-        let t214_ = a_omega_z_ * t213_;
+        let t197_ = cos_b_angle_ * a_axes_x_x_;
+        let b_axes_x_x_ = T::mul_neg_add(sin_b_angle_, minus_a_axes_x_y_, t197_);
+        let t198_ = sin_b_angle_ * a_axes_x_x_;
+        let minus_b_axes_x_y_ = T::mul_add(cos_b_angle_, minus_a_axes_x_y_, t198_);
+        let t199_ = c_(0.6) * a_axes_x_x_;
+        let t200_ = a_omega_z_ * t199_;
+        let t201_ = c_(0.6) * minus_a_axes_x_y_;
+        let t202_ = a_omega_z_ * t201_;
         /// Point of `a`, [P, Eqs. (12), (13), (36)]: 2 mul, 2 add, 0 reciprocal.
-        let minus_a_acc_lin_x_ = T::mul_add(
-            crank_pin_a_ang_z_,
-            t207_,
-            minus_a_drift_lin_x_2_,
+        let minus_a_acc_lin_x_ = T::mul_neg_add(
+            minus_crank_pin_a_ang_z_,
+            t195_,
+            minus_a_centripetal_x_2_,
         );
-        let minus_a_acc_lin_y_ = T::mul_neg_add(
-            crank_pin_a_ang_z_,
-            t205_,
-            minus_a_drift_lin_y_,
+        let minus_a_acc_lin_y_ = T::mul_add(
+            minus_crank_pin_a_ang_z_,
+            t193_,
+            minus_a_centripetal_y_,
         );
         /// Point of `b`, [P, Eqs. (12), (13), (36)]: 4 mul, 4 add, 0 reciprocal.
-        let t215_ = T::mul_add(a_omega_z_, t212_, minus_a_acc_lin_x_);
-        let minus_b_acc_lin_x_ = T::mul_add(a_a_ang_z_, t213_, t215_);
-        let t216_ = T::mul_add(a_omega_z_, t214_, minus_a_acc_lin_y_);
-        let b_acc_lin_y_ = T::mul_sub(a_a_ang_z_, t211_, t216_);
+        let t203_ = T::mul_add(a_omega_z_, t200_, minus_a_acc_lin_x_);
+        let b_acc_lin_x_ = T::mul_sub(minus_a_a_ang_z_, t201_, t203_);
+        let t204_ = T::mul_add(a_omega_z_, t202_, minus_a_acc_lin_y_);
+        let minus_b_acc_lin_y_ = T::mul_add(minus_a_a_ang_z_, t199_, t204_);
         /// Load on `rocker_pin`, [P, Eqs. (18), (19)]: 8 mul, 4 add, 0 reciprocal.
-        let t217_ = cos_rocker_pin_angle_ * minus_closure_reaction0_;
-        let t218_ = T::mul_neg_add(
-            sin_rocker_pin_angle_,
+        let t205_ = cos_rocker_pin_angle_ * closure_reaction0_;
+        let t206_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t205_);
+        let t207_ = sin_rocker_pin_angle_ * closure_reaction0_;
+        let t208_ = T::mul_neg_add(
+            cos_rocker_pin_angle_,
             minus_closure_reaction1_,
-            t217_,
+            t207_,
         );
-        let t219_ = sin_rocker_pin_angle_ * minus_closure_reaction0_;
-        let t220_ = T::mul_add(cos_rocker_pin_angle_, minus_closure_reaction1_, t219_);
-        let t221_ = b_axes_x_x_ * t218_;
-        let minus_rocker_pin_load_force_x_ = T::mul_neg_add(
-            minus_b_axes_x_y_,
-            t220_,
-            t221_,
-        );
-        let t222_ = minus_b_axes_x_y_ * t218_;
-        let minus_rocker_pin_load_force_y_ = T::mul_add(b_axes_x_x_, t220_, t222_);
+        let t209_ = b_axes_x_x_ * t206_;
+        let rocker_pin_load_force_x_ = T::mul_neg_add(minus_b_axes_x_y_, t208_, t209_);
+        let t210_ = minus_b_axes_x_y_ * t206_;
+        let rocker_pin_load_force_y_ = T::mul_add(b_axes_x_x_, t208_, t210_);
         /// Load on `b`, [P, Eqs. (18), (19)]: 8 mul, 9 add, 0 reciprocal.
-        let t223_ = c_(0.6) * b_axes_x_x_;
-        let t224_ = c_(0.6) * minus_b_axes_x_y_;
-        let t225_ = b_omega_z_ * t223_;
-        let t226_ = T::mul_add(b_omega_z_, t225_, minus_b_acc_lin_x_);
-        let t227_ = T::mul_sub(minus_b_a_ang_z_, t224_, t226_);
-        let t228_ = minus_b_acc_lin_x_ + minus_rocker_pin_load_force_x_;
-        let b_load_force_x_ = t227_ - t228_;
-        let t229_ = b_omega_z_ * t224_;
-        let t230_ = T::mul_sub(b_omega_z_, t229_, b_acc_lin_y_);
-        let t231_ = T::mul_add(minus_b_a_ang_z_, t223_, t230_);
-        let t232_ = c_(19.6) - minus_rocker_pin_load_force_y_;
-        let t233_ = b_acc_lin_y_ + t232_;
-        let minus_b_load_force_y_ = t231_ - t233_;
+        let t211_ = c_(0.6) * b_axes_x_x_;
+        let t212_ = c_(0.6) * minus_b_axes_x_y_;
+        let t213_ = b_omega_z_ * t211_;
+        let t214_ = T::mul_sub(b_omega_z_, t213_, b_acc_lin_x_);
+        let t215_ = T::mul_sub(minus_b_a_ang_z_, t212_, t214_);
+        let t216_ = b_acc_lin_x_ + rocker_pin_load_force_x_;
+        let b_load_force_x_ = t215_ + t216_;
+        let t217_ = b_omega_z_ * t212_;
+        let t218_ = T::mul_add(b_omega_z_, t217_, minus_b_acc_lin_y_);
+        let t219_ = T::mul_add(minus_b_a_ang_z_, t211_, t218_);
+        let t220_ = c_(19.6) + rocker_pin_load_force_y_;
+        let t221_ = minus_b_acc_lin_y_ - t220_;
+        let minus_b_load_force_y_ = t219_ + t221_;
         /// Load on `a`, [P, Eqs. (18), (19)]: 0 mul, 5 add, 0 reciprocal.
-        let t234_ = minus_a_acc_lin_x_ + minus_b_acc_lin_x_;
-        let a_load_force_x_ = b_load_force_x_ - t234_;
-        let t235_ = c_(19.6) - minus_a_acc_lin_y_;
-        let t236_ = b_acc_lin_y_ + t235_;
-        let minus_a_load_force_y_ = minus_b_load_force_y_ - t236_;
+        let t222_ = minus_a_acc_lin_x_ - b_acc_lin_x_;
+        let a_load_force_x_ = b_load_force_x_ - t222_;
+        let t223_ = c_(19.6) - minus_a_acc_lin_y_;
+        let t224_ = minus_b_acc_lin_y_ - t223_;
+        let minus_a_load_force_y_ = minus_b_load_force_y_ + t224_;
         /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 2 mul, 4 add, 0 reciprocal.
         let minus_crank_pin_load_force_x_ = T::mul_sub(
             c_(0.5),
             minus_a_acc_lin_x_,
             a_load_force_x_,
         );
-        let t237_ = c_(9.8) - minus_a_acc_lin_y_;
-        let t238_ = T::mul_add(c_(0.5), t237_, c_(4.9));
-        let minus_crank_pin_load_force_y_ = minus_a_load_force_y_ - t238_;
+        let t225_ = c_(9.8) - minus_a_acc_lin_y_;
+        let t226_ = T::mul_add(c_(0.5), t225_, c_(4.9));
+        let minus_crank_pin_load_force_y_ = minus_a_load_force_y_ - t226_;
         /// Results: 19 mul, 24 add, 0 reciprocal.
-        let t239_ = crank_pin_a_ang_z_ - a_a_ang_z_;
-        let t240_ = a_a_ang_z_ + minus_b_a_ang_z_;
-        let t241_ = c_(4.0) + t18_;
-        let t242_ = t16_ - t241_;
-        let t243_ = T::mul_neg_add(
+        let t227_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
+        let t228_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let t229_ = c_(4.0) + t14_;
+        let t230_ = t12_ - t229_;
+        let t231_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t242_,
+            t230_,
             c_(0.030000000000000006),
         );
         ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
@@ -948,14 +912,14 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t243_],
-            [crank_pin_a_ang_z_, -t239_, -t240_, minus_b_a_ang_z_],
+            [c_(2.04), t231_],
+            [-minus_crank_pin_a_ang_z_, t227_, t228_, minus_b_a_ang_z_],
         )?;
         at_.accelerations.data.0 = [
-            [crank_pin_a_ang_z_, -t239_, -t240_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t227_, t228_, minus_b_a_ang_z_],
         ];
         at_.rate_accelerations.data.0 = [
-            [crank_pin_a_ang_z_, -t239_, -t240_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t227_, t228_, minus_b_a_ang_z_],
         ];
         at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
         point0_.set_position([c_(0.0), c_(0.0)]);
@@ -972,48 +936,44 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         point1_.set_velocity([c_(0.0), c_(0.0)]);
         point1_.set_angular_velocity([crank_pin_rate_]);
         point1_.set_acceleration([c_(0.0), c_(0.0)]);
-        point1_.set_angular_acceleration([crank_pin_a_ang_z_]);
+        point1_.set_angular_acceleration([-minus_crank_pin_a_ang_z_]);
         point1_.set_moment([-crank_pin_input0_]);
         point1_
             .set_force([-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_]);
-        point2_.set_position([t205_, t207_]);
+        point2_.set_position([t193_, t195_]);
         point2_.set_orientation([cos_crank_pin_angle_, sin_crank_pin_angle_]);
-        point2_.set_velocity([-t208_, t206_]);
+        point2_.set_velocity([-t196_, t194_]);
         point2_.set_angular_velocity([crank_pin_rate_]);
         point2_.set_acceleration([-minus_a_acc_lin_x_, -minus_a_acc_lin_y_]);
-        point2_.set_angular_acceleration([crank_pin_a_ang_z_]);
+        point2_.set_angular_acceleration([-minus_crank_pin_a_ang_z_]);
         point2_.set_moment([c_(0.0)]);
         point2_.set_force([a_load_force_x_, -minus_a_load_force_y_]);
-        point3_.set_position([t205_, t207_]);
+        point3_.set_position([t193_, t195_]);
         point3_.set_orientation([a_axes_x_x_, minus_a_axes_x_y_]);
-        point3_.set_velocity([-t208_, t206_]);
+        point3_.set_velocity([-t196_, t194_]);
         point3_.set_angular_velocity([a_omega_z_]);
         point3_.set_acceleration([-minus_a_acc_lin_x_, -minus_a_acc_lin_y_]);
-        point3_.set_angular_acceleration([a_a_ang_z_]);
+        point3_.set_angular_acceleration([-minus_a_a_ang_z_]);
         point3_.set_moment([c_(0.0)]);
         point3_.set_force([a_load_force_x_, -minus_a_load_force_y_]);
         point4_.set_orientation([a_axes_x_x_, minus_a_axes_x_y_]);
         point4_.set_angular_velocity([a_omega_z_]);
-        point4_.set_acceleration([-minus_b_acc_lin_x_, b_acc_lin_y_]);
-        point4_.set_angular_acceleration([a_a_ang_z_]);
+        point4_.set_acceleration([b_acc_lin_x_, -minus_b_acc_lin_y_]);
+        point4_.set_angular_acceleration([-minus_a_a_ang_z_]);
         point4_.set_moment([c_(0.0)]);
         point4_.set_force([b_load_force_x_, -minus_b_load_force_y_]);
         point5_.set_orientation([b_axes_x_x_, minus_b_axes_x_y_]);
         point5_.set_angular_velocity([b_omega_z_]);
-        point5_.set_acceleration([-minus_b_acc_lin_x_, b_acc_lin_y_]);
+        point5_.set_acceleration([b_acc_lin_x_, -minus_b_acc_lin_y_]);
         point5_.set_angular_acceleration([-minus_b_a_ang_z_]);
         point5_.set_moment([c_(0.0)]);
         point5_.set_force([b_load_force_x_, -minus_b_load_force_y_]);
         point6_.set_orientation([b_axes_x_x_, minus_b_axes_x_y_]);
         point6_.set_angular_velocity([b_omega_z_]);
-        point6_.set_acceleration([t227_, -t231_]);
+        point6_.set_acceleration([t215_, -t219_]);
         point6_.set_angular_acceleration([-minus_b_a_ang_z_]);
         point6_.set_moment([c_(0.0)]);
-        point6_
-            .set_force([
-                -minus_rocker_pin_load_force_x_,
-                -minus_rocker_pin_load_force_y_,
-            ]);
+        point6_.set_force([rocker_pin_load_force_x_, rocker_pin_load_force_y_]);
         point7_.set_position([c_(0.8), c_(0.0)]);
         point7_.set_orientation([c_(1.0), c_(0.0)]);
         point7_.set_velocity([c_(0.0), c_(0.0)]);
@@ -1021,52 +981,48 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         point7_.set_acceleration([c_(0.0), c_(0.0)]);
         point7_.set_angular_acceleration([c_(0.0)]);
         point7_.set_moment([c_(0.0)]);
-        point7_
-            .set_force([
-                -minus_rocker_pin_load_force_x_,
-                -minus_rocker_pin_load_force_y_,
-            ]);
-        let t244_ = crank_pin_rate_ * c_(0.020000000000000004);
-        let t245_ = a_omega_z_ * c_(0.24);
-        let t246_ = b_omega_z_ * c_(0.24);
-        let t247_ = t208_ + t214_;
-        let t248_ = t206_ + t212_;
-        point4_.set_velocity([-t247_, t248_]);
-        point5_.set_velocity([-t247_, t248_]);
-        let t249_ = t247_ + t229_;
-        let t250_ = t248_ + t225_;
-        point6_.set_velocity([-t249_, t250_]);
-        let t251_ = crank_pin_rate_ * t244_;
-        let t252_ = T::mul_add(a_omega_z_, t245_, t251_);
-        let t253_ = T::mul_add(b_omega_z_, t246_, t252_);
-        let t254_ = c_(0.5) * t253_;
-        let t255_ = t208_ + t249_;
-        let t256_ = t206_ + t250_;
-        let t257_ = T::mul_add(t248_, t256_, t254_);
-        let t258_ = T::mul_add(t247_, t255_, t257_);
-        at_.kinetic_energy = t258_;
-        let t259_ = t207_ + t213_;
-        let t260_ = t259_ * c_(19.6);
-        let t261_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
-        let t262_ = T::mul_add(sin_crank_pin_angle_, c_(4.9), t260_);
-        let t263_ = T::mul_add(c_(5.88), t261_, t262_);
-        at_.potential_energy = t263_;
-        let t264_ = cos_rocker_pin_angle_ * t143_;
-        let t265_ = sin_rocker_pin_angle_ * t143_;
-        let t266_ = cos_rocker_pin_angle_ * t152_;
-        let t267_ = T::mul_add(sin_rocker_pin_angle_, t153_, t266_);
-        let t268_ = sin_rocker_pin_angle_ * t152_;
-        let t269_ = T::mul_neg_add(cos_rocker_pin_angle_, t153_, t268_);
+        point7_.set_force([rocker_pin_load_force_x_, rocker_pin_load_force_y_]);
+        let t232_ = crank_pin_rate_ * c_(0.020000000000000004);
+        let t233_ = a_omega_z_ * c_(0.24);
+        let t234_ = b_omega_z_ * c_(0.24);
+        let t235_ = t196_ + t202_;
+        let t236_ = t194_ + t200_;
+        point4_.set_velocity([-t235_, t236_]);
+        point5_.set_velocity([-t235_, t236_]);
+        let t237_ = t235_ + t217_;
+        let t238_ = t236_ + t213_;
+        point6_.set_velocity([-t237_, t238_]);
+        let t239_ = crank_pin_rate_ * t232_;
+        let t240_ = T::mul_add(a_omega_z_, t233_, t239_);
+        let t241_ = T::mul_add(b_omega_z_, t234_, t240_);
+        let t242_ = c_(0.5) * t241_;
+        let t243_ = t196_ + t237_;
+        let t244_ = t194_ + t238_;
+        let t245_ = T::mul_add(t236_, t244_, t242_);
+        let t246_ = T::mul_add(t235_, t243_, t245_);
+        at_.kinetic_energy = t246_;
+        let t247_ = t195_ + t201_;
+        let t248_ = t247_ * c_(19.6);
+        let t249_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
+        let t250_ = T::mul_add(sin_crank_pin_angle_, c_(4.9), t248_);
+        let t251_ = T::mul_add(c_(5.88), t249_, t250_);
+        at_.potential_energy = t251_;
+        let t252_ = cos_rocker_pin_angle_ * t133_;
+        let t253_ = sin_rocker_pin_angle_ * t133_;
+        let t254_ = cos_rocker_pin_angle_ * t142_;
+        let t255_ = T::mul_add(sin_rocker_pin_angle_, t143_, t254_);
+        let t256_ = sin_rocker_pin_angle_ * t142_;
+        let t257_ = T::mul_neg_add(cos_rocker_pin_angle_, t143_, t256_);
         at_.closure = ::mstmm::generated::closure([
-            [t264_, t265_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
-            [-t267_, -t269_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [t252_, t253_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [-t255_, -t257_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
         ]);
-        let t270_ = t205_ + t211_;
-        point4_.set_position([t270_, t259_]);
-        point5_.set_position([t270_, t259_]);
-        let t271_ = t223_ + t270_;
-        let t272_ = t224_ + t259_;
-        point6_.set_position([t271_, t272_]);
+        let t258_ = t193_ + t199_;
+        point4_.set_position([t258_, t247_]);
+        point5_.set_position([t258_, t247_]);
+        let t259_ = t211_ + t258_;
+        let t260_ = t212_ + t247_;
+        point6_.set_position([t259_, t260_]);
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
@@ -1246,7 +1202,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let a_b_x_z_ = t0_ * c_(0.8999999999999999);
         let t1_ = sin_b_angle_ * sin_b_angle_;
         let t2_ = c_(1.5) * t1_;
-        let t3_ = c_(0.5) + t2_;
+        let t3_ = t2_ + c_(0.5);
         let a_b_y_z_ = T::mul_add(c_(0.6), t3_, c_(0.6));
         let a_j_zz_ = T::mul_add(c_(0.36), t3_, c_(0.24));
         let t4_ = T::recip(a_j_zz_);

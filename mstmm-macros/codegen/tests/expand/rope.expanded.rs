@@ -316,14 +316,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t12_ = known_p2_ * joint_omega_z_;
             let t14_ = T::mul_add(joint_rate_, t8_, t11_);
             /// Motion across `end_of_repeat0`.
-            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t10_;
+            let minus_end_of_repeat0_centripetal_x_ = joint_omega_z_ * t10_;
             /// Results.
             let t13_ = joint_omega_z_ * t12_;
             _ = store1_
                 .try_push([
                     sin_joint_angle_,
                     cos_joint_angle_,
-                    minus_end_of_repeat0_drift_lin_x_,
+                    minus_end_of_repeat0_centripetal_x_,
                     t13_,
                     t14_,
                     t15_,
@@ -361,7 +361,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             ],
             &[sin_joint_angle_,
             cos_joint_angle_,
-            minus_end_of_repeat0_drift_lin_x_,
+            minus_end_of_repeat0_centripetal_x_,
             t13_,
             t14_,
             t15_,
@@ -389,12 +389,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let joint_b_x_z_ = T::mul_add(c_(0.1), carry1_3_before_, carry1_4_before_);
             let joint_e_force_y_ = T::mul_neg_add(
                 carry1_3_before_,
-                minus_end_of_repeat0_drift_lin_x_,
+                minus_end_of_repeat0_centripetal_x_,
                 carry1_8_before_,
             );
             let t22_ = T::mul_neg_add(
                 carry1_4_before_,
-                minus_end_of_repeat0_drift_lin_x_,
+                minus_end_of_repeat0_centripetal_x_,
                 carry1_9_before_,
             );
             /// Results: 24 mul, 25 add, 0 reciprocal.
@@ -410,7 +410,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Results.
             let t36_ = T::mul_add(
                 carry1_0_before_,
-                minus_end_of_repeat0_drift_lin_x_,
+                minus_end_of_repeat0_centripetal_x_,
                 t35_,
             );
             let t27_ = carry1_2_before_ + t26_;
@@ -436,22 +436,22 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t38_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
             let t34_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
             let t39_ = T::mul_neg_add(joint_j_zz_, minus_joint_w0_, joint_e_moment_z_);
-            let t40_ = t29_ - t30_;
-            let t42_ = c_(2.0) * t31_;
-            let t48_ = cos_joint_angle_ * t32_;
-            let t50_ = sin_joint_angle_ * t32_;
-            let t52_ = cos_joint_angle_ * t37_;
-            let t54_ = sin_joint_angle_ * t37_;
-            let t41_ = sin_joint_angle_ * t40_;
-            let t49_ = T::mul_neg_add(sin_joint_angle_, t33_, t48_);
-            let t51_ = T::mul_add(cos_joint_angle_, t33_, t50_);
-            let t53_ = T::mul_add(sin_joint_angle_, t38_, t52_);
-            let t55_ = T::mul_neg_add(cos_joint_angle_, t38_, t54_);
-            let t43_ = T::mul_add(cos_joint_angle_, t42_, t41_);
-            let t44_ = sin_joint_angle_ * t43_;
-            let t46_ = T::mul_neg_add(cos_joint_angle_, t43_, t31_);
-            let t45_ = t29_ - t44_;
-            let t47_ = t30_ + t44_;
+            let t44_ = t29_ - t30_;
+            let t46_ = c_(2.0) * t31_;
+            let t52_ = cos_joint_angle_ * t32_;
+            let t40_ = cos_joint_angle_ * t37_;
+            let t42_ = sin_joint_angle_ * t37_;
+            let t54_ = sin_joint_angle_ * t32_;
+            let t45_ = sin_joint_angle_ * t44_;
+            let t53_ = T::mul_neg_add(sin_joint_angle_, t33_, t52_);
+            let t41_ = T::mul_add(sin_joint_angle_, t38_, t40_);
+            let t43_ = T::mul_neg_add(cos_joint_angle_, t38_, t42_);
+            let t55_ = T::mul_add(cos_joint_angle_, t33_, t54_);
+            let t47_ = T::mul_add(cos_joint_angle_, t46_, t45_);
+            let t48_ = sin_joint_angle_ * t47_;
+            let t50_ = T::mul_neg_add(cos_joint_angle_, t47_, t31_);
+            let t49_ = t29_ - t48_;
+            let t51_ = t30_ + t48_;
             _ = store3_
                 .try_push([
                     minus_joint_w0_,
@@ -471,7 +471,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_7_,
                 carry1_8_,
                 carry1_9_,
-            ) = (t45_, t47_, joint_k_zz_, -t46_, t49_, t51_, t34_, -t53_, -t55_, t39_);
+            ) = (t49_, t51_, joint_k_zz_, -t50_, t53_, t55_, t34_, -t41_, -t43_, t39_);
         }
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
@@ -480,7 +480,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             (
                 &[sin_joint_angle_,
                 cos_joint_angle_,
-                minus_end_of_repeat0_drift_lin_x_,
+                minus_end_of_repeat0_centripetal_x_,
                 _,
                 _,
                 _,
@@ -516,7 +516,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t57_);
             let t60_ = T::mul_sub(minus_joint_a_lin_y_, joint_z0_force_y_, t59_);
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
-            let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_drift_lin_x_
+            let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_centripetal_x_
                 - joint_a_lin_x_;
             /// Acceleration of `joint`.
             let t61_ = T::mul_sub(joint_a_lin_x_, joint_z0_force_x_, t60_);
@@ -628,7 +628,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t15_ = known_p2_ * joint_omega_z_;
             let t10_ = T::mul_add(joint_rate_, c_(0.01), t9_);
             /// Motion across `end_of_repeat0`.
-            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t8_;
+            let minus_end_of_repeat0_centripetal_x_ = joint_omega_z_ * t8_;
             /// Results.
             let t16_ = joint_omega_z_ * t15_;
             let t11_ = sin_joint_angle_ * sin_joint_angle_;
@@ -644,7 +644,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     t12_,
                     t13_,
                     t14_,
-                    minus_end_of_repeat0_drift_lin_x_,
+                    minus_end_of_repeat0_centripetal_x_,
                     t16_,
                 ]);
             (carry0_0_,) = (joint_omega_z_,);
@@ -682,7 +682,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             t12_,
             t13_,
             t14_,
-            minus_end_of_repeat0_drift_lin_x_,
+            minus_end_of_repeat0_centripetal_x_,
             t16_,
             ],
         ) in ::core::iter::Iterator::rev(
@@ -707,7 +707,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
             let joint_e_force_y_ = T::mul_neg_add(
                 carry1_3_before_,
-                minus_end_of_repeat0_drift_lin_x_,
+                minus_end_of_repeat0_centripetal_x_,
                 carry1_5_before_,
             );
             let joint_b_x_z_ = c_(0.1) * carry1_3_before_;
@@ -728,7 +728,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t32_ = joint_b_x_z_ * joint_b_y_z_;
             let t43_ = T::mul_add(
                 carry1_0_before_,
-                minus_end_of_repeat0_drift_lin_x_,
+                minus_end_of_repeat0_centripetal_x_,
                 t42_,
             );
             let t25_ = carry1_2_before_ + t24_;
@@ -784,7 +784,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 _,
                 _,
                 _,
-                minus_end_of_repeat0_drift_lin_x_,
+                minus_end_of_repeat0_centripetal_x_,
                 _,
                 ],
                 &[t39_,
@@ -812,7 +812,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t54_ = T::mul_neg_add(
                 sin_joint_angle_,
                 carry2_1_before_,
-                minus_end_of_repeat0_drift_lin_x_,
+                minus_end_of_repeat0_centripetal_x_,
             );
             /// Acceleration of `joint`.
             let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t39_, t53_);
@@ -990,7 +990,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
             let t8_ = c_(0.1) * joint_omega_z_;
-            let minus_end_of_repeat0_drift_lin_x_ = joint_omega_z_ * t8_;
+            let minus_end_of_repeat0_centripetal_x_ = joint_omega_z_ * t8_;
             /// Load on `joint`, [P, Eqs. (18), (19)]: 2 mul, 1 add, 0 reciprocal.
             let t9_ = joint_angle_ * c_(0.2);
             let minus_joint_load_moment_z_ = T::mul_add(joint_rate_, c_(0.01), t9_);
@@ -1012,7 +1012,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     t13_,
                     t14_,
                     t15_,
-                    minus_end_of_repeat0_drift_lin_x_,
+                    minus_end_of_repeat0_centripetal_x_,
                     t17_,
                     t11_,
                 ]);
@@ -1052,7 +1052,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             t13_,
             t14_,
             t15_,
-            minus_end_of_repeat0_drift_lin_x_,
+            minus_end_of_repeat0_centripetal_x_,
             t17_,
             _,
             ],
@@ -1081,7 +1081,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
             let joint_e_force_y_ = T::mul_neg_add(
                 carry1_3_before_,
-                minus_end_of_repeat0_drift_lin_x_,
+                minus_end_of_repeat0_centripetal_x_,
                 carry1_5_before_,
             );
             let t21_ = T::recip(joint_j_zz_);
@@ -1112,7 +1112,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t42_ = t17_ - carry1_4_before_;
             let t43_ = T::mul_add(
                 carry1_0_before_,
-                minus_end_of_repeat0_drift_lin_x_,
+                minus_end_of_repeat0_centripetal_x_,
                 t42_,
             );
             let t44_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t43_);
@@ -1158,7 +1158,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     _,
                     _,
                     _,
-                    minus_end_of_repeat0_drift_lin_x_,
+                    minus_end_of_repeat0_centripetal_x_,
                     _,
                     _,
                     ],
@@ -1194,7 +1194,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t55_ = T::mul_neg_add(
                 sin_joint_angle_,
                 carry2_1_before_,
-                minus_end_of_repeat0_drift_lin_x_,
+                minus_end_of_repeat0_centripetal_x_,
             );
             let end_of_repeat0_a_lin_x_ = T::mul_sub(
                 cos_joint_angle_,
@@ -1304,18 +1304,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 6 mul, 0 add, 0 reciprocal.
             let t65_ = c_(0.1) * joint_axes_x_x_;
             let t66_ = joint_omega_z_2_ * t65_;
-            let minus_end_of_repeat0_drift_lin_x_2_ = joint_omega_z_2_ * t66_;
+            let minus_end_of_repeat0_centripetal_x_2_ = joint_omega_z_2_ * t66_;
             let t67_ = c_(0.1) * joint_axes_y_x_;
             let t68_ = joint_omega_z_2_ * t67_;
-            let minus_end_of_repeat0_drift_lin_y_ = joint_omega_z_2_ * t68_;
+            let minus_end_of_repeat0_centripetal_y_ = joint_omega_z_2_ * t68_;
             _ = store6_
                 .try_push([
                     t65_,
                     t67_,
                     t68_,
                     t66_,
-                    minus_end_of_repeat0_drift_lin_x_2_,
-                    minus_end_of_repeat0_drift_lin_y_,
+                    minus_end_of_repeat0_centripetal_x_2_,
+                    minus_end_of_repeat0_centripetal_y_,
                 ]);
             *o7_15_ = joint_axes_x_x_;
             *o7_16_ = joint_axes_y_x_;
@@ -1416,8 +1416,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let joint_omega_z_3_ = joint_rate_ + carry5_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
             let t77_ = c_(0.1) * joint_omega_z_3_;
-            let minus_end_of_repeat0_drift_lin_x_3_ = joint_omega_z_3_ * t77_;
-            _ = store9_.try_push([minus_end_of_repeat0_drift_lin_x_3_]);
+            let minus_end_of_repeat0_centripetal_x_3_ = joint_omega_z_3_ * t77_;
+            _ = store9_.try_push([minus_end_of_repeat0_centripetal_x_3_]);
             (carry5_0_,) = (joint_omega_z_3_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
@@ -1430,7 +1430,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry6_2_ = c_(0.0);
         for (
             (&[sin_joint_angle_, cos_joint_angle_, _, _, _, _, _, _, _, _], &[t58_]),
-            &[minus_end_of_repeat0_drift_lin_x_3_,
+            &[minus_end_of_repeat0_centripetal_x_3_,
             ],
         ) in ::core::iter::zip(
             ::core::iter::zip(store1_.iter(), store4_.iter()),
@@ -1447,7 +1447,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t84_ = T::mul_neg_add(
                 sin_joint_angle_,
                 carry6_1_before_,
-                minus_end_of_repeat0_drift_lin_x_3_,
+                minus_end_of_repeat0_centripetal_x_3_,
             );
             let t85_ = T::mul_sub(cos_joint_angle_, carry6_0_before_, t84_);
             (carry6_0_, carry6_1_, carry6_2_) = (t85_, -t83_, -t82_);
@@ -1475,8 +1475,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 t67_,
                 _,
                 _,
-                minus_end_of_repeat0_drift_lin_x_2_,
-                minus_end_of_repeat0_drift_lin_y_,
+                minus_end_of_repeat0_centripetal_x_2_,
+                minus_end_of_repeat0_centripetal_y_,
                 ],
             ),
             [_,
@@ -1524,13 +1524,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Point of `joint`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
             let minus_joint_acc_ang_z_ = t58_ - carry7_2_before_;
             /// Point of `end_of_repeat0`, [P, Eqs. (12), (13), (36)]: 2 mul, 4 add, 0 reciprocal.
-            let t96_ = minus_end_of_repeat0_drift_lin_x_2_ - carry7_0_before_;
+            let t96_ = minus_end_of_repeat0_centripetal_x_2_ - carry7_0_before_;
             let minus_end_of_repeat0_acc_lin_x_ = T::mul_neg_add(
                 t67_,
                 minus_joint_acc_ang_z_,
                 t96_,
             );
-            let t97_ = minus_end_of_repeat0_drift_lin_y_ - carry7_1_before_;
+            let t97_ = minus_end_of_repeat0_centripetal_y_ - carry7_1_before_;
             let minus_end_of_repeat0_acc_lin_y_ = T::mul_add(
                 t65_,
                 minus_joint_acc_ang_z_,

@@ -136,13 +136,13 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t7_ = shoulder_rate_ * c_(0.5);
         let t8_ = elbow_omega_z_ * c_(0.5);
         let t9_ = elbow_omega_z_ * t8_;
-        let t24_ = T::mul_add(
+        let t25_ = T::mul_add(
             sin_elbow_angle_,
             c_(0.48639392383214375),
             sin_elbow_angle_,
         );
-        let t15_ = cos_elbow_angle_ * cos_elbow_angle_;
-        let t26_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
+        let t16_ = cos_elbow_angle_ * cos_elbow_angle_;
+        let t27_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
         /// Transfer to `elbow`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 8 mul, 5 add, 0 reciprocal.
         let elbow_a4_lin_y_ = T::mul_neg_add(
             cos_elbow_angle_,
@@ -153,110 +153,110 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
         let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
         /// Boundary solve at the far end.
-        let t18_ = T::mul_neg_add(
+        let t19_ = T::mul_neg_add(
             sin_elbow_angle_,
             c_(0.16439898730535732),
             sin_elbow_angle_,
         );
-        let t16_ = T::mul_neg_add(
+        /// Transfer to `elbow`.
+        let t6_ = cos_elbow_angle_ * c_(0.16439898730535732);
+        /// Boundary solve at the far end.
+        let t17_ = T::mul_neg_add(
             cos_elbow_angle_,
             c_(2.0685934174848226),
             cos_elbow_angle_,
         );
-        /// Transfer to `elbow`.
-        let t4_ = cos_elbow_angle_ * c_(0.16439898730535732);
         /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
         let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
         /// Boundary solve at the far end.
-        let t25_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t24_);
-        let t27_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t26_);
-        let t14_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
+        let t26_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t25_);
+        let t28_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t27_);
+        let t15_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
         /// Transfer to `elbow`.
-        let t5_ = T::mul_sub(shoulder_rate_, shoulder_rate_, shoulder_a_lin_x_);
+        let t1_ = T::mul_sub(shoulder_rate_, shoulder_rate_, shoulder_a_lin_x_);
         /// Boundary solve at the far end.
         let t10_ = T::mul_sub(shoulder_rate_, t7_, shoulder_a_lin_x_);
         let t11_ = sin_elbow_angle_ * shoulder_a_lin_y_;
         /// Transfer to `elbow`.
-        let t2_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
+        let t4_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
+        let t2_ = cos_elbow_angle_ * shoulder_a_lin_y_;
         /// Boundary solve at the far end.
-        let t19_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t18_);
-        /// Transfer to `elbow`.
-        let t1_ = cos_elbow_angle_ * shoulder_a_lin_y_;
-        /// Boundary solve at the far end.
-        let t29_ = T::mul_add(t25_, t25_, t15_);
+        let t20_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t19_);
+        let t30_ = T::mul_add(t26_, t26_, t16_);
         /// Inertia beyond the hinges, to be divided by.
         let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
         /// Boundary solve at the far end.
-        let t28_ = elbow_a4_lin_y_ - t27_;
-        let t47_ = t14_ * t25_;
-        let t17_ = t10_ + t5_;
+        let t29_ = elbow_a4_lin_y_ - t28_;
+        let t48_ = t15_ * t26_;
+        let t18_ = t10_ + t1_;
         let t12_ = sin_elbow_angle_ * t10_;
         /// Transfer to `elbow`.
-        let t3_ = t2_ * c_(0.9863939238321437);
-        /// Boundary solve at the far end.
-        let t13_ = t2_ * c_(0.054054054054054064);
-        /// Transfer to `elbow`.
-        let t6_ = T::mul_add(sin_elbow_angle_, t5_, t1_);
-        /// Boundary solve at the far end.
-        let t30_ = T::sqrt(t29_);
+        let t5_ = t4_ * c_(0.9863939238321437);
+        let t3_ = T::mul_add(sin_elbow_angle_, t1_, t2_);
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t75_ = t2_ * c_(1.9863939238321437);
+        let t75_ = t4_ * c_(1.9863939238321437);
         /// Boundary solve at the far end.
-        let t20_ = T::mul_add(cos_elbow_angle_, t17_, t9_);
-        let t42_ = T::mul_neg_add(t2_, c_(0.0810810810810811), t12_);
-        let t44_ = T::mul_add(t3_, t16_, t1_);
+        let t31_ = T::sqrt(t30_);
+        let t21_ = T::mul_add(cos_elbow_angle_, t18_, t9_);
+        let t43_ = T::mul_neg_add(t4_, c_(0.0810810810810811), t12_);
+        let t45_ = T::mul_add(t5_, t17_, t2_);
         /// Transfer to `elbow`.
-        let minus_elbow_a_lin_y_ = T::mul_sub(t3_, t4_, t6_);
+        let elbow_a_lin_y_ = T::mul_neg_add(t5_, t6_, t3_);
         /// Boundary solve at the far end.
-        let t21_ = t11_ - t20_;
-        let t43_ = minus_elbow_a_lin_y_ - t42_;
-        let t22_ = t11_ + t21_;
-        let t63_ = T::mul_add(c_(0.5), minus_elbow_a_lin_y_, t13_);
-        let t23_ = T::mul_sub(t3_, t19_, t22_);
-        let t31_ = T::copysign(t30_, cos_elbow_angle_);
-        let t32_ = cos_elbow_angle_ + t31_;
-        let t33_ = t31_ * t32_;
-        let t37_ = sin_elbow_angle_ * t32_;
-        let t34_ = T::recip(t33_);
-        let t38_ = T::mul_add(t25_, t28_, t37_);
-        let t39_ = t34_ * t38_;
-        let t48_ = t34_ * t47_;
-        let t35_ = t32_ * t34_;
-        let t41_ = T::mul_neg_add(t25_, t39_, t28_);
-        let t50_ = T::mul_neg_add(t25_, t48_, t14_);
-        let t36_ = t23_ * t35_;
-        let t40_ = T::mul_neg_add(t32_, t39_, sin_elbow_angle_);
-        let t49_ = t32_ * t48_;
-        let t51_ = T::mul_add(t41_, t41_, c_(0.25));
-        let t72_ = t32_ * t36_;
-        let t45_ = T::mul_add(t36_, t40_, t44_);
-        let t64_ = T::mul_add(t36_, t49_, t63_);
-        let t52_ = T::sqrt(t51_);
-        let t46_ = t43_ - t45_;
-        let t53_ = T::copysign(t52_, -t41_);
-        let t54_ = t41_ - t53_;
-        let t55_ = t53_ * t54_;
-        let t59_ = T::mul_add(t50_, t54_, c_(0.16666666666666666));
-        let t56_ = T::recip(t55_);
-        let t60_ = t56_ * t59_;
-        let t57_ = t54_ * t56_;
-        let t62_ = T::mul_add(c_(0.5), t60_, c_(0.3333333333333333));
-        let t58_ = t46_ * t57_;
-        let t61_ = T::mul_add(t54_, t60_, t50_);
-        let t66_ = T::recip(t62_);
-        let t68_ = t54_ * t58_;
-        let t65_ = T::mul_sub(t58_, t61_, t64_);
+        let t22_ = t11_ - t21_;
+        let t13_ = c_(0.5) * elbow_a_lin_y_;
+        let t44_ = elbow_a_lin_y_ + t43_;
+        let t23_ = t11_ + t22_;
+        let t24_ = T::mul_sub(t5_, t20_, t23_);
+        let t14_ = T::mul_neg_add(t4_, c_(0.054054054054054064), t13_);
+        let t32_ = T::copysign(t31_, cos_elbow_angle_);
+        let t33_ = cos_elbow_angle_ + t32_;
+        let t34_ = t32_ * t33_;
+        let t38_ = sin_elbow_angle_ * t33_;
+        let t35_ = T::recip(t34_);
+        let t39_ = T::mul_add(t26_, t29_, t38_);
+        let t40_ = t35_ * t39_;
+        let t49_ = t35_ * t48_;
+        let t36_ = t33_ * t35_;
+        let t42_ = T::mul_neg_add(t26_, t40_, t29_);
+        let t51_ = T::mul_neg_add(t26_, t49_, t15_);
+        let t37_ = t24_ * t36_;
+        let t41_ = T::mul_neg_add(t33_, t40_, sin_elbow_angle_);
+        let t50_ = t33_ * t49_;
+        let t52_ = T::mul_add(t42_, t42_, c_(0.25));
+        let t72_ = t33_ * t37_;
+        let t46_ = T::mul_add(t37_, t41_, t45_);
+        let t64_ = T::mul_neg_add(t37_, t50_, t14_);
+        let t53_ = T::sqrt(t52_);
+        let t47_ = t44_ + t46_;
+        let t54_ = T::copysign(t53_, -t42_);
+        let t55_ = t42_ - t54_;
+        let t56_ = t54_ * t55_;
+        let t60_ = T::mul_add(t51_, t55_, c_(0.16666666666666666));
+        let t57_ = T::recip(t56_);
+        let t61_ = t57_ * t60_;
+        let t58_ = t55_ * t57_;
+        let t63_ = T::mul_add(c_(0.5), t61_, c_(0.3333333333333333));
+        let t59_ = t47_ * t58_;
+        let t62_ = T::mul_add(t55_, t61_, t51_);
+        let t66_ = T::recip(t63_);
+        let t68_ = t55_ * t59_;
+        let t65_ = T::mul_sub(t59_, t62_, t64_);
         let t67_ = t65_ * t66_;
         let t69_ = T::mul_neg_add(c_(0.5), t67_, t68_);
-        let t70_ = t56_ * t69_;
-        let t71_ = T::mul_add(t54_, t70_, t58_);
-        let minus_end_x5_ = T::mul_neg_add(c_(0.5), t70_, t67_);
-        let t73_ = T::mul_add(t25_, t71_, t72_);
-        let t74_ = t34_ * t73_;
-        let end_x4_ = T::mul_neg_add(t25_, t74_, t71_);
+        let t70_ = t57_ * t69_;
+        let t71_ = T::mul_add(t55_, t70_, t59_);
+        let end_x5_ = T::mul_neg_add(c_(0.5), t70_, t67_);
+        let t73_ = T::mul_neg_add(t26_, t71_, t72_);
+        let t74_ = t35_ * t73_;
+        let minus_end_x4_ = T::mul_add(t26_, t74_, t71_);
         /// Back to `shoulder`.
-        let t76_ = T::mul_add(c_(0.16666666666666669), end_x4_, t75_);
-        let shoulder_beta0_ = T::mul_neg_add(c_(0.0816364570071376), t76_, end_x4_);
+        let t76_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t75_);
+        let minus_shoulder_beta0_ = T::mul_add(
+            c_(0.0816364570071376),
+            t76_,
+            minus_end_x4_,
+        );
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
@@ -266,9 +266,9 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             &["shoulder"],
             [shoulder_d_],
             [c_(2.9266666666666667)],
-            [shoulder_beta0_, -minus_end_x5_],
+            [-minus_shoulder_beta0_, end_x5_],
         )?;
-        accelerations_.data.0 = [[shoulder_beta0_, -minus_end_x5_]];
+        accelerations_.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges by value; see
@@ -344,13 +344,13 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             c_(0.013606076167856269),
             cos_elbow_angle_,
         );
-        let t1_ = cos_elbow_angle_ * shoulder_a_lin_y_;
-        let t2_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
-        let t3_ = t2_ * c_(0.9863939238321437);
-        let t4_ = cos_elbow_angle_ * c_(0.16439898730535732);
-        let t5_ = T::mul_sub(shoulder_rate_, shoulder_rate_, shoulder_a_lin_x_);
-        let t6_ = T::mul_add(sin_elbow_angle_, t5_, t1_);
-        let minus_elbow_a_lin_y_ = T::mul_sub(t3_, t4_, t6_);
+        let t1_ = T::mul_sub(shoulder_rate_, shoulder_rate_, shoulder_a_lin_x_);
+        let t2_ = cos_elbow_angle_ * shoulder_a_lin_y_;
+        let t3_ = T::mul_add(sin_elbow_angle_, t1_, t2_);
+        let t4_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
+        let t5_ = t4_ * c_(0.9863939238321437);
+        let t6_ = cos_elbow_angle_ * c_(0.16439898730535732);
+        let elbow_a_lin_y_ = T::mul_neg_add(t5_, t6_, t3_);
         /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 55 mul, 39 add, 3 reciprocal, 2 square root.
         let t7_ = shoulder_rate_ * c_(0.5);
         let t8_ = elbow_omega_z_ * c_(0.5);
@@ -358,86 +358,90 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t10_ = T::mul_sub(shoulder_rate_, t7_, shoulder_a_lin_x_);
         let t11_ = sin_elbow_angle_ * shoulder_a_lin_y_;
         let t12_ = sin_elbow_angle_ * t10_;
-        let t13_ = t2_ * c_(0.054054054054054064);
-        let t14_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
-        let t15_ = cos_elbow_angle_ * cos_elbow_angle_;
-        let t16_ = T::mul_neg_add(
+        let t13_ = c_(0.5) * elbow_a_lin_y_;
+        let t14_ = T::mul_neg_add(t4_, c_(0.054054054054054064), t13_);
+        let t15_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
+        let t16_ = cos_elbow_angle_ * cos_elbow_angle_;
+        let t17_ = T::mul_neg_add(
             cos_elbow_angle_,
             c_(2.0685934174848226),
             cos_elbow_angle_,
         );
-        let t17_ = t10_ + t5_;
-        let t18_ = T::mul_neg_add(
+        let t18_ = t10_ + t1_;
+        let t19_ = T::mul_neg_add(
             sin_elbow_angle_,
             c_(0.16439898730535732),
             sin_elbow_angle_,
         );
-        let t19_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t18_);
-        let t20_ = T::mul_add(cos_elbow_angle_, t17_, t9_);
-        let t21_ = t11_ - t20_;
-        let t22_ = t11_ + t21_;
-        let t23_ = T::mul_sub(t3_, t19_, t22_);
-        let t24_ = T::mul_add(
+        let t20_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t19_);
+        let t21_ = T::mul_add(cos_elbow_angle_, t18_, t9_);
+        let t22_ = t11_ - t21_;
+        let t23_ = t11_ + t22_;
+        let t24_ = T::mul_sub(t5_, t20_, t23_);
+        let t25_ = T::mul_add(
             sin_elbow_angle_,
             c_(0.48639392383214375),
             sin_elbow_angle_,
         );
-        let t25_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t24_);
-        let t26_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
-        let t27_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t26_);
-        let t28_ = elbow_a4_lin_y_ - t27_;
-        let t29_ = T::mul_add(t25_, t25_, t15_);
-        let t30_ = T::sqrt(t29_);
-        let t31_ = T::copysign(t30_, cos_elbow_angle_);
-        let t32_ = cos_elbow_angle_ + t31_;
-        let t33_ = t31_ * t32_;
-        let t34_ = T::recip(t33_);
-        let t35_ = t32_ * t34_;
-        let t36_ = t23_ * t35_;
-        let t37_ = sin_elbow_angle_ * t32_;
-        let t38_ = T::mul_add(t25_, t28_, t37_);
-        let t39_ = t34_ * t38_;
-        let t40_ = T::mul_neg_add(t32_, t39_, sin_elbow_angle_);
-        let t41_ = T::mul_neg_add(t25_, t39_, t28_);
-        let t42_ = T::mul_neg_add(t2_, c_(0.0810810810810811), t12_);
-        let t43_ = minus_elbow_a_lin_y_ - t42_;
-        let t44_ = T::mul_add(t3_, t16_, t1_);
-        let t45_ = T::mul_add(t36_, t40_, t44_);
-        let t46_ = t43_ - t45_;
-        let t47_ = t14_ * t25_;
-        let t48_ = t34_ * t47_;
-        let t49_ = t32_ * t48_;
-        let t50_ = T::mul_neg_add(t25_, t48_, t14_);
-        let t51_ = T::mul_add(t41_, t41_, c_(0.25));
-        let t52_ = T::sqrt(t51_);
-        let t53_ = T::copysign(t52_, -t41_);
-        let t54_ = t41_ - t53_;
-        let t55_ = t53_ * t54_;
-        let t56_ = T::recip(t55_);
-        let t57_ = t54_ * t56_;
-        let t58_ = t46_ * t57_;
-        let t59_ = T::mul_add(t50_, t54_, c_(0.16666666666666666));
-        let t60_ = t56_ * t59_;
-        let t61_ = T::mul_add(t54_, t60_, t50_);
-        let t62_ = T::mul_add(c_(0.5), t60_, c_(0.3333333333333333));
-        let t63_ = T::mul_add(c_(0.5), minus_elbow_a_lin_y_, t13_);
-        let t64_ = T::mul_add(t36_, t49_, t63_);
-        let t65_ = T::mul_sub(t58_, t61_, t64_);
-        let t66_ = T::recip(t62_);
+        let t26_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t25_);
+        let t27_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
+        let t28_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t27_);
+        let t29_ = elbow_a4_lin_y_ - t28_;
+        let t30_ = T::mul_add(t26_, t26_, t16_);
+        let t31_ = T::sqrt(t30_);
+        let t32_ = T::copysign(t31_, cos_elbow_angle_);
+        let t33_ = cos_elbow_angle_ + t32_;
+        let t34_ = t32_ * t33_;
+        let t35_ = T::recip(t34_);
+        let t36_ = t33_ * t35_;
+        let t37_ = t24_ * t36_;
+        let t38_ = sin_elbow_angle_ * t33_;
+        let t39_ = T::mul_add(t26_, t29_, t38_);
+        let t40_ = t35_ * t39_;
+        let t41_ = T::mul_neg_add(t33_, t40_, sin_elbow_angle_);
+        let t42_ = T::mul_neg_add(t26_, t40_, t29_);
+        let t43_ = T::mul_neg_add(t4_, c_(0.0810810810810811), t12_);
+        let t44_ = elbow_a_lin_y_ + t43_;
+        let t45_ = T::mul_add(t5_, t17_, t2_);
+        let t46_ = T::mul_add(t37_, t41_, t45_);
+        let t47_ = t44_ + t46_;
+        let t48_ = t15_ * t26_;
+        let t49_ = t35_ * t48_;
+        let t50_ = t33_ * t49_;
+        let t51_ = T::mul_neg_add(t26_, t49_, t15_);
+        let t52_ = T::mul_add(t42_, t42_, c_(0.25));
+        let t53_ = T::sqrt(t52_);
+        let t54_ = T::copysign(t53_, -t42_);
+        let t55_ = t42_ - t54_;
+        let t56_ = t54_ * t55_;
+        let t57_ = T::recip(t56_);
+        let t58_ = t55_ * t57_;
+        let t59_ = t47_ * t58_;
+        let t60_ = T::mul_add(t51_, t55_, c_(0.16666666666666666));
+        let t61_ = t57_ * t60_;
+        let t62_ = T::mul_add(t55_, t61_, t51_);
+        let t63_ = T::mul_add(c_(0.5), t61_, c_(0.3333333333333333));
+        let t64_ = T::mul_neg_add(t37_, t50_, t14_);
+        let t65_ = T::mul_sub(t59_, t62_, t64_);
+        let t66_ = T::recip(t63_);
         let t67_ = t65_ * t66_;
-        let t68_ = t54_ * t58_;
+        let t68_ = t55_ * t59_;
         let t69_ = T::mul_neg_add(c_(0.5), t67_, t68_);
-        let t70_ = t56_ * t69_;
-        let t71_ = T::mul_add(t54_, t70_, t58_);
-        let t72_ = t32_ * t36_;
-        let t73_ = T::mul_add(t25_, t71_, t72_);
-        let t74_ = t34_ * t73_;
-        let end_x4_ = T::mul_neg_add(t25_, t74_, t71_);
-        let minus_end_x5_ = T::mul_neg_add(c_(0.5), t70_, t67_);
+        let t70_ = t57_ * t69_;
+        let t71_ = T::mul_add(t55_, t70_, t59_);
+        let t72_ = t33_ * t37_;
+        let t73_ = T::mul_neg_add(t26_, t71_, t72_);
+        let t74_ = t35_ * t73_;
+        let minus_end_x4_ = T::mul_add(t26_, t74_, t71_);
+        let end_x5_ = T::mul_neg_add(c_(0.5), t70_, t67_);
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t75_ = t2_ * c_(1.9863939238321437);
-        let t76_ = T::mul_add(c_(0.16666666666666669), end_x4_, t75_);
-        let shoulder_beta0_ = T::mul_neg_add(c_(0.0816364570071376), t76_, end_x4_);
+        let t75_ = t4_ * c_(1.9863939238321437);
+        let t76_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t75_);
+        let minus_shoulder_beta0_ = T::mul_add(
+            c_(0.0816364570071376),
+            t76_,
+            minus_end_x4_,
+        );
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
@@ -447,7 +451,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             &["shoulder"],
             [shoulder_d_],
             [c_(2.9266666666666667)],
-            [shoulder_beta0_, -minus_end_x5_],
+            [-minus_shoulder_beta0_, end_x5_],
         )?;
         at_.efforts.data.0 = [[c_(0.0), c_(0.0)]];
         point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
@@ -506,10 +510,10 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         point4_.set_angular_velocity([c_(0.0), c_(0.0), elbow_omega_z_]);
         point4_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
         point4_.set_force([c_(0.0), c_(0.0), c_(0.0)]);
-        at_.accelerations.data.0 = [[shoulder_beta0_, -minus_end_x5_]];
-        at_.rate_accelerations.data.0 = [[shoulder_beta0_, -minus_end_x5_]];
-        point1_.set_angular_acceleration([c_(0.0), c_(0.0), shoulder_beta0_]);
-        point2_.set_angular_acceleration([c_(0.0), c_(0.0), shoulder_beta0_]);
+        at_.accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
+        at_.rate_accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
+        point1_.set_angular_acceleration([c_(0.0), c_(0.0), -minus_shoulder_beta0_]);
+        point2_.set_angular_acceleration([c_(0.0), c_(0.0), -minus_shoulder_beta0_]);
         /// Motion across `elbow`.
         let t77_ = cos_shoulder_angle_ * cos_elbow_angle_;
         let elbow_axes_x_x_ = T::mul_neg_add(
@@ -548,21 +552,21 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                 c_(1.0),
             ]);
         let t79_ = shoulder_rate_ * cos_shoulder_angle_;
-        let minus_elbow_drift_lin_x_ = shoulder_rate_ * t79_;
+        let minus_elbow_centripetal_x_2_ = shoulder_rate_ * t79_;
         let t80_ = shoulder_rate_ * sin_shoulder_angle_;
         point2_.set_velocity([-t80_, t79_, c_(0.0)]);
         point3_.set_velocity([-t80_, t79_, c_(0.0)]);
-        let minus_elbow_drift_lin_y_ = shoulder_rate_ * t80_;
+        let minus_elbow_centripetal_y_ = shoulder_rate_ * t80_;
         /// Point of `elbow`, [P, Eqs. (12), (13), (36)]: 2 mul, 3 add, 0 reciprocal.
-        let minus_elbow_acc_lin_x_ = T::mul_add(
+        let minus_elbow_acc_lin_x_ = T::mul_neg_add(
             sin_shoulder_angle_,
-            shoulder_beta0_,
-            minus_elbow_drift_lin_x_,
+            minus_shoulder_beta0_,
+            minus_elbow_centripetal_x_2_,
         );
-        let minus_elbow_acc_lin_y_ = T::mul_neg_add(
+        let minus_elbow_acc_lin_y_ = T::mul_add(
             cos_shoulder_angle_,
-            shoulder_beta0_,
-            minus_elbow_drift_lin_y_,
+            minus_shoulder_beta0_,
+            minus_elbow_centripetal_y_,
         );
         point2_
             .set_acceleration([
@@ -576,15 +580,15 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                 -minus_elbow_acc_lin_y_,
                 c_(0.0),
             ]);
-        let minus_elbow_acc_ang_z_ = minus_end_x5_ - shoulder_beta0_;
-        point3_.set_angular_acceleration([c_(0.0), c_(0.0), -minus_elbow_acc_ang_z_]);
-        point4_.set_angular_acceleration([c_(0.0), c_(0.0), -minus_elbow_acc_ang_z_]);
+        let elbow_acc_ang_z_ = end_x5_ - minus_shoulder_beta0_;
+        point3_.set_angular_acceleration([c_(0.0), c_(0.0), elbow_acc_ang_z_]);
+        point4_.set_angular_acceleration([c_(0.0), c_(0.0), elbow_acc_ang_z_]);
         /// Load of the body at `shoulder`, [P, Eqs. (18), (19)]: 1 mul, 0 add, 0 reciprocal.
         let minus_shoulder_own_force_x_ = c_(0.5) * minus_elbow_acc_lin_x_;
         /// Load of the body at `elbow`, [P, Eqs. (18), (19)]: 9 mul, 8 add, 0 reciprocal.
         let t81_ = elbow_omega_z_ * elbow_axes_x_x_;
         let t82_ = elbow_omega_z_ * t81_;
-        let t83_ = T::mul_neg_add(minus_elbow_axes_x_y_, minus_elbow_acc_ang_z_, t82_);
+        let t83_ = T::mul_add(minus_elbow_axes_x_y_, elbow_acc_ang_z_, t82_);
         let t84_ = minus_elbow_acc_lin_x_ + t83_;
         let minus_elbow_own_force_x_ = T::mul_add(
             c_(0.5),
@@ -595,7 +599,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t86_ = elbow_omega_z_ * t85_;
         let t87_ = c_(9.8) - minus_elbow_acc_lin_y_;
         let t88_ = c_(0.5) * t87_;
-        let t89_ = T::mul_add(elbow_axes_x_x_, minus_elbow_acc_ang_z_, t86_);
+        let t89_ = T::mul_neg_add(elbow_axes_x_x_, elbow_acc_ang_z_, t86_);
         let t90_ = minus_elbow_acc_lin_y_ + t89_;
         point4_.set_acceleration([-t84_, -t90_, c_(0.0)]);
         let t91_ = c_(9.8) - t90_;

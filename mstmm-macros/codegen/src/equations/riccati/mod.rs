@@ -29,10 +29,11 @@ mod direction;
 mod recover;
 
 use super::closure::{self, Closure};
+use super::motion::Drift;
 use super::passage::Bundle;
 use super::problem::{Movement, Problem};
 use super::{Pivot, Trace};
-use crate::math::{Motion, Scalar, SpatialInertia, Wrench};
+use crate::math::{Motion, Scalar, SpatialInertia, Vec3, Wrench};
 use direction::{Condition, Eliminated, eliminate};
 use recover::recover;
 
@@ -135,7 +136,7 @@ fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<S> {
             pivots.push(Pivot { link: index, value: pivot, scale });
         }
         for (gamma, pull) in sums.gamma.iter_mut().zip(&here.pulls) {
-            *gamma = *gamma + problem.drift[index].power(*pull);
+            *gamma = *gamma + problem.drift[index].power(&over.to_parent, *pull);
         }
         match links[index].parent {
             Some(parent) => hand_over(&here, problem, index, &mut carried[parent]),
@@ -179,10 +180,12 @@ fn hand_over<S: Scalar>(
     let mass = here.inertia.linear.trace();
     parent.scales.0 = parent.scales.0 + mass;
     parent.scales.1 = parent.scales.1 + mass * over.arm.dot(over.arm);
-    let load = here.load + here.inertia.times(problem.drift[index]);
+    let Drift { on_parent, in_hinge } = problem.drift[index];
+    let load = (here.load + here.inertia.times(in_hinge)).turned(&over.to_parent);
     let inertia = over.to_parent.of_inertia(&here.inertia);
+    let load = load + inertia.times(Motion { linear: on_parent, angular: Vec3::zero() });
     parent.inertia = parent.inertia + inertia.moved_from(over.arm);
-    parent.load = parent.load + over.returned(load);
+    parent.load = parent.load + load.moved_from(over.arm);
     parent.reach = parent.reach + here.reach + over.arm.dot(over.arm);
     for (pull, &more) in parent.pulls.iter_mut().zip(&here.pulls) {
         *pull = *pull + over.returned(more);

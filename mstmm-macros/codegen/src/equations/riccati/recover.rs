@@ -69,8 +69,9 @@ fn advance_early<S: Scalar>(
     axis: usize,
 ) -> (Vec<S>, Motion<S>) {
     let beside = step.beside(axis);
-    let rest = step.rest - problem.drift[index].power(beside);
-    let new = rest - parent.power(problem.links[index].over.returned(beside));
+    let over = &problem.links[index].over;
+    let rest = step.rest - problem.drift[index].power(&over.to_parent, beside);
+    let new = rest - parent.power(over.returned(beside));
     (vec![new - carried.at(axis)], carried.with(axis, new))
 }
 
