@@ -1,13 +1,15 @@
 //! Products that are computed in one operation with the sum that they are a term of.
 
+use super::arrivals::Arrivals;
 use super::{Live, Turns};
 use crate::expr::{Edge, Graph, Node, Stage};
 
-/// Which products are taken into the sum that alone uses them: one for every sum that has any, the
-/// later one of two. Both must be computed at the same place; what is known earlier than `stage`
+/// Which products are taken into the sum that alone uses them: one for every sum that has any, of two
+/// the one whose factors are known later. Both must be computed at the same place; what is known earlier than `stage`
 /// is no product but a number.
 pub(super) fn fused(graph: &Graph, live: &Live, turns: &Turns, stage: Stage) -> Vec<bool> {
     let mut fused = vec![false; graph.len()];
+    let arrivals = Arrivals::of(graph, |id| turns.home(id));
     for &id in live.nodes() {
         let Node::Sum(a, b) = graph.node(id) else { continue };
         let belongs = |term: &Edge| {
@@ -17,7 +19,8 @@ pub(super) fn fused(graph: &Graph, live: &Live, turns: &Turns, stage: Stage) -> 
                 && (stage < Stage::State || graph.stage(node) == stage)
                 && turns.home(node) == turns.home(id)
         };
-        if let Some(term) = [b, a].iter().find(|term| belongs(term)) {
+        let arrival = |term: &Edge| arrivals.at(turns.home(id), term.node());
+        if let Some(term) = [a, b].into_iter().filter(belongs).max_by_key(arrival) {
             fused[term.node() as usize] = true;
         }
     }

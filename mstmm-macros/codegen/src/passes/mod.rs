@@ -11,6 +11,7 @@
 //! formulas are written down.
 
 mod angles;
+mod arrivals;
 mod compute;
 mod factor;
 mod fuse;

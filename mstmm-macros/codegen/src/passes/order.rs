@@ -2,10 +2,10 @@
 //! that the next one is there when it is needed. A processor that has several operations under way
 //! at once waits less.
 
-use super::latency::{MULTIPLICATION, of_node};
+use super::arrivals::Arrivals;
 use super::sums::Sums;
 use super::{Home, Images, Turn};
-use crate::expr::{Edge, Expr, Graph, Node, NodeId, Stage};
+use crate::expr::{Edge, Expr, Graph};
 use crate::math::Scalar;
 
 /// Sums of so many terms and more are added up in two halves, side by side.
@@ -14,8 +14,8 @@ const HALVED: usize = 6;
 /// Rewrites everything that `results` need.
 pub fn order(graph: &Graph, results: &[Edge], turns: &[Turn], parts: &[Option<usize>]) -> Images {
     let sums = Sums::of(graph, results, turns, parts);
-    let mut pass =
-        Order { graph, images: Images::new(graph), arrivals: Arrivals::new(graph, &sums) };
+    let arrivals = Arrivals::of(graph, |id| sums.home(id));
+    let mut pass = Order { graph, images: Images::new(graph), arrivals };
     for id in sums.nodes() {
         let image = match sums.terms(id) {
             Some(terms) => {
@@ -35,6 +35,7 @@ pub fn order(graph: &Graph, results: &[Edge], turns: &[Turn], parts: &[Option<us
 struct Order<'g> {
     graph: &'g Graph,
     images: Images,
+    /// Of the new formulas; the old ones are among them.
     arrivals: Arrivals<'g>,
 }
 
@@ -59,61 +60,6 @@ impl<'g> Order<'g> {
             None => arrival(edge),
         };
         Term { value, ready, is_product: factors.is_some() }
-    }
-}
-
-/// When the nodes of the new formulas are known, in cycles from the beginning of the time of a loop that
-/// computes them; those of the old ones are among them.
-struct Arrivals<'g> {
-    graph: &'g Graph,
-    all: Vec<(Home, u32)>,
-}
-
-impl<'g> Arrivals<'g> {
-    /// Of formulas that are still to be rewritten.
-    fn new(graph: &'g Graph, sums: &Sums) -> Self {
-        let mut arrivals = Arrivals { graph, all: Vec::new() };
-        for id in 0..graph.len() as NodeId {
-            arrivals.add(id, sums.home(id));
-        }
-        arrivals
-    }
-
-    /// When a node is known at `home`: from the beginning, if it is computed elsewhere.
-    fn at(&self, home: Home, node: NodeId) -> u32 {
-        let (own, arrival) = self.all[node as usize];
-        if own == home { arrival } else { 0 }
-    }
-
-    /// Takes down the nodes that are new, which are computed at `home`.
-    fn follow(&mut self, home: Home) {
-        for id in self.all.len()..self.graph.len() {
-            self.add(id as NodeId, home);
-        }
-    }
-
-    fn add(&mut self, id: NodeId, home: Home) {
-        let arrival = self.arrival(id, home);
-        self.all.push((home, arrival));
-    }
-
-    fn arrival(&self, id: NodeId, home: Home) -> u32 {
-        let formula = self.graph.node(id);
-        if self.graph.stage(id) < Stage::State {
-            return 0;
-        }
-        let known = |edge: Edge| self.at(home, edge.node());
-        let is_product = |edge: &Edge| matches!(self.graph.node(edge.node()), Node::Product(..));
-        match formula {
-            // One product is computed with the sum.
-            Node::Sum(a, b) if is_product(&b) => {
-                known(a).max(known(b).saturating_sub(MULTIPLICATION)) + MULTIPLICATION
-            }
-            Node::Sum(a, b) if is_product(&a) => {
-                known(b).max(known(a).saturating_sub(MULTIPLICATION)) + MULTIPLICATION
-            }
-            _ => formula.operands().map(known).max().unwrap_or(0) + of_node(&formula),
-        }
     }
 }
 

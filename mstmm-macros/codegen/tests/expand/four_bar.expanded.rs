@@ -435,13 +435,13 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t134_ = T::mul_neg_add(closure_d1_, t128_, c_(1.0));
         let t159_ = t128_ * t157_;
         let t135_ = t98_ * t134_;
+        let t138_ = t134_ * t134_;
         let t160_ = T::mul_add(t98_, t159_, t158_);
         let t136_ = t133_ * t135_;
         let t161_ = t133_ * t160_;
         let t137_ = T::mul_neg_add(t133_, t136_, t135_);
         let t162_ = T::mul_neg_add(t133_, t161_, t160_);
-        let t138_ = t137_ * t137_;
-        let t139_ = T::mul_add(t134_, t134_, t138_);
+        let t139_ = T::mul_add(t137_, t137_, t138_);
         let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
         let t141_ = T::sqrt(t140_);
         let t142_ = t137_ * t141_;
@@ -750,8 +750,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t135_ = t98_ * t134_;
         let t136_ = t133_ * t135_;
         let t137_ = T::mul_neg_add(t133_, t136_, t135_);
-        let t138_ = t137_ * t137_;
-        let t139_ = T::mul_add(t134_, t134_, t138_);
+        let t138_ = t134_ * t134_;
+        let t139_ = T::mul_add(t137_, t137_, t138_);
         let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
         let t141_ = T::sqrt(t140_);
         let t142_ = t137_ * t141_;
@@ -1002,9 +1002,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t246_ = T::mul_add(t235_, t243_, t245_);
         at_.kinetic_energy = t246_;
         let t247_ = t195_ + t201_;
-        let t248_ = t247_ * c_(19.6);
+        let t248_ = sin_crank_pin_angle_ * c_(4.9);
         let t249_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
-        let t250_ = T::mul_add(sin_crank_pin_angle_, c_(4.9), t248_);
+        let t250_ = T::mul_add(t247_, c_(19.6), t248_);
         let t251_ = T::mul_add(c_(5.88), t249_, t250_);
         at_.potential_energy = t251_;
         let t252_ = cos_rocker_pin_angle_ * t133_;
@@ -1090,9 +1090,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t25_ = T::mul_add(t16_, t24_, t20_);
         let t26_ = T::mul_add(t15_, t22_, t25_);
         let t27_ = t8_ + t12_;
-        let t28_ = t27_ * c_(19.6);
+        let t28_ = sin_crank_pin_angle_ * c_(4.9);
         let t29_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
-        let t30_ = T::mul_add(sin_crank_pin_angle_, c_(4.9), t28_);
+        let t30_ = T::mul_add(t27_, c_(19.6), t28_);
         let t31_ = T::mul_add(c_(5.88), t29_, t30_);
         ::mstmm::Energy {
             kinetic: t26_,
@@ -1329,8 +1329,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t114_ = t84_ * t113_;
         let t115_ = t112_ * t114_;
         let t116_ = T::mul_neg_add(t112_, t115_, t114_);
-        let t117_ = t116_ * t116_;
-        let t118_ = T::mul_add(t113_, t113_, t117_);
+        let t117_ = t113_ * t113_;
+        let t118_ = T::mul_add(t116_, t116_, t117_);
         let t119_ = ::mstmm::generated::recip_above(t118_, c_(1.0));
         let t120_ = T::sqrt(t119_);
         let t121_ = t116_ * t120_;
@@ -1455,12 +1455,12 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t214_ = b_omega_z_ - minus_b_a_ang_z_2_;
         let t215_ = rocker_pin_rate_ + b_omega_z_;
         let t216_ = c_(1.0) - t133_;
-        let t217_ = t216_ * t216_;
-        let t218_ = t215_ * t215_;
-        let t219_ = T::mul_add(t178_, t178_, t218_);
+        let t217_ = t215_ * t215_;
+        let t218_ = t179_ * t179_;
+        let t219_ = T::mul_add(t178_, t178_, t217_);
         let t220_ = T::mul_add(t142_, t142_, t219_);
         let t221_ = T::mul_add(t206_, t206_, t220_);
-        let t222_ = T::mul_add(t179_, t179_, t217_);
+        let t222_ = T::mul_add(t216_, t216_, t218_);
         let t223_ = T::mul_add(t144_, t144_, t222_);
         let t224_ = t221_ + t223_;
         let t225_ = T::sqrt(t224_);

@@ -351,11 +351,11 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t27_ = tip_turn_x_z_ * minus_tip_w2_;
         let t28_ = T::mul_neg_add(minus_tip_a_ang_x_, minus_tip_turn_x_x_, t27_);
         let tip_acc_ang_x_ = T::mul_sub(minus_tip_turn_x_y_, minus_tip_a_ang_y_, t28_);
-        let t29_ = tip_turn_y_x_ * minus_tip_a_ang_x_;
-        let t30_ = T::mul_neg_add(minus_tip_turn_y_z_, minus_tip_w2_, t29_);
+        let t29_ = minus_tip_turn_y_z_ * minus_tip_w2_;
+        let t30_ = T::mul_sub(tip_turn_y_x_, minus_tip_a_ang_x_, t29_);
         let tip_acc_ang_y_ = T::mul_sub(minus_tip_a_ang_y_, minus_tip_turn_y_y_, t30_);
-        let t31_ = minus_tip_turn_z_x_ * minus_tip_a_ang_x_;
-        let t32_ = T::mul_add(minus_tip_w2_, minus_tip_turn_z_z_, t31_);
+        let t31_ = minus_tip_w2_ * minus_tip_turn_z_z_;
+        let t32_ = T::mul_add(minus_tip_turn_z_x_, minus_tip_a_ang_x_, t31_);
         let minus_tip_acc_ang_z_ = T::mul_sub(tip_turn_z_y_, minus_tip_a_ang_y_, t32_);
         point1_
             .set_angular_acceleration([
@@ -384,11 +384,11 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t40_ = tip_turn_x_z_ * t37_;
         let t41_ = T::mul_add(t38_, minus_tip_turn_x_x_, t40_);
         let minus_tip_own_force_x_ = T::mul_add(minus_tip_turn_x_y_, t39_, t41_);
-        let t42_ = tip_turn_y_x_ * t38_;
-        let t43_ = T::mul_add(minus_tip_turn_y_z_, t37_, t42_);
+        let t42_ = minus_tip_turn_y_z_ * t37_;
+        let t43_ = T::mul_add(tip_turn_y_x_, t38_, t42_);
         let minus_tip_own_force_y_ = T::mul_sub(minus_tip_turn_y_y_, t39_, t43_);
-        let t44_ = minus_tip_turn_z_x_ * t38_;
-        let t45_ = T::mul_neg_add(minus_tip_turn_z_z_, t37_, t44_);
+        let t44_ = minus_tip_turn_z_z_ * t37_;
+        let t45_ = T::mul_sub(minus_tip_turn_z_x_, t38_, t44_);
         let tip_own_force_z_ = T::mul_sub(tip_turn_z_y_, t39_, t45_);
         point0_
             .set_force([

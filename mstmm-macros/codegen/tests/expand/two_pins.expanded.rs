@@ -158,14 +158,13 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             c_(0.16439898730535732),
             sin_elbow_angle_,
         );
-        /// Transfer to `elbow`.
-        let t6_ = cos_elbow_angle_ * c_(0.16439898730535732);
-        /// Boundary solve at the far end.
         let t17_ = T::mul_neg_add(
             cos_elbow_angle_,
             c_(2.0685934174848226),
             cos_elbow_angle_,
         );
+        /// Transfer to `elbow`.
+        let t6_ = cos_elbow_angle_ * c_(0.16439898730535732);
         /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
         let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
         /// Boundary solve at the far end.
@@ -179,9 +178,11 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t11_ = sin_elbow_angle_ * shoulder_a_lin_y_;
         /// Transfer to `elbow`.
         let t4_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
-        let t2_ = cos_elbow_angle_ * shoulder_a_lin_y_;
         /// Boundary solve at the far end.
         let t20_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t19_);
+        /// Transfer to `elbow`.
+        let t2_ = cos_elbow_angle_ * shoulder_a_lin_y_;
+        /// Boundary solve at the far end.
         let t30_ = T::mul_add(t26_, t26_, t16_);
         /// Inertia beyond the hinges, to be divided by.
         let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
@@ -192,11 +193,16 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t12_ = sin_elbow_angle_ * t10_;
         /// Transfer to `elbow`.
         let t5_ = t4_ * c_(0.9863939238321437);
+        /// Boundary solve at the far end.
+        let t13_ = t4_ * c_(0.054054054054054064);
+        /// Transfer to `elbow`.
         let t3_ = T::mul_add(sin_elbow_angle_, t1_, t2_);
+        /// Boundary solve at the far end.
+        let t31_ = T::sqrt(t30_);
+        let t38_ = t26_ * t29_;
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
         let t75_ = t4_ * c_(1.9863939238321437);
         /// Boundary solve at the far end.
-        let t31_ = T::sqrt(t30_);
         let t21_ = T::mul_add(cos_elbow_angle_, t18_, t9_);
         let t43_ = T::mul_neg_add(t4_, c_(0.0810810810810811), t12_);
         let t45_ = T::mul_add(t5_, t17_, t2_);
@@ -204,17 +210,15 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let elbow_a_lin_y_ = T::mul_neg_add(t5_, t6_, t3_);
         /// Boundary solve at the far end.
         let t22_ = t11_ - t21_;
-        let t13_ = c_(0.5) * elbow_a_lin_y_;
         let t44_ = elbow_a_lin_y_ + t43_;
+        let t14_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t13_);
         let t23_ = t11_ + t22_;
         let t24_ = T::mul_sub(t5_, t20_, t23_);
-        let t14_ = T::mul_neg_add(t4_, c_(0.054054054054054064), t13_);
         let t32_ = T::copysign(t31_, cos_elbow_angle_);
         let t33_ = cos_elbow_angle_ + t32_;
         let t34_ = t32_ * t33_;
-        let t38_ = sin_elbow_angle_ * t33_;
+        let t39_ = T::mul_add(sin_elbow_angle_, t33_, t38_);
         let t35_ = T::recip(t34_);
-        let t39_ = T::mul_add(t26_, t29_, t38_);
         let t40_ = t35_ * t39_;
         let t49_ = t35_ * t48_;
         let t36_ = t33_ * t35_;
@@ -358,8 +362,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t10_ = T::mul_sub(shoulder_rate_, t7_, shoulder_a_lin_x_);
         let t11_ = sin_elbow_angle_ * shoulder_a_lin_y_;
         let t12_ = sin_elbow_angle_ * t10_;
-        let t13_ = c_(0.5) * elbow_a_lin_y_;
-        let t14_ = T::mul_neg_add(t4_, c_(0.054054054054054064), t13_);
+        let t13_ = t4_ * c_(0.054054054054054064);
+        let t14_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t13_);
         let t15_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
         let t16_ = cos_elbow_angle_ * cos_elbow_angle_;
         let t17_ = T::mul_neg_add(
@@ -395,8 +399,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t35_ = T::recip(t34_);
         let t36_ = t33_ * t35_;
         let t37_ = t24_ * t36_;
-        let t38_ = sin_elbow_angle_ * t33_;
-        let t39_ = T::mul_add(t26_, t29_, t38_);
+        let t38_ = t26_ * t29_;
+        let t39_ = T::mul_add(sin_elbow_angle_, t33_, t38_);
         let t40_ = t35_ * t39_;
         let t41_ = T::mul_neg_add(t33_, t40_, sin_elbow_angle_);
         let t42_ = T::mul_neg_add(t26_, t40_, t29_);
@@ -624,9 +628,9 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t97_ = shoulder_rate_ * t93_;
         let t98_ = c_(0.5) * t95_;
         let t99_ = c_(0.5) * t96_;
-        let t100_ = t80_ * t98_;
-        let t101_ = T::mul_add(elbow_omega_z_, t94_, t97_);
-        let t102_ = T::mul_add(c_(0.5), t101_, t100_);
+        let t100_ = T::mul_add(elbow_omega_z_, t94_, t97_);
+        let t101_ = c_(0.5) * t100_;
+        let t102_ = T::mul_add(t80_, t98_, t101_);
         let t103_ = T::mul_add(t79_, t99_, t102_);
         at_.kinetic_energy = t103_;
         let t104_ = sin_shoulder_angle_ + minus_elbow_axes_x_y_;
@@ -681,12 +685,12 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t8_ = shoulder_rate_ * t2_;
         let t9_ = c_(0.5) * t6_;
         let t10_ = c_(0.5) * t7_;
-        let t11_ = t4_ * t9_;
-        let t12_ = T::mul_add(elbow_omega_z_, t3_, t8_);
-        let t13_ = T::mul_add(c_(0.5), t12_, t11_);
+        let t11_ = T::mul_add(elbow_omega_z_, t3_, t8_);
+        let t12_ = c_(0.5) * t11_;
+        let t13_ = T::mul_add(t4_, t9_, t12_);
         let t14_ = T::mul_add(t5_, t10_, t13_);
-        let t15_ = c_(4.9) * minus_elbow_axes_x_y_;
-        let t16_ = T::mul_add(sin_shoulder_angle_, c_(14.700000000000001), t15_);
+        let t15_ = sin_shoulder_angle_ * c_(14.700000000000001);
+        let t16_ = T::mul_add(c_(4.9), minus_elbow_axes_x_y_, t15_);
         ::mstmm::Energy {
             kinetic: t14_,
             potential: t16_,

@@ -1,0 +1,62 @@
+//! When values are known, on a processor that computes each as soon as it can.
+
+use super::Home;
+use super::latency::{MULTIPLICATION, of_node};
+use crate::expr::{Edge, Graph, Node, NodeId, Stage};
+
+/// When the nodes of a graph are known, in cycles from the beginning of the program, or of the time of a
+/// loop that computes them.
+pub(super) struct Arrivals<'g> {
+    graph: &'g Graph,
+    all: Vec<(Home, u32)>,
+}
+
+impl<'g> Arrivals<'g> {
+    /// Of all nodes so far, each of which is computed at its `home`.
+    pub(super) fn of(graph: &'g Graph, home: impl Fn(NodeId) -> Home) -> Self {
+        let mut arrivals = Arrivals { graph, all: Vec::new() };
+        for id in 0..graph.len() as NodeId {
+            arrivals.add(id, home(id));
+        }
+        arrivals
+    }
+
+    /// When a node is known at `home`: from the beginning, if it is computed elsewhere.
+    pub(super) fn at(&self, home: Home, node: NodeId) -> u32 {
+        let (own, arrival) = self.all[node as usize];
+        if own == home { arrival } else { 0 }
+    }
+
+    /// Takes down the nodes that are new, which are computed at `home`.
+    pub(super) fn follow(&mut self, home: Home) {
+        for id in self.all.len()..self.graph.len() {
+            self.add(id as NodeId, home);
+        }
+    }
+
+    fn add(&mut self, id: NodeId, home: Home) {
+        let arrival = self.arrival(id, home);
+        self.all.push((home, arrival));
+    }
+
+    fn arrival(&self, id: NodeId, home: Home) -> u32 {
+        let formula = self.graph.node(id);
+        if self.graph.stage(id) < Stage::State {
+            return 0;
+        }
+        let known = |edge: Edge| self.at(home, edge.node());
+        let Node::Sum(a, b) = formula else {
+            return formula.operands().map(known).max().unwrap_or(0) + of_node(&formula);
+        };
+        let apart = known(a).max(known(b)) + of_node(&formula);
+        // The factors of one product are known earlier than it would be.
+        let together = |product: Edge, other: Edge| {
+            matches!(self.graph.node(product.node()), Node::Product(..)).then(|| {
+                let factors = known(product).saturating_sub(MULTIPLICATION);
+                known(other).max(factors) + MULTIPLICATION
+            })
+        };
+        let earliest = together(a, b).into_iter().chain(together(b, a)).min();
+        earliest.unwrap_or(apart)
+    }
+}
