@@ -14,7 +14,8 @@ pub enum Error {
         /// The hinge's name in the chain's description.
         hinge: &'static str,
     },
-    /// A coordinate, a rate, an input or the time is NaN or infinite.
+    /// A coordinate, a rate, an input or the time is NaN or infinite, or they are so large that the
+    /// accelerations, or their sum, are beyond what a number can hold.
     NotFinite,
     /// A value was refused; the one set before is kept.
     Parameter {

@@ -5,34 +5,37 @@
 /// What a loop leaves for later ones, time by time: room that nothing fills before it does.
 pub use arrayvec::ArrayVec as Stored;
 
+use core::convert::identity;
+
 use crate::{ChainState, Closure, Error, Mask, Scalar};
 
 /// How many units in the last place of its scale a pivot must exceed to count as positive: a pivot that should vanish is
 /// the difference of a few rounded products of that size.
 const NOISE: f64 = 8.0;
 
-/// Whether all pivots are positive beyond rounding, and all results finite.
-#[inline]
+/// Whether all pivots are positive beyond rounding, and all results finite: so is then their sum, and if
+/// it overflows they mean nothing either.
+#[inline(always)]
 fn is_regular<T: Scalar, const P: usize, const N: usize>(
     pivots: [T; P],
     scales: [T; P],
     results: [T; N],
 ) -> bool {
     let noise = T::epsilon() * T::constant(NOISE);
-    let mut regular = T::Mask::splat(true);
+    let mut regular = T::total(&[&results]).finite();
     for (pivot, scale) in pivots.into_iter().zip(scales) {
         regular = regular & pivot.greater(noise * scale);
     }
-    (regular & T::all_finite(&[&results])).all()
+    regular.all()
 }
 
-/// Fails if any of the numbers is NaN or infinite. What a chain computes need not depend on all of them.
+/// Fails if any of the numbers is NaN or infinite, or their sum. What a chain computes need not depend on all of them.
 ///
 /// # Errors
 /// [`Error::NotFinite`].
 #[inline]
 pub fn finite<T: Scalar>(numbers: &[&[T]]) -> Result<(), Error> {
-    if T::all_finite(numbers).all() { Ok(()) } else { Err(Error::NotFinite) }
+    if T::total(numbers).finite().all() { Ok(()) } else { Err(Error::NotFinite) }
 }
 
 /// Fails if any of the numbers is NaN or infinite, of which there may be many: they are added up
@@ -42,12 +45,11 @@ pub fn finite<T: Scalar>(numbers: &[&[T]]) -> Result<(), Error> {
 /// [`Error::NotFinite`].
 #[inline]
 pub fn all_finite<T: Scalar>(numbers: &[T]) -> Result<(), Error> {
-    let zero = T::constant(0.0);
     let (chunks, rest) = numbers.as_chunks::<16>();
-    let mut sums = [zero; 16];
+    let mut sums = [T::constant(0.0); 16];
     for chunk in chunks {
-        for (sum, number) in sums.iter_mut().zip(chunk) {
-            *sum = number.mul_add(zero, *sum);
+        for (sum, &number) in sums.iter_mut().zip(chunk) {
+            *sum += number;
         }
     }
     finite(&[&sums, rest])
@@ -57,7 +59,7 @@ pub fn all_finite<T: Scalar>(numbers: &[T]) -> Result<(), Error> {
 ///
 /// # Errors
 /// [`Error::Singular`], [`Error::NotFinite`].
-#[inline]
+#[inline(always)]
 pub fn regular<T: Scalar, const P: usize, const N: usize>(
     hinges: &[&'static str; P],
     pivots: [T; P],
@@ -65,21 +67,18 @@ pub fn regular<T: Scalar, const P: usize, const N: usize>(
     results: [T; N],
 ) -> Result<(), Error> {
     if is_regular(pivots, scales, results) {
-        Ok(())
-    } else {
-        Err(diagnosis(hinges, pivots, scales))
+        return Ok(());
     }
+    // Copies, without which the arrays would be in memory also where nothing is wrong.
+    Err(diagnosis(hinges, &pivots.map(identity), &scales.map(identity)))
 }
 
 /// Why a chain has no accelerations.
 #[cold]
-fn diagnosis<T: Scalar, const P: usize>(
-    hinges: &[&'static str; P],
-    pivots: [T; P],
-    scales: [T; P],
-) -> Error {
+#[inline(never)]
+fn diagnosis<T: Scalar>(hinges: &[&'static str], pivots: &[T], scales: &[T]) -> Error {
     let noise = T::epsilon() * T::constant(NOISE);
-    for ((&hinge, pivot), scale) in hinges.iter().zip(pivots).zip(scales) {
+    for ((&hinge, &pivot), &scale) in hinges.iter().zip(pivots).zip(scales) {
         // Too large a state is no fault of the hinge.
         if (pivot.finite() & scale.finite()).all() && !pivot.greater(noise * scale).all() {
             return Error::Singular { hinge };
@@ -98,10 +97,11 @@ pub fn check_parameter<T: Scalar>(
     values: &[T],
     derived: &[&[T]],
 ) -> Result<(), Error> {
-    if finite(&[values]).is_err() {
+    let finite = |numbers: &[T]| numbers.iter().all(|number| number.finite().all());
+    if !finite(values) {
         return Err(Error::Parameter { name, reason: "must be a finite number" });
     }
-    if finite(derived).is_err() {
+    if !derived.iter().all(|numbers| finite(numbers)) {
         return Err(Error::Parameter {
             name,
             reason: "must leave all quantities derived from it finite",

@@ -103,22 +103,17 @@ macro_rules! lanes {
 
             // In four sums: a processor has room for fewer instructions on vectors while it waits.
             #[inline(always)]
-            fn all_finite(numbers: &[&[Self]]) -> Self {
-                let zero = Self::default();
-                let mut sums = [zero; 4];
+            fn total(numbers: &[&[Self]]) -> Self {
+                let mut sums = [Self::default(); 4];
                 for numbers in numbers {
                     let (blocks, rest) = numbers.as_chunks::<4>();
                     for block in blocks {
-                        for (sum, &number) in sums.iter_mut().zip(block) {
-                            *sum = Scalar::mul_add(number, zero, *sum);
-                        }
+                        sums.iter_mut().zip(block).for_each(|(sum, &number)| *sum += number);
                     }
-                    for (sum, &number) in sums.iter_mut().zip(rest) {
-                        *sum = Scalar::mul_add(number, zero, *sum);
-                    }
+                    sums.iter_mut().zip(rest).for_each(|(sum, &number)| *sum += number);
                 }
                 let [a, b, c, d] = sums;
-                Scalar::finite((a + b) + (c + d))
+                (a + b) + (c + d)
             }
 
             #[inline(always)]

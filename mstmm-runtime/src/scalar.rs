@@ -119,16 +119,15 @@ pub trait Scalar:
     /// Where `self` is neither infinite nor NaN.
     fn finite(self) -> Self::Mask;
 
-    /// Where all of the numbers are finite.
+    /// The sum of all numbers, in an order of its own.
     ///
-    /// Zero times a number is zero, or NaN where the number is not finite: one comparison for all of
-    /// them. They are added up one after the other, which nothing else waits for; from several sums
-    /// side by side the compiler would make vectors, and compute the chain out of their lanes.
+    /// They are added up one after the other, for whoever does not wait for it; from several sums side
+    /// by side the compiler would make vectors, and compute what the numbers come from out of their
+    /// lanes.
     #[inline(always)]
-    fn all_finite(numbers: &[&[Self]]) -> Self::Mask {
-        let zero = Self::constant(0.0);
-        let all = numbers.iter().copied().flatten();
-        all.fold(zero, |sum, number| number.mul_add(zero, sum)).finite()
+    fn total(numbers: &[&[Self]]) -> Self {
+        let all = numbers.iter().copied().flatten().copied();
+        all.reduce(|sum, number| sum + number).unwrap_or(Self::constant(0.0))
     }
 
     /// `yes` where `mask` is true, `no` elsewhere.

@@ -40,7 +40,7 @@ pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Ener
     for (index, (link, pose)) in links.iter().zip(&poses).enumerate() {
         let (moment, beside) = first_moment(situation, &situation.layout.links[index], link);
         let shifting = pose.velocity.dot(pose.velocity * (link.mass * half) + beside);
-        let turning = bodies[index].omega.dot(bodies[index].inertia * bodies[index].omega);
+        let turning = bodies[index].inertia.power(bodies[index].omega);
         energy.kinetic = energy.kinetic + shifting + turning * half;
         let weight = gravity * link.mass;
         energy.potential = energy.potential - weight.dot(pose.position) - gravity.dot(moment);

@@ -100,16 +100,13 @@ impl<S: Scalar> LinkMotion<S> {
     /// The load that the velocities take: `[m Ω̃Ω̃ r_C; Ω × J Ω]`, of [P, Eq. (20)] `−E_5` and, about
     /// the point, the gyroscopic part of `E_9`.
     pub fn velocity_load(&self) -> Wrench<S> {
-        Wrench { force: self.moment.centripetal(self.omega), moment: self.gyroscopic() }
-    }
-
-    fn gyroscopic(&self) -> Vec3<S> {
-        self.omega.cross(self.inertia * self.omega)
+        let moment = self.inertia.gyroscopic(self.omega);
+        Wrench { force: self.moment.centripetal_by_products(self.omega), moment }
     }
 
     /// The moment that turning takes about a point at rest: `J Ω̇ + Ω × J Ω`.
     pub fn turning_load(&self, acceleration: Vec3<S>) -> Vec3<S> {
-        self.inertia * acceleration + self.gyroscopic()
+        self.inertia * acceleration + self.inertia.gyroscopic(self.omega)
     }
 }
 
@@ -250,6 +247,10 @@ pub fn cross<S: Scalar>(
     let own_drift = crossing.drift(&subspace, v, &work);
     let omega = parent.map_or(Vec3::zero(), |parent| parent.omega);
     let mut in_hinge = own_drift + hinge_drift(to_parent.back(omega), relative);
+    let on_parent = match axes {
+        Axes::Body => arm.centripetal_by_products(omega),
+        Axes::Inertial => arm.centripetal(omega),
+    };
     let passives = hinge::passives(hinge, numbers, q, v, situation.implicit);
     let freedom = match situation.prescribed_accelerations(index) {
         Some(accelerations) => {
@@ -272,7 +273,7 @@ pub fn cross<S: Scalar>(
         passives,
         efforts,
         relative,
-        drift: Drift { on_parent: arm.centripetal(omega), in_hinge },
+        drift: Drift { on_parent, in_hinge },
         from_child: work.from_child,
     }
 }

@@ -81,21 +81,21 @@ impl<S: Scalar> Mat3<S> {
         sine * (length.atan2(self.cosine()) * length.recip())
     }
 
-    /// `self · inner · selfᵀ`
-    pub fn congruence(self, inner: Sym3<S>) -> Sym3<S> {
-        let half = self * inner.full();
-        Sym3::from_fn(|i, j| half.row(i).dot(self.row(j)))
-    }
-
     /// `self · inner · selfᵀ` of a rotation, which leaves any multiple of the identity as it is: as
     /// much of it is taken out as the last entry of the diagonal is, always that one, since what
-    /// integrators make of quaternions is no rotation to the last digit.
+    /// integrators make of quaternions is no rotation to the last digit. It leaves the trace as it is,
+    /// too, from which the first entry follows without the first row of `self · inner`.
     pub fn rotated(self, inner: Sym3<S>) -> Sym3<S> {
         let even = inner.at(2, 2);
         let along = |i: usize, j: usize| if i == j { even } else { S::zero() };
         let uneven = Sym3::from_fn(|i, j| inner.at(i, j) - along(i, j));
-        let turned = self.congruence(uneven);
-        Sym3::from_fn(|i, j| turned.at(i, j) + along(i, j))
+        let half = self * uneven.full();
+        let entry = |i: usize, j: usize| half.row(j).dot(self.row(i));
+        let is_full = !self[0].iter().any(|entry| entry.vanishes());
+        Sym3::from_fn(|i, j| match (i, j) {
+            (0, 0) if is_full => uneven.trace() - entry(1, 1) - entry(2, 2) + even,
+            _ => entry(i, j) + along(i, j),
+        })
     }
 }
 
@@ -179,6 +179,32 @@ impl<S: Scalar> Sym3<S> {
     /// Sum of the diagonal.
     pub fn trace(self) -> S {
         self.0[0] + self.0[1] + self.0[2]
+    }
+
+    /// `Ω · J Ω` of an inertia, twice the energy of turning.
+    pub fn power(self, omega: Vec3<S>) -> S {
+        if self.is_diagonal() {
+            let square = |k: usize| self.at(k, k) * (omega[k] * omega[k]);
+            return square(0) + square(1) + square(2);
+        }
+        omega.dot(self * omega)
+    }
+
+    /// `Ω × J Ω` of an inertia, of [P, Eq. (20)] the gyroscopic part of `E_9`. About principal axes these
+    /// are Euler's equations: products of rates, which points of the body have in their accelerations
+    /// too, and differences of moments, which vanish where it is even about an axis.
+    pub fn gyroscopic(self, omega: Vec3<S>) -> Vec3<S> {
+        if self.is_diagonal() {
+            return Vec3::from_fn(|k| {
+                let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+                (self.at(j, j) - self.at(i, i)) * (omega[i] * omega[j])
+            });
+        }
+        omega.cross(self * omega)
+    }
+
+    fn is_diagonal(self) -> bool {
+        [(0, 1), (0, 2), (1, 2)].iter().all(|&(i, j)| self.at(i, j).vanishes())
     }
 
     /// The inertia, about the same axes, of mass `mass` at `r`: `m (rᵀr 1 − r rᵀ)`.

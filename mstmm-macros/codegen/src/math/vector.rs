@@ -42,9 +42,19 @@ impl<S: Scalar> Vec3<S> {
     }
 
     /// `Ω̃ Ω̃ r`, the centripetal acceleration of a point at `self` from a point at rest in a body
-    /// that turns with `omega` [P, Eq. (13)].
+    /// that turns with `omega` [P, Eq. (13)]; where its velocity `Ω̃ r` is asked for as well.
     pub fn centripetal(self, omega: Self) -> Self {
         omega.cross(omega.cross(self))
+    }
+
+    /// The same by products of rates, which all points of a body share.
+    pub fn centripetal_by_products(self, omega: Self) -> Self {
+        let product = |i: usize, j: usize| omega[i] * omega[j];
+        Vec3::from_fn(|k| {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            let along = product(k, i) * self[i] + product(k, j) * self[j];
+            along - (product(i, i) + product(j, j)) * self[k]
+        })
     }
 }
 
