@@ -81,21 +81,21 @@ impl<S: Scalar> Mat3<S> {
         sine * (length.atan2(self.cosine()) * length.recip())
     }
 
+    /// `self · inner · selfᵀ`
+    pub fn congruence(self, inner: Sym3<S>) -> Sym3<S> {
+        let half = self * inner.full();
+        Sym3::from_fn(|i, j| half.row(i).dot(self.row(j)))
+    }
+
     /// `self · inner · selfᵀ` of a rotation, which leaves any multiple of the identity as it is: as
     /// much of it is taken out as the last entry of the diagonal is, always that one, since what
-    /// integrators make of quaternions is no rotation to the last digit. It leaves the trace as it is,
-    /// too, from which the first entry follows without the first row of `self · inner`.
+    /// integrators make of quaternions is no rotation to the last digit.
     pub fn rotated(self, inner: Sym3<S>) -> Sym3<S> {
         let even = inner.at(2, 2);
         let along = |i: usize, j: usize| if i == j { even } else { S::zero() };
         let uneven = Sym3::from_fn(|i, j| inner.at(i, j) - along(i, j));
-        let half = self * uneven.full();
-        let entry = |i: usize, j: usize| half.row(j).dot(self.row(i));
-        let is_full = !self[0].iter().any(|entry| entry.vanishes());
-        Sym3::from_fn(|i, j| match (i, j) {
-            (0, 0) if is_full => uneven.trace() - entry(1, 1) - entry(2, 2) + even,
-            _ => entry(i, j) + along(i, j),
-        })
+        let turned = self.congruence(uneven);
+        Sym3::from_fn(|i, j| turned.at(i, j) + along(i, j))
     }
 }
 
@@ -233,5 +233,33 @@ impl<S: Scalar> Mul<Vec3<S>> for Sym3<S> {
     type Output = Vec3<S>;
     fn mul(self, vector: Vec3<S>) -> Vec3<S> {
         self.full() * vector
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Sym3, Vec3};
+
+    /// Entries up to 20, a dozen roundings.
+    fn assert_near(a: f64, b: f64) {
+        assert!((a - b).abs() < 20.0 * 12.0 * f64::EPSILON, "{a} {b}");
+    }
+
+    #[test]
+    fn turning_about_principal_axes_is_turning_about_any() {
+        let omega = Vec3([0.7, -1.3, 2.1]);
+        for inertia in [Sym3::diagonal([0.3, 1.9, 1.1]), Sym3([0.3, 1.9, 1.1, 0.2, -0.4, 0.1])] {
+            let spin = inertia.full() * omega;
+            assert_near(inertia.power(omega), omega.dot(spin));
+            let (found, expected) = (inertia.gyroscopic(omega), omega.cross(spin));
+            (0..3).for_each(|k| assert_near(found[k], expected[k]));
+        }
+    }
+
+    #[test]
+    fn a_point_falls_inwards_by_either_formula() {
+        let (point, omega) = (Vec3([0.4, -0.9, 1.7]), Vec3([0.7, -1.3, 2.1]));
+        let (one, other) = (point.centripetal(omega), point.centripetal_by_products(omega));
+        (0..3).for_each(|k| assert_near(one[k], other[k]));
     }
 }

@@ -37,7 +37,7 @@
 ///
 /// Mobility 1: 4 rates, of which the closure takes 3.
 ///
-/// Accelerations by `riccati`, 325 operations (195 mul, 116 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 436 operations.
+/// Accelerations by `riccati`, 325 operations (195 mul, 116 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 431 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct FourBar<T> {
@@ -153,18 +153,18 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         ) = T::sin_cos([crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]);
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
-        let t0_ = crank_pin_rate_ * c_(0.2);
+        let t0_ = crank_pin_rate_ * crank_pin_rate_;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
         let b_omega_z_ = b_rate_ + a_omega_z_;
-        let t1_ = a_omega_z_ * c_(0.6);
+        let t1_ = a_omega_z_ * a_omega_z_;
         /// Motion across `a`.
-        let minus_a_centripetal_x_ = crank_pin_rate_ * t0_;
+        let minus_a_centripetal_x_ = t0_ * c_(0.2);
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t2_ = c_(0.6) * b_omega_z_;
+        let t2_ = b_omega_z_ * b_omega_z_;
         /// Motion across `b`.
-        let minus_b_centripetal_x_ = a_omega_z_ * t1_;
+        let minus_b_centripetal_x_ = t1_ * c_(0.6);
         /// Riccati transfer over `b`.
-        let minus_b_e_force_x_ = b_omega_z_ * t2_;
+        let minus_b_e_force_x_ = c_(0.6) * t2_;
         /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 13 mul, 4 add, 1 reciprocal.
         let t4_ = sin_b_angle_ * sin_b_angle_;
         let t3_ = sin_b_angle_ * cos_b_angle_;
@@ -518,7 +518,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 436 operations: 255 mul, 167 add, 8 reciprocal, 6 square root, 4 sin/cos.
+    /// 431 operations: 250 mul, 167 add, 8 reciprocal, 6 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -538,7 +538,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Load on `b` | \[P, Eqs. (18), (19)\] | 8 | 9 | 0 | 0 | 0 |
     /// | Load on `a` | \[P, Eqs. (18), (19)\] | 0 | 5 | 0 | 0 | 0 |
     /// | Load on `crank_pin` | \[P, Eqs. (18), (19)\] | 2 | 4 | 0 | 0 | 0 |
-    /// | Results |  | 19 | 24 | 0 | 0 | 0 |
+    /// | Results |  | 14 | 24 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -574,15 +574,15 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         ) = T::sin_cos([crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]);
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 12 mul, 3 add, 0 reciprocal.
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
-        let t0_ = crank_pin_rate_ * c_(0.2);
-        let minus_a_centripetal_x_ = crank_pin_rate_ * t0_;
+        let t0_ = crank_pin_rate_ * crank_pin_rate_;
+        let minus_a_centripetal_x_ = t0_ * c_(0.2);
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 10 mul, 3 add, 0 reciprocal.
         let b_omega_z_ = b_rate_ + a_omega_z_;
-        let t1_ = a_omega_z_ * c_(0.6);
-        let minus_b_centripetal_x_ = a_omega_z_ * t1_;
+        let t1_ = a_omega_z_ * a_omega_z_;
+        let minus_b_centripetal_x_ = t1_ * c_(0.6);
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t2_ = c_(0.6) * b_omega_z_;
-        let minus_b_e_force_x_ = b_omega_z_ * t2_;
+        let t2_ = b_omega_z_ * b_omega_z_;
+        let minus_b_e_force_x_ = c_(0.6) * t2_;
         /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 13 mul, 4 add, 1 reciprocal.
         let t3_ = sin_b_angle_ * cos_b_angle_;
         let a_k_xy_ = c_(1.5) * t3_;
@@ -894,7 +894,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t225_ = c_(9.8) - minus_a_acc_lin_y_;
         let t226_ = T::mul_add(c_(0.5), t225_, c_(4.9));
         let minus_crank_pin_load_force_y_ = minus_a_load_force_y_ - t226_;
-        /// Results: 19 mul, 24 add, 0 reciprocal.
+        /// Results: 14 mul, 24 add, 0 reciprocal.
         let t227_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
         let t228_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
         let t229_ = c_(4.0) + t14_;
@@ -982,60 +982,56 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         point7_.set_angular_acceleration([c_(0.0)]);
         point7_.set_moment([c_(0.0)]);
         point7_.set_force([rocker_pin_load_force_x_, rocker_pin_load_force_y_]);
-        let t232_ = crank_pin_rate_ * c_(0.020000000000000004);
-        let t233_ = a_omega_z_ * c_(0.24);
-        let t234_ = b_omega_z_ * c_(0.24);
-        let t235_ = t196_ + t202_;
-        let t236_ = t194_ + t200_;
-        point4_.set_velocity([-t235_, t236_]);
-        point5_.set_velocity([-t235_, t236_]);
-        let t237_ = t235_ + t217_;
-        let t238_ = t236_ + t213_;
-        point6_.set_velocity([-t237_, t238_]);
-        let t239_ = crank_pin_rate_ * t232_;
-        let t240_ = T::mul_add(a_omega_z_, t233_, t239_);
-        let t241_ = T::mul_add(b_omega_z_, t234_, t240_);
-        let t242_ = c_(0.5) * t241_;
-        let t243_ = t196_ + t237_;
-        let t244_ = t194_ + t238_;
-        let t245_ = T::mul_add(t236_, t244_, t242_);
-        let t246_ = T::mul_add(t235_, t243_, t245_);
-        at_.kinetic_energy = t246_;
-        let t247_ = t195_ + t201_;
-        let t248_ = sin_crank_pin_angle_ * c_(4.9);
-        let t249_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
-        let t250_ = T::mul_add(t247_, c_(19.6), t248_);
-        let t251_ = T::mul_add(c_(5.88), t249_, t250_);
-        at_.potential_energy = t251_;
-        let t252_ = cos_rocker_pin_angle_ * t133_;
-        let t253_ = sin_rocker_pin_angle_ * t133_;
-        let t254_ = cos_rocker_pin_angle_ * t142_;
-        let t255_ = T::mul_add(sin_rocker_pin_angle_, t143_, t254_);
-        let t256_ = sin_rocker_pin_angle_ * t142_;
-        let t257_ = T::mul_neg_add(cos_rocker_pin_angle_, t143_, t256_);
+        let t232_ = t196_ + t202_;
+        let t233_ = t194_ + t200_;
+        point4_.set_velocity([-t232_, t233_]);
+        point5_.set_velocity([-t232_, t233_]);
+        let t234_ = t232_ + t217_;
+        let t235_ = t233_ + t213_;
+        point6_.set_velocity([-t234_, t235_]);
+        let t236_ = t0_ * c_(0.010000000000000002);
+        let t237_ = t196_ + t234_;
+        let t238_ = t194_ + t235_;
+        let t239_ = t1_ + t2_;
+        let t240_ = T::mul_add(c_(0.12), t239_, t236_);
+        let t241_ = T::mul_add(t233_, t238_, t240_);
+        let t242_ = T::mul_add(t232_, t237_, t241_);
+        at_.kinetic_energy = t242_;
+        let t243_ = t195_ + t201_;
+        let t244_ = sin_crank_pin_angle_ * c_(4.9);
+        let t245_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
+        let t246_ = T::mul_add(t243_, c_(19.6), t244_);
+        let t247_ = T::mul_add(c_(5.88), t245_, t246_);
+        at_.potential_energy = t247_;
+        let t248_ = cos_rocker_pin_angle_ * t133_;
+        let t249_ = sin_rocker_pin_angle_ * t133_;
+        let t250_ = cos_rocker_pin_angle_ * t142_;
+        let t251_ = T::mul_add(sin_rocker_pin_angle_, t143_, t250_);
+        let t252_ = sin_rocker_pin_angle_ * t142_;
+        let t253_ = T::mul_neg_add(cos_rocker_pin_angle_, t143_, t252_);
         at_.closure = ::mstmm::generated::closure([
-            [t252_, t253_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
-            [-t255_, -t257_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [t248_, t249_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [-t251_, -t253_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
         ]);
-        let t258_ = t193_ + t199_;
-        point4_.set_position([t258_, t247_]);
-        point5_.set_position([t258_, t247_]);
-        let t259_ = t211_ + t258_;
-        let t260_ = t212_ + t247_;
-        point6_.set_position([t259_, t260_]);
+        let t254_ = t193_ + t199_;
+        point4_.set_position([t254_, t243_]);
+        point5_.set_position([t254_, t243_]);
+        let t255_ = t211_ + t254_;
+        let t256_ = t212_ + t243_;
+        point6_.set_position([t255_, t256_]);
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 52 operations: 32 mul, 20 add, 0 reciprocal, 3 sin/cos.
+    /// 50 operations: 30 mul, 20 add, 0 reciprocal, 3 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 3 |
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 4 | 3 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 4 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 24 | 14 | 0 | 0 | 0 |
+    /// | Results |  | 22 | 14 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &FourBarState<T>) -> ::mstmm::Energy<T> {
@@ -1065,38 +1061,36 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t3_ = sin_b_angle_ * a_axes_x_x_;
         let minus_b_axes_x_y_ = T::mul_add(cos_b_angle_, minus_a_axes_x_y_, t3_);
         let b_omega_z_ = b_rate_ + a_omega_z_;
-        /// Results: 24 mul, 14 add, 0 reciprocal.
-        let t4_ = crank_pin_rate_ * c_(0.020000000000000004);
-        let t5_ = a_omega_z_ * c_(0.24);
-        let t6_ = b_omega_z_ * c_(0.24);
-        let t7_ = cos_crank_pin_angle_ * c_(0.2);
-        let t8_ = sin_crank_pin_angle_ * c_(0.2);
-        let t9_ = crank_pin_rate_ * t8_;
-        let t10_ = crank_pin_rate_ * t7_;
-        let t11_ = c_(0.6) * a_axes_x_x_;
-        let t12_ = c_(0.6) * minus_a_axes_x_y_;
-        let t13_ = c_(0.6) * b_axes_x_x_;
-        let t14_ = c_(0.6) * minus_b_axes_x_y_;
-        let t15_ = T::mul_add(a_omega_z_, t12_, t9_);
-        let t16_ = T::mul_add(a_omega_z_, t11_, t10_);
-        let t17_ = crank_pin_rate_ * t4_;
-        let t18_ = T::mul_add(a_omega_z_, t5_, t17_);
-        let t19_ = T::mul_add(b_omega_z_, t6_, t18_);
-        let t20_ = c_(0.5) * t19_;
+        /// Results: 22 mul, 14 add, 0 reciprocal.
+        let t4_ = crank_pin_rate_ * crank_pin_rate_;
+        let t5_ = a_omega_z_ * a_omega_z_;
+        let t6_ = cos_crank_pin_angle_ * c_(0.2);
+        let t7_ = sin_crank_pin_angle_ * c_(0.2);
+        let t8_ = crank_pin_rate_ * t7_;
+        let t9_ = crank_pin_rate_ * t6_;
+        let t10_ = c_(0.6) * a_axes_x_x_;
+        let t11_ = c_(0.6) * minus_a_axes_x_y_;
+        let t12_ = c_(0.6) * b_axes_x_x_;
+        let t13_ = c_(0.6) * minus_b_axes_x_y_;
+        let t14_ = T::mul_add(a_omega_z_, t11_, t8_);
+        let t15_ = T::mul_add(a_omega_z_, t10_, t9_);
+        let t16_ = t4_ * c_(0.010000000000000002);
+        let t17_ = T::mul_add(b_omega_z_, b_omega_z_, t5_);
+        let t18_ = T::mul_add(c_(0.12), t17_, t16_);
+        let t19_ = t8_ + t14_;
+        let t20_ = T::mul_add(b_omega_z_, t13_, t19_);
         let t21_ = t9_ + t15_;
-        let t22_ = T::mul_add(b_omega_z_, t14_, t21_);
-        let t23_ = t10_ + t16_;
-        let t24_ = T::mul_add(b_omega_z_, t13_, t23_);
-        let t25_ = T::mul_add(t16_, t24_, t20_);
-        let t26_ = T::mul_add(t15_, t22_, t25_);
-        let t27_ = t8_ + t12_;
-        let t28_ = sin_crank_pin_angle_ * c_(4.9);
-        let t29_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
-        let t30_ = T::mul_add(t27_, c_(19.6), t28_);
-        let t31_ = T::mul_add(c_(5.88), t29_, t30_);
+        let t22_ = T::mul_add(b_omega_z_, t12_, t21_);
+        let t23_ = T::mul_add(t15_, t22_, t18_);
+        let t24_ = T::mul_add(t14_, t20_, t23_);
+        let t25_ = t7_ + t11_;
+        let t26_ = sin_crank_pin_angle_ * c_(4.9);
+        let t27_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
+        let t28_ = T::mul_add(t25_, c_(19.6), t26_);
+        let t29_ = T::mul_add(c_(5.88), t27_, t28_);
         ::mstmm::Energy {
-            kinetic: t26_,
-            potential: t31_,
+            kinetic: t24_,
+            potential: t29_,
         }
     }
 }
@@ -1391,18 +1385,18 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let minus_b_a_ang_z_ = T::mul_sub(t160_, minus_a_a_lin_x_, t166_);
         /// Closure.
         let t167_ = crank_pin_rate_ * c_(0.2);
-        let t168_ = a_omega_z_ * c_(0.6);
-        let t169_ = c_(0.6) * b_omega_z_;
-        let t170_ = sin_a_angle_ * t167_;
-        let t171_ = T::mul_add(cos_a_angle_, t167_, t168_);
-        let t172_ = cos_b_angle_ * t170_;
-        let t173_ = T::mul_add(sin_b_angle_, t171_, t172_);
-        let t174_ = cos_rocker_pin_angle_ * t173_;
-        let t175_ = sin_rocker_pin_angle_ * t173_;
-        let t176_ = T::mul_add(cos_b_angle_, t171_, t169_);
-        let t177_ = T::mul_sub(sin_b_angle_, t170_, t176_);
-        let t178_ = T::mul_neg_add(sin_rocker_pin_angle_, t177_, t174_);
-        let t179_ = T::mul_add(cos_rocker_pin_angle_, t177_, t175_);
+        let t168_ = sin_a_angle_ * t167_;
+        let t169_ = a_omega_z_ * c_(0.6);
+        let t170_ = T::mul_add(cos_a_angle_, t167_, t169_);
+        let t171_ = cos_b_angle_ * t168_;
+        let t172_ = T::mul_add(sin_b_angle_, t170_, t171_);
+        let t173_ = c_(0.6) * b_omega_z_;
+        let t174_ = cos_rocker_pin_angle_ * t172_;
+        let t175_ = sin_rocker_pin_angle_ * t172_;
+        let t176_ = T::mul_sub(sin_b_angle_, t168_, t173_);
+        let t177_ = T::mul_sub(cos_b_angle_, t170_, t176_);
+        let t178_ = T::mul_add(sin_rocker_pin_angle_, t177_, t174_);
+        let t179_ = T::mul_neg_add(cos_rocker_pin_angle_, t177_, t175_);
         let t180_ = T::mul_add(t84_, t178_, t179_);
         let t181_ = t83_ * t178_;
         let t182_ = t107_ * t180_;

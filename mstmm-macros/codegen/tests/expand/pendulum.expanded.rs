@@ -22,7 +22,7 @@
 ///
 /// Mobility 1: 1 degree of freedom.
 ///
-/// Accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 24 operations.
+/// Accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 23 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Pendulum<T> {
@@ -203,7 +203,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 24 operations: 19 mul, 5 add, 0 reciprocal, 1 sin/cos.
+    /// 23 operations: 18 mul, 5 add, 0 reciprocal, 1 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -211,7 +211,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 3 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Load of the body at `joint` | \[P, Eqs. (18), (19)\] | 7 | 4 | 0 | 0 | 0 |
-    /// | Results |  | 5 | 0 | 0 | 0 | 0 |
+    /// | Results |  | 4 | 0 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -233,8 +233,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
         /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 3 mul, 0 add, 0 reciprocal.
-        let t0_ = joint_rate_ * known_joint_b_y_z_;
-        let minus_joint_e_force_x_ = joint_rate_ * t0_;
+        let t0_ = joint_rate_ * joint_rate_;
+        let minus_joint_e_force_x_ = known_joint_b_y_z_ * t0_;
         let joint_w0_ = joint_input0_ * known_p5_;
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 1 add, 0 reciprocal.
         let joint_a_lin_x_ = sin_joint_angle_ * c_(9.8);
@@ -321,14 +321,13 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             .set_force([-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)]);
         point1_
             .set_force([-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)]);
-        /// Results: 5 mul, 0 add, 0 reciprocal.
-        let t7_ = joint_rate_ * known_joint_j_yy_;
-        let t8_ = joint_rate_ * t7_;
-        let t9_ = c_(0.5) * t8_;
-        at_.kinetic_energy = t9_;
-        let t10_ = sin_joint_angle_ * known_joint_b_y_z_;
-        let t11_ = c_(9.8) * t10_;
-        at_.potential_energy = t11_;
+        /// Results: 4 mul, 0 add, 0 reciprocal.
+        let t7_ = known_joint_j_yy_ * t0_;
+        let t8_ = c_(0.5) * t7_;
+        at_.kinetic_energy = t8_;
+        let t9_ = sin_joint_angle_ * known_joint_b_y_z_;
+        let t10_ = c_(9.8) * t9_;
+        at_.potential_energy = t10_;
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
@@ -350,8 +349,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_joint_angle_], [_]) = T::sin_cos([joint_angle_]);
         /// Results: 5 mul, 0 add, 0 reciprocal.
-        let t0_ = joint_rate_ * known_joint_j_yy_;
-        let t1_ = joint_rate_ * t0_;
+        let t0_ = joint_rate_ * joint_rate_;
+        let t1_ = known_joint_j_yy_ * t0_;
         let t2_ = c_(0.5) * t1_;
         let t3_ = sin_joint_angle_ * known_joint_b_y_z_;
         let t4_ = c_(9.8) * t3_;

@@ -63,7 +63,7 @@
 ///
 /// Mobility 11: 11 degrees of freedom.
 ///
-/// Accelerations by `riccati`, 103 operations (59 mul, 43 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 260 operations; those of repeated parts are counted once.
+/// Accelerations by `riccati`, 102 operations (58 mul, 43 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 258 operations; those of repeated parts are counted once.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Rope<T> {
@@ -243,12 +243,12 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for Rope<T> {
 impl<T: ::mstmm::Scalar> Rope<T> {
     /// The accelerations of a linearly implicit step of Euler's method.
     ///
-    /// 117 operations: 62 mul, 54 add, 1 reciprocal, 2 sin/cos.
+    /// 116 operations: 61 mul, 54 add, 1 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
-    /// | Results |  | 40 | 32 | 0 | 0 | 0 |
+    /// | Results |  | 39 | 32 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
@@ -307,37 +307,36 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
-            /// Results: 4 mul, 2 add, 0 reciprocal.
+            /// Results: 3 mul, 2 add, 0 reciprocal.
             let t11_ = joint_angle_ * c_(0.2);
-            let t15_ = known_p5_ + t9_;
+            let t14_ = known_p5_ + t9_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t10_ = c_(0.1) * joint_omega_z_;
+            let t10_ = joint_omega_z_ * joint_omega_z_;
             /// Results.
-            let t12_ = known_p2_ * joint_omega_z_;
-            let t14_ = T::mul_add(joint_rate_, t8_, t11_);
+            let t13_ = T::mul_add(joint_rate_, t8_, t11_);
             /// Motion across `end_of_repeat0`.
-            let minus_end_of_repeat0_centripetal_x_ = joint_omega_z_ * t10_;
+            let minus_end_of_repeat0_centripetal_x_ = c_(0.1) * t10_;
             /// Results.
-            let t13_ = joint_omega_z_ * t12_;
+            let t12_ = known_p2_ * t10_;
             _ = store1_
                 .try_push([
                     sin_joint_angle_,
                     cos_joint_angle_,
                     minus_end_of_repeat0_centripetal_x_,
+                    t12_,
                     t13_,
                     t14_,
-                    t15_,
                 ]);
             (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t16_ = c_(0.2) * hook_omega_z_;
-        let hook_e_force_y_ = hook_omega_z_ * t16_;
+        let t15_ = hook_omega_z_ * hook_omega_z_;
+        let hook_e_force_y_ = c_(0.2) * t15_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t17_ = sin_hook_angle_ * hook_e_force_y_;
-        let t18_ = cos_hook_angle_ * hook_e_force_y_;
+        let t16_ = sin_hook_angle_ * hook_e_force_y_;
+        let t17_ = cos_hook_angle_ * hook_e_force_y_;
         let mut carry1_0_ = t5_;
         let mut carry1_1_ = -t3_;
         let mut carry1_2_ = c_(2.0);
@@ -345,8 +344,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry1_4_ = c_(0.0);
         let mut carry1_5_ = c_(0.0);
         let mut carry1_6_ = c_(0.0);
-        let mut carry1_7_ = -t17_;
-        let mut carry1_8_ = t18_;
+        let mut carry1_7_ = -t16_;
+        let mut carry1_8_ = t17_;
         let mut carry1_9_ = c_(0.0);
         for (
             &[_,
@@ -362,9 +361,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             &[sin_joint_angle_,
             cos_joint_angle_,
             minus_end_of_repeat0_centripetal_x_,
+            t12_,
             t13_,
             t14_,
-            t15_,
             ],
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
@@ -384,74 +383,74 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_8_before_ = carry1_8_;
             let carry1_9_before_ = carry1_9_;
             /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 10 mul, 12 add, 1 reciprocal.
-            let t19_ = T::mul_add(c_(0.1), carry1_1_before_, carry1_5_before_);
-            let t21_ = known_p4_ + carry1_6_before_;
+            let t18_ = T::mul_add(c_(0.1), carry1_1_before_, carry1_5_before_);
+            let t20_ = known_p4_ + carry1_6_before_;
             let joint_b_x_z_ = T::mul_add(c_(0.1), carry1_3_before_, carry1_4_before_);
             let joint_e_force_y_ = T::mul_neg_add(
                 carry1_3_before_,
                 minus_end_of_repeat0_centripetal_x_,
                 carry1_8_before_,
             );
-            let t22_ = T::mul_neg_add(
+            let t21_ = T::mul_neg_add(
                 carry1_4_before_,
                 minus_end_of_repeat0_centripetal_x_,
                 carry1_9_before_,
             );
             /// Results: 24 mul, 25 add, 0 reciprocal.
-            let t25_ = known_p1_ + carry1_0_before_;
-            let t28_ = known_p1_ + carry1_1_before_;
-            let t35_ = t13_ - carry1_7_before_;
-            let t26_ = carry1_0_before_ + carry1_1_before_;
+            let t24_ = known_p1_ + carry1_0_before_;
+            let t27_ = known_p1_ + carry1_1_before_;
+            let t34_ = t12_ - carry1_7_before_;
+            let t25_ = carry1_0_before_ + carry1_1_before_;
             /// Riccati transfer over `joint`.
             let joint_k_zz_ = known_p1_ + carry1_2_before_;
-            let t20_ = carry1_5_before_ + t19_;
-            let joint_b_y_z_ = known_p2_ + t19_;
-            let joint_e_moment_z_ = T::mul_add(c_(0.1), joint_e_force_y_, t22_);
+            let t19_ = carry1_5_before_ + t18_;
+            let joint_b_y_z_ = known_p2_ + t18_;
+            let joint_e_moment_z_ = T::mul_add(c_(0.1), joint_e_force_y_, t21_);
             /// Results.
-            let t36_ = T::mul_add(
+            let t35_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_centripetal_x_,
-                t35_,
+                t34_,
             );
-            let t27_ = carry1_2_before_ + t26_;
+            let t26_ = carry1_2_before_ + t25_;
             /// Riccati transfer over `joint`.
-            let joint_j_zz_ = T::mul_add(c_(0.1), t20_, t21_);
+            let joint_j_zz_ = T::mul_add(c_(0.1), t19_, t20_);
             /// Results.
-            let t56_ = T::mul_add(c_(0.010000000000000002), t27_, t15_);
+            let t55_ = T::mul_add(c_(0.010000000000000002), t26_, t14_);
             /// Riccati transfer over `joint`.
-            let t24_ = joint_e_moment_z_ + t14_;
+            let t23_ = joint_e_moment_z_ + t13_;
             let joint_d0_ = t9_ + joint_j_zz_;
-            let t23_ = T::recip(joint_d0_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t23_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t23_;
-            let minus_joint_w0_ = t23_ * t24_;
-            let joint_z0_moment_z_ = joint_j_zz_ * t23_;
+            let t22_ = T::recip(joint_d0_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t22_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t22_;
+            let minus_joint_w0_ = t22_ * t23_;
+            let joint_z0_moment_z_ = joint_j_zz_ * t22_;
             /// Results.
-            let t29_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t25_);
-            let t30_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t28_);
-            let t31_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
-            let t32_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_x_, joint_b_x_z_);
-            let t37_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t36_);
-            let t33_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_y_, joint_b_y_z_);
-            let t38_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
-            let t34_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
-            let t39_ = T::mul_neg_add(joint_j_zz_, minus_joint_w0_, joint_e_moment_z_);
-            let t44_ = t29_ - t30_;
-            let t46_ = c_(2.0) * t31_;
-            let t52_ = cos_joint_angle_ * t32_;
-            let t40_ = cos_joint_angle_ * t37_;
-            let t42_ = sin_joint_angle_ * t37_;
-            let t54_ = sin_joint_angle_ * t32_;
-            let t45_ = sin_joint_angle_ * t44_;
-            let t53_ = T::mul_neg_add(sin_joint_angle_, t33_, t52_);
-            let t41_ = T::mul_add(sin_joint_angle_, t38_, t40_);
-            let t43_ = T::mul_neg_add(cos_joint_angle_, t38_, t42_);
-            let t55_ = T::mul_add(cos_joint_angle_, t33_, t54_);
-            let t47_ = T::mul_add(cos_joint_angle_, t46_, t45_);
-            let t48_ = sin_joint_angle_ * t47_;
-            let t50_ = T::mul_neg_add(cos_joint_angle_, t47_, t31_);
-            let t49_ = t29_ - t48_;
-            let t51_ = t30_ + t48_;
+            let t28_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t24_);
+            let t29_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t27_);
+            let t30_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
+            let t31_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_x_, joint_b_x_z_);
+            let t36_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t35_);
+            let t32_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_y_, joint_b_y_z_);
+            let t37_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
+            let t33_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
+            let t38_ = T::mul_neg_add(joint_j_zz_, minus_joint_w0_, joint_e_moment_z_);
+            let t43_ = t28_ - t29_;
+            let t45_ = c_(2.0) * t30_;
+            let t51_ = cos_joint_angle_ * t31_;
+            let t39_ = cos_joint_angle_ * t36_;
+            let t41_ = sin_joint_angle_ * t36_;
+            let t53_ = sin_joint_angle_ * t31_;
+            let t44_ = sin_joint_angle_ * t43_;
+            let t52_ = T::mul_neg_add(sin_joint_angle_, t32_, t51_);
+            let t40_ = T::mul_add(sin_joint_angle_, t37_, t39_);
+            let t42_ = T::mul_neg_add(cos_joint_angle_, t37_, t41_);
+            let t54_ = T::mul_add(cos_joint_angle_, t32_, t53_);
+            let t46_ = T::mul_add(cos_joint_angle_, t45_, t44_);
+            let t47_ = sin_joint_angle_ * t46_;
+            let t49_ = T::mul_neg_add(cos_joint_angle_, t46_, t30_);
+            let t48_ = t28_ - t47_;
+            let t50_ = t29_ + t47_;
             _ = store3_
                 .try_push([
                     minus_joint_w0_,
@@ -459,7 +458,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     joint_z0_force_y_,
                     joint_z0_moment_z_,
                 ]);
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_d0_, t56_);
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_d0_, t55_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -471,7 +470,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_7_,
                 carry1_8_,
                 carry1_9_,
-            ) = (t49_, t51_, joint_k_zz_, -t50_, t53_, t55_, t34_, -t41_, -t43_, t39_);
+            ) = (t48_, t50_, joint_k_zz_, -t49_, t52_, t54_, t33_, -t40_, -t42_, t38_);
         }
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
@@ -505,29 +504,29 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 7 mul, 6 add, 0 reciprocal.
-            let t58_ = sin_joint_angle_ * carry2_0_before_;
-            let t57_ = cos_joint_angle_ * carry2_0_before_;
-            let t59_ = T::mul_add(carry2_2_before_, joint_z0_moment_z_, minus_joint_w0_);
+            let t57_ = sin_joint_angle_ * carry2_0_before_;
+            let t56_ = cos_joint_angle_ * carry2_0_before_;
+            let t58_ = T::mul_add(carry2_2_before_, joint_z0_moment_z_, minus_joint_w0_);
             let minus_joint_a_lin_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry2_1_before_,
-                t58_,
+                t57_,
             );
-            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t57_);
-            let t60_ = T::mul_sub(minus_joint_a_lin_y_, joint_z0_force_y_, t59_);
+            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t56_);
+            let t59_ = T::mul_sub(minus_joint_a_lin_y_, joint_z0_force_y_, t58_);
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
             let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_centripetal_x_
                 - joint_a_lin_x_;
             /// Acceleration of `joint`.
-            let t61_ = T::mul_sub(joint_a_lin_x_, joint_z0_force_x_, t60_);
-            let joint_a_ang_z_ = carry2_2_before_ - t61_;
+            let t60_ = T::mul_sub(joint_a_lin_x_, joint_z0_force_x_, t59_);
+            let joint_a_ang_z_ = carry2_2_before_ - t60_;
             /// Acceleration of `end_of_repeat0`.
             let minus_end_of_repeat0_a_lin_y_ = T::mul_neg_add(
                 c_(0.1),
                 joint_a_ang_z_,
                 minus_joint_a_lin_y_,
             );
-            *o0_0_ = -t61_;
+            *o0_0_ = -t60_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 -minus_end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
@@ -535,13 +534,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Results: 2 mul, 2 add, 0 reciprocal.
-        let t62_ = T::mul_add(t7_, carry2_1_, carry2_2_);
-        let t63_ = T::mul_add(t6_, carry2_0_, t62_);
+        let t61_ = T::mul_add(t7_, carry2_1_, carry2_2_);
+        let t62_ = T::mul_add(t6_, carry2_0_, t61_);
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t63_;
+            *o0_ = -t62_;
         }
         ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
@@ -553,12 +552,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     }
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
-    /// 103 operations: 59 mul, 43 add, 1 reciprocal, 2 sin/cos.
+    /// 102 operations: 58 mul, 43 add, 1 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
-    /// | Results |  | 40 | 29 | 0 | 0 | 0 |
+    /// | Results |  | 39 | 29 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
@@ -620,17 +619,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
-            /// Results: 8 mul, 2 add, 0 reciprocal.
+            /// Results: 7 mul, 2 add, 0 reciprocal.
             let t9_ = joint_angle_ * c_(0.2);
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t8_ = c_(0.1) * joint_omega_z_;
+            let t8_ = joint_omega_z_ * joint_omega_z_;
             /// Results.
-            let t15_ = known_p2_ * joint_omega_z_;
             let t10_ = T::mul_add(joint_rate_, c_(0.01), t9_);
             /// Motion across `end_of_repeat0`.
-            let minus_end_of_repeat0_centripetal_x_ = joint_omega_z_ * t8_;
+            let minus_end_of_repeat0_centripetal_x_ = c_(0.1) * t8_;
             /// Results.
-            let t16_ = joint_omega_z_ * t15_;
+            let t15_ = known_p2_ * t8_;
             let t11_ = sin_joint_angle_ * sin_joint_angle_;
             let t12_ = sin_joint_angle_ * cos_joint_angle_;
             let t14_ = T::mul_neg_add(c_(2.0), t11_, c_(1.0));
@@ -645,24 +643,24 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     t13_,
                     t14_,
                     minus_end_of_repeat0_centripetal_x_,
-                    t16_,
+                    t15_,
                 ]);
             (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t17_ = c_(0.2) * hook_omega_z_;
-        let hook_e_force_y_ = hook_omega_z_ * t17_;
+        let t16_ = hook_omega_z_ * hook_omega_z_;
+        let hook_e_force_y_ = c_(0.2) * t16_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t18_ = sin_hook_angle_ * hook_e_force_y_;
-        let t19_ = cos_hook_angle_ * hook_e_force_y_;
+        let t17_ = sin_hook_angle_ * hook_e_force_y_;
+        let t18_ = cos_hook_angle_ * hook_e_force_y_;
         let mut carry1_0_ = t5_;
         let mut carry1_1_ = -t3_;
         let mut carry1_2_ = c_(2.0);
         let mut carry1_3_ = -t4_;
-        let mut carry1_4_ = -t18_;
-        let mut carry1_5_ = t19_;
+        let mut carry1_4_ = -t17_;
+        let mut carry1_5_ = t18_;
         let mut carry1_6_ = c_(0.0);
         for (
             &[_,
@@ -683,7 +681,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             t13_,
             t14_,
             minus_end_of_repeat0_centripetal_x_,
-            t16_,
+            t15_,
             ],
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
@@ -712,56 +710,56 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
             let joint_b_x_z_ = c_(0.1) * carry1_3_before_;
             let joint_b_y_z_ = T::mul_add(c_(0.1), carry1_1_before_, known_p2_);
-            let t21_ = t10_ + carry1_6_before_;
+            let t20_ = t10_ + carry1_6_before_;
             /// Results: 22 mul, 22 add, 0 reciprocal.
-            let t42_ = t16_ - carry1_4_before_;
-            let t27_ = known_p1_ + carry1_1_before_;
-            let t23_ = known_p1_ + carry1_0_before_;
-            let t24_ = carry1_0_before_ + carry1_1_before_;
+            let t41_ = t15_ - carry1_4_before_;
+            let t26_ = known_p1_ + carry1_1_before_;
+            let t22_ = known_p1_ + carry1_0_before_;
+            let t23_ = carry1_0_before_ + carry1_1_before_;
             /// Riccati transfer over `joint`.
             let joint_k_zz_ = known_p1_ + carry1_2_before_;
-            let t20_ = T::recip(joint_j_zz_);
-            let t22_ = T::mul_add(c_(0.1), joint_e_force_y_, t21_);
+            let t19_ = T::recip(joint_j_zz_);
+            let t21_ = T::mul_add(c_(0.1), joint_e_force_y_, t20_);
             /// Results.
-            let t28_ = joint_b_x_z_ * joint_b_x_z_;
-            let t30_ = joint_b_y_z_ * joint_b_y_z_;
-            let t32_ = joint_b_x_z_ * joint_b_y_z_;
-            let t43_ = T::mul_add(
+            let t27_ = joint_b_x_z_ * joint_b_x_z_;
+            let t29_ = joint_b_y_z_ * joint_b_y_z_;
+            let t31_ = joint_b_x_z_ * joint_b_y_z_;
+            let t42_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_centripetal_x_,
-                t42_,
+                t41_,
             );
-            let t25_ = carry1_2_before_ + t24_;
-            let t26_ = T::mul_add(c_(0.010000000000000002), t25_, known_p5_);
+            let t24_ = carry1_2_before_ + t23_;
+            let t25_ = T::mul_add(c_(0.010000000000000002), t24_, known_p5_);
             /// Riccati transfer over `joint`.
-            let minus_joint_w0_ = t20_ * t22_;
+            let minus_joint_w0_ = t19_ * t21_;
             /// Results.
-            let t31_ = T::mul_neg_add(t20_, t30_, t27_);
-            let t33_ = T::mul_neg_add(t20_, t32_, carry1_3_before_);
-            let t29_ = T::mul_neg_add(t20_, t28_, t23_);
+            let t30_ = T::mul_neg_add(t19_, t29_, t26_);
+            let t32_ = T::mul_neg_add(t19_, t31_, carry1_3_before_);
+            let t28_ = T::mul_neg_add(t19_, t27_, t22_);
             /// Riccati transfer over `joint`.
-            let joint_z0_force_x_ = joint_b_x_z_ * t20_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t20_;
+            let joint_z0_force_x_ = joint_b_x_z_ * t19_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t19_;
             /// Results.
-            let t44_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t43_);
-            let t45_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
-            let t50_ = T::mul_add(t13_, t33_, t31_);
-            let t35_ = t29_ - t31_;
-            let t36_ = t14_ * t33_;
-            let t38_ = cos_joint_angle_ * joint_z0_force_x_;
-            let t40_ = sin_joint_angle_ * joint_z0_force_x_;
-            let t34_ = t29_ + t31_;
-            let t46_ = cos_joint_angle_ * t44_;
-            let t48_ = sin_joint_angle_ * t44_;
-            let t51_ = T::mul_add(t11_, t35_, t50_);
-            let t37_ = T::mul_add(t12_, t35_, t36_);
-            let t39_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t38_);
-            let t41_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t40_);
-            let t47_ = T::mul_add(sin_joint_angle_, t45_, t46_);
-            let t49_ = T::mul_neg_add(cos_joint_angle_, t45_, t48_);
-            let t52_ = t34_ - t51_;
-            _ = store3_.try_push([t39_, t41_, minus_joint_w0_]);
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t26_);
+            let t43_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t42_);
+            let t44_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
+            let t49_ = T::mul_add(t13_, t32_, t30_);
+            let t34_ = t28_ - t30_;
+            let t35_ = t14_ * t32_;
+            let t37_ = cos_joint_angle_ * joint_z0_force_x_;
+            let t39_ = sin_joint_angle_ * joint_z0_force_x_;
+            let t33_ = t28_ + t30_;
+            let t45_ = cos_joint_angle_ * t43_;
+            let t47_ = sin_joint_angle_ * t43_;
+            let t50_ = T::mul_add(t11_, t34_, t49_);
+            let t36_ = T::mul_add(t12_, t34_, t35_);
+            let t38_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t37_);
+            let t40_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t39_);
+            let t46_ = T::mul_add(sin_joint_angle_, t44_, t45_);
+            let t48_ = T::mul_neg_add(cos_joint_angle_, t44_, t47_);
+            let t51_ = t33_ - t50_;
+            _ = store3_.try_push([t38_, t40_, minus_joint_w0_]);
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t25_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -770,7 +768,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_4_,
                 carry1_5_,
                 carry1_6_,
-            ) = (t52_, t51_, joint_k_zz_, t37_, -t47_, -t49_, -t10_);
+            ) = (t51_, t50_, joint_k_zz_, t36_, -t46_, -t48_, -t10_);
         }
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
@@ -787,8 +785,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_centripetal_x_,
                 _,
                 ],
-                &[t39_,
-                t41_,
+                &[t38_,
+                t40_,
                 minus_joint_w0_,
                 ],
             ),
@@ -806,32 +804,32 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
-            let t53_ = T::mul_add(carry2_1_before_, t41_, minus_joint_w0_);
+            let t52_ = T::mul_add(carry2_1_before_, t40_, minus_joint_w0_);
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-            let t55_ = sin_joint_angle_ * carry2_0_before_;
-            let t54_ = T::mul_neg_add(
+            let t54_ = sin_joint_angle_ * carry2_0_before_;
+            let t53_ = T::mul_neg_add(
                 sin_joint_angle_,
                 carry2_1_before_,
                 minus_end_of_repeat0_centripetal_x_,
             );
             /// Acceleration of `joint`.
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t39_, t53_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t38_, t52_);
             /// Acceleration of `end_of_repeat0`.
-            let t56_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t55_);
+            let t55_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t54_);
             let end_of_repeat0_a_lin_x_ = T::mul_sub(
                 cos_joint_angle_,
                 carry2_0_before_,
-                t54_,
+                t53_,
             );
             /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t57_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            let t56_ = carry2_2_before_ + minus_joint_a_ang_z_;
             /// Acceleration of `end_of_repeat0`.
             let minus_end_of_repeat0_a_lin_y_ = T::mul_add(
                 c_(0.1),
                 minus_joint_a_ang_z_,
-                t56_,
+                t55_,
             );
-            *o0_0_ = -t57_;
+            *o0_0_ = -t56_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
@@ -839,13 +837,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Results: 2 mul, 2 add, 0 reciprocal.
-        let t58_ = T::mul_add(t7_, carry2_1_, carry2_2_);
-        let t59_ = T::mul_add(t6_, carry2_0_, t58_);
+        let t57_ = T::mul_add(t7_, carry2_1_, carry2_2_);
+        let t58_ = T::mul_add(t6_, carry2_0_, t57_);
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t59_;
+            *o0_ = -t58_;
         }
         ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
@@ -874,12 +872,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 260 operations: 148 mul, 111 add, 1 reciprocal, 2 sin/cos.
+    /// 258 operations: 146 mul, 111 add, 1 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 12 | 11 | 0 | 0 | 1 |
-    /// | Results |  | 74 | 55 | 0 | 0 | 0 |
+    /// | Results |  | 72 | 55 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 16 | 13 | 0 | 0 | 1 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 10 | 0 | 0 | 0 | 0 |
     /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 2 | 3 | 0 | 0 | 0 |
@@ -989,20 +987,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t8_ = c_(0.1) * joint_omega_z_;
-            let minus_end_of_repeat0_centripetal_x_ = joint_omega_z_ * t8_;
+            let t8_ = joint_omega_z_ * joint_omega_z_;
+            let minus_end_of_repeat0_centripetal_x_ = c_(0.1) * t8_;
             /// Load on `joint`, [P, Eqs. (18), (19)]: 2 mul, 1 add, 0 reciprocal.
             let t9_ = joint_angle_ * c_(0.2);
             let minus_joint_load_moment_z_ = T::mul_add(joint_rate_, c_(0.01), t9_);
-            /// Results: 8 mul, 1 add, 0 reciprocal.
+            /// Results: 7 mul, 1 add, 0 reciprocal.
             let t10_ = joint_angle_ * t9_;
             let t11_ = t10_ * c_(0.5);
             let t12_ = sin_joint_angle_ * sin_joint_angle_;
             let t13_ = sin_joint_angle_ * cos_joint_angle_;
             let t14_ = c_(2.0) * t13_;
             let t15_ = T::mul_neg_add(c_(2.0), t12_, c_(1.0));
-            let t16_ = known_p2_ * joint_omega_z_;
-            let t17_ = joint_omega_z_ * t16_;
+            let t16_ = known_p2_ * t8_;
             _ = store1_
                 .try_push([
                     sin_joint_angle_,
@@ -1013,7 +1010,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     t14_,
                     t15_,
                     minus_end_of_repeat0_centripetal_x_,
-                    t17_,
+                    t16_,
                     t11_,
                 ]);
             *o7_23_ = minus_joint_load_moment_z_;
@@ -1022,17 +1019,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t18_ = c_(0.2) * hook_omega_z_;
-        let hook_e_force_y_ = hook_omega_z_ * t18_;
+        let t17_ = hook_omega_z_ * hook_omega_z_;
+        let hook_e_force_y_ = c_(0.2) * t17_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t19_ = sin_hook_angle_ * hook_e_force_y_;
-        let t20_ = cos_hook_angle_ * hook_e_force_y_;
+        let t18_ = sin_hook_angle_ * hook_e_force_y_;
+        let t19_ = cos_hook_angle_ * hook_e_force_y_;
         let mut carry1_0_ = t5_;
         let mut carry1_1_ = -t3_;
         let mut carry1_2_ = c_(2.0);
         let mut carry1_3_ = -t4_;
-        let mut carry1_4_ = -t19_;
-        let mut carry1_5_ = t20_;
+        let mut carry1_4_ = -t18_;
+        let mut carry1_5_ = t19_;
         let mut carry1_6_ = c_(0.0);
         for (
             &[_,
@@ -1053,7 +1050,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             t14_,
             t15_,
             minus_end_of_repeat0_centripetal_x_,
-            t17_,
+            t16_,
             _,
             ],
         ) in ::core::iter::Iterator::rev(
@@ -1084,49 +1081,49 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_centripetal_x_,
                 carry1_5_before_,
             );
-            let t21_ = T::recip(joint_j_zz_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t21_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t21_;
-            let t22_ = minus_joint_load_moment_z_ + carry1_6_before_;
-            let t23_ = T::mul_add(c_(0.1), joint_e_force_y_, t22_);
-            let minus_joint_w0_ = t21_ * t23_;
+            let t20_ = T::recip(joint_j_zz_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t20_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t20_;
+            let t21_ = minus_joint_load_moment_z_ + carry1_6_before_;
+            let t22_ = T::mul_add(c_(0.1), joint_e_force_y_, t21_);
+            let minus_joint_w0_ = t20_ * t22_;
             /// Results: 22 mul, 22 add, 0 reciprocal.
-            let t24_ = known_p1_ + carry1_0_before_;
-            let t25_ = carry1_0_before_ + carry1_1_before_;
-            let t26_ = carry1_2_before_ + t25_;
-            let t27_ = T::mul_add(c_(0.010000000000000002), t26_, known_p5_);
-            let t28_ = known_p1_ + carry1_1_before_;
-            let t29_ = joint_b_x_z_ * joint_b_x_z_;
-            let t30_ = T::mul_neg_add(t21_, t29_, t24_);
-            let t31_ = joint_b_y_z_ * joint_b_y_z_;
-            let t32_ = T::mul_neg_add(t21_, t31_, t28_);
-            let t33_ = joint_b_x_z_ * joint_b_y_z_;
-            let t34_ = T::mul_neg_add(t21_, t33_, carry1_3_before_);
-            let t35_ = t30_ - t32_;
-            let t36_ = t15_ * t34_;
-            let t37_ = T::mul_add(t13_, t35_, t36_);
-            let t38_ = cos_joint_angle_ * joint_z0_force_x_;
-            let t39_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t38_);
-            let t40_ = sin_joint_angle_ * joint_z0_force_x_;
-            let t41_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t40_);
-            let t42_ = t17_ - carry1_4_before_;
-            let t43_ = T::mul_add(
+            let t23_ = known_p1_ + carry1_0_before_;
+            let t24_ = carry1_0_before_ + carry1_1_before_;
+            let t25_ = carry1_2_before_ + t24_;
+            let t26_ = T::mul_add(c_(0.010000000000000002), t25_, known_p5_);
+            let t27_ = known_p1_ + carry1_1_before_;
+            let t28_ = joint_b_x_z_ * joint_b_x_z_;
+            let t29_ = T::mul_neg_add(t20_, t28_, t23_);
+            let t30_ = joint_b_y_z_ * joint_b_y_z_;
+            let t31_ = T::mul_neg_add(t20_, t30_, t27_);
+            let t32_ = joint_b_x_z_ * joint_b_y_z_;
+            let t33_ = T::mul_neg_add(t20_, t32_, carry1_3_before_);
+            let t34_ = t29_ - t31_;
+            let t35_ = t15_ * t33_;
+            let t36_ = T::mul_add(t13_, t34_, t35_);
+            let t37_ = cos_joint_angle_ * joint_z0_force_x_;
+            let t38_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t37_);
+            let t39_ = sin_joint_angle_ * joint_z0_force_x_;
+            let t40_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t39_);
+            let t41_ = t16_ - carry1_4_before_;
+            let t42_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_centripetal_x_,
-                t42_,
+                t41_,
             );
-            let t44_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t43_);
-            let t45_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
-            let t46_ = cos_joint_angle_ * t44_;
-            let t47_ = T::mul_add(sin_joint_angle_, t45_, t46_);
-            let t48_ = sin_joint_angle_ * t44_;
-            let t49_ = T::mul_neg_add(cos_joint_angle_, t45_, t48_);
-            let t50_ = T::mul_add(t14_, t34_, t32_);
-            let t51_ = T::mul_add(t12_, t35_, t50_);
-            let t52_ = t30_ - t51_;
-            let t53_ = t32_ + t52_;
-            _ = store3_.try_push([t39_, t41_, minus_joint_w0_]);
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t27_);
+            let t43_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t42_);
+            let t44_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
+            let t45_ = cos_joint_angle_ * t43_;
+            let t46_ = T::mul_add(sin_joint_angle_, t44_, t45_);
+            let t47_ = sin_joint_angle_ * t43_;
+            let t48_ = T::mul_neg_add(cos_joint_angle_, t44_, t47_);
+            let t49_ = T::mul_add(t14_, t33_, t31_);
+            let t50_ = T::mul_add(t12_, t34_, t49_);
+            let t51_ = t29_ - t50_;
+            let t52_ = t31_ + t51_;
+            _ = store3_.try_push([t38_, t40_, minus_joint_w0_]);
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t26_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -1136,12 +1133,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_5_,
                 carry1_6_,
             ) = (
-                t53_,
-                t51_,
+                t52_,
+                t50_,
                 joint_k_zz_,
-                t37_,
-                -t47_,
-                -t49_,
+                t36_,
+                -t46_,
+                -t48_,
                 -minus_joint_load_moment_z_,
             );
         }
@@ -1162,8 +1159,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     _,
                     _,
                     ],
-                    &[t39_,
-                    t41_,
+                    &[t38_,
+                    t40_,
                     minus_joint_w0_,
                     ],
                 ),
@@ -1188,10 +1185,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
-            let t54_ = T::mul_add(carry2_1_before_, t41_, minus_joint_w0_);
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t39_, t54_);
+            let t53_ = T::mul_add(carry2_1_before_, t40_, minus_joint_w0_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t38_, t53_);
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-            let t55_ = T::mul_neg_add(
+            let t54_ = T::mul_neg_add(
                 sin_joint_angle_,
                 carry2_1_before_,
                 minus_end_of_repeat0_centripetal_x_,
@@ -1199,20 +1196,20 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let end_of_repeat0_a_lin_x_ = T::mul_sub(
                 cos_joint_angle_,
                 carry2_0_before_,
-                t55_,
+                t54_,
             );
-            let t56_ = sin_joint_angle_ * carry2_0_before_;
-            let t57_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t56_);
+            let t55_ = sin_joint_angle_ * carry2_0_before_;
+            let t56_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t55_);
             let minus_end_of_repeat0_a_lin_y_ = T::mul_add(
                 c_(0.1),
                 minus_joint_a_ang_z_,
-                t57_,
+                t56_,
             );
             /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t58_ = carry2_2_before_ + minus_joint_a_ang_z_;
-            _ = store4_.try_push([t58_]);
-            *o0_0_ = -t58_;
-            *o3_0_ = -t58_;
+            let t57_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            _ = store4_.try_push([t57_]);
+            *o0_0_ = -t57_;
+            *o3_0_ = -t57_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
@@ -1220,8 +1217,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Results: 2 mul, 2 add, 0 reciprocal.
-        let t59_ = T::mul_add(t7_, carry2_1_, carry2_2_);
-        let t60_ = T::mul_add(t6_, carry2_0_, t59_);
+        let t58_ = T::mul_add(t7_, carry2_1_, carry2_2_);
+        let t59_ = T::mul_add(t6_, carry2_0_, t58_);
         let mut carry3_0_ = c_(1.0);
         let mut carry3_1_ = c_(0.0);
         let mut carry3_2_ = c_(0.0);
@@ -1284,36 +1281,36 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry3_3_before_ = carry3_3_;
             let carry3_4_before_ = carry3_4_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-            let t61_ = cos_joint_angle_ * carry3_0_before_;
-            let joint_axes_x_x_ = T::mul_add(sin_joint_angle_, carry3_1_before_, t61_);
-            let t62_ = sin_joint_angle_ * carry3_0_before_;
+            let t60_ = cos_joint_angle_ * carry3_0_before_;
+            let joint_axes_x_x_ = T::mul_add(sin_joint_angle_, carry3_1_before_, t60_);
+            let t61_ = sin_joint_angle_ * carry3_0_before_;
             let minus_joint_axes_x_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry3_1_before_,
-                t62_,
+                t61_,
             );
-            let t63_ = cos_joint_angle_ * carry3_2_before_;
-            let joint_axes_y_x_ = T::mul_add(sin_joint_angle_, carry3_3_before_, t63_);
-            let t64_ = sin_joint_angle_ * carry3_2_before_;
+            let t62_ = cos_joint_angle_ * carry3_2_before_;
+            let joint_axes_y_x_ = T::mul_add(sin_joint_angle_, carry3_3_before_, t62_);
+            let t63_ = sin_joint_angle_ * carry3_2_before_;
             let minus_joint_axes_y_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry3_3_before_,
-                t64_,
+                t63_,
             );
             let joint_omega_z_2_ = joint_rate_ + carry3_4_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 6 mul, 0 add, 0 reciprocal.
-            let t65_ = c_(0.1) * joint_axes_x_x_;
-            let t66_ = joint_omega_z_2_ * t65_;
-            let minus_end_of_repeat0_centripetal_x_2_ = joint_omega_z_2_ * t66_;
-            let t67_ = c_(0.1) * joint_axes_y_x_;
-            let t68_ = joint_omega_z_2_ * t67_;
-            let minus_end_of_repeat0_centripetal_y_ = joint_omega_z_2_ * t68_;
+            let t64_ = c_(0.1) * joint_axes_x_x_;
+            let t65_ = joint_omega_z_2_ * t64_;
+            let minus_end_of_repeat0_centripetal_x_2_ = joint_omega_z_2_ * t65_;
+            let t66_ = c_(0.1) * joint_axes_y_x_;
+            let t67_ = joint_omega_z_2_ * t66_;
+            let minus_end_of_repeat0_centripetal_y_ = joint_omega_z_2_ * t67_;
             _ = store6_
                 .try_push([
-                    t65_,
-                    t67_,
-                    t68_,
+                    t64_,
                     t66_,
+                    t67_,
+                    t65_,
                     minus_end_of_repeat0_centripetal_x_2_,
                     minus_end_of_repeat0_centripetal_y_,
                 ]);
@@ -1332,24 +1329,24 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-        let t69_ = cos_hook_angle_ * carry3_0_;
-        let hook_axes_x_x_ = T::mul_add(sin_hook_angle_, carry3_1_, t69_);
-        let t70_ = sin_hook_angle_ * carry3_0_;
-        let minus_hook_axes_x_y_ = T::mul_neg_add(cos_hook_angle_, carry3_1_, t70_);
-        let t71_ = cos_hook_angle_ * carry3_2_;
-        let hook_axes_y_x_ = T::mul_add(sin_hook_angle_, carry3_3_, t71_);
-        let t72_ = sin_hook_angle_ * carry3_2_;
-        let minus_hook_axes_y_y_ = T::mul_neg_add(cos_hook_angle_, carry3_3_, t72_);
+        let t68_ = cos_hook_angle_ * carry3_0_;
+        let hook_axes_x_x_ = T::mul_add(sin_hook_angle_, carry3_1_, t68_);
+        let t69_ = sin_hook_angle_ * carry3_0_;
+        let minus_hook_axes_x_y_ = T::mul_neg_add(cos_hook_angle_, carry3_1_, t69_);
+        let t70_ = cos_hook_angle_ * carry3_2_;
+        let hook_axes_y_x_ = T::mul_add(sin_hook_angle_, carry3_3_, t70_);
+        let t71_ = sin_hook_angle_ * carry3_2_;
+        let minus_hook_axes_y_y_ = T::mul_neg_add(cos_hook_angle_, carry3_3_, t71_);
         let hook_omega_z_2_ = hook_rate_ + carry3_4_;
         let mut carry4_0_ = c_(0.0);
         let mut carry4_1_ = c_(0.0);
         let mut carry4_2_ = c_(0.0);
         let mut carry4_3_ = c_(0.0);
         for (
-            &[t65_,
-            t67_,
-            t68_,
+            &[t64_,
             t66_,
+            t67_,
+            t65_,
             _,
             _,
             ],
@@ -1390,19 +1387,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry4_2_before_ = carry4_2_;
             let carry4_3_before_ = carry4_3_;
             /// Results: 0 mul, 4 add, 0 reciprocal.
-            let t73_ = t68_ - carry4_2_before_;
-            let t74_ = t66_ + carry4_3_before_;
-            let t75_ = t65_ + carry4_0_before_;
-            let t76_ = t67_ + carry4_1_before_;
+            let t72_ = t67_ - carry4_2_before_;
+            let t73_ = t65_ + carry4_3_before_;
+            let t74_ = t64_ + carry4_0_before_;
+            let t75_ = t66_ + carry4_1_before_;
             *o7_13_ = carry4_0_before_;
             *o7_14_ = carry4_1_before_;
             *o7_17_ = carry4_2_before_;
             *o7_18_ = carry4_3_before_;
-            *o7_26_ = t75_;
-            *o7_27_ = t76_;
-            *o7_30_ = -t73_;
-            *o7_31_ = t74_;
-            (carry4_0_, carry4_1_, carry4_2_, carry4_3_) = (t75_, t76_, -t73_, t74_);
+            *o7_26_ = t74_;
+            *o7_27_ = t75_;
+            *o7_30_ = -t72_;
+            *o7_31_ = t73_;
+            (carry4_0_, carry4_1_, carry4_2_, carry4_3_) = (t74_, t75_, -t72_, t73_);
         }
         let mut carry5_0_ = c_(0.0);
         for &[joint_rate_] in ::mstmm::generated::times::<
@@ -1415,21 +1412,21 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
             let joint_omega_z_3_ = joint_rate_ + carry5_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t77_ = c_(0.1) * joint_omega_z_3_;
-            let minus_end_of_repeat0_centripetal_x_3_ = joint_omega_z_3_ * t77_;
+            let t76_ = joint_omega_z_3_ * joint_omega_z_3_;
+            let minus_end_of_repeat0_centripetal_x_3_ = c_(0.1) * t76_;
             _ = store9_.try_push([minus_end_of_repeat0_centripetal_x_3_]);
             (carry5_0_,) = (joint_omega_z_3_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_3_ = hook_rate_ + carry5_0_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t78_ = c_(0.2) * hook_omega_z_3_;
-        let t79_ = hook_omega_z_3_ * t78_;
+        let t77_ = hook_omega_z_3_ * hook_omega_z_3_;
+        let t78_ = c_(0.2) * t77_;
         let mut carry6_0_ = c_(0.0);
         let mut carry6_1_ = c_(9.8);
         let mut carry6_2_ = c_(0.0);
         for (
-            (&[sin_joint_angle_, cos_joint_angle_, _, _, _, _, _, _, _, _], &[t58_]),
+            (&[sin_joint_angle_, cos_joint_angle_, _, _, _, _, _, _, _, _], &[t57_]),
             &[minus_end_of_repeat0_centripetal_x_3_,
             ],
         ) in ::core::iter::zip(
@@ -1440,39 +1437,39 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry6_1_before_ = carry6_1_;
             let carry6_2_before_ = carry6_2_;
             /// Results: 5 mul, 5 add, 0 reciprocal.
-            let t80_ = sin_joint_angle_ * carry6_0_before_;
-            let t81_ = T::mul_neg_add(cos_joint_angle_, carry6_1_before_, t80_);
-            let t82_ = t58_ - carry6_2_before_;
-            let t83_ = T::mul_add(c_(0.1), t82_, t81_);
-            let t84_ = T::mul_neg_add(
+            let t79_ = sin_joint_angle_ * carry6_0_before_;
+            let t80_ = T::mul_neg_add(cos_joint_angle_, carry6_1_before_, t79_);
+            let t81_ = t57_ - carry6_2_before_;
+            let t82_ = T::mul_add(c_(0.1), t81_, t80_);
+            let t83_ = T::mul_neg_add(
                 sin_joint_angle_,
                 carry6_1_before_,
                 minus_end_of_repeat0_centripetal_x_3_,
             );
-            let t85_ = T::mul_sub(cos_joint_angle_, carry6_0_before_, t84_);
-            (carry6_0_, carry6_1_, carry6_2_) = (t85_, -t83_, -t82_);
+            let t84_ = T::mul_sub(cos_joint_angle_, carry6_0_before_, t83_);
+            (carry6_0_, carry6_1_, carry6_2_) = (t84_, -t82_, -t81_);
         }
         /// Load of the body at `hook`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
-        let t86_ = cos_hook_angle_ * carry6_0_;
-        let t87_ = T::mul_add(sin_hook_angle_, carry6_1_, t86_);
-        let t88_ = sin_hook_angle_ * carry6_0_;
-        let t89_ = T::mul_neg_add(cos_hook_angle_, carry6_1_, t88_);
-        let t90_ = T::mul_sub(c_(2.0), t89_, t79_);
-        let t91_ = minus_hook_axes_x_y_ * t90_;
-        let t92_ = t60_ - carry6_2_;
-        let t93_ = c_(0.2) * t92_;
-        let t94_ = T::mul_sub(c_(2.0), t87_, t93_);
-        let hook_own_force_x_ = T::mul_add(hook_axes_x_x_, t94_, t91_);
-        let t95_ = minus_hook_axes_y_y_ * t90_;
-        let hook_own_force_y_ = T::mul_add(hook_axes_y_x_, t94_, t95_);
+        let t85_ = cos_hook_angle_ * carry6_0_;
+        let t86_ = T::mul_add(sin_hook_angle_, carry6_1_, t85_);
+        let t87_ = sin_hook_angle_ * carry6_0_;
+        let t88_ = T::mul_neg_add(cos_hook_angle_, carry6_1_, t87_);
+        let t89_ = T::mul_sub(c_(2.0), t88_, t78_);
+        let t90_ = minus_hook_axes_x_y_ * t89_;
+        let t91_ = t59_ - carry6_2_;
+        let t92_ = c_(0.2) * t91_;
+        let t93_ = T::mul_sub(c_(2.0), t86_, t92_);
+        let hook_own_force_x_ = T::mul_add(hook_axes_x_x_, t93_, t90_);
+        let t94_ = minus_hook_axes_y_y_ * t89_;
+        let hook_own_force_y_ = T::mul_add(hook_axes_y_x_, t93_, t94_);
         let mut carry7_0_ = c_(0.0);
         let mut carry7_1_ = c_(0.0);
         let mut carry7_2_ = c_(0.0);
         for (
             (
-                (&[_, _, _, _, _, _, known_p6_, known_p7_, _], &[t58_]),
-                &[t65_,
-                t67_,
+                (&[_, _, _, _, _, _, known_p6_, known_p7_, _], &[t57_]),
+                &[t64_,
+                t66_,
                 _,
                 _,
                 minus_end_of_repeat0_centripetal_x_2_,
@@ -1522,31 +1519,31 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry7_1_before_ = carry7_1_;
             let carry7_2_before_ = carry7_2_;
             /// Point of `joint`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-            let minus_joint_acc_ang_z_ = t58_ - carry7_2_before_;
+            let minus_joint_acc_ang_z_ = t57_ - carry7_2_before_;
             /// Point of `end_of_repeat0`, [P, Eqs. (12), (13), (36)]: 2 mul, 4 add, 0 reciprocal.
-            let t96_ = minus_end_of_repeat0_centripetal_x_2_ - carry7_0_before_;
+            let t95_ = minus_end_of_repeat0_centripetal_x_2_ - carry7_0_before_;
             let minus_end_of_repeat0_acc_lin_x_ = T::mul_neg_add(
-                t67_,
+                t66_,
+                minus_joint_acc_ang_z_,
+                t95_,
+            );
+            let t96_ = minus_end_of_repeat0_centripetal_y_ - carry7_1_before_;
+            let minus_end_of_repeat0_acc_lin_y_ = T::mul_add(
+                t64_,
                 minus_joint_acc_ang_z_,
                 t96_,
             );
-            let t97_ = minus_end_of_repeat0_centripetal_y_ - carry7_1_before_;
-            let minus_end_of_repeat0_acc_lin_y_ = T::mul_add(
-                t65_,
-                minus_joint_acc_ang_z_,
-                t97_,
-            );
             /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 4 mul, 4 add, 0 reciprocal.
-            let t98_ = known_p7_ * carry7_0_before_;
+            let t97_ = known_p7_ * carry7_0_before_;
             let joint_own_force_x_ = T::mul_neg_add(
                 known_p6_,
                 minus_end_of_repeat0_acc_lin_x_,
-                t98_,
+                t97_,
             );
-            let t99_ = c_(9.8) + carry7_1_before_;
-            let t100_ = known_p7_ * t99_;
-            let t101_ = c_(9.8) - minus_end_of_repeat0_acc_lin_y_;
-            let joint_own_force_y_ = T::mul_add(known_p6_, t101_, t100_);
+            let t98_ = c_(9.8) + carry7_1_before_;
+            let t99_ = known_p7_ * t98_;
+            let t100_ = c_(9.8) - minus_end_of_repeat0_acc_lin_y_;
+            let joint_own_force_y_ = T::mul_add(known_p6_, t100_, t99_);
             _ = store13_.try_push([joint_own_force_x_, joint_own_force_y_]);
             *o7_20_ = carry7_0_before_;
             *o7_21_ = carry7_1_before_;
@@ -1561,7 +1558,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Point of `hook`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let minus_hook_acc_ang_z_ = t60_ - carry7_2_;
+        let minus_hook_acc_ang_z_ = t59_ - carry7_2_;
         let mut carry8_0_ = hook_own_force_x_;
         let mut carry8_1_ = hook_own_force_y_;
         let mut carry8_2_ = c_(0.0);
@@ -1664,41 +1661,41 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry9_3_before_ = carry9_3_;
             let carry9_4_before_ = carry9_4_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-            let t102_ = cos_joint_angle_ * carry9_0_before_;
+            let t101_ = cos_joint_angle_ * carry9_0_before_;
             let joint_axes_x_x_2_ = T::mul_add(
                 sin_joint_angle_,
                 carry9_1_before_,
-                t102_,
+                t101_,
             );
-            let t103_ = sin_joint_angle_ * carry9_0_before_;
+            let t102_ = sin_joint_angle_ * carry9_0_before_;
             let minus_joint_axes_x_y_2_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry9_1_before_,
-                t103_,
+                t102_,
             );
-            let t104_ = cos_joint_angle_ * carry9_2_before_;
+            let t103_ = cos_joint_angle_ * carry9_2_before_;
             let joint_axes_y_x_2_ = T::mul_add(
                 sin_joint_angle_,
                 carry9_3_before_,
-                t104_,
+                t103_,
             );
-            let t105_ = sin_joint_angle_ * carry9_2_before_;
+            let t104_ = sin_joint_angle_ * carry9_2_before_;
             let minus_joint_axes_y_y_2_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry9_3_before_,
-                t105_,
+                t104_,
             );
             let joint_omega_z_4_ = joint_rate_ + carry9_4_before_;
             /// Results: 8 mul, 0 add, 0 reciprocal.
-            let t106_ = c_(0.1) * joint_axes_x_x_2_;
-            let t107_ = c_(0.1) * joint_axes_y_x_2_;
-            let t108_ = joint_omega_z_4_ * t107_;
-            let t109_ = joint_omega_z_4_ * t106_;
+            let t105_ = c_(0.1) * joint_axes_x_x_2_;
+            let t106_ = c_(0.1) * joint_axes_y_x_2_;
+            let t107_ = joint_omega_z_4_ * t106_;
+            let t108_ = joint_omega_z_4_ * t105_;
+            let t109_ = known_p6_ * t106_;
             let t110_ = known_p6_ * t107_;
             let t111_ = known_p6_ * t108_;
-            let t112_ = known_p6_ * t109_;
-            let t113_ = c_(9.8) * t110_;
-            _ = store16_.try_push([t107_, t108_, t109_, t111_, t112_, t113_]);
+            let t112_ = c_(9.8) * t109_;
+            _ = store16_.try_push([t106_, t107_, t108_, t110_, t111_, t112_]);
             (carry9_0_, carry9_1_, carry9_2_, carry9_3_, carry9_4_) = (
                 joint_axes_x_x_2_,
                 -minus_joint_axes_x_y_2_,
@@ -1708,17 +1705,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t114_ = sin_hook_angle_ * carry9_0_;
-        let minus_hook_axes_x_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_1_, t114_);
-        let t115_ = sin_hook_angle_ * carry9_2_;
-        let minus_hook_axes_y_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_3_, t115_);
+        let t113_ = sin_hook_angle_ * carry9_0_;
+        let minus_hook_axes_x_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_1_, t113_);
+        let t114_ = sin_hook_angle_ * carry9_2_;
+        let minus_hook_axes_y_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_3_, t114_);
         let hook_omega_z_4_ = hook_rate_ + carry9_4_;
         /// Results: 5 mul, 0 add, 0 reciprocal.
-        let t116_ = c_(0.2) * minus_hook_axes_x_y_2_;
-        let t117_ = c_(0.2) * minus_hook_axes_y_y_2_;
-        let t118_ = hook_omega_z_4_ * t117_;
-        let t119_ = hook_omega_z_4_ * t116_;
-        let t120_ = c_(1.9600000000000002) * minus_hook_axes_y_y_2_;
+        let t115_ = c_(0.2) * minus_hook_axes_x_y_2_;
+        let t116_ = c_(0.2) * minus_hook_axes_y_y_2_;
+        let t117_ = hook_omega_z_4_ * t116_;
+        let t118_ = hook_omega_z_4_ * t115_;
+        let t119_ = c_(1.9600000000000002) * minus_hook_axes_y_y_2_;
         let mut carry10_0_ = c_(0.0);
         for (&[joint_rate_], &[_, _, _, _, known_p4_, _, _, _, _]) in ::core::iter::zip(
             ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
@@ -1728,18 +1725,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
             let joint_omega_z_5_ = joint_rate_ + carry10_0_before_;
             /// Results: 3 mul, 0 add, 0 reciprocal.
-            let t121_ = known_p4_ * joint_omega_z_5_;
-            let t122_ = joint_omega_z_5_ * t121_;
-            let t123_ = c_(0.5) * t122_;
-            _ = store18_.try_push([t123_]);
+            let t120_ = joint_omega_z_5_ * joint_omega_z_5_;
+            let t121_ = known_p4_ * t120_;
+            let t122_ = c_(0.5) * t121_;
+            _ = store18_.try_push([t122_]);
             (carry10_0_,) = (joint_omega_z_5_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_5_ = hook_rate_ + carry10_0_;
-        /// Results: 3 mul, 0 add, 0 reciprocal.
-        let t124_ = c_(0.030000000000000006) * hook_omega_z_5_;
-        let t125_ = hook_omega_z_5_ * t124_;
-        let t126_ = c_(0.5) * t125_;
+        /// Results: 2 mul, 0 add, 0 reciprocal.
+        let t123_ = hook_omega_z_5_ * hook_omega_z_5_;
+        let t124_ = c_(0.015000000000000003) * t123_;
         let mut carry11_0_ = c_(0.0);
         let mut carry11_1_ = c_(0.0);
         let mut carry11_2_ = c_(0.0);
@@ -1767,12 +1763,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 t11_,
                 ],
             ),
-            &[t107_,
+            &[t106_,
+            t107_,
             t108_,
-            t109_,
+            t110_,
             t111_,
             t112_,
-            t113_,
             ],
         ) in ::core::iter::zip(
             ::core::iter::zip(
@@ -1786,54 +1782,54 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry11_1_before_ = carry11_1_;
             let carry11_2_before_ = carry11_2_;
             /// Results: 5 mul, 8 add, 0 reciprocal.
-            let t127_ = t108_ - carry11_1_before_;
-            let t128_ = t109_ + carry11_2_before_;
-            let t129_ = t107_ + carry11_0_before_;
-            let t130_ = T::mul_neg_add(known_p6_, carry11_1_before_, t111_);
-            let t131_ = T::mul_add(known_p6_, carry11_2_before_, t112_);
-            let t132_ = carry11_1_before_ * t130_;
-            let t133_ = T::mul_neg_add(carry11_2_before_, t131_, t132_);
-            let t134_ = T::mul_add(known_p8_, carry11_0_before_, t113_);
-            let t135_ = t11_ + t134_;
-            _ = store20_.try_push([t133_, t135_]);
-            (carry11_0_, carry11_1_, carry11_2_) = (t129_, -t127_, t128_);
+            let t125_ = t107_ - carry11_1_before_;
+            let t126_ = t108_ + carry11_2_before_;
+            let t127_ = t106_ + carry11_0_before_;
+            let t128_ = T::mul_neg_add(known_p6_, carry11_1_before_, t110_);
+            let t129_ = T::mul_add(known_p6_, carry11_2_before_, t111_);
+            let t130_ = carry11_1_before_ * t128_;
+            let t131_ = T::mul_neg_add(carry11_2_before_, t129_, t130_);
+            let t132_ = T::mul_add(known_p8_, carry11_0_before_, t112_);
+            let t133_ = t11_ + t132_;
+            _ = store20_.try_push([t131_, t133_]);
+            (carry11_0_, carry11_1_, carry11_2_) = (t127_, -t125_, t126_);
         }
         /// Results: 3 mul, 3 add, 0 reciprocal.
-        let t136_ = carry11_1_ - t118_;
-        let t137_ = carry11_2_ + t119_;
-        let t138_ = carry11_1_ * t136_;
-        let t139_ = T::mul_add(carry11_2_, t137_, t138_);
-        let t140_ = c_(19.6) * carry11_0_;
+        let t134_ = carry11_1_ - t117_;
+        let t135_ = carry11_2_ + t118_;
+        let t136_ = carry11_1_ * t134_;
+        let t137_ = T::mul_add(carry11_2_, t135_, t136_);
+        let t138_ = c_(19.6) * carry11_0_;
         let mut carry12_0_ = c_(0.0);
         let mut carry12_1_ = c_(0.0);
-        for (&[t133_, t135_], &[t123_]) in ::core::iter::zip(
+        for (&[t131_, t133_], &[t122_]) in ::core::iter::zip(
             store20_.iter(),
             store18_.iter(),
         ) {
             let carry12_0_before_ = carry12_0_;
             let carry12_1_before_ = carry12_1_;
             /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t141_ = carry12_0_before_ - t133_;
-            let t142_ = t141_ + t123_;
-            let t143_ = carry12_1_before_ + t135_;
-            (carry12_0_, carry12_1_) = (t142_, t143_);
+            let t139_ = carry12_0_before_ - t131_;
+            let t140_ = t139_ + t122_;
+            let t141_ = carry12_1_before_ + t133_;
+            (carry12_0_, carry12_1_) = (t140_, t141_);
         }
         /// Results: 0 mul, 4 add, 0 reciprocal.
-        let t144_ = carry12_0_ + t139_;
-        let t145_ = t144_ + t126_;
-        let t146_ = carry12_1_ + t140_;
-        let t147_ = t146_ + t120_;
+        let t142_ = carry12_0_ + t137_;
+        let t143_ = t142_ + t124_;
+        let t144_ = carry12_1_ + t138_;
+        let t145_ = t144_ + t119_;
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t60_;
+            *o0_ = -t59_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results3_.as_mut_slice(), 10, 1) {
-            *o0_ = -t60_;
+            *o0_ = -t59_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
@@ -1905,8 +1901,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         at_.accelerations.data.0 = [results0_];
         at_.rate_accelerations.data.0 = [results3_];
         at_.efforts.data.0 = [results4_];
-        at_.kinetic_energy = t145_;
-        at_.potential_energy = t147_;
+        at_.kinetic_energy = t143_;
+        at_.potential_energy = t145_;
         for (
             point_,
             &[p0_,
@@ -1938,13 +1934,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 70 operations: 42 mul, 28 add, 0 reciprocal, 2 sin/cos.
+    /// 69 operations: 41 mul, 28 add, 0 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 4 | 4 | 0 | 0 | 1 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 8 | 6 | 0 | 0 | 1 |
-    /// | Results |  | 30 | 18 | 0 | 0 | 0 |
+    /// | Results |  | 29 | 18 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &RopeState<T>) -> ::mstmm::Energy<T> {
@@ -2046,18 +2042,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
             let joint_omega_z_2_ = joint_rate_ + carry1_0_before_;
             /// Results: 3 mul, 0 add, 0 reciprocal.
-            let t22_ = known_p4_ * joint_omega_z_2_;
-            let t23_ = joint_omega_z_2_ * t22_;
+            let t22_ = joint_omega_z_2_ * joint_omega_z_2_;
+            let t23_ = known_p4_ * t22_;
             let t24_ = c_(0.5) * t23_;
             _ = store3_.try_push([t24_]);
             (carry1_0_,) = (joint_omega_z_2_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_2_ = hook_rate_ + carry1_0_;
-        /// Results: 3 mul, 0 add, 0 reciprocal.
-        let t25_ = c_(0.030000000000000006) * hook_omega_z_2_;
-        let t26_ = hook_omega_z_2_ * t25_;
-        let t27_ = c_(0.5) * t26_;
+        /// Results: 2 mul, 0 add, 0 reciprocal.
+        let t25_ = hook_omega_z_2_ * hook_omega_z_2_;
+        let t26_ = c_(0.015000000000000003) * t25_;
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(0.0);
         let mut carry2_2_ = c_(0.0);
@@ -2088,46 +2083,46 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Results: 5 mul, 8 add, 0 reciprocal.
-            let t28_ = carry2_1_before_ - t9_;
-            let t29_ = carry2_2_before_ + t10_;
-            let t30_ = carry2_0_before_ + t8_;
-            let t31_ = T::mul_neg_add(carry2_1_before_, known_p6_, t12_);
-            let t32_ = T::mul_add(carry2_2_before_, known_p6_, t13_);
-            let t33_ = carry2_1_before_ * t31_;
-            let t34_ = T::mul_neg_add(carry2_2_before_, t32_, t33_);
-            let t35_ = T::mul_add(carry2_0_before_, known_p8_, t14_);
-            let t36_ = t6_ + t35_;
-            _ = store5_.try_push([t34_, t36_]);
-            (carry2_0_, carry2_1_, carry2_2_) = (t30_, t28_, t29_);
+            let t27_ = carry2_1_before_ - t9_;
+            let t28_ = carry2_2_before_ + t10_;
+            let t29_ = carry2_0_before_ + t8_;
+            let t30_ = T::mul_neg_add(carry2_1_before_, known_p6_, t12_);
+            let t31_ = T::mul_add(carry2_2_before_, known_p6_, t13_);
+            let t32_ = carry2_1_before_ * t30_;
+            let t33_ = T::mul_neg_add(carry2_2_before_, t31_, t32_);
+            let t34_ = T::mul_add(carry2_0_before_, known_p8_, t14_);
+            let t35_ = t6_ + t34_;
+            _ = store5_.try_push([t33_, t35_]);
+            (carry2_0_, carry2_1_, carry2_2_) = (t29_, t27_, t28_);
         }
         /// Results: 3 mul, 3 add, 0 reciprocal.
-        let t37_ = carry2_1_ - t19_;
-        let t38_ = carry2_2_ + t20_;
-        let t39_ = carry2_1_ * t37_;
-        let t40_ = T::mul_add(carry2_2_, t38_, t39_);
-        let t41_ = carry2_0_ * c_(19.6);
+        let t36_ = carry2_1_ - t19_;
+        let t37_ = carry2_2_ + t20_;
+        let t38_ = carry2_1_ * t36_;
+        let t39_ = T::mul_add(carry2_2_, t37_, t38_);
+        let t40_ = carry2_0_ * c_(19.6);
         let mut carry3_0_ = c_(0.0);
         let mut carry3_1_ = c_(0.0);
-        for (&[t34_, t36_], &[t24_]) in ::core::iter::zip(
+        for (&[t33_, t35_], &[t24_]) in ::core::iter::zip(
             store5_.iter(),
             store3_.iter(),
         ) {
             let carry3_0_before_ = carry3_0_;
             let carry3_1_before_ = carry3_1_;
             /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t42_ = carry3_0_before_ - t34_;
-            let t43_ = t42_ + t24_;
-            let t44_ = carry3_1_before_ + t36_;
-            (carry3_0_, carry3_1_) = (t43_, t44_);
+            let t41_ = carry3_0_before_ - t33_;
+            let t42_ = t41_ + t24_;
+            let t43_ = carry3_1_before_ + t35_;
+            (carry3_0_, carry3_1_) = (t42_, t43_);
         }
         /// Results: 0 mul, 4 add, 0 reciprocal.
-        let t45_ = carry3_0_ + t40_;
-        let t46_ = t45_ + t27_;
-        let t47_ = carry3_1_ + t41_;
-        let t48_ = t47_ + t21_;
+        let t44_ = carry3_0_ + t39_;
+        let t45_ = t44_ + t26_;
+        let t46_ = carry3_1_ + t40_;
+        let t47_ = t46_ + t21_;
         ::mstmm::Energy {
-            kinetic: t46_,
-            potential: t48_,
+            kinetic: t45_,
+            potential: t47_,
         }
     }
 }

@@ -22,7 +22,7 @@
 ///
 /// Mobility 3: 3 degrees of freedom.
 ///
-/// Accelerations by `riccati`, 28 operations (21 mul, 7 add, 0 reciprocal); with everything at every connection point 111 operations.
+/// Accelerations by `riccati`, 17 operations (13 mul, 4 add, 0 reciprocal); with everything at every connection point 90 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 struct Top<T> {
@@ -93,12 +93,12 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for Top<T> {
 impl<T: ::mstmm::Scalar> Top<T> {
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
-    /// 28 operations: 21 mul, 7 add, 0 reciprocal.
+    /// 17 operations: 13 mul, 4 add, 0 reciprocal.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 12 | 3 | 0 | 0 | 0 |
     /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 7 | 2 | 0 | 0 | 0 |
+    /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 4 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -116,54 +116,36 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let c_ = T::constant;
         let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
         let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
-        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 12 mul, 3 add, 0 reciprocal.
-        let t6_ = tip_wz_ * c_(0.0001);
-        let t8_ = tip_wx_ * c_(0.001);
         /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 7 mul, 2 add, 0 reciprocal.
         let t0_ = tip_qy_ * c_(2.0);
         let t3_ = tip_qx_ * c_(2.0);
-        /// Riccati transfer over `tip`.
-        let t5_ = tip_wy_ * c_(0.001);
-        /// Motion across `tip`.
         let t1_ = tip_qz_ * c_(2.0);
-        /// Riccati transfer over `tip`.
-        let t7_ = tip_wy_ * t6_;
-        let t9_ = tip_wz_ * t8_;
+        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 4 mul, 0 add, 0 reciprocal.
+        let t5_ = tip_wy_ * tip_wz_;
+        let t6_ = tip_wx_ * tip_wz_;
         /// Motion across `tip`.
         let t2_ = tip_qw_ * t0_;
         let t4_ = tip_qw_ * t3_;
         /// Riccati transfer over `tip`.
-        let t10_ = tip_wx_ * t5_;
-        let tip_e_moment_x_ = T::mul_neg_add(tip_wz_, t5_, t7_);
-        let tip_e_moment_y_ = T::mul_neg_add(tip_wx_, t6_, t9_);
+        let tip_w0_ = t5_ * c_(0.9);
+        let minus_tip_w1_ = t6_ * c_(0.9);
         /// Motion across `tip`.
         let minus_tip_turn_z_x_ = T::mul_neg_add(tip_qx_, t1_, t2_);
         let tip_turn_z_y_ = T::mul_add(tip_qy_, t1_, t4_);
-        /// Riccati transfer over `tip`.
-        let tip_e_moment_z_ = T::mul_neg_add(tip_wy_, t8_, t10_);
-        let minus_tip_w0_ = tip_e_moment_x_ * c_(1000.0);
-        let minus_tip_w1_ = tip_e_moment_y_ * c_(1000.0);
-        let minus_tip_w2_ = tip_e_moment_z_ * c_(10000.0);
         /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
-        let minus_tip_a_ang_x_ = T::mul_neg_add(
-            tip_turn_z_y_,
-            c_(117.60000000000001),
-            minus_tip_w0_,
-        );
         let minus_tip_a_ang_y_ = T::mul_neg_add(
             minus_tip_turn_z_x_,
             c_(117.60000000000001),
             minus_tip_w1_,
         );
+        let tip_a_ang_x_ = T::mul_add(tip_turn_z_y_, c_(117.60000000000001), tip_w0_);
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::regular::<
             T,
             _,
             _,
-        >(&[], [], [], [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_w2_])?;
-        accelerations_.data.0 = [
-            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_w2_],
-        ];
+        >(&[], [], [], [tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)])?;
+        accelerations_.data.0 = [[tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)]];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges by value; see
@@ -185,16 +167,16 @@ impl<T: ::mstmm::Scalar> Top<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 111 operations: 69 mul, 42 add, 0 reciprocal.
+    /// 90 operations: 55 mul, 35 add, 0 reciprocal.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 21 | 17 | 0 | 0 | 0 |
-    /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 16 | 3 | 0 | 0 | 0 |
+    /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 7 | 1 | 0 | 0 | 0 |
     /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
-    /// | Point of `tip` | \[P, Eqs. (12), (13), (36)\] | 9 | 6 | 0 | 0 | 0 |
-    /// | Load of the body at `tip` | \[P, Eqs. (18), (19)\] | 16 | 12 | 0 | 0 | 0 |
-    /// | Results |  | 5 | 2 | 0 | 0 | 0 |
+    /// | Point of `tip` | \[P, Eqs. (12), (13), (36)\] | 6 | 3 | 0 | 0 | 0 |
+    /// | Load of the body at `tip` | \[P, Eqs. (18), (19)\] | 14 | 11 | 0 | 0 | 0 |
+    /// | Results |  | 5 | 1 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -233,29 +215,16 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let minus_tip_turn_z_x_ = t7_ - t8_;
         let tip_turn_z_y_ = t11_ + t12_;
         let minus_tip_turn_z_z_ = t2_ + t10_;
-        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 16 mul, 3 add, 0 reciprocal.
-        let t13_ = tip_wx_ * c_(0.012);
-        let tip_e_force_x_ = tip_wz_ * t13_;
-        let t14_ = tip_wy_ * c_(0.012);
-        let tip_e_force_y_ = tip_wz_ * t14_;
-        let t15_ = tip_wy_ * c_(0.001);
-        let t16_ = tip_wz_ * c_(0.0001);
-        let t17_ = tip_wy_ * t16_;
-        let tip_e_moment_x_ = T::mul_neg_add(tip_wz_, t15_, t17_);
-        let t18_ = tip_wx_ * c_(0.001);
-        let t19_ = tip_wz_ * t18_;
-        let tip_e_moment_y_ = T::mul_neg_add(tip_wx_, t16_, t19_);
-        let t20_ = tip_wx_ * t15_;
-        let tip_e_moment_z_ = T::mul_neg_add(tip_wy_, t18_, t20_);
-        let minus_tip_w0_ = tip_e_moment_x_ * c_(1000.0);
-        let minus_tip_w1_ = tip_e_moment_y_ * c_(1000.0);
-        let minus_tip_w2_ = tip_e_moment_z_ * c_(10000.0);
+        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 7 mul, 1 add, 0 reciprocal.
+        let t13_ = tip_wy_ * tip_wy_;
+        let t14_ = T::mul_add(tip_wx_, tip_wx_, t13_);
+        let minus_tip_e_force_z_ = c_(0.012) * t14_;
+        let t15_ = tip_wy_ * tip_wz_;
+        let tip_w0_ = t15_ * c_(0.9);
+        let t16_ = tip_wx_ * tip_wz_;
+        let minus_tip_w1_ = t16_ * c_(0.9);
         /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
-        let minus_tip_a_ang_x_ = T::mul_neg_add(
-            tip_turn_z_y_,
-            c_(117.60000000000001),
-            minus_tip_w0_,
-        );
+        let tip_a_ang_x_ = T::mul_add(tip_turn_z_y_, c_(117.60000000000001), tip_w0_);
         let minus_tip_a_ang_y_ = T::mul_neg_add(
             minus_tip_turn_z_x_,
             c_(117.60000000000001),
@@ -266,7 +235,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
             T,
             _,
             _,
-        >(&[], [], [], [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_w2_])?;
+        >(&[], [], [], [tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)])?;
         at_.efforts.data.0 = [[c_(0.0), c_(0.0), c_(0.0)]];
         point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
         point0_
@@ -319,22 +288,18 @@ impl<T: ::mstmm::Scalar> Top<T> {
         point2_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
         point2_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
         point2_.set_force([c_(0.0), c_(0.0), c_(0.0)]);
-        at_.accelerations.data.0 = [
-            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_w2_],
-        ];
-        at_.rate_accelerations.data.0 = [
-            [-minus_tip_a_ang_x_, -minus_tip_a_ang_y_, -minus_tip_w2_],
-        ];
+        at_.accelerations.data.0 = [[tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)]];
+        at_.rate_accelerations.data.0 = [[tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)]];
         /// Motion across `tip`.
-        let t21_ = tip_wy_ * minus_tip_turn_x_y_;
-        let t22_ = T::mul_add(tip_wx_, minus_tip_turn_x_x_, t21_);
-        let tip_omega_x_ = T::mul_sub(tip_wz_, tip_turn_x_z_, t22_);
-        let t23_ = tip_wx_ * tip_turn_y_x_;
-        let t24_ = T::mul_neg_add(tip_wz_, minus_tip_turn_y_z_, t23_);
-        let minus_tip_omega_y_ = T::mul_sub(tip_wy_, minus_tip_turn_y_y_, t24_);
-        let t25_ = tip_wx_ * minus_tip_turn_z_x_;
-        let t26_ = T::mul_neg_add(tip_wy_, tip_turn_z_y_, t25_);
-        let minus_tip_omega_z_ = T::mul_add(tip_wz_, minus_tip_turn_z_z_, t26_);
+        let t17_ = tip_wy_ * minus_tip_turn_x_y_;
+        let t18_ = T::mul_add(tip_wx_, minus_tip_turn_x_x_, t17_);
+        let tip_omega_x_ = T::mul_sub(tip_wz_, tip_turn_x_z_, t18_);
+        let t19_ = tip_wx_ * tip_turn_y_x_;
+        let t20_ = T::mul_neg_add(tip_wz_, minus_tip_turn_y_z_, t19_);
+        let minus_tip_omega_y_ = T::mul_sub(tip_wy_, minus_tip_turn_y_y_, t20_);
+        let t21_ = tip_wx_ * minus_tip_turn_z_x_;
+        let t22_ = T::mul_neg_add(tip_wy_, tip_turn_z_y_, t21_);
+        let minus_tip_omega_z_ = T::mul_add(tip_wz_, minus_tip_turn_z_z_, t22_);
         point1_
             .set_angular_velocity([
                 tip_omega_x_,
@@ -347,16 +312,13 @@ impl<T: ::mstmm::Scalar> Top<T> {
                 -minus_tip_omega_y_,
                 -minus_tip_omega_z_,
             ]);
-        /// Point of `tip`, [P, Eqs. (12), (13), (36)]: 9 mul, 6 add, 0 reciprocal.
-        let t27_ = tip_turn_x_z_ * minus_tip_w2_;
-        let t28_ = T::mul_neg_add(minus_tip_a_ang_x_, minus_tip_turn_x_x_, t27_);
-        let tip_acc_ang_x_ = T::mul_sub(minus_tip_turn_x_y_, minus_tip_a_ang_y_, t28_);
-        let t29_ = minus_tip_turn_y_z_ * minus_tip_w2_;
-        let t30_ = T::mul_sub(tip_turn_y_x_, minus_tip_a_ang_x_, t29_);
-        let tip_acc_ang_y_ = T::mul_sub(minus_tip_a_ang_y_, minus_tip_turn_y_y_, t30_);
-        let t31_ = minus_tip_w2_ * minus_tip_turn_z_z_;
-        let t32_ = T::mul_add(minus_tip_turn_z_x_, minus_tip_a_ang_x_, t31_);
-        let minus_tip_acc_ang_z_ = T::mul_sub(tip_turn_z_y_, minus_tip_a_ang_y_, t32_);
+        /// Point of `tip`, [P, Eqs. (12), (13), (36)]: 6 mul, 3 add, 0 reciprocal.
+        let t23_ = minus_tip_turn_x_y_ * minus_tip_a_ang_y_;
+        let tip_acc_ang_x_ = T::mul_neg_add(tip_a_ang_x_, minus_tip_turn_x_x_, t23_);
+        let t24_ = tip_turn_y_x_ * tip_a_ang_x_;
+        let tip_acc_ang_y_ = T::mul_add(minus_tip_a_ang_y_, minus_tip_turn_y_y_, t24_);
+        let t25_ = minus_tip_turn_z_x_ * tip_a_ang_x_;
+        let minus_tip_acc_ang_z_ = T::mul_add(tip_turn_z_y_, minus_tip_a_ang_y_, t25_);
         point1_
             .set_angular_acceleration([
                 tip_acc_ang_x_,
@@ -369,27 +331,27 @@ impl<T: ::mstmm::Scalar> Top<T> {
                 tip_acc_ang_y_,
                 -minus_tip_acc_ang_z_,
             ]);
-        /// Load of the body at `tip`, [P, Eqs. (18), (19)]: 16 mul, 12 add, 0 reciprocal.
-        let t33_ = tip_wx_ * t13_;
-        let t34_ = T::mul_add(tip_wy_, t14_, t33_);
-        let t35_ = T::mul_neg_add(
-            minus_tip_turn_z_x_,
+        /// Load of the body at `tip`, [P, Eqs. (18), (19)]: 14 mul, 11 add, 0 reciprocal.
+        let t26_ = minus_tip_turn_z_x_ * c_(1.9600000000000002);
+        let t27_ = tip_turn_z_y_ * c_(1.9600000000000002);
+        let t28_ = T::mul_add(
             c_(1.9600000000000002),
-            tip_e_force_x_,
+            minus_tip_turn_z_z_,
+            minus_tip_e_force_z_,
         );
-        let t36_ = T::mul_add(tip_turn_z_y_, c_(1.9600000000000002), tip_e_force_y_);
-        let t37_ = T::mul_add(c_(1.9600000000000002), minus_tip_turn_z_z_, t34_);
-        let t38_ = T::mul_neg_add(c_(0.012), minus_tip_a_ang_y_, t35_);
-        let t39_ = T::mul_add(c_(0.012), minus_tip_a_ang_x_, t36_);
-        let t40_ = tip_turn_x_z_ * t37_;
-        let t41_ = T::mul_add(t38_, minus_tip_turn_x_x_, t40_);
-        let minus_tip_own_force_x_ = T::mul_add(minus_tip_turn_x_y_, t39_, t41_);
-        let t42_ = minus_tip_turn_y_z_ * t37_;
-        let t43_ = T::mul_add(tip_turn_y_x_, t38_, t42_);
-        let minus_tip_own_force_y_ = T::mul_sub(minus_tip_turn_y_y_, t39_, t43_);
-        let t44_ = minus_tip_turn_z_z_ * t37_;
-        let t45_ = T::mul_sub(minus_tip_turn_z_x_, t38_, t44_);
-        let tip_own_force_z_ = T::mul_sub(tip_turn_z_y_, t39_, t45_);
+        let t29_ = t16_ - minus_tip_a_ang_y_;
+        let t30_ = T::mul_neg_add(c_(0.012), t29_, t26_);
+        let t31_ = t15_ - tip_a_ang_x_;
+        let t32_ = T::mul_add(c_(0.012), t31_, t27_);
+        let t33_ = tip_turn_x_z_ * t28_;
+        let t34_ = T::mul_neg_add(t30_, minus_tip_turn_x_x_, t33_);
+        let minus_tip_own_force_x_ = T::mul_add(minus_tip_turn_x_y_, t32_, t34_);
+        let t35_ = minus_tip_turn_y_z_ * t28_;
+        let t36_ = T::mul_sub(tip_turn_y_x_, t30_, t35_);
+        let minus_tip_own_force_y_ = T::mul_add(minus_tip_turn_y_y_, t32_, t36_);
+        let t37_ = minus_tip_turn_z_z_ * t28_;
+        let t38_ = T::mul_add(minus_tip_turn_z_x_, t30_, t37_);
+        let tip_own_force_z_ = T::mul_add(tip_turn_z_y_, t32_, t38_);
         point0_
             .set_force([
                 -minus_tip_own_force_x_,
@@ -402,25 +364,25 @@ impl<T: ::mstmm::Scalar> Top<T> {
                 -minus_tip_own_force_y_,
                 tip_own_force_z_,
             ]);
-        /// Results: 5 mul, 2 add, 0 reciprocal.
-        let t46_ = tip_wx_ * t18_;
-        let t47_ = T::mul_add(tip_wy_, t15_, t46_);
-        let t48_ = T::mul_add(tip_wz_, t16_, t47_);
-        let t49_ = t48_ * c_(0.5);
-        at_.kinetic_energy = t49_;
-        let t50_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
-        at_.potential_energy = -t50_;
+        /// Results: 5 mul, 1 add, 0 reciprocal.
+        let t39_ = tip_wz_ * tip_wz_;
+        let t40_ = t39_ * c_(0.0001);
+        let t41_ = T::mul_add(t14_, c_(0.001), t40_);
+        let t42_ = c_(0.5) * t41_;
+        at_.kinetic_energy = t42_;
+        let t43_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
+        at_.potential_energy = -t43_;
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 16 operations: 12 mul, 4 add, 0 reciprocal.
+    /// 15 operations: 11 mul, 4 add, 0 reciprocal.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 4 | 2 | 0 | 0 | 0 |
-    /// | Results |  | 8 | 2 | 0 | 0 | 0 |
+    /// | Results |  | 7 | 2 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn energy(&self, state_: &TopState<T>) -> ::mstmm::Energy<T> {
@@ -432,18 +394,17 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t1_ = tip_qy_ * c_(2.0);
         let t2_ = T::mul_sub(tip_qy_, t1_, c_(1.0));
         let minus_tip_axes_z_z_ = T::mul_add(tip_qx_, t0_, t2_);
-        /// Results: 8 mul, 2 add, 0 reciprocal.
-        let t3_ = tip_wx_ * c_(0.001);
-        let t4_ = tip_wy_ * c_(0.001);
-        let t5_ = tip_wz_ * c_(0.0001);
-        let t6_ = tip_wx_ * t3_;
-        let t7_ = T::mul_add(tip_wy_, t4_, t6_);
-        let t8_ = T::mul_add(tip_wz_, t5_, t7_);
-        let t9_ = t8_ * c_(0.5);
-        let t10_ = c_(0.11760000000000001) * minus_tip_axes_z_z_;
+        /// Results: 7 mul, 2 add, 0 reciprocal.
+        let t3_ = tip_wy_ * tip_wy_;
+        let t4_ = tip_wz_ * tip_wz_;
+        let t5_ = T::mul_add(tip_wx_, tip_wx_, t3_);
+        let t6_ = t4_ * c_(0.0001);
+        let t7_ = T::mul_add(t5_, c_(0.001), t6_);
+        let t8_ = c_(0.5) * t7_;
+        let t9_ = c_(0.11760000000000001) * minus_tip_axes_z_z_;
         ::mstmm::Energy {
-            kinetic: t9_,
-            potential: -t10_,
+            kinetic: t8_,
+            potential: -t9_,
         }
     }
 }

@@ -28,7 +28,7 @@
 ///
 /// Mobility 2: 2 degrees of freedom.
 ///
-/// Accelerations by `transfer`, 123 operations (70 mul, 48 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 177 operations.
+/// Accelerations by `transfer`, 122 operations (69 mul, 48 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 172 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPins<T> {
@@ -94,14 +94,14 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for TwoPins<T> {
 impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
-    /// 123 operations: 70 mul, 48 add, 3 reciprocal, 2 square root, 2 sin/cos.
+    /// 122 operations: 69 mul, 48 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `shoulder` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 2 |
-    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
-    /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 55 | 39 | 3 | 2 | 0 |
-    /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 8 | 5 | 0 | 0 | 0 |
+    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 1 | 1 | 0 | 0 | 0 |
+    /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 54 | 39 | 3 | 2 | 0 |
+    /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 7 | 5 | 0 | 0 | 0 |
     /// | Transfer to `shoulder` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 2 | 0 | 0 | 0 | 0 |
     /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
     /// | Back to `shoulder` | \[P, Eqs. (8), (11)\] | 3 | 2 | 0 | 0 | 0 |
@@ -130,20 +130,20 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             cos_elbow_angle_,
             ],
         ) = T::sin_cos([shoulder_angle_, elbow_angle_]);
-        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
+        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 1 mul, 1 add, 0 reciprocal.
         let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
-        /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 55 mul, 39 add, 3 reciprocal, 2 square root.
-        let t7_ = shoulder_rate_ * c_(0.5);
-        let t8_ = elbow_omega_z_ * c_(0.5);
-        let t9_ = elbow_omega_z_ * t8_;
-        let t25_ = T::mul_add(
+        let minus_elbow_centripetal_x_ = shoulder_rate_ * shoulder_rate_;
+        /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 54 mul, 39 add, 3 reciprocal, 2 square root.
+        let t7_ = elbow_omega_z_ * elbow_omega_z_;
+        let t8_ = c_(0.5) * t7_;
+        let t24_ = T::mul_add(
             sin_elbow_angle_,
             c_(0.48639392383214375),
             sin_elbow_angle_,
         );
-        let t16_ = cos_elbow_angle_ * cos_elbow_angle_;
-        let t27_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
-        /// Transfer to `elbow`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 8 mul, 5 add, 0 reciprocal.
+        let t15_ = cos_elbow_angle_ * cos_elbow_angle_;
+        let t26_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
+        /// Transfer to `elbow`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 7 mul, 5 add, 0 reciprocal.
         let elbow_a4_lin_y_ = T::mul_neg_add(
             cos_elbow_angle_,
             c_(0.013606076167856269),
@@ -153,12 +153,12 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
         let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
         /// Boundary solve at the far end.
-        let t19_ = T::mul_neg_add(
+        let t18_ = T::mul_neg_add(
             sin_elbow_angle_,
             c_(0.16439898730535732),
             sin_elbow_angle_,
         );
-        let t17_ = T::mul_neg_add(
+        let t16_ = T::mul_neg_add(
             cos_elbow_angle_,
             c_(2.0685934174848226),
             cos_elbow_angle_,
@@ -168,97 +168,97 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
         let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
         /// Boundary solve at the far end.
-        let t26_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t25_);
-        let t28_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t27_);
-        let t15_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
+        let t25_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t24_);
+        let t27_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t26_);
+        let t14_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
+        let t9_ = T::mul_sub(minus_elbow_centripetal_x_, c_(0.5), shoulder_a_lin_x_);
         /// Transfer to `elbow`.
-        let t1_ = T::mul_sub(shoulder_rate_, shoulder_rate_, shoulder_a_lin_x_);
+        let t1_ = minus_elbow_centripetal_x_ - shoulder_a_lin_x_;
         /// Boundary solve at the far end.
-        let t10_ = T::mul_sub(shoulder_rate_, t7_, shoulder_a_lin_x_);
-        let t11_ = sin_elbow_angle_ * shoulder_a_lin_y_;
+        let t10_ = sin_elbow_angle_ * shoulder_a_lin_y_;
         /// Transfer to `elbow`.
         let t4_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
         /// Boundary solve at the far end.
-        let t20_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t19_);
+        let t19_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t18_);
         /// Transfer to `elbow`.
         let t2_ = cos_elbow_angle_ * shoulder_a_lin_y_;
         /// Boundary solve at the far end.
-        let t30_ = T::mul_add(t26_, t26_, t16_);
+        let t29_ = T::mul_add(t25_, t25_, t15_);
         /// Inertia beyond the hinges, to be divided by.
         let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
         /// Boundary solve at the far end.
-        let t29_ = elbow_a4_lin_y_ - t28_;
-        let t48_ = t15_ * t26_;
-        let t18_ = t10_ + t1_;
-        let t12_ = sin_elbow_angle_ * t10_;
+        let t28_ = elbow_a4_lin_y_ - t27_;
+        let t47_ = t14_ * t25_;
+        let t17_ = t9_ + t1_;
+        let t11_ = sin_elbow_angle_ * t9_;
         /// Transfer to `elbow`.
         let t5_ = t4_ * c_(0.9863939238321437);
         /// Boundary solve at the far end.
-        let t13_ = t4_ * c_(0.054054054054054064);
+        let t12_ = t4_ * c_(0.054054054054054064);
         /// Transfer to `elbow`.
         let t3_ = T::mul_add(sin_elbow_angle_, t1_, t2_);
         /// Boundary solve at the far end.
-        let t31_ = T::sqrt(t30_);
-        let t38_ = t26_ * t29_;
+        let t30_ = T::sqrt(t29_);
+        let t37_ = t25_ * t28_;
+        let t20_ = T::mul_add(cos_elbow_angle_, t17_, t8_);
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t75_ = t4_ * c_(1.9863939238321437);
+        let t74_ = t4_ * c_(1.9863939238321437);
         /// Boundary solve at the far end.
-        let t21_ = T::mul_add(cos_elbow_angle_, t18_, t9_);
-        let t43_ = T::mul_neg_add(t4_, c_(0.0810810810810811), t12_);
-        let t45_ = T::mul_add(t5_, t17_, t2_);
+        let t42_ = T::mul_neg_add(t4_, c_(0.0810810810810811), t11_);
+        let t44_ = T::mul_add(t5_, t16_, t2_);
         /// Transfer to `elbow`.
         let elbow_a_lin_y_ = T::mul_neg_add(t5_, t6_, t3_);
         /// Boundary solve at the far end.
-        let t22_ = t11_ - t21_;
-        let t44_ = elbow_a_lin_y_ + t43_;
-        let t14_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t13_);
-        let t23_ = t11_ + t22_;
-        let t24_ = T::mul_sub(t5_, t20_, t23_);
-        let t32_ = T::copysign(t31_, cos_elbow_angle_);
-        let t33_ = cos_elbow_angle_ + t32_;
-        let t34_ = t32_ * t33_;
-        let t39_ = T::mul_add(sin_elbow_angle_, t33_, t38_);
-        let t35_ = T::recip(t34_);
-        let t40_ = t35_ * t39_;
-        let t49_ = t35_ * t48_;
-        let t36_ = t33_ * t35_;
-        let t42_ = T::mul_neg_add(t26_, t40_, t29_);
-        let t51_ = T::mul_neg_add(t26_, t49_, t15_);
-        let t37_ = t24_ * t36_;
-        let t41_ = T::mul_neg_add(t33_, t40_, sin_elbow_angle_);
-        let t50_ = t33_ * t49_;
-        let t52_ = T::mul_add(t42_, t42_, c_(0.25));
-        let t72_ = t33_ * t37_;
-        let t46_ = T::mul_add(t37_, t41_, t45_);
-        let t64_ = T::mul_neg_add(t37_, t50_, t14_);
-        let t53_ = T::sqrt(t52_);
-        let t47_ = t44_ + t46_;
-        let t54_ = T::copysign(t53_, -t42_);
-        let t55_ = t42_ - t54_;
-        let t56_ = t54_ * t55_;
-        let t60_ = T::mul_add(t51_, t55_, c_(0.16666666666666666));
-        let t57_ = T::recip(t56_);
-        let t61_ = t57_ * t60_;
-        let t58_ = t55_ * t57_;
-        let t63_ = T::mul_add(c_(0.5), t61_, c_(0.3333333333333333));
-        let t59_ = t47_ * t58_;
-        let t62_ = T::mul_add(t55_, t61_, t51_);
-        let t66_ = T::recip(t63_);
-        let t68_ = t55_ * t59_;
-        let t65_ = T::mul_sub(t59_, t62_, t64_);
-        let t67_ = t65_ * t66_;
-        let t69_ = T::mul_neg_add(c_(0.5), t67_, t68_);
-        let t70_ = t57_ * t69_;
-        let t71_ = T::mul_add(t55_, t70_, t59_);
-        let end_x5_ = T::mul_neg_add(c_(0.5), t70_, t67_);
-        let t73_ = T::mul_neg_add(t26_, t71_, t72_);
-        let t74_ = t35_ * t73_;
-        let minus_end_x4_ = T::mul_add(t26_, t74_, t71_);
+        let t21_ = t10_ - t20_;
+        let t43_ = elbow_a_lin_y_ + t42_;
+        let t22_ = t10_ + t21_;
+        let t13_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t12_);
+        let t23_ = T::mul_sub(t5_, t19_, t22_);
+        let t31_ = T::copysign(t30_, cos_elbow_angle_);
+        let t32_ = cos_elbow_angle_ + t31_;
+        let t33_ = t31_ * t32_;
+        let t38_ = T::mul_add(sin_elbow_angle_, t32_, t37_);
+        let t34_ = T::recip(t33_);
+        let t39_ = t34_ * t38_;
+        let t48_ = t34_ * t47_;
+        let t35_ = t32_ * t34_;
+        let t41_ = T::mul_neg_add(t25_, t39_, t28_);
+        let t50_ = T::mul_neg_add(t25_, t48_, t14_);
+        let t36_ = t23_ * t35_;
+        let t40_ = T::mul_neg_add(t32_, t39_, sin_elbow_angle_);
+        let t49_ = t32_ * t48_;
+        let t51_ = T::mul_add(t41_, t41_, c_(0.25));
+        let t71_ = t32_ * t36_;
+        let t45_ = T::mul_add(t36_, t40_, t44_);
+        let t63_ = T::mul_neg_add(t36_, t49_, t13_);
+        let t52_ = T::sqrt(t51_);
+        let t46_ = t43_ + t45_;
+        let t53_ = T::copysign(t52_, -t41_);
+        let t54_ = t41_ - t53_;
+        let t55_ = t53_ * t54_;
+        let t59_ = T::mul_add(t50_, t54_, c_(0.16666666666666666));
+        let t56_ = T::recip(t55_);
+        let t60_ = t56_ * t59_;
+        let t57_ = t54_ * t56_;
+        let t62_ = T::mul_add(c_(0.5), t60_, c_(0.3333333333333333));
+        let t58_ = t46_ * t57_;
+        let t61_ = T::mul_add(t54_, t60_, t50_);
+        let t65_ = T::recip(t62_);
+        let t67_ = t54_ * t58_;
+        let t64_ = T::mul_sub(t58_, t61_, t63_);
+        let t66_ = t64_ * t65_;
+        let t68_ = T::mul_neg_add(c_(0.5), t66_, t67_);
+        let t69_ = t56_ * t68_;
+        let t70_ = T::mul_add(t54_, t69_, t58_);
+        let end_x5_ = T::mul_neg_add(c_(0.5), t69_, t66_);
+        let t72_ = T::mul_neg_add(t25_, t70_, t71_);
+        let t73_ = t34_ * t72_;
+        let minus_end_x4_ = T::mul_add(t25_, t73_, t70_);
         /// Back to `shoulder`.
-        let t76_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t75_);
+        let t75_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t74_);
         let minus_shoulder_beta0_ = T::mul_add(
             c_(0.0816364570071376),
-            t76_,
+            t75_,
             minus_end_x4_,
         );
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
@@ -294,22 +294,22 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 177 operations: 100 mul, 72 add, 3 reciprocal, 2 square root, 2 sin/cos.
+    /// 172 operations: 95 mul, 72 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `shoulder` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 2 |
-    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 8 | 3 | 0 | 0 | 0 |
+    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 9 | 3 | 0 | 0 | 0 |
     /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
     /// | Transfer to `shoulder` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 2 | 0 | 0 | 0 | 0 |
-    /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 8 | 5 | 0 | 0 | 0 |
-    /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 55 | 39 | 3 | 2 | 0 |
+    /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 7 | 5 | 0 | 0 | 0 |
+    /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 54 | 39 | 3 | 2 | 0 |
     /// | Back to `shoulder` | \[P, Eqs. (8), (11)\] | 3 | 2 | 0 | 0 | 0 |
     /// | Point of `elbow` | \[P, Eqs. (12), (13), (36)\] | 2 | 3 | 0 | 0 | 0 |
     /// | Load of the body at `shoulder` | \[P, Eqs. (18), (19)\] | 1 | 0 | 0 | 0 | 0 |
     /// | Load of the body at `elbow` | \[P, Eqs. (18), (19)\] | 9 | 8 | 0 | 0 | 0 |
     /// | Load on `shoulder` | \[P, Eqs. (18), (19)\] | 0 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 10 | 8 | 0 | 0 | 0 |
+    /// | Results |  | 6 | 8 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -334,116 +334,116 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             cos_elbow_angle_,
             ],
         ) = T::sin_cos([shoulder_angle_, elbow_angle_]);
-        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 8 mul, 3 add, 0 reciprocal.
+        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 9 mul, 3 add, 0 reciprocal.
         let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
+        let minus_elbow_centripetal_x_ = shoulder_rate_ * shoulder_rate_;
         /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
         let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
         let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
         /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
         let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
         let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
-        /// Transfer to `elbow`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 8 mul, 5 add, 0 reciprocal.
+        /// Transfer to `elbow`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 7 mul, 5 add, 0 reciprocal.
         let elbow_a4_lin_y_ = T::mul_neg_add(
             cos_elbow_angle_,
             c_(0.013606076167856269),
             cos_elbow_angle_,
         );
-        let t1_ = T::mul_sub(shoulder_rate_, shoulder_rate_, shoulder_a_lin_x_);
+        let t1_ = minus_elbow_centripetal_x_ - shoulder_a_lin_x_;
         let t2_ = cos_elbow_angle_ * shoulder_a_lin_y_;
         let t3_ = T::mul_add(sin_elbow_angle_, t1_, t2_);
         let t4_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
         let t5_ = t4_ * c_(0.9863939238321437);
         let t6_ = cos_elbow_angle_ * c_(0.16439898730535732);
         let elbow_a_lin_y_ = T::mul_neg_add(t5_, t6_, t3_);
-        /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 55 mul, 39 add, 3 reciprocal, 2 square root.
-        let t7_ = shoulder_rate_ * c_(0.5);
-        let t8_ = elbow_omega_z_ * c_(0.5);
-        let t9_ = elbow_omega_z_ * t8_;
-        let t10_ = T::mul_sub(shoulder_rate_, t7_, shoulder_a_lin_x_);
-        let t11_ = sin_elbow_angle_ * shoulder_a_lin_y_;
-        let t12_ = sin_elbow_angle_ * t10_;
-        let t13_ = t4_ * c_(0.054054054054054064);
-        let t14_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t13_);
-        let t15_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
-        let t16_ = cos_elbow_angle_ * cos_elbow_angle_;
-        let t17_ = T::mul_neg_add(
+        /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 54 mul, 39 add, 3 reciprocal, 2 square root.
+        let t7_ = elbow_omega_z_ * elbow_omega_z_;
+        let t8_ = c_(0.5) * t7_;
+        let t9_ = T::mul_sub(minus_elbow_centripetal_x_, c_(0.5), shoulder_a_lin_x_);
+        let t10_ = sin_elbow_angle_ * shoulder_a_lin_y_;
+        let t11_ = sin_elbow_angle_ * t9_;
+        let t12_ = t4_ * c_(0.054054054054054064);
+        let t13_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t12_);
+        let t14_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
+        let t15_ = cos_elbow_angle_ * cos_elbow_angle_;
+        let t16_ = T::mul_neg_add(
             cos_elbow_angle_,
             c_(2.0685934174848226),
             cos_elbow_angle_,
         );
-        let t18_ = t10_ + t1_;
-        let t19_ = T::mul_neg_add(
+        let t17_ = t9_ + t1_;
+        let t18_ = T::mul_neg_add(
             sin_elbow_angle_,
             c_(0.16439898730535732),
             sin_elbow_angle_,
         );
-        let t20_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t19_);
-        let t21_ = T::mul_add(cos_elbow_angle_, t18_, t9_);
-        let t22_ = t11_ - t21_;
-        let t23_ = t11_ + t22_;
-        let t24_ = T::mul_sub(t5_, t20_, t23_);
-        let t25_ = T::mul_add(
+        let t19_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t18_);
+        let t20_ = T::mul_add(cos_elbow_angle_, t17_, t8_);
+        let t21_ = t10_ - t20_;
+        let t22_ = t10_ + t21_;
+        let t23_ = T::mul_sub(t5_, t19_, t22_);
+        let t24_ = T::mul_add(
             sin_elbow_angle_,
             c_(0.48639392383214375),
             sin_elbow_angle_,
         );
-        let t26_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t25_);
-        let t27_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
-        let t28_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t27_);
-        let t29_ = elbow_a4_lin_y_ - t28_;
-        let t30_ = T::mul_add(t26_, t26_, t16_);
-        let t31_ = T::sqrt(t30_);
-        let t32_ = T::copysign(t31_, cos_elbow_angle_);
-        let t33_ = cos_elbow_angle_ + t32_;
-        let t34_ = t32_ * t33_;
-        let t35_ = T::recip(t34_);
-        let t36_ = t33_ * t35_;
-        let t37_ = t24_ * t36_;
-        let t38_ = t26_ * t29_;
-        let t39_ = T::mul_add(sin_elbow_angle_, t33_, t38_);
-        let t40_ = t35_ * t39_;
-        let t41_ = T::mul_neg_add(t33_, t40_, sin_elbow_angle_);
-        let t42_ = T::mul_neg_add(t26_, t40_, t29_);
-        let t43_ = T::mul_neg_add(t4_, c_(0.0810810810810811), t12_);
-        let t44_ = elbow_a_lin_y_ + t43_;
-        let t45_ = T::mul_add(t5_, t17_, t2_);
-        let t46_ = T::mul_add(t37_, t41_, t45_);
-        let t47_ = t44_ + t46_;
-        let t48_ = t15_ * t26_;
-        let t49_ = t35_ * t48_;
-        let t50_ = t33_ * t49_;
-        let t51_ = T::mul_neg_add(t26_, t49_, t15_);
-        let t52_ = T::mul_add(t42_, t42_, c_(0.25));
-        let t53_ = T::sqrt(t52_);
-        let t54_ = T::copysign(t53_, -t42_);
-        let t55_ = t42_ - t54_;
-        let t56_ = t54_ * t55_;
-        let t57_ = T::recip(t56_);
-        let t58_ = t55_ * t57_;
-        let t59_ = t47_ * t58_;
-        let t60_ = T::mul_add(t51_, t55_, c_(0.16666666666666666));
-        let t61_ = t57_ * t60_;
-        let t62_ = T::mul_add(t55_, t61_, t51_);
-        let t63_ = T::mul_add(c_(0.5), t61_, c_(0.3333333333333333));
-        let t64_ = T::mul_neg_add(t37_, t50_, t14_);
-        let t65_ = T::mul_sub(t59_, t62_, t64_);
-        let t66_ = T::recip(t63_);
-        let t67_ = t65_ * t66_;
-        let t68_ = t55_ * t59_;
-        let t69_ = T::mul_neg_add(c_(0.5), t67_, t68_);
-        let t70_ = t57_ * t69_;
-        let t71_ = T::mul_add(t55_, t70_, t59_);
-        let t72_ = t33_ * t37_;
-        let t73_ = T::mul_neg_add(t26_, t71_, t72_);
-        let t74_ = t35_ * t73_;
-        let minus_end_x4_ = T::mul_add(t26_, t74_, t71_);
-        let end_x5_ = T::mul_neg_add(c_(0.5), t70_, t67_);
+        let t25_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t24_);
+        let t26_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
+        let t27_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t26_);
+        let t28_ = elbow_a4_lin_y_ - t27_;
+        let t29_ = T::mul_add(t25_, t25_, t15_);
+        let t30_ = T::sqrt(t29_);
+        let t31_ = T::copysign(t30_, cos_elbow_angle_);
+        let t32_ = cos_elbow_angle_ + t31_;
+        let t33_ = t31_ * t32_;
+        let t34_ = T::recip(t33_);
+        let t35_ = t32_ * t34_;
+        let t36_ = t23_ * t35_;
+        let t37_ = t25_ * t28_;
+        let t38_ = T::mul_add(sin_elbow_angle_, t32_, t37_);
+        let t39_ = t34_ * t38_;
+        let t40_ = T::mul_neg_add(t32_, t39_, sin_elbow_angle_);
+        let t41_ = T::mul_neg_add(t25_, t39_, t28_);
+        let t42_ = T::mul_neg_add(t4_, c_(0.0810810810810811), t11_);
+        let t43_ = elbow_a_lin_y_ + t42_;
+        let t44_ = T::mul_add(t5_, t16_, t2_);
+        let t45_ = T::mul_add(t36_, t40_, t44_);
+        let t46_ = t43_ + t45_;
+        let t47_ = t14_ * t25_;
+        let t48_ = t34_ * t47_;
+        let t49_ = t32_ * t48_;
+        let t50_ = T::mul_neg_add(t25_, t48_, t14_);
+        let t51_ = T::mul_add(t41_, t41_, c_(0.25));
+        let t52_ = T::sqrt(t51_);
+        let t53_ = T::copysign(t52_, -t41_);
+        let t54_ = t41_ - t53_;
+        let t55_ = t53_ * t54_;
+        let t56_ = T::recip(t55_);
+        let t57_ = t54_ * t56_;
+        let t58_ = t46_ * t57_;
+        let t59_ = T::mul_add(t50_, t54_, c_(0.16666666666666666));
+        let t60_ = t56_ * t59_;
+        let t61_ = T::mul_add(t54_, t60_, t50_);
+        let t62_ = T::mul_add(c_(0.5), t60_, c_(0.3333333333333333));
+        let t63_ = T::mul_neg_add(t36_, t49_, t13_);
+        let t64_ = T::mul_sub(t58_, t61_, t63_);
+        let t65_ = T::recip(t62_);
+        let t66_ = t64_ * t65_;
+        let t67_ = t54_ * t58_;
+        let t68_ = T::mul_neg_add(c_(0.5), t66_, t67_);
+        let t69_ = t56_ * t68_;
+        let t70_ = T::mul_add(t54_, t69_, t58_);
+        let t71_ = t32_ * t36_;
+        let t72_ = T::mul_neg_add(t25_, t70_, t71_);
+        let t73_ = t34_ * t72_;
+        let minus_end_x4_ = T::mul_add(t25_, t73_, t70_);
+        let end_x5_ = T::mul_neg_add(c_(0.5), t69_, t66_);
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t75_ = t4_ * c_(1.9863939238321437);
-        let t76_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t75_);
+        let t74_ = t4_ * c_(1.9863939238321437);
+        let t75_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t74_);
         let minus_shoulder_beta0_ = T::mul_add(
             c_(0.0816364570071376),
-            t76_,
+            t75_,
             minus_end_x4_,
         );
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
@@ -519,17 +519,17 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         point1_.set_angular_acceleration([c_(0.0), c_(0.0), -minus_shoulder_beta0_]);
         point2_.set_angular_acceleration([c_(0.0), c_(0.0), -minus_shoulder_beta0_]);
         /// Motion across `elbow`.
-        let t77_ = cos_shoulder_angle_ * cos_elbow_angle_;
+        let t76_ = cos_shoulder_angle_ * cos_elbow_angle_;
         let elbow_axes_x_x_ = T::mul_neg_add(
             sin_shoulder_angle_,
             sin_elbow_angle_,
-            t77_,
+            t76_,
         );
-        let t78_ = cos_shoulder_angle_ * sin_elbow_angle_;
+        let t77_ = cos_shoulder_angle_ * sin_elbow_angle_;
         let minus_elbow_axes_x_y_ = T::mul_add(
             sin_shoulder_angle_,
             cos_elbow_angle_,
-            t78_,
+            t77_,
         );
         point3_
             .set_orientation([
@@ -555,12 +555,12 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                 c_(0.0),
                 c_(1.0),
             ]);
-        let t79_ = shoulder_rate_ * cos_shoulder_angle_;
-        let minus_elbow_centripetal_x_2_ = shoulder_rate_ * t79_;
-        let t80_ = shoulder_rate_ * sin_shoulder_angle_;
-        point2_.set_velocity([-t80_, t79_, c_(0.0)]);
-        point3_.set_velocity([-t80_, t79_, c_(0.0)]);
-        let minus_elbow_centripetal_y_ = shoulder_rate_ * t80_;
+        let t78_ = shoulder_rate_ * cos_shoulder_angle_;
+        let minus_elbow_centripetal_x_2_ = shoulder_rate_ * t78_;
+        let t79_ = shoulder_rate_ * sin_shoulder_angle_;
+        point2_.set_velocity([-t79_, t78_, c_(0.0)]);
+        point3_.set_velocity([-t79_, t78_, c_(0.0)]);
+        let minus_elbow_centripetal_y_ = shoulder_rate_ * t79_;
         /// Point of `elbow`, [P, Eqs. (12), (13), (36)]: 2 mul, 3 add, 0 reciprocal.
         let minus_elbow_acc_lin_x_ = T::mul_neg_add(
             sin_shoulder_angle_,
@@ -590,66 +590,63 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         /// Load of the body at `shoulder`, [P, Eqs. (18), (19)]: 1 mul, 0 add, 0 reciprocal.
         let minus_shoulder_own_force_x_ = c_(0.5) * minus_elbow_acc_lin_x_;
         /// Load of the body at `elbow`, [P, Eqs. (18), (19)]: 9 mul, 8 add, 0 reciprocal.
-        let t81_ = elbow_omega_z_ * elbow_axes_x_x_;
-        let t82_ = elbow_omega_z_ * t81_;
-        let t83_ = T::mul_add(minus_elbow_axes_x_y_, elbow_acc_ang_z_, t82_);
-        let t84_ = minus_elbow_acc_lin_x_ + t83_;
+        let t80_ = elbow_omega_z_ * elbow_axes_x_x_;
+        let t81_ = elbow_omega_z_ * t80_;
+        let t82_ = T::mul_add(minus_elbow_axes_x_y_, elbow_acc_ang_z_, t81_);
+        let t83_ = minus_elbow_acc_lin_x_ + t82_;
         let minus_elbow_own_force_x_ = T::mul_add(
             c_(0.5),
-            t84_,
+            t83_,
             minus_shoulder_own_force_x_,
         );
-        let t85_ = elbow_omega_z_ * minus_elbow_axes_x_y_;
-        let t86_ = elbow_omega_z_ * t85_;
-        let t87_ = c_(9.8) - minus_elbow_acc_lin_y_;
-        let t88_ = c_(0.5) * t87_;
-        let t89_ = T::mul_neg_add(elbow_axes_x_x_, elbow_acc_ang_z_, t86_);
-        let t90_ = minus_elbow_acc_lin_y_ + t89_;
-        point4_.set_acceleration([-t84_, -t90_, c_(0.0)]);
-        let t91_ = c_(9.8) - t90_;
-        let elbow_own_force_y_ = T::mul_add(c_(0.5), t91_, t88_);
+        let t84_ = elbow_omega_z_ * minus_elbow_axes_x_y_;
+        let t85_ = elbow_omega_z_ * t84_;
+        let t86_ = c_(9.8) - minus_elbow_acc_lin_y_;
+        let t87_ = c_(0.5) * t86_;
+        let t88_ = T::mul_neg_add(elbow_axes_x_x_, elbow_acc_ang_z_, t85_);
+        let t89_ = minus_elbow_acc_lin_y_ + t88_;
+        point4_.set_acceleration([-t83_, -t89_, c_(0.0)]);
+        let t90_ = c_(9.8) - t89_;
+        let elbow_own_force_y_ = T::mul_add(c_(0.5), t90_, t87_);
         point2_.set_force([-minus_elbow_own_force_x_, elbow_own_force_y_, c_(0.0)]);
         point3_.set_force([-minus_elbow_own_force_x_, elbow_own_force_y_, c_(0.0)]);
         /// Load on `shoulder`, [P, Eqs. (18), (19)]: 0 mul, 3 add, 0 reciprocal.
         let minus_shoulder_load_force_x_ = minus_shoulder_own_force_x_
             + minus_elbow_own_force_x_;
-        let t92_ = c_(4.9) + t88_;
-        let shoulder_load_force_y_ = elbow_own_force_y_ + t92_;
+        let t91_ = c_(4.9) + t87_;
+        let shoulder_load_force_y_ = elbow_own_force_y_ + t91_;
         point0_
             .set_force([-minus_shoulder_load_force_x_, shoulder_load_force_y_, c_(0.0)]);
         point1_
             .set_force([-minus_shoulder_load_force_x_, shoulder_load_force_y_, c_(0.0)]);
-        /// Results: 10 mul, 8 add, 0 reciprocal.
-        let t93_ = shoulder_rate_ * c_(0.3333333333333333);
-        let t94_ = elbow_omega_z_ * c_(0.3333333333333333);
-        let t95_ = t80_ + t85_;
-        let t96_ = t79_ + t81_;
-        point4_.set_velocity([-t95_, t96_, c_(0.0)]);
-        let t97_ = shoulder_rate_ * t93_;
-        let t98_ = c_(0.5) * t95_;
-        let t99_ = c_(0.5) * t96_;
-        let t100_ = T::mul_add(elbow_omega_z_, t94_, t97_);
-        let t101_ = c_(0.5) * t100_;
-        let t102_ = T::mul_add(t80_, t98_, t101_);
-        let t103_ = T::mul_add(t79_, t99_, t102_);
-        at_.kinetic_energy = t103_;
-        let t104_ = sin_shoulder_angle_ + minus_elbow_axes_x_y_;
-        let t105_ = T::mul_add(c_(4.9), t104_, shoulder_a_lin_x_);
-        at_.potential_energy = t105_;
-        let t106_ = cos_shoulder_angle_ + elbow_axes_x_x_;
-        point4_.set_position([t106_, t104_, c_(0.0)]);
+        /// Results: 6 mul, 8 add, 0 reciprocal.
+        let t92_ = t79_ + t84_;
+        let t93_ = t78_ + t80_;
+        point4_.set_velocity([-t92_, t93_, c_(0.0)]);
+        let t94_ = c_(0.5) * t92_;
+        let t95_ = c_(0.5) * t93_;
+        let t96_ = minus_elbow_centripetal_x_ + t7_;
+        let t97_ = c_(0.16666666666666666) * t96_;
+        let t98_ = T::mul_add(t79_, t94_, t97_);
+        let t99_ = T::mul_add(t78_, t95_, t98_);
+        at_.kinetic_energy = t99_;
+        let t100_ = sin_shoulder_angle_ + minus_elbow_axes_x_y_;
+        let t101_ = T::mul_add(c_(4.9), t100_, shoulder_a_lin_x_);
+        at_.potential_energy = t101_;
+        let t102_ = cos_shoulder_angle_ + elbow_axes_x_x_;
+        point4_.set_position([t102_, t100_, c_(0.0)]);
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 28 operations: 19 mul, 9 add, 0 reciprocal, 2 sin/cos.
+    /// 26 operations: 17 mul, 9 add, 0 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `shoulder` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 2 |
-    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 4 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 15 | 6 | 0 | 0 | 0 |
+    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 5 | 3 | 0 | 0 | 0 |
+    /// | Results |  | 12 | 6 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &TwoPinsState<T>) -> ::mstmm::Energy<T> {
@@ -665,7 +662,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             cos_elbow_angle_,
             ],
         ) = T::sin_cos([shoulder_angle_, elbow_angle_]);
-        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
+        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 5 mul, 3 add, 0 reciprocal.
         let t0_ = cos_shoulder_angle_ * cos_elbow_angle_;
         let elbow_axes_x_x_ = T::mul_neg_add(sin_shoulder_angle_, sin_elbow_angle_, t0_);
         let t1_ = cos_shoulder_angle_ * sin_elbow_angle_;
@@ -675,25 +672,24 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             t1_,
         );
         let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
-        /// Results: 15 mul, 6 add, 0 reciprocal.
-        let t2_ = shoulder_rate_ * c_(0.3333333333333333);
-        let t3_ = elbow_omega_z_ * c_(0.3333333333333333);
-        let t4_ = shoulder_rate_ * sin_shoulder_angle_;
-        let t5_ = shoulder_rate_ * cos_shoulder_angle_;
-        let t6_ = T::mul_add(elbow_omega_z_, minus_elbow_axes_x_y_, t4_);
-        let t7_ = T::mul_add(elbow_omega_z_, elbow_axes_x_x_, t5_);
-        let t8_ = shoulder_rate_ * t2_;
-        let t9_ = c_(0.5) * t6_;
-        let t10_ = c_(0.5) * t7_;
-        let t11_ = T::mul_add(elbow_omega_z_, t3_, t8_);
-        let t12_ = c_(0.5) * t11_;
-        let t13_ = T::mul_add(t4_, t9_, t12_);
-        let t14_ = T::mul_add(t5_, t10_, t13_);
-        let t15_ = sin_shoulder_angle_ * c_(14.700000000000001);
-        let t16_ = T::mul_add(c_(4.9), minus_elbow_axes_x_y_, t15_);
+        /// Motion across `elbow`.
+        let minus_elbow_centripetal_x_ = shoulder_rate_ * shoulder_rate_;
+        /// Results: 12 mul, 6 add, 0 reciprocal.
+        let t2_ = shoulder_rate_ * sin_shoulder_angle_;
+        let t3_ = shoulder_rate_ * cos_shoulder_angle_;
+        let t4_ = T::mul_add(elbow_omega_z_, minus_elbow_axes_x_y_, t2_);
+        let t5_ = T::mul_add(elbow_omega_z_, elbow_axes_x_x_, t3_);
+        let t6_ = c_(0.5) * t4_;
+        let t7_ = c_(0.5) * t5_;
+        let t8_ = T::mul_add(elbow_omega_z_, elbow_omega_z_, minus_elbow_centripetal_x_);
+        let t9_ = c_(0.16666666666666666) * t8_;
+        let t10_ = T::mul_add(t2_, t6_, t9_);
+        let t11_ = T::mul_add(t3_, t7_, t10_);
+        let t12_ = sin_shoulder_angle_ * c_(14.700000000000001);
+        let t13_ = T::mul_add(c_(4.9), minus_elbow_axes_x_y_, t12_);
         ::mstmm::Energy {
-            kinetic: t14_,
-            potential: t16_,
+            kinetic: t11_,
+            potential: t13_,
         }
     }
 }
