@@ -81,21 +81,21 @@ impl<S: Scalar> Mat3<S> {
         sine * (length.atan2(self.cosine()) * length.recip())
     }
 
-    /// `self · inner · selfᵀ`
-    pub fn congruence(self, inner: Sym3<S>) -> Sym3<S> {
-        let half = self * inner.full();
-        Sym3::from_fn(|i, j| half.row(i).dot(self.row(j)))
-    }
-
     /// `self · inner · selfᵀ` of a rotation, which leaves any multiple of the identity as it is: as
     /// much of it is taken out as the last entry of the diagonal is, always that one, since what
-    /// integrators make of quaternions is no rotation to the last digit.
+    /// integrators make of quaternions is no rotation to the last digit. It leaves the trace as it is,
+    /// too, from which the first entry follows without the first row of `self · inner`.
     pub fn rotated(self, inner: Sym3<S>) -> Sym3<S> {
         let even = inner.at(2, 2);
         let along = |i: usize, j: usize| if i == j { even } else { S::zero() };
         let uneven = Sym3::from_fn(|i, j| inner.at(i, j) - along(i, j));
-        let turned = self.congruence(uneven);
-        Sym3::from_fn(|i, j| turned.at(i, j) + along(i, j))
+        let half = self * uneven.full();
+        let entry = |i: usize, j: usize| half.row(j).dot(self.row(i));
+        let is_full = !self[0].iter().any(|entry| entry.vanishes());
+        Sym3::from_fn(|i, j| match (i, j) {
+            (0, 0) if is_full => uneven.trace() - entry(1, 1) - entry(2, 2) + even,
+            _ => entry(i, j) + along(i, j),
+        })
     }
 }
 
@@ -238,7 +238,7 @@ impl<S: Scalar> Mul<Vec3<S>> for Sym3<S> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Sym3, Vec3};
+    use super::{Mat3, Sym3, Vec3};
 
     /// Entries up to 20, a dozen roundings.
     fn assert_near(a: f64, b: f64) {
@@ -253,6 +253,18 @@ mod tests {
             assert_near(inertia.power(omega), omega.dot(spin));
             let (found, expected) = (inertia.gyroscopic(omega), omega.cross(spin));
             (0..3).for_each(|k| assert_near(found[k], expected[k]));
+        }
+    }
+
+    #[test]
+    fn a_turned_tensor_is_the_product_of_three_matrices() {
+        let tensor = Sym3([1.0, 4.0, -3.0, 0.5, -1.5, 2.0]);
+        // All of a quaternion, and one of its components beside the cosine: a full matrix or not.
+        for quaternion in [[0.1, 0.5, 0.7, 0.5], [0.6, 0.0, 0.8, 0.0]] {
+            let rotation = Mat3::from_quaternion(quaternion);
+            let expected = rotation * tensor.full() * rotation.transposed();
+            let found = rotation.rotated(tensor).full();
+            found.0.concat().iter().zip(expected.0.concat()).for_each(|(&a, b)| assert_near(a, b));
         }
     }
 
