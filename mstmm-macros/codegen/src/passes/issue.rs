@@ -4,10 +4,11 @@
 //! processor looks a few hundred instructions ahead for others that it may do meanwhile; here they are
 //! put where it finds them. That is list scheduling by critical paths, for a processor that starts five
 //! operations in two cycles. Where there is work enough at any time, the order of the equations
-//! stays, in which fewer values have to be kept.
+//! stays, in which fewer values have to be kept; and so it does in loops, each time of which gives the
+//! next one work.
 
 use super::latency::of_statement;
-use crate::program::{Block, Loop, Operand, Program, Section, Statement};
+use crate::program::{Block, Operand, Program, Section, Statement};
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
 
@@ -23,13 +24,14 @@ const ENOUGH: f64 = 1.2;
 /// interrupt falls into several of the same heading.
 pub fn issue(mut program: Program) -> Program {
     for block in &mut program.blocks {
-        let (Block::Once(sections) | Block::Loop(Loop { sections, .. })) = block;
-        *sections = issued(std::mem::take(sections));
+        if let Block::Once(sections) = block {
+            *sections = issued(std::mem::take(sections));
+        }
     }
     program
 }
 
-/// The sections of one block.
+/// The sections of a block.
 fn issued(sections: Vec<Section>) -> Vec<Section> {
     let owners = sections.iter().enumerate();
     let owners =

@@ -307,17 +307,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
-            /// Results: 3 mul, 2 add, 0 reciprocal.
-            let t11_ = joint_angle_ * c_(0.2);
-            let t14_ = known_p5_ + t9_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
             let t10_ = joint_omega_z_ * joint_omega_z_;
-            /// Results.
-            let t13_ = T::mul_add(joint_rate_, t8_, t11_);
-            /// Motion across `end_of_repeat0`.
             let minus_end_of_repeat0_centripetal_x_ = c_(0.1) * t10_;
-            /// Results.
+            /// Results: 3 mul, 2 add, 0 reciprocal.
+            let t11_ = joint_angle_ * c_(0.2);
             let t12_ = known_p2_ * t10_;
+            let t13_ = T::mul_add(joint_rate_, t8_, t11_);
+            let t14_ = known_p5_ + t9_;
             _ = store1_
                 .try_push([
                     sin_joint_angle_,
@@ -383,9 +380,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_8_before_ = carry1_8_;
             let carry1_9_before_ = carry1_9_;
             /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 10 mul, 12 add, 1 reciprocal.
-            let t18_ = T::mul_add(c_(0.1), carry1_1_before_, carry1_5_before_);
-            let t20_ = known_p4_ + carry1_6_before_;
+            let joint_k_zz_ = known_p1_ + carry1_2_before_;
             let joint_b_x_z_ = T::mul_add(c_(0.1), carry1_3_before_, carry1_4_before_);
+            let t18_ = T::mul_add(c_(0.1), carry1_1_before_, carry1_5_before_);
+            let joint_b_y_z_ = known_p2_ + t18_;
+            let t19_ = carry1_5_before_ + t18_;
+            let t20_ = known_p4_ + carry1_6_before_;
+            let joint_j_zz_ = T::mul_add(c_(0.1), t19_, t20_);
             let joint_e_force_y_ = T::mul_neg_add(
                 carry1_3_before_,
                 minus_end_of_repeat0_centripetal_x_,
@@ -396,61 +397,51 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_centripetal_x_,
                 carry1_9_before_,
             );
+            let joint_e_moment_z_ = T::mul_add(c_(0.1), joint_e_force_y_, t21_);
+            let joint_d0_ = t9_ + joint_j_zz_;
+            let t22_ = T::recip(joint_d0_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t22_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t22_;
+            let joint_z0_moment_z_ = joint_j_zz_ * t22_;
+            let t23_ = joint_e_moment_z_ + t13_;
+            let minus_joint_w0_ = t22_ * t23_;
             /// Results: 24 mul, 25 add, 0 reciprocal.
             let t24_ = known_p1_ + carry1_0_before_;
-            let t27_ = known_p1_ + carry1_1_before_;
-            let t34_ = t12_ - carry1_7_before_;
             let t25_ = carry1_0_before_ + carry1_1_before_;
-            /// Riccati transfer over `joint`.
-            let joint_k_zz_ = known_p1_ + carry1_2_before_;
-            let t19_ = carry1_5_before_ + t18_;
-            let joint_b_y_z_ = known_p2_ + t18_;
-            let joint_e_moment_z_ = T::mul_add(c_(0.1), joint_e_force_y_, t21_);
-            /// Results.
+            let t26_ = carry1_2_before_ + t25_;
+            let t27_ = known_p1_ + carry1_1_before_;
+            let t28_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t24_);
+            let t29_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t27_);
+            let t30_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
+            let t31_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_x_, joint_b_x_z_);
+            let t32_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_y_, joint_b_y_z_);
+            let t33_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
+            let t34_ = t12_ - carry1_7_before_;
             let t35_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_centripetal_x_,
                 t34_,
             );
-            let t26_ = carry1_2_before_ + t25_;
-            /// Riccati transfer over `joint`.
-            let joint_j_zz_ = T::mul_add(c_(0.1), t19_, t20_);
-            /// Results.
-            let t55_ = T::mul_add(c_(0.010000000000000002), t26_, t14_);
-            /// Riccati transfer over `joint`.
-            let t23_ = joint_e_moment_z_ + t13_;
-            let joint_d0_ = t9_ + joint_j_zz_;
-            let t22_ = T::recip(joint_d0_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t22_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t22_;
-            let minus_joint_w0_ = t22_ * t23_;
-            let joint_z0_moment_z_ = joint_j_zz_ * t22_;
-            /// Results.
-            let t28_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t24_);
-            let t29_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t27_);
-            let t30_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
-            let t31_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_x_, joint_b_x_z_);
             let t36_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t35_);
-            let t32_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_y_, joint_b_y_z_);
             let t37_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
-            let t33_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
             let t38_ = T::mul_neg_add(joint_j_zz_, minus_joint_w0_, joint_e_moment_z_);
-            let t43_ = t28_ - t29_;
-            let t45_ = c_(2.0) * t30_;
-            let t51_ = cos_joint_angle_ * t31_;
             let t39_ = cos_joint_angle_ * t36_;
-            let t41_ = sin_joint_angle_ * t36_;
-            let t53_ = sin_joint_angle_ * t31_;
-            let t44_ = sin_joint_angle_ * t43_;
-            let t52_ = T::mul_neg_add(sin_joint_angle_, t32_, t51_);
             let t40_ = T::mul_add(sin_joint_angle_, t37_, t39_);
+            let t41_ = sin_joint_angle_ * t36_;
             let t42_ = T::mul_neg_add(cos_joint_angle_, t37_, t41_);
-            let t54_ = T::mul_add(cos_joint_angle_, t32_, t53_);
+            let t43_ = t28_ - t29_;
+            let t44_ = sin_joint_angle_ * t43_;
+            let t45_ = c_(2.0) * t30_;
             let t46_ = T::mul_add(cos_joint_angle_, t45_, t44_);
             let t47_ = sin_joint_angle_ * t46_;
-            let t49_ = T::mul_neg_add(cos_joint_angle_, t46_, t30_);
             let t48_ = t28_ - t47_;
+            let t49_ = T::mul_neg_add(cos_joint_angle_, t46_, t30_);
             let t50_ = t29_ + t47_;
+            let t51_ = cos_joint_angle_ * t31_;
+            let t52_ = T::mul_neg_add(sin_joint_angle_, t32_, t51_);
+            let t53_ = sin_joint_angle_ * t31_;
+            let t54_ = T::mul_add(cos_joint_angle_, t32_, t53_);
+            let t55_ = T::mul_add(c_(0.010000000000000002), t26_, t14_);
             _ = store3_
                 .try_push([
                     minus_joint_w0_,
@@ -504,23 +495,21 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 7 mul, 6 add, 0 reciprocal.
-            let t57_ = sin_joint_angle_ * carry2_0_before_;
             let t56_ = cos_joint_angle_ * carry2_0_before_;
-            let t58_ = T::mul_add(carry2_2_before_, joint_z0_moment_z_, minus_joint_w0_);
+            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t56_);
+            let t57_ = sin_joint_angle_ * carry2_0_before_;
             let minus_joint_a_lin_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry2_1_before_,
                 t57_,
             );
-            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t56_);
+            let t58_ = T::mul_add(carry2_2_before_, joint_z0_moment_z_, minus_joint_w0_);
             let t59_ = T::mul_sub(minus_joint_a_lin_y_, joint_z0_force_y_, t58_);
+            let t60_ = T::mul_sub(joint_a_lin_x_, joint_z0_force_x_, t59_);
+            let joint_a_ang_z_ = carry2_2_before_ - t60_;
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
             let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_centripetal_x_
                 - joint_a_lin_x_;
-            /// Acceleration of `joint`.
-            let t60_ = T::mul_sub(joint_a_lin_x_, joint_z0_force_x_, t59_);
-            let joint_a_ang_z_ = carry2_2_before_ - t60_;
-            /// Acceleration of `end_of_repeat0`.
             let minus_end_of_repeat0_a_lin_y_ = T::mul_neg_add(
                 c_(0.1),
                 joint_a_ang_z_,
@@ -619,20 +608,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
-            /// Results: 7 mul, 2 add, 0 reciprocal.
-            let t9_ = joint_angle_ * c_(0.2);
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
             let t8_ = joint_omega_z_ * joint_omega_z_;
-            /// Results.
-            let t10_ = T::mul_add(joint_rate_, c_(0.01), t9_);
-            /// Motion across `end_of_repeat0`.
             let minus_end_of_repeat0_centripetal_x_ = c_(0.1) * t8_;
-            /// Results.
-            let t15_ = known_p2_ * t8_;
+            /// Results: 7 mul, 2 add, 0 reciprocal.
+            let t9_ = joint_angle_ * c_(0.2);
+            let t10_ = T::mul_add(joint_rate_, c_(0.01), t9_);
             let t11_ = sin_joint_angle_ * sin_joint_angle_;
             let t12_ = sin_joint_angle_ * cos_joint_angle_;
-            let t14_ = T::mul_neg_add(c_(2.0), t11_, c_(1.0));
             let t13_ = c_(2.0) * t12_;
+            let t14_ = T::mul_neg_add(c_(2.0), t11_, c_(1.0));
+            let t15_ = known_p2_ * t8_;
             _ = store1_
                 .try_push([
                     sin_joint_angle_,
@@ -698,6 +684,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_5_before_ = carry1_5_;
             let carry1_6_before_ = carry1_6_;
             /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 6 add, 1 reciprocal.
+            let joint_k_zz_ = known_p1_ + carry1_2_before_;
+            let joint_b_x_z_ = c_(0.1) * carry1_3_before_;
+            let joint_b_y_z_ = T::mul_add(c_(0.1), carry1_1_before_, known_p2_);
             let joint_j_zz_ = T::mul_add(
                 carry1_1_before_,
                 c_(0.010000000000000002),
@@ -708,55 +697,46 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_centripetal_x_,
                 carry1_5_before_,
             );
-            let joint_b_x_z_ = c_(0.1) * carry1_3_before_;
-            let joint_b_y_z_ = T::mul_add(c_(0.1), carry1_1_before_, known_p2_);
+            let t19_ = T::recip(joint_j_zz_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t19_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t19_;
             let t20_ = t10_ + carry1_6_before_;
+            let t21_ = T::mul_add(c_(0.1), joint_e_force_y_, t20_);
+            let minus_joint_w0_ = t19_ * t21_;
             /// Results: 22 mul, 22 add, 0 reciprocal.
-            let t41_ = t15_ - carry1_4_before_;
-            let t26_ = known_p1_ + carry1_1_before_;
             let t22_ = known_p1_ + carry1_0_before_;
             let t23_ = carry1_0_before_ + carry1_1_before_;
-            /// Riccati transfer over `joint`.
-            let joint_k_zz_ = known_p1_ + carry1_2_before_;
-            let t19_ = T::recip(joint_j_zz_);
-            let t21_ = T::mul_add(c_(0.1), joint_e_force_y_, t20_);
-            /// Results.
+            let t24_ = carry1_2_before_ + t23_;
+            let t25_ = T::mul_add(c_(0.010000000000000002), t24_, known_p5_);
+            let t26_ = known_p1_ + carry1_1_before_;
             let t27_ = joint_b_x_z_ * joint_b_x_z_;
+            let t28_ = T::mul_neg_add(t19_, t27_, t22_);
             let t29_ = joint_b_y_z_ * joint_b_y_z_;
+            let t30_ = T::mul_neg_add(t19_, t29_, t26_);
             let t31_ = joint_b_x_z_ * joint_b_y_z_;
+            let t32_ = T::mul_neg_add(t19_, t31_, carry1_3_before_);
+            let t33_ = t28_ + t30_;
+            let t34_ = t28_ - t30_;
+            let t35_ = t14_ * t32_;
+            let t36_ = T::mul_add(t12_, t34_, t35_);
+            let t37_ = cos_joint_angle_ * joint_z0_force_x_;
+            let t38_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t37_);
+            let t39_ = sin_joint_angle_ * joint_z0_force_x_;
+            let t40_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t39_);
+            let t41_ = t15_ - carry1_4_before_;
             let t42_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_centripetal_x_,
                 t41_,
             );
-            let t24_ = carry1_2_before_ + t23_;
-            let t25_ = T::mul_add(c_(0.010000000000000002), t24_, known_p5_);
-            /// Riccati transfer over `joint`.
-            let minus_joint_w0_ = t19_ * t21_;
-            /// Results.
-            let t30_ = T::mul_neg_add(t19_, t29_, t26_);
-            let t32_ = T::mul_neg_add(t19_, t31_, carry1_3_before_);
-            let t28_ = T::mul_neg_add(t19_, t27_, t22_);
-            /// Riccati transfer over `joint`.
-            let joint_z0_force_x_ = joint_b_x_z_ * t19_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t19_;
-            /// Results.
             let t43_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t42_);
             let t44_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
-            let t49_ = T::mul_add(t13_, t32_, t30_);
-            let t34_ = t28_ - t30_;
-            let t35_ = t14_ * t32_;
-            let t37_ = cos_joint_angle_ * joint_z0_force_x_;
-            let t39_ = sin_joint_angle_ * joint_z0_force_x_;
-            let t33_ = t28_ + t30_;
             let t45_ = cos_joint_angle_ * t43_;
-            let t47_ = sin_joint_angle_ * t43_;
-            let t50_ = T::mul_add(t11_, t34_, t49_);
-            let t36_ = T::mul_add(t12_, t34_, t35_);
-            let t38_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t37_);
-            let t40_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t39_);
             let t46_ = T::mul_add(sin_joint_angle_, t44_, t45_);
+            let t47_ = sin_joint_angle_ * t43_;
             let t48_ = T::mul_neg_add(cos_joint_angle_, t44_, t47_);
+            let t49_ = T::mul_add(t13_, t32_, t30_);
+            let t50_ = T::mul_add(t11_, t34_, t49_);
             let t51_ = t33_ - t50_;
             _ = store3_.try_push([t38_, t40_, minus_joint_w0_]);
             regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t25_);
@@ -805,30 +785,27 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
             let t52_ = T::mul_add(carry2_1_before_, t40_, minus_joint_w0_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t38_, t52_);
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-            let t54_ = sin_joint_angle_ * carry2_0_before_;
             let t53_ = T::mul_neg_add(
                 sin_joint_angle_,
                 carry2_1_before_,
                 minus_end_of_repeat0_centripetal_x_,
             );
-            /// Acceleration of `joint`.
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t38_, t52_);
-            /// Acceleration of `end_of_repeat0`.
-            let t55_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t54_);
             let end_of_repeat0_a_lin_x_ = T::mul_sub(
                 cos_joint_angle_,
                 carry2_0_before_,
                 t53_,
             );
-            /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t56_ = carry2_2_before_ + minus_joint_a_ang_z_;
-            /// Acceleration of `end_of_repeat0`.
+            let t54_ = sin_joint_angle_ * carry2_0_before_;
+            let t55_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t54_);
             let minus_end_of_repeat0_a_lin_y_ = T::mul_add(
                 c_(0.1),
                 minus_joint_a_ang_z_,
                 t55_,
             );
+            /// Results: 0 mul, 1 add, 0 reciprocal.
+            let t56_ = carry2_2_before_ + minus_joint_a_ang_z_;
             *o0_0_ = -t56_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 end_of_repeat0_a_lin_x_,
