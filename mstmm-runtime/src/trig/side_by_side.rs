@@ -33,7 +33,9 @@ pub(super) fn side_by_side<T: Copy + Default, const N: usize>(
     let lanes = REGISTER / size_of::<T>();
     match rest.len() {
         0 => {}
-        2.. if lanes >= BLOCK => filled_up::<T, BLOCK>(rest, first_rest, second_rest, one),
+        // A shorter loop would be unrolled before it becomes vector instructions, and then pairs of it
+        // put together, which are loaded across numbers that were stored just before.
+        2.. if REGISTER == 32 => filled_up::<T, BLOCK>(rest, first_rest, second_rest, one),
         5.. if lanes >= 2 => filled_up::<T, BLOCK>(rest, first_rest, second_rest, one),
         3.. if lanes >= 2 => filled_up::<T, 4>(rest, first_rest, second_rest, one),
         _ => {
