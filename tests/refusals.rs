@@ -295,4 +295,7 @@ fn what_overflows_is_not_singular() {
     let scales = [f64::INFINITY];
     let result = mstmm::generated::regular(&["hinge"], [1.0], scales, [0.0]);
     assert_eq!(result, Err(Error::NotFinite));
+    let results = [f64::MAX, f64::MAX];
+    assert_eq!(mstmm::generated::regular(&["hinge"], [1.0], [1.0], results), Err(Error::NotFinite));
+    assert_eq!(mstmm::generated::regular(&["hinge"], [1.0], [1.0], [f64::MAX, 0.0]), Ok(()));
 }
