@@ -56,7 +56,7 @@ fn random_pair(random: &mut Random) -> PairState<f64> {
 fn conserved(chain: &Pair<f64>, state: &PairState<f64>) -> [Vec<f64>; 2] {
     let mut at = chain.workspace();
     chain.solve_into(state, &chain.no_inputs(), &mut at).expect("a regular chain");
-    let momenta = momenta(&PAIR, at.points(), 0).map(<[f64; 3]>::from).concat();
+    let momenta = momenta(&PAIR, &at.points(), 0).map(<[f64; 3]>::from).concat();
     [momenta, vec![chain.energy(state).total()]]
 }
 

@@ -194,7 +194,7 @@ fn a_universal_hinge_turns_about_both_axes() {
             difference(output.angular_velocity().as_slice(), spin.as_slice()),
             difference(output.angular_acceleration().as_slice(), spin_rate.as_slice()),
             difference(&passed_on, &expected),
-            ARM.imbalance([output, at.arm().output()], [1.0, -9.8, 2.0]),
+            ARM.imbalance([&output, &at.arm().output()], [1.0, -9.8, 2.0]),
         ]
         .into_iter()
         .fold(0.0, worst);

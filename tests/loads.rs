@@ -90,7 +90,7 @@ fn loads_act_at_their_points_along_their_axes() {
             difference(at.accelerations().as_slice(), &expected),
             difference(fast.as_slice(), &expected),
             // Free ends carry nothing, whatever acts between them.
-            ends(at.points()) / total.norm(),
+            ends(&at.points()) / total.norm(),
             difference(&[at.potential_energy()], &[0.0]),
         ]
         .into_iter()
@@ -321,7 +321,7 @@ fn gravity_may_be_an_input() {
                 .flat_map(|p| [p.force().data.0[0], p.moment().data.0[0]].concat())
                 .collect()
         };
-        let off = worst(off, difference(&loads(found.points()), &loads(expected.points())));
+        let off = worst(off, difference(&loads(&found.points()), &loads(&expected.points())));
         assert!(off < TOLERANCE, "seed {seed}: {off:e}");
         assert_eq!(found.potential_energy(), 0.0);
         assert_eq!(found.kinetic_energy(), expected.kinetic_energy());

@@ -56,7 +56,7 @@ fn cube(result: &BodyResult<f64>) -> TransferMatrix<f64> {
 
 /// Compares all outputs, of hinge, body, hinge, …, with the ends of the three bodies.
 fn compare(found: &[SVector<f64, 13>; 6], bodies: &[BodyResult<f64>; 3]) {
-    let ends = bodies.iter().flat_map(|body| [body.input().z(), body.output().z()]);
+    let ends = bodies.iter().flat_map(|body| [*body.input().z(), *body.output().z()]);
     for (found, generated) in found.iter().zip(ends) {
         let expected = generated.to_vector();
         let apart = (found - expected).amax() / expected.amax();

@@ -95,7 +95,7 @@ macro_rules! twins {
                 let off = [
                     difference(found.accelerations().as_slice(), &accelerations),
                     difference(fast.as_slice(), &accelerations),
-                    apart(found.points(), expected.points()),
+                    apart(&found.points(), &expected.points()),
                     difference(&energies[0], &energies[1]),
                     difference(&[alone.kinetic, alone.potential], &energies[1]),
                 ];
@@ -236,7 +236,7 @@ macro_rules! carried {
                         found.accelerations().as_slice(),
                         expected.accelerations().as_slice(),
                     ),
-                    apart(found.points(), &expected.points()[2..]),
+                    apart(&found.points(), &expected.points()[2..]),
                 ];
                 let off = off.into_iter().fold(0.0, worst);
                 assert!(off < TOLERANCE, "seed {seed}: {off:e}");

@@ -148,8 +148,8 @@ fn a_weld_passes_on_what_moves_the_rest() {
             + spin.cross(&spin.cross(&arm))
     };
     let gravity = Vector3::from(GRAVITY);
-    let knob = (place(at.knob().input(), PARTS[2].com) - gravity) * PARTS[2].mass;
-    let tip = (place(at.tip().input(), PARTS[3].com) - gravity) * PARTS[3].mass;
+    let knob = (place(&at.knob().input(), PARTS[2].com) - gravity) * PARTS[2].mass;
+    let tip = (place(&at.tip().input(), PARTS[3].com) - gravity) * PARTS[3].mass;
     let off = difference(at.second().output().force().as_slice(), (knob + tip).as_slice());
     assert!(off < TOLERANCE, "{off:e}");
     assert_eq!(at.second().input().force(), at.second().output().force());

@@ -46,6 +46,9 @@ macro_rules! groups {
             let mut group = criterion.benchmark_group("everything");
             $(everything::<$chain<f64>>(&mut group);)*
             group.finish();
+            let mut group = criterion.benchmark_group("everything, read at all points");
+            $(everything_read::<$chain<f64>>(&mut group);)*
+            group.finish();
             let mut group = criterion.benchmark_group("RK4 step");
             $(step::<$chain<f64>>(&mut group);)*
             group.finish();
@@ -81,6 +84,15 @@ fn everything<C: Case>(group: &mut Group) {
     bench_each::<C>(group, &chain, |(state, inputs)| {
         let result = chain.solve_into(black_box(state), inputs, black_box(&mut at));
         let _ = black_box(result);
+    });
+}
+
+fn everything_read<C: Case>(group: &mut Group) {
+    let chain = C::default();
+    let mut at = chain.workspace();
+    bench_each::<C>(group, &chain, |(state, inputs)| {
+        let result = chain.solve_into(black_box(state), inputs, black_box(&mut at));
+        let _ = black_box((result, C::points_at(&at)));
     });
 }
 

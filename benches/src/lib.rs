@@ -36,6 +36,9 @@ pub trait Case: GeneratedChain<Scalar: Lanes, Inputs: Clone> + Default {
     /// The accelerations among the results of [`GeneratedChain::solve_into`].
     fn accelerations_at(at: &Self::Workspace) -> &[Self::Scalar];
 
+    /// All connection points of such results, with all their vectors in inertial axes.
+    fn points_at(at: &Self::Workspace) -> impl Copy;
+
     /// The motors' torques, in the order of the rates.
     fn set_torques(inputs: &mut Self::Inputs, torques: &[Self::Scalar]);
 

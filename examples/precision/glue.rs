@@ -52,8 +52,8 @@ pub fn code(chain: &Chain) -> String {
                     inputs
                 }
 
-                fn points(at: &#workspace<T>) -> &[::mstmm::#point<T>] {
-                    at.points()
+                fn points(at: &#workspace<T>) -> ::std::vec::Vec<::mstmm::#point<T>> {
+                    at.points().to_vec()
                 }
 
                 fn energy_at(at: &#workspace<T>) -> ::mstmm::Energy<T> {

@@ -5,6 +5,8 @@
 /// What a loop leaves for later ones, time by time: room that nothing fills before it does.
 pub use arrayvec::ArrayVec as Stored;
 
+pub use crate::point::Places;
+
 use core::convert::identity;
 
 use crate::{ChainState, Closure, Error, Mask, Scalar};
@@ -184,6 +186,33 @@ pub fn times_mut<T, const N: usize>(
 ) -> &mut [[T; N]] {
     let all = numbers.get_mut(place..).and_then(|rest| rest.as_chunks_mut().0.get_mut(..times));
     all.unwrap_or_default()
+}
+
+/// Numbers with some that are known, each by its place.
+#[must_use]
+pub fn with_known<T: Scalar, const N: usize>(mut numbers: [T; N], known: &[(usize, T)]) -> [T; N] {
+    for &(place, value) in known {
+        if let Some(number) = numbers.get_mut(place) {
+            *number = value;
+        }
+    }
+    numbers
+}
+
+/// The number of a connection point in the model, and the numbers that it is read off: those of its piece, at its time.
+///
+/// Pieces are told by six numbers: the first point in the model, how many points of it, the first of all points, how
+/// many of all, the first number, and how many numbers every time has.
+#[inline]
+pub fn place_of<'a, T>(numbers: &'a [T], pieces: &[[usize; 6]], index: usize) -> (usize, &'a [T]) {
+    for &[model, each, first, all, place, count] in pieces {
+        if (first..first + all).contains(&index) {
+            let (time, point) = ((index - first) / each, (index - first) % each);
+            let rest = numbers.get(place + time * count..).unwrap_or_default();
+            return (model + point, rest);
+        }
+    }
+    (usize::MAX, &[])
 }
 
 /// The result of a closure from the wrenches that it leaves undetermined, which are zero where there is none.

@@ -28,11 +28,11 @@ fn points_in_space_and_results() {
     assert_eq!(rest.orientation(), Rotation3::identity());
     assert_eq!(rest.force(), Vector3::zeros());
 
-    let hinge = HingeResult::new(3.0, -1.0, &rest, &point);
+    let hinge = HingeResult::new(3.0, -1.0, rest, point);
     assert_eq!((hinge.acceleration(), hinge.effort()), (3.0, -1.0));
-    assert_eq!((hinge.input(), hinge.output()), (&rest, &point));
-    let body: BodyResult<f64> = BodyResult::new(&point, &rest);
-    assert_eq!((body.input(), body.output()), (&point, &rest));
+    assert_eq!((hinge.input(), hinge.output()), (rest, point));
+    let body: BodyResult<f64> = BodyResult::new(point, rest);
+    assert_eq!((body.input(), body.output()), (point, rest));
 }
 
 #[test]
@@ -55,10 +55,10 @@ fn points_in_the_plane() {
 
     let rest = PlanePoint::<f64>::default();
     assert_eq!(rest.orientation(), Rotation2::identity());
-    let body: BodyResult<f64, PlanePoint<f64>> = BodyResult::new(&point, &rest);
-    assert_eq!((body.input(), body.output()), (&point, &rest));
-    let hinge = HingeResult::new(Vector2::new(1.0, 2.0), Vector2::new(3.0, 4.0), &point, &rest);
-    assert_eq!((hinge.input(), hinge.output()), (&point, &rest));
+    let body: BodyResult<f64, PlanePoint<f64>> = BodyResult::new(point, rest);
+    assert_eq!((body.input(), body.output()), (point, rest));
+    let hinge = HingeResult::new(Vector2::new(1.0, 2.0), Vector2::new(3.0, 4.0), point, rest);
+    assert_eq!((hinge.input(), hinge.output()), (point, rest));
     assert_eq!(hinge.effort(), Vector2::new(3.0, 4.0));
 }
 
@@ -71,10 +71,10 @@ fn points_on_a_line() {
     assert_eq!((point.acceleration(), point.force()), (1.0, 2.0));
     assert_eq!(*point.z(), z);
     let rest = LinePoint::default();
-    let hinge: HingeResult<f32, f32, LinePoint<f32>> = HingeResult::new(3.0, 4.0, &point, &rest);
+    let hinge: HingeResult<f32, f32, LinePoint<f32>> = HingeResult::new(3.0, 4.0, point, rest);
     assert_eq!((hinge.acceleration(), hinge.effort()), (3.0, 4.0));
     let body = BodyResult::new(hinge.input(), hinge.output());
-    assert_eq!((body.input(), body.output()), (&point, &rest));
+    assert_eq!((body.input(), body.output()), (point, rest));
 }
 
 #[test]

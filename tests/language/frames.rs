@@ -22,7 +22,7 @@ macro_rules! placed {
         let mut at = placed.workspace();
         let state = placed.initial_state();
         placed.solve_into(&state, &placed.no_inputs(), &mut at).expect("a regular chain");
-        let end = *at.rod().output();
+        let end = at.rod().output();
         (end.position(), end.orientation())
     }};
 }

@@ -79,7 +79,7 @@ fn results_are_read_by_index() {
     chain.solve_into(&state, &inputs, &mut at).expect("a regular chain");
     // The first input, then two elements at the start, four of each of three times, and so on.
     assert_eq!(at.points().len(), 1 + 2 + 3 * 4 + 2 + 2 * 4);
-    let same = |a: &mstmm::Point<f64>, place: usize| assert!(std::ptr::eq(a, &at.points()[place]));
+    let same = |a: mstmm::Point<f64>, place: usize| assert_eq!(a, at.points()[place]);
     for (index, &torque) in torques.iter().enumerate() {
         let first = 2 + 4 * index;
         let (a, c) = (at.a(index).expect("of three"), at.c(index).expect("of three"));

@@ -29,6 +29,10 @@ macro_rules! case {
                 at.accelerations().as_slice()
             }
 
+            fn points_at(at: &Self::Workspace) -> impl Copy {
+                at.points()
+            }
+
             fn set_torques($inputs: &mut Self::Inputs, $torques: &[T]) {
                 $set
             }

@@ -2,7 +2,7 @@
 //! has inertia, how many freedoms its closure leaves, and where it starts.
 
 use crate::diag::Diagnostics;
-use crate::equations::{self, Axes, Numbers, Point, Situation, Solved, Trace};
+use crate::equations::{self, Axes, Numbers, Point, Situation, Solved, Swept, Trace};
 use crate::math::{Structured, Vec3, Wrench};
 use crate::model::{Chain, Drive, Driven, Element, Hinge, HingeId, Layout, Method, Source};
 use proc_macro2::Ident;
@@ -226,8 +226,8 @@ impl Trial {
         let q = near.unwrap_or_else(|| self.coordinates(&self.numbers, 0));
         let (v, inputs) = (self.at_rest(), self.inputs());
         let situation = Situation::new(&self.chain, &self.layout, &self.numbers, (&q, &v, &inputs));
-        let report =
-            equations::report(&situation, &self.solved(&self.numbers, &q), &mut Trace::new());
+        let (solved, swept) = self.swept(&self.numbers, &q);
+        let report = equations::report(&situation, (&solved, &swept), &mut Trace::new());
         let position = |place: Vec3<Number>| place.0.map(Number::value);
         let centre = |(element, point): (&Element, &Point<Number>)| match *element {
             Element::Hinge(_) => position(point.position),
@@ -255,6 +255,12 @@ impl Trial {
         let (v, inputs) = (self.at_rest(), self.inputs());
         let situation = Situation::new(&self.chain, &self.merged, numbers, (q, &v, &inputs));
         equations::accelerations(&situation, Method::Riccati, Axes::Body, &mut Trace::new())
+    }
+
+    fn swept(&self, numbers: &Numbers<Number>, q: &[Number]) -> (Solved<Number>, Swept<Number>) {
+        let (v, inputs) = (self.at_rest(), self.inputs());
+        let situation = Situation::new(&self.chain, &self.merged, numbers, (q, &v, &inputs));
+        equations::sweep(&situation, Method::Riccati, Axes::Body, &mut Trace::new())
     }
 
     /// The coordinates put onto the closure; nothing if that leads nowhere.

@@ -3,8 +3,7 @@
 
 mod common;
 
-use common::{WAYS, compute_with, difference, drives, read};
-use mstmm_codegen::equations::Point;
+use common::{Point, WAYS, compute_with, difference, drives, read};
 use mstmm_codegen::math::Structured;
 use mstmm_reference::{Random, Recipe, Solution, random_mechanism, random_motion};
 

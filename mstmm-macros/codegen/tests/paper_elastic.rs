@@ -4,8 +4,8 @@
 mod common;
 
 use common::paper::{Case, Hinges, declared, list, matrix, plain, reported};
-use common::{compute, read};
-use mstmm_codegen::equations::{Axes, Point};
+use common::{Point, compute, read};
+use mstmm_codegen::equations::Axes;
 use mstmm_codegen::math::Structured;
 use mstmm_codegen::model::Method;
 use mstmm_reference::Random;

@@ -4,9 +4,9 @@
 
 mod common;
 
+use common::Point;
 use common::double_double::DoubleDouble;
 use common::paper::{Case, Hinges, Moving, reported};
-use mstmm_codegen::equations::Point;
 use mstmm_codegen::math::{Scalar, Structured};
 use mstmm_codegen::model::Method;
 use mstmm_runtime::Scalar as Number;

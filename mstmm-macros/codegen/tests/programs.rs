@@ -3,12 +3,12 @@
 
 mod common;
 
-use common::{compute, compute_with, difference, drives, read};
-use mstmm_codegen::compile::{self, Programs};
+use common::{Point, compute, compute_with, difference, drives, read};
+use mstmm_codegen::compile::{self, Place, Programs, Sight};
 use mstmm_codegen::equations::Axes;
 use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
-use mstmm_codegen::math::{Scalar, Structured};
-use mstmm_codegen::model::{Layout, Method};
+use mstmm_codegen::math::{Scalar, Structured, Vec3};
+use mstmm_codegen::model::{Dimension, Layout, Method};
 use mstmm_codegen::passes::{Setup, Unknowns, factor, order, schedule};
 use mstmm_codegen::program::{Operand, Operation, Program, Statement};
 use mstmm_reference::{Random, Recipe, random_mechanism, random_motion};
@@ -64,6 +64,82 @@ fn value(operand: &Operand, symbols: &[f64], named: &HashMap<String, f64>) -> f6
     }
 }
 
+/// All points in inertial axes, read off the numbers of a solution as the runtime does.
+fn points(programs: &Programs, dimension: Dimension, full: &[Vec<f64>]) -> Vec<f64> {
+    let (shifts, turns) = (dimension.shifts(), dimension.turns());
+    let mut all = Vec::new();
+    for point in &programs.places.points {
+        let entries = |place: &Place, count: usize| -> Vec<f64> {
+            let Some(first) = place.first.checked_sub(1) else { return vec![0.0; count] };
+            let sign = if place.opposite { -1.0 } else { 1.0 };
+            full[7][first..first + count].iter().map(|x| sign * x).collect()
+        };
+        let inertial = |Sight { axes, vector }: &Sight, along: &[usize]| -> Vec<f64> {
+            let vector = entries(vector, along.len());
+            match axes.as_deref() {
+                None => vector,
+                Some([cos_sin]) => {
+                    let [c, s] = entries(cos_sin, 2)[..] else { panic!("cosine and sine") };
+                    vec![c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]]
+                }
+                Some(columns) => {
+                    let columns: Vec<Vec<f64>> = columns.iter().map(|x| entries(x, 3)).collect();
+                    (0..3).map(|k| (0..3).map(|j| columns[j][k] * vector[j]).sum()).collect()
+                }
+            }
+        };
+        let mut vectors = point.vectors.iter();
+        let mut next = |along: &[usize]| {
+            (!along.is_empty())
+                .then(|| inertial(vectors.next().expect("a vector"), along))
+                .into_iter()
+        };
+        let (velocity, omega) = (next(shifts), next(turns));
+        let felt = next(shifts).map(|felt| felt.iter().zip(&full[8]).map(|(a, g)| a - g).collect());
+        let (turning, moment, force) = (next(turns), next(turns), next(shifts));
+        all.extend(entries(&point.position, shifts.len()));
+        match &point.orientation {
+            Some(columns) => all.extend(columns.iter().flat_map(|x| entries(x, shifts.len()))),
+            None => all.extend(UNITS[..columns(dimension)].iter().flat_map(|x| &x[..shifts.len()])),
+        }
+        all.extend(
+            velocity.chain(omega).chain(felt).chain(turning).chain(moment).chain(force).flatten(),
+        );
+    }
+    all
+}
+
+/// The same of a point in inertial axes.
+fn numbers(point: &Point<Structured<f64>>, dimension: Dimension) -> Vec<f64> {
+    let (shifts, turns) = (dimension.shifts(), dimension.turns());
+    let pick = |vector: Vec3<Structured<f64>>, axes: &[usize]| -> Vec<f64> {
+        axes.iter().map(|&axis| vector[axis].value()).collect()
+    };
+    let rotation = point.rotation.transposed().0.map(Vec3);
+    [
+        pick(point.position, shifts),
+        rotation[..columns(dimension)].iter().flat_map(|&column| pick(column, shifts)).collect(),
+        pick(point.velocity, shifts),
+        pick(point.omega, turns),
+        pick(point.acceleration.linear, shifts),
+        pick(point.acceleration.angular, turns),
+        pick(point.moment, turns),
+        pick(point.force, shifts),
+    ]
+    .concat()
+}
+
+/// How many columns tell an orientation.
+fn columns(dimension: Dimension) -> usize {
+    match dimension {
+        Dimension::Space => 3,
+        Dimension::Plane => 1,
+        Dimension::Line => 0,
+    }
+}
+
+const UNITS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
 /// One random chain in a random state: programs against equations.
 fn one_chain(seed: u64) {
     let mut random = Random::new(seed);
@@ -83,20 +159,20 @@ fn one_chain(seed: u64) {
         let plain = |values: &[Structured<f64>]| values.iter().map(|x| x.value()).collect();
         let energies = plain(&[expected.energy.kinetic, expected.energy.potential]);
         let efforts: Vec<f64> = plain(&expected.report.efforts);
-        let forces: Vec<f64> =
-            expected.report.points.iter().map(|point| point.force[0].value()).collect();
-        // The force stands last in a point.
-        let shifts = chain.dimension.shifts().len();
-        let each = full[7].len() / expected.report.points.len();
-        let full_forces: Vec<f64> =
-            full[7].chunks(each).map(|point| point[point.len() - shifts]).collect();
+        let points = points(&programs, chain.dimension, &full);
+        let expected_points: Vec<f64> = expected
+            .report
+            .points
+            .iter()
+            .flat_map(|point| numbers(point, chain.dimension))
+            .collect();
         let mut differences = vec![
             ("fast accelerations", difference(&fast[0], &expected.accelerations)),
             ("accelerations", difference(&full[0], &expected.accelerations)),
             ("energies", difference(&full[5], &energies)),
             ("energies alone", difference(&run(energy, &symbols, &[])[0], &energies)),
             ("efforts", difference(&full[4], &efforts)),
-            ("forces", difference(&full_forces, &forces)),
+            ("points", difference(&points, &expected_points)),
         ];
         if let Some((implicit, _)) = implicit {
             // A step of no length is an explicit one.

@@ -7,18 +7,18 @@ use crate::{ConnectionPoint, Point};
 /// What a solution says of one hinge. `V` is a number for a hinge with one coordinate, a vector for
 /// others; `P` is the kind of connection point, [`Point`] in space.
 #[derive(Clone, Copy, Debug)]
-pub struct HingeResult<'a, T, V, P = Point<T>> {
+pub struct HingeResult<T, V, P = Point<T>> {
     acceleration: V,
     effort: V,
-    input: &'a P,
-    output: &'a P,
+    input: P,
+    output: P,
     number: PhantomData<T>,
 }
 
-impl<'a, T, V: Copy, P: ConnectionPoint<Scalar = T>> HingeResult<'a, T, V, P> {
+impl<T, V: Copy, P: ConnectionPoint<Scalar = T> + Copy> HingeResult<T, V, P> {
     /// Puts the result together; generated code does.
     #[inline]
-    pub fn new(acceleration: V, effort: V, input: &'a P, output: &'a P) -> Self {
+    pub fn new(acceleration: V, effort: V, input: P, output: P) -> Self {
         Self { acceleration, effort, input, output, number: PhantomData }
     }
 
@@ -37,41 +37,41 @@ impl<'a, T, V: Copy, P: ConnectionPoint<Scalar = T>> HingeResult<'a, T, V, P> {
 
     /// The hinge's input end, on the inboard side.
     #[inline]
-    pub fn input(&self) -> &'a P {
+    pub fn input(&self) -> P {
         self.input
     }
 
     /// The hinge's output end, on the outboard side.
     #[inline]
-    pub fn output(&self) -> &'a P {
+    pub fn output(&self) -> P {
         self.output
     }
 }
 
 /// What a solution says of one body. `P` is the kind of connection point, [`Point`] in space.
 #[derive(Clone, Copy, Debug)]
-pub struct BodyResult<'a, T, P = Point<T>> {
-    input: &'a P,
-    output: &'a P,
+pub struct BodyResult<T, P = Point<T>> {
+    input: P,
+    output: P,
     number: PhantomData<T>,
 }
 
-impl<'a, T, P: ConnectionPoint<Scalar = T>> BodyResult<'a, T, P> {
+impl<T, P: ConnectionPoint<Scalar = T> + Copy> BodyResult<T, P> {
     /// Puts the result together; generated code does.
     #[inline]
-    pub fn new(input: &'a P, output: &'a P) -> Self {
+    pub fn new(input: P, output: P) -> Self {
         Self { input, output, number: PhantomData }
     }
 
     /// The body's input end. The force on the body there is +q, the torque −m.
     #[inline]
-    pub fn input(&self) -> &'a P {
+    pub fn input(&self) -> P {
         self.input
     }
 
     /// The body's output end. The force on the body there is −q, the torque +m.
     #[inline]
-    pub fn output(&self) -> &'a P {
+    pub fn output(&self) -> P {
         self.output
     }
 }

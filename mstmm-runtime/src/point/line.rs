@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::places::{Places, entries, less};
 use crate::Scalar;
 
 /// The method's state vector `[P, Eq. (7)]`, z = [ẍ, q_x, 1] at a connection point of a line chain.
@@ -89,27 +90,16 @@ impl<T: Scalar> LinePoint<T> {
     }
 }
 
-/// Parts one by one, for generated code, which writes them as soon as they are known.
+/// For generated code.
 #[doc(hidden)]
 #[allow(missing_docs)]
 impl<T: Scalar> LinePoint<T> {
-    #[inline(always)]
-    pub fn set_position(&mut self, value: [T; 1]) {
-        [self.position] = value;
-    }
-
-    #[inline(always)]
-    pub fn set_velocity(&mut self, value: [T; 1]) {
-        [self.velocity] = value;
-    }
-
-    #[inline(always)]
-    pub fn set_acceleration(&mut self, value: [T; 1]) {
-        [self.z.acceleration] = value;
-    }
-
-    #[inline(always)]
-    pub fn set_force(&mut self, value: [T; 1]) {
-        [self.z.force] = value;
+    /// Reads a point off the numbers of a workspace; without places it is the default.
+    #[inline]
+    pub fn read(numbers: &[T], places: Option<&Places<0, 3>>, at_rest: [T; 1]) -> Self {
+        let Some(&Places { position, vectors, .. }) = places else { return Self::default() };
+        let [[velocity], felt, [force]] = vectors.map(|(_, place)| entries(numbers, place));
+        let ([position], [acceleration]) = (entries(numbers, position), less(felt, at_rest));
+        Self::new(position, velocity, LineStateVector::new(acceleration, force))
     }
 }

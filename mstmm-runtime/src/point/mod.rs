@@ -1,10 +1,13 @@
 //! Motion and internal loads at a connection point, in space, in the plane and along a line.
 
 mod line;
+mod places;
 mod plane;
 mod space;
 
 pub use line::{LinePoint, LineStateVector};
+#[doc(hidden)]
+pub use places::Places;
 pub use plane::{PlanePoint, PlaneStateVector};
 pub use space::{Point, StateVector};
 

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix2, Rotation2, SVector, Vector2};
 
+use super::places::{Places, entries, less};
 use crate::Scalar;
 
 /// The method's state vector `[P, Eq. (6)]`, z = [ẍ, ÿ, Ω̇_z, m_z, q_x, q_y, 1] at a connection point of a plane
@@ -168,47 +169,41 @@ impl<T: Scalar> Default for PlanePoint<T> {
     }
 }
 
-/// Parts one by one, for generated code, which writes them as soon as they are known.
+/// For generated code.
 #[doc(hidden)]
 #[allow(missing_docs)]
 impl<T: Scalar> PlanePoint<T> {
-    #[inline(always)]
-    pub fn set_position(&mut self, value: [T; 2]) {
-        self.position = value;
+    /// Reads a point off the numbers of a workspace; without places it is the default.
+    #[inline]
+    pub fn read(numbers: &[T], places: Option<&Places<1, 6>>, at_rest: [T; 2]) -> Self {
+        let Some(&Places { position, orientation, vectors }) = places else {
+            return Self::default();
+        };
+        let [velocity, omega, felt, turning, moment, force] = vectors;
+        let inertial = |(axes, vector): ([i32; 1], i32)| {
+            let vector = entries(numbers, vector);
+            cos_sin(numbers, axes).map_or(vector, |cos_sin| turned(cos_sin, vector))
+        };
+        let number = |(_, place): ([i32; 1], i32)| {
+            let [number] = entries(numbers, place);
+            number
+        };
+        let acceleration = less(inertial(felt), at_rest);
+        let z =
+            PlaneStateVector::new(acceleration, number(turning), number(moment), inertial(force));
+        let cos_sin = cos_sin(numbers, orientation).unwrap_or([T::constant(1.0), T::constant(0.0)]);
+        Self::new(entries(numbers, position), cos_sin, inertial(velocity), number(omega), z)
     }
+}
 
-    #[inline(always)]
-    pub fn set_orientation(&mut self, value: [T; 2]) {
-        self.cos_sin = value;
-    }
+/// Cosine and sine of an angle; nothing of zero.
+#[inline]
+fn cos_sin<T: Scalar>(numbers: &[T], [place]: [i32; 1]) -> Option<[T; 2]> {
+    (place != 0).then(|| entries(numbers, place))
+}
 
-    #[inline(always)]
-    pub fn set_velocity(&mut self, value: [T; 2]) {
-        self.velocity = value;
-    }
-
-    #[inline(always)]
-    pub fn set_angular_velocity(&mut self, value: [T; 1]) {
-        [self.angular_velocity] = value;
-    }
-
-    #[inline(always)]
-    pub fn set_acceleration(&mut self, value: [T; 2]) {
-        self.z.acceleration = value;
-    }
-
-    #[inline(always)]
-    pub fn set_angular_acceleration(&mut self, value: [T; 1]) {
-        [self.z.angular_acceleration] = value;
-    }
-
-    #[inline(always)]
-    pub fn set_moment(&mut self, value: [T; 1]) {
-        [self.z.moment] = value;
-    }
-
-    #[inline(always)]
-    pub fn set_force(&mut self, value: [T; 2]) {
-        self.z.force = value;
-    }
+/// A vector turned by an angle.
+#[inline]
+fn turned<T: Scalar>([cosine, sine]: [T; 2], [x, y]: [T; 2]) -> [T; 2] {
+    [cosine.mul_add(x, -(sine * y)), sine.mul_add(x, cosine * y)]
 }

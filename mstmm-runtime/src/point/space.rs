@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Rotation3, SVector, Vector3};
 
+use super::places::{Places, entries, less};
 use crate::Scalar;
 
 /// The method's state vector z = [r̈, Ω̇, m, q, 1] at a connection point, in the inertial frame.
@@ -167,47 +168,41 @@ impl<T: Scalar> Default for Point<T> {
     }
 }
 
-/// Parts one by one, for generated code, which writes them as soon as they are known.
+/// For generated code.
 #[doc(hidden)]
 #[allow(missing_docs)]
 impl<T: Scalar> Point<T> {
-    #[inline(always)]
-    pub fn set_position(&mut self, value: [T; 3]) {
-        self.position = value;
+    /// Reads a point off the numbers of a workspace; without places it is the default.
+    #[inline]
+    pub fn read(numbers: &[T], places: Option<&Places<3, 6>>, at_rest: [T; 3]) -> Self {
+        let Some(&Places { position, orientation, vectors }) = places else {
+            return Self::default();
+        };
+        let seen = vectors.map(|(axes, vector)| {
+            let vector = entries(numbers, vector);
+            columns(numbers, axes).map_or(vector, |columns| turned(columns, vector))
+        });
+        let [velocity, omega, felt, turning, moment, force] = seen;
+        let (zero, one) = (T::constant(0.0), T::constant(1.0));
+        let identity = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
+        let [[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]] =
+            columns(numbers, orientation).unwrap_or(identity);
+        let rotation = [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]];
+        let acceleration = less(felt, at_rest);
+        let z = StateVector::new(acceleration, turning, moment, force);
+        Self::new(entries(numbers, position), rotation, velocity, omega, z)
     }
+}
 
-    #[inline(always)]
-    pub fn set_orientation(&mut self, [xx, xy, xz, yx, yy, yz, zx, zy, zz]: [T; 9]) {
-        self.rotation = [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]];
-    }
+/// The columns of a matrix; nothing of the identity.
+#[inline]
+fn columns<T: Scalar>(numbers: &[T], places: [i32; 3]) -> Option<[[T; 3]; 3]> {
+    (places != [0; 3]).then(|| places.map(|place| entries(numbers, place)))
+}
 
-    #[inline(always)]
-    pub fn set_velocity(&mut self, value: [T; 3]) {
-        self.velocity = value;
-    }
-
-    #[inline(always)]
-    pub fn set_angular_velocity(&mut self, value: [T; 3]) {
-        self.angular_velocity = value;
-    }
-
-    #[inline(always)]
-    pub fn set_acceleration(&mut self, value: [T; 3]) {
-        self.z.acceleration = value;
-    }
-
-    #[inline(always)]
-    pub fn set_angular_acceleration(&mut self, value: [T; 3]) {
-        self.z.angular_acceleration = value;
-    }
-
-    #[inline(always)]
-    pub fn set_moment(&mut self, value: [T; 3]) {
-        self.z.moment = value;
-    }
-
-    #[inline(always)]
-    pub fn set_force(&mut self, value: [T; 3]) {
-        self.z.force = value;
-    }
+/// A vector in the axes that the matrix with these columns leads to.
+#[inline]
+fn turned<T: Scalar>([x, y, z]: [[T; 3]; 3], [a, b, c]: [T; 3]) -> [T; 3] {
+    let entry = |k: usize| x[k].mul_add(a, y[k].mul_add(b, z[k] * c));
+    [entry(0), entry(1), entry(2)]
 }

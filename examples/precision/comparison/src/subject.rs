@@ -17,7 +17,7 @@ pub trait Subject: GeneratedChain<Scalar: Number> + Default + 'static {
     fn inputs(given: &[f64]) -> Self::Inputs;
 
     /// The connection points among the results.
-    fn points(at: &Self::Workspace) -> &[Self::Point];
+    fn points(at: &Self::Workspace) -> Vec<Self::Point>;
 
     /// The energy among the results.
     fn energy_at(at: &Self::Workspace) -> Energy<Self::Scalar>;

@@ -2,12 +2,14 @@
 
 mod arrange;
 mod checks;
+mod places;
 
 pub use checks::Check;
+pub use places::{Place, Places, PointPlaces, Sight};
 
-use crate::equations::{self, Axes, Numbers, Pivot, Point, Situation, Solved, Trace};
+use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
 use crate::expr::{Expr, Graph, Stage};
-use crate::model::{Chain, Dimension, Hinge, HingeId, HingeKind, Layout, Method, Passive, Value};
+use crate::model::{Chain, Hinge, HingeId, HingeKind, Layout, Method, Passive, Value};
 use crate::passes::{Setup, issue};
 use crate::program::Program;
 use crate::symbols::Symbols;
@@ -34,8 +36,10 @@ pub struct Programs {
     /// Hinges that the pivots belong to.
     pub pivots: Vec<HingeId>,
     /// `q`, `v`, inputs to `v̇`, pivots, scales, accelerations and efforts of all hinges, energies,
-    /// undetermined reactions of a closing hinge, connection points.
+    /// undetermined reactions of a closing hinge, numbers of connection points, what is felt at rest.
     pub solution: Program,
+    /// Where connection points have their numbers.
+    pub places: Places,
     /// How many directions the closing hinge holds, if there is one.
     pub held: Option<usize>,
     /// `q`, `v`, inputs to kinetic and potential energy.
@@ -67,7 +71,7 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
     let (accelerations, pivots) = scene.accelerations(method, &mut setup);
     let yields = chain.hinges.iter().flat_map(|hinge| &hinge.passive).any(Passive::has_effort);
     let implicit = yields.then(|| scene.implicit(method, &mut setup));
-    let (solution, held) = scene.solution(method, &mut setup);
+    let (solution, places, held) = scene.solution(method, &mut setup);
     let energy = scene.energy(&mut setup);
     let coordinate_rates = scene.coordinates(&mut setup, equations::hinge::coordinate_rates);
     let normalized =
@@ -85,6 +89,7 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
         implicit,
         pivots,
         solution,
+        places,
         held,
         energy,
         coordinate_rates,
@@ -180,12 +185,12 @@ impl<'a, 'g> Scene<'a, 'g> {
         (issue(self.program(Stage::State, &trace, &groups, &turns, setup)), hinges)
     }
 
-    fn solution(&self, method: Method, setup: &mut Setup) -> (Program, Option<usize>) {
+    fn solution(&self, method: Method, setup: &mut Setup) -> (Program, Places, Option<usize>) {
         let ((solved, report, energy), trace, turns) = self.woven(|loom, trace| {
             let merged = self.situation(self.merged).woven(loom);
-            let solved = equations::accelerations(&merged, method, AXES, trace);
+            let (solved, swept) = equations::sweep(&merged, method, AXES, trace);
             let situation = self.situation(self.layout).woven(loom);
-            let report = equations::report(&situation, &solved, trace);
+            let report = equations::report(&situation, (&solved, &swept), trace);
             let energy = equations::energy(&situation, trace);
             (solved, report, energy)
         });
@@ -197,9 +202,11 @@ impl<'a, 'g> Scene<'a, 'g> {
         let held = undetermined.as_ref().map(Vec::len);
         let wrenches = undetermined.into_iter().flatten();
         groups.push(wrenches.flat_map(|w| w.force.0.into_iter().chain(w.moment.0)).collect());
-        let points = report.points.iter().flat_map(|point| entries(point, self.chain.dimension));
-        groups.push(points.collect());
-        (self.program(Stage::State, &trace, &groups, &turns, setup), held)
+        let (places, numbers) = places::places(self.chain, self.graph, &report.points);
+        groups.push(numbers);
+        let shifts = self.chain.dimension.shifts();
+        groups.push(shifts.iter().map(|&axis| report.at_rest[axis]).collect());
+        (self.program(Stage::State, &trace, &groups, &turns, setup), places, held)
     }
 
     fn energy(&self, setup: &mut Setup) -> Program {
@@ -291,29 +298,4 @@ fn is_positive(pivot: &Pivot<Expr>) -> bool {
         (Some(value), Some(scale)) => value > NOISE * f64::EPSILON * scale,
         _ => false,
     }
-}
-
-/// What a point is made from, in the order of its constructor in the runtime.
-fn entries<'g>(point: &Point<Expr<'g>>, dimension: Dimension) -> Vec<Expr<'g>> {
-    let (shifts, turns) = (dimension.shifts(), dimension.turns());
-    let pick = |vector: [Expr<'g>; 3], axes: &[usize]| -> Vec<Expr<'g>> {
-        axes.iter().map(|&axis| vector[axis]).collect()
-    };
-    let rotation: Vec<Expr<'g>> = match dimension {
-        Dimension::Space => point.rotation.0.concat(),
-        // Cosine and sine.
-        Dimension::Plane => vec![point.rotation[0][0], point.rotation[1][0]],
-        Dimension::Line => Vec::new(),
-    };
-    [
-        pick(point.position.0, shifts),
-        rotation,
-        pick(point.velocity.0, shifts),
-        pick(point.omega.0, turns),
-        pick(point.acceleration.linear.0, shifts),
-        pick(point.acceleration.angular.0, turns),
-        pick(point.moment.0, turns),
-        pick(point.force.0, shifts),
-    ]
-    .concat()
 }

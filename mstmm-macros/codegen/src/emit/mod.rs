@@ -10,6 +10,7 @@ mod inputs;
 mod integrable;
 mod looped;
 mod names;
+mod places;
 mod references;
 mod repeated;
 mod solution;

@@ -4,7 +4,7 @@
 use super::Plan;
 use super::looped::usize_literal;
 use super::names::{accessor_mut, local};
-use super::spread::{Piece, Spread, numbers_of_point};
+use super::spread::{Piece, Spread};
 use super::workspace::point_type;
 use crate::model::{Group, HingeId};
 use proc_macro2::{Ident, TokenStream};
@@ -196,11 +196,9 @@ pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str
 /// Where an element's input point lies among all points: the first time, and how many points on from
 /// there every further time.
 pub fn points_of(plan: &Plan, place: usize) -> (usize, usize) {
-    let each = numbers_of_point(plan.chain.dimension);
     let spread = Spread::points(plan);
-    let Some(piece) = spread.piece_of((place + 1) * each) else { return (0, 0) };
-    let output = piece.place / each + (place + 1 - piece.first / each);
-    (output - 1, piece.count / each)
+    let Some(piece) = spread.piece_of(place + 1) else { return (0, 0) };
+    (piece.place + place - piece.first, piece.count)
 }
 
 /// The result of a repeated body.
@@ -215,7 +213,7 @@ pub fn body(plan: &Plan, (name, place): (&Ident, usize), count: usize) -> TokenS
         #visibility fn #name(
             &self,
             index_: usize,
-        ) -> ::core::option::Option<#mstmm::BodyResult<'_, T, #mstmm::#point<T>>> {
+        ) -> ::core::option::Option<#mstmm::BodyResult<T, #mstmm::#point<T>>> {
             #ends
             ::core::option::Option::Some(#mstmm::BodyResult::new(input_, output_))
         }
@@ -260,7 +258,7 @@ pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> Tok
         #visibility fn #name(
             &self,
             index_: usize,
-        ) -> ::core::option::Option<#mstmm::HingeResult<'_, T, #ty, #mstmm::#point<T>>> {
+        ) -> ::core::option::Option<#mstmm::HingeResult<T, #ty, #mstmm::#point<T>>> {
             #ends
             let result_ = #mstmm::HingeResult::new(#acceleration, #effort, input_, output_);
             ::core::option::Option::Some(result_)
@@ -276,6 +274,7 @@ fn ends(plan: &Plan, place: usize, count: usize) -> TokenStream {
         if index_ >= #count {
             return ::core::option::Option::None;
         }
-        let [input_, output_] = self.points.get(#first + index_ * #stride..)?.first_chunk()?;
+        let first_ = #first + index_ * #stride;
+        let (input_, output_) = (self.point_(first_), self.point_(first_ + 1));
     }
 }

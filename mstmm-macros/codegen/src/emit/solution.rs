@@ -7,11 +7,10 @@ use super::docs;
 use super::dynamics::check;
 use super::looped::{Target, usize_literal};
 use super::names::local;
-use super::spread::{Spread, numbers_of_point};
-use crate::model::Dimension;
-use proc_macro2::{Delimiter, Group, Ident, TokenStream};
+use super::spread::Spread;
+use crate::program::Operand;
+use proc_macro2::{Delimiter, Group, TokenStream};
 use quote::{format_ident, quote};
-use std::ops::Range;
 
 /// The method that computes everything.
 pub fn solution(plan: &Plan) -> TokenStream {
@@ -59,26 +58,72 @@ fn solved(plan: &Plan) -> Group {
         deliveries.add(&outputs[5][number..=number], quote!(at_.#field = #energy;));
     }
     deliveries.add(&outputs[6], closure(plan, &block).unwrap_or_default());
-    let each = numbers_of_point(plan.chain.dimension);
-    let count = block.outputs[7].len() / each;
-    let names: Vec<Ident> = (0..count).map(|number| local(&format!("point{number}"))).collect();
-    for (name, first) in names.iter().zip((0..).step_by(each)) {
-        for (field, range) in fields(plan.chain.dimension) {
-            let field = format_ident!("set_{field}");
-            let range = first + range.start..first + range.end;
-            let numbers = &block.outputs[7][range.clone()];
-            deliveries.add(&outputs[7][range], quote!(#name.#field([#(#numbers),*]);));
+    if !outputs[AT_REST].iter().all(is_known) {
+        let at_rest = &block.arrays[AT_REST];
+        deliveries.add(&outputs[AT_REST], quote!(at_.at_rest = #at_rest;));
+    }
+    let mut names = Vec::new();
+    for (number, (operand, value)) in
+        outputs[NUMBERS].iter().zip(&block.outputs[NUMBERS]).enumerate()
+    {
+        if is_known(operand) {
+            names.push(quote!(_));
+            continue;
         }
+        let name = local(&format!("n{number}"));
+        deliveries.add([operand], quote!(*#name = #value;));
+        names.push(quote!(#name));
     }
     let statements = plan.delivering(block, program, deliveries);
     body(
-        quote!(let [#(#names),*] = &mut at_.points;),
+        quote!(let [#(#names),*] = &mut at_.numbers;),
         quote! {
             #statements
             ::core::result::Result::Ok(())
         },
     )
 }
+
+/// Whether a result is the same in every state.
+fn is_known(operand: &Operand) -> bool {
+    match operand {
+        Operand::Number(_) => true,
+        Operand::Minus(inner) => is_known(inner),
+        Operand::Symbol(_) | Operand::Named(_) | Operand::Repeated => false,
+    }
+}
+
+/// What a workspace starts with: the results of a group that are the same in every state, zeros for
+/// all others.
+pub fn at_first(plan: &Plan, group: usize) -> TokenStream {
+    let outputs = &plan.programs.solution.outputs[group];
+    let count = usize_literal(if group == NUMBERS {
+        Spread::numbers_of_points(plan).total
+    } else {
+        outputs.len()
+    });
+    let zeros = quote!([T::constant(0.0); #count]);
+    let is_zero = |operand: &Operand| matches!(operand, Operand::Number(number) if *number == 0.0);
+    let known = outputs.iter().enumerate().filter(|(_, x)| is_known(x) && !is_zero(x));
+    let known: Vec<TokenStream> = known
+        .map(|(number, operand)| {
+            let (number, value) = (usize_literal(number), plan.operand(operand));
+            quote!((#number, #value))
+        })
+        .collect();
+    if known.is_empty() || !plan.chain.repeats.is_empty() {
+        return zeros;
+    }
+    let (c, mstmm) = (local("c"), &plan.mstmm);
+    quote!({
+        let #c = T::constant;
+        #mstmm::generated::with_known(#zeros, &[#(#known),*])
+    })
+}
+
+/// The groups of what connection points are read off.
+pub const NUMBERS: usize = 7;
+pub const AT_REST: usize = 8;
 
 /// The undetermined reactions of a closed chain.
 fn closure(plan: &Plan, block: &Results) -> Option<TokenStream> {
@@ -97,13 +142,15 @@ fn empty() -> Group {
 fn solved_in_loops(plan: &Plan) -> Group {
     let program = &plan.programs.solution;
     let (freedoms, rates) = (Spread::freedoms(plan), Spread::rates(plan));
-    let targets = [(0, freedoms), (3, rates.clone()), (4, rates), (7, Spread::points(plan))];
+    let targets =
+        [(0, freedoms), (3, rates.clone()), (4, rates), (NUMBERS, Spread::numbers_of_points(plan))];
     let targets = targets.map(|(group, spread)| Target { group, spread });
     let block = plan.step(program, &targets, true);
     let check = check(plan, program, &block, &plan.programs.pivots);
-    let points = points(plan, &block);
     let closure = closure(plan, &block);
-    let [results, _, _, rates, efforts, ..] = &block.arrays[..] else { return empty() };
+    let [results, _, _, rates, efforts, .., numbers, at_rest] = &block.arrays[..] else {
+        return empty();
+    };
     let energies = &block.outputs[5];
     let (kinetic, potential) = (&energies[0], &energies[1]);
     body(
@@ -116,60 +163,9 @@ fn solved_in_loops(plan: &Plan) -> Group {
             #closure
             at_.kinetic_energy = #kinetic;
             at_.potential_energy = #potential;
-            #points
+            at_.numbers = #numbers;
+            at_.at_rest = #at_rest;
             ::core::result::Result::Ok(())
         },
     )
-}
-
-/// The parts of a connection point, as its setters name them, and where they are among its numbers.
-fn fields(dimension: Dimension) -> Vec<(&'static str, Range<usize>)> {
-    let sizes: &[(&str, usize)] = match dimension {
-        Dimension::Space => &[
-            ("position", 3),
-            ("orientation", 9),
-            ("velocity", 3),
-            ("angular_velocity", 3),
-            ("acceleration", 3),
-            ("angular_acceleration", 3),
-            ("moment", 3),
-            ("force", 3),
-        ],
-        Dimension::Plane => &[
-            ("position", 2),
-            ("orientation", 2),
-            ("velocity", 2),
-            ("angular_velocity", 1),
-            ("acceleration", 2),
-            ("angular_acceleration", 1),
-            ("moment", 1),
-            ("force", 2),
-        ],
-        Dimension::Line => &[("position", 1), ("velocity", 1), ("acceleration", 1), ("force", 1)],
-    };
-    let mut first = 0;
-    let mut next = |&(name, size): &(&'static str, usize)| {
-        let range = first..first + size;
-        first += size;
-        (name, range)
-    };
-    sizes.iter().map(&mut next).collect()
-}
-
-/// Writes all connection points from their array.
-fn points(plan: &Plan, block: &Results) -> TokenStream {
-    let each = numbers_of_point(plan.chain.dimension);
-    let names: Vec<Ident> = (0..each).map(|number| local(&format!("p{number}"))).collect();
-    let parts = fields(plan.chain.dimension).into_iter().map(|(field, range)| {
-        let (field, numbers) = (format_ident!("set_{field}"), &names[range]);
-        quote!(point_.#field([#(#numbers),*]);)
-    });
-    let (numbers, each) = (&block.arrays[7], usize_literal(each));
-    quote! {
-        for (point_, &[#(#names),*]) in
-            ::core::iter::zip(&mut at_.points, #numbers.as_chunks::<#each>().0)
-        {
-            #(#parts)*
-        }
-    }
 }

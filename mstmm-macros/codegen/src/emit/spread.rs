@@ -1,7 +1,7 @@
 //! Where numbers lie in arrays: those of a repeated part once for every time.
 
 use super::Plan;
-use crate::model::{Dimension, Element};
+use crate::model::Element;
 
 /// An array that holds numbers of all hinges, or of all connection points.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,14 +63,18 @@ impl Spread {
         Spread::of(plan, hinges.map(|hinge| (count(hinge), plan.chain.repeat_of_hinge(hinge))))
     }
 
-    /// The numbers of all connection points.
+    /// All connection points.
     pub fn points(plan: &Plan) -> Self {
-        let each = numbers_of_point(plan.chain.dimension);
         let outputs = plan.chain.route.iter().map(|element| match *element {
-            Element::Hinge(hinge) => (each, plan.chain.repeat_of_hinge(hinge)),
-            Element::Body(body) => (each, plan.chain.repeat_of_body(body)),
+            Element::Hinge(hinge) => (1, plan.chain.repeat_of_hinge(hinge)),
+            Element::Body(body) => (1, plan.chain.repeat_of_body(body)),
         });
-        Spread::of(plan, std::iter::once((each, None)).chain(outputs))
+        Spread::of(plan, std::iter::once((1, None)).chain(outputs))
+    }
+
+    /// The numbers of all connection points, in as many pieces as the points.
+    pub fn numbers_of_points(plan: &Plan) -> Self {
+        Spread::of(plan, plan.programs.places.pieces.iter().copied())
     }
 
     /// So many numbers for every time of one repeated part.
@@ -87,14 +91,5 @@ impl Spread {
     /// The piece that a number of the model belongs to.
     pub fn piece_of(&self, number: usize) -> Option<&Piece> {
         self.pieces.iter().find(|piece| (piece.first..piece.first + piece.count).contains(&number))
-    }
-}
-
-/// How many numbers a connection point is made from.
-pub fn numbers_of_point(dimension: Dimension) -> usize {
-    match dimension {
-        Dimension::Space => 30,
-        Dimension::Plane => 13,
-        Dimension::Line => 4,
     }
 }

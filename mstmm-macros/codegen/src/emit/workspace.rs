@@ -1,8 +1,8 @@
 //! Where results are written, with named access to every element's connection points.
 
 use super::looped::usize_literal;
-use super::spread::{Spread, numbers_of_point};
-use super::{Plan, repeated};
+use super::spread::Spread;
+use super::{Plan, places, repeated, solution};
 use crate::model::{Dimension, Element, Hinge};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -15,13 +15,22 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let visibility = &plan.surface.visibility;
     let doc = format!(" Results of [`{chain}::solve_into`].");
     let freedoms = usize_literal(Spread::freedoms(plan).total);
-    let points = Spread::points(plan).total / numbers_of_point(plan.chain.dimension);
-    let point_count = usize_literal(points);
+    let point_count = usize_literal(Spread::points(plan).total);
+    let number_count = usize_literal(Spread::numbers_of_points(plan).total);
+    let shifts = usize_literal(plan.chain.dimension.shifts().len());
+    let places = places::emit(plan);
+    let [numbers_at_first, at_rest_at_first] =
+        [solution::NUMBERS, solution::AT_REST].map(|group| solution::at_first(plan, group));
     let rates = usize_literal(Spread::rates(plan).total);
     let point = point_type(plan);
     let closure = closure(plan);
-    let (closure_field, closure_zero, closure_method) =
-        (&closure.field, &closure.zero, &closure.method);
+    let Closure {
+        field: closure_field,
+        zero: closure_zero,
+        method: closure_method,
+        shown: closure_shown,
+    } = closure;
+    let text = name.to_string();
     let elements = plan.chain.route.iter().enumerate().map(|(place, element)| match *element {
         Element::Body(index) => match plan.chain.times(*element) {
             _ if plan.chain.repeat_of_body(index).is_none() => body(plan, index, place),
@@ -34,7 +43,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     });
     quote! {
         #[doc = #doc]
-        #[derive(Clone, Debug, PartialEq)]
+        #[derive(Clone, PartialEq)]
         #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
             accelerations: #mstmm::nalgebra::SVector<T, #freedoms>,
@@ -43,7 +52,8 @@ pub fn emit(plan: &Plan) -> TokenStream {
             kinetic_energy: T,
             potential_energy: T,
             #closure_field
-            points: [#mstmm::#point<T>; #point_count],
+            numbers: [T; #number_count],
+            at_rest: [T; #shifts],
         }
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #name<T> {
@@ -69,18 +79,34 @@ pub fn emit(plan: &Plan) -> TokenStream {
             /// All connection points in the order written: the first element's input, then every
             /// element's output.
             #[inline]
-            #visibility fn points(&self) -> &[#mstmm::#point<T>; #point_count] {
-                &self.points
+            #visibility fn points(&self) -> [#mstmm::#point<T>; #point_count] {
+                ::core::array::from_fn(|index_| self.point_(index_))
             }
+
+            #places
 
             #closure_method
 
             #(#elements)*
         }
+        impl<T: #mstmm::Scalar> ::core::fmt::Debug for #name<T> {
+            fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                to_.debug_struct(#text)
+                    .field("accelerations", &self.accelerations)
+                    .field("rate_accelerations", &self.rate_accelerations)
+                    .field("efforts", &self.efforts)
+                    .field("kinetic_energy", &self.kinetic_energy)
+                    .field("potential_energy", &self.potential_energy)
+                    #closure_shown
+                    .field("points", &self.points())
+                    .finish()
+            }
+        }
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #chain<T> {
             /// Room for the results of [`solve_into`](Self::solve_into).
             #[must_use]
+            #[allow(clippy::all)]
             #visibility fn workspace(&self) -> #name<T> {
                 let zero_ = T::constant(0.0);
                 #name {
@@ -90,7 +116,8 @@ pub fn emit(plan: &Plan) -> TokenStream {
                     kinetic_energy: zero_,
                     potential_energy: zero_,
                     #closure_zero
-                    points: [::core::default::Default::default(); #point_count],
+                    numbers: #numbers_at_first,
+                    at_rest: #at_rest_at_first,
                 }
             }
         }
@@ -112,18 +139,20 @@ struct Closure {
     field: TokenStream,
     zero: TokenStream,
     method: TokenStream,
+    shown: TokenStream,
 }
 
 fn closure(plan: &Plan) -> Closure {
     let mstmm = &plan.mstmm;
     let Some(held) = plan.programs.held else {
-        let [field, zero, method] = [(); 3].map(|()| TokenStream::new());
-        return Closure { field, zero, method };
+        let [field, zero, method, shown] = [(); 4].map(|()| TokenStream::new());
+        return Closure { field, zero, method, shown };
     };
     let (held, visibility) = (Literal::usize_unsuffixed(held), &plan.surface.visibility);
     Closure {
         field: quote!(closure: #mstmm::Closure<T, #held>,),
         zero: quote!(closure: ::core::default::Default::default(),),
+        shown: quote!(.field("closure", &self.closure)),
         method: quote! {
             /// Which reactions of the closing hinge, the last one, the motion does not determine:
             /// wrenches in axes of its inboard frame.
@@ -143,7 +172,7 @@ fn body(plan: &Plan, index: usize, place: usize) -> TokenStream {
     quote! {
         #[doc = #doc]
         #[inline]
-        #visibility fn #name(&self) -> #mstmm::BodyResult<'_, T, #mstmm::#point<T>> {
+        #visibility fn #name(&self) -> #mstmm::BodyResult<T, #mstmm::#point<T>> {
             #ends
             #mstmm::BodyResult::new(input_, output_)
         }
@@ -167,7 +196,7 @@ fn hinge(plan: &Plan, index: usize, place: usize) -> TokenStream {
     quote! {
         #[doc = #doc]
         #[inline]
-        #visibility fn #name(&self) -> #mstmm::HingeResult<'_, T, #ty, #mstmm::#point<T>> {
+        #visibility fn #name(&self) -> #mstmm::HingeResult<T, #ty, #mstmm::#point<T>> {
             #ends
             #mstmm::HingeResult::new(#acceleration, #effort, input_, output_)
         }
@@ -176,14 +205,9 @@ fn hinge(plan: &Plan, index: usize, place: usize) -> TokenStream {
 
 /// Binds `input` and `output` of the element at `place` on the route.
 fn ends(plan: &Plan, place: usize) -> TokenStream {
-    if plan.chain.repeats.is_empty() {
-        let skipped = (0..place).map(|_| quote!(_,));
-        return quote!(let [#(#skipped)* input_, output_, ..] = &self.points;);
-    }
     let (first, _) = repeated::points_of(plan, place);
     let [input, output] = [first, first + 1].map(usize_literal);
-    // The places are known to be within the array.
-    quote!(let (input_, output_) = (&self.points[#input], &self.points[#output]);)
+    quote!(let (input_, output_) = (self.point_(#input), self.point_(#output));)
 }
 
 fn scalar(plan: &Plan, range: &Range<usize>, field: &str) -> TokenStream {

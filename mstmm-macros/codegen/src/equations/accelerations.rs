@@ -4,6 +4,7 @@ use super::closing::{Closing, closing};
 use super::load::loads;
 use super::motion::LinkMotion;
 use super::problem::{Demand, Movement, Problem};
+use super::transmitted::transmitted;
 use super::{Axes, Situation, Trace, motion, riccati, transfer};
 use crate::math::{Mat3, Motion, Rotation, Scalar, Wrench};
 use crate::model::Method;
@@ -40,6 +41,25 @@ pub struct Solved<S> {
     pub reaction: Option<Reaction<S>>,
 }
 
+/// What the sweeps know at the point behind a hinge, in work axes there.
+#[derive(Clone, Copy, Debug)]
+pub struct Behind<S> {
+    /// The acceleration of the point, that of free fall the other way among it: what a sensor there
+    /// feels.
+    pub felt: Motion<S>,
+    /// What the hinge exerts on the part behind it, about the point.
+    pub wrench: Wrench<S>,
+}
+
+/// What the sweeps know of all hinges besides their accelerations.
+#[derive(Clone, Debug)]
+pub struct Swept<S> {
+    /// The axes that they are in.
+    pub axes: Axes,
+    /// By hinges; nothing of one that closes the chain, and of a weld between merged bodies.
+    pub behind: Vec<Option<Behind<S>>>,
+}
+
 /// Solves for the accelerations of all hinges.
 pub fn accelerations<S: Scalar>(
     situation: &Situation<S>,
@@ -47,6 +67,35 @@ pub fn accelerations<S: Scalar>(
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> Solved<S> {
+    let (solved, ()) = solve(situation, method, axes, trace, |_, _, _| ());
+    solved
+}
+
+/// Solves for the accelerations of all hinges and for what passes through them.
+pub fn sweep<S: Scalar>(
+    situation: &Situation<S>,
+    method: Method,
+    axes: Axes,
+    trace: &mut Trace<S>,
+) -> (Solved<S>, Swept<S>) {
+    solve(situation, method, axes, trace, |problem, movement, trace| {
+        let wrenches = transmitted(problem, movement, trace);
+        let mut behind = vec![None; situation.chain.hinges.len()];
+        for ((link, &felt), wrench) in problem.links.iter().zip(&movement.points).zip(wrenches) {
+            behind[link.over.hinge] = Some(Behind { felt, wrench });
+        }
+        Swept { axes, behind }
+    })
+}
+
+/// Solves for the accelerations of all hinges, and for what `more` makes of how the links move.
+fn solve<S: Scalar, R>(
+    situation: &Situation<S>,
+    method: Method,
+    axes: Axes,
+    trace: &mut Trace<S>,
+    more: impl FnOnce(&Problem<S>, &Movement<S>, &mut Trace<S>) -> R,
+) -> (Solved<S>, R) {
     let links = motion(situation, axes, trace);
     let closing = closing(situation, axes, &links);
     let problem = forces(situation, &links, closing.as_ref());
@@ -75,7 +124,8 @@ pub fn accelerations<S: Scalar>(
     }
     let reaction =
         problem.closing.as_ref().map(|demand| reaction(situation, demand, &links, &movement));
-    Solved { accelerations, pivots, reaction }
+    let more = more(&problem, &movement, trace);
+    (Solved { accelerations, pivots, reaction }, more)
 }
 
 /// Newton's and Euler's laws as a problem: forces, efforts and velocities.

@@ -3,11 +3,9 @@
 use super::closing::closing;
 use super::hinge::Passives;
 use super::load::{poses, spring_energy};
-use super::motion::LinkMotion;
-use super::own_load::{arm_of_output, share_of_output};
 use super::{Axes, Situation, Trace, motion};
 use crate::math::{Scalar, Vec3};
-use crate::model::{Link, Source};
+use crate::model::Source;
 
 /// The energy of a chain in J.
 #[derive(Clone, Copy, Debug)]
@@ -26,9 +24,8 @@ pub struct Energy<S> {
 /// Where the centre of mass rests while the body turns, the terms cancel up to `(r_C / k)²`, `k`
 /// being the radius of gyration: two digits if it is a tenth of the distance.
 pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Energy<S> {
-    let links = motion(situation, Axes::Inertial, trace);
-    // Inertias are constant in body axes, and the sweeps have turned them already.
-    let bodies = motion(situation, Axes::Body, trace);
+    // First moments and inertias are constant in body axes.
+    let links = motion(situation, Axes::Body, trace);
     trace.section("Energy", "");
     let half = S::number(0.5);
     let gravity = match &situation.chain.gravity {
@@ -38,34 +35,21 @@ pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Ener
     let poses = poses(situation, &links);
     let mut energy = Energy { kinetic: S::zero(), potential: spring_energy(situation, None) };
     for (index, (link, pose)) in links.iter().zip(&poses).enumerate() {
-        let (moment, beside) = first_moment(situation, &situation.layout.links[index], link);
+        let beside = link.omega.cross(link.moment);
         let shifting = pose.velocity.dot(pose.velocity * (link.mass * half) + beside);
-        let turning = bodies[index].inertia.power(bodies[index].omega);
+        let turning = link.inertia.power(link.omega);
         energy.kinetic = energy.kinetic + shifting + turning * half;
-        let weight = gravity * link.mass;
-        energy.potential = energy.potential - weight.dot(pose.position) - gravity.dot(moment);
+        let first_moment = pose.position * link.mass + pose.to_inertial * link.moment;
+        energy.potential = energy.potential - gravity.dot(first_moment);
         energy.potential = energy.potential + spring_energy(situation, Some((index, link, pose)));
         energy.add_passives(&link.over.passives);
         let sums = (energy.kinetic, energy.potential);
         (energy.kinetic, energy.potential) = situation.passage.outwards(index, sums);
     }
-    if let Some(closing) = closing(situation, Axes::Inertial, &links) {
+    if let Some(closing) = closing(situation, Axes::Body, &links) {
         energy.add_passives(&closing.over.passives);
     }
     energy
-}
-
-/// The first moment `m r_C` about a link's point, inertial axes, and `Ω × m r_C`.
-fn first_moment<S: Scalar>(
-    situation: &Situation<S>,
-    place: &Link,
-    link: &LinkMotion<S>,
-) -> (Vec3<S>, Vec3<S>) {
-    let Some(share) = share_of_output(situation, place) else {
-        return (link.moment, link.omega.cross(link.moment));
-    };
-    let (arm, share) = (arm_of_output(situation, place, link), link.mass * S::number(share));
-    (arm * share, link.omega.cross(arm) * share)
 }
 
 impl<S: Scalar> Energy<S> {

@@ -3,7 +3,7 @@
 use super::Situation;
 use super::motion::{LinkMotion, link_of};
 use super::passage::Bundle;
-use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
+use crate::math::{Mat3, Rotation, Scalar, Vec3, Wrench};
 use crate::model::{BodyId, Driven, Load, LoadAxes, Source, Spring};
 
 /// Where a link's part is.
@@ -148,10 +148,4 @@ pub fn spring_energy<S: Scalar>(
         energy = energy + numbers.scalar(&spring.stiffness) * stretch * S::number(0.5);
     }
     energy
-}
-
-/// The acceleration of a motion's origin carried to an arm, velocities included.
-pub fn point_acceleration<S: Scalar>(at: Motion<S>, omega: Vec3<S>, arm: Vec3<S>) -> Motion<S> {
-    let carried = at.carried_to(arm);
-    Motion { linear: carried.linear + arm.centripetal(omega), angular: carried.angular }
 }

@@ -123,6 +123,13 @@ impl<S: Scalar> Crossed<S> {
         at_hinge.turned_back(&self.to_parent) + drift.in_hinge
     }
 
+    /// Whether its sides are one point in all that the hinge does.
+    pub fn keeps_the_point(&self) -> bool {
+        let none = |vector: Vec3<S>| vector.0.iter().all(|entry| entry.vanishes());
+        let shifts = self.subspace.iter().any(|motion| !none(motion.linear));
+        !shifts && none(self.offset) && none(self.drift.in_hinge.linear)
+    }
+
     /// A wrench on the child at the point, as one at the parent's point in its work axes.
     pub fn returned(&self, wrench: Wrench<S>) -> Wrench<S> {
         wrench.turned(&self.to_parent).moved_from(self.arm)

@@ -42,6 +42,15 @@ pub struct Demand<'a, S> {
     pub given: Wrench<S>,
 }
 
+/// `F = A a' + e`: what a hinge transmits, with `a'` of the parent carried over.
+#[derive(Clone, Copy, Debug)]
+pub struct Relation<S> {
+    /// `A`
+    pub inertia: SpatialInertia<S>,
+    /// `e`
+    pub load: Wrench<S>,
+}
+
 /// How the links move.
 #[derive(Clone, Debug)]
 pub struct Movement<S> {
@@ -49,6 +58,8 @@ pub struct Movement<S> {
     pub amounts: Vec<Vec<S>>,
     /// `a` of every link's point.
     pub points: Vec<Motion<S>>,
+    /// What every link's hinge transmits, if the method knows that without what hangs on it.
+    pub relations: Vec<Relation<S>>,
     /// Reactions along the closing's directions.
     pub reactions: Vec<S>,
     /// Reactions that make no difference to the movement, one for each of the closing's directions;

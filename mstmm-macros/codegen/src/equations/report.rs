@@ -1,34 +1,52 @@
 //! Everything that can be asked of a chain once its accelerations are known: pose, velocity and
-//! the state vector `z` at every connection point, from the bodies as written.
+//! the state vector `z` at every connection point, of the bodies as written.
 //!
-//! Accelerations go outwards from the ground, wrenches come back from the free end. What comes out
-//! is inertial, and `r̈` is true, whatever axes and tricks the sums are made with.
+//! Poses are inertial. All else stays in the axes of links, where the sweeps have most of it: a turn
+//! into inertial axes is made where a number is read.
 
-use super::closing::closing;
-use super::load::{Pose, point_acceleration, poses};
+use super::closing::{Closing, closing};
+use super::load::{Pose, loads, poses};
 use super::motion::{Crossed, LinkMotion};
-use super::own_load::own_loads;
-use super::{Axes, Situation, Solved, Trace, hinge, motion};
+use super::spots::{Spot, spots};
+use super::{Behind, Situation, Solved, Swept, Trace, motion};
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
-use crate::model::{Element, HingeId, Part, Place};
+use crate::model::{Dimension, HingeId, Part};
 
-/// A connection point, inertial frame.
+/// A vector, and the axes that its components are seen in.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<S> {
+    /// From those axes to inertial ones.
+    pub axes: Mat3<S>,
+    /// The components.
+    pub vector: Vec3<S>,
+}
+
+impl<S: Scalar> Seen<S> {
+    /// The components in inertial axes.
+    pub fn inertial(&self) -> Vec3<S> {
+        self.axes * self.vector
+    }
+}
+
+/// A connection point.
 #[derive(Clone, Copy, Debug)]
 pub struct Point<S> {
-    /// Its place.
+    /// Its place, inertial frame.
     pub position: Vec3<S>,
     /// Its frame's axes to inertial ones.
     pub rotation: Mat3<S>,
     /// Its velocity.
-    pub velocity: Vec3<S>,
+    pub velocity: Seen<S>,
     /// Its frame's angular velocity `Ω`.
-    pub omega: Vec3<S>,
-    /// `r̈` and `Ω̇`.
-    pub acceleration: Motion<S>,
-    /// Internal force `q` and internal moment `m`, in the signs of [P, Sect. 2.1].
-    pub force: Vec3<S>,
-    /// See `force`.
-    pub moment: Vec3<S>,
+    pub omega: Seen<S>,
+    /// `r̈`, that of free fall the other way among it.
+    pub felt: Seen<S>,
+    /// `Ω̇`
+    pub turning: Seen<S>,
+    /// Internal moment `m`, in the signs of [P, Sect. 2.1].
+    pub moment: Seen<S>,
+    /// Internal force `q`.
+    pub force: Seen<S>,
 }
 
 /// Everything but the accelerations themselves.
@@ -37,41 +55,58 @@ pub struct Report<S> {
     /// All connection points in the order written: the first element's input, then every output.
     /// One more than there are elements.
     pub points: Vec<Point<S>>,
+    /// What a point at rest feels: to be taken from what others feel, inertial frame.
+    pub at_rest: Vec3<S>,
     /// Accelerations of all hinges' rates, prescribed ones as well.
     pub accelerations: Vec<S>,
     /// What drives every rate: the efforts of motors, and what prescribed motions take.
     pub efforts: Vec<S>,
 }
 
-/// A hinge and what it transmits, inertial axes.
-struct Transmitting<S> {
-    over: Crossed<S>,
-    /// Exerted by the inboard on the outboard side, about the outboard side's origin.
-    wrench: Wrench<S>,
-    /// Exerted by the inboard on the outboard side, about the inboard side's origin.
-    at_inboard: Wrench<S>,
-    /// Exerted on the child, about its point.
-    on_child: Wrench<S>,
-}
-
-/// The report for given accelerations of all hinges.
+/// The report on a chain with every body a link, from what the sweeps know with welded bodies merged.
 pub fn report<S: Scalar>(
     situation: &Situation<S>,
-    solved: &Solved<S>,
+    (solved, swept): (&Solved<S>, &Swept<S>),
     trace: &mut Trace<S>,
 ) -> Report<S> {
-    let links = motion(situation, Axes::Inertial, trace);
+    let links = motion(situation, swept.axes, trace);
     let poses = poses(situation, &links);
+    for (LinkMotion { over, .. }, pose) in links.iter().zip(&poses) {
+        trace.section(format!("Pose behind `{}`", over.name), "[P, Eq. (12)]");
+        trace.vector(&format!("{}_position", over.name), pose.position);
+        trace.matrix(&format!("{}_to_inertial", over.name), pose.to_inertial);
+        trace.section(format!("Velocity behind `{}`", over.name), "");
+        trace.vector(&format!("{}_velocity", over.name), pose.velocity);
+    }
+    let felt = felt(situation, &links, swept);
+    let closing = closing(situation, swept.axes, &links);
+    let closed = closing.as_ref().zip(solved.reaction.as_ref()).map(|(closing, reaction)| {
+        let attitude = closing.parent.map_or(Mat3::identity(), |link| links[link].attitude);
+        let (_, _, rotation) = situation.place(&situation.chain.hinges[closing.over.hinge].inboard);
+        (closing, reaction.wrench.turned(&Rotation::general(attitude * rotation)))
+    });
+    let wrenches = wrenches(situation, &links, &felt, swept, closed);
+    let mut hinges: Vec<Option<Transmitting<S>>> =
+        situation.chain.hinges.iter().map(|_| None).collect();
+    for (index, (link, &wrench)) in links.iter().zip(&wrenches).enumerate() {
+        hinges[link.over.hinge] = Some(Transmitting::over(situation, index, link, wrench));
+    }
+    if let Some((closing, wrench)) = closed {
+        hinges[closing.over.hinge] = Some(Transmitting::closing(closing, wrench));
+    }
     let accelerations = rate_accelerations(situation, &solved.accelerations);
-    let bodies = motion(situation, Axes::Body, trace);
-    let felt = felt(situation, &bodies, &accelerations, trace);
-    let points = outwards(situation, (&links, &bodies), (&felt, &accelerations), trace);
-    let loads = own_loads(situation, (&links, &points), (&bodies, &felt), trace);
-    let hinges = inwards(situation, &links, loads, solved, trace);
-    let sheet = Sheet { situation, links: &links, poses: &poses, points: &points, hinges: &hinges };
-    trace.section("Connection points", "[P, Eqs. (4), (12)]");
+    let sheet = Sheet { situation, links: &links, poses: &poses, felt: &felt, hinges: &hinges };
+    let points: Vec<Point<S>> = spots(situation).iter().map(|spot| sheet.point(spot)).collect();
+    trace.section("Connection points", "[P, Eqs. (4), (12), (13)]");
+    for (number, point) in points.iter().enumerate() {
+        trace.vector(&format!("point{number}_velocity"), point.velocity.vector);
+        trace.vector(&format!("point{number}_felt"), point.felt.vector);
+        trace.vector(&format!("point{number}_position"), point.position);
+        trace.matrix(&format!("point{number}_rotation"), point.rotation);
+    }
     Report {
-        points: spots(situation).iter().map(|spot| sheet.point(spot)).collect(),
+        points,
+        at_rest: situation.ground().linear,
         efforts: efforts(situation, &hinges, &accelerations),
         accelerations,
     }
@@ -86,120 +121,108 @@ fn rate_accelerations<S: Scalar>(situation: &Situation<S>, free: &[S]) -> Vec<S>
     (0..situation.chain.hinges.len()).flat_map(of).collect()
 }
 
-/// Accelerations of all points in body axes, gravity among them, as the sweeps have them.
+/// What is felt at all links' points: of bodies welded to others, by way of those.
 fn felt<S: Scalar>(
     situation: &Situation<S>,
-    bodies: &[LinkMotion<S>],
-    accelerations: &[S],
-    trace: &mut Trace<S>,
+    links: &[LinkMotion<S>],
+    swept: &Swept<S>,
 ) -> Vec<Motion<S>> {
-    let ground = situation.ground();
-    let mut felt: Vec<Motion<S>> = Vec::new();
-    for (index, link) in bodies.iter().enumerate() {
-        let over = &link.over;
-        trace.section(format!("Acceleration felt behind `{}`", over.name), "[P, Eqs. (13), (36)]");
-        let parent = link.parent.map_or(ground, |parent| felt[parent]);
-        let carried = over.carried_with(parent, over.drift);
-        let own = carried + own_acceleration(situation, over, accelerations);
-        felt.push(situation.passage.outwards(index, own));
+    let mut all: Vec<Motion<S>> = Vec::new();
+    for LinkMotion { over, parent, .. } in links {
+        all.push(match swept.behind[over.hinge] {
+            Some(Behind { felt, .. }) => felt,
+            None => {
+                let parent = parent.map_or(situation.ground(), |parent| all[parent]);
+                over.carried_with(parent, over.drift)
+            }
+        });
     }
-    felt
+    all
 }
 
-/// True accelerations of all points [P, Eqs. (13), (36)]. Behind a hinge that turns about all axes
-/// `Ω̇` takes fewer operations from that in body axes.
-fn outwards<S: Scalar>(
-    situation: &Situation<S>,
-    (links, bodies): (&[LinkMotion<S>], &[LinkMotion<S>]),
-    (felt, accelerations): (&[Motion<S>], &[S]),
-    trace: &mut Trace<S>,
-) -> Vec<Motion<S>> {
-    let mut points: Vec<Motion<S>> = Vec::new();
-    for (index, link) in links.iter().enumerate() {
-        let over = &link.over;
-        trace.section(format!("Point of `{}`", over.name), "[P, Eqs. (12), (13), (36)]");
-        let parent = link.parent.map_or(Motion::zero(), |parent| points[parent]);
-        let mut acceleration = over.carried_with(parent, over.drift)
-            + own_acceleration(situation, over, accelerations);
-        if over.subspace.iter().filter(|s| s.turns()).count() > 2 {
-            let to_inertial = link.attitude * bodies[index].attitude.transposed();
-            acceleration.angular = to_inertial * felt[index].angular;
-        }
-        trace.motion(&format!("{}_acc", over.name), acceleration);
-        points.push(situation.passage.outwards(index, acceleration));
-    }
-    points
-}
-
-/// What a hinge's own accelerations make; prescribed ones are part of its drift.
-fn own_acceleration<S: Scalar>(
-    situation: &Situation<S>,
-    over: &Crossed<S>,
-    accelerations: &[S],
-) -> Motion<S> {
-    if situation.chain.hinges[over.hinge].is_prescribed() {
-        return Motion::zero();
-    }
-    let own = &accelerations[situation.layout.rates[over.hinge].clone()];
-    hinge::combine(over.subspace.iter(), own)
-}
-
-/// What every hinge transmits, from the free end or from the closing hinge [P, Eqs. (18), (19)];
-/// where it frees whole axes of the inertial frame that is its effort and nothing else
-/// [P, Eqs. (25), (57), (58)].
-fn inwards<S: Scalar>(
+/// What every link's hinge exerts on it about its point [P, Eqs. (18), (19)]: of welds between bodies,
+/// what everything behind them takes.
+fn wrenches<S: Scalar>(
     situation: &Situation<S>,
     links: &[LinkMotion<S>],
-    mut loads: Vec<Wrench<S>>,
-    solved: &Solved<S>,
-    trace: &mut Trace<S>,
-) -> Vec<Option<Transmitting<S>>> {
-    let mut hinges: Vec<Option<Transmitting<S>>> =
-        situation.chain.hinges.iter().map(|_| None).collect();
-    if let (Some(closing), Some(reaction)) =
-        (closing(situation, Axes::Inertial, links), &solved.reaction)
-    {
-        trace.section(format!("Load on `{}`", closing.over.name), "[P, Eqs. (18), (19)]");
-        let attitude = closing.parent.map_or(Mat3::identity(), |link| links[link].attitude);
-        let inboard = &situation.chain.hinges[closing.over.hinge].inboard;
-        let (_, _, rotation) = situation.place(inboard);
-        let wrench = reaction.wrench.turned(&Rotation::general(attitude * rotation));
-        trace.wrench(&format!("{}_load", closing.over.name), wrench);
-        if let Some(parent) = closing.parent {
-            loads[parent] = loads[parent] + wrench.moved_from(closing.over.arm);
+    felt: &[Motion<S>],
+    swept: &Swept<S>,
+    closed: Option<(&Closing<S>, Wrench<S>)>,
+) -> Vec<Wrench<S>> {
+    let known = |link: &LinkMotion<S>| swept.behind[link.over.hinge].map(|behind| behind.wrench);
+    let outer = if links.iter().all(|link| known(link).is_some()) {
+        Vec::new()
+    } else {
+        loads(situation, links)
+    };
+    let own = |(index, link): (usize, &LinkMotion<S>)| match known(link) {
+        Some(wrench) => wrench,
+        None => link.rigid().times(felt[index]) + link.velocity_load() - outer[index],
+    };
+    let mut all: Vec<Wrench<S>> = links.iter().enumerate().map(own).collect();
+    let pass = |all: &mut Vec<Wrench<S>>, to: Option<usize>, wrench: Wrench<S>| {
+        if let Some(to) = to.filter(|&to| known(&links[to]).is_none()) {
+            all[to] = all[to] + wrench;
         }
-        if let Some((child, on_child)) = closing.on_child(wrench) {
-            loads[child] = loads[child] - on_child;
+    };
+    if let Some((closing, wrench)) = closed {
+        pass(&mut all, closing.parent, wrench.moved_from(closing.over.arm));
+        let outboard = wrench.turned_back(&closing.over.to_parent);
+        if let Some((child, on_child)) = closing.on_child(outboard) {
+            pass(&mut all, Some(child), on_child.reversed());
         }
-        let index = closing.over.hinge;
-        hinges[index] = Some(Transmitting::of(closing.over, wrench, false));
     }
     for index in (0..links.len()).rev() {
-        loads[index] = situation.passage.inwards(index, loads[index]);
-        let link = &links[index];
-        let over = &link.over;
-        trace.section(format!("Load on `{}`", over.name), "[P, Eqs. (18), (19)]");
-        let wrench = over.freedom.released(loads[index], &over.efforts);
-        trace.wrench(&format!("{}_load", over.name), wrench);
-        if let Some(parent) = link.parent {
-            loads[parent] = loads[parent] + wrench.moved_from(over.arm);
-        }
-        let reversed = situation.layout.links[index].reversed;
-        hinges[over.hinge] = Some(Transmitting::of(over.clone(), wrench, reversed));
+        let returned = links[index].over.returned(all[index]);
+        pass(&mut all, links[index].parent, returned);
     }
-    hinges
+    all
+}
+
+/// A hinge and what it transmits.
+struct Transmitting<S> {
+    over: Crossed<S>,
+    /// The link in whose work axes it is; none if those are inertial.
+    axes: Option<usize>,
+    /// Exerted by the inboard on the outboard side, about the outboard side's origin.
+    wrench: Wrench<S>,
+    /// Exerted by the inboard on the outboard side, about the inboard side's origin.
+    at_inboard: Wrench<S>,
+    /// Exerted on the child, about its point, in the hinge's work axes.
+    on_child: Wrench<S>,
+    /// The link behind it, where both its sides are one point that moves with that as well.
+    meets: Option<usize>,
 }
 
 impl<S: Scalar> Transmitting<S> {
-    /// From the wrench on the child about its point.
-    fn of(over: Crossed<S>, on_child: Wrench<S>, reversed: bool) -> Self {
-        let at_parent = on_child.moved_from(over.offset);
-        let (wrench, at_inboard) = if reversed {
-            (at_parent.reversed(), on_child.reversed())
-        } else {
-            (on_child, at_parent)
+    /// Over a link's hinge. On a seam the axes in front are known, those behind are another time's.
+    fn over(
+        situation: &Situation<S>,
+        index: usize,
+        link: &LinkMotion<S>,
+        on_child: Wrench<S>,
+    ) -> Self {
+        let (place, over) = (&situation.layout.links[index], link.over.clone());
+        let (axes, at_child, offset) = match place.seam {
+            Some(_) => (link.parent, on_child.turned(&over.to_parent), over.offset),
+            None => (Some(index), on_child, over.to_parent.back(over.offset)),
         };
-        Transmitting { over, wrench, at_inboard, on_child }
+        let at_parent = at_child.moved_from(offset);
+        let (wrench, at_inboard) = if place.reversed {
+            (at_parent.reversed(), at_child.reversed())
+        } else {
+            (at_child, at_parent)
+        };
+        let meets = (place.seam.is_none() && over.keeps_the_point()).then_some(index);
+        Transmitting { over, axes, wrench, at_inboard, on_child, meets }
+    }
+
+    /// Over the hinge that closes the chain: the wrench on its outboard side, in its parent's axes.
+    fn closing(closing: &Closing<S>, wrench: Wrench<S>) -> Self {
+        let over = closing.over.clone();
+        let at_inboard = wrench.moved_from(over.offset);
+        let on_child = wrench.turned_back(&over.to_parent);
+        Transmitting { over, axes: closing.parent, wrench, at_inboard, on_child, meets: None }
     }
 }
 
@@ -225,98 +248,82 @@ fn efforts<S: Scalar>(
     hinges.iter().enumerate().flat_map(of).collect()
 }
 
-/// Where a connection point is.
-struct Spot {
-    place: Place,
-    /// The hinge there, if there is one, and whether its outboard side is meant.
-    hinge: Option<(HingeId, bool)>,
-}
-
-/// All connection points, in the order written; those of repeated parts once.
-fn spots<S>(situation: &Situation<S>) -> Vec<Spot> {
-    let chain = situation.chain;
-    let mut spots: Vec<Spot> = Vec::new();
-    let add = |spots: &mut Vec<Spot>, number: usize, spot: Spot| match spots.get_mut(number) {
-        // A body's end, and now the hinge at it; or a hinge's side, and now the body that it is on.
-        Some(known) if known.hinge.is_none() => *known = spot,
-        Some(_) => {}
-        None => spots.push(spot),
-    };
-    // On a seam what passes is what the seam's weld passes on.
-    let side = |hinge: HingeId, place: &Place, outboard: bool| {
-        let weld = chain.seam(place).and_then(|seam| chain.weld_of(seam));
-        weld.map_or(Spot { place: place.clone(), hinge: Some((hinge, outboard)) }, |weld| Spot {
-            place: chain.hinges[weld].inboard.clone(),
-            hinge: Some((weld, false)),
-        })
-    };
-    for (number, element) in chain.route.iter().enumerate() {
-        let (input, output) = match *element {
-            Element::Hinge(index) => {
-                let hinge = &chain.hinges[index];
-                (side(index, &hinge.inboard, false), side(index, &hinge.outboard, true))
-            }
-            Element::Body(index) => {
-                let output = Place::Output(index);
-                let last = chain.hinges.iter().position(|hinge| {
-                    hinge.inboard == output && chain.seam(&hinge.outboard).is_some()
-                });
-                (
-                    Spot { place: Place::Input(index), hinge: None },
-                    Spot { place: output, hinge: last.map(|weld| (weld, false)) },
-                )
-            }
-        };
-        add(&mut spots, number, input);
-        add(&mut spots, number + 1, output);
-    }
-    spots
-}
-
 /// What the connection points are read off.
 struct Sheet<'a, S> {
     situation: &'a Situation<'a, S>,
     links: &'a [LinkMotion<S>],
     poses: &'a [Pose<S>],
-    points: &'a [Motion<S>],
+    felt: &'a [Motion<S>],
     hinges: &'a [Option<Transmitting<S>>],
 }
 
 impl<S: Scalar> Sheet<'_, S> {
     fn point(&self, spot: &Spot) -> Point<S> {
         let (part, origin, rotation) = self.situation.place(&spot.place);
-        let transmitted = self.transmitted(spot);
-        let (force, moment) = (transmitted.force, -transmitted.moment);
+        let (force, moment) = self.transmitted(spot);
         let Part::Link(index) = part else {
+            let none = self.seen(None, Vec3::zero());
             return Point {
                 position: origin,
                 rotation,
-                velocity: Vec3::zero(),
-                omega: Vec3::zero(),
-                acceleration: Motion::zero(),
-                force,
+                velocity: none,
+                omega: none,
+                felt: self.seen(None, self.situation.ground().linear),
+                turning: none,
                 moment,
+                force,
             };
         };
         let (link, pose) = (&self.links[index], &self.poses[index]);
         let arm = link.attitude * (origin - link.point);
+        let (velocity, felt) = self.moving(spot, index, arm);
         Point {
-            position: pose.position + arm,
-            rotation: link.attitude * rotation,
-            velocity: pose.velocity + link.omega.cross(arm),
-            omega: link.omega,
-            acceleration: point_acceleration(self.points[index], link.omega, arm),
-            force,
+            position: pose.position + pose.to_inertial * arm,
+            rotation: pose.to_inertial * (link.attitude * rotation),
+            velocity,
+            omega: self.seen(Some(index), link.omega),
+            felt,
+            turning: self.seen(Some(index), self.felt[index].angular),
             moment,
+            force,
         }
     }
 
-    /// `q` and `−m` at a place: on a body, `+q` and `−m` at its input, `−q` and `+m` at its output.
-    fn transmitted(&self, spot: &Spot) -> Wrench<S> {
+    /// Velocity and acceleration of a place on a link: where another link's point is there too, that
+    /// one's, which are known.
+    fn moving(&self, spot: &Spot, index: usize, arm: Vec3<S>) -> (Seen<S>, Seen<S>) {
+        let meets = spot.hinge.and_then(|(hinge, _)| self.hinges[hinge].as_ref()?.meets);
+        if let Some(other) = meets {
+            let (velocity, felt) = (self.poses[other].velocity, self.felt[other].linear);
+            return (self.seen(Some(other), velocity), self.seen(Some(other), felt));
+        }
+        let (link, pose) = (&self.links[index], &self.poses[index]);
+        let velocity = pose.velocity + link.omega.cross(arm);
+        let felt =
+            self.felt[index].carried_to(arm).linear + arm.centripetal_by_products(link.omega);
+        (self.seen(Some(index), velocity), self.seen(Some(index), felt))
+    }
+
+    /// `q` and `m` at a place: on a body, `+q` and `−m` at its input, `−q` and `+m` at its output.
+    fn transmitted(&self, spot: &Spot) -> (Seen<S>, Seen<S>) {
         let at = |(index, outboard): (HingeId, bool)| {
             let hinge = self.hinges[index].as_ref()?;
-            Some(if outboard { hinge.wrench } else { hinge.at_inboard })
+            Some((hinge.axes, if outboard { hinge.wrench } else { hinge.at_inboard }))
         };
-        spot.hinge.and_then(at).unwrap_or(Wrench::zero())
+        let (axes, wrench) = spot.hinge.and_then(at).unwrap_or((None, Wrench::zero()));
+        (self.seen(axes, wrench.force), self.seen(axes, -wrench.moment))
+    }
+
+    /// A vector in the work axes of a link, or in inertial ones. In a plane and along a line it comes in
+    /// the axes of the link's frame: work axes may lie across.
+    fn seen(&self, link: Option<usize>, vector: Vec3<S>) -> Seen<S> {
+        let Some(index) = link else { return Seen { axes: Mat3::identity(), vector } };
+        let (axes, attitude) = (self.poses[index].to_inertial, self.links[index].attitude);
+        match self.situation.chain.dimension {
+            Dimension::Space => Seen { axes, vector },
+            Dimension::Plane | Dimension::Line => {
+                Seen { axes: axes * attitude, vector: attitude.transposed() * vector }
+            }
+        }
     }
 }

@@ -79,7 +79,8 @@ pub fn solve<S: Scalar>(problem: &Problem<S>, sizes: &[S], trace: &mut Trace<S>)
         amounts[index] = betas;
     }
     let Closure { reactions, undetermined } = closure;
-    Movement { points: points(problem, &amounts), amounts, reactions, undetermined }
+    let points = points(problem, &amounts);
+    Movement { amounts, points, relations: Vec::new(), reactions, undetermined }
 }
 
 /// The links from the ground to the far end; a moving end at the far side is not among them.

@@ -6,7 +6,7 @@ use std::fmt;
 pub type NodeId = u32;
 
 /// A use of a node, with a sign: negation is a property of the use, so `x` and `−x` share a node.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Edge(u32);
 
 impl Edge {

@@ -5,8 +5,8 @@ pub mod double_double;
 pub mod drives;
 pub mod paper;
 
-use mstmm_codegen::equations::{self, Axes, Energy, Numbers, Report, Situation, Solved, Trace};
-use mstmm_codegen::math::{Scalar, Structured};
+use mstmm_codegen::equations::{self, Axes, Energy, Numbers, Situation, Solved, Trace};
+use mstmm_codegen::math::{Mat3, Motion, Scalar, Structured, Vec3};
 use mstmm_codegen::model::{Chain, Layout, Method};
 
 /// All that the equations say of a chain in a state.
@@ -15,6 +15,43 @@ pub struct Computed<S> {
     pub report: Report<Structured<S>>,
     pub energy: Energy<Structured<S>>,
     pub solved: Solved<Structured<S>>,
+}
+
+/// What is reported, in inertial axes.
+pub struct Report<S> {
+    pub points: Vec<Point<S>>,
+    pub efforts: Vec<S>,
+}
+
+/// A connection point in inertial axes.
+#[derive(Clone, Copy)]
+pub struct Point<S> {
+    pub position: Vec3<S>,
+    pub rotation: Mat3<S>,
+    pub velocity: Vec3<S>,
+    pub omega: Vec3<S>,
+    pub acceleration: Motion<S>,
+    pub moment: Vec3<S>,
+    pub force: Vec3<S>,
+}
+
+impl<S: Scalar> Report<S> {
+    fn of(report: &equations::Report<S>) -> Self {
+        let point = |point: &equations::Point<S>| Point {
+            position: point.position,
+            rotation: point.rotation,
+            velocity: point.velocity.inertial(),
+            omega: point.omega.inertial(),
+            acceleration: Motion {
+                linear: point.felt.inertial() - report.at_rest,
+                angular: point.turning.inertial(),
+            },
+            moment: point.moment.inertial(),
+            force: point.force.inertial(),
+        };
+        let points = report.points.iter().map(point).collect();
+        Report { points, efforts: report.efforts.clone() }
+    }
 }
 
 /// The only chain in `text`, which must be right.
@@ -59,9 +96,9 @@ pub fn compute_with<S: Scalar>(
     let (q, v, inputs) = (variables::<S>(q), variables(v), variables(inputs));
     let mut trace = Trace::new();
     let situation = Situation::new(chain, &merged, &numbers, (&q, &v, &inputs));
-    let solved = equations::accelerations(&situation, method, axes, &mut trace);
+    let (solved, swept) = equations::sweep(&situation, method, axes, &mut trace);
     let situation = Situation::new(chain, &layout, &numbers, (&q, &v, &inputs));
-    let report = equations::report(&situation, &solved, &mut trace);
+    let report = Report::of(&equations::report(&situation, (&solved, &swept), &mut trace));
     let energy = equations::energy(&situation, &mut trace);
     let accelerations = solved.accelerations.iter().map(|x| x.value()).collect();
     Computed { accelerations, report, energy, solved }

@@ -1,7 +1,7 @@
 //! Chains in the words of the compiler and in the paper's matrices.
 
-use super::{Computed, compute, read};
-use mstmm_codegen::equations::{Axes, Point};
+use super::{Computed, Point, compute, read};
+use mstmm_codegen::equations::Axes;
 use mstmm_codegen::math::{Mat3, Scalar, Structured, Vec3};
 use mstmm_codegen::model::Method;
 use mstmm_reference::Random;

@@ -37,7 +37,7 @@
 ///
 /// Mobility 1: 4 rates, of which the closure takes 3.
 ///
-/// Accelerations by `riccati`, 325 operations (195 mul, 116 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 431 operations.
+/// Accelerations by `riccati`, 325 operations (195 mul, 116 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 435 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct FourBar<T> {
@@ -518,27 +518,27 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 431 operations: 250 mul, 167 add, 8 reciprocal, 6 square root, 4 sin/cos.
+    /// 435 operations: 258 mul, 163 add, 8 reciprocal, 6 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 4 |
-    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 12 | 3 | 0 | 0 | 0 |
-    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 10 | 3 | 0 | 0 | 0 |
+    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
+    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 4 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 28 | 20 | 1 | 0 | 0 |
     /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 119 | 65 | 6 | 6 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
-    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 13 | 10 | 0 | 0 | 0 |
-    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 10 | 6 | 0 | 0 | 0 |
-    /// | Point of `a` | \[P, Eqs. (12), (13), (36)\] | 2 | 2 | 0 | 0 | 0 |
-    /// | Point of `b` | \[P, Eqs. (12), (13), (36)\] | 4 | 4 | 0 | 0 | 0 |
-    /// | Load on `rocker_pin` | \[P, Eqs. (18), (19)\] | 8 | 4 | 0 | 0 | 0 |
-    /// | Load on `b` | \[P, Eqs. (18), (19)\] | 8 | 9 | 0 | 0 | 0 |
-    /// | Load on `a` | \[P, Eqs. (18), (19)\] | 0 | 5 | 0 | 0 | 0 |
-    /// | Load on `crank_pin` | \[P, Eqs. (18), (19)\] | 2 | 4 | 0 | 0 | 0 |
-    /// | Results |  | 14 | 24 | 0 | 0 | 0 |
+    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 15 | 11 | 0 | 0 | 0 |
+    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 13 | 8 | 0 | 0 | 0 |
+    /// | Load on `crank_pin` | \[P, Eqs. (18), (19)\] | 19 | 18 | 0 | 0 | 0 |
+    /// | Pose behind `a` | \[P, Eq. (12)\] | 6 | 2 | 0 | 0 | 0 |
+    /// | Velocity behind `a` |  | 3 | 0 | 0 | 0 | 0 |
+    /// | Pose behind `b` | \[P, Eq. (12)\] | 6 | 4 | 0 | 0 | 0 |
+    /// | Velocity behind `b` |  | 5 | 3 | 0 | 0 | 0 |
+    /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 3 | 5 | 0 | 0 | 0 |
+    /// | Results |  | 17 | 17 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -550,8 +550,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         inputs_: &FourBarInputs<T>,
         at_: &mut FourBarWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let [point0_, point1_, point2_, point3_, point4_, point5_, point6_, point7_] = &mut at_
-            .points;
+        let [_, _, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_, n10_, n11_, n12_, n13_, n14_,
+        n15_, n16_, n17_, n18_, n19_, n20_, n21_, n22_, n23_, n24_, n25_, n26_, n27_,
+        n28_, n29_, n30_, n31_, n32_, n33_, n34_, n35_, n36_, n37_, n38_, n39_, n40_,
+        n41_, n42_, _, _] = &mut at_.numbers;
         let c_ = T::constant;
         let [[crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]] = state_
             .q
@@ -572,11 +574,11 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             cos_rocker_pin_angle_,
             ],
         ) = T::sin_cos([crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]);
-        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 12 mul, 3 add, 0 reciprocal.
+        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         let t0_ = crank_pin_rate_ * crank_pin_rate_;
         let minus_a_centripetal_x_ = t0_ * c_(0.2);
-        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 10 mul, 3 add, 0 reciprocal.
+        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
         let b_omega_z_ = b_rate_ + a_omega_z_;
         let t1_ = a_omega_z_ * a_omega_z_;
         let minus_b_centripetal_x_ = t1_ * c_(0.6);
@@ -785,123 +787,138 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t167_ = T::mul_sub(c_(9.8), t166_, crank_pin_w0_);
         let t168_ = T::mul_add(t85_, minus_closure_reaction1_, t167_);
         let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t168_);
-        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 13 mul, 10 add, 0 reciprocal.
+        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 15 mul, 11 add, 0 reciprocal.
         let t169_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
-        let t170_ = sin_a_angle_ * t169_;
+        let t170_ = cos_a_angle_ * t169_;
         let t171_ = T::mul_neg_add(
             c_(0.2),
             minus_crank_pin_a_ang_z_,
             crank_pin_a_lin_y_,
         );
-        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t171_, t170_);
-        let t172_ = cos_a_angle_ * a_z0_force_x_;
-        let t173_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t172_);
-        let t174_ = sin_a_angle_ * a_z0_force_x_;
-        let t175_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t174_);
-        let t176_ = c_(0.2) * t175_;
-        let t177_ = t169_ * t173_;
-        let t178_ = T::mul_neg_add(crank_pin_a_lin_y_, t175_, a_w0_);
-        let t179_ = T::mul_sub(t43_, closure_reaction0_, t178_);
-        let t180_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t177_);
-        let t181_ = T::mul_add(t176_, minus_crank_pin_a_ang_z_, t180_);
-        let minus_a_a_ang_z_ = t179_ - t181_;
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 10 mul, 6 add, 0 reciprocal.
-        let t182_ = sin_b_angle_ * c_(2.5);
-        let t183_ = cos_b_angle_ * c_(2.5);
-        let t184_ = cos_b_angle_ * c_(1.5);
-        let t185_ = t35_ * closure_reaction0_;
-        let t186_ = T::mul_add(cos_a_angle_, t169_, minus_b_centripetal_x_);
-        let t187_ = T::mul_sub(sin_a_angle_, t171_, t186_);
-        let t188_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t185_);
-        let t189_ = T::mul_sub(t184_, minus_a_a_ang_z_, t188_);
-        let t190_ = T::mul_add(t182_, t187_, t189_);
-        let minus_b_a_ang_z_ = T::mul_sub(t183_, a_a_lin_y_, t190_);
-        /// Motion across `a`.
-        let t191_ = cos_crank_pin_angle_ * cos_a_angle_;
-        let a_axes_x_x_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t191_);
-        let t192_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let minus_a_axes_x_y_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t192_);
-        let t193_ = cos_crank_pin_angle_ * c_(0.2);
-        let t194_ = crank_pin_rate_ * t193_;
-        let minus_a_centripetal_x_2_ = crank_pin_rate_ * t194_;
-        let t195_ = sin_crank_pin_angle_ * c_(0.2);
-        let t196_ = crank_pin_rate_ * t195_;
-        let minus_a_centripetal_y_ = crank_pin_rate_ * t196_;
-        /// Motion across `b`.
-        let t197_ = cos_b_angle_ * a_axes_x_x_;
-        let b_axes_x_x_ = T::mul_neg_add(sin_b_angle_, minus_a_axes_x_y_, t197_);
-        let t198_ = sin_b_angle_ * a_axes_x_x_;
-        let minus_b_axes_x_y_ = T::mul_add(cos_b_angle_, minus_a_axes_x_y_, t198_);
-        let t199_ = c_(0.6) * a_axes_x_x_;
-        let t200_ = a_omega_z_ * t199_;
-        let t201_ = c_(0.6) * minus_a_axes_x_y_;
-        let t202_ = a_omega_z_ * t201_;
-        /// Point of `a`, [P, Eqs. (12), (13), (36)]: 2 mul, 2 add, 0 reciprocal.
-        let minus_a_acc_lin_x_ = T::mul_neg_add(
-            minus_crank_pin_a_ang_z_,
-            t195_,
-            minus_a_centripetal_x_2_,
-        );
-        let minus_a_acc_lin_y_ = T::mul_add(
-            minus_crank_pin_a_ang_z_,
-            t193_,
-            minus_a_centripetal_y_,
-        );
-        /// Point of `b`, [P, Eqs. (12), (13), (36)]: 4 mul, 4 add, 0 reciprocal.
-        let t203_ = T::mul_add(a_omega_z_, t200_, minus_a_acc_lin_x_);
-        let b_acc_lin_x_ = T::mul_sub(minus_a_a_ang_z_, t201_, t203_);
-        let t204_ = T::mul_add(a_omega_z_, t202_, minus_a_acc_lin_y_);
-        let minus_b_acc_lin_y_ = T::mul_add(minus_a_a_ang_z_, t199_, t204_);
-        /// Load on `rocker_pin`, [P, Eqs. (18), (19)]: 8 mul, 4 add, 0 reciprocal.
-        let t205_ = cos_rocker_pin_angle_ * closure_reaction0_;
-        let t206_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t205_);
-        let t207_ = sin_rocker_pin_angle_ * closure_reaction0_;
-        let t208_ = T::mul_neg_add(
+        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t171_, t170_);
+        let t172_ = sin_a_angle_ * t169_;
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t171_, t172_);
+        let t173_ = cos_a_angle_ * a_z0_force_x_;
+        let t174_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t173_);
+        let t175_ = sin_a_angle_ * a_z0_force_x_;
+        let t176_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t175_);
+        let t177_ = c_(0.2) * t176_;
+        let t178_ = t169_ * t174_;
+        let t179_ = T::mul_neg_add(crank_pin_a_lin_y_, t176_, a_w0_);
+        let t180_ = T::mul_sub(t43_, closure_reaction0_, t179_);
+        let t181_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t178_);
+        let t182_ = T::mul_add(t177_, minus_crank_pin_a_ang_z_, t181_);
+        let minus_a_a_ang_z_ = t180_ - t182_;
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 13 mul, 8 add, 0 reciprocal.
+        let t183_ = minus_b_centripetal_x_ + minus_a_a_lin_x_;
+        let t184_ = c_(0.6) * minus_a_a_ang_z_;
+        let t185_ = a_a_lin_y_ - t184_;
+        let t186_ = cos_b_angle_ * t183_;
+        let minus_b_a_lin_x_ = T::mul_neg_add(sin_b_angle_, t185_, t186_);
+        let t187_ = sin_b_angle_ * t183_;
+        let b_a_lin_y_ = T::mul_add(cos_b_angle_, t185_, t187_);
+        let t188_ = sin_b_angle_ * c_(2.5);
+        let t189_ = cos_b_angle_ * c_(2.5);
+        let t190_ = cos_b_angle_ * c_(1.5);
+        let t191_ = t35_ * closure_reaction0_;
+        let t192_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t191_);
+        let t193_ = T::mul_sub(t190_, minus_a_a_ang_z_, t192_);
+        let t194_ = T::mul_sub(t189_, a_a_lin_y_, t193_);
+        let minus_b_a_ang_z_ = T::mul_add(t188_, t183_, t194_);
+        /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 19 mul, 18 add, 0 reciprocal.
+        let t195_ = T::mul_sub(t0_, c_(0.1), crank_pin_a_lin_x_);
+        let t196_ = c_(0.6) * minus_b_a_ang_z_;
+        let t197_ = cos_rocker_pin_angle_ * closure_reaction0_;
+        let t198_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t197_);
+        let t199_ = sin_rocker_pin_angle_ * closure_reaction0_;
+        let t200_ = T::mul_neg_add(
             cos_rocker_pin_angle_,
             minus_closure_reaction1_,
-            t207_,
+            t199_,
         );
-        let t209_ = b_axes_x_x_ * t206_;
-        let rocker_pin_load_force_x_ = T::mul_neg_add(minus_b_axes_x_y_, t208_, t209_);
-        let t210_ = minus_b_axes_x_y_ * t206_;
-        let rocker_pin_load_force_y_ = T::mul_add(b_axes_x_x_, t208_, t210_);
-        /// Load on `b`, [P, Eqs. (18), (19)]: 8 mul, 9 add, 0 reciprocal.
-        let t211_ = c_(0.6) * b_axes_x_x_;
-        let t212_ = c_(0.6) * minus_b_axes_x_y_;
-        let t213_ = b_omega_z_ * t211_;
-        let t214_ = T::mul_sub(b_omega_z_, t213_, b_acc_lin_x_);
-        let t215_ = T::mul_sub(minus_b_a_ang_z_, t212_, t214_);
-        let t216_ = b_acc_lin_x_ + rocker_pin_load_force_x_;
-        let b_load_force_x_ = t215_ + t216_;
-        let t217_ = b_omega_z_ * t212_;
-        let t218_ = T::mul_add(b_omega_z_, t217_, minus_b_acc_lin_y_);
-        let t219_ = T::mul_add(minus_b_a_ang_z_, t211_, t218_);
-        let t220_ = c_(19.6) + rocker_pin_load_force_y_;
-        let t221_ = minus_b_acc_lin_y_ - t220_;
-        let minus_b_load_force_y_ = t219_ + t221_;
-        /// Load on `a`, [P, Eqs. (18), (19)]: 0 mul, 5 add, 0 reciprocal.
-        let t222_ = minus_a_acc_lin_x_ - b_acc_lin_x_;
-        let a_load_force_x_ = b_load_force_x_ - t222_;
-        let t223_ = c_(19.6) - minus_a_acc_lin_y_;
-        let t224_ = minus_b_acc_lin_y_ - t223_;
-        let minus_a_load_force_y_ = minus_b_load_force_y_ + t224_;
-        /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 2 mul, 4 add, 0 reciprocal.
-        let minus_crank_pin_load_force_x_ = T::mul_sub(
-            c_(0.5),
-            minus_a_acc_lin_x_,
-            a_load_force_x_,
+        let t201_ = minus_b_e_force_x_ - t198_;
+        let minus_b_load_force_x_ = T::mul_add(c_(2.0), minus_b_a_lin_x_, t201_);
+        let t202_ = T::mul_add(c_(2.0), b_a_lin_y_, t200_);
+        let minus_b_load_force_y_ = t196_ - t202_;
+        let t203_ = T::mul_add(c_(2.0), minus_a_a_lin_x_, minus_b_centripetal_x_);
+        let t204_ = T::mul_add(cos_b_angle_, minus_b_load_force_x_, t203_);
+        let a_load_force_x_ = T::mul_sub(sin_b_angle_, minus_b_load_force_y_, t204_);
+        let t205_ = T::mul_neg_add(c_(2.0), a_a_lin_y_, t184_);
+        let t206_ = T::mul_add(sin_b_angle_, minus_b_load_force_x_, t205_);
+        let minus_a_load_force_y_ = T::mul_add(
+            cos_b_angle_,
+            minus_b_load_force_y_,
+            t206_,
         );
-        let t225_ = c_(9.8) - minus_a_acc_lin_y_;
-        let t226_ = T::mul_add(c_(0.5), t225_, c_(4.9));
-        let minus_crank_pin_load_force_y_ = minus_a_load_force_y_ - t226_;
-        /// Results: 14 mul, 24 add, 0 reciprocal.
-        let t227_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
-        let t228_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
-        let t229_ = c_(4.0) + t14_;
-        let t230_ = t12_ - t229_;
-        let t231_ = T::mul_neg_add(
+        let t207_ = T::mul_neg_add(sin_a_angle_, minus_a_load_force_y_, t195_);
+        let crank_pin_load_force_x_ = T::mul_sub(cos_a_angle_, a_load_force_x_, t207_);
+        let t208_ = T::mul_neg_add(
+            c_(0.1),
+            minus_crank_pin_a_ang_z_,
+            crank_pin_a_lin_y_,
+        );
+        let t209_ = T::mul_sub(cos_a_angle_, minus_a_load_force_y_, t208_);
+        let crank_pin_load_force_y_ = T::mul_sub(sin_a_angle_, a_load_force_x_, t209_);
+        /// Pose behind `a`, [P, Eq. (12)]: 6 mul, 2 add, 0 reciprocal.
+        let a_position_x_ = cos_crank_pin_angle_ * c_(0.2);
+        let a_position_y_ = sin_crank_pin_angle_ * c_(0.2);
+        let t210_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let a_to_inertial_x_x_ = T::mul_neg_add(
+            sin_crank_pin_angle_,
+            sin_a_angle_,
+            t210_,
+        );
+        let t211_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let minus_a_to_inertial_x_y_ = T::mul_add(
+            sin_crank_pin_angle_,
+            cos_a_angle_,
+            t211_,
+        );
+        /// Velocity behind `a`: 3 mul, 0 add, 0 reciprocal.
+        let t212_ = crank_pin_rate_ * c_(0.2);
+        let a_velocity_x_ = sin_a_angle_ * t212_;
+        let a_velocity_y_ = cos_a_angle_ * t212_;
+        /// Pose behind `b`, [P, Eq. (12)]: 6 mul, 4 add, 0 reciprocal.
+        let b_position_x_ = T::mul_add(c_(0.6), a_to_inertial_x_x_, a_position_x_);
+        let t213_ = c_(0.6) * minus_a_to_inertial_x_y_;
+        let b_position_y_ = a_position_y_ + t213_;
+        let t214_ = cos_b_angle_ * a_to_inertial_x_x_;
+        let b_to_inertial_x_x_ = T::mul_neg_add(
+            sin_b_angle_,
+            minus_a_to_inertial_x_y_,
+            t214_,
+        );
+        let t215_ = sin_b_angle_ * a_to_inertial_x_x_;
+        let minus_b_to_inertial_x_y_ = T::mul_add(
+            cos_b_angle_,
+            minus_a_to_inertial_x_y_,
+            t215_,
+        );
+        /// Velocity behind `b`: 5 mul, 3 add, 0 reciprocal.
+        let t216_ = T::mul_add(a_omega_z_, c_(0.6), a_velocity_y_);
+        let t217_ = cos_b_angle_ * a_velocity_x_;
+        let b_velocity_x_ = T::mul_add(sin_b_angle_, t216_, t217_);
+        let t218_ = sin_b_angle_ * a_velocity_x_;
+        let minus_b_velocity_y_ = T::mul_neg_add(cos_b_angle_, t216_, t218_);
+        /// Connection points, [P, Eqs. (4), (12), (13)]: 3 mul, 5 add, 0 reciprocal.
+        let minus_point6_velocity_y_ = T::mul_neg_add(
+            c_(0.6),
+            b_omega_z_,
+            minus_b_velocity_y_,
+        );
+        let minus_point6_felt_x_ = minus_b_e_force_x_ + minus_b_a_lin_x_;
+        let point6_felt_y_ = b_a_lin_y_ - t196_;
+        let point6_position_x_ = T::mul_add(c_(0.6), b_to_inertial_x_x_, b_position_x_);
+        let t219_ = c_(0.6) * minus_b_to_inertial_x_y_;
+        let point6_position_y_ = b_position_y_ + t219_;
+        /// Results: 17 mul, 17 add, 0 reciprocal.
+        let t220_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
+        let t221_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let t222_ = c_(4.0) + t14_;
+        let t223_ = t12_ - t222_;
+        let t224_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t230_,
+            t223_,
             c_(0.030000000000000006),
         );
         ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
@@ -912,126 +929,95 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t231_],
-            [-minus_crank_pin_a_ang_z_, t227_, t228_, minus_b_a_ang_z_],
+            [c_(2.04), t224_],
+            [-minus_crank_pin_a_ang_z_, t220_, t221_, minus_b_a_ang_z_],
         )?;
         at_.accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t227_, t228_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t220_, t221_, minus_b_a_ang_z_],
         ];
         at_.rate_accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t227_, t228_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t220_, t221_, minus_b_a_ang_z_],
         ];
         at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
-        point0_.set_position([c_(0.0), c_(0.0)]);
-        point0_.set_orientation([c_(1.0), c_(0.0)]);
-        point0_.set_velocity([c_(0.0), c_(0.0)]);
-        point0_.set_angular_velocity([c_(0.0)]);
-        point0_.set_acceleration([c_(0.0), c_(0.0)]);
-        point0_.set_angular_acceleration([c_(0.0)]);
-        point0_.set_moment([-crank_pin_input0_]);
-        point0_
-            .set_force([-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_]);
-        point1_.set_position([c_(0.0), c_(0.0)]);
-        point1_.set_orientation([cos_crank_pin_angle_, sin_crank_pin_angle_]);
-        point1_.set_velocity([c_(0.0), c_(0.0)]);
-        point1_.set_angular_velocity([crank_pin_rate_]);
-        point1_.set_acceleration([c_(0.0), c_(0.0)]);
-        point1_.set_angular_acceleration([-minus_crank_pin_a_ang_z_]);
-        point1_.set_moment([-crank_pin_input0_]);
-        point1_
-            .set_force([-minus_crank_pin_load_force_x_, -minus_crank_pin_load_force_y_]);
-        point2_.set_position([t193_, t195_]);
-        point2_.set_orientation([cos_crank_pin_angle_, sin_crank_pin_angle_]);
-        point2_.set_velocity([-t196_, t194_]);
-        point2_.set_angular_velocity([crank_pin_rate_]);
-        point2_.set_acceleration([-minus_a_acc_lin_x_, -minus_a_acc_lin_y_]);
-        point2_.set_angular_acceleration([-minus_crank_pin_a_ang_z_]);
-        point2_.set_moment([c_(0.0)]);
-        point2_.set_force([a_load_force_x_, -minus_a_load_force_y_]);
-        point3_.set_position([t193_, t195_]);
-        point3_.set_orientation([a_axes_x_x_, minus_a_axes_x_y_]);
-        point3_.set_velocity([-t196_, t194_]);
-        point3_.set_angular_velocity([a_omega_z_]);
-        point3_.set_acceleration([-minus_a_acc_lin_x_, -minus_a_acc_lin_y_]);
-        point3_.set_angular_acceleration([-minus_a_a_ang_z_]);
-        point3_.set_moment([c_(0.0)]);
-        point3_.set_force([a_load_force_x_, -minus_a_load_force_y_]);
-        point4_.set_orientation([a_axes_x_x_, minus_a_axes_x_y_]);
-        point4_.set_angular_velocity([a_omega_z_]);
-        point4_.set_acceleration([b_acc_lin_x_, -minus_b_acc_lin_y_]);
-        point4_.set_angular_acceleration([-minus_a_a_ang_z_]);
-        point4_.set_moment([c_(0.0)]);
-        point4_.set_force([b_load_force_x_, -minus_b_load_force_y_]);
-        point5_.set_orientation([b_axes_x_x_, minus_b_axes_x_y_]);
-        point5_.set_angular_velocity([b_omega_z_]);
-        point5_.set_acceleration([b_acc_lin_x_, -minus_b_acc_lin_y_]);
-        point5_.set_angular_acceleration([-minus_b_a_ang_z_]);
-        point5_.set_moment([c_(0.0)]);
-        point5_.set_force([b_load_force_x_, -minus_b_load_force_y_]);
-        point6_.set_orientation([b_axes_x_x_, minus_b_axes_x_y_]);
-        point6_.set_angular_velocity([b_omega_z_]);
-        point6_.set_acceleration([t215_, -t219_]);
-        point6_.set_angular_acceleration([-minus_b_a_ang_z_]);
-        point6_.set_moment([c_(0.0)]);
-        point6_.set_force([rocker_pin_load_force_x_, rocker_pin_load_force_y_]);
-        point7_.set_position([c_(0.8), c_(0.0)]);
-        point7_.set_orientation([c_(1.0), c_(0.0)]);
-        point7_.set_velocity([c_(0.0), c_(0.0)]);
-        point7_.set_angular_velocity([c_(0.0)]);
-        point7_.set_acceleration([c_(0.0), c_(0.0)]);
-        point7_.set_angular_acceleration([c_(0.0)]);
-        point7_.set_moment([c_(0.0)]);
-        point7_.set_force([rocker_pin_load_force_x_, rocker_pin_load_force_y_]);
-        let t232_ = t196_ + t202_;
-        let t233_ = t194_ + t200_;
-        point4_.set_velocity([-t232_, t233_]);
-        point5_.set_velocity([-t232_, t233_]);
-        let t234_ = t232_ + t217_;
-        let t235_ = t233_ + t213_;
-        point6_.set_velocity([-t234_, t235_]);
-        let t236_ = t0_ * c_(0.010000000000000002);
-        let t237_ = t196_ + t234_;
-        let t238_ = t194_ + t235_;
-        let t239_ = t1_ + t2_;
-        let t240_ = T::mul_add(c_(0.12), t239_, t236_);
-        let t241_ = T::mul_add(t233_, t238_, t240_);
-        let t242_ = T::mul_add(t232_, t237_, t241_);
-        at_.kinetic_energy = t242_;
-        let t243_ = t195_ + t201_;
-        let t244_ = sin_crank_pin_angle_ * c_(4.9);
-        let t245_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
-        let t246_ = T::mul_add(t243_, c_(19.6), t244_);
-        let t247_ = T::mul_add(c_(5.88), t245_, t246_);
-        at_.potential_energy = t247_;
-        let t248_ = cos_rocker_pin_angle_ * t133_;
-        let t249_ = sin_rocker_pin_angle_ * t133_;
-        let t250_ = cos_rocker_pin_angle_ * t142_;
-        let t251_ = T::mul_add(sin_rocker_pin_angle_, t143_, t250_);
-        let t252_ = sin_rocker_pin_angle_ * t142_;
-        let t253_ = T::mul_neg_add(cos_rocker_pin_angle_, t143_, t252_);
+        *n2_ = crank_pin_input0_;
+        *n3_ = cos_crank_pin_angle_;
+        *n4_ = sin_crank_pin_angle_;
+        *n5_ = -crank_pin_load_force_x_;
+        *n6_ = -crank_pin_load_force_y_;
+        *n7_ = crank_pin_rate_;
+        *n8_ = crank_pin_a_lin_x_;
+        *n9_ = crank_pin_a_lin_y_;
+        *n10_ = -minus_crank_pin_a_ang_z_;
+        *n11_ = a_position_x_;
+        *n12_ = a_position_y_;
+        *n13_ = a_velocity_x_;
+        *n14_ = a_velocity_y_;
+        *n15_ = a_to_inertial_x_x_;
+        *n16_ = minus_a_to_inertial_x_y_;
+        *n17_ = minus_a_a_lin_x_;
+        *n18_ = -a_a_lin_y_;
+        *n19_ = -a_load_force_x_;
+        *n20_ = minus_a_load_force_y_;
+        *n21_ = a_omega_z_;
+        *n22_ = -minus_a_a_ang_z_;
+        *n23_ = b_position_x_;
+        *n24_ = b_position_y_;
+        *n25_ = b_velocity_x_;
+        *n26_ = -minus_b_velocity_y_;
+        *n27_ = b_to_inertial_x_x_;
+        *n28_ = minus_b_to_inertial_x_y_;
+        *n29_ = minus_b_a_lin_x_;
+        *n30_ = -b_a_lin_y_;
+        *n31_ = minus_b_load_force_x_;
+        *n32_ = minus_b_load_force_y_;
+        *n33_ = b_omega_z_;
+        *n34_ = -minus_b_a_ang_z_;
+        *n35_ = point6_position_x_;
+        *n36_ = point6_position_y_;
+        *n37_ = b_velocity_x_;
+        *n38_ = -minus_point6_velocity_y_;
+        *n39_ = minus_point6_felt_x_;
+        *n40_ = -point6_felt_y_;
+        *n41_ = -t198_;
+        *n42_ = -t200_;
+        let t225_ = t0_ * c_(0.010000000000000002);
+        let t226_ = t1_ + t2_;
+        let t227_ = c_(0.12) * t226_;
+        let t228_ = T::mul_add(a_velocity_y_, t216_, t225_);
+        let t229_ = T::mul_add(b_velocity_x_, b_velocity_x_, t228_);
+        let t230_ = T::mul_add(a_velocity_x_, a_velocity_x_, t227_);
+        let t231_ = T::mul_add(minus_b_velocity_y_, minus_point6_velocity_y_, t230_);
+        let t232_ = t229_ + t231_;
+        at_.kinetic_energy = t232_;
+        let t233_ = sin_crank_pin_angle_ * c_(0.9800000000000001);
+        let t234_ = T::mul_add(sin_crank_pin_angle_, c_(0.4), t213_);
+        let t235_ = T::mul_add(c_(2.0), b_position_y_, t234_);
+        let t236_ = t219_ + t235_;
+        let t237_ = T::mul_add(c_(9.8), t236_, t233_);
+        at_.potential_energy = t237_;
+        let t238_ = cos_rocker_pin_angle_ * t133_;
+        let t239_ = sin_rocker_pin_angle_ * t133_;
+        let t240_ = cos_rocker_pin_angle_ * t142_;
+        let t241_ = T::mul_add(sin_rocker_pin_angle_, t143_, t240_);
+        let t242_ = sin_rocker_pin_angle_ * t142_;
+        let t243_ = T::mul_neg_add(cos_rocker_pin_angle_, t143_, t242_);
         at_.closure = ::mstmm::generated::closure([
-            [t248_, t249_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
-            [-t251_, -t253_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [t238_, t239_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [-t241_, -t243_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
         ]);
-        let t254_ = t193_ + t199_;
-        point4_.set_position([t254_, t243_]);
-        point5_.set_position([t254_, t243_]);
-        let t255_ = t211_ + t254_;
-        let t256_ = t212_ + t243_;
-        point6_.set_position([t255_, t256_]);
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 50 operations: 30 mul, 20 add, 0 reciprocal, 3 sin/cos.
+    /// 51 operations: 31 mul, 20 add, 0 reciprocal, 3 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 3 |
-    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 4 | 3 | 0 | 0 | 0 |
-    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 4 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 22 | 14 | 0 | 0 | 0 |
+    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
+    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 31 | 18 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &FourBarState<T>) -> ::mstmm::Energy<T> {
@@ -1049,48 +1035,46 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             cos_b_angle_,
             ],
         ) = T::sin_cos([crank_pin_angle_, a_angle_, b_angle_]);
-        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t0_ = cos_crank_pin_angle_ * cos_a_angle_;
-        let a_axes_x_x_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t0_);
-        let t1_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let minus_a_axes_x_y_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t1_);
+        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
-        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t2_ = cos_b_angle_ * a_axes_x_x_;
-        let b_axes_x_x_ = T::mul_neg_add(sin_b_angle_, minus_a_axes_x_y_, t2_);
-        let t3_ = sin_b_angle_ * a_axes_x_x_;
-        let minus_b_axes_x_y_ = T::mul_add(cos_b_angle_, minus_a_axes_x_y_, t3_);
+        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let b_omega_z_ = b_rate_ + a_omega_z_;
-        /// Results: 22 mul, 14 add, 0 reciprocal.
-        let t4_ = crank_pin_rate_ * crank_pin_rate_;
-        let t5_ = a_omega_z_ * a_omega_z_;
-        let t6_ = cos_crank_pin_angle_ * c_(0.2);
-        let t7_ = sin_crank_pin_angle_ * c_(0.2);
-        let t8_ = crank_pin_rate_ * t7_;
-        let t9_ = crank_pin_rate_ * t6_;
-        let t10_ = c_(0.6) * a_axes_x_x_;
-        let t11_ = c_(0.6) * minus_a_axes_x_y_;
-        let t12_ = c_(0.6) * b_axes_x_x_;
-        let t13_ = c_(0.6) * minus_b_axes_x_y_;
-        let t14_ = T::mul_add(a_omega_z_, t11_, t8_);
-        let t15_ = T::mul_add(a_omega_z_, t10_, t9_);
-        let t16_ = t4_ * c_(0.010000000000000002);
-        let t17_ = T::mul_add(b_omega_z_, b_omega_z_, t5_);
-        let t18_ = T::mul_add(c_(0.12), t17_, t16_);
-        let t19_ = t8_ + t14_;
-        let t20_ = T::mul_add(b_omega_z_, t13_, t19_);
-        let t21_ = t9_ + t15_;
-        let t22_ = T::mul_add(b_omega_z_, t12_, t21_);
-        let t23_ = T::mul_add(t15_, t22_, t18_);
-        let t24_ = T::mul_add(t14_, t20_, t23_);
-        let t25_ = t7_ + t11_;
-        let t26_ = sin_crank_pin_angle_ * c_(4.9);
-        let t27_ = minus_a_axes_x_y_ + minus_b_axes_x_y_;
-        let t28_ = T::mul_add(t25_, c_(19.6), t26_);
-        let t29_ = T::mul_add(c_(5.88), t27_, t28_);
+        /// Results: 31 mul, 18 add, 0 reciprocal.
+        let t0_ = crank_pin_rate_ * crank_pin_rate_;
+        let t1_ = a_omega_z_ * a_omega_z_;
+        let t2_ = crank_pin_rate_ * c_(0.2);
+        let t3_ = sin_a_angle_ * t2_;
+        let t4_ = cos_a_angle_ * t2_;
+        let t5_ = T::mul_add(a_omega_z_, c_(0.6), t4_);
+        let t6_ = cos_b_angle_ * t3_;
+        let t7_ = T::mul_add(sin_b_angle_, t5_, t6_);
+        let t8_ = sin_b_angle_ * t3_;
+        let t9_ = T::mul_neg_add(cos_b_angle_, t5_, t8_);
+        let t10_ = T::mul_neg_add(c_(0.6), b_omega_z_, t9_);
+        let t11_ = t0_ * c_(0.010000000000000002);
+        let t12_ = T::mul_add(b_omega_z_, b_omega_z_, t1_);
+        let t13_ = c_(0.12) * t12_;
+        let t14_ = T::mul_add(t4_, t5_, t11_);
+        let t15_ = T::mul_add(t7_, t7_, t14_);
+        let t16_ = T::mul_add(t3_, t3_, t13_);
+        let t17_ = T::mul_add(t9_, t10_, t16_);
+        let t18_ = t15_ + t17_;
+        let t19_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let t20_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t19_);
+        let t21_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let t22_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t21_);
+        let t23_ = c_(0.6) * t22_;
+        let t24_ = T::mul_add(sin_crank_pin_angle_, c_(0.2), t23_);
+        let t25_ = sin_b_angle_ * t20_;
+        let t26_ = T::mul_add(cos_b_angle_, t22_, t25_);
+        let t27_ = sin_crank_pin_angle_ * c_(0.9800000000000001);
+        let t28_ = T::mul_add(sin_crank_pin_angle_, c_(0.4), t23_);
+        let t29_ = T::mul_add(c_(2.0), t24_, t28_);
+        let t30_ = T::mul_add(c_(0.6), t26_, t29_);
+        let t31_ = T::mul_add(c_(9.8), t30_, t27_);
         ::mstmm::Energy {
-            kinetic: t24_,
-            potential: t29_,
+            kinetic: t18_,
+            potential: t31_,
         }
     }
 }
@@ -1329,22 +1313,22 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t120_ = T::sqrt(t119_);
         let t121_ = t116_ * t120_;
         let t122_ = t113_ * t120_;
-        let t123_ = cos_crank_pin_angle_ * cos_a_angle_;
-        let t124_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t123_);
-        let t125_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let t126_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t125_);
-        let t127_ = sin_crank_pin_angle_ * c_(0.2);
-        let t128_ = cos_b_angle_ * t124_;
-        let t129_ = T::mul_neg_add(sin_b_angle_, t126_, t128_);
-        let t130_ = sin_b_angle_ * t124_;
-        let t131_ = T::mul_add(cos_b_angle_, t126_, t130_);
+        let t123_ = sin_crank_pin_angle_ * c_(0.2);
+        let t124_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let t125_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t124_);
+        let t126_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let t127_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t126_);
+        let t128_ = cos_b_angle_ * t125_;
+        let t129_ = T::mul_neg_add(sin_b_angle_, t127_, t128_);
+        let t130_ = sin_b_angle_ * t125_;
+        let t131_ = T::mul_add(cos_b_angle_, t127_, t130_);
         let t132_ = cos_rocker_pin_angle_ * t129_;
         let t133_ = T::mul_neg_add(sin_rocker_pin_angle_, t131_, t132_);
         let t134_ = sin_rocker_pin_angle_ * t129_;
         let t135_ = T::mul_add(cos_rocker_pin_angle_, t131_, t134_);
-        let t136_ = t126_ + t131_;
-        let t137_ = T::mul_add(c_(0.6), t136_, t127_);
-        let t138_ = t124_ + t129_;
+        let t136_ = t127_ + t131_;
+        let t137_ = T::mul_add(c_(0.6), t136_, t123_);
+        let t138_ = t125_ + t129_;
         let t139_ = T::mul_neg_add(cos_crank_pin_angle_, c_(0.2), c_(0.8));
         let t140_ = T::mul_sub(c_(0.6), t138_, t139_);
         let t141_ = t133_ * t140_;
@@ -1657,7 +1641,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     }
 }
 /// Results of [`FourBar::solve_into`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct FourBarWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 4>,
@@ -1666,7 +1650,8 @@ pub struct FourBarWorkspace<T> {
     kinetic_energy: T,
     potential_energy: T,
     closure: ::mstmm::Closure<T, 2>,
-    points: [::mstmm::PlanePoint<T>; 8],
+    numbers: [T; 45],
+    at_rest: [T; 2],
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
@@ -1689,8 +1674,57 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
     /// All connection points in the order written: the first element's input, then every
     /// element's output.
     #[inline]
-    pub fn points(&self) -> &[::mstmm::PlanePoint<T>; 8] {
-        &self.points
+    pub fn points(&self) -> [::mstmm::PlanePoint<T>; 8] {
+        ::core::array::from_fn(|index_| self.point_(index_))
+    }
+    /// Where every point of the model has its numbers.
+    const PLACES_: [::mstmm::generated::Places<1, 6>; 8] = [
+        ::mstmm::generated::Places::new(
+            0,
+            [0],
+            [([0], 0), ([0], 0), ([0], 1), ([0], 0), ([0], -3), ([4], -6)],
+        ),
+        ::mstmm::generated::Places::new(
+            0,
+            [4],
+            [([0], 0), ([0], 8), ([4], 9), ([0], 11), ([0], -3), ([4], -6)],
+        ),
+        ::mstmm::generated::Places::new(
+            12,
+            [4],
+            [([16], 14), ([0], 8), ([16], -18), ([0], 11), ([0], 0), ([16], -20)],
+        ),
+        ::mstmm::generated::Places::new(
+            12,
+            [16],
+            [([16], 14), ([0], 22), ([16], -18), ([0], 23), ([0], 0), ([16], -20)],
+        ),
+        ::mstmm::generated::Places::new(
+            24,
+            [16],
+            [([28], 26), ([0], 22), ([28], -30), ([0], 23), ([0], 0), ([28], -32)],
+        ),
+        ::mstmm::generated::Places::new(
+            24,
+            [28],
+            [([28], 26), ([0], 34), ([28], -30), ([0], 35), ([0], 0), ([28], -32)],
+        ),
+        ::mstmm::generated::Places::new(
+            36,
+            [28],
+            [([28], 38), ([0], 34), ([28], -40), ([0], 35), ([0], 0), ([28], -42)],
+        ),
+        ::mstmm::generated::Places::new(
+            44,
+            [0],
+            [([0], 0), ([0], 0), ([0], 1), ([0], 0), ([0], 0), ([28], -42)],
+        ),
+    ];
+    /// Connection point number `index`.
+    #[inline]
+    fn point_(&self, index_: usize) -> ::mstmm::PlanePoint<T> {
+        let (model_, numbers_) = (index_, &self.numbers[..]);
+        ::mstmm::PlanePoint::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }
     /// Which reactions of the closing hinge, the last one, the motion does not determine:
     /// wrenches in axes of its inboard frame.
@@ -1700,8 +1734,8 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
     }
     /// Acceleration, effort, input and output of hinge `crank_pin`.
     #[inline]
-    pub fn crank_pin(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::PlanePoint<T>> {
-        let [input_, output_, ..] = &self.points;
+    pub fn crank_pin(&self) -> ::mstmm::HingeResult<T, T, ::mstmm::PlanePoint<T>> {
+        let (input_, output_) = (self.point_(0), self.point_(1));
         ::mstmm::HingeResult::new(
             {
                 let [value_] = ::mstmm::generated::piece::<
@@ -1723,14 +1757,14 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
     }
     /// Input and output of body `crank`.
     #[inline]
-    pub fn crank(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::PlanePoint<T>> {
-        let [_, input_, output_, ..] = &self.points;
+    pub fn crank(&self) -> ::mstmm::BodyResult<T, ::mstmm::PlanePoint<T>> {
+        let (input_, output_) = (self.point_(1), self.point_(2));
         ::mstmm::BodyResult::new(input_, output_)
     }
     /// Acceleration, effort, input and output of hinge `a`.
     #[inline]
-    pub fn a(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::PlanePoint<T>> {
-        let [_, _, input_, output_, ..] = &self.points;
+    pub fn a(&self) -> ::mstmm::HingeResult<T, T, ::mstmm::PlanePoint<T>> {
+        let (input_, output_) = (self.point_(2), self.point_(3));
         ::mstmm::HingeResult::new(
             {
                 let [value_] = ::mstmm::generated::piece::<
@@ -1752,14 +1786,14 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
     }
     /// Input and output of body `coupler`.
     #[inline]
-    pub fn coupler(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::PlanePoint<T>> {
-        let [_, _, _, input_, output_, ..] = &self.points;
+    pub fn coupler(&self) -> ::mstmm::BodyResult<T, ::mstmm::PlanePoint<T>> {
+        let (input_, output_) = (self.point_(3), self.point_(4));
         ::mstmm::BodyResult::new(input_, output_)
     }
     /// Acceleration, effort, input and output of hinge `b`.
     #[inline]
-    pub fn b(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::PlanePoint<T>> {
-        let [_, _, _, _, input_, output_, ..] = &self.points;
+    pub fn b(&self) -> ::mstmm::HingeResult<T, T, ::mstmm::PlanePoint<T>> {
+        let (input_, output_) = (self.point_(4), self.point_(5));
         ::mstmm::HingeResult::new(
             {
                 let [value_] = ::mstmm::generated::piece::<
@@ -1781,14 +1815,14 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
     }
     /// Input and output of body `rocker`.
     #[inline]
-    pub fn rocker(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::PlanePoint<T>> {
-        let [_, _, _, _, _, input_, output_, ..] = &self.points;
+    pub fn rocker(&self) -> ::mstmm::BodyResult<T, ::mstmm::PlanePoint<T>> {
+        let (input_, output_) = (self.point_(5), self.point_(6));
         ::mstmm::BodyResult::new(input_, output_)
     }
     /// Acceleration, effort, input and output of hinge `rocker_pin`.
     #[inline]
-    pub fn rocker_pin(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::PlanePoint<T>> {
-        let [_, _, _, _, _, _, input_, output_, ..] = &self.points;
+    pub fn rocker_pin(&self) -> ::mstmm::HingeResult<T, T, ::mstmm::PlanePoint<T>> {
+        let (input_, output_) = (self.point_(6), self.point_(7));
         ::mstmm::HingeResult::new(
             {
                 let [value_] = ::mstmm::generated::piece::<
@@ -1809,10 +1843,24 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
         )
     }
 }
+impl<T: ::mstmm::Scalar> ::core::fmt::Debug for FourBarWorkspace<T> {
+    fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+        to_.debug_struct("FourBarWorkspace")
+            .field("accelerations", &self.accelerations)
+            .field("rate_accelerations", &self.rate_accelerations)
+            .field("efforts", &self.efforts)
+            .field("kinetic_energy", &self.kinetic_energy)
+            .field("potential_energy", &self.potential_energy)
+            .field("closure", &self.closure)
+            .field("points", &self.points())
+            .finish()
+    }
+}
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]
+    #[allow(clippy::all)]
     pub fn workspace(&self) -> FourBarWorkspace<T> {
         let zero_ = T::constant(0.0);
         FourBarWorkspace {
@@ -1822,7 +1870,17 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             kinetic_energy: zero_,
             potential_energy: zero_,
             closure: ::core::default::Default::default(),
-            points: [::core::default::Default::default(); 8],
+            numbers: {
+                let c_ = T::constant;
+                ::mstmm::generated::with_known(
+                    [T::constant(0.0); 45],
+                    &[(1, c_(9.8)), (43, c_(0.8))],
+                )
+            },
+            at_rest: {
+                let c_ = T::constant;
+                ::mstmm::generated::with_known([T::constant(0.0); 2], &[(1, c_(9.8))])
+            },
         }
     }
 }

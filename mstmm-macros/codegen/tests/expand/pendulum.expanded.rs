@@ -22,12 +22,12 @@
 ///
 /// Mobility 1: 1 degree of freedom.
 ///
-/// Accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 23 operations.
+/// Accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 17 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Pendulum<T> {
     parameters: PendulumParameters<T>,
-    derived: [T; 7],
+    derived: [T; 8],
 }
 /// Numbers of [`Pendulum`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,12 +97,12 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             t: T::constant(0.0),
         }
     }
-    /// Quantities derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
+    /// Quantities derived from parameters and constants: 5 mul, 7 add, 1 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
     fn derive(parameters_: PendulumParameters<T>) -> (Self, [T; 1]) {
         let c_ = T::constant;
         let payload_ = parameters_.payload;
-        /// Quantities derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
+        /// Quantities derived from parameters and constants: 5 mul, 7 add, 1 reciprocal.
         let joint_k_xx_ = payload_ + c_(1.0);
         let joint_b_y_z_ = joint_k_xx_ * c_(0.5);
         let t0_ = joint_k_xx_ * c_(0.25);
@@ -113,6 +113,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let joint_z0_force_y_ = joint_b_y_z_ * p5_;
         let t2_ = joint_j_yy_ + joint_j_xx_;
         let p6_ = joint_j_yy_ + t2_;
+        let t3_ = joint_b_y_z_ * joint_b_y_z_;
+        let p7_ = T::mul_neg_add(p5_, t3_, joint_k_xx_);
         let (derived_, checks_) = (
             [
                 joint_k_xx_,
@@ -122,6 +124,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
                 joint_z0_force_y_,
                 p5_,
                 p6_,
+                p7_,
             ],
             [joint_k_xx_],
         );
@@ -203,14 +206,14 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 23 operations: 18 mul, 5 add, 0 reciprocal, 1 sin/cos.
+    /// 17 operations: 14 mul, 3 add, 0 reciprocal, 1 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
     /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 3 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 4 | 1 | 0 | 0 | 0 |
-    /// | Load of the body at `joint` | \[P, Eqs. (18), (19)\] | 7 | 4 | 0 | 0 | 0 |
+    /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 3 | 2 | 0 | 0 | 0 |
     /// | Results |  | 4 | 0 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -223,10 +226,11 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         inputs_: &PendulumInputs<T>,
         at_: &mut PendulumWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let [point0_, point1_, point2_] = &mut at_.points;
+        let [_, _, _, _, _, n5_, n6_, n7_, _, n9_, n10_, _, _, _, _, n15_, n16_, _, _, _,
+        n20_, n21_, n22_, _, _, _, n26_] = &mut at_.numbers;
         let c_ = T::constant;
         let [known_joint_k_xx_, known_joint_b_y_z_, known_joint_j_xx_, known_joint_j_yy_,
-        known_joint_z0_force_y_, known_p5_, known_p6_, ..] = self.derived;
+        known_joint_z0_force_y_, known_p5_, known_p6_, known_p7_, ..] = self.derived;
         let [[joint_angle_]] = state_.q.data.0;
         let [[joint_rate_]] = state_.v.data.0;
         let joint_input0_ = inputs_.joint;
@@ -248,86 +252,34 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             _,
         >(&["joint"], [known_joint_j_yy_], [known_p6_], [joint_a_ang_z_])?;
         at_.efforts.data.0 = [[joint_input0_]];
-        point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_
-            .set_orientation([
-                c_(1.0),
-                c_(0.0),
-                c_(0.0),
-                c_(0.0),
-                c_(1.0),
-                c_(0.0),
-                c_(0.0),
-                c_(0.0),
-                c_(1.0),
-            ]);
-        point0_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_.set_angular_velocity([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_.set_angular_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_.set_moment([c_(0.0), c_(0.0), -joint_input0_]);
-        point1_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
-        point1_
-            .set_orientation([
-                cos_joint_angle_,
-                -sin_joint_angle_,
-                c_(0.0),
-                sin_joint_angle_,
-                cos_joint_angle_,
-                c_(0.0),
-                c_(0.0),
-                c_(0.0),
-                c_(1.0),
-            ]);
-        point1_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
-        point1_.set_angular_velocity([c_(0.0), c_(0.0), joint_rate_]);
-        point1_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
-        point1_.set_moment([c_(0.0), c_(0.0), -joint_input0_]);
-        point2_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
-        point2_
-            .set_orientation([
-                cos_joint_angle_,
-                -sin_joint_angle_,
-                c_(0.0),
-                sin_joint_angle_,
-                cos_joint_angle_,
-                c_(0.0),
-                c_(0.0),
-                c_(0.0),
-                c_(1.0),
-            ]);
-        point2_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
-        point2_.set_angular_velocity([c_(0.0), c_(0.0), joint_rate_]);
-        point2_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
-        point2_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
-        point2_.set_force([c_(0.0), c_(0.0), c_(0.0)]);
+        *n5_ = joint_input0_;
+        *n6_ = cos_joint_angle_;
+        *n7_ = sin_joint_angle_;
+        *n9_ = sin_joint_angle_;
+        *n10_ = -cos_joint_angle_;
+        *n20_ = joint_rate_;
+        *n21_ = joint_a_lin_x_;
+        *n22_ = joint_a_lin_y_;
         at_.accelerations.data.0 = [[joint_a_ang_z_]];
         at_.rate_accelerations.data.0 = [[joint_a_ang_z_]];
-        point1_.set_angular_acceleration([c_(0.0), c_(0.0), joint_a_ang_z_]);
-        point2_.set_angular_acceleration([c_(0.0), c_(0.0), joint_a_ang_z_]);
-        /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 7 mul, 4 add, 0 reciprocal.
-        let t2_ = known_joint_k_xx_ * joint_a_lin_y_;
-        let t3_ = T::mul_neg_add(
+        *n26_ = joint_a_ang_z_;
+        /// Load on `joint`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
+        let minus_joint_load_force_x_ = T::mul_neg_add(
             known_joint_k_xx_,
             joint_a_lin_x_,
             minus_joint_e_force_x_,
         );
-        let t4_ = T::mul_add(known_joint_b_y_z_, joint_a_ang_z_, t2_);
-        let t5_ = cos_joint_angle_ * t3_;
-        let minus_joint_own_force_x_ = T::mul_add(sin_joint_angle_, t4_, t5_);
-        let t6_ = sin_joint_angle_ * t3_;
-        let minus_joint_own_force_y_ = T::mul_neg_add(cos_joint_angle_, t4_, t6_);
-        point0_
-            .set_force([-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)]);
-        point1_
-            .set_force([-minus_joint_own_force_x_, -minus_joint_own_force_y_, c_(0.0)]);
+        *n15_ = minus_joint_load_force_x_;
+        let t2_ = known_joint_b_y_z_ * joint_w0_;
+        let joint_load_force_y_ = T::mul_add(known_p7_, joint_a_lin_y_, t2_);
+        *n16_ = -joint_load_force_y_;
         /// Results: 4 mul, 0 add, 0 reciprocal.
-        let t7_ = known_joint_j_yy_ * t0_;
-        let t8_ = c_(0.5) * t7_;
-        at_.kinetic_energy = t8_;
-        let t9_ = sin_joint_angle_ * known_joint_b_y_z_;
-        let t10_ = c_(9.8) * t9_;
-        at_.potential_energy = t10_;
+        let t3_ = known_joint_j_yy_ * t0_;
+        let t4_ = c_(0.5) * t3_;
+        at_.kinetic_energy = t4_;
+        let t5_ = sin_joint_angle_ * known_joint_b_y_z_;
+        let t6_ = c_(9.8) * t5_;
+        at_.potential_energy = t6_;
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
@@ -518,7 +470,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     }
 }
 /// Results of [`Pendulum::solve_into`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 1>,
@@ -526,7 +478,8 @@ pub struct PendulumWorkspace<T> {
     efforts: ::mstmm::nalgebra::SVector<T, 1>,
     kinetic_energy: T,
     potential_energy: T,
-    points: [::mstmm::Point<T>; 3],
+    numbers: [T; 27],
+    at_rest: [T; 3],
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
@@ -549,13 +502,58 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
     /// All connection points in the order written: the first element's input, then every
     /// element's output.
     #[inline]
-    pub fn points(&self) -> &[::mstmm::Point<T>; 3] {
-        &self.points
+    pub fn points(&self) -> [::mstmm::Point<T>; 3] {
+        ::core::array::from_fn(|index_| self.point_(index_))
+    }
+    /// Where every point of the model has its numbers.
+    const PLACES_: [::mstmm::generated::Places<3, 6>; 3] = [
+        ::mstmm::generated::Places::new(
+            0,
+            [0, 0, 0],
+            [
+                ([0, 0, 0], 0),
+                ([0, 0, 0], 0),
+                ([0, 0, 0], 1),
+                ([0, 0, 0], 0),
+                ([7, -10, 13], -4),
+                ([7, -10, 13], -16),
+            ],
+        ),
+        ::mstmm::generated::Places::new(
+            0,
+            [7, -10, 13],
+            [
+                ([0, 0, 0], 0),
+                ([7, -10, 13], 19),
+                ([7, -10, 13], 22),
+                ([7, -10, 13], 25),
+                ([7, -10, 13], -4),
+                ([7, -10, 13], -16),
+            ],
+        ),
+        ::mstmm::generated::Places::new(
+            0,
+            [7, -10, 13],
+            [
+                ([0, 0, 0], 0),
+                ([7, -10, 13], 19),
+                ([7, -10, 13], 22),
+                ([7, -10, 13], 25),
+                ([0, 0, 0], 0),
+                ([0, 0, 0], 0),
+            ],
+        ),
+    ];
+    /// Connection point number `index`.
+    #[inline]
+    fn point_(&self, index_: usize) -> ::mstmm::Point<T> {
+        let (model_, numbers_) = (index_, &self.numbers[..]);
+        ::mstmm::Point::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }
     /// Acceleration, effort, input and output of hinge `joint`.
     #[inline]
-    pub fn joint(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::Point<T>> {
-        let [input_, output_, ..] = &self.points;
+    pub fn joint(&self) -> ::mstmm::HingeResult<T, T, ::mstmm::Point<T>> {
+        let (input_, output_) = (self.point_(0), self.point_(1));
         ::mstmm::HingeResult::new(
             {
                 let [value_] = ::mstmm::generated::piece::<
@@ -577,15 +575,28 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
     }
     /// Input and output of body `rod`.
     #[inline]
-    pub fn rod(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::Point<T>> {
-        let [_, input_, output_, ..] = &self.points;
+    pub fn rod(&self) -> ::mstmm::BodyResult<T, ::mstmm::Point<T>> {
+        let (input_, output_) = (self.point_(1), self.point_(2));
         ::mstmm::BodyResult::new(input_, output_)
+    }
+}
+impl<T: ::mstmm::Scalar> ::core::fmt::Debug for PendulumWorkspace<T> {
+    fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+        to_.debug_struct("PendulumWorkspace")
+            .field("accelerations", &self.accelerations)
+            .field("rate_accelerations", &self.rate_accelerations)
+            .field("efforts", &self.efforts)
+            .field("kinetic_energy", &self.kinetic_energy)
+            .field("potential_energy", &self.potential_energy)
+            .field("points", &self.points())
+            .finish()
     }
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]
+    #[allow(clippy::all)]
     pub fn workspace(&self) -> PendulumWorkspace<T> {
         let zero_ = T::constant(0.0);
         PendulumWorkspace {
@@ -594,7 +605,17 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             efforts: ::mstmm::generated::vector([zero_; 1]),
             kinetic_energy: zero_,
             potential_energy: zero_,
-            points: [::core::default::Default::default(); 3],
+            numbers: {
+                let c_ = T::constant;
+                ::mstmm::generated::with_known(
+                    [T::constant(0.0); 27],
+                    &[(1, c_(9.8)), (14, c_(1.0))],
+                )
+            },
+            at_rest: {
+                let c_ = T::constant;
+                ::mstmm::generated::with_known([T::constant(0.0); 3], &[(1, c_(9.8))])
+            },
         }
     }
 }

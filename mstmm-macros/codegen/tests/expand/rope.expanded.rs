@@ -63,13 +63,13 @@
 ///
 /// Mobility 11: 11 degrees of freedom.
 ///
-/// Accelerations by `riccati`, 102 operations (58 mul, 43 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 258 operations; those of repeated parts are counted once.
+/// Accelerations by `riccati`, 102 operations (58 mul, 43 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 233 operations; those of repeated parts are counted once.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Rope<T> {
     parameters: RopeParameters<T>,
     derived: [T; 0],
-    derived0: [T; 90],
+    derived0: [T; 70],
 }
 /// Numbers of [`Rope`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -175,42 +175,28 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             t: T::constant(0.0),
         }
     }
-    /// Quantities derived from parameters and constants: 4 mul, 4 add, 0 reciprocal.
+    /// Quantities derived from parameters and constants: 3 mul, 3 add, 0 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
     fn derive(parameters_: RopeParameters<T>) -> (Self, [T; 10]) {
         let c_ = T::constant;
         let mut results1_ = [T::constant(0.0); 10];
-        let mut results2_ = [T::constant(0.0); 90];
-        for (
-            (&knot_, [o1_0_]),
-            [o2_0_,
-            o2_1_,
-            o2_2_,
-            o2_3_,
-            o2_4_,
-            o2_5_,
-            o2_6_,
-            o2_7_,
-            o2_8_,
-            ],
-        ) in ::core::iter::zip(
+        let mut results2_ = [T::constant(0.0); 70];
+        for ((&knot_, [o1_0_]), [o2_0_, o2_1_, o2_2_, o2_3_, o2_4_, o2_5_, o2_6_]) in ::core::iter::zip(
             ::core::iter::zip(
                 parameters_.knot.iter(),
                 ::mstmm::generated::times_mut::<T, 1>(results1_.as_mut_slice(), 0, 10)
                     .iter_mut(),
             ),
-            ::mstmm::generated::times_mut::<T, 9>(results2_.as_mut_slice(), 0, 10)
+            ::mstmm::generated::times_mut::<T, 7>(results2_.as_mut_slice(), 0, 10)
                 .iter_mut(),
         ) {
-            /// Quantities derived from parameters and constants: 4 mul, 4 add, 0 reciprocal.
+            /// Quantities derived from parameters and constants: 3 mul, 3 add, 0 reciprocal.
             let p1_ = knot_ + c_(0.1);
             let p2_ = p1_ * c_(0.05);
             let p3_ = p1_ * c_(0.0025000000000000005);
             let p4_ = p3_ + c_(0.0001);
             let p5_ = p3_ + p4_;
             let p6_ = c_(0.5) * p1_;
-            let p7_ = p1_ - p6_;
-            let p8_ = p1_ * c_(9.8);
             *o1_0_ = p1_;
             *o2_0_ = knot_;
             *o2_1_ = p1_;
@@ -219,8 +205,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o2_4_ = p4_;
             *o2_5_ = p5_;
             *o2_6_ = p6_;
-            *o2_7_ = p7_;
-            *o2_8_ = p8_;
             () = ();
         }
         let (derived_, checks_) = ([], results1_);
@@ -293,15 +277,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             known_p4_,
             known_p5_,
             _,
-            _,
-            _,
             ],
         ) in ::core::iter::zip(
             ::core::iter::zip(
                 ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
                 ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
             ),
-            ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
+            ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10).iter(),
         ) {
             let carry0_0_before_ = carry0_0_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
@@ -352,8 +334,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             known_p4_,
             _,
             _,
-            _,
-            _,
             ],
             &[sin_joint_angle_,
             cos_joint_angle_,
@@ -364,7 +344,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             ],
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
-                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
+                ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10)
                     .iter(),
                 store1_.iter(),
             ),
@@ -594,15 +574,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             known_p4_,
             known_p5_,
             _,
-            _,
-            _,
             ],
         ) in ::core::iter::zip(
             ::core::iter::zip(
                 ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
                 ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
             ),
-            ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
+            ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10).iter(),
         ) {
             let carry0_0_before_ = carry0_0_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
@@ -656,8 +634,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             known_p4_,
             known_p5_,
             _,
-            _,
-            _,
             ],
             &[sin_joint_angle_,
             cos_joint_angle_,
@@ -671,7 +647,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             ],
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
-                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
+                ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10)
                     .iter(),
                 store1_.iter(),
             ),
@@ -849,24 +825,28 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 258 operations: 146 mul, 111 add, 1 reciprocal, 2 sin/cos.
+    /// 233 operations: 136 mul, 96 add, 1 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 12 | 11 | 0 | 0 | 1 |
-    /// | Results |  | 72 | 55 | 0 | 0 | 0 |
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 16 | 13 | 0 | 0 | 1 |
-    /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 10 | 0 | 0 | 0 | 0 |
-    /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 2 | 3 | 0 | 0 | 0 |
+    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 3 | 0 | 0 | 1 |
+    /// | Results |  | 73 | 49 | 0 | 0 | 0 |
+    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 3 | 0 | 0 | 1 |
+    /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 3 | 0 | 0 | 0 | 0 |
+    /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 6 | 5 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 6 | 1 | 0 | 0 |
-    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
-    /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
-    /// | Load of the body at `hook` | \[P, Eqs. (18), (19)\] | 11 | 7 | 0 | 0 | 0 |
-    /// | Point of `joint` | \[P, Eqs. (12), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
-    /// | Point of `end_of_repeat0` | \[P, Eqs. (12), (13), (36)\] | 2 | 4 | 0 | 0 | 0 |
-    /// | Load of the body at `joint` | \[P, Eqs. (18), (19)\] | 4 | 4 | 0 | 0 | 0 |
-    /// | Point of `hook` | \[P, Eqs. (12), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
+    /// | Load on `start_of_repeat0` | \[P, Eqs. (18), (19)\] | 2 | 2 | 0 | 0 | 0 |
+    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
+    /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
+    /// | Load on `end_of_repeat0` | \[P, Eqs. (18), (19)\] | 4 | 4 | 0 | 0 | 0 |
+    /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 6 | 3 | 0 | 0 | 0 |
+    /// | Load on `hook` | \[P, Eqs. (18), (19)\] | 2 | 1 | 0 | 0 | 0 |
+    /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 3 | 4 | 0 | 0 | 0 |
+    /// | Pose behind `joint` | \[P, Eq. (12)\] | 8 | 4 | 0 | 0 | 0 |
+    /// | Velocity behind `joint` |  | 4 | 2 | 0 | 0 | 0 |
+    /// | Pose behind `hook` | \[P, Eq. (12)\] | 4 | 2 | 0 | 0 | 0 |
+    /// | Velocity behind `hook` |  | 4 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -884,17 +864,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut results0_ = [T::constant(0.0); 11];
         let mut results3_ = [T::constant(0.0); 11];
         let mut results4_ = [T::constant(0.0); 11];
-        let mut results7_ = [T::constant(0.0); 299];
+        let mut results7_ = [T::constant(0.0); 237];
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
         let mut store1_ = ::mstmm::generated::Stored::<[T; 10], 10>::new_const();
-        let mut store3_ = ::mstmm::generated::Stored::<[T; 3], 10>::new_const();
-        let mut store4_ = ::mstmm::generated::Stored::<[T; 1], 10>::new_const();
-        let mut store6_ = ::mstmm::generated::Stored::<[T; 6], 10>::new_const();
-        let mut store9_ = ::mstmm::generated::Stored::<[T; 1], 10>::new_const();
+        let mut store3_ = ::mstmm::generated::Stored::<[T; 13], 10>::new_const();
+        let mut store5_ = ::mstmm::generated::Stored::<[T; 1], 10>::new_const();
+        let mut store7_ = ::mstmm::generated::Stored::<[T; 1], 10>::new_const();
+        let mut store11_ = ::mstmm::generated::Stored::<[T; 3], 10>::new_const();
         let mut store13_ = ::mstmm::generated::Stored::<[T; 2], 10>::new_const();
-        let mut store16_ = ::mstmm::generated::Stored::<[T; 6], 10>::new_const();
-        let mut store18_ = ::mstmm::generated::Stored::<[T; 1], 10>::new_const();
-        let mut store20_ = ::mstmm::generated::Stored::<[T; 2], 10>::new_const();
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         /// Results: 6 mul, 2 add, 0 reciprocal.
@@ -917,8 +894,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 known_p4_,
                 known_p5_,
                 known_p6_,
-                known_p7_,
-                known_p8_,
                 ],
             ),
             [_,
@@ -931,11 +906,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             _,
             _,
-            o7_23_,
-            _,
-            _,
-            _,
-            _,
+            o7_15_,
             _,
             _,
             _,
@@ -954,9 +925,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
                     ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
                 ),
-                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10).iter(),
             ),
-            ::mstmm::generated::times_mut::<T, 26>(results7_.as_mut_slice(), 13, 10)
+            ::mstmm::generated::times_mut::<T, 22>(results7_.as_mut_slice(), 5, 10)
                 .iter_mut(),
         ) {
             let carry0_0_before_ = carry0_0_;
@@ -990,7 +961,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     t16_,
                     t11_,
                 ]);
-            *o7_23_ = minus_joint_load_moment_z_;
+            *o7_15_ = minus_joint_load_moment_z_;
             (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
@@ -1009,32 +980,59 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry1_5_ = t19_;
         let mut carry1_6_ = c_(0.0);
         for (
-            &[_,
-            known_p1_,
-            known_p2_,
+            (
+                &[_,
+                known_p1_,
+                known_p2_,
+                _,
+                known_p4_,
+                known_p5_,
+                _,
+                ],
+                &[sin_joint_angle_,
+                cos_joint_angle_,
+                minus_joint_load_moment_z_,
+                t12_,
+                t13_,
+                t14_,
+                t15_,
+                minus_end_of_repeat0_centripetal_x_,
+                t16_,
+                _,
+                ],
+            ),
+            [_,
             _,
-            known_p4_,
-            known_p5_,
             _,
             _,
             _,
-            ],
-            &[sin_joint_angle_,
-            cos_joint_angle_,
-            minus_joint_load_moment_z_,
-            t12_,
-            t13_,
-            t14_,
-            t15_,
-            minus_end_of_repeat0_centripetal_x_,
-            t16_,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            o7_24_,
+            _,
             _,
             ],
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
-                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
-                    .iter(),
-                store1_.iter(),
+                ::core::iter::zip(
+                    ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10)
+                        .iter(),
+                    store1_.iter(),
+                ),
+                ::mstmm::generated::times_mut::<T, 22>(results7_.as_mut_slice(), 5, 10)
+                    .iter_mut(),
             ),
         ) {
             let carry1_0_before_ = carry1_0_;
@@ -1099,7 +1097,23 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t50_ = T::mul_add(t12_, t34_, t49_);
             let t51_ = t29_ - t50_;
             let t52_ = t31_ + t51_;
-            _ = store3_.try_push([t38_, t40_, minus_joint_w0_]);
+            _ = store3_
+                .try_push([
+                    carry1_0_before_,
+                    carry1_1_before_,
+                    carry1_3_before_,
+                    carry1_4_before_,
+                    carry1_5_before_,
+                    t29_,
+                    t31_,
+                    t33_,
+                    t38_,
+                    t40_,
+                    minus_joint_w0_,
+                    t43_,
+                    t44_,
+                ]);
+            *o7_24_ = carry1_6_before_;
             regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t26_);
             (
                 carry1_0_,
@@ -1119,91 +1133,392 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 -minus_joint_load_moment_z_,
             );
         }
+        /// Load on `start_of_repeat0`, [P, Eqs. (18), (19)]: 2 mul, 2 add, 0 reciprocal.
+        let start_of_repeat0_load_force_x_ = T::mul_add(carry1_3_, c_(9.8), carry1_4_);
+        let start_of_repeat0_load_force_y_ = T::mul_add(carry1_1_, c_(9.8), carry1_5_);
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
         let mut carry2_2_ = c_(0.0);
         for (
             (
                 (
-                    &[sin_joint_angle_,
-                    cos_joint_angle_,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    minus_end_of_repeat0_centripetal_x_,
-                    _,
-                    _,
-                    ],
-                    &[t38_,
-                    t40_,
-                    minus_joint_w0_,
+                    (
+                        &[sin_joint_angle_,
+                        cos_joint_angle_,
+                        _,
+                        _,
+                        _,
+                        _,
+                        _,
+                        minus_end_of_repeat0_centripetal_x_,
+                        _,
+                        _,
+                        ],
+                        &[carry1_0_before_,
+                        carry1_1_before_,
+                        carry1_3_before_,
+                        carry1_4_before_,
+                        carry1_5_before_,
+                        t29_,
+                        t31_,
+                        t33_,
+                        t38_,
+                        t40_,
+                        minus_joint_w0_,
+                        t43_,
+                        t44_,
+                        ],
+                    ),
+                    [o0_0_,
                     ],
                 ),
-                [o0_0_,
+                [o3_0_,
                 ],
             ),
-            [o3_0_,
+            [_,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            o7_12_,
+            o7_13_,
+            o7_14_,
+            _,
+            o7_16_,
+            o7_17_,
+            _,
+            _,
+            _,
+            _,
+            _,
+            o7_23_,
+            _,
+            o7_25_,
+            o7_26_,
             ],
         ) in ::core::iter::zip(
             ::core::iter::zip(
                 ::core::iter::zip(
-                    store1_.iter(),
-                    ::core::iter::Iterator::rev(store3_.iter()),
+                    ::core::iter::zip(
+                        store1_.iter(),
+                        ::core::iter::Iterator::rev(store3_.iter()),
+                    ),
+                    ::mstmm::generated::times_mut::<
+                        T,
+                        1,
+                    >(results0_.as_mut_slice(), 0, 10)
+                        .iter_mut(),
                 ),
-                ::mstmm::generated::times_mut::<T, 1>(results0_.as_mut_slice(), 0, 10)
+                ::mstmm::generated::times_mut::<T, 1>(results3_.as_mut_slice(), 0, 10)
                     .iter_mut(),
             ),
-            ::mstmm::generated::times_mut::<T, 1>(results3_.as_mut_slice(), 0, 10)
+            ::mstmm::generated::times_mut::<T, 22>(results7_.as_mut_slice(), 5, 10)
                 .iter_mut(),
         ) {
             let carry2_0_before_ = carry2_0_;
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
-            /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
-            let t53_ = T::mul_add(carry2_1_before_, t40_, minus_joint_w0_);
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t38_, t53_);
-            /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-            let t54_ = T::mul_neg_add(
-                sin_joint_angle_,
-                carry2_1_before_,
-                minus_end_of_repeat0_centripetal_x_,
-            );
-            let end_of_repeat0_a_lin_x_ = T::mul_sub(
+            /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
+            let t53_ = cos_joint_angle_ * carry2_0_before_;
+            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t53_);
+            let t54_ = sin_joint_angle_ * carry2_0_before_;
+            let minus_joint_a_lin_y_ = T::mul_neg_add(
                 cos_joint_angle_,
-                carry2_0_before_,
+                carry2_1_before_,
                 t54_,
             );
-            let t55_ = sin_joint_angle_ * carry2_0_before_;
-            let t56_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t55_);
+            let t55_ = T::mul_add(carry2_1_before_, t40_, minus_joint_w0_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t38_, t55_);
+            /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
+            let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_centripetal_x_
+                - joint_a_lin_x_;
             let minus_end_of_repeat0_a_lin_y_ = T::mul_add(
                 c_(0.1),
                 minus_joint_a_ang_z_,
-                t56_,
+                minus_joint_a_lin_y_,
+            );
+            /// Load on `joint`, [P, Eqs. (18), (19)]: 4 mul, 4 add, 0 reciprocal.
+            let t56_ = T::mul_add(t33_, minus_joint_a_lin_y_, t43_);
+            let joint_load_force_x_ = T::mul_sub(t29_, joint_a_lin_x_, t56_);
+            let t57_ = T::mul_neg_add(t31_, minus_joint_a_lin_y_, t44_);
+            let joint_load_force_y_ = T::mul_add(t33_, joint_a_lin_x_, t57_);
+            /// Load on `end_of_repeat0`, [P, Eqs. (18), (19)]: 4 mul, 4 add, 0 reciprocal.
+            let t58_ = T::mul_neg_add(
+                carry1_3_before_,
+                minus_end_of_repeat0_a_lin_y_,
+                carry1_4_before_,
+            );
+            let minus_end_of_repeat0_load_force_x_ = T::mul_sub(
+                carry1_0_before_,
+                minus_end_of_repeat0_a_lin_x_,
+                t58_,
+            );
+            let t59_ = T::mul_neg_add(
+                carry1_1_before_,
+                minus_end_of_repeat0_a_lin_y_,
+                carry1_5_before_,
+            );
+            let minus_end_of_repeat0_load_force_y_ = T::mul_sub(
+                carry1_3_before_,
+                minus_end_of_repeat0_a_lin_x_,
+                t59_,
             );
             /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t57_ = carry2_2_before_ + minus_joint_a_ang_z_;
-            _ = store4_.try_push([t57_]);
-            *o0_0_ = -t57_;
-            *o3_0_ = -t57_;
+            let t60_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            _ = store5_.try_push([joint_a_lin_x_]);
+            *o0_0_ = -t60_;
+            *o3_0_ = -t60_;
+            *o7_12_ = joint_a_lin_x_;
+            *o7_13_ = -minus_joint_a_lin_y_;
+            *o7_14_ = minus_joint_a_ang_z_;
+            *o7_16_ = -joint_load_force_x_;
+            *o7_17_ = -joint_load_force_y_;
+            *o7_23_ = -minus_end_of_repeat0_a_lin_y_;
+            *o7_25_ = -minus_end_of_repeat0_load_force_x_;
+            *o7_26_ = -minus_end_of_repeat0_load_force_y_;
             (carry2_0_, carry2_1_, carry2_2_) = (
-                end_of_repeat0_a_lin_x_,
+                -minus_end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
                 -minus_joint_a_ang_z_,
             );
         }
-        /// Results: 2 mul, 2 add, 0 reciprocal.
-        let t58_ = T::mul_add(t7_, carry2_1_, carry2_2_);
-        let t59_ = T::mul_add(t6_, carry2_0_, t58_);
-        let mut carry3_0_ = c_(1.0);
-        let mut carry3_1_ = c_(0.0);
-        let mut carry3_2_ = c_(0.0);
-        let mut carry3_3_ = c_(1.0);
-        let mut carry3_4_ = c_(0.0);
+        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 6 mul, 3 add, 0 reciprocal.
+        let t61_ = cos_hook_angle_ * carry2_0_;
+        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t61_);
+        let t62_ = sin_hook_angle_ * carry2_0_;
+        let minus_hook_a_lin_y_ = T::mul_neg_add(cos_hook_angle_, carry2_1_, t62_);
+        let t63_ = t6_ * carry2_0_;
+        let minus_hook_a_ang_z_ = T::mul_add(t7_, carry2_1_, t63_);
+        /// Load on `hook`, [P, Eqs. (18), (19)]: 2 mul, 1 add, 0 reciprocal.
+        let hook_load_force_x_ = c_(0.6666666666666665) * hook_a_lin_x_;
+        let hook_load_force_y_ = T::mul_neg_add(
+            c_(2.0),
+            minus_hook_a_lin_y_,
+            hook_e_force_y_,
+        );
+        /// Results: 0 mul, 1 add, 0 reciprocal.
+        let t64_ = carry2_2_ + minus_hook_a_ang_z_;
+        let mut carry3_0_ = c_(0.0);
+        for (
+            (&[joint_rate_], &[joint_a_lin_x_]),
+            [_,
+            _,
+            _,
+            _,
+            _,
+            _,
+            o7_11_,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            o7_22_,
+            _,
+            _,
+            _,
+            _,
+            ],
+        ) in ::core::iter::zip(
+            ::core::iter::zip(
+                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+                store5_.iter(),
+            ),
+            ::mstmm::generated::times_mut::<T, 22>(results7_.as_mut_slice(), 5, 10)
+                .iter_mut(),
+        ) {
+            let carry3_0_before_ = carry3_0_;
+            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
+            let joint_omega_z_2_ = joint_rate_ + carry3_0_before_;
+            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 1 mul, 0 add, 0 reciprocal.
+            let t65_ = joint_omega_z_2_ * joint_omega_z_2_;
+            /// Connection points, [P, Eqs. (4), (12), (13)]: 1 mul, 1 add, 0 reciprocal.
+            let point2_felt_x_ = T::mul_neg_add(c_(0.1), t65_, joint_a_lin_x_);
+            /// Results: 1 mul, 0 add, 0 reciprocal.
+            let t66_ = c_(0.1) * joint_omega_z_2_;
+            _ = store7_.try_push([t66_]);
+            *o7_11_ = joint_omega_z_2_;
+            *o7_22_ = point2_felt_x_;
+            (carry3_0_,) = (joint_omega_z_2_,);
+        }
+        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
+        let hook_omega_z_2_ = hook_rate_ + carry3_0_;
+        let mut carry4_0_ = c_(0.0);
+        let mut carry4_1_ = c_(0.0);
+        let mut carry4_2_ = c_(1.0);
+        let mut carry4_3_ = c_(0.0);
+        let mut carry4_4_ = c_(0.0);
+        let mut carry4_5_ = c_(1.0);
+        let mut carry4_6_ = c_(0.0);
+        let mut carry4_7_ = c_(0.0);
+        for (
+            (&[sin_joint_angle_, cos_joint_angle_, _, _, _, _, _, _, _, _], &[t66_]),
+            [o7_5_,
+            o7_6_,
+            o7_7_,
+            o7_8_,
+            o7_9_,
+            o7_10_,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            _,
+            o7_18_,
+            o7_19_,
+            o7_20_,
+            o7_21_,
+            _,
+            _,
+            _,
+            _,
+            _,
+            ],
+        ) in ::core::iter::zip(
+            ::core::iter::zip(store1_.iter(), store7_.iter()),
+            ::mstmm::generated::times_mut::<T, 22>(results7_.as_mut_slice(), 5, 10)
+                .iter_mut(),
+        ) {
+            let carry4_0_before_ = carry4_0_;
+            let carry4_1_before_ = carry4_1_;
+            let carry4_2_before_ = carry4_2_;
+            let carry4_3_before_ = carry4_3_;
+            let carry4_4_before_ = carry4_4_;
+            let carry4_5_before_ = carry4_5_;
+            let carry4_6_before_ = carry4_6_;
+            let carry4_7_before_ = carry4_7_;
+            /// Pose behind `joint`, [P, Eq. (12)]: 8 mul, 4 add, 0 reciprocal.
+            let t67_ = cos_joint_angle_ * carry4_2_before_;
+            let joint_to_inertial_x_x_ = T::mul_add(
+                sin_joint_angle_,
+                carry4_3_before_,
+                t67_,
+            );
+            let t68_ = sin_joint_angle_ * carry4_2_before_;
+            let minus_joint_to_inertial_x_y_ = T::mul_neg_add(
+                cos_joint_angle_,
+                carry4_3_before_,
+                t68_,
+            );
+            let t69_ = cos_joint_angle_ * carry4_4_before_;
+            let joint_to_inertial_y_x_ = T::mul_add(
+                sin_joint_angle_,
+                carry4_5_before_,
+                t69_,
+            );
+            let t70_ = sin_joint_angle_ * carry4_4_before_;
+            let minus_joint_to_inertial_y_y_ = T::mul_neg_add(
+                cos_joint_angle_,
+                carry4_5_before_,
+                t70_,
+            );
+            /// Velocity behind `joint`: 4 mul, 2 add, 0 reciprocal.
+            let t71_ = cos_joint_angle_ * carry4_6_before_;
+            let joint_velocity_x_ = T::mul_add(sin_joint_angle_, carry4_7_before_, t71_);
+            let t72_ = sin_joint_angle_ * carry4_6_before_;
+            let minus_joint_velocity_y_ = T::mul_neg_add(
+                cos_joint_angle_,
+                carry4_7_before_,
+                t72_,
+            );
+            /// Connection points, [P, Eqs. (4), (12), (13)]: 2 mul, 3 add, 0 reciprocal.
+            let point2_velocity_y_ = t66_ - minus_joint_velocity_y_;
+            let point2_position_x_ = T::mul_add(
+                c_(0.1),
+                joint_to_inertial_x_x_,
+                carry4_0_before_,
+            );
+            let point2_position_y_ = T::mul_add(
+                c_(0.1),
+                joint_to_inertial_y_x_,
+                carry4_1_before_,
+            );
+            *o7_5_ = carry4_0_before_;
+            *o7_6_ = carry4_1_before_;
+            *o7_7_ = joint_to_inertial_x_x_;
+            *o7_8_ = joint_to_inertial_y_x_;
+            *o7_9_ = joint_velocity_x_;
+            *o7_10_ = -minus_joint_velocity_y_;
+            *o7_18_ = point2_position_x_;
+            *o7_19_ = point2_position_y_;
+            *o7_20_ = joint_velocity_x_;
+            *o7_21_ = point2_velocity_y_;
+            (
+                carry4_0_,
+                carry4_1_,
+                carry4_2_,
+                carry4_3_,
+                carry4_4_,
+                carry4_5_,
+                carry4_6_,
+                carry4_7_,
+            ) = (
+                point2_position_x_,
+                point2_position_y_,
+                joint_to_inertial_x_x_,
+                -minus_joint_to_inertial_x_y_,
+                joint_to_inertial_y_x_,
+                -minus_joint_to_inertial_y_y_,
+                joint_velocity_x_,
+                point2_velocity_y_,
+            );
+        }
+        /// Pose behind `hook`, [P, Eq. (12)]: 4 mul, 2 add, 0 reciprocal.
+        let t73_ = cos_hook_angle_ * carry4_2_;
+        let hook_to_inertial_x_x_ = T::mul_add(sin_hook_angle_, carry4_3_, t73_);
+        let t74_ = cos_hook_angle_ * carry4_4_;
+        let hook_to_inertial_y_x_ = T::mul_add(sin_hook_angle_, carry4_5_, t74_);
+        /// Velocity behind `hook`: 4 mul, 2 add, 0 reciprocal.
+        let t75_ = cos_hook_angle_ * carry4_6_;
+        let hook_velocity_x_ = T::mul_add(sin_hook_angle_, carry4_7_, t75_);
+        let t76_ = sin_hook_angle_ * carry4_6_;
+        let minus_hook_velocity_y_ = T::mul_neg_add(cos_hook_angle_, carry4_7_, t76_);
+        let mut carry5_0_ = c_(0.0);
+        for (&[joint_rate_], &[_, _, known_p2_, _, known_p4_, _, _]) in ::core::iter::zip(
+            ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+            ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10).iter(),
+        ) {
+            let carry5_0_before_ = carry5_0_;
+            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
+            let joint_omega_z_3_ = joint_rate_ + carry5_0_before_;
+            /// Results: 5 mul, 0 add, 0 reciprocal.
+            let t77_ = joint_omega_z_3_ * joint_omega_z_3_;
+            let t78_ = c_(0.1) * joint_omega_z_3_;
+            let t79_ = known_p2_ * joint_omega_z_3_;
+            let t80_ = known_p4_ * t77_;
+            let t81_ = c_(0.5) * t80_;
+            _ = store11_.try_push([t78_, t79_, t81_]);
+            (carry5_0_,) = (joint_omega_z_3_,);
+        }
+        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
+        let hook_omega_z_3_ = hook_rate_ + carry5_0_;
+        /// Results: 3 mul, 0 add, 0 reciprocal.
+        let t82_ = c_(0.2) * hook_omega_z_3_;
+        let t83_ = hook_omega_z_3_ * hook_omega_z_3_;
+        let t84_ = c_(0.015000000000000003) * t83_;
+        let mut carry6_0_ = c_(0.0);
+        let mut carry6_1_ = c_(0.0);
+        let mut carry6_2_ = c_(1.0);
+        let mut carry6_3_ = c_(0.0);
+        let mut carry6_4_ = c_(0.0);
         for (
             (
-                &[joint_rate_,
+                &[_,
+                known_p1_,
+                known_p2_,
+                _,
+                _,
+                _,
+                known_p6_,
                 ],
                 &[sin_joint_angle_,
                 cos_joint_angle_,
@@ -1214,599 +1529,95 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 _,
                 _,
                 _,
-                _,
+                t11_,
                 ],
             ),
-            [_,
-            _,
-            o7_15_,
-            o7_16_,
-            _,
-            _,
-            o7_19_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            o7_28_,
-            o7_29_,
-            _,
-            _,
-            o7_32_,
-            _,
-            _,
-            _,
-            _,
-            _,
+            &[t78_,
+            t79_,
             _,
             ],
         ) in ::core::iter::zip(
             ::core::iter::zip(
-                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10)
+                    .iter(),
                 store1_.iter(),
             ),
-            ::mstmm::generated::times_mut::<T, 26>(results7_.as_mut_slice(), 13, 10)
-                .iter_mut(),
-        ) {
-            let carry3_0_before_ = carry3_0_;
-            let carry3_1_before_ = carry3_1_;
-            let carry3_2_before_ = carry3_2_;
-            let carry3_3_before_ = carry3_3_;
-            let carry3_4_before_ = carry3_4_;
-            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-            let t60_ = cos_joint_angle_ * carry3_0_before_;
-            let joint_axes_x_x_ = T::mul_add(sin_joint_angle_, carry3_1_before_, t60_);
-            let t61_ = sin_joint_angle_ * carry3_0_before_;
-            let minus_joint_axes_x_y_ = T::mul_neg_add(
-                cos_joint_angle_,
-                carry3_1_before_,
-                t61_,
-            );
-            let t62_ = cos_joint_angle_ * carry3_2_before_;
-            let joint_axes_y_x_ = T::mul_add(sin_joint_angle_, carry3_3_before_, t62_);
-            let t63_ = sin_joint_angle_ * carry3_2_before_;
-            let minus_joint_axes_y_y_ = T::mul_neg_add(
-                cos_joint_angle_,
-                carry3_3_before_,
-                t63_,
-            );
-            let joint_omega_z_2_ = joint_rate_ + carry3_4_before_;
-            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 6 mul, 0 add, 0 reciprocal.
-            let t64_ = c_(0.1) * joint_axes_x_x_;
-            let t65_ = joint_omega_z_2_ * t64_;
-            let minus_end_of_repeat0_centripetal_x_2_ = joint_omega_z_2_ * t65_;
-            let t66_ = c_(0.1) * joint_axes_y_x_;
-            let t67_ = joint_omega_z_2_ * t66_;
-            let minus_end_of_repeat0_centripetal_y_ = joint_omega_z_2_ * t67_;
-            _ = store6_
-                .try_push([
-                    t64_,
-                    t66_,
-                    t67_,
-                    t65_,
-                    minus_end_of_repeat0_centripetal_x_2_,
-                    minus_end_of_repeat0_centripetal_y_,
-                ]);
-            *o7_15_ = joint_axes_x_x_;
-            *o7_16_ = joint_axes_y_x_;
-            *o7_19_ = joint_omega_z_2_;
-            *o7_28_ = joint_axes_x_x_;
-            *o7_29_ = joint_axes_y_x_;
-            *o7_32_ = joint_omega_z_2_;
-            (carry3_0_, carry3_1_, carry3_2_, carry3_3_, carry3_4_) = (
-                joint_axes_x_x_,
-                -minus_joint_axes_x_y_,
-                joint_axes_y_x_,
-                -minus_joint_axes_y_y_,
-                joint_omega_z_2_,
-            );
-        }
-        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-        let t68_ = cos_hook_angle_ * carry3_0_;
-        let hook_axes_x_x_ = T::mul_add(sin_hook_angle_, carry3_1_, t68_);
-        let t69_ = sin_hook_angle_ * carry3_0_;
-        let minus_hook_axes_x_y_ = T::mul_neg_add(cos_hook_angle_, carry3_1_, t69_);
-        let t70_ = cos_hook_angle_ * carry3_2_;
-        let hook_axes_y_x_ = T::mul_add(sin_hook_angle_, carry3_3_, t70_);
-        let t71_ = sin_hook_angle_ * carry3_2_;
-        let minus_hook_axes_y_y_ = T::mul_neg_add(cos_hook_angle_, carry3_3_, t71_);
-        let hook_omega_z_2_ = hook_rate_ + carry3_4_;
-        let mut carry4_0_ = c_(0.0);
-        let mut carry4_1_ = c_(0.0);
-        let mut carry4_2_ = c_(0.0);
-        let mut carry4_3_ = c_(0.0);
-        for (
-            &[t64_,
-            t66_,
-            t67_,
-            t65_,
-            _,
-            _,
-            ],
-            [o7_13_,
-            o7_14_,
-            _,
-            _,
-            o7_17_,
-            o7_18_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            o7_26_,
-            o7_27_,
-            _,
-            _,
-            o7_30_,
-            o7_31_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            ],
-        ) in ::core::iter::zip(
-            store6_.iter(),
-            ::mstmm::generated::times_mut::<T, 26>(results7_.as_mut_slice(), 13, 10)
-                .iter_mut(),
-        ) {
-            let carry4_0_before_ = carry4_0_;
-            let carry4_1_before_ = carry4_1_;
-            let carry4_2_before_ = carry4_2_;
-            let carry4_3_before_ = carry4_3_;
-            /// Results: 0 mul, 4 add, 0 reciprocal.
-            let t72_ = t67_ - carry4_2_before_;
-            let t73_ = t65_ + carry4_3_before_;
-            let t74_ = t64_ + carry4_0_before_;
-            let t75_ = t66_ + carry4_1_before_;
-            *o7_13_ = carry4_0_before_;
-            *o7_14_ = carry4_1_before_;
-            *o7_17_ = carry4_2_before_;
-            *o7_18_ = carry4_3_before_;
-            *o7_26_ = t74_;
-            *o7_27_ = t75_;
-            *o7_30_ = -t72_;
-            *o7_31_ = t73_;
-            (carry4_0_, carry4_1_, carry4_2_, carry4_3_) = (t74_, t75_, -t72_, t73_);
-        }
-        let mut carry5_0_ = c_(0.0);
-        for &[joint_rate_] in ::mstmm::generated::times::<
-            T,
-            1,
-        >(state_.v.as_slice(), 0, 10)
-            .iter()
-        {
-            let carry5_0_before_ = carry5_0_;
-            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-            let joint_omega_z_3_ = joint_rate_ + carry5_0_before_;
-            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t76_ = joint_omega_z_3_ * joint_omega_z_3_;
-            let minus_end_of_repeat0_centripetal_x_3_ = c_(0.1) * t76_;
-            _ = store9_.try_push([minus_end_of_repeat0_centripetal_x_3_]);
-            (carry5_0_,) = (joint_omega_z_3_,);
-        }
-        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let hook_omega_z_3_ = hook_rate_ + carry5_0_;
-        /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t77_ = hook_omega_z_3_ * hook_omega_z_3_;
-        let t78_ = c_(0.2) * t77_;
-        let mut carry6_0_ = c_(0.0);
-        let mut carry6_1_ = c_(9.8);
-        let mut carry6_2_ = c_(0.0);
-        for (
-            (&[sin_joint_angle_, cos_joint_angle_, _, _, _, _, _, _, _, _], &[t57_]),
-            &[minus_end_of_repeat0_centripetal_x_3_,
-            ],
-        ) in ::core::iter::zip(
-            ::core::iter::zip(store1_.iter(), store4_.iter()),
-            store9_.iter(),
+            store11_.iter(),
         ) {
             let carry6_0_before_ = carry6_0_;
             let carry6_1_before_ = carry6_1_;
             let carry6_2_before_ = carry6_2_;
-            /// Results: 5 mul, 5 add, 0 reciprocal.
-            let t79_ = sin_joint_angle_ * carry6_0_before_;
-            let t80_ = T::mul_neg_add(cos_joint_angle_, carry6_1_before_, t79_);
-            let t81_ = t57_ - carry6_2_before_;
-            let t82_ = T::mul_add(c_(0.1), t81_, t80_);
-            let t83_ = T::mul_neg_add(
-                sin_joint_angle_,
-                carry6_1_before_,
-                minus_end_of_repeat0_centripetal_x_3_,
+            let carry6_3_before_ = carry6_3_;
+            let carry6_4_before_ = carry6_4_;
+            /// Results: 16 mul, 10 add, 0 reciprocal.
+            let t85_ = sin_joint_angle_ * carry6_1_before_;
+            let t86_ = cos_joint_angle_ * carry6_1_before_;
+            let t87_ = T::mul_add(sin_joint_angle_, carry6_2_before_, t86_);
+            let t88_ = T::mul_neg_add(cos_joint_angle_, carry6_2_before_, t85_);
+            let t89_ = cos_joint_angle_ * carry6_3_before_;
+            let t90_ = T::mul_add(sin_joint_angle_, carry6_4_before_, t89_);
+            let t91_ = sin_joint_angle_ * carry6_3_before_;
+            let t92_ = T::mul_neg_add(cos_joint_angle_, carry6_4_before_, t91_);
+            let t93_ = t92_ - t78_;
+            let t94_ = T::mul_add(c_(0.1), t87_, carry6_0_before_);
+            let t95_ = known_p6_ * t90_;
+            let t96_ = T::mul_neg_add(known_p6_, t92_, t79_);
+            let t97_ = t90_ * t95_;
+            let t98_ = T::mul_neg_add(t92_, t96_, t97_);
+            let t99_ = known_p1_ * carry6_0_before_;
+            let t100_ = T::mul_add(known_p2_, t87_, t99_);
+            let t101_ = T::mul_add(c_(9.8), t100_, t11_);
+            _ = store13_.try_push([t98_, t101_]);
+            (carry6_0_, carry6_1_, carry6_2_, carry6_3_, carry6_4_) = (
+                t94_,
+                t87_,
+                -t88_,
+                t90_,
+                -t93_,
             );
-            let t84_ = T::mul_sub(cos_joint_angle_, carry6_0_before_, t83_);
-            (carry6_0_, carry6_1_, carry6_2_) = (t84_, -t82_, -t81_);
         }
-        /// Load of the body at `hook`, [P, Eqs. (18), (19)]: 11 mul, 7 add, 0 reciprocal.
-        let t85_ = cos_hook_angle_ * carry6_0_;
-        let t86_ = T::mul_add(sin_hook_angle_, carry6_1_, t85_);
-        let t87_ = sin_hook_angle_ * carry6_0_;
-        let t88_ = T::mul_neg_add(cos_hook_angle_, carry6_1_, t87_);
-        let t89_ = T::mul_sub(c_(2.0), t88_, t78_);
-        let t90_ = minus_hook_axes_x_y_ * t89_;
-        let t91_ = t59_ - carry6_2_;
-        let t92_ = c_(0.2) * t91_;
-        let t93_ = T::mul_sub(c_(2.0), t86_, t92_);
-        let hook_own_force_x_ = T::mul_add(hook_axes_x_x_, t93_, t90_);
-        let t94_ = minus_hook_axes_y_y_ * t89_;
-        let hook_own_force_y_ = T::mul_add(hook_axes_y_x_, t93_, t94_);
+        /// Results: 11 mul, 6 add, 0 reciprocal.
+        let t102_ = sin_hook_angle_ * carry6_1_;
+        let t103_ = T::mul_neg_add(cos_hook_angle_, carry6_2_, t102_);
+        let t104_ = cos_hook_angle_ * carry6_3_;
+        let t105_ = T::mul_add(sin_hook_angle_, carry6_4_, t104_);
+        let t106_ = sin_hook_angle_ * carry6_3_;
+        let t107_ = T::mul_neg_add(cos_hook_angle_, carry6_4_, t106_);
+        let t108_ = t105_ + t82_;
+        let t109_ = t107_ * t107_;
+        let t110_ = T::mul_add(t105_, t108_, t109_);
+        let t111_ = c_(2.0) * carry6_0_;
+        let t112_ = T::mul_add(c_(0.2), t103_, t111_);
+        let t113_ = c_(9.8) * t112_;
         let mut carry7_0_ = c_(0.0);
         let mut carry7_1_ = c_(0.0);
-        let mut carry7_2_ = c_(0.0);
-        for (
-            (
-                (&[_, _, _, _, _, _, known_p6_, known_p7_, _], &[t57_]),
-                &[t64_,
-                t66_,
-                _,
-                _,
-                minus_end_of_repeat0_centripetal_x_2_,
-                minus_end_of_repeat0_centripetal_y_,
-                ],
-            ),
-            [_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            o7_20_,
-            o7_21_,
-            o7_22_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            o7_33_,
-            o7_34_,
-            o7_35_,
-            _,
-            _,
-            _,
-            ],
-        ) in ::core::iter::zip(
-            ::core::iter::zip(
-                ::core::iter::zip(
-                    ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
-                        .iter(),
-                    store4_.iter(),
-                ),
-                store6_.iter(),
-            ),
-            ::mstmm::generated::times_mut::<T, 26>(results7_.as_mut_slice(), 13, 10)
-                .iter_mut(),
+        for (&[t98_, t101_], &[_, _, t81_]) in ::core::iter::zip(
+            store13_.iter(),
+            store11_.iter(),
         ) {
             let carry7_0_before_ = carry7_0_;
             let carry7_1_before_ = carry7_1_;
-            let carry7_2_before_ = carry7_2_;
-            /// Point of `joint`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-            let minus_joint_acc_ang_z_ = t57_ - carry7_2_before_;
-            /// Point of `end_of_repeat0`, [P, Eqs. (12), (13), (36)]: 2 mul, 4 add, 0 reciprocal.
-            let t95_ = minus_end_of_repeat0_centripetal_x_2_ - carry7_0_before_;
-            let minus_end_of_repeat0_acc_lin_x_ = T::mul_neg_add(
-                t66_,
-                minus_joint_acc_ang_z_,
-                t95_,
-            );
-            let t96_ = minus_end_of_repeat0_centripetal_y_ - carry7_1_before_;
-            let minus_end_of_repeat0_acc_lin_y_ = T::mul_add(
-                t64_,
-                minus_joint_acc_ang_z_,
-                t96_,
-            );
-            /// Load of the body at `joint`, [P, Eqs. (18), (19)]: 4 mul, 4 add, 0 reciprocal.
-            let t97_ = known_p7_ * carry7_0_before_;
-            let joint_own_force_x_ = T::mul_neg_add(
-                known_p6_,
-                minus_end_of_repeat0_acc_lin_x_,
-                t97_,
-            );
-            let t98_ = c_(9.8) + carry7_1_before_;
-            let t99_ = known_p7_ * t98_;
-            let t100_ = c_(9.8) - minus_end_of_repeat0_acc_lin_y_;
-            let joint_own_force_y_ = T::mul_add(known_p6_, t100_, t99_);
-            _ = store13_.try_push([joint_own_force_x_, joint_own_force_y_]);
-            *o7_20_ = carry7_0_before_;
-            *o7_21_ = carry7_1_before_;
-            *o7_22_ = -minus_joint_acc_ang_z_;
-            *o7_33_ = -minus_end_of_repeat0_acc_lin_x_;
-            *o7_34_ = -minus_end_of_repeat0_acc_lin_y_;
-            *o7_35_ = -minus_joint_acc_ang_z_;
-            (carry7_0_, carry7_1_, carry7_2_) = (
-                -minus_end_of_repeat0_acc_lin_x_,
-                -minus_end_of_repeat0_acc_lin_y_,
-                -minus_joint_acc_ang_z_,
-            );
-        }
-        /// Point of `hook`, [P, Eqs. (12), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let minus_hook_acc_ang_z_ = t59_ - carry7_2_;
-        let mut carry8_0_ = hook_own_force_x_;
-        let mut carry8_1_ = hook_own_force_y_;
-        let mut carry8_2_ = c_(0.0);
-        for (
-            (
-                &[_,
-                _,
-                minus_joint_load_moment_z_,
-                _,
-                _,
-                _,
-                _,
-                _,
-                _,
-                _,
-                ],
-                &[joint_own_force_x_,
-                joint_own_force_y_,
-                ],
-            ),
-            [_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            o7_24_,
-            o7_25_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            o7_36_,
-            o7_37_,
-            o7_38_,
-            ],
-        ) in ::core::iter::Iterator::rev(
-            ::core::iter::zip(
-                ::core::iter::zip(store1_.iter(), store13_.iter()),
-                ::mstmm::generated::times_mut::<T, 26>(results7_.as_mut_slice(), 13, 10)
-                    .iter_mut(),
-            ),
-        ) {
-            let carry8_0_before_ = carry8_0_;
-            let carry8_1_before_ = carry8_1_;
-            let carry8_2_before_ = carry8_2_;
-            /// Load on `joint`, [P, Eqs. (18), (19)]: 0 mul, 2 add, 0 reciprocal.
-            let joint_load_force_x_ = carry8_0_before_ + joint_own_force_x_;
-            let joint_load_force_y_ = carry8_1_before_ + joint_own_force_y_;
-            *o7_24_ = joint_load_force_x_;
-            *o7_25_ = joint_load_force_y_;
-            *o7_36_ = -carry8_2_before_;
-            *o7_37_ = carry8_0_before_;
-            *o7_38_ = carry8_1_before_;
-            (carry8_0_, carry8_1_, carry8_2_) = (
-                joint_load_force_x_,
-                joint_load_force_y_,
-                -minus_joint_load_moment_z_,
-            );
-        }
-        let mut carry9_0_ = c_(1.0);
-        let mut carry9_1_ = c_(0.0);
-        let mut carry9_2_ = c_(0.0);
-        let mut carry9_3_ = c_(1.0);
-        let mut carry9_4_ = c_(0.0);
-        for (
-            (&[joint_rate_], &[_, _, _, _, _, _, known_p6_, _, _]),
-            &[sin_joint_angle_,
-            cos_joint_angle_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            ],
-        ) in ::core::iter::zip(
-            ::core::iter::zip(
-                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
-                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
-            ),
-            store1_.iter(),
-        ) {
-            let carry9_0_before_ = carry9_0_;
-            let carry9_1_before_ = carry9_1_;
-            let carry9_2_before_ = carry9_2_;
-            let carry9_3_before_ = carry9_3_;
-            let carry9_4_before_ = carry9_4_;
-            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal.
-            let t101_ = cos_joint_angle_ * carry9_0_before_;
-            let joint_axes_x_x_2_ = T::mul_add(
-                sin_joint_angle_,
-                carry9_1_before_,
-                t101_,
-            );
-            let t102_ = sin_joint_angle_ * carry9_0_before_;
-            let minus_joint_axes_x_y_2_ = T::mul_neg_add(
-                cos_joint_angle_,
-                carry9_1_before_,
-                t102_,
-            );
-            let t103_ = cos_joint_angle_ * carry9_2_before_;
-            let joint_axes_y_x_2_ = T::mul_add(
-                sin_joint_angle_,
-                carry9_3_before_,
-                t103_,
-            );
-            let t104_ = sin_joint_angle_ * carry9_2_before_;
-            let minus_joint_axes_y_y_2_ = T::mul_neg_add(
-                cos_joint_angle_,
-                carry9_3_before_,
-                t104_,
-            );
-            let joint_omega_z_4_ = joint_rate_ + carry9_4_before_;
-            /// Results: 8 mul, 0 add, 0 reciprocal.
-            let t105_ = c_(0.1) * joint_axes_x_x_2_;
-            let t106_ = c_(0.1) * joint_axes_y_x_2_;
-            let t107_ = joint_omega_z_4_ * t106_;
-            let t108_ = joint_omega_z_4_ * t105_;
-            let t109_ = known_p6_ * t106_;
-            let t110_ = known_p6_ * t107_;
-            let t111_ = known_p6_ * t108_;
-            let t112_ = c_(9.8) * t109_;
-            _ = store16_.try_push([t106_, t107_, t108_, t110_, t111_, t112_]);
-            (carry9_0_, carry9_1_, carry9_2_, carry9_3_, carry9_4_) = (
-                joint_axes_x_x_2_,
-                -minus_joint_axes_x_y_2_,
-                joint_axes_y_x_2_,
-                -minus_joint_axes_y_y_2_,
-                joint_omega_z_4_,
-            );
-        }
-        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t113_ = sin_hook_angle_ * carry9_0_;
-        let minus_hook_axes_x_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_1_, t113_);
-        let t114_ = sin_hook_angle_ * carry9_2_;
-        let minus_hook_axes_y_y_2_ = T::mul_neg_add(cos_hook_angle_, carry9_3_, t114_);
-        let hook_omega_z_4_ = hook_rate_ + carry9_4_;
-        /// Results: 5 mul, 0 add, 0 reciprocal.
-        let t115_ = c_(0.2) * minus_hook_axes_x_y_2_;
-        let t116_ = c_(0.2) * minus_hook_axes_y_y_2_;
-        let t117_ = hook_omega_z_4_ * t116_;
-        let t118_ = hook_omega_z_4_ * t115_;
-        let t119_ = c_(1.9600000000000002) * minus_hook_axes_y_y_2_;
-        let mut carry10_0_ = c_(0.0);
-        for (&[joint_rate_], &[_, _, _, _, known_p4_, _, _, _, _]) in ::core::iter::zip(
-            ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
-            ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
-        ) {
-            let carry10_0_before_ = carry10_0_;
-            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-            let joint_omega_z_5_ = joint_rate_ + carry10_0_before_;
-            /// Results: 3 mul, 0 add, 0 reciprocal.
-            let t120_ = joint_omega_z_5_ * joint_omega_z_5_;
-            let t121_ = known_p4_ * t120_;
-            let t122_ = c_(0.5) * t121_;
-            _ = store18_.try_push([t122_]);
-            (carry10_0_,) = (joint_omega_z_5_,);
-        }
-        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let hook_omega_z_5_ = hook_rate_ + carry10_0_;
-        /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t123_ = hook_omega_z_5_ * hook_omega_z_5_;
-        let t124_ = c_(0.015000000000000003) * t123_;
-        let mut carry11_0_ = c_(0.0);
-        let mut carry11_1_ = c_(0.0);
-        let mut carry11_2_ = c_(0.0);
-        for (
-            (
-                &[_,
-                _,
-                _,
-                _,
-                _,
-                _,
-                known_p6_,
-                _,
-                known_p8_,
-                ],
-                &[_,
-                _,
-                _,
-                _,
-                _,
-                _,
-                _,
-                _,
-                _,
-                t11_,
-                ],
-            ),
-            &[t106_,
-            t107_,
-            t108_,
-            t110_,
-            t111_,
-            t112_,
-            ],
-        ) in ::core::iter::zip(
-            ::core::iter::zip(
-                ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10)
-                    .iter(),
-                store1_.iter(),
-            ),
-            store16_.iter(),
-        ) {
-            let carry11_0_before_ = carry11_0_;
-            let carry11_1_before_ = carry11_1_;
-            let carry11_2_before_ = carry11_2_;
-            /// Results: 5 mul, 8 add, 0 reciprocal.
-            let t125_ = t107_ - carry11_1_before_;
-            let t126_ = t108_ + carry11_2_before_;
-            let t127_ = t106_ + carry11_0_before_;
-            let t128_ = T::mul_neg_add(known_p6_, carry11_1_before_, t110_);
-            let t129_ = T::mul_add(known_p6_, carry11_2_before_, t111_);
-            let t130_ = carry11_1_before_ * t128_;
-            let t131_ = T::mul_neg_add(carry11_2_before_, t129_, t130_);
-            let t132_ = T::mul_add(known_p8_, carry11_0_before_, t112_);
-            let t133_ = t11_ + t132_;
-            _ = store20_.try_push([t131_, t133_]);
-            (carry11_0_, carry11_1_, carry11_2_) = (t127_, -t125_, t126_);
-        }
-        /// Results: 3 mul, 3 add, 0 reciprocal.
-        let t134_ = carry11_1_ - t117_;
-        let t135_ = carry11_2_ + t118_;
-        let t136_ = carry11_1_ * t134_;
-        let t137_ = T::mul_add(carry11_2_, t135_, t136_);
-        let t138_ = c_(19.6) * carry11_0_;
-        let mut carry12_0_ = c_(0.0);
-        let mut carry12_1_ = c_(0.0);
-        for (&[t131_, t133_], &[t122_]) in ::core::iter::zip(
-            store20_.iter(),
-            store18_.iter(),
-        ) {
-            let carry12_0_before_ = carry12_0_;
-            let carry12_1_before_ = carry12_1_;
             /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t139_ = carry12_0_before_ - t131_;
-            let t140_ = t139_ + t122_;
-            let t141_ = carry12_1_before_ + t133_;
-            (carry12_0_, carry12_1_) = (t140_, t141_);
+            let t114_ = carry7_0_before_ + t98_;
+            let t115_ = t114_ + t81_;
+            let t116_ = carry7_1_before_ + t101_;
+            (carry7_0_, carry7_1_) = (t115_, t116_);
         }
-        /// Results: 0 mul, 4 add, 0 reciprocal.
-        let t142_ = carry12_0_ + t137_;
-        let t143_ = t142_ + t124_;
-        let t144_ = carry12_1_ + t138_;
-        let t145_ = t144_ + t119_;
+        /// Results: 0 mul, 3 add, 0 reciprocal.
+        let t117_ = carry7_0_ + t110_;
+        let t118_ = t117_ + t84_;
+        let t119_ = carry7_1_ + t113_;
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t59_;
+            *o0_ = -t64_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results3_.as_mut_slice(), 10, 1) {
-            *o0_ = -t59_;
+            *o0_ = -t64_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
@@ -1820,55 +1631,32 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         >(results4_.as_mut_slice(), 10, 1) {
             *o0_ = c_(0.0);
         }
-        for [o0_, o1_, o2_, o3_, o4_, o5_, o6_, o7_, o8_, o9_, o10_, o11_, o12_] in ::mstmm::generated::times_mut::<
+        for [o0_, o1_, o2_, o3_, o4_] in ::mstmm::generated::times_mut::<
             T,
-            13,
+            5,
         >(results7_.as_mut_slice(), 0, 1) {
             *o0_ = c_(0.0);
-            *o1_ = c_(0.0);
-            *o2_ = c_(1.0);
-            *o3_ = c_(0.0);
-            *o4_ = c_(0.0);
-            *o5_ = c_(0.0);
-            *o6_ = c_(0.0);
-            *o7_ = c_(0.0);
-            *o8_ = c_(0.0);
-            *o9_ = c_(0.0);
-            *o10_ = -carry8_2_;
-            *o11_ = carry8_0_;
-            *o12_ = carry8_1_;
+            *o1_ = c_(9.8);
+            *o2_ = carry1_6_;
+            *o3_ = start_of_repeat0_load_force_x_;
+            *o4_ = start_of_repeat0_load_force_y_;
         }
-        for [o0_, o1_, o2_, o3_, o4_, o5_, o6_, o7_, o8_, o9_, o10_, o11_, o12_, o13_,
-        o14_, o15_, o16_, o17_, o18_, o19_, o20_, o21_, o22_, o23_, o24_, o25_] in ::mstmm::generated::times_mut::<
+        for [o0_, o1_, o2_, o3_, o4_, o5_, o6_, o7_, o8_, o9_, o10_, o11_] in ::mstmm::generated::times_mut::<
             T,
-            26,
-        >(results7_.as_mut_slice(), 273, 1) {
+            12,
+        >(results7_.as_mut_slice(), 225, 1) {
             *o0_ = carry4_0_;
             *o1_ = carry4_1_;
-            *o2_ = hook_axes_x_x_;
-            *o3_ = hook_axes_y_x_;
-            *o4_ = carry4_2_;
-            *o5_ = carry4_3_;
+            *o2_ = hook_to_inertial_x_x_;
+            *o3_ = hook_to_inertial_y_x_;
+            *o4_ = hook_velocity_x_;
+            *o5_ = -minus_hook_velocity_y_;
             *o6_ = hook_omega_z_2_;
-            *o7_ = carry7_0_;
-            *o8_ = carry7_1_;
-            *o9_ = -minus_hook_acc_ang_z_;
-            *o10_ = c_(0.0);
-            *o11_ = hook_own_force_x_;
-            *o12_ = hook_own_force_y_;
-            *o13_ = carry4_0_;
-            *o14_ = carry4_1_;
-            *o15_ = hook_axes_x_x_;
-            *o16_ = hook_axes_y_x_;
-            *o17_ = carry4_2_;
-            *o18_ = carry4_3_;
-            *o19_ = hook_omega_z_2_;
-            *o20_ = carry7_0_;
-            *o21_ = carry7_1_;
-            *o22_ = -minus_hook_acc_ang_z_;
-            *o23_ = c_(0.0);
-            *o24_ = c_(0.0);
-            *o25_ = c_(0.0);
+            *o7_ = hook_a_lin_x_;
+            *o8_ = -minus_hook_a_lin_y_;
+            *o9_ = minus_hook_a_ang_z_;
+            *o10_ = hook_load_force_x_;
+            *o11_ = hook_load_force_y_;
         }
         ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
@@ -1878,228 +1666,164 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         at_.accelerations.data.0 = [results0_];
         at_.rate_accelerations.data.0 = [results3_];
         at_.efforts.data.0 = [results4_];
-        at_.kinetic_energy = t143_;
-        at_.potential_energy = t145_;
-        for (
-            point_,
-            &[p0_,
-            p1_,
-            p2_,
-            p3_,
-            p4_,
-            p5_,
-            p6_,
-            p7_,
-            p8_,
-            p9_,
-            p10_,
-            p11_,
-            p12_,
-            ],
-        ) in ::core::iter::zip(&mut at_.points, results7_.as_chunks::<13>().0) {
-            point_.set_position([p0_, p1_]);
-            point_.set_orientation([p2_, p3_]);
-            point_.set_velocity([p4_, p5_]);
-            point_.set_angular_velocity([p6_]);
-            point_.set_acceleration([p7_, p8_]);
-            point_.set_angular_acceleration([p9_]);
-            point_.set_moment([p10_]);
-            point_.set_force([p11_, p12_]);
-        }
+        at_.kinetic_energy = t118_;
+        at_.potential_energy = t119_;
+        at_.numbers = results7_;
+        at_.at_rest = [c_(0.0), c_(9.8)];
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 69 operations: 41 mul, 28 add, 0 reciprocal, 2 sin/cos.
+    /// 62 operations: 38 mul, 24 add, 0 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 4 | 4 | 0 | 0 | 1 |
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 8 | 6 | 0 | 0 | 1 |
-    /// | Results |  | 29 | 18 | 0 | 0 | 0 |
+    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
+    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
+    /// | Results |  | 38 | 22 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &RopeState<T>) -> ::mstmm::Energy<T> {
         let c_ = T::constant;
         let [hook_angle_] = ::mstmm::generated::piece::<T, 1>(state_.q.as_slice(), 10);
         let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
-        let mut store1_ = ::mstmm::generated::Stored::<[T; 7], 10>::new_const();
-        let mut store3_ = ::mstmm::generated::Stored::<[T; 1], 10>::new_const();
-        let mut store5_ = ::mstmm::generated::Stored::<[T; 2], 10>::new_const();
+        let mut store1_ = ::mstmm::generated::Stored::<[T; 6], 10>::new_const();
+        let mut store3_ = ::mstmm::generated::Stored::<[T; 2], 10>::new_const();
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
-        let mut carry0_0_ = c_(1.0);
-        let mut carry0_1_ = c_(0.0);
-        let mut carry0_2_ = c_(0.0);
-        let mut carry0_3_ = c_(1.0);
-        let mut carry0_4_ = c_(0.0);
+        let mut carry0_0_ = c_(0.0);
         for (
             (&[joint_angle_], &[joint_rate_]),
             &[known_knot_,
             known_p1_,
-            _,
+            known_p2_,
             known_p3_,
             known_p4_,
             _,
             known_p6_,
-            _,
-            known_p8_,
             ],
         ) in ::core::iter::zip(
             ::core::iter::zip(
                 ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
                 ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
             ),
-            ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
+            ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10).iter(),
         ) {
             let carry0_0_before_ = carry0_0_;
-            let carry0_1_before_ = carry0_1_;
-            let carry0_2_before_ = carry0_2_;
-            let carry0_3_before_ = carry0_3_;
-            let carry0_4_before_ = carry0_4_;
-            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 8 mul, 5 add, 0 reciprocal, 1 sin/cos.
+            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
-            let t0_ = cos_joint_angle_ * carry0_0_before_;
-            let joint_axes_x_x_ = T::mul_add(sin_joint_angle_, carry0_1_before_, t0_);
-            let t1_ = sin_joint_angle_ * carry0_0_before_;
-            let minus_joint_axes_x_y_ = T::mul_neg_add(
-                cos_joint_angle_,
-                carry0_1_before_,
-                t1_,
-            );
-            let t2_ = sin_joint_angle_ * carry0_3_before_;
-            let joint_axes_y_x_ = T::mul_add(cos_joint_angle_, carry0_2_before_, t2_);
-            let t3_ = cos_joint_angle_ * carry0_3_before_;
-            let joint_axes_y_y_ = T::mul_neg_add(
-                sin_joint_angle_,
-                carry0_2_before_,
-                t3_,
-            );
-            let joint_omega_z_ = joint_rate_ + carry0_4_before_;
-            /// Results: 11 mul, 0 add, 0 reciprocal.
-            let t4_ = joint_angle_ * c_(0.2);
-            let t5_ = joint_angle_ * t4_;
-            let t6_ = t5_ * c_(0.5);
-            let t7_ = c_(0.1) * joint_axes_x_x_;
-            let t8_ = c_(0.1) * joint_axes_y_x_;
-            let t9_ = joint_omega_z_ * t8_;
-            let t10_ = joint_omega_z_ * t7_;
-            let t11_ = known_p6_ * t8_;
-            let t12_ = known_p6_ * t9_;
-            let t13_ = known_p6_ * t10_;
-            let t14_ = c_(9.8) * t11_;
-            _ = store1_.try_push([t6_, t8_, t9_, t10_, t12_, t13_, t14_]);
-            (carry0_0_, carry0_1_, carry0_2_, carry0_3_, carry0_4_) = (
-                joint_axes_x_x_,
-                -minus_joint_axes_x_y_,
-                joint_axes_y_x_,
-                joint_axes_y_y_,
-                joint_omega_z_,
-            );
-        }
-        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 4 mul, 3 add, 0 reciprocal.
-        let t15_ = sin_hook_angle_ * carry0_0_;
-        let minus_hook_axes_x_y_ = T::mul_neg_add(cos_hook_angle_, carry0_1_, t15_);
-        let t16_ = sin_hook_angle_ * carry0_2_;
-        let minus_hook_axes_y_y_ = T::mul_neg_add(cos_hook_angle_, carry0_3_, t16_);
-        let hook_omega_z_ = hook_rate_ + carry0_4_;
-        /// Results: 5 mul, 0 add, 0 reciprocal.
-        let t17_ = c_(0.2) * minus_hook_axes_x_y_;
-        let t18_ = c_(0.2) * minus_hook_axes_y_y_;
-        let t19_ = hook_omega_z_ * t18_;
-        let t20_ = hook_omega_z_ * t17_;
-        let t21_ = c_(1.9600000000000002) * minus_hook_axes_y_y_;
-        let mut carry1_0_ = c_(0.0);
-        for (&[joint_rate_], &[_, _, _, _, known_p4_, _, _, _, _]) in ::core::iter::zip(
-            ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
-            ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
-        ) {
-            let carry1_0_before_ = carry1_0_;
-            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-            let joint_omega_z_2_ = joint_rate_ + carry1_0_before_;
-            /// Results: 3 mul, 0 add, 0 reciprocal.
-            let t22_ = joint_omega_z_2_ * joint_omega_z_2_;
-            let t23_ = known_p4_ * t22_;
-            let t24_ = c_(0.5) * t23_;
-            _ = store3_.try_push([t24_]);
-            (carry1_0_,) = (joint_omega_z_2_,);
+            let joint_omega_z_ = joint_rate_ + carry0_0_before_;
+            /// Results: 8 mul, 0 add, 0 reciprocal.
+            let t0_ = joint_angle_ * c_(0.2);
+            let t1_ = joint_angle_ * t0_;
+            let t2_ = t1_ * c_(0.5);
+            let t3_ = joint_omega_z_ * joint_omega_z_;
+            let t4_ = c_(0.1) * joint_omega_z_;
+            let t5_ = known_p2_ * joint_omega_z_;
+            let t6_ = known_p4_ * t3_;
+            let t7_ = c_(0.5) * t6_;
+            _ = store1_
+                .try_push([sin_joint_angle_, cos_joint_angle_, t2_, t4_, t5_, t7_]);
+            (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let hook_omega_z_2_ = hook_rate_ + carry1_0_;
-        /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t25_ = hook_omega_z_2_ * hook_omega_z_2_;
-        let t26_ = c_(0.015000000000000003) * t25_;
-        let mut carry2_0_ = c_(0.0);
-        let mut carry2_1_ = c_(0.0);
-        let mut carry2_2_ = c_(0.0);
+        let hook_omega_z_ = hook_rate_ + carry0_0_;
+        /// Results: 3 mul, 0 add, 0 reciprocal.
+        let t8_ = hook_omega_z_ * hook_omega_z_;
+        let t9_ = c_(0.2) * hook_omega_z_;
+        let t10_ = t8_ * c_(0.015000000000000003);
+        let mut carry1_0_ = c_(0.0);
+        let mut carry1_1_ = c_(0.0);
+        let mut carry1_2_ = c_(1.0);
+        let mut carry1_3_ = c_(0.0);
+        let mut carry1_4_ = c_(0.0);
         for (
             &[_,
-            _,
-            _,
+            known_p1_,
+            known_p2_,
             _,
             _,
             _,
             known_p6_,
-            _,
-            known_p8_,
             ],
-            &[t6_,
-            t8_,
-            t9_,
-            t10_,
-            t12_,
-            t13_,
-            t14_,
+            &[sin_joint_angle_,
+            cos_joint_angle_,
+            t2_,
+            t4_,
+            t5_,
+            _,
             ],
         ) in ::core::iter::zip(
-            ::mstmm::generated::times::<T, 9>(self.derived0.as_slice(), 0, 10).iter(),
+            ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10).iter(),
             store1_.iter(),
+        ) {
+            let carry1_0_before_ = carry1_0_;
+            let carry1_1_before_ = carry1_1_;
+            let carry1_2_before_ = carry1_2_;
+            let carry1_3_before_ = carry1_3_;
+            let carry1_4_before_ = carry1_4_;
+            /// Results: 16 mul, 10 add, 0 reciprocal.
+            let t11_ = cos_joint_angle_ * carry1_1_before_;
+            let t12_ = sin_joint_angle_ * carry1_1_before_;
+            let t13_ = cos_joint_angle_ * carry1_3_before_;
+            let t14_ = sin_joint_angle_ * carry1_3_before_;
+            let t15_ = T::mul_add(sin_joint_angle_, carry1_2_before_, t11_);
+            let t16_ = T::mul_neg_add(cos_joint_angle_, carry1_2_before_, t12_);
+            let t17_ = T::mul_add(c_(0.1), t15_, carry1_0_before_);
+            let t18_ = known_p1_ * carry1_0_before_;
+            let t19_ = T::mul_add(known_p2_, t15_, t18_);
+            let t20_ = T::mul_add(sin_joint_angle_, carry1_4_before_, t13_);
+            let t21_ = T::mul_neg_add(cos_joint_angle_, carry1_4_before_, t14_);
+            let t22_ = t4_ - t21_;
+            let t23_ = known_p6_ * t20_;
+            let t24_ = T::mul_neg_add(known_p6_, t21_, t5_);
+            let t25_ = t20_ * t23_;
+            let t26_ = T::mul_neg_add(t21_, t24_, t25_);
+            let t27_ = T::mul_add(c_(9.8), t19_, t2_);
+            _ = store3_.try_push([t26_, t27_]);
+            (carry1_0_, carry1_1_, carry1_2_, carry1_3_, carry1_4_) = (
+                t17_,
+                t15_,
+                -t16_,
+                t20_,
+                t22_,
+            );
+        }
+        /// Results: 11 mul, 6 add, 0 reciprocal.
+        let t28_ = sin_hook_angle_ * carry1_1_;
+        let t29_ = T::mul_neg_add(cos_hook_angle_, carry1_2_, t28_);
+        let t30_ = sin_hook_angle_ * carry1_3_;
+        let t31_ = cos_hook_angle_ * carry1_3_;
+        let t32_ = c_(2.0) * carry1_0_;
+        let t33_ = T::mul_add(c_(0.2), t29_, t32_);
+        let t34_ = c_(9.8) * t33_;
+        let t35_ = T::mul_add(sin_hook_angle_, carry1_4_, t31_);
+        let t36_ = T::mul_neg_add(cos_hook_angle_, carry1_4_, t30_);
+        let t37_ = t9_ + t35_;
+        let t38_ = t36_ * t36_;
+        let t39_ = T::mul_add(t35_, t37_, t38_);
+        let mut carry2_0_ = c_(0.0);
+        let mut carry2_1_ = c_(0.0);
+        for (&[_, _, _, _, _, t7_], &[t26_, t27_]) in ::core::iter::zip(
+            store1_.iter(),
+            store3_.iter(),
         ) {
             let carry2_0_before_ = carry2_0_;
             let carry2_1_before_ = carry2_1_;
-            let carry2_2_before_ = carry2_2_;
-            /// Results: 5 mul, 8 add, 0 reciprocal.
-            let t27_ = carry2_1_before_ - t9_;
-            let t28_ = carry2_2_before_ + t10_;
-            let t29_ = carry2_0_before_ + t8_;
-            let t30_ = T::mul_neg_add(carry2_1_before_, known_p6_, t12_);
-            let t31_ = T::mul_add(carry2_2_before_, known_p6_, t13_);
-            let t32_ = carry2_1_before_ * t30_;
-            let t33_ = T::mul_neg_add(carry2_2_before_, t31_, t32_);
-            let t34_ = T::mul_add(carry2_0_before_, known_p8_, t14_);
-            let t35_ = t6_ + t34_;
-            _ = store5_.try_push([t33_, t35_]);
-            (carry2_0_, carry2_1_, carry2_2_) = (t29_, t27_, t28_);
-        }
-        /// Results: 3 mul, 3 add, 0 reciprocal.
-        let t36_ = carry2_1_ - t19_;
-        let t37_ = carry2_2_ + t20_;
-        let t38_ = carry2_1_ * t36_;
-        let t39_ = T::mul_add(carry2_2_, t37_, t38_);
-        let t40_ = carry2_0_ * c_(19.6);
-        let mut carry3_0_ = c_(0.0);
-        let mut carry3_1_ = c_(0.0);
-        for (&[t33_, t35_], &[t24_]) in ::core::iter::zip(
-            store5_.iter(),
-            store3_.iter(),
-        ) {
-            let carry3_0_before_ = carry3_0_;
-            let carry3_1_before_ = carry3_1_;
             /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t41_ = carry3_0_before_ - t33_;
-            let t42_ = t41_ + t24_;
-            let t43_ = carry3_1_before_ + t35_;
-            (carry3_0_, carry3_1_) = (t42_, t43_);
+            let t40_ = carry2_0_before_ + t26_;
+            let t41_ = t7_ + t40_;
+            let t42_ = carry2_1_before_ + t27_;
+            (carry2_0_, carry2_1_) = (t41_, t42_);
         }
-        /// Results: 0 mul, 4 add, 0 reciprocal.
-        let t44_ = carry3_0_ + t39_;
-        let t45_ = t44_ + t26_;
-        let t46_ = carry3_1_ + t40_;
-        let t47_ = t46_ + t21_;
+        /// Results: 0 mul, 3 add, 0 reciprocal.
+        let t43_ = carry2_0_ + t39_;
+        let t44_ = t10_ + t43_;
+        let t45_ = carry2_1_ + t34_;
         ::mstmm::Energy {
-            kinetic: t45_,
-            potential: t47_,
+            kinetic: t44_,
+            potential: t45_,
         }
     }
 }
@@ -2368,7 +2092,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     }
 }
 /// Results of [`Rope::solve_into`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct RopeWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 11>,
@@ -2376,7 +2100,8 @@ pub struct RopeWorkspace<T> {
     efforts: ::mstmm::nalgebra::SVector<T, 11>,
     kinetic_energy: T,
     potential_energy: T,
-    points: [::mstmm::PlanePoint<T>; 23],
+    numbers: [T; 237],
+    at_rest: [T; 2],
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
@@ -2399,19 +2124,58 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
     /// All connection points in the order written: the first element's input, then every
     /// element's output.
     #[inline]
-    pub fn points(&self) -> &[::mstmm::PlanePoint<T>; 23] {
-        &self.points
+    pub fn points(&self) -> [::mstmm::PlanePoint<T>; 23] {
+        ::core::array::from_fn(|index_| self.point_(index_))
+    }
+    /// Where every point of the model has its numbers.
+    const PLACES_: [::mstmm::generated::Places<1, 6>; 5] = [
+        ::mstmm::generated::Places::new(
+            0,
+            [0],
+            [([0], 0), ([0], 0), ([0], 1), ([0], 0), ([0], -3), ([0], 4)],
+        ),
+        ::mstmm::generated::Places::new(
+            1,
+            [3],
+            [([3], 5), ([0], 7), ([3], 8), ([0], -10), ([0], 11), ([3], -12)],
+        ),
+        ::mstmm::generated::Places::new(
+            14,
+            [3],
+            [([3], 16), ([0], 7), ([3], 18), ([0], -10), ([0], -20), ([3], 21)],
+        ),
+        ::mstmm::generated::Places::new(
+            1,
+            [3],
+            [([3], 5), ([0], 7), ([3], 8), ([0], -10), ([0], 0), ([3], 11)],
+        ),
+        ::mstmm::generated::Places::new(
+            1,
+            [3],
+            [([3], 5), ([0], 7), ([3], 8), ([0], -10), ([0], 0), ([0], 0)],
+        ),
+    ];
+    /// Connection point number `index`.
+    #[inline]
+    fn point_(&self, index_: usize) -> ::mstmm::PlanePoint<T> {
+        let (model_, numbers_) = ::mstmm::generated::place_of(
+            &self.numbers,
+            &[[0, 1, 0, 1, 0, 5], [1, 2, 1, 20, 5, 22], [3, 2, 21, 2, 225, 12]],
+            index_,
+        );
+        ::mstmm::PlanePoint::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }
     /// Acceleration, effort, input and output of hinge `joint` number `index` of 10.
     #[inline]
     pub fn joint(
         &self,
         index_: usize,
-    ) -> ::core::option::Option<::mstmm::HingeResult<'_, T, T, ::mstmm::PlanePoint<T>>> {
+    ) -> ::core::option::Option<::mstmm::HingeResult<T, T, ::mstmm::PlanePoint<T>>> {
         if index_ >= 10 {
             return ::core::option::Option::None;
         }
-        let [input_, output_] = self.points.get(0 + index_ * 2..)?.first_chunk()?;
+        let first_ = 0 + index_ * 2;
+        let (input_, output_) = (self.point_(first_), self.point_(first_ + 1));
         let result_ = ::mstmm::HingeResult::new(
             {
                 let &[x0_] = ::mstmm::generated::times::<
@@ -2439,17 +2203,18 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
     pub fn rod(
         &self,
         index_: usize,
-    ) -> ::core::option::Option<::mstmm::BodyResult<'_, T, ::mstmm::PlanePoint<T>>> {
+    ) -> ::core::option::Option<::mstmm::BodyResult<T, ::mstmm::PlanePoint<T>>> {
         if index_ >= 10 {
             return ::core::option::Option::None;
         }
-        let [input_, output_] = self.points.get(1 + index_ * 2..)?.first_chunk()?;
+        let first_ = 1 + index_ * 2;
+        let (input_, output_) = (self.point_(first_), self.point_(first_ + 1));
         ::core::option::Option::Some(::mstmm::BodyResult::new(input_, output_))
     }
     /// Acceleration, effort, input and output of hinge `hook`.
     #[inline]
-    pub fn hook(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::PlanePoint<T>> {
-        let (input_, output_) = (&self.points[20], &self.points[21]);
+    pub fn hook(&self) -> ::mstmm::HingeResult<T, T, ::mstmm::PlanePoint<T>> {
+        let (input_, output_) = (self.point_(20), self.point_(21));
         ::mstmm::HingeResult::new(
             {
                 let [value_] = ::mstmm::generated::piece::<
@@ -2471,15 +2236,28 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
     }
     /// Input and output of body `weight`.
     #[inline]
-    pub fn weight(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::PlanePoint<T>> {
-        let (input_, output_) = (&self.points[21], &self.points[22]);
+    pub fn weight(&self) -> ::mstmm::BodyResult<T, ::mstmm::PlanePoint<T>> {
+        let (input_, output_) = (self.point_(21), self.point_(22));
         ::mstmm::BodyResult::new(input_, output_)
+    }
+}
+impl<T: ::mstmm::Scalar> ::core::fmt::Debug for RopeWorkspace<T> {
+    fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+        to_.debug_struct("RopeWorkspace")
+            .field("accelerations", &self.accelerations)
+            .field("rate_accelerations", &self.rate_accelerations)
+            .field("efforts", &self.efforts)
+            .field("kinetic_energy", &self.kinetic_energy)
+            .field("potential_energy", &self.potential_energy)
+            .field("points", &self.points())
+            .finish()
     }
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Rope<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]
+    #[allow(clippy::all)]
     pub fn workspace(&self) -> RopeWorkspace<T> {
         let zero_ = T::constant(0.0);
         RopeWorkspace {
@@ -2488,7 +2266,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             efforts: ::mstmm::generated::vector([zero_; 11]),
             kinetic_energy: zero_,
             potential_energy: zero_,
-            points: [::core::default::Default::default(); 23],
+            numbers: [T::constant(0.0); 237],
+            at_rest: [T::constant(0.0); 2],
         }
     }
 }

@@ -22,7 +22,7 @@
 ///
 /// Mobility 3: 3 degrees of freedom.
 ///
-/// Accelerations by `riccati`, 17 operations (13 mul, 4 add, 0 reciprocal); with everything at every connection point 90 operations.
+/// Accelerations by `riccati`, 17 operations (13 mul, 4 add, 0 reciprocal); with everything at every connection point 52 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 struct Top<T> {
@@ -167,15 +167,14 @@ impl<T: ::mstmm::Scalar> Top<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 90 operations: 55 mul, 35 add, 0 reciprocal.
+    /// 52 operations: 34 mul, 18 add, 0 reciprocal.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 21 | 17 | 0 | 0 | 0 |
+    /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 12 | 11 | 0 | 0 | 0 |
     /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 7 | 1 | 0 | 0 | 0 |
-    /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
-    /// | Point of `tip` | \[P, Eqs. (12), (13), (36)\] | 6 | 3 | 0 | 0 | 0 |
-    /// | Load of the body at `tip` | \[P, Eqs. (18), (19)\] | 14 | 11 | 0 | 0 | 0 |
+    /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 5 | 2 | 0 | 0 | 0 |
+    /// | Load on `tip` | \[P, Eqs. (18), (19)\] | 5 | 3 | 0 | 0 | 0 |
     /// | Results |  | 5 | 1 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -188,11 +187,12 @@ impl<T: ::mstmm::Scalar> Top<T> {
         inputs_: &TopInputs<T>,
         at_: &mut TopWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let [point0_, point1_, point2_] = &mut at_.points;
+        let [_, _, _, n3_, n4_, n5_, n6_, n7_, n8_, n9_, n10_, n11_, n12_, n13_, n14_,
+        n15_, n16_, n17_, n18_, n19_, n20_, n21_, n22_, _] = &mut at_.numbers;
         let c_ = T::constant;
         let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
         let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
-        /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 21 mul, 17 add, 0 reciprocal.
+        /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 12 mul, 11 add, 0 reciprocal.
         let t0_ = tip_qy_ * c_(2.0);
         let t1_ = tip_qz_ * c_(2.0);
         let t2_ = tip_qy_ * t0_;
@@ -223,7 +223,10 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let tip_w0_ = t15_ * c_(0.9);
         let t16_ = tip_wx_ * tip_wz_;
         let minus_tip_w1_ = t16_ * c_(0.9);
-        /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
+        /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 5 mul, 2 add, 0 reciprocal.
+        let minus_tip_a_lin_x_ = minus_tip_turn_z_x_ * c_(9.8);
+        let tip_a_lin_y_ = tip_turn_z_y_ * c_(9.8);
+        let minus_tip_a_lin_z_ = c_(9.8) * minus_tip_turn_z_z_;
         let tip_a_ang_x_ = T::mul_add(tip_turn_z_y_, c_(117.60000000000001), tip_w0_);
         let minus_tip_a_ang_y_ = T::mul_neg_add(
             minus_tip_turn_z_x_,
@@ -237,141 +240,46 @@ impl<T: ::mstmm::Scalar> Top<T> {
             _,
         >(&[], [], [], [tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)])?;
         at_.efforts.data.0 = [[c_(0.0), c_(0.0), c_(0.0)]];
-        point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_
-            .set_orientation([
-                c_(1.0),
-                c_(0.0),
-                c_(0.0),
-                c_(0.0),
-                c_(1.0),
-                c_(0.0),
-                c_(0.0),
-                c_(0.0),
-                c_(1.0),
-            ]);
-        point0_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_.set_angular_velocity([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_.set_angular_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
-        point1_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
-        point1_
-            .set_orientation([
-                -minus_tip_turn_x_x_,
-                -minus_tip_turn_x_y_,
-                tip_turn_x_z_,
-                tip_turn_y_x_,
-                -minus_tip_turn_y_y_,
-                -minus_tip_turn_y_z_,
-                -minus_tip_turn_z_x_,
-                tip_turn_z_y_,
-                -minus_tip_turn_z_z_,
-            ]);
-        point1_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
-        point1_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
-        point1_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
-        point2_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
-        point2_
-            .set_orientation([
-                -minus_tip_turn_x_x_,
-                -minus_tip_turn_x_y_,
-                tip_turn_x_z_,
-                tip_turn_y_x_,
-                -minus_tip_turn_y_y_,
-                -minus_tip_turn_y_z_,
-                -minus_tip_turn_z_x_,
-                tip_turn_z_y_,
-                -minus_tip_turn_z_z_,
-            ]);
-        point2_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
-        point2_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
-        point2_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
-        point2_.set_force([c_(0.0), c_(0.0), c_(0.0)]);
+        *n3_ = minus_tip_turn_x_x_;
+        *n4_ = -tip_turn_y_x_;
+        *n5_ = minus_tip_turn_z_x_;
+        *n6_ = -minus_tip_turn_x_y_;
+        *n7_ = -minus_tip_turn_y_y_;
+        *n8_ = tip_turn_z_y_;
+        *n9_ = tip_turn_x_z_;
+        *n10_ = -minus_tip_turn_y_z_;
+        *n11_ = -minus_tip_turn_z_z_;
+        *n15_ = tip_wx_;
+        *n16_ = tip_wy_;
+        *n17_ = tip_wz_;
+        *n18_ = -minus_tip_a_lin_x_;
+        *n19_ = tip_a_lin_y_;
+        *n20_ = -minus_tip_a_lin_z_;
+        *n21_ = tip_a_ang_x_;
         at_.accelerations.data.0 = [[tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)]];
         at_.rate_accelerations.data.0 = [[tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)]];
-        /// Motion across `tip`.
-        let t17_ = tip_wy_ * minus_tip_turn_x_y_;
-        let t18_ = T::mul_add(tip_wx_, minus_tip_turn_x_x_, t17_);
-        let tip_omega_x_ = T::mul_sub(tip_wz_, tip_turn_x_z_, t18_);
-        let t19_ = tip_wx_ * tip_turn_y_x_;
-        let t20_ = T::mul_neg_add(tip_wz_, minus_tip_turn_y_z_, t19_);
-        let minus_tip_omega_y_ = T::mul_sub(tip_wy_, minus_tip_turn_y_y_, t20_);
-        let t21_ = tip_wx_ * minus_tip_turn_z_x_;
-        let t22_ = T::mul_neg_add(tip_wy_, tip_turn_z_y_, t21_);
-        let minus_tip_omega_z_ = T::mul_add(tip_wz_, minus_tip_turn_z_z_, t22_);
-        point1_
-            .set_angular_velocity([
-                tip_omega_x_,
-                -minus_tip_omega_y_,
-                -minus_tip_omega_z_,
-            ]);
-        point2_
-            .set_angular_velocity([
-                tip_omega_x_,
-                -minus_tip_omega_y_,
-                -minus_tip_omega_z_,
-            ]);
-        /// Point of `tip`, [P, Eqs. (12), (13), (36)]: 6 mul, 3 add, 0 reciprocal.
-        let t23_ = minus_tip_turn_x_y_ * minus_tip_a_ang_y_;
-        let tip_acc_ang_x_ = T::mul_neg_add(tip_a_ang_x_, minus_tip_turn_x_x_, t23_);
-        let t24_ = tip_turn_y_x_ * tip_a_ang_x_;
-        let tip_acc_ang_y_ = T::mul_add(minus_tip_a_ang_y_, minus_tip_turn_y_y_, t24_);
-        let t25_ = minus_tip_turn_z_x_ * tip_a_ang_x_;
-        let minus_tip_acc_ang_z_ = T::mul_add(tip_turn_z_y_, minus_tip_a_ang_y_, t25_);
-        point1_
-            .set_angular_acceleration([
-                tip_acc_ang_x_,
-                tip_acc_ang_y_,
-                -minus_tip_acc_ang_z_,
-            ]);
-        point2_
-            .set_angular_acceleration([
-                tip_acc_ang_x_,
-                tip_acc_ang_y_,
-                -minus_tip_acc_ang_z_,
-            ]);
-        /// Load of the body at `tip`, [P, Eqs. (18), (19)]: 14 mul, 11 add, 0 reciprocal.
-        let t26_ = minus_tip_turn_z_x_ * c_(1.9600000000000002);
-        let t27_ = tip_turn_z_y_ * c_(1.9600000000000002);
-        let t28_ = T::mul_add(
+        *n22_ = -minus_tip_a_ang_y_;
+        /// Load on `tip`, [P, Eqs. (18), (19)]: 5 mul, 3 add, 0 reciprocal.
+        let t17_ = t16_ * c_(0.0011999999999999997);
+        let minus_tip_load_force_x_ = T::mul_sub(minus_tip_turn_z_x_, c_(0.5488), t17_);
+        *n12_ = -minus_tip_load_force_x_;
+        let t18_ = t15_ * c_(0.0011999999999999997);
+        let tip_load_force_y_ = T::mul_add(tip_turn_z_y_, c_(0.5488), t18_);
+        *n13_ = tip_load_force_y_;
+        let minus_tip_load_force_z_ = T::mul_add(
             c_(1.9600000000000002),
             minus_tip_turn_z_z_,
             minus_tip_e_force_z_,
         );
-        let t29_ = t16_ - minus_tip_a_ang_y_;
-        let t30_ = T::mul_neg_add(c_(0.012), t29_, t26_);
-        let t31_ = t15_ - tip_a_ang_x_;
-        let t32_ = T::mul_add(c_(0.012), t31_, t27_);
-        let t33_ = tip_turn_x_z_ * t28_;
-        let t34_ = T::mul_neg_add(t30_, minus_tip_turn_x_x_, t33_);
-        let minus_tip_own_force_x_ = T::mul_add(minus_tip_turn_x_y_, t32_, t34_);
-        let t35_ = minus_tip_turn_y_z_ * t28_;
-        let t36_ = T::mul_sub(tip_turn_y_x_, t30_, t35_);
-        let minus_tip_own_force_y_ = T::mul_add(minus_tip_turn_y_y_, t32_, t36_);
-        let t37_ = minus_tip_turn_z_z_ * t28_;
-        let t38_ = T::mul_add(minus_tip_turn_z_x_, t30_, t37_);
-        let tip_own_force_z_ = T::mul_add(tip_turn_z_y_, t32_, t38_);
-        point0_
-            .set_force([
-                -minus_tip_own_force_x_,
-                -minus_tip_own_force_y_,
-                tip_own_force_z_,
-            ]);
-        point1_
-            .set_force([
-                -minus_tip_own_force_x_,
-                -minus_tip_own_force_y_,
-                tip_own_force_z_,
-            ]);
+        *n14_ = -minus_tip_load_force_z_;
         /// Results: 5 mul, 1 add, 0 reciprocal.
-        let t39_ = tip_wz_ * tip_wz_;
-        let t40_ = t39_ * c_(0.0001);
-        let t41_ = T::mul_add(t14_, c_(0.001), t40_);
-        let t42_ = c_(0.5) * t41_;
-        at_.kinetic_energy = t42_;
-        let t43_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
-        at_.potential_energy = -t43_;
+        let t19_ = tip_wz_ * tip_wz_;
+        let t20_ = t19_ * c_(0.0001);
+        let t21_ = T::mul_add(t14_, c_(0.001), t20_);
+        let t22_ = c_(0.5) * t21_;
+        at_.kinetic_energy = t22_;
+        let t23_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
+        at_.potential_energy = -t23_;
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
@@ -393,7 +301,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t0_ = tip_qx_ * c_(2.0);
         let t1_ = tip_qy_ * c_(2.0);
         let t2_ = T::mul_sub(tip_qy_, t1_, c_(1.0));
-        let minus_tip_axes_z_z_ = T::mul_add(tip_qx_, t0_, t2_);
+        let minus_tip_turn_z_z_ = T::mul_add(tip_qx_, t0_, t2_);
         /// Results: 7 mul, 2 add, 0 reciprocal.
         let t3_ = tip_wy_ * tip_wy_;
         let t4_ = tip_wz_ * tip_wz_;
@@ -401,7 +309,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t6_ = t4_ * c_(0.0001);
         let t7_ = T::mul_add(t5_, c_(0.001), t6_);
         let t8_ = c_(0.5) * t7_;
-        let t9_ = c_(0.11760000000000001) * minus_tip_axes_z_z_;
+        let t9_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
         ::mstmm::Energy {
             kinetic: t8_,
             potential: -t9_,
@@ -592,7 +500,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
     }
 }
 /// Results of [`Top::solve_into`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 struct TopWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 3>,
@@ -600,7 +508,8 @@ struct TopWorkspace<T> {
     efforts: ::mstmm::nalgebra::SVector<T, 3>,
     kinetic_energy: T,
     potential_energy: T,
-    points: [::mstmm::Point<T>; 3],
+    numbers: [T; 24],
+    at_rest: [T; 3],
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TopWorkspace<T> {
@@ -623,20 +532,64 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
     /// All connection points in the order written: the first element's input, then every
     /// element's output.
     #[inline]
-    fn points(&self) -> &[::mstmm::Point<T>; 3] {
-        &self.points
+    fn points(&self) -> [::mstmm::Point<T>; 3] {
+        ::core::array::from_fn(|index_| self.point_(index_))
+    }
+    /// Where every point of the model has its numbers.
+    const PLACES_: [::mstmm::generated::Places<3, 6>; 3] = [
+        ::mstmm::generated::Places::new(
+            0,
+            [0, 0, 0],
+            [
+                ([0, 0, 0], 0),
+                ([0, 0, 0], 0),
+                ([0, 0, 0], 1),
+                ([0, 0, 0], 0),
+                ([0, 0, 0], 0),
+                ([-4, 7, 10], 13),
+            ],
+        ),
+        ::mstmm::generated::Places::new(
+            0,
+            [-4, 7, 10],
+            [
+                ([0, 0, 0], 0),
+                ([-4, 7, 10], 16),
+                ([-4, 7, 10], 19),
+                ([-4, 7, 10], 22),
+                ([0, 0, 0], 0),
+                ([-4, 7, 10], 13),
+            ],
+        ),
+        ::mstmm::generated::Places::new(
+            0,
+            [-4, 7, 10],
+            [
+                ([0, 0, 0], 0),
+                ([-4, 7, 10], 16),
+                ([-4, 7, 10], 19),
+                ([-4, 7, 10], 22),
+                ([0, 0, 0], 0),
+                ([0, 0, 0], 0),
+            ],
+        ),
+    ];
+    /// Connection point number `index`.
+    #[inline]
+    fn point_(&self, index_: usize) -> ::mstmm::Point<T> {
+        let (model_, numbers_) = (index_, &self.numbers[..]);
+        ::mstmm::Point::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }
     /// Acceleration, effort, input and output of hinge `tip`.
     #[inline]
     fn tip(
         &self,
     ) -> ::mstmm::HingeResult<
-        '_,
         T,
         ::mstmm::nalgebra::SVector<T, 3usize>,
         ::mstmm::Point<T>,
     > {
-        let [input_, output_, ..] = &self.points;
+        let (input_, output_) = (self.point_(0), self.point_(1));
         ::mstmm::HingeResult::new(
             ::mstmm::generated::vector(
                 ::mstmm::generated::piece::<T, 3>(self.rate_accelerations.as_slice(), 0),
@@ -650,15 +603,28 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
     }
     /// Input and output of body `cone`.
     #[inline]
-    fn cone(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::Point<T>> {
-        let [_, input_, output_, ..] = &self.points;
+    fn cone(&self) -> ::mstmm::BodyResult<T, ::mstmm::Point<T>> {
+        let (input_, output_) = (self.point_(1), self.point_(2));
         ::mstmm::BodyResult::new(input_, output_)
+    }
+}
+impl<T: ::mstmm::Scalar> ::core::fmt::Debug for TopWorkspace<T> {
+    fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+        to_.debug_struct("TopWorkspace")
+            .field("accelerations", &self.accelerations)
+            .field("rate_accelerations", &self.rate_accelerations)
+            .field("efforts", &self.efforts)
+            .field("kinetic_energy", &self.kinetic_energy)
+            .field("potential_energy", &self.potential_energy)
+            .field("points", &self.points())
+            .finish()
     }
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Top<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]
+    #[allow(clippy::all)]
     fn workspace(&self) -> TopWorkspace<T> {
         let zero_ = T::constant(0.0);
         TopWorkspace {
@@ -667,7 +633,14 @@ impl<T: ::mstmm::Scalar> Top<T> {
             efforts: ::mstmm::generated::vector([zero_; 3]),
             kinetic_energy: zero_,
             potential_energy: zero_,
-            points: [::core::default::Default::default(); 3],
+            numbers: {
+                let c_ = T::constant;
+                ::mstmm::generated::with_known([T::constant(0.0); 24], &[(2, c_(9.8))])
+            },
+            at_rest: {
+                let c_ = T::constant;
+                ::mstmm::generated::with_known([T::constant(0.0); 3], &[(2, c_(9.8))])
+            },
         }
     }
 }

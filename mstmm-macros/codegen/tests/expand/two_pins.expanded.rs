@@ -28,7 +28,7 @@
 ///
 /// Mobility 2: 2 degrees of freedom.
 ///
-/// Accelerations by `transfer`, 122 operations (69 mul, 48 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 172 operations.
+/// Accelerations by `transfer`, 122 operations (69 mul, 48 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 168 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPins<T> {
@@ -294,22 +294,22 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 172 operations: 95 mul, 72 add, 3 reciprocal, 2 square root, 2 sin/cos.
+    /// 168 operations: 92 mul, 71 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `shoulder` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 2 |
-    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 9 | 3 | 0 | 0 | 0 |
+    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 1 | 1 | 0 | 0 | 0 |
     /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
     /// | Transfer to `shoulder` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 2 | 0 | 0 | 0 | 0 |
     /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 7 | 5 | 0 | 0 | 0 |
-    /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 54 | 39 | 3 | 2 | 0 |
+    /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 55 | 39 | 3 | 2 | 0 |
     /// | Back to `shoulder` | \[P, Eqs. (8), (11)\] | 3 | 2 | 0 | 0 | 0 |
-    /// | Point of `elbow` | \[P, Eqs. (12), (13), (36)\] | 2 | 3 | 0 | 0 | 0 |
-    /// | Load of the body at `shoulder` | \[P, Eqs. (18), (19)\] | 1 | 0 | 0 | 0 | 0 |
-    /// | Load of the body at `elbow` | \[P, Eqs. (18), (19)\] | 9 | 8 | 0 | 0 | 0 |
-    /// | Load on `shoulder` | \[P, Eqs. (18), (19)\] | 0 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 6 | 8 | 0 | 0 | 0 |
+    /// | Load on `shoulder` | \[P, Eqs. (18), (19)\] | 8 | 11 | 0 | 0 | 0 |
+    /// | Pose behind `elbow` | \[P, Eq. (12)\] | 4 | 2 | 0 | 0 | 0 |
+    /// | Velocity behind `elbow` |  | 2 | 0 | 0 | 0 | 0 |
+    /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 0 | 5 | 0 | 0 | 0 |
+    /// | Results |  | 8 | 5 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -321,7 +321,10 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         inputs_: &TwoPinsInputs<T>,
         at_: &mut TwoPinsWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let [point0_, point1_, point2_, point3_, point4_] = &mut at_.points;
+        let [_, _, _, n3_, n4_, _, n6_, n7_, _, _, _, _, n12_, n13_, _, _, _, n17_, n18_,
+        n19_, _, _, _, n23_, n24_, n25_, _, n27_, n28_, _, n30_, n31_, _, n33_, n34_, _,
+        n36_, n37_, _, _, _, n41_, _, _, n44_, n45_, n46_, _, n48_, n49_, _, n51_, n52_,
+        _] = &mut at_.numbers;
         let c_ = T::constant;
         let [[shoulder_angle_, elbow_angle_]] = state_.q.data.0;
         let [[shoulder_rate_, elbow_rate_]] = state_.v.data.0;
@@ -334,7 +337,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             cos_elbow_angle_,
             ],
         ) = T::sin_cos([shoulder_angle_, elbow_angle_]);
-        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 9 mul, 3 add, 0 reciprocal.
+        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 1 mul, 1 add, 0 reciprocal.
         let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
         let minus_elbow_centripetal_x_ = shoulder_rate_ * shoulder_rate_;
         /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
@@ -350,100 +353,102 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             cos_elbow_angle_,
         );
         let t1_ = minus_elbow_centripetal_x_ - shoulder_a_lin_x_;
-        let t2_ = cos_elbow_angle_ * shoulder_a_lin_y_;
-        let t3_ = T::mul_add(sin_elbow_angle_, t1_, t2_);
-        let t4_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
-        let t5_ = t4_ * c_(0.9863939238321437);
-        let t6_ = cos_elbow_angle_ * c_(0.16439898730535732);
-        let elbow_a_lin_y_ = T::mul_neg_add(t5_, t6_, t3_);
-        /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 54 mul, 39 add, 3 reciprocal, 2 square root.
-        let t7_ = elbow_omega_z_ * elbow_omega_z_;
-        let t8_ = c_(0.5) * t7_;
-        let t9_ = T::mul_sub(minus_elbow_centripetal_x_, c_(0.5), shoulder_a_lin_x_);
-        let t10_ = sin_elbow_angle_ * shoulder_a_lin_y_;
-        let t11_ = sin_elbow_angle_ * t9_;
-        let t12_ = t4_ * c_(0.054054054054054064);
-        let t13_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t12_);
-        let t14_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
-        let t15_ = cos_elbow_angle_ * cos_elbow_angle_;
-        let t16_ = T::mul_neg_add(
+        let t2_ = sin_elbow_angle_ * t1_;
+        let t3_ = cos_elbow_angle_ * shoulder_a_lin_y_;
+        let t4_ = t2_ + t3_;
+        let t5_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
+        let t6_ = t5_ * c_(0.9863939238321437);
+        let t7_ = cos_elbow_angle_ * c_(0.16439898730535732);
+        let elbow_a_lin_y_ = T::mul_neg_add(t6_, t7_, t4_);
+        /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 55 mul, 39 add, 3 reciprocal, 2 square root.
+        let t8_ = elbow_omega_z_ * elbow_omega_z_;
+        let t9_ = c_(0.5) * t8_;
+        let t10_ = T::mul_sub(minus_elbow_centripetal_x_, c_(0.5), shoulder_a_lin_x_);
+        let t11_ = cos_elbow_angle_ * t1_;
+        let t12_ = sin_elbow_angle_ * shoulder_a_lin_y_;
+        let t13_ = T::mul_neg_add(cos_elbow_angle_, t10_, t12_);
+        let t14_ = sin_elbow_angle_ * t10_;
+        let t15_ = t5_ * c_(0.054054054054054064);
+        let t16_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t15_);
+        let t17_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
+        let t18_ = cos_elbow_angle_ * cos_elbow_angle_;
+        let t19_ = T::mul_neg_add(
             cos_elbow_angle_,
             c_(2.0685934174848226),
             cos_elbow_angle_,
         );
-        let t17_ = t9_ + t1_;
-        let t18_ = T::mul_neg_add(
+        let t20_ = t9_ - t12_;
+        let t21_ = T::mul_neg_add(
             sin_elbow_angle_,
             c_(0.16439898730535732),
             sin_elbow_angle_,
         );
-        let t19_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t18_);
-        let t20_ = T::mul_add(cos_elbow_angle_, t17_, t8_);
-        let t21_ = t10_ - t20_;
-        let t22_ = t10_ + t21_;
-        let t23_ = T::mul_sub(t5_, t19_, t22_);
-        let t24_ = T::mul_add(
+        let t22_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t21_);
+        let t23_ = T::mul_add(
             sin_elbow_angle_,
             c_(0.48639392383214375),
             sin_elbow_angle_,
         );
-        let t25_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t24_);
-        let t26_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
-        let t27_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t26_);
-        let t28_ = elbow_a4_lin_y_ - t27_;
-        let t29_ = T::mul_add(t25_, t25_, t15_);
-        let t30_ = T::sqrt(t29_);
-        let t31_ = T::copysign(t30_, cos_elbow_angle_);
-        let t32_ = cos_elbow_angle_ + t31_;
-        let t33_ = t31_ * t32_;
-        let t34_ = T::recip(t33_);
-        let t35_ = t32_ * t34_;
-        let t36_ = t23_ * t35_;
-        let t37_ = t25_ * t28_;
-        let t38_ = T::mul_add(sin_elbow_angle_, t32_, t37_);
-        let t39_ = t34_ * t38_;
-        let t40_ = T::mul_neg_add(t32_, t39_, sin_elbow_angle_);
-        let t41_ = T::mul_neg_add(t25_, t39_, t28_);
-        let t42_ = T::mul_neg_add(t4_, c_(0.0810810810810811), t11_);
-        let t43_ = elbow_a_lin_y_ + t42_;
-        let t44_ = T::mul_add(t5_, t16_, t2_);
-        let t45_ = T::mul_add(t36_, t40_, t44_);
-        let t46_ = t43_ + t45_;
-        let t47_ = t14_ * t25_;
-        let t48_ = t34_ * t47_;
-        let t49_ = t32_ * t48_;
-        let t50_ = T::mul_neg_add(t25_, t48_, t14_);
-        let t51_ = T::mul_add(t41_, t41_, c_(0.25));
-        let t52_ = T::sqrt(t51_);
-        let t53_ = T::copysign(t52_, -t41_);
-        let t54_ = t41_ - t53_;
-        let t55_ = t53_ * t54_;
-        let t56_ = T::recip(t55_);
-        let t57_ = t54_ * t56_;
-        let t58_ = t46_ * t57_;
-        let t59_ = T::mul_add(t50_, t54_, c_(0.16666666666666666));
-        let t60_ = t56_ * t59_;
-        let t61_ = T::mul_add(t54_, t60_, t50_);
-        let t62_ = T::mul_add(c_(0.5), t60_, c_(0.3333333333333333));
-        let t63_ = T::mul_neg_add(t36_, t49_, t13_);
-        let t64_ = T::mul_sub(t58_, t61_, t63_);
-        let t65_ = T::recip(t62_);
-        let t66_ = t64_ * t65_;
-        let t67_ = t54_ * t58_;
-        let t68_ = T::mul_neg_add(c_(0.5), t66_, t67_);
-        let t69_ = t56_ * t68_;
-        let t70_ = T::mul_add(t54_, t69_, t58_);
-        let t71_ = t32_ * t36_;
-        let t72_ = T::mul_neg_add(t25_, t70_, t71_);
-        let t73_ = t34_ * t72_;
-        let minus_end_x4_ = T::mul_add(t25_, t73_, t70_);
-        let end_x5_ = T::mul_neg_add(c_(0.5), t69_, t66_);
+        let t24_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t23_);
+        let t25_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
+        let t26_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t25_);
+        let t27_ = elbow_a4_lin_y_ - t26_;
+        let t28_ = T::mul_add(t24_, t24_, t18_);
+        let t29_ = T::sqrt(t28_);
+        let t30_ = T::copysign(t29_, cos_elbow_angle_);
+        let t31_ = cos_elbow_angle_ + t30_;
+        let t32_ = t30_ * t31_;
+        let t33_ = T::recip(t32_);
+        let t34_ = t31_ * t33_;
+        let t35_ = t24_ * t27_;
+        let t36_ = T::mul_add(sin_elbow_angle_, t31_, t35_);
+        let t37_ = t33_ * t36_;
+        let t38_ = T::mul_neg_add(t31_, t37_, sin_elbow_angle_);
+        let t39_ = T::mul_neg_add(t24_, t37_, t27_);
+        let t40_ = T::mul_neg_add(t5_, c_(0.0810810810810811), t14_);
+        let t41_ = elbow_a_lin_y_ + t40_;
+        let t42_ = T::mul_add(t6_, t19_, t3_);
+        let t43_ = t17_ * t24_;
+        let t44_ = t33_ * t43_;
+        let t45_ = t31_ * t44_;
+        let t46_ = T::mul_neg_add(t24_, t44_, t17_);
+        let t47_ = T::mul_add(t39_, t39_, c_(0.25));
+        let t48_ = T::sqrt(t47_);
+        let t49_ = T::copysign(t48_, -t39_);
+        let t50_ = t39_ - t49_;
+        let t51_ = t49_ * t50_;
+        let t52_ = T::recip(t51_);
+        let t53_ = t50_ * t52_;
+        let t54_ = T::mul_add(t46_, t50_, c_(0.16666666666666666));
+        let t55_ = t52_ * t54_;
+        let t56_ = T::mul_add(t50_, t55_, t46_);
+        let t57_ = T::mul_add(c_(0.5), t55_, c_(0.3333333333333333));
+        let t58_ = T::recip(t57_);
+        let t59_ = t11_ + t20_;
+        let t60_ = T::mul_neg_add(t6_, t22_, t13_);
+        let t61_ = t59_ - t60_;
+        let t62_ = t34_ * t61_;
+        let t63_ = T::mul_add(t38_, t62_, t42_);
+        let t64_ = t41_ + t63_;
+        let t65_ = t53_ * t64_;
+        let t66_ = T::mul_neg_add(t45_, t62_, t16_);
+        let t67_ = T::mul_sub(t56_, t65_, t66_);
+        let t68_ = t58_ * t67_;
+        let t69_ = t50_ * t65_;
+        let t70_ = T::mul_neg_add(c_(0.5), t68_, t69_);
+        let t71_ = t52_ * t70_;
+        let t72_ = T::mul_add(t50_, t71_, t65_);
+        let t73_ = t31_ * t62_;
+        let t74_ = T::mul_neg_add(t24_, t72_, t73_);
+        let t75_ = t33_ * t74_;
+        let minus_end_x4_ = T::mul_add(t24_, t75_, t72_);
+        let end_x5_ = T::mul_neg_add(c_(0.5), t71_, t68_);
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t74_ = t4_ * c_(1.9863939238321437);
-        let t75_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t74_);
+        let t76_ = t5_ * c_(1.9863939238321437);
+        let t77_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t76_);
         let minus_shoulder_beta0_ = T::mul_add(
             c_(0.0816364570071376),
-            t75_,
+            t77_,
             minus_end_x4_,
         );
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
@@ -458,195 +463,106 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             [-minus_shoulder_beta0_, end_x5_],
         )?;
         at_.efforts.data.0 = [[c_(0.0), c_(0.0)]];
-        point0_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_
-            .set_orientation([
-                c_(1.0),
-                c_(0.0),
-                c_(0.0),
-                c_(0.0),
-                c_(1.0),
-                c_(0.0),
-                c_(0.0),
-                c_(0.0),
-                c_(1.0),
-            ]);
-        point0_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_.set_angular_velocity([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_.set_angular_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
-        point0_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
-        point1_.set_position([c_(0.0), c_(0.0), c_(0.0)]);
-        point1_
-            .set_orientation([
-                cos_shoulder_angle_,
-                -sin_shoulder_angle_,
-                c_(0.0),
-                sin_shoulder_angle_,
-                cos_shoulder_angle_,
-                c_(0.0),
-                c_(0.0),
-                c_(0.0),
-                c_(1.0),
-            ]);
-        point1_.set_velocity([c_(0.0), c_(0.0), c_(0.0)]);
-        point1_.set_angular_velocity([c_(0.0), c_(0.0), shoulder_rate_]);
-        point1_.set_acceleration([c_(0.0), c_(0.0), c_(0.0)]);
-        point1_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
-        point2_.set_position([cos_shoulder_angle_, sin_shoulder_angle_, c_(0.0)]);
-        point2_
-            .set_orientation([
-                cos_shoulder_angle_,
-                -sin_shoulder_angle_,
-                c_(0.0),
-                sin_shoulder_angle_,
-                cos_shoulder_angle_,
-                c_(0.0),
-                c_(0.0),
-                c_(0.0),
-                c_(1.0),
-            ]);
-        point2_.set_angular_velocity([c_(0.0), c_(0.0), shoulder_rate_]);
-        point2_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
-        point3_.set_position([cos_shoulder_angle_, sin_shoulder_angle_, c_(0.0)]);
-        point3_.set_angular_velocity([c_(0.0), c_(0.0), elbow_omega_z_]);
-        point3_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
-        point4_.set_angular_velocity([c_(0.0), c_(0.0), elbow_omega_z_]);
-        point4_.set_moment([c_(0.0), c_(0.0), c_(0.0)]);
-        point4_.set_force([c_(0.0), c_(0.0), c_(0.0)]);
+        *n3_ = cos_shoulder_angle_;
+        *n4_ = sin_shoulder_angle_;
+        *n6_ = sin_shoulder_angle_;
+        *n7_ = -cos_shoulder_angle_;
+        *n17_ = shoulder_rate_;
+        *n18_ = shoulder_a_lin_x_;
+        *n19_ = shoulder_a_lin_y_;
+        *n41_ = elbow_omega_z_;
         at_.accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
         at_.rate_accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
-        point1_.set_angular_acceleration([c_(0.0), c_(0.0), -minus_shoulder_beta0_]);
-        point2_.set_angular_acceleration([c_(0.0), c_(0.0), -minus_shoulder_beta0_]);
-        /// Motion across `elbow`.
-        let t76_ = cos_shoulder_angle_ * cos_elbow_angle_;
-        let elbow_axes_x_x_ = T::mul_neg_add(
+        *n23_ = minus_shoulder_beta0_;
+        /// Load on `shoulder`, [P, Eqs. (18), (19)]: 8 mul, 11 add, 0 reciprocal.
+        let t78_ = shoulder_a_lin_y_ - minus_shoulder_beta0_;
+        let minus_point2_felt_x_ = T::mul_neg_add(sin_elbow_angle_, t78_, t11_);
+        *n33_ = minus_point2_felt_x_;
+        let point2_felt_y_ = T::mul_add(cos_elbow_angle_, t78_, t2_);
+        *n34_ = -point2_felt_y_;
+        let t79_ = end_x5_ - minus_shoulder_beta0_;
+        *n44_ = -t79_;
+        let elbow_load_force_y_ = T::mul_add(c_(0.5), t79_, point2_felt_y_);
+        *n37_ = -elbow_load_force_y_;
+        let minus_elbow_load_force_x_ = t9_ + minus_point2_felt_x_;
+        *n36_ = minus_elbow_load_force_x_;
+        let t80_ = T::mul_add(sin_elbow_angle_, elbow_load_force_y_, t10_);
+        let minus_shoulder_load_force_x_ = T::mul_add(
+            cos_elbow_angle_,
+            minus_elbow_load_force_x_,
+            t80_,
+        );
+        *n12_ = minus_shoulder_load_force_x_;
+        let t81_ = T::mul_neg_add(c_(0.5), minus_shoulder_beta0_, shoulder_a_lin_y_);
+        let t82_ = T::mul_add(cos_elbow_angle_, elbow_load_force_y_, t81_);
+        let minus_shoulder_load_force_y_ = T::mul_sub(
+            sin_elbow_angle_,
+            minus_elbow_load_force_x_,
+            t82_,
+        );
+        *n13_ = minus_shoulder_load_force_y_;
+        /// Pose behind `elbow`, [P, Eq. (12)]: 4 mul, 2 add, 0 reciprocal.
+        let t83_ = cos_shoulder_angle_ * cos_elbow_angle_;
+        let elbow_to_inertial_x_x_ = T::mul_neg_add(
             sin_shoulder_angle_,
             sin_elbow_angle_,
-            t76_,
+            t83_,
         );
-        let t77_ = cos_shoulder_angle_ * sin_elbow_angle_;
-        let minus_elbow_axes_x_y_ = T::mul_add(
+        *n27_ = elbow_to_inertial_x_x_;
+        *n31_ = -elbow_to_inertial_x_x_;
+        let t84_ = cos_shoulder_angle_ * sin_elbow_angle_;
+        let minus_elbow_to_inertial_x_y_ = T::mul_add(
             sin_shoulder_angle_,
             cos_elbow_angle_,
-            t77_,
+            t84_,
         );
-        point3_
-            .set_orientation([
-                elbow_axes_x_x_,
-                -minus_elbow_axes_x_y_,
-                c_(0.0),
-                minus_elbow_axes_x_y_,
-                elbow_axes_x_x_,
-                c_(0.0),
-                c_(0.0),
-                c_(0.0),
-                c_(1.0),
-            ]);
-        point4_
-            .set_orientation([
-                elbow_axes_x_x_,
-                -minus_elbow_axes_x_y_,
-                c_(0.0),
-                minus_elbow_axes_x_y_,
-                elbow_axes_x_x_,
-                c_(0.0),
-                c_(0.0),
-                c_(0.0),
-                c_(1.0),
-            ]);
-        let t78_ = shoulder_rate_ * cos_shoulder_angle_;
-        let minus_elbow_centripetal_x_2_ = shoulder_rate_ * t78_;
-        let t79_ = shoulder_rate_ * sin_shoulder_angle_;
-        point2_.set_velocity([-t79_, t78_, c_(0.0)]);
-        point3_.set_velocity([-t79_, t78_, c_(0.0)]);
-        let minus_elbow_centripetal_y_ = shoulder_rate_ * t79_;
-        /// Point of `elbow`, [P, Eqs. (12), (13), (36)]: 2 mul, 3 add, 0 reciprocal.
-        let minus_elbow_acc_lin_x_ = T::mul_neg_add(
-            sin_shoulder_angle_,
-            minus_shoulder_beta0_,
-            minus_elbow_centripetal_x_2_,
-        );
-        let minus_elbow_acc_lin_y_ = T::mul_add(
-            cos_shoulder_angle_,
-            minus_shoulder_beta0_,
-            minus_elbow_centripetal_y_,
-        );
-        point2_
-            .set_acceleration([
-                -minus_elbow_acc_lin_x_,
-                -minus_elbow_acc_lin_y_,
-                c_(0.0),
-            ]);
-        point3_
-            .set_acceleration([
-                -minus_elbow_acc_lin_x_,
-                -minus_elbow_acc_lin_y_,
-                c_(0.0),
-            ]);
-        let elbow_acc_ang_z_ = end_x5_ - minus_shoulder_beta0_;
-        point3_.set_angular_acceleration([c_(0.0), c_(0.0), elbow_acc_ang_z_]);
-        point4_.set_angular_acceleration([c_(0.0), c_(0.0), elbow_acc_ang_z_]);
-        /// Load of the body at `shoulder`, [P, Eqs. (18), (19)]: 1 mul, 0 add, 0 reciprocal.
-        let minus_shoulder_own_force_x_ = c_(0.5) * minus_elbow_acc_lin_x_;
-        /// Load of the body at `elbow`, [P, Eqs. (18), (19)]: 9 mul, 8 add, 0 reciprocal.
-        let t80_ = elbow_omega_z_ * elbow_axes_x_x_;
-        let t81_ = elbow_omega_z_ * t80_;
-        let t82_ = T::mul_add(minus_elbow_axes_x_y_, elbow_acc_ang_z_, t81_);
-        let t83_ = minus_elbow_acc_lin_x_ + t82_;
-        let minus_elbow_own_force_x_ = T::mul_add(
+        *n28_ = minus_elbow_to_inertial_x_y_;
+        *n30_ = minus_elbow_to_inertial_x_y_;
+        /// Velocity behind `elbow`: 2 mul, 0 add, 0 reciprocal.
+        let elbow_velocity_x_ = shoulder_rate_ * sin_elbow_angle_;
+        *n24_ = elbow_velocity_x_;
+        *n48_ = elbow_velocity_x_;
+        let elbow_velocity_y_ = shoulder_rate_ * cos_elbow_angle_;
+        *n25_ = elbow_velocity_y_;
+        /// Connection points, [P, Eqs. (4), (12), (13)]: 0 mul, 5 add, 0 reciprocal.
+        let point4_velocity_y_ = elbow_omega_z_ + elbow_velocity_y_;
+        *n49_ = point4_velocity_y_;
+        let minus_point4_felt_x_ = t8_ + minus_point2_felt_x_;
+        *n51_ = minus_point4_felt_x_;
+        let point4_felt_y_ = point2_felt_y_ + t79_;
+        *n52_ = -point4_felt_y_;
+        let point4_position_x_ = cos_shoulder_angle_ + elbow_to_inertial_x_x_;
+        *n45_ = point4_position_x_;
+        let point4_position_y_ = sin_shoulder_angle_ + minus_elbow_to_inertial_x_y_;
+        *n46_ = point4_position_y_;
+        /// Results: 8 mul, 5 add, 0 reciprocal.
+        let t85_ = c_(0.5) * elbow_velocity_x_;
+        let t86_ = c_(0.5) * point4_velocity_y_;
+        let t87_ = minus_elbow_centripetal_x_ + t8_;
+        let t88_ = c_(0.16666666666666666) * t87_;
+        let t89_ = T::mul_add(elbow_velocity_x_, t85_, t88_);
+        let t90_ = T::mul_add(elbow_velocity_y_, t86_, t89_);
+        at_.kinetic_energy = t90_;
+        let t91_ = sin_shoulder_angle_ * c_(4.9);
+        let t92_ = T::mul_add(
             c_(0.5),
-            t83_,
-            minus_shoulder_own_force_x_,
+            minus_elbow_to_inertial_x_y_,
+            sin_shoulder_angle_,
         );
-        let t84_ = elbow_omega_z_ * minus_elbow_axes_x_y_;
-        let t85_ = elbow_omega_z_ * t84_;
-        let t86_ = c_(9.8) - minus_elbow_acc_lin_y_;
-        let t87_ = c_(0.5) * t86_;
-        let t88_ = T::mul_neg_add(elbow_axes_x_x_, elbow_acc_ang_z_, t85_);
-        let t89_ = minus_elbow_acc_lin_y_ + t88_;
-        point4_.set_acceleration([-t83_, -t89_, c_(0.0)]);
-        let t90_ = c_(9.8) - t89_;
-        let elbow_own_force_y_ = T::mul_add(c_(0.5), t90_, t87_);
-        point2_.set_force([-minus_elbow_own_force_x_, elbow_own_force_y_, c_(0.0)]);
-        point3_.set_force([-minus_elbow_own_force_x_, elbow_own_force_y_, c_(0.0)]);
-        /// Load on `shoulder`, [P, Eqs. (18), (19)]: 0 mul, 3 add, 0 reciprocal.
-        let minus_shoulder_load_force_x_ = minus_shoulder_own_force_x_
-            + minus_elbow_own_force_x_;
-        let t91_ = c_(4.9) + t87_;
-        let shoulder_load_force_y_ = elbow_own_force_y_ + t91_;
-        point0_
-            .set_force([-minus_shoulder_load_force_x_, shoulder_load_force_y_, c_(0.0)]);
-        point1_
-            .set_force([-minus_shoulder_load_force_x_, shoulder_load_force_y_, c_(0.0)]);
-        /// Results: 6 mul, 8 add, 0 reciprocal.
-        let t92_ = t79_ + t84_;
-        let t93_ = t78_ + t80_;
-        point4_.set_velocity([-t92_, t93_, c_(0.0)]);
-        let t94_ = c_(0.5) * t92_;
-        let t95_ = c_(0.5) * t93_;
-        let t96_ = minus_elbow_centripetal_x_ + t7_;
-        let t97_ = c_(0.16666666666666666) * t96_;
-        let t98_ = T::mul_add(t79_, t94_, t97_);
-        let t99_ = T::mul_add(t78_, t95_, t98_);
-        at_.kinetic_energy = t99_;
-        let t100_ = sin_shoulder_angle_ + minus_elbow_axes_x_y_;
-        let t101_ = T::mul_add(c_(4.9), t100_, shoulder_a_lin_x_);
-        at_.potential_energy = t101_;
-        let t102_ = cos_shoulder_angle_ + elbow_axes_x_x_;
-        point4_.set_position([t102_, t100_, c_(0.0)]);
+        let t93_ = T::mul_add(c_(9.8), t92_, t91_);
+        at_.potential_energy = t93_;
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 26 operations: 17 mul, 9 add, 0 reciprocal, 2 sin/cos.
+    /// 22 operations: 14 mul, 8 add, 0 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `shoulder` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 2 |
-    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 5 | 3 | 0 | 0 | 0 |
-    /// | Results |  | 12 | 6 | 0 | 0 | 0 |
+    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 1 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 13 | 7 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &TwoPinsState<T>) -> ::mstmm::Energy<T> {
@@ -662,33 +578,26 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             cos_elbow_angle_,
             ],
         ) = T::sin_cos([shoulder_angle_, elbow_angle_]);
-        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 5 mul, 3 add, 0 reciprocal.
-        let t0_ = cos_shoulder_angle_ * cos_elbow_angle_;
-        let elbow_axes_x_x_ = T::mul_neg_add(sin_shoulder_angle_, sin_elbow_angle_, t0_);
-        let t1_ = cos_shoulder_angle_ * sin_elbow_angle_;
-        let minus_elbow_axes_x_y_ = T::mul_add(
-            sin_shoulder_angle_,
-            cos_elbow_angle_,
-            t1_,
-        );
+        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 1 mul, 1 add, 0 reciprocal.
         let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
-        /// Motion across `elbow`.
         let minus_elbow_centripetal_x_ = shoulder_rate_ * shoulder_rate_;
-        /// Results: 12 mul, 6 add, 0 reciprocal.
-        let t2_ = shoulder_rate_ * sin_shoulder_angle_;
-        let t3_ = shoulder_rate_ * cos_shoulder_angle_;
-        let t4_ = T::mul_add(elbow_omega_z_, minus_elbow_axes_x_y_, t2_);
-        let t5_ = T::mul_add(elbow_omega_z_, elbow_axes_x_x_, t3_);
-        let t6_ = c_(0.5) * t4_;
-        let t7_ = c_(0.5) * t5_;
-        let t8_ = T::mul_add(elbow_omega_z_, elbow_omega_z_, minus_elbow_centripetal_x_);
-        let t9_ = c_(0.16666666666666666) * t8_;
-        let t10_ = T::mul_add(t2_, t6_, t9_);
-        let t11_ = T::mul_add(t3_, t7_, t10_);
-        let t12_ = sin_shoulder_angle_ * c_(14.700000000000001);
-        let t13_ = T::mul_add(c_(4.9), minus_elbow_axes_x_y_, t12_);
+        /// Results: 13 mul, 7 add, 0 reciprocal.
+        let t0_ = shoulder_rate_ * sin_elbow_angle_;
+        let t1_ = shoulder_rate_ * cos_elbow_angle_;
+        let t2_ = elbow_omega_z_ + t1_;
+        let t3_ = c_(0.5) * t0_;
+        let t4_ = c_(0.5) * t2_;
+        let t5_ = T::mul_add(elbow_omega_z_, elbow_omega_z_, minus_elbow_centripetal_x_);
+        let t6_ = c_(0.16666666666666666) * t5_;
+        let t7_ = T::mul_add(t0_, t3_, t6_);
+        let t8_ = T::mul_add(t1_, t4_, t7_);
+        let t9_ = cos_shoulder_angle_ * sin_elbow_angle_;
+        let t10_ = T::mul_add(sin_shoulder_angle_, cos_elbow_angle_, t9_);
+        let t11_ = sin_shoulder_angle_ * c_(4.9);
+        let t12_ = T::mul_add(c_(0.5), t10_, sin_shoulder_angle_);
+        let t13_ = T::mul_add(c_(9.8), t12_, t11_);
         ::mstmm::Energy {
-            kinetic: t11_,
+            kinetic: t8_,
             potential: t13_,
         }
     }
@@ -867,7 +776,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     }
 }
 /// Results of [`TwoPins::solve_into`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPinsWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 2>,
@@ -875,7 +784,8 @@ pub struct TwoPinsWorkspace<T> {
     efforts: ::mstmm::nalgebra::SVector<T, 2>,
     kinetic_energy: T,
     potential_energy: T,
-    points: [::mstmm::Point<T>; 5],
+    numbers: [T; 54],
+    at_rest: [T; 3],
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
@@ -898,13 +808,82 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     /// All connection points in the order written: the first element's input, then every
     /// element's output.
     #[inline]
-    pub fn points(&self) -> &[::mstmm::Point<T>; 5] {
-        &self.points
+    pub fn points(&self) -> [::mstmm::Point<T>; 5] {
+        ::core::array::from_fn(|index_| self.point_(index_))
+    }
+    /// Where every point of the model has its numbers.
+    const PLACES_: [::mstmm::generated::Places<3, 6>; 5] = [
+        ::mstmm::generated::Places::new(
+            0,
+            [0, 0, 0],
+            [
+                ([0, 0, 0], 0),
+                ([0, 0, 0], 0),
+                ([0, 0, 0], 1),
+                ([0, 0, 0], 0),
+                ([0, 0, 0], 0),
+                ([4, -7, 10], -13),
+            ],
+        ),
+        ::mstmm::generated::Places::new(
+            0,
+            [4, -7, 10],
+            [
+                ([0, 0, 0], 0),
+                ([4, -7, 10], 16),
+                ([4, -7, 10], 19),
+                ([4, -7, 10], -22),
+                ([0, 0, 0], 0),
+                ([4, -7, 10], -13),
+            ],
+        ),
+        ::mstmm::generated::Places::new(
+            4,
+            [4, -7, 10],
+            [
+                ([28, -31, 10], 25),
+                ([4, -7, 10], 16),
+                ([28, -31, 10], -34),
+                ([4, -7, 10], -22),
+                ([0, 0, 0], 0),
+                ([28, -31, 10], -37),
+            ],
+        ),
+        ::mstmm::generated::Places::new(
+            4,
+            [28, -31, 10],
+            [
+                ([28, -31, 10], 25),
+                ([28, -31, 10], 40),
+                ([28, -31, 10], -34),
+                ([28, -31, 10], -43),
+                ([0, 0, 0], 0),
+                ([28, -31, 10], -37),
+            ],
+        ),
+        ::mstmm::generated::Places::new(
+            46,
+            [28, -31, 10],
+            [
+                ([28, -31, 10], 49),
+                ([28, -31, 10], 40),
+                ([28, -31, 10], -52),
+                ([28, -31, 10], -43),
+                ([0, 0, 0], 0),
+                ([0, 0, 0], 0),
+            ],
+        ),
+    ];
+    /// Connection point number `index`.
+    #[inline]
+    fn point_(&self, index_: usize) -> ::mstmm::Point<T> {
+        let (model_, numbers_) = (index_, &self.numbers[..]);
+        ::mstmm::Point::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }
     /// Acceleration, effort, input and output of hinge `shoulder`.
     #[inline]
-    pub fn shoulder(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::Point<T>> {
-        let [input_, output_, ..] = &self.points;
+    pub fn shoulder(&self) -> ::mstmm::HingeResult<T, T, ::mstmm::Point<T>> {
+        let (input_, output_) = (self.point_(0), self.point_(1));
         ::mstmm::HingeResult::new(
             {
                 let [value_] = ::mstmm::generated::piece::<
@@ -926,14 +905,14 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     }
     /// Input and output of body `upper`.
     #[inline]
-    pub fn upper(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::Point<T>> {
-        let [_, input_, output_, ..] = &self.points;
+    pub fn upper(&self) -> ::mstmm::BodyResult<T, ::mstmm::Point<T>> {
+        let (input_, output_) = (self.point_(1), self.point_(2));
         ::mstmm::BodyResult::new(input_, output_)
     }
     /// Acceleration, effort, input and output of hinge `elbow`.
     #[inline]
-    pub fn elbow(&self) -> ::mstmm::HingeResult<'_, T, T, ::mstmm::Point<T>> {
-        let [_, _, input_, output_, ..] = &self.points;
+    pub fn elbow(&self) -> ::mstmm::HingeResult<T, T, ::mstmm::Point<T>> {
+        let (input_, output_) = (self.point_(2), self.point_(3));
         ::mstmm::HingeResult::new(
             {
                 let [value_] = ::mstmm::generated::piece::<
@@ -955,15 +934,28 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     }
     /// Input and output of body `lower`.
     #[inline]
-    pub fn lower(&self) -> ::mstmm::BodyResult<'_, T, ::mstmm::Point<T>> {
-        let [_, _, _, input_, output_, ..] = &self.points;
+    pub fn lower(&self) -> ::mstmm::BodyResult<T, ::mstmm::Point<T>> {
+        let (input_, output_) = (self.point_(3), self.point_(4));
         ::mstmm::BodyResult::new(input_, output_)
+    }
+}
+impl<T: ::mstmm::Scalar> ::core::fmt::Debug for TwoPinsWorkspace<T> {
+    fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+        to_.debug_struct("TwoPinsWorkspace")
+            .field("accelerations", &self.accelerations)
+            .field("rate_accelerations", &self.rate_accelerations)
+            .field("efforts", &self.efforts)
+            .field("kinetic_energy", &self.kinetic_energy)
+            .field("potential_energy", &self.potential_energy)
+            .field("points", &self.points())
+            .finish()
     }
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// Room for the results of [`solve_into`](Self::solve_into).
     #[must_use]
+    #[allow(clippy::all)]
     pub fn workspace(&self) -> TwoPinsWorkspace<T> {
         let zero_ = T::constant(0.0);
         TwoPinsWorkspace {
@@ -972,7 +964,17 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             efforts: ::mstmm::generated::vector([zero_; 2]),
             kinetic_energy: zero_,
             potential_energy: zero_,
-            points: [::core::default::Default::default(); 5],
+            numbers: {
+                let c_ = T::constant;
+                ::mstmm::generated::with_known(
+                    [T::constant(0.0); 54],
+                    &[(1, c_(9.8)), (11, c_(1.0))],
+                )
+            },
+            at_rest: {
+                let c_ = T::constant;
+                ::mstmm::generated::with_known([T::constant(0.0); 3], &[(1, c_(9.8))])
+            },
         }
     }
 }

@@ -31,7 +31,7 @@ mod recover;
 use super::closure::{self, Closure};
 use super::motion::Drift;
 use super::passage::Bundle;
-use super::problem::{Movement, Problem};
+use super::problem::{Movement, Problem, Relation};
 use super::{Pivot, Trace};
 use crate::math::{Motion, Scalar, SpatialInertia, Vec3, Wrench};
 use direction::{Condition, Eliminated, eliminate};
@@ -69,14 +69,16 @@ pub fn solve<S: Scalar>(
     problem: &Problem<S>,
     trace: &mut Trace<S>,
 ) -> (Movement<S>, Vec<Pivot<S>>) {
-    let Reduced { mut eliminated, sums, pivots } = reduce(problem, trace);
+    let Reduced { mut eliminated, relations, sums, pivots } = reduce(problem, trace);
     let Closure { reactions, undetermined } = close(problem, sums, trace);
     for step in eliminated.iter_mut().flatten() {
         let pulled = super::hinge::dot(&step.pulls, &reactions);
         step.rest = step.rest - pulled;
     }
     let (amounts, points) = recover(problem, &eliminated, trace);
-    (Movement { amounts, points, reactions, undetermined }, pivots)
+    // Reactions would come on top, in as many products as a sum over all bodies takes.
+    let relations = if problem.closing.is_none() { relations } else { Vec::new() };
+    (Movement { amounts, points, relations, reactions, undetermined }, pivots)
 }
 
 /// The pivots alone, and what measures those of a closure, for methods that have none of their own
@@ -97,6 +99,8 @@ pub fn pivots<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> (Vec<Piv
 struct Reduced<S> {
     /// What each link has eliminated.
     eliminated: Vec<Vec<Eliminated<S>>>,
+    /// What is left of `F = A a + e` then.
+    relations: Vec<Relation<S>>,
     sums: Sums<S>,
     pivots: Vec<Pivot<S>>,
 }
@@ -105,7 +109,7 @@ struct Reduced<S> {
 fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<S> {
     let links = problem.links;
     let mut eliminated: Vec<Vec<Eliminated<S>>> = links.iter().map(|_| Vec::new()).collect();
-    let mut pivots = Vec::new();
+    let (mut pivots, mut relations) = (Vec::new(), Vec::new());
     let mut sums = Sums::of(problem.closing.as_ref().map_or(0, |it| it.closing.held.len()));
     let mut carried = own(problem);
     for index in (0..links.len()).rev() {
@@ -142,8 +146,10 @@ fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<S> {
             Some(parent) => hand_over(&here, problem, index, &mut carried[parent]),
             None => sums.arrive(&here, over.carried(problem.ground)),
         }
+        relations.push(Relation { inertia: here.inertia, load: here.load });
     }
-    Reduced { eliminated, sums, pivots }
+    relations.reverse();
+    Reduced { eliminated, relations, sums, pivots }
 }
 
 /// What every link carries of its own part, and of the closing hinge.

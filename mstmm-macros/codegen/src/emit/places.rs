@@ -1,0 +1,90 @@
+//! How connection points are read off a workspace.
+
+use super::Plan;
+use super::looped::usize_literal;
+use super::spread::Spread;
+use super::workspace::point_type;
+use crate::compile::{Place, PointPlaces, Sight};
+use crate::model::Dimension;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// The table of places, and the method that reads a point.
+pub fn emit(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
+    let point = point_type(plan);
+    let [axes, vectors] = match plan.chain.dimension {
+        Dimension::Space => [3, 6],
+        Dimension::Plane => [1, 6],
+        Dimension::Line => [0, 3],
+    }
+    .map(usize_literal);
+    let points = &plan.programs.places.points;
+    let count = usize_literal(points.len());
+    let entries = points.iter().map(|places| entry(plan, places));
+    let found = found(plan);
+    quote! {
+        /// Where every point of the model has its numbers.
+        const PLACES_: [#mstmm::generated::Places<#axes, #vectors>; #count] = [#(#entries),*];
+
+        /// Connection point number `index`.
+        #[inline]
+        fn point_(&self, index_: usize) -> #mstmm::#point<T> {
+            #found
+            #mstmm::#point::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
+        }
+    }
+}
+
+/// Binds the number of a point in the model and the numbers of its piece, at its time.
+fn found(plan: &Plan) -> TokenStream {
+    if plan.chain.repeats.is_empty() {
+        return quote!(let (model_, numbers_) = (index_, &self.numbers[..]););
+    }
+    let mstmm = &plan.mstmm;
+    let (points, numbers) = (Spread::points(plan), Spread::numbers_of_points(plan));
+    let pieces = points.pieces.iter().zip(&numbers.pieces).map(|(points, numbers)| {
+        let entries = [
+            points.first,
+            points.count,
+            points.place,
+            points.count * points.times,
+            numbers.place,
+            numbers.count,
+        ];
+        let entries = entries.map(usize_literal);
+        quote!([#(#entries),*])
+    });
+    quote! {
+        let (model_, numbers_) = #mstmm::generated::place_of(&self.numbers, &[#(#pieces),*], index_);
+    }
+}
+
+fn entry(plan: &Plan, places: &PointPlaces) -> TokenStream {
+    let mstmm = &plan.mstmm;
+    let position = signed(&places.position);
+    let count = match plan.chain.dimension {
+        Dimension::Space => 3,
+        Dimension::Plane => 1,
+        Dimension::Line => 0,
+    };
+    let axes = |axes: &Option<Vec<Place>>| {
+        let columns: Vec<TokenStream> = match axes {
+            Some(columns) => columns.iter().map(signed).collect(),
+            None => vec![quote!(0); count],
+        };
+        quote!([#(#columns),*])
+    };
+    let orientation = axes(&places.orientation);
+    let vectors = places.vectors.iter().map(|sight: &Sight| {
+        let (axes, vector) = (axes(&sight.axes), signed(&sight.vector));
+        quote!((#axes, #vector))
+    });
+    quote!(#mstmm::generated::Places::new(#position, #orientation, [#(#vectors),*]))
+}
+
+/// A place as the runtime has it.
+fn signed(place: &Place) -> TokenStream {
+    let first = Literal::usize_unsuffixed(place.first);
+    if place.opposite { quote!(-#first) } else { quote!(#first) }
+}

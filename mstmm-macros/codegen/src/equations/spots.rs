@@ -1,0 +1,52 @@
+//! Where the connection points of a chain are.
+
+use super::Situation;
+use crate::model::{Element, HingeId, Place};
+
+/// Where a connection point is.
+pub struct Spot {
+    pub place: Place,
+    /// The hinge there, if there is one, and whether its outboard side is meant.
+    pub hinge: Option<(HingeId, bool)>,
+}
+
+/// All connection points, in the order written; those of repeated parts once.
+pub fn spots<S>(situation: &Situation<S>) -> Vec<Spot> {
+    let chain = situation.chain;
+    let mut spots: Vec<Spot> = Vec::new();
+    let add = |spots: &mut Vec<Spot>, number: usize, spot: Spot| match spots.get_mut(number) {
+        // A body's end, and now the hinge at it; or a hinge's side, and now the body that it is on.
+        Some(known) if known.hinge.is_none() => *known = spot,
+        Some(_) => {}
+        None => spots.push(spot),
+    };
+    // On a seam what passes is what the seam's weld passes on.
+    let side = |hinge: HingeId, place: &Place, outboard: bool| {
+        let weld = chain.seam(place).and_then(|seam| chain.weld_of(seam));
+        weld.map_or(Spot { place: place.clone(), hinge: Some((hinge, outboard)) }, |weld| Spot {
+            place: chain.hinges[weld].inboard.clone(),
+            hinge: Some((weld, false)),
+        })
+    };
+    for (number, element) in chain.route.iter().enumerate() {
+        let (input, output) = match *element {
+            Element::Hinge(index) => {
+                let hinge = &chain.hinges[index];
+                (side(index, &hinge.inboard, false), side(index, &hinge.outboard, true))
+            }
+            Element::Body(index) => {
+                let output = Place::Output(index);
+                let last = chain.hinges.iter().position(|hinge| {
+                    hinge.inboard == output && chain.seam(&hinge.outboard).is_some()
+                });
+                (
+                    Spot { place: Place::Input(index), hinge: None },
+                    Spot { place: output, hinge: last.map(|weld| (weld, false)) },
+                )
+            }
+        };
+        add(&mut spots, number, input);
+        add(&mut spots, number + 1, output);
+    }
+    spots
+}

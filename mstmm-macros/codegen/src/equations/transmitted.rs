@@ -1,0 +1,67 @@
+//! What every hinge transmits, once it is known how the links move [P, Eqs. (18), (19)].
+
+use super::Trace;
+use super::problem::{Movement, Problem, Relation};
+use crate::math::{Scalar, Wrench};
+
+/// On the child's side of every link's hinge, about the link's point, in its work axes; where the hinge
+/// frees whole axes that is its effort and nothing else [P, Eqs. (25), (57), (58)].
+pub fn transmitted<S: Scalar>(
+    problem: &Problem<S>,
+    movement: &Movement<S>,
+    trace: &mut Trace<S>,
+) -> Vec<Wrench<S>> {
+    let mut wrenches = if movement.relations.is_empty() {
+        from_the_free_end(problem, movement)
+    } else {
+        by_relations(problem, movement)
+    };
+    if let Some(demand) = &problem.closing {
+        let reaction = demand.closing.wrench(demand.given, &movement.reactions);
+        if let Some((child, on_child)) = demand.closing.on_child(reaction) {
+            wrenches[child] = wrenches[child] - on_child;
+        }
+    }
+    let released = |(index, wrench): (usize, Wrench<S>)| {
+        let over = &problem.links[index].over;
+        let wrench = over.freedom.released(wrench, &over.efforts);
+        trace.section(format!("Load on `{}`", over.name), "[P, Eqs. (18), (19)]");
+        trace.wrench(&format!("{}_load", over.name), wrench);
+        wrench
+    };
+    wrenches.into_iter().enumerate().map(released).collect()
+}
+
+/// From what comes over from the parent, with the method's own relation: each hinge for itself.
+fn by_relations<S: Scalar>(problem: &Problem<S>, movement: &Movement<S>) -> Vec<Wrench<S>> {
+    let one = |(index, relation): (usize, &Relation<S>)| {
+        relation.inertia.times(problem.carried(index, &movement.points)) + relation.load
+    };
+    movement.relations.iter().enumerate().map(one).collect()
+}
+
+/// From what every body's own motion takes and its children pass on.
+fn from_the_free_end<S: Scalar>(problem: &Problem<S>, movement: &Movement<S>) -> Vec<Wrench<S>> {
+    let of = |(index, &load): (usize, &Wrench<S>)| {
+        problem.inertia(index).times(movement.points[index]) + load
+    };
+    let mut wrenches: Vec<Wrench<S>> = problem.loads.iter().enumerate().map(of).collect();
+    if let (Some(demand), Some((link, pulls))) = (&problem.closing, problem.pulls()) {
+        let given = wrenches[link] + demand.closing.over.returned(demand.given);
+        wrenches[link] = pulled(given, &pulls, &movement.reactions);
+    }
+    for index in (0..wrenches.len()).rev() {
+        wrenches[index] = problem.passage.inwards(index, wrenches[index]);
+        let link = &problem.links[index];
+        let wrench = link.over.freedom.released(wrenches[index], &link.over.efforts);
+        if let Some(parent) = link.parent {
+            wrenches[parent] = wrenches[parent] + link.over.returned(wrench);
+        }
+    }
+    wrenches
+}
+
+/// With the reactions of a closing hinge.
+fn pulled<S: Scalar>(wrench: Wrench<S>, pulls: &[Wrench<S>], reactions: &[S]) -> Wrench<S> {
+    pulls.iter().zip(reactions).fold(wrench, |sum, (&pull, &amount)| sum + pull.scaled(amount))
+}
