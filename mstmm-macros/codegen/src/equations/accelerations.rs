@@ -4,6 +4,7 @@ use super::closing::{Closing, closing};
 use super::load::loads;
 use super::motion::LinkMotion;
 use super::problem::{Demand, Movement, Problem};
+use super::redistribution::redistribute;
 use super::transmitted::transmitted;
 use super::{Axes, Situation, Trace, motion, riccati, transfer};
 use crate::math::{Mat3, Motion, Rotation, Scalar, Wrench};
@@ -67,7 +68,9 @@ pub fn accelerations<S: Scalar>(
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> Solved<S> {
-    let (solved, ()) = solve(situation, method, axes, trace, |_, _, _| ());
+    let layout = situation.layout;
+    let pays = method == Method::Riccati && axes == Axes::Body && layout.closings.is_empty();
+    let (solved, ()) = solve(situation, (method, axes, pays), trace, |_, _, _| ());
     solved
 }
 
@@ -78,7 +81,8 @@ pub fn sweep<S: Scalar>(
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> (Solved<S>, Swept<S>) {
-    solve(situation, method, axes, trace, |problem, movement, trace| {
+    // What is given to parents would be missing in the wrenches.
+    solve(situation, (method, axes, false), trace, |problem, movement, trace| {
         let wrenches = transmitted(problem, movement, trace);
         let mut behind = vec![None; situation.chain.hinges.len()];
         for ((link, &felt), wrench) in problem.links.iter().zip(&movement.points).zip(wrenches) {
@@ -88,17 +92,19 @@ pub fn sweep<S: Scalar>(
     })
 }
 
-/// Solves for the accelerations of all hinges, and for what `more` makes of how the links move.
+/// Solves for the accelerations of all hinges, and for what `more` makes of how the links move;
+/// inertias may be redistributed before.
 fn solve<S: Scalar, R>(
     situation: &Situation<S>,
-    method: Method,
-    axes: Axes,
+    (method, axes, to_parents): (Method, Axes, bool),
     trace: &mut Trace<S>,
     more: impl FnOnce(&Problem<S>, &Movement<S>, &mut Trace<S>) -> R,
 ) -> (Solved<S>, R) {
-    let links = motion(situation, axes, trace);
+    let mut links = motion(situation, axes, trace);
     let closing = closing(situation, axes, &links);
-    let problem = forces(situation, &links, closing.as_ref());
+    let given =
+        to_parents.then(|| redistribute(&mut links, |link| situation.layout.is_at_seam(link)));
+    let problem = Problem { given, ..forces(situation, &links, closing.as_ref()) };
     let (movement, pivots) = match method {
         Method::Riccati => riccati::solve(&problem, trace),
         Method::Transfer => {
@@ -144,6 +150,7 @@ fn forces<'a, S: Scalar>(
         efforts: links.iter().map(|link| link.over.freedom.loads(&link.over.efforts)).collect(),
         ground: situation.ground(),
         closing: None,
+        given: None,
         added: None,
     };
     problem.closing = closing.map(|closing| {

@@ -148,6 +148,7 @@ fn along<S: Scalar>(
             reached: closing.held.iter().map(|held| wanted.power(held.wrench)).collect(),
             given: Wrench::zero(),
         }),
+        given: None,
         added: None,
     };
     let problem =

@@ -33,6 +33,7 @@ mod motion;
 mod numbers;
 mod passage;
 mod problem;
+mod redistribution;
 mod report;
 mod riccati;
 mod situation;

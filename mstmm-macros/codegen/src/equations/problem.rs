@@ -4,6 +4,7 @@
 use super::closing::Closing;
 use super::motion::{Drift, LinkMotion};
 use super::passage::Passage;
+use super::redistribution::Given;
 use crate::math::{Motion, Scalar, SpatialInertia, Wrench};
 use crate::model::Dimension;
 
@@ -26,6 +27,8 @@ pub struct Problem<'a, S> {
     pub ground: Motion<S>,
     /// The hinge that closes the chain, with what it demands, if there is one.
     pub closing: Option<Demand<'a, S>>,
+    /// What the links had before their inertias were redistributed, if they were.
+    pub given: Option<Vec<Given<S>>>,
     /// Inertia that a link has besides its own, if any.
     pub added: Option<(usize, SpatialInertia<S>)>,
 }
@@ -103,6 +106,18 @@ impl<S: Scalar> Problem<'_, S> {
             Some((to, added)) if to == link => own + added,
             _ => own,
         }
+    }
+
+    /// What measures pivots along shifts and turns of a link's own part.
+    pub fn scales(&self, link: usize) -> (S, S) {
+        let inertia = self.inertia(link);
+        let own = (inertia.linear.at(0, 0), inertia.angular.trace());
+        self.given.as_ref().map_or(own, |given| given[link].scales)
+    }
+
+    /// The mass that a link has given to its parent.
+    pub fn given_mass(&self, link: usize) -> S {
+        self.given.as_ref().map_or(S::zero(), |given| given[link].mass)
     }
 
     /// `a` of a link's point but for the hinge's own columns.

@@ -121,6 +121,12 @@ impl Layout {
         }
     }
 
+    /// Whether a link's hinge, or its parent's, is on a seam.
+    pub fn is_at_seam(&self, link: usize) -> bool {
+        let is_seam = |link: usize| self.links[link].seam.is_some();
+        is_seam(link) || self.links[link].parent.is_some_and(is_seam)
+    }
+
     /// Length of `q`.
     pub fn coordinates(&self) -> usize {
         self.q.last().map_or(0, |range| range.end)

@@ -96,11 +96,12 @@ pub fn compute_with<S: Scalar>(
     let (q, v, inputs) = (variables::<S>(q), variables(v), variables(inputs));
     let mut trace = Trace::new();
     let situation = Situation::new(chain, &merged, &numbers, (&q, &v, &inputs));
+    let fast = equations::accelerations(&situation, method, axes, &mut trace);
     let (solved, swept) = equations::sweep(&situation, method, axes, &mut trace);
     let situation = Situation::new(chain, &layout, &numbers, (&q, &v, &inputs));
     let report = Report::of(&equations::report(&situation, (&solved, &swept), &mut trace));
     let energy = equations::energy(&situation, &mut trace);
-    let accelerations = solved.accelerations.iter().map(|x| x.value()).collect();
+    let accelerations = fast.accelerations.iter().map(|x| x.value()).collect();
     Computed { accelerations, report, energy, solved }
 }
 

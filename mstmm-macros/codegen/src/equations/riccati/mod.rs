@@ -162,7 +162,7 @@ fn own<S: Scalar>(problem: &Problem<S>) -> Vec<Carried<S>> {
             load,
             pulls: vec![Wrench::zero(); none],
             reach: S::zero(),
-            scales: (inertia.linear.at(0, 0), inertia.angular.trace()),
+            scales: problem.scales(index),
         }
     };
     let mut all: Vec<Carried<S>> = problem.loads.iter().enumerate().map(carried).collect();
@@ -183,7 +183,7 @@ fn hand_over<S: Scalar>(
     parent: &mut Carried<S>,
 ) {
     let over = &problem.links[index].over;
-    let mass = here.inertia.linear.trace();
+    let mass = here.inertia.linear.trace() + problem.given_mass(index) * S::number(3.0);
     parent.scales.0 = parent.scales.0 + mass;
     parent.scales.1 = parent.scales.1 + mass * over.arm.dot(over.arm);
     let Drift { on_parent, in_hinge } = problem.drift[index];

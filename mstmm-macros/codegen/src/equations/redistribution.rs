@@ -1,0 +1,140 @@
+//! What of a body's inertia the turning of its hinge leaves in place: that may as well be the parent's.
+//!
+//! On the axis of a pin a thin rod moves as the parent does: `m`, `m z_C` and the moment of inertia across
+//! the axis. What is left has zeros in their places, and the parent's numbers are constants as before:
+//! base parameters. `A` of a body is then less by what went to the parent, which comes in again behind
+//! its hinge. Masses in the middle of balls might go as well, for one operation in a hundred less;
+//! three balls took 6 % more time then, ten 12 %.
+
+use super::motion::LinkMotion;
+use crate::math::{Mat3, Scalar, SpatialInertia, Sym3, Vec3};
+
+/// What a link had before.
+#[derive(Clone, Copy, Debug)]
+pub struct Given<S> {
+    /// The mass that it has given to its parent.
+    pub mass: S,
+    /// Mass and trace of the inertia as written, which pivots are measured by.
+    pub scales: (S, S),
+}
+
+/// Redistributes from the free end to the ground, over every hinge that turns about one axis, but for
+/// those that `stays` tells; as much as saves operations.
+pub fn redistribute<S: Scalar>(
+    links: &mut [LinkMotion<S>],
+    stays: impl Fn(usize) -> bool,
+) -> Vec<Given<S>> {
+    let before =
+        |link: &LinkMotion<S>| Given { mass: S::zero(), scales: (link.mass, link.inertia.trace()) };
+    let mut given: Vec<Given<S>> = links.iter().map(before).collect();
+    for index in (0..links.len()).rev() {
+        let link = &links[index];
+        let Some(parent) = link.parent else { continue };
+        if stays(index) || !link.over.keeps_the_point() {
+            continue;
+        }
+        let (own, of_parent) = (Rigid::of(link), Rigid::of(&links[parent]));
+        let weight = |(own, of_parent): &(Rigid<S>, Rigid<S>)| own.weight() + of_parent.weight();
+        let mut best = (own, of_parent);
+        for rod in rods(link) {
+            let to_parent = rod.turned(link.over.to_parent.matrix()).moved_from(link.over.arm);
+            let pair = (own.without(rod), of_parent.with(to_parent));
+            if weight(&pair) < weight(&best) {
+                given[index].mass = rod.mass;
+                best = pair;
+            }
+        }
+        best.0.put_into(&mut links[index]);
+        best.1.put_into(&mut links[parent]);
+    }
+    given
+}
+
+/// What of a link that turns about one of its axes may be its parent's: a rod along that, without and
+/// with a moment of inertia.
+fn rods<S: Scalar>(link: &LinkMotion<S>) -> Vec<Rigid<S>> {
+    let Some(axis) = only_axis(link) else { return Vec::new() };
+    let moment = Vec3::from_fn(|k| if k == axis { link.moment[k] } else { S::zero() });
+    let across = link.inertia.at((axis + 2) % 3, (axis + 2) % 3);
+    let is_across = |i: usize, j: usize| i == j && i != axis;
+    let inertia = Sym3::from_fn(|i, j| if is_across(i, j) { across } else { S::zero() });
+    let without = Rigid { mass: link.mass, moment, inertia: Sym3([S::zero(); 6]) };
+    vec![without, Rigid { inertia, ..without }]
+}
+
+/// The axis that a link's hinge turns about, if it is one of the link's axes alone.
+fn only_axis<S: Scalar>(link: &LinkMotion<S>) -> Option<usize> {
+    let [motion] = &link.over.subspace[..] else { return None };
+    let present = |&k: &usize| !motion.angular[k].vanishes();
+    let axes: Vec<usize> = (0..3).filter(present).collect();
+    let [axis] = axes[..] else { return None };
+    Some(axis)
+}
+
+/// Inertia about a point.
+#[derive(Clone, Copy)]
+struct Rigid<S> {
+    mass: S,
+    /// `m r_C`
+    moment: Vec3<S>,
+    inertia: Sym3<S>,
+}
+
+impl<S: Scalar> Rigid<S> {
+    fn of(link: &LinkMotion<S>) -> Self {
+        Rigid { mass: link.mass, moment: link.moment, inertia: link.inertia }
+    }
+
+    fn put_into(self, link: &mut LinkMotion<S>) {
+        (link.mass, link.moment, link.inertia) = (self.mass, self.moment, self.inertia);
+    }
+
+    fn with(self, more: Self) -> Self {
+        Rigid {
+            mass: self.mass + more.mass,
+            moment: self.moment + more.moment,
+            inertia: self.inertia + more.inertia,
+        }
+    }
+
+    fn without(self, less: Self) -> Self {
+        Rigid {
+            mass: self.mass - less.mass,
+            moment: self.moment - less.moment,
+            inertia: self.inertia - less.inertia,
+        }
+    }
+
+    /// A rod's, in the axes that `rotation` leads to: known, however far its hinge has turned.
+    fn turned(self, rotation: Mat3<S>) -> Self {
+        let axis = (0..3).find(|&k| self.inertia.at(k, k).vanishes()).unwrap_or(2);
+        let across = self.inertia.at((axis + 2) % 3, (axis + 2) % 3);
+        let direction = Vec3::from_fn(|k| rotation[k][axis]);
+        let inertia = Sym3::from_fn(|i, j| {
+            let even = if i == j { across } else { S::zero() };
+            even - across * (direction[i] * direction[j])
+        });
+        Rigid { mass: self.mass, moment: rotation * self.moment, inertia }
+    }
+
+    /// At `arm`, seen from the origin.
+    fn moved_from(self, arm: Vec3<S>) -> Self {
+        let there = SpatialInertia::rigid(self.mass, self.moment, self.inertia).moved_from(arm);
+        Rigid { moment: self.moment + arm * self.mass, inertia: there.angular, ..self }
+    }
+
+    /// About how many operations it takes in a sweep: to be added to what comes from the children,
+    /// and for its velocity load.
+    fn weight(&self) -> usize {
+        let count = |numbers: &[S]| numbers.iter().filter(|x| !x.vanishes()).count();
+        let Sym3(entries) = self.inertia;
+        let [diagonal, beside] = [&entries[..3], &entries[3..]].map(count);
+        let difference = |(i, j): (usize, usize)| entries[i] - entries[j];
+        let gyroscopic = match beside {
+            0 => 2 * count(&[(0, 1), (0, 2), (1, 2)].map(difference)),
+            _ => 2 * diagonal + 4 * beside + 9,
+        };
+        let added = 3 * count(&[self.mass]) + 2 * count(&self.moment.0) + diagonal + beside;
+        added + 6 * count(&self.moment.0) + gyroscopic
+    }
+}
