@@ -8,14 +8,15 @@ use crate::expr::{Edge, Graph, Node, NodeId, Stage};
 /// loop that computes them.
 pub(super) struct Arrivals<'g> {
     graph: &'g Graph,
-    all: Vec<(Home, u32)>,
+    /// Of the nodes that matter.
+    all: Vec<Option<(Home, u32)>>,
 }
 
 impl<'g> Arrivals<'g> {
-    /// Of all nodes so far, each of which is computed at its `home`.
-    pub(super) fn of(graph: &'g Graph, home: impl Fn(NodeId) -> Home) -> Self {
-        let mut arrivals = Arrivals { graph, all: Vec::new() };
-        for id in 0..graph.len() as NodeId {
+    /// Of `nodes`, operands before their users, each of which is computed at its `home`.
+    pub(super) fn of(graph: &'g Graph, nodes: &[NodeId], home: impl Fn(NodeId) -> Home) -> Self {
+        let mut arrivals = Arrivals { graph, all: vec![None; graph.len()] };
+        for &id in nodes {
             arrivals.add(id, home(id));
         }
         arrivals
@@ -23,20 +24,28 @@ impl<'g> Arrivals<'g> {
 
     /// When a node is known at `home`: from the beginning, if it is computed elsewhere.
     pub(super) fn at(&self, home: Home, node: NodeId) -> u32 {
-        let (own, arrival) = self.all[node as usize];
-        if own == home { arrival } else { 0 }
+        match self.all.get(node as usize) {
+            Some(&Some((own, arrival))) if own == home => arrival,
+            _ => 0,
+        }
     }
 
-    /// Takes down the nodes that are new, which are computed at `home`.
-    pub(super) fn follow(&mut self, home: Home) {
-        for id in self.all.len()..self.graph.len() {
-            self.add(id as NodeId, home);
+    /// Takes down a node, and those that it is computed from, as far as they are new: they are computed
+    /// at `home`.
+    pub(super) fn follow(&mut self, node: NodeId, home: Home) {
+        if self.all.len() < self.graph.len() {
+            self.all.resize(self.graph.len(), None);
+        }
+        if self.all[node as usize].is_none() {
+            for operand in self.graph.node(node).operands() {
+                self.follow(operand.node(), home);
+            }
+            self.add(node, home);
         }
     }
 
     fn add(&mut self, id: NodeId, home: Home) {
-        let arrival = self.arrival(id, home);
-        self.all.push((home, arrival));
+        self.all[id as usize] = Some((home, self.arrival(id, home)));
     }
 
     fn arrival(&self, id: NodeId, home: Home) -> u32 {

@@ -9,7 +9,7 @@ use crate::expr::{Edge, Graph, Node, Stage};
 /// is no product but a number.
 pub(super) fn fused(graph: &Graph, live: &Live, turns: &Turns, stage: Stage) -> Vec<bool> {
     let mut fused = vec![false; graph.len()];
-    let arrivals = Arrivals::of(graph, |id| turns.home(id));
+    let arrivals = Arrivals::of(graph, live.nodes(), |id| turns.home(id));
     for &id in live.nodes() {
         let Node::Sum(a, b) = graph.node(id) else { continue };
         let belongs = |term: &Edge| {

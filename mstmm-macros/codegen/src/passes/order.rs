@@ -5,7 +5,7 @@
 use super::arrivals::Arrivals;
 use super::sums::Sums;
 use super::{Home, Images, Turn};
-use crate::expr::{Edge, Expr, Graph};
+use crate::expr::{Edge, Expr, Graph, NodeId};
 use crate::math::Scalar;
 
 /// Sums of so many terms and more are added up in two halves, side by side.
@@ -14,9 +14,10 @@ const HALVED: usize = 6;
 /// Rewrites everything that `results` need.
 pub fn order(graph: &Graph, results: &[Edge], turns: &[Turn], parts: &[Option<usize>]) -> Images {
     let sums = Sums::of(graph, results, turns, parts);
-    let arrivals = Arrivals::of(graph, |id| sums.home(id));
+    let nodes: Vec<NodeId> = sums.nodes().collect();
+    let arrivals = Arrivals::of(graph, &nodes, |id| sums.home(id));
     let mut pass = Order { graph, images: Images::new(graph), arrivals };
-    for id in sums.nodes() {
+    for id in nodes {
         let image = match sums.terms(id) {
             Some(terms) => {
                 let home = sums.home(id);
@@ -26,7 +27,9 @@ pub fn order(graph: &Graph, results: &[Edge], turns: &[Turn], parts: &[Option<us
             }
             None => pass.images.over_images(graph, id),
         };
-        pass.arrivals.follow(sums.home(id));
+        if let Expr::Formula(_, edge) = image {
+            pass.arrivals.follow(edge.node(), sums.home(id));
+        }
         pass.images.set(id, image, graph);
     }
     pass.images

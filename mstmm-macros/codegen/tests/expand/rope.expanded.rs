@@ -1074,29 +1074,29 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t31_ = T::mul_neg_add(t20_, t30_, t27_);
             let t32_ = joint_b_x_z_ * joint_b_y_z_;
             let t33_ = T::mul_neg_add(t20_, t32_, carry1_3_before_);
-            let t34_ = t29_ - t31_;
-            let t35_ = t15_ * t33_;
-            let t36_ = T::mul_add(t13_, t34_, t35_);
-            let t37_ = cos_joint_angle_ * joint_z0_force_x_;
-            let t38_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t37_);
-            let t39_ = sin_joint_angle_ * joint_z0_force_x_;
-            let t40_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t39_);
-            let t41_ = t16_ - carry1_4_before_;
-            let t42_ = T::mul_add(
+            let t34_ = t29_ + t31_;
+            let t35_ = t29_ - t31_;
+            let t36_ = t15_ * t33_;
+            let t37_ = T::mul_add(t13_, t35_, t36_);
+            let t38_ = cos_joint_angle_ * joint_z0_force_x_;
+            let t39_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t38_);
+            let t40_ = sin_joint_angle_ * joint_z0_force_x_;
+            let t41_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t40_);
+            let t42_ = t16_ - carry1_4_before_;
+            let t43_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_centripetal_x_,
-                t41_,
+                t42_,
             );
-            let t43_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t42_);
-            let t44_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
-            let t45_ = cos_joint_angle_ * t43_;
-            let t46_ = T::mul_add(sin_joint_angle_, t44_, t45_);
-            let t47_ = sin_joint_angle_ * t43_;
-            let t48_ = T::mul_neg_add(cos_joint_angle_, t44_, t47_);
-            let t49_ = T::mul_add(t14_, t33_, t31_);
-            let t50_ = T::mul_add(t12_, t34_, t49_);
-            let t51_ = t29_ - t50_;
-            let t52_ = t31_ + t51_;
+            let t44_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t43_);
+            let t45_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
+            let t46_ = cos_joint_angle_ * t44_;
+            let t47_ = T::mul_add(sin_joint_angle_, t45_, t46_);
+            let t48_ = sin_joint_angle_ * t44_;
+            let t49_ = T::mul_neg_add(cos_joint_angle_, t45_, t48_);
+            let t50_ = T::mul_add(t14_, t33_, t31_);
+            let t51_ = T::mul_add(t12_, t35_, t50_);
+            let t52_ = t34_ - t51_;
             _ = store3_
                 .try_push([
                     carry1_0_before_,
@@ -1107,11 +1107,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     t29_,
                     t31_,
                     t33_,
-                    t38_,
-                    t40_,
+                    t39_,
+                    t41_,
                     minus_joint_w0_,
-                    t43_,
                     t44_,
+                    t45_,
                 ]);
             *o7_24_ = carry1_6_before_;
             regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t26_);
@@ -1125,11 +1125,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_6_,
             ) = (
                 t52_,
-                t50_,
+                t51_,
                 joint_k_zz_,
-                t36_,
-                -t46_,
-                -t48_,
+                t37_,
+                -t47_,
+                -t49_,
                 -minus_joint_load_moment_z_,
             );
         }
@@ -1162,11 +1162,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                         t29_,
                         t31_,
                         t33_,
-                        t38_,
-                        t40_,
+                        t39_,
+                        t41_,
                         minus_joint_w0_,
-                        t43_,
                         t44_,
+                        t45_,
                         ],
                     ),
                     [o0_0_,
@@ -1229,8 +1229,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry2_1_before_,
                 t54_,
             );
-            let t55_ = T::mul_add(carry2_1_before_, t40_, minus_joint_w0_);
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t38_, t55_);
+            let t55_ = T::mul_add(carry2_1_before_, t41_, minus_joint_w0_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t39_, t55_);
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
             let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_centripetal_x_
                 - joint_a_lin_x_;
@@ -1240,9 +1240,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_joint_a_lin_y_,
             );
             /// Load on `joint`, [P, Eqs. (18), (19)]: 4 mul, 4 add, 0 reciprocal.
-            let t56_ = T::mul_add(t33_, minus_joint_a_lin_y_, t43_);
+            let t56_ = T::mul_add(t33_, minus_joint_a_lin_y_, t44_);
             let joint_load_force_x_ = T::mul_sub(t29_, joint_a_lin_x_, t56_);
-            let t57_ = T::mul_neg_add(t31_, minus_joint_a_lin_y_, t44_);
+            let t57_ = T::mul_neg_add(t31_, minus_joint_a_lin_y_, t45_);
             let joint_load_force_y_ = T::mul_add(t33_, joint_a_lin_x_, t57_);
             /// Load on `end_of_repeat0`, [P, Eqs. (18), (19)]: 4 mul, 4 add, 0 reciprocal.
             let t58_ = T::mul_neg_add(
