@@ -1,5 +1,6 @@
 //! Connection points and results: what goes in comes out, in the documented frames and orders.
 
+use mstmm_runtime::generated::{Places, place_of};
 use mstmm_runtime::nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 use mstmm_runtime::{
     BodyResult, Closure, HingeResult, LinePoint, LineStateVector, PlanePoint, PlaneStateVector,
@@ -85,4 +86,56 @@ fn closures_tell_what_is_redundant() {
     let loop_in_a_plane = Closure::new([[0.0; 6], across], [0.0, 1.0]);
     assert_eq!(loop_in_a_plane.redundant(), 1);
     assert_eq!(loop_in_a_plane.undetermined(), &[[0.0; 6], across]);
+}
+
+/// A quarter turn about z, whose last column is kept as its opposite; what is felt at rest is taken
+/// off; zeros lie nowhere.
+#[test]
+fn points_are_read_off_shared_numbers() {
+    let numbers = [0.1, 0.2, 0.3, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 4.0, 5.0, 6.0];
+    let turned = [4, 7, -10];
+    let places = Places::new(
+        1,
+        turned,
+        [(turned, 13), ([0; 3], -13), ([0; 3], 13), (turned, 0), (turned, -13), ([0; 3], 1)],
+    );
+    let point = Point::read(&numbers, Some(&places), [0.0, 9.0, 1.0]);
+    assert_eq!(point.position(), Vector3::new(0.1, 0.2, 0.3));
+    assert_eq!(point.orientation() * Vector3::x(), Vector3::y());
+    assert_eq!(point.orientation() * Vector3::z(), Vector3::z());
+    assert_eq!(point.velocity(), Vector3::new(-5.0, 4.0, 6.0));
+    assert_eq!(point.angular_velocity(), Vector3::new(-4.0, -5.0, -6.0));
+    assert_eq!(point.acceleration(), Vector3::new(4.0, -4.0, 5.0));
+    assert_eq!(point.angular_acceleration(), Vector3::zeros());
+    assert_eq!(point.moment(), Vector3::new(5.0, -4.0, -6.0));
+    assert_eq!(point.force(), Vector3::new(0.1, 0.2, 0.3));
+    assert_eq!(Point::read(&numbers, None, [0.0; 3]), Point::default());
+
+    let flat =
+        Places::new(1, [-4], [([-4], 13), ([0], 15), ([0], -13), ([0], 14), ([0], -15), ([-4], 1)]);
+    let point = PlanePoint::read(&numbers, Some(&flat), [1.0, 2.0]);
+    assert_eq!(point.cos_sin(), (0.0, -1.0));
+    assert_eq!(point.velocity(), Vector2::new(5.0, -4.0));
+    assert_eq!((point.angular_velocity(), point.angular_acceleration()), (6.0, 5.0));
+    assert_eq!(point.acceleration(), Vector2::new(-5.0, -7.0));
+    assert_eq!((point.moment(), point.force()), (-6.0, Vector2::new(0.2, -0.1)));
+
+    let line = Places::new(2, [], [([], 13), ([], 14), ([], -15)]);
+    let point = LinePoint::read(&numbers, Some(&line), [1.0]);
+    assert_eq!((point.position(), point.velocity()), (0.2, 4.0));
+    assert_eq!((point.acceleration(), point.force()), (4.0, -6.0));
+}
+
+/// Two points once, three of a part that stands twice, one behind: with five numbers, seven, and two.
+#[test]
+fn points_of_repeated_parts_have_their_numbers_time_by_time() {
+    let pieces = [[0, 2, 0, 2, 0, 5], [2, 3, 2, 6, 5, 7], [5, 1, 8, 1, 19, 2]];
+    let numbers: Vec<usize> = (0..21).collect();
+    let found: Vec<(usize, usize)> = (0..9)
+        .map(|index| place_of(&numbers, &pieces, index))
+        .map(|(model, rest)| (model, rest[0]))
+        .collect();
+    let expected = [(0, 0), (1, 0), (2, 5), (3, 5), (4, 5), (2, 12), (3, 12), (4, 12), (5, 19)];
+    assert_eq!(found, expected);
+    assert!(place_of(&numbers, &pieces, 9).1.is_empty());
 }

@@ -95,11 +95,13 @@ impl<T: Scalar> LinePoint<T> {
 #[allow(missing_docs)]
 impl<T: Scalar> LinePoint<T> {
     /// Reads a point off the numbers of a workspace; without places it is the default.
-    #[inline]
+    #[inline(always)]
     pub fn read(numbers: &[T], places: Option<&Places<0, 3>>, at_rest: [T; 1]) -> Self {
         let Some(&Places { position, vectors, .. }) = places else { return Self::default() };
-        let [[velocity], felt, [force]] = vectors.map(|(_, place)| entries(numbers, place));
-        let ([position], [acceleration]) = (entries(numbers, position), less(felt, at_rest));
+        let [(_, velocity), (_, felt), (_, force)] = vectors;
+        let ([velocity], [force]) = (entries(numbers, velocity), entries(numbers, force));
+        let ([position], [acceleration]) =
+            (entries(numbers, position), less(entries(numbers, felt), at_rest));
         Self::new(position, velocity, LineStateVector::new(acceleration, force))
     }
 }

@@ -29,19 +29,21 @@ impl<const AXES: usize, const VECTORS: usize> Places<AXES, VECTORS> {
 }
 
 /// The entries of the vector at a place.
-#[inline]
+#[inline(always)]
 pub(super) fn entries<T: Scalar, const N: usize>(numbers: &[T], place: i32) -> [T; N] {
     let first = (place.unsigned_abs() as usize).checked_sub(1);
     let found = first.and_then(|first| numbers.get(first..)?.first_chunk::<N>());
-    match found {
-        Some(&entries) if place > 0 => entries,
-        Some(entries) => entries.map(|entry| -entry),
-        None => [T::constant(0.0); N],
+    let Some(&(mut entries)) = found else { return [T::constant(0.0); N] };
+    if place < 0 {
+        for entry in &mut entries {
+            *entry = -*entry;
+        }
     }
+    entries
 }
 
 /// The difference of two vectors.
-#[inline]
+#[inline(always)]
 pub(super) fn less<T: Scalar, const N: usize>(mut vector: [T; N], other: [T; N]) -> [T; N] {
     for (entry, other) in vector.iter_mut().zip(other) {
         *entry -= other;

@@ -174,36 +174,42 @@ impl<T: Scalar> Default for PlanePoint<T> {
 #[allow(missing_docs)]
 impl<T: Scalar> PlanePoint<T> {
     /// Reads a point off the numbers of a workspace; without places it is the default.
-    #[inline]
+    #[inline(always)]
     pub fn read(numbers: &[T], places: Option<&Places<1, 6>>, at_rest: [T; 2]) -> Self {
         let Some(&Places { position, orientation, vectors }) = places else {
             return Self::default();
         };
-        let [velocity, omega, felt, turning, moment, force] = vectors;
-        let inertial = |(axes, vector): ([i32; 1], i32)| {
-            let vector = entries(numbers, vector);
-            cos_sin(numbers, axes).map_or(vector, |cos_sin| turned(cos_sin, vector))
+        let [velocity, (_, omega), felt, (_, turning), (_, moment), force] = vectors;
+        let ([omega], [turning], [moment]) =
+            (entries(numbers, omega), entries(numbers, turning), entries(numbers, moment));
+        let acceleration = less(seen(numbers, felt), at_rest);
+        let z = PlaneStateVector::new(acceleration, turning, moment, seen(numbers, force));
+        let cos_sin = match cos_sin(numbers, orientation) {
+            Some(cos_sin) => cos_sin,
+            None => [T::constant(1.0), T::constant(0.0)],
         };
-        let number = |(_, place): ([i32; 1], i32)| {
-            let [number] = entries(numbers, place);
-            number
-        };
-        let acceleration = less(inertial(felt), at_rest);
-        let z =
-            PlaneStateVector::new(acceleration, number(turning), number(moment), inertial(force));
-        let cos_sin = cos_sin(numbers, orientation).unwrap_or([T::constant(1.0), T::constant(0.0)]);
-        Self::new(entries(numbers, position), cos_sin, inertial(velocity), number(omega), z)
+        Self::new(entries(numbers, position), cos_sin, seen(numbers, velocity), omega, z)
+    }
+}
+
+/// A vector in inertial axes, from its place and that of the axes that it is seen in.
+#[inline(always)]
+fn seen<T: Scalar>(numbers: &[T], (axes, vector): ([i32; 1], i32)) -> [T; 2] {
+    let vector = entries(numbers, vector);
+    match cos_sin(numbers, axes) {
+        Some(cos_sin) => turned(cos_sin, vector),
+        None => vector,
     }
 }
 
 /// Cosine and sine of an angle; nothing of zero.
-#[inline]
+#[inline(always)]
 fn cos_sin<T: Scalar>(numbers: &[T], [place]: [i32; 1]) -> Option<[T; 2]> {
-    (place != 0).then(|| entries(numbers, place))
+    if place == 0 { None } else { Some(entries(numbers, place)) }
 }
 
 /// A vector turned by an angle.
-#[inline]
+#[inline(always)]
 fn turned<T: Scalar>([cosine, sine]: [T; 2], [x, y]: [T; 2]) -> [T; 2] {
     [cosine.mul_add(x, -(sine * y)), sine.mul_add(x, cosine * y)]
 }

@@ -173,36 +173,57 @@ impl<T: Scalar> Default for Point<T> {
 #[allow(missing_docs)]
 impl<T: Scalar> Point<T> {
     /// Reads a point off the numbers of a workspace; without places it is the default.
-    #[inline]
+    #[inline(always)]
     pub fn read(numbers: &[T], places: Option<&Places<3, 6>>, at_rest: [T; 3]) -> Self {
         let Some(&Places { position, orientation, vectors }) = places else {
             return Self::default();
         };
-        let seen = vectors.map(|(axes, vector)| {
-            let vector = entries(numbers, vector);
-            columns(numbers, axes).map_or(vector, |columns| turned(columns, vector))
-        });
-        let [velocity, omega, felt, turning, moment, force] = seen;
-        let (zero, one) = (T::constant(0.0), T::constant(1.0));
-        let identity = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
-        let [[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]] =
-            columns(numbers, orientation).unwrap_or(identity);
+        let [velocity, omega, felt, turning, moment, force] = vectors;
+        let z = StateVector::new(
+            less(seen(numbers, felt), at_rest),
+            seen(numbers, turning),
+            seen(numbers, moment),
+            seen(numbers, force),
+        );
+        let [[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]] = match columns(numbers, orientation) {
+            Some(columns) => columns,
+            None => {
+                let (zero, one) = (T::constant(0.0), T::constant(1.0));
+                [[one, zero, zero], [zero, one, zero], [zero, zero, one]]
+            }
+        };
         let rotation = [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]];
-        let acceleration = less(felt, at_rest);
-        let z = StateVector::new(acceleration, turning, moment, force);
+        let (velocity, omega) = (seen(numbers, velocity), seen(numbers, omega));
         Self::new(entries(numbers, position), rotation, velocity, omega, z)
     }
 }
 
+/// A vector in inertial axes, from its place and those of the axes that it is seen in.
+#[inline(always)]
+fn seen<T: Scalar>(numbers: &[T], (axes, vector): ([i32; 3], i32)) -> [T; 3] {
+    let vector = entries(numbers, vector);
+    match columns(numbers, axes) {
+        Some(columns) => turned(columns, vector),
+        None => vector,
+    }
+}
+
 /// The columns of a matrix; nothing of the identity.
-#[inline]
-fn columns<T: Scalar>(numbers: &[T], places: [i32; 3]) -> Option<[[T; 3]; 3]> {
-    (places != [0; 3]).then(|| places.map(|place| entries(numbers, place)))
+#[inline(always)]
+fn columns<T: Scalar>(numbers: &[T], [x, y, z]: [i32; 3]) -> Option<[[T; 3]; 3]> {
+    if let (0, 0, 0) = (x, y, z) {
+        return None;
+    }
+    Some([entries(numbers, x), entries(numbers, y), entries(numbers, z)])
 }
 
 /// A vector in the axes that the matrix with these columns leads to.
-#[inline]
+#[inline(always)]
 fn turned<T: Scalar>([x, y, z]: [[T; 3]; 3], [a, b, c]: [T; 3]) -> [T; 3] {
-    let entry = |k: usize| x[k].mul_add(a, y[k].mul_add(b, z[k] * c));
-    [entry(0), entry(1), entry(2)]
+    let ([xx, yx, zx], [xy, yy, zy], [xz, yz, zz]) = (x, y, z);
+    [
+        xx.mul_add(a, xy.mul_add(b, xz * c)),
+        yx.mul_add(a, yy.mul_add(b, yz * c)),
+        zx.mul_add(a, zy.mul_add(b, zz * c)),
+    ]
 }

@@ -23,17 +23,29 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let count = usize_literal(points.len());
     let entries = points.iter().map(|places| entry(plan, places));
     let found = found(plan);
+    // Where a place is known while compiling, what is read of its point is all that is left.
+    let inline =
+        if plan.chain.repeats.is_empty() { quote!(inline(always)) } else { quote!(inline) };
     quote! {
         /// Where every point of the model has its numbers.
         const PLACES_: [#mstmm::generated::Places<#axes, #vectors>; #count] = [#(#entries),*];
 
         /// Connection point number `index`.
-        #[inline]
+        #[#inline]
         fn point_(&self, index_: usize) -> #mstmm::#point<T> {
             #found
             #mstmm::#point::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
         }
     }
+}
+
+/// All points.
+pub fn all(plan: &Plan) -> TokenStream {
+    if !plan.chain.repeats.is_empty() {
+        return quote!(::core::array::from_fn(|index_| self.point_(index_)));
+    }
+    let points = (0..plan.programs.places.points.len()).map(usize_literal);
+    quote!([#(self.point_(#points)),*])
 }
 
 /// Binds the number of a point in the model and the numbers of its piece, at its time.

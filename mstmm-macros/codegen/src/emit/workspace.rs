@@ -19,6 +19,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let number_count = usize_literal(Spread::numbers_of_points(plan).total);
     let shifts = usize_literal(plan.chain.dimension.shifts().len());
     let places = places::emit(plan);
+    let all_points = places::all(plan);
     let [numbers_at_first, at_rest_at_first] =
         [solution::NUMBERS, solution::AT_REST].map(|group| solution::at_first(plan, group));
     let rates = usize_literal(Spread::rates(plan).total);
@@ -80,7 +81,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
             /// element's output.
             #[inline]
             #visibility fn points(&self) -> [#mstmm::#point<T>; #point_count] {
-                ::core::array::from_fn(|index_| self.point_(index_))
+                #all_points
             }
 
             #places

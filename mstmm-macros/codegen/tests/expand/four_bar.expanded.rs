@@ -1675,7 +1675,16 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
     /// element's output.
     #[inline]
     pub fn points(&self) -> [::mstmm::PlanePoint<T>; 8] {
-        ::core::array::from_fn(|index_| self.point_(index_))
+        [
+            self.point_(0),
+            self.point_(1),
+            self.point_(2),
+            self.point_(3),
+            self.point_(4),
+            self.point_(5),
+            self.point_(6),
+            self.point_(7),
+        ]
     }
     /// Where every point of the model has its numbers.
     const PLACES_: [::mstmm::generated::Places<1, 6>; 8] = [
@@ -1721,7 +1730,7 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
         ),
     ];
     /// Connection point number `index`.
-    #[inline]
+    #[inline(always)]
     fn point_(&self, index_: usize) -> ::mstmm::PlanePoint<T> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
         ::mstmm::PlanePoint::read(numbers_, Self::PLACES_.get(model_), self.at_rest)

@@ -533,7 +533,7 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
     /// element's output.
     #[inline]
     fn points(&self) -> [::mstmm::Point<T>; 3] {
-        ::core::array::from_fn(|index_| self.point_(index_))
+        [self.point_(0), self.point_(1), self.point_(2)]
     }
     /// Where every point of the model has its numbers.
     const PLACES_: [::mstmm::generated::Places<3, 6>; 3] = [
@@ -575,7 +575,7 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
         ),
     ];
     /// Connection point number `index`.
-    #[inline]
+    #[inline(always)]
     fn point_(&self, index_: usize) -> ::mstmm::Point<T> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
         ::mstmm::Point::read(numbers_, Self::PLACES_.get(model_), self.at_rest)

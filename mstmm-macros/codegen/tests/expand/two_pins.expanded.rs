@@ -809,7 +809,7 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     /// element's output.
     #[inline]
     pub fn points(&self) -> [::mstmm::Point<T>; 5] {
-        ::core::array::from_fn(|index_| self.point_(index_))
+        [self.point_(0), self.point_(1), self.point_(2), self.point_(3), self.point_(4)]
     }
     /// Where every point of the model has its numbers.
     const PLACES_: [::mstmm::generated::Places<3, 6>; 5] = [
@@ -875,7 +875,7 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
         ),
     ];
     /// Connection point number `index`.
-    #[inline]
+    #[inline(always)]
     fn point_(&self, index_: usize) -> ::mstmm::Point<T> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
         ::mstmm::Point::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
