@@ -1,12 +1,12 @@
-//! Accuracy does not fall with length: accelerations of long chains against the same equations in
-//! numbers of twice the precision.
+//! Accuracy does not fall with length: accelerations of long chains, and what their hinges transmit,
+//! against the same equations in numbers of twice the precision.
 
 mod common;
 
 use common::double_double::DoubleDouble;
-use common::{compute, read};
+use common::{Computed, Point, compute, read};
 use mstmm_codegen::equations::Axes;
-use mstmm_codegen::math::Scalar;
+use mstmm_codegen::math::{Scalar, Structured, Vec3};
 use mstmm_codegen::model::{Chain, Method};
 use mstmm_reference::Random;
 
@@ -21,8 +21,14 @@ fn chain(count: usize, kind: impl Fn(usize) -> &'static str) -> Chain {
     read(&format!("chain Long {{ gravity = [0, -9.8, 0] m/s^2; {CUBE} ground{route}; }}"))
 }
 
-/// The largest error of any acceleration, relative to the largest acceleration.
-fn error<S: Scalar>(chain: &Chain, way: (Method, Axes), seed: u64, number: fn(S) -> f64) -> f64 {
+/// The largest error of any acceleration of a hinge, and of any force or moment at a point, relative to
+/// the largest of its kind.
+fn errors<S: Scalar>(
+    chain: &Chain,
+    way: (Method, Axes),
+    seed: u64,
+    number: fn(S) -> f64,
+) -> [f64; 2] {
     let mut random = Random::new(seed);
     // Angles and rates that `f32` holds exactly, so that all precisions solve the same problem.
     // Quaternions cannot be of unit length in every precision: theirs is a rounding error of input.
@@ -40,9 +46,21 @@ fn error<S: Scalar>(chain: &Chain, way: (Method, Axes), seed: u64, number: fn(S)
     let efforts = vec![0.0; v.len()];
     let truth = compute::<DoubleDouble>(chain, (Method::Riccati, way.1), &q, &v, &efforts);
     let computed = compute::<S>(chain, way, &q, &v, &efforts);
-    let truth: Vec<f64> = truth.accelerations.iter().map(|x| x.high).collect();
-    let computed: Vec<f64> = computed.accelerations.into_iter().map(number).collect();
-    common::difference(&computed, &truth)
+    let (truth, computed) = (quantities(&truth, |x| x.high), quantities(&computed, number));
+    let [accelerations, forces, moments] =
+        [0, 1, 2].map(|kind| common::difference(&computed[kind], &truth[kind]));
+    // NaN must not get lost in a maximum.
+    [accelerations, if moments > forces || moments.is_nan() { moments } else { forces }]
+}
+
+/// Accelerations, forces and moments.
+fn quantities<S: Scalar>(computed: &Computed<S>, number: fn(S) -> f64) -> [Vec<f64>; 3] {
+    let points = &computed.report.points;
+    let list = |vector: fn(&Point<Structured<S>>) -> Vec3<Structured<S>>| {
+        points.iter().flat_map(|point| vector(point).0).map(|x| number(x.value())).collect()
+    };
+    let accelerations = computed.accelerations.iter().map(|&x| number(x)).collect();
+    [accelerations, list(|point| point.force), list(|point| point.moment)]
 }
 
 /// Both methods, in the axes that they are used in, with `f64` and `f32`.
@@ -52,14 +70,17 @@ fn check(name: &str, axes: &[Axes], kind: impl Fn(usize) -> &'static str + Copy)
         for method in [Method::Riccati, Method::Transfer] {
             for &axes in axes {
                 for seed in 0..3 {
-                    let double = error::<f64>(&chain, (method, axes), seed, |x| x);
-                    let single = error::<f32>(&chain, (method, axes), seed, f64::from);
-                    println!(
-                        "{name} {count} {method:?} {axes:?} seed {seed}: {double:.1e} {single:.1e}"
-                    );
+                    let double = errors::<f64>(&chain, (method, axes), seed, |x| x);
+                    let single = errors::<f32>(&chain, (method, axes), seed, f64::from);
+                    let [a, loads] = [0, 1].map(|kind| (double[kind], single[kind]));
+                    let what = format!("{name} {count} {method:?} {axes:?} seed {seed}");
+                    println!("{what}: {:.1e} {:.1e}, {:.1e} {:.1e}", a.0, a.1, loads.0, loads.1);
                     // A plain product of 30 elements has no correct digit in either precision.
-                    assert!(double < 1e-12, "{name} {count} {method:?} {axes:?} seed {seed}");
-                    assert!(single < 1e-4, "{name} {count} {method:?} {axes:?} seed {seed}");
+                    assert!(a.0 < 1e-12 && a.1 < 1e-4, "{what}: accelerations");
+                    // With `transfer` accelerations of points are sums of those of all hinges before:
+                    // a few roundings of each.
+                    let summed = if method == Method::Transfer { 10.0 } else { 1.0 };
+                    assert!(loads.0 < 1e-12 && loads.1 < summed * 1e-4, "{what}: loads");
                 }
             }
         }

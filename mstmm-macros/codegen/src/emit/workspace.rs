@@ -105,7 +105,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
         }
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #chain<T> {
-            /// Room for the results of [`solve_into`](Self::solve_into).
+            /// Room for the results of [`solve_into`](Self::solve_into), which mean nothing before.
             #[must_use]
             #[allow(clippy::all)]
             #visibility fn workspace(&self) -> #name<T> {

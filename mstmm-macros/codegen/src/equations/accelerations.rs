@@ -108,8 +108,9 @@ fn solve<S: Scalar, R>(
     let (movement, pivots) = match method {
         Method::Riccati => riccati::solve(&problem, trace),
         Method::Transfer => {
-            let (pivots, sizes) = riccati::pivots(&problem, trace);
-            (transfer::solve(&problem, &sizes, trace), pivots)
+            let (pivots, sizes, relations) = riccati::pivots(&problem, trace);
+            // By the sum over all bodies beyond a hinge, rounding would grow with the square of their number.
+            (Movement { relations, ..transfer::solve(&problem, &sizes, trace) }, pivots)
         }
     };
     let layout = situation.layout;

@@ -254,11 +254,7 @@ pub fn cross<S: Scalar>(
     let own_drift = crossing.drift(&subspace, v, &work);
     let omega = parent.map_or(Vec3::zero(), |parent| parent.omega);
     let mut in_hinge = own_drift + hinge_drift(to_parent.back(omega), relative);
-    // Velocities of points are asked for in inertial axes, and share `Ω_p × arm` there.
-    let on_parent = match axes {
-        Axes::Body => arm.centripetal_by_products(omega),
-        Axes::Inertial => arm.centripetal(omega),
-    };
+    let on_parent = arm.centripetal_by_products(omega);
     let passives = hinge::passives(hinge, numbers, q, v, situation.implicit);
     let freedom = match situation.prescribed_accelerations(index) {
         Some(accelerations) => {

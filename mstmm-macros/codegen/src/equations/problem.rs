@@ -61,7 +61,8 @@ pub struct Movement<S> {
     pub amounts: Vec<Vec<S>>,
     /// `a` of every link's point.
     pub points: Vec<Motion<S>>,
-    /// What every link's hinge transmits, if the method knows that without what hangs on it.
+    /// What every link's hinge transmits, if that is known without what hangs on it: not where reactions
+    /// of a closing hinge join.
     pub relations: Vec<Relation<S>>,
     /// Reactions along the closing's directions.
     pub reactions: Vec<S>,

@@ -32,7 +32,8 @@ pub fn transmitted<S: Scalar>(
     wrenches.into_iter().enumerate().map(released).collect()
 }
 
-/// From what comes over from the parent, with the method's own relation: each hinge for itself.
+/// From what comes over from the parent, with the relation of the way to the ground: each hinge for
+/// itself.
 fn by_relations<S: Scalar>(problem: &Problem<S>, movement: &Movement<S>) -> Vec<Wrench<S>> {
     let one = |(index, relation): (usize, &Relation<S>)| {
         relation.inertia.times(problem.carried(index, &movement.points)) + relation.load

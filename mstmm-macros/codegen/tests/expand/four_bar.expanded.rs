@@ -1867,7 +1867,7 @@ impl<T: ::mstmm::Scalar> ::core::fmt::Debug for FourBarWorkspace<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> FourBar<T> {
-    /// Room for the results of [`solve_into`](Self::solve_into).
+    /// Room for the results of [`solve_into`](Self::solve_into), which mean nothing before.
     #[must_use]
     #[allow(clippy::all)]
     pub fn workspace(&self) -> FourBarWorkspace<T> {

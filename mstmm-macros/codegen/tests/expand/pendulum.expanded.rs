@@ -594,7 +594,7 @@ impl<T: ::mstmm::Scalar> ::core::fmt::Debug for PendulumWorkspace<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
-    /// Room for the results of [`solve_into`](Self::solve_into).
+    /// Room for the results of [`solve_into`](Self::solve_into), which mean nothing before.
     #[must_use]
     #[allow(clippy::all)]
     pub fn workspace(&self) -> PendulumWorkspace<T> {

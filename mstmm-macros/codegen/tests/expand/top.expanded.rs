@@ -622,7 +622,7 @@ impl<T: ::mstmm::Scalar> ::core::fmt::Debug for TopWorkspace<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Top<T> {
-    /// Room for the results of [`solve_into`](Self::solve_into).
+    /// Room for the results of [`solve_into`](Self::solve_into), which mean nothing before.
     #[must_use]
     #[allow(clippy::all)]
     fn workspace(&self) -> TopWorkspace<T> {

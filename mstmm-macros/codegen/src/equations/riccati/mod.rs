@@ -76,15 +76,16 @@ pub fn solve<S: Scalar>(
         step.rest = step.rest - pulled;
     }
     let (amounts, points) = recover(problem, &eliminated, trace);
-    // Reactions would come on top, in as many products as a sum over all bodies takes.
-    let relations = if problem.closing.is_none() { relations } else { Vec::new() };
     (Movement { amounts, points, relations, reactions, undetermined }, pivots)
 }
 
-/// The pivots alone, and what measures those of a closure, for methods that have none of their own
-/// for each hinge.
-pub fn pivots<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> (Vec<Pivot<S>>, Vec<S>) {
-    let Reduced { pivots, sums, .. } = reduce(problem, &mut Trace::new());
+/// For methods that have none of their own for each hinge: pivots, what measures those of a closure, and
+/// what hinges transmit.
+pub fn pivots<S: Scalar>(
+    problem: &Problem<S>,
+    trace: &mut Trace<S>,
+) -> (Vec<Pivot<S>>, Vec<S>, Vec<Relation<S>>) {
+    let Reduced { pivots, sums, relations, .. } = reduce(problem, &mut Trace::new());
     trace.section(
         "Inertia beyond the hinges, to be divided by",
         "the pivots of the Riccati transfer",
@@ -92,7 +93,7 @@ pub fn pivots<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> (Vec<Piv
     for pivot in &pivots {
         trace.number(format!("{}_d", problem.links[pivot.link].over.name), pivot.value);
     }
-    (pivots, sums.sizes)
+    (pivots, sums.sizes, relations)
 }
 
 /// What comes out of the way to the ground.
@@ -149,6 +150,8 @@ fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<S> {
         relations.push(Relation { inertia: here.inertia, load: here.load });
     }
     relations.reverse();
+    // Reactions would come on top, in as many products as a sum over all bodies takes.
+    let relations = if problem.closing.is_none() { relations } else { Vec::new() };
     Reduced { eliminated, relations, sums, pivots }
 }
 
