@@ -27,8 +27,6 @@ pub struct Sight {
 /// Where the numbers of a connection point are.
 #[derive(Clone, Debug)]
 pub struct PointPlaces {
-    /// Its piece.
-    pub piece: usize,
     /// Its position.
     pub position: Place,
     /// Its orientation, as axes are; none in inertial axes.
@@ -68,9 +66,10 @@ pub(super) fn places<'g>(
                 places.pieces.push((0, part));
             }
         }
-        let piece = places.pieces.len() - 1;
-        places.points.push(all.point(point, chain.dimension, piece));
-        places.pieces[piece].0 = all.count;
+        places.points.push(all.point(point, chain.dimension));
+        if let Some((count, _)) = places.pieces.last_mut() {
+            *count = all.count;
+        }
     }
     (places, all.numbers)
 }
@@ -92,12 +91,7 @@ impl<'g> Filling<'g> {
         self.count = 0;
     }
 
-    fn point(
-        &mut self,
-        point: &Point<Expr<'g>>,
-        dimension: Dimension,
-        piece: usize,
-    ) -> PointPlaces {
+    fn point(&mut self, point: &Point<Expr<'g>>, dimension: Dimension) -> PointPlaces {
         let (shifts, turns) = (dimension.shifts(), dimension.turns());
         let seen = [
             (&point.velocity, shifts),
@@ -108,7 +102,6 @@ impl<'g> Filling<'g> {
             (&point.force, shifts),
         ];
         PointPlaces {
-            piece,
             position: self.vector(point.position.0, shifts),
             orientation: self.axes(point.rotation.transposed().0, dimension),
             vectors: seen
@@ -121,9 +114,10 @@ impl<'g> Filling<'g> {
 
     fn sight(&mut self, seen: &Seen<Expr<'g>>, along: &[usize], dimension: Dimension) -> Sight {
         let vector = self.vector(seen.vector.0, along);
-        // A turn in the plane is the same number in all axes.
+        // Zeros, and a turn in the plane, are the same numbers in all axes.
         let turned = vector != Place::default() && along.len() > 1;
-        Sight { axes: self.axes(seen.axes.transposed().0, dimension).filter(|_| turned), vector }
+        let axes = turned.then(|| self.axes(seen.axes.transposed().0, dimension)).flatten();
+        Sight { axes, vector }
     }
 
     /// The places of axes, unless they are inertial.

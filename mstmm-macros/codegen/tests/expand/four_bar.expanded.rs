@@ -940,10 +940,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         ];
         at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
         *n2_ = crank_pin_input0_;
-        *n3_ = cos_crank_pin_angle_;
-        *n4_ = sin_crank_pin_angle_;
-        *n5_ = -crank_pin_load_force_x_;
-        *n6_ = -crank_pin_load_force_y_;
+        *n3_ = -crank_pin_load_force_x_;
+        *n4_ = -crank_pin_load_force_y_;
+        *n5_ = cos_crank_pin_angle_;
+        *n6_ = sin_crank_pin_angle_;
         *n7_ = crank_pin_rate_;
         *n8_ = crank_pin_a_lin_x_;
         *n9_ = crank_pin_a_lin_y_;
@@ -1691,16 +1691,16 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
         ::mstmm::generated::Places::new(
             0,
             [0],
-            [([0], 0), ([0], 0), ([0], 1), ([0], 0), ([0], -3), ([4], -6)],
+            [([0], 0), ([0], 0), ([0], 1), ([0], 0), ([0], -3), ([6], -4)],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [4],
-            [([0], 0), ([0], 8), ([4], 9), ([0], 11), ([0], -3), ([4], -6)],
+            [6],
+            [([0], 0), ([0], 8), ([6], 9), ([0], 11), ([0], -3), ([6], -4)],
         ),
         ::mstmm::generated::Places::new(
             12,
-            [4],
+            [6],
             [([16], 14), ([0], 8), ([16], -18), ([0], 11), ([0], 0), ([16], -20)],
         ),
         ::mstmm::generated::Places::new(

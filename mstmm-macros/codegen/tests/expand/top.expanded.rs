@@ -240,15 +240,15 @@ impl<T: ::mstmm::Scalar> Top<T> {
             _,
         >(&[], [], [], [tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)])?;
         at_.efforts.data.0 = [[c_(0.0), c_(0.0), c_(0.0)]];
-        *n3_ = minus_tip_turn_x_x_;
-        *n4_ = -tip_turn_y_x_;
-        *n5_ = minus_tip_turn_z_x_;
-        *n6_ = -minus_tip_turn_x_y_;
-        *n7_ = -minus_tip_turn_y_y_;
-        *n8_ = tip_turn_z_y_;
-        *n9_ = tip_turn_x_z_;
-        *n10_ = -minus_tip_turn_y_z_;
-        *n11_ = -minus_tip_turn_z_z_;
+        *n6_ = minus_tip_turn_x_x_;
+        *n7_ = -tip_turn_y_x_;
+        *n8_ = minus_tip_turn_z_x_;
+        *n9_ = -minus_tip_turn_x_y_;
+        *n10_ = -minus_tip_turn_y_y_;
+        *n11_ = tip_turn_z_y_;
+        *n12_ = tip_turn_x_z_;
+        *n13_ = -minus_tip_turn_y_z_;
+        *n14_ = -minus_tip_turn_z_z_;
         *n15_ = tip_wx_;
         *n16_ = tip_wy_;
         *n17_ = tip_wz_;
@@ -262,16 +262,16 @@ impl<T: ::mstmm::Scalar> Top<T> {
         /// Load on `tip`, [P, Eqs. (18), (19)]: 5 mul, 3 add, 0 reciprocal.
         let t17_ = t16_ * c_(0.0011999999999999997);
         let minus_tip_load_force_x_ = T::mul_sub(minus_tip_turn_z_x_, c_(0.5488), t17_);
-        *n12_ = -minus_tip_load_force_x_;
+        *n3_ = -minus_tip_load_force_x_;
         let t18_ = t15_ * c_(0.0011999999999999997);
         let tip_load_force_y_ = T::mul_add(tip_turn_z_y_, c_(0.5488), t18_);
-        *n13_ = tip_load_force_y_;
+        *n4_ = tip_load_force_y_;
         let minus_tip_load_force_z_ = T::mul_add(
             c_(1.9600000000000002),
             minus_tip_turn_z_z_,
             minus_tip_e_force_z_,
         );
-        *n14_ = -minus_tip_load_force_z_;
+        *n5_ = -minus_tip_load_force_z_;
         /// Results: 5 mul, 1 add, 0 reciprocal.
         let t19_ = tip_wz_ * tip_wz_;
         let t20_ = t19_ * c_(0.0001);
@@ -546,29 +546,29 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
                 ([0, 0, 0], 1),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([-4, 7, 10], 13),
+                ([-7, 10, 13], 4),
             ],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [-4, 7, 10],
+            [-7, 10, 13],
             [
                 ([0, 0, 0], 0),
-                ([-4, 7, 10], 16),
-                ([-4, 7, 10], 19),
-                ([-4, 7, 10], 22),
+                ([-7, 10, 13], 16),
+                ([-7, 10, 13], 19),
+                ([-7, 10, 13], 22),
                 ([0, 0, 0], 0),
-                ([-4, 7, 10], 13),
+                ([-7, 10, 13], 4),
             ],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [-4, 7, 10],
+            [-7, 10, 13],
             [
                 ([0, 0, 0], 0),
-                ([-4, 7, 10], 16),
-                ([-4, 7, 10], 19),
-                ([-4, 7, 10], 22),
+                ([-7, 10, 13], 16),
+                ([-7, 10, 13], 19),
+                ([-7, 10, 13], 22),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
             ],

@@ -322,7 +322,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         inputs_: &TwoPinsInputs<T>,
         at_: &mut TwoPinsWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let [_, _, _, n3_, n4_, _, n6_, n7_, _, _, _, _, n12_, n13_, _, _, _, n17_, n18_,
+        let [_, _, _, n3_, n4_, _, n6_, n7_, _, n9_, n10_, _, _, _, _, _, _, n17_, n18_,
         n19_, _, _, _, n23_, n24_, n25_, _, n27_, n28_, _, n30_, n31_, _, n33_, n34_, _,
         n36_, n37_, _, _, _, n41_, _, _, n44_, n45_, n46_, _, n48_, n49_, _, n51_, n52_,
         _] = &mut at_.numbers;
@@ -466,10 +466,10 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             [-minus_shoulder_beta0_, end_x5_],
         )?;
         at_.efforts.data.0 = [[c_(0.0), c_(0.0)]];
-        *n3_ = cos_shoulder_angle_;
-        *n4_ = sin_shoulder_angle_;
-        *n6_ = sin_shoulder_angle_;
-        *n7_ = -cos_shoulder_angle_;
+        *n6_ = cos_shoulder_angle_;
+        *n7_ = sin_shoulder_angle_;
+        *n9_ = sin_shoulder_angle_;
+        *n10_ = -cos_shoulder_angle_;
         *n17_ = shoulder_rate_;
         *n18_ = shoulder_a_lin_x_;
         *n19_ = shoulder_a_lin_y_;
@@ -497,14 +497,14 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t96_ = T::mul_neg_add(t93_, shoulder_a_lin_y_, t80_);
         let t97_ = T::mul_sub(t83_, t89_, t96_);
         let minus_shoulder_load_force_x_ = t95_ - t97_;
-        *n12_ = minus_shoulder_load_force_x_;
+        *n3_ = minus_shoulder_load_force_x_;
         let t98_ = t1_ + c_(1.25);
         let t99_ = t87_ * t87_;
         let t100_ = T::mul_neg_add(t88_, t99_, t98_);
         let t101_ = T::mul_neg_add(t100_, shoulder_a_lin_y_, t85_);
         let t102_ = T::mul_sub(t87_, t89_, t101_);
         let shoulder_load_force_y_ = T::mul_add(t93_, shoulder_a_lin_x_, t102_);
-        *n13_ = -shoulder_load_force_y_;
+        *n4_ = -shoulder_load_force_y_;
         /// Load on `elbow`, [P, Eqs. (18), (19)]: 3 mul, 4 add, 0 reciprocal.
         let t103_ = shoulder_a_lin_y_ - minus_shoulder_beta0_;
         let minus_point2_felt_x_ = T::mul_neg_add(sin_elbow_angle_, t103_, t13_);
@@ -838,53 +838,53 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
                 ([0, 0, 0], 1),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([4, -7, 10], -13),
+                ([7, -10, 13], -4),
             ],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [4, -7, 10],
+            [7, -10, 13],
             [
                 ([0, 0, 0], 0),
-                ([4, -7, 10], 16),
-                ([4, -7, 10], 19),
-                ([4, -7, 10], -22),
+                ([7, -10, 13], 16),
+                ([7, -10, 13], 19),
+                ([7, -10, 13], -22),
                 ([0, 0, 0], 0),
-                ([4, -7, 10], -13),
+                ([7, -10, 13], -4),
             ],
         ),
         ::mstmm::generated::Places::new(
-            4,
-            [4, -7, 10],
+            7,
+            [7, -10, 13],
             [
-                ([28, -31, 10], 25),
-                ([4, -7, 10], 16),
-                ([28, -31, 10], -34),
-                ([4, -7, 10], -22),
+                ([28, -31, 13], 25),
+                ([7, -10, 13], 16),
+                ([28, -31, 13], -34),
+                ([7, -10, 13], -22),
                 ([0, 0, 0], 0),
-                ([28, -31, 10], -37),
+                ([28, -31, 13], -37),
             ],
         ),
         ::mstmm::generated::Places::new(
-            4,
-            [28, -31, 10],
+            7,
+            [28, -31, 13],
             [
-                ([28, -31, 10], 25),
-                ([28, -31, 10], 40),
-                ([28, -31, 10], -34),
-                ([28, -31, 10], -43),
+                ([28, -31, 13], 25),
+                ([28, -31, 13], 40),
+                ([28, -31, 13], -34),
+                ([28, -31, 13], -43),
                 ([0, 0, 0], 0),
-                ([28, -31, 10], -37),
+                ([28, -31, 13], -37),
             ],
         ),
         ::mstmm::generated::Places::new(
             46,
-            [28, -31, 10],
+            [28, -31, 13],
             [
-                ([28, -31, 10], 49),
-                ([28, -31, 10], 40),
-                ([28, -31, 10], -52),
-                ([28, -31, 10], -43),
+                ([28, -31, 13], 49),
+                ([28, -31, 13], 40),
+                ([28, -31, 13], -52),
+                ([28, -31, 13], -43),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
             ],
@@ -984,7 +984,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
                 let c_ = T::constant;
                 ::mstmm::generated::with_known(
                     [T::constant(0.0); 54],
-                    &[(1, c_(9.8)), (11, c_(1.0))],
+                    &[(1, c_(9.8)), (14, c_(1.0))],
                 )
             },
             at_rest: {
