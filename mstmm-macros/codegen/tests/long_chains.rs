@@ -77,10 +77,11 @@ fn check(name: &str, axes: &[Axes], kind: impl Fn(usize) -> &'static str + Copy)
                     println!("{what}: {:.1e} {:.1e}, {:.1e} {:.1e}", a.0, a.1, loads.0, loads.1);
                     // A plain product of 30 elements has no correct digit in either precision.
                     assert!(a.0 < 1e-12 && a.1 < 1e-4, "{what}: accelerations");
-                    // With `transfer` accelerations of points are sums of those of all hinges before:
-                    // a few roundings of each.
-                    let summed = if method == Method::Transfer { 10.0 } else { 1.0 };
-                    assert!(loads.0 < 1e-12 && loads.1 < summed * 1e-4, "{what}: loads");
+                    // With `transfer` accelerations of points are sums of those of all hinges before,
+                    // whose errors nothing takes back, and wrenches are sums over up to eight bodies.
+                    let summed = if method == Method::Transfer { 50.0 } else { 1.0 };
+                    let bounds = (summed * 1e-12, summed * 1e-4);
+                    assert!(loads.0 < bounds.0 && loads.1 < bounds.1, "{what}: loads");
                 }
             }
         }

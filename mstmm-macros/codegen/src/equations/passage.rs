@@ -34,6 +34,11 @@ impl<'a, S: Scalar> Passage<'a, S> {
         Passage { layout, weave: Some(weave) }
     }
 
+    /// Whether a link's hinge is where a repeated part begins or ends.
+    pub fn is_seam(&self, link: usize) -> bool {
+        self.layout.links[link].seam.is_some()
+    }
+
     /// What an outward sweep goes on with behind a link.
     pub fn outwards<B: Bundle<S>>(&self, link: usize, carried: B) -> B {
         self.cross(link, false, carried)

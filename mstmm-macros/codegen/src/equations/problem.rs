@@ -54,6 +54,13 @@ pub struct Relation<S> {
     pub load: Wrench<S>,
 }
 
+impl<S: Scalar> Relation<S> {
+    /// `F` with this `a'`.
+    pub fn at(&self, a: Motion<S>) -> Wrench<S> {
+        self.inertia.times(a) + self.load
+    }
+}
+
 /// How the links move.
 #[derive(Clone, Debug)]
 pub struct Movement<S> {

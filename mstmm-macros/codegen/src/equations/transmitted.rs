@@ -4,6 +4,9 @@ use super::Trace;
 use super::problem::{Movement, Problem, Relation};
 use crate::math::{Scalar, Wrench};
 
+/// Over so many bodies at most a wrench is a sum: its rounding grows with the square of their number.
+const MOST_BODIES: usize = 8;
+
 /// On the child's side of every link's hinge, about the link's point, in its work axes; where the hinge
 /// frees whole axes that is its effort and nothing else [P, Eqs. (25), (57), (58)].
 pub fn transmitted<S: Scalar>(
@@ -11,11 +14,7 @@ pub fn transmitted<S: Scalar>(
     movement: &Movement<S>,
     trace: &mut Trace<S>,
 ) -> Vec<Wrench<S>> {
-    let mut wrenches = if movement.relations.is_empty() {
-        from_the_free_end(problem, movement)
-    } else {
-        by_relations(problem, movement)
-    };
+    let mut wrenches = from_the_free_end(problem, movement);
     if let Some(demand) = &problem.closing {
         let reaction = demand.closing.wrench(demand.given, &movement.reactions);
         if let Some((child, on_child)) = demand.closing.on_child(reaction) {
@@ -32,17 +31,12 @@ pub fn transmitted<S: Scalar>(
     wrenches.into_iter().enumerate().map(released).collect()
 }
 
-/// From what comes over from the parent, with the relation of the way to the ground: each hinge for
-/// itself.
-fn by_relations<S: Scalar>(problem: &Problem<S>, movement: &Movement<S>) -> Vec<Wrench<S>> {
-    let one = |(index, relation): (usize, &Relation<S>)| {
-        relation.inertia.times(problem.carried(index, &movement.points)) + relation.load
-    };
-    movement.relations.iter().enumerate().map(one).collect()
-}
-
-/// From what every body's own motion takes and its children pass on.
+/// From what every body's own motion takes and its children pass on; where that would be a long sum, or
+/// one over the times of a repeated part, from what comes over from the parent, with the relation of
+/// the way to the ground. Relations take about as many operations, but their numbers have to be kept
+/// until it is known how the links move.
 fn from_the_free_end<S: Scalar>(problem: &Problem<S>, movement: &Movement<S>) -> Vec<Wrench<S>> {
+    let relations = relations(problem, movement);
     let of = |(index, &load): (usize, &Wrench<S>)| {
         problem.inertia(index).times(movement.points[index]) + load
     };
@@ -52,14 +46,37 @@ fn from_the_free_end<S: Scalar>(problem: &Problem<S>, movement: &Movement<S>) ->
         wrenches[link] = pulled(given, &pulls, &movement.reactions);
     }
     for index in (0..wrenches.len()).rev() {
-        wrenches[index] = problem.passage.inwards(index, wrenches[index]);
+        wrenches[index] = match relations[index] {
+            Some(relation) => relation.at(problem.carried(index, &movement.points)),
+            None => problem.passage.inwards(index, wrenches[index]),
+        };
         let link = &problem.links[index];
         let wrench = link.over.freedom.released(wrenches[index], &link.over.efforts);
-        if let Some(parent) = link.parent {
+        if let Some(parent) = link.parent.filter(|&parent| relations[parent].is_none()) {
             wrenches[parent] = wrenches[parent] + link.over.returned(wrench);
         }
     }
     wrenches
+}
+
+/// The relations of hinges that are not to be summed up for, if there are any.
+fn relations<'a, S: Scalar>(
+    problem: &Problem<S>,
+    movement: &'a Movement<S>,
+) -> Vec<Option<&'a Relation<S>>> {
+    let mut bodies = vec![1; problem.links.len()];
+    let mut chosen = vec![None; problem.links.len()];
+    for (index, relation) in movement.relations.iter().enumerate().rev() {
+        let at_seam = problem.passage.is_seam(index);
+        if at_seam || bodies[index] > MOST_BODIES {
+            (chosen[index], bodies[index]) = (Some(relation), 0);
+        }
+        if let Some(parent) = problem.links[index].parent {
+            // What is beyond a seam is another time's.
+            bodies[parent] = if at_seam { usize::MAX } else { bodies[parent].max(bodies[index] + 1) };
+        }
+    }
+    chosen
 }
 
 /// With the reactions of a closing hinge.

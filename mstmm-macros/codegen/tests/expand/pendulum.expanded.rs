@@ -27,7 +27,7 @@
 #[allow(dead_code, non_snake_case)]
 pub struct Pendulum<T> {
     parameters: PendulumParameters<T>,
-    derived: [T; 8],
+    derived: [T; 7],
 }
 /// Numbers of [`Pendulum`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,12 +97,12 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             t: T::constant(0.0),
         }
     }
-    /// Quantities derived from parameters and constants: 5 mul, 7 add, 1 reciprocal.
+    /// Quantities derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
     fn derive(parameters_: PendulumParameters<T>) -> (Self, [T; 1]) {
         let c_ = T::constant;
         let payload_ = parameters_.payload;
-        /// Quantities derived from parameters and constants: 5 mul, 7 add, 1 reciprocal.
+        /// Quantities derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
         let joint_k_xx_ = payload_ + c_(1.0);
         let joint_b_y_z_ = joint_k_xx_ * c_(0.5);
         let t0_ = joint_k_xx_ * c_(0.25);
@@ -113,8 +113,6 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let joint_z0_force_y_ = joint_b_y_z_ * p5_;
         let t2_ = joint_j_yy_ + joint_j_xx_;
         let p6_ = joint_j_yy_ + t2_;
-        let t3_ = joint_b_y_z_ * joint_b_y_z_;
-        let p7_ = T::mul_neg_add(p5_, t3_, joint_k_xx_);
         let (derived_, checks_) = (
             [
                 joint_k_xx_,
@@ -124,7 +122,6 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
                 joint_z0_force_y_,
                 p5_,
                 p6_,
-                p7_,
             ],
             [joint_k_xx_],
         );
@@ -230,7 +227,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         n20_, n21_, n22_, _, _, _, n26_] = &mut at_.numbers;
         let c_ = T::constant;
         let [known_joint_k_xx_, known_joint_b_y_z_, known_joint_j_xx_, known_joint_j_yy_,
-        known_joint_z0_force_y_, known_p5_, known_p6_, known_p7_, ..] = self.derived;
+        known_joint_z0_force_y_, known_p5_, known_p6_, ..] = self.derived;
         let [[joint_angle_]] = state_.q.data.0;
         let [[joint_rate_]] = state_.v.data.0;
         let joint_input0_ = inputs_.joint;
@@ -270,8 +267,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             minus_joint_e_force_x_,
         );
         *n15_ = minus_joint_load_force_x_;
-        let t2_ = known_joint_b_y_z_ * joint_w0_;
-        let joint_load_force_y_ = T::mul_add(known_p7_, joint_a_lin_y_, t2_);
+        let t2_ = known_joint_k_xx_ * joint_a_lin_y_;
+        let joint_load_force_y_ = T::mul_add(known_joint_b_y_z_, joint_a_ang_z_, t2_);
         *n16_ = -joint_load_force_y_;
         /// Results: 4 mul, 0 add, 0 reciprocal.
         let t3_ = known_joint_j_yy_ * t0_;

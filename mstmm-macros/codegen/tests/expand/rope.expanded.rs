@@ -63,7 +63,7 @@
 ///
 /// Mobility 11: 11 degrees of freedom.
 ///
-/// Accelerations by `riccati`, 102 operations (58 mul, 43 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 233 operations; those of repeated parts are counted once.
+/// Accelerations by `riccati`, 102 operations (58 mul, 43 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 235 operations; those of repeated parts are counted once.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Rope<T> {
@@ -825,7 +825,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 233 operations: 136 mul, 96 add, 1 reciprocal, 2 sin/cos.
+    /// 235 operations: 137 mul, 97 add, 1 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -841,7 +841,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
     /// | Load on `end_of_repeat0` | \[P, Eqs. (18), (19)\] | 4 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 6 | 3 | 0 | 0 | 0 |
-    /// | Load on `hook` | \[P, Eqs. (18), (19)\] | 2 | 1 | 0 | 0 | 0 |
+    /// | Load on `hook` | \[P, Eqs. (18), (19)\] | 3 | 2 | 0 | 0 | 0 |
     /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 3 | 4 | 0 | 0 | 0 |
     /// | Pose behind `joint` | \[P, Eq. (12)\] | 8 | 4 | 0 | 0 | 0 |
     /// | Velocity behind `joint` |  | 4 | 2 | 0 | 0 | 0 |
@@ -1291,15 +1291,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let minus_hook_a_lin_y_ = T::mul_neg_add(cos_hook_angle_, carry2_1_, t62_);
         let t63_ = t6_ * carry2_0_;
         let minus_hook_a_ang_z_ = T::mul_add(t7_, carry2_1_, t63_);
-        /// Load on `hook`, [P, Eqs. (18), (19)]: 2 mul, 1 add, 0 reciprocal.
-        let hook_load_force_x_ = c_(0.6666666666666665) * hook_a_lin_x_;
+        /// Load on `hook`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
+        let t64_ = c_(2.0) * hook_a_lin_x_;
+        let hook_load_force_x_ = T::mul_neg_add(c_(0.2), minus_hook_a_ang_z_, t64_);
         let hook_load_force_y_ = T::mul_neg_add(
             c_(2.0),
             minus_hook_a_lin_y_,
             hook_e_force_y_,
         );
         /// Results: 0 mul, 1 add, 0 reciprocal.
-        let t64_ = carry2_2_ + minus_hook_a_ang_z_;
+        let t65_ = carry2_2_ + minus_hook_a_ang_z_;
         let mut carry3_0_ = c_(0.0);
         for (
             (&[joint_rate_], &[joint_a_lin_x_]),
@@ -1338,12 +1339,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
             let joint_omega_z_2_ = joint_rate_ + carry3_0_before_;
             /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 1 mul, 0 add, 0 reciprocal.
-            let t65_ = joint_omega_z_2_ * joint_omega_z_2_;
+            let t66_ = joint_omega_z_2_ * joint_omega_z_2_;
             /// Connection points, [P, Eqs. (4), (12), (13)]: 1 mul, 1 add, 0 reciprocal.
-            let point2_felt_x_ = T::mul_neg_add(c_(0.1), t65_, joint_a_lin_x_);
+            let point2_felt_x_ = T::mul_neg_add(c_(0.1), t66_, joint_a_lin_x_);
             /// Results: 1 mul, 0 add, 0 reciprocal.
-            let t66_ = c_(0.1) * joint_omega_z_2_;
-            _ = store7_.try_push([t66_]);
+            let t67_ = c_(0.1) * joint_omega_z_2_;
+            _ = store7_.try_push([t67_]);
             *o7_11_ = joint_omega_z_2_;
             *o7_22_ = point2_felt_x_;
             (carry3_0_,) = (joint_omega_z_2_,);
@@ -1359,7 +1360,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry4_6_ = c_(0.0);
         let mut carry4_7_ = c_(0.0);
         for (
-            (&[sin_joint_angle_, cos_joint_angle_, _, _, _, _, _, _, _, _], &[t66_]),
+            (&[sin_joint_angle_, cos_joint_angle_, _, _, _, _, _, _, _, _], &[t67_]),
             [o7_5_,
             o7_6_,
             o7_7_,
@@ -1397,41 +1398,41 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry4_6_before_ = carry4_6_;
             let carry4_7_before_ = carry4_7_;
             /// Pose behind `joint`, [P, Eq. (12)]: 8 mul, 4 add, 0 reciprocal.
-            let t67_ = cos_joint_angle_ * carry4_2_before_;
+            let t68_ = cos_joint_angle_ * carry4_2_before_;
             let joint_to_inertial_x_x_ = T::mul_add(
                 sin_joint_angle_,
                 carry4_3_before_,
-                t67_,
+                t68_,
             );
-            let t68_ = sin_joint_angle_ * carry4_2_before_;
+            let t69_ = sin_joint_angle_ * carry4_2_before_;
             let minus_joint_to_inertial_x_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry4_3_before_,
-                t68_,
+                t69_,
             );
-            let t69_ = cos_joint_angle_ * carry4_4_before_;
+            let t70_ = cos_joint_angle_ * carry4_4_before_;
             let joint_to_inertial_y_x_ = T::mul_add(
                 sin_joint_angle_,
                 carry4_5_before_,
-                t69_,
+                t70_,
             );
-            let t70_ = sin_joint_angle_ * carry4_4_before_;
+            let t71_ = sin_joint_angle_ * carry4_4_before_;
             let minus_joint_to_inertial_y_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry4_5_before_,
-                t70_,
+                t71_,
             );
             /// Velocity behind `joint`: 4 mul, 2 add, 0 reciprocal.
-            let t71_ = cos_joint_angle_ * carry4_6_before_;
-            let joint_velocity_x_ = T::mul_add(sin_joint_angle_, carry4_7_before_, t71_);
-            let t72_ = sin_joint_angle_ * carry4_6_before_;
+            let t72_ = cos_joint_angle_ * carry4_6_before_;
+            let joint_velocity_x_ = T::mul_add(sin_joint_angle_, carry4_7_before_, t72_);
+            let t73_ = sin_joint_angle_ * carry4_6_before_;
             let minus_joint_velocity_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry4_7_before_,
-                t72_,
+                t73_,
             );
             /// Connection points, [P, Eqs. (4), (12), (13)]: 2 mul, 3 add, 0 reciprocal.
-            let point2_velocity_y_ = t66_ - minus_joint_velocity_y_;
+            let point2_velocity_y_ = t67_ - minus_joint_velocity_y_;
             let point2_position_x_ = T::mul_add(
                 c_(0.1),
                 joint_to_inertial_x_x_,
@@ -1473,15 +1474,15 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Pose behind `hook`, [P, Eq. (12)]: 4 mul, 2 add, 0 reciprocal.
-        let t73_ = cos_hook_angle_ * carry4_2_;
-        let hook_to_inertial_x_x_ = T::mul_add(sin_hook_angle_, carry4_3_, t73_);
-        let t74_ = cos_hook_angle_ * carry4_4_;
-        let hook_to_inertial_y_x_ = T::mul_add(sin_hook_angle_, carry4_5_, t74_);
+        let t74_ = cos_hook_angle_ * carry4_2_;
+        let hook_to_inertial_x_x_ = T::mul_add(sin_hook_angle_, carry4_3_, t74_);
+        let t75_ = cos_hook_angle_ * carry4_4_;
+        let hook_to_inertial_y_x_ = T::mul_add(sin_hook_angle_, carry4_5_, t75_);
         /// Velocity behind `hook`: 4 mul, 2 add, 0 reciprocal.
-        let t75_ = cos_hook_angle_ * carry4_6_;
-        let hook_velocity_x_ = T::mul_add(sin_hook_angle_, carry4_7_, t75_);
-        let t76_ = sin_hook_angle_ * carry4_6_;
-        let minus_hook_velocity_y_ = T::mul_neg_add(cos_hook_angle_, carry4_7_, t76_);
+        let t76_ = cos_hook_angle_ * carry4_6_;
+        let hook_velocity_x_ = T::mul_add(sin_hook_angle_, carry4_7_, t76_);
+        let t77_ = sin_hook_angle_ * carry4_6_;
+        let minus_hook_velocity_y_ = T::mul_neg_add(cos_hook_angle_, carry4_7_, t77_);
         let mut carry5_0_ = c_(0.0);
         for (&[joint_rate_], &[_, _, known_p2_, _, known_p4_, _, _]) in ::core::iter::zip(
             ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
@@ -1491,20 +1492,20 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
             let joint_omega_z_3_ = joint_rate_ + carry5_0_before_;
             /// Results: 5 mul, 0 add, 0 reciprocal.
-            let t77_ = joint_omega_z_3_ * joint_omega_z_3_;
-            let t78_ = c_(0.1) * joint_omega_z_3_;
-            let t79_ = known_p2_ * joint_omega_z_3_;
-            let t80_ = known_p4_ * t77_;
-            let t81_ = c_(0.5) * t80_;
-            _ = store11_.try_push([t78_, t79_, t81_]);
+            let t78_ = joint_omega_z_3_ * joint_omega_z_3_;
+            let t79_ = c_(0.1) * joint_omega_z_3_;
+            let t80_ = known_p2_ * joint_omega_z_3_;
+            let t81_ = known_p4_ * t78_;
+            let t82_ = c_(0.5) * t81_;
+            _ = store11_.try_push([t79_, t80_, t82_]);
             (carry5_0_,) = (joint_omega_z_3_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_3_ = hook_rate_ + carry5_0_;
         /// Results: 3 mul, 0 add, 0 reciprocal.
-        let t82_ = c_(0.2) * hook_omega_z_3_;
-        let t83_ = hook_omega_z_3_ * hook_omega_z_3_;
-        let t84_ = c_(0.015000000000000003) * t83_;
+        let t83_ = c_(0.2) * hook_omega_z_3_;
+        let t84_ = hook_omega_z_3_ * hook_omega_z_3_;
+        let t85_ = c_(0.015000000000000003) * t84_;
         let mut carry6_0_ = c_(0.0);
         let mut carry6_1_ = c_(0.0);
         let mut carry6_2_ = c_(1.0);
@@ -1532,8 +1533,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 t11_,
                 ],
             ),
-            &[t78_,
-            t79_,
+            &[t79_,
+            t80_,
             _,
             ],
         ) in ::core::iter::zip(
@@ -1550,74 +1551,74 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry6_3_before_ = carry6_3_;
             let carry6_4_before_ = carry6_4_;
             /// Results: 16 mul, 10 add, 0 reciprocal.
-            let t85_ = sin_joint_angle_ * carry6_1_before_;
-            let t86_ = cos_joint_angle_ * carry6_1_before_;
-            let t87_ = T::mul_add(sin_joint_angle_, carry6_2_before_, t86_);
-            let t88_ = T::mul_neg_add(cos_joint_angle_, carry6_2_before_, t85_);
-            let t89_ = cos_joint_angle_ * carry6_3_before_;
-            let t90_ = T::mul_add(sin_joint_angle_, carry6_4_before_, t89_);
-            let t91_ = sin_joint_angle_ * carry6_3_before_;
-            let t92_ = T::mul_neg_add(cos_joint_angle_, carry6_4_before_, t91_);
-            let t93_ = t92_ - t78_;
-            let t94_ = T::mul_add(c_(0.1), t87_, carry6_0_before_);
-            let t95_ = known_p6_ * t90_;
-            let t96_ = T::mul_neg_add(known_p6_, t92_, t79_);
-            let t97_ = t90_ * t95_;
-            let t98_ = T::mul_neg_add(t92_, t96_, t97_);
-            let t99_ = known_p1_ * carry6_0_before_;
-            let t100_ = T::mul_add(known_p2_, t87_, t99_);
-            let t101_ = T::mul_add(c_(9.8), t100_, t11_);
-            _ = store13_.try_push([t98_, t101_]);
+            let t86_ = sin_joint_angle_ * carry6_1_before_;
+            let t87_ = cos_joint_angle_ * carry6_1_before_;
+            let t88_ = T::mul_add(sin_joint_angle_, carry6_2_before_, t87_);
+            let t89_ = T::mul_neg_add(cos_joint_angle_, carry6_2_before_, t86_);
+            let t90_ = cos_joint_angle_ * carry6_3_before_;
+            let t91_ = T::mul_add(sin_joint_angle_, carry6_4_before_, t90_);
+            let t92_ = sin_joint_angle_ * carry6_3_before_;
+            let t93_ = T::mul_neg_add(cos_joint_angle_, carry6_4_before_, t92_);
+            let t94_ = t93_ - t79_;
+            let t95_ = T::mul_add(c_(0.1), t88_, carry6_0_before_);
+            let t96_ = known_p6_ * t91_;
+            let t97_ = T::mul_neg_add(known_p6_, t93_, t80_);
+            let t98_ = t91_ * t96_;
+            let t99_ = T::mul_neg_add(t93_, t97_, t98_);
+            let t100_ = known_p1_ * carry6_0_before_;
+            let t101_ = T::mul_add(known_p2_, t88_, t100_);
+            let t102_ = T::mul_add(c_(9.8), t101_, t11_);
+            _ = store13_.try_push([t99_, t102_]);
             (carry6_0_, carry6_1_, carry6_2_, carry6_3_, carry6_4_) = (
-                t94_,
-                t87_,
-                -t88_,
-                t90_,
-                -t93_,
+                t95_,
+                t88_,
+                -t89_,
+                t91_,
+                -t94_,
             );
         }
         /// Results: 11 mul, 6 add, 0 reciprocal.
-        let t102_ = sin_hook_angle_ * carry6_1_;
-        let t103_ = T::mul_neg_add(cos_hook_angle_, carry6_2_, t102_);
-        let t104_ = cos_hook_angle_ * carry6_3_;
-        let t105_ = T::mul_add(sin_hook_angle_, carry6_4_, t104_);
-        let t106_ = sin_hook_angle_ * carry6_3_;
-        let t107_ = T::mul_neg_add(cos_hook_angle_, carry6_4_, t106_);
-        let t108_ = t105_ + t82_;
-        let t109_ = t107_ * t107_;
-        let t110_ = T::mul_add(t105_, t108_, t109_);
-        let t111_ = c_(2.0) * carry6_0_;
-        let t112_ = T::mul_add(c_(0.2), t103_, t111_);
-        let t113_ = c_(9.8) * t112_;
+        let t103_ = sin_hook_angle_ * carry6_1_;
+        let t104_ = T::mul_neg_add(cos_hook_angle_, carry6_2_, t103_);
+        let t105_ = cos_hook_angle_ * carry6_3_;
+        let t106_ = T::mul_add(sin_hook_angle_, carry6_4_, t105_);
+        let t107_ = sin_hook_angle_ * carry6_3_;
+        let t108_ = T::mul_neg_add(cos_hook_angle_, carry6_4_, t107_);
+        let t109_ = t106_ + t83_;
+        let t110_ = t108_ * t108_;
+        let t111_ = T::mul_add(t106_, t109_, t110_);
+        let t112_ = c_(2.0) * carry6_0_;
+        let t113_ = T::mul_add(c_(0.2), t104_, t112_);
+        let t114_ = c_(9.8) * t113_;
         let mut carry7_0_ = c_(0.0);
         let mut carry7_1_ = c_(0.0);
-        for (&[t98_, t101_], &[_, _, t81_]) in ::core::iter::zip(
+        for (&[t99_, t102_], &[_, _, t82_]) in ::core::iter::zip(
             store13_.iter(),
             store11_.iter(),
         ) {
             let carry7_0_before_ = carry7_0_;
             let carry7_1_before_ = carry7_1_;
             /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t114_ = carry7_0_before_ + t98_;
-            let t115_ = t114_ + t81_;
-            let t116_ = carry7_1_before_ + t101_;
-            (carry7_0_, carry7_1_) = (t115_, t116_);
+            let t115_ = carry7_0_before_ + t99_;
+            let t116_ = t115_ + t82_;
+            let t117_ = carry7_1_before_ + t102_;
+            (carry7_0_, carry7_1_) = (t116_, t117_);
         }
         /// Results: 0 mul, 3 add, 0 reciprocal.
-        let t117_ = carry7_0_ + t110_;
-        let t118_ = t117_ + t84_;
-        let t119_ = carry7_1_ + t113_;
+        let t118_ = carry7_0_ + t111_;
+        let t119_ = t118_ + t85_;
+        let t120_ = carry7_1_ + t114_;
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t64_;
+            *o0_ = -t65_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results3_.as_mut_slice(), 10, 1) {
-            *o0_ = -t64_;
+            *o0_ = -t65_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
@@ -1666,8 +1667,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         at_.accelerations.data.0 = [results0_];
         at_.rate_accelerations.data.0 = [results3_];
         at_.efforts.data.0 = [results4_];
-        at_.kinetic_energy = t118_;
-        at_.potential_energy = t119_;
+        at_.kinetic_energy = t119_;
+        at_.potential_energy = t120_;
         at_.numbers = results7_;
         at_.at_rest = [c_(0.0), c_(9.8)];
         ::core::result::Result::Ok(())

@@ -22,7 +22,7 @@
 ///
 /// Mobility 3: 3 degrees of freedom.
 ///
-/// Accelerations by `riccati`, 17 operations (13 mul, 4 add, 0 reciprocal); with everything at every connection point 52 operations.
+/// Accelerations by `riccati`, 17 operations (13 mul, 4 add, 0 reciprocal); with everything at every connection point 54 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 struct Top<T> {
@@ -167,14 +167,14 @@ impl<T: ::mstmm::Scalar> Top<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 52 operations: 34 mul, 18 add, 0 reciprocal.
+    /// 54 operations: 34 mul, 20 add, 0 reciprocal.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 12 | 11 | 0 | 0 | 0 |
     /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 7 | 1 | 0 | 0 | 0 |
     /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 5 | 2 | 0 | 0 | 0 |
-    /// | Load on `tip` | \[P, Eqs. (18), (19)\] | 5 | 3 | 0 | 0 | 0 |
+    /// | Load on `tip` | \[P, Eqs. (18), (19)\] | 5 | 5 | 0 | 0 | 0 |
     /// | Results |  | 5 | 1 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -259,12 +259,14 @@ impl<T: ::mstmm::Scalar> Top<T> {
         at_.accelerations.data.0 = [[tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)]];
         at_.rate_accelerations.data.0 = [[tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)]];
         *n22_ = -minus_tip_a_ang_y_;
-        /// Load on `tip`, [P, Eqs. (18), (19)]: 5 mul, 3 add, 0 reciprocal.
-        let t17_ = t16_ * c_(0.0011999999999999997);
-        let minus_tip_load_force_x_ = T::mul_sub(minus_tip_turn_z_x_, c_(0.5488), t17_);
+        /// Load on `tip`, [P, Eqs. (18), (19)]: 5 mul, 5 add, 0 reciprocal.
+        let t17_ = minus_tip_turn_z_x_ * c_(1.9600000000000002);
+        let t18_ = t16_ - minus_tip_a_ang_y_;
+        let minus_tip_load_force_x_ = T::mul_neg_add(c_(0.012), t18_, t17_);
         *n3_ = -minus_tip_load_force_x_;
-        let t18_ = t15_ * c_(0.0011999999999999997);
-        let tip_load_force_y_ = T::mul_add(tip_turn_z_y_, c_(0.5488), t18_);
+        let t19_ = tip_turn_z_y_ * c_(1.9600000000000002);
+        let t20_ = t15_ - tip_a_ang_x_;
+        let tip_load_force_y_ = T::mul_add(c_(0.012), t20_, t19_);
         *n4_ = tip_load_force_y_;
         let minus_tip_load_force_z_ = T::mul_add(
             c_(1.9600000000000002),
@@ -273,13 +275,13 @@ impl<T: ::mstmm::Scalar> Top<T> {
         );
         *n5_ = -minus_tip_load_force_z_;
         /// Results: 5 mul, 1 add, 0 reciprocal.
-        let t19_ = tip_wz_ * tip_wz_;
-        let t20_ = t19_ * c_(0.0001);
-        let t21_ = T::mul_add(t14_, c_(0.001), t20_);
-        let t22_ = c_(0.5) * t21_;
-        at_.kinetic_energy = t22_;
-        let t23_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
-        at_.potential_energy = -t23_;
+        let t21_ = tip_wz_ * tip_wz_;
+        let t22_ = t21_ * c_(0.0001);
+        let t23_ = T::mul_add(t14_, c_(0.001), t22_);
+        let t24_ = c_(0.5) * t23_;
+        at_.kinetic_energy = t24_;
+        let t25_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
+        at_.potential_energy = -t25_;
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre

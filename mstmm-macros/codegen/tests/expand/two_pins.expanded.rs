@@ -28,7 +28,7 @@
 ///
 /// Mobility 2: 2 degrees of freedom.
 ///
-/// Accelerations by `transfer`, 122 operations (69 mul, 48 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 193 operations.
+/// Accelerations by `transfer`, 122 operations (69 mul, 48 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 168 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPins<T> {
@@ -294,7 +294,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 193 operations: 106 mul, 81 add, 4 reciprocal, 2 square root, 2 sin/cos.
+    /// 168 operations: 92 mul, 71 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -305,11 +305,10 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 7 | 5 | 0 | 0 | 0 |
     /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 55 | 39 | 3 | 2 | 0 |
     /// | Back to `shoulder` | \[P, Eqs. (8), (11)\] | 3 | 2 | 0 | 0 | 0 |
-    /// | Load on `shoulder` | \[P, Eqs. (18), (19)\] | 19 | 16 | 1 | 0 | 0 |
-    /// | Load on `elbow` | \[P, Eqs. (18), (19)\] | 3 | 4 | 0 | 0 | 0 |
+    /// | Load on `shoulder` | \[P, Eqs. (18), (19)\] | 8 | 11 | 0 | 0 | 0 |
     /// | Pose behind `elbow` | \[P, Eq. (12)\] | 4 | 2 | 0 | 0 | 0 |
     /// | Velocity behind `elbow` |  | 2 | 0 | 0 | 0 | 0 |
-    /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 0 | 6 | 0 | 0 | 0 |
+    /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 0 | 5 | 0 | 0 | 0 |
     /// | Results |  | 8 | 5 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -343,8 +342,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let minus_elbow_centripetal_x_ = shoulder_rate_ * shoulder_rate_;
         /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
         let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
-        let t1_ = t0_ * c_(0.75);
-        let shoulder_d_ = t1_ + c_(0.5833333333333333);
+        let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
         /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
         let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
         let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
@@ -354,104 +352,103 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             c_(0.013606076167856269),
             cos_elbow_angle_,
         );
-        let t2_ = minus_elbow_centripetal_x_ - shoulder_a_lin_x_;
-        let t3_ = sin_elbow_angle_ * t2_;
-        let t4_ = cos_elbow_angle_ * shoulder_a_lin_y_;
-        let t5_ = t3_ + t4_;
-        let t6_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
-        let t7_ = t6_ * c_(0.9863939238321437);
-        let t8_ = cos_elbow_angle_ * c_(0.16439898730535732);
-        let elbow_a_lin_y_ = T::mul_neg_add(t7_, t8_, t5_);
+        let t1_ = minus_elbow_centripetal_x_ - shoulder_a_lin_x_;
+        let t2_ = sin_elbow_angle_ * t1_;
+        let t3_ = cos_elbow_angle_ * shoulder_a_lin_y_;
+        let t4_ = t2_ + t3_;
+        let t5_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
+        let t6_ = t5_ * c_(0.9863939238321437);
+        let t7_ = cos_elbow_angle_ * c_(0.16439898730535732);
+        let elbow_a_lin_y_ = T::mul_neg_add(t6_, t7_, t4_);
         /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 55 mul, 39 add, 3 reciprocal, 2 square root.
-        let t9_ = minus_elbow_centripetal_x_ * c_(0.5);
-        let t10_ = elbow_omega_z_ * elbow_omega_z_;
-        let t11_ = c_(0.5) * t10_;
-        let t12_ = t9_ - shoulder_a_lin_x_;
-        let t13_ = cos_elbow_angle_ * t2_;
-        let t14_ = sin_elbow_angle_ * shoulder_a_lin_y_;
-        let t15_ = T::mul_neg_add(cos_elbow_angle_, t12_, t14_);
-        let t16_ = sin_elbow_angle_ * t12_;
-        let t17_ = t6_ * c_(0.054054054054054064);
-        let t18_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t17_);
-        let t19_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
-        let t20_ = cos_elbow_angle_ * cos_elbow_angle_;
-        let t21_ = T::mul_neg_add(
+        let t8_ = elbow_omega_z_ * elbow_omega_z_;
+        let t9_ = c_(0.5) * t8_;
+        let t10_ = T::mul_sub(minus_elbow_centripetal_x_, c_(0.5), shoulder_a_lin_x_);
+        let t11_ = cos_elbow_angle_ * t1_;
+        let t12_ = sin_elbow_angle_ * shoulder_a_lin_y_;
+        let t13_ = T::mul_neg_add(cos_elbow_angle_, t10_, t12_);
+        let t14_ = sin_elbow_angle_ * t10_;
+        let t15_ = t5_ * c_(0.054054054054054064);
+        let t16_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t15_);
+        let t17_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
+        let t18_ = cos_elbow_angle_ * cos_elbow_angle_;
+        let t19_ = T::mul_neg_add(
             cos_elbow_angle_,
             c_(2.0685934174848226),
             cos_elbow_angle_,
         );
-        let t22_ = t11_ - t14_;
-        let t23_ = T::mul_neg_add(
+        let t20_ = t9_ - t12_;
+        let t21_ = T::mul_neg_add(
             sin_elbow_angle_,
             c_(0.16439898730535732),
             sin_elbow_angle_,
         );
-        let t24_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t23_);
-        let t25_ = T::mul_add(
+        let t22_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t21_);
+        let t23_ = T::mul_add(
             sin_elbow_angle_,
             c_(0.48639392383214375),
             sin_elbow_angle_,
         );
-        let t26_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t25_);
-        let t27_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
-        let t28_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t27_);
-        let t29_ = elbow_a4_lin_y_ - t28_;
-        let t30_ = T::mul_add(t26_, t26_, t20_);
-        let t31_ = T::sqrt(t30_);
-        let t32_ = T::copysign(t31_, cos_elbow_angle_);
-        let t33_ = cos_elbow_angle_ + t32_;
-        let t34_ = t32_ * t33_;
-        let t35_ = T::recip(t34_);
-        let t36_ = t33_ * t35_;
-        let t37_ = t26_ * t29_;
-        let t38_ = T::mul_add(sin_elbow_angle_, t33_, t37_);
-        let t39_ = t35_ * t38_;
-        let t40_ = T::mul_neg_add(t33_, t39_, sin_elbow_angle_);
-        let t41_ = T::mul_neg_add(t26_, t39_, t29_);
-        let t42_ = T::mul_neg_add(t6_, c_(0.0810810810810811), t16_);
-        let t43_ = elbow_a_lin_y_ + t42_;
-        let t44_ = T::mul_add(t7_, t21_, t4_);
-        let t45_ = t19_ * t26_;
-        let t46_ = t35_ * t45_;
-        let t47_ = t33_ * t46_;
-        let t48_ = T::mul_neg_add(t26_, t46_, t19_);
-        let t49_ = T::mul_add(t41_, t41_, c_(0.25));
-        let t50_ = T::sqrt(t49_);
-        let t51_ = T::copysign(t50_, -t41_);
-        let t52_ = t41_ - t51_;
-        let t53_ = t51_ * t52_;
-        let t54_ = T::recip(t53_);
+        let t24_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t23_);
+        let t25_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
+        let t26_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t25_);
+        let t27_ = elbow_a4_lin_y_ - t26_;
+        let t28_ = T::mul_add(t24_, t24_, t18_);
+        let t29_ = T::sqrt(t28_);
+        let t30_ = T::copysign(t29_, cos_elbow_angle_);
+        let t31_ = cos_elbow_angle_ + t30_;
+        let t32_ = t30_ * t31_;
+        let t33_ = T::recip(t32_);
+        let t34_ = t31_ * t33_;
+        let t35_ = t24_ * t27_;
+        let t36_ = T::mul_add(sin_elbow_angle_, t31_, t35_);
+        let t37_ = t33_ * t36_;
+        let t38_ = T::mul_neg_add(t31_, t37_, sin_elbow_angle_);
+        let t39_ = T::mul_neg_add(t24_, t37_, t27_);
+        let t40_ = T::mul_neg_add(t5_, c_(0.0810810810810811), t14_);
+        let t41_ = elbow_a_lin_y_ + t40_;
+        let t42_ = T::mul_add(t6_, t19_, t3_);
+        let t43_ = t17_ * t24_;
+        let t44_ = t33_ * t43_;
+        let t45_ = t31_ * t44_;
+        let t46_ = T::mul_neg_add(t24_, t44_, t17_);
+        let t47_ = T::mul_add(t39_, t39_, c_(0.25));
+        let t48_ = T::sqrt(t47_);
+        let t49_ = T::copysign(t48_, -t39_);
+        let t50_ = t39_ - t49_;
+        let t51_ = t49_ * t50_;
+        let t52_ = T::recip(t51_);
+        let t53_ = t50_ * t52_;
+        let t54_ = T::mul_add(t46_, t50_, c_(0.16666666666666666));
         let t55_ = t52_ * t54_;
-        let t56_ = T::mul_add(t48_, t52_, c_(0.16666666666666666));
-        let t57_ = t54_ * t56_;
-        let t58_ = T::mul_add(t52_, t57_, t48_);
-        let t59_ = T::mul_add(c_(0.5), t57_, c_(0.3333333333333333));
-        let t60_ = T::recip(t59_);
-        let t61_ = t13_ + t22_;
-        let t62_ = T::mul_neg_add(t7_, t24_, t15_);
-        let t63_ = t61_ - t62_;
-        let t64_ = t36_ * t63_;
-        let t65_ = T::mul_add(t40_, t64_, t44_);
-        let t66_ = t43_ + t65_;
-        let t67_ = t55_ * t66_;
-        let t68_ = T::mul_neg_add(t47_, t64_, t18_);
-        let t69_ = T::mul_sub(t58_, t67_, t68_);
-        let t70_ = t60_ * t69_;
-        let t71_ = t52_ * t67_;
-        let t72_ = T::mul_neg_add(c_(0.5), t70_, t71_);
-        let t73_ = t54_ * t72_;
-        let t74_ = T::mul_add(t52_, t73_, t67_);
-        let t75_ = t33_ * t64_;
-        let t76_ = T::mul_neg_add(t26_, t74_, t75_);
-        let t77_ = t35_ * t76_;
-        let minus_end_x4_ = T::mul_add(t26_, t77_, t74_);
-        let end_x5_ = T::mul_neg_add(c_(0.5), t73_, t70_);
+        let t56_ = T::mul_add(t50_, t55_, t46_);
+        let t57_ = T::mul_add(c_(0.5), t55_, c_(0.3333333333333333));
+        let t58_ = T::recip(t57_);
+        let t59_ = t11_ + t20_;
+        let t60_ = T::mul_neg_add(t6_, t22_, t13_);
+        let t61_ = t59_ - t60_;
+        let t62_ = t34_ * t61_;
+        let t63_ = T::mul_add(t38_, t62_, t42_);
+        let t64_ = t41_ + t63_;
+        let t65_ = t53_ * t64_;
+        let t66_ = T::mul_neg_add(t45_, t62_, t16_);
+        let t67_ = T::mul_sub(t56_, t65_, t66_);
+        let t68_ = t58_ * t67_;
+        let t69_ = t50_ * t65_;
+        let t70_ = T::mul_neg_add(c_(0.5), t68_, t69_);
+        let t71_ = t52_ * t70_;
+        let t72_ = T::mul_add(t50_, t71_, t65_);
+        let t73_ = t31_ * t62_;
+        let t74_ = T::mul_neg_add(t24_, t72_, t73_);
+        let t75_ = t33_ * t74_;
+        let minus_end_x4_ = T::mul_add(t24_, t75_, t72_);
+        let end_x5_ = T::mul_neg_add(c_(0.5), t71_, t68_);
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t78_ = t6_ * c_(1.9863939238321437);
-        let t79_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t78_);
+        let t76_ = t5_ * c_(1.9863939238321437);
+        let t77_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t76_);
         let minus_shoulder_beta0_ = T::mul_add(
             c_(0.0816364570071376),
-            t79_,
+            t77_,
             minus_end_x4_,
         );
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
@@ -477,58 +474,47 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         at_.accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
         at_.rate_accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
         *n23_ = minus_shoulder_beta0_;
-        /// Load on `shoulder`, [P, Eqs. (18), (19)]: 19 mul, 16 add, 1 reciprocal.
-        let t80_ = cos_elbow_angle_ * t11_;
-        let t81_ = sin_elbow_angle_ * t11_;
-        let t82_ = sin_elbow_angle_ * cos_elbow_angle_;
-        let t83_ = t82_ * c_(0.75);
-        let t84_ = t1_ - c_(1.0);
-        let t85_ = T::mul_add(minus_elbow_centripetal_x_, t83_, t81_);
-        let t86_ = t1_ - c_(2.0);
-        let t87_ = c_(0.75) + t1_;
-        let t88_ = T::recip(shoulder_d_);
-        let t89_ = t85_ * t88_;
-        let t90_ = t83_ * t83_;
-        let t91_ = T::mul_add(t88_, t90_, t86_);
-        let t92_ = t83_ * t87_;
-        let t93_ = T::mul_neg_add(t88_, t92_, t83_);
-        let t94_ = T::mul_neg_add(minus_elbow_centripetal_x_, t84_, t9_);
-        let t95_ = T::mul_add(t91_, shoulder_a_lin_x_, t94_);
-        let t96_ = T::mul_neg_add(t93_, shoulder_a_lin_y_, t80_);
-        let t97_ = T::mul_sub(t83_, t89_, t96_);
-        let minus_shoulder_load_force_x_ = t95_ - t97_;
-        *n3_ = minus_shoulder_load_force_x_;
-        let t98_ = t1_ + c_(1.25);
-        let t99_ = t87_ * t87_;
-        let t100_ = T::mul_neg_add(t88_, t99_, t98_);
-        let t101_ = T::mul_neg_add(t100_, shoulder_a_lin_y_, t85_);
-        let t102_ = T::mul_sub(t87_, t89_, t101_);
-        let shoulder_load_force_y_ = T::mul_add(t93_, shoulder_a_lin_x_, t102_);
-        *n4_ = -shoulder_load_force_y_;
-        /// Load on `elbow`, [P, Eqs. (18), (19)]: 3 mul, 4 add, 0 reciprocal.
-        let t103_ = shoulder_a_lin_y_ - minus_shoulder_beta0_;
-        let minus_point2_felt_x_ = T::mul_neg_add(sin_elbow_angle_, t103_, t13_);
+        /// Load on `shoulder`, [P, Eqs. (18), (19)]: 8 mul, 11 add, 0 reciprocal.
+        let t78_ = shoulder_a_lin_y_ - minus_shoulder_beta0_;
+        let minus_point2_felt_x_ = T::mul_neg_add(sin_elbow_angle_, t78_, t11_);
         *n33_ = minus_point2_felt_x_;
-        let minus_elbow_load_force_x_ = t11_ + minus_point2_felt_x_;
-        *n36_ = minus_elbow_load_force_x_;
-        let point2_felt_y_ = T::mul_add(cos_elbow_angle_, t103_, t3_);
+        let point2_felt_y_ = T::mul_add(cos_elbow_angle_, t78_, t2_);
         *n34_ = -point2_felt_y_;
-        let elbow_load_force_y_ = c_(0.25) * point2_felt_y_;
+        let t79_ = end_x5_ - minus_shoulder_beta0_;
+        *n44_ = -t79_;
+        let elbow_load_force_y_ = T::mul_add(c_(0.5), t79_, point2_felt_y_);
         *n37_ = -elbow_load_force_y_;
+        let minus_elbow_load_force_x_ = t9_ + minus_point2_felt_x_;
+        *n36_ = minus_elbow_load_force_x_;
+        let t80_ = T::mul_add(sin_elbow_angle_, elbow_load_force_y_, t10_);
+        let minus_shoulder_load_force_x_ = T::mul_add(
+            cos_elbow_angle_,
+            minus_elbow_load_force_x_,
+            t80_,
+        );
+        *n3_ = minus_shoulder_load_force_x_;
+        let t81_ = T::mul_neg_add(c_(0.5), minus_shoulder_beta0_, shoulder_a_lin_y_);
+        let t82_ = T::mul_add(cos_elbow_angle_, elbow_load_force_y_, t81_);
+        let minus_shoulder_load_force_y_ = T::mul_sub(
+            sin_elbow_angle_,
+            minus_elbow_load_force_x_,
+            t82_,
+        );
+        *n4_ = minus_shoulder_load_force_y_;
         /// Pose behind `elbow`, [P, Eq. (12)]: 4 mul, 2 add, 0 reciprocal.
-        let t104_ = cos_shoulder_angle_ * cos_elbow_angle_;
+        let t83_ = cos_shoulder_angle_ * cos_elbow_angle_;
         let elbow_to_inertial_x_x_ = T::mul_neg_add(
             sin_shoulder_angle_,
             sin_elbow_angle_,
-            t104_,
+            t83_,
         );
         *n27_ = elbow_to_inertial_x_x_;
         *n31_ = -elbow_to_inertial_x_x_;
-        let t105_ = cos_shoulder_angle_ * sin_elbow_angle_;
+        let t84_ = cos_shoulder_angle_ * sin_elbow_angle_;
         let minus_elbow_to_inertial_x_y_ = T::mul_add(
             sin_shoulder_angle_,
             cos_elbow_angle_,
-            t105_,
+            t84_,
         );
         *n28_ = minus_elbow_to_inertial_x_y_;
         *n30_ = minus_elbow_to_inertial_x_y_;
@@ -538,35 +524,33 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         *n48_ = elbow_velocity_x_;
         let elbow_velocity_y_ = shoulder_rate_ * cos_elbow_angle_;
         *n25_ = elbow_velocity_y_;
-        /// Connection points, [P, Eqs. (4), (12), (13)]: 0 mul, 6 add, 0 reciprocal.
+        /// Connection points, [P, Eqs. (4), (12), (13)]: 0 mul, 5 add, 0 reciprocal.
         let point4_velocity_y_ = elbow_omega_z_ + elbow_velocity_y_;
         *n49_ = point4_velocity_y_;
-        let minus_point4_felt_x_ = t10_ + minus_point2_felt_x_;
+        let minus_point4_felt_x_ = t8_ + minus_point2_felt_x_;
         *n51_ = minus_point4_felt_x_;
-        let t106_ = end_x5_ - minus_shoulder_beta0_;
-        *n44_ = -t106_;
-        let point4_felt_y_ = point2_felt_y_ + t106_;
+        let point4_felt_y_ = point2_felt_y_ + t79_;
         *n52_ = -point4_felt_y_;
         let point4_position_x_ = cos_shoulder_angle_ + elbow_to_inertial_x_x_;
         *n45_ = point4_position_x_;
         let point4_position_y_ = sin_shoulder_angle_ + minus_elbow_to_inertial_x_y_;
         *n46_ = point4_position_y_;
         /// Results: 8 mul, 5 add, 0 reciprocal.
-        let t107_ = c_(0.5) * elbow_velocity_x_;
-        let t108_ = c_(0.5) * point4_velocity_y_;
-        let t109_ = minus_elbow_centripetal_x_ + t10_;
-        let t110_ = c_(0.16666666666666666) * t109_;
-        let t111_ = T::mul_add(elbow_velocity_x_, t107_, t110_);
-        let t112_ = T::mul_add(elbow_velocity_y_, t108_, t111_);
-        at_.kinetic_energy = t112_;
-        let t113_ = sin_shoulder_angle_ * c_(4.9);
-        let t114_ = T::mul_add(
+        let t85_ = c_(0.5) * elbow_velocity_x_;
+        let t86_ = c_(0.5) * point4_velocity_y_;
+        let t87_ = minus_elbow_centripetal_x_ + t8_;
+        let t88_ = c_(0.16666666666666666) * t87_;
+        let t89_ = T::mul_add(elbow_velocity_x_, t85_, t88_);
+        let t90_ = T::mul_add(elbow_velocity_y_, t86_, t89_);
+        at_.kinetic_energy = t90_;
+        let t91_ = sin_shoulder_angle_ * c_(4.9);
+        let t92_ = T::mul_add(
             c_(0.5),
             minus_elbow_to_inertial_x_y_,
             sin_shoulder_angle_,
         );
-        let t115_ = T::mul_add(c_(9.8), t114_, t113_);
-        at_.potential_energy = t115_;
+        let t93_ = T::mul_add(c_(9.8), t92_, t91_);
+        at_.potential_energy = t93_;
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
