@@ -73,7 +73,8 @@ fn relations<'a, S: Scalar>(
         }
         if let Some(parent) = problem.links[index].parent {
             // What is beyond a seam is another time's.
-            bodies[parent] = if at_seam { usize::MAX } else { bodies[parent].max(bodies[index] + 1) };
+            bodies[parent] =
+                if at_seam { usize::MAX } else { bodies[parent].max(bodies[index] + 1) };
         }
     }
     chosen

@@ -3,9 +3,9 @@
 //! A recursion over a chain is one long path on which every operation waits for the one before. A
 //! processor looks a few hundred instructions ahead for others that it may do meanwhile; here they are
 //! put where it finds them. That is list scheduling by critical paths, for a processor that starts five
-//! operations in two cycles. Where there is work enough at any time, the order of the equations
-//! stays, in which fewer values have to be kept; and so it does in loops, each time of which gives the
-//! next one work.
+//! operations in two cycles, from the end backwards: so values are made no earlier than they have to be,
+//! and fewer are kept. Where there is work enough at any time, the order of the equations stays; and so
+//! it does in loops, each time of which gives the next one work.
 
 use super::latency::of_statement;
 use crate::program::{Block, Operand, Program, Section, Statement};
@@ -40,13 +40,14 @@ fn issued(sections: Vec<Section>) -> Vec<Section> {
     let statements: Vec<&Statement> =
         sections.iter().flat_map(|section| &section.statements).collect();
     let dependencies = Dependencies::of(&statements);
-    let heights = dependencies.heights();
-    let longest = heights.iter().max().copied().unwrap_or(0);
+    let depths = dependencies.depths();
+    let ends = depths.iter().zip(&dependencies.latencies).map(|(depth, latency)| depth + latency);
+    let longest = ends.max().unwrap_or(0);
     let room = f64::from(longest * OPERATIONS) / f64::from(CYCLES);
     if statements.len() as f64 > ENOUGH * room {
         return sections;
     }
-    let order = dependencies.order(&heights);
+    let order = dependencies.order(&depths);
     let headings: Vec<(String, String)> =
         sections.iter().map(|section| (section.title.clone(), section.source.clone())).collect();
     let statements = sections.into_iter().flat_map(|section| section.statements);
@@ -68,76 +69,83 @@ fn issued(sections: Vec<Section>) -> Vec<Section> {
 
 /// Which statements wait for which, by their numbers.
 struct Dependencies {
-    /// How many others a statement waits for.
-    missing: Vec<usize>,
-    users: Vec<Vec<usize>>,
+    /// What a statement waits for.
+    makers: Vec<Vec<usize>>,
+    /// How many others wait for it.
+    users: Vec<usize>,
     latencies: Vec<u32>,
 }
 
 impl Dependencies {
     fn of(statements: &[&Statement]) -> Self {
-        let mut makers: HashMap<&str, usize> = HashMap::new();
+        let mut maker_of: HashMap<&str, usize> = HashMap::new();
         for (number, statement) in statements.iter().enumerate() {
-            makers.extend(statement.names().map(|name| (name, number)));
+            maker_of.extend(statement.names().map(|name| (name, number)));
         }
-        let mut missing = vec![0; statements.len()];
-        let mut users = vec![Vec::new(); statements.len()];
-        for (number, statement) in statements.iter().enumerate() {
+        let mut users = vec![0; statements.len()];
+        let makers = statements.iter().map(|statement| {
             let names = statement.operands().filter_map(Operand::name);
-            let mut read: Vec<usize> = names.filter_map(|name| makers.get(name).copied()).collect();
+            let mut read: Vec<usize> =
+                names.filter_map(|name| maker_of.get(name).copied()).collect();
             read.sort_unstable();
             read.dedup();
-            missing[number] = read.len();
-            read.into_iter().for_each(|maker| users[maker].push(number));
-        }
+            read.iter().for_each(|&maker| users[maker] += 1);
+            read
+        });
+        let makers = makers.collect();
         let latencies = statements.iter().map(|statement| of_statement(statement)).collect();
-        Dependencies { missing, users, latencies }
+        Dependencies { makers, users, latencies }
     }
 
-    /// How many cycles the longest path takes from a statement to the end, itself included.
-    fn heights(&self) -> Vec<u32> {
-        let mut heights = self.latencies.clone();
+    /// How many cycles the longest path takes that leads to a statement.
+    fn depths(&self) -> Vec<u32> {
+        let mut depths: Vec<u32> = Vec::with_capacity(self.latencies.len());
         // Statements stand before their users.
-        for number in (0..heights.len()).rev() {
-            let beyond = self.users[number].iter().map(|&user| heights[user]).max();
-            heights[number] += beyond.unwrap_or(0);
+        for makers in &self.makers {
+            let end = |&maker: &usize| depths[maker] + self.latencies[maker];
+            let depth = makers.iter().map(end).max();
+            depths.push(depth.unwrap_or(0));
         }
-        heights
+        depths
     }
 
     /// The numbers of the statements in the order in which they should run.
-    fn order(mut self, heights: &[u32]) -> Vec<usize> {
-        let count = heights.len();
-        let (mut order, mut ready_at) = (Vec::with_capacity(count), vec![0; count]);
-        // What has its operands at some time, and what has them now; of two of the same height the
-        // one that stands first runs first. Time is in parts of cycles, of which an operation takes
-        // `CYCLES` and a cycle has `OPERATIONS`.
-        let mut coming: BinaryHeap<Reverse<(u32, usize)>> = BinaryHeap::new();
-        let mut ready: BinaryHeap<(u32, Reverse<usize>)> = BinaryHeap::new();
-        coming.extend((0..count).filter(|&n| self.missing[n] == 0).map(|n| Reverse((0, n))));
+    fn order(mut self, depths: &[u32]) -> Vec<usize> {
+        let count = depths.len();
+        let (mut order, mut done_before) = (Vec::with_capacity(count), vec![0; count]);
+        // What may run at some time from the end, its users having begun, and what may run now; of two of
+        // the same depth the one that stands last runs last. Time is in parts of cycles, of which an
+        // operation takes `CYCLES` and a cycle has `OPERATIONS`.
+        let mut coming: BinaryHeap<(Reverse<u32>, usize)> = BinaryHeap::new();
+        let mut ready: BinaryHeap<(u32, usize)> = BinaryHeap::new();
+        let parts = |latency: u32| OPERATIONS * latency;
+        let last = (0..count).filter(|&n| self.users[n] == 0);
+        coming.extend(last.map(|n| (Reverse(parts(self.latencies[n])), n)));
         let mut now = 0;
         loop {
-            while let Some(&Reverse((time, number))) = coming.peek()
+            while let Some(&(Reverse(time), number)) = coming.peek()
                 && time <= now
             {
                 coming.pop();
-                ready.push((heights[number], Reverse(number)));
+                ready.push((depths[number], number));
             }
-            let Some((_, Reverse(number))) = ready.pop() else {
-                let Some(&Reverse((time, _))) = coming.peek() else { return order };
+            let Some((_, number)) = ready.pop() else {
+                let Some(&(Reverse(time), _)) = coming.peek() else { break };
                 now = time;
                 continue;
             };
             order.push(number);
-            for &user in &self.users[number] {
-                ready_at[user] = ready_at[user].max(now + OPERATIONS * self.latencies[number]);
-                self.missing[user] -= 1;
-                if self.missing[user] == 0 {
-                    coming.push(Reverse((ready_at[user], user)));
+            for &maker in &self.makers[number] {
+                done_before[maker] = done_before[maker].max(now + parts(self.latencies[maker]));
+                self.users[maker] -= 1;
+                if self.users[maker] == 0 {
+                    coming.push((Reverse(done_before[maker]), maker));
                 }
             }
             now += CYCLES;
         }
+        order.reverse();
+        order
     }
 }
 
@@ -159,20 +167,22 @@ mod tests {
     }
 
     #[test]
-    fn the_longest_path_comes_first_and_the_rest_fills_its_gaps() {
-        let fill = (0..8).map(|k| {
-            Statement::Let(format!("f{k}"), Operation::Sum(Operand::Symbol(k), Operand::Symbol(9)))
-        });
-        let path = vec![reciprocal("a", "x"), reciprocal("b", "a"), reciprocal("c", "b")];
-        let ordered = issued(vec![section("fill", fill.collect()), section("path", path)]);
+    fn what_is_needed_at_the_end_fills_the_gaps_of_the_longest_path() {
+        let sum = |name: String, a, b| Statement::Let(name, Operation::Sum(a, b));
+        let fill =
+            (0..6).map(|k| sum(format!("f{k}"), Operand::Symbol(k), Operand::Symbol(9))).collect();
+        let path = vec![reciprocal("a", "x"), reciprocal("b", "a")];
+        let end =
+            (0..6).map(|k| sum(format!("g{k}"), named(&format!("f{k}")), named("b"))).collect();
+        let ordered =
+            issued(vec![section("fill", fill), section("path", path), section("end", end)]);
         let titles: Vec<&str> = ordered.iter().map(|section| &section.title[..]).collect();
-        assert_eq!(titles, ["path", "fill", "path"]);
-        let names: Vec<&str> = ordered
-            .iter()
-            .flat_map(|section| &section.statements)
-            .flat_map(Statement::names)
-            .collect();
-        assert_eq!(names, ["a", "f0", "f1", "f2", "f3", "f4", "f5", "f6", "f7", "b", "c"]);
+        assert_eq!(titles, ["path", "fill", "end"]);
+        let statements = ordered.iter().flat_map(|section| &section.statements);
+        let names: Vec<&str> = statements.flat_map(Statement::names).collect();
+        let expected =
+            ["a", "b", "f0", "f1", "f2", "f3", "f4", "f5", "g0", "g1", "g2", "g3", "g4", "g5"];
+        assert_eq!(names, expected);
     }
 
     #[test]

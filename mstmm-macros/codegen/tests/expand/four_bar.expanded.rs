@@ -108,16 +108,16 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 4 |
-    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
-    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
-    /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 4 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 28 | 20 | 1 | 0 | 0 |
     /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 119 | 65 | 6 | 6 | 0 |
-    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 10 | 6 | 0 | 0 | 0 |
-    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 13 | 10 | 0 | 0 | 0 |
-    /// | Results |  | 1 | 5 | 0 | 0 | 0 |
+    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
+    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
+    /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
+    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 13 | 10 | 0 | 0 | 0 |
+    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 10 | 6 | 0 | 0 | 0 |
+    /// | Results |  | 1 | 5 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -151,337 +151,322 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             cos_rocker_pin_angle_,
             ],
         ) = T::sin_cos([crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]);
-        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
-        let a_omega_z_ = crank_pin_rate_ + a_rate_;
-        let t0_ = crank_pin_rate_ * crank_pin_rate_;
-        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
-        let b_omega_z_ = b_rate_ + a_omega_z_;
-        let t1_ = a_omega_z_ * a_omega_z_;
-        /// Motion across `a`.
-        let minus_a_centripetal_x_ = t0_ * c_(0.2);
-        /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t2_ = b_omega_z_ * b_omega_z_;
-        /// Motion across `b`.
-        let minus_b_centripetal_x_ = t1_ * c_(0.6);
-        /// Riccati transfer over `b`.
-        let minus_b_e_force_x_ = c_(0.6) * t2_;
         /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 13 mul, 4 add, 1 reciprocal.
         let t4_ = sin_b_angle_ * sin_b_angle_;
+        let t5_ = c_(1.5) * t4_;
+        let t6_ = t5_ + c_(0.5);
+        let a_j_zz_ = T::mul_add(c_(0.36), t6_, c_(0.24));
+        let t8_ = T::recip(a_j_zz_);
         let t3_ = sin_b_angle_ * cos_b_angle_;
+        let a_b_y_z_ = T::mul_add(c_(0.6), t6_, c_(0.6));
+        let a_b_x_z_ = t3_ * c_(0.8999999999999999);
         /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 28 mul, 20 add, 1 reciprocal.
         let t18_ = sin_a_angle_ * cos_a_angle_;
+        /// Riccati transfer over `a`.
+        let a_k_xy_ = c_(1.5) * t3_;
+        /// Riccati transfer over `crank_pin`.
+        let t13_ = a_b_y_z_ * a_b_y_z_;
+        let t15_ = a_b_x_z_ * a_b_y_z_;
+        let t10_ = c_(2.5) + t5_;
+        let t11_ = a_b_x_z_ * a_b_x_z_;
+        let t9_ = t5_ - c_(4.0);
+        let t22_ = c_(2.0) * t18_;
+        let t14_ = T::mul_neg_add(t8_, t13_, t10_);
+        let t16_ = T::mul_neg_add(t8_, t15_, a_k_xy_);
+        let t12_ = T::mul_add(t8_, t11_, t9_);
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 119 mul, 65 add, 6 reciprocal, 6 square root.
         let t36_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
         let t40_ = sin_b_angle_ * cos_rocker_pin_angle_;
         /// Riccati transfer over `crank_pin`.
         let t17_ = sin_a_angle_ * sin_a_angle_;
-        /// Closure.
-        let t38_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
-        let t34_ = c_(0.6) * sin_rocker_pin_angle_;
-        let t35_ = sin_rocker_pin_angle_ * c_(2.5);
-        /// Riccati transfer over `a`.
-        let t5_ = c_(1.5) * t4_;
-        let a_b_x_z_ = t3_ * c_(0.8999999999999999);
-        let a_k_xy_ = c_(1.5) * t3_;
-        /// Riccati transfer over `crank_pin`.
-        let t22_ = c_(2.0) * t18_;
-        /// Closure.
-        let t41_ = T::mul_add(cos_b_angle_, t36_, t40_);
-        let t58_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
-        let t39_ = T::mul_neg_add(sin_b_angle_, t36_, t38_);
-        let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
-        let t63_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t37_ = t34_ * t35_;
-        /// Riccati transfer over `a`.
-        let t6_ = t5_ + c_(0.5);
-        /// Riccati transfer over `crank_pin`.
-        let t10_ = c_(2.5) + t5_;
-        let t11_ = a_b_x_z_ * a_b_x_z_;
-        let t9_ = t5_ - c_(4.0);
-        /// Closure.
-        let t42_ = c_(0.6) * t41_;
-        let t61_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t67_ = t39_ * t39_;
-        let t55_ = t54_ * c_(0.36);
-        /// Riccati transfer over `a`.
-        let a_j_zz_ = T::mul_add(c_(0.36), t6_, c_(0.24));
-        let a_b_y_z_ = T::mul_add(c_(0.6), t6_, c_(0.6));
-        /// Closure.
-        let t64_ = T::mul_neg_add(cos_b_angle_, t58_, t63_);
-        let t51_ = c_(0.6) * cos_rocker_pin_angle_;
-        let t52_ = cos_rocker_pin_angle_ * c_(2.5);
-        /// Riccati transfer over `a`.
-        let t7_ = sin_b_angle_ * minus_b_e_force_x_;
-        /// Closure.
-        let t69_ = t42_ * t42_;
-        let t62_ = T::mul_add(sin_b_angle_, t58_, t61_);
-        let t68_ = T::mul_add(t41_, t41_, t67_);
-        let t56_ = T::mul_add(t34_, t34_, t55_);
-        /// Riccati transfer over `a`.
-        let t8_ = T::recip(a_j_zz_);
-        /// Riccati transfer over `crank_pin`.
-        let t13_ = a_b_y_z_ * a_b_y_z_;
-        let t15_ = a_b_x_z_ * a_b_y_z_;
-        /// Closure.
-        let t65_ = c_(0.6) * t64_;
-        let t59_ = t51_ * t35_;
-        let t60_ = t51_ * t52_;
-        let t101_ = T::mul_add(t51_, t51_, t55_);
-        let t104_ = t62_ * t62_;
-        let t70_ = T::mul_add(t68_, c_(0.72), t69_);
-        let t57_ = t56_ * c_(4.166666666666667);
-        /// Riccati transfer over `a`.
-        let minus_a_e_force_y_ = T::mul_add(minus_b_centripetal_x_, a_k_xy_, t7_);
-        /// Riccati transfer over `crank_pin`.
-        let t28_ = T::mul_add(cos_b_angle_, minus_b_e_force_x_, minus_b_centripetal_x_);
-        let t25_ = t5_ - c_(2.0);
-        /// Closure.
-        let t106_ = t65_ * t65_;
-        /// Riccati transfer over `crank_pin`.
-        let t20_ = T::mul_neg_add(c_(2.0), t17_, c_(1.0));
-        /// Closure.
-        let t99_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
-        let t102_ = c_(4.166666666666667) * t101_;
-        let t105_ = T::mul_add(t64_, t64_, t104_);
-        let t103_ = minus_b_centripetal_x_ * t39_;
-        let t100_ = sin_rocker_pin_angle_ * minus_b_e_force_x_;
-        /// Riccati transfer over `a`.
-        let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
-        /// Riccati transfer over `crank_pin`.
-        let t29_ = T::mul_sub(minus_b_centripetal_x_, t25_, t28_);
-        /// Closure.
-        let t150_ = T::mul_neg_add(minus_b_centripetal_x_, t62_, c_(9.8));
-        let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
-        let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 10 mul, 6 add, 0 reciprocal.
-        let t184_ = cos_b_angle_ * c_(1.5);
-        let t182_ = sin_b_angle_ * c_(2.5);
-        /// Closure.
-        let t107_ = T::mul_add(c_(0.72), t105_, t106_);
-        /// Acceleration of `b`.
-        let t183_ = cos_b_angle_ * c_(2.5);
-        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 13 mul, 10 add, 0 reciprocal.
-        let t169_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
-        /// Riccati transfer over `crank_pin`.
-        let t14_ = T::mul_neg_add(t8_, t13_, t10_);
-        let t16_ = T::mul_neg_add(t8_, t15_, a_k_xy_);
-        let t12_ = T::mul_add(t8_, t11_, t9_);
-        /// Riccati transfer over `a`.
-        let a_z0_force_x_ = a_b_x_z_ * t8_;
-        let a_z0_force_y_ = a_b_y_z_ * t8_;
-        /// Closure.
-        let t43_ = t42_ * t8_;
-        let t71_ = T::mul_add(t8_, t70_, t57_);
-        let t66_ = t65_ * t8_;
-        let t108_ = T::mul_add(t8_, t107_, t102_);
-        /// Riccati transfer over `a`.
-        let a_w0_ = minus_a_e_moment_z_ * t8_;
-        /// Acceleration of `b`.
-        let t186_ = T::mul_add(cos_a_angle_, t169_, minus_b_centripetal_x_);
-        /// Riccati transfer over `crank_pin`.
         let t23_ = T::mul_add(t16_, t22_, t14_);
         let t19_ = t12_ + t14_;
         /// Closure.
-        let t44_ = T::mul_neg_add(t42_, a_z0_force_x_, t39_);
-        let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
-        let t46_ = T::mul_add(t42_, t43_, t37_);
-        let t72_ = T::mul_neg_add(t65_, a_z0_force_x_, t62_);
-        let t73_ = T::mul_neg_add(t65_, a_z0_force_y_, t64_);
-        let t74_ = T::mul_neg_add(t65_, t43_, t59_);
-        let t75_ = T::mul_add(t65_, t66_, t60_);
+        let t38_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t41_ = T::mul_add(cos_b_angle_, t36_, t40_);
         /// Riccati transfer over `crank_pin`.
-        let t26_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
         let t24_ = T::mul_sub(t17_, t19_, t23_);
-        let t21_ = t16_ * t20_;
         /// Closure.
-        let t47_ = sin_a_angle_ * t44_;
-        let t76_ = cos_a_angle_ * t44_;
+        let t39_ = T::mul_neg_add(sin_b_angle_, t36_, t38_);
+        let t42_ = c_(0.6) * t41_;
+        /// Riccati transfer over `a`.
+        let a_z0_force_x_ = a_b_x_z_ * t8_;
         /// Riccati transfer over `crank_pin`.
-        let t30_ = T::mul_add(a_b_x_z_, a_w0_, t29_);
-        /// Closure.
-        let t78_ = sin_a_angle_ * t72_;
-        let t109_ = cos_a_angle_ * t72_;
-        let t144_ = T::mul_neg_add(t42_, a_w0_, t99_);
-        let t154_ = T::mul_neg_add(t65_, a_w0_, t100_);
-        /// Riccati transfer over `crank_pin`.
-        let t27_ = cos_a_angle_ * t26_;
         let crank_pin_j_zz_ = T::mul_neg_add(
             c_(0.04000000000000001),
             t24_,
             c_(0.020000000000000004),
         );
-        let crank_pin_k_xy_ = T::mul_neg_add(t18_, t19_, t21_);
+        /// Riccati transfer over `a`.
+        let a_z0_force_y_ = a_b_y_z_ * t8_;
         /// Closure.
-        let t48_ = T::mul_add(cos_a_angle_, t45_, t47_);
-        let t77_ = T::mul_neg_add(sin_a_angle_, t45_, t76_);
+        let t44_ = T::mul_neg_add(t42_, a_z0_force_x_, t39_);
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t24_, c_(0.1));
-        /// Closure.
-        let t79_ = T::mul_add(cos_a_angle_, t73_, t78_);
-        let t110_ = T::mul_neg_add(sin_a_angle_, t73_, t109_);
-        /// Acceleration of `a`.
-        let t172_ = cos_a_angle_ * a_z0_force_x_;
-        let t174_ = sin_a_angle_ * a_z0_force_x_;
-        /// Riccati transfer over `crank_pin`.
-        let t31_ = T::mul_neg_add(sin_a_angle_, t30_, t27_);
         let t32_ = T::recip(crank_pin_j_zz_);
-        let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
         /// Closure.
+        let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
+        let t47_ = sin_a_angle_ * t44_;
+        let t34_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t35_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
+        let t48_ = T::mul_add(cos_a_angle_, t45_, t47_);
+        let t76_ = cos_a_angle_ * t44_;
+        let t37_ = t34_ * t35_;
+        let t55_ = t54_ * c_(0.36);
+        let t43_ = t42_ * t8_;
         let t49_ = c_(0.2) * t48_;
+        let t67_ = t39_ * t39_;
+        let t77_ = T::mul_neg_add(sin_a_angle_, t45_, t76_);
+        let t56_ = T::mul_add(t34_, t34_, t55_);
+        let t46_ = T::mul_add(t42_, t43_, t37_);
+        let t50_ = t49_ * t32_;
+        let t68_ = T::mul_add(t41_, t41_, t67_);
+        let t69_ = t42_ * t42_;
         let t81_ = t77_ * t77_;
-        let t147_ = T::mul_add(minus_a_centripetal_x_, t77_, t103_);
+        let closure_d0_ = T::mul_add(t49_, t50_, t46_);
+        let t57_ = t56_ * c_(4.166666666666667);
+        let t70_ = T::mul_add(t68_, c_(0.72), t69_);
+        let t82_ = T::mul_add(t48_, t48_, t81_);
+        let t83_ = t49_ * t49_;
+        let t89_ = T::copysign(closure_d0_, c_(1.0));
+        let t71_ = T::mul_add(t8_, t70_, t57_);
+        let t84_ = T::mul_add(t82_, c_(0.76), t83_);
+        let t90_ = closure_d0_ + t89_;
+        let t86_ = T::mul_add(t84_, t32_, t71_);
+        let t91_ = c_(0.5) * t90_;
+        let t93_ = T::sqrt(t86_);
+        let t92_ = T::sqrt(t91_);
+        let t58_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let t63_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t61_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t64_ = T::mul_neg_add(cos_b_angle_, t58_, t63_);
+        let t62_ = T::mul_add(sin_b_angle_, t58_, t61_);
+        let t65_ = c_(0.6) * t64_;
+        let t94_ = ::mstmm::generated::recip_above(t92_, t93_);
+        let t72_ = T::mul_neg_add(t65_, a_z0_force_x_, t62_);
+        let t96_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t73_ = T::mul_neg_add(t65_, a_z0_force_y_, t64_);
+        let t78_ = sin_a_angle_ * t72_;
+        let t51_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t52_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t79_ = T::mul_add(cos_a_angle_, t73_, t78_);
+        let t59_ = t51_ * t35_;
+        let t60_ = t51_ * t52_;
+        let t66_ = t65_ * t8_;
         let t80_ = c_(0.2) * t79_;
+        let t74_ = T::mul_neg_add(t65_, t43_, t59_);
+        let t95_ = t92_ * t94_;
+        let t109_ = cos_a_angle_ * t72_;
+        let t75_ = T::mul_add(t65_, t66_, t60_);
+        let t85_ = t80_ * t32_;
+        let t87_ = T::mul_neg_add(t80_, t50_, t74_);
+        let t97_ = t95_ * t96_;
+        let t104_ = t62_ * t62_;
+        let t110_ = T::mul_neg_add(sin_a_angle_, t73_, t109_);
+        let t101_ = T::mul_add(t51_, t51_, t55_);
+        let t88_ = T::mul_add(t80_, t85_, t75_);
+        let t98_ = t87_ * t97_;
+        let t105_ = T::mul_add(t64_, t64_, t104_);
+        let t106_ = t65_ * t65_;
         let t111_ = t110_ * t110_;
-        let t151_ = T::mul_sub(minus_a_centripetal_x_, t110_, t150_);
-        /// Acceleration of `a`.
-        let t173_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t172_);
+        let closure_d1_ = T::mul_neg_add(t87_, t98_, t88_);
+        let t102_ = c_(4.166666666666667) * t101_;
+        let t107_ = T::mul_add(c_(0.72), t105_, t106_);
+        let t112_ = T::mul_add(t79_, t79_, t111_);
+        let t113_ = t80_ * t80_;
+        let t120_ = T::copysign(closure_d1_, c_(1.0));
+        let t108_ = T::mul_add(t8_, t107_, t102_);
+        let t114_ = T::mul_add(c_(0.76), t112_, t113_);
+        let t121_ = closure_d1_ + t120_;
+        let t119_ = T::mul_add(t114_, t32_, t108_);
+        let t122_ = c_(0.5) * t121_;
+        let t124_ = T::sqrt(t119_);
+        let t123_ = T::sqrt(t122_);
+        let t129_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
+        let t130_ = t129_ * t129_;
+        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
+        let a_omega_z_ = crank_pin_rate_ + a_rate_;
+        /// Closure.
+        let t131_ = ::mstmm::generated::recip_above(t130_, c_(1.0));
+        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
+        let b_omega_z_ = b_rate_ + a_omega_z_;
+        /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
+        let t2_ = b_omega_z_ * b_omega_z_;
+        /// Motion across `b`.
+        let t1_ = a_omega_z_ * a_omega_z_;
+        /// Closure.
+        let t125_ = ::mstmm::generated::recip_above(t123_, t124_);
+        /// Riccati transfer over `b`.
+        let minus_b_e_force_x_ = c_(0.6) * t2_;
+        /// Motion across `b`.
+        let minus_b_centripetal_x_ = t1_ * c_(0.6);
+        /// Closure.
+        let t127_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
+        /// Riccati transfer over `a`.
+        let t7_ = sin_b_angle_ * minus_b_e_force_x_;
+        /// Closure.
+        let t132_ = T::sqrt(t131_);
+        /// Riccati transfer over `a`.
+        let minus_a_e_force_y_ = T::mul_add(minus_b_centripetal_x_, a_k_xy_, t7_);
+        let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
+        /// Closure.
+        let t126_ = t123_ * t125_;
+        /// Riccati transfer over `crank_pin`.
+        let t28_ = T::mul_add(cos_b_angle_, minus_b_e_force_x_, minus_b_centripetal_x_);
+        /// Riccati transfer over `a`.
+        let a_w0_ = minus_a_e_moment_z_ * t8_;
+        /// Riccati transfer over `crank_pin`.
+        let t25_ = t5_ - c_(2.0);
+        /// Closure.
+        let t128_ = t126_ * t127_;
+        /// Riccati transfer over `crank_pin`.
+        let t20_ = T::mul_neg_add(c_(2.0), t17_, c_(1.0));
+        let t29_ = T::mul_sub(minus_b_centripetal_x_, t25_, t28_);
+        let t26_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
+        /// Closure.
+        let t134_ = T::mul_neg_add(closure_d1_, t128_, c_(1.0));
+        /// Motion across `a`.
+        let t0_ = crank_pin_rate_ * crank_pin_rate_;
+        /// Riccati transfer over `crank_pin`.
+        let t21_ = t16_ * t20_;
+        let t30_ = T::mul_add(a_b_x_z_, a_w0_, t29_);
+        let t27_ = cos_a_angle_ * t26_;
+        /// Closure.
+        let t133_ = t129_ * t132_;
+        let t135_ = t98_ * t134_;
+        /// Motion across `a`.
+        let minus_a_centripetal_x_ = t0_ * c_(0.2);
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_k_xy_ = T::mul_neg_add(t18_, t19_, t21_);
+        let t31_ = T::mul_neg_add(sin_a_angle_, t30_, t27_);
+        /// Closure.
+        let t136_ = t133_ * t135_;
         /// Riccati transfer over `crank_pin`.
         let minus_crank_pin_e_force_y_ = T::mul_add(
             minus_a_centripetal_x_,
             crank_pin_k_xy_,
             t31_,
         );
-        /// Acceleration of `a`.
-        let t175_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t174_);
-        let t170_ = sin_a_angle_ * t169_;
         /// Closure.
-        let t83_ = t49_ * t49_;
-        let t82_ = T::mul_add(t48_, t48_, t81_);
-        /// Results: 1 mul, 5 add, 0 reciprocal.
-        let t193_ = c_(4.0) + t14_;
-        /// Closure.
-        let t113_ = t80_ * t80_;
-        let t112_ = T::mul_add(t79_, t79_, t111_);
-        /// Acceleration of `a`.
-        let t177_ = t169_ * t173_;
+        let t138_ = t134_ * t134_;
+        let t137_ = T::mul_neg_add(t133_, t136_, t135_);
+        let t99_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
         /// Riccati transfer over `crank_pin`.
+        let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
         let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
+        let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t24_, c_(0.1));
+        /// Closure.
+        let t139_ = T::mul_add(t137_, t137_, t138_);
+        let t103_ = minus_b_centripetal_x_ * t39_;
+        let t144_ = T::mul_neg_add(t42_, a_w0_, t99_);
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
+        let crank_pin_w0_ = t33_ * t32_;
+        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t32_;
+        /// Closure.
+        let t100_ = sin_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
+        let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
+        let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
+        let t150_ = T::mul_neg_add(minus_b_centripetal_x_, t62_, c_(9.8));
+        let t147_ = T::mul_add(minus_a_centripetal_x_, t77_, t103_);
+        let t115_ = T::mul_neg_add(t49_, crank_pin_z0_force_x_, t77_);
+        let t145_ = T::mul_sub(t49_, crank_pin_w0_, t144_);
+        let t116_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
+        let t154_ = T::mul_neg_add(t65_, a_w0_, t100_);
+        let t151_ = T::mul_sub(minus_a_centripetal_x_, t110_, t150_);
+        let t118_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
+        let t146_ = T::mul_add(crank_pin_a_lin_x_, t115_, t145_);
+        let t148_ = T::mul_sub(crank_pin_a_lin_y_, t116_, t147_);
+        let t117_ = T::mul_neg_add(t80_, crank_pin_z0_force_x_, t110_);
+        let t155_ = T::mul_sub(t80_, crank_pin_w0_, t154_);
+        let t152_ = T::mul_sub(crank_pin_a_lin_y_, t118_, t151_);
+        let t149_ = t146_ + t148_;
+        let t156_ = T::mul_add(crank_pin_a_lin_x_, t117_, t155_);
+        let t153_ = T::mul_add(t98_, t149_, t152_);
+        let t141_ = T::sqrt(t140_);
+        let t157_ = t153_ + t156_;
+        let t158_ = t97_ * t149_;
+        let t159_ = t128_ * t157_;
+        let t160_ = T::mul_add(t98_, t159_, t158_);
+        let t161_ = t133_ * t160_;
+        let t162_ = T::mul_neg_add(t133_, t161_, t160_);
+        let t142_ = t137_ * t141_;
+        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
+        let t165_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        /// Closure.
+        let t143_ = t134_ * t141_;
+        let t163_ = t142_ * t162_;
+        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 13 mul, 10 add, 0 reciprocal.
+        let t172_ = cos_a_angle_ * a_z0_force_x_;
+        /// Acceleration of `crank_pin`.
+        let t166_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t165_);
+        /// Closure.
+        let t164_ = T::mul_add(t143_, t159_, t163_);
+        /// Acceleration of `a`.
+        let t174_ = sin_a_angle_ * a_z0_force_x_;
+        let t173_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t172_);
+        /// Acceleration of `crank_pin`.
+        let t167_ = T::mul_sub(c_(9.8), t166_, crank_pin_w0_);
+        /// Closure.
+        let minus_closure_reaction1_ = T::mul_neg_add(t143_, t164_, t159_);
+        /// Acceleration of `a`.
+        let t169_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
+        let t175_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t174_);
+        let t177_ = t169_ * t173_;
+        /// Closure.
+        let closure_reaction0_ = T::mul_neg_add(t142_, t164_, t162_);
+        /// Acceleration of `crank_pin`.
+        let t168_ = T::mul_add(t85_, minus_closure_reaction1_, t167_);
         /// Acceleration of `a`.
         let t176_ = c_(0.2) * t175_;
         let t178_ = T::mul_neg_add(crank_pin_a_lin_y_, t175_, a_w0_);
-        /// Results.
+        let t180_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t177_);
+        /// Acceleration of `crank_pin`.
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t168_);
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 10 mul, 6 add, 0 reciprocal.
+        let t185_ = t35_ * closure_reaction0_;
+        /// Acceleration of `a`.
+        let t179_ = T::mul_sub(t43_, closure_reaction0_, t178_);
+        let t181_ = T::mul_add(t176_, minus_crank_pin_a_ang_z_, t180_);
+        /// Acceleration of `b`.
+        let t184_ = cos_b_angle_ * c_(1.5);
+        let t186_ = T::mul_add(cos_a_angle_, t169_, minus_b_centripetal_x_);
+        /// Acceleration of `a`.
+        let t171_ = T::mul_neg_add(
+            c_(0.2),
+            minus_crank_pin_a_ang_z_,
+            crank_pin_a_lin_y_,
+        );
+        /// Acceleration of `b`.
+        let t188_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t185_);
+        /// Acceleration of `a`.
+        let minus_a_a_ang_z_ = t179_ - t181_;
+        /// Acceleration of `b`.
+        let t182_ = sin_b_angle_ * c_(2.5);
+        /// Acceleration of `a`.
+        let t170_ = sin_a_angle_ * t169_;
+        /// Acceleration of `b`.
+        let t187_ = T::mul_sub(sin_a_angle_, t171_, t186_);
+        let t189_ = T::mul_sub(t184_, minus_a_a_ang_z_, t188_);
+        let t183_ = cos_b_angle_ * c_(2.5);
+        /// Acceleration of `a`.
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t171_, t170_);
+        /// Acceleration of `b`.
+        let t190_ = T::mul_add(t182_, t187_, t189_);
+        /// Results: 1 mul, 5 add, 0 reciprocal.
+        let t193_ = c_(4.0) + t14_;
         let t194_ = t12_ - t193_;
-        /// Closure.
-        let t84_ = T::mul_add(t82_, c_(0.76), t83_);
-        let t114_ = T::mul_add(c_(0.76), t112_, t113_);
+        /// Acceleration of `b`.
+        let minus_b_a_ang_z_ = T::mul_sub(t183_, a_a_lin_y_, t190_);
         /// Results.
         let t195_ = T::mul_neg_add(
             c_(0.04000000000000001),
             t194_,
             c_(0.030000000000000006),
         );
-        /// Closure.
-        let t50_ = t49_ * t32_;
-        let t86_ = T::mul_add(t84_, t32_, t71_);
-        let t85_ = t80_ * t32_;
-        let t119_ = T::mul_add(t114_, t32_, t108_);
-        /// Riccati transfer over `crank_pin`.
-        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
-        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t32_;
-        let crank_pin_w0_ = t33_ * t32_;
-        /// Closure.
-        let closure_d0_ = T::mul_add(t49_, t50_, t46_);
-        let t93_ = T::sqrt(t86_);
-        let t87_ = T::mul_neg_add(t80_, t50_, t74_);
-        let t88_ = T::mul_add(t80_, t85_, t75_);
-        let t124_ = T::sqrt(t119_);
-        let t115_ = T::mul_neg_add(t49_, crank_pin_z0_force_x_, t77_);
-        let t116_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
-        let t145_ = T::mul_sub(t49_, crank_pin_w0_, t144_);
-        let t118_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
-        let t117_ = T::mul_neg_add(t80_, crank_pin_z0_force_x_, t110_);
-        let t89_ = T::copysign(closure_d0_, c_(1.0));
-        let t96_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t155_ = T::mul_sub(t80_, crank_pin_w0_, t154_);
-        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-        let t165_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
-        /// Closure.
-        let t148_ = T::mul_sub(crank_pin_a_lin_y_, t116_, t147_);
-        let t146_ = T::mul_add(crank_pin_a_lin_x_, t115_, t145_);
-        let t90_ = closure_d0_ + t89_;
-        let t152_ = T::mul_sub(crank_pin_a_lin_y_, t118_, t151_);
-        let t156_ = T::mul_add(crank_pin_a_lin_x_, t117_, t155_);
-        /// Acceleration of `crank_pin`.
-        let t166_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t165_);
-        /// Closure.
-        let t91_ = c_(0.5) * t90_;
-        let t149_ = t146_ + t148_;
-        /// Acceleration of `crank_pin`.
-        let t167_ = T::mul_sub(c_(9.8), t166_, crank_pin_w0_);
-        /// Closure.
-        let t92_ = T::sqrt(t91_);
-        let t94_ = ::mstmm::generated::recip_above(t92_, t93_);
-        let t95_ = t92_ * t94_;
-        let t97_ = t95_ * t96_;
-        let t98_ = t87_ * t97_;
-        let t129_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
-        let t158_ = t97_ * t149_;
-        let closure_d1_ = T::mul_neg_add(t87_, t98_, t88_);
-        let t130_ = t129_ * t129_;
-        let t153_ = T::mul_add(t98_, t149_, t152_);
-        let t120_ = T::copysign(closure_d1_, c_(1.0));
-        let t131_ = ::mstmm::generated::recip_above(t130_, c_(1.0));
-        let t127_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
-        let t157_ = t153_ + t156_;
-        let t121_ = closure_d1_ + t120_;
-        let t122_ = c_(0.5) * t121_;
-        let t123_ = T::sqrt(t122_);
-        let t132_ = T::sqrt(t131_);
-        let t125_ = ::mstmm::generated::recip_above(t123_, t124_);
-        let t133_ = t129_ * t132_;
-        let t126_ = t123_ * t125_;
-        let t128_ = t126_ * t127_;
-        let t134_ = T::mul_neg_add(closure_d1_, t128_, c_(1.0));
-        let t159_ = t128_ * t157_;
-        let t135_ = t98_ * t134_;
-        let t138_ = t134_ * t134_;
-        let t160_ = T::mul_add(t98_, t159_, t158_);
-        let t136_ = t133_ * t135_;
-        let t161_ = t133_ * t160_;
-        let t137_ = T::mul_neg_add(t133_, t136_, t135_);
-        let t162_ = T::mul_neg_add(t133_, t161_, t160_);
-        let t139_ = T::mul_add(t137_, t137_, t138_);
-        let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
-        let t141_ = T::sqrt(t140_);
-        let t142_ = t137_ * t141_;
-        let t143_ = t134_ * t141_;
-        let t163_ = t142_ * t162_;
-        let t164_ = T::mul_add(t143_, t159_, t163_);
-        let minus_closure_reaction1_ = T::mul_neg_add(t143_, t164_, t159_);
-        let closure_reaction0_ = T::mul_neg_add(t142_, t164_, t162_);
-        /// Acceleration of `crank_pin`.
-        let t168_ = T::mul_add(t85_, minus_closure_reaction1_, t167_);
-        /// Acceleration of `a`.
-        let t180_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t177_);
-        /// Acceleration of `b`.
-        let t185_ = t35_ * closure_reaction0_;
-        /// Acceleration of `a`.
-        let t179_ = T::mul_sub(t43_, closure_reaction0_, t178_);
-        /// Acceleration of `crank_pin`.
-        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t168_);
-        /// Acceleration of `b`.
-        let t188_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t185_);
-        /// Acceleration of `a`.
-        let t181_ = T::mul_add(t176_, minus_crank_pin_a_ang_z_, t180_);
-        let t171_ = T::mul_neg_add(
-            c_(0.2),
-            minus_crank_pin_a_ang_z_,
-            crank_pin_a_lin_y_,
-        );
-        let minus_a_a_ang_z_ = t179_ - t181_;
-        /// Acceleration of `b`.
-        let t187_ = T::mul_sub(sin_a_angle_, t171_, t186_);
-        /// Acceleration of `a`.
-        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t171_, t170_);
-        /// Acceleration of `b`.
-        let t189_ = T::mul_sub(t184_, minus_a_a_ang_z_, t188_);
-        /// Results.
         let t191_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
-        /// Acceleration of `b`.
-        let t190_ = T::mul_add(t182_, t187_, t189_);
-        let minus_b_a_ang_z_ = T::mul_sub(t183_, a_a_lin_y_, t190_);
-        /// Results.
         let t192_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
         ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
         ::mstmm::generated::regular::<

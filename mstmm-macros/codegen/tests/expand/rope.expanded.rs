@@ -257,13 +257,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         /// Results: 8 mul, 3 add, 0 reciprocal.
-        let t8_ = T::mul_add(step_, c_(0.2), c_(0.01));
-        let t9_ = step_ * t8_;
         let t0_ = sin_hook_angle_ * sin_hook_angle_;
+        let t8_ = T::mul_add(step_, c_(0.2), c_(0.01));
         let t1_ = sin_hook_angle_ * cos_hook_angle_;
+        let t2_ = t0_ * c_(1.3333333333333335);
+        let t9_ = step_ * t8_;
         let t6_ = cos_hook_angle_ * c_(6.666666666666666);
         let t7_ = sin_hook_angle_ * c_(6.666666666666666);
-        let t2_ = t0_ * c_(1.3333333333333335);
         let t4_ = t1_ * c_(1.3333333333333335);
         let t3_ = t2_ - c_(2.0);
         let t5_ = t2_ + c_(0.6666666666666665);
@@ -558,9 +558,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         /// Results: 6 mul, 2 add, 0 reciprocal.
         let t0_ = sin_hook_angle_ * sin_hook_angle_;
         let t1_ = sin_hook_angle_ * cos_hook_angle_;
+        let t2_ = t0_ * c_(1.3333333333333335);
         let t6_ = cos_hook_angle_ * c_(6.666666666666666);
         let t7_ = sin_hook_angle_ * c_(6.666666666666666);
-        let t2_ = t0_ * c_(1.3333333333333335);
         let t4_ = t1_ * c_(1.3333333333333335);
         let t3_ = t2_ - c_(2.0);
         let t5_ = t2_ + c_(0.6666666666666665);

@@ -117,28 +117,28 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
         let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
         /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 7 mul, 2 add, 0 reciprocal.
-        let t0_ = tip_qy_ * c_(2.0);
         let t3_ = tip_qx_ * c_(2.0);
+        let t0_ = tip_qy_ * c_(2.0);
         let t1_ = tip_qz_ * c_(2.0);
         /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 4 mul, 0 add, 0 reciprocal.
         let t5_ = tip_wy_ * tip_wz_;
         let t6_ = tip_wx_ * tip_wz_;
         /// Motion across `tip`.
-        let t2_ = tip_qw_ * t0_;
         let t4_ = tip_qw_ * t3_;
+        let t2_ = tip_qw_ * t0_;
         /// Riccati transfer over `tip`.
         let tip_w0_ = t5_ * c_(0.9);
         let minus_tip_w1_ = t6_ * c_(0.9);
         /// Motion across `tip`.
-        let minus_tip_turn_z_x_ = T::mul_neg_add(tip_qx_, t1_, t2_);
         let tip_turn_z_y_ = T::mul_add(tip_qy_, t1_, t4_);
+        let minus_tip_turn_z_x_ = T::mul_neg_add(tip_qx_, t1_, t2_);
         /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
+        let tip_a_ang_x_ = T::mul_add(tip_turn_z_y_, c_(117.60000000000001), tip_w0_);
         let minus_tip_a_ang_y_ = T::mul_neg_add(
             minus_tip_turn_z_x_,
             c_(117.60000000000001),
             minus_tip_w1_,
         );
-        let tip_a_ang_x_ = T::mul_add(tip_turn_z_y_, c_(117.60000000000001), tip_w0_);
         ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::regular::<
             T,

@@ -99,12 +99,12 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `shoulder` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 2 |
-    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 1 | 1 | 0 | 0 | 0 |
     /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 54 | 39 | 3 | 2 | 0 |
     /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 7 | 5 | 0 | 0 | 0 |
+    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 1 | 1 | 0 | 0 | 0 |
     /// | Transfer to `shoulder` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 2 | 0 | 0 | 0 | 0 |
-    /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
     /// | Back to `shoulder` | \[P, Eqs. (8), (11)\] | 3 | 2 | 0 | 0 | 0 |
+    /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -130,132 +130,136 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             cos_elbow_angle_,
             ],
         ) = T::sin_cos([shoulder_angle_, elbow_angle_]);
-        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 1 mul, 1 add, 0 reciprocal.
-        let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
-        let minus_elbow_centripetal_x_ = shoulder_rate_ * shoulder_rate_;
         /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 54 mul, 39 add, 3 reciprocal, 2 square root.
-        let t7_ = elbow_omega_z_ * elbow_omega_z_;
-        let t8_ = c_(0.5) * t7_;
         let t24_ = T::mul_add(
             sin_elbow_angle_,
             c_(0.48639392383214375),
             sin_elbow_angle_,
         );
         let t15_ = cos_elbow_angle_ * cos_elbow_angle_;
+        let t25_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t24_);
+        let t29_ = T::mul_add(t25_, t25_, t15_);
+        let t30_ = T::sqrt(t29_);
+        let t31_ = T::copysign(t30_, cos_elbow_angle_);
+        let t32_ = cos_elbow_angle_ + t31_;
         let t26_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
+        let t33_ = t31_ * t32_;
         /// Transfer to `elbow`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 7 mul, 5 add, 0 reciprocal.
         let elbow_a4_lin_y_ = T::mul_neg_add(
             cos_elbow_angle_,
             c_(0.013606076167856269),
             cos_elbow_angle_,
         );
+        /// Boundary solve at the far end.
+        let t27_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t26_);
+        let t34_ = T::recip(t33_);
+        let t28_ = elbow_a4_lin_y_ - t27_;
+        let t37_ = t25_ * t28_;
+        let t38_ = T::mul_add(sin_elbow_angle_, t32_, t37_);
+        let t39_ = t34_ * t38_;
+        let t41_ = T::mul_neg_add(t25_, t39_, t28_);
+        let t51_ = T::mul_add(t41_, t41_, c_(0.25));
+        let t52_ = T::sqrt(t51_);
+        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 1 mul, 1 add, 0 reciprocal.
+        let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
+        /// Boundary solve at the far end.
+        let t53_ = T::copysign(t52_, -t41_);
+        /// Motion across `elbow`.
+        let minus_elbow_centripetal_x_ = shoulder_rate_ * shoulder_rate_;
         /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
         let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
-        let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
         /// Boundary solve at the far end.
-        let t18_ = T::mul_neg_add(
-            sin_elbow_angle_,
-            c_(0.16439898730535732),
-            sin_elbow_angle_,
-        );
-        let t16_ = T::mul_neg_add(
-            cos_elbow_angle_,
-            c_(2.0685934174848226),
-            cos_elbow_angle_,
-        );
-        /// Transfer to `elbow`.
-        let t6_ = cos_elbow_angle_ * c_(0.16439898730535732);
-        /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
-        let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
-        /// Boundary solve at the far end.
-        let t25_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t24_);
-        let t27_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t26_);
+        let t54_ = t41_ - t53_;
+        let t7_ = elbow_omega_z_ * elbow_omega_z_;
         let t14_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
         let t9_ = T::mul_sub(minus_elbow_centripetal_x_, c_(0.5), shoulder_a_lin_x_);
         /// Transfer to `elbow`.
         let t1_ = minus_elbow_centripetal_x_ - shoulder_a_lin_x_;
         /// Boundary solve at the far end.
+        let t55_ = t53_ * t54_;
+        /// Transfer to `shoulder`.
+        let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
+        /// Boundary solve at the far end.
+        let t8_ = c_(0.5) * t7_;
+        let t47_ = t14_ * t25_;
+        let t17_ = t9_ + t1_;
+        let t56_ = T::recip(t55_);
         let t10_ = sin_elbow_angle_ * shoulder_a_lin_y_;
+        let t20_ = T::mul_add(cos_elbow_angle_, t17_, t8_);
+        let t48_ = t34_ * t47_;
+        let t18_ = T::mul_neg_add(
+            sin_elbow_angle_,
+            c_(0.16439898730535732),
+            sin_elbow_angle_,
+        );
         /// Transfer to `elbow`.
         let t4_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
         /// Boundary solve at the far end.
+        let t21_ = t10_ - t20_;
+        let t50_ = T::mul_neg_add(t25_, t48_, t14_);
         let t19_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t18_);
-        /// Transfer to `elbow`.
-        let t2_ = cos_elbow_angle_ * shoulder_a_lin_y_;
-        /// Boundary solve at the far end.
-        let t29_ = T::mul_add(t25_, t25_, t15_);
-        /// Inertia beyond the hinges, to be divided by.
-        let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
-        /// Boundary solve at the far end.
-        let t28_ = elbow_a4_lin_y_ - t27_;
-        let t47_ = t14_ * t25_;
-        let t17_ = t9_ + t1_;
-        let t11_ = sin_elbow_angle_ * t9_;
         /// Transfer to `elbow`.
         let t5_ = t4_ * c_(0.9863939238321437);
         /// Boundary solve at the far end.
-        let t12_ = t4_ * c_(0.054054054054054064);
+        let t22_ = t10_ + t21_;
         /// Transfer to `elbow`.
+        let t2_ = cos_elbow_angle_ * shoulder_a_lin_y_;
+        /// Boundary solve at the far end.
+        let t59_ = T::mul_add(t50_, t54_, c_(0.16666666666666666));
+        let t16_ = T::mul_neg_add(
+            cos_elbow_angle_,
+            c_(2.0685934174848226),
+            cos_elbow_angle_,
+        );
+        let t23_ = T::mul_sub(t5_, t19_, t22_);
+        let t35_ = t32_ * t34_;
+        /// Transfer to `elbow`.
+        let t6_ = cos_elbow_angle_ * c_(0.16439898730535732);
         let t3_ = T::mul_add(sin_elbow_angle_, t1_, t2_);
         /// Boundary solve at the far end.
-        let t30_ = T::sqrt(t29_);
-        let t37_ = t25_ * t28_;
-        let t20_ = T::mul_add(cos_elbow_angle_, t17_, t8_);
-        /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t74_ = t4_ * c_(1.9863939238321437);
-        /// Boundary solve at the far end.
-        let t42_ = T::mul_neg_add(t4_, c_(0.0810810810810811), t11_);
+        let t11_ = sin_elbow_angle_ * t9_;
+        let t60_ = t56_ * t59_;
         let t44_ = T::mul_add(t5_, t16_, t2_);
+        let t36_ = t23_ * t35_;
+        let t40_ = T::mul_neg_add(t32_, t39_, sin_elbow_angle_);
         /// Transfer to `elbow`.
         let elbow_a_lin_y_ = T::mul_neg_add(t5_, t6_, t3_);
         /// Boundary solve at the far end.
-        let t21_ = t10_ - t20_;
-        let t43_ = elbow_a_lin_y_ + t42_;
-        let t22_ = t10_ + t21_;
-        let t13_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t12_);
-        let t23_ = T::mul_sub(t5_, t19_, t22_);
-        let t31_ = T::copysign(t30_, cos_elbow_angle_);
-        let t32_ = cos_elbow_angle_ + t31_;
-        let t33_ = t31_ * t32_;
-        let t38_ = T::mul_add(sin_elbow_angle_, t32_, t37_);
-        let t34_ = T::recip(t33_);
-        let t39_ = t34_ * t38_;
-        let t48_ = t34_ * t47_;
-        let t35_ = t32_ * t34_;
-        let t41_ = T::mul_neg_add(t25_, t39_, t28_);
-        let t50_ = T::mul_neg_add(t25_, t48_, t14_);
-        let t36_ = t23_ * t35_;
-        let t40_ = T::mul_neg_add(t32_, t39_, sin_elbow_angle_);
-        let t49_ = t32_ * t48_;
-        let t51_ = T::mul_add(t41_, t41_, c_(0.25));
-        let t71_ = t32_ * t36_;
-        let t45_ = T::mul_add(t36_, t40_, t44_);
-        let t63_ = T::mul_neg_add(t36_, t49_, t13_);
-        let t52_ = T::sqrt(t51_);
-        let t46_ = t43_ + t45_;
-        let t53_ = T::copysign(t52_, -t41_);
-        let t54_ = t41_ - t53_;
-        let t55_ = t53_ * t54_;
-        let t59_ = T::mul_add(t50_, t54_, c_(0.16666666666666666));
-        let t56_ = T::recip(t55_);
-        let t60_ = t56_ * t59_;
-        let t57_ = t54_ * t56_;
+        let t42_ = T::mul_neg_add(t4_, c_(0.0810810810810811), t11_);
         let t62_ = T::mul_add(c_(0.5), t60_, c_(0.3333333333333333));
+        let t12_ = t4_ * c_(0.054054054054054064);
+        let t45_ = T::mul_add(t36_, t40_, t44_);
+        let t43_ = elbow_a_lin_y_ + t42_;
+        let t65_ = T::recip(t62_);
+        let t13_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t12_);
+        let t49_ = t32_ * t48_;
+        let t57_ = t54_ * t56_;
+        let t46_ = t43_ + t45_;
+        let t63_ = T::mul_neg_add(t36_, t49_, t13_);
         let t58_ = t46_ * t57_;
         let t61_ = T::mul_add(t54_, t60_, t50_);
-        let t65_ = T::recip(t62_);
-        let t67_ = t54_ * t58_;
         let t64_ = T::mul_sub(t58_, t61_, t63_);
+        let t67_ = t54_ * t58_;
         let t66_ = t64_ * t65_;
         let t68_ = T::mul_neg_add(c_(0.5), t66_, t67_);
         let t69_ = t56_ * t68_;
+        let t71_ = t32_ * t36_;
         let t70_ = T::mul_add(t54_, t69_, t58_);
-        let end_x5_ = T::mul_neg_add(c_(0.5), t69_, t66_);
         let t72_ = T::mul_neg_add(t25_, t70_, t71_);
         let t73_ = t34_ * t72_;
+        /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
+        let t74_ = t4_ * c_(1.9863939238321437);
+        /// Boundary solve at the far end.
         let minus_end_x4_ = T::mul_add(t25_, t73_, t70_);
+        /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
+        let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
         /// Back to `shoulder`.
         let t75_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t74_);
+        /// Inertia beyond the hinges, to be divided by.
+        let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
+        /// Boundary solve at the far end.
+        let end_x5_ = T::mul_neg_add(c_(0.5), t69_, t66_);
+        /// Back to `shoulder`.
         let minus_shoulder_beta0_ = T::mul_add(
             c_(0.0816364570071376),
             t75_,
