@@ -37,7 +37,7 @@
 ///
 /// Mobility 1: 4 rates, of which the closure takes 3.
 ///
-/// Accelerations by `riccati`, 325 operations (195 mul, 116 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 435 operations.
+/// Accelerations by `riccati`, 325 operations (195 mul, 116 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 430 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct FourBar<T> {
@@ -503,7 +503,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 435 operations: 258 mul, 163 add, 8 reciprocal, 6 square root, 4 sin/cos.
+    /// 430 operations: 257 mul, 159 add, 8 reciprocal, 6 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -523,7 +523,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Pose behind `b` | \[P, Eq. (12)\] | 6 | 4 | 0 | 0 | 0 |
     /// | Velocity behind `b` |  | 5 | 3 | 0 | 0 | 0 |
     /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 3 | 5 | 0 | 0 | 0 |
-    /// | Results |  | 17 | 17 | 0 | 0 | 0 |
+    /// | Results |  | 16 | 13 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -865,45 +865,44 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let a_velocity_y_ = cos_a_angle_ * t212_;
         /// Pose behind `b`, [P, Eq. (12)]: 6 mul, 4 add, 0 reciprocal.
         let b_position_x_ = T::mul_add(c_(0.6), a_to_inertial_x_x_, a_position_x_);
-        let t213_ = c_(0.6) * minus_a_to_inertial_x_y_;
-        let b_position_y_ = a_position_y_ + t213_;
-        let t214_ = cos_b_angle_ * a_to_inertial_x_x_;
+        let b_position_y_ = T::mul_add(c_(0.6), minus_a_to_inertial_x_y_, a_position_y_);
+        let t213_ = cos_b_angle_ * a_to_inertial_x_x_;
         let b_to_inertial_x_x_ = T::mul_neg_add(
             sin_b_angle_,
             minus_a_to_inertial_x_y_,
-            t214_,
+            t213_,
         );
-        let t215_ = sin_b_angle_ * a_to_inertial_x_x_;
+        let t214_ = sin_b_angle_ * a_to_inertial_x_x_;
         let minus_b_to_inertial_x_y_ = T::mul_add(
             cos_b_angle_,
             minus_a_to_inertial_x_y_,
-            t215_,
+            t214_,
         );
         /// Velocity behind `b`: 5 mul, 3 add, 0 reciprocal.
-        let t216_ = T::mul_add(a_omega_z_, c_(0.6), a_velocity_y_);
-        let t217_ = cos_b_angle_ * a_velocity_x_;
-        let b_velocity_x_ = T::mul_add(sin_b_angle_, t216_, t217_);
-        let t218_ = sin_b_angle_ * a_velocity_x_;
-        let minus_b_velocity_y_ = T::mul_neg_add(cos_b_angle_, t216_, t218_);
+        let t215_ = T::mul_add(a_omega_z_, c_(0.6), a_velocity_y_);
+        let t216_ = cos_b_angle_ * a_velocity_x_;
+        let b_velocity_x_ = T::mul_add(sin_b_angle_, t215_, t216_);
+        let t217_ = sin_b_angle_ * a_velocity_x_;
+        let minus_b_velocity_y_ = T::mul_neg_add(cos_b_angle_, t215_, t217_);
         /// Connection points, [P, Eqs. (4), (12), (13)]: 3 mul, 5 add, 0 reciprocal.
-        let minus_point6_velocity_y_ = T::mul_neg_add(
-            c_(0.6),
-            b_omega_z_,
-            minus_b_velocity_y_,
-        );
+        let t218_ = c_(0.6) * b_omega_z_;
+        let minus_point6_velocity_y_ = minus_b_velocity_y_ - t218_;
         let minus_point6_felt_x_ = minus_b_e_force_x_ + minus_b_a_lin_x_;
         let point6_felt_y_ = b_a_lin_y_ - t196_;
         let point6_position_x_ = T::mul_add(c_(0.6), b_to_inertial_x_x_, b_position_x_);
-        let t219_ = c_(0.6) * minus_b_to_inertial_x_y_;
-        let point6_position_y_ = b_position_y_ + t219_;
-        /// Results: 17 mul, 17 add, 0 reciprocal.
-        let t220_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
-        let t221_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
-        let t222_ = c_(4.0) + t14_;
-        let t223_ = t12_ - t222_;
-        let t224_ = T::mul_neg_add(
+        let point6_position_y_ = T::mul_add(
+            c_(0.6),
+            minus_b_to_inertial_x_y_,
+            b_position_y_,
+        );
+        /// Results: 16 mul, 13 add, 0 reciprocal.
+        let t219_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
+        let t220_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let t221_ = c_(4.0) + t14_;
+        let t222_ = t12_ - t221_;
+        let t223_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t223_,
+            t222_,
             c_(0.030000000000000006),
         );
         ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
@@ -914,14 +913,14 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         >(
             &["a", "crank_pin"],
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t224_],
-            [-minus_crank_pin_a_ang_z_, t220_, t221_, minus_b_a_ang_z_],
+            [c_(2.04), t223_],
+            [-minus_crank_pin_a_ang_z_, t219_, t220_, minus_b_a_ang_z_],
         )?;
         at_.accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t220_, t221_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t219_, t220_, minus_b_a_ang_z_],
         ];
         at_.rate_accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t220_, t221_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t219_, t220_, minus_b_a_ang_z_],
         ];
         at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
         *n2_ = crank_pin_input0_;
@@ -965,44 +964,40 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         *n40_ = -point6_felt_y_;
         *n41_ = -t198_;
         *n42_ = -t200_;
-        let t225_ = t0_ * c_(0.010000000000000002);
-        let t226_ = t1_ + t2_;
-        let t227_ = c_(0.12) * t226_;
-        let t228_ = T::mul_add(a_velocity_y_, t216_, t225_);
-        let t229_ = T::mul_add(b_velocity_x_, b_velocity_x_, t228_);
-        let t230_ = T::mul_add(a_velocity_x_, a_velocity_x_, t227_);
-        let t231_ = T::mul_add(minus_b_velocity_y_, minus_point6_velocity_y_, t230_);
-        let t232_ = t229_ + t231_;
-        at_.kinetic_energy = t232_;
-        let t233_ = sin_crank_pin_angle_ * c_(0.9800000000000001);
-        let t234_ = T::mul_add(sin_crank_pin_angle_, c_(0.4), t213_);
-        let t235_ = T::mul_add(c_(2.0), b_position_y_, t234_);
-        let t236_ = t219_ + t235_;
-        let t237_ = T::mul_add(c_(9.8), t236_, t233_);
-        at_.potential_energy = t237_;
-        let t238_ = cos_rocker_pin_angle_ * t133_;
-        let t239_ = sin_rocker_pin_angle_ * t133_;
-        let t240_ = cos_rocker_pin_angle_ * t142_;
-        let t241_ = T::mul_add(sin_rocker_pin_angle_, t143_, t240_);
-        let t242_ = sin_rocker_pin_angle_ * t142_;
-        let t243_ = T::mul_neg_add(cos_rocker_pin_angle_, t143_, t242_);
+        let t224_ = t0_ * c_(0.09000000000000002);
+        let t225_ = a_omega_z_ * c_(1.7999999999999998);
+        let t226_ = T::mul_add(t1_, c_(0.48), t224_);
+        let t227_ = T::mul_add(t2_, c_(0.12), t226_);
+        let t228_ = T::mul_add(a_velocity_y_, t225_, t227_);
+        let t229_ = T::mul_sub(minus_b_velocity_y_, t218_, t228_);
+        at_.kinetic_energy = -t229_;
+        let t230_ = sin_crank_pin_angle_ * c_(8.82);
+        let t231_ = T::mul_add(minus_a_to_inertial_x_y_, c_(17.64), t230_);
+        let t232_ = T::mul_add(minus_b_to_inertial_x_y_, c_(5.88), t231_);
+        at_.potential_energy = t232_;
+        let t233_ = cos_rocker_pin_angle_ * t133_;
+        let t234_ = sin_rocker_pin_angle_ * t133_;
+        let t235_ = cos_rocker_pin_angle_ * t142_;
+        let t236_ = T::mul_add(sin_rocker_pin_angle_, t143_, t235_);
+        let t237_ = sin_rocker_pin_angle_ * t142_;
+        let t238_ = T::mul_neg_add(cos_rocker_pin_angle_, t143_, t237_);
         at_.closure = ::mstmm::generated::closure([
-            [t238_, t239_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
-            [-t241_, -t243_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [t233_, t234_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [-t236_, -t238_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
         ]);
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 51 operations: 31 mul, 20 add, 0 reciprocal, 3 sin/cos.
+    /// 38 operations: 25 mul, 13 add, 0 reciprocal, 3 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 3 |
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 31 | 18 | 0 | 0 | 0 |
+    /// | Results |  | 25 | 11 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &FourBarState<T>) -> ::mstmm::Energy<T> {
@@ -1024,42 +1019,35 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let b_omega_z_ = b_rate_ + a_omega_z_;
-        /// Results: 31 mul, 18 add, 0 reciprocal.
+        /// Results: 25 mul, 11 add, 0 reciprocal.
         let t0_ = crank_pin_rate_ * crank_pin_rate_;
         let t1_ = a_omega_z_ * a_omega_z_;
-        let t2_ = crank_pin_rate_ * c_(0.2);
-        let t3_ = sin_a_angle_ * t2_;
-        let t4_ = cos_a_angle_ * t2_;
-        let t5_ = T::mul_add(a_omega_z_, c_(0.6), t4_);
-        let t6_ = cos_b_angle_ * t3_;
-        let t7_ = T::mul_add(sin_b_angle_, t5_, t6_);
-        let t8_ = sin_b_angle_ * t3_;
-        let t9_ = T::mul_neg_add(cos_b_angle_, t5_, t8_);
-        let t10_ = T::mul_neg_add(c_(0.6), b_omega_z_, t9_);
-        let t11_ = t0_ * c_(0.010000000000000002);
-        let t12_ = T::mul_add(b_omega_z_, b_omega_z_, t1_);
-        let t13_ = c_(0.12) * t12_;
-        let t14_ = T::mul_add(t4_, t5_, t11_);
-        let t15_ = T::mul_add(t7_, t7_, t14_);
-        let t16_ = T::mul_add(t3_, t3_, t13_);
-        let t17_ = T::mul_add(t9_, t10_, t16_);
-        let t18_ = t15_ + t17_;
-        let t19_ = cos_crank_pin_angle_ * cos_a_angle_;
-        let t20_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t19_);
-        let t21_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let t22_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t21_);
-        let t23_ = c_(0.6) * t22_;
-        let t24_ = T::mul_add(sin_crank_pin_angle_, c_(0.2), t23_);
-        let t25_ = sin_b_angle_ * t20_;
-        let t26_ = T::mul_add(cos_b_angle_, t22_, t25_);
-        let t27_ = sin_crank_pin_angle_ * c_(0.9800000000000001);
-        let t28_ = T::mul_add(sin_crank_pin_angle_, c_(0.4), t23_);
-        let t29_ = T::mul_add(c_(2.0), t24_, t28_);
-        let t30_ = T::mul_add(c_(0.6), t26_, t29_);
-        let t31_ = T::mul_add(c_(9.8), t30_, t27_);
+        let t2_ = b_omega_z_ * b_omega_z_;
+        let t3_ = crank_pin_rate_ * c_(0.2);
+        let t4_ = sin_a_angle_ * t3_;
+        let t5_ = cos_a_angle_ * t3_;
+        let t6_ = T::mul_add(a_omega_z_, c_(0.6), t5_);
+        let t7_ = sin_b_angle_ * t4_;
+        let t8_ = T::mul_neg_add(cos_b_angle_, t6_, t7_);
+        let t9_ = c_(0.6) * b_omega_z_;
+        let t10_ = t0_ * c_(0.09000000000000002);
+        let t11_ = a_omega_z_ * c_(1.7999999999999998);
+        let t12_ = T::mul_add(t1_, c_(0.48), t10_);
+        let t13_ = T::mul_add(t2_, c_(0.12), t12_);
+        let t14_ = T::mul_add(t5_, t11_, t13_);
+        let t15_ = T::mul_sub(t8_, t9_, t14_);
+        let t16_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let t17_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t16_);
+        let t18_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let t19_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t18_);
+        let t20_ = sin_b_angle_ * t17_;
+        let t21_ = T::mul_add(cos_b_angle_, t19_, t20_);
+        let t22_ = sin_crank_pin_angle_ * c_(8.82);
+        let t23_ = T::mul_add(t19_, c_(17.64), t22_);
+        let t24_ = T::mul_add(t21_, c_(5.88), t23_);
         ::mstmm::Energy {
-            kinetic: t18_,
-            potential: t31_,
+            kinetic: -t15_,
+            potential: t24_,
         }
     }
 }

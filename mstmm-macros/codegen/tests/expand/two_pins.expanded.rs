@@ -28,7 +28,7 @@
 ///
 /// Mobility 2: 2 degrees of freedom.
 ///
-/// Accelerations by `transfer`, 122 operations (69 mul, 48 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 168 operations.
+/// Accelerations by `transfer`, 122 operations (69 mul, 48 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 164 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPins<T> {
@@ -298,7 +298,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 168 operations: 92 mul, 71 add, 3 reciprocal, 2 square root, 2 sin/cos.
+    /// 164 operations: 90 mul, 69 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -313,7 +313,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// | Pose behind `elbow` | \[P, Eq. (12)\] | 4 | 2 | 0 | 0 | 0 |
     /// | Velocity behind `elbow` |  | 2 | 0 | 0 | 0 | 0 |
     /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 0 | 5 | 0 | 0 | 0 |
-    /// | Results |  | 8 | 5 | 0 | 0 | 0 |
+    /// | Results |  | 6 | 3 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -539,34 +539,27 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         *n45_ = point4_position_x_;
         let point4_position_y_ = sin_shoulder_angle_ + minus_elbow_to_inertial_x_y_;
         *n46_ = point4_position_y_;
-        /// Results: 8 mul, 5 add, 0 reciprocal.
-        let t85_ = c_(0.5) * elbow_velocity_x_;
-        let t86_ = c_(0.5) * point4_velocity_y_;
-        let t87_ = minus_elbow_centripetal_x_ + t8_;
-        let t88_ = c_(0.16666666666666666) * t87_;
-        let t89_ = T::mul_add(elbow_velocity_x_, t85_, t88_);
-        let t90_ = T::mul_add(elbow_velocity_y_, t86_, t89_);
-        at_.kinetic_energy = t90_;
-        let t91_ = sin_shoulder_angle_ * c_(4.9);
-        let t92_ = T::mul_add(
-            c_(0.5),
-            minus_elbow_to_inertial_x_y_,
-            sin_shoulder_angle_,
-        );
-        let t93_ = T::mul_add(c_(9.8), t92_, t91_);
-        at_.potential_energy = t93_;
+        /// Results: 6 mul, 3 add, 0 reciprocal.
+        let t85_ = minus_elbow_centripetal_x_ * c_(0.6666666666666666);
+        let t86_ = elbow_omega_z_ * c_(0.5);
+        let t87_ = T::mul_add(t8_, c_(0.16666666666666666), t85_);
+        let t88_ = T::mul_add(elbow_velocity_y_, t86_, t87_);
+        at_.kinetic_energy = t88_;
+        let t89_ = sin_shoulder_angle_ * c_(14.700000000000001);
+        let t90_ = T::mul_add(c_(4.9), minus_elbow_to_inertial_x_y_, t89_);
+        at_.potential_energy = t90_;
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
     /// of mass at the inertial origin.
     ///
-    /// 22 operations: 14 mul, 8 add, 0 reciprocal, 2 sin/cos.
+    /// 16 operations: 11 mul, 5 add, 0 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `shoulder` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 2 |
     /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 1 | 1 | 0 | 0 | 0 |
-    /// | Results |  | 13 | 7 | 0 | 0 | 0 |
+    /// | Results |  | 10 | 4 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &TwoPinsState<T>) -> ::mstmm::Energy<T> {
@@ -585,24 +578,20 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 1 mul, 1 add, 0 reciprocal.
         let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
         let minus_elbow_centripetal_x_ = shoulder_rate_ * shoulder_rate_;
-        /// Results: 13 mul, 7 add, 0 reciprocal.
-        let t0_ = shoulder_rate_ * sin_elbow_angle_;
+        /// Results: 10 mul, 4 add, 0 reciprocal.
+        let t0_ = elbow_omega_z_ * elbow_omega_z_;
         let t1_ = shoulder_rate_ * cos_elbow_angle_;
-        let t2_ = elbow_omega_z_ + t1_;
-        let t3_ = c_(0.5) * t0_;
-        let t4_ = c_(0.5) * t2_;
-        let t5_ = T::mul_add(elbow_omega_z_, elbow_omega_z_, minus_elbow_centripetal_x_);
-        let t6_ = c_(0.16666666666666666) * t5_;
-        let t7_ = T::mul_add(t0_, t3_, t6_);
-        let t8_ = T::mul_add(t1_, t4_, t7_);
-        let t9_ = cos_shoulder_angle_ * sin_elbow_angle_;
-        let t10_ = T::mul_add(sin_shoulder_angle_, cos_elbow_angle_, t9_);
-        let t11_ = sin_shoulder_angle_ * c_(4.9);
-        let t12_ = T::mul_add(c_(0.5), t10_, sin_shoulder_angle_);
-        let t13_ = T::mul_add(c_(9.8), t12_, t11_);
+        let t2_ = minus_elbow_centripetal_x_ * c_(0.6666666666666666);
+        let t3_ = elbow_omega_z_ * c_(0.5);
+        let t4_ = T::mul_add(t0_, c_(0.16666666666666666), t2_);
+        let t5_ = T::mul_add(t1_, t3_, t4_);
+        let t6_ = cos_shoulder_angle_ * sin_elbow_angle_;
+        let t7_ = T::mul_add(sin_shoulder_angle_, cos_elbow_angle_, t6_);
+        let t8_ = sin_shoulder_angle_ * c_(14.700000000000001);
+        let t9_ = T::mul_add(c_(4.9), t7_, t8_);
         ::mstmm::Energy {
-            kinetic: t8_,
-            potential: t13_,
+            kinetic: t5_,
+            potential: t9_,
         }
     }
 }
