@@ -79,7 +79,7 @@ typedef struct mstmm_status {
 /* The arm with its parameters, and its integrator. What is in it is the library's; it may be
  * copied by assignment. */
 typedef struct mstmm_arm {
-    mstmm_real numbers[60];
+    mstmm_real numbers[59];
 } mstmm_arm;
 
 typedef struct mstmm_arm_state {
@@ -168,7 +168,7 @@ const char *mstmm_arm_hinge_name(int32_t hinge);
 
 /* The library states the same sizes. */
 static_assert(sizeof(mstmm_status) == 8, "mstmm_status");
-static_assert(sizeof(mstmm_arm) == 60 * sizeof(mstmm_real), "mstmm_arm");
+static_assert(sizeof(mstmm_arm) == 59 * sizeof(mstmm_real), "mstmm_arm");
 static_assert(sizeof(mstmm_arm_state) == 14 * sizeof(mstmm_real), "mstmm_arm_state");
 static_assert(sizeof(mstmm_arm_inputs) == 3 * sizeof(mstmm_real), "mstmm_arm_inputs");
 static_assert(sizeof(mstmm_point) == 30 * sizeof(mstmm_real), "mstmm_point");

@@ -155,7 +155,7 @@ impl From<mstmm::Point<Real>> for Point {
 // The sizes that the header states, as lengths of arrays, so that the compiler says what a wrong one
 // must be. What lies where in the structs is compared by the test.
 const REAL: usize = size_of::<Real>();
-const _: [(); 60 * REAL] = [(); size_of::<Arm>()];
+const _: [(); 59 * REAL] = [(); size_of::<Arm>()];
 const _: [(); REAL] = [(); align_of::<Arm>()];
 const _: [(); 14 * REAL] = [(); size_of::<State>()];
 const _: [(); 3 * REAL] = [(); size_of::<Inputs>()];
