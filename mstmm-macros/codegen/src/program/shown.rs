@@ -1,7 +1,7 @@
 //! Which unknowns need not be looked at, because results show what is wrong with them.
 
-use super::{Operand, Operation, Program, Statement};
-use std::collections::{HashMap, HashSet};
+use super::{Operand, Operation, Program, Section, Statement};
+use std::collections::HashSet;
 
 impl Program {
     /// Unknowns that leave a result of group `group` infinite or undefined whenever they are so
@@ -11,47 +11,61 @@ impl Program {
     /// undefined, and so is what is computed from that). Not so reciprocals, for 1/∞ is zero, angles of
     /// points, and signs. What loops carry is not followed: it may end with the last time.
     pub fn shown(&self, group: usize) -> HashSet<u32> {
-        let mut sources: HashMap<&str, Vec<&Operand>> = HashMap::new();
-        for statement in self.sections().flat_map(|section| &section.statements) {
+        let mut shown = Shown::default();
+        let of_loops = self.loops().flat_map(|turn| &turn.outputs);
+        let of_loops = of_loops.filter(|output| output.0 == group).map(|(_, _, result)| result);
+        self.outputs[group].iter().chain(of_loops).for_each(|result| shown.add(result));
+        // Statements stand before those that read them.
+        let sections: Vec<&Section> = self.sections().collect();
+        for statement in sections.iter().rev().flat_map(|section| section.statements.iter().rev()) {
             match statement {
-                Statement::Let(name, operation) => _ = sources.insert(name, handed_on(operation)),
+                Statement::Let(name, operation) if shown.names.contains(name.as_str()) => {
+                    handed_on(operation).into_iter().flatten().for_each(|from| shown.add(from));
+                }
+                Statement::Let(..) => (),
                 Statement::SinCos { sines, cosines, angles } => {
-                    for names in [sines, cosines] {
-                        let named = names.iter().zip(angles);
-                        let named =
-                            named.filter_map(|(name, angle)| Some((name.as_deref()?, angle)));
-                        sources.extend(named.map(|(name, angle)| (name, vec![angle])));
+                    let named = sines.iter().zip(angles).chain(cosines.iter().zip(angles));
+                    for (name, angle) in named {
+                        if name.as_deref().is_some_and(|name| shown.names.contains(name)) {
+                            shown.add(angle);
+                        }
                     }
                 }
             }
         }
-        let of_loops = self.loops().flat_map(|turn| &turn.outputs);
-        let of_loops = of_loops.filter(|output| output.0 == group).map(|(_, _, result)| result);
-        let mut waiting: Vec<&Operand> = self.outputs[group].iter().chain(of_loops).collect();
-        let mut shown = HashSet::new();
-        while let Some(operand) = waiting.pop() {
-            match operand {
-                Operand::Symbol(number) => _ = shown.insert(*number),
-                // Followed once: the second time there is nothing left.
-                Operand::Named(name) => {
-                    waiting.extend(sources.remove(name.as_str()).unwrap_or_default())
-                }
-                Operand::Minus(operand) => waiting.push(operand),
-                Operand::Number(_) | Operand::Repeated => (),
-            }
+        shown.symbols
+    }
+}
+
+/// What leaves a result infinite or undefined.
+#[derive(Default)]
+struct Shown<'a> {
+    names: HashSet<&'a str>,
+    symbols: HashSet<u32>,
+}
+
+impl<'a> Shown<'a> {
+    fn add(&mut self, operand: &'a Operand) {
+        match operand {
+            Operand::Symbol(number) => _ = self.symbols.insert(*number),
+            Operand::Named(name) => _ = self.names.insert(name),
+            Operand::Minus(operand) => self.add(operand),
+            Operand::Number(_) | Operand::Repeated => (),
         }
-        shown
     }
 }
 
 /// What an operation does not hide.
-fn handed_on(operation: &Operation) -> Vec<&Operand> {
+fn handed_on(operation: &Operation) -> [Option<&Operand>; 3] {
     match operation {
-        Operation::Sum(a, b) | Operation::Difference(a, b) | Operation::Product(a, b) => vec![a, b],
-        Operation::MulAdd(a, b, c) | Operation::MulSub(a, b, c) | Operation::MulNegAdd(a, b, c) => {
-            vec![a, b, c]
-        }
-        Operation::Sqrt(a) | Operation::CopySign(a, _) => vec![a],
-        Operation::Recip(_) | Operation::RecipAbove(..) | Operation::Atan2(..) => vec![],
+        Operation::CopySign(a, _) => [Some(a), None, None],
+        Operation::Recip(_) | Operation::RecipAbove(..) | Operation::Atan2(..) => [None; 3],
+        Operation::Sum(..)
+        | Operation::Difference(..)
+        | Operation::Product(..)
+        | Operation::MulAdd(..)
+        | Operation::MulSub(..)
+        | Operation::MulNegAdd(..)
+        | Operation::Sqrt(_) => operation.operands(),
     }
 }
