@@ -4,7 +4,8 @@ use super::Trace;
 use super::problem::{Movement, Problem, Relation};
 use crate::math::{Scalar, Wrench};
 
-/// Over so many bodies at most a wrench is a sum: its rounding grows with the square of their number.
+/// Over so many bodies at most a wrench is a sum where it need not be one: rounding grows with the square
+/// of their number.
 const MOST_BODIES: usize = 8;
 
 /// On the child's side of every link's hinge, about the link's point, in its work axes; where the hinge
@@ -72,9 +73,9 @@ fn relations<'a, S: Scalar>(
             (chosen[index], bodies[index]) = (Some(relation), 0);
         }
         if let Some(parent) = problem.links[index].parent {
-            // What is beyond a seam is another time's.
-            bodies[parent] =
-                if at_seam { usize::MAX } else { bodies[parent].max(bodies[index] + 1) };
+            // What is beyond a seam is another time's, and cannot be added up at all.
+            let beyond = if at_seam { MOST_BODIES } else { bodies[index] };
+            bodies[parent] = bodies[parent].max(beyond + 1);
         }
     }
     chosen

@@ -1,4 +1,4 @@
-//! The order in which statements run: those first from which most is still to come.
+//! The order in which statements run: each as late as those that wait for it allow.
 //!
 //! A recursion over a chain is one long path on which every operation waits for the one before. A
 //! processor looks a few hundred instructions ahead for others that it may do meanwhile; here they are
