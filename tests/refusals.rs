@@ -232,12 +232,15 @@ macro_rules! refuses_what_is_not_finite {
     ($($name:ident)*) => { $(
         let chain = $name::<f64>::new();
         let state = chain.random_state(&mut Random::new(3));
+        let good = state.clone();
         let solve = |state: &_, inputs: &_, what: String| {
             let mut at = chain.workspace();
-            let empty = at.clone();
+            let new = at.clone();
+            chain.solve_into(&good, &chain.no_inputs(), &mut at).expect("an answer");
+            assert_ne!(at, new);
             let found = chain.solve_into(state, inputs, &mut at);
             assert_eq!(found, Err(Error::NotFinite), "{}, {what}", stringify!($name));
-            assert_eq!(at, empty, "{}, {what}", stringify!($name));
+            assert_eq!(at, new, "{}, {what}", stringify!($name));
             let fast = chain.accelerations(state, inputs).map(|_| ());
             assert_eq!(fast, Err(Error::NotFinite), "{}, {what}", stringify!($name));
         };
@@ -278,6 +281,30 @@ macro_rules! refuses_what_is_not_finite {
 #[test]
 fn what_is_not_finite_is_refused() {
     refuses_what_is_not_finite! { Driven }
+}
+
+mstmm_chain! {
+    chain Rope {
+        gravity = [0, -9.8, 0] m/s^2;
+        body Rod { mass = 1 kg; com = [0.5, 0, 0] m; output = [1, 0, 0] m;
+                   inertia = diag(0.1, 0.2, 0.2) kg*m^2 about com; }
+        ground -> repeat 5 { ball joint -> Rod rod };
+        hinge joint { torque = input; }
+    }
+}
+
+#[test]
+fn nothing_stays_of_a_rope_that_is_refused() {
+    let chain = Rope::<f64>::new();
+    let (new, mut at) = (chain.workspace(), chain.workspace());
+    for place in 0..5 {
+        chain.solve_into(&chain.initial_state(), &chain.no_inputs(), &mut at).expect("an answer");
+        assert_ne!(at, new);
+        let mut inputs = chain.no_inputs();
+        inputs.joint[place][1] = f64::NAN;
+        let found = chain.solve_into(&chain.initial_state(), &inputs, &mut at);
+        assert_eq!((found, &at), (Err(Error::NotFinite), &new), "{place}");
+    }
 }
 
 #[test]

@@ -121,7 +121,7 @@ pub trait GeneratedChain: Chain {
     /// Everything at every connection point, written into `at`.
     ///
     /// # Errors
-    /// As [`Chain::derivative_into`]; `at` is not touched then.
+    /// As [`Chain::derivative_into`]; `at` is as a new one then.
     fn solve_into(
         &self,
         state: &Self::State,

@@ -89,6 +89,19 @@ fn diagnosis<T: Scalar>(hinges: &[&'static str], pivots: &[T], scales: &[T]) -> 
     Error::NotFinite
 }
 
+/// What has been written is written: the compiler may not put it off any longer. No instruction.
+#[inline(always)]
+pub fn written() {
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
+}
+
+/// Makes results anew where there turn out to be none.
+#[cold]
+#[inline(never)]
+pub fn take_back<W>(results: &mut W, new: impl FnOnce() -> W) {
+    *results = new();
+}
+
 /// Whether a parameter may be set: to a finite number that leaves everything derived from it finite.
 ///
 /// # Errors

@@ -225,10 +225,10 @@ fn a_repeated_hinge_without_inertia_is_named() {
             assert!(at != chain.workspace() && chain.accelerations(&state, &inputs).is_ok());
             // Lost in rounding; by zero something would be divided here.
             chain.set_thickness(1e-22).expect("a thin needle");
-            let (singular, before) = (Err(Error::Singular { hinge: "spin" }), at.clone());
+            let singular = Err(Error::Singular { hinge: "spin" });
             assert_eq!(chain.solve_into(&state, &inputs, &mut at), singular);
             assert_eq!(chain.accelerations(&state, &inputs).map(|_| ()), singular);
-            assert!(at == before);
+            assert!(at == chain.workspace());
         )* };
     }
     check! { Needles NeedlesByTransfer }

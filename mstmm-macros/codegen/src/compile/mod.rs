@@ -206,7 +206,7 @@ impl<'a, 'g> Scene<'a, 'g> {
         groups.push(numbers);
         let shifts = self.chain.dimension.shifts();
         groups.push(shifts.iter().map(|&axis| report.at_rest[axis]).collect());
-        (self.program(Stage::State, &trace, &groups, &turns, setup), places, held)
+        (issue(self.program(Stage::State, &trace, &groups, &turns, setup)), places, held)
     }
 
     fn energy(&self, setup: &mut Setup) -> Program {

@@ -161,7 +161,7 @@ fn derive(plan: &Plan) -> TokenStream {
         .filter_map(|part| Some((2 + part, plan.slots_of_part(part)?)));
     let targets: Vec<Target> = std::iter::once((1, checked.clone()))
         .chain(own)
-        .map(|(group, spread)| Target { group, spread })
+        .map(|(group, spread)| Target::new(group, spread))
         .collect();
     let block = plan.setup_block(program, &targets);
     let (statements, slots, checks) = (&block.statements, &block.arrays[0], &block.arrays[1]);
@@ -264,7 +264,7 @@ fn start(plan: &Plan) -> TokenStream {
     let mstmm = &plan.mstmm;
     let (state, visibility) = (&plan.names.state, &plan.surface.visibility);
     let targets = [(0, Spread::coordinates(plan)), (1, Spread::freedoms(plan))];
-    let targets = targets.map(|(group, spread)| Target { group, spread });
+    let targets = targets.map(|(group, spread)| Target::new(group, spread));
     let block = plan.step(&plan.programs.start, &targets, false);
     let (statements, q, v) = (block.statements, &block.arrays[0], &block.arrays[1]);
     quote! {

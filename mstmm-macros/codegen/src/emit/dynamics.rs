@@ -42,7 +42,7 @@ fn accelerations(plan: &Plan) -> TokenStream {
     let visibility = &plan.surface.visibility;
     let freedoms = usize_literal(Spread::freedoms(plan).total);
     let program = &plan.programs.accelerations;
-    let target = Target { group: 0, spread: Spread::freedoms(plan) };
+    let target = Target::new(0, Spread::freedoms(plan));
     let block = plan.step(program, &[target], true);
     let check = check(plan, program, &block, &plan.programs.pivots);
     let results = &block.arrays[0];
@@ -102,7 +102,7 @@ fn implicit(plan: &Plan) -> Option<TokenStream> {
     let (program, pivots) = plan.programs.implicit.as_ref()?;
     let (state, inputs) = (&plan.names.state, &plan.names.inputs);
     let freedoms = usize_literal(Spread::freedoms(plan).total);
-    let target = Target { group: 0, spread: Spread::freedoms(plan) };
+    let target = Target::new(0, Spread::freedoms(plan));
     let block = plan.step(program, &[target], true);
     let check = check(plan, program, &block, pivots);
     let results = &block.arrays[0];

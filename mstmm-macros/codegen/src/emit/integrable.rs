@@ -92,7 +92,7 @@ fn correction(plan: &Plan) -> Correction {
     let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
     let visibility = &plan.surface.visibility;
     let targets = [(0, Spread::coordinates(plan)), (1, Spread::freedoms(plan))];
-    let targets = targets.map(|(group, spread)| Target { group, spread });
+    let targets = targets.map(|(group, spread)| Target::new(group, spread));
     let block = plan.step(program, &targets, false);
     let (statements, q, v, residual) =
         (block.statements, &block.arrays[0], &block.arrays[1], &block.outputs[2]);
@@ -206,7 +206,7 @@ pub fn generated(plan: &Plan) -> TokenStream {
 
 /// A program that maps coordinates, as the only column of a vector.
 fn map(plan: &Plan, program: &Program) -> TokenStream {
-    let target = Target { group: 0, spread: Spread::coordinates(plan) };
+    let target = Target::new(0, Spread::coordinates(plan));
     let block = plan.step(program, &[target], false);
     let (statements, results) = (block.statements, &block.arrays[0]);
     quote!(#statements [#results])

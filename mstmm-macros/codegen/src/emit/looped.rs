@@ -16,6 +16,15 @@ pub struct Target {
     pub group: usize,
     /// Where the numbers of the group lie in the array.
     pub spread: Spread,
+    /// What the array is; none if it is a new one.
+    pub place: Option<TokenStream>,
+}
+
+impl Target {
+    /// A new array.
+    pub fn new(group: usize, spread: Spread) -> Self {
+        Target { group, spread, place: None }
+    }
 }
 
 /// The pivots of repeated parts: their number among all pivots, and whether all times of them are
@@ -40,7 +49,10 @@ impl Plan<'_> {
         let mstmm = &self.mstmm;
         let arrays = targets.iter().map(|target| {
             let (array, total) = (array(target.group), usize_literal(target.spread.total));
-            quote!(let mut #array = [T::constant(0.0); #total];)
+            match &target.place {
+                Some(place) => quote!(let #array = &mut #place;),
+                None => quote!(let mut #array = [T::constant(0.0); #total];),
+            }
         });
         let mask_names = masks.iter().map(|(_, name)| name);
         let stores = program.blocks.iter().enumerate().map(|(number, block)| match block {

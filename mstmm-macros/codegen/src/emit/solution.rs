@@ -28,7 +28,7 @@ pub fn solution(plan: &Plan) -> TokenStream {
         ///
         /// # Errors
         ///
-        /// As [`accelerations_into`](Self::accelerations_into); `at` is not touched then.
+        /// As [`accelerations_into`](Self::accelerations_into); `at` is as a new one then.
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         #visibility fn solve_into(
             &self,
@@ -39,13 +39,14 @@ pub fn solution(plan: &Plan) -> TokenStream {
     }
 }
 
-/// Results that are written as soon as they are known: once the accelerations are, nothing fails.
+/// Results that are written as soon as they are known.
 fn solved(plan: &Plan) -> Group {
-    let program = &plan.programs.solution;
+    let (mstmm, program) = (&plan.mstmm, &plan.programs.solution);
     let block = plan.opened(program, true);
     let check = check(plan, program, &block, &plan.programs.pivots);
     let outputs = &program.outputs;
-    let mut deliveries = Deliveries::new(program, outputs[..3].iter().flatten(), check);
+    let mut deliveries = Deliveries::new(program, mstmm);
+    deliveries.add(outputs[..3].iter().flatten(), taken_back(plan, &check));
     let [results, _, _, rates, efforts, ..] = &block.arrays[..] else { return empty() };
     for (number, field, array) in
         [(0, "accelerations", results), (3, "rate_accelerations", rates), (4, "efforts", efforts)]
@@ -82,6 +83,21 @@ fn solved(plan: &Plan) -> Group {
             ::core::result::Result::Ok(())
         },
     )
+}
+
+/// The test that there are accelerations; where it fails, nothing stays of what has been written.
+fn taken_back(plan: &Plan, check: &TokenStream) -> TokenStream {
+    let mstmm = &plan.mstmm;
+    quote! {
+        let checked_ = (|| {
+            #check
+            ::core::result::Result::Ok(())
+        })();
+        if let ::core::result::Result::Err(error_) = checked_ {
+            #mstmm::generated::take_back(at_, || self.workspace());
+            return ::core::result::Result::Err(error_);
+        }
+    }
 }
 
 /// Whether a result is the same in every state.
@@ -138,32 +154,31 @@ fn empty() -> Group {
     Group::new(Delimiter::Brace, TokenStream::new())
 }
 
-/// Results of a chain with repeated parts: loops fill arrays, which are written in the end.
+/// Results of a chain with repeated parts: loops write them where they belong.
 fn solved_in_loops(plan: &Plan) -> Group {
     let program = &plan.programs.solution;
     let (freedoms, rates) = (Spread::freedoms(plan), Spread::rates(plan));
+    let targets = [
+        (0, freedoms, quote!(at_.accelerations)),
+        (3, rates.clone(), quote!(at_.rate_accelerations)),
+        (4, rates, quote!(at_.efforts)),
+        (NUMBERS, Spread::numbers_of_points(plan), quote!(at_.numbers)),
+    ];
     let targets =
-        [(0, freedoms), (3, rates.clone()), (4, rates), (NUMBERS, Spread::numbers_of_points(plan))];
-    let targets = targets.map(|(group, spread)| Target { group, spread });
+        targets.map(|(group, spread, place)| Target { group, spread, place: Some(place) });
     let block = plan.step(program, &targets, true);
-    let check = check(plan, program, &block, &plan.programs.pivots);
+    let check = taken_back(plan, &check(plan, program, &block, &plan.programs.pivots));
     let closure = closure(plan, &block);
-    let [results, _, _, rates, efforts, .., numbers, at_rest] = &block.arrays[..] else {
-        return empty();
-    };
+    let at_rest = &block.arrays[AT_REST];
     let energies = &block.outputs[5];
     let (kinetic, potential) = (&energies[0], &energies[1]);
     body(
         block.statements,
         quote! {
             #check
-            at_.accelerations.data.0 = [#results];
-            at_.rate_accelerations.data.0 = [#rates];
-            at_.efforts.data.0 = [#efforts];
             #closure
             at_.kinetic_energy = #kinetic;
             at_.potential_energy = #potential;
-            at_.numbers = #numbers;
             at_.at_rest = #at_rest;
             ::core::result::Result::Ok(())
         },

@@ -508,26 +508,26 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 4 |
-    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
-    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
-    /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 4 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 28 | 20 | 1 | 0 | 0 |
     /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 119 | 65 | 6 | 6 | 0 |
+    /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
+    /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
+    /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 15 | 11 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 13 | 8 | 0 | 0 | 0 |
-    /// | Load on `crank_pin` | \[P, Eqs. (18), (19)\] | 19 | 18 | 0 | 0 | 0 |
-    /// | Pose behind `a` | \[P, Eq. (12)\] | 6 | 2 | 0 | 0 | 0 |
-    /// | Velocity behind `a` |  | 3 | 0 | 0 | 0 | 0 |
-    /// | Pose behind `b` | \[P, Eq. (12)\] | 6 | 4 | 0 | 0 | 0 |
-    /// | Velocity behind `b` |  | 5 | 3 | 0 | 0 | 0 |
-    /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 3 | 5 | 0 | 0 | 0 |
     /// | Results |  | 16 | 13 | 0 | 0 | 0 |
+    /// | Velocity behind `a` |  | 3 | 0 | 0 | 0 | 0 |
+    /// | Load on `crank_pin` | \[P, Eqs. (18), (19)\] | 19 | 18 | 0 | 0 | 0 |
+    /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 3 | 5 | 0 | 0 | 0 |
+    /// | Pose behind `a` | \[P, Eq. (12)\] | 6 | 2 | 0 | 0 | 0 |
+    /// | Velocity behind `b` |  | 5 | 3 | 0 | 0 | 0 |
+    /// | Pose behind `b` | \[P, Eq. (12)\] | 6 | 4 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
-    /// As [`accelerations_into`](Self::accelerations_into); `at` is not touched then.
+    /// As [`accelerations_into`](Self::accelerations_into); `at` is as a new one then.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn solve_into(
         &self,
@@ -546,6 +546,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             .0;
         let [[crank_pin_rate_, a_rate_, b_rate_, ..]] = state_.v.data.0;
         let crank_pin_input0_ = inputs_.crank_pin;
+        at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
+        *n2_ = crank_pin_input0_;
+        *n7_ = crank_pin_rate_;
         /// Motion across `crank_pin`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 4 sin/cos.
         let (
             [sin_crank_pin_angle_,
@@ -559,432 +562,572 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             cos_rocker_pin_angle_,
             ],
         ) = T::sin_cos([crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]);
-        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
-        let a_omega_z_ = crank_pin_rate_ + a_rate_;
-        let t0_ = crank_pin_rate_ * crank_pin_rate_;
-        let minus_a_centripetal_x_ = t0_ * c_(0.2);
-        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
-        let b_omega_z_ = b_rate_ + a_omega_z_;
-        let t1_ = a_omega_z_ * a_omega_z_;
-        let minus_b_centripetal_x_ = t1_ * c_(0.6);
-        /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t2_ = b_omega_z_ * b_omega_z_;
-        let minus_b_e_force_x_ = c_(0.6) * t2_;
+        *n6_ = sin_crank_pin_angle_;
+        *n5_ = cos_crank_pin_angle_;
+        ::mstmm::generated::written();
         /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 13 mul, 4 add, 1 reciprocal.
-        let t3_ = sin_b_angle_ * cos_b_angle_;
-        let a_k_xy_ = c_(1.5) * t3_;
-        let a_b_x_z_ = t3_ * c_(0.8999999999999999);
         let t4_ = sin_b_angle_ * sin_b_angle_;
         let t5_ = c_(1.5) * t4_;
         let t6_ = t5_ + c_(0.5);
-        let a_b_y_z_ = T::mul_add(c_(0.6), t6_, c_(0.6));
         let a_j_zz_ = T::mul_add(c_(0.36), t6_, c_(0.24));
-        let t7_ = sin_b_angle_ * minus_b_e_force_x_;
-        let minus_a_e_force_y_ = T::mul_add(minus_b_centripetal_x_, a_k_xy_, t7_);
-        let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
         let t8_ = T::recip(a_j_zz_);
-        let a_z0_force_x_ = a_b_x_z_ * t8_;
-        let a_z0_force_y_ = a_b_y_z_ * t8_;
-        let a_w0_ = minus_a_e_moment_z_ * t8_;
+        let t3_ = sin_b_angle_ * cos_b_angle_;
+        let a_b_y_z_ = T::mul_add(c_(0.6), t6_, c_(0.6));
+        let a_b_x_z_ = t3_ * c_(0.8999999999999999);
         /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 28 mul, 20 add, 1 reciprocal.
-        let t9_ = t5_ - c_(4.0);
+        let t18_ = sin_a_angle_ * cos_a_angle_;
+        /// Riccati transfer over `a`.
+        let a_k_xy_ = c_(1.5) * t3_;
+        /// Riccati transfer over `crank_pin`.
+        let t13_ = a_b_y_z_ * a_b_y_z_;
+        let t15_ = a_b_x_z_ * a_b_y_z_;
         let t10_ = c_(2.5) + t5_;
         let t11_ = a_b_x_z_ * a_b_x_z_;
-        let t12_ = T::mul_add(t8_, t11_, t9_);
-        let t13_ = a_b_y_z_ * a_b_y_z_;
-        let t14_ = T::mul_neg_add(t8_, t13_, t10_);
-        let t15_ = a_b_x_z_ * a_b_y_z_;
-        let t16_ = T::mul_neg_add(t8_, t15_, a_k_xy_);
-        let t17_ = sin_a_angle_ * sin_a_angle_;
-        let t18_ = sin_a_angle_ * cos_a_angle_;
-        let t19_ = t12_ + t14_;
-        let t20_ = T::mul_neg_add(c_(2.0), t17_, c_(1.0));
-        let t21_ = t16_ * t20_;
-        let crank_pin_k_xy_ = T::mul_neg_add(t18_, t19_, t21_);
-        let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
+        let t9_ = t5_ - c_(4.0);
         let t22_ = c_(2.0) * t18_;
+        let t14_ = T::mul_neg_add(t8_, t13_, t10_);
+        let t16_ = T::mul_neg_add(t8_, t15_, a_k_xy_);
+        let t12_ = T::mul_add(t8_, t11_, t9_);
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 119 mul, 65 add, 6 reciprocal, 6 square root.
+        let t36_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
+        let t40_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        /// Riccati transfer over `crank_pin`.
+        let t17_ = sin_a_angle_ * sin_a_angle_;
         let t23_ = T::mul_add(t16_, t22_, t14_);
+        let t19_ = t12_ + t14_;
+        /// Closure.
+        let t38_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t41_ = T::mul_add(cos_b_angle_, t36_, t40_);
+        /// Riccati transfer over `crank_pin`.
         let t24_ = T::mul_sub(t17_, t19_, t23_);
-        let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t24_, c_(0.1));
+        /// Closure.
+        let t39_ = T::mul_neg_add(sin_b_angle_, t36_, t38_);
+        let t42_ = c_(0.6) * t41_;
+        /// Riccati transfer over `a`.
+        let a_z0_force_x_ = a_b_x_z_ * t8_;
+        /// Riccati transfer over `crank_pin`.
         let crank_pin_j_zz_ = T::mul_neg_add(
             c_(0.04000000000000001),
             t24_,
             c_(0.020000000000000004),
         );
-        let t25_ = t5_ - c_(2.0);
-        let t26_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
-        let t27_ = cos_a_angle_ * t26_;
+        /// Riccati transfer over `a`.
+        let a_z0_force_y_ = a_b_y_z_ * t8_;
+        /// Closure.
+        let t44_ = T::mul_neg_add(t42_, a_z0_force_x_, t39_);
+        /// Riccati transfer over `crank_pin`.
+        let t32_ = T::recip(crank_pin_j_zz_);
+        /// Closure.
+        let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
+        let t47_ = sin_a_angle_ * t44_;
+        let t34_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t35_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
+        let t48_ = T::mul_add(cos_a_angle_, t45_, t47_);
+        let t76_ = cos_a_angle_ * t44_;
+        let t37_ = t34_ * t35_;
+        let t55_ = t54_ * c_(0.36);
+        let t43_ = t42_ * t8_;
+        let t49_ = c_(0.2) * t48_;
+        let t67_ = t39_ * t39_;
+        let t77_ = T::mul_neg_add(sin_a_angle_, t45_, t76_);
+        let t56_ = T::mul_add(t34_, t34_, t55_);
+        let t46_ = T::mul_add(t42_, t43_, t37_);
+        let t50_ = t49_ * t32_;
+        let t68_ = T::mul_add(t41_, t41_, t67_);
+        let t69_ = t42_ * t42_;
+        let t81_ = t77_ * t77_;
+        let closure_d0_ = T::mul_add(t49_, t50_, t46_);
+        let t57_ = t56_ * c_(4.166666666666667);
+        let t70_ = T::mul_add(t68_, c_(0.72), t69_);
+        let t82_ = T::mul_add(t48_, t48_, t81_);
+        let t83_ = t49_ * t49_;
+        let t89_ = T::copysign(closure_d0_, c_(1.0));
+        let t71_ = T::mul_add(t8_, t70_, t57_);
+        let t84_ = T::mul_add(t82_, c_(0.76), t83_);
+        let t90_ = closure_d0_ + t89_;
+        let t86_ = T::mul_add(t84_, t32_, t71_);
+        let t91_ = c_(0.5) * t90_;
+        let t93_ = T::sqrt(t86_);
+        let t92_ = T::sqrt(t91_);
+        let t58_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let t63_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t61_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t64_ = T::mul_neg_add(cos_b_angle_, t58_, t63_);
+        let t62_ = T::mul_add(sin_b_angle_, t58_, t61_);
+        let t65_ = c_(0.6) * t64_;
+        let t94_ = ::mstmm::generated::recip_above(t92_, t93_);
+        let t72_ = T::mul_neg_add(t65_, a_z0_force_x_, t62_);
+        let t96_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t73_ = T::mul_neg_add(t65_, a_z0_force_y_, t64_);
+        let t78_ = sin_a_angle_ * t72_;
+        let t51_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t52_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t79_ = T::mul_add(cos_a_angle_, t73_, t78_);
+        let t59_ = t51_ * t35_;
+        let t60_ = t51_ * t52_;
+        let t66_ = t65_ * t8_;
+        let t80_ = c_(0.2) * t79_;
+        let t74_ = T::mul_neg_add(t65_, t43_, t59_);
+        let t95_ = t92_ * t94_;
+        let t109_ = cos_a_angle_ * t72_;
+        let t75_ = T::mul_add(t65_, t66_, t60_);
+        let t85_ = t80_ * t32_;
+        let t87_ = T::mul_neg_add(t80_, t50_, t74_);
+        let t97_ = t95_ * t96_;
+        let t104_ = t62_ * t62_;
+        let t110_ = T::mul_neg_add(sin_a_angle_, t73_, t109_);
+        let t101_ = T::mul_add(t51_, t51_, t55_);
+        let t88_ = T::mul_add(t80_, t85_, t75_);
+        let t98_ = t87_ * t97_;
+        let t105_ = T::mul_add(t64_, t64_, t104_);
+        let t106_ = t65_ * t65_;
+        let t111_ = t110_ * t110_;
+        let closure_d1_ = T::mul_neg_add(t87_, t98_, t88_);
+        let t102_ = c_(4.166666666666667) * t101_;
+        let t107_ = T::mul_add(c_(0.72), t105_, t106_);
+        let t112_ = T::mul_add(t79_, t79_, t111_);
+        let t113_ = t80_ * t80_;
+        let t120_ = T::copysign(closure_d1_, c_(1.0));
+        let t108_ = T::mul_add(t8_, t107_, t102_);
+        let t114_ = T::mul_add(c_(0.76), t112_, t113_);
+        let t121_ = closure_d1_ + t120_;
+        let t119_ = T::mul_add(t114_, t32_, t108_);
+        let t122_ = c_(0.5) * t121_;
+        let t124_ = T::sqrt(t119_);
+        let t123_ = T::sqrt(t122_);
+        let t129_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
+        let t130_ = t129_ * t129_;
+        /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
+        let a_omega_z_ = crank_pin_rate_ + a_rate_;
+        *n21_ = a_omega_z_;
+        ::mstmm::generated::written();
+        /// Closure.
+        let t131_ = ::mstmm::generated::recip_above(t130_, c_(1.0));
+        /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
+        let b_omega_z_ = b_rate_ + a_omega_z_;
+        *n33_ = b_omega_z_;
+        ::mstmm::generated::written();
+        /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
+        let t2_ = b_omega_z_ * b_omega_z_;
+        /// Motion across `b`.
+        let t1_ = a_omega_z_ * a_omega_z_;
+        /// Closure.
+        let t125_ = ::mstmm::generated::recip_above(t123_, t124_);
+        /// Riccati transfer over `b`.
+        let minus_b_e_force_x_ = c_(0.6) * t2_;
+        /// Motion across `b`.
+        let minus_b_centripetal_x_ = t1_ * c_(0.6);
+        /// Closure.
+        let t127_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
+        /// Riccati transfer over `a`.
+        let t7_ = sin_b_angle_ * minus_b_e_force_x_;
+        /// Closure.
+        let t132_ = T::sqrt(t131_);
+        /// Riccati transfer over `a`.
+        let minus_a_e_force_y_ = T::mul_add(minus_b_centripetal_x_, a_k_xy_, t7_);
+        let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
+        /// Closure.
+        let t126_ = t123_ * t125_;
+        /// Riccati transfer over `crank_pin`.
         let t28_ = T::mul_add(cos_b_angle_, minus_b_e_force_x_, minus_b_centripetal_x_);
+        /// Riccati transfer over `a`.
+        let a_w0_ = minus_a_e_moment_z_ * t8_;
+        /// Riccati transfer over `crank_pin`.
+        let t25_ = t5_ - c_(2.0);
+        /// Closure.
+        let t128_ = t126_ * t127_;
+        /// Riccati transfer over `crank_pin`.
+        let t20_ = T::mul_neg_add(c_(2.0), t17_, c_(1.0));
         let t29_ = T::mul_sub(minus_b_centripetal_x_, t25_, t28_);
+        let t26_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
+        /// Closure.
+        let t134_ = T::mul_neg_add(closure_d1_, t128_, c_(1.0));
+        /// Motion across `a`.
+        let t0_ = crank_pin_rate_ * crank_pin_rate_;
+        /// Riccati transfer over `crank_pin`.
+        let t21_ = t16_ * t20_;
         let t30_ = T::mul_add(a_b_x_z_, a_w0_, t29_);
+        let t27_ = cos_a_angle_ * t26_;
+        /// Closure.
+        let t133_ = t129_ * t132_;
+        let t135_ = t98_ * t134_;
+        /// Motion across `a`.
+        let minus_a_centripetal_x_ = t0_ * c_(0.2);
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_k_xy_ = T::mul_neg_add(t18_, t19_, t21_);
         let t31_ = T::mul_neg_add(sin_a_angle_, t30_, t27_);
+        /// Closure.
+        let t136_ = t133_ * t135_;
+        /// Riccati transfer over `crank_pin`.
         let minus_crank_pin_e_force_y_ = T::mul_add(
             minus_a_centripetal_x_,
             crank_pin_k_xy_,
             t31_,
         );
-        let t32_ = T::recip(crank_pin_j_zz_);
-        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
-        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t32_;
-        let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
-        let crank_pin_w0_ = t33_ * t32_;
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 119 mul, 65 add, 6 reciprocal, 6 square root.
-        let t34_ = c_(0.6) * sin_rocker_pin_angle_;
-        let t35_ = sin_rocker_pin_angle_ * c_(2.5);
-        let t36_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
-        let t37_ = t34_ * t35_;
-        let t38_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t39_ = T::mul_neg_add(sin_b_angle_, t36_, t38_);
-        let t40_ = sin_b_angle_ * cos_rocker_pin_angle_;
-        let t41_ = T::mul_add(cos_b_angle_, t36_, t40_);
-        let t42_ = c_(0.6) * t41_;
-        let t43_ = t42_ * t8_;
-        let t44_ = T::mul_neg_add(t42_, a_z0_force_x_, t39_);
-        let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
-        let t46_ = T::mul_add(t42_, t43_, t37_);
-        let t47_ = sin_a_angle_ * t44_;
-        let t48_ = T::mul_add(cos_a_angle_, t45_, t47_);
-        let t49_ = c_(0.2) * t48_;
-        let t50_ = t49_ * t32_;
-        let closure_d0_ = T::mul_add(t49_, t50_, t46_);
-        let t51_ = c_(0.6) * cos_rocker_pin_angle_;
-        let t52_ = cos_rocker_pin_angle_ * c_(2.5);
-        let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
-        let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
-        let t55_ = t54_ * c_(0.36);
-        let t56_ = T::mul_add(t34_, t34_, t55_);
-        let t57_ = t56_ * c_(4.166666666666667);
-        let t58_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
-        let t59_ = t51_ * t35_;
-        let t60_ = t51_ * t52_;
-        let t61_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t62_ = T::mul_add(sin_b_angle_, t58_, t61_);
-        let t63_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t64_ = T::mul_neg_add(cos_b_angle_, t58_, t63_);
-        let t65_ = c_(0.6) * t64_;
-        let t66_ = t65_ * t8_;
-        let t67_ = t39_ * t39_;
-        let t68_ = T::mul_add(t41_, t41_, t67_);
-        let t69_ = t42_ * t42_;
-        let t70_ = T::mul_add(t68_, c_(0.72), t69_);
-        let t71_ = T::mul_add(t8_, t70_, t57_);
-        let t72_ = T::mul_neg_add(t65_, a_z0_force_x_, t62_);
-        let t73_ = T::mul_neg_add(t65_, a_z0_force_y_, t64_);
-        let t74_ = T::mul_neg_add(t65_, t43_, t59_);
-        let t75_ = T::mul_add(t65_, t66_, t60_);
-        let t76_ = cos_a_angle_ * t44_;
-        let t77_ = T::mul_neg_add(sin_a_angle_, t45_, t76_);
-        let t78_ = sin_a_angle_ * t72_;
-        let t79_ = T::mul_add(cos_a_angle_, t73_, t78_);
-        let t80_ = c_(0.2) * t79_;
-        let t81_ = t77_ * t77_;
-        let t82_ = T::mul_add(t48_, t48_, t81_);
-        let t83_ = t49_ * t49_;
-        let t84_ = T::mul_add(t82_, c_(0.76), t83_);
-        let t85_ = t80_ * t32_;
-        let t86_ = T::mul_add(t84_, t32_, t71_);
-        let t87_ = T::mul_neg_add(t80_, t50_, t74_);
-        let t88_ = T::mul_add(t80_, t85_, t75_);
-        let t89_ = T::copysign(closure_d0_, c_(1.0));
-        let t90_ = closure_d0_ + t89_;
-        let t91_ = c_(0.5) * t90_;
-        let t92_ = T::sqrt(t91_);
-        let t93_ = T::sqrt(t86_);
-        let t94_ = ::mstmm::generated::recip_above(t92_, t93_);
-        let t95_ = t92_ * t94_;
-        let t96_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t97_ = t95_ * t96_;
-        let t98_ = t87_ * t97_;
-        let closure_d1_ = T::mul_neg_add(t87_, t98_, t88_);
-        let t99_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
-        let t100_ = sin_rocker_pin_angle_ * minus_b_e_force_x_;
-        let t101_ = T::mul_add(t51_, t51_, t55_);
-        let t102_ = c_(4.166666666666667) * t101_;
-        let t103_ = minus_b_centripetal_x_ * t39_;
-        let t104_ = t62_ * t62_;
-        let t105_ = T::mul_add(t64_, t64_, t104_);
-        let t106_ = t65_ * t65_;
-        let t107_ = T::mul_add(c_(0.72), t105_, t106_);
-        let t108_ = T::mul_add(t8_, t107_, t102_);
-        let t109_ = cos_a_angle_ * t72_;
-        let t110_ = T::mul_neg_add(sin_a_angle_, t73_, t109_);
-        let t111_ = t110_ * t110_;
-        let t112_ = T::mul_add(t79_, t79_, t111_);
-        let t113_ = t80_ * t80_;
-        let t114_ = T::mul_add(c_(0.76), t112_, t113_);
-        let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
-        let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
-        let t115_ = T::mul_neg_add(t49_, crank_pin_z0_force_x_, t77_);
-        let t116_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
-        let t117_ = T::mul_neg_add(t80_, crank_pin_z0_force_x_, t110_);
-        let t118_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
-        let t119_ = T::mul_add(t114_, t32_, t108_);
-        let t120_ = T::copysign(closure_d1_, c_(1.0));
-        let t121_ = closure_d1_ + t120_;
-        let t122_ = c_(0.5) * t121_;
-        let t123_ = T::sqrt(t122_);
-        let t124_ = T::sqrt(t119_);
-        let t125_ = ::mstmm::generated::recip_above(t123_, t124_);
-        let t126_ = t123_ * t125_;
-        let t127_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
-        let t128_ = t126_ * t127_;
-        let t129_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
-        let t130_ = t129_ * t129_;
-        let t131_ = ::mstmm::generated::recip_above(t130_, c_(1.0));
-        let t132_ = T::sqrt(t131_);
-        let t133_ = t129_ * t132_;
-        let t134_ = T::mul_neg_add(closure_d1_, t128_, c_(1.0));
-        let t135_ = t98_ * t134_;
-        let t136_ = t133_ * t135_;
-        let t137_ = T::mul_neg_add(t133_, t136_, t135_);
+        /// Closure.
         let t138_ = t134_ * t134_;
+        let t137_ = T::mul_neg_add(t133_, t136_, t135_);
+        let t99_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
+        let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
+        let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t24_, c_(0.1));
+        /// Closure.
         let t139_ = T::mul_add(t137_, t137_, t138_);
-        let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
-        let t141_ = T::sqrt(t140_);
-        let t142_ = t137_ * t141_;
-        let t143_ = t134_ * t141_;
+        let t103_ = minus_b_centripetal_x_ * t39_;
         let t144_ = T::mul_neg_add(t42_, a_w0_, t99_);
-        let t145_ = T::mul_sub(t49_, crank_pin_w0_, t144_);
-        let t146_ = T::mul_add(crank_pin_a_lin_x_, t115_, t145_);
-        let t147_ = T::mul_add(minus_a_centripetal_x_, t77_, t103_);
-        let t148_ = T::mul_sub(crank_pin_a_lin_y_, t116_, t147_);
-        let t149_ = t146_ + t148_;
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
+        let crank_pin_w0_ = t33_ * t32_;
+        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t32_;
+        /// Closure.
+        let t100_ = sin_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
+        let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
+        *n8_ = crank_pin_a_lin_x_;
+        ::mstmm::generated::written();
+        let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
+        *n9_ = crank_pin_a_lin_y_;
+        ::mstmm::generated::written();
         let t150_ = T::mul_neg_add(minus_b_centripetal_x_, t62_, c_(9.8));
-        let t151_ = T::mul_sub(minus_a_centripetal_x_, t110_, t150_);
-        let t152_ = T::mul_sub(crank_pin_a_lin_y_, t118_, t151_);
-        let t153_ = T::mul_add(t98_, t149_, t152_);
+        let t147_ = T::mul_add(minus_a_centripetal_x_, t77_, t103_);
+        let t115_ = T::mul_neg_add(t49_, crank_pin_z0_force_x_, t77_);
+        let t145_ = T::mul_sub(t49_, crank_pin_w0_, t144_);
+        let t116_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
         let t154_ = T::mul_neg_add(t65_, a_w0_, t100_);
+        let t151_ = T::mul_sub(minus_a_centripetal_x_, t110_, t150_);
+        let t118_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
+        let t146_ = T::mul_add(crank_pin_a_lin_x_, t115_, t145_);
+        let t148_ = T::mul_sub(crank_pin_a_lin_y_, t116_, t147_);
+        let t117_ = T::mul_neg_add(t80_, crank_pin_z0_force_x_, t110_);
         let t155_ = T::mul_sub(t80_, crank_pin_w0_, t154_);
+        let t152_ = T::mul_sub(crank_pin_a_lin_y_, t118_, t151_);
+        let t149_ = t146_ + t148_;
         let t156_ = T::mul_add(crank_pin_a_lin_x_, t117_, t155_);
+        let t153_ = T::mul_add(t98_, t149_, t152_);
+        let t141_ = T::sqrt(t140_);
         let t157_ = t153_ + t156_;
         let t158_ = t97_ * t149_;
         let t159_ = t128_ * t157_;
         let t160_ = T::mul_add(t98_, t159_, t158_);
         let t161_ = t133_ * t160_;
         let t162_ = T::mul_neg_add(t133_, t161_, t160_);
-        let t163_ = t142_ * t162_;
-        let t164_ = T::mul_add(t143_, t159_, t163_);
-        let closure_reaction0_ = T::mul_neg_add(t142_, t164_, t162_);
-        let minus_closure_reaction1_ = T::mul_neg_add(t143_, t164_, t159_);
+        let t142_ = t137_ * t141_;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
         let t165_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
-        let t166_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t165_);
-        let t167_ = T::mul_sub(c_(9.8), t166_, crank_pin_w0_);
-        let t168_ = T::mul_add(t85_, minus_closure_reaction1_, t167_);
-        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t168_);
+        /// Closure.
+        let t143_ = t134_ * t141_;
+        let t163_ = t142_ * t162_;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 15 mul, 11 add, 0 reciprocal.
+        let t173_ = cos_a_angle_ * a_z0_force_x_;
+        /// Acceleration of `crank_pin`.
+        let t166_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t165_);
+        /// Closure.
+        let t164_ = T::mul_add(t143_, t159_, t163_);
+        /// Acceleration of `a`.
+        let t175_ = sin_a_angle_ * a_z0_force_x_;
+        let t174_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t173_);
+        /// Acceleration of `crank_pin`.
+        let t167_ = T::mul_sub(c_(9.8), t166_, crank_pin_w0_);
+        /// Closure.
+        let minus_closure_reaction1_ = T::mul_neg_add(t143_, t164_, t159_);
+        /// Acceleration of `a`.
         let t169_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
+        let t176_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t175_);
+        let t178_ = t169_ * t174_;
+        /// Closure.
+        let closure_reaction0_ = T::mul_neg_add(t142_, t164_, t162_);
+        /// Acceleration of `crank_pin`.
+        let t168_ = T::mul_add(t85_, minus_closure_reaction1_, t167_);
+        /// Acceleration of `a`.
+        let t177_ = c_(0.2) * t176_;
+        let t179_ = T::mul_neg_add(crank_pin_a_lin_y_, t176_, a_w0_);
+        let t181_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t178_);
+        /// Acceleration of `crank_pin`.
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t168_);
+        *n10_ = -minus_crank_pin_a_ang_z_;
+        ::mstmm::generated::written();
+        /// Acceleration of `a`.
         let t170_ = cos_a_angle_ * t169_;
+        let t180_ = T::mul_sub(t43_, closure_reaction0_, t179_);
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 13 mul, 8 add, 0 reciprocal.
+        let t191_ = t35_ * closure_reaction0_;
+        /// Acceleration of `a`.
+        let t182_ = T::mul_add(t177_, minus_crank_pin_a_ang_z_, t181_);
         let t171_ = T::mul_neg_add(
             c_(0.2),
             minus_crank_pin_a_ang_z_,
             crank_pin_a_lin_y_,
         );
-        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t171_, t170_);
         let t172_ = sin_a_angle_ * t169_;
-        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t171_, t172_);
-        let t173_ = cos_a_angle_ * a_z0_force_x_;
-        let t174_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t173_);
-        let t175_ = sin_a_angle_ * a_z0_force_x_;
-        let t176_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t175_);
-        let t177_ = c_(0.2) * t176_;
-        let t178_ = t169_ * t174_;
-        let t179_ = T::mul_neg_add(crank_pin_a_lin_y_, t176_, a_w0_);
-        let t180_ = T::mul_sub(t43_, closure_reaction0_, t179_);
-        let t181_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t178_);
-        let t182_ = T::mul_add(t177_, minus_crank_pin_a_ang_z_, t181_);
+        /// Acceleration of `b`.
+        let t190_ = cos_b_angle_ * c_(1.5);
+        let t192_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t191_);
+        /// Acceleration of `a`.
         let minus_a_a_ang_z_ = t180_ - t182_;
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 13 mul, 8 add, 0 reciprocal.
-        let t183_ = minus_b_centripetal_x_ + minus_a_a_lin_x_;
+        *n22_ = -minus_a_a_ang_z_;
+        ::mstmm::generated::written();
+        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t171_, t170_);
+        *n17_ = minus_a_a_lin_x_;
+        ::mstmm::generated::written();
+        /// Results: 16 mul, 13 add, 0 reciprocal.
+        let t224_ = t0_ * c_(0.09000000000000002);
+        /// Velocity behind `a`: 3 mul, 0 add, 0 reciprocal.
+        let t212_ = crank_pin_rate_ * c_(0.2);
+        /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 19 mul, 18 add, 0 reciprocal.
+        let t197_ = cos_rocker_pin_angle_ * closure_reaction0_;
+        /// Acceleration of `a`.
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t171_, t172_);
+        *n18_ = -a_a_lin_y_;
+        ::mstmm::generated::written();
+        /// Acceleration of `b`.
         let t184_ = c_(0.6) * minus_a_a_ang_z_;
+        let t189_ = cos_b_angle_ * c_(2.5);
+        let t193_ = T::mul_sub(t190_, minus_a_a_ang_z_, t192_);
+        let t183_ = minus_b_centripetal_x_ + minus_a_a_lin_x_;
+        /// Results.
+        let t226_ = T::mul_add(t1_, c_(0.48), t224_);
+        let t225_ = a_omega_z_ * c_(1.7999999999999998);
+        /// Connection points, [P, Eqs. (4), (12), (13)]: 3 mul, 5 add, 0 reciprocal.
+        let t218_ = c_(0.6) * b_omega_z_;
+        /// Acceleration of `b`.
+        let t188_ = sin_b_angle_ * c_(2.5);
+        /// Load on `crank_pin`.
+        let t199_ = sin_rocker_pin_angle_ * closure_reaction0_;
+        let t198_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t197_);
+        *n41_ = -t198_;
+        ::mstmm::generated::written();
+        /// Acceleration of `b`.
         let t185_ = a_a_lin_y_ - t184_;
         let t186_ = cos_b_angle_ * t183_;
-        let minus_b_a_lin_x_ = T::mul_neg_add(sin_b_angle_, t185_, t186_);
-        let t187_ = sin_b_angle_ * t183_;
-        let b_a_lin_y_ = T::mul_add(cos_b_angle_, t185_, t187_);
-        let t188_ = sin_b_angle_ * c_(2.5);
-        let t189_ = cos_b_angle_ * c_(2.5);
-        let t190_ = cos_b_angle_ * c_(1.5);
-        let t191_ = t35_ * closure_reaction0_;
-        let t192_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t191_);
-        let t193_ = T::mul_sub(t190_, minus_a_a_ang_z_, t192_);
         let t194_ = T::mul_sub(t189_, a_a_lin_y_, t193_);
-        let minus_b_a_ang_z_ = T::mul_add(t188_, t183_, t194_);
-        /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 19 mul, 18 add, 0 reciprocal.
-        let t195_ = T::mul_sub(t0_, c_(0.1), crank_pin_a_lin_x_);
-        let t196_ = c_(0.6) * minus_b_a_ang_z_;
-        let t197_ = cos_rocker_pin_angle_ * closure_reaction0_;
-        let t198_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t197_);
-        let t199_ = sin_rocker_pin_angle_ * closure_reaction0_;
+        let t187_ = sin_b_angle_ * t183_;
+        /// Results.
+        let t227_ = T::mul_add(t2_, c_(0.12), t226_);
+        /// Pose behind `a`, [P, Eq. (12)]: 6 mul, 2 add, 0 reciprocal.
+        let a_position_x_ = cos_crank_pin_angle_ * c_(0.2);
+        *n11_ = a_position_x_;
+        ::mstmm::generated::written();
+        let t210_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let a_position_y_ = sin_crank_pin_angle_ * c_(0.2);
+        *n12_ = a_position_y_;
+        ::mstmm::generated::written();
+        /// Velocity behind `a`.
+        let a_velocity_y_ = cos_a_angle_ * t212_;
+        *n14_ = a_velocity_y_;
+        ::mstmm::generated::written();
+        /// Load on `crank_pin`.
         let t200_ = T::mul_neg_add(
             cos_rocker_pin_angle_,
             minus_closure_reaction1_,
             t199_,
         );
+        *n42_ = -t200_;
+        ::mstmm::generated::written();
         let t201_ = minus_b_e_force_x_ - t198_;
-        let minus_b_load_force_x_ = T::mul_add(c_(2.0), minus_b_a_lin_x_, t201_);
-        let t202_ = T::mul_add(c_(2.0), b_a_lin_y_, t200_);
-        let minus_b_load_force_y_ = t196_ - t202_;
-        let t203_ = T::mul_add(c_(2.0), minus_a_a_lin_x_, minus_b_centripetal_x_);
-        let t204_ = T::mul_add(cos_b_angle_, minus_b_load_force_x_, t203_);
-        let a_load_force_x_ = T::mul_sub(sin_b_angle_, minus_b_load_force_y_, t204_);
-        let t205_ = T::mul_neg_add(c_(2.0), a_a_lin_y_, t184_);
-        let t206_ = T::mul_add(sin_b_angle_, minus_b_load_force_x_, t205_);
-        let minus_a_load_force_y_ = T::mul_add(
-            cos_b_angle_,
-            minus_b_load_force_y_,
-            t206_,
-        );
-        let t207_ = T::mul_neg_add(sin_a_angle_, minus_a_load_force_y_, t195_);
-        let crank_pin_load_force_x_ = T::mul_sub(cos_a_angle_, a_load_force_x_, t207_);
-        let t208_ = T::mul_neg_add(
-            c_(0.1),
-            minus_crank_pin_a_ang_z_,
-            crank_pin_a_lin_y_,
-        );
-        let t209_ = T::mul_sub(cos_a_angle_, minus_a_load_force_y_, t208_);
-        let crank_pin_load_force_y_ = T::mul_sub(sin_a_angle_, a_load_force_x_, t209_);
-        /// Pose behind `a`, [P, Eq. (12)]: 6 mul, 2 add, 0 reciprocal.
-        let a_position_x_ = cos_crank_pin_angle_ * c_(0.2);
-        let a_position_y_ = sin_crank_pin_angle_ * c_(0.2);
-        let t210_ = cos_crank_pin_angle_ * cos_a_angle_;
+        /// Acceleration of `b`.
+        let minus_b_a_lin_x_ = T::mul_neg_add(sin_b_angle_, t185_, t186_);
+        *n29_ = minus_b_a_lin_x_;
+        ::mstmm::generated::written();
+        let minus_b_a_ang_z_ = T::mul_add(t188_, t183_, t194_);
+        *n34_ = -minus_b_a_ang_z_;
+        ::mstmm::generated::written();
+        let b_a_lin_y_ = T::mul_add(cos_b_angle_, t185_, t187_);
+        *n30_ = -b_a_lin_y_;
+        ::mstmm::generated::written();
+        /// Velocity behind `a`.
+        let a_velocity_x_ = sin_a_angle_ * t212_;
+        *n13_ = a_velocity_x_;
+        ::mstmm::generated::written();
+        /// Pose behind `a`.
+        let t211_ = cos_crank_pin_angle_ * sin_a_angle_;
         let a_to_inertial_x_x_ = T::mul_neg_add(
             sin_crank_pin_angle_,
             sin_a_angle_,
             t210_,
         );
-        let t211_ = cos_crank_pin_angle_ * sin_a_angle_;
+        *n15_ = a_to_inertial_x_x_;
+        ::mstmm::generated::written();
+        /// Results.
+        let t230_ = sin_crank_pin_angle_ * c_(8.82);
+        /// Load on `crank_pin`.
+        let t195_ = T::mul_sub(t0_, c_(0.1), crank_pin_a_lin_x_);
+        /// Velocity behind `b`: 5 mul, 3 add, 0 reciprocal.
+        let t215_ = T::mul_add(a_omega_z_, c_(0.6), a_velocity_y_);
+        /// Load on `crank_pin`.
+        let t205_ = T::mul_neg_add(c_(2.0), a_a_lin_y_, t184_);
+        let minus_b_load_force_x_ = T::mul_add(c_(2.0), minus_b_a_lin_x_, t201_);
+        *n31_ = minus_b_load_force_x_;
+        ::mstmm::generated::written();
+        let t196_ = c_(0.6) * minus_b_a_ang_z_;
+        let t202_ = T::mul_add(c_(2.0), b_a_lin_y_, t200_);
+        /// Velocity behind `b`.
+        let t217_ = sin_b_angle_ * a_velocity_x_;
+        /// Pose behind `a`.
         let minus_a_to_inertial_x_y_ = T::mul_add(
             sin_crank_pin_angle_,
             cos_a_angle_,
             t211_,
         );
-        /// Velocity behind `a`: 3 mul, 0 add, 0 reciprocal.
-        let t212_ = crank_pin_rate_ * c_(0.2);
-        let a_velocity_x_ = sin_a_angle_ * t212_;
-        let a_velocity_y_ = cos_a_angle_ * t212_;
+        *n16_ = minus_a_to_inertial_x_y_;
+        ::mstmm::generated::written();
         /// Pose behind `b`, [P, Eq. (12)]: 6 mul, 4 add, 0 reciprocal.
-        let b_position_x_ = T::mul_add(c_(0.6), a_to_inertial_x_x_, a_position_x_);
-        let b_position_y_ = T::mul_add(c_(0.6), minus_a_to_inertial_x_y_, a_position_y_);
         let t213_ = cos_b_angle_ * a_to_inertial_x_x_;
+        /// Velocity behind `b`.
+        let t216_ = cos_b_angle_ * a_velocity_x_;
+        /// Results.
+        let t228_ = T::mul_add(a_velocity_y_, t225_, t227_);
+        /// Pose behind `b`.
+        let b_position_x_ = T::mul_add(c_(0.6), a_to_inertial_x_x_, a_position_x_);
+        *n23_ = b_position_x_;
+        ::mstmm::generated::written();
+        /// Load on `crank_pin`.
+        let t203_ = T::mul_add(c_(2.0), minus_a_a_lin_x_, minus_b_centripetal_x_);
+        let t206_ = T::mul_add(sin_b_angle_, minus_b_load_force_x_, t205_);
+        /// Pose behind `b`.
+        let t214_ = sin_b_angle_ * a_to_inertial_x_x_;
+        /// Load on `crank_pin`.
+        let minus_b_load_force_y_ = t196_ - t202_;
+        *n32_ = minus_b_load_force_y_;
+        ::mstmm::generated::written();
+        /// Velocity behind `b`.
+        let minus_b_velocity_y_ = T::mul_neg_add(cos_b_angle_, t215_, t217_);
+        *n26_ = -minus_b_velocity_y_;
+        ::mstmm::generated::written();
+        /// Pose behind `b`.
+        let b_position_y_ = T::mul_add(c_(0.6), minus_a_to_inertial_x_y_, a_position_y_);
+        *n24_ = b_position_y_;
+        ::mstmm::generated::written();
         let b_to_inertial_x_x_ = T::mul_neg_add(
             sin_b_angle_,
             minus_a_to_inertial_x_y_,
             t213_,
         );
-        let t214_ = sin_b_angle_ * a_to_inertial_x_x_;
+        *n27_ = b_to_inertial_x_x_;
+        ::mstmm::generated::written();
+        /// Velocity behind `b`.
+        let b_velocity_x_ = T::mul_add(sin_b_angle_, t215_, t216_);
+        *n25_ = b_velocity_x_;
+        *n37_ = b_velocity_x_;
+        ::mstmm::generated::written();
+        /// Results.
+        let t231_ = T::mul_add(minus_a_to_inertial_x_y_, c_(17.64), t230_);
+        let t221_ = c_(4.0) + t14_;
+        /// Load on `crank_pin`.
+        let t204_ = T::mul_add(cos_b_angle_, minus_b_load_force_x_, t203_);
+        let minus_a_load_force_y_ = T::mul_add(
+            cos_b_angle_,
+            minus_b_load_force_y_,
+            t206_,
+        );
+        *n20_ = minus_a_load_force_y_;
+        ::mstmm::generated::written();
+        let t208_ = T::mul_neg_add(
+            c_(0.1),
+            minus_crank_pin_a_ang_z_,
+            crank_pin_a_lin_y_,
+        );
+        /// Pose behind `b`.
         let minus_b_to_inertial_x_y_ = T::mul_add(
             cos_b_angle_,
             minus_a_to_inertial_x_y_,
             t214_,
         );
-        /// Velocity behind `b`: 5 mul, 3 add, 0 reciprocal.
-        let t215_ = T::mul_add(a_omega_z_, c_(0.6), a_velocity_y_);
-        let t216_ = cos_b_angle_ * a_velocity_x_;
-        let b_velocity_x_ = T::mul_add(sin_b_angle_, t215_, t216_);
-        let t217_ = sin_b_angle_ * a_velocity_x_;
-        let minus_b_velocity_y_ = T::mul_neg_add(cos_b_angle_, t215_, t217_);
-        /// Connection points, [P, Eqs. (4), (12), (13)]: 3 mul, 5 add, 0 reciprocal.
-        let t218_ = c_(0.6) * b_omega_z_;
+        *n28_ = minus_b_to_inertial_x_y_;
+        ::mstmm::generated::written();
+        /// Connection points.
         let minus_point6_velocity_y_ = minus_b_velocity_y_ - t218_;
-        let minus_point6_felt_x_ = minus_b_e_force_x_ + minus_b_a_lin_x_;
-        let point6_felt_y_ = b_a_lin_y_ - t196_;
+        *n38_ = -minus_point6_velocity_y_;
+        ::mstmm::generated::written();
+        /// Results.
+        let t229_ = T::mul_sub(minus_b_velocity_y_, t218_, t228_);
+        at_.kinetic_energy = -t229_;
+        ::mstmm::generated::written();
+        /// Connection points.
         let point6_position_x_ = T::mul_add(c_(0.6), b_to_inertial_x_x_, b_position_x_);
+        *n35_ = point6_position_x_;
+        ::mstmm::generated::written();
+        /// Results.
+        let t222_ = t12_ - t221_;
+        let t235_ = cos_rocker_pin_angle_ * t142_;
+        let t237_ = sin_rocker_pin_angle_ * t142_;
+        /// Load on `crank_pin`.
+        let a_load_force_x_ = T::mul_sub(sin_b_angle_, minus_b_load_force_y_, t204_);
+        *n19_ = -a_load_force_x_;
+        ::mstmm::generated::written();
+        let t207_ = T::mul_neg_add(sin_a_angle_, minus_a_load_force_y_, t195_);
+        let t209_ = T::mul_sub(cos_a_angle_, minus_a_load_force_y_, t208_);
+        /// Connection points.
         let point6_position_y_ = T::mul_add(
             c_(0.6),
             minus_b_to_inertial_x_y_,
             b_position_y_,
         );
-        /// Results: 16 mul, 13 add, 0 reciprocal.
-        let t219_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
-        let t220_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
-        let t221_ = c_(4.0) + t14_;
-        let t222_ = t12_ - t221_;
+        *n36_ = point6_position_y_;
+        ::mstmm::generated::written();
+        /// Results.
+        let t232_ = T::mul_add(minus_b_to_inertial_x_y_, c_(5.88), t231_);
+        at_.potential_energy = t232_;
+        ::mstmm::generated::written();
         let t223_ = T::mul_neg_add(
             c_(0.04000000000000001),
             t222_,
             c_(0.030000000000000006),
         );
-        ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
-        ::mstmm::generated::regular::<
-            T,
-            _,
-            _,
-        >(
-            &["a", "crank_pin"],
-            [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t223_],
-            [-minus_crank_pin_a_ang_z_, t219_, t220_, minus_b_a_ang_z_],
-        )?;
+        let t233_ = cos_rocker_pin_angle_ * t133_;
+        let t234_ = sin_rocker_pin_angle_ * t133_;
+        let t236_ = T::mul_add(sin_rocker_pin_angle_, t143_, t235_);
+        let t238_ = T::mul_neg_add(cos_rocker_pin_angle_, t143_, t237_);
+        at_.closure = ::mstmm::generated::closure([
+            [t233_, t234_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [-t236_, -t238_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+        ]);
+        ::mstmm::generated::written();
+        let t219_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
+        /// Load on `crank_pin`.
+        let crank_pin_load_force_x_ = T::mul_sub(cos_a_angle_, a_load_force_x_, t207_);
+        *n3_ = -crank_pin_load_force_x_;
+        ::mstmm::generated::written();
+        let crank_pin_load_force_y_ = T::mul_sub(sin_a_angle_, a_load_force_x_, t209_);
+        *n4_ = -crank_pin_load_force_y_;
+        ::mstmm::generated::written();
+        /// Connection points.
+        let minus_point6_felt_x_ = minus_b_e_force_x_ + minus_b_a_lin_x_;
+        *n39_ = minus_point6_felt_x_;
+        ::mstmm::generated::written();
+        /// Results.
+        let t220_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let checked_ = (|| {
+            ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
+            ::mstmm::generated::regular::<
+                T,
+                _,
+                _,
+            >(
+                &["a", "crank_pin"],
+                [a_j_zz_, crank_pin_j_zz_],
+                [c_(2.04), t223_],
+                [-minus_crank_pin_a_ang_z_, t219_, t220_, minus_b_a_ang_z_],
+            )?;
+            ::core::result::Result::Ok(())
+        })();
+        if let ::core::result::Result::Err(error_) = checked_ {
+            ::mstmm::generated::take_back(at_, || self.workspace());
+            return ::core::result::Result::Err(error_);
+        }
         at_.accelerations.data.0 = [
             [-minus_crank_pin_a_ang_z_, t219_, t220_, minus_b_a_ang_z_],
         ];
         at_.rate_accelerations.data.0 = [
             [-minus_crank_pin_a_ang_z_, t219_, t220_, minus_b_a_ang_z_],
         ];
-        at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
-        *n2_ = crank_pin_input0_;
-        *n3_ = -crank_pin_load_force_x_;
-        *n4_ = -crank_pin_load_force_y_;
-        *n5_ = cos_crank_pin_angle_;
-        *n6_ = sin_crank_pin_angle_;
-        *n7_ = crank_pin_rate_;
-        *n8_ = crank_pin_a_lin_x_;
-        *n9_ = crank_pin_a_lin_y_;
-        *n10_ = -minus_crank_pin_a_ang_z_;
-        *n11_ = a_position_x_;
-        *n12_ = a_position_y_;
-        *n13_ = a_velocity_x_;
-        *n14_ = a_velocity_y_;
-        *n15_ = a_to_inertial_x_x_;
-        *n16_ = minus_a_to_inertial_x_y_;
-        *n17_ = minus_a_a_lin_x_;
-        *n18_ = -a_a_lin_y_;
-        *n19_ = -a_load_force_x_;
-        *n20_ = minus_a_load_force_y_;
-        *n21_ = a_omega_z_;
-        *n22_ = -minus_a_a_ang_z_;
-        *n23_ = b_position_x_;
-        *n24_ = b_position_y_;
-        *n25_ = b_velocity_x_;
-        *n26_ = -minus_b_velocity_y_;
-        *n27_ = b_to_inertial_x_x_;
-        *n28_ = minus_b_to_inertial_x_y_;
-        *n29_ = minus_b_a_lin_x_;
-        *n30_ = -b_a_lin_y_;
-        *n31_ = minus_b_load_force_x_;
-        *n32_ = minus_b_load_force_y_;
-        *n33_ = b_omega_z_;
-        *n34_ = -minus_b_a_ang_z_;
-        *n35_ = point6_position_x_;
-        *n36_ = point6_position_y_;
-        *n37_ = b_velocity_x_;
-        *n38_ = -minus_point6_velocity_y_;
-        *n39_ = minus_point6_felt_x_;
+        ::mstmm::generated::written();
+        /// Connection points.
+        let point6_felt_y_ = b_a_lin_y_ - t196_;
         *n40_ = -point6_felt_y_;
-        *n41_ = -t198_;
-        *n42_ = -t200_;
-        let t224_ = t0_ * c_(0.09000000000000002);
-        let t225_ = a_omega_z_ * c_(1.7999999999999998);
-        let t226_ = T::mul_add(t1_, c_(0.48), t224_);
-        let t227_ = T::mul_add(t2_, c_(0.12), t226_);
-        let t228_ = T::mul_add(a_velocity_y_, t225_, t227_);
-        let t229_ = T::mul_sub(minus_b_velocity_y_, t218_, t228_);
-        at_.kinetic_energy = -t229_;
-        let t230_ = sin_crank_pin_angle_ * c_(8.82);
-        let t231_ = T::mul_add(minus_a_to_inertial_x_y_, c_(17.64), t230_);
-        let t232_ = T::mul_add(minus_b_to_inertial_x_y_, c_(5.88), t231_);
-        at_.potential_energy = t232_;
-        let t233_ = cos_rocker_pin_angle_ * t133_;
-        let t234_ = sin_rocker_pin_angle_ * t133_;
-        let t235_ = cos_rocker_pin_angle_ * t142_;
-        let t236_ = T::mul_add(sin_rocker_pin_angle_, t143_, t235_);
-        let t237_ = sin_rocker_pin_angle_ * t142_;
-        let t238_ = T::mul_neg_add(cos_rocker_pin_angle_, t143_, t237_);
-        at_.closure = ::mstmm::generated::closure([
-            [t233_, t234_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
-            [-t236_, -t238_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
-        ]);
+        ::mstmm::generated::written();
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre

@@ -210,12 +210,12 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
     /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 3 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 4 | 1 | 0 | 0 | 0 |
-    /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 3 | 2 | 0 | 0 | 0 |
     /// | Results |  | 4 | 0 | 0 | 0 | 0 |
+    /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 3 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
-    /// As [`accelerations_into`](Self::accelerations_into); `at` is not touched then.
+    /// As [`accelerations_into`](Self::accelerations_into); `at` is as a new one then.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn solve_into(
         &self,
@@ -231,52 +231,75 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let [[joint_angle_]] = state_.q.data.0;
         let [[joint_rate_]] = state_.v.data.0;
         let joint_input0_ = inputs_.joint;
-        /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
-        let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
-        /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 3 mul, 0 add, 0 reciprocal.
-        let t0_ = joint_rate_ * joint_rate_;
-        let minus_joint_e_force_x_ = known_joint_b_y_z_ * t0_;
-        let joint_w0_ = joint_input0_ * known_p5_;
-        /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 1 add, 0 reciprocal.
-        let joint_a_lin_x_ = sin_joint_angle_ * c_(9.8);
-        let joint_a_lin_y_ = cos_joint_angle_ * c_(9.8);
-        let t1_ = cos_joint_angle_ * known_joint_z0_force_y_;
-        let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t1_, joint_w0_);
-        ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][0], state_.t]])?;
-        ::mstmm::generated::regular::<
-            T,
-            _,
-            _,
-        >(&["joint"], [known_joint_j_yy_], [known_p6_], [joint_a_ang_z_])?;
         at_.efforts.data.0 = [[joint_input0_]];
         *n5_ = joint_input0_;
-        *n6_ = cos_joint_angle_;
+        *n20_ = joint_rate_;
+        /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
+        let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
         *n7_ = sin_joint_angle_;
         *n9_ = sin_joint_angle_;
+        *n6_ = cos_joint_angle_;
         *n10_ = -cos_joint_angle_;
-        *n20_ = joint_rate_;
-        *n21_ = joint_a_lin_x_;
+        ::mstmm::generated::written();
+        /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 3 mul, 0 add, 0 reciprocal.
+        let t0_ = joint_rate_ * joint_rate_;
+        let joint_w0_ = joint_input0_ * known_p5_;
+        /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 1 add, 0 reciprocal.
+        let t1_ = cos_joint_angle_ * known_joint_z0_force_y_;
+        let joint_a_lin_y_ = cos_joint_angle_ * c_(9.8);
         *n22_ = joint_a_lin_y_;
+        ::mstmm::generated::written();
+        /// Riccati transfer over `joint`.
+        let minus_joint_e_force_x_ = known_joint_b_y_z_ * t0_;
+        /// Results: 4 mul, 0 add, 0 reciprocal.
+        let t3_ = known_joint_j_yy_ * t0_;
+        /// Acceleration of `joint`.
+        let joint_a_lin_x_ = sin_joint_angle_ * c_(9.8);
+        *n21_ = joint_a_lin_x_;
+        ::mstmm::generated::written();
+        /// Results.
+        let t5_ = sin_joint_angle_ * known_joint_b_y_z_;
+        /// Acceleration of `joint`.
+        let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t1_, joint_w0_);
+        let checked_ = (|| {
+            ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][0], state_.t]])?;
+            ::mstmm::generated::regular::<
+                T,
+                _,
+                _,
+            >(&["joint"], [known_joint_j_yy_], [known_p6_], [joint_a_ang_z_])?;
+            ::core::result::Result::Ok(())
+        })();
+        if let ::core::result::Result::Err(error_) = checked_ {
+            ::mstmm::generated::take_back(at_, || self.workspace());
+            return ::core::result::Result::Err(error_);
+        }
         at_.accelerations.data.0 = [[joint_a_ang_z_]];
         at_.rate_accelerations.data.0 = [[joint_a_ang_z_]];
         *n26_ = joint_a_ang_z_;
+        ::mstmm::generated::written();
         /// Load on `joint`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
+        let t2_ = known_joint_k_xx_ * joint_a_lin_y_;
+        /// Results.
+        let t4_ = c_(0.5) * t3_;
+        at_.kinetic_energy = t4_;
+        ::mstmm::generated::written();
+        /// Load on `joint`.
         let minus_joint_load_force_x_ = T::mul_neg_add(
             known_joint_k_xx_,
             joint_a_lin_x_,
             minus_joint_e_force_x_,
         );
         *n15_ = minus_joint_load_force_x_;
-        let t2_ = known_joint_k_xx_ * joint_a_lin_y_;
-        let joint_load_force_y_ = T::mul_add(known_joint_b_y_z_, joint_a_ang_z_, t2_);
-        *n16_ = -joint_load_force_y_;
-        /// Results: 4 mul, 0 add, 0 reciprocal.
-        let t3_ = known_joint_j_yy_ * t0_;
-        let t4_ = c_(0.5) * t3_;
-        at_.kinetic_energy = t4_;
-        let t5_ = sin_joint_angle_ * known_joint_b_y_z_;
+        ::mstmm::generated::written();
+        /// Results.
         let t6_ = c_(9.8) * t5_;
         at_.potential_energy = t6_;
+        ::mstmm::generated::written();
+        /// Load on `joint`.
+        let joint_load_force_y_ = T::mul_add(known_joint_b_y_z_, joint_a_ang_z_, t2_);
+        *n16_ = -joint_load_force_y_;
+        ::mstmm::generated::written();
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre

@@ -850,7 +850,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     ///
     /// # Errors
     ///
-    /// As [`accelerations_into`](Self::accelerations_into); `at` is not touched then.
+    /// As [`accelerations_into`](Self::accelerations_into); `at` is as a new one then.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn solve_into(
         &self,
@@ -861,10 +861,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let c_ = T::constant;
         let [hook_angle_] = ::mstmm::generated::piece::<T, 1>(state_.q.as_slice(), 10);
         let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
-        let mut results0_ = [T::constant(0.0); 11];
-        let mut results3_ = [T::constant(0.0); 11];
-        let mut results4_ = [T::constant(0.0); 11];
-        let mut results7_ = [T::constant(0.0); 237];
+        let results0_ = &mut at_.accelerations;
+        let results3_ = &mut at_.rate_accelerations;
+        let results4_ = &mut at_.efforts;
+        let results7_ = &mut at_.numbers;
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
         let mut store1_ = ::mstmm::generated::Stored::<[T; 10], 10>::new_const();
         let mut store3_ = ::mstmm::generated::Stored::<[T; 13], 10>::new_const();
@@ -878,11 +878,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let t0_ = sin_hook_angle_ * sin_hook_angle_;
         let t1_ = sin_hook_angle_ * cos_hook_angle_;
         let t2_ = t0_ * c_(1.3333333333333335);
-        let t3_ = t2_ - c_(2.0);
-        let t4_ = t1_ * c_(1.3333333333333335);
-        let t5_ = t2_ + c_(0.6666666666666665);
         let t6_ = cos_hook_angle_ * c_(6.666666666666666);
         let t7_ = sin_hook_angle_ * c_(6.666666666666666);
+        let t4_ = t1_ * c_(1.3333333333333335);
+        let t3_ = t2_ - c_(2.0);
+        let t5_ = t2_ + c_(0.6666666666666665);
         let mut carry0_0_ = c_(0.0);
         for (
             (
@@ -1286,19 +1286,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         }
         /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 6 mul, 3 add, 0 reciprocal.
         let t61_ = cos_hook_angle_ * carry2_0_;
-        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t61_);
         let t62_ = sin_hook_angle_ * carry2_0_;
-        let minus_hook_a_lin_y_ = T::mul_neg_add(cos_hook_angle_, carry2_1_, t62_);
         let t63_ = t6_ * carry2_0_;
+        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t61_);
+        let minus_hook_a_lin_y_ = T::mul_neg_add(cos_hook_angle_, carry2_1_, t62_);
         let minus_hook_a_ang_z_ = T::mul_add(t7_, carry2_1_, t63_);
         /// Load on `hook`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
         let t64_ = c_(2.0) * hook_a_lin_x_;
-        let hook_load_force_x_ = T::mul_neg_add(c_(0.2), minus_hook_a_ang_z_, t64_);
         let hook_load_force_y_ = T::mul_neg_add(
             c_(2.0),
             minus_hook_a_lin_y_,
             hook_e_force_y_,
         );
+        let hook_load_force_x_ = T::mul_neg_add(c_(0.2), minus_hook_a_ang_z_, t64_);
         /// Results: 0 mul, 1 add, 0 reciprocal.
         let t65_ = carry2_2_ + minus_hook_a_ang_z_;
         let mut carry3_0_ = c_(0.0);
@@ -1475,13 +1475,15 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         }
         /// Pose behind `hook`, [P, Eq. (12)]: 4 mul, 2 add, 0 reciprocal.
         let t74_ = cos_hook_angle_ * carry4_2_;
-        let hook_to_inertial_x_x_ = T::mul_add(sin_hook_angle_, carry4_3_, t74_);
         let t75_ = cos_hook_angle_ * carry4_4_;
-        let hook_to_inertial_y_x_ = T::mul_add(sin_hook_angle_, carry4_5_, t75_);
         /// Velocity behind `hook`: 4 mul, 2 add, 0 reciprocal.
         let t76_ = cos_hook_angle_ * carry4_6_;
-        let hook_velocity_x_ = T::mul_add(sin_hook_angle_, carry4_7_, t76_);
         let t77_ = sin_hook_angle_ * carry4_6_;
+        /// Pose behind `hook`.
+        let hook_to_inertial_x_x_ = T::mul_add(sin_hook_angle_, carry4_3_, t74_);
+        let hook_to_inertial_y_x_ = T::mul_add(sin_hook_angle_, carry4_5_, t75_);
+        /// Velocity behind `hook`.
+        let hook_velocity_x_ = T::mul_add(sin_hook_angle_, carry4_7_, t76_);
         let minus_hook_velocity_y_ = T::mul_neg_add(cos_hook_angle_, carry4_7_, t77_);
         let mut carry5_0_ = c_(0.0);
         for (&[joint_rate_], &[_, _, known_p2_, _, known_p4_, _, _]) in ::core::iter::zip(
@@ -1503,8 +1505,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_3_ = hook_rate_ + carry5_0_;
         /// Results: 3 mul, 0 add, 0 reciprocal.
-        let t83_ = c_(0.2) * hook_omega_z_3_;
         let t84_ = hook_omega_z_3_ * hook_omega_z_3_;
+        let t83_ = c_(0.2) * hook_omega_z_3_;
         let t85_ = c_(0.015000000000000003) * t84_;
         let mut carry6_0_ = c_(0.0);
         let mut carry6_1_ = c_(0.0);
@@ -1578,17 +1580,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Results: 11 mul, 6 add, 0 reciprocal.
-        let t103_ = sin_hook_angle_ * carry6_1_;
-        let t104_ = T::mul_neg_add(cos_hook_angle_, carry6_2_, t103_);
-        let t105_ = cos_hook_angle_ * carry6_3_;
-        let t106_ = T::mul_add(sin_hook_angle_, carry6_4_, t105_);
         let t107_ = sin_hook_angle_ * carry6_3_;
-        let t108_ = T::mul_neg_add(cos_hook_angle_, carry6_4_, t107_);
-        let t109_ = t106_ + t83_;
-        let t110_ = t108_ * t108_;
-        let t111_ = T::mul_add(t106_, t109_, t110_);
+        let t103_ = sin_hook_angle_ * carry6_1_;
+        let t105_ = cos_hook_angle_ * carry6_3_;
         let t112_ = c_(2.0) * carry6_0_;
+        let t108_ = T::mul_neg_add(cos_hook_angle_, carry6_4_, t107_);
+        let t104_ = T::mul_neg_add(cos_hook_angle_, carry6_2_, t103_);
+        let t106_ = T::mul_add(sin_hook_angle_, carry6_4_, t105_);
+        let t110_ = t108_ * t108_;
         let t113_ = T::mul_add(c_(0.2), t104_, t112_);
+        let t109_ = t106_ + t83_;
+        let t111_ = T::mul_add(t106_, t109_, t110_);
         let t114_ = c_(9.8) * t113_;
         let mut carry7_0_ = c_(0.0);
         let mut carry7_1_ = c_(0.0);
@@ -1606,8 +1608,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         }
         /// Results: 0 mul, 3 add, 0 reciprocal.
         let t118_ = carry7_0_ + t111_;
-        let t119_ = t118_ + t85_;
         let t120_ = carry7_1_ + t114_;
+        let t119_ = t118_ + t85_;
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
@@ -1659,17 +1661,20 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o10_ = hook_load_force_x_;
             *o11_ = hook_load_force_y_;
         }
-        ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
-        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
-        ::mstmm::generated::require(regular0_, "joint")?;
-        ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
-        ::mstmm::generated::all_finite::<T>(results0_.as_slice())?;
-        at_.accelerations.data.0 = [results0_];
-        at_.rate_accelerations.data.0 = [results3_];
-        at_.efforts.data.0 = [results4_];
+        let checked_ = (|| {
+            ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
+            ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
+            ::mstmm::generated::require(regular0_, "joint")?;
+            ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
+            ::mstmm::generated::all_finite::<T>(results0_.as_slice())?;
+            ::core::result::Result::Ok(())
+        })();
+        if let ::core::result::Result::Err(error_) = checked_ {
+            ::mstmm::generated::take_back(at_, || self.workspace());
+            return ::core::result::Result::Err(error_);
+        }
         at_.kinetic_energy = t119_;
         at_.potential_energy = t120_;
-        at_.numbers = results7_;
         at_.at_rest = [c_(0.0), c_(9.8)];
         ::core::result::Result::Ok(())
     }

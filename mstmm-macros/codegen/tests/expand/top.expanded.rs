@@ -173,13 +173,13 @@ impl<T: ::mstmm::Scalar> Top<T> {
     /// |---|---|---|---|---|---|---|
     /// | Motion across `tip` | \[P, Eqs. (1), (13), (36)\] | 12 | 11 | 0 | 0 | 0 |
     /// | Riccati transfer over `tip` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 7 | 1 | 0 | 0 | 0 |
+    /// | Results |  | 5 | 1 | 0 | 0 | 0 |
     /// | Acceleration of `tip` | \[P, Eqs. (13), (36), (44)\] | 5 | 2 | 0 | 0 | 0 |
     /// | Load on `tip` | \[P, Eqs. (18), (19)\] | 5 | 5 | 0 | 0 | 0 |
-    /// | Results |  | 5 | 1 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
-    /// As [`accelerations_into`](Self::accelerations_into); `at` is not touched then.
+    /// As [`accelerations_into`](Self::accelerations_into); `at` is as a new one then.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn solve_into(
         &self,
@@ -192,96 +192,139 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let c_ = T::constant;
         let [[tip_qw_, tip_qx_, tip_qy_, tip_qz_]] = state_.q.data.0;
         let [[tip_wx_, tip_wy_, tip_wz_]] = state_.v.data.0;
+        at_.efforts.data.0 = [[c_(0.0), c_(0.0), c_(0.0)]];
+        *n15_ = tip_wx_;
+        *n16_ = tip_wy_;
+        *n17_ = tip_wz_;
         /// Motion across `tip`, [P, Eqs. (1), (13), (36)]: 12 mul, 11 add, 0 reciprocal.
         let t0_ = tip_qy_ * c_(2.0);
         let t1_ = tip_qz_ * c_(2.0);
-        let t2_ = tip_qy_ * t0_;
-        let t3_ = tip_qz_ * t1_;
-        let t4_ = t2_ - c_(1.0);
-        let minus_tip_turn_x_x_ = t3_ + t4_;
-        let t5_ = tip_qw_ * t1_;
-        let t6_ = tip_qx_ * t0_;
-        let minus_tip_turn_x_y_ = t5_ - t6_;
+        let t9_ = tip_qx_ * c_(2.0);
+        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 7 mul, 1 add, 0 reciprocal.
+        let t15_ = tip_wy_ * tip_wz_;
+        let t16_ = tip_wx_ * tip_wz_;
+        /// Motion across `tip`.
         let t7_ = tip_qw_ * t0_;
         let t8_ = tip_qx_ * t1_;
-        let tip_turn_x_z_ = t7_ + t8_;
-        let tip_turn_y_x_ = t5_ + t6_;
-        let t9_ = tip_qx_ * c_(2.0);
-        let t10_ = T::mul_sub(tip_qx_, t9_, c_(1.0));
-        let minus_tip_turn_y_y_ = t3_ + t10_;
         let t11_ = tip_qw_ * t9_;
         let t12_ = tip_qy_ * t1_;
-        let minus_tip_turn_y_z_ = t11_ - t12_;
-        let minus_tip_turn_z_x_ = t7_ - t8_;
-        let tip_turn_z_y_ = t11_ + t12_;
-        let minus_tip_turn_z_z_ = t2_ + t10_;
-        /// Riccati transfer over `tip`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 7 mul, 1 add, 0 reciprocal.
+        /// Riccati transfer over `tip`.
         let t13_ = tip_wy_ * tip_wy_;
-        let t14_ = T::mul_add(tip_wx_, tip_wx_, t13_);
-        let minus_tip_e_force_z_ = c_(0.012) * t14_;
-        let t15_ = tip_wy_ * tip_wz_;
-        let tip_w0_ = t15_ * c_(0.9);
-        let t16_ = tip_wx_ * tip_wz_;
+        /// Results: 5 mul, 1 add, 0 reciprocal.
+        let t21_ = tip_wz_ * tip_wz_;
+        /// Motion across `tip`.
+        let t2_ = tip_qy_ * t0_;
+        let t5_ = tip_qw_ * t1_;
+        /// Riccati transfer over `tip`.
         let minus_tip_w1_ = t16_ * c_(0.9);
+        let tip_w0_ = t15_ * c_(0.9);
+        /// Motion across `tip`.
+        let t6_ = tip_qx_ * t0_;
+        let minus_tip_turn_z_x_ = t7_ - t8_;
+        *n8_ = minus_tip_turn_z_x_;
+        ::mstmm::generated::written();
+        let tip_turn_z_y_ = t11_ + t12_;
+        *n11_ = tip_turn_z_y_;
+        ::mstmm::generated::written();
+        let t10_ = T::mul_sub(tip_qx_, t9_, c_(1.0));
+        /// Riccati transfer over `tip`.
+        let t14_ = T::mul_add(tip_wx_, tip_wx_, t13_);
+        /// Results.
+        let t22_ = t21_ * c_(0.0001);
+        /// Motion across `tip`.
+        let t3_ = tip_qz_ * t1_;
+        let t4_ = t2_ - c_(1.0);
         /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 5 mul, 2 add, 0 reciprocal.
-        let minus_tip_a_lin_x_ = minus_tip_turn_z_x_ * c_(9.8);
-        let tip_a_lin_y_ = tip_turn_z_y_ * c_(9.8);
-        let minus_tip_a_lin_z_ = c_(9.8) * minus_tip_turn_z_z_;
-        let tip_a_ang_x_ = T::mul_add(tip_turn_z_y_, c_(117.60000000000001), tip_w0_);
         let minus_tip_a_ang_y_ = T::mul_neg_add(
             minus_tip_turn_z_x_,
             c_(117.60000000000001),
             minus_tip_w1_,
         );
-        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
-        ::mstmm::generated::regular::<
-            T,
-            _,
-            _,
-        >(&[], [], [], [tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)])?;
-        at_.efforts.data.0 = [[c_(0.0), c_(0.0), c_(0.0)]];
-        *n6_ = minus_tip_turn_x_x_;
-        *n7_ = -tip_turn_y_x_;
-        *n8_ = minus_tip_turn_z_x_;
-        *n9_ = -minus_tip_turn_x_y_;
-        *n10_ = -minus_tip_turn_y_y_;
-        *n11_ = tip_turn_z_y_;
-        *n12_ = tip_turn_x_z_;
-        *n13_ = -minus_tip_turn_y_z_;
-        *n14_ = -minus_tip_turn_z_z_;
-        *n15_ = tip_wx_;
-        *n16_ = tip_wy_;
-        *n17_ = tip_wz_;
-        *n18_ = -minus_tip_a_lin_x_;
-        *n19_ = tip_a_lin_y_;
-        *n20_ = -minus_tip_a_lin_z_;
-        *n21_ = tip_a_ang_x_;
+        *n22_ = -minus_tip_a_ang_y_;
+        ::mstmm::generated::written();
+        let tip_a_ang_x_ = T::mul_add(tip_turn_z_y_, c_(117.60000000000001), tip_w0_);
+        let checked_ = (|| {
+            ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
+            ::mstmm::generated::regular::<
+                T,
+                _,
+                _,
+            >(&[], [], [], [tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)])?;
+            ::core::result::Result::Ok(())
+        })();
+        if let ::core::result::Result::Err(error_) = checked_ {
+            ::mstmm::generated::take_back(at_, || self.workspace());
+            return ::core::result::Result::Err(error_);
+        }
         at_.accelerations.data.0 = [[tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)]];
         at_.rate_accelerations.data.0 = [[tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)]];
-        *n22_ = -minus_tip_a_ang_y_;
+        *n21_ = tip_a_ang_x_;
+        ::mstmm::generated::written();
+        /// Motion across `tip`.
+        let minus_tip_turn_x_y_ = t5_ - t6_;
+        *n9_ = -minus_tip_turn_x_y_;
+        ::mstmm::generated::written();
+        let tip_turn_x_z_ = t7_ + t8_;
+        *n12_ = tip_turn_x_z_;
+        ::mstmm::generated::written();
+        let tip_turn_y_x_ = t5_ + t6_;
+        *n7_ = -tip_turn_y_x_;
+        ::mstmm::generated::written();
+        let minus_tip_turn_z_z_ = t2_ + t10_;
+        *n14_ = -minus_tip_turn_z_z_;
+        ::mstmm::generated::written();
+        /// Riccati transfer over `tip`.
+        let minus_tip_e_force_z_ = c_(0.012) * t14_;
+        /// Results.
+        let t23_ = T::mul_add(t14_, c_(0.001), t22_);
         /// Load on `tip`, [P, Eqs. (18), (19)]: 5 mul, 5 add, 0 reciprocal.
         let t17_ = minus_tip_turn_z_x_ * c_(1.9600000000000002);
-        let t18_ = t16_ - minus_tip_a_ang_y_;
-        let minus_tip_load_force_x_ = T::mul_neg_add(c_(0.012), t18_, t17_);
-        *n3_ = -minus_tip_load_force_x_;
         let t19_ = tip_turn_z_y_ * c_(1.9600000000000002);
+        let t18_ = t16_ - minus_tip_a_ang_y_;
         let t20_ = t15_ - tip_a_ang_x_;
-        let tip_load_force_y_ = T::mul_add(c_(0.012), t20_, t19_);
-        *n4_ = tip_load_force_y_;
+        /// Acceleration of `tip`.
+        let minus_tip_a_lin_x_ = minus_tip_turn_z_x_ * c_(9.8);
+        *n18_ = -minus_tip_a_lin_x_;
+        ::mstmm::generated::written();
+        let tip_a_lin_y_ = tip_turn_z_y_ * c_(9.8);
+        *n19_ = tip_a_lin_y_;
+        ::mstmm::generated::written();
+        let minus_tip_a_lin_z_ = c_(9.8) * minus_tip_turn_z_z_;
+        *n20_ = -minus_tip_a_lin_z_;
+        ::mstmm::generated::written();
+        /// Results.
+        let t25_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
+        at_.potential_energy = -t25_;
+        ::mstmm::generated::written();
+        /// Load on `tip`.
         let minus_tip_load_force_z_ = T::mul_add(
             c_(1.9600000000000002),
             minus_tip_turn_z_z_,
             minus_tip_e_force_z_,
         );
         *n5_ = -minus_tip_load_force_z_;
-        /// Results: 5 mul, 1 add, 0 reciprocal.
-        let t21_ = tip_wz_ * tip_wz_;
-        let t22_ = t21_ * c_(0.0001);
-        let t23_ = T::mul_add(t14_, c_(0.001), t22_);
+        ::mstmm::generated::written();
+        /// Results.
         let t24_ = c_(0.5) * t23_;
         at_.kinetic_energy = t24_;
-        let t25_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
-        at_.potential_energy = -t25_;
+        ::mstmm::generated::written();
+        /// Load on `tip`.
+        let minus_tip_load_force_x_ = T::mul_neg_add(c_(0.012), t18_, t17_);
+        *n3_ = -minus_tip_load_force_x_;
+        ::mstmm::generated::written();
+        let tip_load_force_y_ = T::mul_add(c_(0.012), t20_, t19_);
+        *n4_ = tip_load_force_y_;
+        ::mstmm::generated::written();
+        /// Motion across `tip`.
+        let minus_tip_turn_y_y_ = t3_ + t10_;
+        *n10_ = -minus_tip_turn_y_y_;
+        ::mstmm::generated::written();
+        let minus_tip_turn_y_z_ = t11_ - t12_;
+        *n13_ = -minus_tip_turn_y_z_;
+        ::mstmm::generated::written();
+        let minus_tip_turn_x_x_ = t3_ + t4_;
+        *n6_ = minus_tip_turn_x_x_;
+        ::mstmm::generated::written();
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre

@@ -303,21 +303,21 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `shoulder` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 2 |
-    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 1 | 1 | 0 | 0 | 0 |
-    /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
-    /// | Transfer to `shoulder` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 2 | 0 | 0 | 0 | 0 |
-    /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 7 | 5 | 0 | 0 | 0 |
     /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 55 | 39 | 3 | 2 | 0 |
+    /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 7 | 5 | 0 | 0 | 0 |
+    /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 1 | 1 | 0 | 0 | 0 |
+    /// | Transfer to `shoulder` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 2 | 0 | 0 | 0 | 0 |
     /// | Back to `shoulder` | \[P, Eqs. (8), (11)\] | 3 | 2 | 0 | 0 | 0 |
     /// | Load on `shoulder` | \[P, Eqs. (18), (19)\] | 8 | 11 | 0 | 0 | 0 |
+    /// | Results |  | 6 | 3 | 0 | 0 | 0 |
     /// | Pose behind `elbow` | \[P, Eq. (12)\] | 4 | 2 | 0 | 0 | 0 |
+    /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
     /// | Velocity behind `elbow` |  | 2 | 0 | 0 | 0 | 0 |
     /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 0 | 5 | 0 | 0 | 0 |
-    /// | Results |  | 6 | 3 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
-    /// As [`accelerations_into`](Self::accelerations_into); `at` is not touched then.
+    /// As [`accelerations_into`](Self::accelerations_into); `at` is as a new one then.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn solve_into(
         &self,
@@ -332,6 +332,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let c_ = T::constant;
         let [[shoulder_angle_, elbow_angle_]] = state_.q.data.0;
         let [[shoulder_rate_, elbow_rate_]] = state_.v.data.0;
+        at_.efforts.data.0 = [[c_(0.0), c_(0.0)]];
+        *n17_ = shoulder_rate_;
         /// Motion across `shoulder`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 2 sin/cos.
         let (
             [sin_shoulder_angle_,
@@ -341,172 +343,189 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             cos_elbow_angle_,
             ],
         ) = T::sin_cos([shoulder_angle_, elbow_angle_]);
-        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 1 mul, 1 add, 0 reciprocal.
-        let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
-        let minus_elbow_centripetal_x_ = shoulder_rate_ * shoulder_rate_;
-        /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
-        let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
-        let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
-        /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
-        let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
-        let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
+        *n7_ = sin_shoulder_angle_;
+        *n9_ = sin_shoulder_angle_;
+        *n6_ = cos_shoulder_angle_;
+        *n10_ = -cos_shoulder_angle_;
+        ::mstmm::generated::written();
+        /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 55 mul, 39 add, 3 reciprocal, 2 square root.
+        let t23_ = T::mul_add(
+            sin_elbow_angle_,
+            c_(0.48639392383214375),
+            sin_elbow_angle_,
+        );
+        let t18_ = cos_elbow_angle_ * cos_elbow_angle_;
+        let t24_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t23_);
+        let t28_ = T::mul_add(t24_, t24_, t18_);
+        let t29_ = T::sqrt(t28_);
+        let t30_ = T::copysign(t29_, cos_elbow_angle_);
+        let t31_ = cos_elbow_angle_ + t30_;
+        let t25_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
+        let t32_ = t30_ * t31_;
         /// Transfer to `elbow`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 7 mul, 5 add, 0 reciprocal.
         let elbow_a4_lin_y_ = T::mul_neg_add(
             cos_elbow_angle_,
             c_(0.013606076167856269),
             cos_elbow_angle_,
         );
-        let t1_ = minus_elbow_centripetal_x_ - shoulder_a_lin_x_;
-        let t2_ = sin_elbow_angle_ * t1_;
-        let t3_ = cos_elbow_angle_ * shoulder_a_lin_y_;
-        let t4_ = t2_ + t3_;
-        let t5_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
-        let t6_ = t5_ * c_(0.9863939238321437);
-        let t7_ = cos_elbow_angle_ * c_(0.16439898730535732);
-        let elbow_a_lin_y_ = T::mul_neg_add(t6_, t7_, t4_);
-        /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 55 mul, 39 add, 3 reciprocal, 2 square root.
-        let t8_ = elbow_omega_z_ * elbow_omega_z_;
-        let t9_ = c_(0.5) * t8_;
-        let t10_ = T::mul_sub(minus_elbow_centripetal_x_, c_(0.5), shoulder_a_lin_x_);
-        let t11_ = cos_elbow_angle_ * t1_;
-        let t12_ = sin_elbow_angle_ * shoulder_a_lin_y_;
-        let t13_ = T::mul_neg_add(cos_elbow_angle_, t10_, t12_);
-        let t14_ = sin_elbow_angle_ * t10_;
-        let t15_ = t5_ * c_(0.054054054054054064);
-        let t16_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t15_);
+        /// Boundary solve at the far end.
+        let t26_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t25_);
+        let t33_ = T::recip(t32_);
+        let t27_ = elbow_a4_lin_y_ - t26_;
+        let t35_ = t24_ * t27_;
+        let t36_ = T::mul_add(sin_elbow_angle_, t31_, t35_);
+        let t37_ = t33_ * t36_;
+        let t39_ = T::mul_neg_add(t24_, t37_, t27_);
+        let t47_ = T::mul_add(t39_, t39_, c_(0.25));
+        let t48_ = T::sqrt(t47_);
+        let t49_ = T::copysign(t48_, -t39_);
+        let t50_ = t39_ - t49_;
         let t17_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
-        let t18_ = cos_elbow_angle_ * cos_elbow_angle_;
-        let t19_ = T::mul_neg_add(
-            cos_elbow_angle_,
-            c_(2.0685934174848226),
-            cos_elbow_angle_,
-        );
-        let t20_ = t9_ - t12_;
+        /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 1 mul, 1 add, 0 reciprocal.
+        let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
+        *n41_ = elbow_omega_z_;
+        ::mstmm::generated::written();
+        /// Boundary solve at the far end.
+        let t51_ = t49_ * t50_;
+        /// Motion across `elbow`.
+        let minus_elbow_centripetal_x_ = shoulder_rate_ * shoulder_rate_;
+        /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
+        let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
+        *n19_ = shoulder_a_lin_y_;
+        ::mstmm::generated::written();
+        let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
+        *n18_ = shoulder_a_lin_x_;
+        ::mstmm::generated::written();
+        /// Boundary solve at the far end.
+        let t43_ = t17_ * t24_;
+        let t8_ = elbow_omega_z_ * elbow_omega_z_;
+        let t52_ = T::recip(t51_);
         let t21_ = T::mul_neg_add(
             sin_elbow_angle_,
             c_(0.16439898730535732),
             sin_elbow_angle_,
         );
-        let t22_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t21_);
-        let t23_ = T::mul_add(
-            sin_elbow_angle_,
-            c_(0.48639392383214375),
-            sin_elbow_angle_,
-        );
-        let t24_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t23_);
-        let t25_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
-        let t26_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t25_);
-        let t27_ = elbow_a4_lin_y_ - t26_;
-        let t28_ = T::mul_add(t24_, t24_, t18_);
-        let t29_ = T::sqrt(t28_);
-        let t30_ = T::copysign(t29_, cos_elbow_angle_);
-        let t31_ = cos_elbow_angle_ + t30_;
-        let t32_ = t30_ * t31_;
-        let t33_ = T::recip(t32_);
-        let t34_ = t31_ * t33_;
-        let t35_ = t24_ * t27_;
-        let t36_ = T::mul_add(sin_elbow_angle_, t31_, t35_);
-        let t37_ = t33_ * t36_;
-        let t38_ = T::mul_neg_add(t31_, t37_, sin_elbow_angle_);
-        let t39_ = T::mul_neg_add(t24_, t37_, t27_);
-        let t40_ = T::mul_neg_add(t5_, c_(0.0810810810810811), t14_);
-        let t41_ = elbow_a_lin_y_ + t40_;
-        let t42_ = T::mul_add(t6_, t19_, t3_);
-        let t43_ = t17_ * t24_;
+        /// Transfer to `elbow`.
+        let t5_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
+        /// Boundary solve at the far end.
+        let t10_ = T::mul_sub(minus_elbow_centripetal_x_, c_(0.5), shoulder_a_lin_x_);
+        let t12_ = sin_elbow_angle_ * shoulder_a_lin_y_;
         let t44_ = t33_ * t43_;
-        let t45_ = t31_ * t44_;
+        let t9_ = c_(0.5) * t8_;
+        /// Transfer to `elbow`.
+        let t1_ = minus_elbow_centripetal_x_ - shoulder_a_lin_x_;
+        /// Boundary solve at the far end.
+        let t22_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t21_);
+        /// Transfer to `elbow`.
+        let t6_ = t5_ * c_(0.9863939238321437);
+        /// Boundary solve at the far end.
+        let t13_ = T::mul_neg_add(cos_elbow_angle_, t10_, t12_);
         let t46_ = T::mul_neg_add(t24_, t44_, t17_);
-        let t47_ = T::mul_add(t39_, t39_, c_(0.25));
-        let t48_ = T::sqrt(t47_);
-        let t49_ = T::copysign(t48_, -t39_);
-        let t50_ = t39_ - t49_;
-        let t51_ = t49_ * t50_;
-        let t52_ = T::recip(t51_);
-        let t53_ = t50_ * t52_;
-        let t54_ = T::mul_add(t46_, t50_, c_(0.16666666666666666));
-        let t55_ = t52_ * t54_;
-        let t56_ = T::mul_add(t50_, t55_, t46_);
-        let t57_ = T::mul_add(c_(0.5), t55_, c_(0.3333333333333333));
-        let t58_ = T::recip(t57_);
-        let t59_ = t11_ + t20_;
+        let t11_ = cos_elbow_angle_ * t1_;
+        let t20_ = t9_ - t12_;
+        /// Transfer to `elbow`.
+        let t3_ = cos_elbow_angle_ * shoulder_a_lin_y_;
+        /// Boundary solve at the far end.
         let t60_ = T::mul_neg_add(t6_, t22_, t13_);
+        let t54_ = T::mul_add(t46_, t50_, c_(0.16666666666666666));
+        /// Transfer to `elbow`.
+        let t2_ = sin_elbow_angle_ * t1_;
+        /// Boundary solve at the far end.
+        let t59_ = t11_ + t20_;
+        let t19_ = T::mul_neg_add(
+            cos_elbow_angle_,
+            c_(2.0685934174848226),
+            cos_elbow_angle_,
+        );
+        /// Transfer to `elbow`.
+        let t7_ = cos_elbow_angle_ * c_(0.16439898730535732);
+        /// Boundary solve at the far end.
+        let t34_ = t31_ * t33_;
+        let t14_ = sin_elbow_angle_ * t10_;
         let t61_ = t59_ - t60_;
+        let t55_ = t52_ * t54_;
+        /// Transfer to `elbow`.
+        let t4_ = t2_ + t3_;
+        /// Boundary solve at the far end.
+        let t42_ = T::mul_add(t6_, t19_, t3_);
+        let t38_ = T::mul_neg_add(t31_, t37_, sin_elbow_angle_);
         let t62_ = t34_ * t61_;
+        let t40_ = T::mul_neg_add(t5_, c_(0.0810810810810811), t14_);
+        /// Transfer to `elbow`.
+        let elbow_a_lin_y_ = T::mul_neg_add(t6_, t7_, t4_);
+        /// Boundary solve at the far end.
+        let t57_ = T::mul_add(c_(0.5), t55_, c_(0.3333333333333333));
+        let t15_ = t5_ * c_(0.054054054054054064);
         let t63_ = T::mul_add(t38_, t62_, t42_);
+        let t41_ = elbow_a_lin_y_ + t40_;
+        let t58_ = T::recip(t57_);
+        let t16_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t15_);
+        let t45_ = t31_ * t44_;
+        let t53_ = t50_ * t52_;
         let t64_ = t41_ + t63_;
-        let t65_ = t53_ * t64_;
         let t66_ = T::mul_neg_add(t45_, t62_, t16_);
+        let t56_ = T::mul_add(t50_, t55_, t46_);
+        let t65_ = t53_ * t64_;
         let t67_ = T::mul_sub(t56_, t65_, t66_);
-        let t68_ = t58_ * t67_;
         let t69_ = t50_ * t65_;
+        let t68_ = t58_ * t67_;
         let t70_ = T::mul_neg_add(c_(0.5), t68_, t69_);
         let t71_ = t52_ * t70_;
-        let t72_ = T::mul_add(t50_, t71_, t65_);
         let t73_ = t31_ * t62_;
+        let t72_ = T::mul_add(t50_, t71_, t65_);
         let t74_ = T::mul_neg_add(t24_, t72_, t73_);
         let t75_ = t33_ * t74_;
-        let minus_end_x4_ = T::mul_add(t24_, t75_, t72_);
-        let end_x5_ = T::mul_neg_add(c_(0.5), t71_, t68_);
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
         let t76_ = t5_ * c_(1.9863939238321437);
+        /// Boundary solve at the far end.
+        let minus_end_x4_ = T::mul_add(t24_, t75_, t72_);
+        /// Back to `shoulder`.
         let t77_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t76_);
         let minus_shoulder_beta0_ = T::mul_add(
             c_(0.0816364570071376),
             t77_,
             minus_end_x4_,
         );
-        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
-        ::mstmm::generated::regular::<
-            T,
-            _,
-            _,
-        >(
-            &["shoulder"],
-            [shoulder_d_],
-            [c_(2.9266666666666667)],
-            [-minus_shoulder_beta0_, end_x5_],
-        )?;
-        at_.efforts.data.0 = [[c_(0.0), c_(0.0)]];
-        *n6_ = cos_shoulder_angle_;
-        *n7_ = sin_shoulder_angle_;
-        *n9_ = sin_shoulder_angle_;
-        *n10_ = -cos_shoulder_angle_;
-        *n17_ = shoulder_rate_;
-        *n18_ = shoulder_a_lin_x_;
-        *n19_ = shoulder_a_lin_y_;
-        *n41_ = elbow_omega_z_;
+        *n23_ = minus_shoulder_beta0_;
+        ::mstmm::generated::written();
+        /// Boundary solve at the far end.
+        let end_x5_ = T::mul_neg_add(c_(0.5), t71_, t68_);
         at_.accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
         at_.rate_accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
-        *n23_ = minus_shoulder_beta0_;
+        ::mstmm::generated::written();
         /// Load on `shoulder`, [P, Eqs. (18), (19)]: 8 mul, 11 add, 0 reciprocal.
         let t78_ = shoulder_a_lin_y_ - minus_shoulder_beta0_;
-        let minus_point2_felt_x_ = T::mul_neg_add(sin_elbow_angle_, t78_, t11_);
-        *n33_ = minus_point2_felt_x_;
         let point2_felt_y_ = T::mul_add(cos_elbow_angle_, t78_, t2_);
         *n34_ = -point2_felt_y_;
+        ::mstmm::generated::written();
         let t79_ = end_x5_ - minus_shoulder_beta0_;
         *n44_ = -t79_;
-        let elbow_load_force_y_ = T::mul_add(c_(0.5), t79_, point2_felt_y_);
-        *n37_ = -elbow_load_force_y_;
-        let minus_elbow_load_force_x_ = t9_ + minus_point2_felt_x_;
-        *n36_ = minus_elbow_load_force_x_;
-        let t80_ = T::mul_add(sin_elbow_angle_, elbow_load_force_y_, t10_);
-        let minus_shoulder_load_force_x_ = T::mul_add(
-            cos_elbow_angle_,
-            minus_elbow_load_force_x_,
-            t80_,
-        );
-        *n3_ = minus_shoulder_load_force_x_;
-        let t81_ = T::mul_neg_add(c_(0.5), minus_shoulder_beta0_, shoulder_a_lin_y_);
-        let t82_ = T::mul_add(cos_elbow_angle_, elbow_load_force_y_, t81_);
-        let minus_shoulder_load_force_y_ = T::mul_sub(
-            sin_elbow_angle_,
-            minus_elbow_load_force_x_,
-            t82_,
-        );
-        *n4_ = minus_shoulder_load_force_y_;
+        ::mstmm::generated::written();
+        /// Results: 6 mul, 3 add, 0 reciprocal.
+        let t85_ = minus_elbow_centripetal_x_ * c_(0.6666666666666666);
         /// Pose behind `elbow`, [P, Eq. (12)]: 4 mul, 2 add, 0 reciprocal.
         let t83_ = cos_shoulder_angle_ * cos_elbow_angle_;
+        let t84_ = cos_shoulder_angle_ * sin_elbow_angle_;
+        /// Load on `shoulder`.
+        let elbow_load_force_y_ = T::mul_add(c_(0.5), t79_, point2_felt_y_);
+        *n37_ = -elbow_load_force_y_;
+        ::mstmm::generated::written();
+        let t81_ = T::mul_neg_add(c_(0.5), minus_shoulder_beta0_, shoulder_a_lin_y_);
+        let minus_point2_felt_x_ = T::mul_neg_add(sin_elbow_angle_, t78_, t11_);
+        *n33_ = minus_point2_felt_x_;
+        ::mstmm::generated::written();
+        /// Results.
+        let t86_ = elbow_omega_z_ * c_(0.5);
+        let t87_ = T::mul_add(t8_, c_(0.16666666666666666), t85_);
+        /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
+        let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
+        /// Velocity behind `elbow`: 2 mul, 0 add, 0 reciprocal.
+        let elbow_velocity_y_ = shoulder_rate_ * cos_elbow_angle_;
+        *n25_ = elbow_velocity_y_;
+        ::mstmm::generated::written();
+        /// Results.
+        let t89_ = sin_shoulder_angle_ * c_(14.700000000000001);
+        /// Pose behind `elbow`.
         let elbow_to_inertial_x_x_ = T::mul_neg_add(
             sin_shoulder_angle_,
             sin_elbow_angle_,
@@ -514,7 +533,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         );
         *n27_ = elbow_to_inertial_x_x_;
         *n31_ = -elbow_to_inertial_x_x_;
-        let t84_ = cos_shoulder_angle_ * sin_elbow_angle_;
+        ::mstmm::generated::written();
         let minus_elbow_to_inertial_x_y_ = T::mul_add(
             sin_shoulder_angle_,
             cos_elbow_angle_,
@@ -522,32 +541,80 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         );
         *n28_ = minus_elbow_to_inertial_x_y_;
         *n30_ = minus_elbow_to_inertial_x_y_;
-        /// Velocity behind `elbow`: 2 mul, 0 add, 0 reciprocal.
+        ::mstmm::generated::written();
+        /// Load on `shoulder`.
+        let t80_ = T::mul_add(sin_elbow_angle_, elbow_load_force_y_, t10_);
+        let t82_ = T::mul_add(cos_elbow_angle_, elbow_load_force_y_, t81_);
+        let minus_elbow_load_force_x_ = t9_ + minus_point2_felt_x_;
+        *n36_ = minus_elbow_load_force_x_;
+        ::mstmm::generated::written();
+        /// Velocity behind `elbow`.
         let elbow_velocity_x_ = shoulder_rate_ * sin_elbow_angle_;
         *n24_ = elbow_velocity_x_;
         *n48_ = elbow_velocity_x_;
-        let elbow_velocity_y_ = shoulder_rate_ * cos_elbow_angle_;
-        *n25_ = elbow_velocity_y_;
+        ::mstmm::generated::written();
+        /// Inertia beyond the hinges, to be divided by.
+        let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
+        let checked_ = (|| {
+            ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
+            ::mstmm::generated::regular::<
+                T,
+                _,
+                _,
+            >(
+                &["shoulder"],
+                [shoulder_d_],
+                [c_(2.9266666666666667)],
+                [-minus_shoulder_beta0_, end_x5_],
+            )?;
+            ::core::result::Result::Ok(())
+        })();
+        if let ::core::result::Result::Err(error_) = checked_ {
+            ::mstmm::generated::take_back(at_, || self.workspace());
+            return ::core::result::Result::Err(error_);
+        }
+        ::mstmm::generated::written();
         /// Connection points, [P, Eqs. (4), (12), (13)]: 0 mul, 5 add, 0 reciprocal.
         let point4_velocity_y_ = elbow_omega_z_ + elbow_velocity_y_;
         *n49_ = point4_velocity_y_;
-        let minus_point4_felt_x_ = t8_ + minus_point2_felt_x_;
-        *n51_ = minus_point4_felt_x_;
-        let point4_felt_y_ = point2_felt_y_ + t79_;
-        *n52_ = -point4_felt_y_;
-        let point4_position_x_ = cos_shoulder_angle_ + elbow_to_inertial_x_x_;
-        *n45_ = point4_position_x_;
-        let point4_position_y_ = sin_shoulder_angle_ + minus_elbow_to_inertial_x_y_;
-        *n46_ = point4_position_y_;
-        /// Results: 6 mul, 3 add, 0 reciprocal.
-        let t85_ = minus_elbow_centripetal_x_ * c_(0.6666666666666666);
-        let t86_ = elbow_omega_z_ * c_(0.5);
-        let t87_ = T::mul_add(t8_, c_(0.16666666666666666), t85_);
+        ::mstmm::generated::written();
+        /// Results.
         let t88_ = T::mul_add(elbow_velocity_y_, t86_, t87_);
         at_.kinetic_energy = t88_;
-        let t89_ = sin_shoulder_angle_ * c_(14.700000000000001);
+        ::mstmm::generated::written();
+        /// Connection points.
+        let point4_position_x_ = cos_shoulder_angle_ + elbow_to_inertial_x_x_;
+        *n45_ = point4_position_x_;
+        ::mstmm::generated::written();
+        /// Results.
         let t90_ = T::mul_add(c_(4.9), minus_elbow_to_inertial_x_y_, t89_);
         at_.potential_energy = t90_;
+        ::mstmm::generated::written();
+        /// Load on `shoulder`.
+        let minus_shoulder_load_force_x_ = T::mul_add(
+            cos_elbow_angle_,
+            minus_elbow_load_force_x_,
+            t80_,
+        );
+        *n3_ = minus_shoulder_load_force_x_;
+        ::mstmm::generated::written();
+        let minus_shoulder_load_force_y_ = T::mul_sub(
+            sin_elbow_angle_,
+            minus_elbow_load_force_x_,
+            t82_,
+        );
+        *n4_ = minus_shoulder_load_force_y_;
+        ::mstmm::generated::written();
+        /// Connection points.
+        let point4_position_y_ = sin_shoulder_angle_ + minus_elbow_to_inertial_x_y_;
+        *n46_ = point4_position_y_;
+        ::mstmm::generated::written();
+        let minus_point4_felt_x_ = t8_ + minus_point2_felt_x_;
+        *n51_ = minus_point4_felt_x_;
+        ::mstmm::generated::written();
+        let point4_felt_y_ = point2_felt_y_ + t79_;
+        *n52_ = -point4_felt_y_;
+        ::mstmm::generated::written();
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
