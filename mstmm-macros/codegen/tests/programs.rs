@@ -71,8 +71,9 @@ fn points(programs: &Programs, dimension: Dimension, full: &[Vec<f64>]) -> Vec<f
     for point in &programs.places.points {
         let entries = |place: &Place, count: usize| -> Vec<f64> {
             let Some(first) = place.first.checked_sub(1) else { return vec![0.0; count] };
-            let sign = if place.opposite { -1.0 } else { 1.0 };
-            full[7][first..first + count].iter().map(|x| sign * x).collect()
+            assert_eq!(place.count, count);
+            let numbers = full[7][first..first + count].iter().zip(place.opposite);
+            numbers.map(|(x, opposite)| if opposite { -x } else { *x }).collect()
         };
         let inertial = |Sight { axes, vector }: &Sight, along: &[usize]| -> Vec<f64> {
             let vector = entries(vector, along.len());

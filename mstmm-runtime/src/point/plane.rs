@@ -194,7 +194,7 @@ impl<T: Scalar> PlanePoint<T> {
 
 /// A vector in inertial axes, from its place and that of the axes that it is seen in.
 #[inline(always)]
-fn seen<T: Scalar>(numbers: &[T], (axes, vector): ([i32; 1], i32)) -> [T; 2] {
+fn seen<T: Scalar>(numbers: &[T], (axes, vector): ([u32; 1], u32)) -> [T; 2] {
     let vector = entries(numbers, vector);
     match cos_sin(numbers, axes) {
         Some(cos_sin) => turned(cos_sin, vector),
@@ -204,7 +204,7 @@ fn seen<T: Scalar>(numbers: &[T], (axes, vector): ([i32; 1], i32)) -> [T; 2] {
 
 /// Cosine and sine of an angle; nothing of zero.
 #[inline(always)]
-fn cos_sin<T: Scalar>(numbers: &[T], [place]: [i32; 1]) -> Option<[T; 2]> {
+fn cos_sin<T: Scalar>(numbers: &[T], [place]: [u32; 1]) -> Option<[T; 2]> {
     if place == 0 { None } else { Some(entries(numbers, place)) }
 }
 

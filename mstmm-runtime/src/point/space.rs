@@ -200,7 +200,7 @@ impl<T: Scalar> Point<T> {
 
 /// A vector in inertial axes, from its place and those of the axes that it is seen in.
 #[inline(always)]
-fn seen<T: Scalar>(numbers: &[T], (axes, vector): ([i32; 3], i32)) -> [T; 3] {
+fn seen<T: Scalar>(numbers: &[T], (axes, vector): ([u32; 3], u32)) -> [T; 3] {
     let vector = entries(numbers, vector);
     match columns(numbers, axes) {
         Some(columns) => turned(columns, vector),
@@ -210,7 +210,7 @@ fn seen<T: Scalar>(numbers: &[T], (axes, vector): ([i32; 3], i32)) -> [T; 3] {
 
 /// The columns of a matrix; nothing of the identity.
 #[inline(always)]
-fn columns<T: Scalar>(numbers: &[T], [x, y, z]: [i32; 3]) -> Option<[[T; 3]; 3]> {
+fn columns<T: Scalar>(numbers: &[T], [x, y, z]: [u32; 3]) -> Option<[[T; 3]; 3]> {
     if let (0, 0, 0) = (x, y, z) {
         return None;
     }

@@ -202,11 +202,14 @@ impl<'a, 'g> Scene<'a, 'g> {
         let held = undetermined.as_ref().map(Vec::len);
         let wrenches = undetermined.into_iter().flatten();
         groups.push(wrenches.flat_map(|w| w.force.0.into_iter().chain(w.moment.0)).collect());
-        let (places, numbers) = places::places(self.chain, self.graph, &report.points);
+        let (mut places, numbers) = places::places(self.chain, self.graph, &report.points);
+        let group = groups.len();
         groups.push(numbers);
         let shifts = self.chain.dimension.shifts();
         groups.push(shifts.iter().map(|&axis| report.at_rest[axis]).collect());
-        (issue(self.program(Stage::State, &trace, &groups, &turns, setup)), places, held)
+        let mut program = issue(self.program(Stage::State, &trace, &groups, &turns, setup));
+        places.settle(&mut program, group);
+        (program, places, held)
     }
 
     fn energy(&self, setup: &mut Setup) -> Program {

@@ -1,8 +1,10 @@
-//! Where results lie that many connection points share: every vector once, whichever its sign.
+//! Where results lie that many connection points share: every vector once, whichever the signs of its
+//! entries.
 
 use crate::equations::{Point, Seen};
 use crate::expr::{Edge, Expr, Graph};
 use crate::model::{Chain, Dimension, Element};
+use crate::program::{Block, Operand, Program};
 use std::collections::HashMap;
 
 /// A vector among the numbers of all points.
@@ -10,8 +12,10 @@ use std::collections::HashMap;
 pub struct Place {
     /// Where its first number is in its piece, counted from one; zero for a vector of zeros.
     pub first: usize,
-    /// Whether the opposite vector lies there.
-    pub opposite: bool,
+    /// How many numbers it has.
+    pub count: usize,
+    /// Of which of them the opposite lies there.
+    pub opposite: [bool; 3],
 }
 
 /// A vector and the axes that it is seen in: places of what turns into inertial ones, columns of a
@@ -27,6 +31,8 @@ pub struct Sight {
 /// Where the numbers of a connection point are.
 #[derive(Clone, Debug)]
 pub struct PointPlaces {
+    /// The piece that they are in.
+    pub piece: usize,
     /// Its position.
     pub position: Place,
     /// Its orientation, as axes are; none in inertial axes.
@@ -66,7 +72,7 @@ pub(super) fn places<'g>(
                 places.pieces.push((0, part));
             }
         }
-        places.points.push(all.point(point, chain.dimension));
+        places.points.push(all.point(places.pieces.len() - 1, point, chain.dimension));
         if let Some((count, _)) = places.pieces.last_mut() {
             *count = all.count;
         }
@@ -74,11 +80,62 @@ pub(super) fn places<'g>(
     (places, all.numbers)
 }
 
+impl Places {
+    /// Takes the negatives out of a program's `group` that has the numbers: places tell signs, and none of
+    /// them has to be turned to be written.
+    pub(super) fn settle(&mut self, program: &mut Program, group: usize) {
+        let mut opposite = vec![false; program.outputs[group].len()];
+        let mut settle = |number: usize, value: &mut Operand| {
+            if let Operand::Minus(inner) = value {
+                (*value, opposite[number]) = ((**inner).clone(), true);
+            }
+        };
+        for (number, value) in program.outputs[group].iter_mut().enumerate() {
+            settle(number, value);
+        }
+        for block in &mut program.blocks {
+            let Block::Loop(turn) = block else { continue };
+            for (_, number, value) in turn.outputs.iter_mut().filter(|output| output.0 == group) {
+                settle(*number, value);
+            }
+        }
+        let mut numbers = &opposite[..];
+        let pieces: Vec<&[bool]> =
+            self.pieces.iter().map_while(|&(count, _)| numbers.split_off(..count)).collect();
+        for point in &mut self.points {
+            let piece = pieces.get(point.piece).copied().unwrap_or_default();
+            point.all_mut().for_each(|place| place.settle(piece));
+        }
+    }
+}
+
+impl PointPlaces {
+    /// All places.
+    fn all_mut(&mut self) -> impl Iterator<Item = &mut Place> {
+        let vectors = self.vectors.iter_mut().flat_map(|Sight { axes, vector }| {
+            axes.iter_mut().flatten().chain(std::iter::once(vector))
+        });
+        std::iter::once(&mut self.position)
+            .chain(self.orientation.iter_mut().flatten())
+            .chain(vectors)
+    }
+}
+
+impl Place {
+    /// Where the opposite lies of some numbers of its piece.
+    fn settle(&mut self, piece: &[bool]) {
+        let Some(first) = self.first.checked_sub(1) else { return };
+        for (own, number) in self.opposite.iter_mut().zip(&piece[first..first + self.count]) {
+            *own ^= number;
+        }
+    }
+}
+
 /// Numbers that find their places.
 struct Filling<'g> {
     graph: &'g Graph,
-    /// Vectors of the piece, in the sign that most of their numbers are positive in.
-    known: HashMap<Vec<Edge>, Place>,
+    /// Where vectors of the piece begin, by the positives of their numbers.
+    known: HashMap<Vec<Edge>, usize>,
     /// How many numbers the piece has.
     count: usize,
     /// All numbers.
@@ -91,7 +148,12 @@ impl<'g> Filling<'g> {
         self.count = 0;
     }
 
-    fn point(&mut self, point: &Point<Expr<'g>>, dimension: Dimension) -> PointPlaces {
+    fn point(
+        &mut self,
+        piece: usize,
+        point: &Point<Expr<'g>>,
+        dimension: Dimension,
+    ) -> PointPlaces {
         let (shifts, turns) = (dimension.shifts(), dimension.turns());
         let seen = [
             (&point.velocity, shifts),
@@ -102,6 +164,7 @@ impl<'g> Filling<'g> {
             (&point.force, shifts),
         ];
         PointPlaces {
+            piece,
             position: self.vector(point.position.0, shifts),
             orientation: self.axes(point.rotation.transposed().0, dimension),
             vectors: seen
@@ -140,21 +203,23 @@ impl<'g> Filling<'g> {
     /// The place of a vector's entries along the axes that matter.
     fn vector(&mut self, vector: [Expr<'g>; 3], along: &[usize]) -> Place {
         let edges: Vec<Edge> = along.iter().map(|&k| self.graph.edge(vector[k])).collect();
-        let is_zero = |edge: &Edge| self.graph.expr(*edge).known() == Some(0.0);
-        let signs: Vec<bool> =
-            edges.iter().filter(|edge| !is_zero(edge)).map(|edge| edge.is_negative()).collect();
-        let Some(&first) = signs.first() else { return Place::default() };
-        let negative = signs.iter().filter(|&&negative| negative).count();
-        let opposite = 2 * negative > signs.len() || (2 * negative == signs.len() && first);
-        let turned = |edge: Edge| if opposite && !is_zero(&edge) { edge.negated() } else { edge };
-        let edges: Vec<Edge> = edges.into_iter().map(turned).collect();
-        if let Some(place) = self.known.get(&edges) {
-            return Place { opposite, ..*place };
+        if edges.iter().all(|&edge| self.graph.expr(edge).known() == Some(0.0)) {
+            return Place::default();
         }
-        let place = Place { first: self.count + 1, opposite: false };
-        self.count += edges.len();
+        let mut opposite = [false; 3];
+        for (opposite, edge) in opposite.iter_mut().zip(&edges) {
+            *opposite = edge.is_negative();
+        }
+        let positive = |edge: Edge| if edge.is_negative() { edge.negated() } else { edge };
+        let edges: Vec<Edge> = edges.into_iter().map(positive).collect();
+        let count = edges.len();
+        if let Some(&first) = self.known.get(&edges) {
+            return Place { first, count, opposite };
+        }
+        let first = self.count + 1;
+        self.count += count;
         self.numbers.extend(edges.iter().map(|&edge| self.graph.expr(edge)));
-        self.known.insert(edges, place);
-        Place { opposite, ..place }
+        self.known.insert(edges, first);
+        Place { first, count, opposite }
     }
 }

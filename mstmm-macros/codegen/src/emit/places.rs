@@ -6,8 +6,8 @@ use super::spread::Spread;
 use super::workspace::point_type;
 use crate::compile::{Place, PointPlaces, Sight};
 use crate::model::Dimension;
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
 
 /// The table of places, and the method that reads a point.
 pub fn emit(plan: &Plan) -> TokenStream {
@@ -95,8 +95,9 @@ fn entry(plan: &Plan, places: &PointPlaces) -> TokenStream {
     quote!(#mstmm::generated::Places::new(#position, #orientation, [#(#vectors),*]))
 }
 
-/// A place as the runtime has it.
+/// A place as the runtime has it: behind its number a digit for the signs.
 fn signed(place: &Place) -> TokenStream {
-    let first = Literal::usize_unsuffixed(place.first);
-    if place.opposite { quote!(-#first) } else { quote!(#first) }
+    let bits = place.opposite.iter().enumerate();
+    let signs: usize = bits.map(|(k, &opposite)| usize::from(opposite) << k).sum();
+    usize_literal(10 * place.first + signs).to_token_stream()
 }

@@ -4,6 +4,7 @@
 use super::Plan;
 use super::looped::usize_literal;
 use super::names::{accessor_mut, local};
+use super::solution;
 use super::spread::{Piece, Spread};
 use super::workspace::point_type;
 use crate::model::{Group, HingeId};
@@ -247,7 +248,8 @@ pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> Tok
         }
         _ => quote!(()),
     };
-    let (acceleration, effort) = (of(quote!(self.rate_accelerations)), of(quote!(self.efforts)));
+    let accelerations = solution::rate_accelerations(plan);
+    let (acceleration, effort) = (of(quote!(self.#accelerations)), of(quote!(self.efforts)));
     let doc = format!(
         " Acceleration, effort, input and output of hinge `{name}` number `index` of {count}."
     );

@@ -8,8 +8,9 @@ use super::dynamics::check;
 use super::looped::{Target, usize_literal};
 use super::names::local;
 use super::spread::Spread;
+use crate::model::Hinge;
 use crate::program::Operand;
-use proc_macro2::{Delimiter, Group, TokenStream};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream};
 use quote::{format_ident, quote};
 
 /// The method that computes everything.
@@ -48,9 +49,9 @@ fn solved(plan: &Plan) -> Group {
     let mut deliveries = Deliveries::new(program, mstmm);
     deliveries.add(outputs[..3].iter().flatten(), taken_back(plan, &check));
     let [results, _, _, rates, efforts, ..] = &block.arrays[..] else { return empty() };
-    for (number, field, array) in
-        [(0, "accelerations", results), (3, "rate_accelerations", rates), (4, "efforts", efforts)]
-    {
+    let apart = is_prescribed(plan).then_some((3, "rate_accelerations", rates));
+    let fields = [(0, "accelerations", results), (4, "efforts", efforts)];
+    for (number, field, array) in fields.into_iter().chain(apart) {
         let field = format_ident!("{field}");
         deliveries.add(&outputs[number], quote!(at_.#field.data.0 = [#array];));
     }
@@ -98,6 +99,17 @@ fn taken_back(plan: &Plan, check: &TokenStream) -> TokenStream {
             return ::core::result::Result::Err(error_);
         }
     }
+}
+
+/// Whether some rates are prescribed, so that the accelerations of all rates are not those that are
+/// solved for.
+pub fn is_prescribed(plan: &Plan) -> bool {
+    plan.chain.hinges.iter().any(Hinge::is_prescribed)
+}
+
+/// Where a workspace has the accelerations of all rates.
+pub fn rate_accelerations(plan: &Plan) -> Ident {
+    format_ident!("{}", if is_prescribed(plan) { "rate_accelerations" } else { "accelerations" })
 }
 
 /// Whether a result is the same in every state.
@@ -158,14 +170,15 @@ fn empty() -> Group {
 fn solved_in_loops(plan: &Plan) -> Group {
     let program = &plan.programs.solution;
     let (freedoms, rates) = (Spread::freedoms(plan), Spread::rates(plan));
+    let apart = is_prescribed(plan).then(|| (3, rates.clone(), quote!(at_.rate_accelerations)));
     let targets = [
         (0, freedoms, quote!(at_.accelerations)),
-        (3, rates.clone(), quote!(at_.rate_accelerations)),
         (4, rates, quote!(at_.efforts)),
         (NUMBERS, Spread::numbers_of_points(plan), quote!(at_.numbers)),
     ];
-    let targets =
-        targets.map(|(group, spread, place)| Target { group, spread, place: Some(place) });
+    let targets = targets.into_iter().chain(apart);
+    let target = |(group, spread, place)| Target { group, spread, place: Some(place) };
+    let targets: Vec<Target> = targets.map(target).collect();
     let block = plan.step(program, &targets, true);
     let check = taken_back(plan, &check(plan, program, &block, &plan.programs.pivots));
     let closure = closure(plan, &block);

@@ -24,6 +24,15 @@ pub fn emit(plan: &Plan) -> TokenStream {
         [solution::NUMBERS, solution::AT_REST].map(|group| solution::at_first(plan, group));
     let rates = usize_literal(Spread::rates(plan).total);
     let point = point_type(plan);
+    let [apart_field, apart_zero, apart_shown] = if solution::is_prescribed(plan) {
+        [
+            quote!(rate_accelerations: #mstmm::nalgebra::SVector<T, #rates>,),
+            quote!(rate_accelerations: #mstmm::generated::vector([zero_; #rates]),),
+            quote!(.field("rate_accelerations", &self.rate_accelerations)),
+        ]
+    } else {
+        [(); 3].map(|()| TokenStream::new())
+    };
     let closure = closure(plan);
     let Closure {
         field: closure_field,
@@ -48,7 +57,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
         #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
             accelerations: #mstmm::nalgebra::SVector<T, #freedoms>,
-            rate_accelerations: #mstmm::nalgebra::SVector<T, #rates>,
+            #apart_field
             efforts: #mstmm::nalgebra::SVector<T, #rates>,
             kinetic_energy: T,
             potential_energy: T,
@@ -94,7 +103,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
             fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 to_.debug_struct(#text)
                     .field("accelerations", &self.accelerations)
-                    .field("rate_accelerations", &self.rate_accelerations)
+                    #apart_shown
                     .field("efforts", &self.efforts)
                     .field("kinetic_energy", &self.kinetic_energy)
                     .field("potential_energy", &self.potential_energy)
@@ -112,7 +121,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
                 let zero_ = T::constant(0.0);
                 #name {
                     accelerations: #mstmm::generated::vector([zero_; #freedoms]),
-                    rate_accelerations: #mstmm::generated::vector([zero_; #rates]),
+                    #apart_zero
                     efforts: #mstmm::generated::vector([zero_; #rates]),
                     kinetic_energy: zero_,
                     potential_energy: zero_,
@@ -186,12 +195,13 @@ fn hinge(plan: &Plan, index: usize, place: usize) -> TokenStream {
     let visibility = &plan.surface.visibility;
     let range = &plan.layout.rates[index];
     let ty = plan.numbers_type(kind.freedoms());
-    let of = |field| match range.len() {
+    let of = |field: &Ident| match range.len() {
         0 => quote!(()),
         1 => scalar(plan, range, field),
         _ => vector(plan, range, field),
     };
-    let (acceleration, effort) = (of("rate_accelerations"), of("efforts"));
+    let (acceleration, effort) =
+        (of(&solution::rate_accelerations(plan)), of(&format_ident!("efforts")));
     let doc = format!(" Acceleration, effort, input and output of hinge `{name}`.");
     let (ends, point) = (ends(plan, place), point_type(plan));
     quote! {
@@ -211,7 +221,7 @@ fn ends(plan: &Plan, place: usize) -> TokenStream {
     quote!(let (input_, output_) = (self.point_(#input), self.point_(#output));)
 }
 
-fn scalar(plan: &Plan, range: &Range<usize>, field: &str) -> TokenStream {
+fn scalar(plan: &Plan, range: &Range<usize>, field: &Ident) -> TokenStream {
     let numbers = numbers(plan, range, field);
     quote!({
         let [value_] = #numbers;
@@ -219,16 +229,15 @@ fn scalar(plan: &Plan, range: &Range<usize>, field: &str) -> TokenStream {
     })
 }
 
-fn vector(plan: &Plan, range: &Range<usize>, field: &str) -> TokenStream {
+fn vector(plan: &Plan, range: &Range<usize>, field: &Ident) -> TokenStream {
     let mstmm = &plan.mstmm;
     let numbers = numbers(plan, range, field);
     quote!(#mstmm::generated::vector(#numbers))
 }
 
 /// Some of the numbers of all rates.
-fn numbers(plan: &Plan, range: &Range<usize>, field: &str) -> TokenStream {
+fn numbers(plan: &Plan, range: &Range<usize>, field: &Ident) -> TokenStream {
     let mstmm = &plan.mstmm;
-    let field = format_ident!("{field}");
     let spread = Spread::rates(plan);
     let place = spread
         .piece_of(range.start)

@@ -847,7 +847,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t181_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t178_);
         /// Acceleration of `crank_pin`.
         let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t168_);
-        *n10_ = -minus_crank_pin_a_ang_z_;
+        *n10_ = minus_crank_pin_a_ang_z_;
         ::mstmm::generated::written();
         /// Acceleration of `a`.
         let t170_ = cos_a_angle_ * t169_;
@@ -867,7 +867,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t192_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t191_);
         /// Acceleration of `a`.
         let minus_a_a_ang_z_ = t180_ - t182_;
-        *n22_ = -minus_a_a_ang_z_;
+        *n22_ = minus_a_a_ang_z_;
         ::mstmm::generated::written();
         let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t171_, t170_);
         *n17_ = minus_a_a_lin_x_;
@@ -880,7 +880,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t197_ = cos_rocker_pin_angle_ * closure_reaction0_;
         /// Acceleration of `a`.
         let a_a_lin_y_ = T::mul_add(cos_a_angle_, t171_, t172_);
-        *n18_ = -a_a_lin_y_;
+        *n18_ = a_a_lin_y_;
         ::mstmm::generated::written();
         /// Acceleration of `b`.
         let t184_ = c_(0.6) * minus_a_a_ang_z_;
@@ -897,7 +897,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Load on `crank_pin`.
         let t199_ = sin_rocker_pin_angle_ * closure_reaction0_;
         let t198_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t197_);
-        *n41_ = -t198_;
+        *n41_ = t198_;
         ::mstmm::generated::written();
         /// Acceleration of `b`.
         let t185_ = a_a_lin_y_ - t184_;
@@ -924,7 +924,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             minus_closure_reaction1_,
             t199_,
         );
-        *n42_ = -t200_;
+        *n42_ = t200_;
         ::mstmm::generated::written();
         let t201_ = minus_b_e_force_x_ - t198_;
         /// Acceleration of `b`.
@@ -932,10 +932,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         *n29_ = minus_b_a_lin_x_;
         ::mstmm::generated::written();
         let minus_b_a_ang_z_ = T::mul_add(t188_, t183_, t194_);
-        *n34_ = -minus_b_a_ang_z_;
+        *n34_ = minus_b_a_ang_z_;
         ::mstmm::generated::written();
         let b_a_lin_y_ = T::mul_add(cos_b_angle_, t185_, t187_);
-        *n30_ = -b_a_lin_y_;
+        *n30_ = b_a_lin_y_;
         ::mstmm::generated::written();
         /// Velocity behind `a`.
         let a_velocity_x_ = sin_a_angle_ * t212_;
@@ -994,7 +994,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         ::mstmm::generated::written();
         /// Velocity behind `b`.
         let minus_b_velocity_y_ = T::mul_neg_add(cos_b_angle_, t215_, t217_);
-        *n26_ = -minus_b_velocity_y_;
+        *n26_ = minus_b_velocity_y_;
         ::mstmm::generated::written();
         /// Pose behind `b`.
         let b_position_y_ = T::mul_add(c_(0.6), minus_a_to_inertial_x_y_, a_position_y_);
@@ -1039,7 +1039,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         ::mstmm::generated::written();
         /// Connection points.
         let minus_point6_velocity_y_ = minus_b_velocity_y_ - t218_;
-        *n38_ = -minus_point6_velocity_y_;
+        *n38_ = minus_point6_velocity_y_;
         ::mstmm::generated::written();
         /// Results.
         let t229_ = T::mul_sub(minus_b_velocity_y_, t218_, t228_);
@@ -1055,7 +1055,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t237_ = sin_rocker_pin_angle_ * t142_;
         /// Load on `crank_pin`.
         let a_load_force_x_ = T::mul_sub(sin_b_angle_, minus_b_load_force_y_, t204_);
-        *n19_ = -a_load_force_x_;
+        *n19_ = a_load_force_x_;
         ::mstmm::generated::written();
         let t207_ = T::mul_neg_add(sin_a_angle_, minus_a_load_force_y_, t195_);
         let t209_ = T::mul_sub(cos_a_angle_, minus_a_load_force_y_, t208_);
@@ -1088,10 +1088,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t219_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
         /// Load on `crank_pin`.
         let crank_pin_load_force_x_ = T::mul_sub(cos_a_angle_, a_load_force_x_, t207_);
-        *n3_ = -crank_pin_load_force_x_;
+        *n3_ = crank_pin_load_force_x_;
         ::mstmm::generated::written();
         let crank_pin_load_force_y_ = T::mul_sub(sin_a_angle_, a_load_force_x_, t209_);
-        *n4_ = -crank_pin_load_force_y_;
+        *n4_ = crank_pin_load_force_y_;
         ::mstmm::generated::written();
         /// Connection points.
         let minus_point6_felt_x_ = minus_b_e_force_x_ + minus_b_a_lin_x_;
@@ -1120,13 +1120,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         at_.accelerations.data.0 = [
             [-minus_crank_pin_a_ang_z_, t219_, t220_, minus_b_a_ang_z_],
         ];
-        at_.rate_accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t219_, t220_, minus_b_a_ang_z_],
-        ];
         ::mstmm::generated::written();
         /// Connection points.
         let point6_felt_y_ = b_a_lin_y_ - t196_;
-        *n40_ = -point6_felt_y_;
+        *n40_ = point6_felt_y_;
         ::mstmm::generated::written();
         ::core::result::Result::Ok(())
     }
@@ -1761,7 +1758,6 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
 #[allow(dead_code, non_snake_case)]
 pub struct FourBarWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 4>,
-    rate_accelerations: ::mstmm::nalgebra::SVector<T, 4>,
     efforts: ::mstmm::nalgebra::SVector<T, 4>,
     kinetic_energy: T,
     potential_energy: T,
@@ -1807,42 +1803,42 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
         ::mstmm::generated::Places::new(
             0,
             [0],
-            [([0], 0), ([0], 0), ([0], 1), ([0], 0), ([0], -3), ([6], -4)],
+            [([0], 0), ([0], 0), ([0], 10), ([0], 0), ([0], 31), ([60], 40)],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [6],
-            [([0], 0), ([0], 8), ([6], 9), ([0], 11), ([0], -3), ([6], -4)],
+            [60],
+            [([0], 0), ([0], 80), ([60], 90), ([0], 111), ([0], 31), ([60], 40)],
         ),
         ::mstmm::generated::Places::new(
-            12,
-            [6],
-            [([16], 14), ([0], 8), ([16], -18), ([0], 11), ([0], 0), ([16], -20)],
+            120,
+            [60],
+            [([160], 140), ([0], 80), ([160], 181), ([0], 111), ([0], 0), ([160], 202)],
         ),
         ::mstmm::generated::Places::new(
-            12,
-            [16],
-            [([16], 14), ([0], 22), ([16], -18), ([0], 23), ([0], 0), ([16], -20)],
+            120,
+            [160],
+            [([160], 140), ([0], 220), ([160], 181), ([0], 231), ([0], 0), ([160], 202)],
         ),
         ::mstmm::generated::Places::new(
-            24,
-            [16],
-            [([28], 26), ([0], 22), ([28], -30), ([0], 23), ([0], 0), ([28], -32)],
+            240,
+            [160],
+            [([280], 262), ([0], 220), ([280], 301), ([0], 231), ([0], 0), ([280], 323)],
         ),
         ::mstmm::generated::Places::new(
-            24,
-            [28],
-            [([28], 26), ([0], 34), ([28], -30), ([0], 35), ([0], 0), ([28], -32)],
+            240,
+            [280],
+            [([280], 262), ([0], 340), ([280], 301), ([0], 351), ([0], 0), ([280], 323)],
         ),
         ::mstmm::generated::Places::new(
-            36,
-            [28],
-            [([28], 38), ([0], 34), ([28], -40), ([0], 35), ([0], 0), ([28], -42)],
+            360,
+            [280],
+            [([280], 382), ([0], 340), ([280], 401), ([0], 351), ([0], 0), ([280], 420)],
         ),
         ::mstmm::generated::Places::new(
-            44,
+            440,
             [0],
-            [([0], 0), ([0], 0), ([0], 1), ([0], 0), ([0], 0), ([28], -42)],
+            [([0], 0), ([0], 0), ([0], 10), ([0], 0), ([0], 0), ([280], 420)],
         ),
     ];
     /// Connection point number `index`.
@@ -1866,7 +1862,7 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
                 let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
-                >(self.rate_accelerations.as_slice(), 0);
+                >(self.accelerations.as_slice(), 0);
                 value_
             },
             {
@@ -1895,7 +1891,7 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
                 let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
-                >(self.rate_accelerations.as_slice(), 1);
+                >(self.accelerations.as_slice(), 1);
                 value_
             },
             {
@@ -1924,7 +1920,7 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
                 let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
-                >(self.rate_accelerations.as_slice(), 2);
+                >(self.accelerations.as_slice(), 2);
                 value_
             },
             {
@@ -1953,7 +1949,7 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
                 let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
-                >(self.rate_accelerations.as_slice(), 3);
+                >(self.accelerations.as_slice(), 3);
                 value_
             },
             {
@@ -1972,7 +1968,6 @@ impl<T: ::mstmm::Scalar> ::core::fmt::Debug for FourBarWorkspace<T> {
     fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
         to_.debug_struct("FourBarWorkspace")
             .field("accelerations", &self.accelerations)
-            .field("rate_accelerations", &self.rate_accelerations)
             .field("efforts", &self.efforts)
             .field("kinetic_energy", &self.kinetic_energy)
             .field("potential_energy", &self.potential_energy)
@@ -1990,7 +1985,6 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let zero_ = T::constant(0.0);
         FourBarWorkspace {
             accelerations: ::mstmm::generated::vector([zero_; 4]),
-            rate_accelerations: ::mstmm::generated::vector([zero_; 4]),
             efforts: ::mstmm::generated::vector([zero_; 4]),
             kinetic_energy: zero_,
             potential_energy: zero_,

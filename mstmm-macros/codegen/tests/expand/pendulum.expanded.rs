@@ -239,7 +239,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         *n7_ = sin_joint_angle_;
         *n9_ = sin_joint_angle_;
         *n6_ = cos_joint_angle_;
-        *n10_ = -cos_joint_angle_;
+        *n10_ = cos_joint_angle_;
         ::mstmm::generated::written();
         /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 3 mul, 0 add, 0 reciprocal.
         let t0_ = joint_rate_ * joint_rate_;
@@ -275,7 +275,6 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             return ::core::result::Result::Err(error_);
         }
         at_.accelerations.data.0 = [[joint_a_ang_z_]];
-        at_.rate_accelerations.data.0 = [[joint_a_ang_z_]];
         *n26_ = joint_a_ang_z_;
         ::mstmm::generated::written();
         /// Load on `joint`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
@@ -298,7 +297,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         ::mstmm::generated::written();
         /// Load on `joint`.
         let joint_load_force_y_ = T::mul_add(known_joint_b_y_z_, joint_a_ang_z_, t2_);
-        *n16_ = -joint_load_force_y_;
+        *n16_ = joint_load_force_y_;
         ::mstmm::generated::written();
         ::core::result::Result::Ok(())
     }
@@ -494,7 +493,6 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 1>,
-    rate_accelerations: ::mstmm::nalgebra::SVector<T, 1>,
     efforts: ::mstmm::nalgebra::SVector<T, 1>,
     kinetic_energy: T,
     potential_energy: T,
@@ -533,32 +531,32 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
             [
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([0, 0, 0], 1),
+                ([0, 0, 0], 10),
                 ([0, 0, 0], 0),
-                ([7, -10, 13], -4),
-                ([7, -10, 13], -16),
+                ([70, 101, 130], 44),
+                ([70, 101, 130], 161),
             ],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [7, -10, 13],
+            [70, 101, 130],
             [
                 ([0, 0, 0], 0),
-                ([7, -10, 13], 19),
-                ([7, -10, 13], 22),
-                ([7, -10, 13], 25),
-                ([7, -10, 13], -4),
-                ([7, -10, 13], -16),
+                ([70, 101, 130], 190),
+                ([70, 101, 130], 220),
+                ([70, 101, 130], 250),
+                ([70, 101, 130], 44),
+                ([70, 101, 130], 161),
             ],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [7, -10, 13],
+            [70, 101, 130],
             [
                 ([0, 0, 0], 0),
-                ([7, -10, 13], 19),
-                ([7, -10, 13], 22),
-                ([7, -10, 13], 25),
+                ([70, 101, 130], 190),
+                ([70, 101, 130], 220),
+                ([70, 101, 130], 250),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
             ],
@@ -579,7 +577,7 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
                 let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
-                >(self.rate_accelerations.as_slice(), 0);
+                >(self.accelerations.as_slice(), 0);
                 value_
             },
             {
@@ -604,7 +602,6 @@ impl<T: ::mstmm::Scalar> ::core::fmt::Debug for PendulumWorkspace<T> {
     fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
         to_.debug_struct("PendulumWorkspace")
             .field("accelerations", &self.accelerations)
-            .field("rate_accelerations", &self.rate_accelerations)
             .field("efforts", &self.efforts)
             .field("kinetic_energy", &self.kinetic_energy)
             .field("potential_energy", &self.potential_energy)
@@ -621,7 +618,6 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let zero_ = T::constant(0.0);
         PendulumWorkspace {
             accelerations: ::mstmm::generated::vector([zero_; 1]),
-            rate_accelerations: ::mstmm::generated::vector([zero_; 1]),
             efforts: ::mstmm::generated::vector([zero_; 1]),
             kinetic_energy: zero_,
             potential_energy: zero_,

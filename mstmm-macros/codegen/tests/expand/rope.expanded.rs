@@ -862,7 +862,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let [hook_angle_] = ::mstmm::generated::piece::<T, 1>(state_.q.as_slice(), 10);
         let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
         let results0_ = &mut at_.accelerations;
-        let results3_ = &mut at_.rate_accelerations;
         let results4_ = &mut at_.efforts;
         let results7_ = &mut at_.numbers;
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
@@ -1142,37 +1141,33 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         for (
             (
                 (
-                    (
-                        &[sin_joint_angle_,
-                        cos_joint_angle_,
-                        _,
-                        _,
-                        _,
-                        _,
-                        _,
-                        minus_end_of_repeat0_centripetal_x_,
-                        _,
-                        _,
-                        ],
-                        &[carry1_0_before_,
-                        carry1_1_before_,
-                        carry1_3_before_,
-                        carry1_4_before_,
-                        carry1_5_before_,
-                        t29_,
-                        t31_,
-                        t33_,
-                        t39_,
-                        t41_,
-                        minus_joint_w0_,
-                        t44_,
-                        t45_,
-                        ],
-                    ),
-                    [o0_0_,
+                    &[sin_joint_angle_,
+                    cos_joint_angle_,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    minus_end_of_repeat0_centripetal_x_,
+                    _,
+                    _,
+                    ],
+                    &[carry1_0_before_,
+                    carry1_1_before_,
+                    carry1_3_before_,
+                    carry1_4_before_,
+                    carry1_5_before_,
+                    t29_,
+                    t31_,
+                    t33_,
+                    t39_,
+                    t41_,
+                    minus_joint_w0_,
+                    t44_,
+                    t45_,
                     ],
                 ),
-                [o3_0_,
+                [o0_0_,
                 ],
             ),
             [_,
@@ -1201,17 +1196,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         ) in ::core::iter::zip(
             ::core::iter::zip(
                 ::core::iter::zip(
-                    ::core::iter::zip(
-                        store1_.iter(),
-                        ::core::iter::Iterator::rev(store3_.iter()),
-                    ),
-                    ::mstmm::generated::times_mut::<
-                        T,
-                        1,
-                    >(results0_.as_mut_slice(), 0, 10)
-                        .iter_mut(),
+                    store1_.iter(),
+                    ::core::iter::Iterator::rev(store3_.iter()),
                 ),
-                ::mstmm::generated::times_mut::<T, 1>(results3_.as_mut_slice(), 0, 10)
+                ::mstmm::generated::times_mut::<T, 1>(results0_.as_mut_slice(), 0, 10)
                     .iter_mut(),
             ),
             ::mstmm::generated::times_mut::<T, 22>(results7_.as_mut_slice(), 5, 10)
@@ -1269,15 +1257,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t60_ = carry2_2_before_ + minus_joint_a_ang_z_;
             _ = store5_.try_push([joint_a_lin_x_]);
             *o0_0_ = -t60_;
-            *o3_0_ = -t60_;
             *o7_12_ = joint_a_lin_x_;
-            *o7_13_ = -minus_joint_a_lin_y_;
+            *o7_13_ = minus_joint_a_lin_y_;
             *o7_14_ = minus_joint_a_ang_z_;
-            *o7_16_ = -joint_load_force_x_;
-            *o7_17_ = -joint_load_force_y_;
-            *o7_23_ = -minus_end_of_repeat0_a_lin_y_;
-            *o7_25_ = -minus_end_of_repeat0_load_force_x_;
-            *o7_26_ = -minus_end_of_repeat0_load_force_y_;
+            *o7_16_ = joint_load_force_x_;
+            *o7_17_ = joint_load_force_y_;
+            *o7_23_ = minus_end_of_repeat0_a_lin_y_;
+            *o7_25_ = minus_end_of_repeat0_load_force_x_;
+            *o7_26_ = minus_end_of_repeat0_load_force_y_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 -minus_end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
@@ -1448,7 +1435,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o7_7_ = joint_to_inertial_x_x_;
             *o7_8_ = joint_to_inertial_y_x_;
             *o7_9_ = joint_velocity_x_;
-            *o7_10_ = -minus_joint_velocity_y_;
+            *o7_10_ = minus_joint_velocity_y_;
             *o7_18_ = point2_position_x_;
             *o7_19_ = point2_position_y_;
             *o7_20_ = joint_velocity_x_;
@@ -1619,12 +1606,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
-        >(results3_.as_mut_slice(), 10, 1) {
-            *o0_ = -t65_;
-        }
-        for [o0_] in ::mstmm::generated::times_mut::<
-            T,
-            1,
         >(results4_.as_mut_slice(), 0, 10) {
             *o0_ = c_(0.0);
         }
@@ -1653,10 +1634,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o2_ = hook_to_inertial_x_x_;
             *o3_ = hook_to_inertial_y_x_;
             *o4_ = hook_velocity_x_;
-            *o5_ = -minus_hook_velocity_y_;
+            *o5_ = minus_hook_velocity_y_;
             *o6_ = hook_omega_z_2_;
             *o7_ = hook_a_lin_x_;
-            *o8_ = -minus_hook_a_lin_y_;
+            *o8_ = minus_hook_a_lin_y_;
             *o9_ = minus_hook_a_ang_z_;
             *o10_ = hook_load_force_x_;
             *o11_ = hook_load_force_y_;
@@ -2102,7 +2083,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
 #[allow(dead_code, non_snake_case)]
 pub struct RopeWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 11>,
-    rate_accelerations: ::mstmm::nalgebra::SVector<T, 11>,
     efforts: ::mstmm::nalgebra::SVector<T, 11>,
     kinetic_energy: T,
     potential_energy: T,
@@ -2138,27 +2118,27 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
         ::mstmm::generated::Places::new(
             0,
             [0],
-            [([0], 0), ([0], 0), ([0], 1), ([0], 0), ([0], -3), ([0], 4)],
+            [([0], 0), ([0], 0), ([0], 10), ([0], 0), ([0], 31), ([0], 40)],
         ),
         ::mstmm::generated::Places::new(
-            1,
-            [3],
-            [([3], 5), ([0], 7), ([3], 8), ([0], -10), ([0], 11), ([3], -12)],
+            10,
+            [30],
+            [([30], 52), ([0], 70), ([30], 82), ([0], 101), ([0], 110), ([30], 120)],
         ),
         ::mstmm::generated::Places::new(
-            14,
-            [3],
-            [([3], 16), ([0], 7), ([3], 18), ([0], -10), ([0], -20), ([3], 21)],
+            140,
+            [30],
+            [([30], 160), ([0], 70), ([30], 182), ([0], 101), ([0], 201), ([30], 213)],
         ),
         ::mstmm::generated::Places::new(
-            1,
-            [3],
-            [([3], 5), ([0], 7), ([3], 8), ([0], -10), ([0], 0), ([3], 11)],
+            10,
+            [30],
+            [([30], 52), ([0], 70), ([30], 82), ([0], 101), ([0], 0), ([30], 110)],
         ),
         ::mstmm::generated::Places::new(
-            1,
-            [3],
-            [([3], 5), ([0], 7), ([3], 8), ([0], -10), ([0], 0), ([0], 0)],
+            10,
+            [30],
+            [([30], 52), ([0], 70), ([30], 82), ([0], 101), ([0], 0), ([0], 0)],
         ),
     ];
     /// Connection point number `index`.
@@ -2187,7 +2167,7 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
                 let &[x0_] = ::mstmm::generated::times::<
                     T,
                     1,
-                >(self.rate_accelerations.as_slice(), 0, 10)
+                >(self.accelerations.as_slice(), 0, 10)
                     .get(index_)?;
                 x0_
             },
@@ -2226,7 +2206,7 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
                 let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
-                >(self.rate_accelerations.as_slice(), 10);
+                >(self.accelerations.as_slice(), 10);
                 value_
             },
             {
@@ -2251,7 +2231,6 @@ impl<T: ::mstmm::Scalar> ::core::fmt::Debug for RopeWorkspace<T> {
     fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
         to_.debug_struct("RopeWorkspace")
             .field("accelerations", &self.accelerations)
-            .field("rate_accelerations", &self.rate_accelerations)
             .field("efforts", &self.efforts)
             .field("kinetic_energy", &self.kinetic_energy)
             .field("potential_energy", &self.potential_energy)
@@ -2268,7 +2247,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let zero_ = T::constant(0.0);
         RopeWorkspace {
             accelerations: ::mstmm::generated::vector([zero_; 11]),
-            rate_accelerations: ::mstmm::generated::vector([zero_; 11]),
             efforts: ::mstmm::generated::vector([zero_; 11]),
             kinetic_energy: zero_,
             potential_energy: zero_,

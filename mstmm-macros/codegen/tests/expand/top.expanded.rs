@@ -240,7 +240,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
             c_(117.60000000000001),
             minus_tip_w1_,
         );
-        *n22_ = -minus_tip_a_ang_y_;
+        *n22_ = minus_tip_a_ang_y_;
         ::mstmm::generated::written();
         let tip_a_ang_x_ = T::mul_add(tip_turn_z_y_, c_(117.60000000000001), tip_w0_);
         let checked_ = (|| {
@@ -257,21 +257,20 @@ impl<T: ::mstmm::Scalar> Top<T> {
             return ::core::result::Result::Err(error_);
         }
         at_.accelerations.data.0 = [[tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)]];
-        at_.rate_accelerations.data.0 = [[tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)]];
         *n21_ = tip_a_ang_x_;
         ::mstmm::generated::written();
         /// Motion across `tip`.
         let minus_tip_turn_x_y_ = t5_ - t6_;
-        *n9_ = -minus_tip_turn_x_y_;
+        *n9_ = minus_tip_turn_x_y_;
         ::mstmm::generated::written();
         let tip_turn_x_z_ = t7_ + t8_;
         *n12_ = tip_turn_x_z_;
         ::mstmm::generated::written();
         let tip_turn_y_x_ = t5_ + t6_;
-        *n7_ = -tip_turn_y_x_;
+        *n7_ = tip_turn_y_x_;
         ::mstmm::generated::written();
         let minus_tip_turn_z_z_ = t2_ + t10_;
-        *n14_ = -minus_tip_turn_z_z_;
+        *n14_ = minus_tip_turn_z_z_;
         ::mstmm::generated::written();
         /// Riccati transfer over `tip`.
         let minus_tip_e_force_z_ = c_(0.012) * t14_;
@@ -284,13 +283,13 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t20_ = t15_ - tip_a_ang_x_;
         /// Acceleration of `tip`.
         let minus_tip_a_lin_x_ = minus_tip_turn_z_x_ * c_(9.8);
-        *n18_ = -minus_tip_a_lin_x_;
+        *n18_ = minus_tip_a_lin_x_;
         ::mstmm::generated::written();
         let tip_a_lin_y_ = tip_turn_z_y_ * c_(9.8);
         *n19_ = tip_a_lin_y_;
         ::mstmm::generated::written();
         let minus_tip_a_lin_z_ = c_(9.8) * minus_tip_turn_z_z_;
-        *n20_ = -minus_tip_a_lin_z_;
+        *n20_ = minus_tip_a_lin_z_;
         ::mstmm::generated::written();
         /// Results.
         let t25_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
@@ -302,7 +301,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
             minus_tip_turn_z_z_,
             minus_tip_e_force_z_,
         );
-        *n5_ = -minus_tip_load_force_z_;
+        *n5_ = minus_tip_load_force_z_;
         ::mstmm::generated::written();
         /// Results.
         let t24_ = c_(0.5) * t23_;
@@ -310,17 +309,17 @@ impl<T: ::mstmm::Scalar> Top<T> {
         ::mstmm::generated::written();
         /// Load on `tip`.
         let minus_tip_load_force_x_ = T::mul_neg_add(c_(0.012), t18_, t17_);
-        *n3_ = -minus_tip_load_force_x_;
+        *n3_ = minus_tip_load_force_x_;
         ::mstmm::generated::written();
         let tip_load_force_y_ = T::mul_add(c_(0.012), t20_, t19_);
         *n4_ = tip_load_force_y_;
         ::mstmm::generated::written();
         /// Motion across `tip`.
         let minus_tip_turn_y_y_ = t3_ + t10_;
-        *n10_ = -minus_tip_turn_y_y_;
+        *n10_ = minus_tip_turn_y_y_;
         ::mstmm::generated::written();
         let minus_tip_turn_y_z_ = t11_ - t12_;
-        *n13_ = -minus_tip_turn_y_z_;
+        *n13_ = minus_tip_turn_y_z_;
         ::mstmm::generated::written();
         let minus_tip_turn_x_x_ = t3_ + t4_;
         *n6_ = minus_tip_turn_x_x_;
@@ -549,7 +548,6 @@ impl<T: ::mstmm::Scalar> Top<T> {
 #[allow(dead_code, non_snake_case)]
 struct TopWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 3>,
-    rate_accelerations: ::mstmm::nalgebra::SVector<T, 3>,
     efforts: ::mstmm::nalgebra::SVector<T, 3>,
     kinetic_energy: T,
     potential_energy: T,
@@ -588,32 +586,32 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
             [
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([0, 0, 0], 1),
+                ([0, 0, 0], 10),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([-7, 10, 13], 4),
+                ([75, 103, 136], 45),
             ],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [-7, 10, 13],
+            [75, 103, 136],
             [
                 ([0, 0, 0], 0),
-                ([-7, 10, 13], 16),
-                ([-7, 10, 13], 19),
-                ([-7, 10, 13], 22),
+                ([75, 103, 136], 160),
+                ([75, 103, 136], 195),
+                ([75, 103, 136], 222),
                 ([0, 0, 0], 0),
-                ([-7, 10, 13], 4),
+                ([75, 103, 136], 45),
             ],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [-7, 10, 13],
+            [75, 103, 136],
             [
                 ([0, 0, 0], 0),
-                ([-7, 10, 13], 16),
-                ([-7, 10, 13], 19),
-                ([-7, 10, 13], 22),
+                ([75, 103, 136], 160),
+                ([75, 103, 136], 195),
+                ([75, 103, 136], 222),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
             ],
@@ -637,7 +635,7 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
         let (input_, output_) = (self.point_(0), self.point_(1));
         ::mstmm::HingeResult::new(
             ::mstmm::generated::vector(
-                ::mstmm::generated::piece::<T, 3>(self.rate_accelerations.as_slice(), 0),
+                ::mstmm::generated::piece::<T, 3>(self.accelerations.as_slice(), 0),
             ),
             ::mstmm::generated::vector(
                 ::mstmm::generated::piece::<T, 3>(self.efforts.as_slice(), 0),
@@ -657,7 +655,6 @@ impl<T: ::mstmm::Scalar> ::core::fmt::Debug for TopWorkspace<T> {
     fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
         to_.debug_struct("TopWorkspace")
             .field("accelerations", &self.accelerations)
-            .field("rate_accelerations", &self.rate_accelerations)
             .field("efforts", &self.efforts)
             .field("kinetic_energy", &self.kinetic_energy)
             .field("potential_energy", &self.potential_energy)
@@ -674,7 +671,6 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let zero_ = T::constant(0.0);
         TopWorkspace {
             accelerations: ::mstmm::generated::vector([zero_; 3]),
-            rate_accelerations: ::mstmm::generated::vector([zero_; 3]),
             efforts: ::mstmm::generated::vector([zero_; 3]),
             kinetic_energy: zero_,
             potential_energy: zero_,

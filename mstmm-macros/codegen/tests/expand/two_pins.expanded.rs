@@ -346,7 +346,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         *n7_ = sin_shoulder_angle_;
         *n9_ = sin_shoulder_angle_;
         *n6_ = cos_shoulder_angle_;
-        *n10_ = -cos_shoulder_angle_;
+        *n10_ = cos_shoulder_angle_;
         ::mstmm::generated::written();
         /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 55 mul, 39 add, 3 reciprocal, 2 square root.
         let t23_ = T::mul_add(
@@ -491,15 +491,14 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         /// Boundary solve at the far end.
         let end_x5_ = T::mul_neg_add(c_(0.5), t71_, t68_);
         at_.accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
-        at_.rate_accelerations.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
         ::mstmm::generated::written();
         /// Load on `shoulder`, [P, Eqs. (18), (19)]: 8 mul, 11 add, 0 reciprocal.
         let t78_ = shoulder_a_lin_y_ - minus_shoulder_beta0_;
         let point2_felt_y_ = T::mul_add(cos_elbow_angle_, t78_, t2_);
-        *n34_ = -point2_felt_y_;
+        *n34_ = point2_felt_y_;
         ::mstmm::generated::written();
         let t79_ = end_x5_ - minus_shoulder_beta0_;
-        *n44_ = -t79_;
+        *n44_ = t79_;
         ::mstmm::generated::written();
         /// Results: 6 mul, 3 add, 0 reciprocal.
         let t85_ = minus_elbow_centripetal_x_ * c_(0.6666666666666666);
@@ -508,7 +507,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t84_ = cos_shoulder_angle_ * sin_elbow_angle_;
         /// Load on `shoulder`.
         let elbow_load_force_y_ = T::mul_add(c_(0.5), t79_, point2_felt_y_);
-        *n37_ = -elbow_load_force_y_;
+        *n37_ = elbow_load_force_y_;
         ::mstmm::generated::written();
         let t81_ = T::mul_neg_add(c_(0.5), minus_shoulder_beta0_, shoulder_a_lin_y_);
         let minus_point2_felt_x_ = T::mul_neg_add(sin_elbow_angle_, t78_, t11_);
@@ -532,7 +531,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             t83_,
         );
         *n27_ = elbow_to_inertial_x_x_;
-        *n31_ = -elbow_to_inertial_x_x_;
+        *n31_ = elbow_to_inertial_x_x_;
         ::mstmm::generated::written();
         let minus_elbow_to_inertial_x_y_ = T::mul_add(
             sin_shoulder_angle_,
@@ -613,7 +612,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         *n51_ = minus_point4_felt_x_;
         ::mstmm::generated::written();
         let point4_felt_y_ = point2_felt_y_ + t79_;
-        *n52_ = -point4_felt_y_;
+        *n52_ = point4_felt_y_;
         ::mstmm::generated::written();
         ::core::result::Result::Ok(())
     }
@@ -840,7 +839,6 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPinsWorkspace<T> {
     accelerations: ::mstmm::nalgebra::SVector<T, 2>,
-    rate_accelerations: ::mstmm::nalgebra::SVector<T, 2>,
     efforts: ::mstmm::nalgebra::SVector<T, 2>,
     kinetic_energy: T,
     potential_energy: T,
@@ -879,56 +877,56 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
             [
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([0, 0, 0], 1),
+                ([0, 0, 0], 10),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([7, -10, 13], -4),
+                ([70, 101, 130], 43),
             ],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [7, -10, 13],
+            [70, 101, 130],
             [
                 ([0, 0, 0], 0),
-                ([7, -10, 13], 16),
-                ([7, -10, 13], 19),
-                ([7, -10, 13], -22),
+                ([70, 101, 130], 160),
+                ([70, 101, 130], 190),
+                ([70, 101, 130], 224),
                 ([0, 0, 0], 0),
-                ([7, -10, 13], -4),
+                ([70, 101, 130], 43),
             ],
         ),
         ::mstmm::generated::Places::new(
-            7,
-            [7, -10, 13],
+            70,
+            [70, 101, 130],
             [
-                ([28, -31, 13], 25),
-                ([7, -10, 13], 16),
-                ([28, -31, 13], -34),
-                ([7, -10, 13], -22),
+                ([280, 311, 130], 250),
+                ([70, 101, 130], 160),
+                ([280, 311, 130], 341),
+                ([70, 101, 130], 224),
                 ([0, 0, 0], 0),
-                ([28, -31, 13], -37),
+                ([280, 311, 130], 371),
             ],
         ),
         ::mstmm::generated::Places::new(
-            7,
-            [28, -31, 13],
+            70,
+            [280, 311, 130],
             [
-                ([28, -31, 13], 25),
-                ([28, -31, 13], 40),
-                ([28, -31, 13], -34),
-                ([28, -31, 13], -43),
+                ([280, 311, 130], 250),
+                ([280, 311, 130], 400),
+                ([280, 311, 130], 341),
+                ([280, 311, 130], 430),
                 ([0, 0, 0], 0),
-                ([28, -31, 13], -37),
+                ([280, 311, 130], 371),
             ],
         ),
         ::mstmm::generated::Places::new(
-            46,
-            [28, -31, 13],
+            460,
+            [280, 311, 130],
             [
-                ([28, -31, 13], 49),
-                ([28, -31, 13], 40),
-                ([28, -31, 13], -52),
-                ([28, -31, 13], -43),
+                ([280, 311, 130], 490),
+                ([280, 311, 130], 400),
+                ([280, 311, 130], 521),
+                ([280, 311, 130], 430),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
             ],
@@ -949,7 +947,7 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
                 let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
-                >(self.rate_accelerations.as_slice(), 0);
+                >(self.accelerations.as_slice(), 0);
                 value_
             },
             {
@@ -978,7 +976,7 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
                 let [value_] = ::mstmm::generated::piece::<
                     T,
                     1,
-                >(self.rate_accelerations.as_slice(), 1);
+                >(self.accelerations.as_slice(), 1);
                 value_
             },
             {
@@ -1003,7 +1001,6 @@ impl<T: ::mstmm::Scalar> ::core::fmt::Debug for TwoPinsWorkspace<T> {
     fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
         to_.debug_struct("TwoPinsWorkspace")
             .field("accelerations", &self.accelerations)
-            .field("rate_accelerations", &self.rate_accelerations)
             .field("efforts", &self.efforts)
             .field("kinetic_energy", &self.kinetic_energy)
             .field("potential_energy", &self.potential_energy)
@@ -1020,7 +1017,6 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let zero_ = T::constant(0.0);
         TwoPinsWorkspace {
             accelerations: ::mstmm::generated::vector([zero_; 2]),
-            rate_accelerations: ::mstmm::generated::vector([zero_; 2]),
             efforts: ::mstmm::generated::vector([zero_; 2]),
             kinetic_energy: zero_,
             potential_energy: zero_,
