@@ -121,7 +121,8 @@ pub trait GeneratedChain: Chain {
     /// Everything at every connection point, written into `at`.
     ///
     /// # Errors
-    /// As [`Chain::derivative_into`]; `at` is as a new one then.
+    /// As [`Chain::derivative_into`]; `at` is then as [`workspace`](Self::workspace) makes it: results of earlier calls
+    /// are gone.
     fn solve_into(
         &self,
         state: &Self::State,

@@ -89,13 +89,14 @@ fn diagnosis<T: Scalar>(hinges: &[&'static str], pivots: &[T], scales: &[T]) -> 
     Error::NotFinite
 }
 
-/// What has been written is written: the compiler may not put it off any longer. No instruction.
+/// What has been written is written: the compiler may not put it off any longer, and keep results in registers that
+/// are wanted. No instruction, and nothing but speed hangs on it.
 #[inline(always)]
 pub fn written() {
     core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
 }
 
-/// Makes results anew where there turn out to be none.
+/// Makes results anew where there turn out to be none: nothing of what has been written stays.
 #[cold]
 #[inline(never)]
 pub fn take_back<W>(results: &mut W, new: impl FnOnce() -> W) {

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{Point, compute, compute_with, difference, drives, read};
-use mstmm_codegen::compile::{self, Place, Programs, Sight};
+use mstmm_codegen::compile::{self, Place, Programs, Sight, groups};
 use mstmm_codegen::equations::Axes;
 use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
 use mstmm_codegen::math::{Scalar, Structured, Vec3};
@@ -72,7 +72,7 @@ fn points(programs: &Programs, dimension: Dimension, full: &[Vec<f64>]) -> Vec<f
         let entries = |place: &Place, count: usize| -> Vec<f64> {
             let Some(first) = place.first.checked_sub(1) else { return vec![0.0; count] };
             assert_eq!(place.count, count);
-            let numbers = full[7][first..first + count].iter().zip(place.opposite);
+            let numbers = full[groups::NUMBERS][first..first + count].iter().zip(place.opposite);
             numbers.map(|(x, opposite)| if opposite { -x } else { *x }).collect()
         };
         let inertial = |Sight { axes, vector }: &Sight, along: &[usize]| -> Vec<f64> {
@@ -96,7 +96,8 @@ fn points(programs: &Programs, dimension: Dimension, full: &[Vec<f64>]) -> Vec<f
                 .into_iter()
         };
         let (velocity, omega) = (next(shifts), next(turns));
-        let felt = next(shifts).map(|felt| felt.iter().zip(&full[8]).map(|(a, g)| a - g).collect());
+        let felt = next(shifts)
+            .map(|felt| felt.iter().zip(&full[groups::AT_REST]).map(|(a, g)| a - g).collect());
         let (turning, moment, force) = (next(turns), next(turns), next(shifts));
         all.extend(entries(&point.position, shifts.len()));
         match &point.orientation {
@@ -169,10 +170,10 @@ fn one_chain(seed: u64) {
             .collect();
         let mut differences = vec![
             ("fast accelerations", difference(&fast[0], &expected.accelerations)),
-            ("accelerations", difference(&full[0], &expected.accelerations)),
-            ("energies", difference(&full[5], &energies)),
+            ("accelerations", difference(&full[groups::ACCELERATIONS], &expected.accelerations)),
+            ("energies", difference(&full[groups::ENERGIES], &energies)),
             ("energies alone", difference(&run(energy, &symbols, &[])[0], &energies)),
-            ("efforts", difference(&full[4], &efforts)),
+            ("efforts", difference(&full[groups::EFFORTS], &efforts)),
             ("points", difference(&points, &expected_points)),
         ];
         if let Some((implicit, _)) = implicit {

@@ -2,6 +2,7 @@
 
 mod arrange;
 mod checks;
+pub mod groups;
 mod places;
 
 pub use checks::Check;
@@ -35,8 +36,7 @@ pub struct Programs {
     pub implicit: Option<(Program, Vec<HingeId>)>,
     /// Hinges that the pivots belong to.
     pub pivots: Vec<HingeId>,
-    /// `q`, `v`, inputs to `v̇`, pivots, scales, accelerations and efforts of all hinges, energies,
-    /// undetermined reactions of a closing hinge, numbers of connection points, what is felt at rest.
+    /// `q`, `v`, inputs to everything, by [`groups`].
     pub solution: Program,
     /// Where connection points have their numbers.
     pub places: Places,
@@ -195,20 +195,22 @@ impl<'a, 'g> Scene<'a, 'g> {
             (solved, report, energy)
         });
         let (mut groups, _) = self.split(&solved);
-        groups.push(report.accelerations);
-        groups.push(report.efforts);
-        groups.push(vec![energy.kinetic, energy.potential]);
         let undetermined = solved.reaction.map(|reaction| reaction.undetermined);
         let held = undetermined.as_ref().map(Vec::len);
         let wrenches = undetermined.into_iter().flatten();
-        groups.push(wrenches.flat_map(|w| w.force.0.into_iter().chain(w.moment.0)).collect());
+        let wrenches = wrenches.flat_map(|w| w.force.0.into_iter().chain(w.moment.0));
         let (mut places, numbers) = places::places(self.chain, self.graph, &report.points);
-        let group = groups.len();
-        groups.push(numbers);
         let shifts = self.chain.dimension.shifts();
-        groups.push(shifts.iter().map(|&axis| report.at_rest[axis]).collect());
+        groups.extend([
+            report.accelerations,
+            report.efforts,
+            vec![energy.kinetic, energy.potential],
+            wrenches.collect(),
+            numbers,
+            shifts.iter().map(|&axis| report.at_rest[axis]).collect(),
+        ]);
         let mut program = issue(self.program(Stage::State, &trace, &groups, &turns, setup));
-        places.settle(&mut program, group);
+        places.take_signs(&mut program, groups::NUMBERS);
         (program, places, held)
     }
 

@@ -31,8 +31,8 @@ pub struct Sight {
 /// Where the numbers of a connection point are.
 #[derive(Clone, Debug)]
 pub struct PointPlaces {
-    /// The piece that they are in.
-    pub piece: usize,
+    /// How many numbers of all points lie before their piece.
+    pub start: usize,
     /// Its position.
     pub position: Place,
     /// Its orientation, as axes are; none in inertial axes.
@@ -57,7 +57,7 @@ pub(super) fn places<'g>(
     graph: &'g Graph,
     points: &[Point<Expr<'g>>],
 ) -> (Places, Vec<Expr<'g>>) {
-    let mut all = Filling { graph, known: HashMap::new(), count: 0, numbers: Vec::new() };
+    let mut all = Filling { graph, known: HashMap::new(), start: 0, numbers: Vec::new() };
     let mut places = Places::default();
     let part = |element: &Element| match *element {
         Element::Hinge(hinge) => chain.repeat_of_hinge(hinge),
@@ -72,9 +72,9 @@ pub(super) fn places<'g>(
                 places.pieces.push((0, part));
             }
         }
-        places.points.push(all.point(places.pieces.len() - 1, point, chain.dimension));
+        places.points.push(all.point(point, chain.dimension));
         if let Some((count, _)) = places.pieces.last_mut() {
-            *count = all.count;
+            *count = all.count();
         }
     }
     (places, all.numbers)
@@ -82,29 +82,26 @@ pub(super) fn places<'g>(
 
 impl Places {
     /// Takes the negatives out of a program's `group` that has the numbers: places tell signs, and none of
-    /// them has to be turned to be written.
-    pub(super) fn settle(&mut self, program: &mut Program, group: usize) {
+    /// them has to be turned round to be written.
+    pub(super) fn take_signs(&mut self, program: &mut Program, group: usize) {
         let mut opposite = vec![false; program.outputs[group].len()];
-        let mut settle = |number: usize, value: &mut Operand| {
+        let mut take = |number: usize, value: &mut Operand| {
             if let Operand::Minus(inner) = value {
                 (*value, opposite[number]) = ((**inner).clone(), true);
             }
         };
         for (number, value) in program.outputs[group].iter_mut().enumerate() {
-            settle(number, value);
+            take(number, value);
         }
         for block in &mut program.blocks {
             let Block::Loop(turn) = block else { continue };
             for (_, number, value) in turn.outputs.iter_mut().filter(|output| output.0 == group) {
-                settle(*number, value);
+                take(*number, value);
             }
         }
-        let mut numbers = &opposite[..];
-        let pieces: Vec<&[bool]> =
-            self.pieces.iter().map_while(|&(count, _)| numbers.split_off(..count)).collect();
         for point in &mut self.points {
-            let piece = pieces.get(point.piece).copied().unwrap_or_default();
-            point.all_mut().for_each(|place| place.settle(piece));
+            let piece = &opposite[point.start..];
+            point.all_mut().for_each(|place| place.turn_round(piece));
         }
     }
 }
@@ -122,8 +119,8 @@ impl PointPlaces {
 }
 
 impl Place {
-    /// Where the opposite lies of some numbers of its piece.
-    fn settle(&mut self, piece: &[bool]) {
+    /// Of some numbers of its piece the opposite lies there now.
+    fn turn_round(&mut self, piece: &[bool]) {
         let Some(first) = self.first.checked_sub(1) else { return };
         for (own, number) in self.opposite.iter_mut().zip(&piece[first..first + self.count]) {
             *own ^= number;
@@ -136,8 +133,8 @@ struct Filling<'g> {
     graph: &'g Graph,
     /// Where vectors of the piece begin, by the positives of their numbers.
     known: HashMap<Vec<Edge>, usize>,
-    /// How many numbers the piece has.
-    count: usize,
+    /// How many numbers lie before the piece.
+    start: usize,
     /// All numbers.
     numbers: Vec<Expr<'g>>,
 }
@@ -145,15 +142,15 @@ struct Filling<'g> {
 impl<'g> Filling<'g> {
     fn begin_piece(&mut self) {
         self.known.clear();
-        self.count = 0;
+        self.start = self.numbers.len();
     }
 
-    fn point(
-        &mut self,
-        piece: usize,
-        point: &Point<Expr<'g>>,
-        dimension: Dimension,
-    ) -> PointPlaces {
+    /// How many numbers the piece has.
+    fn count(&self) -> usize {
+        self.numbers.len() - self.start
+    }
+
+    fn point(&mut self, point: &Point<Expr<'g>>, dimension: Dimension) -> PointPlaces {
         let (shifts, turns) = (dimension.shifts(), dimension.turns());
         let seen = [
             (&point.velocity, shifts),
@@ -164,7 +161,7 @@ impl<'g> Filling<'g> {
             (&point.force, shifts),
         ];
         PointPlaces {
-            piece,
+            start: self.start,
             position: self.vector(point.position.0, shifts),
             orientation: self.axes(point.rotation.transposed().0, dimension),
             vectors: seen
@@ -206,18 +203,13 @@ impl<'g> Filling<'g> {
         if edges.iter().all(|&edge| self.graph.expr(edge).known() == Some(0.0)) {
             return Place::default();
         }
-        let mut opposite = [false; 3];
-        for (opposite, edge) in opposite.iter_mut().zip(&edges) {
-            *opposite = edge.is_negative();
-        }
-        let positive = |edge: Edge| if edge.is_negative() { edge.negated() } else { edge };
-        let edges: Vec<Edge> = edges.into_iter().map(positive).collect();
-        let count = edges.len();
+        let is_negative = |k: usize| edges.get(k).is_some_and(|edge| edge.is_negative());
+        let (count, opposite) = (edges.len(), std::array::from_fn(is_negative));
+        let edges: Vec<Edge> = edges.into_iter().map(Edge::plain).collect();
         if let Some(&first) = self.known.get(&edges) {
             return Place { first, count, opposite };
         }
-        let first = self.count + 1;
-        self.count += count;
+        let first = self.count() + 1;
         self.numbers.extend(edges.iter().map(|&edge| self.graph.expr(edge)));
         self.known.insert(edges, first);
         Place { first, count, opposite }

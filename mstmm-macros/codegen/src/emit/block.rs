@@ -6,6 +6,7 @@ use super::looped::{self, Masks, Target};
 use super::names::local;
 use super::spread::Spread;
 use super::statement::Writer;
+use crate::compile::groups;
 use crate::program::{Loop, Operand, Program, Section, Statement};
 use proc_macro2::{Delimiter, Group, TokenStream};
 use quote::{ToTokens, quote};
@@ -57,9 +58,9 @@ impl Plan<'_> {
         let masks: Masks = if pivoted {
             let is_repeated =
                 |group: usize, k: usize| program.outputs[group][k] == Operand::Repeated;
-            let all = 0..program.outputs[looped::PIVOTS].len();
+            let all = 0..program.outputs[groups::PIVOTS].len();
             let repeated =
-                all.filter(|&k| is_repeated(looped::PIVOTS, k) || is_repeated(looped::SCALES, k));
+                all.filter(|&k| is_repeated(groups::PIVOTS, k) || is_repeated(groups::SCALES, k));
             repeated.map(|k| (k, local(&format!("regular{k}")))).collect()
         } else {
             Masks::new()

@@ -3,7 +3,7 @@
 //! Kept until the end, the numbers of all connection points would be put aside, and taken up again, to be
 //! written: a third of what a processor then does. So nothing waits for the test whether there are
 //! accelerations at all; what has been written is taken back where it fails. And since LLVM puts writes
-//! off, to make vectors of neighbours, it is told behind each of them that it may not.
+//! off, to make vectors of neighbours, it is told behind each statement with writes that it may not.
 
 use crate::program::{Operand, Program, Section, Statement};
 use proc_macro2::TokenStream;

@@ -9,7 +9,8 @@ use super::looped::{Target, usize_literal};
 use super::names::local;
 use super::solution::solution;
 use super::spread::Spread;
-use crate::model::{Hinge, HingeId};
+use crate::compile::groups;
+use crate::model::HingeId;
 use crate::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -141,7 +142,7 @@ fn energy(plan: &Plan) -> TokenStream {
     let energy = quote!(#mstmm::Energy { kinetic: #kinetic, potential: #potential });
     let body = body(block.statements, energy);
     let cost = docs::cost(program);
-    if !plan.chain.hinges.iter().any(Hinge::is_prescribed) {
+    if !plan.chain.has_prescribed_hinges() {
         return quote! {
             /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
             /// of mass at the inertial origin.
@@ -174,7 +175,7 @@ fn energy(plan: &Plan) -> TokenStream {
     }
 }
 
-/// The test that comes before any result is written.
+/// The test whether there are accelerations.
 ///
 /// Of the numbers given, those are looked at that the results, which are looked at anyway, do not
 /// show.
@@ -189,8 +190,8 @@ pub(super) fn check(
     let once = |number: &usize| block.masks.iter().all(|(repeated, _)| repeated != number);
     let numbers: Vec<usize> = (0..pivots.len()).filter(once).collect();
     let names = numbers.iter().map(|&number| name(&pivots[number]));
-    let values = numbers.iter().map(|&number| &block.outputs[1][number]);
-    let scales = numbers.iter().map(|&number| &block.outputs[2][number]);
+    let values = numbers.iter().map(|&number| &block.outputs[groups::PIVOTS][number]);
+    let scales = numbers.iter().map(|&number| &block.outputs[groups::SCALES][number]);
     let results = &block.arrays[0];
     let shown = program.shown(0);
     let (taken, inputs) = plan.input_slices(&shown);

@@ -5,6 +5,7 @@ use super::block::is_long;
 use super::inputs;
 use super::names::local;
 use super::spread::{Piece, Spread};
+use crate::compile::groups;
 use crate::program::{Block, Loop, Operand, Program};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -16,24 +17,20 @@ pub struct Target {
     pub group: usize,
     /// Where the numbers of the group lie in the array.
     pub spread: Spread,
-    /// What the array is; none if it is a new one.
-    pub place: Option<TokenStream>,
+    /// The array of the caller's that they are written into; none if it is a new one.
+    pub existing: Option<TokenStream>,
 }
 
 impl Target {
-    /// A new array.
+    /// Into a new array.
     pub fn new(group: usize, spread: Spread) -> Self {
-        Target { group, spread, place: None }
+        Target { group, spread, existing: None }
     }
 }
 
 /// The pivots of repeated parts: their number among all pivots, and whether all times of them are
 /// positive.
 pub type Masks = Vec<(usize, Ident)>;
-
-/// The groups of pivots and of their scales.
-pub const PIVOTS: usize = 1;
-pub const SCALES: usize = 2;
 
 /// The array of a group.
 pub fn array(group: usize) -> Ident {
@@ -49,8 +46,8 @@ impl Plan<'_> {
         let mstmm = &self.mstmm;
         let arrays = targets.iter().map(|target| {
             let (array, total) = (array(target.group), usize_literal(target.spread.total));
-            match &target.place {
-                Some(place) => quote!(let #array = &mut #place;),
+            match &target.existing {
+                Some(existing) => quote!(let #array = &mut #existing;),
                 None => quote!(let mut #array = [T::constant(0.0); #total];),
             }
         });
@@ -246,9 +243,11 @@ impl Plan<'_> {
             Operand::Repeated => None,
             operand => Some(self.operand(operand)),
         };
-        let (value, scale) = match (find(PIVOTS), find(SCALES)) {
+        let (value, scale) = match (find(groups::PIVOTS), find(groups::SCALES)) {
             (None, None) => return None,
-            (value, scale) => (value.or_else(|| once(PIVOTS))?, scale.or_else(|| once(SCALES))?),
+            (value, scale) => {
+                (value.or_else(|| once(groups::PIVOTS))?, scale.or_else(|| once(groups::SCALES))?)
+            }
         };
         Some(quote!(#mask = #mask & !#mstmm::generated::vanishes(#value, #scale);))
     }

@@ -95,7 +95,7 @@ fn entry(plan: &Plan, places: &PointPlaces) -> TokenStream {
     quote!(#mstmm::generated::Places::new(#position, #orientation, [#(#vectors),*]))
 }
 
-/// A place as the runtime has it: behind its number a digit for the signs.
+/// A place as the runtime has it: behind its number a digit for the signs, to be read by people too.
 fn signed(place: &Place) -> TokenStream {
     let bits = place.opposite.iter().enumerate();
     let signs: usize = bits.map(|(k, &opposite)| usize::from(opposite) << k).sum();

@@ -4,7 +4,6 @@
 use super::Plan;
 use super::looped::usize_literal;
 use super::names::{accessor_mut, local};
-use super::solution;
 use super::spread::{Piece, Spread};
 use super::workspace::point_type;
 use crate::model::{Group, HingeId};
@@ -248,7 +247,7 @@ pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> Tok
         }
         _ => quote!(()),
     };
-    let accelerations = solution::rate_accelerations(plan);
+    let accelerations = plan.rate_accelerations();
     let (acceleration, effort) = (of(quote!(self.#accelerations)), of(quote!(self.efforts)));
     let doc = format!(
         " Acceleration, effort, input and output of hinge `{name}` number `index` of {count}."

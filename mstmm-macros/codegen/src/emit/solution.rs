@@ -8,9 +8,9 @@ use super::dynamics::check;
 use super::looped::{Target, usize_literal};
 use super::names::local;
 use super::spread::Spread;
-use crate::model::Hinge;
+use crate::compile::groups;
 use crate::program::Operand;
-use proc_macro2::{Delimiter, Group, Ident, TokenStream};
+use proc_macro2::{Group, Ident, TokenStream};
 use quote::{format_ident, quote};
 
 /// The method that computes everything.
@@ -29,7 +29,8 @@ pub fn solution(plan: &Plan) -> TokenStream {
         ///
         /// # Errors
         ///
-        /// As [`accelerations_into`](Self::accelerations_into); `at` is as a new one then.
+        /// As [`accelerations_into`](Self::accelerations_into); `at` is then as
+        /// [`workspace`](Self::workspace) makes it: results of earlier calls are gone.
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         #visibility fn solve_into(
             &self,
@@ -47,26 +48,24 @@ fn solved(plan: &Plan) -> Group {
     let check = check(plan, program, &block, &plan.programs.pivots);
     let outputs = &program.outputs;
     let mut deliveries = Deliveries::new(program, mstmm);
-    deliveries.add(outputs[..3].iter().flatten(), taken_back(plan, &check));
-    let [results, _, _, rates, efforts, ..] = &block.arrays[..] else { return empty() };
-    let apart = is_prescribed(plan).then_some((3, "rate_accelerations", rates));
-    let fields = [(0, "accelerations", results), (4, "efforts", efforts)];
-    for (number, field, array) in fields.into_iter().chain(apart) {
+    deliveries.add(outputs[..groups::ALL_RATES].iter().flatten(), taken_back(plan, &check));
+    for (group, field) in rates(plan) {
+        let array = &block.arrays[group];
+        deliveries.add(&outputs[group], quote!(at_.#field.data.0 = [#array];));
+    }
+    let energies = outputs[groups::ENERGIES].iter().zip(&block.outputs[groups::ENERGIES]);
+    for ((operand, energy), field) in energies.zip(["kinetic_energy", "potential_energy"]) {
         let field = format_ident!("{field}");
-        deliveries.add(&outputs[number], quote!(at_.#field.data.0 = [#array];));
+        deliveries.add([operand], quote!(at_.#field = #energy;));
     }
-    for (number, field) in [(0, "kinetic_energy"), (1, "potential_energy")] {
-        let (field, energy) = (format_ident!("{field}"), &block.outputs[5][number]);
-        deliveries.add(&outputs[5][number..=number], quote!(at_.#field = #energy;));
-    }
-    deliveries.add(&outputs[6], closure(plan, &block).unwrap_or_default());
-    if !outputs[AT_REST].iter().all(is_known) {
-        let at_rest = &block.arrays[AT_REST];
-        deliveries.add(&outputs[AT_REST], quote!(at_.at_rest = #at_rest;));
+    deliveries.add(&outputs[groups::UNDETERMINED], closure(plan, &block).unwrap_or_default());
+    if !outputs[groups::AT_REST].iter().all(is_known) {
+        let at_rest = &block.arrays[groups::AT_REST];
+        deliveries.add(&outputs[groups::AT_REST], quote!(at_.at_rest = #at_rest;));
     }
     let mut names = Vec::new();
     for (number, (operand, value)) in
-        outputs[NUMBERS].iter().zip(&block.outputs[NUMBERS]).enumerate()
+        outputs[groups::NUMBERS].iter().zip(&block.outputs[groups::NUMBERS]).enumerate()
     {
         if is_known(operand) {
             names.push(quote!(_));
@@ -101,15 +100,16 @@ fn taken_back(plan: &Plan, check: &TokenStream) -> TokenStream {
     }
 }
 
-/// Whether some rates are prescribed, so that the accelerations of all rates are not those that are
-/// solved for.
-pub fn is_prescribed(plan: &Plan) -> bool {
-    plan.chain.hinges.iter().any(Hinge::is_prescribed)
-}
-
-/// Where a workspace has the accelerations of all rates.
-pub fn rate_accelerations(plan: &Plan) -> Ident {
-    format_ident!("{}", if is_prescribed(plan) { "rate_accelerations" } else { "accelerations" })
+/// The groups with a number for each rate, and where a workspace has them.
+fn rates(plan: &Plan) -> Vec<(usize, Ident)> {
+    let mut groups = vec![
+        (groups::ACCELERATIONS, format_ident!("accelerations")),
+        (groups::EFFORTS, format_ident!("efforts")),
+    ];
+    if plan.chain.has_prescribed_hinges() {
+        groups.push((groups::ALL_RATES, plan.rate_accelerations()));
+    }
+    groups
 }
 
 /// Whether a result is the same in every state.
@@ -125,7 +125,7 @@ fn is_known(operand: &Operand) -> bool {
 /// all others.
 pub fn at_first(plan: &Plan, group: usize) -> TokenStream {
     let outputs = &plan.programs.solution.outputs[group];
-    let count = usize_literal(if group == NUMBERS {
+    let count = usize_literal(if group == groups::NUMBERS {
         Spread::numbers_of_points(plan).total
     } else {
         outputs.len()
@@ -149,41 +149,34 @@ pub fn at_first(plan: &Plan, group: usize) -> TokenStream {
     })
 }
 
-/// The groups of what connection points are read off.
-pub const NUMBERS: usize = 7;
-pub const AT_REST: usize = 8;
-
 /// The undetermined reactions of a closed chain.
 fn closure(plan: &Plan, block: &Results) -> Option<TokenStream> {
     let mstmm = &plan.mstmm;
     plan.programs.held.map(|_| {
-        let wrenches = block.outputs[6].chunks(6).map(|wrench| quote!([#(#wrench),*]));
+        let wrenches =
+            block.outputs[groups::UNDETERMINED].chunks(6).map(|wrench| quote!([#(#wrench),*]));
         quote!(at_.closure = #mstmm::generated::closure([#(#wrenches),*]);)
     })
-}
-
-fn empty() -> Group {
-    Group::new(Delimiter::Brace, TokenStream::new())
 }
 
 /// Results of a chain with repeated parts: loops write them where they belong.
 fn solved_in_loops(plan: &Plan) -> Group {
     let program = &plan.programs.solution;
-    let (freedoms, rates) = (Spread::freedoms(plan), Spread::rates(plan));
-    let apart = is_prescribed(plan).then(|| (3, rates.clone(), quote!(at_.rate_accelerations)));
-    let targets = [
-        (0, freedoms, quote!(at_.accelerations)),
-        (4, rates, quote!(at_.efforts)),
-        (NUMBERS, Spread::numbers_of_points(plan), quote!(at_.numbers)),
-    ];
-    let targets = targets.into_iter().chain(apart);
-    let target = |(group, spread, place)| Target { group, spread, place: Some(place) };
-    let targets: Vec<Target> = targets.map(target).collect();
+    let mut targets = vec![Target {
+        group: groups::NUMBERS,
+        spread: Spread::numbers_of_points(plan),
+        existing: Some(quote!(at_.numbers)),
+    }];
+    for (group, field) in rates(plan) {
+        let all = group != groups::ACCELERATIONS;
+        let spread = if all { Spread::rates(plan) } else { Spread::freedoms(plan) };
+        targets.push(Target { group, spread, existing: Some(quote!(at_.#field)) });
+    }
     let block = plan.step(program, &targets, true);
     let check = taken_back(plan, &check(plan, program, &block, &plan.programs.pivots));
     let closure = closure(plan, &block);
-    let at_rest = &block.arrays[AT_REST];
-    let energies = &block.outputs[5];
+    let at_rest = &block.arrays[groups::AT_REST];
+    let energies = &block.outputs[groups::ENERGIES];
     let (kinetic, potential) = (&energies[0], &energies[1]);
     body(
         block.statements,

@@ -3,6 +3,7 @@
 use super::looped::usize_literal;
 use super::spread::Spread;
 use super::{Plan, places, repeated, solution};
+use crate::compile::groups;
 use crate::model::{Dimension, Element, Hinge};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -21,18 +22,16 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let places = places::emit(plan);
     let all_points = places::all(plan);
     let [numbers_at_first, at_rest_at_first] =
-        [solution::NUMBERS, solution::AT_REST].map(|group| solution::at_first(plan, group));
+        [groups::NUMBERS, groups::AT_REST].map(|group| solution::at_first(plan, group));
     let rates = usize_literal(Spread::rates(plan).total);
     let point = point_type(plan);
-    let [apart_field, apart_zero, apart_shown] = if solution::is_prescribed(plan) {
-        [
-            quote!(rate_accelerations: #mstmm::nalgebra::SVector<T, #rates>,),
-            quote!(rate_accelerations: #mstmm::generated::vector([zero_; #rates]),),
-            quote!(.field("rate_accelerations", &self.rate_accelerations)),
-        ]
-    } else {
-        [(); 3].map(|()| TokenStream::new())
-    };
+    let if_prescribed = |tokens: TokenStream| plan.chain.has_prescribed_hinges().then_some(tokens);
+    let all_rates_field =
+        if_prescribed(quote!(rate_accelerations: #mstmm::nalgebra::SVector<T, #rates>,));
+    let all_rates_zero =
+        if_prescribed(quote!(rate_accelerations: #mstmm::generated::vector([zero_; #rates]),));
+    let all_rates_shown =
+        if_prescribed(quote!(.field("rate_accelerations", &self.rate_accelerations)));
     let closure = closure(plan);
     let Closure {
         field: closure_field,
@@ -57,7 +56,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
         #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
             accelerations: #mstmm::nalgebra::SVector<T, #freedoms>,
-            #apart_field
+            #all_rates_field
             efforts: #mstmm::nalgebra::SVector<T, #rates>,
             kinetic_energy: T,
             potential_energy: T,
@@ -103,7 +102,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
             fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 to_.debug_struct(#text)
                     .field("accelerations", &self.accelerations)
-                    #apart_shown
+                    #all_rates_shown
                     .field("efforts", &self.efforts)
                     .field("kinetic_energy", &self.kinetic_energy)
                     .field("potential_energy", &self.potential_energy)
@@ -121,7 +120,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
                 let zero_ = T::constant(0.0);
                 #name {
                     accelerations: #mstmm::generated::vector([zero_; #freedoms]),
-                    #apart_zero
+                    #all_rates_zero
                     efforts: #mstmm::generated::vector([zero_; #rates]),
                     kinetic_energy: zero_,
                     potential_energy: zero_,
@@ -131,6 +130,14 @@ pub fn emit(plan: &Plan) -> TokenStream {
                 }
             }
         }
+    }
+}
+
+impl Plan<'_> {
+    /// Where a workspace has the accelerations of all rates: apart only where some are prescribed.
+    pub fn rate_accelerations(&self) -> Ident {
+        let apart = self.chain.has_prescribed_hinges();
+        format_ident!("{}", if apart { "rate_accelerations" } else { "accelerations" })
     }
 }
 
@@ -200,8 +207,7 @@ fn hinge(plan: &Plan, index: usize, place: usize) -> TokenStream {
         1 => scalar(plan, range, field),
         _ => vector(plan, range, field),
     };
-    let (acceleration, effort) =
-        (of(&solution::rate_accelerations(plan)), of(&format_ident!("efforts")));
+    let (acceleration, effort) = (of(&plan.rate_accelerations()), of(&format_ident!("efforts")));
     let doc = format!(" Acceleration, effort, input and output of hinge `{name}`.");
     let (ends, point) = (ends(plan, place), point_type(plan));
     quote! {

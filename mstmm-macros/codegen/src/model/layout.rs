@@ -145,6 +145,11 @@ impl Layout {
 }
 
 impl Chain {
+    /// Whether the motion of some hinge is prescribed.
+    pub fn has_prescribed_hinges(&self) -> bool {
+        self.hinges.iter().any(Hinge::is_prescribed)
+    }
+
     /// What the field of the inputs is called that gives `what`.
     pub fn name_of_input(&self, what: Driven) -> Ident {
         let of_load = |load: usize, what: &str| {

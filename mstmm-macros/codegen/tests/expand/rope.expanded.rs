@@ -850,7 +850,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     ///
     /// # Errors
     ///
-    /// As [`accelerations_into`](Self::accelerations_into); `at` is as a new one then.
+    /// As [`accelerations_into`](Self::accelerations_into); `at` is then as
+    /// [`workspace`](Self::workspace) makes it: results of earlier calls are gone.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn solve_into(
         &self,
@@ -861,9 +862,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let c_ = T::constant;
         let [hook_angle_] = ::mstmm::generated::piece::<T, 1>(state_.q.as_slice(), 10);
         let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
+        let results7_ = &mut at_.numbers;
         let results0_ = &mut at_.accelerations;
         let results4_ = &mut at_.efforts;
-        let results7_ = &mut at_.numbers;
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
         let mut store1_ = ::mstmm::generated::Stored::<[T; 10], 10>::new_const();
         let mut store3_ = ::mstmm::generated::Stored::<[T; 13], 10>::new_const();
@@ -1167,31 +1168,31 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     t45_,
                     ],
                 ),
-                [o0_0_,
+                [_,
+                _,
+                _,
+                _,
+                _,
+                _,
+                _,
+                o7_12_,
+                o7_13_,
+                o7_14_,
+                _,
+                o7_16_,
+                o7_17_,
+                _,
+                _,
+                _,
+                _,
+                _,
+                o7_23_,
+                _,
+                o7_25_,
+                o7_26_,
                 ],
             ),
-            [_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            o7_12_,
-            o7_13_,
-            o7_14_,
-            _,
-            o7_16_,
-            o7_17_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            o7_23_,
-            _,
-            o7_25_,
-            o7_26_,
+            [o0_0_,
             ],
         ) in ::core::iter::zip(
             ::core::iter::zip(
@@ -1199,10 +1200,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     store1_.iter(),
                     ::core::iter::Iterator::rev(store3_.iter()),
                 ),
-                ::mstmm::generated::times_mut::<T, 1>(results0_.as_mut_slice(), 0, 10)
+                ::mstmm::generated::times_mut::<T, 22>(results7_.as_mut_slice(), 5, 10)
                     .iter_mut(),
             ),
-            ::mstmm::generated::times_mut::<T, 22>(results7_.as_mut_slice(), 5, 10)
+            ::mstmm::generated::times_mut::<T, 1>(results0_.as_mut_slice(), 0, 10)
                 .iter_mut(),
         ) {
             let carry2_0_before_ = carry2_0_;
@@ -1256,7 +1257,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Results: 0 mul, 1 add, 0 reciprocal.
             let t60_ = carry2_2_before_ + minus_joint_a_ang_z_;
             _ = store5_.try_push([joint_a_lin_x_]);
-            *o0_0_ = -t60_;
             *o7_12_ = joint_a_lin_x_;
             *o7_13_ = minus_joint_a_lin_y_;
             *o7_14_ = minus_joint_a_ang_z_;
@@ -1265,6 +1265,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o7_23_ = minus_end_of_repeat0_a_lin_y_;
             *o7_25_ = minus_end_of_repeat0_load_force_x_;
             *o7_26_ = minus_end_of_repeat0_load_force_y_;
+            *o0_0_ = -t60_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 -minus_end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
@@ -1597,24 +1598,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let t118_ = carry7_0_ + t111_;
         let t120_ = carry7_1_ + t114_;
         let t119_ = t118_ + t85_;
-        for [o0_] in ::mstmm::generated::times_mut::<
-            T,
-            1,
-        >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t65_;
-        }
-        for [o0_] in ::mstmm::generated::times_mut::<
-            T,
-            1,
-        >(results4_.as_mut_slice(), 0, 10) {
-            *o0_ = c_(0.0);
-        }
-        for [o0_] in ::mstmm::generated::times_mut::<
-            T,
-            1,
-        >(results4_.as_mut_slice(), 10, 1) {
-            *o0_ = c_(0.0);
-        }
         for [o0_, o1_, o2_, o3_, o4_] in ::mstmm::generated::times_mut::<
             T,
             5,
@@ -1641,6 +1624,24 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o9_ = minus_hook_a_ang_z_;
             *o10_ = hook_load_force_x_;
             *o11_ = hook_load_force_y_;
+        }
+        for [o0_] in ::mstmm::generated::times_mut::<
+            T,
+            1,
+        >(results0_.as_mut_slice(), 10, 1) {
+            *o0_ = -t65_;
+        }
+        for [o0_] in ::mstmm::generated::times_mut::<
+            T,
+            1,
+        >(results4_.as_mut_slice(), 0, 10) {
+            *o0_ = c_(0.0);
+        }
+        for [o0_] in ::mstmm::generated::times_mut::<
+            T,
+            1,
+        >(results4_.as_mut_slice(), 10, 1) {
+            *o0_ = c_(0.0);
         }
         let checked_ = (|| {
             ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;

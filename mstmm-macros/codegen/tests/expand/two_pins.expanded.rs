@@ -317,7 +317,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     ///
     /// # Errors
     ///
-    /// As [`accelerations_into`](Self::accelerations_into); `at` is as a new one then.
+    /// As [`accelerations_into`](Self::accelerations_into); `at` is then as
+    /// [`workspace`](Self::workspace) makes it: results of earlier calls are gone.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn solve_into(
         &self,
