@@ -102,7 +102,9 @@ fn points(programs: &Programs, dimension: Dimension, full: &[Vec<f64>]) -> Vec<f
         all.extend(entries(&point.position, shifts.len()));
         match &point.orientation {
             Some(columns) => all.extend(columns.iter().flat_map(|x| entries(x, shifts.len()))),
-            None => all.extend(UNITS[..columns(dimension)].iter().flat_map(|x| &x[..shifts.len()])),
+            None => {
+                all.extend(UNITS[..dimension.columns()].iter().flat_map(|x| &x[..shifts.len()]))
+            }
         }
         all.extend(
             velocity.chain(omega).chain(felt).chain(turning).chain(moment).chain(force).flatten(),
@@ -120,7 +122,7 @@ fn numbers(point: &Point<Structured<f64>>, dimension: Dimension) -> Vec<f64> {
     let rotation = point.rotation.transposed().0.map(Vec3);
     [
         pick(point.position, shifts),
-        rotation[..columns(dimension)].iter().flat_map(|&column| pick(column, shifts)).collect(),
+        rotation[..dimension.columns()].iter().flat_map(|&column| pick(column, shifts)).collect(),
         pick(point.velocity, shifts),
         pick(point.omega, turns),
         pick(point.acceleration.linear, shifts),
@@ -129,15 +131,6 @@ fn numbers(point: &Point<Structured<f64>>, dimension: Dimension) -> Vec<f64> {
         pick(point.force, shifts),
     ]
     .concat()
-}
-
-/// How many columns tell an orientation.
-fn columns(dimension: Dimension) -> usize {
-    match dimension {
-        Dimension::Space => 3,
-        Dimension::Plane => 1,
-        Dimension::Line => 0,
-    }
 }
 
 const UNITS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

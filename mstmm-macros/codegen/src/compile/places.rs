@@ -187,12 +187,7 @@ impl<'g> Filling<'g> {
             column.iter().enumerate().all(|(i, x)| x.known() == Some(one(i)))
         };
         let inertial = columns.iter().enumerate().all(is_unit);
-        let count = match dimension {
-            Dimension::Space => 3,
-            Dimension::Plane => 1,
-            Dimension::Line => 0,
-        };
-        let shifts = dimension.shifts();
+        let (count, shifts) = (dimension.columns(), dimension.shifts());
         (!inertial && count > 0)
             .then(|| columns[..count].iter().map(|&column| self.vector(column, shifts)).collect())
     }

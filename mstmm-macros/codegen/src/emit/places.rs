@@ -13,12 +13,9 @@ use quote::{ToTokens, quote};
 pub fn emit(plan: &Plan) -> TokenStream {
     let mstmm = &plan.mstmm;
     let point = point_type(plan);
-    let [axes, vectors] = match plan.chain.dimension {
-        Dimension::Space => [3, 6],
-        Dimension::Plane => [1, 6],
-        Dimension::Line => [0, 3],
-    }
-    .map(usize_literal);
+    let dimension = plan.chain.dimension;
+    let vectors = if dimension == Dimension::Line { 3 } else { 6 };
+    let [axes, vectors] = [dimension.columns(), vectors].map(usize_literal);
     let points = &plan.programs.places.points;
     let count = usize_literal(points.len());
     let entries = points.iter().map(|places| entry(plan, places));
@@ -75,11 +72,7 @@ fn found(plan: &Plan) -> TokenStream {
 fn entry(plan: &Plan, places: &PointPlaces) -> TokenStream {
     let mstmm = &plan.mstmm;
     let position = signed(&places.position);
-    let count = match plan.chain.dimension {
-        Dimension::Space => 3,
-        Dimension::Plane => 1,
-        Dimension::Line => 0,
-    };
+    let count = plan.chain.dimension.columns();
     let axes = |axes: &Option<Vec<Place>>| {
         let columns: Vec<TokenStream> = match axes {
             Some(columns) => columns.iter().map(signed).collect(),

@@ -128,6 +128,15 @@ impl Dimension {
         }
     }
 
+    /// How many columns of a rotation's matrix tell an orientation.
+    pub fn columns(self) -> usize {
+        match self {
+            Dimension::Space => 3,
+            Dimension::Plane => 1,
+            Dimension::Line => 0,
+        }
+    }
+
     /// The axes that it turns about.
     pub fn turns(self) -> &'static [usize] {
         match self {
