@@ -187,16 +187,25 @@ fn differences<P: ComparedPoint>(
 
 const BAD: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
-/// Puts each bad number at every place of a state and of what drives a chain.
-fn refuses_what_is_not_finite<C: Printed>(name: &str, seed: u64) {
+/// Puts each bad number at every place of a state and of what drives a chain: no result stays, and the next
+/// good state has all of them again.
+fn refuses_what_is_not_finite<C: Printed>(name: &str, seed: u64)
+where
+    C::Workspace: Clone + PartialEq,
+{
     let (reference, generated) = (chain(seed), C::default());
     let (motion, drives) = random_motion(&mut Random::new(1000 * seed), &reference);
     let good = (generated.state(&motion.q, &motion.v), generated.inputs(&drives));
+    let mut solved = generated.workspace();
+    generated.solve_into(&good.0, &good.1, &mut solved).expect("a regular chain");
     let answer = |state: &C::State, inputs: &C::Inputs| {
-        let (mut at, mut rate) = (generated.workspace(), C::State::default());
+        let (mut at, mut rate) = (solved.clone(), C::State::default());
         let result = generated.solve_into(state, inputs, &mut at);
         let fast = generated.derivative_into(state, inputs, &mut rate);
         assert_eq!(result, fast, "{name}");
+        assert!(result.is_ok() || at == generated.workspace(), "{name}");
+        generated.solve_into(&good.0, &good.1, &mut at).expect("a regular chain");
+        assert!(at == solved, "{name}");
         result.map(|()| rate.v().to_vec())
     };
     for bad in BAD {
