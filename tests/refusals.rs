@@ -1,4 +1,4 @@
-//! What cannot be computed is refused with its reason, and nothing is changed: parameters,
+//! What cannot be computed is refused with its reason, and leaves no results and all else as it was: parameters,
 //! mechanisms without an answer, numbers that are not finite.
 
 mod support;
