@@ -29,6 +29,15 @@ impl<'g> Expr<'g> {
         }
     }
 
+    /// Whether both are the same formula, or the same number.
+    pub fn is(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Expr::Number(one), Expr::Number(other)) => one.to_bits() == other.to_bits(),
+            (Expr::Formula(_, one), Expr::Formula(_, other)) => one == other,
+            _ => false,
+        }
+    }
+
     fn unary(self, number: impl Fn(f64) -> f64, rule: impl Fn(&'g Graph, Edge) -> Self) -> Self {
         match self {
             Expr::Number(value) => Expr::Number(number(value)),

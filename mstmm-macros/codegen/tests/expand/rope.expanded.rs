@@ -63,7 +63,7 @@
 ///
 /// Mobility 11: 11 degrees of freedom.
 ///
-/// Accelerations by `riccati`, 102 operations (58 mul, 43 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 235 operations; those of repeated parts are counted once.
+/// Accelerations by `riccati`, 102 operations (58 mul, 43 add, 1 reciprocal, 2 sin/cos); with everything at every connection point 204 operations; those of repeated parts are counted once.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Rope<T> {
@@ -825,14 +825,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// Everything: accelerations, efforts, energies and, at every connection point, pose,
     /// velocity and the state vector `z`, written into `at`.
     ///
-    /// 235 operations: 137 mul, 97 add, 1 reciprocal, 2 sin/cos.
+    /// 204 operations: 119 mul, 84 add, 1 reciprocal, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 3 | 0 | 0 | 1 |
-    /// | Results |  | 73 | 49 | 0 | 0 | 0 |
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 3 | 0 | 0 | 1 |
-    /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 3 | 0 | 0 | 0 | 0 |
+    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
+    /// | Results |  | 55 | 40 | 0 | 0 | 0 |
+    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
+    /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 6 | 5 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 6 | 1 | 0 | 0 |
@@ -842,10 +842,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Load on `end_of_repeat0` | \[P, Eqs. (18), (19)\] | 4 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 6 | 3 | 0 | 0 | 0 |
     /// | Load on `hook` | \[P, Eqs. (18), (19)\] | 3 | 2 | 0 | 0 | 0 |
-    /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 3 | 4 | 0 | 0 | 0 |
     /// | Pose behind `joint` | \[P, Eq. (12)\] | 8 | 4 | 0 | 0 | 0 |
     /// | Velocity behind `joint` |  | 4 | 2 | 0 | 0 | 0 |
-    /// | Pose behind `hook` | \[P, Eq. (12)\] | 4 | 2 | 0 | 0 | 0 |
+    /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 2 | 3 | 0 | 0 | 0 |
+    /// | Pose behind `hook` | \[P, Eq. (12)\] | 6 | 3 | 0 | 0 | 0 |
     /// | Velocity behind `hook` |  | 4 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -866,12 +866,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let results0_ = &mut at_.accelerations;
         let results4_ = &mut at_.efforts;
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
-        let mut store1_ = ::mstmm::generated::Stored::<[T; 10], 10>::new_const();
+        let mut store1_ = ::mstmm::generated::Stored::<[T; 13], 10>::new_const();
         let mut store3_ = ::mstmm::generated::Stored::<[T; 13], 10>::new_const();
-        let mut store5_ = ::mstmm::generated::Stored::<[T; 1], 10>::new_const();
-        let mut store7_ = ::mstmm::generated::Stored::<[T; 1], 10>::new_const();
-        let mut store11_ = ::mstmm::generated::Stored::<[T; 3], 10>::new_const();
-        let mut store13_ = ::mstmm::generated::Stored::<[T; 2], 10>::new_const();
+        let mut store7_ = ::mstmm::generated::Stored::<[T; 2], 10>::new_const();
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         /// Results: 6 mul, 2 add, 0 reciprocal.
@@ -902,7 +899,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             _,
             _,
-            _,
+            o7_11_,
             _,
             _,
             _,
@@ -940,7 +937,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Load on `joint`, [P, Eqs. (18), (19)]: 2 mul, 1 add, 0 reciprocal.
             let t9_ = joint_angle_ * c_(0.2);
             let minus_joint_load_moment_z_ = T::mul_add(joint_rate_, c_(0.01), t9_);
-            /// Results: 7 mul, 1 add, 0 reciprocal.
+            /// Results: 11 mul, 1 add, 0 reciprocal.
             let t10_ = joint_angle_ * t9_;
             let t11_ = t10_ * c_(0.5);
             let t12_ = sin_joint_angle_ * sin_joint_angle_;
@@ -948,6 +945,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t14_ = c_(2.0) * t13_;
             let t15_ = T::mul_neg_add(c_(2.0), t12_, c_(1.0));
             let t16_ = known_p2_ * t8_;
+            let t17_ = c_(0.1) * joint_omega_z_;
+            let t18_ = known_p2_ * joint_omega_z_;
+            let t19_ = known_p4_ * t8_;
+            let t20_ = c_(0.5) * t19_;
             _ = store1_
                 .try_push([
                     sin_joint_angle_,
@@ -960,24 +961,30 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     minus_end_of_repeat0_centripetal_x_,
                     t16_,
                     t11_,
+                    t17_,
+                    t18_,
+                    t20_,
                 ]);
+            *o7_11_ = joint_omega_z_;
             *o7_15_ = minus_joint_load_moment_z_;
             (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
-        let t17_ = hook_omega_z_ * hook_omega_z_;
-        let hook_e_force_y_ = c_(0.2) * t17_;
-        /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t18_ = sin_hook_angle_ * hook_e_force_y_;
-        let t19_ = cos_hook_angle_ * hook_e_force_y_;
+        let t21_ = hook_omega_z_ * hook_omega_z_;
+        let hook_e_force_y_ = c_(0.2) * t21_;
+        /// Results: 4 mul, 0 add, 0 reciprocal.
+        let t24_ = c_(0.2) * hook_omega_z_;
+        let t25_ = t21_ * c_(0.015000000000000003);
+        let t22_ = sin_hook_angle_ * hook_e_force_y_;
+        let t23_ = cos_hook_angle_ * hook_e_force_y_;
         let mut carry1_0_ = t5_;
         let mut carry1_1_ = -t3_;
         let mut carry1_2_ = c_(2.0);
         let mut carry1_3_ = -t4_;
-        let mut carry1_4_ = -t18_;
-        let mut carry1_5_ = t19_;
+        let mut carry1_4_ = -t22_;
+        let mut carry1_5_ = t23_;
         let mut carry1_6_ = c_(0.0);
         for (
             (
@@ -998,6 +1005,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 t15_,
                 minus_end_of_repeat0_centripetal_x_,
                 t16_,
+                _,
+                _,
+                _,
                 _,
                 ],
             ),
@@ -1056,47 +1066,47 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_centripetal_x_,
                 carry1_5_before_,
             );
-            let t20_ = T::recip(joint_j_zz_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t20_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t20_;
-            let t21_ = minus_joint_load_moment_z_ + carry1_6_before_;
-            let t22_ = T::mul_add(c_(0.1), joint_e_force_y_, t21_);
-            let minus_joint_w0_ = t20_ * t22_;
+            let t26_ = T::recip(joint_j_zz_);
+            let joint_z0_force_x_ = joint_b_x_z_ * t26_;
+            let joint_z0_force_y_ = joint_b_y_z_ * t26_;
+            let t27_ = minus_joint_load_moment_z_ + carry1_6_before_;
+            let t28_ = T::mul_add(c_(0.1), joint_e_force_y_, t27_);
+            let minus_joint_w0_ = t26_ * t28_;
             /// Results: 22 mul, 22 add, 0 reciprocal.
-            let t23_ = known_p1_ + carry1_0_before_;
-            let t24_ = carry1_0_before_ + carry1_1_before_;
-            let t25_ = carry1_2_before_ + t24_;
-            let t26_ = T::mul_add(c_(0.010000000000000002), t25_, known_p5_);
-            let t27_ = known_p1_ + carry1_1_before_;
-            let t28_ = joint_b_x_z_ * joint_b_x_z_;
-            let t29_ = T::mul_neg_add(t20_, t28_, t23_);
-            let t30_ = joint_b_y_z_ * joint_b_y_z_;
-            let t31_ = T::mul_neg_add(t20_, t30_, t27_);
-            let t32_ = joint_b_x_z_ * joint_b_y_z_;
-            let t33_ = T::mul_neg_add(t20_, t32_, carry1_3_before_);
-            let t34_ = t29_ + t31_;
-            let t35_ = t29_ - t31_;
-            let t36_ = t15_ * t33_;
-            let t37_ = T::mul_add(t13_, t35_, t36_);
-            let t38_ = cos_joint_angle_ * joint_z0_force_x_;
-            let t39_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t38_);
-            let t40_ = sin_joint_angle_ * joint_z0_force_x_;
-            let t41_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t40_);
-            let t42_ = t16_ - carry1_4_before_;
-            let t43_ = T::mul_add(
+            let t29_ = known_p1_ + carry1_0_before_;
+            let t30_ = carry1_0_before_ + carry1_1_before_;
+            let t31_ = carry1_2_before_ + t30_;
+            let t32_ = T::mul_add(c_(0.010000000000000002), t31_, known_p5_);
+            let t33_ = known_p1_ + carry1_1_before_;
+            let t34_ = joint_b_x_z_ * joint_b_x_z_;
+            let t35_ = T::mul_neg_add(t26_, t34_, t29_);
+            let t36_ = joint_b_y_z_ * joint_b_y_z_;
+            let t37_ = T::mul_neg_add(t26_, t36_, t33_);
+            let t38_ = joint_b_x_z_ * joint_b_y_z_;
+            let t39_ = T::mul_neg_add(t26_, t38_, carry1_3_before_);
+            let t40_ = t35_ + t37_;
+            let t41_ = t35_ - t37_;
+            let t42_ = t15_ * t39_;
+            let t43_ = T::mul_add(t13_, t41_, t42_);
+            let t44_ = cos_joint_angle_ * joint_z0_force_x_;
+            let t45_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t44_);
+            let t46_ = sin_joint_angle_ * joint_z0_force_x_;
+            let t47_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t46_);
+            let t48_ = t16_ - carry1_4_before_;
+            let t49_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_centripetal_x_,
-                t42_,
+                t48_,
             );
-            let t44_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t43_);
-            let t45_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
-            let t46_ = cos_joint_angle_ * t44_;
-            let t47_ = T::mul_add(sin_joint_angle_, t45_, t46_);
-            let t48_ = sin_joint_angle_ * t44_;
-            let t49_ = T::mul_neg_add(cos_joint_angle_, t45_, t48_);
-            let t50_ = T::mul_add(t14_, t33_, t31_);
-            let t51_ = T::mul_add(t12_, t35_, t50_);
-            let t52_ = t34_ - t51_;
+            let t50_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t49_);
+            let t51_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
+            let t52_ = cos_joint_angle_ * t50_;
+            let t53_ = T::mul_add(sin_joint_angle_, t51_, t52_);
+            let t54_ = sin_joint_angle_ * t50_;
+            let t55_ = T::mul_neg_add(cos_joint_angle_, t51_, t54_);
+            let t56_ = T::mul_add(t14_, t39_, t37_);
+            let t57_ = T::mul_add(t12_, t41_, t56_);
+            let t58_ = t40_ - t57_;
             _ = store3_
                 .try_push([
                     carry1_0_before_,
@@ -1104,17 +1114,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     carry1_3_before_,
                     carry1_4_before_,
                     carry1_5_before_,
-                    t29_,
-                    t31_,
-                    t33_,
+                    t35_,
+                    t37_,
                     t39_,
-                    t41_,
-                    minus_joint_w0_,
-                    t44_,
                     t45_,
+                    t47_,
+                    minus_joint_w0_,
+                    t50_,
+                    t51_,
                 ]);
             *o7_24_ = carry1_6_before_;
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t26_);
+            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t32_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -1124,12 +1134,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_5_,
                 carry1_6_,
             ) = (
-                t52_,
-                t51_,
+                t58_,
+                t57_,
                 joint_k_zz_,
-                t37_,
-                -t47_,
-                -t49_,
+                t43_,
+                -t53_,
+                -t55_,
                 -minus_joint_load_moment_z_,
             );
         }
@@ -1152,20 +1162,23 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     minus_end_of_repeat0_centripetal_x_,
                     _,
                     _,
+                    _,
+                    _,
+                    _,
                     ],
                     &[carry1_0_before_,
                     carry1_1_before_,
                     carry1_3_before_,
                     carry1_4_before_,
                     carry1_5_before_,
-                    t29_,
-                    t31_,
-                    t33_,
+                    t35_,
+                    t37_,
                     t39_,
-                    t41_,
-                    minus_joint_w0_,
-                    t44_,
                     t45_,
+                    t47_,
+                    minus_joint_w0_,
+                    t50_,
+                    t51_,
                     ],
                 ),
                 [_,
@@ -1185,7 +1198,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 _,
                 _,
                 _,
-                _,
+                o7_22_,
                 o7_23_,
                 _,
                 o7_25_,
@@ -1210,16 +1223,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-            let t53_ = cos_joint_angle_ * carry2_0_before_;
-            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t53_);
-            let t54_ = sin_joint_angle_ * carry2_0_before_;
+            let t59_ = cos_joint_angle_ * carry2_0_before_;
+            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t59_);
+            let t60_ = sin_joint_angle_ * carry2_0_before_;
             let minus_joint_a_lin_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry2_1_before_,
-                t54_,
+                t60_,
             );
-            let t55_ = T::mul_add(carry2_1_before_, t41_, minus_joint_w0_);
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t39_, t55_);
+            let t61_ = T::mul_add(carry2_1_before_, t47_, minus_joint_w0_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t45_, t61_);
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
             let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_centripetal_x_
                 - joint_a_lin_x_;
@@ -1229,12 +1242,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_joint_a_lin_y_,
             );
             /// Load on `joint`, [P, Eqs. (18), (19)]: 4 mul, 4 add, 0 reciprocal.
-            let t56_ = T::mul_add(t33_, minus_joint_a_lin_y_, t44_);
-            let joint_load_force_x_ = T::mul_sub(t29_, joint_a_lin_x_, t56_);
-            let t57_ = T::mul_neg_add(t31_, minus_joint_a_lin_y_, t45_);
-            let joint_load_force_y_ = T::mul_add(t33_, joint_a_lin_x_, t57_);
+            let t62_ = T::mul_add(t39_, minus_joint_a_lin_y_, t50_);
+            let joint_load_force_x_ = T::mul_sub(t35_, joint_a_lin_x_, t62_);
+            let t63_ = T::mul_neg_add(t37_, minus_joint_a_lin_y_, t51_);
+            let joint_load_force_y_ = T::mul_add(t39_, joint_a_lin_x_, t63_);
             /// Load on `end_of_repeat0`, [P, Eqs. (18), (19)]: 4 mul, 4 add, 0 reciprocal.
-            let t58_ = T::mul_neg_add(
+            let t64_ = T::mul_neg_add(
                 carry1_3_before_,
                 minus_end_of_repeat0_a_lin_y_,
                 carry1_4_before_,
@@ -1242,9 +1255,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let minus_end_of_repeat0_load_force_x_ = T::mul_sub(
                 carry1_0_before_,
                 minus_end_of_repeat0_a_lin_x_,
-                t58_,
+                t64_,
             );
-            let t59_ = T::mul_neg_add(
+            let t65_ = T::mul_neg_add(
                 carry1_1_before_,
                 minus_end_of_repeat0_a_lin_y_,
                 carry1_5_before_,
@@ -1252,20 +1265,20 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let minus_end_of_repeat0_load_force_y_ = T::mul_sub(
                 carry1_3_before_,
                 minus_end_of_repeat0_a_lin_x_,
-                t59_,
+                t65_,
             );
             /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t60_ = carry2_2_before_ + minus_joint_a_ang_z_;
-            _ = store5_.try_push([joint_a_lin_x_]);
+            let t66_ = carry2_2_before_ + minus_joint_a_ang_z_;
             *o7_12_ = joint_a_lin_x_;
             *o7_13_ = minus_joint_a_lin_y_;
             *o7_14_ = minus_joint_a_ang_z_;
             *o7_16_ = joint_load_force_x_;
             *o7_17_ = joint_load_force_y_;
+            *o7_22_ = minus_end_of_repeat0_a_lin_x_;
             *o7_23_ = minus_end_of_repeat0_a_lin_y_;
             *o7_25_ = minus_end_of_repeat0_load_force_x_;
             *o7_26_ = minus_end_of_repeat0_load_force_y_;
-            *o0_0_ = -t60_;
+            *o0_0_ = -t66_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 -minus_end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
@@ -1273,82 +1286,55 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 6 mul, 3 add, 0 reciprocal.
-        let t61_ = cos_hook_angle_ * carry2_0_;
-        let t62_ = sin_hook_angle_ * carry2_0_;
-        let t63_ = t6_ * carry2_0_;
-        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t61_);
-        let minus_hook_a_lin_y_ = T::mul_neg_add(cos_hook_angle_, carry2_1_, t62_);
-        let minus_hook_a_ang_z_ = T::mul_add(t7_, carry2_1_, t63_);
+        let t67_ = cos_hook_angle_ * carry2_0_;
+        let t68_ = sin_hook_angle_ * carry2_0_;
+        let t69_ = t6_ * carry2_0_;
+        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t67_);
+        let minus_hook_a_lin_y_ = T::mul_neg_add(cos_hook_angle_, carry2_1_, t68_);
+        let minus_hook_a_ang_z_ = T::mul_add(t7_, carry2_1_, t69_);
         /// Load on `hook`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
-        let t64_ = c_(2.0) * hook_a_lin_x_;
+        let t70_ = c_(2.0) * hook_a_lin_x_;
         let hook_load_force_y_ = T::mul_neg_add(
             c_(2.0),
             minus_hook_a_lin_y_,
             hook_e_force_y_,
         );
-        let hook_load_force_x_ = T::mul_neg_add(c_(0.2), minus_hook_a_ang_z_, t64_);
+        let hook_load_force_x_ = T::mul_neg_add(c_(0.2), minus_hook_a_ang_z_, t70_);
         /// Results: 0 mul, 1 add, 0 reciprocal.
-        let t65_ = carry2_2_ + minus_hook_a_ang_z_;
+        let t71_ = carry2_2_ + minus_hook_a_ang_z_;
         let mut carry3_0_ = c_(0.0);
+        let mut carry3_1_ = c_(0.0);
+        let mut carry3_2_ = c_(1.0);
+        let mut carry3_3_ = c_(0.0);
+        let mut carry3_4_ = c_(0.0);
+        let mut carry3_5_ = c_(1.0);
+        let mut carry3_6_ = c_(0.0);
+        let mut carry3_7_ = c_(0.0);
         for (
-            (&[joint_rate_], &[joint_a_lin_x_]),
-            [_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            o7_11_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            o7_22_,
-            _,
-            _,
-            _,
-            _,
-            ],
-        ) in ::core::iter::zip(
-            ::core::iter::zip(
-                ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
-                store5_.iter(),
+            (
+                &[_,
+                known_p1_,
+                known_p2_,
+                _,
+                _,
+                _,
+                known_p6_,
+                ],
+                &[sin_joint_angle_,
+                cos_joint_angle_,
+                _,
+                _,
+                _,
+                _,
+                _,
+                _,
+                _,
+                t11_,
+                t17_,
+                t18_,
+                _,
+                ],
             ),
-            ::mstmm::generated::times_mut::<T, 22>(results7_.as_mut_slice(), 5, 10)
-                .iter_mut(),
-        ) {
-            let carry3_0_before_ = carry3_0_;
-            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-            let joint_omega_z_2_ = joint_rate_ + carry3_0_before_;
-            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 1 mul, 0 add, 0 reciprocal.
-            let t66_ = joint_omega_z_2_ * joint_omega_z_2_;
-            /// Connection points, [P, Eqs. (4), (12), (13)]: 1 mul, 1 add, 0 reciprocal.
-            let point2_felt_x_ = T::mul_neg_add(c_(0.1), t66_, joint_a_lin_x_);
-            /// Results: 1 mul, 0 add, 0 reciprocal.
-            let t67_ = c_(0.1) * joint_omega_z_2_;
-            _ = store7_.try_push([t67_]);
-            *o7_11_ = joint_omega_z_2_;
-            *o7_22_ = point2_felt_x_;
-            (carry3_0_,) = (joint_omega_z_2_,);
-        }
-        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let hook_omega_z_2_ = hook_rate_ + carry3_0_;
-        let mut carry4_0_ = c_(0.0);
-        let mut carry4_1_ = c_(0.0);
-        let mut carry4_2_ = c_(1.0);
-        let mut carry4_3_ = c_(0.0);
-        let mut carry4_4_ = c_(0.0);
-        let mut carry4_5_ = c_(1.0);
-        let mut carry4_6_ = c_(0.0);
-        let mut carry4_7_ = c_(0.0);
-        for (
-            (&[sin_joint_angle_, cos_joint_angle_, _, _, _, _, _, _, _, _], &[t67_]),
             [o7_5_,
             o7_6_,
             o7_7_,
@@ -1373,66 +1359,79 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             ],
         ) in ::core::iter::zip(
-            ::core::iter::zip(store1_.iter(), store7_.iter()),
+            ::core::iter::zip(
+                ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10)
+                    .iter(),
+                store1_.iter(),
+            ),
             ::mstmm::generated::times_mut::<T, 22>(results7_.as_mut_slice(), 5, 10)
                 .iter_mut(),
         ) {
-            let carry4_0_before_ = carry4_0_;
-            let carry4_1_before_ = carry4_1_;
-            let carry4_2_before_ = carry4_2_;
-            let carry4_3_before_ = carry4_3_;
-            let carry4_4_before_ = carry4_4_;
-            let carry4_5_before_ = carry4_5_;
-            let carry4_6_before_ = carry4_6_;
-            let carry4_7_before_ = carry4_7_;
+            let carry3_0_before_ = carry3_0_;
+            let carry3_1_before_ = carry3_1_;
+            let carry3_2_before_ = carry3_2_;
+            let carry3_3_before_ = carry3_3_;
+            let carry3_4_before_ = carry3_4_;
+            let carry3_5_before_ = carry3_5_;
+            let carry3_6_before_ = carry3_6_;
+            let carry3_7_before_ = carry3_7_;
             /// Pose behind `joint`, [P, Eq. (12)]: 8 mul, 4 add, 0 reciprocal.
-            let t68_ = cos_joint_angle_ * carry4_2_before_;
+            let t72_ = cos_joint_angle_ * carry3_2_before_;
             let joint_to_inertial_x_x_ = T::mul_add(
                 sin_joint_angle_,
-                carry4_3_before_,
-                t68_,
+                carry3_3_before_,
+                t72_,
             );
-            let t69_ = sin_joint_angle_ * carry4_2_before_;
+            let t73_ = sin_joint_angle_ * carry3_2_before_;
             let minus_joint_to_inertial_x_y_ = T::mul_neg_add(
                 cos_joint_angle_,
-                carry4_3_before_,
-                t69_,
-            );
-            let t70_ = cos_joint_angle_ * carry4_4_before_;
-            let joint_to_inertial_y_x_ = T::mul_add(
-                sin_joint_angle_,
-                carry4_5_before_,
-                t70_,
-            );
-            let t71_ = sin_joint_angle_ * carry4_4_before_;
-            let minus_joint_to_inertial_y_y_ = T::mul_neg_add(
-                cos_joint_angle_,
-                carry4_5_before_,
-                t71_,
-            );
-            /// Velocity behind `joint`: 4 mul, 2 add, 0 reciprocal.
-            let t72_ = cos_joint_angle_ * carry4_6_before_;
-            let joint_velocity_x_ = T::mul_add(sin_joint_angle_, carry4_7_before_, t72_);
-            let t73_ = sin_joint_angle_ * carry4_6_before_;
-            let minus_joint_velocity_y_ = T::mul_neg_add(
-                cos_joint_angle_,
-                carry4_7_before_,
+                carry3_3_before_,
                 t73_,
             );
+            let t74_ = cos_joint_angle_ * carry3_4_before_;
+            let joint_to_inertial_y_x_ = T::mul_add(
+                sin_joint_angle_,
+                carry3_5_before_,
+                t74_,
+            );
+            let t75_ = sin_joint_angle_ * carry3_4_before_;
+            let minus_joint_to_inertial_y_y_ = T::mul_neg_add(
+                cos_joint_angle_,
+                carry3_5_before_,
+                t75_,
+            );
+            /// Velocity behind `joint`: 4 mul, 2 add, 0 reciprocal.
+            let t76_ = cos_joint_angle_ * carry3_6_before_;
+            let joint_velocity_x_ = T::mul_add(sin_joint_angle_, carry3_7_before_, t76_);
+            let t77_ = sin_joint_angle_ * carry3_6_before_;
+            let minus_joint_velocity_y_ = T::mul_neg_add(
+                cos_joint_angle_,
+                carry3_7_before_,
+                t77_,
+            );
             /// Connection points, [P, Eqs. (4), (12), (13)]: 2 mul, 3 add, 0 reciprocal.
-            let point2_velocity_y_ = t67_ - minus_joint_velocity_y_;
+            let point2_velocity_y_ = t17_ - minus_joint_velocity_y_;
             let point2_position_x_ = T::mul_add(
                 c_(0.1),
                 joint_to_inertial_x_x_,
-                carry4_0_before_,
+                carry3_0_before_,
             );
             let point2_position_y_ = T::mul_add(
                 c_(0.1),
                 joint_to_inertial_y_x_,
-                carry4_1_before_,
+                carry3_1_before_,
             );
-            *o7_5_ = carry4_0_before_;
-            *o7_6_ = carry4_1_before_;
+            /// Results: 7 mul, 4 add, 0 reciprocal.
+            let t78_ = known_p1_ * carry3_1_before_;
+            let t79_ = T::mul_add(known_p2_, joint_to_inertial_y_x_, t78_);
+            let t80_ = known_p6_ * joint_velocity_x_;
+            let t81_ = T::mul_neg_add(known_p6_, minus_joint_velocity_y_, t18_);
+            let t82_ = joint_velocity_x_ * t80_;
+            let t83_ = T::mul_neg_add(minus_joint_velocity_y_, t81_, t82_);
+            let t84_ = T::mul_add(c_(9.8), t79_, t11_);
+            _ = store7_.try_push([t83_, t84_]);
+            *o7_5_ = carry3_0_before_;
+            *o7_6_ = carry3_1_before_;
             *o7_7_ = joint_to_inertial_x_x_;
             *o7_8_ = joint_to_inertial_y_x_;
             *o7_9_ = joint_velocity_x_;
@@ -1442,14 +1441,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o7_20_ = joint_velocity_x_;
             *o7_21_ = point2_velocity_y_;
             (
-                carry4_0_,
-                carry4_1_,
-                carry4_2_,
-                carry4_3_,
-                carry4_4_,
-                carry4_5_,
-                carry4_6_,
-                carry4_7_,
+                carry3_0_,
+                carry3_1_,
+                carry3_2_,
+                carry3_3_,
+                carry3_4_,
+                carry3_5_,
+                carry3_6_,
+                carry3_7_,
             ) = (
                 point2_position_x_,
                 point2_position_y_,
@@ -1461,143 +1460,53 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 point2_velocity_y_,
             );
         }
-        /// Pose behind `hook`, [P, Eq. (12)]: 4 mul, 2 add, 0 reciprocal.
-        let t74_ = cos_hook_angle_ * carry4_2_;
-        let t75_ = cos_hook_angle_ * carry4_4_;
+        /// Pose behind `hook`, [P, Eq. (12)]: 6 mul, 3 add, 0 reciprocal.
+        let t87_ = sin_hook_angle_ * carry3_4_;
         /// Velocity behind `hook`: 4 mul, 2 add, 0 reciprocal.
-        let t76_ = cos_hook_angle_ * carry4_6_;
-        let t77_ = sin_hook_angle_ * carry4_6_;
+        let t89_ = sin_hook_angle_ * carry3_6_;
+        let t88_ = cos_hook_angle_ * carry3_6_;
+        /// Results: 5 mul, 3 add, 0 reciprocal.
+        let t90_ = c_(2.0) * carry3_1_;
         /// Pose behind `hook`.
-        let hook_to_inertial_x_x_ = T::mul_add(sin_hook_angle_, carry4_3_, t74_);
-        let hook_to_inertial_y_x_ = T::mul_add(sin_hook_angle_, carry4_5_, t75_);
+        let minus_hook_to_inertial_y_y_ = T::mul_neg_add(
+            cos_hook_angle_,
+            carry3_5_,
+            t87_,
+        );
         /// Velocity behind `hook`.
-        let hook_velocity_x_ = T::mul_add(sin_hook_angle_, carry4_7_, t76_);
-        let minus_hook_velocity_y_ = T::mul_neg_add(cos_hook_angle_, carry4_7_, t77_);
-        let mut carry5_0_ = c_(0.0);
-        for (&[joint_rate_], &[_, _, known_p2_, _, known_p4_, _, _]) in ::core::iter::zip(
-            ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
-            ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10).iter(),
+        let minus_hook_velocity_y_ = T::mul_neg_add(cos_hook_angle_, carry3_7_, t89_);
+        let hook_velocity_x_ = T::mul_add(sin_hook_angle_, carry3_7_, t88_);
+        /// Pose behind `hook`.
+        let t85_ = cos_hook_angle_ * carry3_2_;
+        let t86_ = cos_hook_angle_ * carry3_4_;
+        /// Results.
+        let t91_ = T::mul_add(c_(0.2), minus_hook_to_inertial_y_y_, t90_);
+        let t94_ = minus_hook_velocity_y_ * minus_hook_velocity_y_;
+        let t93_ = t24_ + hook_velocity_x_;
+        /// Pose behind `hook`.
+        let hook_to_inertial_x_x_ = T::mul_add(sin_hook_angle_, carry3_3_, t85_);
+        let hook_to_inertial_y_x_ = T::mul_add(sin_hook_angle_, carry3_5_, t86_);
+        /// Results.
+        let t92_ = c_(9.8) * t91_;
+        let t95_ = T::mul_add(hook_velocity_x_, t93_, t94_);
+        let mut carry4_0_ = c_(0.0);
+        let mut carry4_1_ = c_(0.0);
+        for (&[_, _, _, _, _, _, _, _, _, _, _, _, t20_], &[t83_, t84_]) in ::core::iter::zip(
+            store1_.iter(),
+            store7_.iter(),
         ) {
-            let carry5_0_before_ = carry5_0_;
-            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-            let joint_omega_z_3_ = joint_rate_ + carry5_0_before_;
-            /// Results: 5 mul, 0 add, 0 reciprocal.
-            let t78_ = joint_omega_z_3_ * joint_omega_z_3_;
-            let t79_ = c_(0.1) * joint_omega_z_3_;
-            let t80_ = known_p2_ * joint_omega_z_3_;
-            let t81_ = known_p4_ * t78_;
-            let t82_ = c_(0.5) * t81_;
-            _ = store11_.try_push([t79_, t80_, t82_]);
-            (carry5_0_,) = (joint_omega_z_3_,);
-        }
-        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
-        let hook_omega_z_3_ = hook_rate_ + carry5_0_;
-        /// Results: 3 mul, 0 add, 0 reciprocal.
-        let t84_ = hook_omega_z_3_ * hook_omega_z_3_;
-        let t83_ = c_(0.2) * hook_omega_z_3_;
-        let t85_ = c_(0.015000000000000003) * t84_;
-        let mut carry6_0_ = c_(0.0);
-        let mut carry6_1_ = c_(0.0);
-        let mut carry6_2_ = c_(1.0);
-        let mut carry6_3_ = c_(0.0);
-        let mut carry6_4_ = c_(0.0);
-        for (
-            (
-                &[_,
-                known_p1_,
-                known_p2_,
-                _,
-                _,
-                _,
-                known_p6_,
-                ],
-                &[sin_joint_angle_,
-                cos_joint_angle_,
-                _,
-                _,
-                _,
-                _,
-                _,
-                _,
-                _,
-                t11_,
-                ],
-            ),
-            &[t79_,
-            t80_,
-            _,
-            ],
-        ) in ::core::iter::zip(
-            ::core::iter::zip(
-                ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10)
-                    .iter(),
-                store1_.iter(),
-            ),
-            store11_.iter(),
-        ) {
-            let carry6_0_before_ = carry6_0_;
-            let carry6_1_before_ = carry6_1_;
-            let carry6_2_before_ = carry6_2_;
-            let carry6_3_before_ = carry6_3_;
-            let carry6_4_before_ = carry6_4_;
-            /// Results: 16 mul, 10 add, 0 reciprocal.
-            let t86_ = sin_joint_angle_ * carry6_1_before_;
-            let t87_ = cos_joint_angle_ * carry6_1_before_;
-            let t88_ = T::mul_add(sin_joint_angle_, carry6_2_before_, t87_);
-            let t89_ = T::mul_neg_add(cos_joint_angle_, carry6_2_before_, t86_);
-            let t90_ = cos_joint_angle_ * carry6_3_before_;
-            let t91_ = T::mul_add(sin_joint_angle_, carry6_4_before_, t90_);
-            let t92_ = sin_joint_angle_ * carry6_3_before_;
-            let t93_ = T::mul_neg_add(cos_joint_angle_, carry6_4_before_, t92_);
-            let t94_ = t93_ - t79_;
-            let t95_ = T::mul_add(c_(0.1), t88_, carry6_0_before_);
-            let t96_ = known_p6_ * t91_;
-            let t97_ = T::mul_neg_add(known_p6_, t93_, t80_);
-            let t98_ = t91_ * t96_;
-            let t99_ = T::mul_neg_add(t93_, t97_, t98_);
-            let t100_ = known_p1_ * carry6_0_before_;
-            let t101_ = T::mul_add(known_p2_, t88_, t100_);
-            let t102_ = T::mul_add(c_(9.8), t101_, t11_);
-            _ = store13_.try_push([t99_, t102_]);
-            (carry6_0_, carry6_1_, carry6_2_, carry6_3_, carry6_4_) = (
-                t95_,
-                t88_,
-                -t89_,
-                t91_,
-                -t94_,
-            );
-        }
-        /// Results: 11 mul, 6 add, 0 reciprocal.
-        let t107_ = sin_hook_angle_ * carry6_3_;
-        let t103_ = sin_hook_angle_ * carry6_1_;
-        let t105_ = cos_hook_angle_ * carry6_3_;
-        let t112_ = c_(2.0) * carry6_0_;
-        let t108_ = T::mul_neg_add(cos_hook_angle_, carry6_4_, t107_);
-        let t104_ = T::mul_neg_add(cos_hook_angle_, carry6_2_, t103_);
-        let t106_ = T::mul_add(sin_hook_angle_, carry6_4_, t105_);
-        let t110_ = t108_ * t108_;
-        let t113_ = T::mul_add(c_(0.2), t104_, t112_);
-        let t109_ = t106_ + t83_;
-        let t111_ = T::mul_add(t106_, t109_, t110_);
-        let t114_ = c_(9.8) * t113_;
-        let mut carry7_0_ = c_(0.0);
-        let mut carry7_1_ = c_(0.0);
-        for (&[t99_, t102_], &[_, _, t82_]) in ::core::iter::zip(
-            store13_.iter(),
-            store11_.iter(),
-        ) {
-            let carry7_0_before_ = carry7_0_;
-            let carry7_1_before_ = carry7_1_;
+            let carry4_0_before_ = carry4_0_;
+            let carry4_1_before_ = carry4_1_;
             /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t115_ = carry7_0_before_ + t99_;
-            let t116_ = t115_ + t82_;
-            let t117_ = carry7_1_before_ + t102_;
-            (carry7_0_, carry7_1_) = (t116_, t117_);
+            let t96_ = carry4_0_before_ + t83_;
+            let t97_ = t20_ + t96_;
+            let t98_ = carry4_1_before_ + t84_;
+            (carry4_0_, carry4_1_) = (t97_, t98_);
         }
         /// Results: 0 mul, 3 add, 0 reciprocal.
-        let t118_ = carry7_0_ + t111_;
-        let t120_ = carry7_1_ + t114_;
-        let t119_ = t118_ + t85_;
+        let t99_ = carry4_0_ + t95_;
+        let t101_ = t92_ + carry4_1_;
+        let t100_ = t25_ + t99_;
         for [o0_, o1_, o2_, o3_, o4_] in ::mstmm::generated::times_mut::<
             T,
             5,
@@ -1612,13 +1521,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             T,
             12,
         >(results7_.as_mut_slice(), 225, 1) {
-            *o0_ = carry4_0_;
-            *o1_ = carry4_1_;
+            *o0_ = carry3_0_;
+            *o1_ = carry3_1_;
             *o2_ = hook_to_inertial_x_x_;
             *o3_ = hook_to_inertial_y_x_;
             *o4_ = hook_velocity_x_;
             *o5_ = minus_hook_velocity_y_;
-            *o6_ = hook_omega_z_2_;
+            *o6_ = hook_omega_z_;
             *o7_ = hook_a_lin_x_;
             *o8_ = minus_hook_a_lin_y_;
             *o9_ = minus_hook_a_ang_z_;
@@ -1629,7 +1538,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t65_;
+            *o0_ = -t71_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
@@ -1655,8 +1564,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             ::mstmm::generated::take_back(at_, || self.workspace());
             return ::core::result::Result::Err(error_);
         }
-        at_.kinetic_energy = t119_;
-        at_.potential_energy = t120_;
+        at_.kinetic_energy = t100_;
+        at_.potential_energy = t101_;
         at_.at_rest = [c_(0.0), c_(9.8)];
         ::core::result::Result::Ok(())
     }
@@ -2129,7 +2038,7 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
         ::mstmm::generated::Places::new(
             140,
             [30],
-            [([30], 160), ([0], 70), ([30], 182), ([0], 101), ([0], 201), ([30], 213)],
+            [([30], 160), ([0], 70), ([30], 183), ([0], 101), ([0], 201), ([30], 213)],
         ),
         ::mstmm::generated::Places::new(
             10,
