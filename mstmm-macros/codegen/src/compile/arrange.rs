@@ -4,7 +4,7 @@ use super::Scene;
 use crate::equations::{Section, Trace};
 use crate::expr::{Edge, Expr, Stage};
 use crate::passes::{
-    Carry, Heading, Setup, Turn, Unknowns, factor, needed_carries, order, schedule,
+    Carry, Heading, Setup, Turn, Unknowns, factor, join, needed_carries, order, schedule,
 };
 use crate::program::Program;
 use crate::weave::{self, Loom};
@@ -26,6 +26,7 @@ impl<'g> Scene<'_, 'g> {
         let results: Vec<Edge> = edges.iter().flatten().copied().collect();
         let turns: Vec<Turn> = turns.iter().map(|turn| self.turn(turn)).collect();
         let (turns, roots) = needed_carries(self.graph, &turns, &results);
+        let turns = join(self.graph, &turns);
         let (names, parts) = (self.symbols.names(), self.symbols.parts());
         let factored = factor(self.graph, &roots, &turns, parts);
         let turns = factored.turns(&turns);

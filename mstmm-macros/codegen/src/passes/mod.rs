@@ -1,11 +1,12 @@
 //! From formulas to a program, one step a file:
 //!
 //! 1. `live` finds what the results need: the rest is dead.
-//! 2. [`factor()`] rewrites sums of products that share a factor.
-//! 3. [`order()`] adds up sums in the order in which their terms are known.
-//! 4. `turns` finds which values belong into loops over repeated parts.
-//! 5. [`schedule()`] puts what is live under the headings of a trace and names it.
-//! 6. [`issue()`] orders the statements so that a processor waits little.
+//! 2. [`join()`] makes one loop of those over the same part that may run together.
+//! 3. [`factor()`] rewrites sums of products that share a factor.
+//! 4. [`order()`] adds up sums in the order in which their terms are known.
+//! 5. `turns` finds which values belong into loops over repeated parts.
+//! 6. [`schedule()`] puts what is live under the headings of a trace and names it.
+//! 7. [`issue()`] orders the statements so that a processor waits little.
 //!
 //! Folding, signs and common subexpressions need no pass: the graph's rules see to them while the
 //! formulas are written down.
@@ -17,6 +18,7 @@ mod factor;
 mod fuse;
 mod images;
 mod issue;
+mod join;
 mod latency;
 mod live;
 mod looped;
@@ -30,6 +32,7 @@ mod turns;
 pub use factor::factor;
 pub use images::Images;
 pub use issue::issue;
+pub use join::join;
 pub use live::Live;
 pub use order::order;
 pub use schedule::{Heading, Unknowns, schedule};

@@ -840,13 +840,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
     /// | Load on `end_of_repeat0` | \[P, Eqs. (18), (19)\] | 4 | 4 | 0 | 0 | 0 |
-    /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 6 | 3 | 0 | 0 | 0 |
-    /// | Load on `hook` | \[P, Eqs. (18), (19)\] | 3 | 2 | 0 | 0 | 0 |
     /// | Pose behind `joint` | \[P, Eq. (12)\] | 8 | 4 | 0 | 0 | 0 |
     /// | Velocity behind `joint` |  | 4 | 2 | 0 | 0 | 0 |
     /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 2 | 3 | 0 | 0 | 0 |
+    /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 6 | 3 | 0 | 0 | 0 |
     /// | Pose behind `hook` | \[P, Eq. (12)\] | 6 | 3 | 0 | 0 | 0 |
     /// | Velocity behind `hook` |  | 4 | 2 | 0 | 0 | 0 |
+    /// | Load on `hook` | \[P, Eqs. (18), (19)\] | 3 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -868,7 +868,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
         let mut store1_ = ::mstmm::generated::Stored::<[T; 13], 10>::new_const();
         let mut store3_ = ::mstmm::generated::Stored::<[T; 13], 10>::new_const();
-        let mut store7_ = ::mstmm::generated::Stored::<[T; 2], 10>::new_const();
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         /// Results: 6 mul, 2 add, 0 reciprocal.
@@ -1149,23 +1148,43 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
         let mut carry2_2_ = c_(0.0);
+        let mut carry2_3_ = c_(0.0);
+        let mut carry2_4_ = c_(0.0);
+        let mut carry2_5_ = c_(1.0);
+        let mut carry2_6_ = c_(0.0);
+        let mut carry2_7_ = c_(0.0);
+        let mut carry2_8_ = c_(1.0);
+        let mut carry2_9_ = c_(0.0);
+        let mut carry2_10_ = c_(0.0);
+        let mut carry2_11_ = c_(0.0);
+        let mut carry2_12_ = c_(0.0);
         for (
             (
                 (
-                    &[sin_joint_angle_,
-                    cos_joint_angle_,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    minus_end_of_repeat0_centripetal_x_,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    ],
+                    (
+                        &[_,
+                        known_p1_,
+                        known_p2_,
+                        _,
+                        _,
+                        _,
+                        known_p6_,
+                        ],
+                        &[sin_joint_angle_,
+                        cos_joint_angle_,
+                        _,
+                        _,
+                        _,
+                        _,
+                        _,
+                        minus_end_of_repeat0_centripetal_x_,
+                        _,
+                        t11_,
+                        t17_,
+                        t18_,
+                        t20_,
+                        ],
+                    ),
                     &[carry1_0_before_,
                     carry1_1_before_,
                     carry1_3_before_,
@@ -1181,12 +1200,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     t51_,
                     ],
                 ),
-                [_,
-                _,
-                _,
-                _,
-                _,
-                _,
+                [o7_5_,
+                o7_6_,
+                o7_7_,
+                o7_8_,
+                o7_9_,
+                o7_10_,
                 _,
                 o7_12_,
                 o7_13_,
@@ -1194,10 +1213,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 _,
                 o7_16_,
                 o7_17_,
-                _,
-                _,
-                _,
-                _,
+                o7_18_,
+                o7_19_,
+                o7_20_,
+                o7_21_,
                 o7_22_,
                 o7_23_,
                 _,
@@ -1210,7 +1229,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         ) in ::core::iter::zip(
             ::core::iter::zip(
                 ::core::iter::zip(
-                    store1_.iter(),
+                    ::core::iter::zip(
+                        ::mstmm::generated::times::<
+                            T,
+                            7,
+                        >(self.derived0.as_slice(), 0, 10)
+                            .iter(),
+                        store1_.iter(),
+                    ),
                     ::core::iter::Iterator::rev(store3_.iter()),
                 ),
                 ::mstmm::generated::times_mut::<T, 22>(results7_.as_mut_slice(), 5, 10)
@@ -1222,6 +1248,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_0_before_ = carry2_0_;
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
+            let carry2_3_before_ = carry2_3_;
+            let carry2_4_before_ = carry2_4_;
+            let carry2_5_before_ = carry2_5_;
+            let carry2_6_before_ = carry2_6_;
+            let carry2_7_before_ = carry2_7_;
+            let carry2_8_before_ = carry2_8_;
+            let carry2_9_before_ = carry2_9_;
+            let carry2_10_before_ = carry2_10_;
+            let carry2_11_before_ = carry2_11_;
+            let carry2_12_before_ = carry2_12_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
             let t59_ = cos_joint_angle_ * carry2_0_before_;
             let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t59_);
@@ -1267,189 +1303,105 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_a_lin_x_,
                 t65_,
             );
-            /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t66_ = carry2_2_before_ + minus_joint_a_ang_z_;
-            *o7_12_ = joint_a_lin_x_;
-            *o7_13_ = minus_joint_a_lin_y_;
-            *o7_14_ = minus_joint_a_ang_z_;
-            *o7_16_ = joint_load_force_x_;
-            *o7_17_ = joint_load_force_y_;
-            *o7_22_ = minus_end_of_repeat0_a_lin_x_;
-            *o7_23_ = minus_end_of_repeat0_a_lin_y_;
-            *o7_25_ = minus_end_of_repeat0_load_force_x_;
-            *o7_26_ = minus_end_of_repeat0_load_force_y_;
-            *o0_0_ = -t66_;
-            (carry2_0_, carry2_1_, carry2_2_) = (
-                -minus_end_of_repeat0_a_lin_x_,
-                -minus_end_of_repeat0_a_lin_y_,
-                -minus_joint_a_ang_z_,
-            );
-        }
-        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 6 mul, 3 add, 0 reciprocal.
-        let t67_ = cos_hook_angle_ * carry2_0_;
-        let t68_ = sin_hook_angle_ * carry2_0_;
-        let t69_ = t6_ * carry2_0_;
-        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t67_);
-        let minus_hook_a_lin_y_ = T::mul_neg_add(cos_hook_angle_, carry2_1_, t68_);
-        let minus_hook_a_ang_z_ = T::mul_add(t7_, carry2_1_, t69_);
-        /// Load on `hook`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
-        let t70_ = c_(2.0) * hook_a_lin_x_;
-        let hook_load_force_y_ = T::mul_neg_add(
-            c_(2.0),
-            minus_hook_a_lin_y_,
-            hook_e_force_y_,
-        );
-        let hook_load_force_x_ = T::mul_neg_add(c_(0.2), minus_hook_a_ang_z_, t70_);
-        /// Results: 0 mul, 1 add, 0 reciprocal.
-        let t71_ = carry2_2_ + minus_hook_a_ang_z_;
-        let mut carry3_0_ = c_(0.0);
-        let mut carry3_1_ = c_(0.0);
-        let mut carry3_2_ = c_(1.0);
-        let mut carry3_3_ = c_(0.0);
-        let mut carry3_4_ = c_(0.0);
-        let mut carry3_5_ = c_(1.0);
-        let mut carry3_6_ = c_(0.0);
-        let mut carry3_7_ = c_(0.0);
-        for (
-            (
-                &[_,
-                known_p1_,
-                known_p2_,
-                _,
-                _,
-                _,
-                known_p6_,
-                ],
-                &[sin_joint_angle_,
-                cos_joint_angle_,
-                _,
-                _,
-                _,
-                _,
-                _,
-                _,
-                _,
-                t11_,
-                t17_,
-                t18_,
-                _,
-                ],
-            ),
-            [o7_5_,
-            o7_6_,
-            o7_7_,
-            o7_8_,
-            o7_9_,
-            o7_10_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            _,
-            o7_18_,
-            o7_19_,
-            o7_20_,
-            o7_21_,
-            _,
-            _,
-            _,
-            _,
-            _,
-            ],
-        ) in ::core::iter::zip(
-            ::core::iter::zip(
-                ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10)
-                    .iter(),
-                store1_.iter(),
-            ),
-            ::mstmm::generated::times_mut::<T, 22>(results7_.as_mut_slice(), 5, 10)
-                .iter_mut(),
-        ) {
-            let carry3_0_before_ = carry3_0_;
-            let carry3_1_before_ = carry3_1_;
-            let carry3_2_before_ = carry3_2_;
-            let carry3_3_before_ = carry3_3_;
-            let carry3_4_before_ = carry3_4_;
-            let carry3_5_before_ = carry3_5_;
-            let carry3_6_before_ = carry3_6_;
-            let carry3_7_before_ = carry3_7_;
             /// Pose behind `joint`, [P, Eq. (12)]: 8 mul, 4 add, 0 reciprocal.
-            let t72_ = cos_joint_angle_ * carry3_2_before_;
+            let t66_ = cos_joint_angle_ * carry2_5_before_;
             let joint_to_inertial_x_x_ = T::mul_add(
                 sin_joint_angle_,
-                carry3_3_before_,
-                t72_,
+                carry2_6_before_,
+                t66_,
             );
-            let t73_ = sin_joint_angle_ * carry3_2_before_;
+            let t67_ = sin_joint_angle_ * carry2_5_before_;
             let minus_joint_to_inertial_x_y_ = T::mul_neg_add(
                 cos_joint_angle_,
-                carry3_3_before_,
-                t73_,
+                carry2_6_before_,
+                t67_,
             );
-            let t74_ = cos_joint_angle_ * carry3_4_before_;
+            let t68_ = cos_joint_angle_ * carry2_7_before_;
             let joint_to_inertial_y_x_ = T::mul_add(
                 sin_joint_angle_,
-                carry3_5_before_,
-                t74_,
+                carry2_8_before_,
+                t68_,
             );
-            let t75_ = sin_joint_angle_ * carry3_4_before_;
+            let t69_ = sin_joint_angle_ * carry2_7_before_;
             let minus_joint_to_inertial_y_y_ = T::mul_neg_add(
                 cos_joint_angle_,
-                carry3_5_before_,
-                t75_,
+                carry2_8_before_,
+                t69_,
             );
             /// Velocity behind `joint`: 4 mul, 2 add, 0 reciprocal.
-            let t76_ = cos_joint_angle_ * carry3_6_before_;
-            let joint_velocity_x_ = T::mul_add(sin_joint_angle_, carry3_7_before_, t76_);
-            let t77_ = sin_joint_angle_ * carry3_6_before_;
+            let t70_ = cos_joint_angle_ * carry2_9_before_;
+            let joint_velocity_x_ = T::mul_add(
+                sin_joint_angle_,
+                carry2_10_before_,
+                t70_,
+            );
+            let t71_ = sin_joint_angle_ * carry2_9_before_;
             let minus_joint_velocity_y_ = T::mul_neg_add(
                 cos_joint_angle_,
-                carry3_7_before_,
-                t77_,
+                carry2_10_before_,
+                t71_,
             );
             /// Connection points, [P, Eqs. (4), (12), (13)]: 2 mul, 3 add, 0 reciprocal.
             let point2_velocity_y_ = t17_ - minus_joint_velocity_y_;
             let point2_position_x_ = T::mul_add(
                 c_(0.1),
                 joint_to_inertial_x_x_,
-                carry3_0_before_,
+                carry2_3_before_,
             );
             let point2_position_y_ = T::mul_add(
                 c_(0.1),
                 joint_to_inertial_y_x_,
-                carry3_1_before_,
+                carry2_4_before_,
             );
-            /// Results: 7 mul, 4 add, 0 reciprocal.
-            let t78_ = known_p1_ * carry3_1_before_;
-            let t79_ = T::mul_add(known_p2_, joint_to_inertial_y_x_, t78_);
-            let t80_ = known_p6_ * joint_velocity_x_;
-            let t81_ = T::mul_neg_add(known_p6_, minus_joint_velocity_y_, t18_);
-            let t82_ = joint_velocity_x_ * t80_;
-            let t83_ = T::mul_neg_add(minus_joint_velocity_y_, t81_, t82_);
-            let t84_ = T::mul_add(c_(9.8), t79_, t11_);
-            _ = store7_.try_push([t83_, t84_]);
-            *o7_5_ = carry3_0_before_;
-            *o7_6_ = carry3_1_before_;
+            /// Results: 7 mul, 8 add, 0 reciprocal.
+            let t72_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            let t73_ = known_p1_ * carry2_4_before_;
+            let t74_ = T::mul_add(known_p2_, joint_to_inertial_y_x_, t73_);
+            let t75_ = known_p6_ * joint_velocity_x_;
+            let t76_ = T::mul_neg_add(known_p6_, minus_joint_velocity_y_, t18_);
+            let t77_ = carry2_11_before_ + t20_;
+            let t78_ = T::mul_sub(minus_joint_velocity_y_, t76_, t77_);
+            let t79_ = T::mul_sub(joint_velocity_x_, t75_, t78_);
+            let t80_ = t11_ + carry2_12_before_;
+            let t81_ = T::mul_add(c_(9.8), t74_, t80_);
+            *o7_5_ = carry2_3_before_;
+            *o7_6_ = carry2_4_before_;
             *o7_7_ = joint_to_inertial_x_x_;
             *o7_8_ = joint_to_inertial_y_x_;
             *o7_9_ = joint_velocity_x_;
             *o7_10_ = minus_joint_velocity_y_;
+            *o7_12_ = joint_a_lin_x_;
+            *o7_13_ = minus_joint_a_lin_y_;
+            *o7_14_ = minus_joint_a_ang_z_;
+            *o7_16_ = joint_load_force_x_;
+            *o7_17_ = joint_load_force_y_;
             *o7_18_ = point2_position_x_;
             *o7_19_ = point2_position_y_;
             *o7_20_ = joint_velocity_x_;
             *o7_21_ = point2_velocity_y_;
+            *o7_22_ = minus_end_of_repeat0_a_lin_x_;
+            *o7_23_ = minus_end_of_repeat0_a_lin_y_;
+            *o7_25_ = minus_end_of_repeat0_load_force_x_;
+            *o7_26_ = minus_end_of_repeat0_load_force_y_;
+            *o0_0_ = -t72_;
             (
-                carry3_0_,
-                carry3_1_,
-                carry3_2_,
-                carry3_3_,
-                carry3_4_,
-                carry3_5_,
-                carry3_6_,
-                carry3_7_,
+                carry2_0_,
+                carry2_1_,
+                carry2_2_,
+                carry2_3_,
+                carry2_4_,
+                carry2_5_,
+                carry2_6_,
+                carry2_7_,
+                carry2_8_,
+                carry2_9_,
+                carry2_10_,
+                carry2_11_,
+                carry2_12_,
             ) = (
+                -minus_end_of_repeat0_a_lin_x_,
+                -minus_end_of_repeat0_a_lin_y_,
+                -minus_joint_a_ang_z_,
                 point2_position_x_,
                 point2_position_y_,
                 joint_to_inertial_x_x_,
@@ -1458,55 +1410,62 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 -minus_joint_to_inertial_y_y_,
                 joint_velocity_x_,
                 point2_velocity_y_,
+                t79_,
+                t81_,
             );
         }
+        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 6 mul, 3 add, 0 reciprocal.
+        let t82_ = cos_hook_angle_ * carry2_0_;
         /// Pose behind `hook`, [P, Eq. (12)]: 6 mul, 3 add, 0 reciprocal.
-        let t87_ = sin_hook_angle_ * carry3_4_;
+        let t88_ = sin_hook_angle_ * carry2_7_;
         /// Velocity behind `hook`: 4 mul, 2 add, 0 reciprocal.
-        let t89_ = sin_hook_angle_ * carry3_6_;
-        let t88_ = cos_hook_angle_ * carry3_6_;
-        /// Results: 5 mul, 3 add, 0 reciprocal.
-        let t90_ = c_(2.0) * carry3_1_;
+        let t90_ = sin_hook_angle_ * carry2_9_;
+        let t89_ = cos_hook_angle_ * carry2_9_;
+        /// Acceleration of `hook`.
+        let t83_ = sin_hook_angle_ * carry2_0_;
+        let t84_ = t6_ * carry2_0_;
+        /// Results: 5 mul, 7 add, 0 reciprocal.
+        let t92_ = c_(2.0) * carry2_4_;
+        /// Acceleration of `hook`.
+        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t82_);
         /// Pose behind `hook`.
         let minus_hook_to_inertial_y_y_ = T::mul_neg_add(
             cos_hook_angle_,
-            carry3_5_,
-            t87_,
+            carry2_8_,
+            t88_,
         );
         /// Velocity behind `hook`.
-        let minus_hook_velocity_y_ = T::mul_neg_add(cos_hook_angle_, carry3_7_, t89_);
-        let hook_velocity_x_ = T::mul_add(sin_hook_angle_, carry3_7_, t88_);
-        /// Pose behind `hook`.
-        let t85_ = cos_hook_angle_ * carry3_2_;
-        let t86_ = cos_hook_angle_ * carry3_4_;
+        let minus_hook_velocity_y_ = T::mul_neg_add(cos_hook_angle_, carry2_10_, t90_);
         /// Results.
-        let t91_ = T::mul_add(c_(0.2), minus_hook_to_inertial_y_y_, t90_);
-        let t94_ = minus_hook_velocity_y_ * minus_hook_velocity_y_;
-        let t93_ = t24_ + hook_velocity_x_;
+        let t96_ = carry2_11_ + t25_;
+        /// Velocity behind `hook`.
+        let hook_velocity_x_ = T::mul_add(sin_hook_angle_, carry2_10_, t89_);
         /// Pose behind `hook`.
-        let hook_to_inertial_x_x_ = T::mul_add(sin_hook_angle_, carry3_3_, t85_);
-        let hook_to_inertial_y_x_ = T::mul_add(sin_hook_angle_, carry3_5_, t86_);
+        let t86_ = cos_hook_angle_ * carry2_5_;
+        let t87_ = cos_hook_angle_ * carry2_7_;
+        /// Acceleration of `hook`.
+        let minus_hook_a_lin_y_ = T::mul_neg_add(cos_hook_angle_, carry2_1_, t83_);
+        let minus_hook_a_ang_z_ = T::mul_add(t7_, carry2_1_, t84_);
+        /// Load on `hook`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
+        let t85_ = c_(2.0) * hook_a_lin_x_;
         /// Results.
-        let t92_ = c_(9.8) * t91_;
-        let t95_ = T::mul_add(hook_velocity_x_, t93_, t94_);
-        let mut carry4_0_ = c_(0.0);
-        let mut carry4_1_ = c_(0.0);
-        for (&[_, _, _, _, _, _, _, _, _, _, _, _, t20_], &[t83_, t84_]) in ::core::iter::zip(
-            store1_.iter(),
-            store7_.iter(),
-        ) {
-            let carry4_0_before_ = carry4_0_;
-            let carry4_1_before_ = carry4_1_;
-            /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t96_ = carry4_0_before_ + t83_;
-            let t97_ = t20_ + t96_;
-            let t98_ = carry4_1_before_ + t84_;
-            (carry4_0_, carry4_1_) = (t97_, t98_);
-        }
-        /// Results: 0 mul, 3 add, 0 reciprocal.
-        let t99_ = carry4_0_ + t95_;
-        let t101_ = t92_ + carry4_1_;
-        let t100_ = t25_ + t99_;
+        let t93_ = T::mul_add(c_(0.2), minus_hook_to_inertial_y_y_, t92_);
+        let t97_ = T::mul_add(minus_hook_velocity_y_, minus_hook_velocity_y_, t96_);
+        let t94_ = t24_ + hook_velocity_x_;
+        /// Pose behind `hook`.
+        let hook_to_inertial_x_x_ = T::mul_add(sin_hook_angle_, carry2_6_, t86_);
+        let hook_to_inertial_y_x_ = T::mul_add(sin_hook_angle_, carry2_8_, t87_);
+        /// Load on `hook`.
+        let hook_load_force_y_ = T::mul_neg_add(
+            c_(2.0),
+            minus_hook_a_lin_y_,
+            hook_e_force_y_,
+        );
+        let hook_load_force_x_ = T::mul_neg_add(c_(0.2), minus_hook_a_ang_z_, t85_);
+        /// Results.
+        let t95_ = T::mul_add(c_(9.8), t93_, carry2_12_);
+        let t98_ = T::mul_add(hook_velocity_x_, t94_, t97_);
+        let t91_ = carry2_2_ + minus_hook_a_ang_z_;
         for [o0_, o1_, o2_, o3_, o4_] in ::mstmm::generated::times_mut::<
             T,
             5,
@@ -1521,8 +1480,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             T,
             12,
         >(results7_.as_mut_slice(), 225, 1) {
-            *o0_ = carry3_0_;
-            *o1_ = carry3_1_;
+            *o0_ = carry2_3_;
+            *o1_ = carry2_4_;
             *o2_ = hook_to_inertial_x_x_;
             *o3_ = hook_to_inertial_y_x_;
             *o4_ = hook_velocity_x_;
@@ -1538,7 +1497,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t71_;
+            *o0_ = -t91_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
@@ -1564,8 +1523,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             ::mstmm::generated::take_back(at_, || self.workspace());
             return ::core::result::Result::Err(error_);
         }
-        at_.kinetic_energy = t100_;
-        at_.potential_energy = t101_;
+        at_.kinetic_energy = t98_;
+        at_.potential_energy = t95_;
         at_.at_rest = [c_(0.0), c_(9.8)];
         ::core::result::Result::Ok(())
     }
@@ -1585,11 +1544,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let c_ = T::constant;
         let [hook_angle_] = ::mstmm::generated::piece::<T, 1>(state_.q.as_slice(), 10);
         let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
-        let mut store1_ = ::mstmm::generated::Stored::<[T; 6], 10>::new_const();
-        let mut store3_ = ::mstmm::generated::Stored::<[T; 2], 10>::new_const();
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
         let mut carry0_0_ = c_(0.0);
+        let mut carry0_1_ = c_(0.0);
+        let mut carry0_2_ = c_(0.0);
+        let mut carry0_3_ = c_(1.0);
+        let mut carry0_4_ = c_(0.0);
+        let mut carry0_5_ = c_(0.0);
+        let mut carry0_6_ = c_(0.0);
+        let mut carry0_7_ = c_(0.0);
         for (
             (&[joint_angle_], &[joint_rate_]),
             &[known_knot_,
@@ -1608,119 +1572,72 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10).iter(),
         ) {
             let carry0_0_before_ = carry0_0_;
+            let carry0_1_before_ = carry0_1_;
+            let carry0_2_before_ = carry0_2_;
+            let carry0_3_before_ = carry0_3_;
+            let carry0_4_before_ = carry0_4_;
+            let carry0_5_before_ = carry0_5_;
+            let carry0_6_before_ = carry0_6_;
+            let carry0_7_before_ = carry0_7_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
-            /// Results: 8 mul, 0 add, 0 reciprocal.
+            /// Results: 24 mul, 13 add, 0 reciprocal.
             let t0_ = joint_angle_ * c_(0.2);
             let t1_ = joint_angle_ * t0_;
-            let t2_ = t1_ * c_(0.5);
-            let t3_ = joint_omega_z_ * joint_omega_z_;
-            let t4_ = c_(0.1) * joint_omega_z_;
-            let t5_ = known_p2_ * joint_omega_z_;
-            let t6_ = known_p4_ * t3_;
-            let t7_ = c_(0.5) * t6_;
-            _ = store1_
-                .try_push([sin_joint_angle_, cos_joint_angle_, t2_, t4_, t5_, t7_]);
-            (carry0_0_,) = (joint_omega_z_,);
+            let t2_ = joint_omega_z_ * joint_omega_z_;
+            let t3_ = cos_joint_angle_ * carry0_2_before_;
+            let t4_ = sin_joint_angle_ * carry0_2_before_;
+            let t5_ = cos_joint_angle_ * carry0_4_before_;
+            let t6_ = sin_joint_angle_ * carry0_4_before_;
+            let t7_ = known_p2_ * joint_omega_z_;
+            let t8_ = known_p4_ * t2_;
+            let t9_ = T::mul_add(sin_joint_angle_, carry0_3_before_, t3_);
+            let t10_ = T::mul_neg_add(cos_joint_angle_, carry0_3_before_, t4_);
+            let t11_ = T::mul_add(c_(0.1), t9_, carry0_1_before_);
+            let t12_ = known_p1_ * carry0_1_before_;
+            let t13_ = T::mul_add(known_p2_, t9_, t12_);
+            let t14_ = T::mul_add(sin_joint_angle_, carry0_5_before_, t5_);
+            let t15_ = T::mul_neg_add(cos_joint_angle_, carry0_5_before_, t6_);
+            let t16_ = T::mul_sub(c_(0.1), joint_omega_z_, t15_);
+            let t17_ = known_p6_ * t14_;
+            let t18_ = T::mul_neg_add(known_p6_, t15_, t7_);
+            let t19_ = T::mul_add(c_(0.5), t8_, carry0_6_before_);
+            let t20_ = T::mul_add(t1_, c_(0.5), carry0_7_before_);
+            let t21_ = T::mul_add(c_(9.8), t13_, t20_);
+            let t22_ = T::mul_sub(t15_, t18_, t19_);
+            let t23_ = T::mul_sub(t14_, t17_, t22_);
+            (
+                carry0_0_,
+                carry0_1_,
+                carry0_2_,
+                carry0_3_,
+                carry0_4_,
+                carry0_5_,
+                carry0_6_,
+                carry0_7_,
+            ) = (joint_omega_z_, t11_, t9_, -t10_, t14_, t16_, t23_, t21_);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
-        /// Results: 3 mul, 0 add, 0 reciprocal.
-        let t8_ = hook_omega_z_ * hook_omega_z_;
-        let t9_ = c_(0.2) * hook_omega_z_;
-        let t10_ = t8_ * c_(0.015000000000000003);
-        let mut carry1_0_ = c_(0.0);
-        let mut carry1_1_ = c_(0.0);
-        let mut carry1_2_ = c_(1.0);
-        let mut carry1_3_ = c_(0.0);
-        let mut carry1_4_ = c_(0.0);
-        for (
-            &[_,
-            known_p1_,
-            known_p2_,
-            _,
-            _,
-            _,
-            known_p6_,
-            ],
-            &[sin_joint_angle_,
-            cos_joint_angle_,
-            t2_,
-            t4_,
-            t5_,
-            _,
-            ],
-        ) in ::core::iter::zip(
-            ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10).iter(),
-            store1_.iter(),
-        ) {
-            let carry1_0_before_ = carry1_0_;
-            let carry1_1_before_ = carry1_1_;
-            let carry1_2_before_ = carry1_2_;
-            let carry1_3_before_ = carry1_3_;
-            let carry1_4_before_ = carry1_4_;
-            /// Results: 16 mul, 10 add, 0 reciprocal.
-            let t11_ = cos_joint_angle_ * carry1_1_before_;
-            let t12_ = sin_joint_angle_ * carry1_1_before_;
-            let t13_ = cos_joint_angle_ * carry1_3_before_;
-            let t14_ = sin_joint_angle_ * carry1_3_before_;
-            let t15_ = T::mul_add(sin_joint_angle_, carry1_2_before_, t11_);
-            let t16_ = T::mul_neg_add(cos_joint_angle_, carry1_2_before_, t12_);
-            let t17_ = T::mul_add(c_(0.1), t15_, carry1_0_before_);
-            let t18_ = known_p1_ * carry1_0_before_;
-            let t19_ = T::mul_add(known_p2_, t15_, t18_);
-            let t20_ = T::mul_add(sin_joint_angle_, carry1_4_before_, t13_);
-            let t21_ = T::mul_neg_add(cos_joint_angle_, carry1_4_before_, t14_);
-            let t22_ = t4_ - t21_;
-            let t23_ = known_p6_ * t20_;
-            let t24_ = T::mul_neg_add(known_p6_, t21_, t5_);
-            let t25_ = t20_ * t23_;
-            let t26_ = T::mul_neg_add(t21_, t24_, t25_);
-            let t27_ = T::mul_add(c_(9.8), t19_, t2_);
-            _ = store3_.try_push([t26_, t27_]);
-            (carry1_0_, carry1_1_, carry1_2_, carry1_3_, carry1_4_) = (
-                t17_,
-                t15_,
-                -t16_,
-                t20_,
-                t22_,
-            );
-        }
-        /// Results: 11 mul, 6 add, 0 reciprocal.
-        let t28_ = sin_hook_angle_ * carry1_1_;
-        let t29_ = T::mul_neg_add(cos_hook_angle_, carry1_2_, t28_);
-        let t30_ = sin_hook_angle_ * carry1_3_;
-        let t31_ = cos_hook_angle_ * carry1_3_;
-        let t32_ = c_(2.0) * carry1_0_;
-        let t33_ = T::mul_add(c_(0.2), t29_, t32_);
-        let t34_ = c_(9.8) * t33_;
-        let t35_ = T::mul_add(sin_hook_angle_, carry1_4_, t31_);
-        let t36_ = T::mul_neg_add(cos_hook_angle_, carry1_4_, t30_);
-        let t37_ = t9_ + t35_;
-        let t38_ = t36_ * t36_;
-        let t39_ = T::mul_add(t35_, t37_, t38_);
-        let mut carry2_0_ = c_(0.0);
-        let mut carry2_1_ = c_(0.0);
-        for (&[_, _, _, _, _, t7_], &[t26_, t27_]) in ::core::iter::zip(
-            store1_.iter(),
-            store3_.iter(),
-        ) {
-            let carry2_0_before_ = carry2_0_;
-            let carry2_1_before_ = carry2_1_;
-            /// Results: 0 mul, 3 add, 0 reciprocal.
-            let t40_ = carry2_0_before_ + t26_;
-            let t41_ = t7_ + t40_;
-            let t42_ = carry2_1_before_ + t27_;
-            (carry2_0_, carry2_1_) = (t41_, t42_);
-        }
-        /// Results: 0 mul, 3 add, 0 reciprocal.
-        let t43_ = carry2_0_ + t39_;
-        let t44_ = t10_ + t43_;
-        let t45_ = carry2_1_ + t34_;
+        /// Results: 14 mul, 9 add, 0 reciprocal.
+        let t24_ = hook_omega_z_ * hook_omega_z_;
+        let t25_ = sin_hook_angle_ * carry0_2_;
+        let t26_ = T::mul_neg_add(cos_hook_angle_, carry0_3_, t25_);
+        let t27_ = sin_hook_angle_ * carry0_4_;
+        let t28_ = cos_hook_angle_ * carry0_4_;
+        let t29_ = c_(2.0) * carry0_1_;
+        let t30_ = T::mul_add(c_(0.2), t26_, t29_);
+        let t31_ = T::mul_add(sin_hook_angle_, carry0_5_, t28_);
+        let t32_ = T::mul_neg_add(cos_hook_angle_, carry0_5_, t27_);
+        let t33_ = T::mul_add(c_(0.2), hook_omega_z_, t31_);
+        let t34_ = T::mul_add(c_(9.8), t30_, carry0_7_);
+        let t35_ = T::mul_add(t24_, c_(0.015000000000000003), carry0_6_);
+        let t36_ = T::mul_add(t32_, t32_, t35_);
+        let t37_ = T::mul_add(t31_, t33_, t36_);
         ::mstmm::Energy {
-            kinetic: t44_,
-            potential: t45_,
+            kinetic: t37_,
+            potential: t34_,
         }
     }
 }
