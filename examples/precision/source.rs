@@ -1,8 +1,10 @@
 //! Chains in a file, and the file as the library that is compiled: what belongs to the comparison
 //! stands behind the chain on its own line, so that every place is where the user has it.
 
+use std::ops::Range;
+
 use mstmm_codegen::model::Chain;
-use proc_macro2::TokenStream;
+use proc_macro2::{TokenStream, TokenTree};
 use syn::spanned::Spanned;
 use syn::visit::Visit;
 
@@ -18,6 +20,7 @@ pub struct Source {
 
 /// The text of chains alone.
 pub fn chains(text: &str, name: Option<&str>) -> Result<Source, String> {
+    let text = &with_all_results(text);
     let called = format!("mstmm::mstmm_chain! {{ {text}\n}}");
     let Ok(description) = text.parse() else { return Ok(Source { code: called, chain: None }) };
     Ok(match choose(vec![Call { description, end: text.len() }], name)? {
@@ -31,6 +34,7 @@ pub fn chains(text: &str, name: Option<&str>) -> Result<Source, String> {
 
 /// A whole file of Rust.
 pub fn rust(text: &str, name: Option<&str>) -> Result<Source, String> {
+    let text = &with_all_results(text);
     let unread = || Source { code: text.to_owned(), chain: None };
     let tokens = text.parse::<TokenStream>().ok();
     let file = tokens.and_then(|tokens| syn::parse2::<syn::File>(tokens).ok());
@@ -48,6 +52,37 @@ pub fn rust(text: &str, name: Option<&str>) -> Result<Source, String> {
             Source { code: code + "\n" + glue::ANCHOR, chain: Some(chain) }
         }
     })
+}
+
+/// The text with blanks in place of all settings `results`: everything is compared.
+fn with_all_results(text: &str) -> String {
+    let mut settings = Vec::new();
+    if let Ok(tokens) = text.parse() {
+        find_results(tokens, false, &mut settings);
+    }
+    let mut text = text.to_owned();
+    // From the end, so that places before stay.
+    for setting in settings.into_iter().rev() {
+        let blanks = text[setting.clone()].replace(|c: char| c != '\n', " ");
+        text.replace_range(setting, &blanks);
+    }
+    text
+}
+
+/// Where `results = …;` stands among the items of chains, in bytes.
+fn find_results(tokens: TokenStream, of_chain: bool, found: &mut Vec<Range<usize>>) {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    let is = |at: usize, text: &str| tokens.get(at).is_some_and(|token| token.to_string() == text);
+    for (at, token) in tokens.iter().enumerate() {
+        if let TokenTree::Group(group) = token {
+            let of_chain = at >= 2 && is(at - 2, "chain");
+            find_results(group.stream(), of_chain, found);
+        }
+        let end = tokens[at..].iter().find(|token| token.to_string() == ";");
+        if let (true, Some(end)) = (of_chain && is(at, "results") && is(at + 1, "="), end) {
+            found.push(token.span().byte_range().start..end.span().byte_range().end);
+        }
+    }
 }
 
 /// A call of the macro.

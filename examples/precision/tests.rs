@@ -16,14 +16,14 @@ const PENDULUM: &str = "plane chain Pendulum {
 }
 ";
 
-/// All kinds of inputs, repeated ones too, in modules that others do not see, beside a chain that is
+/// All kinds of inputs, repeated ones too, and less than all results, in modules that others do not see, beside a chain that is
 /// closed, with a start from which that is not possible; and a `main` and a lint of its own.
 const FILE: &str = "#![deny(warnings)]
 use mstmm::prelude::*;
 mod matter { pub const MASS: f64 = 2.0; }
 mod inner { mod deeper { mstmm::mstmm_chain!(
     plane chain Rope {
-        gravity = input;
+        results = z; /* ± */ gravity = input;
         param stiffness[3] = 5 N/m;
         body Rod { mass = crate::matter::MASS; com = [0.5, 0]; output = [1, 0]; inertia = 0.1 about com; }
         moving hand -> repeat 3 { elastic a -> Rod b -> pin c -> Rod d } -> slider told -> Rod last;
@@ -36,6 +36,7 @@ mod inner { mod deeper { mstmm::mstmm_chain!(
 fn main() {
     mstmm_chain! {
         chain Loop {
+            results = [z, energies];
             body Rod { mass = 1; com = [0.5, 0, 0]; output = [1, 0, 0]; inertia = diag(1, 1, 1) about com; }
             ground -> ball a -> Rod b -> universal(y, z) c -> Rod d -> ball e -> ground at [1.2, 0.5, 0];
         }

@@ -131,7 +131,8 @@ pub use hinge::{
 pub use integrate::{Dopri5, LinearlyImplicitEuler, Newmark, Rk4, SemiImplicitEuler, Statistics};
 pub use nalgebra;
 pub use point::{
-    ConnectionPoint, LinePoint, LineStateVector, PlanePoint, PlaneStateVector, Point, StateVector,
+    ConnectionPoint, Everything, HasPoses, HasVelocities, HasZ, LinePoint, LineStateVector,
+    PlanePoint, PlaneStateVector, Point, Results, StateVector,
 };
 pub use scalar::{Mask, Scalar};
 #[cfg(feature = "wide")]

@@ -99,7 +99,7 @@ fn points_are_read_off_shared_numbers() {
         turned,
         [(turned, 130), ([0; 3], 137), ([0; 3], 130), (turned, 0), (turned, 137), ([0; 3], 15)],
     );
-    let point = Point::read(&numbers, Some(&places), [0.0, 9.0, 1.0]);
+    let point = Point::<f64>::read(&numbers, Some(&places), [0.0, 9.0, 1.0]);
     assert_eq!(point.position(), Vector3::new(0.1, 0.2, 0.3));
     assert_eq!(point.orientation() * Vector3::x(), Vector3::y());
     assert_eq!(point.orientation() * Vector3::z(), Vector3::z());
@@ -109,7 +109,7 @@ fn points_are_read_off_shared_numbers() {
     assert_eq!(point.angular_acceleration(), Vector3::zeros());
     assert_eq!(point.moment(), Vector3::new(5.0, -4.0, -6.0));
     assert_eq!(point.force(), Vector3::new(-0.1, 0.2, -0.3));
-    assert_eq!(Point::read(&numbers, None, [0.0; 3]), Point::default());
+    assert_eq!(Point::<f64>::read(&numbers, None, [0.0; 3]), Point::default());
 
     let (turned, straight) = ([43], [0]);
     let vectors = [
@@ -121,7 +121,7 @@ fn points_are_read_off_shared_numbers() {
         (turned, 12),
     ];
     let flat = Places::new(10, turned, vectors);
-    let point = PlanePoint::read(&numbers, Some(&flat), [1.0, 2.0]);
+    let point = PlanePoint::<f64>::read(&numbers, Some(&flat), [1.0, 2.0]);
     assert_eq!(point.cos_sin(), (0.0, -1.0));
     assert_eq!(point.velocity(), Vector2::new(5.0, -4.0));
     assert_eq!((point.angular_velocity(), point.angular_acceleration()), (6.0, 5.0));
@@ -129,7 +129,7 @@ fn points_are_read_off_shared_numbers() {
     assert_eq!((point.moment(), point.force()), (-6.0, Vector2::new(-0.2, -0.1)));
 
     let line = Places::new(20, [], [([], 130), ([], 140), ([], 151)]);
-    let point = LinePoint::read(&numbers, Some(&line), [1.0]);
+    let point = LinePoint::<f64>::read(&numbers, Some(&line), [1.0]);
     assert_eq!((point.position(), point.velocity()), (0.2, 4.0));
     assert_eq!((point.acceleration(), point.force()), (4.0, -6.0));
 }

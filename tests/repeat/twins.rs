@@ -1,11 +1,13 @@
 //! Two chains that should be the same: everything that generic code can ask of them, side by side.
 
+pub use crate::support::printed::numbers;
+use crate::support::printed::quantities;
+pub use crate::support::states::{copied, random_state};
 use mstmm::{
     Chain, ChainState, Energy, Error, GeneratedChain, LinearlyImplicitEuler, Scalar,
     SemiImplicitEuler,
 };
 use mstmm_reference::Random;
-use std::collections::BTreeMap;
 use std::fmt::Debug;
 
 /// Random states tried of each pair.
@@ -37,29 +39,6 @@ impl<C> Twin for C where
 {
 }
 
-/// The numbers of anything generated, in order, as it prints itself: to the last bit.
-pub fn numbers(of: &dyn Debug) -> Vec<f64> {
-    quantities(of).into_values().flatten().collect()
-}
-
-/// The same by the names of the fields that hold them: positions of all points are one quantity,
-/// accelerations of all hinges another one. Numbers of no field have no name.
-fn quantities(of: &dyn Debug) -> BTreeMap<String, Vec<f64>> {
-    let text = format!("{of:?}");
-    let mut quantities: BTreeMap<String, Vec<f64>> = BTreeMap::new();
-    let mut name = String::new();
-    let is_word = |c: char| c.is_alphanumeric() || "_-+.".contains(c);
-    for word in text.split(|c: char| !(is_word(c) || c == ':')).filter(|word| !word.is_empty()) {
-        match (word.strip_suffix(':'), word.parse()) {
-            (Some(field), _) => name = field.to_owned(),
-            (None, Ok(number)) => quantities.entry(name.clone()).or_default().push(number),
-            // The name of a type.
-            (None, Err(_)) => {}
-        }
-    }
-    quantities
-}
-
 /// The largest difference of any quantity, relative to its largest number, at least 1. Which
 /// reactions a closure leaves open is no number that has to agree.
 fn apart(a: &dyn Debug, b: &dyn Debug) -> f64 {
@@ -68,35 +47,6 @@ fn apart(a: &dyn Debug, b: &dyn Debug) -> f64 {
     let compared = a.iter().zip(b.values()).filter(|((name, _), _)| !name.contains("undet"));
     let differences = compared.map(|((_, a), b)| crate::support::difference(a, b));
     differences.fold(0.0, crate::support::worst)
-}
-
-/// Any state: angles and rates of up to one and two, quaternions of unit length in double precision.
-pub fn random_state<C: Chain>(random: &mut Random) -> C::State {
-    let mut state = C::State::default();
-    let zero_position = state.q().to_vec();
-    let mut q: Vec<f64> = zero_position.iter().map(|_| random.between(-1.0, 1.0)).collect();
-    for (at, &rest) in zero_position.iter().enumerate() {
-        // In the zero position only the w of quaternions is not zero.
-        if rest != C::Scalar::default() {
-            let quaternion = &mut q[at..at + 4];
-            quaternion[0] += 1.5;
-            let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
-            quaternion.iter_mut().for_each(|x| *x /= length);
-        }
-    }
-    let constant = C::Scalar::constant;
-    state.q_mut().iter_mut().zip(q).for_each(|(to, from)| *to = constant(from));
-    state.v_mut().iter_mut().for_each(|rate| *rate = constant(random.between(-2.0, 2.0)));
-    state
-}
-
-/// Gives the state of one chain to the other.
-pub fn copied<A: ChainState, B: ChainState<Scalar = A::Scalar> + Default>(from: &A) -> B {
-    let mut to = B::default();
-    to.q_mut().copy_from_slice(from.q());
-    to.v_mut().copy_from_slice(from.v());
-    to.set_time(from.time());
-    to
 }
 
 /// A repeated chain and the same one written out.

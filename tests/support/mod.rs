@@ -5,6 +5,8 @@ pub mod dual;
 pub mod matter;
 pub mod mechanism;
 pub mod motion;
+pub mod printed;
+pub mod states;
 
 use mstmm::{LinePoint, PlanePoint, Point};
 use mstmm_reference::Solution;

@@ -1,8 +1,12 @@
 //! Motion and internal force at a connection point of a line chain.
 
+use core::fmt;
+use core::marker::PhantomData;
+
 use nalgebra::SVector;
 
 use super::places::{Places, entries, less};
+use super::results::{Everything, HasPoses, HasVelocities, HasZ, Results};
 use crate::Scalar;
 
 /// The method's state vector `[P, Eq. (7)]`, z = [ẍ, q_x, 1] at a connection point of a line chain.
@@ -43,65 +47,122 @@ impl<T: Scalar> LineStateVector<T> {
 }
 
 /// Everything known of a connection point of a line chain: where it is, how it moves, and what
-/// passes through it, all along x. By default it rests at the origin.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct LinePoint<T> {
+/// passes through it, all along x. `R` says what the chain computes of
+/// it: all that the methods read, unless its setting `results` leaves something out.
+#[derive(Clone, Copy, PartialEq)]
+pub struct LinePoint<T, R = Everything> {
     position: T,
     velocity: T,
     z: LineStateVector<T>,
+    results: PhantomData<R>,
 }
 
 impl<T: Scalar> LinePoint<T> {
     /// Puts a point together from its position (m), velocity (m/s) and z.
     #[inline]
     pub fn new(position: T, velocity: T, z: LineStateVector<T>) -> Self {
-        Self { position, velocity, z }
+        Self { position, velocity, z, results: PhantomData }
     }
+}
 
+impl<T: Scalar, R> LinePoint<T, R> {
     /// The position x in m, from the inertial frame's origin.
     #[inline]
-    pub fn position(&self) -> T {
+    pub fn position(&self) -> T
+    where
+        R: HasPoses,
+    {
         self.position
     }
 
     /// The velocity ẋ in m/s.
     #[inline]
-    pub fn velocity(&self) -> T {
+    pub fn velocity(&self) -> T
+    where
+        R: HasVelocities,
+    {
         self.velocity
     }
 
     /// The method's state vector; its documentation tells the sign of the force.
     #[inline]
-    pub fn z(&self) -> &LineStateVector<T> {
+    pub fn z(&self) -> &LineStateVector<T>
+    where
+        R: HasZ,
+    {
         &self.z
     }
 
     /// The acceleration ẍ in m/s².
     #[inline]
-    pub fn acceleration(&self) -> T {
+    pub fn acceleration(&self) -> T
+    where
+        R: HasZ,
+    {
         self.z.acceleration()
     }
 
     /// The internal force q_x in N. On a body it acts as +q at the input end and −q at the output
     /// end.
     #[inline]
-    pub fn force(&self) -> T {
+    pub fn force(&self) -> T
+    where
+        R: HasZ,
+    {
         self.z.force()
+    }
+}
+
+/// A point at rest at the origin, with nothing passing through it.
+impl<T: Default> Default for LinePoint<T> {
+    fn default() -> Self {
+        Self::resting()
+    }
+}
+
+impl<T: Default, R> LinePoint<T, R> {
+    fn resting() -> Self {
+        let z = LineStateVector::default();
+        Self { position: T::default(), velocity: T::default(), z, results: PhantomData }
+    }
+}
+
+/// Shows what the chain computes.
+impl<T: fmt::Debug, const POSES: bool, const VELOCITIES: bool, const Z: bool> fmt::Debug
+    for LinePoint<T, Results<POSES, VELOCITIES, Z>>
+{
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut shown = to.debug_struct("LinePoint");
+        if POSES {
+            shown.field("position", &self.position);
+        }
+        if VELOCITIES {
+            shown.field("velocity", &self.velocity);
+        }
+        if Z {
+            shown.field("z", &self.z);
+        }
+        shown.finish()
     }
 }
 
 /// For generated code.
 #[doc(hidden)]
 #[allow(missing_docs)]
-impl<T: Scalar> LinePoint<T> {
+impl<T: Scalar, R> LinePoint<T, R> {
     /// Reads a point off the numbers of a workspace; without places it is the default.
     #[inline(always)]
     pub fn read(numbers: &[T], places: Option<&Places<0, 3>>, at_rest: [T; 1]) -> Self {
-        let Some(&Places { position, vectors, .. }) = places else { return Self::default() };
+        let Some(&Places { position, vectors, .. }) = places else { return Self::resting() };
         let [(_, velocity), (_, felt), (_, force)] = vectors;
         let ([velocity], [force]) = (entries(numbers, velocity), entries(numbers, force));
         let ([position], [acceleration]) =
             (entries(numbers, position), less(entries(numbers, felt), at_rest));
-        Self::new(position, velocity, LineStateVector::new(acceleration, force))
+        Self {
+            position,
+            velocity,
+            z: LineStateVector::new(acceleration, force),
+            results: PhantomData,
+        }
     }
 }

@@ -3,12 +3,14 @@
 mod line;
 mod places;
 mod plane;
+mod results;
 mod space;
 
 pub use line::{LinePoint, LineStateVector};
 #[doc(hidden)]
 pub use places::Places;
 pub use plane::{PlanePoint, PlaneStateVector};
+pub use results::{Everything, HasPoses, HasVelocities, HasZ, Results};
 pub use space::{Point, StateVector};
 
 /// A connection point of any kind of chain: [`Point`] in space, [`PlanePoint`] in the plane,
@@ -18,14 +20,14 @@ pub trait ConnectionPoint {
     type Scalar;
 }
 
-impl<T> ConnectionPoint for Point<T> {
+impl<T, R> ConnectionPoint for Point<T, R> {
     type Scalar = T;
 }
 
-impl<T> ConnectionPoint for PlanePoint<T> {
+impl<T, R> ConnectionPoint for PlanePoint<T, R> {
     type Scalar = T;
 }
 
-impl<T> ConnectionPoint for LinePoint<T> {
+impl<T, R> ConnectionPoint for LinePoint<T, R> {
     type Scalar = T;
 }

@@ -1,8 +1,12 @@
 //! Motion and internal loads at a connection point of a plane chain.
 
+use core::fmt;
+use core::marker::PhantomData;
+
 use nalgebra::{Matrix2, Rotation2, SVector, Vector2};
 
 use super::places::{Places, entries, less};
+use super::results::{Everything, HasPoses, HasVelocities, HasZ, Results};
 use crate::Scalar;
 
 /// The method's state vector `[P, Eq. (6)]`, z = [ẍ, ÿ, Ω̇_z, m_z, q_x, q_y, 1] at a connection point of a plane
@@ -65,14 +69,16 @@ impl<T: Scalar> PlaneStateVector<T> {
 /// passes through it.
 ///
 /// Vectors are in the inertial frame. The orientation is that of the frame at the point, which
-/// turns with the element the point belongs to.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlanePoint<T> {
+/// turns with the element the point belongs to. `R` says what the chain computes of it: all that the
+/// methods read, unless its setting `results` leaves something out.
+#[derive(Clone, Copy, PartialEq)]
+pub struct PlanePoint<T, R = Everything> {
     position: [T; 2],
     cos_sin: [T; 2],
     velocity: [T; 2],
     angular_velocity: T,
     z: PlaneStateVector<T>,
+    results: PhantomData<R>,
 }
 
 impl<T: Scalar> PlanePoint<T> {
@@ -89,12 +95,17 @@ impl<T: Scalar> PlanePoint<T> {
         angular_velocity: T,
         z: PlaneStateVector<T>,
     ) -> Self {
-        Self { position, cos_sin, velocity, angular_velocity, z }
+        Self { position, cos_sin, velocity, angular_velocity, z, results: PhantomData }
     }
+}
 
+impl<T: Scalar, R> PlanePoint<T, R> {
     /// The position r in m, from the inertial frame's origin, in inertial components.
     #[inline]
-    pub fn position(&self) -> Vector2<T> {
+    pub fn position(&self) -> Vector2<T>
+    where
+        R: HasPoses,
+    {
         Vector2::from(self.position)
     }
 
@@ -102,7 +113,10 @@ impl<T: Scalar> PlanePoint<T> {
     ///
     /// With nalgebra's feature `std` or `libm` its `angle()` is the angle in rad, between −π and π.
     #[inline]
-    pub fn orientation(&self) -> Rotation2<T> {
+    pub fn orientation(&self) -> Rotation2<T>
+    where
+        R: HasPoses,
+    {
         let [cosine, sine] = self.cos_sin;
         Rotation2::from_matrix_unchecked(Matrix2::new(cosine, -sine, sine, cosine))
     }
@@ -110,52 +124,76 @@ impl<T: Scalar> PlanePoint<T> {
     /// Cosine and sine of the angle by which the point's frame is turned against the inertial one,
     /// counter-clockwise.
     #[inline]
-    pub fn cos_sin(&self) -> (T, T) {
+    pub fn cos_sin(&self) -> (T, T)
+    where
+        R: HasPoses,
+    {
         let [cosine, sine] = self.cos_sin;
         (cosine, sine)
     }
 
     /// The velocity ṙ in m/s, inertial frame.
     #[inline]
-    pub fn velocity(&self) -> Vector2<T> {
+    pub fn velocity(&self) -> Vector2<T>
+    where
+        R: HasVelocities,
+    {
         Vector2::from(self.velocity)
     }
 
     /// The angular velocity Ω_z of the frame at the point in rad/s.
     #[inline]
-    pub fn angular_velocity(&self) -> T {
+    pub fn angular_velocity(&self) -> T
+    where
+        R: HasVelocities,
+    {
         self.angular_velocity
     }
 
     /// The method's state vector; its documentation tells the signs of force and moment.
     #[inline]
-    pub fn z(&self) -> &PlaneStateVector<T> {
+    pub fn z(&self) -> &PlaneStateVector<T>
+    where
+        R: HasZ,
+    {
         &self.z
     }
 
     /// The acceleration ẍ, ÿ in m/s², inertial frame.
     #[inline]
-    pub fn acceleration(&self) -> Vector2<T> {
+    pub fn acceleration(&self) -> Vector2<T>
+    where
+        R: HasZ,
+    {
         self.z.acceleration()
     }
 
     /// The angular acceleration Ω̇_z in rad/s².
     #[inline]
-    pub fn angular_acceleration(&self) -> T {
+    pub fn angular_acceleration(&self) -> T
+    where
+        R: HasZ,
+    {
         self.z.angular_acceleration()
     }
 
     /// The internal moment m_z in N·m. On a body it acts as −m at the input end and +m at the
     /// output end.
     #[inline]
-    pub fn moment(&self) -> T {
+    pub fn moment(&self) -> T
+    where
+        R: HasZ,
+    {
         self.z.moment()
     }
 
     /// The internal force q in N, inertial frame. On a body it acts as +q at the input end and −q
     /// at the output end.
     #[inline]
-    pub fn force(&self) -> Vector2<T> {
+    pub fn force(&self) -> Vector2<T>
+    where
+        R: HasZ,
+    {
         self.z.force()
     }
 }
@@ -163,21 +201,53 @@ impl<T: Scalar> PlanePoint<T> {
 /// A point at rest at the origin, its frame the inertial one, with nothing passing through it.
 impl<T: Scalar> Default for PlanePoint<T> {
     fn default() -> Self {
+        Self::resting()
+    }
+}
+
+impl<T: Scalar, R> PlanePoint<T, R> {
+    fn resting() -> Self {
         let zero = T::default();
-        let aligned = [T::constant(1.0), zero];
-        Self::new([zero; 2], aligned, [zero; 2], zero, PlaneStateVector::default())
+        Self {
+            position: [zero; 2],
+            cos_sin: [T::constant(1.0), zero],
+            velocity: [zero; 2],
+            angular_velocity: zero,
+            z: PlaneStateVector::default(),
+            results: PhantomData,
+        }
+    }
+}
+
+/// Shows what the chain computes.
+impl<T: fmt::Debug, const POSES: bool, const VELOCITIES: bool, const Z: bool> fmt::Debug
+    for PlanePoint<T, Results<POSES, VELOCITIES, Z>>
+{
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut shown = to.debug_struct("PlanePoint");
+        if POSES {
+            shown.field("position", &self.position).field("cos_sin", &self.cos_sin);
+        }
+        if VELOCITIES {
+            shown.field("velocity", &self.velocity);
+            shown.field("angular_velocity", &self.angular_velocity);
+        }
+        if Z {
+            shown.field("z", &self.z);
+        }
+        shown.finish()
     }
 }
 
 /// For generated code.
 #[doc(hidden)]
 #[allow(missing_docs)]
-impl<T: Scalar> PlanePoint<T> {
+impl<T: Scalar, R> PlanePoint<T, R> {
     /// Reads a point off the numbers of a workspace; without places it is the default.
     #[inline(always)]
     pub fn read(numbers: &[T], places: Option<&Places<1, 6>>, at_rest: [T; 2]) -> Self {
         let Some(&Places { position, orientation, vectors }) = places else {
-            return Self::default();
+            return Self::resting();
         };
         let [velocity, (_, omega), felt, (_, turning), (_, moment), force] = vectors;
         let ([omega], [turning], [moment]) =
@@ -188,7 +258,14 @@ impl<T: Scalar> PlanePoint<T> {
             Some(cos_sin) => cos_sin,
             None => [T::constant(1.0), T::constant(0.0)],
         };
-        Self::new(entries(numbers, position), cos_sin, seen(numbers, velocity), omega, z)
+        Self {
+            position: entries(numbers, position),
+            cos_sin,
+            velocity: seen(numbers, velocity),
+            angular_velocity: omega,
+            z,
+            results: PhantomData,
+        }
     }
 }
 

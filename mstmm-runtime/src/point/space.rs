@@ -1,8 +1,12 @@
 //! Motion and internal loads at a connection point in space.
 
+use core::fmt;
+use core::marker::PhantomData;
+
 use nalgebra::{Matrix3, Rotation3, SVector, Vector3};
 
 use super::places::{Places, entries, less};
+use super::results::{Everything, HasPoses, HasVelocities, HasZ, Results};
 use crate::Scalar;
 
 /// The method's state vector z = [r̈, Ω̇, m, q, 1] at a connection point, in the inertial frame.
@@ -74,14 +78,16 @@ impl<T: Scalar> StateVector<T> {
 /// Everything known of a connection point: where it is, how it moves, and what passes through it.
 ///
 /// Vectors are in the inertial frame. The orientation is that of the frame at the point, which
-/// turns with the element the point belongs to.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point<T> {
+/// turns with the element the point belongs to. `R` says what the chain computes of it: all that the
+/// methods read, unless its setting `results` leaves something out.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Point<T, R = Everything> {
     position: [T; 3],
     rotation: [[T; 3]; 3],
     velocity: [T; 3],
     angular_velocity: [T; 3],
     z: StateVector<T>,
+    results: PhantomData<R>,
 }
 
 impl<T: Scalar> Point<T> {
@@ -98,63 +104,92 @@ impl<T: Scalar> Point<T> {
         angular_velocity: [T; 3],
         z: StateVector<T>,
     ) -> Self {
-        Self { position, rotation, velocity, angular_velocity, z }
+        Self { position, rotation, velocity, angular_velocity, z, results: PhantomData }
     }
+}
 
+impl<T: Scalar, R> Point<T, R> {
     /// The position r in m, from the inertial frame's origin, in inertial components.
     #[inline]
-    pub fn position(&self) -> Vector3<T> {
+    pub fn position(&self) -> Vector3<T>
+    where
+        R: HasPoses,
+    {
         Vector3::from(self.position)
     }
 
     /// The rotation A that turns components in the point's frame into inertial components.
     #[inline]
-    pub fn orientation(&self) -> Rotation3<T> {
+    pub fn orientation(&self) -> Rotation3<T>
+    where
+        R: HasPoses,
+    {
         let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = self.rotation;
         Rotation3::from_matrix_unchecked(Matrix3::new(xx, xy, xz, yx, yy, yz, zx, zy, zz))
     }
 
     /// The velocity ṙ in m/s, inertial frame.
     #[inline]
-    pub fn velocity(&self) -> Vector3<T> {
+    pub fn velocity(&self) -> Vector3<T>
+    where
+        R: HasVelocities,
+    {
         Vector3::from(self.velocity)
     }
 
     /// The angular velocity Ω of the frame at the point in rad/s, inertial frame.
     #[inline]
-    pub fn angular_velocity(&self) -> Vector3<T> {
+    pub fn angular_velocity(&self) -> Vector3<T>
+    where
+        R: HasVelocities,
+    {
         Vector3::from(self.angular_velocity)
     }
 
     /// The method's state vector; its documentation tells the signs of force and moment.
     #[inline]
-    pub fn z(&self) -> &StateVector<T> {
+    pub fn z(&self) -> &StateVector<T>
+    where
+        R: HasZ,
+    {
         &self.z
     }
 
     /// The acceleration r̈ in m/s², inertial frame.
     #[inline]
-    pub fn acceleration(&self) -> Vector3<T> {
+    pub fn acceleration(&self) -> Vector3<T>
+    where
+        R: HasZ,
+    {
         self.z.acceleration()
     }
 
     /// The angular acceleration Ω̇ in rad/s², inertial frame.
     #[inline]
-    pub fn angular_acceleration(&self) -> Vector3<T> {
+    pub fn angular_acceleration(&self) -> Vector3<T>
+    where
+        R: HasZ,
+    {
         self.z.angular_acceleration()
     }
 
     /// The internal moment m in N·m, inertial frame. On a body it acts as −m at the input end and
     /// +m at the output end.
     #[inline]
-    pub fn moment(&self) -> Vector3<T> {
+    pub fn moment(&self) -> Vector3<T>
+    where
+        R: HasZ,
+    {
         self.z.moment()
     }
 
     /// The internal force q in N, inertial frame. On a body it acts as +q at the input end and −q
     /// at the output end.
     #[inline]
-    pub fn force(&self) -> Vector3<T> {
+    pub fn force(&self) -> Vector3<T>
+    where
+        R: HasZ,
+    {
         self.z.force()
     }
 }
@@ -162,21 +197,53 @@ impl<T: Scalar> Point<T> {
 /// A point at rest at the origin, its frame the inertial one, with nothing passing through it.
 impl<T: Scalar> Default for Point<T> {
     fn default() -> Self {
+        Self::resting()
+    }
+}
+
+impl<T: Scalar, R> Point<T, R> {
+    fn resting() -> Self {
         let (zero, one) = (T::default(), T::constant(1.0));
-        let identity = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
-        Self::new([zero; 3], identity, [zero; 3], [zero; 3], StateVector::default())
+        Self {
+            position: [zero; 3],
+            rotation: [[one, zero, zero], [zero, one, zero], [zero, zero, one]],
+            velocity: [zero; 3],
+            angular_velocity: [zero; 3],
+            z: StateVector::default(),
+            results: PhantomData,
+        }
+    }
+}
+
+/// Shows what the chain computes.
+impl<T: fmt::Debug, const POSES: bool, const VELOCITIES: bool, const Z: bool> fmt::Debug
+    for Point<T, Results<POSES, VELOCITIES, Z>>
+{
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut shown = to.debug_struct("Point");
+        if POSES {
+            shown.field("position", &self.position).field("rotation", &self.rotation);
+        }
+        if VELOCITIES {
+            shown.field("velocity", &self.velocity);
+            shown.field("angular_velocity", &self.angular_velocity);
+        }
+        if Z {
+            shown.field("z", &self.z);
+        }
+        shown.finish()
     }
 }
 
 /// For generated code.
 #[doc(hidden)]
 #[allow(missing_docs)]
-impl<T: Scalar> Point<T> {
+impl<T: Scalar, R> Point<T, R> {
     /// Reads a point off the numbers of a workspace; without places it is the default.
     #[inline(always)]
     pub fn read(numbers: &[T], places: Option<&Places<3, 6>>, at_rest: [T; 3]) -> Self {
         let Some(&Places { position, orientation, vectors }) = places else {
-            return Self::default();
+            return Self::resting();
         };
         let [velocity, omega, felt, turning, moment, force] = vectors;
         let z = StateVector::new(
@@ -193,8 +260,14 @@ impl<T: Scalar> Point<T> {
             }
         };
         let rotation = [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]];
-        let (velocity, omega) = (seen(numbers, velocity), seen(numbers, omega));
-        Self::new(entries(numbers, position), rotation, velocity, omega, z)
+        Self {
+            position: entries(numbers, position),
+            rotation,
+            velocity: seen(numbers, velocity),
+            angular_velocity: seen(numbers, omega),
+            z,
+            results: PhantomData,
+        }
     }
 }
 

@@ -10,7 +10,7 @@ pub const SCALES: usize = 2;
 pub const ALL_RATES: usize = 3;
 /// What drives every rate.
 pub const EFFORTS: usize = 4;
-/// Kinetic and potential energy.
+/// Kinetic and potential energy, if they are asked for.
 pub const ENERGIES: usize = 5;
 /// Undetermined reactions of a closing hinge, six numbers each.
 pub const UNDETERMINED: usize = 6;

@@ -186,12 +186,13 @@ impl<'a, 'g> Scene<'a, 'g> {
     }
 
     fn solution(&self, method: Method, setup: &mut Setup) -> (Program, Places, Option<usize>) {
+        let results = self.chain.results;
         let ((solved, report, energy), trace, turns) = self.woven(|loom, trace| {
             let merged = self.situation(self.merged).woven(loom);
             let (solved, swept) = equations::sweep(&merged, method, AXES, trace);
             let situation = self.situation(self.layout).woven(loom);
             let report = equations::report(&situation, (&solved, &swept), trace);
-            let energy = equations::energy(&situation, trace);
+            let energy = results.energies.then(|| equations::energy(&situation, trace));
             (solved, report, energy)
         });
         let (mut groups, _) = self.split(&solved);
@@ -204,7 +205,7 @@ impl<'a, 'g> Scene<'a, 'g> {
         groups.extend([
             report.accelerations,
             report.efforts,
-            vec![energy.kinetic, energy.potential],
+            energy.map_or(Vec::new(), |energy| vec![energy.kinetic, energy.potential]),
             wrenches.collect(),
             numbers,
             shifts.iter().map(|&axis| report.at_rest[axis]).collect(),

@@ -3,7 +3,7 @@
 
 use crate::equations::{Point, Seen};
 use crate::expr::{Edge, Expr, Graph};
-use crate::model::{Chain, Dimension, Element};
+use crate::model::{Chain, Dimension, Element, Results};
 use crate::program::{Block, Operand, Program};
 use std::collections::HashMap;
 
@@ -72,7 +72,7 @@ pub(super) fn places<'g>(
                 places.pieces.push((0, part));
             }
         }
-        places.points.push(all.point(point, chain.dimension));
+        places.points.push(all.point(point, chain.dimension, chain.results));
         if let Some((count, _)) = places.pieces.last_mut() {
             *count = all.count();
         }
@@ -150,26 +150,35 @@ impl<'g> Filling<'g> {
         self.numbers.len() - self.start
     }
 
-    fn point(&mut self, point: &Point<Expr<'g>>, dimension: Dimension) -> PointPlaces {
+    /// The places of what is asked for; of all else those of zeros.
+    fn point(
+        &mut self,
+        point: &Point<Expr<'g>>,
+        dimension: Dimension,
+        results: Results,
+    ) -> PointPlaces {
         let (shifts, turns) = (dimension.shifts(), dimension.turns());
         let seen = [
-            (&point.velocity, shifts),
-            (&point.omega, turns),
-            (&point.felt, shifts),
-            (&point.turning, turns),
-            (&point.moment, turns),
-            (&point.force, shifts),
+            (results.velocities, &point.velocity, shifts),
+            (results.velocities, &point.omega, turns),
+            (results.z, &point.felt, shifts),
+            (results.z, &point.turning, turns),
+            (results.z, &point.moment, turns),
+            (results.z, &point.force, shifts),
         ];
-        PointPlaces {
-            start: self.start,
-            position: self.vector(point.position.0, shifts),
-            orientation: self.axes(point.rotation.transposed().0, dimension),
-            vectors: seen
-                .into_iter()
-                .filter(|(_, along)| !along.is_empty())
-                .map(|(seen, along)| self.sight(seen, along, dimension))
-                .collect(),
-        }
+        let (position, orientation) = if results.poses {
+            let columns = point.rotation.transposed().0;
+            (self.vector(point.position.0, shifts), self.axes(columns, dimension))
+        } else {
+            (Place::default(), None)
+        };
+        let seen = seen.into_iter().filter(|(.., along)| !along.is_empty());
+        let sight = |(wanted, seen, along)| match wanted {
+            true => self.sight(seen, along, dimension),
+            false => Sight { axes: None, vector: Place::default() },
+        };
+        let vectors = seen.map(sight).collect();
+        PointPlaces { start: self.start, position, orientation, vectors }
     }
 
     fn sight(&mut self, seen: &Seen<Expr<'g>>, along: &[usize], dimension: Dimension) -> Sight {

@@ -3,7 +3,7 @@
 use super::spread::Spread;
 use super::{Plan, drawing};
 use crate::examine::Mobility;
-use crate::model::{Element, Method, Parameter, Place, Role, Value};
+use crate::model::{Element, Method, Parameter, Place, Results, Role, Value, listed};
 use crate::program::{Cost, Headed, Program, by_heading};
 
 /// The chain at a glance: its route, a picture, its elements, its freedoms, its method and costs.
@@ -24,14 +24,31 @@ pub fn chain(plan: &Plan) -> Vec<String> {
     } else {
         "; those of repeated parts are counted once"
     };
+    let whole = match plan.chain.results {
+        Results::ALL => "everything at every connection point",
+        _ => "the results that are asked for",
+    };
     lines.push(format!(
-        " Accelerations by `{}`, {} operations ({cost}); with everything at every connection \
-         point {} operations{each}.",
+        " Accelerations by `{}`, {} operations ({cost}); with {whole} {} operations{each}.",
         method_name(plan.programs.method),
         cost.arithmetic(),
         plan.programs.solution.cost().arithmetic(),
     ));
     lines
+}
+
+/// What a solution says.
+pub fn results(plan: &Plan) -> String {
+    let Results { poses, velocities, z, energies } = plan.chain.results;
+    let chosen = |words: &[(bool, &'static str)]| -> Vec<&'static str> {
+        words.iter().filter(|(given, _)| *given).map(|&(_, word)| word).collect()
+    };
+    let once = chosen(&[(true, "accelerations"), (true, "efforts"), (energies, "energies")]);
+    let points = chosen(&[(poses, "pose"), (velocities, "velocity"), (z, "the state vector `z`")]);
+    if points.is_empty() {
+        return listed(&once);
+    }
+    format!("{} and, at every connection point, {}", once.join(", "), listed(&points))
 }
 
 /// How many freedoms there are, and how a closure holds the chain.

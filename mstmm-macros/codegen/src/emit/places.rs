@@ -29,9 +29,9 @@ pub fn emit(plan: &Plan) -> TokenStream {
 
         /// Connection point number `index`.
         #[#inline]
-        fn point_(&self, index_: usize) -> #mstmm::#point<T> {
+        fn point_(&self, index_: usize) -> #point {
             #found
-            #mstmm::#point::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
+            <#point>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
         }
     }
 }

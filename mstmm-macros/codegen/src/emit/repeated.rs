@@ -213,7 +213,7 @@ pub fn body(plan: &Plan, (name, place): (&Ident, usize), count: usize) -> TokenS
         #visibility fn #name(
             &self,
             index_: usize,
-        ) -> ::core::option::Option<#mstmm::BodyResult<T, #mstmm::#point<T>>> {
+        ) -> ::core::option::Option<#mstmm::BodyResult<T, #point>> {
             #ends
             ::core::option::Option::Some(#mstmm::BodyResult::new(input_, output_))
         }
@@ -259,7 +259,7 @@ pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> Tok
         #visibility fn #name(
             &self,
             index_: usize,
-        ) -> ::core::option::Option<#mstmm::HingeResult<T, #ty, #mstmm::#point<T>>> {
+        ) -> ::core::option::Option<#mstmm::HingeResult<T, #ty, #point>> {
             #ends
             let result_ = #mstmm::HingeResult::new(#acceleration, #effort, input_, output_);
             ::core::option::Option::Some(result_)

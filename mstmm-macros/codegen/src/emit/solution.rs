@@ -13,6 +13,9 @@ use crate::program::Operand;
 use proc_macro2::{Group, Ident, TokenStream};
 use quote::{format_ident, quote};
 
+/// Where a workspace has the energies.
+const ENERGIES: [&str; 2] = ["kinetic_energy", "potential_energy"];
+
 /// The method that computes everything.
 pub fn solution(plan: &Plan) -> TokenStream {
     let mstmm = &plan.mstmm;
@@ -21,9 +24,9 @@ pub fn solution(plan: &Plan) -> TokenStream {
     let program = &plan.programs.solution;
     let body = if plan.chain.repeats.is_empty() { solved(plan) } else { solved_in_loops(plan) };
     let cost = docs::cost(program);
+    let doc = format!(" Writes into `at`: {}.", docs::results(plan));
     quote! {
-        /// Everything: accelerations, efforts, energies and, at every connection point, pose,
-        /// velocity and the state vector `z`, written into `at`.
+        #[doc = #doc]
         ///
         #(#[doc = #cost])*
         ///
@@ -54,7 +57,7 @@ fn solved(plan: &Plan) -> Group {
         deliveries.add(&outputs[group], quote!(at_.#field.data.0 = [#array];));
     }
     let energies = outputs[groups::ENERGIES].iter().zip(&block.outputs[groups::ENERGIES]);
-    for ((operand, energy), field) in energies.zip(["kinetic_energy", "potential_energy"]) {
+    for ((operand, energy), field) in energies.zip(ENERGIES) {
         let field = format_ident!("{field}");
         deliveries.add([operand], quote!(at_.#field = #energy;));
     }
@@ -176,15 +179,16 @@ fn solved_in_loops(plan: &Plan) -> Group {
     let check = taken_back(plan, &check(plan, program, &block, &plan.programs.pivots));
     let closure = closure(plan, &block);
     let at_rest = &block.arrays[groups::AT_REST];
-    let energies = &block.outputs[groups::ENERGIES];
-    let (kinetic, potential) = (&energies[0], &energies[1]);
+    let energies = block.outputs[groups::ENERGIES].iter().zip(ENERGIES).map(|(energy, field)| {
+        let field = format_ident!("{field}");
+        quote!(at_.#field = #energy;)
+    });
     body(
         block.statements,
         quote! {
             #check
             #closure
-            at_.kinetic_energy = #kinetic;
-            at_.potential_energy = #potential;
+            #(#energies)*
             at_.at_rest = #at_rest;
             ::core::result::Result::Ok(())
         },

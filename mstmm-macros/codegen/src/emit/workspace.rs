@@ -2,9 +2,9 @@
 
 use super::looped::usize_literal;
 use super::spread::Spread;
-use super::{Plan, places, repeated, solution};
+use super::{Plan, docs, places, repeated, solution};
 use crate::compile::groups;
-use crate::model::{Dimension, Element, Hinge};
+use crate::model::{Dimension, Element, Hinge, Results};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
@@ -14,7 +14,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let mstmm = &plan.mstmm;
     let (name, chain) = (&plan.names.workspace, &plan.names.chain);
     let visibility = &plan.surface.visibility;
-    let doc = format!(" Results of [`{chain}::solve_into`].");
+    let doc = format!(" Results of [`{chain}::solve_into`]: {}.", docs::results(plan));
     let freedoms = usize_literal(Spread::freedoms(plan).total);
     let point_count = usize_literal(Spread::points(plan).total);
     let number_count = usize_literal(Spread::numbers_of_points(plan).total);
@@ -32,6 +32,12 @@ pub fn emit(plan: &Plan) -> TokenStream {
         if_prescribed(quote!(rate_accelerations: #mstmm::generated::vector([zero_; #rates]),));
     let all_rates_shown =
         if_prescribed(quote!(.field("rate_accelerations", &self.rate_accelerations)));
+    let Energies {
+        fields: energy_fields,
+        zero: energies_zero,
+        methods: energy_methods,
+        shown: energies_shown,
+    } = energies(plan);
     let closure = closure(plan);
     let Closure {
         field: closure_field,
@@ -58,8 +64,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
             accelerations: #mstmm::nalgebra::SVector<T, #freedoms>,
             #all_rates_field
             efforts: #mstmm::nalgebra::SVector<T, #rates>,
-            kinetic_energy: T,
-            potential_energy: T,
+            #energy_fields
             #closure_field
             numbers: [T; #number_count],
             at_rest: [T; #shifts],
@@ -72,23 +77,12 @@ pub fn emit(plan: &Plan) -> TokenStream {
                 &self.accelerations
             }
 
-            /// Kinetic energy in J.
-            #[inline]
-            #visibility fn kinetic_energy(&self) -> T {
-                self.kinetic_energy
-            }
-
-            /// Potential energy in J: of gravity, zero with every centre of mass at the inertial
-            /// origin, and of springs.
-            #[inline]
-            #visibility fn potential_energy(&self) -> T {
-                self.potential_energy
-            }
+            #energy_methods
 
             /// All connection points in the order written: the first element's input, then every
             /// element's output.
             #[inline]
-            #visibility fn points(&self) -> [#mstmm::#point<T>; #point_count] {
+            #visibility fn points(&self) -> [#point; #point_count] {
                 #all_points
             }
 
@@ -104,8 +98,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
                     .field("accelerations", &self.accelerations)
                     #all_rates_shown
                     .field("efforts", &self.efforts)
-                    .field("kinetic_energy", &self.kinetic_energy)
-                    .field("potential_energy", &self.potential_energy)
+                    #energies_shown
                     #closure_shown
                     .field("points", &self.points())
                     .finish()
@@ -122,8 +115,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
                     accelerations: #mstmm::generated::vector([zero_; #freedoms]),
                     #all_rates_zero
                     efforts: #mstmm::generated::vector([zero_; #rates]),
-                    kinetic_energy: zero_,
-                    potential_energy: zero_,
+                    #energies_zero
                     #closure_zero
                     numbers: #numbers_at_first,
                     at_rest: #at_rest_at_first,
@@ -141,14 +133,65 @@ impl Plan<'_> {
     }
 }
 
-/// The type of a connection point.
-pub fn point_type(plan: &Plan) -> Ident {
+/// The type of a connection point, with what is computed of it unless that is everything.
+pub fn point_type(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
     let name = match plan.chain.dimension {
         Dimension::Space => "Point",
         Dimension::Plane => "PlanePoint",
         Dimension::Line => "LinePoint",
     };
-    format_ident!("{name}")
+    let name = format_ident!("{name}");
+    match plan.chain.results {
+        Results { poses: true, velocities: true, z: true, .. } => quote!(#mstmm::#name<T>),
+        Results { poses, velocities, z, .. } => {
+            quote!(#mstmm::#name<T, #mstmm::Results<#poses, #velocities, #z>>)
+        }
+    }
+}
+
+/// What the workspace has of energies.
+#[derive(Default)]
+struct Energies {
+    fields: TokenStream,
+    zero: TokenStream,
+    methods: TokenStream,
+    shown: TokenStream,
+}
+
+fn energies(plan: &Plan) -> Energies {
+    if !plan.chain.results.energies {
+        return Energies::default();
+    }
+    let visibility = &plan.surface.visibility;
+    Energies {
+        fields: quote! {
+            kinetic_energy: T,
+            potential_energy: T,
+        },
+        zero: quote! {
+            kinetic_energy: zero_,
+            potential_energy: zero_,
+        },
+        methods: quote! {
+            /// Kinetic energy in J.
+            #[inline]
+            #visibility fn kinetic_energy(&self) -> T {
+                self.kinetic_energy
+            }
+
+            /// Potential energy in J: of gravity, zero with every centre of mass at the inertial
+            /// origin, and of springs.
+            #[inline]
+            #visibility fn potential_energy(&self) -> T {
+                self.potential_energy
+            }
+        },
+        shown: quote! {
+            .field("kinetic_energy", &self.kinetic_energy)
+            .field("potential_energy", &self.potential_energy)
+        },
+    }
 }
 
 /// What the workspace of a closed chain has besides.
@@ -189,7 +232,7 @@ fn body(plan: &Plan, index: usize, place: usize) -> TokenStream {
     quote! {
         #[doc = #doc]
         #[inline]
-        #visibility fn #name(&self) -> #mstmm::BodyResult<T, #mstmm::#point<T>> {
+        #visibility fn #name(&self) -> #mstmm::BodyResult<T, #point> {
             #ends
             #mstmm::BodyResult::new(input_, output_)
         }
@@ -213,7 +256,7 @@ fn hinge(plan: &Plan, index: usize, place: usize) -> TokenStream {
     quote! {
         #[doc = #doc]
         #[inline]
-        #visibility fn #name(&self) -> #mstmm::HingeResult<T, #ty, #mstmm::#point<T>> {
+        #visibility fn #name(&self) -> #mstmm::HingeResult<T, #ty, #point> {
             #ends
             #mstmm::HingeResult::new(#acceleration, #effort, input_, output_)
         }

@@ -10,6 +10,7 @@ mod inertia;
 mod layout;
 mod load;
 mod lower;
+mod results;
 mod seams;
 mod skeleton;
 #[cfg(test)]
@@ -25,6 +26,8 @@ pub use hinge::{
 };
 pub use layout::{Driven, Input, Joined, Layout, Link, Part};
 pub use load::{Load, LoadAxes, Source, Spring};
+pub(crate) use lower::listed;
+pub use results::Results;
 pub use value::{Symbol, Value};
 
 use crate::diag::Diagnostics;
@@ -69,6 +72,8 @@ pub struct Chain {
     pub repeats: Vec<Repeat>,
     /// The method that the user asked for, if any.
     pub method: Option<Method>,
+    /// What its solution says.
+    pub results: Results,
     /// Whether bodies of a closed chain have inertia in all directions only by what holds them where
     /// the chain closes.
     pub held_by_closure: bool,

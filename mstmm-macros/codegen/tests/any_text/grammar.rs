@@ -153,6 +153,9 @@ fn chain(dimension: &'static Dimension) -> BoxedStrategy<String> {
         4 => Just("param K = 2;".to_owned()),
         4 => one_of(dimension.gravity, "|").prop_map(|value| format!("gravity = {value};")),
         2 => pick("riccati transfer").prop_map(|word| format!("method = {word};")),
+        1 => vec(pick("poses velocities z energies pose 1"), 0..4)
+            .prop_map(|words| format!("results = [{}];", words.join(", "))),
+        1 => pick("poses velocities z energies").prop_map(|word| format!("results = {word};")),
         1 => (pick(NAMES), number()).prop_map(|(name, value)| format!("param {name} = {value};")),
         1 => (pick(NAMES), number(), number())
             .prop_map(|(name, count, value)| format!("param {name}[{count}] = {value};")),

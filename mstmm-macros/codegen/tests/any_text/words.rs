@@ -4,8 +4,8 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
 
-pub const WORDS: &str = "chain space plane line pub gravity method riccati transfer param body hinge \
-    load spring point ground moving repeat at turned about input output com pin ball weld slider \
+pub const WORDS: &str = "chain space plane line pub gravity method riccati transfer results poses velocities \
+    energies param body hinge load spring point ground moving repeat at turned about input output com pin ball weld slider \
     screw cylindrical universal planar floating elastic diag tensor matrix rpy quaternion sqrt sin \
     cos PI x y z kg m s rad deg N";
 

@@ -500,8 +500,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         self.accelerations_into(state_, inputs_, &mut accelerations_)?;
         ::core::result::Result::Ok(accelerations_)
     }
-    /// Everything: accelerations, efforts, energies and, at every connection point, pose,
-    /// velocity and the state vector `z`, written into `at`.
+    /// Writes into `at`: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
     ///
     /// 430 operations: 257 mul, 159 add, 8 reciprocal, 6 square root, 4 sin/cos.
     ///
@@ -1754,7 +1753,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         ::core::default::Default::default()
     }
 }
-/// Results of [`FourBar::solve_into`].
+/// Results of [`FourBar::solve_into`]: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
 #[derive(Clone, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct FourBarWorkspace<T> {
@@ -1846,7 +1845,7 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
     #[inline(always)]
     fn point_(&self, index_: usize) -> ::mstmm::PlanePoint<T> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
-        ::mstmm::PlanePoint::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
+        <::mstmm::PlanePoint<T>>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }
     /// Which reactions of the closing hinge, the last one, the motion does not determine:
     /// wrenches in axes of its inboard frame.

@@ -200,8 +200,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         self.accelerations_into(state_, inputs_, &mut accelerations_)?;
         ::core::result::Result::Ok(accelerations_)
     }
-    /// Everything: accelerations, efforts, energies and, at every connection point, pose,
-    /// velocity and the state vector `z`, written into `at`.
+    /// Writes into `at`: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
     ///
     /// 17 operations: 14 mul, 3 add, 0 reciprocal, 1 sin/cos.
     ///
@@ -489,7 +488,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         ::core::default::Default::default()
     }
 }
-/// Results of [`Pendulum::solve_into`].
+/// Results of [`Pendulum::solve_into`]: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
 #[derive(Clone, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumWorkspace<T> {
@@ -567,7 +566,7 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
     #[inline(always)]
     fn point_(&self, index_: usize) -> ::mstmm::Point<T> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
-        ::mstmm::Point::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
+        <::mstmm::Point<T>>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }
     /// Acceleration, effort, input and output of hinge `joint`.
     #[inline]

@@ -822,8 +822,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         self.accelerations_into(state_, inputs_, &mut accelerations_)?;
         ::core::result::Result::Ok(accelerations_)
     }
-    /// Everything: accelerations, efforts, energies and, at every connection point, pose,
-    /// velocity and the state vector `z`, written into `at`.
+    /// Writes into `at`: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
     ///
     /// 204 operations: 119 mul, 84 add, 1 reciprocal, 2 sin/cos.
     ///
@@ -1905,7 +1904,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         ::core::default::Default::default()
     }
 }
-/// Results of [`Rope::solve_into`].
+/// Results of [`Rope::solve_into`]: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
 #[derive(Clone, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct RopeWorkspace<T> {
@@ -1976,7 +1975,7 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
             &[[0, 1, 0, 1, 0, 5], [1, 2, 1, 20, 5, 22], [3, 2, 21, 2, 225, 12]],
             index_,
         );
-        ::mstmm::PlanePoint::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
+        <::mstmm::PlanePoint<T>>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }
     /// Acceleration, effort, input and output of hinge `joint` number `index` of 10.
     #[inline]

@@ -164,8 +164,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         self.accelerations_into(state_, inputs_, &mut accelerations_)?;
         ::core::result::Result::Ok(accelerations_)
     }
-    /// Everything: accelerations, efforts, energies and, at every connection point, pose,
-    /// velocity and the state vector `z`, written into `at`.
+    /// Writes into `at`: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
     ///
     /// 54 operations: 34 mul, 20 add, 0 reciprocal.
     ///
@@ -544,7 +543,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         ::core::default::Default::default()
     }
 }
-/// Results of [`Top::solve_into`].
+/// Results of [`Top::solve_into`]: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
 #[derive(Clone, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 struct TopWorkspace<T> {
@@ -622,7 +621,7 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
     #[inline(always)]
     fn point_(&self, index_: usize) -> ::mstmm::Point<T> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
-        ::mstmm::Point::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
+        <::mstmm::Point<T>>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }
     /// Acceleration, effort, input and output of hinge `tip`.
     #[inline]

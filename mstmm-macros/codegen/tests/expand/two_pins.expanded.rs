@@ -295,8 +295,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         self.accelerations_into(state_, inputs_, &mut accelerations_)?;
         ::core::result::Result::Ok(accelerations_)
     }
-    /// Everything: accelerations, efforts, energies and, at every connection point, pose,
-    /// velocity and the state vector `z`, written into `at`.
+    /// Writes into `at`: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
     ///
     /// 164 operations: 90 mul, 69 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
@@ -835,7 +834,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         ::core::default::Default::default()
     }
 }
-/// Results of [`TwoPins::solve_into`].
+/// Results of [`TwoPins::solve_into`]: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
 #[derive(Clone, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPinsWorkspace<T> {
@@ -937,7 +936,7 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     #[inline(always)]
     fn point_(&self, index_: usize) -> ::mstmm::Point<T> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
-        ::mstmm::Point::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
+        <::mstmm::Point<T>>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }
     /// Acceleration, effort, input and output of hinge `shoulder`.
     #[inline]

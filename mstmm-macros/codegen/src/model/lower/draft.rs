@@ -87,6 +87,7 @@ impl Draft<'_> {
             loads: self.loads.into_iter().map(LoadDraft::finish).collect::<Option<_>>()?,
             springs: self.springs.into_iter().map(SpringDraft::finish).collect::<Option<_>>()?,
             method: self.settings.method,
+            results: self.settings.results,
             held_by_closure: false,
             assertions: Vec::new(),
         })

@@ -1,14 +1,16 @@
-//! Settings of the whole chain: `gravity = …;` and `method = …;`.
+//! Settings of the whole chain: `gravity = …;`, `method = …;` and `results = …;`.
 
 use super::context::Context;
 use super::dimension::ACCELERATION;
 use super::fields::Fields;
 use crate::diag::{did_you_mean, nearest};
-use crate::model::{Method, Source};
-use crate::syntax::{ChainDef, Written};
+use crate::model::{Method, Results, Source};
+use crate::syntax::{ChainDef, Expr, ExprKind, List, Written};
+use std::fmt::Display;
 
-const SETTINGS: &[&str] = &["gravity", "method"];
+const SETTINGS: &[&str] = &["gravity", "method", "results"];
 const METHODS: &[(&str, Method)] = &[("riccati", Method::Riccati), ("transfer", Method::Transfer)];
+const RESULTS: &[&str] = &["poses", "velocities", "z", "energies"];
 
 /// Settings of the whole chain, as far as they could be read.
 pub(crate) struct Settings {
@@ -16,6 +18,8 @@ pub(crate) struct Settings {
     pub gravity: Option<Source>,
     /// How the accelerations are solved for.
     pub method: Option<Method>,
+    /// What the solution says: everything unless less is asked for.
+    pub results: Results,
 }
 
 /// All settings.
@@ -37,7 +41,12 @@ pub(super) fn settings(def: &ChainDef, context: &mut Context) -> Settings {
         context.written_vector(written, ACCELERATION)
     });
     let method = given.get("method").and_then(|field| context.field(field, method));
-    Settings { gravity, method: method.map(|given| given.value) }
+    let results = given.get("results").and_then(|field| context.field(field, results));
+    Settings {
+        gravity,
+        method: method.map(|given| given.value),
+        results: results.map_or(Results::ALL, |given| given.value),
+    }
 }
 
 fn method(context: &mut Context, written: &Written) -> Option<Method> {
@@ -50,4 +59,51 @@ fn method(context: &mut Context, written: &Written) -> Option<Method> {
         context.diagnostics.error_over(written.extent(), message);
     }
     known
+}
+
+/// One word, or several in brackets.
+fn results(context: &mut Context, written: &Written) -> Option<Results> {
+    let entries = match written {
+        Written::Number(entry) => std::slice::from_ref(entry),
+        Written::Vector(List { unit: Some(unit), .. }) => {
+            return context.refuse(unit.extent, "words have no unit");
+        }
+        Written::Vector(List { entries, extent, .. }) if entries.is_empty() => {
+            return context.refuse(*extent, no_result("nothing"));
+        }
+        Written::Vector(List { entries, .. }) => entries,
+        _ => return context.refuse(written.extent(), no_result(written.described())),
+    };
+    let (mut results, mut right) = (Results::NONE, true);
+    for entry in entries {
+        right &= add_result(context, entry, &mut results).is_some();
+    }
+    right.then_some(results)
+}
+
+fn add_result(context: &mut Context, entry: &Expr, results: &mut Results) -> Option<()> {
+    let ExprKind::Name(word) = &entry.kind else {
+        return context.refuse(entry.extent, no_result("a number"));
+    };
+    let name = word.to_string();
+    let given = match &name[..] {
+        "poses" => &mut results.poses,
+        "velocities" => &mut results.velocities,
+        "z" => &mut results.z,
+        "energies" => &mut results.energies,
+        _ => {
+            let hint = did_you_mean(&name, RESULTS.iter().copied());
+            return context.refuse(word, no_result(format!("`{word}`{hint}")));
+        }
+    };
+    if *given {
+        return context.refuse(word, format!("`{word}` is given twice"));
+    }
+    *given = true;
+    Some(())
+}
+
+fn no_result(found: impl Display) -> String {
+    let known: Vec<String> = RESULTS.iter().map(|word| format!("`{word}`")).collect();
+    format!("expected {} or several of them as in `[z, poses]`, found {found}", known.join(", "))
 }

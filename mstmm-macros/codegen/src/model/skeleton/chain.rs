@@ -67,6 +67,7 @@ impl Sketch<'_, '_> {
             bodies,
             hinges,
             method: Some(Method::Riccati),
+            results: draft.settings.results,
             held_by_closure: false,
             assertions: Vec::new(),
         }

@@ -3,8 +3,8 @@
 use super::{PENDULUM, chain, edited};
 use super::{all_known, constants, known};
 use crate::model::{
-    About, Dimension, Drive, Effort, Element, Frame, HingeKind, Method, Passive, Place, Source,
-    Symbol, Value,
+    About, Dimension, Drive, Effort, Element, Frame, HingeKind, Method, Passive, Place, Results,
+    Source, Symbol, Value,
 };
 
 /// A number in the place of the rod's mass.
@@ -60,7 +60,7 @@ fn the_pendulum_of_the_paper() {
     assert_eq!(all_known(&wrist.start), [1.0, 0.0, 0.0, 0.0]);
     assert_eq!(all_known(&wrist.start_rate), [0.0, 0.1, 0.0]);
     assert_eq!(chain.route[..2], [Element::Hinge(0), Element::Body(0)]);
-    assert_eq!(chain.method, None);
+    assert_eq!((chain.method, chain.results), (None, Results::ALL));
 }
 
 #[test]
@@ -69,6 +69,7 @@ fn an_arm_with_a_payload() {
         "chain Arm {
             gravity = [0, 0, -9.81] m/s^2;
             method = riccati;
+            results = [energies, z];
             param payload = 0.5 kg;
             body L1 {
                 mass = 4.97 kg;
@@ -87,6 +88,7 @@ fn an_arm_with_a_payload() {
         }",
     );
     assert_eq!(chain.method, Some(Method::Riccati));
+    assert_eq!(chain.results, Results { z: true, energies: true, ..Results::NONE });
     assert_eq!(chain.bodies[0].name, "l1");
     assert_eq!(known(&chain.bodies[0].com), [0.0, 0.002, -0.048]);
     let about_x = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]];
