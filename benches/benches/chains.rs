@@ -1,4 +1,4 @@
-//! What chains cost: accelerations in both precisions, everything at every connection point, and steps.
+//! What chains cost: accelerations in both precisions, z and everything at every connection point, and steps.
 //!
 //! Each evaluation is of another state, so that no branch can be foreseen.
 
@@ -11,7 +11,7 @@ use mstmm::wide::{f32x16, f64x8};
 use mstmm::{Rk4, Scalar};
 use mstmm_benches::{
     Balls3, Balls10, Balls100, Case, Lanes, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
-    numbers_of_state, samples, with_cases,
+    numbers_of_state, samples, with_cases, with_z,
 };
 
 type Group<'a> = BenchmarkGroup<'a, WallTime>;
@@ -42,6 +42,9 @@ macro_rules! groups {
             group.finish();
             let mut group = criterion.benchmark_group("accelerations, f32");
             $(accelerations::<$chain<f32>>(&mut group);)*
+            group.finish();
+            let mut group = criterion.benchmark_group("z");
+            $(everything::<with_z::$chain<f64>>(&mut group);)*
             group.finish();
             let mut group = criterion.benchmark_group("everything");
             $(everything::<$chain<f64>>(&mut group);)*

@@ -11,7 +11,7 @@ use mstmm::{Error, GeneratedChain};
 
 pub use lanes::Lanes;
 pub use models::{
-    Balls3, Balls10, Balls100, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
+    Balls3, Balls10, Balls100, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000, with_z,
 };
 pub use states::{
     numbers_of_state, random_angles, random_states, samples, samples_from, state_from,

@@ -89,6 +89,8 @@ def own_contenders(native: Path, any_processor: Path, case: Case, what: str) -> 
         Contender("mstmm, native", (str(native), what, case.name), own=True),
         Contender("mstmm, any processor", (str(any_processor), what, case.name), own=True),
     ]
+    if what == "all":
+        contenders.append(Contender("mstmm, native, z alone", (str(native), "z", case.name), own=True))
     # What a contender can do is in its usage.
     usage = subprocess.run([native], capture_output=True, text=True).stderr
     if what == "accelerations" and "lanes" in usage:

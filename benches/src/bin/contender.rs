@@ -9,11 +9,11 @@ use mstmm::wide::{f32x16, f64x8};
 use mstmm::{ChainState, Rk4, Scalar};
 use mstmm_benches::{
     Balls3, Balls10, Balls100, Case, Lanes, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
-    numbers_of_state, random_states, samples_from, with_cases,
+    numbers_of_state, random_states, samples_from, with_cases, with_z,
 };
 
 const USAGE: &str = "contender states CASE COUNT STATES_OUT
-contender accelerations|all|rk4|lanes|lanes32 CASE STATES_IN RESULTS_OUT MILLISECONDS";
+contender accelerations|z|all|rk4|lanes|lanes32 CASE STATES_IN RESULTS_OUT MILLISECONDS";
 
 /// The step of the integration in s.
 const STEP: f64 = 1e-3;
@@ -34,6 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 $(
                     ("lanes", $chain::<f64>::NAME) => run::<$chain<f64x8>>(&arguments),
                     ("lanes32", $chain::<f64>::NAME) => run::<$chain<f32x16>>(&arguments),
+                    ("z", $chain::<f64>::NAME) => run::<with_z::$chain<f64>>(&arguments),
                     (_, $chain::<f64>::NAME) => run::<$chain<f64>>(&arguments),
                 )*
                 _ => Err("no such case".into()),
@@ -56,7 +57,7 @@ fn run<C: Case>(arguments: &[&str]) -> Result<(), Box<dyn Error>> {
             let budget = Duration::from_millis(milliseconds.parse()?);
             let mut run = match what {
                 "accelerations" | "lanes" | "lanes32" => accelerations(&chain, &samples, budget)?,
-                "all" => all(&chain, &samples, budget)?,
+                "all" | "z" => all(&chain, &samples, budget)?,
                 "rk4" => rk4(&chain, &samples, budget)?,
                 _ => return Err(USAGE.into()),
             };

@@ -7,10 +7,10 @@ use std::hint::black_box;
 use mstmm::Rk4;
 use mstmm_benches::{
     Balls3, Balls10, Balls100, Case, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
-    samples, with_cases,
+    samples, with_cases, with_z,
 };
 
-const USAGE: &str = "evaluate accelerations|all|rk4 CASE COUNT";
+const USAGE: &str = "evaluate accelerations|z|all|rk4 CASE COUNT";
 
 /// So many states are gone through again and again.
 const STATES: usize = 16;
@@ -21,8 +21,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let count = count.parse()?;
     macro_rules! run {
         ($($chain:ident)*) => {
-            match case.as_str() {
-                $($chain::<f64>::NAME => run::<$chain<f64>>(what, count),)*
+            match (what.as_str(), case.as_str()) {
+                $(
+                    ("z", $chain::<f64>::NAME) => run::<with_z::$chain<f64>>(what, count),
+                    (_, $chain::<f64>::NAME) => run::<$chain<f64>>(what, count),
+                )*
                 _ => Err("no such case".into()),
             }
         };
@@ -41,7 +44,7 @@ fn run<C: Case<Scalar = f64>>(what: &str, count: usize) -> Result<(), Box<dyn Er
                 chain.accelerations_into(black_box(state), inputs, black_box(&mut rate))?;
             }
         }
-        "all" => {
+        "all" | "z" => {
             let mut at = chain.workspace();
             for (state, inputs) in samples {
                 chain.solve_into(black_box(state), inputs, black_box(&mut at))?;

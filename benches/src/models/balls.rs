@@ -1,8 +1,6 @@
 //! B: the cubes of section 4.1 on ball-and-socket hinges.
 
-use mstmm::mstmm_chain;
-
-use super::{case, each_vector};
+use super::{case, each_vector, mstmm_chain};
 
 mstmm_chain! {
     /// Three unit cubes on ball-and-socket hinges.

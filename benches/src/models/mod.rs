@@ -4,6 +4,9 @@ mod balls;
 mod panda;
 mod pins;
 mod rods;
+pub mod with_z;
+
+use mstmm::mstmm_chain;
 
 pub use balls::{Balls3, Balls10, Balls100};
 pub use panda::Panda;

@@ -1,8 +1,6 @@
 //! D: the Franka Emika Panda, joints 1 to 7, from its public URDF; right angles written as such.
 
-use mstmm::mstmm_chain;
-
-use super::{case, each_hinge};
+use super::{case, each_hinge, mstmm_chain};
 
 mstmm_chain! {
     /// The Franka Emika Panda without its hand.

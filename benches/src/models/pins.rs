@@ -1,8 +1,6 @@
 //! C: the same cubes on pins, neighbouring ones perpendicular.
 
-use mstmm::mstmm_chain;
-
-use super::{case, each_hinge};
+use super::{case, each_hinge, mstmm_chain};
 
 mstmm_chain! {
     /// Seven unit cubes on pins about z and y in turn.

@@ -1,8 +1,6 @@
 //! A: unit rods on parallel pins. All of it stays in a plane, so it is written as a plane chain.
 
-use mstmm::mstmm_chain;
-
-use super::{case, each_hinge};
+use super::{case, each_hinge, mstmm_chain};
 
 mstmm_chain! {
     /// Three unit rods on pins.
