@@ -78,8 +78,11 @@ fn find_results(tokens: TokenStream, of_chain: bool, found: &mut Vec<Range<usize
             let of_chain = at >= 2 && is(at - 2, "chain");
             find_results(group.stream(), of_chain, found);
         }
-        let end = tokens[at..].iter().find(|token| token.to_string() == ";");
-        if let (true, Some(end)) = (of_chain && is(at, "results") && is(at + 1, "="), end) {
+        if of_chain
+            && is(at, "results")
+            && is(at + 1, "=")
+            && let Some(end) = tokens[at..].iter().find(|token| token.to_string() == ";")
+        {
             found.push(token.span().byte_range().start..end.span().byte_range().end);
         }
     }

@@ -118,7 +118,8 @@ pub trait GeneratedChain: Chain {
     /// Room for the results of [`solve_into`](Self::solve_into).
     fn workspace(&self) -> Self::Workspace;
 
-    /// Everything at every connection point, written into `at`.
+    /// Accelerations, efforts and what the chain's setting `results` asks for, written into `at`: without the setting
+    /// energies and, at every connection point, pose, velocity and the state vector `z`.
     ///
     /// # Errors
     /// As [`Chain::derivative_into`]; `at` is then as [`workspace`](Self::workspace) makes it: results of earlier calls

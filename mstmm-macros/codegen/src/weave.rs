@@ -1,6 +1,6 @@
 //! Repeated parts as loops: what sweeps carry over the seams, as unknowns.
 //!
-//! Every sweep over a repeated part is a loop. What it carries is found by running the equations:
+//! Sweeps over a repeated part are loops. What a loop carries is found by running the equations:
 //! at first everything that is known where a loop begins is taken to be the same every time. Where
 //! that turns out wrong the number becomes an unknown, and the equations are run again.
 //!

@@ -16,5 +16,5 @@ pub const ENERGIES: usize = 5;
 pub const UNDETERMINED: usize = 6;
 /// What connection points are read off.
 pub const NUMBERS: usize = 7;
-/// What is felt at rest.
+/// What is felt at rest, if z is asked for.
 pub const AT_REST: usize = 8;

@@ -36,7 +36,7 @@ pub struct Programs {
     pub implicit: Option<(Program, Vec<HingeId>)>,
     /// Hinges that the pivots belong to.
     pub pivots: Vec<HingeId>,
-    /// `q`, `v`, inputs to everything, by [`groups`].
+    /// `q`, `v`, inputs to all that is asked for, by [`groups`].
     pub solution: Program,
     /// Where connection points have their numbers.
     pub places: Places,
@@ -201,14 +201,17 @@ impl<'a, 'g> Scene<'a, 'g> {
         let wrenches = undetermined.into_iter().flatten();
         let wrenches = wrenches.flat_map(|w| w.force.0.into_iter().chain(w.moment.0));
         let (mut places, numbers) = places::places(self.chain, self.graph, &report.points);
-        let shifts = self.chain.dimension.shifts();
+        let (shifts, zero) = (self.chain.dimension.shifts(), Expr::Number(0.0));
         groups.extend([
             report.accelerations,
             report.efforts,
             energy.map_or(Vec::new(), |energy| vec![energy.kinetic, energy.potential]),
             wrenches.collect(),
             numbers,
-            shifts.iter().map(|&axis| report.at_rest[axis]).collect(),
+            shifts
+                .iter()
+                .map(|&axis| if results.z { report.at_rest[axis] } else { zero })
+                .collect(),
         ]);
         let mut program = issue(self.program(Stage::State, &trace, &groups, &turns, setup));
         places.take_signs(&mut program, groups::NUMBERS);

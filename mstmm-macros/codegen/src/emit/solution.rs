@@ -1,4 +1,4 @@
-//! Everything at every connection point: the function that computes it, and how it is written.
+//! The results that are asked for: the function that computes them, and how they are written.
 
 use super::Plan;
 use super::block::{Results, body};
@@ -16,7 +16,7 @@ use quote::{format_ident, quote};
 /// Where a workspace has the energies.
 const ENERGIES: [&str; 2] = ["kinetic_energy", "potential_energy"];
 
-/// The method that computes everything.
+/// The method `solve_into`.
 pub fn solution(plan: &Plan) -> TokenStream {
     let mstmm = &plan.mstmm;
     let (state, inputs) = (&plan.names.state, &plan.names.inputs);

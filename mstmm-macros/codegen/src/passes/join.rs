@@ -51,6 +51,7 @@ mod tests {
     use crate::expr::{Expr, Graph, Stage};
     use crate::passes::Carry;
 
+    /// A loop with one number, entering as the unknown with this number and leaving as the next one.
     fn turn(graph: &Graph, inwards: bool, number: u32, first: Expr, added: Expr) -> Turn {
         let (entering, leaving) = (number, number + 1);
         let next = graph.symbol(entering, Stage::State) + added;
@@ -68,5 +69,21 @@ mod tests {
         assert_eq!(count(turn(&graph, true, 4, start, own)), 2);
         assert_eq!(count(turn(&graph, false, 4, left * own, own)), 2);
         assert_eq!(count(turn(&graph, false, 4, start, own * left)), 2);
+        assert_eq!(count(Turn { repeat: 1, ..turn(&graph, false, 4, start, own) }), 2);
+    }
+
+    #[test]
+    fn joined_loops_are_waited_for_as_one_and_empty_ones_are_none() {
+        let graph = Graph::default();
+        let [start, own, left] = [0, 1, 5].map(|number| graph.symbol(number, Stage::State));
+        let first = turn(&graph, false, 2, start, own);
+        let second = turn(&graph, false, 4, start, own);
+        let third = turn(&graph, false, 6, left, own);
+        let carries = |turns: &[Turn]| -> Vec<usize> {
+            join(&graph, turns).iter().map(|turn| turn.carries.len()).collect()
+        };
+        assert_eq!(carries(&[first.clone(), second.clone(), third]), [2, 1]);
+        let empty = Turn { repeat: 1, inwards: true, carries: Vec::new() };
+        assert_eq!(carries(&[first, empty, second]), [2]);
     }
 }

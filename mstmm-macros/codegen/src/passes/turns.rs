@@ -51,7 +51,9 @@ impl Turns {
     /// part.
     pub fn of(graph: &Graph, live: &Live, turns: Vec<Turn>, parts: &[Option<usize>]) -> Self {
         let mut all = turns;
-        let count = parts.iter().flatten().max().map_or(0, |&last| last + 1);
+        let with_unknowns = parts.iter().flatten().copied();
+        let last = with_unknowns.chain(all.iter().map(|turn| turn.repeat)).max();
+        let count = last.map_or(0, |last| last + 1);
         all.extend((0..count).map(|repeat| Turn { repeat, inwards: false, carries: Vec::new() }));
         if all.is_empty() {
             return Turns { all, homes: Vec::new() };

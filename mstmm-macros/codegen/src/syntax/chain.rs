@@ -234,7 +234,7 @@ fn unknown(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics
     };
     let near = nearest(&word.to_string(), ITEMS.iter().chain(SETTINGS).copied());
     let hint = near.map_or_else(
-        || "there are `gravity`, `method`, `param`, `body`, the route, `hinge`, `load` and `spring`".to_owned(),
+        || "there are `gravity`, `method`, `results`, `param`, `body`, the route, `hinge`, `load` and `spring`".to_owned(),
         |near| format!("did you mean `{near}`?"),
     );
     let message = format!("unknown item `{word}`; {hint}");

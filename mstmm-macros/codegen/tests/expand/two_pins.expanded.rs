@@ -28,7 +28,7 @@
 ///
 /// Mobility 2: 2 degrees of freedom.
 ///
-/// Accelerations by `transfer`, 122 operations (69 mul, 48 add, 3 reciprocal, 2 square root, 2 sin/cos); with everything at every connection point 164 operations.
+/// Accelerations by `transfer`, 122 operations (69 mul, 48 add, 3 reciprocal, 2 square root, 2 sin/cos); with the results that are asked for 160 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPins<T> {
@@ -295,9 +295,9 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         self.accelerations_into(state_, inputs_, &mut accelerations_)?;
         ::core::result::Result::Ok(accelerations_)
     }
-    /// Writes into `at`: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
+    /// Writes into `at`: accelerations, efforts, energies and, at every connection point, the state vector `z`.
     ///
-    /// 164 operations: 90 mul, 69 add, 3 reciprocal, 2 square root, 2 sin/cos.
+    /// 160 operations: 89 mul, 66 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -311,8 +311,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// | Results |  | 6 | 3 | 0 | 0 | 0 |
     /// | Pose behind `elbow` | \[P, Eq. (12)\] | 4 | 2 | 0 | 0 | 0 |
     /// | Inertia beyond the hinges, to be divided by | the pivots of the Riccati transfer | 2 | 1 | 0 | 0 | 0 |
-    /// | Velocity behind `elbow` |  | 2 | 0 | 0 | 0 | 0 |
-    /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 0 | 5 | 0 | 0 | 0 |
+    /// | Velocity behind `elbow` |  | 1 | 0 | 0 | 0 | 0 |
+    /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 0 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -325,15 +325,13 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         inputs_: &TwoPinsInputs<T>,
         at_: &mut TwoPinsWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let [_, _, _, n3_, n4_, _, n6_, n7_, _, n9_, n10_, _, _, _, _, _, _, n17_, n18_,
-        n19_, _, _, _, n23_, n24_, n25_, _, n27_, n28_, _, n30_, n31_, _, n33_, n34_, _,
-        n36_, n37_, _, _, _, n41_, _, _, n44_, n45_, n46_, _, n48_, n49_, _, n51_, n52_,
-        _] = &mut at_.numbers;
+        let [_, _, _, n3_, n4_, _, n6_, n7_, _, n9_, n10_, _, _, _, _, n15_, n16_, _, _,
+        _, n20_, n21_, n22_, _, n24_, n25_, _, n27_, n28_, _, n30_, n31_, _, _, _, n35_,
+        n36_, n37_, _] = &mut at_.numbers;
         let c_ = T::constant;
         let [[shoulder_angle_, elbow_angle_]] = state_.q.data.0;
         let [[shoulder_rate_, elbow_rate_]] = state_.v.data.0;
         at_.efforts.data.0 = [[c_(0.0), c_(0.0)]];
-        *n17_ = shoulder_rate_;
         /// Motion across `shoulder`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 2 sin/cos.
         let (
             [sin_shoulder_angle_,
@@ -383,18 +381,16 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let t17_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
         /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 1 mul, 1 add, 0 reciprocal.
         let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
-        *n41_ = elbow_omega_z_;
-        ::mstmm::generated::written();
         /// Boundary solve at the far end.
         let t51_ = t49_ * t50_;
         /// Motion across `elbow`.
         let minus_elbow_centripetal_x_ = shoulder_rate_ * shoulder_rate_;
         /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
         let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
-        *n19_ = shoulder_a_lin_y_;
+        *n16_ = shoulder_a_lin_y_;
         ::mstmm::generated::written();
         let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
-        *n18_ = shoulder_a_lin_x_;
+        *n15_ = shoulder_a_lin_x_;
         ::mstmm::generated::written();
         /// Boundary solve at the far end.
         let t43_ = t17_ * t24_;
@@ -486,7 +482,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             t77_,
             minus_end_x4_,
         );
-        *n23_ = minus_shoulder_beta0_;
+        *n20_ = minus_shoulder_beta0_;
         ::mstmm::generated::written();
         /// Boundary solve at the far end.
         let end_x5_ = T::mul_neg_add(c_(0.5), t71_, t68_);
@@ -495,62 +491,48 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         /// Load on `shoulder`, [P, Eqs. (18), (19)]: 8 mul, 11 add, 0 reciprocal.
         let t78_ = shoulder_a_lin_y_ - minus_shoulder_beta0_;
         let point2_felt_y_ = T::mul_add(cos_elbow_angle_, t78_, t2_);
-        *n34_ = point2_felt_y_;
+        *n22_ = point2_felt_y_;
         ::mstmm::generated::written();
         let t79_ = end_x5_ - minus_shoulder_beta0_;
-        *n44_ = t79_;
+        *n35_ = t79_;
         ::mstmm::generated::written();
         /// Results: 6 mul, 3 add, 0 reciprocal.
         let t85_ = minus_elbow_centripetal_x_ * c_(0.6666666666666666);
         /// Pose behind `elbow`, [P, Eq. (12)]: 4 mul, 2 add, 0 reciprocal.
-        let t83_ = cos_shoulder_angle_ * cos_elbow_angle_;
         let t84_ = cos_shoulder_angle_ * sin_elbow_angle_;
         /// Load on `shoulder`.
         let elbow_load_force_y_ = T::mul_add(c_(0.5), t79_, point2_felt_y_);
-        *n37_ = elbow_load_force_y_;
+        *n31_ = elbow_load_force_y_;
         ::mstmm::generated::written();
         let t81_ = T::mul_neg_add(c_(0.5), minus_shoulder_beta0_, shoulder_a_lin_y_);
         let minus_point2_felt_x_ = T::mul_neg_add(sin_elbow_angle_, t78_, t11_);
-        *n33_ = minus_point2_felt_x_;
+        *n21_ = minus_point2_felt_x_;
         ::mstmm::generated::written();
         /// Results.
         let t86_ = elbow_omega_z_ * c_(0.5);
         let t87_ = T::mul_add(t8_, c_(0.16666666666666666), t85_);
         /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
         let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
-        /// Velocity behind `elbow`: 2 mul, 0 add, 0 reciprocal.
+        /// Pose behind `elbow`.
+        let t83_ = cos_shoulder_angle_ * cos_elbow_angle_;
+        /// Velocity behind `elbow`: 1 mul, 0 add, 0 reciprocal.
         let elbow_velocity_y_ = shoulder_rate_ * cos_elbow_angle_;
-        *n25_ = elbow_velocity_y_;
-        ::mstmm::generated::written();
         /// Results.
         let t89_ = sin_shoulder_angle_ * c_(14.700000000000001);
         /// Pose behind `elbow`.
-        let elbow_to_inertial_x_x_ = T::mul_neg_add(
-            sin_shoulder_angle_,
-            sin_elbow_angle_,
-            t83_,
-        );
-        *n27_ = elbow_to_inertial_x_x_;
-        *n31_ = elbow_to_inertial_x_x_;
-        ::mstmm::generated::written();
         let minus_elbow_to_inertial_x_y_ = T::mul_add(
             sin_shoulder_angle_,
             cos_elbow_angle_,
             t84_,
         );
-        *n28_ = minus_elbow_to_inertial_x_y_;
-        *n30_ = minus_elbow_to_inertial_x_y_;
+        *n25_ = minus_elbow_to_inertial_x_y_;
+        *n27_ = minus_elbow_to_inertial_x_y_;
         ::mstmm::generated::written();
         /// Load on `shoulder`.
         let t80_ = T::mul_add(sin_elbow_angle_, elbow_load_force_y_, t10_);
         let t82_ = T::mul_add(cos_elbow_angle_, elbow_load_force_y_, t81_);
         let minus_elbow_load_force_x_ = t9_ + minus_point2_felt_x_;
-        *n36_ = minus_elbow_load_force_x_;
-        ::mstmm::generated::written();
-        /// Velocity behind `elbow`.
-        let elbow_velocity_x_ = shoulder_rate_ * sin_elbow_angle_;
-        *n24_ = elbow_velocity_x_;
-        *n48_ = elbow_velocity_x_;
+        *n30_ = minus_elbow_load_force_x_;
         ::mstmm::generated::written();
         /// Inertia beyond the hinges, to be divided by.
         let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
@@ -573,19 +555,19 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             return ::core::result::Result::Err(error_);
         }
         ::mstmm::generated::written();
-        /// Connection points, [P, Eqs. (4), (12), (13)]: 0 mul, 5 add, 0 reciprocal.
-        let point4_velocity_y_ = elbow_omega_z_ + elbow_velocity_y_;
-        *n49_ = point4_velocity_y_;
+        /// Pose behind `elbow`.
+        let elbow_to_inertial_x_x_ = T::mul_neg_add(
+            sin_shoulder_angle_,
+            sin_elbow_angle_,
+            t83_,
+        );
+        *n24_ = elbow_to_inertial_x_x_;
+        *n28_ = elbow_to_inertial_x_x_;
         ::mstmm::generated::written();
         /// Results.
         let t88_ = T::mul_add(elbow_velocity_y_, t86_, t87_);
         at_.kinetic_energy = t88_;
         ::mstmm::generated::written();
-        /// Connection points.
-        let point4_position_x_ = cos_shoulder_angle_ + elbow_to_inertial_x_x_;
-        *n45_ = point4_position_x_;
-        ::mstmm::generated::written();
-        /// Results.
         let t90_ = T::mul_add(c_(4.9), minus_elbow_to_inertial_x_y_, t89_);
         at_.potential_energy = t90_;
         ::mstmm::generated::written();
@@ -604,15 +586,12 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         );
         *n4_ = minus_shoulder_load_force_y_;
         ::mstmm::generated::written();
-        /// Connection points.
-        let point4_position_y_ = sin_shoulder_angle_ + minus_elbow_to_inertial_x_y_;
-        *n46_ = point4_position_y_;
-        ::mstmm::generated::written();
+        /// Connection points, [P, Eqs. (4), (12), (13)]: 0 mul, 2 add, 0 reciprocal.
         let minus_point4_felt_x_ = t8_ + minus_point2_felt_x_;
-        *n51_ = minus_point4_felt_x_;
+        *n36_ = minus_point4_felt_x_;
         ::mstmm::generated::written();
         let point4_felt_y_ = point2_felt_y_ + t79_;
-        *n52_ = point4_felt_y_;
+        *n37_ = point4_felt_y_;
         ::mstmm::generated::written();
         ::core::result::Result::Ok(())
     }
@@ -834,7 +813,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         ::core::default::Default::default()
     }
 }
-/// Results of [`TwoPins::solve_into`]: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
+/// Results of [`TwoPins::solve_into`]: accelerations, efforts, energies and, at every connection point, the state vector `z`.
 #[derive(Clone, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPinsWorkspace<T> {
@@ -842,7 +821,7 @@ pub struct TwoPinsWorkspace<T> {
     efforts: ::mstmm::nalgebra::SVector<T, 2>,
     kinetic_energy: T,
     potential_energy: T,
-    numbers: [T; 54],
+    numbers: [T; 39],
     at_rest: [T; 3],
 }
 #[allow(dead_code, non_snake_case)]
@@ -866,7 +845,9 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     /// All connection points in the order written: the first element's input, then every
     /// element's output.
     #[inline]
-    pub fn points(&self) -> [::mstmm::Point<T>; 5] {
+    pub fn points(
+        &self,
+    ) -> [::mstmm::Point<T, ::mstmm::Results<false, false, true>>; 5] {
         [self.point_(0), self.point_(1), self.point_(2), self.point_(3), self.point_(4)]
     }
     /// Where every point of the model has its numbers.
@@ -885,48 +866,48 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
         ),
         ::mstmm::generated::Places::new(
             0,
-            [70, 101, 130],
+            [0, 0, 0],
             [
                 ([0, 0, 0], 0),
+                ([0, 0, 0], 0),
                 ([70, 101, 130], 160),
-                ([70, 101, 130], 190),
-                ([70, 101, 130], 224),
+                ([70, 101, 130], 194),
                 ([0, 0, 0], 0),
                 ([70, 101, 130], 43),
             ],
         ),
         ::mstmm::generated::Places::new(
-            70,
-            [70, 101, 130],
+            0,
+            [0, 0, 0],
             [
-                ([280, 311, 130], 250),
-                ([70, 101, 130], 160),
-                ([280, 311, 130], 341),
-                ([70, 101, 130], 224),
                 ([0, 0, 0], 0),
-                ([280, 311, 130], 371),
+                ([0, 0, 0], 0),
+                ([250, 281, 130], 221),
+                ([70, 101, 130], 194),
+                ([0, 0, 0], 0),
+                ([250, 281, 130], 311),
             ],
         ),
         ::mstmm::generated::Places::new(
-            70,
-            [280, 311, 130],
+            0,
+            [0, 0, 0],
             [
-                ([280, 311, 130], 250),
-                ([280, 311, 130], 400),
-                ([280, 311, 130], 341),
-                ([280, 311, 130], 430),
                 ([0, 0, 0], 0),
-                ([280, 311, 130], 371),
+                ([0, 0, 0], 0),
+                ([250, 281, 130], 221),
+                ([250, 281, 130], 340),
+                ([0, 0, 0], 0),
+                ([250, 281, 130], 311),
             ],
         ),
         ::mstmm::generated::Places::new(
-            460,
-            [280, 311, 130],
+            0,
+            [0, 0, 0],
             [
-                ([280, 311, 130], 490),
-                ([280, 311, 130], 400),
-                ([280, 311, 130], 521),
-                ([280, 311, 130], 430),
+                ([0, 0, 0], 0),
+                ([0, 0, 0], 0),
+                ([250, 281, 130], 371),
+                ([250, 281, 130], 340),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
             ],
@@ -934,13 +915,25 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     ];
     /// Connection point number `index`.
     #[inline(always)]
-    fn point_(&self, index_: usize) -> ::mstmm::Point<T> {
+    fn point_(
+        &self,
+        index_: usize,
+    ) -> ::mstmm::Point<T, ::mstmm::Results<false, false, true>> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
-        <::mstmm::Point<T>>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
+        <::mstmm::Point<
+            T,
+            ::mstmm::Results<false, false, true>,
+        >>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }
     /// Acceleration, effort, input and output of hinge `shoulder`.
     #[inline]
-    pub fn shoulder(&self) -> ::mstmm::HingeResult<T, T, ::mstmm::Point<T>> {
+    pub fn shoulder(
+        &self,
+    ) -> ::mstmm::HingeResult<
+        T,
+        T,
+        ::mstmm::Point<T, ::mstmm::Results<false, false, true>>,
+    > {
         let (input_, output_) = (self.point_(0), self.point_(1));
         ::mstmm::HingeResult::new(
             {
@@ -963,13 +956,24 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     }
     /// Input and output of body `upper`.
     #[inline]
-    pub fn upper(&self) -> ::mstmm::BodyResult<T, ::mstmm::Point<T>> {
+    pub fn upper(
+        &self,
+    ) -> ::mstmm::BodyResult<
+        T,
+        ::mstmm::Point<T, ::mstmm::Results<false, false, true>>,
+    > {
         let (input_, output_) = (self.point_(1), self.point_(2));
         ::mstmm::BodyResult::new(input_, output_)
     }
     /// Acceleration, effort, input and output of hinge `elbow`.
     #[inline]
-    pub fn elbow(&self) -> ::mstmm::HingeResult<T, T, ::mstmm::Point<T>> {
+    pub fn elbow(
+        &self,
+    ) -> ::mstmm::HingeResult<
+        T,
+        T,
+        ::mstmm::Point<T, ::mstmm::Results<false, false, true>>,
+    > {
         let (input_, output_) = (self.point_(2), self.point_(3));
         ::mstmm::HingeResult::new(
             {
@@ -992,7 +996,12 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     }
     /// Input and output of body `lower`.
     #[inline]
-    pub fn lower(&self) -> ::mstmm::BodyResult<T, ::mstmm::Point<T>> {
+    pub fn lower(
+        &self,
+    ) -> ::mstmm::BodyResult<
+        T,
+        ::mstmm::Point<T, ::mstmm::Results<false, false, true>>,
+    > {
         let (input_, output_) = (self.point_(3), self.point_(4));
         ::mstmm::BodyResult::new(input_, output_)
     }
@@ -1023,7 +1032,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             numbers: {
                 let c_ = T::constant;
                 ::mstmm::generated::with_known(
-                    [T::constant(0.0); 54],
+                    [T::constant(0.0); 39],
                     &[(1, c_(9.8)), (14, c_(1.0))],
                 )
             },

@@ -10,7 +10,14 @@ use std::fmt::Display;
 
 const SETTINGS: &[&str] = &["gravity", "method", "results"];
 const METHODS: &[(&str, Method)] = &[("riccati", Method::Riccati), ("transfer", Method::Transfer)];
-const RESULTS: &[&str] = &["poses", "velocities", "z", "energies"];
+/// Where it is noted that a result is asked for.
+type Place = fn(&mut Results) -> &mut bool;
+const RESULTS: &[(&str, Place)] = &[
+    ("poses", |results| &mut results.poses),
+    ("velocities", |results| &mut results.velocities),
+    ("z", |results| &mut results.z),
+    ("energies", |results| &mut results.energies),
+];
 
 /// Settings of the whole chain, as far as they could be read.
 pub(crate) struct Settings {
@@ -86,16 +93,11 @@ fn add_result(context: &mut Context, entry: &Expr, results: &mut Results) -> Opt
         return context.refuse(entry.extent, no_result("a number"));
     };
     let name = word.to_string();
-    let given = match &name[..] {
-        "poses" => &mut results.poses,
-        "velocities" => &mut results.velocities,
-        "z" => &mut results.z,
-        "energies" => &mut results.energies,
-        _ => {
-            let hint = did_you_mean(&name, RESULTS.iter().copied());
-            return context.refuse(word, no_result(format!("`{word}`{hint}")));
-        }
+    let Some((_, place)) = RESULTS.iter().find(|(known, _)| *known == name) else {
+        let hint = did_you_mean(&name, RESULTS.iter().map(|(known, _)| *known));
+        return context.refuse(word, no_result(format!("`{word}`{hint}")));
     };
+    let given = place(results);
     if *given {
         return context.refuse(word, format!("`{word}` is given twice"));
     }
@@ -104,6 +106,6 @@ fn add_result(context: &mut Context, entry: &Expr, results: &mut Results) -> Opt
 }
 
 fn no_result(found: impl Display) -> String {
-    let known: Vec<String> = RESULTS.iter().map(|word| format!("`{word}`")).collect();
+    let known: Vec<String> = RESULTS.iter().map(|(word, _)| format!("`{word}`")).collect();
     format!("expected {} or several of them as in `[z, poses]`, found {found}", known.join(", "))
 }
