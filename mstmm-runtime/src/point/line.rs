@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 use nalgebra::SVector;
 
 use super::places::{Places, entries, less};
-use super::results::{Everything, HasPoses, HasVelocities, HasZ, Results};
+use super::results::{Everything, HasPoses, HasVelocities, HasZ, Results, show};
 use crate::Scalar;
 
 /// The method's state vector `[P, Eq. (7)]`, z = [ẍ, q_x, 1] at a connection point of a line chain.
@@ -132,17 +132,12 @@ impl<T: fmt::Debug, const POSES: bool, const VELOCITIES: bool, const Z: bool> fm
     for LinePoint<T, Results<POSES, VELOCITIES, Z>>
 {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut shown = to.debug_struct("LinePoint");
-        if POSES {
-            shown.field("position", &self.position);
-        }
-        if VELOCITIES {
-            shown.field("velocity", &self.velocity);
-        }
-        if Z {
-            shown.field("z", &self.z);
-        }
-        shown.finish()
+        let fields: &[(bool, &str, &dyn fmt::Debug)] = &[
+            (POSES, "position", &self.position),
+            (VELOCITIES, "velocity", &self.velocity),
+            (Z, "z", &self.z),
+        ];
+        show(to, "LinePoint", fields)
     }
 }
 

@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 use nalgebra::{Matrix2, Rotation2, SVector, Vector2};
 
 use super::places::{Places, entries, less};
-use super::results::{Everything, HasPoses, HasVelocities, HasZ, Results};
+use super::results::{Everything, HasPoses, HasVelocities, HasZ, Results, show};
 use crate::Scalar;
 
 /// The method's state vector `[P, Eq. (6)]`, z = [ẍ, ÿ, Ω̇_z, m_z, q_x, q_y, 1] at a connection point of a plane
@@ -224,18 +224,14 @@ impl<T: fmt::Debug, const POSES: bool, const VELOCITIES: bool, const Z: bool> fm
     for PlanePoint<T, Results<POSES, VELOCITIES, Z>>
 {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut shown = to.debug_struct("PlanePoint");
-        if POSES {
-            shown.field("position", &self.position).field("cos_sin", &self.cos_sin);
-        }
-        if VELOCITIES {
-            shown.field("velocity", &self.velocity);
-            shown.field("angular_velocity", &self.angular_velocity);
-        }
-        if Z {
-            shown.field("z", &self.z);
-        }
-        shown.finish()
+        let fields: &[(bool, &str, &dyn fmt::Debug)] = &[
+            (POSES, "position", &self.position),
+            (POSES, "cos_sin", &self.cos_sin),
+            (VELOCITIES, "velocity", &self.velocity),
+            (VELOCITIES, "angular_velocity", &self.angular_velocity),
+            (Z, "z", &self.z),
+        ];
+        show(to, "PlanePoint", fields)
     }
 }
 

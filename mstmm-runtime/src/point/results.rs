@@ -1,5 +1,7 @@
 //! Which results the connection points of a chain have.
 
+use core::fmt;
+
 /// Which results the connection points of a chain have: poses, velocities and the state vector z.
 ///
 /// A chain's setting `results` says so; unless it does they have all of them, [`Everything`]. What was left
@@ -40,3 +42,16 @@ impl<const POSES: bool, const Z: bool> HasVelocities for Results<POSES, true, Z>
 pub trait HasZ {}
 
 impl<const POSES: bool, const VELOCITIES: bool> HasZ for Results<POSES, VELOCITIES, true> {}
+
+/// Shows the fields that a point has.
+pub(super) fn show(
+    to: &mut fmt::Formatter<'_>,
+    name: &str,
+    fields: &[(bool, &str, &dyn fmt::Debug)],
+) -> fmt::Result {
+    let mut shown = to.debug_struct(name);
+    for (_, name, value) in fields.iter().filter(|(has, ..)| *has) {
+        shown.field(name, value);
+    }
+    shown.finish()
+}

@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 use nalgebra::{Matrix3, Rotation3, SVector, Vector3};
 
 use super::places::{Places, entries, less};
-use super::results::{Everything, HasPoses, HasVelocities, HasZ, Results};
+use super::results::{Everything, HasPoses, HasVelocities, HasZ, Results, show};
 use crate::Scalar;
 
 /// The method's state vector z = [r̈, Ω̇, m, q, 1] at a connection point, in the inertial frame.
@@ -220,18 +220,14 @@ impl<T: fmt::Debug, const POSES: bool, const VELOCITIES: bool, const Z: bool> fm
     for Point<T, Results<POSES, VELOCITIES, Z>>
 {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut shown = to.debug_struct("Point");
-        if POSES {
-            shown.field("position", &self.position).field("rotation", &self.rotation);
-        }
-        if VELOCITIES {
-            shown.field("velocity", &self.velocity);
-            shown.field("angular_velocity", &self.angular_velocity);
-        }
-        if Z {
-            shown.field("z", &self.z);
-        }
-        shown.finish()
+        let fields: &[(bool, &str, &dyn fmt::Debug)] = &[
+            (POSES, "position", &self.position),
+            (POSES, "rotation", &self.rotation),
+            (VELOCITIES, "velocity", &self.velocity),
+            (VELOCITIES, "angular_velocity", &self.angular_velocity),
+            (Z, "z", &self.z),
+        ];
+        show(to, "Point", fields)
     }
 }
 

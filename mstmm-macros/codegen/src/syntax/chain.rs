@@ -27,7 +27,7 @@ const DIMENSIONS: &[(&str, DimensionWord)] = &[
     ("line", DimensionWord::Line),
 ];
 /// The words that a setting begins with.
-const SETTINGS: &[&str] = &["gravity", "method", "results"];
+pub const SETTINGS: &[&str] = &["gravity", "method", "results"];
 
 /// Whether the next word begins an item, so that it is nothing else.
 pub(super) fn begins_item(input: &Cursor) -> bool {

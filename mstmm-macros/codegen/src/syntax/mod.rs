@@ -33,6 +33,7 @@ mod surface;
 mod tree;
 mod unit;
 
+pub use chain::SETTINGS;
 pub use field::FORMS;
 pub use number::FUNCTIONS;
 pub use surface::{References, Surface};

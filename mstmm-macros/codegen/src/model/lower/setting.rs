@@ -5,10 +5,9 @@ use super::dimension::ACCELERATION;
 use super::fields::Fields;
 use crate::diag::{did_you_mean, nearest};
 use crate::model::{Method, Results, Source};
-use crate::syntax::{ChainDef, Expr, ExprKind, List, Written};
+use crate::syntax::{ChainDef, Expr, ExprKind, List, SETTINGS, Written};
 use std::fmt::Display;
 
-const SETTINGS: &[&str] = &["gravity", "method", "results"];
 const METHODS: &[(&str, Method)] = &[("riccati", Method::Riccati), ("transfer", Method::Transfer)];
 /// Where it is noted that a result is asked for.
 type Place = fn(&mut Results) -> &mut bool;
