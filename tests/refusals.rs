@@ -319,10 +319,39 @@ fn what_overflows_is_not_singular() {
     let mut state = chain.initial_state();
     state.v_mut().iter_mut().for_each(|rate| *rate = 1e300);
     assert_eq!(chain.accelerations(&state, &chain.no_inputs()), Err(Error::NotFinite));
-    let scales = [f64::INFINITY];
-    let result = mstmm::generated::regular(&["hinge"], [1.0], scales, [0.0]);
-    assert_eq!(result, Err(Error::NotFinite));
-    let results = [f64::MAX, f64::MAX];
-    assert_eq!(mstmm::generated::regular(&["hinge"], [1.0], [1.0], results), Err(Error::NotFinite));
-    assert_eq!(mstmm::generated::regular(&["hinge"], [1.0], [1.0], [f64::MAX, 0.0]), Ok(()));
+    // A pivot that does not vanish beside a scale that overflows, and results whose sum does.
+    let (pivots, scales) = ([1.0], [f64::INFINITY]);
+    assert!(!mstmm::generated::regular(pivots, scales, [0.0]));
+    assert_eq!(mstmm::generated::irregular(&["hinge"], pivots, scales), Error::NotFinite);
+    assert!(!mstmm::generated::regular([1.0], [1.0], [f64::MAX, f64::MAX]));
+    assert_eq!(mstmm::generated::irregular(&["hinge"], [1.0], [1.0]), Error::NotFinite);
+    assert!(mstmm::generated::regular([1.0], [1.0], [f64::MAX, 0.0]));
+    // One that does.
+    let (pivots, scales) = ([f64::EPSILON], [1.0]);
+    assert!(!mstmm::generated::regular(pivots, scales, [0.0]));
+    let singular = Error::Singular { hinge: "hinge" };
+    assert_eq!(mstmm::generated::irregular(&["hinge"], pivots, scales), singular);
+}
+
+/// Whichever of the numbers it is that is not finite, and however many there are.
+#[test]
+fn all_numbers_are_looked_at() {
+    fn looks_at_all<const N: usize>() {
+        assert!(mstmm::generated::regular([1.0; 0], [], [1.0; N]), "{N}");
+        for place in 0..N {
+            for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                let mut numbers = [1.0; N];
+                numbers[place] = bad;
+                assert!(
+                    !mstmm::generated::regular([1.0; 0], [], numbers),
+                    "{bad} at {place} of {N}"
+                );
+            }
+        }
+    }
+    looks_at_all::<0>();
+    looks_at_all::<1>();
+    looks_at_all::<2>();
+    looks_at_all::<3>();
+    looks_at_all::<7>();
 }

@@ -15,20 +15,40 @@ use crate::{ChainState, Closure, Error, Mask, Scalar};
 /// the difference of a few rounded products of that size.
 const NOISE: f64 = 8.0;
 
-/// Whether all pivots are positive beyond rounding, and all results finite: so is then their sum, and if
-/// it overflows they mean nothing either.
+/// Whether all pivots are positive beyond rounding, and numbers finite: so is then their sum, and if it overflows
+/// they mean nothing either. What is known last comes last.
 #[inline(always)]
-fn is_regular<T: Scalar, const P: usize, const N: usize>(
+pub fn regular<T: Scalar, const P: usize, const N: usize>(
     pivots: [T; P],
     scales: [T; P],
-    results: [T; N],
+    numbers: [T; N],
 ) -> bool {
     let noise = T::epsilon() * T::constant(NOISE);
-    let mut regular = T::total(&[&results]).finite();
+    // The last two apart, which are known at about the same time: nothing else is left to do meanwhile.
+    let (first, last) = numbers.split_at(N.saturating_sub(2));
+    let sum = |numbers: &[T]| numbers.iter().copied().reduce(|sum, number| sum + number);
+    let sum = match (sum(first), sum(last)) {
+        (Some(first), Some(last)) => first + last,
+        (first, last) => first.or(last).unwrap_or(T::constant(0.0)),
+    };
+    let mut regular = sum.finite();
     for (pivot, scale) in pivots.into_iter().zip(scales) {
         regular = regular & pivot.greater(noise * scale);
     }
     regular.all()
+}
+
+/// Why what should be [`regular`] is not: the first hinge whose pivot vanishes, or something is not finite.
+///
+/// It is apart from the question, so that the compiler sees that nothing but an error follows from it.
+#[inline(always)]
+pub fn irregular<T: Scalar, const P: usize>(
+    hinges: &[&'static str; P],
+    pivots: [T; P],
+    scales: [T; P],
+) -> Error {
+    // Copies, without which the arrays would be in memory also where nothing is wrong.
+    diagnosis(hinges, &pivots.map(identity), &scales.map(identity))
 }
 
 /// Fails if any of the numbers is NaN or infinite, or their sum. What a chain computes need not depend on all of them.
@@ -55,24 +75,6 @@ pub fn all_finite<T: Scalar>(numbers: &[T]) -> Result<(), Error> {
         }
     }
     finite(&[&sums, rest])
-}
-
-/// Fails with the name of the first hinge whose pivot vanishes, or because something is not finite.
-///
-/// # Errors
-/// [`Error::Singular`], [`Error::NotFinite`].
-#[inline(always)]
-pub fn regular<T: Scalar, const P: usize, const N: usize>(
-    hinges: &[&'static str; P],
-    pivots: [T; P],
-    scales: [T; P],
-    results: [T; N],
-) -> Result<(), Error> {
-    if is_regular(pivots, scales, results) {
-        return Ok(());
-    }
-    // Copies, without which the arrays would be in memory also where nothing is wrong.
-    Err(diagnosis(hinges, &pivots.map(identity), &scales.map(identity)))
 }
 
 /// Why a chain has no accelerations.

@@ -12,7 +12,7 @@ use super::spread::Spread;
 use crate::compile::groups;
 use crate::model::HingeId;
 use crate::program::Program;
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use std::collections::HashSet;
 
@@ -46,11 +46,12 @@ fn accelerations(plan: &Plan) -> TokenStream {
     let target = Target::new(0, Spread::freedoms(plan));
     let block = plan.step(program, &[target], true);
     let check = check(plan, program, &block, &plan.programs.pivots);
-    let results = &block.arrays[0];
+    let (results, given, found) = (&block.arrays[0], &check.given, check.found());
+    let statements = block.statements;
     let body = body(
-        block.statements,
+        quote!(#given #statements),
         quote! {
-            #check
+            #found
             accelerations_.data.0 = [#results];
             ::core::result::Result::Ok(())
         },
@@ -106,11 +107,12 @@ fn implicit(plan: &Plan) -> Option<TokenStream> {
     let target = Target::new(0, Spread::freedoms(plan));
     let block = plan.step(program, &[target], true);
     let check = check(plan, program, &block, pivots);
-    let results = &block.arrays[0];
+    let (results, given, found) = (&block.arrays[0], &check.given, check.found());
+    let statements = block.statements;
     let body = body(
-        block.statements,
+        quote!(#given #statements),
         quote! {
-            #check
+            #found
             accelerations_.data.0 = [#results];
             ::core::result::Result::Ok(())
         },
@@ -176,75 +178,91 @@ fn energy(plan: &Plan) -> TokenStream {
 }
 
 /// The test whether there are accelerations.
+pub(super) struct Check {
+    /// Statements that fail where something that is given is not finite. They stand first: behind others they
+    /// would be a branch, over which the compiler moves some and not others.
+    pub(super) given: TokenStream,
+    /// Statements that fail where a pivot of a repeated part vanishes.
+    pub(super) repeated_pivots: TokenStream,
+    /// Whether pivots that stand once do not, and results are finite.
+    pub(super) regular: TokenStream,
+    /// The error if it is not so.
+    pub(super) error: TokenStream,
+    /// Statements that fail where a result of a chain with repeated parts is not finite.
+    pub(super) repeated_results: Option<TokenStream>,
+}
+
+impl Check {
+    /// All that stands behind the statements.
+    pub(super) fn found(&self) -> TokenStream {
+        let Check { repeated_pivots, regular, error, repeated_results, .. } = self;
+        quote! {
+            #repeated_pivots
+            if !#regular {
+                return ::core::result::Result::Err(#error);
+            }
+            #repeated_results
+        }
+    }
+}
+
+/// The test whether there are accelerations.
 ///
 /// Of the numbers given, those are looked at that the results, which are looked at anyway, do not
-/// show.
-pub(super) fn check(
-    plan: &Plan,
-    program: &Program,
-    block: &Results,
-    pivots: &[HingeId],
-) -> TokenStream {
+/// show; of results those that no other shows.
+pub(super) fn check(plan: &Plan, program: &Program, block: &Results, pivots: &[HingeId]) -> Check {
     let mstmm = &plan.mstmm;
     let name = |&hinge: &HingeId| plan.chain.hinges[hinge].name.to_string();
     let once = |number: &usize| block.masks.iter().all(|(repeated, _)| repeated != number);
     let numbers: Vec<usize> = (0..pivots.len()).filter(once).collect();
     let names = numbers.iter().map(|&number| name(&pivots[number]));
-    let values = numbers.iter().map(|&number| &block.outputs[groups::PIVOTS][number]);
-    let scales = numbers.iter().map(|&number| &block.outputs[groups::SCALES][number]);
+    let of = |group: usize| {
+        let values = numbers.iter().map(|&number| &block.outputs[group][number]);
+        quote!([#(#values),*])
+    };
+    let (values, scales) = (of(groups::PIVOTS), of(groups::SCALES));
     let results = &block.arrays[0];
-    let shown = program.shown(0);
+    let shown = program.shown(groups::ACCELERATIONS);
     let (taken, inputs) = plan.input_slices(&shown);
-    let (many_hidden, state) = hidden_state(plan, &shown, block.looped);
     let repeated = block.masks.iter().map(|(number, mask)| {
         let name = name(&pivots[*number]);
         quote!(#mstmm::generated::require(#mask, #name)?;)
     });
-    // An array of many numbers is not handed over by value.
+    let mut given = taken;
+    if !inputs.is_empty() {
+        given.extend(quote!(#mstmm::generated::finite::<T>(&[#(#inputs),*])?;));
+    }
+    let hidden = hidden_state(plan, &shown);
     let (few, many) = if block.looped {
-        (quote!([]), Some(quote!(#mstmm::generated::all_finite::<T>(#results.as_slice())?;)))
+        let some = hidden.iter().filter(|(_, places)| !places.is_empty());
+        let vectors = some.map(|(vector, _)| vector);
+        given.extend(quote!(#(#mstmm::generated::all_finite::<T>(state_.#vectors.as_slice())?;)*));
+        // An array of many numbers is not handed over by value.
+        let many = quote!(#mstmm::generated::all_finite::<T>(#results.as_slice())?;);
+        (quote!([state_.t]), Some(many))
     } else {
-        (quote!(#results), None)
+        let hidden = hidden.iter().flat_map(|(vector, places)| {
+            places.iter().map(move |place| quote!(state_.#vector.data.0[0][#place]))
+        });
+        let telling = program.telling(groups::ACCELERATIONS).into_iter();
+        let telling = telling.map(|result| plan.operand(result));
+        (quote!([state_.t, #(#hidden,)* #(#telling),*]), None)
     };
-    quote! {
-        #taken
-        #many_hidden
-        #mstmm::generated::finite::<T>(&[#state, #(#inputs,)*])?;
-        #(#repeated)*
-        #mstmm::generated::regular::<T, _, _>(
-            &[#(#names),*],
-            [#(#values),*],
-            [#(#scales),*],
-            #few,
-        )?;
-        #many
+    Check {
+        given,
+        repeated_pivots: repeated.collect(),
+        regular: quote!(#mstmm::generated::regular::<T, _, _>(#values, #scales, #few)),
+        error: quote!(#mstmm::generated::irregular::<T, _>(&[#(#names),*], #values, #scales)),
+        repeated_results: many,
     }
 }
 
-/// A slice that holds the time and the coordinates and rates that no result shows. Where parts are
-/// repeated, statements look at all coordinates, or all rates, if there is one such among them.
-fn hidden_state(
-    plan: &Plan,
-    shown: &HashSet<u32>,
-    looped: bool,
-) -> (Option<TokenStream>, TokenStream) {
-    let (mstmm, symbols) = (&plan.mstmm, &plan.programs.symbols);
-    let vectors = [(symbols.q(), quote!(q)), (symbols.v(), quote!(v))];
-    let hidden = vectors.map(|(range, vector)| {
+/// The vectors of the state with the places of coordinates and rates that no result shows.
+fn hidden_state(plan: &Plan, shown: &HashSet<u32>) -> [(TokenStream, Vec<Literal>); 2] {
+    let symbols = &plan.programs.symbols;
+    [(symbols.q(), quote!(q)), (symbols.v(), quote!(v))].map(|(range, vector)| {
         let start = range.start;
         let hidden = range.filter(|&number| !shown.contains(&(number as u32)));
-        let indices = hidden.map(|number| usize_literal(number - start)).collect::<Vec<_>>();
-        (vector, indices)
-    });
-    if looped {
-        let some = hidden.into_iter().filter(|(_, indices)| !indices.is_empty());
-        let checks = some.map(
-            |(vector, _)| quote!(#mstmm::generated::all_finite::<T>(state_.#vector.as_slice())?;),
-        );
-        return (Some(checks.collect()), quote!(&[state_.t]));
-    }
-    let entries = hidden.into_iter().flat_map(|(vector, indices)| {
-        indices.into_iter().map(move |index| quote!(state_.#vector.data.0[0][#index]))
-    });
-    (None, quote!(&[#(#entries,)* state_.t]))
+        (vector, hidden.map(|number| usize_literal(number - start)).collect())
+    })
 }

@@ -4,7 +4,7 @@ use super::Plan;
 use super::block::{Results, body};
 use super::delivery::Deliveries;
 use super::docs;
-use super::dynamics::check;
+use super::dynamics::{Check, check};
 use super::looped::{Target, usize_literal};
 use super::names::local;
 use super::spread::Spread;
@@ -51,7 +51,7 @@ fn solved(plan: &Plan) -> Group {
     let check = check(plan, program, &block, &plan.programs.pivots);
     let outputs = &program.outputs;
     let mut deliveries = Deliveries::new(program, mstmm);
-    deliveries.add(outputs[..groups::ALL_RATES].iter().flatten(), taken_back(plan, &check));
+    deliveries.add(outputs[..groups::ALL_RATES].iter().flatten(), found(plan, &check));
     for (group, field) in rates(plan) {
         let array = &block.arrays[group];
         deliveries.add(&outputs[group], quote!(at_.#field.data.0 = [#array];));
@@ -79,8 +79,12 @@ fn solved(plan: &Plan) -> Group {
         names.push(quote!(#name));
     }
     let statements = plan.delivering(block, program, deliveries);
+    let given = given(plan, &check);
     body(
-        quote!(let [#(#names),*] = &mut at_.numbers;),
+        quote! {
+            #given
+            let [#(#names),*] = &mut at_.numbers;
+        },
         quote! {
             #statements
             ::core::result::Result::Ok(())
@@ -88,12 +92,37 @@ fn solved(plan: &Plan) -> Group {
     )
 }
 
-/// The test that there are accelerations; where it fails, nothing stays of what has been written.
-fn taken_back(plan: &Plan, check: &TokenStream) -> TokenStream {
+/// Statements that test what is given: where they fail, nothing stays of what has been written.
+fn given(plan: &Plan, check: &Check) -> TokenStream {
+    taken_back(plan, &check.given)
+}
+
+/// The same of what has been found.
+fn found(plan: &Plan, check: &Check) -> TokenStream {
+    let mstmm = &plan.mstmm;
+    let Check { repeated_pivots, regular, error, repeated_results, .. } = check;
+    let pivots = taken_back(plan, repeated_pivots);
+    let results = repeated_results.as_ref().map(|statements| taken_back(plan, statements));
+    quote! {
+        #pivots
+        if !#regular {
+            let error_ = #error;
+            #mstmm::generated::take_back(at_, || self.workspace());
+            return ::core::result::Result::Err(error_);
+        }
+        #results
+    }
+}
+
+/// Statements that may fail, if there are any.
+fn taken_back(plan: &Plan, statements: &TokenStream) -> TokenStream {
+    if statements.is_empty() {
+        return TokenStream::new();
+    }
     let mstmm = &plan.mstmm;
     quote! {
         let checked_ = (|| {
-            #check
+            #statements
             ::core::result::Result::Ok(())
         })();
         if let ::core::result::Result::Err(error_) = checked_ {
@@ -176,17 +205,19 @@ fn solved_in_loops(plan: &Plan) -> Group {
         targets.push(Target { group, spread, existing: Some(quote!(at_.#field)) });
     }
     let block = plan.step(program, &targets, true);
-    let check = taken_back(plan, &check(plan, program, &block, &plan.programs.pivots));
+    let check = check(plan, program, &block, &plan.programs.pivots);
+    let (given, found) = (given(plan, &check), found(plan, &check));
     let closure = closure(plan, &block);
     let at_rest = &block.arrays[groups::AT_REST];
     let energies = block.outputs[groups::ENERGIES].iter().zip(ENERGIES).map(|(energy, field)| {
         let field = format_ident!("{field}");
         quote!(at_.#field = #energy;)
     });
+    let statements = block.statements;
     body(
-        block.statements,
+        quote!(#given #statements),
         quote! {
-            #check
+            #found
             #closure
             #(#energies)*
             at_.at_rest = #at_rest;

@@ -468,17 +468,22 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         );
         let t191_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
         let t192_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
-        ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
-        ::mstmm::generated::regular::<
+        if !::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
-            &["a", "crank_pin"],
             [a_j_zz_, crank_pin_j_zz_],
             [c_(2.04), t195_],
-            [-minus_crank_pin_a_ang_z_, t191_, t192_, minus_b_a_ang_z_],
-        )?;
+            [state_.t, state_.v.data.0[0][3], t191_, t192_],
+        ) {
+            return ::core::result::Result::Err(
+                ::mstmm::generated::irregular::<
+                    T,
+                    _,
+                >(&["a", "crank_pin"], [a_j_zz_, crank_pin_j_zz_], [c_(2.04), t195_]),
+            );
+        }
         accelerations_.data.0 = [
             [-minus_crank_pin_a_ang_z_, t191_, t192_, minus_b_a_ang_z_],
         ];
@@ -1099,21 +1104,19 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         ::mstmm::generated::written();
         /// Results.
         let t220_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
-        let checked_ = (|| {
-            ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][3], state_.t]])?;
-            ::mstmm::generated::regular::<
+        if !::mstmm::generated::regular::<
+            T,
+            _,
+            _,
+        >(
+            [a_j_zz_, crank_pin_j_zz_],
+            [c_(2.04), t223_],
+            [state_.t, state_.v.data.0[0][3], t219_, t220_],
+        ) {
+            let error_ = ::mstmm::generated::irregular::<
                 T,
                 _,
-                _,
-            >(
-                &["a", "crank_pin"],
-                [a_j_zz_, crank_pin_j_zz_],
-                [c_(2.04), t223_],
-                [-minus_crank_pin_a_ang_z_, t219_, t220_, minus_b_a_ang_z_],
-            )?;
-            ::core::result::Result::Ok(())
-        })();
-        if let ::core::result::Result::Err(error_) = checked_ {
+            >(&["a", "crank_pin"], [a_j_zz_, crank_pin_j_zz_], [c_(2.04), t223_]);
             ::mstmm::generated::take_back(at_, || self.workspace());
             return ::core::result::Result::Err(error_);
         }

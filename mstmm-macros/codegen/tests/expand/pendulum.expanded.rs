@@ -175,12 +175,22 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
         let t0_ = cos_joint_angle_ * known_joint_z0_force_y_;
         let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t0_, joint_w0_);
-        ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][0], state_.t]])?;
-        ::mstmm::generated::regular::<
+        if !::mstmm::generated::regular::<
             T,
             _,
             _,
-        >(&["joint"], [known_joint_j_yy_], [known_p6_], [joint_a_ang_z_])?;
+        >(
+            [known_joint_j_yy_],
+            [known_p6_],
+            [state_.t, state_.v.data.0[0][0], joint_a_ang_z_],
+        ) {
+            return ::core::result::Result::Err(
+                ::mstmm::generated::irregular::<
+                    T,
+                    _,
+                >(&["joint"], [known_joint_j_yy_], [known_p6_]),
+            );
+        }
         accelerations_.data.0 = [[joint_a_ang_z_]];
         ::core::result::Result::Ok(())
     }
@@ -261,16 +271,19 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t5_ = sin_joint_angle_ * known_joint_b_y_z_;
         /// Acceleration of `joint`.
         let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t1_, joint_w0_);
-        let checked_ = (|| {
-            ::mstmm::generated::finite::<T>(&[&[state_.v.data.0[0][0], state_.t]])?;
-            ::mstmm::generated::regular::<
+        if !::mstmm::generated::regular::<
+            T,
+            _,
+            _,
+        >(
+            [known_joint_j_yy_],
+            [known_p6_],
+            [state_.t, state_.v.data.0[0][0], joint_a_ang_z_],
+        ) {
+            let error_ = ::mstmm::generated::irregular::<
                 T,
                 _,
-                _,
-            >(&["joint"], [known_joint_j_yy_], [known_p6_], [joint_a_ang_z_])?;
-            ::core::result::Result::Ok(())
-        })();
-        if let ::core::result::Result::Err(error_) = checked_ {
+            >(&["joint"], [known_joint_j_yy_], [known_p6_]);
             ::mstmm::generated::take_back(at_, || self.workspace());
             return ::core::result::Result::Err(error_);
         }

@@ -247,6 +247,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         step_: T,
         accelerations_: &mut ::mstmm::nalgebra::SVector<T, 11>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
+        ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
         let c_ = T::constant;
         let [hook_angle_] = ::mstmm::generated::piece::<T, 1>(state_.q.as_slice(), 10);
         let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
@@ -511,10 +512,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         >(results0_.as_mut_slice(), 10, 1) {
             *o0_ = -t62_;
         }
-        ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
-        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::require(regular0_, "joint")?;
-        ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
+        if !::mstmm::generated::regular::<T, _, _>([], [], [state_.t]) {
+            return ::core::result::Result::Err(
+                ::mstmm::generated::irregular::<T, _>(&[], [], []),
+            );
+        }
         ::mstmm::generated::all_finite::<T>(results0_.as_slice())?;
         accelerations_.data.0 = [results0_];
         ::core::result::Result::Ok(())
@@ -546,6 +549,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         inputs_: &RopeInputs<T>,
         accelerations_: &mut ::mstmm::nalgebra::SVector<T, 11>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
+        ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
         let c_ = T::constant;
         let [hook_angle_] = ::mstmm::generated::piece::<T, 1>(state_.q.as_slice(), 10);
         let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
@@ -798,10 +802,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         >(results0_.as_mut_slice(), 10, 1) {
             *o0_ = -t58_;
         }
-        ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
-        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
         ::mstmm::generated::require(regular0_, "joint")?;
-        ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
+        if !::mstmm::generated::regular::<T, _, _>([], [], [state_.t]) {
+            return ::core::result::Result::Err(
+                ::mstmm::generated::irregular::<T, _>(&[], [], []),
+            );
+        }
         ::mstmm::generated::all_finite::<T>(results0_.as_slice())?;
         accelerations_.data.0 = [results0_];
         ::core::result::Result::Ok(())
@@ -858,6 +864,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         inputs_: &RopeInputs<T>,
         at_: &mut RopeWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
+        let checked_ = (|| {
+            ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
+            ::core::result::Result::Ok(())
+        })();
+        if let ::core::result::Result::Err(error_) = checked_ {
+            ::mstmm::generated::take_back(at_, || self.workspace());
+            return ::core::result::Result::Err(error_);
+        }
         let c_ = T::constant;
         let [hook_angle_] = ::mstmm::generated::piece::<T, 1>(state_.q.as_slice(), 10);
         let [hook_rate_] = ::mstmm::generated::piece::<T, 1>(state_.v.as_slice(), 10);
@@ -1511,10 +1525,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o0_ = c_(0.0);
         }
         let checked_ = (|| {
-            ::mstmm::generated::all_finite::<T>(state_.v.as_slice())?;
-            ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
             ::mstmm::generated::require(regular0_, "joint")?;
-            ::mstmm::generated::regular::<T, _, _>(&[], [], [], [])?;
+            ::core::result::Result::Ok(())
+        })();
+        if let ::core::result::Result::Err(error_) = checked_ {
+            ::mstmm::generated::take_back(at_, || self.workspace());
+            return ::core::result::Result::Err(error_);
+        }
+        if !::mstmm::generated::regular::<T, _, _>([], [], [state_.t]) {
+            let error_ = ::mstmm::generated::irregular::<T, _>(&[], [], []);
+            ::mstmm::generated::take_back(at_, || self.workspace());
+            return ::core::result::Result::Err(error_);
+        }
+        let checked_ = (|| {
             ::mstmm::generated::all_finite::<T>(results0_.as_slice())?;
             ::core::result::Result::Ok(())
         })();

@@ -139,12 +139,15 @@ impl<T: ::mstmm::Scalar> Top<T> {
             c_(117.60000000000001),
             minus_tip_w1_,
         );
-        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
-        ::mstmm::generated::regular::<
+        if !::mstmm::generated::regular::<
             T,
             _,
             _,
-        >(&[], [], [], [tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)])?;
+        >([], [], [state_.t, tip_a_ang_x_, -minus_tip_a_ang_y_]) {
+            return ::core::result::Result::Err(
+                ::mstmm::generated::irregular::<T, _>(&[], [], []),
+            );
+        }
         accelerations_.data.0 = [[tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)]];
         ::core::result::Result::Ok(())
     }
@@ -243,16 +246,12 @@ impl<T: ::mstmm::Scalar> Top<T> {
         *n22_ = minus_tip_a_ang_y_;
         ::mstmm::generated::written();
         let tip_a_ang_x_ = T::mul_add(tip_turn_z_y_, c_(117.60000000000001), tip_w0_);
-        let checked_ = (|| {
-            ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
-            ::mstmm::generated::regular::<
-                T,
-                _,
-                _,
-            >(&[], [], [], [tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)])?;
-            ::core::result::Result::Ok(())
-        })();
-        if let ::core::result::Result::Err(error_) = checked_ {
+        if !::mstmm::generated::regular::<
+            T,
+            _,
+            _,
+        >([], [], [state_.t, -minus_tip_a_ang_y_, tip_a_ang_x_]) {
+            let error_ = ::mstmm::generated::irregular::<T, _>(&[], [], []);
             ::mstmm::generated::take_back(at_, || self.workspace());
             return ::core::result::Result::Err(error_);
         }

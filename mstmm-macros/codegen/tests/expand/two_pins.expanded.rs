@@ -265,17 +265,22 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             t75_,
             minus_end_x4_,
         );
-        ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
-        ::mstmm::generated::regular::<
+        if !::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
-            &["shoulder"],
             [shoulder_d_],
             [c_(2.9266666666666667)],
-            [-minus_shoulder_beta0_, end_x5_],
-        )?;
+            [state_.t, end_x5_, -minus_shoulder_beta0_],
+        ) {
+            return ::core::result::Result::Err(
+                ::mstmm::generated::irregular::<
+                    T,
+                    _,
+                >(&["shoulder"], [shoulder_d_], [c_(2.9266666666666667)]),
+            );
+        }
         accelerations_.data.0 = [[-minus_shoulder_beta0_, end_x5_]];
         ::core::result::Result::Ok(())
     }
@@ -536,21 +541,19 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         ::mstmm::generated::written();
         /// Inertia beyond the hinges, to be divided by.
         let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
-        let checked_ = (|| {
-            ::mstmm::generated::finite::<T>(&[&[state_.t]])?;
-            ::mstmm::generated::regular::<
+        if !::mstmm::generated::regular::<
+            T,
+            _,
+            _,
+        >(
+            [shoulder_d_],
+            [c_(2.9266666666666667)],
+            [state_.t, -minus_shoulder_beta0_, end_x5_],
+        ) {
+            let error_ = ::mstmm::generated::irregular::<
                 T,
                 _,
-                _,
-            >(
-                &["shoulder"],
-                [shoulder_d_],
-                [c_(2.9266666666666667)],
-                [-minus_shoulder_beta0_, end_x5_],
-            )?;
-            ::core::result::Result::Ok(())
-        })();
-        if let ::core::result::Result::Err(error_) = checked_ {
+            >(&["shoulder"], [shoulder_d_], [c_(2.9266666666666667)]);
             ::mstmm::generated::take_back(at_, || self.workspace());
             return ::core::result::Result::Err(error_);
         }
