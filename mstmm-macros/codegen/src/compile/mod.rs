@@ -11,7 +11,7 @@ pub use places::{Place, Places, PointPlaces, Sight};
 use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
 use crate::expr::{Expr, Graph, Stage};
 use crate::model::{Chain, Hinge, HingeId, HingeKind, Layout, Method, Passive, Value};
-use crate::passes::{Setup, issue};
+use crate::passes::{Setup, issue, opposite};
 use crate::program::Program;
 use crate::symbols::Symbols;
 
@@ -182,7 +182,8 @@ impl<'a, 'g> Scene<'a, 'g> {
             equations::accelerations(&situation, method, AXES, trace)
         });
         let (groups, hinges) = self.split(&solved);
-        (issue(self.program(Stage::State, &trace, &groups, &turns, setup)), hinges)
+        let program = self.program(Stage::State, &trace, &groups, &turns, setup);
+        (issue(opposite(program, groups::ACCELERATIONS)), hinges)
     }
 
     fn solution(&self, method: Method, setup: &mut Setup) -> (Program, Places, Option<usize>) {

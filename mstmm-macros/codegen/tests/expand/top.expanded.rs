@@ -134,7 +134,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let minus_tip_turn_z_x_ = T::mul_neg_add(tip_qx_, t1_, t2_);
         /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
         let tip_a_ang_x_ = T::mul_add(tip_turn_z_y_, c_(117.60000000000001), tip_w0_);
-        let minus_tip_a_ang_y_ = T::mul_neg_add(
+        let tip_a_ang_y_ = T::mul_sub(
             minus_tip_turn_z_x_,
             c_(117.60000000000001),
             minus_tip_w1_,
@@ -143,12 +143,12 @@ impl<T: ::mstmm::Scalar> Top<T> {
             T,
             _,
             _,
-        >([], [], [state_.t, tip_a_ang_x_, -minus_tip_a_ang_y_]) {
+        >([], [], [state_.t, tip_a_ang_x_, tip_a_ang_y_]) {
             return ::core::result::Result::Err(
                 ::mstmm::generated::irregular::<T, _>(&[], [], []),
             );
         }
-        accelerations_.data.0 = [[tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)]];
+        accelerations_.data.0 = [[tip_a_ang_x_, tip_a_ang_y_, c_(0.0)]];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges by value; see
