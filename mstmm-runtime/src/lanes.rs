@@ -9,7 +9,7 @@ use crate::{Mask, Scalar};
 
 /// Implements [`Scalar`] for lanes of a primitive. Operations are those of IEEE 754, lane by lane.
 macro_rules! lanes {
-    ($($lanes:ident of $real:ident, bits $bits:ident of $integer:ident, $precision:ident;)*) => { $(
+    ($($lanes:ident ($($number:literal)*) of $real:ident, bits $bits:ident of $integer:ident, $precision:ident;)*) => { $(
         /// All bits of a lane are set where it is true.
         impl Mask for $lanes {
             #[inline(always)]
@@ -27,14 +27,16 @@ macro_rules! lanes {
             type Mask = $lanes;
             type Real = $real;
 
+            const EXPLICIT_SPILLS: bool = true;
+
             #[inline(always)]
             fn constant(value: f64) -> Self {
-                $lanes::splat(value as $real)
+                <Self as Scalar>::splat(value as $real)
             }
 
             #[inline(always)]
             fn epsilon() -> Self {
-                $lanes::splat($real::EPSILON)
+                <Self as Scalar>::splat($real::EPSILON)
             }
 
             #[cfg(all(feature = "fma", any(target_feature = "fma", target_arch = "aarch64")))]
@@ -57,7 +59,7 @@ macro_rules! lanes {
 
             #[inline(always)]
             fn recip(self) -> Self {
-                $lanes::splat(1.0) / self
+                Self::constant(1.0) / self
             }
 
             #[inline(always)]
@@ -98,7 +100,7 @@ macro_rules! lanes {
 
             #[inline(always)]
             fn finite(self) -> Self {
-                $lanes::splat($real::INFINITY).simd_gt($lanes::abs(self))
+                Self::constant(f64::INFINITY).simd_gt($lanes::abs(self))
             }
 
             // In four sums: a processor has room for fewer instructions on vectors while it waits.
@@ -128,9 +130,13 @@ macro_rules! lanes {
                 })
             }
 
+            // Not by an array of copies, `[value; N]`, as in `$lanes::splat`: that is a loop until the compiler
+            // is nearly done, and it orders the statements around loops anew.
             #[inline(always)]
             fn splat(value: $real) -> Self {
-                $lanes::splat(value)
+                let mut copies = Self::default();
+                $(copies.as_mut_array()[$number] = value;)*
+                copies
             }
         }
 
@@ -151,10 +157,10 @@ macro_rules! lanes {
 }
 
 lanes! {
-    f32x4 of f32, bits u32x4 of u32, single;
-    f32x8 of f32, bits u32x8 of u32, single;
-    f32x16 of f32, bits u32x16 of u32, single;
-    f64x2 of f64, bits u64x2 of u64, double;
-    f64x4 of f64, bits u64x4 of u64, double;
-    f64x8 of f64, bits u64x8 of u64, double;
+    f32x4 (0 1 2 3) of f32, bits u32x4 of u32, single;
+    f32x8 (0 1 2 3 4 5 6 7) of f32, bits u32x8 of u32, single;
+    f32x16 (0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15) of f32, bits u32x16 of u32, single;
+    f64x2 (0 1) of f64, bits u64x2 of u64, double;
+    f64x4 (0 1 2 3) of f64, bits u64x4 of u64, double;
+    f64x8 (0 1 2 3 4 5 6 7) of f64, bits u64x8 of u64, double;
 }

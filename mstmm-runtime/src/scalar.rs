@@ -57,6 +57,13 @@ pub trait Scalar:
     /// It is of the same precision as the lanes; for `f32` and `f64` it is the type itself.
     type Real: Scalar<Real = Self::Real, Mask = bool> + PartialOrd;
 
+    /// Whether generated code chooses itself which values it keeps in memory until they are needed again.
+    ///
+    /// It is `false` unless a type says otherwise, and then the compiler chooses, which for one number a register
+    /// does it about as well. For lanes of SIMD registers the generated code does it better, and all of `wide`'s
+    /// that are numbers here leave it to it. Nothing but speed hangs on it.
+    const EXPLICIT_SPILLS: bool = false;
+
     /// The number nearest to `value`. For a literal it is computed while compiling.
     fn constant(value: f64) -> Self;
 

@@ -10,9 +10,9 @@ pub use places::{Place, Places, PointPlaces, Sight};
 
 use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
 use crate::expr::{Expr, Graph, Stage};
-use crate::model::{Chain, Hinge, HingeId, HingeKind, Layout, Method, Passive, Value};
-use crate::passes::{Setup, issue, opposite};
-use crate::program::Program;
+use crate::model::{Chain, Driven, Hinge, HingeId, HingeKind, Layout, Method, Passive, Value};
+use crate::passes::{Setup, issue, opposite, spills};
+use crate::program::{Program, Spills};
 use crate::symbols::Symbols;
 
 /// Everything that is computed for a chain, as programs.
@@ -31,6 +31,8 @@ pub struct Programs {
     pub start: Program,
     /// `q`, `v`, inputs to `v̇`, pivots and their scales.
     pub accelerations: Program,
+    /// Which values of it are kept in memory meanwhile.
+    pub spills: Option<Spills>,
     /// The same for a linearly implicit step, where that makes a difference, and the hinges that its
     /// pivots belong to.
     pub implicit: Option<(Program, Vec<HingeId>)>,
@@ -85,6 +87,7 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
         setup,
         checks,
         start,
+        spills: spills(&accelerations, |number| scene.is_read_often(number)),
         accelerations,
         implicit,
         pivots,
@@ -165,6 +168,15 @@ impl<'a, 'g> Scene<'a, 'g> {
 
     fn accelerations(&self, method: Method, setup: &mut Setup) -> (Program, Vec<HingeId>) {
         self.solved(method, setup, |situation| situation)
+    }
+
+    /// Whether an unknown may be read more than once: a prescribed motion is taken apart.
+    fn is_read_often(&self, number: u32) -> bool {
+        let mut prescribed =
+            self.layout.inputs.iter().filter(|input| matches!(input.what, Driven::Motion(_)));
+        let first = self.symbols.inputs().start;
+        let place = (number as usize).checked_sub(first);
+        place.is_none_or(|place| !prescribed.any(|input| input.range.contains(&place)))
     }
 
     fn implicit(&self, method: Method, setup: &mut Setup) -> (Program, Vec<HingeId>) {

@@ -5,7 +5,7 @@ use super::delivery::Deliveries;
 use super::looped::{self, Masks, Target};
 use super::names::local;
 use super::spread::Spread;
-use super::statement::Writer;
+use super::statement::{Around, Writer};
 use crate::compile::groups;
 use crate::program::{Loop, Operand, Program, Section, Statement};
 use proc_macro2::{Delimiter, Group, TokenStream};
@@ -77,8 +77,12 @@ impl Plan<'_> {
     ) -> TokenStream {
         let mut writer = Writer::after(self, opened.statements);
         writer.add(deliveries.at_once());
-        let mut after = |statement: &Statement| deliveries.after(statement);
-        writer.sections_with(program.sections(), is_long(program), &mut after);
+        let mut around = |writer: &mut Writer, around: Around| {
+            if let Around::Behind(statement) = around {
+                writer.add(deliveries.after(statement));
+            }
+        };
+        writer.sections_with(program.sections(), is_long(program), &mut around);
         writer.finish()
     }
 
@@ -113,7 +117,7 @@ impl Plan<'_> {
     }
 
     /// The results of a program whose statements are still to come.
-    fn results(&self, program: &Program, reading: TokenStream) -> Results {
+    pub(super) fn results(&self, program: &Program, reading: TokenStream) -> Results {
         let operands = |group: &Vec<Operand>| -> Vec<TokenStream> {
             group.iter().map(|operand| self.operand(operand)).collect()
         };
@@ -175,7 +179,7 @@ impl Plan<'_> {
         writer.finish()
     }
 
-    fn symbol(&self, number: u32) -> proc_macro2::Ident {
+    pub(super) fn symbol(&self, number: u32) -> proc_macro2::Ident {
         local(&self.programs.symbols.names()[number as usize])
     }
 
@@ -214,7 +218,7 @@ pub fn is_long(program: &Program) -> bool {
     program.sections().map(|section| section.statements.len()).sum::<usize>() > NESTED_SCOPES
 }
 
-fn reads(program: &Program, number: usize) -> bool {
+pub(super) fn reads(program: &Program, number: usize) -> bool {
     program.symbols.binary_search(&(number as u32)).is_ok()
 }
 

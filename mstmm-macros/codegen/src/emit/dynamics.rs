@@ -43,8 +43,10 @@ fn accelerations(plan: &Plan) -> TokenStream {
     let visibility = &plan.surface.visibility;
     let freedoms = usize_literal(Spread::freedoms(plan).total);
     let program = &plan.programs.accelerations;
-    let target = Target::new(0, Spread::freedoms(plan));
-    let block = plan.step(program, &[target], true);
+    let block = match &plan.programs.spills {
+        Some(spills) => plan.spilling(program, spills),
+        None => plan.step(program, &[Target::new(0, Spread::freedoms(plan))], true),
+    };
     let check = check(plan, program, &block, &plan.programs.pivots);
     let (results, given, found) = (&block.arrays[0], &check.given, check.found());
     let statements = block.statements;

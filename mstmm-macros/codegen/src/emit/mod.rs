@@ -14,6 +14,7 @@ mod places;
 mod references;
 mod repeated;
 mod solution;
+mod spill;
 mod spread;
 mod state;
 mod statement;

@@ -11,6 +11,14 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenS
 /// So many names are declared at once where they are declared before they are computed.
 const DECLARED: usize = 500;
 
+/// Where something is written between statements.
+pub enum Around<'a> {
+    /// Before a statement.
+    Before,
+    /// Behind this one.
+    Behind(&'a Statement),
+}
+
 /// Tokens that are being written.
 pub struct Writer<'a> {
     plan: &'a Plan<'a>,
@@ -41,15 +49,15 @@ impl<'a> Writer<'a> {
     /// The statements of sections with their headings; `flat` if names are declared
     /// before they are computed.
     pub fn sections<'s>(&mut self, sections: impl IntoIterator<Item = &'s Section>, flat: bool) {
-        self.sections_with(sections, flat, &mut |_| TokenStream::new());
+        self.sections_with(sections, flat, &mut |_, _| ());
     }
 
-    /// The statements of sections, with what `after` has to say behind each of them.
+    /// The statements of sections, with what `around` has to say before and behind each of them.
     pub fn sections_with<'s>(
         &mut self,
         sections: impl IntoIterator<Item = &'s Section>,
         flat: bool,
-        after: &mut dyn FnMut(&Statement) -> TokenStream,
+        around: &mut dyn FnMut(&mut Self, Around),
     ) {
         let sections: Vec<&Section> = sections.into_iter().collect();
         let mut headings = by_heading(sections.iter().copied());
@@ -62,12 +70,13 @@ impl<'a> Writer<'a> {
                 self.documentation(&format!(" {}.", section.title));
             }
             for statement in &section.statements {
+                around(self, Around::Before);
                 if !flat {
                     self.word("let");
                 }
                 self.statement(statement);
                 self.sign(';');
-                self.tokens.extend(after(statement));
+                around(self, Around::Behind(statement));
             }
         }
     }
@@ -152,6 +161,15 @@ impl<'a> Writer<'a> {
         });
     }
 
+    /// `let name = …;`
+    pub fn assign(&mut self, name: &str, write: impl FnOnce(&mut Self)) {
+        self.word("let");
+        self.local(name);
+        self.sign('=');
+        write(self);
+        self.sign(';');
+    }
+
     fn operation(&mut self, operation: &Operation) {
         match operation {
             Operation::Sum(a, b) => self.infix(a, '+', b),
@@ -165,12 +183,17 @@ impl<'a> Writer<'a> {
             Operation::CopySign(a, b) => self.call("copysign", [a, b]),
             Operation::Atan2(a, b) => self.call("atan2", [a, b]),
             Operation::RecipAbove(a, b) => {
-                self.tokens.extend(self.plan.mstmm.clone());
-                self.step_into("generated");
-                self.step_into("recip_above");
+                self.generated("recip_above");
                 self.arguments([a, b]);
             }
         }
+    }
+
+    /// A function that the crate keeps for generated code.
+    pub fn generated(&mut self, function: &str) {
+        self.tokens.extend(self.plan.mstmm.clone());
+        self.step_into("generated");
+        self.step_into(function);
     }
 
     fn infix(&mut self, a: &Operand, sign: char, b: &Operand) {
@@ -247,13 +270,15 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn group(&mut self, delimiter: Delimiter, write: impl FnOnce(&mut Self)) {
+    /// What stands in brackets.
+    pub fn group(&mut self, delimiter: Delimiter, write: impl FnOnce(&mut Self)) {
         let mut inner = Writer::new(self.plan);
         write(&mut inner);
         self.tokens.push(Group::new(delimiter, inner.finish()).into());
     }
 
-    fn local(&mut self, name: &str) {
+    /// A local variable.
+    pub fn local(&mut self, name: &str) {
         self.tokens.push(local(name).into());
     }
 
@@ -261,11 +286,13 @@ impl<'a> Writer<'a> {
         self.tokens.push(Ident::new(word, Span::call_site()).into());
     }
 
-    fn sign(&mut self, sign: char) {
+    /// A sign that stands for itself.
+    pub fn sign(&mut self, sign: char) {
         self.tokens.push(Punct::new(sign, Spacing::Alone).into());
     }
 
-    fn literal(&mut self, literal: Literal) {
+    /// A literal.
+    pub fn literal(&mut self, literal: Literal) {
         self.tokens.push(literal.into());
     }
 }

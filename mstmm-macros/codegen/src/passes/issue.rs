@@ -31,6 +31,12 @@ pub fn issue(mut program: Program) -> Program {
     program
 }
 
+/// Whether there is too little work to fill the time that statements wait.
+pub(super) fn waits(statements: &[&Statement]) -> bool {
+    let dependencies = Dependencies::of(statements);
+    dependencies.wait(&dependencies.depths())
+}
+
 /// The sections of a block.
 fn issued(sections: Vec<Section>) -> Vec<Section> {
     let owners = sections.iter().enumerate();
@@ -41,10 +47,7 @@ fn issued(sections: Vec<Section>) -> Vec<Section> {
         sections.iter().flat_map(|section| &section.statements).collect();
     let dependencies = Dependencies::of(&statements);
     let depths = dependencies.depths();
-    let ends = depths.iter().zip(&dependencies.latencies).map(|(depth, latency)| depth + latency);
-    let longest = ends.max().unwrap_or(0);
-    let room = f64::from(longest * OPERATIONS) / f64::from(CYCLES);
-    if statements.len() as f64 > ENOUGH * room {
+    if !dependencies.wait(&depths) {
         return sections;
     }
     let order = dependencies.order(&depths);
@@ -107,6 +110,14 @@ impl Dependencies {
             depths.push(depth.unwrap_or(0));
         }
         depths
+    }
+
+    /// Whether statements of these depths wait for one another, with too little work meanwhile.
+    fn wait(&self, depths: &[u32]) -> bool {
+        let ends = depths.iter().zip(&self.latencies).map(|(depth, latency)| depth + latency);
+        let longest = ends.max().unwrap_or(0);
+        let room = f64::from(longest * OPERATIONS) / f64::from(CYCLES);
+        depths.len() as f64 <= ENOUGH * room
     }
 
     /// The numbers of the statements in the order in which they should run.

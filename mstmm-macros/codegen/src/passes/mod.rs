@@ -8,6 +8,7 @@
 //! 6. [`schedule()`] puts what is live under the headings of a trace and names it.
 //! 7. [`opposite()`] gives results their own signs.
 //! 8. [`issue()`] orders the statements so that a processor waits little.
+//! 9. [`spills()`] finds which values are kept in memory meanwhile.
 //!
 //! Folding, signs and common subexpressions need no pass: the graph's rules see to them while the
 //! formulas are written down.
@@ -28,6 +29,7 @@ mod opposite;
 mod order;
 mod schedule;
 mod setup;
+mod spill;
 mod sums;
 mod turns;
 
@@ -40,4 +42,5 @@ pub use opposite::opposite;
 pub use order::order;
 pub use schedule::{Heading, Unknowns, schedule};
 pub use setup::Setup;
+pub use spill::spills;
 pub use turns::{Carry, Home, Turn, Turns, needed_carries};

@@ -3,8 +3,10 @@
 
 mod cost;
 mod shown;
+mod spills;
 
 pub use cost::{Cost, Headed, by_heading};
+pub use spills::{Move, Spills};
 
 /// A program.
 #[derive(Clone, Debug, PartialEq)]

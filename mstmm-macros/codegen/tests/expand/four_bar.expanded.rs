@@ -132,13 +132,26 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         accelerations_: &mut ::mstmm::nalgebra::SVector<T, 4>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         let c_ = T::constant;
-        let [[crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]] = state_
-            .q
-            .data
-            .0;
-        let [[crank_pin_rate_, a_rate_, b_rate_, ..]] = state_.v.data.0;
-        let crank_pin_input0_ = inputs_.crank_pin;
+        let [q_] = &state_.q.data.0;
+        let [v_] = &state_.v.data.0;
+        let input_crank_pin_ = &inputs_.crank_pin;
+        /// Room for values until they are needed again, and references to read unknowns again.
+        let mut room_ = ::mstmm::generated::room::<T, 21>();
+        let (room_, self_again_, state_again_, inputs_again_) = ::mstmm::generated::in_memory::<
+            T,
+            _,
+        >((&mut room_, self, state_, inputs_));
+        let [place0_, place1_, place2_, place3_, place4_, place5_, place6_, place7_,
+        place8_, place9_, place10_, place11_, place12_, place13_, place14_, place15_,
+        place16_, place17_, place18_, place19_, place20_] = room_;
+        let [q_again_] = &state_again_.q.data.0;
+        let [v_again_] = &state_again_.v.data.0;
+        let input_crank_pin_again_ = &inputs_again_.crank_pin;
         /// Motion across `crank_pin`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 4 sin/cos.
+        let crank_pin_angle_ = q_[0];
+        let a_angle_ = q_[1];
+        let b_angle_ = q_[2];
+        let rocker_pin_angle_ = q_[3];
         let (
             [sin_crank_pin_angle_,
             sin_a_angle_,
@@ -206,16 +219,32 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Closure.
         let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
         let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
+        let a_j_zz_spilled_ = ::mstmm::generated::spill(place0_, a_j_zz_);
         let t47_ = sin_a_angle_ * t44_;
+        let crank_pin_j_zz_spilled_ = ::mstmm::generated::spill(
+            place1_,
+            crank_pin_j_zz_,
+        );
         let t34_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t12_spilled_ = ::mstmm::generated::spill(place2_, t12_);
         let t35_ = sin_rocker_pin_angle_ * c_(2.5);
         let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
         let t48_ = T::mul_add(cos_a_angle_, t45_, t47_);
         let t76_ = cos_a_angle_ * t44_;
+        let t14_spilled_ = ::mstmm::generated::spill(place3_, t14_);
         let t37_ = t34_ * t35_;
         let t55_ = t54_ * c_(0.36);
+        let cos_crank_pin_angle_spilled_ = ::mstmm::generated::spill(
+            place4_,
+            cos_crank_pin_angle_,
+        );
         let t43_ = t42_ * t8_;
+        let sin_crank_pin_angle_spilled_ = ::mstmm::generated::spill(
+            place5_,
+            sin_crank_pin_angle_,
+        );
         let t49_ = c_(0.2) * t48_;
+        let t24_spilled_ = ::mstmm::generated::spill(place6_, t24_);
         let t67_ = t39_ * t39_;
         let t77_ = T::mul_neg_add(sin_a_angle_, t45_, t76_);
         let t56_ = T::mul_add(t34_, t34_, t55_);
@@ -223,12 +252,14 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t50_ = t49_ * t32_;
         let t68_ = T::mul_add(t41_, t41_, t67_);
         let t69_ = t42_ * t42_;
+        let t42_spilled_ = ::mstmm::generated::spill(place7_, t42_);
         let t81_ = t77_ * t77_;
         let closure_d0_ = T::mul_add(t49_, t50_, t46_);
         let t57_ = t56_ * c_(4.166666666666667);
         let t70_ = T::mul_add(t68_, c_(0.72), t69_);
         let t82_ = T::mul_add(t48_, t48_, t81_);
         let t83_ = t49_ * t49_;
+        let t48_spilled_ = ::mstmm::generated::spill(place8_, t48_);
         let t89_ = T::copysign(closure_d0_, c_(1.0));
         let t71_ = T::mul_add(t8_, t70_, t57_);
         let t84_ = T::mul_add(t82_, c_(0.76), t83_);
@@ -244,16 +275,32 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t62_ = T::mul_add(sin_b_angle_, t58_, t61_);
         let t65_ = c_(0.6) * t64_;
         let t94_ = ::mstmm::generated::recip_above(t92_, t93_);
+        let t49_spilled_ = ::mstmm::generated::spill(place9_, t49_);
         let t72_ = T::mul_neg_add(t65_, a_z0_force_x_, t62_);
+        let a_z0_force_x_spilled_ = ::mstmm::generated::spill(place10_, a_z0_force_x_);
         let t96_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
+        let t77_spilled_ = ::mstmm::generated::spill(place11_, t77_);
         let t73_ = T::mul_neg_add(t65_, a_z0_force_y_, t64_);
+        let a_z0_force_y_spilled_ = ::mstmm::generated::spill(place12_, a_z0_force_y_);
         let t78_ = sin_a_angle_ * t72_;
+        let sin_rocker_pin_angle_spilled_ = ::mstmm::generated::spill(
+            place13_,
+            sin_rocker_pin_angle_,
+        );
         let t51_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t39_spilled_ = ::mstmm::generated::spill(place14_, t39_);
         let t52_ = cos_rocker_pin_angle_ * c_(2.5);
         let t79_ = T::mul_add(cos_a_angle_, t73_, t78_);
+        let cos_rocker_pin_angle_spilled_ = ::mstmm::generated::spill(
+            place15_,
+            cos_rocker_pin_angle_,
+        );
         let t59_ = t51_ * t35_;
+        let t35_spilled_ = ::mstmm::generated::spill(place16_, t35_);
         let t60_ = t51_ * t52_;
+        let t52_spilled_ = ::mstmm::generated::spill(place17_, t52_);
         let t66_ = t65_ * t8_;
+        let t18_spilled_ = ::mstmm::generated::spill(place18_, t18_);
         let t80_ = c_(0.2) * t79_;
         let t74_ = T::mul_neg_add(t65_, t43_, t59_);
         let t95_ = t92_ * t94_;
@@ -275,6 +322,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t107_ = T::mul_add(c_(0.72), t105_, t106_);
         let t112_ = T::mul_add(t79_, t79_, t111_);
         let t113_ = t80_ * t80_;
+        let t43_spilled_ = ::mstmm::generated::spill(place19_, t43_);
         let t120_ = T::copysign(closure_d1_, c_(1.0));
         let t108_ = T::mul_add(t8_, t107_, t102_);
         let t114_ = T::mul_add(c_(0.76), t112_, t113_);
@@ -286,10 +334,13 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t129_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
         let t130_ = t129_ * t129_;
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
+        let crank_pin_rate_ = v_[0];
+        let a_rate_ = v_[1];
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         /// Closure.
         let t131_ = ::mstmm::generated::recip_above(t130_, c_(1.0));
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
+        let b_rate_ = v_[2];
         let b_omega_z_ = b_rate_ + a_omega_z_;
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t2_ = b_omega_z_ * b_omega_z_;
@@ -304,6 +355,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Closure.
         let t127_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
         /// Riccati transfer over `a`.
+        let t50_spilled_ = ::mstmm::generated::spill(place20_, t50_);
         let t7_ = sin_b_angle_ * minus_b_e_force_x_;
         /// Closure.
         let t132_ = T::sqrt(t131_);
@@ -327,6 +379,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Closure.
         let t134_ = T::mul_neg_add(closure_d1_, t128_, c_(1.0));
         /// Motion across `a`.
+        let crank_pin_rate_ = v_again_[0];
         let t0_ = crank_pin_rate_ * crank_pin_rate_;
         /// Riccati transfer over `crank_pin`.
         let t21_ = t16_ * t20_;
@@ -338,6 +391,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Motion across `a`.
         let minus_a_centripetal_x_ = t0_ * c_(0.2);
         /// Riccati transfer over `crank_pin`.
+        let t18_ = *t18_spilled_;
         let crank_pin_k_xy_ = T::mul_neg_add(t18_, t19_, t21_);
         let t31_ = T::mul_neg_add(sin_a_angle_, t30_, t27_);
         /// Closure.
@@ -351,28 +405,39 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Closure.
         let t138_ = t134_ * t134_;
         let t137_ = T::mul_neg_add(t133_, t136_, t135_);
+        let cos_rocker_pin_angle_ = *cos_rocker_pin_angle_spilled_;
         let t99_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
         /// Riccati transfer over `crank_pin`.
         let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
+        let crank_pin_input0_ = *input_crank_pin_;
         let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
+        let t24_ = *t24_spilled_;
         let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t24_, c_(0.1));
         /// Closure.
         let t139_ = T::mul_add(t137_, t137_, t138_);
+        let t39_ = *t39_spilled_;
         let t103_ = minus_b_centripetal_x_ * t39_;
+        let t42_ = *t42_spilled_;
         let t144_ = T::mul_neg_add(t42_, a_w0_, t99_);
         /// Riccati transfer over `crank_pin`.
         let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
         let crank_pin_w0_ = t33_ * t32_;
         let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t32_;
         /// Closure.
+        let sin_rocker_pin_angle_ = *sin_rocker_pin_angle_spilled_;
         let t100_ = sin_rocker_pin_angle_ * minus_b_e_force_x_;
         let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
+        let sin_crank_pin_angle_ = *sin_crank_pin_angle_spilled_;
         let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
+        let cos_crank_pin_angle_ = *cos_crank_pin_angle_spilled_;
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
         let t150_ = T::mul_neg_add(minus_b_centripetal_x_, t62_, c_(9.8));
+        let t77_ = *t77_spilled_;
         let t147_ = T::mul_add(minus_a_centripetal_x_, t77_, t103_);
+        let t49_ = *t49_spilled_;
         let t115_ = T::mul_neg_add(t49_, crank_pin_z0_force_x_, t77_);
         let t145_ = T::mul_sub(t49_, crank_pin_w0_, t144_);
+        let t48_ = *t48_spilled_;
         let t116_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
         let t154_ = T::mul_neg_add(t65_, a_w0_, t100_);
         let t151_ = T::mul_sub(minus_a_centripetal_x_, t110_, t150_);
@@ -394,18 +459,22 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t162_ = T::mul_neg_add(t133_, t161_, t160_);
         let t142_ = t137_ * t141_;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
+        let sin_crank_pin_angle_ = *sin_crank_pin_angle_spilled_;
         let t165_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
         /// Closure.
         let t143_ = t134_ * t141_;
         let t163_ = t142_ * t162_;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 13 mul, 10 add, 0 reciprocal.
+        let a_z0_force_x_ = *a_z0_force_x_spilled_;
         let t172_ = cos_a_angle_ * a_z0_force_x_;
         /// Acceleration of `crank_pin`.
+        let cos_crank_pin_angle_ = *cos_crank_pin_angle_spilled_;
         let t166_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t165_);
         /// Closure.
         let t164_ = T::mul_add(t143_, t159_, t163_);
         /// Acceleration of `a`.
         let t174_ = sin_a_angle_ * a_z0_force_x_;
+        let a_z0_force_y_ = *a_z0_force_y_spilled_;
         let t173_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t172_);
         /// Acceleration of `crank_pin`.
         let t167_ = T::mul_sub(c_(9.8), t166_, crank_pin_w0_);
@@ -424,10 +493,13 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t178_ = T::mul_neg_add(crank_pin_a_lin_y_, t175_, a_w0_);
         let t180_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t177_);
         /// Acceleration of `crank_pin`.
+        let t50_ = *t50_spilled_;
         let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t168_);
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 10 mul, 6 add, 0 reciprocal.
+        let t35_ = *t35_spilled_;
         let t185_ = t35_ * closure_reaction0_;
         /// Acceleration of `a`.
+        let t43_ = *t43_spilled_;
         let t179_ = T::mul_sub(t43_, closure_reaction0_, t178_);
         let t181_ = T::mul_add(t176_, minus_crank_pin_a_ang_z_, t180_);
         /// Acceleration of `b`.
@@ -440,6 +512,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             crank_pin_a_lin_y_,
         );
         /// Acceleration of `b`.
+        let t52_ = *t52_spilled_;
         let t188_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t185_);
         /// Acceleration of `a`.
         let minus_a_a_ang_z_ = t179_ - t181_;
@@ -456,7 +529,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Acceleration of `b`.
         let t190_ = T::mul_add(t182_, t187_, t189_);
         /// Results: 1 mul, 5 add, 0 reciprocal.
+        let t14_ = *t14_spilled_;
         let t193_ = c_(4.0) + t14_;
+        let t12_ = *t12_spilled_;
         let t194_ = t12_ - t193_;
         /// Acceleration of `b`.
         let minus_b_a_ang_z_ = T::mul_sub(t183_, a_a_lin_y_, t190_);
@@ -468,6 +543,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         );
         let t191_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
         let t192_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let a_j_zz_ = *a_j_zz_spilled_;
+        let crank_pin_j_zz_ = *crank_pin_j_zz_spilled_;
         if !::mstmm::generated::regular::<
             T,
             _,
