@@ -27,7 +27,9 @@ macro_rules! lanes {
             type Mask = $lanes;
             type Real = $real;
 
-            const EXPLICIT_SPILLS: bool = true;
+            // Where there are 32 registers that hold all lanes. Where a value takes several of 16, most
+            // are spilled by the compiler all the same, which takes it ten times as long.
+            const EXPLICIT_SPILLS: bool = cfg!(target_feature = "avx512f");
 
             #[inline(always)]
             fn constant(value: f64) -> Self {

@@ -60,8 +60,8 @@ pub trait Scalar:
     /// Whether generated code chooses itself which values it keeps in memory until they are needed again.
     ///
     /// It is `false` unless a type says otherwise, and then the compiler chooses, which for one number a register
-    /// does it about as well. For lanes of SIMD registers the generated code does it better, and all of `wide`'s
-    /// that are numbers here leave it to it. Nothing but speed hangs on it.
+    /// does it about as well. For lanes of SIMD registers the generated code does it better, and where the
+    /// target has AVX-512 `wide`'s leave it to it. Nothing but speed hangs on it.
     const EXPLICIT_SPILLS: bool = false;
 
     /// The number nearest to `value`. For a literal it is computed while compiling.
