@@ -179,7 +179,7 @@ impl Plan<'_> {
         writer.finish()
     }
 
-    pub(super) fn symbol(&self, number: u32) -> proc_macro2::Ident {
+    fn symbol(&self, number: u32) -> proc_macro2::Ident {
         local(&self.programs.symbols.names()[number as usize])
     }
 

@@ -12,7 +12,7 @@ use super::spread::Spread;
 use crate::compile::groups;
 use crate::model::HingeId;
 use crate::program::Program;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Group, Literal, TokenStream};
 use quote::quote;
 use std::collections::HashSet;
 
@@ -47,17 +47,7 @@ fn accelerations(plan: &Plan) -> TokenStream {
         Some(spills) => plan.spilling(program, spills),
         None => plan.step(program, &[Target::new(0, Spread::freedoms(plan))], true),
     };
-    let check = check(plan, program, &block, &plan.programs.pivots);
-    let (results, given, found) = (&block.arrays[0], &check.given, check.found());
-    let statements = block.statements;
-    let body = body(
-        quote!(#given #statements),
-        quote! {
-            #found
-            accelerations_.data.0 = [#results];
-            ::core::result::Result::Ok(())
-        },
-    );
+    let body = checked(plan, program, block, &plan.programs.pivots);
     let cost = docs::cost(program);
     let implicit = implicit(plan);
     quote! {
@@ -108,17 +98,7 @@ fn implicit(plan: &Plan) -> Option<TokenStream> {
     let freedoms = usize_literal(Spread::freedoms(plan).total);
     let target = Target::new(0, Spread::freedoms(plan));
     let block = plan.step(program, &[target], true);
-    let check = check(plan, program, &block, pivots);
-    let (results, given, found) = (&block.arrays[0], &check.given, check.found());
-    let statements = block.statements;
-    let body = body(
-        quote!(#given #statements),
-        quote! {
-            #found
-            accelerations_.data.0 = [#results];
-            ::core::result::Result::Ok(())
-        },
-    );
+    let body = checked(plan, program, block, pivots);
     let cost = docs::cost(program);
     let step = local(&plan.programs.symbols.names()[plan.programs.symbols.step().start]);
     Some(quote! {
@@ -134,6 +114,22 @@ fn implicit(plan: &Plan) -> Option<TokenStream> {
             accelerations_: &mut #mstmm::nalgebra::SVector<T, #freedoms>,
         ) -> ::core::result::Result<(), #mstmm::Error> #body
     })
+}
+
+/// The body of a function that computes accelerations: tests around the statements of `block`.
+fn checked(plan: &Plan, program: &Program, block: Results, pivots: &[HingeId]) -> Group {
+    let check = check(plan, program, &block, pivots);
+    let (results, found) = (&block.arrays[0], check.found());
+    let mut statements = check.given;
+    statements.extend(block.statements);
+    body(
+        statements,
+        quote! {
+            #found
+            accelerations_.data.0 = [#results];
+            ::core::result::Result::Ok(())
+        },
+    )
 }
 
 fn energy(plan: &Plan) -> TokenStream {

@@ -79,7 +79,7 @@ fn solved(plan: &Plan) -> Group {
         names.push(quote!(#name));
     }
     let statements = plan.delivering(block, program, deliveries);
-    let given = given(plan, &check);
+    let given = taken_back(plan, &check.given);
     body(
         quote! {
             #given
@@ -92,12 +92,7 @@ fn solved(plan: &Plan) -> Group {
     )
 }
 
-/// Statements that test what is given: where they fail, nothing stays of what has been written.
-fn given(plan: &Plan, check: &Check) -> TokenStream {
-    taken_back(plan, &check.given)
-}
-
-/// The same of what has been found.
+/// The test of what has been found: where it fails, nothing stays of what has been written.
 fn found(plan: &Plan, check: &Check) -> TokenStream {
     let mstmm = &plan.mstmm;
     let Check { repeated_pivots, regular, error, repeated_results, .. } = check;
@@ -114,7 +109,7 @@ fn found(plan: &Plan, check: &Check) -> TokenStream {
     }
 }
 
-/// Statements that may fail, if there are any.
+/// Statements that may fail, if there are any: where they do, nothing stays of what has been written.
 fn taken_back(plan: &Plan, statements: &TokenStream) -> TokenStream {
     if statements.is_empty() {
         return TokenStream::new();
@@ -206,16 +201,17 @@ fn solved_in_loops(plan: &Plan) -> Group {
     }
     let block = plan.step(program, &targets, true);
     let check = check(plan, program, &block, &plan.programs.pivots);
-    let (given, found) = (given(plan, &check), found(plan, &check));
+    let found = found(plan, &check);
     let closure = closure(plan, &block);
     let at_rest = &block.arrays[groups::AT_REST];
     let energies = block.outputs[groups::ENERGIES].iter().zip(ENERGIES).map(|(energy, field)| {
         let field = format_ident!("{field}");
         quote!(at_.#field = #energy;)
     });
-    let statements = block.statements;
+    let mut statements = taken_back(plan, &check.given);
+    statements.extend(block.statements);
     body(
-        quote!(#given #statements),
+        statements,
         quote! {
             #found
             #closure

@@ -1,7 +1,7 @@
 //! Programs whose values are kept in memory until they are needed again.
 //!
-//! They read the unknowns when they are needed, too, and again rather than keep them: by other references, of which
-//! the compiler does not know that they lead to the same.
+//! They read the unknowns when they are needed, too, and again rather than keep them: by other references,
+//! of which the compiler does not know that they lead to the same.
 
 use super::Plan;
 use super::block::{Results, reads};
@@ -110,7 +110,8 @@ impl Plan<'_> {
     fn borrow_input<'b>(&'b self, input: &Input, sources: &mut Sources<'b>) {
         let symbols = &self.programs.symbols;
         let field = self.chain.name_of_input(input.what);
-        let name = format!("input_{field}");
+        // No value is called so, whatever its hinge is called: behind a hinge stands what it is.
+        let name = format!("{field}_input");
         let first = symbols.inputs().start + input.range.start;
         let one = input.range.len() == 1;
         for (place, symbol) in symbols.names()[first..][..input.range.len()].iter().enumerate() {

@@ -134,7 +134,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let c_ = T::constant;
         let [q_] = &state_.q.data.0;
         let [v_] = &state_.v.data.0;
-        let input_crank_pin_ = &inputs_.crank_pin;
+        let crank_pin_input_ = &inputs_.crank_pin;
         /// Room for values until they are needed again, and references to read unknowns again.
         let mut room_ = ::mstmm::generated::room::<T, 21>();
         let (room_, self_again_, state_again_, inputs_again_) = ::mstmm::generated::in_memory::<
@@ -146,7 +146,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         place16_, place17_, place18_, place19_, place20_] = room_;
         let [q_again_] = &state_again_.q.data.0;
         let [v_again_] = &state_again_.v.data.0;
-        let input_crank_pin_again_ = &inputs_again_.crank_pin;
+        let crank_pin_input_again_ = &inputs_again_.crank_pin;
         /// Motion across `crank_pin`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 4 sin/cos.
         let crank_pin_angle_ = q_[0];
         let a_angle_ = q_[1];
@@ -409,7 +409,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t99_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
         /// Riccati transfer over `crank_pin`.
         let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
-        let crank_pin_input0_ = *input_crank_pin_;
+        let crank_pin_input0_ = *crank_pin_input_;
         let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
         let t24_ = *t24_spilled_;
         let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t24_, c_(0.1));
