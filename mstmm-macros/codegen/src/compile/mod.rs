@@ -11,7 +11,7 @@ pub use places::{Place, Places, PointPlaces, Sight};
 use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
 use crate::expr::{Expr, Graph, Stage};
 use crate::model::{Chain, Driven, Hinge, HingeId, HingeKind, Layout, Method, Passive, Value};
-use crate::passes::{Setup, issue, opposite, spills};
+use crate::passes::{Issued, Setup, issue, opposite, spills};
 use crate::program::{Program, Spills};
 use crate::symbols::Symbols;
 
@@ -70,7 +70,10 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
     let scene = Scene::new(chain, (layout, &merged), &symbols, &graph);
     let mut setup = Setup::default();
     let method = scene.cheapest();
-    let (accelerations, pivots) = scene.accelerations(method, &mut setup);
+    let (Issued { program: accelerations, waits }, pivots) =
+        scene.accelerations(method, &mut setup);
+    let waiting = waits.then_some(&accelerations);
+    let spills = waiting.and_then(|program| spills(program, |number| scene.is_read_often(number)));
     let yields = chain.hinges.iter().flat_map(|hinge| &hinge.passive).any(Passive::has_effort);
     let implicit = yields.then(|| scene.implicit(method, &mut setup));
     let (solution, places, held) = scene.solution(method, &mut setup);
@@ -87,7 +90,7 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
         setup,
         checks,
         start,
-        spills: spills(&accelerations, |number| scene.is_read_often(number)),
+        spills,
         accelerations,
         implicit,
         pivots,
@@ -156,8 +159,8 @@ impl<'a, 'g> Scene<'a, 'g> {
             return Method::Riccati;
         }
         let cost = |method| {
-            let (program, _) = self.accelerations(method, &mut Setup::default());
-            program.cost().arithmetic()
+            let (issued, _) = self.accelerations(method, &mut Setup::default());
+            issued.program.cost().arithmetic()
         };
         if cost(Method::Transfer) < cost(Method::Riccati) {
             Method::Transfer
@@ -166,7 +169,7 @@ impl<'a, 'g> Scene<'a, 'g> {
         }
     }
 
-    fn accelerations(&self, method: Method, setup: &mut Setup) -> (Program, Vec<HingeId>) {
+    fn accelerations(&self, method: Method, setup: &mut Setup) -> (Issued, Vec<HingeId>) {
         self.solved(method, setup, |situation| situation)
     }
 
@@ -180,7 +183,8 @@ impl<'a, 'g> Scene<'a, 'g> {
     }
 
     fn implicit(&self, method: Method, setup: &mut Setup) -> (Program, Vec<HingeId>) {
-        self.solved(method, setup, |situation| situation.within(self.step))
+        let (issued, pivots) = self.solved(method, setup, |situation| situation.within(self.step));
+        (issued.program, pivots)
     }
 
     fn solved(
@@ -188,7 +192,7 @@ impl<'a, 'g> Scene<'a, 'g> {
         method: Method,
         setup: &mut Setup,
         set: impl for<'b> Fn(Situation<'b, Expr<'g>>) -> Situation<'b, Expr<'g>>,
-    ) -> (Program, Vec<HingeId>) {
+    ) -> (Issued, Vec<HingeId>) {
         let (solved, trace, turns) = self.woven(|loom, trace| {
             let situation = set(self.situation(self.merged)).woven(loom);
             equations::accelerations(&situation, method, AXES, trace)
@@ -226,7 +230,8 @@ impl<'a, 'g> Scene<'a, 'g> {
                 .map(|&axis| if results.z { report.at_rest[axis] } else { zero })
                 .collect(),
         ]);
-        let mut program = issue(self.program(Stage::State, &trace, &groups, &turns, setup));
+        let program = self.program(Stage::State, &trace, &groups, &turns, setup);
+        let mut program = issue(program).program;
         places.take_signs(&mut program, groups::NUMBERS);
         (program, places, held)
     }

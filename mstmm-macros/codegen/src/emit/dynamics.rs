@@ -221,7 +221,7 @@ pub(super) fn check(plan: &Plan, program: &Program, block: &Results, pivots: &[H
     let (values, scales) = (of(groups::PIVOTS), of(groups::SCALES));
     let results = &block.arrays[0];
     let shown = program.shown(groups::ACCELERATIONS);
-    let (taken, inputs) = plan.input_slices(&shown);
+    let (taken, inputs) = plan.input_slices(&shown.unknowns);
     let repeated = block.masks.iter().map(|(number, mask)| {
         let name = name(&pivots[*number]);
         quote!(#mstmm::generated::require(#mask, #name)?;)
@@ -230,7 +230,7 @@ pub(super) fn check(plan: &Plan, program: &Program, block: &Results, pivots: &[H
     if !inputs.is_empty() {
         given.extend(quote!(#mstmm::generated::finite::<T>(&[#(#inputs),*])?;));
     }
-    let hidden = hidden_state(plan, &shown);
+    let hidden = hidden_state(plan, &shown.unknowns);
     let (few, many) = if block.looped {
         let some = hidden.iter().filter(|(_, places)| !places.is_empty());
         let vectors = some.map(|(vector, _)| vector);
@@ -242,8 +242,7 @@ pub(super) fn check(plan: &Plan, program: &Program, block: &Results, pivots: &[H
         let hidden = hidden.iter().flat_map(|(vector, places)| {
             places.iter().map(move |place| quote!(state_.#vector.data.0[0][#place]))
         });
-        let telling = program.telling(groups::ACCELERATIONS).into_iter();
-        let telling = telling.map(|result| plan.operand(result));
+        let telling = shown.telling.iter().map(|result| plan.operand(result));
         (quote!([state_.t, #(#hidden,)* #(#telling),*]), None)
     };
     Check {

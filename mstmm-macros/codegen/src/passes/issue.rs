@@ -20,44 +20,51 @@ const CYCLES: u32 = 2;
 /// There is work enough if all operations take so many times as long as the longest path.
 const ENOUGH: f64 = 1.2;
 
-/// The same program with its statements in the order in which they should run. A section that others
-/// interrupt falls into several of the same heading.
-pub fn issue(mut program: Program) -> Program {
+/// A program whose statements stand in the order in which they should run.
+pub struct Issued {
+    /// The program. A section that others interrupt has fallen into several of the same heading.
+    pub program: Program,
+    /// Whether its statements wait for one another, with too little work meanwhile, in some block.
+    pub waits: bool,
+}
+
+/// The same program with its statements in the order in which they should run.
+pub fn issue(mut program: Program) -> Issued {
+    let mut waits = false;
     for block in &mut program.blocks {
-        if let Block::Once(sections) = block {
-            *sections = issued(std::mem::take(sections));
+        if let Block::Once(sections) = block
+            && let Some(order) = waiting_order(sections)
+        {
+            *sections = issued(std::mem::take(sections), &order);
+            waits = true;
         }
     }
-    program
+    Issued { program, waits }
 }
 
-/// Whether there is too little work to fill the time that statements wait.
-pub(super) fn waits(statements: &[&Statement]) -> bool {
-    let dependencies = Dependencies::of(statements);
-    dependencies.wait(&dependencies.depths())
-}
-
-/// The sections of a block.
-fn issued(sections: Vec<Section>) -> Vec<Section> {
-    let owners = sections.iter().enumerate();
-    let owners =
-        owners.flat_map(|(number, section)| section.statements.iter().map(move |_| number));
-    let owners: Vec<usize> = owners.collect();
+/// The numbers of the statements of a block in the order in which they should run, if they wait for one
+/// another.
+fn waiting_order(sections: &[Section]) -> Option<Vec<usize>> {
     let statements: Vec<&Statement> =
         sections.iter().flat_map(|section| &section.statements).collect();
     let dependencies = Dependencies::of(&statements);
     let depths = dependencies.depths();
-    if !dependencies.wait(&depths) {
-        return sections;
-    }
-    let order = dependencies.order(&depths);
+    dependencies.wait(&depths).then(|| dependencies.order(&depths))
+}
+
+/// The sections of a block in this order.
+fn issued(sections: Vec<Section>, order: &[usize]) -> Vec<Section> {
+    let owners = sections.iter().enumerate();
+    let owners =
+        owners.flat_map(|(number, section)| section.statements.iter().map(move |_| number));
+    let owners: Vec<usize> = owners.collect();
     let headings: Vec<(String, String)> =
         sections.iter().map(|section| (section.title.clone(), section.source.clone())).collect();
     let statements = sections.into_iter().flat_map(|section| section.statements);
     let mut statements: Vec<Option<Statement>> = statements.map(Some).collect();
     let mut ordered: Vec<Section> = Vec::new();
     let mut current = None;
-    for number in order {
+    for &number in order {
         let owner = owners[number];
         if current.replace(owner) != Some(owner) {
             let (title, source) = headings[owner].clone();
@@ -162,7 +169,7 @@ impl Dependencies {
 
 #[cfg(test)]
 mod tests {
-    use super::issued;
+    use super::{issued, waiting_order};
     use crate::program::{Operand, Operation, Section, Statement};
 
     fn section(title: &str, statements: Vec<Statement>) -> Section {
@@ -185,8 +192,9 @@ mod tests {
         let path = vec![reciprocal("a", "x"), reciprocal("b", "a")];
         let end =
             (0..6).map(|k| sum(format!("g{k}"), named(&format!("f{k}")), named("b"))).collect();
-        let ordered =
-            issued(vec![section("fill", fill), section("path", path), section("end", end)]);
+        let given = vec![section("fill", fill), section("path", path), section("end", end)];
+        let order = waiting_order(&given).expect("it waits");
+        let ordered = issued(given, &order);
         let titles: Vec<&str> = ordered.iter().map(|section| &section.title[..]).collect();
         assert_eq!(titles, ["path", "fill", "end"]);
         let statements = ordered.iter().flat_map(|section| &section.statements);
@@ -203,6 +211,6 @@ mod tests {
         });
         let sections =
             vec![section("sums", sums.collect()), section("end", vec![reciprocal("a", "f99")])];
-        assert_eq!(issued(sections.clone()), sections);
+        assert_eq!(waiting_order(&sections), None);
     }
 }

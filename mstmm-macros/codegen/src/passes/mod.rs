@@ -35,7 +35,7 @@ mod turns;
 
 pub use factor::factor;
 pub use images::Images;
-pub use issue::issue;
+pub use issue::{Issued, issue};
 pub use join::join;
 pub use live::Live;
 pub use opposite::opposite;

@@ -9,38 +9,46 @@ use std::collections::HashMap;
 /// nowhere else and can be turned round so, they are, too. All are rounded alike with either sign.
 pub fn opposite(mut program: Program, group: usize) -> Program {
     let [Block::Once(sections)] = &mut program.blocks[..] else { return program };
+    if !program.outputs[group].iter().any(|result| matches!(result, Operand::Minus(_))) {
+        return program;
+    }
     let mut values = Values::of(sections, &program.outputs);
-    for result in &mut program.outputs[group] {
+    let mut results = program.outputs[group].clone();
+    for result in &mut results {
         if let Operand::Minus(inner) = result
             && let Some(turned) = values.turned(inner)
         {
             *result = turned;
         }
     }
-    values.write(sections);
+    let turned = values.turned;
+    write(sections, turned);
+    program.outputs[group] = results;
     program
 }
 
 /// The values that statements compute one by one.
-struct Values {
-    operations: HashMap<String, Operation>,
+struct Values<'a> {
+    operations: HashMap<&'a str, &'a Operation>,
     /// How often each is wanted.
-    uses: HashMap<String, usize>,
+    uses: HashMap<&'a str, usize>,
     /// Those that have been turned round, by their names before.
-    turned: HashMap<String, (String, Operation)>,
+    turned: Turned,
 }
 
-impl Values {
-    fn of(sections: &[Section], outputs: &[Vec<Operand>]) -> Self {
+type Turned = HashMap<String, (String, Operation)>;
+
+impl<'a> Values<'a> {
+    fn of(sections: &'a [Section], outputs: &'a [Vec<Operand>]) -> Self {
         let statements = || sections.iter().flat_map(|section| &section.statements);
         let operations = statements().filter_map(|statement| match statement {
-            Statement::Let(name, operation) => Some((name.clone(), operation.clone())),
+            Statement::Let(name, operation) => Some((name.as_str(), operation)),
             Statement::SinCos { .. } => None,
         });
         let mut uses = HashMap::new();
         let read = statements().flat_map(Statement::operands).chain(outputs.iter().flatten());
         for name in read.filter_map(Operand::name) {
-            *uses.entry(name.to_owned()).or_insert(0) += 1;
+            *uses.entry(name).or_insert(0) += 1;
         }
         Values { operations: operations.collect(), uses, turned: HashMap::new() }
     }
@@ -53,10 +61,10 @@ impl Values {
             Operand::Named(name) => name,
             Operand::Symbol(_) | Operand::Repeated => return None,
         };
-        if self.uses.get(name) != Some(&1) {
+        if self.uses.get(name.as_str()) != Some(&1) {
             return None;
         }
-        let turned = match self.operations.get(name)?.clone() {
+        let turned = match (*self.operations.get(name.as_str())?).clone() {
             Operation::Difference(a, b) => Operation::Difference(b, a),
             Operation::MulSub(a, b, c) => Operation::MulNegAdd(a, b, c),
             Operation::MulNegAdd(a, b, c) => Operation::MulSub(a, b, c),
@@ -81,17 +89,21 @@ impl Values {
         let plain =
             name.strip_prefix("minus_").map_or_else(|| format!("minus_{name}"), str::to_owned);
         let is_number = name.strip_prefix('t').is_some_and(|rest| rest.parse::<usize>().is_ok());
-        if is_number || self.operations.contains_key(&plain) { name.to_owned() } else { plain }
+        if is_number || self.operations.contains_key(plain.as_str()) {
+            name.to_owned()
+        } else {
+            plain
+        }
     }
+}
 
-    /// Puts what has been turned round where it was.
-    fn write(mut self, sections: &mut [Section]) {
-        for statement in sections.iter_mut().flat_map(|section| &mut section.statements) {
-            if let Statement::Let(name, operation) = statement
-                && let Some(turned) = self.turned.remove(name)
-            {
-                (*name, *operation) = turned;
-            }
+/// Puts what has been turned round where it was.
+fn write(sections: &mut [Section], mut turned: Turned) {
+    for statement in sections.iter_mut().flat_map(|section| &mut section.statements) {
+        if let Statement::Let(name, operation) = statement
+            && let Some(turned) = turned.remove(name)
+        {
+            (*name, *operation) = turned;
         }
     }
 }

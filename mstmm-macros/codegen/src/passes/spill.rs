@@ -7,7 +7,6 @@
 //! reloads (Belady, A study of replacement algorithms for a virtual-storage computer, IBM Systems Journal 5,
 //! 1966).
 
-use super::issue;
 use crate::program::{Block, Move, Operand, Program, Spills, Statement};
 use std::cmp::Reverse;
 use std::collections::HashMap;
@@ -22,63 +21,88 @@ const SOON: usize = 20;
 /// declared.
 const LONGEST: usize = 1000;
 
-/// The spills of a program that runs straight on; none where there is work enough at any time, in long
-/// programs, and where there are registers enough. `readable` tells which unknowns may be read more than
+/// The spills of a program that runs straight on; none in long programs, and where there are registers
+/// enough. `readable` tells which unknowns may be read more than
 /// once; all others are there from the beginning.
 pub fn spills(program: &Program, readable: impl Fn(u32) -> bool) -> Option<Spills> {
     let [Block::Once(sections)] = &program.blocks[..] else { return None };
     let statements: Vec<&Statement> =
         sections.iter().flat_map(|section| &section.statements).collect();
-    if statements.len() > LONGEST || !issue::waits(&statements) {
+    if statements.len() > LONGEST {
         return None;
     }
     let mut values = Values::default();
     for slot in &program.slots {
-        values.number(&Operand::Named(slot.name.clone()), true);
+        values.number(Key::Named(&slot.name), true);
     }
     for &symbol in &program.symbols {
-        values.number(&Operand::Symbol(symbol), readable(symbol));
+        values.number(Key::Symbol(symbol), readable(symbol));
     }
     let reads = statements.iter().map(|statement| values.read(statement.operands()));
     let mut reads: Vec<Vec<usize>> = reads.collect();
     reads.push(values.read(program.outputs.iter().flatten()));
     let made = statements.iter().map(|statement| {
-        let names = statement.names().map(|name| Operand::Named(name.to_owned()));
-        names.filter_map(|name| values.find(&name)).collect()
+        statement
+            .names()
+            .filter_map(|name| values.numbers.get(&Key::Named(name)).copied())
+            .collect()
     });
     let made: Vec<Vec<usize>> = made.collect();
     let spills = Registers::new(values, &reads).run(&reads, &made);
     (spills.places > 0).then_some(spills)
 }
 
+/// What a value is found by.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Key<'a> {
+    Symbol(u32),
+    Named(&'a str),
+}
+
+impl<'a> Key<'a> {
+    /// That of an operand without its sign.
+    fn of(operand: &'a Operand) -> Option<Self> {
+        match operand {
+            Operand::Symbol(number) => Some(Key::Symbol(*number)),
+            Operand::Named(name) => Some(Key::Named(name)),
+            Operand::Minus(inner) => Key::of(inner),
+            Operand::Number(_) | Operand::Repeated => None,
+        }
+    }
+
+    fn operand(self) -> Operand {
+        match self {
+            Key::Symbol(number) => Operand::Symbol(number),
+            Key::Named(name) => Operand::Named(name.to_owned()),
+        }
+    }
+}
+
 /// The values of a program by number.
 #[derive(Default)]
-struct Values {
-    numbers: HashMap<(Option<u32>, String), usize>,
-    operands: Vec<Operand>,
+struct Values<'a> {
+    numbers: HashMap<Key<'a>, usize>,
+    keys: Vec<Key<'a>>,
     /// Which the caller keeps in memory.
     readable: Vec<bool>,
 }
 
-impl Values {
-    fn find(&self, operand: &Operand) -> Option<usize> {
-        self.numbers.get(&key(operand)?).copied()
-    }
-
-    fn number(&mut self, operand: &Operand, readable: bool) -> Option<usize> {
-        let next = self.operands.len();
-        let number = *self.numbers.entry(key(operand)?).or_insert(next);
+impl<'a> Values<'a> {
+    fn number(&mut self, key: Key<'a>, readable: bool) -> usize {
+        let next = self.keys.len();
+        let number = *self.numbers.entry(key).or_insert(next);
         if number == next {
-            self.operands.push(plain(operand).clone());
+            self.keys.push(key);
             self.readable.push(readable);
         }
-        Some(number)
+        number
     }
 
     /// The numbers of operands, each once.
-    fn read<'a>(&mut self, operands: impl Iterator<Item = &'a Operand>) -> Vec<usize> {
+    fn read(&mut self, operands: impl Iterator<Item = &'a Operand>) -> Vec<usize> {
         let mut read = Vec::new();
-        for number in operands.filter_map(|operand| self.number(operand, false)) {
+        for key in operands.filter_map(Key::of) {
+            let number = self.number(key, false);
             if !read.contains(&number) {
                 read.push(number);
             }
@@ -87,25 +111,9 @@ impl Values {
     }
 }
 
-/// An operand without its sign.
-fn plain(operand: &Operand) -> &Operand {
-    match operand {
-        Operand::Minus(inner) => plain(inner),
-        _ => operand,
-    }
-}
-
-fn key(operand: &Operand) -> Option<(Option<u32>, String)> {
-    match plain(operand) {
-        Operand::Symbol(number) => Some((Some(*number), String::new())),
-        Operand::Named(name) => Some((None, name.clone())),
-        _ => None,
-    }
-}
-
 /// The values at hand while a program runs.
-struct Registers {
-    values: Values,
+struct Registers<'a> {
+    values: Values<'a>,
     /// By which statements a value is still to be read, the next one last.
     uses: Vec<Vec<usize>>,
     held: Vec<usize>,
@@ -115,18 +123,18 @@ struct Registers {
     count: usize,
 }
 
-impl Registers {
+impl<'a> Registers<'a> {
     /// Before the first statement.
-    fn new(values: Values, reads: &[Vec<usize>]) -> Self {
-        let mut uses = vec![Vec::new(); values.operands.len()];
+    fn new(values: Values<'a>, reads: &[Vec<usize>]) -> Self {
+        let mut uses = vec![Vec::new(); values.keys.len()];
         for (number, read) in reads.iter().enumerate().rev() {
             read.iter().for_each(|&value| uses[value].push(number));
         }
         let is_given = |&value: &usize| {
-            matches!(values.operands[value], Operand::Symbol(_)) && !values.readable[value]
+            matches!(values.keys[value], Key::Symbol(_)) && !values.readable[value]
         };
-        let held = (0..values.operands.len()).filter(is_given).collect();
-        let places = vec![None; values.operands.len()];
+        let held = (0..values.keys.len()).filter(is_given).collect();
+        let places = vec![None; values.keys.len()];
         Registers { values, uses, held, places, free: Vec::new(), count: 0 }
     }
 
@@ -170,7 +178,7 @@ impl Registers {
 
     /// A value from memory.
     fn back(&self, value: usize) -> Move {
-        let operand = self.values.operands[value].clone();
+        let operand = self.values.keys[value].operand();
         if self.values.readable[value] { Move::Read(operand) } else { Move::Reload(operand) }
     }
 
@@ -202,7 +210,7 @@ impl Registers {
                     self.count - 1
                 });
                 self.places[value] = Some(place);
-                moves.push(Move::Spill(self.values.operands[value].clone(), place));
+                moves.push(Move::Spill(self.values.keys[value].operand(), place));
             }
         }
     }
@@ -230,7 +238,7 @@ mod tests {
         Operand::Named(format!("x{number}"))
     }
 
-    /// A program that waits, for each of its first values is a reciprocal of the one before.
+    /// A program that needs what it computes at first until its end; each of its first values is a reciprocal of the one before.
     fn program(seed: u64) -> Program {
         let mut random = seed;
         let statements = (0..STATEMENTS).map(|number| {
@@ -314,7 +322,7 @@ mod tests {
     fn everything_is_at_hand_when_it_is_needed_and_no_more_than_there_is_room_for() {
         for seed in 0..20 {
             let program = program(seed);
-            let spills = spills(&program, |number| number % 5 > 0).expect("it waits");
+            let spills = spills(&program, |number| number % 5 > 0).expect("it is short");
             assert!(spills.places > 0, "seed {seed}");
             let mut processor = Processor::default();
             // Unknowns that cannot be read are there from the beginning.
@@ -342,7 +350,7 @@ mod tests {
     }
 
     #[test]
-    fn where_there_is_work_enough_nothing_moves() {
+    fn what_is_read_from_where_it_is_needs_no_place() {
         let mut program = program(0);
         let Block::Once(sections) = &mut program.blocks[0] else { panic!("it has no loops") };
         for (number, statement) in sections[0].statements.iter_mut().enumerate() {

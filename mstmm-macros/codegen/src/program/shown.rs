@@ -1,46 +1,42 @@
-//! Which unknowns need not be looked at, because results show what is wrong with them.
+//! Which unknowns and results need not be looked at, because other results show what is wrong with them.
 
 use super::{Operand, Operation, Program, Section, Statement};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
+
+/// What need not be looked at, and what has to be, to find whether anything is infinite or undefined.
+#[derive(Debug, Default)]
+pub struct Shown<'a> {
+    /// Unknowns that leave a result infinite or undefined whenever they are so themselves. Those of a repeated
+    /// part do so in results of the same time.
+    pub unknowns: HashSet<u32>,
+    /// Results that are not all finite if any of them is not: what is computed from a result shows it. They come
+    /// in the order in which they are known; results of repeated parts are left out.
+    pub telling: Vec<&'a Operand>,
+    /// What hands on to a result; results among it that nothing shows so far.
+    names: HashMap<&'a str, Option<&'a Operand>>,
+}
 
 impl Program {
-    /// Unknowns that leave a result of group `group` infinite or undefined whenever they are so
-    /// themselves. Those of a repeated part do so in results of the same time.
+    /// What results of group `group` show.
     ///
     /// Sums, products, roots, sines and cosines hand on what is not finite (IEEE 754: 0 · ∞ and ∞ − ∞ are
     /// undefined, and so is what is computed from that). Not so reciprocals, for 1/∞ is zero, angles of
     /// points, and signs. What loops carry is not followed: it may end with the last time.
-    pub fn shown(&self, group: usize) -> HashSet<u32> {
+    pub fn shown(&self, group: usize) -> Shown<'_> {
+        let results = &self.outputs[group];
         let mut shown = Shown::default();
+        let named = results.iter().filter_map(|result| Some((result.name()?, Some(result))));
+        shown.names.extend(named);
         let of_loops = self.loops().flat_map(|turn| &turn.outputs);
         let of_loops = of_loops.filter(|output| output.0 == group).map(|(_, _, result)| result);
-        self.outputs[group].iter().chain(of_loops).for_each(|result| shown.add(result));
+        of_loops.for_each(|result| shown.add(result));
         self.backwards().for_each(|statement| shown.follow(statement));
-        shown.symbols
-    }
-
-    /// Results of group `group` that are not all finite if any of the group is not: what is computed from
-    /// a result shows it. They come in the order in which they are known; results of repeated parts are left
-    /// out.
-    pub fn telling(&self, group: usize) -> Vec<&Operand> {
-        let results: Vec<&Operand> =
-            self.outputs[group].iter().filter(|result| result.name().is_some()).collect();
-        let (mut shown, mut telling) = (Shown::default(), Vec::new());
-        for statement in self.backwards() {
-            for name in statement.names() {
-                let result = results.iter().find(|result| result.name() == Some(name));
-                if let Some(result) = result.filter(|_| !shown.names.contains(name)) {
-                    telling.push(*result);
-                    shown.add(result);
-                }
-            }
-            shown.follow(statement);
-        }
         // What no statement computes: unknowns, and what is known since setup.
-        let others = self.outputs[group].iter().filter(|&result| shown.lacks(result));
-        telling.extend(others);
-        telling.reverse();
-        telling
+        let others = results.iter().filter(|result| shown.lacks(result)).collect::<Vec<_>>();
+        others.iter().for_each(|result| shown.add(result));
+        shown.telling.extend(others);
+        shown.telling.reverse();
+        shown
     }
 
     /// All statements from the last: before those that they read.
@@ -50,25 +46,19 @@ impl Program {
     }
 }
 
-/// What leaves a result infinite or undefined.
-#[derive(Default)]
-struct Shown<'a> {
-    names: HashSet<&'a str>,
-    symbols: HashSet<u32>,
-}
-
 impl<'a> Shown<'a> {
     /// What a statement makes of it: what it hands on.
     fn follow(&mut self, statement: &'a Statement) {
         match statement {
-            Statement::Let(name, operation) if self.names.contains(name.as_str()) => {
-                handed_on(operation).into_iter().flatten().for_each(|from| self.add(from));
+            Statement::Let(name, operation) => {
+                if self.meets(name) {
+                    handed_on(operation).into_iter().flatten().for_each(|from| self.add(from));
+                }
             }
-            Statement::Let(..) => (),
             Statement::SinCos { sines, cosines, angles } => {
                 let named = sines.iter().zip(angles).chain(cosines.iter().zip(angles));
                 for (name, angle) in named {
-                    if name.as_deref().is_some_and(|name| self.names.contains(name)) {
+                    if name.as_deref().is_some_and(|name| self.meets(name)) {
                         self.add(angle);
                     }
                 }
@@ -76,22 +66,29 @@ impl<'a> Shown<'a> {
         }
     }
 
-    /// Whether an operand that may be infinite is not among it.
-    fn lacks(&self, operand: &Operand) -> bool {
-        match operand {
-            Operand::Symbol(number) => !self.symbols.contains(number),
-            Operand::Named(name) => !self.names.contains(name.as_str()),
-            Operand::Minus(operand) => self.lacks(operand),
-            Operand::Number(_) | Operand::Repeated => false,
-        }
+    /// Whether the value that is computed here is among it. If it is a result that nothing shows, it is telling.
+    fn meets(&mut self, name: &str) -> bool {
+        let Some(result) = self.names.get_mut(name) else { return false };
+        self.telling.extend(result.take());
+        true
     }
 
     fn add(&mut self, operand: &'a Operand) {
         match operand {
-            Operand::Symbol(number) => _ = self.symbols.insert(*number),
-            Operand::Named(name) => _ = self.names.insert(name),
+            Operand::Symbol(number) => _ = self.unknowns.insert(*number),
+            Operand::Named(name) => _ = self.names.insert(name, None),
             Operand::Minus(operand) => self.add(operand),
             Operand::Number(_) | Operand::Repeated => (),
+        }
+    }
+
+    /// Whether an operand that may be infinite is not among it.
+    fn lacks(&self, operand: &Operand) -> bool {
+        match operand {
+            Operand::Symbol(number) => !self.unknowns.contains(number),
+            Operand::Named(name) => self.names.get(name.as_str()).is_some_and(Option::is_some),
+            Operand::Minus(operand) => self.lacks(operand),
+            Operand::Number(_) | Operand::Repeated => false,
         }
     }
 }
@@ -141,7 +138,8 @@ mod tests {
             outputs: vec![all],
         };
         // `d` shows `c`, `a`, and the first two unknowns; `b` may be zero where `a` is infinite.
-        assert_eq!(program.telling(0), [&Operand::Symbol(2), &b, &d]);
-        assert_eq!(program.shown(0), HashSet::from([0, 1, 2]));
+        let shown = program.shown(0);
+        assert_eq!(shown.telling, [&Operand::Symbol(2), &b, &d]);
+        assert_eq!(shown.unknowns, HashSet::from([0, 1, 2]));
     }
 }
