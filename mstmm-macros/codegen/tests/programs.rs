@@ -10,15 +10,15 @@ use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
 use mstmm_codegen::math::{Scalar, Structured, Vec3};
 use mstmm_codegen::model::{Dimension, Layout, Method};
 use mstmm_codegen::passes::{Setup, Unknowns, factor, order, schedule};
-use mstmm_codegen::program::{Operand, Operation, Program, Statement};
+use mstmm_codegen::program::{Name, Operand, Operation, Program, Statement};
 use mstmm_reference::{Random, Recipe, random_mechanism, random_motion};
 use std::collections::HashMap;
 
 /// Runs a program; `symbols` by number, `slots` by index.
 fn run(program: &Program, symbols: &[f64], slots: &[f64]) -> Vec<Vec<f64>> {
-    let mut named: HashMap<String, f64> = HashMap::new();
+    let mut named: HashMap<Name, f64> = HashMap::new();
     for slot in &program.slots {
-        named.insert(slot.name.clone(), slots[slot.index]);
+        named.insert(slot.name, slots[slot.index]);
     }
     for statement in program.sections().flat_map(|section| &section.statements) {
         let value = |operand: &Operand| value(operand, symbols, &named);
@@ -37,13 +37,14 @@ fn run(program: &Program, symbols: &[f64], slots: &[f64]) -> Vec<Vec<f64>> {
                     Operation::Atan2(a, b) => value(a).atan2(value(b)),
                     Operation::RecipAbove(a, b) => value(a).recip_above(value(b)),
                 };
-                assert!(named.insert(name.clone(), result).is_none(), "`{name}` is named twice");
+                let text = program.names.text(*name);
+                assert!(named.insert(*name, result).is_none(), "`{text}` is computed twice");
             }
             Statement::SinCos { sines, cosines, angles } => {
                 let angles: Vec<f64> = angles.iter().map(value).collect();
                 for (k, angle) in angles.into_iter().enumerate() {
                     let both = [(&sines[k], angle.sin()), (&cosines[k], angle.cos())];
-                    named.extend(both.into_iter().filter_map(|(n, x)| Some((n.clone()?, x))));
+                    named.extend(both.into_iter().filter_map(|(n, x)| Some(((*n)?, x))));
                 }
             }
         }
@@ -54,11 +55,11 @@ fn run(program: &Program, symbols: &[f64], slots: &[f64]) -> Vec<Vec<f64>> {
     program.outputs.iter().map(group).collect()
 }
 
-fn value(operand: &Operand, symbols: &[f64], named: &HashMap<String, f64>) -> f64 {
+fn value(operand: &Operand, symbols: &[f64], named: &HashMap<Name, f64>) -> f64 {
     match operand {
         Operand::Number(number) => *number,
         Operand::Symbol(number) => symbols[*number as usize],
-        Operand::Named(name) => *named.get(name).unwrap_or_else(|| panic!("`{name}` has no value")),
+        Operand::Named(name) => *named.get(name).unwrap_or_else(|| panic!("{name:?} has no value")),
         Operand::Minus(inner) => -value(inner, symbols, named),
         Operand::Repeated => panic!("no part of these chains is repeated"),
     }

@@ -199,7 +199,8 @@ impl<'a, 'g> Scene<'a, 'g> {
         });
         let (groups, hinges) = self.split(&solved);
         let program = self.program(Stage::State, &trace, &groups, &turns, setup);
-        (issue(opposite(program, groups::ACCELERATIONS)), hinges)
+        let program = opposite(program, groups::ACCELERATIONS, self.symbols.names());
+        (issue(program), hinges)
     }
 
     fn solution(&self, method: Method, setup: &mut Setup) -> (Program, Places, Option<usize>) {

@@ -3,7 +3,7 @@
 use super::Plan;
 use super::delivery::Deliveries;
 use super::looped::{self, Masks, Target};
-use super::names::local;
+use super::names::{Variables, local};
 use super::spread::Spread;
 use super::statement::{Around, Writer};
 use crate::compile::groups;
@@ -14,6 +14,8 @@ use std::ops::Range;
 
 /// The statements of a program and its results.
 pub struct Results {
+    /// What its values are.
+    pub variables: Variables,
     /// All statements, reading the unknowns first.
     pub statements: TokenStream,
     /// The groups of results, those of repeated parts left out.
@@ -44,15 +46,16 @@ impl Plan<'_> {
     /// The same without statements, but for those that read the unknowns.
     pub fn opened(&self, program: &Program, pivoted: bool) -> Results {
         let looped = !self.chain.repeats.is_empty();
+        let variables = Variables::of(program);
         let reading = if looped {
             let once = self.read_once(program);
-            let (slots, inputs) = (read_slots(program), self.read_inputs(program));
+            let (slots, inputs) = (read_slots(program, &variables), self.read_inputs(program));
             quote!(#slots #once #inputs)
         } else {
             let coordinates =
                 self.read(program, self.programs.symbols.q(), quote!(state_.q.data.0));
             let rates = self.read(program, self.programs.symbols.v(), quote!(state_.v.data.0));
-            let (slots, inputs) = (read_slots(program), self.read_inputs(program));
+            let (slots, inputs) = (read_slots(program, &variables), self.read_inputs(program));
             quote!(#slots #coordinates #rates #inputs)
         };
         let masks: Masks = if pivoted {
@@ -65,7 +68,7 @@ impl Plan<'_> {
         } else {
             Masks::new()
         };
-        Results { masks, ..self.results(program, reading) }
+        Results { masks, ..self.results(program, variables, reading) }
     }
 
     /// What reads the unknowns, the statements, and what is written in between.
@@ -75,7 +78,7 @@ impl Plan<'_> {
         program: &Program,
         mut deliveries: Deliveries,
     ) -> TokenStream {
-        let mut writer = Writer::after(self, opened.statements);
+        let mut writer = Writer::after(self, &opened.variables, opened.statements);
         writer.add(deliveries.at_once());
         let mut around = |writer: &mut Writer, around: Around| {
             if let Around::Behind(statement) = around {
@@ -91,25 +94,27 @@ impl Plan<'_> {
         let parameters = self.chain.parameters.iter().zip(self.programs.symbols.parameters());
         let parameters =
             parameters.filter(|(_, number)| reads(program, *number)).map(|(parameter, number)| {
-                let (name, field) = (self.symbol(number as u32), &parameter.name);
+                let (name, field) = (&self.unknowns[number], &parameter.name);
                 quote!(let #name = parameters_.#field;)
             });
         let constants =
             self.read_array(program, self.programs.symbols.constants(), quote!(*constants_));
-        let results = self.results(program, quote!(#(#parameters)* #constants));
+        let reading = quote!(#(#parameters)* #constants);
+        let results = self.results(program, Variables::of(program), reading);
         self.finished(results, program, targets)
     }
 
     /// Results with the statements of a program that may have loops.
     fn finished(&self, mut results: Results, program: &Program, targets: &[Target]) -> Results {
         if self.chain.repeats.is_empty() {
-            let mut writer = Writer::after(self, results.statements);
+            let mut writer = Writer::after(self, &results.variables, results.statements);
             writer.sections(program.sections(), is_long(program));
             results.statements = writer.finish();
             return results;
         }
         results.looped = true;
-        results.statements.extend(self.looped(program, targets, &results.masks));
+        let looped = self.looped(program, targets, &results);
+        results.statements.extend(looped);
         for target in targets {
             results.arrays[target.group] = looped::array(target.group).to_token_stream();
         }
@@ -117,9 +122,14 @@ impl Plan<'_> {
     }
 
     /// The results of a program whose statements are still to come.
-    pub(super) fn results(&self, program: &Program, reading: TokenStream) -> Results {
+    pub(super) fn results(
+        &self,
+        program: &Program,
+        variables: Variables,
+        reading: TokenStream,
+    ) -> Results {
         let operands = |group: &Vec<Operand>| -> Vec<TokenStream> {
-            group.iter().map(|operand| self.operand(operand)).collect()
+            group.iter().map(|operand| self.operand(&variables, operand)).collect()
         };
         let outputs: Vec<Vec<TokenStream>> = program.outputs.iter().map(operands).collect();
         let arrays = outputs.iter().map(|group| quote!([#(#group),*])).collect();
@@ -128,12 +138,12 @@ impl Plan<'_> {
             quote!(let #c = T::constant;)
         });
         let statements = quote!(#constant #reading);
-        Results { statements, outputs, arrays, looped: false, masks: Masks::new() }
+        Results { variables, statements, outputs, arrays, looped: false, masks: Masks::new() }
     }
 
     /// Some sections.
-    pub fn sections(&self, sections: &[Section], flat: bool) -> TokenStream {
-        let mut writer = Writer::new(self);
+    pub fn sections(&self, variables: &Variables, sections: &[Section], flat: bool) -> TokenStream {
+        let mut writer = Writer::new(self, variables);
         writer.sections(sections, flat);
         writer.finish()
     }
@@ -166,21 +176,17 @@ impl Plan<'_> {
     fn whole_pattern(&self, program: &Program, range: Range<usize>) -> Option<TokenStream> {
         let any = range.clone().any(|number| reads(program, number));
         let entries = range.map(|number| {
-            let name = self.symbol(number as u32);
+            let name = &self.unknowns[number];
             if reads(program, number) { quote!(#name) } else { quote!(_) }
         });
         any.then(|| quote!([#(#entries),*]))
     }
 
-    /// An operand.
-    pub fn operand(&self, operand: &Operand) -> TokenStream {
-        let mut writer = Writer::new(self);
+    /// An operand of a program with these variables.
+    pub fn operand(&self, variables: &Variables, operand: &Operand) -> TokenStream {
+        let mut writer = Writer::new(self, variables);
         writer.operand(operand);
         writer.finish()
-    }
-
-    fn symbol(&self, number: u32) -> proc_macro2::Ident {
-        local(&self.programs.symbols.names()[number as usize])
     }
 
     /// Takes the unknowns in `range` out of the only column of a vector.
@@ -198,7 +204,7 @@ impl Plan<'_> {
     fn pattern(&self, program: &Program, range: Range<usize>) -> Option<TokenStream> {
         let last = range.clone().rev().find(|&number| reads(program, number))?;
         let entries = (range.start..=last).map(|number| {
-            let name = self.symbol(number as u32);
+            let name = &self.unknowns[number];
             if reads(program, number) { quote!(#name) } else { quote!(_) }
         });
         let rest = (last + 1 < range.end).then(|| quote!(, ..));
@@ -223,14 +229,14 @@ pub(super) fn reads(program: &Program, number: usize) -> bool {
 }
 
 /// Takes the slots that the program reads out of `self.derived`.
-fn read_slots(program: &Program) -> TokenStream {
+fn read_slots(program: &Program, variables: &Variables) -> TokenStream {
     let Some(last) = program.slots.iter().map(|slot| slot.index).max() else {
         return TokenStream::new();
     };
     let entries =
         (0..=last).map(|index| match program.slots.iter().find(|slot| slot.index == index) {
             Some(slot) => {
-                let name = local(&slot.name);
+                let name = variables.get(slot.name);
                 quote!(#name)
             }
             None => quote!(_),

@@ -5,50 +5,54 @@
 //! accelerations at all; what has been written is taken back where it fails. And since LLVM puts writes
 //! off, to make vectors of neighbours, it is told behind each statement with writes that it may not.
 
-use crate::program::{Operand, Program, Section, Statement};
+use crate::program::{Name, Operand, Program, Section, Statement};
 use proc_macro2::TokenStream;
 use quote::quote;
-use std::collections::{HashMap, HashSet};
 
 /// What is written between the statements of a program.
 pub struct Deliveries<'a> {
     mstmm: &'a TokenStream,
-    /// What the program computes.
-    computed: HashSet<&'a str>,
+    /// Which values the program computes.
+    computed: Vec<bool>,
     /// What is to be written, and how many values it still waits for.
     all: Vec<(usize, TokenStream)>,
     /// What waits for a value.
-    waiting: HashMap<&'a str, Vec<usize>>,
+    waiting: Vec<Vec<usize>>,
     /// What waits for none.
     at_once: TokenStream,
 }
 
 impl<'a> Deliveries<'a> {
     /// None yet, for the statements of `program`.
-    pub fn new(program: &'a Program, mstmm: &'a TokenStream) -> Self {
+    pub fn new(program: &Program, mstmm: &'a TokenStream) -> Self {
         let statements = program.sections().flat_map(|Section { statements, .. }| statements);
+        let mut computed = vec![false; program.names.count()];
+        statements.flat_map(Statement::names).for_each(|name| computed[name.index()] = true);
         Deliveries {
             mstmm,
-            computed: statements.flat_map(Statement::names).collect(),
+            waiting: vec![Vec::new(); computed.len()],
+            computed,
             all: Vec::new(),
-            waiting: HashMap::new(),
             at_once: TokenStream::new(),
         }
     }
 
     /// Adds what is written as soon as `operands` are known.
-    pub fn add(&mut self, operands: impl IntoIterator<Item = &'a Operand>, tokens: TokenStream) {
-        let names: HashSet<&str> = operands.into_iter().filter_map(Operand::name).collect();
-        let mut missing = 0;
-        for name in names.intersection(&self.computed) {
-            self.waiting.entry(name).or_default().push(self.all.len());
-            missing += 1;
-        }
-        if missing == 0 {
+    pub fn add<'o>(
+        &mut self,
+        operands: impl IntoIterator<Item = &'o Operand>,
+        tokens: TokenStream,
+    ) {
+        let mut names: Vec<Name> = operands.into_iter().filter_map(Operand::name).collect();
+        names.retain(|name| self.computed[name.index()]);
+        names.sort_unstable();
+        names.dedup();
+        if names.is_empty() {
             self.at_once.extend(tokens);
-        } else {
-            self.all.push((missing, tokens));
+            return;
         }
+        names.iter().for_each(|name| self.waiting[name.index()].push(self.all.len()));
+        self.all.push((names.len(), tokens));
     }
 
     /// What is written before any statement.
@@ -60,7 +64,7 @@ impl<'a> Deliveries<'a> {
     pub fn after(&mut self, statement: &Statement) -> TokenStream {
         let mut tokens = TokenStream::new();
         for name in statement.names() {
-            for number in self.waiting.remove(name).unwrap_or_default() {
+            for number in std::mem::take(&mut self.waiting[name.index()]) {
                 let (missing, delivery) = &mut self.all[number];
                 *missing -= 1;
                 if *missing == 0 {

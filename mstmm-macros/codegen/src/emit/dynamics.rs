@@ -6,7 +6,6 @@ use super::block::{Results, body};
 use super::docs;
 use super::integrable::{generated, integrable};
 use super::looped::{Target, usize_literal};
-use super::names::local;
 use super::solution::solution;
 use super::spread::Spread;
 use crate::compile::groups;
@@ -100,7 +99,7 @@ fn implicit(plan: &Plan) -> Option<TokenStream> {
     let block = plan.step(program, &[target], true);
     let body = checked(plan, program, block, pivots);
     let cost = docs::cost(program);
-    let step = local(&plan.programs.symbols.names()[plan.programs.symbols.step().start]);
+    let step = &plan.unknowns[plan.programs.symbols.step().start];
     Some(quote! {
         /// The accelerations of a linearly implicit step of Euler's method.
         ///
@@ -242,7 +241,7 @@ pub(super) fn check(plan: &Plan, program: &Program, block: &Results, pivots: &[H
         let hidden = hidden.iter().flat_map(|(vector, places)| {
             places.iter().map(move |place| quote!(state_.#vector.data.0[0][#place]))
         });
-        let telling = shown.telling.iter().map(|result| plan.operand(result));
+        let telling = shown.telling.iter().map(|result| plan.operand(&block.variables, result));
         (quote!([state_.t, #(#hidden,)* #(#telling),*]), None)
     };
     Check {

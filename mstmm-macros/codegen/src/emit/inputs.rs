@@ -199,9 +199,8 @@ impl Plan<'_> {
     }
 
     fn input_variables(&self, input: &Input) -> Vec<Ident> {
-        let symbols = &self.programs.symbols;
-        let first = symbols.inputs().start;
-        input.range.clone().map(|k| local(&symbols.names()[first + k])).collect()
+        let first = self.programs.symbols.inputs().start;
+        input.range.clone().map(|k| self.unknowns[first + k].clone()).collect()
     }
 
     /// Slices that together hold all numbers of the inputs that stand once, but for inputs all of

@@ -4,7 +4,6 @@
 use super::Plan;
 use super::docs;
 use super::looped::Target;
-use super::names::local;
 use super::spread::Spread;
 use crate::program::Program;
 use proc_macro2::TokenStream;
@@ -16,7 +15,7 @@ pub fn integrable(plan: &Plan) -> TokenStream {
     let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
     let rates = map(plan, &plan.programs.coordinate_rates);
     let normalized = map(plan, &plan.programs.normalized);
-    let step = local(&plan.programs.symbols.names()[plan.programs.symbols.step().start]);
+    let step = &plan.unknowns[plan.programs.symbols.step().start];
     let implicit = plan.programs.implicit.as_ref().map(|_| {
         quote! {
             #[inline]

@@ -1,12 +1,12 @@
 //! Loops over the times of repeated parts, and the arrays that they fill.
 
 use super::Plan;
-use super::block::is_long;
+use super::block::{Results, is_long};
 use super::inputs;
-use super::names::local;
+use super::names::{Variables, local};
 use super::spread::{Piece, Spread};
 use crate::compile::groups;
-use crate::program::{Block, Loop, Operand, Program};
+use crate::program::{Block, Loop, Name, Operand, Program};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
@@ -42,8 +42,9 @@ pub type Stream = (TokenStream, TokenStream);
 
 impl Plan<'_> {
     /// The blocks of a program with loops, and the arrays that they fill for `targets`.
-    pub fn looped(&self, program: &Program, targets: &[Target], masks: &Masks) -> TokenStream {
+    pub fn looped(&self, program: &Program, targets: &[Target], results: &Results) -> TokenStream {
         let mstmm = &self.mstmm;
+        let Results { variables, masks, .. } = results;
         let arrays = targets.iter().map(|target| {
             let (array, total) = (array(target.group), usize_literal(target.spread.total));
             match &target.existing {
@@ -62,10 +63,10 @@ impl Plan<'_> {
         });
         let flat = is_long(program);
         let blocks = program.blocks.iter().enumerate().map(|(number, block)| match block {
-            Block::Once(sections) => self.sections(sections, flat),
-            Block::Loop(turn) => self.turn(program, (number, turn), targets, masks),
+            Block::Once(sections) => self.sections(variables, sections, flat),
+            Block::Loop(turn) => self.turn(program, (number, turn), targets, results),
         });
-        let fill = targets.iter().map(|target| self.fill(program, target));
+        let fill = targets.iter().map(|target| self.fill(program, target, variables));
         quote! {
             #(#arrays)*
             #(let mut #mask_names = <T::Mask as #mstmm::Mask>::splat(true);)*
@@ -76,7 +77,7 @@ impl Plan<'_> {
     }
 
     /// Results that are the same every time, or stand once.
-    fn fill(&self, program: &Program, target: &Target) -> TokenStream {
+    fn fill(&self, program: &Program, target: &Target, variables: &Variables) -> TokenStream {
         let outputs = &program.outputs[target.group];
         let fill = |piece: &Piece| {
             let own = &outputs[piece.first..piece.first + piece.count];
@@ -89,7 +90,7 @@ impl Plan<'_> {
                 return TokenStream::new();
             }
             let set = own.iter().zip(&names).filter_map(|(value, name)| {
-                let (value, name) = (self.operand(value), name.as_ref()?);
+                let (value, name) = (self.operand(variables, value), name.as_ref()?);
                 Some(quote!(*#name = #value;))
             });
             let (pattern, slices) = (pattern(&names), self.slices_mut(&array(target.group), piece));
@@ -108,33 +109,35 @@ impl Plan<'_> {
         program: &Program,
         (number, turn): (usize, &Loop),
         targets: &[Target],
-        masks: &Masks,
+        Results { variables, masks, .. }: &Results,
     ) -> TokenStream {
         let mut streams = self.state_streams(turn);
         let (inputs, taken) = inputs::streams(self, turn);
         streams.extend(inputs);
         streams.extend(self.parameter_streams(turn));
-        streams.extend(self.slot_stream(turn));
-        streams.extend(turn.loads.iter().filter_map(|load| load_stream(program, load)));
+        streams.extend(self.slot_stream(turn, variables));
+        streams.extend(turn.loads.iter().filter_map(|load| load_stream(program, variables, load)));
         let mut writes = TokenStream::new();
         if !turn.stores.is_empty() {
-            let (store, names) = (store_name(number), turn.stores.iter().map(|name| local(name)));
+            let (store, names) =
+                (store_name(number), turn.stores.iter().map(|&name| variables.get(name)));
             writes.extend(quote!(_ = #store.try_push([#(#names),*]);));
         }
         for target in targets {
             let own = target.spread.pieces.iter();
             for piece in own.filter(|piece| piece.repeat == Some(turn.repeat)) {
-                let (stream, write) = self.write(turn, target, piece);
+                let (stream, write) = self.write(turn, target, piece, variables);
                 streams.extend(stream);
                 writes.extend(write);
             }
         }
-        writes.extend(masks.iter().filter_map(|mask| self.check(program, turn, mask)));
-        let names: Vec<Ident> = turn.carries.iter().map(|carry| local(&carry.name)).collect();
-        let firsts = turn.carries.iter().map(|carry| self.operand(&carry.first));
-        let nexts = turn.carries.iter().map(|carry| self.operand(&carry.next));
-        let entering = turn.carries.iter().map(|carry| local(&carry.entering));
-        let sections = self.sections(&turn.sections, is_long(program));
+        writes.extend(masks.iter().filter_map(|mask| self.check(program, turn, mask, variables)));
+        let names: Vec<&Ident> =
+            turn.carries.iter().map(|carry| variables.get(carry.name)).collect();
+        let firsts = turn.carries.iter().map(|carry| self.operand(variables, &carry.first));
+        let nexts = turn.carries.iter().map(|carry| self.operand(variables, &carry.next));
+        let entering = turn.carries.iter().map(|carry| variables.get(carry.entering));
+        let sections = self.sections(variables, &turn.sections, is_long(program));
         let times = usize_literal(self.chain.repeats[turn.repeat].count);
         let (pattern, iterator) = zipped(streams, &times, turn.inwards);
         quote! {
@@ -183,11 +186,11 @@ impl Plan<'_> {
     }
 
     /// What a loop reads of what is known of every time since setup.
-    fn slot_stream(&self, turn: &Loop) -> Option<Stream> {
+    fn slot_stream(&self, turn: &Loop, variables: &Variables) -> Option<Stream> {
         let slots = self.slots_of_part(turn.repeat)?;
         let name_of = |index| turn.slots.iter().find(|slot| slot.index == index);
-        let names: Vec<Option<Ident>> =
-            (0..slots.pieces[0].count).map(|k| name_of(k).map(|slot| local(&slot.name))).collect();
+        let variable = |index| name_of(index).map(|slot| variables.get(slot.name).clone());
+        let names: Vec<Option<Ident>> = (0..slots.pieces[0].count).map(variable).collect();
         let derived = format_ident!("derived{}", turn.repeat);
         let pattern = pattern(&names);
         let any = names.iter().any(Option::is_some);
@@ -204,11 +207,17 @@ impl Plan<'_> {
     /// The variable of an unknown, if a loop reads it.
     pub fn read_in(&self, turn: &Loop, number: usize) -> Option<Ident> {
         let read = turn.symbols.binary_search(&(number as u32)).is_ok();
-        read.then(|| local(&self.programs.symbols.names()[number]))
+        read.then(|| self.unknowns[number].clone())
     }
 
     /// Writes what a loop has for a piece of an array.
-    fn write(&self, turn: &Loop, target: &Target, piece: &Piece) -> (Option<Stream>, TokenStream) {
+    fn write(
+        &self,
+        turn: &Loop,
+        target: &Target,
+        piece: &Piece,
+        variables: &Variables,
+    ) -> (Option<Stream>, TokenStream) {
         let mut writes = TokenStream::new();
         let mut names = Vec::new();
         for place in piece.first..piece.first + piece.count {
@@ -216,7 +225,7 @@ impl Plan<'_> {
                 |(group, at, _): &&(usize, usize, Operand)| *group == target.group && *at == place;
             names.push(turn.outputs.iter().find(here).map(|(_, _, value)| {
                 let (name, value) =
-                    (local(&format!("o{}_{place}", target.group)), self.operand(value));
+                    (local(&format!("o{}_{place}", target.group)), self.operand(variables, value));
                 writes.extend(quote!(*#name = #value;));
                 name
             }));
@@ -233,15 +242,16 @@ impl Plan<'_> {
         program: &Program,
         turn: &Loop,
         (number, mask): &(usize, Ident),
+        variables: &Variables,
     ) -> Option<TokenStream> {
         let mstmm = &self.mstmm;
         let find = |group: usize| {
             let here = |(g, place, _): &&(usize, usize, Operand)| *g == group && place == number;
-            turn.outputs.iter().find(here).map(|(_, _, value)| self.operand(value))
+            turn.outputs.iter().find(here).map(|(_, _, value)| self.operand(variables, value))
         };
         let once = |group: usize| match &program.outputs[group][*number] {
             Operand::Repeated => None,
-            operand => Some(self.operand(operand)),
+            operand => Some(self.operand(variables, operand)),
         };
         let (value, scale) = match (find(groups::PIVOTS), find(groups::SCALES)) {
             (None, None) => return None,
@@ -270,10 +280,17 @@ impl Plan<'_> {
 }
 
 /// What a loop reads of what an earlier one has stored.
-fn load_stream(program: &Program, (from, names): &(usize, Vec<String>)) -> Option<Stream> {
+fn load_stream(
+    program: &Program,
+    variables: &Variables,
+    (from, names): &(usize, Vec<Name>),
+) -> Option<Stream> {
     let Some(Block::Loop(earlier)) = program.blocks.get(*from) else { return None };
-    let wanted: Vec<Option<Ident>> =
-        earlier.stores.iter().map(|name| names.contains(name).then(|| local(name))).collect();
+    let wanted = earlier.stores.iter().map(|name| {
+        let is_wanted = names.contains(name);
+        is_wanted.then(|| variables.get(*name).clone())
+    });
+    let wanted: Vec<Option<Ident>> = wanted.collect();
     let (pattern, store) = (pattern(&wanted), store_name(*from));
     let times = if earlier.inwards {
         quote!(::core::iter::Iterator::rev(#store.iter()))

@@ -24,8 +24,8 @@ use crate::compile::Programs;
 use crate::examine::Examination;
 use crate::model::{Chain, Layout};
 use crate::syntax::Surface;
-use names::Names;
-use proc_macro2::TokenStream;
+use names::{Names, local};
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 /// All that the parts of the expansion are written from.
@@ -36,6 +36,8 @@ struct Plan<'a> {
     programs: &'a Programs,
     examination: &'a Examination,
     names: Names,
+    /// The variables that unknowns are, by number.
+    unknowns: Vec<Ident>,
     /// The path of the crate `mstmm`.
     mstmm: &'a TokenStream,
 }
@@ -49,8 +51,9 @@ pub fn expand(
     examination: &Examination,
     mstmm: &TokenStream,
 ) -> TokenStream {
-    let plan =
-        Plan { chain, surface, layout, programs, examination, names: Names::of(chain), mstmm };
+    let names = Names::of(chain);
+    let unknowns = programs.symbols.names().iter().map(|text| local(text)).collect();
+    let plan = Plan { chain, surface, layout, programs, examination, names, unknowns, mstmm };
     let construction = construction::emit(&plan);
     let dynamics = dynamics::emit(&plan);
     let state = state::emit(&plan);

@@ -1,6 +1,7 @@
 //! All identifiers of the expansion.
 
 use crate::model::Chain;
+use crate::program::{Name, Program};
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
@@ -29,6 +30,22 @@ impl Names {
             parameters: named("Parameters"),
             workspace: named("Workspace"),
         }
+    }
+}
+
+/// The variables that a program's values are.
+#[derive(Default)]
+pub struct Variables(Vec<Ident>);
+
+impl Variables {
+    /// Those of `program`.
+    pub fn of(program: &Program) -> Self {
+        Variables(program.names.all().iter().map(|text| local(text)).collect())
+    }
+
+    /// That of a value.
+    pub fn get(&self, name: Name) -> &Ident {
+        &self.0[name.index()]
     }
 }
 

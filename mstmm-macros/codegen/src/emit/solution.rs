@@ -6,7 +6,7 @@ use super::delivery::Deliveries;
 use super::docs;
 use super::dynamics::{Check, check};
 use super::looped::{Target, usize_literal};
-use super::names::local;
+use super::names::{Variables, local};
 use super::spread::Spread;
 use crate::compile::groups;
 use crate::program::Operand;
@@ -162,7 +162,8 @@ pub fn at_first(plan: &Plan, group: usize) -> TokenStream {
     let known = outputs.iter().enumerate().filter(|(_, x)| is_known(x) && !is_zero(x));
     let known: Vec<TokenStream> = known
         .map(|(number, operand)| {
-            let (number, value) = (usize_literal(number), plan.operand(operand));
+            let (number, value) =
+                (usize_literal(number), plan.operand(&Variables::default(), operand));
             quote!((#number, #value))
         })
         .collect();

@@ -6,25 +6,35 @@
 use super::Plan;
 use super::block::{Results, reads};
 use super::looped::usize_literal;
-use super::names::local;
+use super::names::{Variables, local};
 use super::statement::{Around, Writer};
 use crate::model::{Driven, Input};
-use crate::program::{Move, Operand, Program, Spills};
+use crate::program::{Move, Name, Operand, Program, Spills};
 use proc_macro2::{Delimiter, Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// From where unknowns and values known since setup are read.
 #[derive(Default)]
-struct Sources<'a> {
-    /// The name of a reference to an array, and the place in it; without one, of a reference to a number.
-    of: HashMap<&'a str, (String, Option<usize>)>,
+struct Sources {
+    symbols: HashMap<u32, Source>,
+    slots: HashMap<Name, Source>,
+    /// References to arrays and numbers, each with another for reading again.
+    references: Vec<[Ident; 2]>,
     /// Statements that make the references.
     borrowed: TokenStream,
     /// The same of references for reading again.
     borrowed_again: TokenStream,
-    /// What has been read.
-    read: HashSet<String>,
+}
+
+/// From where a number is read.
+struct Source {
+    /// The number of the reference.
+    reference: usize,
+    /// The place in an array; none of a reference to the number itself.
+    place: Option<usize>,
+    /// Whether it has been read.
+    is_read: bool,
 }
 
 impl Plan<'_> {
@@ -34,17 +44,18 @@ impl Plan<'_> {
         self.borrow_slots(program, &mut sources);
         self.borrow_state(program, &mut sources);
         self.borrow_inputs(program, &mut sources);
-        let mut results = self.results(program, self.room(spills, &sources));
-        let mut writer = Writer::after(self, results.statements);
+        let room = self.room(spills, &sources);
+        let mut results = self.results(program, Variables::of(program), room);
+        let mut writer = Writer::after(self, &results.variables, results.statements);
         let mut moves = spills.moves.iter();
+        let mut mover = Mover { plan: self, program, variables: &results.variables, sources };
         let mut around = |writer: &mut Writer, around: Around| {
             if let Around::Before = around {
-                let moves = moves.next().into_iter().flatten();
-                moves.for_each(|it| self.moved(it, &mut sources, writer));
+                moves.next().into_iter().flatten().for_each(|it| mover.write(it, writer));
             }
         };
         writer.sections_with(program.sections(), false, &mut around);
-        moves.flatten().for_each(|it| self.moved(it, &mut sources, &mut writer));
+        moves.flatten().for_each(|it| mover.write(it, &mut writer));
         results.statements = writer.finish();
         results
     }
@@ -53,7 +64,7 @@ impl Plan<'_> {
     fn room(&self, spills: &Spills, sources: &Sources) -> TokenStream {
         let mstmm = self.mstmm;
         let count = usize_literal(spills.places);
-        let places = (0..spills.places).map(|number| local(&place(number)));
+        let places = (0..spills.places).map(place);
         let Sources { borrowed, borrowed_again, .. } = sources;
         quote! {
             #borrowed
@@ -66,38 +77,41 @@ impl Plan<'_> {
         }
     }
 
-    fn borrow_slots<'b>(&self, program: &'b Program, sources: &mut Sources<'b>) {
-        for slot in &program.slots {
-            sources.of.insert(&slot.name, ("derived".to_owned(), Some(slot.index)));
+    fn borrow_slots(&self, program: &Program, sources: &mut Sources) {
+        if program.slots.is_empty() {
+            return;
         }
-        if !program.slots.is_empty() {
-            sources.borrow("derived", |name, again| {
-                let owner = if again { quote!(self_again_) } else { quote!(self) };
-                quote!(let #name = &#owner.derived;)
-            });
+        let reference = sources.borrow("derived", |name, again| {
+            let owner = if again { quote!(self_again_) } else { quote!(self) };
+            quote!(let #name = &#owner.derived;)
+        });
+        for slot in &program.slots {
+            sources.slots.insert(slot.name, Source::new(reference, Some(slot.index)));
         }
     }
 
-    fn borrow_state<'b>(&'b self, program: &Program, sources: &mut Sources<'b>) {
+    fn borrow_state(&self, program: &Program, sources: &mut Sources) {
         let symbols = &self.programs.symbols;
         for (range, vector) in [(symbols.q(), "q"), (symbols.v(), "v")] {
-            let read: Vec<usize> = range.clone().filter(|&number| reads(program, number)).collect();
-            for &number in &read {
-                let source = (vector.to_owned(), Some(number - range.start));
-                sources.of.insert(&symbols.names()[number], source);
+            let start = range.start;
+            let read: Vec<usize> = range.filter(|&number| reads(program, number)).collect();
+            if read.is_empty() {
+                continue;
             }
-            if !read.is_empty() {
-                let field = format_ident!("{vector}");
-                sources.borrow(vector, |name, again| {
-                    let state = if again { quote!(state_again_) } else { quote!(state_) };
-                    quote!(let [#name] = &#state.#field.data.0;)
-                });
+            let field = format_ident!("{vector}");
+            let reference = sources.borrow(vector, |name, again| {
+                let state = if again { quote!(state_again_) } else { quote!(state_) };
+                quote!(let [#name] = &#state.#field.data.0;)
+            });
+            for number in read {
+                let source = Source::new(reference, Some(number - start));
+                sources.symbols.insert(number as u32, source);
             }
         }
     }
 
     /// Borrows inputs, but for prescribed motions, which are taken apart.
-    fn borrow_inputs<'b>(&'b self, program: &Program, sources: &mut Sources<'b>) {
+    fn borrow_inputs(&self, program: &Program, sources: &mut Sources) {
         for input in self.needed_inputs(program) {
             if let Driven::Motion(_) = input.what {
                 sources.borrowed.extend(self.read_whole_input(input));
@@ -107,17 +121,11 @@ impl Plan<'_> {
         }
     }
 
-    fn borrow_input<'b>(&'b self, input: &Input, sources: &mut Sources<'b>) {
-        let symbols = &self.programs.symbols;
+    fn borrow_input(&self, input: &Input, sources: &mut Sources) {
         let field = self.chain.name_of_input(input.what);
-        // No value is called so, whatever its hinge is called: behind a hinge stands what it is.
-        let name = format!("{field}_input");
-        let first = symbols.inputs().start + input.range.start;
         let one = input.range.len() == 1;
-        for (place, symbol) in symbols.names()[first..][..input.range.len()].iter().enumerate() {
-            sources.of.insert(symbol, (name.clone(), (!one).then_some(place)));
-        }
-        sources.borrow(&name, |name, again| {
+        // No value is called so, whatever its hinge is called: behind a hinge stands what it is.
+        let reference = sources.borrow(&format!("{field}_input"), |name, again| {
             let inputs = if again { quote!(inputs_again_) } else { quote!(inputs_) };
             if one {
                 quote!(let #name = &#inputs.#field;)
@@ -125,76 +133,110 @@ impl Plan<'_> {
                 quote!(let [#name] = &#inputs.#field.data.0;)
             }
         });
-    }
-
-    /// Writes a move.
-    fn moved(&self, it: &Move, sources: &mut Sources, writer: &mut Writer) {
-        let name = |operand: &Operand| match operand {
-            Operand::Symbol(number) => self.programs.symbols.names()[*number as usize].clone(),
-            operand => operand.name().unwrap_or_default().to_owned(),
-        };
-        match it {
-            Move::Read(operand) => sources.read(name(operand), writer),
-            Move::Spill(operand, number) => {
-                let name = name(operand);
-                writer.assign(&spilled(&name), |writer| {
-                    writer.generated("spill");
-                    writer.group(Delimiter::Parenthesis, |arguments| {
-                        arguments.local(&place(*number));
-                        arguments.sign(',');
-                        arguments.local(&name);
-                    });
-                });
-            }
-            Move::Reload(operand) => {
-                let name = name(operand);
-                writer.assign(&name, |writer| {
-                    writer.sign('*');
-                    writer.local(&spilled(&name));
-                });
-            }
+        let first = self.programs.symbols.inputs().start + input.range.start;
+        for place in 0..input.range.len() {
+            let source = Source::new(reference, (!one).then_some(place));
+            sources.symbols.insert((first + place) as u32, source);
         }
     }
 }
 
-impl Sources<'_> {
-    /// Makes a reference of this name, and one for reading again.
-    fn borrow(&mut self, name: &str, borrowed: impl Fn(Ident, bool) -> TokenStream) {
-        self.borrowed.extend(borrowed(local(name), false));
-        self.borrowed_again.extend(borrowed(local(&again(name)), true));
+/// Writes moves.
+struct Mover<'a> {
+    plan: &'a Plan<'a>,
+    program: &'a Program,
+    variables: &'a Variables,
+    sources: Sources,
+}
+
+impl Mover<'_> {
+    fn write(&mut self, it: &Move, writer: &mut Writer) {
+        match it {
+            Move::Read(operand) => self.read(operand, writer),
+            Move::Spill(operand, number) => {
+                let Some(spilled) = self.spilled(operand) else { return };
+                writer.assign(&spilled, |writer| {
+                    writer.generated("spill");
+                    writer.group(Delimiter::Parenthesis, |arguments| {
+                        arguments.variable(&place(*number));
+                        arguments.sign(',');
+                        arguments.operand(operand);
+                    });
+                });
+            }
+            Move::Reload(operand) => {
+                let (variable, spilled) = (self.variable(operand), self.spilled(operand));
+                let (Some(variable), Some(spilled)) = (variable, spilled) else { return };
+                writer.assign(variable, |writer| {
+                    writer.sign('*');
+                    writer.variable(&spilled);
+                });
+            }
+        }
     }
 
     /// Reads a number.
-    fn read(&mut self, name: String, writer: &mut Writer) {
-        let Some((source, place)) = self.of.get(name.as_str()) else { return };
-        let is_first = self.read.insert(name.clone());
-        let source = if is_first { source.clone() } else { again(source) };
-        writer.assign(&name, |writer| match *place {
+    fn read(&mut self, operand: &Operand, writer: &mut Writer) {
+        let Sources { symbols, slots, references, .. } = &mut self.sources;
+        let source = match operand {
+            Operand::Symbol(number) => symbols.get_mut(number),
+            operand => operand.name().and_then(|name| slots.get_mut(&name)),
+        };
+        let Some(Source { reference, place, is_read }) = source else { return };
+        let [first, again] = &references[*reference];
+        let reference = if std::mem::replace(is_read, true) { again } else { first }.clone();
+        let place = *place;
+        let Some(variable) = self.variable(operand) else { return };
+        writer.assign(variable, |writer| match place {
             Some(place) => {
-                writer.local(&source);
+                writer.variable(&reference);
                 writer.group(Delimiter::Bracket, |index| {
                     index.literal(Literal::usize_unsuffixed(place));
                 });
             }
             None => {
                 writer.sign('*');
-                writer.local(&source);
+                writer.variable(&reference);
             }
         });
     }
+
+    /// The variable of an unknown or a value.
+    fn variable(&self, operand: &Operand) -> Option<&Ident> {
+        match operand {
+            Operand::Symbol(number) => self.plan.unknowns.get(*number as usize),
+            operand => Some(self.variables.get(operand.name()?)),
+        }
+    }
+
+    /// The variable of a value in memory.
+    fn spilled(&self, operand: &Operand) -> Option<Ident> {
+        let text = match operand {
+            Operand::Symbol(number) => &self.plan.programs.symbols.names()[*number as usize],
+            operand => self.program.names.text(operand.name()?),
+        };
+        Some(local(&format!("{text}_spilled")))
+    }
 }
 
-/// The name of a place in memory.
-fn place(number: usize) -> String {
-    format!("place{number}")
+impl Source {
+    fn new(reference: usize, place: Option<usize>) -> Self {
+        Source { reference, place, is_read: false }
+    }
 }
 
-/// The name of a value in memory.
-fn spilled(name: &str) -> String {
-    format!("{name}_spilled")
+impl Sources {
+    /// Makes a reference of this name, and one for reading again; returns their number.
+    fn borrow(&mut self, name: &str, borrowed: impl Fn(&Ident, bool) -> TokenStream) -> usize {
+        let references = [local(name), local(&format!("{name}_again"))];
+        self.borrowed.extend(borrowed(&references[0], false));
+        self.borrowed_again.extend(borrowed(&references[1], true));
+        self.references.push(references);
+        self.references.len() - 1
+    }
 }
 
-/// The name of a reference for reading again.
-fn again(name: &str) -> String {
-    format!("{name}_again")
+/// A place in memory.
+fn place(number: usize) -> Ident {
+    local(&format!("place{number}"))
 }

@@ -4,8 +4,8 @@
 //! as many calls of rustc; here a stream is made of a whole program, and of what stands in brackets.
 
 use super::Plan;
-use super::names::local;
-use crate::program::{Headed, Operand, Operation, Section, Statement, by_heading};
+use super::names::{Variables, local};
+use crate::program::{Headed, Name, Operand, Operation, Section, Statement, by_heading};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
 /// So many names are declared at once where they are declared before they are computed.
@@ -22,18 +22,19 @@ pub enum Around<'a> {
 /// Tokens that are being written.
 pub struct Writer<'a> {
     plan: &'a Plan<'a>,
+    variables: &'a Variables,
     tokens: Vec<TokenTree>,
 }
 
 impl<'a> Writer<'a> {
-    /// Nothing yet.
-    pub fn new(plan: &'a Plan<'a>) -> Self {
-        Writer { plan, tokens: Vec::new() }
+    /// Nothing yet, of a program with these variables.
+    pub fn new(plan: &'a Plan<'a>, variables: &'a Variables) -> Self {
+        Writer { plan, variables, tokens: Vec::new() }
     }
 
     /// What is there already.
-    pub fn after(plan: &'a Plan<'a>, tokens: TokenStream) -> Self {
-        Writer { plan, tokens: tokens.into_iter().collect() }
+    pub fn after(plan: &'a Plan<'a>, variables: &'a Variables, tokens: TokenStream) -> Self {
+        Writer { plan, variables, tokens: tokens.into_iter().collect() }
     }
 
     /// Adds what is written already.
@@ -100,7 +101,7 @@ impl<'a> Writer<'a> {
         self.group(Delimiter::Parenthesis, |names| {
             let statements = sections[first..next].iter().flat_map(|section| &section.statements);
             for name in statements.flat_map(Statement::names) {
-                names.local(name);
+                names.name(name);
                 names.sign(',');
             }
         });
@@ -131,7 +132,7 @@ impl<'a> Writer<'a> {
     fn statement(&mut self, statement: &Statement) {
         match statement {
             Statement::Let(name, operation) => {
-                self.local(name);
+                self.name(*name);
                 self.sign('=');
                 self.operation(operation);
             }
@@ -152,19 +153,19 @@ impl<'a> Writer<'a> {
     }
 
     /// A pattern of names where there are some.
-    fn names(&mut self, names: &[Option<String>]) {
+    fn names(&mut self, names: &[Option<Name>]) {
         self.group(Delimiter::Bracket, |pattern| {
             pattern.separated(names, |pattern, name| match name {
-                Some(name) => pattern.local(name),
+                Some(name) => pattern.name(*name),
                 None => pattern.word("_"),
             });
         });
     }
 
     /// `let name = …;`
-    pub fn assign(&mut self, name: &str, write: impl FnOnce(&mut Self)) {
+    pub fn assign(&mut self, name: &Ident, write: impl FnOnce(&mut Self)) {
         self.word("let");
-        self.local(name);
+        self.variable(name);
         self.sign('=');
         write(self);
         self.sign(';');
@@ -217,10 +218,8 @@ impl<'a> Writer<'a> {
     pub fn operand(&mut self, operand: &Operand) {
         match operand {
             Operand::Number(value) => self.number(*value),
-            Operand::Symbol(number) => {
-                self.local(&self.plan.programs.symbols.names()[*number as usize]);
-            }
-            Operand::Named(name) => self.local(name),
+            Operand::Symbol(number) => self.variable(&self.plan.unknowns[*number as usize]),
+            Operand::Named(name) => self.name(*name),
             Operand::Minus(inner) => {
                 self.sign('-');
                 self.operand(inner);
@@ -231,7 +230,7 @@ impl<'a> Writer<'a> {
     }
 
     fn number(&mut self, value: f64) {
-        self.local("c");
+        self.variable(&local("c"));
         self.group(Delimiter::Parenthesis, |number| {
             // A pivot that vanishes in every state leaves its reciprocal behind: the test of the
             // pivots comes first, but the number has to be written.
@@ -272,14 +271,19 @@ impl<'a> Writer<'a> {
 
     /// What stands in brackets.
     pub fn group(&mut self, delimiter: Delimiter, write: impl FnOnce(&mut Self)) {
-        let mut inner = Writer::new(self.plan);
+        let mut inner = Writer::new(self.plan, self.variables);
         write(&mut inner);
         self.tokens.push(Group::new(delimiter, inner.finish()).into());
     }
 
-    /// A local variable.
-    pub fn local(&mut self, name: &str) {
-        self.tokens.push(local(name).into());
+    /// A variable.
+    pub fn variable(&mut self, variable: &Ident) {
+        self.tokens.push(variable.clone().into());
+    }
+
+    /// The variable of a value.
+    fn name(&mut self, name: Name) {
+        self.variable(self.variables.get(name));
     }
 
     fn word(&mut self, word: &str) {

@@ -3,7 +3,7 @@
 use super::Home;
 use super::schedule::Scheduler;
 use crate::expr::{Edge, Node, NodeId};
-use crate::program::{Operand, Operation, Slot, Statement};
+use crate::program::{Name, Operand, Operation, Slot, Statement};
 
 impl Scheduler<'_> {
     /// States a node.
@@ -57,14 +57,15 @@ impl Scheduler<'_> {
     /// The slot of a value that is known since setup, under a name of this program.
     fn slot_of(&mut self, id: NodeId) -> Slot {
         let (graph, symbols) = (self.graph, self.symbols);
-        let (given, part) = (self.names.get(id).cloned(), self.part_of(id));
+        let given = self.names.get(id).map(|name| self.program.names.text(name).to_owned());
+        let part = self.part_of(id);
         let (index, name) = self.setup.slot(part, id, |number| match graph.node(id) {
             Node::Symbol(symbol) => symbols[symbol as usize].clone(),
             _ => given.unwrap_or_else(|| format!("p{number}")),
         });
         let wanted = format!("known_{name}");
         let name = self.fresh(wanted);
-        self.names.insert(id, name.clone());
+        self.names.insert(id, name);
         Slot { index, name }
     }
 
@@ -119,7 +120,7 @@ impl Scheduler<'_> {
                             _ => format!("{prefix}_{number}"),
                         };
                         let name = self.fresh(name);
-                        self.names.insert(node, name.clone());
+                        self.names.insert(node, name);
                         Some(name)
                     }
                     None => None,
@@ -130,13 +131,13 @@ impl Scheduler<'_> {
         self.state(Statement::SinCos { sines, cosines, angles: operands });
     }
 
-    fn name(&mut self, id: NodeId) -> String {
+    fn name(&mut self, id: NodeId) -> Name {
         if let Some(name) = self.names.get(id) {
-            return name.clone();
+            return name;
         }
         let name = self.fresh(format!("t{}", self.temporaries));
         self.temporaries += 1;
-        self.names.insert(id, name.clone());
+        self.names.insert(id, name);
         name
     }
 
@@ -148,10 +149,11 @@ impl Scheduler<'_> {
                 return Operand::Number(if edge.is_negative() { 0.0 - value } else { value });
             }
             Node::Symbol(number) if !self.is_slot(node) => match self.carried.get(&number) {
-                Some(name) => Operand::Named(name.clone()),
+                Some(&name) => Operand::Named(name),
                 None => Operand::Symbol(number),
             },
-            _ => Operand::Named(self.names.get(node).cloned().unwrap_or_default()),
+            // Every node has been stated before its users.
+            _ => self.names.get(node).map_or(Operand::Repeated, Operand::Named),
         };
         if edge.is_negative() { Operand::Minus(Box::new(plain)) } else { plain }
     }

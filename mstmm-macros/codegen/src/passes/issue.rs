@@ -10,7 +10,7 @@
 use super::latency::of_statement;
 use crate::program::{Block, Operand, Program, Section, Statement};
 use std::cmp::Reverse;
-use std::collections::{BinaryHeap, HashMap};
+use std::collections::BinaryHeap;
 
 /// So many operations are started in [`CYCLES`], for multiplications have two units and additions others
 /// beside. Orders for more need more registers than there are.
@@ -33,7 +33,7 @@ pub fn issue(mut program: Program) -> Issued {
     let mut waits = false;
     for block in &mut program.blocks {
         if let Block::Once(sections) = block
-            && let Some(order) = waiting_order(sections)
+            && let Some(order) = waiting_order(sections, program.names.count())
         {
             *sections = issued(std::mem::take(sections), &order);
             waits = true;
@@ -43,11 +43,11 @@ pub fn issue(mut program: Program) -> Issued {
 }
 
 /// The numbers of the statements of a block in the order in which they should run, if they wait for one
-/// another.
-fn waiting_order(sections: &[Section]) -> Option<Vec<usize>> {
+/// another; of the program's values there are so many.
+fn waiting_order(sections: &[Section], names: usize) -> Option<Vec<usize>> {
     let statements: Vec<&Statement> =
         sections.iter().flat_map(|section| &section.statements).collect();
-    let dependencies = Dependencies::of(&statements);
+    let dependencies = Dependencies::of(&statements, names);
     let depths = dependencies.depths();
     dependencies.wait(&depths).then(|| dependencies.order(&depths))
 }
@@ -87,16 +87,15 @@ struct Dependencies {
 }
 
 impl Dependencies {
-    fn of(statements: &[&Statement]) -> Self {
-        let mut maker_of: HashMap<&str, usize> = HashMap::new();
+    fn of(statements: &[&Statement], names: usize) -> Self {
+        let mut maker_of = vec![None; names];
         for (number, statement) in statements.iter().enumerate() {
-            maker_of.extend(statement.names().map(|name| (name, number)));
+            statement.names().for_each(|name| maker_of[name.index()] = Some(number));
         }
         let mut users = vec![0; statements.len()];
         let makers = statements.iter().map(|statement| {
             let names = statement.operands().filter_map(Operand::name);
-            let mut read: Vec<usize> =
-                names.filter_map(|name| maker_of.get(name).copied()).collect();
+            let mut read: Vec<usize> = names.filter_map(|name| maker_of[name.index()]).collect();
             read.sort_unstable();
             read.dedup();
             read.iter().for_each(|&maker| users[maker] += 1);
@@ -170,47 +169,54 @@ impl Dependencies {
 #[cfg(test)]
 mod tests {
     use super::{issued, waiting_order};
-    use crate::program::{Operand, Operation, Section, Statement};
+    use crate::program::{Name, Names, Operand, Operation, Section, Statement};
 
     fn section(title: &str, statements: Vec<Statement>) -> Section {
         Section { title: title.into(), source: String::new(), statements }
     }
 
-    fn named(name: &str) -> Operand {
-        Operand::Named(name.into())
+    fn reciprocal(name: Name, of: Operand) -> Statement {
+        Statement::Let(name, Operation::Recip(of))
     }
 
-    fn reciprocal(name: &str, of: &str) -> Statement {
-        Statement::Let(name.into(), Operation::Recip(named(of)))
+    /// New values, called so with their numbers.
+    fn values<const N: usize>(names: &mut Names, letter: &str) -> [Name; N] {
+        std::array::from_fn(|number| names.add(format!("{letter}{number}")))
     }
 
     #[test]
     fn what_is_needed_at_the_end_fills_the_gaps_of_the_longest_path() {
-        let sum = |name: String, a, b| Statement::Let(name, Operation::Sum(a, b));
-        let fill =
-            (0..6).map(|k| sum(format!("f{k}"), Operand::Symbol(k), Operand::Symbol(9))).collect();
-        let path = vec![reciprocal("a", "x"), reciprocal("b", "a")];
-        let end =
-            (0..6).map(|k| sum(format!("g{k}"), named(&format!("f{k}")), named("b"))).collect();
-        let given = vec![section("fill", fill), section("path", path), section("end", end)];
-        let order = waiting_order(&given).expect("it waits");
+        let mut names = Names::default();
+        let [a, b] = values(&mut names, "path");
+        let (fill, end): ([Name; 6], [Name; 6]) =
+            (values(&mut names, "f"), values(&mut names, "g"));
+        let unknown = |k: usize| Operand::Symbol(k as u32);
+        let filling = |k: usize| Operation::Sum(unknown(k), unknown(9));
+        let ending = |k: usize| Operation::Sum(Operand::Named(fill[k]), Operand::Named(b));
+        let filling = (0..6).map(|k| Statement::Let(fill[k], filling(k))).collect();
+        let path = vec![reciprocal(a, unknown(0)), reciprocal(b, Operand::Named(a))];
+        let ending = (0..6).map(|k| Statement::Let(end[k], ending(k))).collect();
+        let given = vec![section("fill", filling), section("path", path), section("end", ending)];
+        let order = waiting_order(&given, names.count()).expect("it waits");
         let ordered = issued(given, &order);
         let titles: Vec<&str> = ordered.iter().map(|section| &section.title[..]).collect();
         assert_eq!(titles, ["path", "fill", "end"]);
         let statements = ordered.iter().flat_map(|section| &section.statements);
-        let names: Vec<&str> = statements.flat_map(Statement::names).collect();
-        let expected =
-            ["a", "b", "f0", "f1", "f2", "f3", "f4", "f5", "g0", "g1", "g2", "g3", "g4", "g5"];
-        assert_eq!(names, expected);
+        let made: Vec<Name> = statements.flat_map(Statement::names).collect();
+        assert_eq!(made, [&[a, b], &fill[..], &end[..]].concat());
     }
 
     #[test]
     fn where_there_is_work_enough_the_order_stays() {
-        let sums = (0..100).map(|k| {
-            Statement::Let(format!("f{k}"), Operation::Sum(Operand::Symbol(k), Operand::Symbol(k)))
-        });
-        let sections =
-            vec![section("sums", sums.collect()), section("end", vec![reciprocal("a", "f99")])];
-        assert_eq!(waiting_order(&sections), None);
+        let mut names = Names::default();
+        let sums: [Name; 100] = values(&mut names, "f");
+        let [last] = values(&mut names, "last");
+        let sum = |k: usize| {
+            let unknown = Operand::Symbol(k as u32);
+            Statement::Let(sums[k], Operation::Sum(unknown.clone(), unknown))
+        };
+        let end = vec![reciprocal(last, Operand::Named(sums[99]))];
+        let sections = vec![section("sums", (0..100).map(sum).collect()), section("end", end)];
+        assert_eq!(waiting_order(&sections, names.count()), None);
     }
 }

@@ -4,7 +4,7 @@
 use super::schedule::Scheduler;
 use super::{Heading, Home, Turn};
 use crate::expr::{Edge, NodeId};
-use crate::program::{Block, Carried, Loop};
+use crate::program::{Block, Carried, Loop, Name};
 
 impl Scheduler<'_> {
     /// A loop.
@@ -23,7 +23,7 @@ impl Scheduler<'_> {
             return;
         }
         let read = self.read_by(home, turn);
-        let mut loads: Vec<(usize, Vec<String>)> = Vec::new();
+        let mut loads: Vec<(usize, Vec<Name>)> = Vec::new();
         let (mut symbols, mut slots) = (Vec::new(), Vec::new());
         for node in read {
             if self.is_slot(node) {
@@ -43,8 +43,8 @@ impl Scheduler<'_> {
         symbols.sort_unstable();
         symbols.dedup();
         let carries = turn.carries.iter().map(|carry| Carried {
-            name: self.carried[&carry.leaving].clone(),
-            entering: self.carried[&carry.entering].clone(),
+            name: self.carried[&carry.leaving],
+            entering: self.carried[&carry.entering],
             first: self.operand(carry.first),
             next: self.operand(carry.next),
         });
@@ -85,13 +85,13 @@ impl Scheduler<'_> {
     }
 
     /// Lets a loop read what an earlier one has computed at the same time.
-    fn load(&mut self, node: NodeId, from: usize, loads: &mut Vec<(usize, Vec<String>)>) {
+    fn load(&mut self, node: NodeId, from: usize, loads: &mut Vec<(usize, Vec<Name>)>) {
         let carried = self.graph.symbol_number(node).and_then(|symbol| self.carried.get(&symbol));
-        let Some(name) = self.names.get(node).or(carried).cloned() else { return };
+        let Some(name) = self.names.get(node).or(carried.copied()) else { return };
         if let Some(Block::Loop(earlier)) = self.program.blocks.get_mut(from)
             && !earlier.stores.contains(&name)
         {
-            earlier.stores.push(name.clone());
+            earlier.stores.push(name);
         }
         match loads.iter_mut().find(|(block, _)| *block == from) {
             Some((_, names)) => names.push(name),

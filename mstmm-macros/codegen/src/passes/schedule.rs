@@ -3,10 +3,10 @@
 
 use super::angles::{Angles, angles};
 use super::fuse::fused;
-use super::names::Names;
+use super::names::NodeNames;
 use super::{Home, Live, Setup, Turn, Turns};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
-use crate::program::{Block, Operand, Program, Section, Slot, Statement};
+use crate::program::{Block, Name, Names, Operand, Program, Section, Slot, Statement};
 use std::collections::{HashMap, HashSet};
 
 /// Named values under a heading.
@@ -71,9 +71,10 @@ pub(super) struct Scheduler<'a> {
     pub(super) depths: Vec<u32>,
     /// Products that are computed with their sums.
     pub(super) fused: Vec<bool>,
-    pub(super) names: Names,
-    /// Names of what loops carry, by the number of the unknown.
-    pub(super) carried: HashMap<u32, String>,
+    /// Which values nodes are.
+    pub(super) names: NodeNames,
+    /// What loops carry, by the number of the unknown.
+    pub(super) carried: HashMap<u32, Name>,
     /// Slots of repeated parts, which their loops read.
     pub(super) slots: HashMap<NodeId, Slot>,
     /// The blocks of the loops that are done.
@@ -109,7 +110,7 @@ impl<'a> Scheduler<'a> {
             angles,
             depths,
             fused,
-            names: Names::new(graph.len()),
+            names: NodeNames::new(graph.len()),
             carried: HashMap::new(),
             blocks: HashMap::new(),
             slots: HashMap::new(),
@@ -118,6 +119,7 @@ impl<'a> Scheduler<'a> {
             found: vec![0; graph.len()],
             requests: 0,
             program: Program {
+                names: Names::default(),
                 symbols: Vec::new(),
                 slots: Vec::new(),
                 blocks: Vec::new(),
@@ -139,13 +141,16 @@ impl<'a> Scheduler<'a> {
         }
     }
 
-    pub(super) fn fresh(&mut self, wanted: String) -> String {
-        if self.taken.insert(wanted.clone()) {
-            return wanted;
-        }
-        let numbered = (2..).map(|number| format!("{wanted}_{number}"));
-        let mut free = numbered.filter(|name| self.taken.insert(name.clone()));
-        free.next().unwrap_or_default()
+    /// A new value, called so if nothing else is.
+    pub(super) fn fresh(&mut self, wanted: String) -> Name {
+        let text = if self.taken.insert(wanted.clone()) {
+            wanted
+        } else {
+            let numbered = (2..).map(|number| format!("{wanted}_{number}"));
+            let mut free = numbered.filter(|name| self.taken.insert(name.clone()));
+            free.next().unwrap_or_default()
+        };
+        self.program.names.add(text)
     }
 
     /// Names what loops carry.
@@ -153,7 +158,7 @@ impl<'a> Scheduler<'a> {
         for (number, turn) in self.turns.all.iter().enumerate() {
             for (place, carry) in turn.carries.iter().enumerate() {
                 let name = self.fresh(format!("carry{number}_{place}"));
-                let entering = self.fresh(format!("{name}_before"));
+                let entering = self.fresh(format!("carry{number}_{place}_before"));
                 self.carried.insert(carry.entering, entering);
                 self.carried.insert(carry.leaving, name);
             }

@@ -7,9 +7,8 @@
 //! reloads (Belady, A study of replacement algorithms for a virtual-storage computer, IBM Systems Journal 5,
 //! 1966).
 
-use crate::program::{Block, Move, Operand, Program, Spills, Statement};
+use crate::program::{Block, Move, Name, Operand, Program, Spills, Statement};
 use std::cmp::Reverse;
-use std::collections::HashMap;
 
 /// So many values are kept at hand: registers of 512 bits are 32, and what is being computed takes some.
 const REGISTERS: usize = 31;
@@ -31,40 +30,35 @@ pub fn spills(program: &Program, readable: impl Fn(u32) -> bool) -> Option<Spill
     if statements.len() > LONGEST {
         return None;
     }
-    let mut values = Values::default();
+    let mut values = Values::of(program);
     for slot in &program.slots {
-        values.number(Key::Named(&slot.name), true);
+        values.add(Key::Named(slot.name), true);
     }
     for &symbol in &program.symbols {
-        values.number(Key::Symbol(symbol), readable(symbol));
+        values.add(Key::Symbol(symbol), readable(symbol));
     }
     let reads = statements.iter().map(|statement| values.read(statement.operands()));
     let mut reads: Vec<Vec<usize>> = reads.collect();
     reads.push(values.read(program.outputs.iter().flatten()));
-    let made = statements.iter().map(|statement| {
-        statement
-            .names()
-            .filter_map(|name| values.numbers.get(&Key::Named(name)).copied())
-            .collect()
-    });
-    let made: Vec<Vec<usize>> = made.collect();
+    let made =
+        statements.iter().map(|statement| values.of_names(statement.names())).collect::<Vec<_>>();
     let spills = Registers::new(values, &reads).run(&reads, &made);
     (spills.places > 0).then_some(spills)
 }
 
-/// What a value is found by.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
-enum Key<'a> {
+/// An unknown or a value.
+#[derive(Clone, Copy)]
+enum Key {
     Symbol(u32),
-    Named(&'a str),
+    Named(Name),
 }
 
-impl<'a> Key<'a> {
+impl Key {
     /// That of an operand without its sign.
-    fn of(operand: &'a Operand) -> Option<Self> {
+    fn of(operand: &Operand) -> Option<Self> {
         match operand {
             Operand::Symbol(number) => Some(Key::Symbol(*number)),
-            Operand::Named(name) => Some(Key::Named(name)),
+            Operand::Named(name) => Some(Key::Named(*name)),
             Operand::Minus(inner) => Key::of(inner),
             Operand::Number(_) | Operand::Repeated => None,
         }
@@ -73,47 +67,62 @@ impl<'a> Key<'a> {
     fn operand(self) -> Operand {
         match self {
             Key::Symbol(number) => Operand::Symbol(number),
-            Key::Named(name) => Operand::Named(name.to_owned()),
+            Key::Named(name) => Operand::Named(name),
         }
     }
 }
 
-/// The values of a program by number.
-#[derive(Default)]
-struct Values<'a> {
-    numbers: HashMap<Key<'a>, usize>,
-    keys: Vec<Key<'a>>,
+/// The unknowns and values of a program that are read, by new numbers in the order in which they are met.
+struct Values {
+    of_symbols: Vec<Option<usize>>,
+    of_names: Vec<Option<usize>>,
+    keys: Vec<Key>,
     /// Which the caller keeps in memory.
     readable: Vec<bool>,
 }
 
-impl<'a> Values<'a> {
-    fn number(&mut self, key: Key<'a>, readable: bool) -> usize {
-        let next = self.keys.len();
-        let number = *self.numbers.entry(key).or_insert(next);
-        if number == next {
+impl Values {
+    /// None so far.
+    fn of(program: &Program) -> Self {
+        let symbols = program.symbols.last().map_or(0, |&last| last as usize + 1);
+        let of_names = vec![None; program.names.count()];
+        Values { of_symbols: vec![None; symbols], of_names, keys: Vec::new(), readable: Vec::new() }
+    }
+
+    /// The number of an unknown or a value.
+    fn add(&mut self, key: Key, readable: bool) -> usize {
+        let known = match key {
+            Key::Symbol(number) => &mut self.of_symbols[number as usize],
+            Key::Named(name) => &mut self.of_names[name.index()],
+        };
+        *known.get_or_insert_with(|| {
             self.keys.push(key);
             self.readable.push(readable);
-        }
-        number
+            self.keys.len() - 1
+        })
     }
 
     /// The numbers of operands, each once.
-    fn read(&mut self, operands: impl Iterator<Item = &'a Operand>) -> Vec<usize> {
+    fn read<'a>(&mut self, operands: impl Iterator<Item = &'a Operand>) -> Vec<usize> {
         let mut read = Vec::new();
         for key in operands.filter_map(Key::of) {
-            let number = self.number(key, false);
+            let number = self.add(key, false);
             if !read.contains(&number) {
                 read.push(number);
             }
         }
         read
     }
+
+    /// The numbers of those of these values that are read.
+    fn of_names(&self, names: impl Iterator<Item = Name>) -> Vec<usize> {
+        names.filter_map(|name| self.of_names[name.index()]).collect()
+    }
 }
 
 /// The values at hand while a program runs.
-struct Registers<'a> {
-    values: Values<'a>,
+struct Registers {
+    values: Values,
     /// By which statements a value is still to be read, the next one last.
     uses: Vec<Vec<usize>>,
     held: Vec<usize>,
@@ -123,9 +132,9 @@ struct Registers<'a> {
     count: usize,
 }
 
-impl<'a> Registers<'a> {
+impl Registers {
     /// Before the first statement.
-    fn new(values: Values<'a>, reads: &[Vec<usize>]) -> Self {
+    fn new(values: Values, reads: &[Vec<usize>]) -> Self {
         let mut uses = vec![Vec::new(); values.keys.len()];
         for (number, read) in reads.iter().enumerate().rev() {
             read.iter().for_each(|&value| uses[value].push(number));
@@ -187,7 +196,9 @@ impl<'a> Registers<'a> {
         for &value in read {
             self.uses[value].pop();
             if self.uses[value].is_empty() {
-                self.held.retain(|&held| held != value);
+                if let Some(at) = self.held.iter().position(|&held| held == value) {
+                    self.held.swap_remove(at);
+                }
                 self.free.extend(self.places[value].take());
             }
         }
@@ -219,7 +230,8 @@ impl<'a> Registers<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::{Operation, Section};
+    use crate::program::{Names, Operation, Section};
+    use std::collections::HashMap;
 
     /// So many unknowns are read by as many first values, each of the others adds up two values before it.
     const UNKNOWNS: usize = 40;
@@ -234,13 +246,12 @@ mod tests {
         (mixed ^ (mixed >> 31)) as usize % number
     }
 
-    fn value(number: usize) -> Operand {
-        Operand::Named(format!("x{number}"))
-    }
-
-    /// A program that needs what it computes at first until its end; each of its first values is a reciprocal of the one before.
+    /// A program that needs what it computes at first until its end.
     fn program(seed: u64) -> Program {
-        let mut random = seed;
+        let (mut random, mut names) = (seed, Names::default());
+        let all: Vec<Name> =
+            (0..STATEMENTS).map(|number| names.add(format!("x{number}"))).collect();
+        let value = |number: usize| Operand::Named(all[number]);
         let statements = (0..STATEMENTS).map(|number| {
             let operation = match number {
                 0 => Operation::Recip(Operand::Symbol(0)),
@@ -252,7 +263,7 @@ mod tests {
                     Operation::Sum(a, b)
                 }
             };
-            Statement::Let(format!("x{number}"), operation)
+            Statement::Let(all[number], operation)
         });
         let section = Section {
             title: String::new(),
@@ -260,10 +271,11 @@ mod tests {
             statements: statements.collect(),
         };
         Program {
+            names,
             symbols: (0..UNKNOWNS as u32).collect(),
             slots: Vec::new(),
             blocks: vec![Block::Once(vec![section])],
-            outputs: vec![vec![value(STATEMENTS - 1), value(1)]],
+            outputs: vec![[STATEMENTS - 1, 1].map(value).to_vec()],
         }
     }
 
@@ -334,7 +346,7 @@ mod tests {
                     let there = processor.at_hand.contains(operand);
                     assert!(there, "{operand:?} at {number} of seed {seed}");
                 }
-                let made = statement.names().map(|name| Operand::Named(name.into()));
+                let made = statement.names().map(Operand::Named);
                 processor.at_hand.extend(made);
                 processor.at_hand.sort_by_key(|value| format!("{value:?}"));
                 processor.at_hand.dedup();
@@ -355,8 +367,9 @@ mod tests {
         let Block::Once(sections) = &mut program.blocks[0] else { panic!("it has no loops") };
         for (number, statement) in sections[0].statements.iter_mut().enumerate() {
             let unknown = Operand::Symbol((number % UNKNOWNS) as u32);
-            *statement =
-                Statement::Let(format!("x{number}"), Operation::Sum(unknown.clone(), unknown));
+            if let Statement::Let(_, operation) = statement {
+                *operation = Operation::Sum(unknown.clone(), unknown);
+            }
         }
         assert_eq!(spills(&program, |_| true), None);
     }

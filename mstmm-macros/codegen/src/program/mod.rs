@@ -2,15 +2,19 @@
 //! where the formulas came from nor which language they will be printed in.
 
 mod cost;
+mod names;
 mod shown;
 mod spills;
 
 pub use cost::{Cost, Headed, by_heading};
+pub use names::{Name, Names};
 pub use spills::{Move, Spills};
 
 /// A program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
+    /// What its values are called.
+    pub names: Names,
     /// Unknowns that it reads, in the order of their numbers.
     pub symbols: Vec<u32>,
     /// Values known since setup that it reads, in the order of their slots.
@@ -45,9 +49,9 @@ pub struct Loop {
     /// Values of a time known since setup that it reads.
     pub slots: Vec<Slot>,
     /// Values of the same time from earlier loops, by the number of the loop's block.
-    pub loads: Vec<(usize, Vec<String>)>,
+    pub loads: Vec<(usize, Vec<Name>)>,
     /// Values that later loops read at the same time.
-    pub stores: Vec<String>,
+    pub stores: Vec<Name>,
     /// The statements by sections.
     pub sections: Vec<Section>,
     /// What it computes: group, place in the group, and value.
@@ -57,10 +61,10 @@ pub struct Loop {
 /// A number that a loop carries.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Carried {
-    /// Its name, under which the last value is kept.
-    pub name: String,
-    /// The name of the value that a time begins with.
-    pub entering: String,
+    /// Under which name the last value is kept.
+    pub name: Name,
+    /// The value that a time begins with.
+    pub entering: Name,
     /// What the first time begins with.
     pub first: Operand,
     /// What any time hands on.
@@ -73,7 +77,7 @@ pub struct Slot {
     /// Where it is kept.
     pub index: usize,
     /// Its name.
-    pub name: String,
+    pub name: Name,
 }
 
 /// Statements under one heading, which may have others elsewhere.
@@ -98,26 +102,26 @@ impl Section {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Statement {
     /// One new value.
-    Let(String, Operation),
+    Let(Name, Operation),
     /// Sines and cosines of several angles at once.
     SinCos {
         /// Names of the sines, where they are used.
-        sines: Vec<Option<String>>,
+        sines: Vec<Option<Name>>,
         /// Names of the cosines, where they are used.
-        cosines: Vec<Option<String>>,
+        cosines: Vec<Option<Name>>,
         /// The angles.
         angles: Vec<Operand>,
     },
 }
 
 impl Statement {
-    /// The names that it gives values to.
-    pub fn names(&self) -> impl Iterator<Item = &str> {
+    /// The values that it computes.
+    pub fn names(&self) -> impl Iterator<Item = Name> {
         let (one, many) = match self {
-            Statement::Let(name, _) => (Some(name.as_str()), None),
+            Statement::Let(name, _) => (Some(*name), None),
             Statement::SinCos { sines, cosines, .. } => (None, Some(sines.iter().chain(cosines))),
         };
-        one.into_iter().chain(many.into_iter().flatten().filter_map(Option::as_deref))
+        one.into_iter().chain(many.into_iter().flatten().filter_map(|name| *name))
     }
 
     /// What it reads.
@@ -183,7 +187,7 @@ pub enum Operand {
     /// An unknown, by its number.
     Symbol(u32),
     /// A value computed before, or a slot, by its name.
-    Named(String),
+    Named(Name),
     /// The negative of a symbol or a named value.
     Minus(Box<Operand>),
     /// What a loop computes for every time of a repeated part.
@@ -192,9 +196,9 @@ pub enum Operand {
 
 impl Operand {
     /// Its name, or that of the value that it is the negative of.
-    pub fn name(&self) -> Option<&str> {
+    pub fn name(&self) -> Option<Name> {
         match self {
-            Operand::Named(name) => Some(name),
+            Operand::Named(name) => Some(*name),
             Operand::Minus(inner) => inner.name(),
             Operand::Number(_) | Operand::Symbol(_) | Operand::Repeated => None,
         }

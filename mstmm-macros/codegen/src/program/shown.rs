@@ -1,7 +1,7 @@
 //! Which unknowns and results need not be looked at, because other results show what is wrong with them.
 
-use super::{Operand, Operation, Program, Section, Statement};
-use std::collections::{HashMap, HashSet};
+use super::{Name, Operand, Operation, Program, Section, Statement};
+use std::collections::HashSet;
 
 /// What need not be looked at, and what has to be, to find whether anything is infinite or undefined.
 #[derive(Debug, Default)]
@@ -12,8 +12,19 @@ pub struct Shown<'a> {
     /// Results that are not all finite if any of them is not: what is computed from a result shows it. They come
     /// in the order in which they are known; results of repeated parts are left out.
     pub telling: Vec<&'a Operand>,
-    /// What hands on to a result; results among it that nothing shows so far.
-    names: HashMap<&'a str, Option<&'a Operand>>,
+    /// Which values hand on to a result, by number.
+    values: Vec<Value<'a>>,
+}
+
+/// What is known of a value.
+#[derive(Clone, Copy, Debug)]
+enum Value<'a> {
+    /// Nothing so far.
+    Other,
+    /// It is this result, and no other shows it so far.
+    Result(&'a Operand),
+    /// A result shows it.
+    Shown,
 }
 
 impl Program {
@@ -24,9 +35,13 @@ impl Program {
     /// points, and signs. What loops carry is not followed: it may end with the last time.
     pub fn shown(&self, group: usize) -> Shown<'_> {
         let results = &self.outputs[group];
-        let mut shown = Shown::default();
-        let named = results.iter().filter_map(|result| Some((result.name()?, Some(result))));
-        shown.names.extend(named);
+        let values = vec![Value::Other; self.names.count()];
+        let mut shown = Shown { values, ..Shown::default() };
+        for result in results {
+            if let Some(name) = result.name() {
+                shown.values[name.index()] = Value::Result(result);
+            }
+        }
         let of_loops = self.loops().flat_map(|turn| &turn.outputs);
         let of_loops = of_loops.filter(|output| output.0 == group).map(|(_, _, result)| result);
         of_loops.for_each(|result| shown.add(result));
@@ -51,14 +66,14 @@ impl<'a> Shown<'a> {
     fn follow(&mut self, statement: &'a Statement) {
         match statement {
             Statement::Let(name, operation) => {
-                if self.meets(name) {
+                if self.meets(*name) {
                     handed_on(operation).into_iter().flatten().for_each(|from| self.add(from));
                 }
             }
             Statement::SinCos { sines, cosines, angles } => {
                 let named = sines.iter().zip(angles).chain(cosines.iter().zip(angles));
                 for (name, angle) in named {
-                    if name.as_deref().is_some_and(|name| self.meets(name)) {
+                    if name.is_some_and(|name| self.meets(name)) {
                         self.add(angle);
                     }
                 }
@@ -67,16 +82,19 @@ impl<'a> Shown<'a> {
     }
 
     /// Whether the value that is computed here is among it. If it is a result that nothing shows, it is telling.
-    fn meets(&mut self, name: &str) -> bool {
-        let Some(result) = self.names.get_mut(name) else { return false };
-        self.telling.extend(result.take());
-        true
+    fn meets(&mut self, name: Name) -> bool {
+        let value = &mut self.values[name.index()];
+        if let Value::Result(result) = *value {
+            self.telling.push(result);
+            *value = Value::Shown;
+        }
+        matches!(value, Value::Shown)
     }
 
     fn add(&mut self, operand: &'a Operand) {
         match operand {
             Operand::Symbol(number) => _ = self.unknowns.insert(*number),
-            Operand::Named(name) => _ = self.names.insert(name, None),
+            Operand::Named(name) => self.values[name.index()] = Value::Shown,
             Operand::Minus(operand) => self.add(operand),
             Operand::Number(_) | Operand::Repeated => (),
         }
@@ -86,7 +104,7 @@ impl<'a> Shown<'a> {
     fn lacks(&self, operand: &Operand) -> bool {
         match operand {
             Operand::Symbol(number) => !self.unknowns.contains(number),
-            Operand::Named(name) => self.names.get(name.as_str()).is_some_and(Option::is_some),
+            Operand::Named(name) => matches!(self.values[name.index()], Value::Result(_)),
             Operand::Minus(operand) => self.lacks(operand),
             Operand::Number(_) | Operand::Repeated => false,
         }
@@ -111,27 +129,29 @@ fn handed_on(operation: &Operation) -> [Option<&Operand>; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::Block;
-
-    fn named(name: &str) -> Operand {
-        Operand::Named(name.into())
-    }
+    use crate::program::{Block, Names};
 
     #[test]
     fn what_others_show_is_not_telling() {
-        let statement = |name: &str, operation| Statement::Let(name.into(), operation);
+        let mut names = Names::default();
+        let [a, b, c, d] = ["a", "b", "c", "d"].map(|name| names.add(name.into()));
+        let statement = Statement::Let;
         let (x, y) = (Operand::Symbol(0), Operand::Symbol(1));
+        let [read_a, read_b, read_c] = [a, b, c].map(Operand::Named);
+        let minus_y = Operand::Minus(Box::new(y.clone()));
         let statements = vec![
-            statement("a", Operation::Sum(x.clone(), y.clone())),
-            statement("b", Operation::Recip(named("a"))),
-            statement("c", Operation::Product(named("a"), Operand::Minus(Box::new(y)))),
-            statement("d", Operation::Difference(named("c"), named("a"))),
+            statement(a, Operation::Sum(x.clone(), y)),
+            statement(b, Operation::Recip(read_a.clone())),
+            statement(c, Operation::Product(read_a.clone(), minus_y)),
+            statement(d, Operation::Difference(read_c.clone(), read_a.clone())),
         ];
         let section = Section { title: String::new(), source: String::new(), statements };
-        let [a, b, c] = ["a", "b", "c"].map(named);
-        let d = Operand::Minus(Box::new(named("d")));
-        let all = vec![d.clone(), c, b.clone(), a, Operand::Symbol(2), x, Operand::Number(1.0)];
+        let minus_d = Operand::Minus(Box::new(Operand::Named(d)));
+        let known = Operand::Number(1.0);
+        let all =
+            vec![minus_d.clone(), read_c, read_b.clone(), read_a, Operand::Symbol(2), x, known];
         let program = Program {
+            names,
             symbols: vec![0, 1, 2],
             slots: Vec::new(),
             blocks: vec![Block::Once(vec![section])],
@@ -139,7 +159,7 @@ mod tests {
         };
         // `d` shows `c`, `a`, and the first two unknowns; `b` may be zero where `a` is infinite.
         let shown = program.shown(0);
-        assert_eq!(shown.telling, [&Operand::Symbol(2), &b, &d]);
+        assert_eq!(shown.telling, [&Operand::Symbol(2), &read_b, &minus_d]);
         assert_eq!(shown.unknowns, HashSet::from([0, 1, 2]));
     }
 }
