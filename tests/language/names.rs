@@ -110,3 +110,120 @@ fn names_of_spilled_values_mean_nothing() {
     let b_inputs = PlainSpillsInputs { hinge1: torques[0], hinge2: torques[1], hinge3: torques[2] };
     assert_eq!(odd.accelerations(&a, &a_inputs), plain.accelerations(&b, &b_inputs));
 }
+
+// Parameters and hinges that would be called like what the generated code has of its own, or like each other
+// once their names are in lower case and in normal form.
+mstmm_chain! {
+    plane chain PlainRepeat {
+        param damping1 = 0.5;
+        param stiffness1 = 0.25;
+        param damping2[3] = 0.125;
+        body R { mass = 1; com = [0.3, 0.1]; inertia = 0.2 about com; output = [1, 0]; }
+        ground -> repeat 3 { pin hinge1 -> R body1 -> pin hinge2 -> R body2 };
+        hinge hinge1 { damping = damping1; stiffness = stiffness1; torque = input; }
+        hinge hinge2 { damping = damping2; }
+    }
+    chain OddTop {
+        param turn_x_x = 0.5;
+        param a_input = 0.25;
+        param a_input_again = 0.125;
+        param j_xx_spilled = 0.1;
+        body S {
+            mass = 1;
+            com = [0.3, 0.1, 0.2];
+            inertia = diag(1, 1.1, 1.2) about com;
+            output = [1, 0, 0];
+        }
+        ground -> ball known_a -> S r -> ball H̱ -> S known -> ball ẖ -> S u;
+        hinge known_a { damping = a_input; torque = input; }
+        hinge H̱ { damping = a_input_again + turn_x_x; torque = input; }
+        hinge ẖ { damping = j_xx_spilled; torque = input; }
+    }
+    chain PlainTop {
+        param damping1 = 0.25;
+        param damping2 = 0.125;
+        param damping3 = 0.1;
+        param damping4 = 0.5;
+        body S {
+            mass = 1;
+            com = [0.3, 0.1, 0.2];
+            inertia = diag(1, 1.1, 1.2) about com;
+            output = [1, 0, 0];
+        }
+        ground -> ball hinge1 -> S body1 -> ball hinge2 -> S body2 -> ball hinge3 -> S body3;
+        hinge hinge1 { damping = damping1; torque = input; }
+        hinge hinge2 { damping = damping2 + damping4; torque = input; }
+        hinge hinge3 { damping = damping3; torque = input; }
+    }
+    plane chain OddPendulum {
+        param a_ang_z = 0.5;
+        param v1_spilled = 0.25;
+        gravity = [0, -9];
+        body R { mass = 1; com = [0.3, 0.1]; inertia = 0.2 about com; output = [1, 0]; }
+        ground -> pin known -> R r -> pin known_ -> R s;
+        hinge known, known_ { damping = a_ang_z; stiffness = v1_spilled; }
+    }
+    plane chain PlainPendulum {
+        param damping1 = 0.5;
+        param stiffness1 = 0.25;
+        gravity = [0, -9];
+        body R { mass = 1; com = [0.3, 0.1]; inertia = 0.2 about com; output = [1, 0]; }
+        ground -> pin hinge1 -> R body1 -> pin hinge2 -> R body2;
+        hinge hinge1, hinge2 { damping = damping1; stiffness = stiffness1; }
+    }
+}
+
+/// A chain named after a type that the generated code has.
+mod primitive {
+    #![allow(non_camel_case_types)]
+
+    mstmm::mstmm_chain! {
+        pub plane chain usize {
+            param a_input = 0.5;
+            param o0 = 0.25;
+            param o1_0[3] = 0.125;
+            body R { mass = 1; com = [0.3, 0.1]; inertia = 0.2 about com; output = [1, 0]; }
+            ground -> repeat 3 { pin known_a -> R r -> pin usize -> R bool };
+            hinge known_a { damping = a_input; stiffness = o0; torque = input; }
+            hinge usize { damping = o1_0; }
+        }
+    }
+}
+
+/// The same state and inputs for both chains: what they compute has to be the same.
+macro_rules! assert_same {
+    ($odd:ident, $odd_inputs:expr, $plain:ident, $plain_inputs:expr) => {
+        let (odd, plain) = ($odd::<f64>::new(), $plain::<f64>::new());
+        let (mut a, mut b) = (odd.initial_state(), plain.initial_state());
+        a.v.iter_mut().zip(1..).for_each(|(rate, k)| *rate = 0.3 - 0.1 * f64::from(k));
+        a.q.iter_mut().zip(1..).for_each(|(coordinate, k)| *coordinate += 0.05 * f64::from(k));
+        (b.q, b.v) = (a.q, a.v);
+        let expected = plain.accelerations(&b, &$plain_inputs).expect("a regular chain");
+        assert_eq!(odd.accelerations(&a, &$odd_inputs), Ok(expected));
+        let (mut a_at, mut b_at) = (odd.workspace(), plain.workspace());
+        odd.solve_into(&a, &$odd_inputs, &mut a_at).expect("a regular chain");
+        plain.solve_into(&b, &$plain_inputs, &mut b_at).expect("a regular chain");
+        assert_eq!(a_at.points(), b_at.points());
+    };
+}
+
+#[test]
+fn names_like_those_of_generated_code_mean_nothing() {
+    use primitive::usize;
+    let [a, b, c]: [nalgebra::Vector3<f64>; 3] =
+        [[1.0, 2.0, 3.0], [0.5, -1.0, 2.0], [3.0, 2.0, 1.0]].map(Into::into);
+    assert_same!(
+        usize,
+        primitive::usizeInputs { known_a: [3.0, 2.0, 1.0] },
+        PlainRepeat,
+        PlainRepeatInputs { hinge1: [3.0, 2.0, 1.0] }
+    );
+    assert_same!(
+        OddTop,
+        OddTopInputs { known_a: a, H̱: b, ẖ: c },
+        PlainTop,
+        PlainTopInputs { hinge1: a, hinge2: b, hinge3: c }
+    );
+    let (odd, plain) = (OddPendulum::<f64>::new(), PlainPendulum::<f64>::new());
+    assert_same!(OddPendulum, odd.no_inputs(), PlainPendulum, plain.no_inputs());
+}

@@ -5,8 +5,6 @@ use proc_macro2::Ident;
 use std::collections::HashSet;
 use std::ops::Range;
 
-/// Names that generated functions keep for themselves.
-const KEPT: &[&str] = &["c", "constants", "parameters"];
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Numbers and names of all unknowns: parameters, constants, coordinates, rates, inputs, and the
@@ -143,16 +141,11 @@ fn input_names(chain: &Chain, input: &Input) -> Vec<String> {
     }
 }
 
-/// Makes names differ, from each other and from those that are kept: a parameter `elbow_angle` may
-/// stand beside a hinge `elbow`.
+/// Makes names differ from each other: a parameter `elbow_angle` may stand beside a hinge `elbow`.
 fn distinct(names: Vec<String>) -> Vec<String> {
-    let mut taken: HashSet<String> = KEPT.iter().map(|&name| name.to_owned()).collect();
+    let mut taken: HashSet<String> = HashSet::new();
     let one = |mut name: String| {
-        // In lower case a name may have become a word of Rust.
-        while syn::parse_str::<Ident>(&name).is_err()
-            || is_array(&name)
-            || !taken.insert(name.clone())
-        {
+        while !taken.insert(name.clone()) {
             name.push('_');
         }
         name
@@ -160,13 +153,11 @@ fn distinct(names: Vec<String>) -> Vec<String> {
     names.into_iter().map(one).collect()
 }
 
-/// Whether loops call an array or a mask of theirs so.
-fn is_array(name: &str) -> bool {
-    let number = ["results", "store", "regular"].iter().find_map(|word| name.strip_prefix(word));
-    number.is_some_and(|number| !number.is_empty() && number.chars().all(|c| c.is_ascii_digit()))
-}
-
 /// A name as a variable is written: an upper-case one could be taken for a constant of the user's.
+///
+/// Rust compares names in normal form C, which letters may have left with their case: it is the compiler
+/// that brings them back.
 fn text(ident: &Ident) -> String {
-    ident.to_string().to_lowercase()
+    let lower = ident.to_string().to_lowercase();
+    syn::parse_str::<Ident>(&lower).map_or(lower, |normal| normal.to_string())
 }

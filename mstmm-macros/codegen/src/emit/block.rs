@@ -3,7 +3,7 @@
 use super::Plan;
 use super::delivery::Deliveries;
 use super::looped::{self, Masks, Target};
-use super::names::{Variables, local};
+use super::names::{Variables, helper};
 use super::spread::Spread;
 use super::statement::{Around, Writer};
 use crate::compile::groups;
@@ -64,7 +64,7 @@ impl Plan<'_> {
             let all = 0..program.outputs[groups::PIVOTS].len();
             let repeated =
                 all.filter(|&k| is_repeated(groups::PIVOTS, k) || is_repeated(groups::SCALES, k));
-            repeated.map(|k| (k, local(&format!("regular{k}")))).collect()
+            repeated.map(|k| (k, helper(&format!("regular{k}")))).collect()
         } else {
             Masks::new()
         };
@@ -134,7 +134,7 @@ impl Plan<'_> {
         let outputs: Vec<Vec<TokenStream>> = program.outputs.iter().map(operands).collect();
         let arrays = outputs.iter().map(|group| quote!([#(#group),*])).collect();
         let constant = uses_numbers(program).then(|| {
-            let c = local("c");
+            let c = helper("c");
             quote!(let #c = T::constant;)
         });
         let statements = quote!(#constant #reading);

@@ -221,7 +221,7 @@ fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
     let (arguments, change, values) = match parameter.times {
         None => (quote!(value_: T), quote!(parameters_.#name = value_;), quote!(&[value_])),
         Some(_) => (
-            quote!(mut value_: impl ::core::ops::FnMut(usize) -> T),
+            quote!(mut value_: impl ::core::ops::FnMut(::core::primitive::usize) -> T),
             quote! {
                 for (index_, place_) in ::core::iter::zip(0.., &mut parameters_.#name) {
                     *place_ = value_(index_);

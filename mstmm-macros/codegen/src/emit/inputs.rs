@@ -2,7 +2,7 @@
 
 use super::Plan;
 use super::looped::{Stream, usize_literal};
-use super::names::local;
+use super::names::helper;
 use crate::model::{Driven, Group, Hinge, HingeId, Input};
 use crate::program::{Loop, Program};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -73,7 +73,7 @@ pub fn streams(plan: &Plan, turn: &Loop) -> (Vec<Stream>, TokenStream) {
         let is_read = input.range.clone().any(|k| plan.read_in(turn, first + k).is_some());
         if plan.chain.repeat_of_input(input.what) == Some(turn.repeat) && is_read {
             let name = plan.chain.name_of_input(input.what);
-            let item = local(&format!("{name}_input"));
+            let item = helper(&format!("{name}_input"));
             streams.push((quote!(&#item), quote!(inputs_.#name.iter())));
             taken.extend(plan.read_input(input, &quote!(#item)));
         }

@@ -3,7 +3,7 @@
 use super::Plan;
 use super::block::{Results, is_long};
 use super::inputs;
-use super::names::{Variables, local};
+use super::names::{Variables, helper};
 use super::spread::{Piece, Spread};
 use crate::compile::groups;
 use crate::program::{Block, Loop, Name, Operand, Program};
@@ -34,7 +34,7 @@ pub type Masks = Vec<(usize, Ident)>;
 
 /// The array of a group.
 pub fn array(group: usize) -> Ident {
-    local(&format!("results{group}"))
+    helper(&format!("results{group}"))
 }
 
 /// A pattern and the iterator whose items it takes apart.
@@ -84,7 +84,7 @@ impl Plan<'_> {
             let names: Vec<Option<Ident>> = own
                 .iter()
                 .enumerate()
-                .map(|(k, value)| (*value != Operand::Repeated).then(|| local(&format!("o{k}"))))
+                .map(|(k, value)| (*value != Operand::Repeated).then(|| helper(&format!("o{k}"))))
                 .collect();
             if names.iter().all(Option::is_none) {
                 return TokenStream::new();
@@ -225,7 +225,7 @@ impl Plan<'_> {
                 |(group, at, _): &&(usize, usize, Operand)| *group == target.group && *at == place;
             names.push(turn.outputs.iter().find(here).map(|(_, _, value)| {
                 let (name, value) =
-                    (local(&format!("o{}_{place}", target.group)), self.operand(variables, value));
+                    (helper(&format!("o{}_{place}", target.group)), self.operand(variables, value));
                 writes.extend(quote!(*#name = #value;));
                 name
             }));
@@ -301,7 +301,7 @@ fn load_stream(
 }
 
 fn store_name(block: usize) -> Ident {
-    local(&format!("store{block}"))
+    helper(&format!("store{block}"))
 }
 
 /// A literal without a suffix.

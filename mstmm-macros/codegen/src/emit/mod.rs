@@ -24,7 +24,7 @@ use crate::compile::Programs;
 use crate::examine::Examination;
 use crate::model::{Chain, Layout};
 use crate::syntax::Surface;
-use names::{Names, local};
+use names::{Names, variable};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -52,7 +52,7 @@ pub fn expand(
     mstmm: &TokenStream,
 ) -> TokenStream {
     let names = Names::of(chain);
-    let unknowns = programs.symbols.names().iter().map(|text| local(text)).collect();
+    let unknowns = programs.symbols.names().iter().map(|text| variable(text)).collect();
     let plan = Plan { chain, surface, layout, programs, examination, names, unknowns, mstmm };
     let construction = construction::emit(&plan);
     let dynamics = dynamics::emit(&plan);

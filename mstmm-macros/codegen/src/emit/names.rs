@@ -40,7 +40,7 @@ pub struct Variables(Vec<Ident>);
 impl Variables {
     /// Those of `program`.
     pub fn of(program: &Program) -> Self {
-        Variables(program.names.all().iter().map(|text| local(text)).collect())
+        Variables(program.names.all().iter().map(|text| variable(text)).collect())
     }
 
     /// That of a value.
@@ -49,13 +49,26 @@ impl Variables {
     }
 }
 
-/// A local variable, its name with a low line at its end as in all templates: where a constant or a
-/// static of the user had the same name, Rust would take the variable for that one.
-pub fn local(name: &str) -> Ident {
-    let mut text = String::with_capacity(name.len() + 1);
-    text.push_str(name);
-    text.push('_');
-    Ident::new(&text, Span::mixed_site())
+/// The variable of an unknown or a value.
+///
+/// It has the hygiene of `macro_rules`, and so is none of those that templates write or [`helper`] makes,
+/// whatever users call what it is named after.
+pub fn variable(text: &str) -> Ident {
+    Ident::new(&ended(text), Span::mixed_site())
+}
+
+/// A variable of the generated code's own.
+pub fn helper(text: &str) -> Ident {
+    Ident::new(&ended(text), Span::call_site())
+}
+
+/// A name with a low line at its end, as in all templates: where a constant or a static of the user had the
+/// same name, Rust would take the variable for that one.
+fn ended(text: &str) -> String {
+    let mut ended = String::with_capacity(text.len() + 1);
+    ended.push_str(text);
+    ended.push('_');
+    ended
 }
 
 /// The method that hands out `x` to be changed: `x_mut`.

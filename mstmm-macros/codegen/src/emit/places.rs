@@ -29,7 +29,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
 
         /// Connection point number `index`.
         #[#inline]
-        fn point_(&self, index_: usize) -> #point {
+        fn point_(&self, index_: ::core::primitive::usize) -> #point {
             #found
             <#point>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
         }

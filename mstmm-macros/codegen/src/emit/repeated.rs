@@ -3,7 +3,7 @@
 
 use super::Plan;
 use super::looped::usize_literal;
-use super::names::{accessor_mut, local};
+use super::names::{accessor_mut, helper};
 use super::spread::{Piece, Spread};
 use super::workspace::point_type;
 use crate::model::{Group, HingeId};
@@ -50,7 +50,7 @@ impl Parts {
 }
 
 fn variable(letter: &str, number: usize) -> TokenStream {
-    let name = local(&format!("{letter}{number}"));
+    let name = helper(&format!("{letter}{number}"));
     quote!(#name)
 }
 
@@ -90,8 +90,8 @@ pub fn state_accessors(plan: &Plan, hinge: HingeId, count: usize) -> TokenStream
         |letter: &'static str, count: usize| (0..count).map(move |k| format!("{letter}{k}"));
     let all: Vec<String> =
         given("q", kind.coordinates()).chain(given("v", kind.freedoms())).collect();
-    let new = all.iter().map(|name| local(&format!("new_{name}")));
-    let all = all.iter().map(|name| local(name));
+    let new = all.iter().map(|name| helper(&format!("new_{name}")));
+    let all = all.iter().map(|name| helper(name));
     let times = usize_literal(count);
     let doc = format!(" Coordinates and rates of hinge `{name}` number `index` of {count}.");
     let doc_mut = format!("{doc} To be changed.");
@@ -102,7 +102,7 @@ pub fn state_accessors(plan: &Plan, hinge: HingeId, count: usize) -> TokenStream
         #[must_use]
         #visibility fn #name(
             &self,
-            index_: usize,
+            index_: ::core::primitive::usize,
         ) -> ::core::option::Option<#mstmm::#view<T>> {
             #read
             ::core::option::Option::Some(#mstmm::#view::new(#(#groups),*))
@@ -112,15 +112,15 @@ pub fn state_accessors(plan: &Plan, hinge: HingeId, count: usize) -> TokenStream
         #[inline]
         #visibility fn #name_mut(
             &mut self,
-            index_: usize,
+            index_: ::core::primitive::usize,
         ) -> ::core::option::Option<#mstmm::#view_mut<'_, T>> {
             #change
             ::core::option::Option::Some(#mstmm::#view_mut::new(#(#groups),*))
         }
 
         #[doc = #doc_set]
-        #visibility fn #set_each(&mut self, mut view_: impl ::core::ops::FnMut(usize) -> #mstmm::#view<T>) {
-            let mut set_ = |index_: usize| -> ::core::option::Option<()> {
+        #visibility fn #set_each(&mut self, mut view_: impl ::core::ops::FnMut(::core::primitive::usize) -> #mstmm::#view<T>) {
+            let mut set_ = |index_: ::core::primitive::usize| -> ::core::option::Option<()> {
                 let (#(#new_groups,)*) = view_(index_).into_groups();
                 #change
                 #(*#all = #new;)*
@@ -212,7 +212,7 @@ pub fn body(plan: &Plan, (name, place): (&Ident, usize), count: usize) -> TokenS
         #[inline]
         #visibility fn #name(
             &self,
-            index_: usize,
+            index_: ::core::primitive::usize,
         ) -> ::core::option::Option<#mstmm::BodyResult<T, #point>> {
             #ends
             ::core::option::Option::Some(#mstmm::BodyResult::new(input_, output_))
@@ -258,7 +258,7 @@ pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> Tok
         #[inline]
         #visibility fn #name(
             &self,
-            index_: usize,
+            index_: ::core::primitive::usize,
         ) -> ::core::option::Option<#mstmm::HingeResult<T, #ty, #point>> {
             #ends
             let result_ = #mstmm::HingeResult::new(#acceleration, #effort, input_, output_);

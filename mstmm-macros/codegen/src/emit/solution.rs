@@ -6,7 +6,7 @@ use super::delivery::Deliveries;
 use super::docs;
 use super::dynamics::{Check, check};
 use super::looped::{Target, usize_literal};
-use super::names::{Variables, local};
+use super::names::{Variables, helper};
 use super::spread::Spread;
 use crate::compile::groups;
 use crate::program::Operand;
@@ -74,7 +74,7 @@ fn solved(plan: &Plan) -> Group {
             names.push(quote!(_));
             continue;
         }
-        let name = local(&format!("n{number}"));
+        let name = helper(&format!("n{number}"));
         deliveries.add([operand], quote!(*#name = #value;));
         names.push(quote!(#name));
     }
@@ -170,7 +170,7 @@ pub fn at_first(plan: &Plan, group: usize) -> TokenStream {
     if known.is_empty() || !plan.chain.repeats.is_empty() {
         return zeros;
     }
-    let (c, mstmm) = (local("c"), &plan.mstmm);
+    let (c, mstmm) = (helper("c"), &plan.mstmm);
     quote!({
         let #c = T::constant;
         #mstmm::generated::with_known(#zeros, &[#(#known),*])

@@ -6,7 +6,7 @@
 use super::Plan;
 use super::block::{Results, reads};
 use super::looped::usize_literal;
-use super::names::{Variables, local};
+use super::names::{Variables, helper};
 use super::statement::{Around, Writer};
 use crate::model::{Driven, Input};
 use crate::program::{Move, Name, Operand, Program, Spills};
@@ -124,7 +124,6 @@ impl Plan<'_> {
     fn borrow_input(&self, input: &Input, sources: &mut Sources) {
         let field = self.chain.name_of_input(input.what);
         let one = input.range.len() == 1;
-        // No value is called so, whatever its hinge is called: behind a hinge stands what it is.
         let reference = sources.borrow(&format!("{field}_input"), |name, again| {
             let inputs = if again { quote!(inputs_again_) } else { quote!(inputs_) };
             if one {
@@ -215,7 +214,7 @@ impl Mover<'_> {
             Operand::Symbol(number) => &self.plan.programs.symbols.names()[*number as usize],
             operand => self.program.names.text(operand.name()?),
         };
-        Some(local(&format!("{text}_spilled")))
+        Some(helper(&format!("{text}_spilled")))
     }
 }
 
@@ -228,7 +227,7 @@ impl Source {
 impl Sources {
     /// Makes a reference of this name, and one for reading again; returns their number.
     fn borrow(&mut self, name: &str, borrowed: impl Fn(&Ident, bool) -> TokenStream) -> usize {
-        let references = [local(name), local(&format!("{name}_again"))];
+        let references = [helper(name), helper(&format!("{name}_again"))];
         self.borrowed.extend(borrowed(&references[0], false));
         self.borrowed_again.extend(borrowed(&references[1], true));
         self.references.push(references);
@@ -238,5 +237,5 @@ impl Sources {
 
 /// A place in memory.
 fn place(number: usize) -> Ident {
-    local(&format!("place{number}"))
+    helper(&format!("place{number}"))
 }

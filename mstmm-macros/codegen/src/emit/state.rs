@@ -1,7 +1,7 @@
 //! The state with named access, and the inputs.
 
 use super::looped::usize_literal;
-use super::names::{accessor_mut, local};
+use super::names::{accessor_mut, helper};
 use super::spread::Spread;
 use super::{Plan, repeated};
 use crate::model::{Element, Group};
@@ -158,7 +158,7 @@ fn accessors(plan: &Plan, index: usize) -> TokenStream {
 }
 
 fn variable(is_q: bool, number: usize) -> Ident {
-    local(&format!("{}{number}", if is_q { "q" } else { "v" }))
+    helper(&format!("{}{number}", if is_q { "q" } else { "v" }))
 }
 
 /// A pattern that takes `range` out of an array.

@@ -4,7 +4,7 @@
 //! as many calls of rustc; here a stream is made of a whole program, and of what stands in brackets.
 
 use super::Plan;
-use super::names::{Variables, local};
+use super::names::{Variables, helper};
 use crate::program::{Headed, Name, Operand, Operation, Section, Statement, by_heading};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
@@ -230,7 +230,7 @@ impl<'a> Writer<'a> {
     }
 
     fn number(&mut self, value: f64) {
-        self.variable(&local("c"));
+        self.variable(&helper("c"));
         self.group(Delimiter::Parenthesis, |number| {
             // A pivot that vanishes in every state leaves its reciprocal behind: the test of the
             // pivots comes first, but the number has to be written.

@@ -1923,7 +1923,7 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
     ];
     /// Connection point number `index`.
     #[inline(always)]
-    fn point_(&self, index_: usize) -> ::mstmm::PlanePoint<T> {
+    fn point_(&self, index_: ::core::primitive::usize) -> ::mstmm::PlanePoint<T> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
         <::mstmm::PlanePoint<T>>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }

@@ -115,7 +115,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     #[allow(unused_variables, clippy::all)]
     pub fn set_knot(
         &mut self,
-        mut value_: impl ::core::ops::FnMut(usize) -> T,
+        mut value_: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         let mut parameters_ = self.parameters;
         for (index_, place_) in ::core::iter::zip(0.., &mut parameters_.knot) {
@@ -1791,7 +1791,10 @@ impl<T: ::mstmm::Scalar> RopeState<T> {
     /// Coordinates and rates of hinge `joint` number `index` of 10.
     #[inline]
     #[must_use]
-    pub fn joint(&self, index_: usize) -> ::core::option::Option<::mstmm::PinState<T>> {
+    pub fn joint(
+        &self,
+        index_: ::core::primitive::usize,
+    ) -> ::core::option::Option<::mstmm::PinState<T>> {
         let &[q0_] = ::mstmm::generated::times::<T, 1>(self.q.as_slice(), 0, 10)
             .get(index_)?;
         let &[v0_] = ::mstmm::generated::times::<T, 1>(self.v.as_slice(), 0, 10)
@@ -1802,7 +1805,7 @@ impl<T: ::mstmm::Scalar> RopeState<T> {
     #[inline]
     pub fn joint_mut(
         &mut self,
-        index_: usize,
+        index_: ::core::primitive::usize,
     ) -> ::core::option::Option<::mstmm::PinStateMut<'_, T>> {
         let [q0_] = ::mstmm::generated::times_mut::<T, 1>(self.q.as_mut_slice(), 0, 10)
             .get_mut(index_)?;
@@ -1813,9 +1816,11 @@ impl<T: ::mstmm::Scalar> RopeState<T> {
     /// Sets coordinates and rates of all hinges `joint` by their index.
     pub fn set_each_joint(
         &mut self,
-        mut view_: impl ::core::ops::FnMut(usize) -> ::mstmm::PinState<T>,
+        mut view_: impl ::core::ops::FnMut(
+            ::core::primitive::usize,
+        ) -> ::mstmm::PinState<T>,
     ) {
-        let mut set_ = |index_: usize| -> ::core::option::Option<()> {
+        let mut set_ = |index_: ::core::primitive::usize| -> ::core::option::Option<()> {
             let (new_q0_, new_v0_) = view_(index_).into_groups();
             let [q0_] = ::mstmm::generated::times_mut::<
                 T,
@@ -1992,7 +1997,7 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
     ];
     /// Connection point number `index`.
     #[inline]
-    fn point_(&self, index_: usize) -> ::mstmm::PlanePoint<T> {
+    fn point_(&self, index_: ::core::primitive::usize) -> ::mstmm::PlanePoint<T> {
         let (model_, numbers_) = ::mstmm::generated::place_of(
             &self.numbers,
             &[[0, 1, 0, 1, 0, 5], [1, 2, 1, 20, 5, 22], [3, 2, 21, 2, 225, 12]],
@@ -2004,7 +2009,7 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
     #[inline]
     pub fn joint(
         &self,
-        index_: usize,
+        index_: ::core::primitive::usize,
     ) -> ::core::option::Option<::mstmm::HingeResult<T, T, ::mstmm::PlanePoint<T>>> {
         if index_ >= 10 {
             return ::core::option::Option::None;
@@ -2037,7 +2042,7 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
     #[inline]
     pub fn rod(
         &self,
-        index_: usize,
+        index_: ::core::primitive::usize,
     ) -> ::core::option::Option<::mstmm::BodyResult<T, ::mstmm::PlanePoint<T>>> {
         if index_ >= 10 {
             return ::core::option::Option::None;

@@ -618,7 +618,7 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
     ];
     /// Connection point number `index`.
     #[inline(always)]
-    fn point_(&self, index_: usize) -> ::mstmm::Point<T> {
+    fn point_(&self, index_: ::core::primitive::usize) -> ::mstmm::Point<T> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
         <::mstmm::Point<T>>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }

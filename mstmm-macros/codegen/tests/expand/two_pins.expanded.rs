@@ -920,7 +920,7 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     #[inline(always)]
     fn point_(
         &self,
-        index_: usize,
+        index_: ::core::primitive::usize,
     ) -> ::mstmm::Point<T, ::mstmm::Results<false, false, true>> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
         <::mstmm::Point<

@@ -37,6 +37,8 @@ const RESERVED: &[&str] = &[
     "points",
     "closure",
     "assemble",
+    "point_",
+    "PLACES_",
 ];
 
 /// Whether methods of the generated types can be called so.
