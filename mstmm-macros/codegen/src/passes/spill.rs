@@ -10,8 +10,9 @@
 use crate::program::{Block, Move, Name, Operand, Program, Spills, Statement};
 use std::cmp::Reverse;
 
-/// So many values are kept at hand: registers of 512 bits are 32, and what is being computed takes some.
-const REGISTERS: usize = 31;
+/// So many values are kept at hand: registers of 512 bits are 32, and what is being computed and known numbers
+/// take some.
+const REGISTERS: usize = 27;
 
 /// An operand that is not needed again for so many statements is taken from memory by the operation itself.
 const SOON: usize = 20;

@@ -114,8 +114,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 13 | 10 | 0 | 0 | 0 |
+    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 10 | 6 | 0 | 0 | 0 |
     /// | Results |  | 1 | 5 | 0 | 0 | 0 |
     ///
@@ -136,14 +136,15 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let [v_] = &state_.v.data.0;
         let crank_pin_input_ = &inputs_.crank_pin;
         /// Room for values until they are needed again, and references to read unknowns again.
-        let mut room_ = ::mstmm::generated::room::<T, 21>();
+        let mut room_ = ::mstmm::generated::room::<T, 25>();
         let (room_, self_again_, state_again_, inputs_again_) = ::mstmm::generated::in_memory::<
             T,
             _,
         >((&mut room_, self, state_, inputs_));
         let [place0_, place1_, place2_, place3_, place4_, place5_, place6_, place7_,
         place8_, place9_, place10_, place11_, place12_, place13_, place14_, place15_,
-        place16_, place17_, place18_, place19_, place20_] = room_;
+        place16_, place17_, place18_, place19_, place20_, place21_, place22_, place23_,
+        place24_] = room_;
         let [q_again_] = &state_again_.q.data.0;
         let [v_again_] = &state_again_.v.data.0;
         let crank_pin_input_again_ = &inputs_again_.crank_pin;
@@ -213,38 +214,42 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Riccati transfer over `a`.
         let a_z0_force_y_ = a_b_y_z_ * t8_;
         /// Closure.
+        let a_j_zz_spilled_ = ::mstmm::generated::spill(place0_, a_j_zz_);
         let t44_ = T::mul_neg_add(t42_, a_z0_force_x_, t39_);
         /// Riccati transfer over `crank_pin`.
+        let t12_spilled_ = ::mstmm::generated::spill(place1_, t12_);
         let t32_ = T::recip(crank_pin_j_zz_);
         /// Closure.
-        let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
-        let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
-        let a_j_zz_spilled_ = ::mstmm::generated::spill(place0_, a_j_zz_);
-        let t47_ = sin_a_angle_ * t44_;
         let crank_pin_j_zz_spilled_ = ::mstmm::generated::spill(
-            place1_,
+            place2_,
             crank_pin_j_zz_,
         );
+        let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t14_spilled_ = ::mstmm::generated::spill(place3_, t14_);
+        let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
+        let sin_crank_pin_angle_spilled_ = ::mstmm::generated::spill(
+            place4_,
+            sin_crank_pin_angle_,
+        );
+        let t47_ = sin_a_angle_ * t44_;
+        let cos_crank_pin_angle_spilled_ = ::mstmm::generated::spill(
+            place5_,
+            cos_crank_pin_angle_,
+        );
         let t34_ = c_(0.6) * sin_rocker_pin_angle_;
-        let t12_spilled_ = ::mstmm::generated::spill(place2_, t12_);
+        let t24_spilled_ = ::mstmm::generated::spill(place6_, t24_);
         let t35_ = sin_rocker_pin_angle_ * c_(2.5);
         let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
         let t48_ = T::mul_add(cos_a_angle_, t45_, t47_);
         let t76_ = cos_a_angle_ * t44_;
-        let t14_spilled_ = ::mstmm::generated::spill(place3_, t14_);
+        let t18_spilled_ = ::mstmm::generated::spill(place7_, t18_);
         let t37_ = t34_ * t35_;
         let t55_ = t54_ * c_(0.36);
-        let cos_crank_pin_angle_spilled_ = ::mstmm::generated::spill(
-            place4_,
-            cos_crank_pin_angle_,
-        );
+        let t19_spilled_ = ::mstmm::generated::spill(place8_, t19_);
         let t43_ = t42_ * t8_;
-        let sin_crank_pin_angle_spilled_ = ::mstmm::generated::spill(
-            place5_,
-            sin_crank_pin_angle_,
-        );
+        let a_b_x_z_spilled_ = ::mstmm::generated::spill(place9_, a_b_x_z_);
         let t49_ = c_(0.2) * t48_;
-        let t24_spilled_ = ::mstmm::generated::spill(place6_, t24_);
+        let t16_spilled_ = ::mstmm::generated::spill(place10_, t16_);
         let t67_ = t39_ * t39_;
         let t77_ = T::mul_neg_add(sin_a_angle_, t45_, t76_);
         let t56_ = T::mul_add(t34_, t34_, t55_);
@@ -252,14 +257,14 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t50_ = t49_ * t32_;
         let t68_ = T::mul_add(t41_, t41_, t67_);
         let t69_ = t42_ * t42_;
-        let t42_spilled_ = ::mstmm::generated::spill(place7_, t42_);
+        let t42_spilled_ = ::mstmm::generated::spill(place11_, t42_);
         let t81_ = t77_ * t77_;
         let closure_d0_ = T::mul_add(t49_, t50_, t46_);
         let t57_ = t56_ * c_(4.166666666666667);
         let t70_ = T::mul_add(t68_, c_(0.72), t69_);
         let t82_ = T::mul_add(t48_, t48_, t81_);
         let t83_ = t49_ * t49_;
-        let t48_spilled_ = ::mstmm::generated::spill(place8_, t48_);
+        let t48_spilled_ = ::mstmm::generated::spill(place12_, t48_);
         let t89_ = T::copysign(closure_d0_, c_(1.0));
         let t71_ = T::mul_add(t8_, t70_, t57_);
         let t84_ = T::mul_add(t82_, c_(0.76), t83_);
@@ -275,127 +280,144 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t62_ = T::mul_add(sin_b_angle_, t58_, t61_);
         let t65_ = c_(0.6) * t64_;
         let t94_ = ::mstmm::generated::recip_above(t92_, t93_);
-        let t49_spilled_ = ::mstmm::generated::spill(place9_, t49_);
+        let t49_spilled_ = ::mstmm::generated::spill(place13_, t49_);
         let t72_ = T::mul_neg_add(t65_, a_z0_force_x_, t62_);
-        let a_z0_force_x_spilled_ = ::mstmm::generated::spill(place10_, a_z0_force_x_);
+        let a_z0_force_x_spilled_ = ::mstmm::generated::spill(place14_, a_z0_force_x_);
         let t96_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t77_spilled_ = ::mstmm::generated::spill(place11_, t77_);
+        let t77_spilled_ = ::mstmm::generated::spill(place15_, t77_);
         let t73_ = T::mul_neg_add(t65_, a_z0_force_y_, t64_);
-        let a_z0_force_y_spilled_ = ::mstmm::generated::spill(place12_, a_z0_force_y_);
+        let a_z0_force_y_spilled_ = ::mstmm::generated::spill(place16_, a_z0_force_y_);
         let t78_ = sin_a_angle_ * t72_;
+        let t39_spilled_ = ::mstmm::generated::spill(place17_, t39_);
+        let t51_ = c_(0.6) * cos_rocker_pin_angle_;
         let sin_rocker_pin_angle_spilled_ = ::mstmm::generated::spill(
-            place13_,
+            place18_,
             sin_rocker_pin_angle_,
         );
-        let t51_ = c_(0.6) * cos_rocker_pin_angle_;
-        let t39_spilled_ = ::mstmm::generated::spill(place14_, t39_);
         let t52_ = cos_rocker_pin_angle_ * c_(2.5);
         let t79_ = T::mul_add(cos_a_angle_, t73_, t78_);
         let cos_rocker_pin_angle_spilled_ = ::mstmm::generated::spill(
-            place15_,
+            place19_,
             cos_rocker_pin_angle_,
         );
         let t59_ = t51_ * t35_;
-        let t35_spilled_ = ::mstmm::generated::spill(place16_, t35_);
+        let t35_spilled_ = ::mstmm::generated::spill(place20_, t35_);
         let t60_ = t51_ * t52_;
-        let t52_spilled_ = ::mstmm::generated::spill(place17_, t52_);
+        let t52_spilled_ = ::mstmm::generated::spill(place21_, t52_);
         let t66_ = t65_ * t8_;
-        let t18_spilled_ = ::mstmm::generated::spill(place18_, t18_);
+        let a_b_y_z_spilled_ = ::mstmm::generated::spill(place22_, a_b_y_z_);
         let t80_ = c_(0.2) * t79_;
         let t74_ = T::mul_neg_add(t65_, t43_, t59_);
         let t95_ = t92_ * t94_;
-        let t109_ = cos_a_angle_ * t72_;
+        let t108_ = cos_a_angle_ * t72_;
         let t75_ = T::mul_add(t65_, t66_, t60_);
         let t85_ = t80_ * t32_;
         let t87_ = T::mul_neg_add(t80_, t50_, t74_);
         let t97_ = t95_ * t96_;
-        let t104_ = t62_ * t62_;
-        let t110_ = T::mul_neg_add(sin_a_angle_, t73_, t109_);
+        let t103_ = t62_ * t62_;
+        let t109_ = T::mul_neg_add(sin_a_angle_, t73_, t108_);
         let t101_ = T::mul_add(t51_, t51_, t55_);
         let t88_ = T::mul_add(t80_, t85_, t75_);
         let t98_ = t87_ * t97_;
-        let t105_ = T::mul_add(t64_, t64_, t104_);
-        let t106_ = t65_ * t65_;
-        let t111_ = t110_ * t110_;
+        let t104_ = T::mul_add(t64_, t64_, t103_);
+        let t105_ = t65_ * t65_;
+        let t110_ = t109_ * t109_;
         let closure_d1_ = T::mul_neg_add(t87_, t98_, t88_);
         let t102_ = c_(4.166666666666667) * t101_;
-        let t107_ = T::mul_add(c_(0.72), t105_, t106_);
-        let t112_ = T::mul_add(t79_, t79_, t111_);
-        let t113_ = t80_ * t80_;
-        let t43_spilled_ = ::mstmm::generated::spill(place19_, t43_);
-        let t120_ = T::copysign(closure_d1_, c_(1.0));
-        let t108_ = T::mul_add(t8_, t107_, t102_);
-        let t114_ = T::mul_add(c_(0.76), t112_, t113_);
-        let t121_ = closure_d1_ + t120_;
-        let t119_ = T::mul_add(t114_, t32_, t108_);
-        let t122_ = c_(0.5) * t121_;
-        let t124_ = T::sqrt(t119_);
-        let t123_ = T::sqrt(t122_);
-        let t129_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
-        let t130_ = t129_ * t129_;
+        let t106_ = T::mul_add(c_(0.72), t104_, t105_);
+        let t111_ = T::mul_add(t79_, t79_, t110_);
+        let t112_ = t80_ * t80_;
+        let t43_spilled_ = ::mstmm::generated::spill(place23_, t43_);
+        let t125_ = T::copysign(closure_d1_, c_(1.0));
+        let t107_ = T::mul_add(t8_, t106_, t102_);
+        let t113_ = T::mul_add(c_(0.76), t111_, t112_);
+        let t126_ = closure_d1_ + t125_;
+        let t124_ = T::mul_add(t113_, t32_, t107_);
+        let t127_ = c_(0.5) * t126_;
+        let t129_ = T::sqrt(t124_);
+        let t128_ = T::sqrt(t127_);
+        let t134_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
+        let t135_ = t134_ * t134_;
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
         let crank_pin_rate_ = v_[0];
         let a_rate_ = v_[1];
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         /// Closure.
-        let t131_ = ::mstmm::generated::recip_above(t130_, c_(1.0));
+        let t136_ = ::mstmm::generated::recip_above(t135_, c_(1.0));
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
         let b_rate_ = v_[2];
         let b_omega_z_ = b_rate_ + a_omega_z_;
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t2_ = b_omega_z_ * b_omega_z_;
+        /// Closure.
+        let t130_ = ::mstmm::generated::recip_above(t128_, t129_);
         /// Motion across `b`.
         let t1_ = a_omega_z_ * a_omega_z_;
-        /// Closure.
-        let t125_ = ::mstmm::generated::recip_above(t123_, t124_);
         /// Riccati transfer over `b`.
         let minus_b_e_force_x_ = c_(0.6) * t2_;
+        /// Closure.
+        let t132_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
         /// Motion across `b`.
         let minus_b_centripetal_x_ = t1_ * c_(0.6);
-        /// Closure.
-        let t127_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
         /// Riccati transfer over `a`.
-        let t50_spilled_ = ::mstmm::generated::spill(place20_, t50_);
+        let t50_spilled_ = ::mstmm::generated::spill(place24_, t50_);
         let t7_ = sin_b_angle_ * minus_b_e_force_x_;
         /// Closure.
-        let t132_ = T::sqrt(t131_);
+        let t137_ = T::sqrt(t136_);
         /// Riccati transfer over `a`.
         let minus_a_e_force_y_ = T::mul_add(minus_b_centripetal_x_, a_k_xy_, t7_);
-        let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
         /// Closure.
-        let t126_ = t123_ * t125_;
+        let t131_ = t128_ * t130_;
+        /// Riccati transfer over `a`.
+        let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
         /// Riccati transfer over `crank_pin`.
         let t28_ = T::mul_add(cos_b_angle_, minus_b_e_force_x_, minus_b_centripetal_x_);
+        let t25_ = t5_ - c_(2.0);
+        /// Closure.
+        let t133_ = t131_ * t132_;
         /// Riccati transfer over `a`.
         let a_w0_ = minus_a_e_moment_z_ * t8_;
         /// Riccati transfer over `crank_pin`.
-        let t25_ = t5_ - c_(2.0);
-        /// Closure.
-        let t128_ = t126_ * t127_;
-        /// Riccati transfer over `crank_pin`.
         let t20_ = T::mul_neg_add(c_(2.0), t17_, c_(1.0));
         let t29_ = T::mul_sub(minus_b_centripetal_x_, t25_, t28_);
-        let t26_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
         /// Closure.
-        let t134_ = T::mul_neg_add(closure_d1_, t128_, c_(1.0));
+        let t139_ = T::mul_neg_add(closure_d1_, t133_, c_(1.0));
+        /// Riccati transfer over `crank_pin`.
+        let a_b_y_z_ = *a_b_y_z_spilled_;
+        let t26_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
         /// Motion across `a`.
         let crank_pin_rate_ = v_again_[0];
         let t0_ = crank_pin_rate_ * crank_pin_rate_;
         /// Riccati transfer over `crank_pin`.
+        let t16_ = *t16_spilled_;
         let t21_ = t16_ * t20_;
+        let a_b_x_z_ = *a_b_x_z_spilled_;
         let t30_ = T::mul_add(a_b_x_z_, a_w0_, t29_);
-        let t27_ = cos_a_angle_ * t26_;
         /// Closure.
-        let t133_ = t129_ * t132_;
-        let t135_ = t98_ * t134_;
+        let t138_ = t134_ * t137_;
+        let t140_ = t98_ * t139_;
+        /// Riccati transfer over `crank_pin`.
+        let t27_ = cos_a_angle_ * t26_;
         /// Motion across `a`.
         let minus_a_centripetal_x_ = t0_ * c_(0.2);
+        /// Closure.
+        let cos_rocker_pin_angle_ = *cos_rocker_pin_angle_spilled_;
+        let t99_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
         /// Riccati transfer over `crank_pin`.
         let t18_ = *t18_spilled_;
+        let t19_ = *t19_spilled_;
         let crank_pin_k_xy_ = T::mul_neg_add(t18_, t19_, t21_);
+        /// Closure.
+        let t141_ = t138_ * t140_;
+        /// Riccati transfer over `crank_pin`.
         let t31_ = T::mul_neg_add(sin_a_angle_, t30_, t27_);
         /// Closure.
-        let t136_ = t133_ * t135_;
+        let sin_rocker_pin_angle_ = *sin_rocker_pin_angle_spilled_;
+        let t100_ = T::mul_sub(sin_rocker_pin_angle_, minus_b_e_force_x_, c_(9.8));
+        let t39_ = *t39_spilled_;
+        let t114_ = T::mul_add(minus_b_centripetal_x_, t39_, t99_);
+        let t143_ = t139_ * t139_;
+        let t142_ = T::mul_neg_add(t138_, t141_, t140_);
         /// Riccati transfer over `crank_pin`.
         let minus_crank_pin_e_force_y_ = T::mul_add(
             minus_a_centripetal_x_,
@@ -403,146 +425,150 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             t31_,
         );
         /// Closure.
-        let t138_ = t134_ * t134_;
-        let t137_ = T::mul_neg_add(t133_, t136_, t135_);
-        let cos_rocker_pin_angle_ = *cos_rocker_pin_angle_spilled_;
-        let t99_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t117_ = T::mul_add(minus_b_centripetal_x_, t62_, t100_);
+        let t42_ = *t42_spilled_;
+        let t115_ = T::mul_sub(t42_, a_w0_, t114_);
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
-        let crank_pin_input0_ = *crank_pin_input_;
-        let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
         let t24_ = *t24_spilled_;
         let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t24_, c_(0.1));
         /// Closure.
-        let t139_ = T::mul_add(t137_, t137_, t138_);
-        let t39_ = *t39_spilled_;
-        let t103_ = minus_b_centripetal_x_ * t39_;
-        let t42_ = *t42_spilled_;
-        let t144_ = T::mul_neg_add(t42_, a_w0_, t99_);
+        let t144_ = T::mul_add(t142_, t142_, t143_);
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
-        let crank_pin_w0_ = t33_ * t32_;
+        let crank_pin_input0_ = *crank_pin_input_;
+        let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
+        /// Closure.
+        let t118_ = T::mul_sub(t65_, a_w0_, t117_);
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
+        /// Closure.
+        let t77_ = *t77_spilled_;
+        let t116_ = T::mul_sub(minus_a_centripetal_x_, t77_, t115_);
+        /// Riccati transfer over `crank_pin`.
         let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t32_;
         /// Closure.
-        let sin_rocker_pin_angle_ = *sin_rocker_pin_angle_spilled_;
-        let t100_ = sin_rocker_pin_angle_ * minus_b_e_force_x_;
-        let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
-        let sin_crank_pin_angle_ = *sin_crank_pin_angle_spilled_;
-        let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
+        let t145_ = ::mstmm::generated::recip_above(t144_, c_(1.0));
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_w0_ = t33_ * t32_;
+        /// Closure.
+        let t119_ = T::mul_sub(minus_a_centripetal_x_, t109_, t118_);
         let cos_crank_pin_angle_ = *cos_crank_pin_angle_spilled_;
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
-        let t150_ = T::mul_neg_add(minus_b_centripetal_x_, t62_, c_(9.8));
-        let t77_ = *t77_spilled_;
-        let t147_ = T::mul_add(minus_a_centripetal_x_, t77_, t103_);
-        let t49_ = *t49_spilled_;
-        let t115_ = T::mul_neg_add(t49_, crank_pin_z0_force_x_, t77_);
-        let t145_ = T::mul_sub(t49_, crank_pin_w0_, t144_);
-        let t48_ = *t48_spilled_;
-        let t116_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
-        let t154_ = T::mul_neg_add(t65_, a_w0_, t100_);
-        let t151_ = T::mul_sub(minus_a_centripetal_x_, t110_, t150_);
-        let t118_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
-        let t146_ = T::mul_add(crank_pin_a_lin_x_, t115_, t145_);
-        let t148_ = T::mul_sub(crank_pin_a_lin_y_, t116_, t147_);
-        let t117_ = T::mul_neg_add(t80_, crank_pin_z0_force_x_, t110_);
-        let t155_ = T::mul_sub(t80_, crank_pin_w0_, t154_);
-        let t152_ = T::mul_sub(crank_pin_a_lin_y_, t118_, t151_);
-        let t149_ = t146_ + t148_;
-        let t156_ = T::mul_add(crank_pin_a_lin_x_, t117_, t155_);
-        let t153_ = T::mul_add(t98_, t149_, t152_);
-        let t141_ = T::sqrt(t140_);
-        let t157_ = t153_ + t156_;
-        let t158_ = t97_ * t149_;
-        let t159_ = t128_ * t157_;
-        let t160_ = T::mul_add(t98_, t159_, t158_);
-        let t161_ = t133_ * t160_;
-        let t162_ = T::mul_neg_add(t133_, t161_, t160_);
-        let t142_ = t137_ * t141_;
-        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-        let sin_crank_pin_angle_ = *sin_crank_pin_angle_spilled_;
-        let t165_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
         /// Closure.
-        let t143_ = t134_ * t141_;
-        let t163_ = t142_ * t162_;
+        let t49_ = *t49_spilled_;
+        let t48_ = *t48_spilled_;
+        let sin_b_angle_spilled_ = ::mstmm::generated::spill(place12_, sin_b_angle_);
+        let t121_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
+        let t123_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
+        let t149_ = T::mul_neg_add(t49_, crank_pin_w0_, t116_);
+        let t152_ = T::mul_neg_add(t80_, crank_pin_w0_, t119_);
+        let sin_crank_pin_angle_ = *sin_crank_pin_angle_spilled_;
+        let minus_b_centripetal_x_spilled_ = ::mstmm::generated::spill(
+            place6_,
+            minus_b_centripetal_x_,
+        );
+        let cos_b_angle_spilled_ = ::mstmm::generated::spill(place11_, cos_b_angle_);
+        let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
+        let t120_ = T::mul_neg_add(t49_, crank_pin_z0_force_x_, t77_);
+        let t122_ = T::mul_neg_add(t80_, crank_pin_z0_force_x_, t109_);
+        let t150_ = T::mul_sub(crank_pin_a_lin_y_, t121_, t149_);
+        let t153_ = T::mul_sub(crank_pin_a_lin_y_, t123_, t152_);
+        let t151_ = T::mul_add(crank_pin_a_lin_x_, t120_, t150_);
+        let t154_ = T::mul_add(crank_pin_a_lin_x_, t122_, t153_);
+        let t146_ = T::sqrt(t145_);
+        let t155_ = T::mul_add(t98_, t151_, t154_);
+        let t156_ = t97_ * t151_;
+        let t157_ = t133_ * t155_;
+        let t158_ = T::mul_add(t98_, t157_, t156_);
+        let t159_ = t138_ * t158_;
+        let t160_ = T::mul_neg_add(t138_, t159_, t158_);
+        let t147_ = t142_ * t146_;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 13 mul, 10 add, 0 reciprocal.
         let a_z0_force_x_ = *a_z0_force_x_spilled_;
-        let t172_ = cos_a_angle_ * a_z0_force_x_;
+        let t170_ = cos_a_angle_ * a_z0_force_x_;
+        let t172_ = sin_a_angle_ * a_z0_force_x_;
+        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
+        let t163_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        /// Closure.
+        let t148_ = t139_ * t146_;
+        let t161_ = t147_ * t160_;
+        /// Acceleration of `a`.
+        let a_z0_force_y_ = *a_z0_force_y_spilled_;
+        let t171_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t170_);
+        let t167_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
+        let t173_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t172_);
         /// Acceleration of `crank_pin`.
         let cos_crank_pin_angle_ = *cos_crank_pin_angle_spilled_;
-        let t166_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t165_);
+        let t164_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t163_);
         /// Closure.
-        let t164_ = T::mul_add(t143_, t159_, t163_);
+        let t162_ = T::mul_add(t148_, t157_, t161_);
         /// Acceleration of `a`.
-        let t174_ = sin_a_angle_ * a_z0_force_x_;
-        let a_z0_force_y_ = *a_z0_force_y_spilled_;
-        let t173_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t172_);
+        let t175_ = T::mul_add(t167_, t171_, a_w0_);
         /// Acceleration of `crank_pin`.
-        let t167_ = T::mul_sub(c_(9.8), t166_, crank_pin_w0_);
+        let t165_ = T::mul_sub(c_(9.8), t164_, crank_pin_w0_);
         /// Closure.
-        let minus_closure_reaction1_ = T::mul_neg_add(t143_, t164_, t159_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t148_, t162_, t157_);
         /// Acceleration of `a`.
-        let t169_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
-        let t175_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t174_);
-        let t177_ = t169_ * t173_;
+        let t176_ = T::mul_sub(crank_pin_a_lin_y_, t173_, t175_);
         /// Closure.
-        let closure_reaction0_ = T::mul_neg_add(t142_, t164_, t162_);
+        let closure_reaction0_ = T::mul_neg_add(t147_, t162_, t160_);
         /// Acceleration of `crank_pin`.
-        let t168_ = T::mul_add(t85_, minus_closure_reaction1_, t167_);
+        let t166_ = T::mul_add(t85_, minus_closure_reaction1_, t165_);
         /// Acceleration of `a`.
-        let t176_ = c_(0.2) * t175_;
-        let t178_ = T::mul_neg_add(crank_pin_a_lin_y_, t175_, a_w0_);
-        let t180_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t177_);
-        /// Acceleration of `crank_pin`.
-        let t50_ = *t50_spilled_;
-        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t168_);
+        let t177_ = T::mul_add(t66_, minus_closure_reaction1_, t176_);
+        let t174_ = c_(0.2) * t173_;
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 10 mul, 6 add, 0 reciprocal.
         let t35_ = *t35_spilled_;
-        let t185_ = t35_ * closure_reaction0_;
+        let t182_ = t35_ * closure_reaction0_;
+        /// Acceleration of `crank_pin`.
+        let t50_ = *t50_spilled_;
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t166_);
         /// Acceleration of `a`.
         let t43_ = *t43_spilled_;
-        let t179_ = T::mul_sub(t43_, closure_reaction0_, t178_);
-        let t181_ = T::mul_add(t176_, minus_crank_pin_a_ang_z_, t180_);
+        let t178_ = T::mul_add(t43_, closure_reaction0_, t177_);
         /// Acceleration of `b`.
-        let t184_ = cos_b_angle_ * c_(1.5);
-        let t186_ = T::mul_add(cos_a_angle_, t169_, minus_b_centripetal_x_);
+        let cos_b_angle_ = *cos_b_angle_spilled_;
+        let t181_ = cos_b_angle_ * c_(1.5);
+        let minus_b_centripetal_x_ = *minus_b_centripetal_x_spilled_;
+        let t183_ = T::mul_add(cos_a_angle_, t167_, minus_b_centripetal_x_);
+        let t52_ = *t52_spilled_;
+        let t185_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t182_);
         /// Acceleration of `a`.
-        let t171_ = T::mul_neg_add(
+        let t169_ = T::mul_neg_add(
             c_(0.2),
             minus_crank_pin_a_ang_z_,
             crank_pin_a_lin_y_,
         );
+        let a_a_ang_z_ = T::mul_sub(t174_, minus_crank_pin_a_ang_z_, t178_);
         /// Acceleration of `b`.
-        let t52_ = *t52_spilled_;
-        let t188_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t185_);
+        let sin_b_angle_ = *sin_b_angle_spilled_;
+        let t179_ = sin_b_angle_ * c_(2.5);
         /// Acceleration of `a`.
-        let minus_a_a_ang_z_ = t179_ - t181_;
+        let t168_ = sin_a_angle_ * t167_;
         /// Acceleration of `b`.
-        let t182_ = sin_b_angle_ * c_(2.5);
+        let t184_ = T::mul_sub(sin_a_angle_, t169_, t183_);
+        let t186_ = T::mul_add(t181_, a_a_ang_z_, t185_);
+        let t180_ = cos_b_angle_ * c_(2.5);
         /// Acceleration of `a`.
-        let t170_ = sin_a_angle_ * t169_;
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t169_, t168_);
         /// Acceleration of `b`.
-        let t187_ = T::mul_sub(sin_a_angle_, t171_, t186_);
-        let t189_ = T::mul_sub(t184_, minus_a_a_ang_z_, t188_);
-        let t183_ = cos_b_angle_ * c_(2.5);
-        /// Acceleration of `a`.
-        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t171_, t170_);
-        /// Acceleration of `b`.
-        let t190_ = T::mul_add(t182_, t187_, t189_);
+        let t187_ = T::mul_sub(t179_, t184_, t186_);
         /// Results: 1 mul, 5 add, 0 reciprocal.
         let t14_ = *t14_spilled_;
-        let t193_ = c_(4.0) + t14_;
+        let t190_ = c_(4.0) + t14_;
         let t12_ = *t12_spilled_;
-        let t194_ = t12_ - t193_;
+        let t191_ = t12_ - t190_;
         /// Acceleration of `b`.
-        let minus_b_a_ang_z_ = T::mul_sub(t183_, a_a_lin_y_, t190_);
+        let minus_b_a_ang_z_ = T::mul_sub(t180_, a_a_lin_y_, t187_);
         /// Results.
-        let t195_ = T::mul_neg_add(
+        let t192_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t194_,
+            t191_,
             c_(0.030000000000000006),
         );
-        let t191_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
-        let t192_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let t188_ = minus_crank_pin_a_ang_z_ + a_a_ang_z_;
+        let t189_ = a_a_ang_z_ + minus_b_a_ang_z_;
         let a_j_zz_ = *a_j_zz_spilled_;
         let crank_pin_j_zz_ = *crank_pin_j_zz_spilled_;
         if !::mstmm::generated::regular::<
@@ -551,18 +577,18 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             _,
         >(
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t195_],
-            [state_.t, state_.v.data.0[0][3], t191_, t192_],
+            [c_(2.04), t192_],
+            [state_.t, state_.v.data.0[0][3], t188_, -t189_],
         ) {
             return ::core::result::Result::Err(
                 ::mstmm::generated::irregular::<
                     T,
                     _,
-                >(&["a", "crank_pin"], [a_j_zz_, crank_pin_j_zz_], [c_(2.04), t195_]),
+                >(&["a", "crank_pin"], [a_j_zz_, crank_pin_j_zz_], [c_(2.04), t192_]),
             );
         }
         accelerations_.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t191_, t192_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t188_, -t189_, minus_b_a_ang_z_],
         ];
         ::core::result::Result::Ok(())
     }
@@ -595,12 +621,12 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 15 | 11 | 0 | 0 | 0 |
+    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 13 | 8 | 0 | 0 | 0 |
     /// | Results |  | 16 | 13 | 0 | 0 | 0 |
-    /// | Velocity behind `a` |  | 3 | 0 | 0 | 0 | 0 |
     /// | Load on `crank_pin` | \[P, Eqs. (18), (19)\] | 19 | 18 | 0 | 0 | 0 |
+    /// | Velocity behind `a` |  | 3 | 0 | 0 | 0 | 0 |
     /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 3 | 5 | 0 | 0 | 0 |
     /// | Pose behind `a` | \[P, Eq. (12)\] | 6 | 2 | 0 | 0 | 0 |
     /// | Velocity behind `b` |  | 5 | 3 | 0 | 0 | 0 |
@@ -753,95 +779,105 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t80_ = c_(0.2) * t79_;
         let t74_ = T::mul_neg_add(t65_, t43_, t59_);
         let t95_ = t92_ * t94_;
-        let t109_ = cos_a_angle_ * t72_;
+        let t108_ = cos_a_angle_ * t72_;
         let t75_ = T::mul_add(t65_, t66_, t60_);
         let t85_ = t80_ * t32_;
         let t87_ = T::mul_neg_add(t80_, t50_, t74_);
         let t97_ = t95_ * t96_;
-        let t104_ = t62_ * t62_;
-        let t110_ = T::mul_neg_add(sin_a_angle_, t73_, t109_);
+        let t103_ = t62_ * t62_;
+        let t109_ = T::mul_neg_add(sin_a_angle_, t73_, t108_);
         let t101_ = T::mul_add(t51_, t51_, t55_);
         let t88_ = T::mul_add(t80_, t85_, t75_);
         let t98_ = t87_ * t97_;
-        let t105_ = T::mul_add(t64_, t64_, t104_);
-        let t106_ = t65_ * t65_;
-        let t111_ = t110_ * t110_;
+        let t104_ = T::mul_add(t64_, t64_, t103_);
+        let t105_ = t65_ * t65_;
+        let t110_ = t109_ * t109_;
         let closure_d1_ = T::mul_neg_add(t87_, t98_, t88_);
         let t102_ = c_(4.166666666666667) * t101_;
-        let t107_ = T::mul_add(c_(0.72), t105_, t106_);
-        let t112_ = T::mul_add(t79_, t79_, t111_);
-        let t113_ = t80_ * t80_;
-        let t120_ = T::copysign(closure_d1_, c_(1.0));
-        let t108_ = T::mul_add(t8_, t107_, t102_);
-        let t114_ = T::mul_add(c_(0.76), t112_, t113_);
-        let t121_ = closure_d1_ + t120_;
-        let t119_ = T::mul_add(t114_, t32_, t108_);
-        let t122_ = c_(0.5) * t121_;
-        let t124_ = T::sqrt(t119_);
-        let t123_ = T::sqrt(t122_);
-        let t129_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
-        let t130_ = t129_ * t129_;
+        let t106_ = T::mul_add(c_(0.72), t104_, t105_);
+        let t111_ = T::mul_add(t79_, t79_, t110_);
+        let t112_ = t80_ * t80_;
+        let t125_ = T::copysign(closure_d1_, c_(1.0));
+        let t107_ = T::mul_add(t8_, t106_, t102_);
+        let t113_ = T::mul_add(c_(0.76), t111_, t112_);
+        let t126_ = closure_d1_ + t125_;
+        let t124_ = T::mul_add(t113_, t32_, t107_);
+        let t127_ = c_(0.5) * t126_;
+        let t129_ = T::sqrt(t124_);
+        let t128_ = T::sqrt(t127_);
+        let t134_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
+        let t135_ = t134_ * t134_;
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         *n21_ = a_omega_z_;
         ::mstmm::generated::written();
         /// Closure.
-        let t131_ = ::mstmm::generated::recip_above(t130_, c_(1.0));
+        let t136_ = ::mstmm::generated::recip_above(t135_, c_(1.0));
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
         let b_omega_z_ = b_rate_ + a_omega_z_;
         *n33_ = b_omega_z_;
         ::mstmm::generated::written();
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t2_ = b_omega_z_ * b_omega_z_;
+        /// Closure.
+        let t130_ = ::mstmm::generated::recip_above(t128_, t129_);
         /// Motion across `b`.
         let t1_ = a_omega_z_ * a_omega_z_;
-        /// Closure.
-        let t125_ = ::mstmm::generated::recip_above(t123_, t124_);
         /// Riccati transfer over `b`.
         let minus_b_e_force_x_ = c_(0.6) * t2_;
+        /// Closure.
+        let t132_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
         /// Motion across `b`.
         let minus_b_centripetal_x_ = t1_ * c_(0.6);
-        /// Closure.
-        let t127_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
         /// Riccati transfer over `a`.
         let t7_ = sin_b_angle_ * minus_b_e_force_x_;
         /// Closure.
-        let t132_ = T::sqrt(t131_);
+        let t137_ = T::sqrt(t136_);
         /// Riccati transfer over `a`.
         let minus_a_e_force_y_ = T::mul_add(minus_b_centripetal_x_, a_k_xy_, t7_);
-        let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
         /// Closure.
-        let t126_ = t123_ * t125_;
+        let t131_ = t128_ * t130_;
+        /// Riccati transfer over `a`.
+        let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
         /// Riccati transfer over `crank_pin`.
         let t28_ = T::mul_add(cos_b_angle_, minus_b_e_force_x_, minus_b_centripetal_x_);
+        let t25_ = t5_ - c_(2.0);
+        /// Closure.
+        let t133_ = t131_ * t132_;
         /// Riccati transfer over `a`.
         let a_w0_ = minus_a_e_moment_z_ * t8_;
         /// Riccati transfer over `crank_pin`.
-        let t25_ = t5_ - c_(2.0);
-        /// Closure.
-        let t128_ = t126_ * t127_;
-        /// Riccati transfer over `crank_pin`.
         let t20_ = T::mul_neg_add(c_(2.0), t17_, c_(1.0));
         let t29_ = T::mul_sub(minus_b_centripetal_x_, t25_, t28_);
-        let t26_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
         /// Closure.
-        let t134_ = T::mul_neg_add(closure_d1_, t128_, c_(1.0));
+        let t139_ = T::mul_neg_add(closure_d1_, t133_, c_(1.0));
+        /// Riccati transfer over `crank_pin`.
+        let t26_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
         /// Motion across `a`.
         let t0_ = crank_pin_rate_ * crank_pin_rate_;
         /// Riccati transfer over `crank_pin`.
         let t21_ = t16_ * t20_;
         let t30_ = T::mul_add(a_b_x_z_, a_w0_, t29_);
-        let t27_ = cos_a_angle_ * t26_;
         /// Closure.
-        let t133_ = t129_ * t132_;
-        let t135_ = t98_ * t134_;
+        let t138_ = t134_ * t137_;
+        let t140_ = t98_ * t139_;
+        /// Riccati transfer over `crank_pin`.
+        let t27_ = cos_a_angle_ * t26_;
         /// Motion across `a`.
         let minus_a_centripetal_x_ = t0_ * c_(0.2);
+        /// Closure.
+        let t99_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
         /// Riccati transfer over `crank_pin`.
         let crank_pin_k_xy_ = T::mul_neg_add(t18_, t19_, t21_);
+        /// Closure.
+        let t141_ = t138_ * t140_;
+        /// Riccati transfer over `crank_pin`.
         let t31_ = T::mul_neg_add(sin_a_angle_, t30_, t27_);
         /// Closure.
-        let t136_ = t133_ * t135_;
+        let t100_ = T::mul_sub(sin_rocker_pin_angle_, minus_b_e_force_x_, c_(9.8));
+        let t114_ = T::mul_add(minus_b_centripetal_x_, t39_, t99_);
+        let t143_ = t139_ * t139_;
+        let t142_ = T::mul_neg_add(t138_, t141_, t140_);
         /// Riccati transfer over `crank_pin`.
         let minus_crank_pin_e_force_y_ = T::mul_add(
             minus_a_centripetal_x_,
@@ -849,233 +885,239 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             t31_,
         );
         /// Closure.
-        let t138_ = t134_ * t134_;
-        let t137_ = T::mul_neg_add(t133_, t136_, t135_);
-        let t99_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t117_ = T::mul_add(minus_b_centripetal_x_, t62_, t100_);
+        let t115_ = T::mul_sub(t42_, a_w0_, t114_);
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
-        let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
         let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t24_, c_(0.1));
         /// Closure.
-        let t139_ = T::mul_add(t137_, t137_, t138_);
-        let t103_ = minus_b_centripetal_x_ * t39_;
-        let t144_ = T::mul_neg_add(t42_, a_w0_, t99_);
+        let t144_ = T::mul_add(t142_, t142_, t143_);
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
-        let crank_pin_w0_ = t33_ * t32_;
+        let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
+        /// Closure.
+        let t118_ = T::mul_sub(t65_, a_w0_, t117_);
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
+        /// Closure.
+        let t116_ = T::mul_sub(minus_a_centripetal_x_, t77_, t115_);
+        /// Riccati transfer over `crank_pin`.
         let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t32_;
         /// Closure.
-        let t100_ = sin_rocker_pin_angle_ * minus_b_e_force_x_;
-        let t140_ = ::mstmm::generated::recip_above(t139_, c_(1.0));
-        let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
-        *n8_ = crank_pin_a_lin_x_;
-        ::mstmm::generated::written();
+        let t145_ = ::mstmm::generated::recip_above(t144_, c_(1.0));
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_w0_ = t33_ * t32_;
+        /// Closure.
+        let t119_ = T::mul_sub(minus_a_centripetal_x_, t109_, t118_);
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
         *n9_ = crank_pin_a_lin_y_;
         ::mstmm::generated::written();
-        let t150_ = T::mul_neg_add(minus_b_centripetal_x_, t62_, c_(9.8));
-        let t147_ = T::mul_add(minus_a_centripetal_x_, t77_, t103_);
-        let t115_ = T::mul_neg_add(t49_, crank_pin_z0_force_x_, t77_);
-        let t145_ = T::mul_sub(t49_, crank_pin_w0_, t144_);
-        let t116_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
-        let t154_ = T::mul_neg_add(t65_, a_w0_, t100_);
-        let t151_ = T::mul_sub(minus_a_centripetal_x_, t110_, t150_);
-        let t118_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
-        let t146_ = T::mul_add(crank_pin_a_lin_x_, t115_, t145_);
-        let t148_ = T::mul_sub(crank_pin_a_lin_y_, t116_, t147_);
-        let t117_ = T::mul_neg_add(t80_, crank_pin_z0_force_x_, t110_);
-        let t155_ = T::mul_sub(t80_, crank_pin_w0_, t154_);
-        let t152_ = T::mul_sub(crank_pin_a_lin_y_, t118_, t151_);
-        let t149_ = t146_ + t148_;
-        let t156_ = T::mul_add(crank_pin_a_lin_x_, t117_, t155_);
-        let t153_ = T::mul_add(t98_, t149_, t152_);
-        let t141_ = T::sqrt(t140_);
-        let t157_ = t153_ + t156_;
-        let t158_ = t97_ * t149_;
-        let t159_ = t128_ * t157_;
-        let t160_ = T::mul_add(t98_, t159_, t158_);
-        let t161_ = t133_ * t160_;
-        let t162_ = T::mul_neg_add(t133_, t161_, t160_);
-        let t142_ = t137_ * t141_;
-        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-        let t165_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
         /// Closure.
-        let t143_ = t134_ * t141_;
-        let t163_ = t142_ * t162_;
+        let t121_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
+        let t123_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
+        let t149_ = T::mul_neg_add(t49_, crank_pin_w0_, t116_);
+        let t152_ = T::mul_neg_add(t80_, crank_pin_w0_, t119_);
+        let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
+        *n8_ = crank_pin_a_lin_x_;
+        ::mstmm::generated::written();
+        let t120_ = T::mul_neg_add(t49_, crank_pin_z0_force_x_, t77_);
+        let t122_ = T::mul_neg_add(t80_, crank_pin_z0_force_x_, t109_);
+        let t150_ = T::mul_sub(crank_pin_a_lin_y_, t121_, t149_);
+        let t153_ = T::mul_sub(crank_pin_a_lin_y_, t123_, t152_);
+        let t151_ = T::mul_add(crank_pin_a_lin_x_, t120_, t150_);
+        let t154_ = T::mul_add(crank_pin_a_lin_x_, t122_, t153_);
+        let t146_ = T::sqrt(t145_);
+        let t155_ = T::mul_add(t98_, t151_, t154_);
+        let t156_ = t97_ * t151_;
+        let t157_ = t133_ * t155_;
+        let t158_ = T::mul_add(t98_, t157_, t156_);
+        let t159_ = t138_ * t158_;
+        let t160_ = T::mul_neg_add(t138_, t159_, t158_);
+        let t147_ = t142_ * t146_;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 15 mul, 11 add, 0 reciprocal.
-        let t173_ = cos_a_angle_ * a_z0_force_x_;
-        /// Acceleration of `crank_pin`.
-        let t166_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t165_);
+        let t171_ = cos_a_angle_ * a_z0_force_x_;
+        let t173_ = sin_a_angle_ * a_z0_force_x_;
+        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
+        let t163_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
         /// Closure.
-        let t164_ = T::mul_add(t143_, t159_, t163_);
+        let t148_ = t139_ * t146_;
+        let t161_ = t147_ * t160_;
         /// Acceleration of `a`.
-        let t175_ = sin_a_angle_ * a_z0_force_x_;
-        let t174_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t173_);
+        let t172_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t171_);
+        let t167_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
+        let t174_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t173_);
         /// Acceleration of `crank_pin`.
-        let t167_ = T::mul_sub(c_(9.8), t166_, crank_pin_w0_);
+        let t164_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t163_);
         /// Closure.
-        let minus_closure_reaction1_ = T::mul_neg_add(t143_, t164_, t159_);
+        let t162_ = T::mul_add(t148_, t157_, t161_);
         /// Acceleration of `a`.
-        let t169_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
-        let t176_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t175_);
-        let t178_ = t169_ * t174_;
+        let t176_ = T::mul_add(t167_, t172_, a_w0_);
+        /// Acceleration of `crank_pin`.
+        let t165_ = T::mul_sub(c_(9.8), t164_, crank_pin_w0_);
         /// Closure.
-        let closure_reaction0_ = T::mul_neg_add(t142_, t164_, t162_);
-        /// Acceleration of `crank_pin`.
-        let t168_ = T::mul_add(t85_, minus_closure_reaction1_, t167_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t148_, t162_, t157_);
         /// Acceleration of `a`.
-        let t177_ = c_(0.2) * t176_;
-        let t179_ = T::mul_neg_add(crank_pin_a_lin_y_, t176_, a_w0_);
-        let t181_ = T::mul_neg_add(t66_, minus_closure_reaction1_, t178_);
+        let t177_ = T::mul_sub(crank_pin_a_lin_y_, t174_, t176_);
+        /// Closure.
+        let closure_reaction0_ = T::mul_neg_add(t147_, t162_, t160_);
         /// Acceleration of `crank_pin`.
-        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t168_);
+        let t166_ = T::mul_add(t85_, minus_closure_reaction1_, t165_);
+        /// Acceleration of `a`.
+        let t178_ = T::mul_add(t66_, minus_closure_reaction1_, t177_);
+        let t175_ = c_(0.2) * t174_;
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 13 mul, 8 add, 0 reciprocal.
+        let t188_ = t35_ * closure_reaction0_;
+        /// Acceleration of `crank_pin`.
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t166_);
         *n10_ = minus_crank_pin_a_ang_z_;
         ::mstmm::generated::written();
         /// Acceleration of `a`.
-        let t170_ = cos_a_angle_ * t169_;
-        let t180_ = T::mul_sub(t43_, closure_reaction0_, t179_);
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 13 mul, 8 add, 0 reciprocal.
-        let t191_ = t35_ * closure_reaction0_;
+        let t179_ = T::mul_add(t43_, closure_reaction0_, t178_);
+        /// Acceleration of `b`.
+        let t187_ = cos_b_angle_ * c_(1.5);
         /// Acceleration of `a`.
-        let t182_ = T::mul_add(t177_, minus_crank_pin_a_ang_z_, t181_);
-        let t171_ = T::mul_neg_add(
+        let t170_ = sin_a_angle_ * t167_;
+        /// Acceleration of `b`.
+        let t189_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t188_);
+        /// Acceleration of `a`.
+        let t169_ = T::mul_neg_add(
             c_(0.2),
             minus_crank_pin_a_ang_z_,
             crank_pin_a_lin_y_,
         );
-        let t172_ = sin_a_angle_ * t169_;
+        let a_a_ang_z_ = T::mul_sub(t175_, minus_crank_pin_a_ang_z_, t179_);
+        *n22_ = a_a_ang_z_;
+        ::mstmm::generated::written();
+        let t168_ = cos_a_angle_ * t167_;
         /// Acceleration of `b`.
-        let t190_ = cos_b_angle_ * c_(1.5);
-        let t192_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t191_);
+        let t186_ = cos_b_angle_ * c_(2.5);
         /// Acceleration of `a`.
-        let minus_a_a_ang_z_ = t180_ - t182_;
-        *n22_ = minus_a_a_ang_z_;
-        ::mstmm::generated::written();
-        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t171_, t170_);
-        *n17_ = minus_a_a_lin_x_;
-        ::mstmm::generated::written();
-        /// Results: 16 mul, 13 add, 0 reciprocal.
-        let t224_ = t0_ * c_(0.09000000000000002);
-        /// Velocity behind `a`: 3 mul, 0 add, 0 reciprocal.
-        let t212_ = crank_pin_rate_ * c_(0.2);
-        /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 19 mul, 18 add, 0 reciprocal.
-        let t197_ = cos_rocker_pin_angle_ * closure_reaction0_;
-        /// Acceleration of `a`.
-        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t171_, t172_);
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t169_, t170_);
         *n18_ = a_a_lin_y_;
         ::mstmm::generated::written();
         /// Acceleration of `b`.
-        let t184_ = c_(0.6) * minus_a_a_ang_z_;
-        let t189_ = cos_b_angle_ * c_(2.5);
-        let t193_ = T::mul_sub(t190_, minus_a_a_ang_z_, t192_);
-        let t183_ = minus_b_centripetal_x_ + minus_a_a_lin_x_;
-        /// Results.
-        let t226_ = T::mul_add(t1_, c_(0.48), t224_);
-        let t225_ = a_omega_z_ * c_(1.7999999999999998);
-        /// Connection points, [P, Eqs. (4), (12), (13)]: 3 mul, 5 add, 0 reciprocal.
-        let t218_ = c_(0.6) * b_omega_z_;
-        /// Acceleration of `b`.
-        let t188_ = sin_b_angle_ * c_(2.5);
-        /// Load on `crank_pin`.
-        let t199_ = sin_rocker_pin_angle_ * closure_reaction0_;
-        let t198_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t197_);
-        *n41_ = t198_;
+        let t190_ = T::mul_add(t187_, a_a_ang_z_, t189_);
+        /// Acceleration of `a`.
+        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t169_, t168_);
+        *n17_ = minus_a_a_lin_x_;
         ::mstmm::generated::written();
         /// Acceleration of `b`.
-        let t185_ = a_a_lin_y_ - t184_;
-        let t186_ = cos_b_angle_ * t183_;
-        let t194_ = T::mul_sub(t189_, a_a_lin_y_, t193_);
-        let t187_ = sin_b_angle_ * t183_;
+        let t185_ = sin_b_angle_ * c_(2.5);
+        let t191_ = T::mul_add(t186_, a_a_lin_y_, t190_);
+        /// Results: 16 mul, 13 add, 0 reciprocal.
+        let t221_ = t0_ * c_(0.09000000000000002);
+        /// Acceleration of `b`.
+        let t180_ = minus_b_centripetal_x_ + minus_a_a_lin_x_;
+        /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 19 mul, 18 add, 0 reciprocal.
+        let t196_ = sin_rocker_pin_angle_ * closure_reaction0_;
+        /// Acceleration of `b`.
+        let t181_ = c_(0.6) * a_a_ang_z_;
+        let minus_b_a_ang_z_ = T::mul_add(t185_, t180_, t191_);
+        *n34_ = minus_b_a_ang_z_;
+        ::mstmm::generated::written();
         /// Results.
-        let t227_ = T::mul_add(t2_, c_(0.12), t226_);
+        let t223_ = T::mul_add(t1_, c_(0.48), t221_);
+        /// Velocity behind `a`: 3 mul, 0 add, 0 reciprocal.
+        let t209_ = crank_pin_rate_ * c_(0.2);
+        /// Results.
+        let t222_ = a_omega_z_ * c_(1.7999999999999998);
+        /// Load on `crank_pin`.
+        let t194_ = cos_rocker_pin_angle_ * closure_reaction0_;
+        let t197_ = T::mul_neg_add(
+            cos_rocker_pin_angle_,
+            minus_closure_reaction1_,
+            t196_,
+        );
+        *n42_ = t197_;
+        ::mstmm::generated::written();
+        /// Acceleration of `b`.
+        let t184_ = sin_b_angle_ * t180_;
+        let t182_ = a_a_lin_y_ + t181_;
+        /// Load on `crank_pin`.
+        let t193_ = c_(0.6) * minus_b_a_ang_z_;
+        /// Connection points, [P, Eqs. (4), (12), (13)]: 3 mul, 5 add, 0 reciprocal.
+        let t215_ = c_(0.6) * b_omega_z_;
+        /// Results.
+        let t224_ = T::mul_add(t2_, c_(0.12), t223_);
         /// Pose behind `a`, [P, Eq. (12)]: 6 mul, 2 add, 0 reciprocal.
+        let t207_ = cos_crank_pin_angle_ * cos_a_angle_;
         let a_position_x_ = cos_crank_pin_angle_ * c_(0.2);
         *n11_ = a_position_x_;
         ::mstmm::generated::written();
-        let t210_ = cos_crank_pin_angle_ * cos_a_angle_;
         let a_position_y_ = sin_crank_pin_angle_ * c_(0.2);
         *n12_ = a_position_y_;
         ::mstmm::generated::written();
         /// Velocity behind `a`.
-        let a_velocity_y_ = cos_a_angle_ * t212_;
+        let a_velocity_y_ = cos_a_angle_ * t209_;
         *n14_ = a_velocity_y_;
         ::mstmm::generated::written();
-        /// Load on `crank_pin`.
-        let t200_ = T::mul_neg_add(
-            cos_rocker_pin_angle_,
-            minus_closure_reaction1_,
-            t199_,
-        );
-        *n42_ = t200_;
-        ::mstmm::generated::written();
-        let t201_ = minus_b_e_force_x_ - t198_;
         /// Acceleration of `b`.
-        let minus_b_a_lin_x_ = T::mul_neg_add(sin_b_angle_, t185_, t186_);
-        *n29_ = minus_b_a_lin_x_;
-        ::mstmm::generated::written();
-        let minus_b_a_ang_z_ = T::mul_add(t188_, t183_, t194_);
-        *n34_ = minus_b_a_ang_z_;
-        ::mstmm::generated::written();
-        let b_a_lin_y_ = T::mul_add(cos_b_angle_, t185_, t187_);
+        let t183_ = cos_b_angle_ * t180_;
+        let b_a_lin_y_ = T::mul_add(cos_b_angle_, t182_, t184_);
         *n30_ = b_a_lin_y_;
         ::mstmm::generated::written();
+        /// Load on `crank_pin`.
+        let t195_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t194_);
+        *n41_ = t195_;
+        ::mstmm::generated::written();
+        let t199_ = t193_ - t197_;
         /// Velocity behind `a`.
-        let a_velocity_x_ = sin_a_angle_ * t212_;
+        let a_velocity_x_ = sin_a_angle_ * t209_;
         *n13_ = a_velocity_x_;
         ::mstmm::generated::written();
         /// Pose behind `a`.
-        let t211_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let t208_ = cos_crank_pin_angle_ * sin_a_angle_;
         let a_to_inertial_x_x_ = T::mul_neg_add(
             sin_crank_pin_angle_,
             sin_a_angle_,
-            t210_,
+            t207_,
         );
         *n15_ = a_to_inertial_x_x_;
         ::mstmm::generated::written();
         /// Results.
-        let t230_ = sin_crank_pin_angle_ * c_(8.82);
+        let t227_ = sin_crank_pin_angle_ * c_(8.82);
         /// Load on `crank_pin`.
-        let t195_ = T::mul_sub(t0_, c_(0.1), crank_pin_a_lin_x_);
-        /// Velocity behind `b`: 5 mul, 3 add, 0 reciprocal.
-        let t215_ = T::mul_add(a_omega_z_, c_(0.6), a_velocity_y_);
-        /// Load on `crank_pin`.
-        let t205_ = T::mul_neg_add(c_(2.0), a_a_lin_y_, t184_);
-        let minus_b_load_force_x_ = T::mul_add(c_(2.0), minus_b_a_lin_x_, t201_);
-        *n31_ = minus_b_load_force_x_;
+        let t192_ = T::mul_sub(t0_, c_(0.1), crank_pin_a_lin_x_);
+        let t202_ = T::mul_add(c_(2.0), a_a_lin_y_, t181_);
+        /// Acceleration of `b`.
+        let minus_b_a_lin_x_ = T::mul_neg_add(sin_b_angle_, t182_, t183_);
+        *n29_ = minus_b_a_lin_x_;
         ::mstmm::generated::written();
-        let t196_ = c_(0.6) * minus_b_a_ang_z_;
-        let t202_ = T::mul_add(c_(2.0), b_a_lin_y_, t200_);
-        /// Velocity behind `b`.
-        let t217_ = sin_b_angle_ * a_velocity_x_;
+        /// Load on `crank_pin`.
+        let b_load_force_y_ = T::mul_sub(c_(2.0), b_a_lin_y_, t199_);
+        *n32_ = b_load_force_y_;
+        ::mstmm::generated::written();
+        let t198_ = minus_b_e_force_x_ - t195_;
+        /// Velocity behind `b`: 5 mul, 3 add, 0 reciprocal.
+        let t212_ = T::mul_add(a_omega_z_, c_(0.6), a_velocity_y_);
+        let t214_ = sin_b_angle_ * a_velocity_x_;
         /// Pose behind `a`.
         let minus_a_to_inertial_x_y_ = T::mul_add(
             sin_crank_pin_angle_,
             cos_a_angle_,
-            t211_,
+            t208_,
         );
         *n16_ = minus_a_to_inertial_x_y_;
         ::mstmm::generated::written();
         /// Pose behind `b`, [P, Eq. (12)]: 6 mul, 4 add, 0 reciprocal.
-        let t213_ = cos_b_angle_ * a_to_inertial_x_x_;
+        let t210_ = cos_b_angle_ * a_to_inertial_x_x_;
         /// Velocity behind `b`.
-        let t216_ = cos_b_angle_ * a_velocity_x_;
+        let t213_ = cos_b_angle_ * a_velocity_x_;
         /// Results.
-        let t228_ = T::mul_add(a_velocity_y_, t225_, t227_);
+        let t225_ = T::mul_add(a_velocity_y_, t222_, t224_);
+        /// Load on `crank_pin`.
+        let t200_ = T::mul_add(c_(2.0), minus_a_a_lin_x_, minus_b_centripetal_x_);
+        let minus_b_load_force_x_ = T::mul_add(c_(2.0), minus_b_a_lin_x_, t198_);
+        *n31_ = minus_b_load_force_x_;
+        ::mstmm::generated::written();
+        let t203_ = T::mul_add(cos_b_angle_, b_load_force_y_, t202_);
         /// Pose behind `b`.
         let b_position_x_ = T::mul_add(c_(0.6), a_to_inertial_x_x_, a_position_x_);
         *n23_ = b_position_x_;
         ::mstmm::generated::written();
-        /// Load on `crank_pin`.
-        let t203_ = T::mul_add(c_(2.0), minus_a_a_lin_x_, minus_b_centripetal_x_);
-        let t206_ = T::mul_add(sin_b_angle_, minus_b_load_force_x_, t205_);
-        /// Pose behind `b`.
-        let t214_ = sin_b_angle_ * a_to_inertial_x_x_;
-        /// Load on `crank_pin`.
-        let minus_b_load_force_y_ = t196_ - t202_;
-        *n32_ = minus_b_load_force_y_;
-        ::mstmm::generated::written();
+        let t211_ = sin_b_angle_ * a_to_inertial_x_x_;
         /// Velocity behind `b`.
-        let minus_b_velocity_y_ = T::mul_neg_add(cos_b_angle_, t215_, t217_);
+        let minus_b_velocity_y_ = T::mul_neg_add(cos_b_angle_, t212_, t214_);
         *n26_ = minus_b_velocity_y_;
         ::mstmm::generated::written();
         /// Pose behind `b`.
@@ -1085,28 +1127,28 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let b_to_inertial_x_x_ = T::mul_neg_add(
             sin_b_angle_,
             minus_a_to_inertial_x_y_,
-            t213_,
+            t210_,
         );
         *n27_ = b_to_inertial_x_x_;
         ::mstmm::generated::written();
         /// Velocity behind `b`.
-        let b_velocity_x_ = T::mul_add(sin_b_angle_, t215_, t216_);
+        let b_velocity_x_ = T::mul_add(sin_b_angle_, t212_, t213_);
         *n25_ = b_velocity_x_;
         *n37_ = b_velocity_x_;
         ::mstmm::generated::written();
         /// Results.
-        let t231_ = T::mul_add(minus_a_to_inertial_x_y_, c_(17.64), t230_);
-        let t221_ = c_(4.0) + t14_;
+        let t228_ = T::mul_add(minus_a_to_inertial_x_y_, c_(17.64), t227_);
+        let t218_ = c_(4.0) + t14_;
         /// Load on `crank_pin`.
-        let t204_ = T::mul_add(cos_b_angle_, minus_b_load_force_x_, t203_);
-        let minus_a_load_force_y_ = T::mul_add(
-            cos_b_angle_,
-            minus_b_load_force_y_,
-            t206_,
+        let t201_ = T::mul_add(sin_b_angle_, b_load_force_y_, t200_);
+        let minus_a_load_force_y_ = T::mul_sub(
+            sin_b_angle_,
+            minus_b_load_force_x_,
+            t203_,
         );
         *n20_ = minus_a_load_force_y_;
         ::mstmm::generated::written();
-        let t208_ = T::mul_neg_add(
+        let t205_ = T::mul_neg_add(
             c_(0.1),
             minus_crank_pin_a_ang_z_,
             crank_pin_a_lin_y_,
@@ -1115,32 +1157,36 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let minus_b_to_inertial_x_y_ = T::mul_add(
             cos_b_angle_,
             minus_a_to_inertial_x_y_,
-            t214_,
+            t211_,
         );
         *n28_ = minus_b_to_inertial_x_y_;
         ::mstmm::generated::written();
         /// Connection points.
-        let minus_point6_velocity_y_ = minus_b_velocity_y_ - t218_;
+        let minus_point6_velocity_y_ = minus_b_velocity_y_ - t215_;
         *n38_ = minus_point6_velocity_y_;
         ::mstmm::generated::written();
         /// Results.
-        let t229_ = T::mul_sub(minus_b_velocity_y_, t218_, t228_);
-        at_.kinetic_energy = -t229_;
+        let t226_ = T::mul_sub(minus_b_velocity_y_, t215_, t225_);
+        at_.kinetic_energy = -t226_;
         ::mstmm::generated::written();
         /// Connection points.
         let point6_position_x_ = T::mul_add(c_(0.6), b_to_inertial_x_x_, b_position_x_);
         *n35_ = point6_position_x_;
         ::mstmm::generated::written();
         /// Results.
-        let t222_ = t12_ - t221_;
-        let t235_ = cos_rocker_pin_angle_ * t142_;
-        let t237_ = sin_rocker_pin_angle_ * t142_;
+        let t219_ = t12_ - t218_;
+        let t232_ = cos_rocker_pin_angle_ * t147_;
+        let t234_ = sin_rocker_pin_angle_ * t147_;
         /// Load on `crank_pin`.
-        let a_load_force_x_ = T::mul_sub(sin_b_angle_, minus_b_load_force_y_, t204_);
-        *n19_ = a_load_force_x_;
+        let minus_a_load_force_x_ = T::mul_add(
+            cos_b_angle_,
+            minus_b_load_force_x_,
+            t201_,
+        );
+        *n19_ = minus_a_load_force_x_;
         ::mstmm::generated::written();
-        let t207_ = T::mul_neg_add(sin_a_angle_, minus_a_load_force_y_, t195_);
-        let t209_ = T::mul_sub(cos_a_angle_, minus_a_load_force_y_, t208_);
+        let t204_ = T::mul_neg_add(sin_a_angle_, minus_a_load_force_y_, t192_);
+        let t206_ = T::mul_sub(cos_a_angle_, minus_a_load_force_y_, t205_);
         /// Connection points.
         let point6_position_y_ = T::mul_add(
             c_(0.6),
@@ -1150,59 +1196,66 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         *n36_ = point6_position_y_;
         ::mstmm::generated::written();
         /// Results.
-        let t232_ = T::mul_add(minus_b_to_inertial_x_y_, c_(5.88), t231_);
-        at_.potential_energy = t232_;
+        let t229_ = T::mul_add(minus_b_to_inertial_x_y_, c_(5.88), t228_);
+        at_.potential_energy = t229_;
         ::mstmm::generated::written();
-        let t223_ = T::mul_neg_add(
+        let t220_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t222_,
+            t219_,
             c_(0.030000000000000006),
         );
-        let t233_ = cos_rocker_pin_angle_ * t133_;
-        let t234_ = sin_rocker_pin_angle_ * t133_;
-        let t236_ = T::mul_add(sin_rocker_pin_angle_, t143_, t235_);
-        let t238_ = T::mul_neg_add(cos_rocker_pin_angle_, t143_, t237_);
+        let t230_ = cos_rocker_pin_angle_ * t138_;
+        let t231_ = sin_rocker_pin_angle_ * t138_;
+        let t233_ = T::mul_add(sin_rocker_pin_angle_, t148_, t232_);
+        let t235_ = T::mul_neg_add(cos_rocker_pin_angle_, t148_, t234_);
         at_.closure = ::mstmm::generated::closure([
-            [t233_, t234_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
-            [-t236_, -t238_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [t230_, t231_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [-t233_, -t235_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
         ]);
         ::mstmm::generated::written();
-        let t219_ = minus_crank_pin_a_ang_z_ - minus_a_a_ang_z_;
+        let t216_ = minus_crank_pin_a_ang_z_ + a_a_ang_z_;
         /// Load on `crank_pin`.
-        let crank_pin_load_force_x_ = T::mul_sub(cos_a_angle_, a_load_force_x_, t207_);
-        *n3_ = crank_pin_load_force_x_;
+        let minus_crank_pin_load_force_x_ = T::mul_add(
+            cos_a_angle_,
+            minus_a_load_force_x_,
+            t204_,
+        );
+        *n3_ = minus_crank_pin_load_force_x_;
         ::mstmm::generated::written();
-        let crank_pin_load_force_y_ = T::mul_sub(sin_a_angle_, a_load_force_x_, t209_);
-        *n4_ = crank_pin_load_force_y_;
-        ::mstmm::generated::written();
-        /// Connection points.
-        let minus_point6_felt_x_ = minus_b_e_force_x_ + minus_b_a_lin_x_;
-        *n39_ = minus_point6_felt_x_;
+        let minus_crank_pin_load_force_y_ = T::mul_add(
+            sin_a_angle_,
+            minus_a_load_force_x_,
+            t206_,
+        );
+        *n4_ = minus_crank_pin_load_force_y_;
         ::mstmm::generated::written();
         /// Results.
-        let t220_ = minus_a_a_ang_z_ - minus_b_a_ang_z_;
+        let t217_ = a_a_ang_z_ + minus_b_a_ang_z_;
         if !::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t223_],
-            [state_.t, state_.v.data.0[0][3], t219_, t220_],
+            [c_(2.04), t220_],
+            [state_.t, state_.v.data.0[0][3], t216_, -t217_],
         ) {
             let error_ = ::mstmm::generated::irregular::<
                 T,
                 _,
-            >(&["a", "crank_pin"], [a_j_zz_, crank_pin_j_zz_], [c_(2.04), t223_]);
+            >(&["a", "crank_pin"], [a_j_zz_, crank_pin_j_zz_], [c_(2.04), t220_]);
             ::mstmm::generated::take_back(at_, || self.workspace());
             return ::core::result::Result::Err(error_);
         }
         at_.accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t219_, t220_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t216_, -t217_, minus_b_a_ang_z_],
         ];
         ::mstmm::generated::written();
         /// Connection points.
-        let point6_felt_y_ = b_a_lin_y_ - t196_;
+        let minus_point6_felt_x_ = minus_b_e_force_x_ + minus_b_a_lin_x_;
+        *n39_ = minus_point6_felt_x_;
+        ::mstmm::generated::written();
+        let point6_felt_y_ = b_a_lin_y_ - t193_;
         *n40_ = point6_felt_y_;
         ::mstmm::generated::written();
         ::core::result::Result::Ok(())
@@ -1627,15 +1680,14 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t215_ = rocker_pin_rate_ + b_omega_z_;
         let t216_ = c_(1.0) - t133_;
         let t217_ = t215_ * t215_;
-        let t218_ = t179_ * t179_;
-        let t219_ = T::mul_add(t178_, t178_, t217_);
-        let t220_ = T::mul_add(t142_, t142_, t219_);
-        let t221_ = T::mul_add(t206_, t206_, t220_);
-        let t222_ = T::mul_add(t216_, t216_, t218_);
-        let t223_ = T::mul_add(t144_, t144_, t222_);
-        let t224_ = t221_ + t223_;
-        let t225_ = T::sqrt(t224_);
-        let residual_ = t225_;
+        let t218_ = T::mul_add(t179_, t179_, t217_);
+        let t219_ = T::mul_add(t178_, t178_, t218_);
+        let t220_ = T::mul_add(t216_, t216_, t219_);
+        let t221_ = T::mul_add(t142_, t142_, t220_);
+        let t222_ = T::mul_add(t144_, t144_, t221_);
+        let t223_ = T::mul_add(t206_, t206_, t222_);
+        let t224_ = T::sqrt(t223_);
+        let residual_ = t224_;
         state_.q.data.0 = [[t196_, t198_, -t200_, t208_]];
         state_.v.data.0 = [[t209_, t211_, -t213_, -t214_]];
         residual_
@@ -1883,32 +1935,32 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
         ::mstmm::generated::Places::new(
             0,
             [0],
-            [([0], 0), ([0], 0), ([0], 10), ([0], 0), ([0], 31), ([60], 40)],
+            [([0], 0), ([0], 0), ([0], 10), ([0], 0), ([0], 31), ([60], 43)],
         ),
         ::mstmm::generated::Places::new(
             0,
             [60],
-            [([0], 0), ([0], 80), ([60], 90), ([0], 111), ([0], 31), ([60], 40)],
+            [([0], 0), ([0], 80), ([60], 90), ([0], 111), ([0], 31), ([60], 43)],
         ),
         ::mstmm::generated::Places::new(
             120,
             [60],
-            [([160], 140), ([0], 80), ([160], 181), ([0], 111), ([0], 0), ([160], 202)],
+            [([160], 140), ([0], 80), ([160], 181), ([0], 111), ([0], 0), ([160], 203)],
         ),
         ::mstmm::generated::Places::new(
             120,
             [160],
-            [([160], 140), ([0], 220), ([160], 181), ([0], 231), ([0], 0), ([160], 202)],
+            [([160], 140), ([0], 220), ([160], 181), ([0], 230), ([0], 0), ([160], 203)],
         ),
         ::mstmm::generated::Places::new(
             240,
             [160],
-            [([280], 262), ([0], 220), ([280], 301), ([0], 231), ([0], 0), ([280], 323)],
+            [([280], 262), ([0], 220), ([280], 301), ([0], 230), ([0], 0), ([280], 321)],
         ),
         ::mstmm::generated::Places::new(
             240,
             [280],
-            [([280], 262), ([0], 340), ([280], 301), ([0], 351), ([0], 0), ([280], 323)],
+            [([280], 262), ([0], 340), ([280], 301), ([0], 351), ([0], 0), ([280], 321)],
         ),
         ::mstmm::generated::Places::new(
             360,
