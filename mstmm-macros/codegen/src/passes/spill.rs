@@ -22,8 +22,8 @@ const SOON: usize = 20;
 const LONGEST: usize = 1000;
 
 /// The spills of a program that runs straight on; none in long programs, and where there are registers
-/// enough. `readable` tells which unknowns may be read more than
-/// once; all others are there from the beginning.
+/// enough. `readable` tells which unknowns may be read more than once; all others are there from the
+/// beginning.
 pub fn spills(program: &Program, readable: impl Fn(u32) -> bool) -> Option<Spills> {
     let [Block::Once(sections)] = &program.blocks[..] else { return None };
     let statements: Vec<&Statement> =

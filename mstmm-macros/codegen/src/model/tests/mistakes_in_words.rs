@@ -40,6 +40,11 @@ fn names_are_free() {
         &[("energy", "`energy` is a method of every chain and cannot be a name")],
     );
     expect("Rod rod", "Rod q", &[("q", "`q` is a method of every chain and cannot be a name")]);
+    // What the generated types keep for themselves.
+    for (body, name) in [("Rod point_", "point_"), ("Rod PLACES_", "PLACES_")] {
+        let message = format!("`{name}` is a method of every chain and cannot be a name");
+        expect("Rod rod", body, &[(name, &message)]);
+    }
     expect(
         "param ratio",
         "param time",
