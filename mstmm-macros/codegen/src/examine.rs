@@ -2,8 +2,8 @@
 //! has inertia, how many freedoms its closure leaves, and where it starts.
 
 use crate::diag::Diagnostics;
-use crate::equations::{self, Axes, Numbers, Point, Situation, Solved, Swept, Trace};
-use crate::math::{Structured, Vec3, Wrench};
+use crate::equations::{self, Axes, Numbers, Point, Reaction, Situation, Solved, Swept, Trace};
+use crate::math::{Structured, Vec3};
 use crate::model::{Chain, Drive, Driven, Element, Hinge, HingeId, Layout, Method, Source};
 use proc_macro2::Ident;
 
@@ -25,6 +25,11 @@ const CLOSED: f64 = 1e-9;
 /// A pivot of less than so many units in the last place of its scale is zero: the same as in every
 /// step.
 const NOISE: f64 = 8.0;
+
+/// What a direction that is held already leaves of its pivot in a pose that is closed within
+/// [`CLOSED`] is the square of that, and rounding: far less than this. A linkage whose smallest singular
+/// value is a thousandth of its largest leaves a millionth.
+const INDEPENDENT: f64 = 1e-10;
 
 type Number = Structured<f64>;
 
@@ -77,6 +82,8 @@ pub fn examine(chain: &mut Chain, diagnostics: &mut Diagnostics) -> Examination 
     }
     let poses = trial.closed_poses();
     let mobility = if whole { trial.mobility(&poses) } else { None };
+    chain.closure_rank =
+        if whole { trial.closure_rank(&poses).map(|(rank, _)| rank) } else { None };
     if let Some(Mobility { freedoms: 0, .. }) = mobility {
         trial.refuse_rigid_chain(diagnostics);
     }
@@ -205,19 +212,22 @@ impl Trial {
     /// How the closure holds the chain in these poses.
     fn mobility(&self, poses: &[Vec<Number>]) -> Option<Mobility> {
         let closing = *self.merged.closings.first()?;
-        let redundant = poses.iter().filter_map(|q| {
-            let undetermined = self.solved(&self.numbers, q).reaction?.undetermined;
-            let is_one = |wrench: &&Wrench<Number>| {
-                let entries = wrench.force.0.iter().chain(&wrench.moment.0);
-                entries.map(|x| x.value() * x.value()).sum::<f64>() > 0.5
-            };
-            Some(undetermined.iter().filter(is_one).count())
-        });
-        let redundant = redundant.min()?;
+        let redundant = self.closure_rank(poses).map(|(rank, directions)| directions - rank)?;
         let own = self.merged.v[closing].len();
         let held = self.chain.dimension.axes().len() - own;
         let open = self.merged.freedoms() - own;
         Some(Mobility { freedoms: (open + redundant).checked_sub(held)?, held, redundant })
+    }
+
+    /// How many directions of the closing hinge hold something anywhere in these poses, and how many
+    /// there are, those that a rotor holds among them.
+    fn closure_rank(&self, poses: &[Vec<Number>]) -> Option<(usize, usize)> {
+        let ranks = poses.iter().filter_map(|q| {
+            let Reaction { pivots, undetermined, .. } = self.solved(&self.numbers, q).reaction?;
+            let rank = pivots.iter().filter(|pivot| pivot.value() > INDEPENDENT).count();
+            Some((rank, undetermined.len()))
+        });
+        ranks.max()
     }
 
     /// The start, closed if that goes from there or nearby.

@@ -2,6 +2,7 @@
 //! shows in its diff. `MSTMM_BLESS=1 cargo test -p mstmm-codegen --test operation_counts` accepts.
 
 use mstmm_codegen::compile::programs;
+use mstmm_codegen::diag::Diagnostics;
 use mstmm_codegen::model::{self, Layout, Method, Results};
 use mstmm_codegen::program::Cost;
 use std::fmt::Write;
@@ -19,7 +20,12 @@ fn chains() -> Vec<model::Chain> {
     let text = std::fs::read_to_string(file("operation_counts.chains")).expect("the chains");
     let chains =
         mstmm_codegen::read(text.parse().expect("tokens")).unwrap_or_else(|e| panic!("{e}"));
-    chains.into_iter().map(|(chain, _)| chain).collect()
+    let tried = |mut chain| {
+        // The rank of a closure is found by trying.
+        mstmm_codegen::examine::examine(&mut chain, &mut Diagnostics::default());
+        chain
+    };
+    chains.into_iter().map(|(chain, _)| tried(chain)).collect()
 }
 
 fn table() -> String {

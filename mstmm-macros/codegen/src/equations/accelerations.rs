@@ -1,6 +1,7 @@
 //! Accelerations of all hinges, by either method.
 
 use super::closing::{Closing, closing};
+use super::closure::Closure;
 use super::load::loads;
 use super::motion::LinkMotion;
 use super::problem::{Demand, Movement, Problem};
@@ -29,6 +30,9 @@ pub struct Reaction<S> {
     /// Unit wrenches, in the same axes, that could be added without any difference to the motion,
     /// one for each direction that the hinge holds; zeros where there is none.
     pub undetermined: Vec<Wrench<S>>,
+    /// How well each direction is determined that the solution took, the largest first: one where
+    /// nothing cancels, rounding where the direction is held already.
+    pub pivots: Vec<S>,
 }
 
 /// The result of a method.
@@ -108,9 +112,9 @@ fn solve<S: Scalar, R>(
     let (movement, pivots) = match method {
         Method::Riccati => riccati::solve(&problem, trace),
         Method::Transfer => {
-            let (pivots, sizes, relations) = riccati::pivots(&problem, trace);
+            let (pivots, closure, relations) = riccati::reduced(&problem, trace);
             // By the sum over all bodies beyond a hinge, rounding would grow with the square of their number.
-            (Movement { relations, ..transfer::solve(&problem, &sizes, trace) }, pivots)
+            (Movement { relations, ..transfer::solve(&problem, closure, trace) }, pivots)
         }
     };
     let layout = situation.layout;
@@ -159,7 +163,8 @@ fn forces<'a, S: Scalar>(
         let a = child(closing, links, &problem) - drift;
         let efforts = &closing.over.efforts;
         let reached = closing.held.iter().map(|held| a.power(held.wrench));
-        Demand { closing, reached: reached.collect(), given: closing.given(efforts) }
+        let linkage = situation.linkage(closing.held.len());
+        Demand { closing, reached: reached.collect(), given: closing.given(efforts), linkage }
     });
     if situation.chain.held_by_closure { problem.with_added_inertia() } else { problem }
 }
@@ -202,8 +207,10 @@ fn reaction<S: Scalar>(
     let to_hinge = Rotation::general(attitude * rotation);
     let of = |wrench: Wrench<S>| wrench.turned(&closing.over.to_parent).turned_back(&to_hinge);
     let along = |amounts: &Vec<S>| of(closing.wrench(Wrench::zero(), amounts));
+    let Closure { reactions, undetermined, pivots } = &movement.closure;
     Reaction {
-        wrench: of(closing.wrench(demand.given, &movement.reactions)),
-        undetermined: movement.undetermined.iter().map(along).collect(),
+        wrench: of(closing.wrench(demand.given, reactions)),
+        undetermined: undetermined.iter().map(along).collect(),
+        pivots: pivots.clone(),
     }
 }

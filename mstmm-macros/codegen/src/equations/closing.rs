@@ -97,7 +97,7 @@ fn along_strain<S: Scalar>(over: &Crossed<S>, duals: &[Wrench<S>], strain: usize
     rates.fold(Wrench::zero(), |sum, (&dual, &x)| sum + dual.scaled(x))
 }
 
-/// Wrenches that do no work on any of the motions, among the axes that matter.
+/// Wrenches of norm one that do no work on any of the motions, among the axes that matter.
 fn complement<S: Scalar>(motions: &[Motion<S>], axes: &[usize]) -> Vec<Wrench<S>> {
     let present = |k: usize| motions.iter().any(|motion| !motion.at(k).vanishes());
     let (rows, free): (Vec<usize>, Vec<usize>) = axes.iter().partition(|&&k| present(k));
@@ -106,16 +106,22 @@ fn complement<S: Scalar>(motions: &[Motion<S>], axes: &[usize]) -> Vec<Wrench<S>
         // A screw: shift and turn together.
         (&[i, j], [motion]) => {
             let (a, b) = (motion.at(i), motion.at(j));
-            all.push(Wrench::unit(j).scaled(a) - Wrench::unit(i).scaled(b));
+            all.push(unit(Wrench::unit(j).scaled(a) - Wrench::unit(i).scaled(b)));
         }
         // A universal hinge: two turns.
         (&[_, _, _], [first, second]) => {
             let moment = first.angular.cross(second.angular);
-            all.push(Wrench { force: Vec3::zero(), moment });
+            all.push(unit(Wrench { force: Vec3::zero(), moment }));
         }
         _ => {}
     }
     all
+}
+
+/// A wrench of norm one, in N and N m.
+fn unit<S: Scalar>(wrench: Wrench<S>) -> Wrench<S> {
+    let square = wrench.force.dot(wrench.force) + wrench.moment.dot(wrench.moment);
+    wrench.scaled(square.sqrt().recip())
 }
 
 /// Wrenches each of which does work on one of the motions and none on the others.

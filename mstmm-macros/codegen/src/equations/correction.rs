@@ -147,6 +147,7 @@ fn along<S: Scalar>(
             closing,
             reached: closing.held.iter().map(|held| wanted.power(held.wrench)).collect(),
             given: Wrench::zero(),
+            linkage: situation.linkage(closing.held.len()),
         }),
         given: None,
         added: None,

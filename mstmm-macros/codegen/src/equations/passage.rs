@@ -39,6 +39,11 @@ impl<'a, S: Scalar> Passage<'a, S> {
         self.layout.links[link].seam.is_some()
     }
 
+    /// Whether a link's hinge belongs to a repeated part that is run once for all times.
+    pub fn is_repeated(&self, link: usize) -> bool {
+        self.weave.is_some() && self.layout.links[link].repeated
+    }
+
     /// What an outward sweep goes on with behind a link.
     pub fn outwards<B: Bundle<S>>(&self, link: usize, carried: B) -> B {
         self.cross(link, false, carried)

@@ -2,6 +2,7 @@
 //! velocities, with or without a closing hinge.
 
 use super::closing::Closing;
+use super::closure::{Closure, Linkage};
 use super::motion::{Drift, LinkMotion};
 use super::passage::Passage;
 use super::redistribution::Given;
@@ -43,6 +44,8 @@ pub struct Demand<'a, S> {
     pub reached: Vec<S>,
     /// The wrench in the closing hinge that does not hang on its reactions.
     pub given: Wrench<S>,
+    /// What there is to know of the linkage.
+    pub linkage: Linkage<S>,
 }
 
 /// `F = A a' + e`: what a hinge transmits, with `a'` of the parent carried over.
@@ -71,11 +74,8 @@ pub struct Movement<S> {
     /// What every link's hinge transmits, if that is known without what hangs on it: not where reactions
     /// of a closing hinge join.
     pub relations: Vec<Relation<S>>,
-    /// Reactions along the closing's directions.
-    pub reactions: Vec<S>,
-    /// Reactions that make no difference to the movement, one for each of the closing's directions;
-    /// zeros where there is none.
-    pub undetermined: Vec<Vec<S>>,
+    /// Reactions along the closing's directions, and what they do not determine.
+    pub closure: Closure<S>,
 }
 
 impl<S: Scalar> Problem<'_, S> {

@@ -1,10 +1,15 @@
 //! A chain in a given state: what every set of equations starts from.
 
+use super::closure::{Linkage, Rank};
 use super::{Numbers, Passage, Weave};
 use crate::math::{Mat3, Motion, Scalar, Vec3};
 use crate::model::{
-    BodyId, Chain, Drive, Driven, Effort, Frame, HingeId, Joined, Layout, Part, Place, Source,
+    BodyId, Chain, Drive, Driven, Effort, Element, Frame, HingeId, Joined, Layout, Link, Part,
+    Place, Source,
 };
+
+/// Roundings of a closing hinge's direction on its way over a link, in units in the last place.
+const ROUNDINGS: f64 = 8.0;
 
 /// A chain in a given state.
 #[derive(Clone, Debug)]
@@ -178,6 +183,17 @@ impl<'a, S: Scalar> Situation<'a, S> {
                 }))
             }
         }
+    }
+
+    /// What the solution for the reactions of a closing hinge that holds so many directions has to know.
+    pub fn linkage(&self, held: usize) -> Linkage<S> {
+        let rank = match self.chain.closure_rank {
+            Some(rank) => Rank::Known(rank),
+            None => Rank::Given(vec![S::one(); held]),
+        };
+        let times = |link: &Link| self.chain.times(Element::Hinge(link.hinge));
+        let links: usize = self.layout.links.iter().map(times).sum();
+        Linkage { rank, noise: ROUNDINGS * (links + 2) as f64 }
     }
 
     /// Gravity as an acceleration of the ground: cheaper than a force on every body.

@@ -7,11 +7,12 @@
 //! as its `β` bring in. The free end's `F = 0` is the boundary solve [P, Eq. (11)]; going back
 //! through the eliminations gives every `β`.
 //!
-//! A closing hinge adds its reactions to the wrench at the far end. The boundary solve then answers
-//! for each of them apart, which gives the same equations for them as the Riccati transfer does.
+//! A closing hinge adds its reactions to the wrench at the far end. They are those of the Riccati
+//! transfer, whose equations for them are symmetric and show which are redundant; with them the boundary
+//! solve is that of a loaded end.
 
 use super::Trace;
-use super::closure::{self, Closure};
+use super::closure::Closure;
 use super::elimination::{Mixed, Reflection};
 use super::hinge::Column;
 use super::passage::Bundle;
@@ -47,11 +48,15 @@ struct Used<S> {
     settled: S,
 }
 
-/// The movement.
+/// The movement, with the reactions of a closing hinge that the Riccati transfer has found.
 ///
 /// Where nothing with inertia lies beyond a hinge the boundary solve has no answer, but rounding
 /// hides it: whoever calls has to look at the pivots of the Riccati transfer.
-pub fn solve<S: Scalar>(problem: &Problem<S>, sizes: &[S], trace: &mut Trace<S>) -> Movement<S> {
+pub fn solve<S: Scalar>(
+    problem: &Problem<S>,
+    closure: Closure<S>,
+    trace: &mut Trace<S>,
+) -> Movement<S> {
     let path = path(problem);
     let mut used: Vec<Vec<Used<S>>> = Vec::new();
     let mut product: Option<Product<S>> = None;
@@ -69,18 +74,19 @@ pub fn solve<S: Scalar>(problem: &Problem<S>, sizes: &[S], trace: &mut Trace<S>)
         here.record(&over.name, trace);
         product = Some(problem.passage.outwards(index, here));
     }
-    let (unknowns, closure) = match (&product, path.last()) {
-        (Some(product), Some(&last)) => far_end(problem, (product, last), sizes, trace),
-        _ => (Vec::new(), at_rest(problem, trace)),
+    let unknowns = match (&product, path.last()) {
+        (Some(product), Some(&last)) => {
+            far_end(problem, (product, last), &closure.reactions, trace)
+        }
+        _ => Vec::new(),
     };
     let along_path = recover(unknowns, &used, trace, problem, &path);
     let mut amounts = vec![Vec::new(); problem.links.len()];
     for (&index, betas) in path.iter().zip(along_path) {
         amounts[index] = betas;
     }
-    let Closure { reactions, undetermined } = closure;
     let points = points(problem, &amounts);
-    Movement { amounts, points, relations: Vec::new(), reactions, undetermined }
+    Movement { amounts, points, relations: Vec::new(), closure }
 }
 
 /// The links from the ground to the far end; a moving end at the far side is not among them.
@@ -206,101 +212,49 @@ impl<S: Scalar> Product<S> {
     }
 }
 
-/// The boundary conditions behind the last body: the unknowns, and the closing's reactions.
+/// The boundary conditions behind the last body, [P, Eq. (11)].
 fn far_end<S: Scalar>(
     problem: &Problem<S>,
     (product, last): (&Product<S>, usize),
-    sizes: &[S],
+    reactions: &[S],
     trace: &mut Trace<S>,
-) -> (Vec<S>, Closure<S>) {
+) -> Vec<S> {
     trace.section("Boundary solve at the far end", "[P, Eqs. (9) to (11)]");
     let end = product.beyond(problem, last);
-    let pulls = problem.pulls().map_or(Vec::new(), |(_, pulls)| pulls);
-    let demand = problem.closing.as_ref();
-    let given = demand.map_or(Wrench::zero(), |it| it.closing.over.returned(it.given));
+    let given = problem.closing.as_ref().map_or(Wrench::zero(), |demand| {
+        demand.closing.over.returned(demand.closing.wrench(demand.given, reactions))
+    });
     let rows = problem.dimension.axes().iter().map(|&k| Row {
         coefficients: end.columns.iter().map(|part| part.f.at(k)).collect(),
-        // What the wrench has to be, without reactions, then what each of them adds.
-        values: std::iter::once(given.at(k) - end.known.f.at(k))
-            .chain(pulls.iter().map(|pull| pull.at(k)))
-            .collect(),
+        value: given.at(k) - end.known.f.at(k),
     });
-    let mut answers = boundary(rows.collect());
-    let unknowns = answers.remove(0);
-    let Some(demand) = demand else {
-        for (number, &unknown) in unknowns.iter().enumerate() {
-            trace.number(format!("end_x{number}"), unknown);
-        }
-        let closure = Closure { reactions: Vec::new(), undetermined: Vec::new() };
-        return (unknowns, closure);
-    };
-    let moved = |x: &[S]| {
-        end.columns.iter().zip(x).fold(Motion::zero(), |sum, (part, &x)| sum + part.a.scaled(x))
-    };
-    let a = end.known.a + moved(&unknowns);
-    let mut matrix: Vec<Vec<S>> = Vec::new();
-    for (i, pull) in pulls.iter().enumerate() {
-        let row = answers[..=i].iter().map(|x| -moved(x).power(*pull)).collect();
-        matrix.push(row);
+    let unknowns = boundary(rows.collect());
+    for (number, &unknown) in unknowns.iter().enumerate() {
+        trace.number(format!("end_x{number}"), unknown);
     }
-    let mut right = Vec::new();
-    let mut sizes = sizes.to_vec();
-    for (k, held) in demand.closing.held.iter().enumerate() {
-        matrix[k][k] = matrix[k][k] + held.inertia;
-        sizes[k] = sizes[k] + held.inertia;
-        right.push(a.power(pulls[k]) - demand.reached[k]);
-    }
-    let closure = closure::solve(&matrix, &sizes, &right, trace);
-    let with_reactions = |(k, &x): (usize, &S)| {
-        answers.iter().zip(&closure.reactions).fold(x, |x, (answer, &r)| x + answer[k] * r)
-    };
-    (unknowns.iter().enumerate().map(with_reactions).collect(), closure)
+    unknowns
 }
 
-/// The reactions of a closing hinge between two sides that nothing moves.
-fn at_rest<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Closure<S> {
-    let Some(demand) = &problem.closing else {
-        return Closure { reactions: Vec::new(), undetermined: Vec::new() };
-    };
-    let count = demand.closing.held.len();
-    let mut matrix: Vec<Vec<S>> = (0..count).map(|row| vec![S::zero(); row + 1]).collect();
-    let (at_rest, mut sizes) = (problem.at_rest(), Vec::new());
-    let mut right = Vec::new();
-    for (k, held) in demand.closing.held.iter().enumerate() {
-        matrix[k][k] = held.inertia;
-        sizes.push(held.inertia);
-        right.push(at_rest[k] - demand.reached[k]);
-    }
-    closure::solve(&matrix, &sizes, &right, trace)
-}
-
-/// A condition on the unknowns, with several values that it may have.
+/// A condition on the unknowns.
 struct Row<S> {
     coefficients: Vec<S>,
-    values: Vec<S>,
+    value: S,
 }
 
-/// Solves all conditions, one after the other, for all values.
-fn boundary<S: Scalar>(mut rows: Vec<Row<S>>) -> Vec<Vec<S>> {
-    let count = rows.first().map_or(1, |row| row.values.len());
-    let mut used: Vec<(Reflection<S>, Vec<S>)> = Vec::new();
+/// Solves all conditions, one after the other.
+fn boundary<S: Scalar>(mut rows: Vec<Row<S>>) -> Vec<S> {
+    let mut used: Vec<(Reflection<S>, S)> = Vec::new();
     for number in 0..rows.len() {
         let reflection = Reflection::of(&rows[number].coefficients);
-        let settled: Vec<S> =
-            rows[number].values.iter().map(|&value| reflection.settled(value)).collect();
+        let settled = reflection.settled(rows[number].value);
         for row in rows.iter_mut().skip(number + 1) {
             let leaving = reflection.apply(&mut row.coefficients);
-            for (value, &w) in row.values.iter_mut().zip(&settled) {
-                *value = *value - leaving * w;
-            }
+            row.value = row.value - leaving * settled;
         }
         used.push((reflection, settled));
     }
-    let solution = |k: usize| {
-        let steps = used.iter().rev();
-        steps.fold(Vec::new(), |y, (reflection, settled)| reflection.expand(y, settled[k]))
-    };
-    (0..count).map(solution).collect()
+    let steps = used.iter().rev();
+    steps.fold(Vec::new(), |y, (reflection, settled)| reflection.expand(y, *settled))
 }
 
 /// Back through the hinges: each gives up its `β` and gets its eliminated unknown.

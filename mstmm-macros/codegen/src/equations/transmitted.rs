@@ -17,7 +17,7 @@ pub fn transmitted<S: Scalar>(
 ) -> Vec<Wrench<S>> {
     let mut wrenches = from_the_free_end(problem, movement);
     if let Some(demand) = &problem.closing {
-        let reaction = demand.closing.wrench(demand.given, &movement.reactions);
+        let reaction = demand.closing.wrench(demand.given, &movement.closure.reactions);
         if let Some((child, on_child)) = demand.closing.on_child(reaction) {
             wrenches[child] = wrenches[child] - on_child;
         }
@@ -44,7 +44,7 @@ fn from_the_free_end<S: Scalar>(problem: &Problem<S>, movement: &Movement<S>) ->
     let mut wrenches: Vec<Wrench<S>> = problem.loads.iter().enumerate().map(of).collect();
     if let (Some(demand), Some((link, pulls))) = (&problem.closing, problem.pulls()) {
         let given = wrenches[link] + demand.closing.over.returned(demand.given);
-        wrenches[link] = pulled(given, &pulls, &movement.reactions);
+        wrenches[link] = pulled(given, &pulls, &movement.closure.reactions);
     }
     for index in (0..wrenches.len()).rev() {
         wrenches[index] = match relations[index] {

@@ -12,7 +12,7 @@ mod vector;
 pub use dual::Dual;
 pub use matrix::{Mat3, Sym3};
 pub use rotation::{Rotation, Turn};
-pub use scalar::Scalar;
+pub use scalar::{NOISE, Scalar};
 pub use spatial::{Motion, SpatialInertia, Wrench};
 pub use structured::Structured;
 pub use vector::Vec3;

@@ -51,7 +51,14 @@ pub trait Scalar:
 
     /// One where `self` is positive or zero, zero elsewhere.
     fn is_positive(self) -> Self {
-        (Self::one() + Scalar::copysign(Self::one(), self)) * Self::number(0.5)
+        self.sides().1
+    }
+
+    /// One and zero where `self` is negative, zero and one elsewhere.
+    fn sides(self) -> (Self, Self) {
+        let half = Self::number(0.5);
+        let side = Scalar::copysign(half, self);
+        (half - side, half + side)
     }
 }
 

@@ -22,6 +22,8 @@ pub struct Link {
     pub reversed: bool,
     /// Whether it is a place where a repeated part begins or ends.
     pub seam: Option<Seam>,
+    /// Whether the hinge belongs to a repeated part.
+    pub repeated: bool,
 }
 
 /// What a body belongs to.
@@ -274,7 +276,8 @@ impl Tree {
                     Some(Seam { at_end: true, .. }) => None,
                     None => inside,
                 };
-                links.push(Link { hinge, body, members: vec![body], parent, reversed, seam });
+                let (members, repeated) = (vec![body], chain.repeat_of_hinge(hinge).is_some());
+                links.push(Link { hinge, body, members, parent, reversed, seam, repeated });
                 Part::Link(links.len() - 1)
             } else {
                 if let Part::Link(link) = from {

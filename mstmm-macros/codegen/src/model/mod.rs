@@ -77,6 +77,9 @@ pub struct Chain {
     /// Whether bodies of a closed chain have inertia in all directions only by what holds them where
     /// the chain closes.
     pub held_by_closure: bool,
+    /// How many independent directions the closing hinge holds anywhere on the closure, where that was
+    /// found.
+    pub closure_rank: Option<usize>,
     /// What must hold of Rust constants: nothing but `rustc` knows.
     pub assertions: Vec<Requirement>,
 }

@@ -37,7 +37,7 @@
 ///
 /// Mobility 1: 4 rates, of which the closure takes 3.
 ///
-/// Accelerations by `riccati`, 325 operations (195 mul, 116 add, 8 reciprocal, 6 square root, 4 sin/cos); with everything at every connection point 430 operations.
+/// Accelerations by `riccati`, 325 operations (199 mul, 116 add, 6 reciprocal, 4 square root, 4 sin/cos); with everything at every connection point 430 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct FourBar<T> {
@@ -103,20 +103,20 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for FourBar<T> {
 impl<T: ::mstmm::Scalar> FourBar<T> {
     /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
     ///
-    /// 325 operations: 195 mul, 116 add, 8 reciprocal, 6 square root, 4 sin/cos.
+    /// 325 operations: 199 mul, 116 add, 6 reciprocal, 4 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 4 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 4 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 28 | 20 | 1 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 119 | 65 | 6 | 6 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 117 | 65 | 4 | 4 | 0 |
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 13 | 10 | 0 | 0 | 0 |
-    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
-    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 10 | 6 | 0 | 0 | 0 |
+    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 15 | 10 | 0 | 0 | 0 |
+    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 7 | 4 | 0 | 0 | 0 |
+    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 12 | 6 | 0 | 0 | 0 |
     /// | Results |  | 1 | 5 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -136,15 +136,14 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let [v_] = &state_.v.data.0;
         let crank_pin_input_ = &inputs_.crank_pin;
         /// Room for values until they are needed again, and references to read unknowns again.
-        let mut room_ = ::mstmm::generated::room::<T, 25>();
+        let mut room_ = ::mstmm::generated::room::<T, 23>();
         let (room_, self_again_, state_again_, inputs_again_) = ::mstmm::generated::in_memory::<
             T,
             _,
         >((&mut room_, self, state_, inputs_));
         let [place0_, place1_, place2_, place3_, place4_, place5_, place6_, place7_,
         place8_, place9_, place10_, place11_, place12_, place13_, place14_, place15_,
-        place16_, place17_, place18_, place19_, place20_, place21_, place22_, place23_,
-        place24_] = room_;
+        place16_, place17_, place18_, place19_, place20_, place21_, place22_] = room_;
         let [q_again_] = &state_again_.q.data.0;
         let [v_again_] = &state_again_.v.data.0;
         let crank_pin_input_again_ = &inputs_again_.crank_pin;
@@ -188,200 +187,184 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t14_ = T::mul_neg_add(t8_, t13_, t10_);
         let t16_ = T::mul_neg_add(t8_, t15_, a_k_xy_);
         let t12_ = T::mul_add(t8_, t11_, t9_);
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 119 mul, 65 add, 6 reciprocal, 6 square root.
-        let t36_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
-        let t40_ = sin_b_angle_ * cos_rocker_pin_angle_;
-        /// Riccati transfer over `crank_pin`.
         let t17_ = sin_a_angle_ * sin_a_angle_;
         let t23_ = T::mul_add(t16_, t22_, t14_);
         let t19_ = t12_ + t14_;
-        /// Closure.
-        let t38_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t41_ = T::mul_add(cos_b_angle_, t36_, t40_);
-        /// Riccati transfer over `crank_pin`.
         let t24_ = T::mul_sub(t17_, t19_, t23_);
-        /// Closure.
-        let t39_ = T::mul_neg_add(sin_b_angle_, t36_, t38_);
-        let t42_ = c_(0.6) * t41_;
-        /// Riccati transfer over `a`.
-        let a_z0_force_x_ = a_b_x_z_ * t8_;
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 117 mul, 65 add, 4 reciprocal, 4 square root.
+        let t34_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
+        let t37_ = sin_b_angle_ * cos_rocker_pin_angle_;
         /// Riccati transfer over `crank_pin`.
         let crank_pin_j_zz_ = T::mul_neg_add(
             c_(0.04000000000000001),
             t24_,
             c_(0.020000000000000004),
         );
-        /// Riccati transfer over `a`.
-        let a_z0_force_y_ = a_b_y_z_ * t8_;
         /// Closure.
-        let a_j_zz_spilled_ = ::mstmm::generated::spill(place0_, a_j_zz_);
-        let t44_ = T::mul_neg_add(t42_, a_z0_force_x_, t39_);
+        let t35_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t38_ = T::mul_add(cos_b_angle_, t34_, t37_);
         /// Riccati transfer over `crank_pin`.
-        let t12_spilled_ = ::mstmm::generated::spill(place1_, t12_);
         let t32_ = T::recip(crank_pin_j_zz_);
         /// Closure.
+        let t36_ = T::mul_neg_add(sin_b_angle_, t34_, t35_);
+        let t39_ = c_(0.6) * t38_;
+        /// Riccati transfer over `a`.
+        let a_z0_force_x_ = a_b_x_z_ * t8_;
+        /// Closure.
+        let a_j_zz_spilled_ = ::mstmm::generated::spill(place0_, a_j_zz_);
+        let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        /// Riccati transfer over `a`.
         let crank_pin_j_zz_spilled_ = ::mstmm::generated::spill(
-            place2_,
+            place1_,
             crank_pin_j_zz_,
         );
-        let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let a_z0_force_y_ = a_b_y_z_ * t8_;
+        /// Closure.
+        let t12_spilled_ = ::mstmm::generated::spill(place2_, t12_);
+        let t40_ = T::mul_neg_add(t39_, a_z0_force_x_, t36_);
         let t14_spilled_ = ::mstmm::generated::spill(place3_, t14_);
-        let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
+        let t45_ = T::sqrt(t8_);
+        let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
         let sin_crank_pin_angle_spilled_ = ::mstmm::generated::spill(
             place4_,
             sin_crank_pin_angle_,
         );
-        let t47_ = sin_a_angle_ * t44_;
+        let t41_ = T::mul_neg_add(t39_, a_z0_force_y_, t38_);
         let cos_crank_pin_angle_spilled_ = ::mstmm::generated::spill(
             place5_,
             cos_crank_pin_angle_,
         );
-        let t34_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t71_ = cos_a_angle_ * t40_;
+        let t42_ = sin_a_angle_ * t40_;
         let t24_spilled_ = ::mstmm::generated::spill(place6_, t24_);
-        let t35_ = sin_rocker_pin_angle_ * c_(2.5);
-        let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
-        let t48_ = T::mul_add(cos_a_angle_, t45_, t47_);
-        let t76_ = cos_a_angle_ * t44_;
+        let t50_ = T::sqrt(t32_);
         let t18_spilled_ = ::mstmm::generated::spill(place7_, t18_);
-        let t37_ = t34_ * t35_;
+        let t52_ = c_(0.6) * sin_rocker_pin_angle_;
         let t55_ = t54_ * c_(0.36);
         let t19_spilled_ = ::mstmm::generated::spill(place8_, t19_);
-        let t43_ = t42_ * t8_;
-        let a_b_x_z_spilled_ = ::mstmm::generated::spill(place9_, a_b_x_z_);
-        let t49_ = c_(0.2) * t48_;
-        let t16_spilled_ = ::mstmm::generated::spill(place10_, t16_);
-        let t67_ = t39_ * t39_;
-        let t77_ = T::mul_neg_add(sin_a_angle_, t45_, t76_);
-        let t56_ = T::mul_add(t34_, t34_, t55_);
-        let t46_ = T::mul_add(t42_, t43_, t37_);
-        let t50_ = t49_ * t32_;
-        let t68_ = T::mul_add(t41_, t41_, t67_);
-        let t69_ = t42_ * t42_;
-        let t42_spilled_ = ::mstmm::generated::spill(place11_, t42_);
-        let t81_ = t77_ * t77_;
-        let closure_d0_ = T::mul_add(t49_, t50_, t46_);
-        let t57_ = t56_ * c_(4.166666666666667);
-        let t70_ = T::mul_add(t68_, c_(0.72), t69_);
-        let t82_ = T::mul_add(t48_, t48_, t81_);
-        let t83_ = t49_ * t49_;
-        let t48_spilled_ = ::mstmm::generated::spill(place12_, t48_);
-        let t89_ = T::copysign(closure_d0_, c_(1.0));
-        let t71_ = T::mul_add(t8_, t70_, t57_);
-        let t84_ = T::mul_add(t82_, c_(0.76), t83_);
-        let t90_ = closure_d0_ + t89_;
-        let t86_ = T::mul_add(t84_, t32_, t71_);
-        let t91_ = c_(0.5) * t90_;
-        let t93_ = T::sqrt(t86_);
-        let t92_ = T::sqrt(t91_);
-        let t58_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
-        let t63_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t61_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t64_ = T::mul_neg_add(cos_b_angle_, t58_, t63_);
-        let t62_ = T::mul_add(sin_b_angle_, t58_, t61_);
-        let t65_ = c_(0.6) * t64_;
-        let t94_ = ::mstmm::generated::recip_above(t92_, t93_);
-        let t49_spilled_ = ::mstmm::generated::spill(place13_, t49_);
-        let t72_ = T::mul_neg_add(t65_, a_z0_force_x_, t62_);
-        let a_z0_force_x_spilled_ = ::mstmm::generated::spill(place14_, a_z0_force_x_);
-        let t96_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t77_spilled_ = ::mstmm::generated::spill(place15_, t77_);
-        let t73_ = T::mul_neg_add(t65_, a_z0_force_y_, t64_);
-        let a_z0_force_y_spilled_ = ::mstmm::generated::spill(place16_, a_z0_force_y_);
-        let t78_ = sin_a_angle_ * t72_;
-        let t39_spilled_ = ::mstmm::generated::spill(place17_, t39_);
-        let t51_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t64_ = t36_ * t36_;
+        let t72_ = T::mul_neg_add(sin_a_angle_, t41_, t71_);
+        let t43_ = T::mul_add(cos_a_angle_, t41_, t42_);
+        let t56_ = T::mul_add(t52_, t52_, t55_);
+        let t65_ = T::mul_add(t38_, t38_, t64_);
+        let t66_ = t39_ * t39_;
+        let t76_ = t72_ * t72_;
+        let t72_spilled_ = ::mstmm::generated::spill(place9_, t72_);
+        let t44_ = c_(0.2) * t43_;
+        let t36_spilled_ = ::mstmm::generated::spill(place10_, t36_);
+        let t57_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let a_b_x_z_spilled_ = ::mstmm::generated::spill(place11_, a_b_x_z_);
+        let t61_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t16_spilled_ = ::mstmm::generated::spill(place12_, t16_);
+        let t46_ = sin_rocker_pin_angle_ * c_(1.2247448713915892);
+        let t58_ = t56_ * c_(4.166666666666667);
+        let t67_ = T::mul_add(t65_, c_(0.72), t66_);
+        let t77_ = T::mul_add(t43_, t43_, t76_);
+        let t78_ = t44_ * t44_;
+        let t43_spilled_ = ::mstmm::generated::spill(place13_, t43_);
+        let t59_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t62_ = T::mul_neg_add(cos_b_angle_, t57_, t61_);
         let sin_rocker_pin_angle_spilled_ = ::mstmm::generated::spill(
-            place18_,
+            place14_,
             sin_rocker_pin_angle_,
         );
-        let t52_ = cos_rocker_pin_angle_ * c_(2.5);
-        let t79_ = T::mul_add(cos_a_angle_, t73_, t78_);
+        let t48_ = t46_ * t46_;
+        let t70_ = T::mul_add(t8_, t67_, t58_);
+        let t47_ = t39_ * t45_;
+        let t79_ = T::mul_add(t77_, c_(0.76), t78_);
+        let t60_ = T::mul_add(sin_b_angle_, t57_, t59_);
+        let t63_ = c_(0.6) * t62_;
+        let t49_ = T::mul_add(t47_, t47_, t48_);
+        let t84_ = T::mul_add(t79_, t32_, t70_);
+        let t51_ = t44_ * t50_;
+        let t68_ = T::mul_neg_add(t63_, a_z0_force_x_, t60_);
+        let t86_ = c_(0.0009765625) * t84_;
+        let closure_d0_ = T::mul_add(t51_, t51_, t49_);
+        let a_z0_force_x_spilled_ = ::mstmm::generated::spill(place15_, a_z0_force_x_);
+        let t69_ = T::mul_neg_add(t63_, a_z0_force_y_, t62_);
+        let a_z0_force_y_spilled_ = ::mstmm::generated::spill(place16_, a_z0_force_y_);
+        let t73_ = sin_a_angle_ * t68_;
+        let t44_spilled_ = ::mstmm::generated::spill(place17_, t44_);
+        let t80_ = cos_rocker_pin_angle_ * c_(1.2247448713915892);
+        let t87_ = ::mstmm::generated::recip_above(closure_d0_, t86_);
+        let t74_ = T::mul_add(cos_a_angle_, t69_, t73_);
+        let t39_spilled_ = ::mstmm::generated::spill(place18_, t39_);
+        let t82_ = t46_ * t80_;
+        let t81_ = t63_ * t45_;
+        let a_b_y_z_spilled_ = ::mstmm::generated::spill(place19_, a_b_y_z_);
+        let t75_ = c_(0.2) * t74_;
+        let t105_ = cos_a_angle_ * t68_;
+        let t83_ = T::mul_neg_add(t47_, t81_, t82_);
+        let t85_ = t75_ * t50_;
+        let cos_a_angle_spilled_ = ::mstmm::generated::spill(place20_, cos_a_angle_);
+        let t97_ = c_(0.6) * cos_rocker_pin_angle_;
         let cos_rocker_pin_angle_spilled_ = ::mstmm::generated::spill(
-            place19_,
+            place21_,
             cos_rocker_pin_angle_,
         );
-        let t59_ = t51_ * t35_;
-        let t35_spilled_ = ::mstmm::generated::spill(place20_, t35_);
-        let t60_ = t51_ * t52_;
-        let t52_spilled_ = ::mstmm::generated::spill(place21_, t52_);
-        let t66_ = t65_ * t8_;
-        let a_b_y_z_spilled_ = ::mstmm::generated::spill(place22_, a_b_y_z_);
-        let t80_ = c_(0.2) * t79_;
-        let t74_ = T::mul_neg_add(t65_, t43_, t59_);
-        let t95_ = t92_ * t94_;
-        let t108_ = cos_a_angle_ * t72_;
-        let t75_ = T::mul_add(t65_, t66_, t60_);
-        let t85_ = t80_ * t32_;
-        let t87_ = T::mul_neg_add(t80_, t50_, t74_);
-        let t97_ = t95_ * t96_;
-        let t103_ = t62_ * t62_;
-        let t109_ = T::mul_neg_add(sin_a_angle_, t73_, t108_);
-        let t101_ = T::mul_add(t51_, t51_, t55_);
-        let t88_ = T::mul_add(t80_, t85_, t75_);
-        let t98_ = t87_ * t97_;
-        let t104_ = T::mul_add(t64_, t64_, t103_);
-        let t105_ = t65_ * t65_;
-        let t110_ = t109_ * t109_;
-        let closure_d1_ = T::mul_neg_add(t87_, t98_, t88_);
-        let t102_ = c_(4.166666666666667) * t101_;
-        let t106_ = T::mul_add(c_(0.72), t104_, t105_);
-        let t111_ = T::mul_add(t79_, t79_, t110_);
-        let t112_ = t80_ * t80_;
-        let t43_spilled_ = ::mstmm::generated::spill(place23_, t43_);
-        let t125_ = T::copysign(closure_d1_, c_(1.0));
-        let t107_ = T::mul_add(t8_, t106_, t102_);
-        let t113_ = T::mul_add(c_(0.76), t111_, t112_);
-        let t126_ = closure_d1_ + t125_;
-        let t124_ = T::mul_add(t113_, t32_, t107_);
-        let t127_ = c_(0.5) * t126_;
-        let t129_ = T::sqrt(t124_);
-        let t128_ = T::sqrt(t127_);
-        let t134_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
-        let t135_ = t134_ * t134_;
+        let t100_ = t60_ * t60_;
+        let t106_ = T::mul_neg_add(sin_a_angle_, t69_, t105_);
+        let t88_ = T::mul_neg_add(t51_, t85_, t83_);
+        let t98_ = T::mul_add(t97_, t97_, t55_);
+        let t124_ = T::mul_neg_add(closure_d0_, t87_, c_(1.0));
+        let t101_ = T::mul_add(t62_, t62_, t100_);
+        let t102_ = t63_ * t63_;
+        let t107_ = t106_ * t106_;
+        let t89_ = t87_ * t88_;
+        let t127_ = t124_ * t124_;
+        let t99_ = t98_ * c_(4.166666666666667);
+        let t103_ = T::mul_add(c_(0.72), t101_, t102_);
+        let t108_ = T::mul_add(t74_, t74_, t107_);
+        let t109_ = t75_ * t75_;
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
         let crank_pin_rate_ = v_[0];
         let a_rate_ = v_[1];
+        let t87_spilled_ = ::mstmm::generated::spill(place22_, t87_);
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         /// Closure.
-        let t136_ = ::mstmm::generated::recip_above(t135_, c_(1.0));
+        let t90_ = T::mul_neg_add(t46_, t89_, t80_);
+        let t128_ = ::mstmm::generated::recip_above(t127_, c_(1.0));
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
         let b_rate_ = v_[2];
         let b_omega_z_ = b_rate_ + a_omega_z_;
+        /// Closure.
+        let t104_ = T::mul_add(t8_, t103_, t99_);
+        let t110_ = T::mul_add(c_(0.76), t108_, t109_);
+        let t91_ = T::mul_add(t47_, t89_, t81_);
+        let t93_ = t90_ * t90_;
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t2_ = b_omega_z_ * b_omega_z_;
         /// Closure.
-        let t130_ = ::mstmm::generated::recip_above(t128_, t129_);
+        let t121_ = T::mul_add(t110_, t32_, t104_);
+        let t92_ = T::mul_add(t51_, t89_, t85_);
+        let t94_ = T::mul_add(t91_, t91_, t93_);
         /// Motion across `b`.
         let t1_ = a_omega_z_ * a_omega_z_;
         /// Riccati transfer over `b`.
         let minus_b_e_force_x_ = c_(0.6) * t2_;
         /// Closure.
-        let t132_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
+        let t122_ = c_(0.0009765625) * t121_;
+        let closure_d1_ = T::mul_add(t92_, t92_, t94_);
         /// Motion across `b`.
         let minus_b_centripetal_x_ = t1_ * c_(0.6);
         /// Riccati transfer over `a`.
-        let t50_spilled_ = ::mstmm::generated::spill(place24_, t50_);
         let t7_ = sin_b_angle_ * minus_b_e_force_x_;
         /// Closure.
-        let t137_ = T::sqrt(t136_);
+        let t129_ = T::sqrt(t128_);
+        let t123_ = ::mstmm::generated::recip_above(closure_d1_, t122_);
         /// Riccati transfer over `a`.
         let minus_a_e_force_y_ = T::mul_add(minus_b_centripetal_x_, a_k_xy_, t7_);
-        /// Closure.
-        let t131_ = t128_ * t130_;
-        /// Riccati transfer over `a`.
         let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
         /// Riccati transfer over `crank_pin`.
         let t28_ = T::mul_add(cos_b_angle_, minus_b_e_force_x_, minus_b_centripetal_x_);
         let t25_ = t5_ - c_(2.0);
-        /// Closure.
-        let t133_ = t131_ * t132_;
         /// Riccati transfer over `a`.
         let a_w0_ = minus_a_e_moment_z_ * t8_;
         /// Riccati transfer over `crank_pin`.
         let t20_ = T::mul_neg_add(c_(2.0), t17_, c_(1.0));
         let t29_ = T::mul_sub(minus_b_centripetal_x_, t25_, t28_);
         /// Closure.
-        let t139_ = T::mul_neg_add(closure_d1_, t133_, c_(1.0));
+        let t125_ = T::mul_neg_add(closure_d1_, t123_, c_(1.0));
         /// Riccati transfer over `crank_pin`.
         let a_b_y_z_ = *a_b_y_z_spilled_;
         let t26_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
@@ -394,30 +377,31 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let a_b_x_z_ = *a_b_x_z_spilled_;
         let t30_ = T::mul_add(a_b_x_z_, a_w0_, t29_);
         /// Closure.
-        let t138_ = t134_ * t137_;
-        let t140_ = t98_ * t139_;
+        let t126_ = t89_ * t125_;
+        let t130_ = t124_ * t129_;
         /// Riccati transfer over `crank_pin`.
+        let cos_a_angle_ = *cos_a_angle_spilled_;
         let t27_ = cos_a_angle_ * t26_;
         /// Motion across `a`.
         let minus_a_centripetal_x_ = t0_ * c_(0.2);
         /// Closure.
         let cos_rocker_pin_angle_ = *cos_rocker_pin_angle_spilled_;
-        let t99_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t95_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
         /// Riccati transfer over `crank_pin`.
         let t18_ = *t18_spilled_;
         let t19_ = *t19_spilled_;
         let crank_pin_k_xy_ = T::mul_neg_add(t18_, t19_, t21_);
         /// Closure.
-        let t141_ = t138_ * t140_;
+        let t131_ = t126_ * t130_;
         /// Riccati transfer over `crank_pin`.
         let t31_ = T::mul_neg_add(sin_a_angle_, t30_, t27_);
         /// Closure.
         let sin_rocker_pin_angle_ = *sin_rocker_pin_angle_spilled_;
-        let t100_ = T::mul_sub(sin_rocker_pin_angle_, minus_b_e_force_x_, c_(9.8));
-        let t39_ = *t39_spilled_;
-        let t114_ = T::mul_add(minus_b_centripetal_x_, t39_, t99_);
-        let t143_ = t139_ * t139_;
-        let t142_ = T::mul_neg_add(t138_, t141_, t140_);
+        let t96_ = T::mul_sub(sin_rocker_pin_angle_, minus_b_e_force_x_, c_(9.8));
+        let t36_ = *t36_spilled_;
+        let t111_ = T::mul_add(minus_b_centripetal_x_, t36_, t95_);
+        let t133_ = t125_ * t125_;
+        let t132_ = T::mul_neg_add(t130_, t131_, t126_);
         /// Riccati transfer over `crank_pin`.
         let minus_crank_pin_e_force_y_ = T::mul_add(
             minus_a_centripetal_x_,
@@ -425,150 +409,160 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             t31_,
         );
         /// Closure.
-        let t117_ = T::mul_add(minus_b_centripetal_x_, t62_, t100_);
-        let t42_ = *t42_spilled_;
-        let t115_ = T::mul_sub(t42_, a_w0_, t114_);
+        let t114_ = T::mul_add(minus_b_centripetal_x_, t60_, t96_);
+        let t39_ = *t39_spilled_;
+        let t112_ = T::mul_sub(t39_, a_w0_, t111_);
         /// Riccati transfer over `crank_pin`.
         let t24_ = *t24_spilled_;
         let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t24_, c_(0.1));
         /// Closure.
-        let t144_ = T::mul_add(t142_, t142_, t143_);
+        let t134_ = T::mul_add(t132_, t132_, t133_);
         /// Riccati transfer over `crank_pin`.
         let crank_pin_input0_ = *crank_pin_input_;
         let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
         /// Closure.
-        let t118_ = T::mul_sub(t65_, a_w0_, t117_);
+        let t115_ = T::mul_sub(t63_, a_w0_, t114_);
         /// Riccati transfer over `crank_pin`.
         let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
         /// Closure.
-        let t77_ = *t77_spilled_;
-        let t116_ = T::mul_sub(minus_a_centripetal_x_, t77_, t115_);
+        let t72_ = *t72_spilled_;
+        let t113_ = T::mul_sub(minus_a_centripetal_x_, t72_, t112_);
         /// Riccati transfer over `crank_pin`.
         let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t32_;
         /// Closure.
-        let t145_ = ::mstmm::generated::recip_above(t144_, c_(1.0));
+        let t135_ = ::mstmm::generated::recip_above(t134_, c_(1.0));
         /// Riccati transfer over `crank_pin`.
         let crank_pin_w0_ = t33_ * t32_;
         /// Closure.
-        let t119_ = T::mul_sub(minus_a_centripetal_x_, t109_, t118_);
+        let t116_ = T::mul_sub(minus_a_centripetal_x_, t106_, t115_);
         let cos_crank_pin_angle_ = *cos_crank_pin_angle_spilled_;
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
         /// Riccati transfer over `crank_pin`.
         let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
         /// Closure.
-        let t49_ = *t49_spilled_;
-        let t48_ = *t48_spilled_;
-        let sin_b_angle_spilled_ = ::mstmm::generated::spill(place12_, sin_b_angle_);
-        let t121_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
-        let t123_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
-        let t149_ = T::mul_neg_add(t49_, crank_pin_w0_, t116_);
-        let t152_ = T::mul_neg_add(t80_, crank_pin_w0_, t119_);
+        let t44_ = *t44_spilled_;
+        let t43_ = *t43_spilled_;
+        let t118_ = T::mul_neg_add(t44_, crank_pin_z0_force_y_, t43_);
+        let t120_ = T::mul_neg_add(t75_, crank_pin_z0_force_y_, t74_);
+        let t139_ = T::mul_neg_add(t44_, crank_pin_w0_, t113_);
+        let t142_ = T::mul_neg_add(t75_, crank_pin_w0_, t116_);
         let sin_crank_pin_angle_ = *sin_crank_pin_angle_spilled_;
+        let sin_b_angle_spilled_ = ::mstmm::generated::spill(place13_, sin_b_angle_);
         let minus_b_centripetal_x_spilled_ = ::mstmm::generated::spill(
             place6_,
             minus_b_centripetal_x_,
         );
-        let cos_b_angle_spilled_ = ::mstmm::generated::spill(place11_, cos_b_angle_);
         let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
-        let t120_ = T::mul_neg_add(t49_, crank_pin_z0_force_x_, t77_);
-        let t122_ = T::mul_neg_add(t80_, crank_pin_z0_force_x_, t109_);
-        let t150_ = T::mul_sub(crank_pin_a_lin_y_, t121_, t149_);
-        let t153_ = T::mul_sub(crank_pin_a_lin_y_, t123_, t152_);
-        let t151_ = T::mul_add(crank_pin_a_lin_x_, t120_, t150_);
-        let t154_ = T::mul_add(crank_pin_a_lin_x_, t122_, t153_);
-        let t146_ = T::sqrt(t145_);
-        let t155_ = T::mul_add(t98_, t151_, t154_);
-        let t156_ = t97_ * t151_;
-        let t157_ = t133_ * t155_;
-        let t158_ = T::mul_add(t98_, t157_, t156_);
-        let t159_ = t138_ * t158_;
-        let t160_ = T::mul_neg_add(t138_, t159_, t158_);
-        let t147_ = t142_ * t146_;
-        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 13 mul, 10 add, 0 reciprocal.
+        let t117_ = T::mul_neg_add(t44_, crank_pin_z0_force_x_, t72_);
+        let t119_ = T::mul_neg_add(t75_, crank_pin_z0_force_x_, t106_);
+        let t140_ = T::mul_sub(crank_pin_a_lin_y_, t118_, t139_);
+        let t143_ = T::mul_sub(crank_pin_a_lin_y_, t120_, t142_);
+        let t141_ = T::mul_add(crank_pin_a_lin_x_, t117_, t140_);
+        let t144_ = T::mul_add(crank_pin_a_lin_x_, t119_, t143_);
+        let t136_ = T::sqrt(t135_);
+        let t145_ = T::mul_add(t89_, t141_, t144_);
+        let t87_ = *t87_spilled_;
+        let t146_ = t87_ * t141_;
+        let t147_ = t123_ * t145_;
+        let t148_ = T::mul_add(t89_, t147_, t146_);
+        let t149_ = t130_ * t148_;
+        let t150_ = T::mul_neg_add(t130_, t149_, t148_);
+        let t137_ = t132_ * t136_;
+        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 15 mul, 10 add, 0 reciprocal.
+        let cos_a_angle_ = *cos_a_angle_spilled_;
         let a_z0_force_x_ = *a_z0_force_x_spilled_;
-        let t170_ = cos_a_angle_ * a_z0_force_x_;
-        let t172_ = sin_a_angle_ * a_z0_force_x_;
-        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-        let t163_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        let t164_ = cos_a_angle_ * a_z0_force_x_;
+        let t166_ = sin_a_angle_ * a_z0_force_x_;
+        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 7 mul, 4 add, 0 reciprocal.
+        let t155_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
         /// Closure.
-        let t148_ = t139_ * t146_;
-        let t161_ = t147_ * t160_;
+        let t138_ = t125_ * t136_;
+        let t151_ = t137_ * t150_;
         /// Acceleration of `a`.
         let a_z0_force_y_ = *a_z0_force_y_spilled_;
-        let t171_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t170_);
-        let t167_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
-        let t173_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t172_);
+        let t165_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t164_);
+        let t159_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
+        let t167_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t166_);
         /// Acceleration of `crank_pin`.
         let cos_crank_pin_angle_ = *cos_crank_pin_angle_spilled_;
-        let t164_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t163_);
+        let t156_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t155_);
         /// Closure.
-        let t162_ = T::mul_add(t148_, t157_, t161_);
+        let t152_ = T::mul_add(t138_, t147_, t151_);
         /// Acceleration of `a`.
-        let t175_ = T::mul_add(t167_, t171_, a_w0_);
+        let t169_ = T::mul_add(t159_, t165_, a_w0_);
+        let t163_ = t63_ * t8_;
         /// Acceleration of `crank_pin`.
-        let t165_ = T::mul_sub(c_(9.8), t164_, crank_pin_w0_);
+        let t154_ = t75_ * t32_;
+        let t157_ = T::mul_sub(c_(9.8), t156_, crank_pin_w0_);
         /// Closure.
-        let minus_closure_reaction1_ = T::mul_neg_add(t148_, t162_, t157_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t138_, t152_, t147_);
         /// Acceleration of `a`.
-        let t176_ = T::mul_sub(crank_pin_a_lin_y_, t173_, t175_);
+        let t170_ = T::mul_sub(crank_pin_a_lin_y_, t167_, t169_);
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 12 mul, 6 add, 0 reciprocal.
+        let sin_rocker_pin_angle_ = *sin_rocker_pin_angle_spilled_;
+        let t173_ = sin_rocker_pin_angle_ * c_(2.5);
+        /// Acceleration of `a`.
+        let t39_ = *t39_spilled_;
+        let t162_ = t39_ * t8_;
+        /// Acceleration of `crank_pin`.
+        let t153_ = t44_ * t32_;
         /// Closure.
-        let closure_reaction0_ = T::mul_neg_add(t147_, t162_, t160_);
+        let closure_reaction0_ = T::mul_neg_add(t137_, t152_, t150_);
         /// Acceleration of `crank_pin`.
-        let t166_ = T::mul_add(t85_, minus_closure_reaction1_, t165_);
+        let t158_ = T::mul_add(t154_, minus_closure_reaction1_, t157_);
         /// Acceleration of `a`.
-        let t177_ = T::mul_add(t66_, minus_closure_reaction1_, t176_);
-        let t174_ = c_(0.2) * t173_;
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 10 mul, 6 add, 0 reciprocal.
-        let t35_ = *t35_spilled_;
-        let t182_ = t35_ * closure_reaction0_;
-        /// Acceleration of `crank_pin`.
-        let t50_ = *t50_spilled_;
-        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t166_);
-        /// Acceleration of `a`.
-        let t43_ = *t43_spilled_;
-        let t178_ = T::mul_add(t43_, closure_reaction0_, t177_);
+        let t171_ = T::mul_add(t163_, minus_closure_reaction1_, t170_);
         /// Acceleration of `b`.
-        let cos_b_angle_ = *cos_b_angle_spilled_;
-        let t181_ = cos_b_angle_ * c_(1.5);
-        let minus_b_centripetal_x_ = *minus_b_centripetal_x_spilled_;
-        let t183_ = T::mul_add(cos_a_angle_, t167_, minus_b_centripetal_x_);
-        let t52_ = *t52_spilled_;
-        let t185_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t182_);
+        let cos_rocker_pin_angle_ = *cos_rocker_pin_angle_spilled_;
+        let t174_ = cos_rocker_pin_angle_ * c_(2.5);
         /// Acceleration of `a`.
-        let t169_ = T::mul_neg_add(
+        let t168_ = c_(0.2) * t167_;
+        /// Acceleration of `b`.
+        let t178_ = t173_ * closure_reaction0_;
+        /// Acceleration of `crank_pin`.
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t153_, closure_reaction0_, t158_);
+        /// Acceleration of `a`.
+        let t172_ = T::mul_add(t162_, closure_reaction0_, t171_);
+        /// Acceleration of `b`.
+        let t177_ = cos_b_angle_ * c_(1.5);
+        let minus_b_centripetal_x_ = *minus_b_centripetal_x_spilled_;
+        let t179_ = T::mul_add(cos_a_angle_, t159_, minus_b_centripetal_x_);
+        let t181_ = T::mul_neg_add(t174_, minus_closure_reaction1_, t178_);
+        /// Acceleration of `a`.
+        let t161_ = T::mul_neg_add(
             c_(0.2),
             minus_crank_pin_a_ang_z_,
             crank_pin_a_lin_y_,
         );
-        let a_a_ang_z_ = T::mul_sub(t174_, minus_crank_pin_a_ang_z_, t178_);
+        let a_a_ang_z_ = T::mul_sub(t168_, minus_crank_pin_a_ang_z_, t172_);
         /// Acceleration of `b`.
         let sin_b_angle_ = *sin_b_angle_spilled_;
-        let t179_ = sin_b_angle_ * c_(2.5);
+        let t175_ = sin_b_angle_ * c_(2.5);
         /// Acceleration of `a`.
-        let t168_ = sin_a_angle_ * t167_;
+        let t160_ = sin_a_angle_ * t159_;
         /// Acceleration of `b`.
-        let t184_ = T::mul_sub(sin_a_angle_, t169_, t183_);
-        let t186_ = T::mul_add(t181_, a_a_ang_z_, t185_);
-        let t180_ = cos_b_angle_ * c_(2.5);
+        let t180_ = T::mul_sub(sin_a_angle_, t161_, t179_);
+        let t182_ = T::mul_add(t177_, a_a_ang_z_, t181_);
+        let t176_ = cos_b_angle_ * c_(2.5);
         /// Acceleration of `a`.
-        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t169_, t168_);
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t161_, t160_);
         /// Acceleration of `b`.
-        let t187_ = T::mul_sub(t179_, t184_, t186_);
+        let t183_ = T::mul_sub(t175_, t180_, t182_);
         /// Results: 1 mul, 5 add, 0 reciprocal.
         let t14_ = *t14_spilled_;
-        let t190_ = c_(4.0) + t14_;
+        let t186_ = c_(4.0) + t14_;
         let t12_ = *t12_spilled_;
-        let t191_ = t12_ - t190_;
+        let t187_ = t12_ - t186_;
         /// Acceleration of `b`.
-        let minus_b_a_ang_z_ = T::mul_sub(t180_, a_a_lin_y_, t187_);
+        let minus_b_a_ang_z_ = T::mul_sub(t176_, a_a_lin_y_, t183_);
         /// Results.
-        let t192_ = T::mul_neg_add(
+        let t188_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t191_,
+            t187_,
             c_(0.030000000000000006),
         );
-        let t188_ = minus_crank_pin_a_ang_z_ + a_a_ang_z_;
-        let t189_ = a_a_ang_z_ + minus_b_a_ang_z_;
+        let t184_ = minus_crank_pin_a_ang_z_ + a_a_ang_z_;
+        let t185_ = a_a_ang_z_ + minus_b_a_ang_z_;
         let a_j_zz_ = *a_j_zz_spilled_;
         let crank_pin_j_zz_ = *crank_pin_j_zz_spilled_;
         if !::mstmm::generated::regular::<
@@ -577,18 +571,18 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             _,
         >(
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t192_],
-            [state_.t, state_.v.data.0[0][3], t188_, -t189_],
+            [c_(2.04), t188_],
+            [state_.t, state_.v.data.0[0][3], t184_, -t185_],
         ) {
             return ::core::result::Result::Err(
                 ::mstmm::generated::irregular::<
                     T,
                     _,
-                >(&["a", "crank_pin"], [a_j_zz_, crank_pin_j_zz_], [c_(2.04), t192_]),
+                >(&["a", "crank_pin"], [a_j_zz_, crank_pin_j_zz_], [c_(2.04), t188_]),
             );
         }
         accelerations_.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t188_, -t189_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t184_, -t185_, minus_b_a_ang_z_],
         ];
         ::core::result::Result::Ok(())
     }
@@ -610,20 +604,20 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     }
     /// Writes into `at`: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
     ///
-    /// 430 operations: 257 mul, 159 add, 8 reciprocal, 6 square root, 4 sin/cos.
+    /// 430 operations: 261 mul, 159 add, 6 reciprocal, 4 square root, 4 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 4 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 4 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 28 | 20 | 1 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 119 | 65 | 6 | 6 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 117 | 65 | 4 | 4 | 0 |
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `b` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 15 | 11 | 0 | 0 | 0 |
-    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
-    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 13 | 8 | 0 | 0 | 0 |
+    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 17 | 11 | 0 | 0 | 0 |
+    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 7 | 4 | 0 | 0 | 0 |
+    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 15 | 8 | 0 | 0 | 0 |
     /// | Results |  | 16 | 13 | 0 | 0 | 0 |
     /// | Load on `crank_pin` | \[P, Eqs. (18), (19)\] | 19 | 18 | 0 | 0 | 0 |
     /// | Velocity behind `a` |  | 3 | 0 | 0 | 0 | 0 |
@@ -696,161 +690,147 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t14_ = T::mul_neg_add(t8_, t13_, t10_);
         let t16_ = T::mul_neg_add(t8_, t15_, a_k_xy_);
         let t12_ = T::mul_add(t8_, t11_, t9_);
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 119 mul, 65 add, 6 reciprocal, 6 square root.
-        let t36_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
-        let t40_ = sin_b_angle_ * cos_rocker_pin_angle_;
-        /// Riccati transfer over `crank_pin`.
         let t17_ = sin_a_angle_ * sin_a_angle_;
         let t23_ = T::mul_add(t16_, t22_, t14_);
         let t19_ = t12_ + t14_;
-        /// Closure.
-        let t38_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t41_ = T::mul_add(cos_b_angle_, t36_, t40_);
-        /// Riccati transfer over `crank_pin`.
         let t24_ = T::mul_sub(t17_, t19_, t23_);
-        /// Closure.
-        let t39_ = T::mul_neg_add(sin_b_angle_, t36_, t38_);
-        let t42_ = c_(0.6) * t41_;
-        /// Riccati transfer over `a`.
-        let a_z0_force_x_ = a_b_x_z_ * t8_;
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 117 mul, 65 add, 4 reciprocal, 4 square root.
+        let t34_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
+        let t37_ = sin_b_angle_ * cos_rocker_pin_angle_;
         /// Riccati transfer over `crank_pin`.
         let crank_pin_j_zz_ = T::mul_neg_add(
             c_(0.04000000000000001),
             t24_,
             c_(0.020000000000000004),
         );
-        /// Riccati transfer over `a`.
-        let a_z0_force_y_ = a_b_y_z_ * t8_;
         /// Closure.
-        let t44_ = T::mul_neg_add(t42_, a_z0_force_x_, t39_);
+        let t35_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t38_ = T::mul_add(cos_b_angle_, t34_, t37_);
         /// Riccati transfer over `crank_pin`.
         let t32_ = T::recip(crank_pin_j_zz_);
         /// Closure.
+        let t36_ = T::mul_neg_add(sin_b_angle_, t34_, t35_);
+        let t39_ = c_(0.6) * t38_;
+        /// Riccati transfer over `a`.
+        let a_z0_force_x_ = a_b_x_z_ * t8_;
+        /// Closure.
         let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
-        let t45_ = T::mul_neg_add(t42_, a_z0_force_y_, t41_);
-        let t47_ = sin_a_angle_ * t44_;
-        let t34_ = c_(0.6) * sin_rocker_pin_angle_;
-        let t35_ = sin_rocker_pin_angle_ * c_(2.5);
+        /// Riccati transfer over `a`.
+        let a_z0_force_y_ = a_b_y_z_ * t8_;
+        /// Closure.
+        let t40_ = T::mul_neg_add(t39_, a_z0_force_x_, t36_);
+        let t45_ = T::sqrt(t8_);
         let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
-        let t48_ = T::mul_add(cos_a_angle_, t45_, t47_);
-        let t76_ = cos_a_angle_ * t44_;
-        let t37_ = t34_ * t35_;
+        let t41_ = T::mul_neg_add(t39_, a_z0_force_y_, t38_);
+        let t71_ = cos_a_angle_ * t40_;
+        let t42_ = sin_a_angle_ * t40_;
+        let t50_ = T::sqrt(t32_);
+        let t52_ = c_(0.6) * sin_rocker_pin_angle_;
         let t55_ = t54_ * c_(0.36);
-        let t43_ = t42_ * t8_;
-        let t49_ = c_(0.2) * t48_;
-        let t67_ = t39_ * t39_;
-        let t77_ = T::mul_neg_add(sin_a_angle_, t45_, t76_);
-        let t56_ = T::mul_add(t34_, t34_, t55_);
-        let t46_ = T::mul_add(t42_, t43_, t37_);
-        let t50_ = t49_ * t32_;
-        let t68_ = T::mul_add(t41_, t41_, t67_);
-        let t69_ = t42_ * t42_;
-        let t81_ = t77_ * t77_;
-        let closure_d0_ = T::mul_add(t49_, t50_, t46_);
-        let t57_ = t56_ * c_(4.166666666666667);
-        let t70_ = T::mul_add(t68_, c_(0.72), t69_);
-        let t82_ = T::mul_add(t48_, t48_, t81_);
-        let t83_ = t49_ * t49_;
-        let t89_ = T::copysign(closure_d0_, c_(1.0));
-        let t71_ = T::mul_add(t8_, t70_, t57_);
-        let t84_ = T::mul_add(t82_, c_(0.76), t83_);
-        let t90_ = closure_d0_ + t89_;
-        let t86_ = T::mul_add(t84_, t32_, t71_);
-        let t91_ = c_(0.5) * t90_;
-        let t93_ = T::sqrt(t86_);
-        let t92_ = T::sqrt(t91_);
-        let t58_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
-        let t63_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t61_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t64_ = T::mul_neg_add(cos_b_angle_, t58_, t63_);
-        let t62_ = T::mul_add(sin_b_angle_, t58_, t61_);
-        let t65_ = c_(0.6) * t64_;
-        let t94_ = ::mstmm::generated::recip_above(t92_, t93_);
-        let t72_ = T::mul_neg_add(t65_, a_z0_force_x_, t62_);
-        let t96_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t73_ = T::mul_neg_add(t65_, a_z0_force_y_, t64_);
-        let t78_ = sin_a_angle_ * t72_;
-        let t51_ = c_(0.6) * cos_rocker_pin_angle_;
-        let t52_ = cos_rocker_pin_angle_ * c_(2.5);
-        let t79_ = T::mul_add(cos_a_angle_, t73_, t78_);
-        let t59_ = t51_ * t35_;
-        let t60_ = t51_ * t52_;
-        let t66_ = t65_ * t8_;
-        let t80_ = c_(0.2) * t79_;
-        let t74_ = T::mul_neg_add(t65_, t43_, t59_);
-        let t95_ = t92_ * t94_;
-        let t108_ = cos_a_angle_ * t72_;
-        let t75_ = T::mul_add(t65_, t66_, t60_);
-        let t85_ = t80_ * t32_;
-        let t87_ = T::mul_neg_add(t80_, t50_, t74_);
-        let t97_ = t95_ * t96_;
-        let t103_ = t62_ * t62_;
-        let t109_ = T::mul_neg_add(sin_a_angle_, t73_, t108_);
-        let t101_ = T::mul_add(t51_, t51_, t55_);
-        let t88_ = T::mul_add(t80_, t85_, t75_);
-        let t98_ = t87_ * t97_;
-        let t104_ = T::mul_add(t64_, t64_, t103_);
-        let t105_ = t65_ * t65_;
-        let t110_ = t109_ * t109_;
-        let closure_d1_ = T::mul_neg_add(t87_, t98_, t88_);
-        let t102_ = c_(4.166666666666667) * t101_;
-        let t106_ = T::mul_add(c_(0.72), t104_, t105_);
-        let t111_ = T::mul_add(t79_, t79_, t110_);
-        let t112_ = t80_ * t80_;
-        let t125_ = T::copysign(closure_d1_, c_(1.0));
-        let t107_ = T::mul_add(t8_, t106_, t102_);
-        let t113_ = T::mul_add(c_(0.76), t111_, t112_);
-        let t126_ = closure_d1_ + t125_;
-        let t124_ = T::mul_add(t113_, t32_, t107_);
-        let t127_ = c_(0.5) * t126_;
-        let t129_ = T::sqrt(t124_);
-        let t128_ = T::sqrt(t127_);
-        let t134_ = T::mul_neg_add(closure_d0_, t97_, c_(1.0));
-        let t135_ = t134_ * t134_;
+        let t64_ = t36_ * t36_;
+        let t72_ = T::mul_neg_add(sin_a_angle_, t41_, t71_);
+        let t43_ = T::mul_add(cos_a_angle_, t41_, t42_);
+        let t56_ = T::mul_add(t52_, t52_, t55_);
+        let t65_ = T::mul_add(t38_, t38_, t64_);
+        let t66_ = t39_ * t39_;
+        let t76_ = t72_ * t72_;
+        let t44_ = c_(0.2) * t43_;
+        let t57_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let t61_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t46_ = sin_rocker_pin_angle_ * c_(1.2247448713915892);
+        let t58_ = t56_ * c_(4.166666666666667);
+        let t67_ = T::mul_add(t65_, c_(0.72), t66_);
+        let t77_ = T::mul_add(t43_, t43_, t76_);
+        let t78_ = t44_ * t44_;
+        let t59_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t62_ = T::mul_neg_add(cos_b_angle_, t57_, t61_);
+        let t48_ = t46_ * t46_;
+        let t70_ = T::mul_add(t8_, t67_, t58_);
+        let t47_ = t39_ * t45_;
+        let t79_ = T::mul_add(t77_, c_(0.76), t78_);
+        let t60_ = T::mul_add(sin_b_angle_, t57_, t59_);
+        let t63_ = c_(0.6) * t62_;
+        let t49_ = T::mul_add(t47_, t47_, t48_);
+        let t84_ = T::mul_add(t79_, t32_, t70_);
+        let t51_ = t44_ * t50_;
+        let t68_ = T::mul_neg_add(t63_, a_z0_force_x_, t60_);
+        let t86_ = c_(0.0009765625) * t84_;
+        let closure_d0_ = T::mul_add(t51_, t51_, t49_);
+        let t69_ = T::mul_neg_add(t63_, a_z0_force_y_, t62_);
+        let t73_ = sin_a_angle_ * t68_;
+        let t80_ = cos_rocker_pin_angle_ * c_(1.2247448713915892);
+        let t87_ = ::mstmm::generated::recip_above(closure_d0_, t86_);
+        let t74_ = T::mul_add(cos_a_angle_, t69_, t73_);
+        let t82_ = t46_ * t80_;
+        let t81_ = t63_ * t45_;
+        let t75_ = c_(0.2) * t74_;
+        let t105_ = cos_a_angle_ * t68_;
+        let t83_ = T::mul_neg_add(t47_, t81_, t82_);
+        let t85_ = t75_ * t50_;
+        let t97_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t100_ = t60_ * t60_;
+        let t106_ = T::mul_neg_add(sin_a_angle_, t69_, t105_);
+        let t88_ = T::mul_neg_add(t51_, t85_, t83_);
+        let t98_ = T::mul_add(t97_, t97_, t55_);
+        let t124_ = T::mul_neg_add(closure_d0_, t87_, c_(1.0));
+        let t101_ = T::mul_add(t62_, t62_, t100_);
+        let t102_ = t63_ * t63_;
+        let t107_ = t106_ * t106_;
+        let t89_ = t87_ * t88_;
+        let t127_ = t124_ * t124_;
+        let t99_ = t98_ * c_(4.166666666666667);
+        let t103_ = T::mul_add(c_(0.72), t101_, t102_);
+        let t108_ = T::mul_add(t74_, t74_, t107_);
+        let t109_ = t75_ * t75_;
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         *n21_ = a_omega_z_;
         ::mstmm::generated::written();
         /// Closure.
-        let t136_ = ::mstmm::generated::recip_above(t135_, c_(1.0));
+        let t90_ = T::mul_neg_add(t46_, t89_, t80_);
+        let t128_ = ::mstmm::generated::recip_above(t127_, c_(1.0));
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
         let b_omega_z_ = b_rate_ + a_omega_z_;
         *n33_ = b_omega_z_;
         ::mstmm::generated::written();
+        /// Closure.
+        let t104_ = T::mul_add(t8_, t103_, t99_);
+        let t110_ = T::mul_add(c_(0.76), t108_, t109_);
+        let t91_ = T::mul_add(t47_, t89_, t81_);
+        let t93_ = t90_ * t90_;
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t2_ = b_omega_z_ * b_omega_z_;
         /// Closure.
-        let t130_ = ::mstmm::generated::recip_above(t128_, t129_);
+        let t121_ = T::mul_add(t110_, t32_, t104_);
+        let t92_ = T::mul_add(t51_, t89_, t85_);
+        let t94_ = T::mul_add(t91_, t91_, t93_);
         /// Motion across `b`.
         let t1_ = a_omega_z_ * a_omega_z_;
         /// Riccati transfer over `b`.
         let minus_b_e_force_x_ = c_(0.6) * t2_;
         /// Closure.
-        let t132_ = ::mstmm::generated::recip_above(closure_d1_, t88_);
+        let t122_ = c_(0.0009765625) * t121_;
+        let closure_d1_ = T::mul_add(t92_, t92_, t94_);
         /// Motion across `b`.
         let minus_b_centripetal_x_ = t1_ * c_(0.6);
         /// Riccati transfer over `a`.
         let t7_ = sin_b_angle_ * minus_b_e_force_x_;
         /// Closure.
-        let t137_ = T::sqrt(t136_);
+        let t129_ = T::sqrt(t128_);
+        let t123_ = ::mstmm::generated::recip_above(closure_d1_, t122_);
         /// Riccati transfer over `a`.
         let minus_a_e_force_y_ = T::mul_add(minus_b_centripetal_x_, a_k_xy_, t7_);
-        /// Closure.
-        let t131_ = t128_ * t130_;
-        /// Riccati transfer over `a`.
         let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
         /// Riccati transfer over `crank_pin`.
         let t28_ = T::mul_add(cos_b_angle_, minus_b_e_force_x_, minus_b_centripetal_x_);
         let t25_ = t5_ - c_(2.0);
-        /// Closure.
-        let t133_ = t131_ * t132_;
         /// Riccati transfer over `a`.
         let a_w0_ = minus_a_e_moment_z_ * t8_;
         /// Riccati transfer over `crank_pin`.
         let t20_ = T::mul_neg_add(c_(2.0), t17_, c_(1.0));
         let t29_ = T::mul_sub(minus_b_centripetal_x_, t25_, t28_);
         /// Closure.
-        let t139_ = T::mul_neg_add(closure_d1_, t133_, c_(1.0));
+        let t125_ = T::mul_neg_add(closure_d1_, t123_, c_(1.0));
         /// Riccati transfer over `crank_pin`.
         let t26_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
         /// Motion across `a`.
@@ -859,25 +839,25 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t21_ = t16_ * t20_;
         let t30_ = T::mul_add(a_b_x_z_, a_w0_, t29_);
         /// Closure.
-        let t138_ = t134_ * t137_;
-        let t140_ = t98_ * t139_;
+        let t126_ = t89_ * t125_;
+        let t130_ = t124_ * t129_;
         /// Riccati transfer over `crank_pin`.
         let t27_ = cos_a_angle_ * t26_;
         /// Motion across `a`.
         let minus_a_centripetal_x_ = t0_ * c_(0.2);
         /// Closure.
-        let t99_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t95_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
         /// Riccati transfer over `crank_pin`.
         let crank_pin_k_xy_ = T::mul_neg_add(t18_, t19_, t21_);
         /// Closure.
-        let t141_ = t138_ * t140_;
+        let t131_ = t126_ * t130_;
         /// Riccati transfer over `crank_pin`.
         let t31_ = T::mul_neg_add(sin_a_angle_, t30_, t27_);
         /// Closure.
-        let t100_ = T::mul_sub(sin_rocker_pin_angle_, minus_b_e_force_x_, c_(9.8));
-        let t114_ = T::mul_add(minus_b_centripetal_x_, t39_, t99_);
-        let t143_ = t139_ * t139_;
-        let t142_ = T::mul_neg_add(t138_, t141_, t140_);
+        let t96_ = T::mul_sub(sin_rocker_pin_angle_, minus_b_e_force_x_, c_(9.8));
+        let t111_ = T::mul_add(minus_b_centripetal_x_, t36_, t95_);
+        let t133_ = t125_ * t125_;
+        let t132_ = T::mul_neg_add(t130_, t131_, t126_);
         /// Riccati transfer over `crank_pin`.
         let minus_crank_pin_e_force_y_ = T::mul_add(
             minus_a_centripetal_x_,
@@ -885,162 +865,173 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             t31_,
         );
         /// Closure.
-        let t117_ = T::mul_add(minus_b_centripetal_x_, t62_, t100_);
-        let t115_ = T::mul_sub(t42_, a_w0_, t114_);
+        let t114_ = T::mul_add(minus_b_centripetal_x_, t60_, t96_);
+        let t112_ = T::mul_sub(t39_, a_w0_, t111_);
         /// Riccati transfer over `crank_pin`.
         let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t24_, c_(0.1));
         /// Closure.
-        let t144_ = T::mul_add(t142_, t142_, t143_);
+        let t134_ = T::mul_add(t132_, t132_, t133_);
         /// Riccati transfer over `crank_pin`.
         let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
         /// Closure.
-        let t118_ = T::mul_sub(t65_, a_w0_, t117_);
+        let t115_ = T::mul_sub(t63_, a_w0_, t114_);
         /// Riccati transfer over `crank_pin`.
         let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
         /// Closure.
-        let t116_ = T::mul_sub(minus_a_centripetal_x_, t77_, t115_);
+        let t113_ = T::mul_sub(minus_a_centripetal_x_, t72_, t112_);
         /// Riccati transfer over `crank_pin`.
         let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t32_;
         /// Closure.
-        let t145_ = ::mstmm::generated::recip_above(t144_, c_(1.0));
+        let t135_ = ::mstmm::generated::recip_above(t134_, c_(1.0));
         /// Riccati transfer over `crank_pin`.
         let crank_pin_w0_ = t33_ * t32_;
         /// Closure.
-        let t119_ = T::mul_sub(minus_a_centripetal_x_, t109_, t118_);
+        let t116_ = T::mul_sub(minus_a_centripetal_x_, t106_, t115_);
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
         *n9_ = crank_pin_a_lin_y_;
         ::mstmm::generated::written();
         /// Riccati transfer over `crank_pin`.
         let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
         /// Closure.
-        let t121_ = T::mul_neg_add(t49_, crank_pin_z0_force_y_, t48_);
-        let t123_ = T::mul_neg_add(t80_, crank_pin_z0_force_y_, t79_);
-        let t149_ = T::mul_neg_add(t49_, crank_pin_w0_, t116_);
-        let t152_ = T::mul_neg_add(t80_, crank_pin_w0_, t119_);
+        let t118_ = T::mul_neg_add(t44_, crank_pin_z0_force_y_, t43_);
+        let t120_ = T::mul_neg_add(t75_, crank_pin_z0_force_y_, t74_);
+        let t139_ = T::mul_neg_add(t44_, crank_pin_w0_, t113_);
+        let t142_ = T::mul_neg_add(t75_, crank_pin_w0_, t116_);
         let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
         *n8_ = crank_pin_a_lin_x_;
         ::mstmm::generated::written();
-        let t120_ = T::mul_neg_add(t49_, crank_pin_z0_force_x_, t77_);
-        let t122_ = T::mul_neg_add(t80_, crank_pin_z0_force_x_, t109_);
-        let t150_ = T::mul_sub(crank_pin_a_lin_y_, t121_, t149_);
-        let t153_ = T::mul_sub(crank_pin_a_lin_y_, t123_, t152_);
-        let t151_ = T::mul_add(crank_pin_a_lin_x_, t120_, t150_);
-        let t154_ = T::mul_add(crank_pin_a_lin_x_, t122_, t153_);
-        let t146_ = T::sqrt(t145_);
-        let t155_ = T::mul_add(t98_, t151_, t154_);
-        let t156_ = t97_ * t151_;
-        let t157_ = t133_ * t155_;
-        let t158_ = T::mul_add(t98_, t157_, t156_);
-        let t159_ = t138_ * t158_;
-        let t160_ = T::mul_neg_add(t138_, t159_, t158_);
-        let t147_ = t142_ * t146_;
-        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 15 mul, 11 add, 0 reciprocal.
-        let t171_ = cos_a_angle_ * a_z0_force_x_;
-        let t173_ = sin_a_angle_ * a_z0_force_x_;
-        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-        let t163_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        let t117_ = T::mul_neg_add(t44_, crank_pin_z0_force_x_, t72_);
+        let t119_ = T::mul_neg_add(t75_, crank_pin_z0_force_x_, t106_);
+        let t140_ = T::mul_sub(crank_pin_a_lin_y_, t118_, t139_);
+        let t143_ = T::mul_sub(crank_pin_a_lin_y_, t120_, t142_);
+        let t141_ = T::mul_add(crank_pin_a_lin_x_, t117_, t140_);
+        let t144_ = T::mul_add(crank_pin_a_lin_x_, t119_, t143_);
+        let t136_ = T::sqrt(t135_);
+        let t145_ = T::mul_add(t89_, t141_, t144_);
+        let t146_ = t87_ * t141_;
+        let t147_ = t123_ * t145_;
+        let t148_ = T::mul_add(t89_, t147_, t146_);
+        let t149_ = t130_ * t148_;
+        let t150_ = T::mul_neg_add(t130_, t149_, t148_);
+        let t137_ = t132_ * t136_;
+        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 17 mul, 11 add, 0 reciprocal.
+        let t165_ = cos_a_angle_ * a_z0_force_x_;
+        let t167_ = sin_a_angle_ * a_z0_force_x_;
+        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 7 mul, 4 add, 0 reciprocal.
+        let t155_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
         /// Closure.
-        let t148_ = t139_ * t146_;
-        let t161_ = t147_ * t160_;
+        let t138_ = t125_ * t136_;
+        let t151_ = t137_ * t150_;
         /// Acceleration of `a`.
-        let t172_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t171_);
-        let t167_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
-        let t174_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t173_);
+        let t166_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t165_);
+        let t159_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
+        let t168_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t167_);
         /// Acceleration of `crank_pin`.
-        let t164_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t163_);
+        let t156_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t155_);
         /// Closure.
-        let t162_ = T::mul_add(t148_, t157_, t161_);
+        let t152_ = T::mul_add(t138_, t147_, t151_);
         /// Acceleration of `a`.
-        let t176_ = T::mul_add(t167_, t172_, a_w0_);
+        let t170_ = T::mul_add(t159_, t166_, a_w0_);
+        let t164_ = t63_ * t8_;
         /// Acceleration of `crank_pin`.
-        let t165_ = T::mul_sub(c_(9.8), t164_, crank_pin_w0_);
+        let t154_ = t75_ * t32_;
+        let t157_ = T::mul_sub(c_(9.8), t156_, crank_pin_w0_);
         /// Closure.
-        let minus_closure_reaction1_ = T::mul_neg_add(t148_, t162_, t157_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t138_, t152_, t147_);
         /// Acceleration of `a`.
-        let t177_ = T::mul_sub(crank_pin_a_lin_y_, t174_, t176_);
+        let t171_ = T::mul_sub(crank_pin_a_lin_y_, t168_, t170_);
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 15 mul, 8 add, 0 reciprocal.
+        let t179_ = sin_rocker_pin_angle_ * c_(2.5);
+        /// Acceleration of `a`.
+        let t163_ = t39_ * t8_;
+        /// Acceleration of `crank_pin`.
+        let t153_ = t44_ * t32_;
         /// Closure.
-        let closure_reaction0_ = T::mul_neg_add(t147_, t162_, t160_);
+        let closure_reaction0_ = T::mul_neg_add(t137_, t152_, t150_);
         /// Acceleration of `crank_pin`.
-        let t166_ = T::mul_add(t85_, minus_closure_reaction1_, t165_);
+        let t158_ = T::mul_add(t154_, minus_closure_reaction1_, t157_);
         /// Acceleration of `a`.
-        let t178_ = T::mul_add(t66_, minus_closure_reaction1_, t177_);
-        let t175_ = c_(0.2) * t174_;
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 13 mul, 8 add, 0 reciprocal.
-        let t188_ = t35_ * closure_reaction0_;
+        let t172_ = T::mul_add(t164_, minus_closure_reaction1_, t171_);
+        /// Acceleration of `b`.
+        let t180_ = cos_rocker_pin_angle_ * c_(2.5);
+        /// Acceleration of `a`.
+        let t169_ = c_(0.2) * t168_;
+        /// Acceleration of `b`.
+        let t184_ = t179_ * closure_reaction0_;
         /// Acceleration of `crank_pin`.
-        let minus_crank_pin_a_ang_z_ = T::mul_add(t50_, closure_reaction0_, t166_);
+        let minus_crank_pin_a_ang_z_ = T::mul_add(t153_, closure_reaction0_, t158_);
         *n10_ = minus_crank_pin_a_ang_z_;
         ::mstmm::generated::written();
         /// Acceleration of `a`.
-        let t179_ = T::mul_add(t43_, closure_reaction0_, t178_);
+        let t173_ = T::mul_add(t163_, closure_reaction0_, t172_);
         /// Acceleration of `b`.
-        let t187_ = cos_b_angle_ * c_(1.5);
+        let t183_ = cos_b_angle_ * c_(1.5);
         /// Acceleration of `a`.
-        let t170_ = sin_a_angle_ * t167_;
+        let t162_ = sin_a_angle_ * t159_;
         /// Acceleration of `b`.
-        let t189_ = T::mul_neg_add(t52_, minus_closure_reaction1_, t188_);
+        let t185_ = T::mul_neg_add(t180_, minus_closure_reaction1_, t184_);
         /// Acceleration of `a`.
-        let t169_ = T::mul_neg_add(
+        let t161_ = T::mul_neg_add(
             c_(0.2),
             minus_crank_pin_a_ang_z_,
             crank_pin_a_lin_y_,
         );
-        let a_a_ang_z_ = T::mul_sub(t175_, minus_crank_pin_a_ang_z_, t179_);
+        let a_a_ang_z_ = T::mul_sub(t169_, minus_crank_pin_a_ang_z_, t173_);
         *n22_ = a_a_ang_z_;
         ::mstmm::generated::written();
-        let t168_ = cos_a_angle_ * t167_;
+        let t160_ = cos_a_angle_ * t159_;
         /// Acceleration of `b`.
-        let t186_ = cos_b_angle_ * c_(2.5);
+        let t182_ = cos_b_angle_ * c_(2.5);
         /// Acceleration of `a`.
-        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t169_, t170_);
+        let a_a_lin_y_ = T::mul_add(cos_a_angle_, t161_, t162_);
         *n18_ = a_a_lin_y_;
         ::mstmm::generated::written();
         /// Acceleration of `b`.
-        let t190_ = T::mul_add(t187_, a_a_ang_z_, t189_);
+        let t186_ = T::mul_add(t183_, a_a_ang_z_, t185_);
         /// Acceleration of `a`.
-        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t169_, t168_);
+        let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t161_, t160_);
         *n17_ = minus_a_a_lin_x_;
         ::mstmm::generated::written();
         /// Acceleration of `b`.
-        let t185_ = sin_b_angle_ * c_(2.5);
-        let t191_ = T::mul_add(t186_, a_a_lin_y_, t190_);
+        let t181_ = sin_b_angle_ * c_(2.5);
+        let t187_ = T::mul_add(t182_, a_a_lin_y_, t186_);
         /// Results: 16 mul, 13 add, 0 reciprocal.
-        let t221_ = t0_ * c_(0.09000000000000002);
+        let t217_ = t0_ * c_(0.09000000000000002);
         /// Acceleration of `b`.
-        let t180_ = minus_b_centripetal_x_ + minus_a_a_lin_x_;
+        let t174_ = minus_b_centripetal_x_ + minus_a_a_lin_x_;
         /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 19 mul, 18 add, 0 reciprocal.
-        let t196_ = sin_rocker_pin_angle_ * closure_reaction0_;
+        let t192_ = sin_rocker_pin_angle_ * closure_reaction0_;
         /// Acceleration of `b`.
-        let t181_ = c_(0.6) * a_a_ang_z_;
-        let minus_b_a_ang_z_ = T::mul_add(t185_, t180_, t191_);
+        let t175_ = c_(0.6) * a_a_ang_z_;
+        let minus_b_a_ang_z_ = T::mul_add(t181_, t174_, t187_);
         *n34_ = minus_b_a_ang_z_;
         ::mstmm::generated::written();
         /// Results.
-        let t223_ = T::mul_add(t1_, c_(0.48), t221_);
+        let t219_ = T::mul_add(t1_, c_(0.48), t217_);
         /// Velocity behind `a`: 3 mul, 0 add, 0 reciprocal.
-        let t209_ = crank_pin_rate_ * c_(0.2);
+        let t205_ = crank_pin_rate_ * c_(0.2);
         /// Results.
-        let t222_ = a_omega_z_ * c_(1.7999999999999998);
+        let t218_ = a_omega_z_ * c_(1.7999999999999998);
         /// Load on `crank_pin`.
-        let t194_ = cos_rocker_pin_angle_ * closure_reaction0_;
-        let t197_ = T::mul_neg_add(
+        let t190_ = cos_rocker_pin_angle_ * closure_reaction0_;
+        let t193_ = T::mul_neg_add(
             cos_rocker_pin_angle_,
             minus_closure_reaction1_,
-            t196_,
+            t192_,
         );
-        *n42_ = t197_;
+        *n42_ = t193_;
         ::mstmm::generated::written();
         /// Acceleration of `b`.
-        let t184_ = sin_b_angle_ * t180_;
-        let t182_ = a_a_lin_y_ + t181_;
+        let t178_ = sin_b_angle_ * t174_;
+        let t176_ = a_a_lin_y_ + t175_;
         /// Load on `crank_pin`.
-        let t193_ = c_(0.6) * minus_b_a_ang_z_;
+        let t189_ = c_(0.6) * minus_b_a_ang_z_;
         /// Connection points, [P, Eqs. (4), (12), (13)]: 3 mul, 5 add, 0 reciprocal.
-        let t215_ = c_(0.6) * b_omega_z_;
+        let t211_ = c_(0.6) * b_omega_z_;
         /// Results.
-        let t224_ = T::mul_add(t2_, c_(0.12), t223_);
+        let t220_ = T::mul_add(t2_, c_(0.12), t219_);
         /// Pose behind `a`, [P, Eq. (12)]: 6 mul, 2 add, 0 reciprocal.
-        let t207_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let t203_ = cos_crank_pin_angle_ * cos_a_angle_;
         let a_position_x_ = cos_crank_pin_angle_ * c_(0.2);
         *n11_ = a_position_x_;
         ::mstmm::generated::written();
@@ -1048,76 +1039,76 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         *n12_ = a_position_y_;
         ::mstmm::generated::written();
         /// Velocity behind `a`.
-        let a_velocity_y_ = cos_a_angle_ * t209_;
+        let a_velocity_y_ = cos_a_angle_ * t205_;
         *n14_ = a_velocity_y_;
         ::mstmm::generated::written();
         /// Acceleration of `b`.
-        let t183_ = cos_b_angle_ * t180_;
-        let b_a_lin_y_ = T::mul_add(cos_b_angle_, t182_, t184_);
+        let t177_ = cos_b_angle_ * t174_;
+        let b_a_lin_y_ = T::mul_add(cos_b_angle_, t176_, t178_);
         *n30_ = b_a_lin_y_;
         ::mstmm::generated::written();
         /// Load on `crank_pin`.
-        let t195_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t194_);
-        *n41_ = t195_;
+        let t191_ = T::mul_add(sin_rocker_pin_angle_, minus_closure_reaction1_, t190_);
+        *n41_ = t191_;
         ::mstmm::generated::written();
-        let t199_ = t193_ - t197_;
+        let t195_ = t189_ - t193_;
         /// Velocity behind `a`.
-        let a_velocity_x_ = sin_a_angle_ * t209_;
+        let a_velocity_x_ = sin_a_angle_ * t205_;
         *n13_ = a_velocity_x_;
         ::mstmm::generated::written();
         /// Pose behind `a`.
-        let t208_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let t204_ = cos_crank_pin_angle_ * sin_a_angle_;
         let a_to_inertial_x_x_ = T::mul_neg_add(
             sin_crank_pin_angle_,
             sin_a_angle_,
-            t207_,
+            t203_,
         );
         *n15_ = a_to_inertial_x_x_;
         ::mstmm::generated::written();
         /// Results.
-        let t227_ = sin_crank_pin_angle_ * c_(8.82);
+        let t223_ = sin_crank_pin_angle_ * c_(8.82);
         /// Load on `crank_pin`.
-        let t192_ = T::mul_sub(t0_, c_(0.1), crank_pin_a_lin_x_);
-        let t202_ = T::mul_add(c_(2.0), a_a_lin_y_, t181_);
+        let t188_ = T::mul_sub(t0_, c_(0.1), crank_pin_a_lin_x_);
+        let t198_ = T::mul_add(c_(2.0), a_a_lin_y_, t175_);
         /// Acceleration of `b`.
-        let minus_b_a_lin_x_ = T::mul_neg_add(sin_b_angle_, t182_, t183_);
+        let minus_b_a_lin_x_ = T::mul_neg_add(sin_b_angle_, t176_, t177_);
         *n29_ = minus_b_a_lin_x_;
         ::mstmm::generated::written();
         /// Load on `crank_pin`.
-        let b_load_force_y_ = T::mul_sub(c_(2.0), b_a_lin_y_, t199_);
+        let b_load_force_y_ = T::mul_sub(c_(2.0), b_a_lin_y_, t195_);
         *n32_ = b_load_force_y_;
         ::mstmm::generated::written();
-        let t198_ = minus_b_e_force_x_ - t195_;
+        let t194_ = minus_b_e_force_x_ - t191_;
         /// Velocity behind `b`: 5 mul, 3 add, 0 reciprocal.
-        let t212_ = T::mul_add(a_omega_z_, c_(0.6), a_velocity_y_);
-        let t214_ = sin_b_angle_ * a_velocity_x_;
+        let t208_ = T::mul_add(a_omega_z_, c_(0.6), a_velocity_y_);
+        let t210_ = sin_b_angle_ * a_velocity_x_;
         /// Pose behind `a`.
         let minus_a_to_inertial_x_y_ = T::mul_add(
             sin_crank_pin_angle_,
             cos_a_angle_,
-            t208_,
+            t204_,
         );
         *n16_ = minus_a_to_inertial_x_y_;
         ::mstmm::generated::written();
         /// Pose behind `b`, [P, Eq. (12)]: 6 mul, 4 add, 0 reciprocal.
-        let t210_ = cos_b_angle_ * a_to_inertial_x_x_;
+        let t206_ = cos_b_angle_ * a_to_inertial_x_x_;
         /// Velocity behind `b`.
-        let t213_ = cos_b_angle_ * a_velocity_x_;
+        let t209_ = cos_b_angle_ * a_velocity_x_;
         /// Results.
-        let t225_ = T::mul_add(a_velocity_y_, t222_, t224_);
+        let t221_ = T::mul_add(a_velocity_y_, t218_, t220_);
         /// Load on `crank_pin`.
-        let t200_ = T::mul_add(c_(2.0), minus_a_a_lin_x_, minus_b_centripetal_x_);
-        let minus_b_load_force_x_ = T::mul_add(c_(2.0), minus_b_a_lin_x_, t198_);
+        let t196_ = T::mul_add(c_(2.0), minus_a_a_lin_x_, minus_b_centripetal_x_);
+        let minus_b_load_force_x_ = T::mul_add(c_(2.0), minus_b_a_lin_x_, t194_);
         *n31_ = minus_b_load_force_x_;
         ::mstmm::generated::written();
-        let t203_ = T::mul_add(cos_b_angle_, b_load_force_y_, t202_);
+        let t199_ = T::mul_add(cos_b_angle_, b_load_force_y_, t198_);
         /// Pose behind `b`.
         let b_position_x_ = T::mul_add(c_(0.6), a_to_inertial_x_x_, a_position_x_);
         *n23_ = b_position_x_;
         ::mstmm::generated::written();
-        let t211_ = sin_b_angle_ * a_to_inertial_x_x_;
+        let t207_ = sin_b_angle_ * a_to_inertial_x_x_;
         /// Velocity behind `b`.
-        let minus_b_velocity_y_ = T::mul_neg_add(cos_b_angle_, t212_, t214_);
+        let minus_b_velocity_y_ = T::mul_neg_add(cos_b_angle_, t208_, t210_);
         *n26_ = minus_b_velocity_y_;
         ::mstmm::generated::written();
         /// Pose behind `b`.
@@ -1127,28 +1118,28 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let b_to_inertial_x_x_ = T::mul_neg_add(
             sin_b_angle_,
             minus_a_to_inertial_x_y_,
-            t210_,
+            t206_,
         );
         *n27_ = b_to_inertial_x_x_;
         ::mstmm::generated::written();
         /// Velocity behind `b`.
-        let b_velocity_x_ = T::mul_add(sin_b_angle_, t212_, t213_);
+        let b_velocity_x_ = T::mul_add(sin_b_angle_, t208_, t209_);
         *n25_ = b_velocity_x_;
         *n37_ = b_velocity_x_;
         ::mstmm::generated::written();
         /// Results.
-        let t228_ = T::mul_add(minus_a_to_inertial_x_y_, c_(17.64), t227_);
-        let t218_ = c_(4.0) + t14_;
+        let t224_ = T::mul_add(minus_a_to_inertial_x_y_, c_(17.64), t223_);
+        let t214_ = c_(4.0) + t14_;
         /// Load on `crank_pin`.
-        let t201_ = T::mul_add(sin_b_angle_, b_load_force_y_, t200_);
+        let t197_ = T::mul_add(sin_b_angle_, b_load_force_y_, t196_);
         let minus_a_load_force_y_ = T::mul_sub(
             sin_b_angle_,
             minus_b_load_force_x_,
-            t203_,
+            t199_,
         );
         *n20_ = minus_a_load_force_y_;
         ::mstmm::generated::written();
-        let t205_ = T::mul_neg_add(
+        let t201_ = T::mul_neg_add(
             c_(0.1),
             minus_crank_pin_a_ang_z_,
             crank_pin_a_lin_y_,
@@ -1157,36 +1148,36 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let minus_b_to_inertial_x_y_ = T::mul_add(
             cos_b_angle_,
             minus_a_to_inertial_x_y_,
-            t211_,
+            t207_,
         );
         *n28_ = minus_b_to_inertial_x_y_;
         ::mstmm::generated::written();
         /// Connection points.
-        let minus_point6_velocity_y_ = minus_b_velocity_y_ - t215_;
+        let minus_point6_velocity_y_ = minus_b_velocity_y_ - t211_;
         *n38_ = minus_point6_velocity_y_;
         ::mstmm::generated::written();
         /// Results.
-        let t226_ = T::mul_sub(minus_b_velocity_y_, t215_, t225_);
-        at_.kinetic_energy = -t226_;
+        let t222_ = T::mul_sub(minus_b_velocity_y_, t211_, t221_);
+        at_.kinetic_energy = -t222_;
         ::mstmm::generated::written();
         /// Connection points.
         let point6_position_x_ = T::mul_add(c_(0.6), b_to_inertial_x_x_, b_position_x_);
         *n35_ = point6_position_x_;
         ::mstmm::generated::written();
         /// Results.
-        let t219_ = t12_ - t218_;
-        let t232_ = cos_rocker_pin_angle_ * t147_;
-        let t234_ = sin_rocker_pin_angle_ * t147_;
+        let t215_ = t12_ - t214_;
+        let t228_ = cos_rocker_pin_angle_ * t137_;
+        let t230_ = sin_rocker_pin_angle_ * t137_;
         /// Load on `crank_pin`.
         let minus_a_load_force_x_ = T::mul_add(
             cos_b_angle_,
             minus_b_load_force_x_,
-            t201_,
+            t197_,
         );
         *n19_ = minus_a_load_force_x_;
         ::mstmm::generated::written();
-        let t204_ = T::mul_neg_add(sin_a_angle_, minus_a_load_force_y_, t192_);
-        let t206_ = T::mul_sub(cos_a_angle_, minus_a_load_force_y_, t205_);
+        let t200_ = T::mul_neg_add(sin_a_angle_, minus_a_load_force_y_, t188_);
+        let t202_ = T::mul_sub(cos_a_angle_, minus_a_load_force_y_, t201_);
         /// Connection points.
         let point6_position_y_ = T::mul_add(
             c_(0.6),
@@ -1196,66 +1187,66 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         *n36_ = point6_position_y_;
         ::mstmm::generated::written();
         /// Results.
-        let t229_ = T::mul_add(minus_b_to_inertial_x_y_, c_(5.88), t228_);
-        at_.potential_energy = t229_;
+        let t225_ = T::mul_add(minus_b_to_inertial_x_y_, c_(5.88), t224_);
+        at_.potential_energy = t225_;
         ::mstmm::generated::written();
-        let t220_ = T::mul_neg_add(
+        let t216_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t219_,
+            t215_,
             c_(0.030000000000000006),
         );
-        let t230_ = cos_rocker_pin_angle_ * t138_;
-        let t231_ = sin_rocker_pin_angle_ * t138_;
-        let t233_ = T::mul_add(sin_rocker_pin_angle_, t148_, t232_);
-        let t235_ = T::mul_neg_add(cos_rocker_pin_angle_, t148_, t234_);
+        let t226_ = cos_rocker_pin_angle_ * t130_;
+        let t227_ = sin_rocker_pin_angle_ * t130_;
+        let t229_ = T::mul_add(sin_rocker_pin_angle_, t138_, t228_);
+        let t231_ = T::mul_neg_add(cos_rocker_pin_angle_, t138_, t230_);
         at_.closure = ::mstmm::generated::closure([
-            [t230_, t231_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
-            [-t233_, -t235_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [t226_, t227_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [-t229_, -t231_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
         ]);
         ::mstmm::generated::written();
-        let t216_ = minus_crank_pin_a_ang_z_ + a_a_ang_z_;
+        let t212_ = minus_crank_pin_a_ang_z_ + a_a_ang_z_;
         /// Load on `crank_pin`.
         let minus_crank_pin_load_force_x_ = T::mul_add(
             cos_a_angle_,
             minus_a_load_force_x_,
-            t204_,
+            t200_,
         );
         *n3_ = minus_crank_pin_load_force_x_;
         ::mstmm::generated::written();
         let minus_crank_pin_load_force_y_ = T::mul_add(
             sin_a_angle_,
             minus_a_load_force_x_,
-            t206_,
+            t202_,
         );
         *n4_ = minus_crank_pin_load_force_y_;
         ::mstmm::generated::written();
         /// Results.
-        let t217_ = a_a_ang_z_ + minus_b_a_ang_z_;
+        let t213_ = a_a_ang_z_ + minus_b_a_ang_z_;
         if !::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
             [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t220_],
-            [state_.t, state_.v.data.0[0][3], t216_, -t217_],
+            [c_(2.04), t216_],
+            [state_.t, state_.v.data.0[0][3], t212_, -t213_],
         ) {
             let error_ = ::mstmm::generated::irregular::<
                 T,
                 _,
-            >(&["a", "crank_pin"], [a_j_zz_, crank_pin_j_zz_], [c_(2.04), t220_]);
+            >(&["a", "crank_pin"], [a_j_zz_, crank_pin_j_zz_], [c_(2.04), t216_]);
             ::mstmm::generated::take_back(at_, || self.workspace());
             return ::core::result::Result::Err(error_);
         }
         at_.accelerations.data.0 = [
-            [-minus_crank_pin_a_ang_z_, t216_, -t217_, minus_b_a_ang_z_],
+            [-minus_crank_pin_a_ang_z_, t212_, -t213_, minus_b_a_ang_z_],
         ];
         ::mstmm::generated::written();
         /// Connection points.
         let minus_point6_felt_x_ = minus_b_e_force_x_ + minus_b_a_lin_x_;
         *n39_ = minus_point6_felt_x_;
         ::mstmm::generated::written();
-        let point6_felt_y_ = b_a_lin_y_ - t193_;
+        let point6_felt_y_ = b_a_lin_y_ - t189_;
         *n40_ = point6_felt_y_;
         ::mstmm::generated::written();
         ::core::result::Result::Ok(())
@@ -1381,7 +1372,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Corrects coordinates and rates once by the smallest motion that closes the
     /// chain, and returns how far it was from closed.
     ///
-    /// 346 operations: 205 mul, 124 add, 9 reciprocal, 8 square root, 5 sin/cos.
+    /// 346 operations: 209 mul, 124 add, 7 reciprocal, 6 square root, 5 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
@@ -1390,10 +1381,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 9 | 3 | 1 | 0 | 0 |
     /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 12 | 9 | 0 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 142 | 73 | 7 | 6 | 0 |
-    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 4 | 2 | 0 | 0 | 0 |
-    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 15 | 5 | 0 | 0 | 0 |
-    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 13 | 8 | 0 | 0 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 140 | 73 | 5 | 4 | 0 |
+    /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 6 | 2 | 0 | 0 | 0 |
+    /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 17 | 5 | 0 | 0 | 0 |
+    /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 15 | 8 | 0 | 0 | 0 |
     /// | Results |  | 10 | 22 | 1 | 2 | 1 |
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn correct(&self, state_: &mut FourBarState<T>, inputs_: &FourBarInputs<T>) -> T {
@@ -1452,244 +1443,244 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             t18_,
             c_(0.020000000000000004),
         );
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 142 mul, 73 add, 7 reciprocal, 6 square root.
-        let t19_ = c_(0.6) * sin_rocker_pin_angle_;
-        let t20_ = sin_rocker_pin_angle_ * c_(2.5);
-        let t21_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
-        let t22_ = t19_ * t20_;
-        let t23_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t24_ = T::mul_neg_add(sin_b_angle_, t21_, t23_);
-        let t25_ = sin_b_angle_ * cos_rocker_pin_angle_;
-        let t26_ = T::mul_add(cos_b_angle_, t21_, t25_);
-        let t27_ = c_(0.6) * t26_;
-        let t28_ = t27_ * t4_;
-        let t29_ = T::mul_neg_add(t27_, a_z0_force_x_, t24_);
-        let t30_ = T::mul_neg_add(t27_, a_z0_force_y_, t26_);
-        let t31_ = T::mul_add(t27_, t28_, t22_);
-        let t32_ = sin_a_angle_ * t29_;
-        let t33_ = T::mul_add(cos_a_angle_, t30_, t32_);
-        let t34_ = c_(0.2) * t33_;
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 140 mul, 73 add, 5 reciprocal, 4 square root.
+        let t19_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
+        let t20_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t21_ = T::mul_neg_add(sin_b_angle_, t19_, t20_);
+        let t22_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        let t23_ = T::mul_add(cos_b_angle_, t19_, t22_);
+        let t24_ = c_(0.6) * t23_;
+        let t25_ = T::mul_neg_add(t24_, a_z0_force_x_, t21_);
+        let t26_ = T::mul_neg_add(t24_, a_z0_force_y_, t23_);
+        let t27_ = sin_a_angle_ * t25_;
+        let t28_ = T::mul_add(cos_a_angle_, t26_, t27_);
+        let t29_ = c_(0.2) * t28_;
+        let t30_ = T::sqrt(t4_);
+        let t31_ = sin_rocker_pin_angle_ * c_(1.2247448713915892);
+        let t32_ = t24_ * t30_;
+        let t33_ = t31_ * t31_;
+        let t34_ = T::mul_add(t32_, t32_, t33_);
         let t35_ = T::recip(crank_pin_j_zz_);
-        let t36_ = t34_ * t35_;
-        let closure_d0_ = T::mul_add(t34_, t36_, t31_);
-        let t37_ = c_(0.6) * cos_rocker_pin_angle_;
-        let t38_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t36_ = T::sqrt(t35_);
+        let t37_ = t29_ * t36_;
+        let closure_d0_ = T::mul_add(t37_, t37_, t34_);
+        let t38_ = c_(0.6) * sin_rocker_pin_angle_;
         let t39_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
         let t40_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t39_);
         let t41_ = t40_ * c_(0.36);
-        let t42_ = T::mul_add(t19_, t19_, t41_);
-        let t43_ = t42_ * c_(4.166666666666667);
-        let t44_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
-        let t45_ = t37_ * t20_;
-        let t46_ = t37_ * t38_;
-        let t47_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t48_ = T::mul_add(sin_b_angle_, t44_, t47_);
-        let t49_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t50_ = T::mul_neg_add(cos_b_angle_, t44_, t49_);
-        let t51_ = c_(0.6) * t50_;
-        let t52_ = t51_ * t4_;
-        let t53_ = t24_ * t24_;
-        let t54_ = T::mul_add(t26_, t26_, t53_);
-        let t55_ = t27_ * t27_;
-        let t56_ = T::mul_add(t54_, c_(0.72), t55_);
-        let t57_ = T::mul_add(t4_, t56_, t43_);
-        let t58_ = T::mul_neg_add(t51_, a_z0_force_x_, t48_);
-        let t59_ = T::mul_neg_add(t51_, a_z0_force_y_, t50_);
-        let t60_ = T::mul_neg_add(t51_, t28_, t45_);
-        let t61_ = T::mul_add(t51_, t52_, t46_);
-        let t62_ = cos_a_angle_ * t29_;
-        let t63_ = T::mul_neg_add(sin_a_angle_, t30_, t62_);
-        let t64_ = sin_a_angle_ * t58_;
-        let t65_ = T::mul_add(cos_a_angle_, t59_, t64_);
-        let t66_ = c_(0.2) * t65_;
-        let t67_ = t63_ * t63_;
-        let t68_ = T::mul_add(t33_, t33_, t67_);
-        let t69_ = t34_ * t34_;
-        let t70_ = T::mul_add(t68_, c_(0.76), t69_);
-        let t71_ = t66_ * t35_;
-        let t72_ = T::mul_add(t70_, t35_, t57_);
-        let t73_ = T::mul_neg_add(t66_, t36_, t60_);
-        let t74_ = T::mul_add(t66_, t71_, t61_);
-        let t75_ = T::copysign(closure_d0_, c_(1.0));
-        let t76_ = closure_d0_ + t75_;
-        let t77_ = c_(0.5) * t76_;
-        let t78_ = T::sqrt(t77_);
-        let t79_ = T::sqrt(t72_);
-        let t80_ = ::mstmm::generated::recip_above(t78_, t79_);
-        let t81_ = t78_ * t80_;
-        let t82_ = ::mstmm::generated::recip_above(closure_d0_, closure_d0_);
-        let t83_ = t81_ * t82_;
-        let t84_ = t73_ * t83_;
-        let closure_d1_ = T::mul_neg_add(t73_, t84_, t74_);
-        let t85_ = T::mul_add(t37_, t37_, t41_);
-        let t86_ = c_(4.166666666666667) * t85_;
-        let t87_ = t48_ * t48_;
-        let t88_ = T::mul_add(t50_, t50_, t87_);
-        let t89_ = t51_ * t51_;
-        let t90_ = T::mul_add(c_(0.72), t88_, t89_);
-        let t91_ = T::mul_add(t4_, t90_, t86_);
-        let t92_ = cos_a_angle_ * t58_;
-        let t93_ = T::mul_neg_add(sin_a_angle_, t59_, t92_);
-        let t94_ = t93_ * t93_;
-        let t95_ = T::mul_add(t65_, t65_, t94_);
-        let t96_ = t66_ * t66_;
-        let t97_ = T::mul_add(c_(0.76), t95_, t96_);
-        let t98_ = T::mul_add(t97_, t35_, t91_);
-        let t99_ = T::copysign(closure_d1_, c_(1.0));
-        let t100_ = closure_d1_ + t99_;
-        let t101_ = c_(0.5) * t100_;
-        let t102_ = T::sqrt(t101_);
-        let t103_ = T::sqrt(t98_);
-        let t104_ = ::mstmm::generated::recip_above(t102_, t103_);
-        let t105_ = t102_ * t104_;
-        let t106_ = ::mstmm::generated::recip_above(closure_d1_, t74_);
-        let t107_ = t105_ * t106_;
-        let t108_ = T::mul_neg_add(closure_d0_, t83_, c_(1.0));
-        let t109_ = t108_ * t108_;
-        let t110_ = ::mstmm::generated::recip_above(t109_, c_(1.0));
-        let t111_ = T::sqrt(t110_);
-        let t112_ = t108_ * t111_;
-        let t113_ = T::mul_neg_add(closure_d1_, t107_, c_(1.0));
-        let t114_ = t84_ * t113_;
-        let t115_ = t112_ * t114_;
-        let t116_ = T::mul_neg_add(t112_, t115_, t114_);
-        let t117_ = t113_ * t113_;
-        let t118_ = T::mul_add(t116_, t116_, t117_);
-        let t119_ = ::mstmm::generated::recip_above(t118_, c_(1.0));
-        let t120_ = T::sqrt(t119_);
-        let t121_ = t116_ * t120_;
-        let t122_ = t113_ * t120_;
-        let t123_ = sin_crank_pin_angle_ * c_(0.2);
-        let t124_ = cos_crank_pin_angle_ * cos_a_angle_;
-        let t125_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t124_);
-        let t126_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let t127_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t126_);
-        let t128_ = cos_b_angle_ * t125_;
-        let t129_ = T::mul_neg_add(sin_b_angle_, t127_, t128_);
-        let t130_ = sin_b_angle_ * t125_;
-        let t131_ = T::mul_add(cos_b_angle_, t127_, t130_);
-        let t132_ = cos_rocker_pin_angle_ * t129_;
-        let t133_ = T::mul_neg_add(sin_rocker_pin_angle_, t131_, t132_);
-        let t134_ = sin_rocker_pin_angle_ * t129_;
-        let t135_ = T::mul_add(cos_rocker_pin_angle_, t131_, t134_);
-        let t136_ = t127_ + t131_;
-        let t137_ = T::mul_add(c_(0.6), t136_, t123_);
-        let t138_ = t125_ + t129_;
-        let t139_ = T::mul_neg_add(cos_crank_pin_angle_, c_(0.2), c_(0.8));
-        let t140_ = T::mul_sub(c_(0.6), t138_, t139_);
-        let t141_ = t133_ * t140_;
-        let t142_ = T::mul_add(t135_, t137_, t141_);
-        let t143_ = t135_ * t140_;
-        let t144_ = T::mul_neg_add(t133_, t137_, t143_);
-        let t145_ = T::mul_add(t84_, t142_, t144_);
-        let t146_ = t83_ * t142_;
-        let t147_ = t107_ * t145_;
-        let t148_ = T::mul_add(t84_, t147_, t146_);
-        let t149_ = t112_ * t148_;
-        let t150_ = T::mul_neg_add(t112_, t149_, t148_);
-        let t151_ = t121_ * t150_;
-        let t152_ = T::mul_add(t122_, t147_, t151_);
-        let closure_reaction0_ = T::mul_neg_add(t121_, t152_, t150_);
-        let minus_closure_reaction1_ = T::mul_neg_add(t122_, t152_, t147_);
-        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 4 mul, 2 add, 0 reciprocal.
-        let t153_ = t36_ * closure_reaction0_;
-        let minus_crank_pin_a_ang_z_ = T::mul_add(t71_, minus_closure_reaction1_, t153_);
-        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 15 mul, 5 add, 0 reciprocal.
-        let t154_ = c_(0.2) * minus_crank_pin_a_ang_z_;
-        let minus_a_a_lin_x_ = sin_a_angle_ * t154_;
-        let minus_a_a_lin_y_ = cos_a_angle_ * t154_;
-        let t155_ = sin_a_angle_ * a_z0_force_x_;
-        let t156_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t155_);
-        let t157_ = c_(0.2) * t156_;
-        let t158_ = t28_ * closure_reaction0_;
-        let t159_ = T::mul_add(t52_, minus_closure_reaction1_, t158_);
-        let a_a_ang_z_ = T::mul_sub(t157_, minus_crank_pin_a_ang_z_, t159_);
-        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 13 mul, 8 add, 0 reciprocal.
-        let t160_ = sin_b_angle_ * c_(2.5);
-        let t161_ = cos_b_angle_ * c_(2.5);
-        let t162_ = cos_b_angle_ * c_(1.5);
-        let t163_ = t20_ * closure_reaction0_;
-        let t164_ = T::mul_neg_add(t38_, minus_closure_reaction1_, t163_);
-        let t165_ = T::mul_add(t162_, a_a_ang_z_, t164_);
-        let t166_ = T::mul_sub(t161_, minus_a_a_lin_y_, t165_);
-        let minus_b_a_ang_z_ = T::mul_sub(t160_, minus_a_a_lin_x_, t166_);
+        let t42_ = T::mul_add(t38_, t38_, t41_);
+        let t43_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let t44_ = t42_ * c_(4.166666666666667);
+        let t45_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t46_ = T::mul_add(sin_b_angle_, t43_, t45_);
+        let t47_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t48_ = T::mul_neg_add(cos_b_angle_, t43_, t47_);
+        let t49_ = c_(0.6) * t48_;
+        let t50_ = t21_ * t21_;
+        let t51_ = T::mul_add(t23_, t23_, t50_);
+        let t52_ = t24_ * t24_;
+        let t53_ = T::mul_add(t51_, c_(0.72), t52_);
+        let t54_ = T::mul_neg_add(t49_, a_z0_force_x_, t46_);
+        let t55_ = T::mul_neg_add(t49_, a_z0_force_y_, t48_);
+        let t56_ = T::mul_add(t4_, t53_, t44_);
+        let t57_ = cos_a_angle_ * t25_;
+        let t58_ = T::mul_neg_add(sin_a_angle_, t26_, t57_);
+        let t59_ = sin_a_angle_ * t54_;
+        let t60_ = T::mul_add(cos_a_angle_, t55_, t59_);
+        let t61_ = c_(0.2) * t60_;
+        let t62_ = t58_ * t58_;
+        let t63_ = T::mul_add(t28_, t28_, t62_);
+        let t64_ = t29_ * t29_;
+        let t65_ = T::mul_add(t63_, c_(0.76), t64_);
+        let t66_ = cos_rocker_pin_angle_ * c_(1.2247448713915892);
+        let t67_ = t49_ * t30_;
+        let t68_ = t31_ * t66_;
+        let t69_ = T::mul_neg_add(t32_, t67_, t68_);
+        let t70_ = T::mul_add(t65_, t35_, t56_);
+        let t71_ = t61_ * t36_;
+        let t72_ = c_(0.0009765625) * t70_;
+        let t73_ = ::mstmm::generated::recip_above(closure_d0_, t72_);
+        let t74_ = T::mul_neg_add(t37_, t71_, t69_);
+        let t75_ = t73_ * t74_;
+        let t76_ = T::mul_neg_add(t31_, t75_, t66_);
+        let t77_ = T::mul_add(t32_, t75_, t67_);
+        let t78_ = T::mul_add(t37_, t75_, t71_);
+        let t79_ = t76_ * t76_;
+        let t80_ = T::mul_add(t77_, t77_, t79_);
+        let closure_d1_ = T::mul_add(t78_, t78_, t80_);
+        let t81_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t82_ = T::mul_add(t81_, t81_, t41_);
+        let t83_ = t82_ * c_(4.166666666666667);
+        let t84_ = t46_ * t46_;
+        let t85_ = T::mul_add(t48_, t48_, t84_);
+        let t86_ = t49_ * t49_;
+        let t87_ = T::mul_add(c_(0.72), t85_, t86_);
+        let t88_ = T::mul_add(t4_, t87_, t83_);
+        let t89_ = cos_a_angle_ * t54_;
+        let t90_ = T::mul_neg_add(sin_a_angle_, t55_, t89_);
+        let t91_ = t90_ * t90_;
+        let t92_ = T::mul_add(t60_, t60_, t91_);
+        let t93_ = t61_ * t61_;
+        let t94_ = T::mul_add(c_(0.76), t92_, t93_);
+        let t95_ = T::mul_add(t94_, t35_, t88_);
+        let t96_ = c_(0.0009765625) * t95_;
+        let t97_ = ::mstmm::generated::recip_above(closure_d1_, t96_);
+        let t98_ = T::mul_neg_add(closure_d0_, t73_, c_(1.0));
+        let t99_ = T::mul_neg_add(closure_d1_, t97_, c_(1.0));
+        let t100_ = t75_ * t99_;
+        let t101_ = t98_ * t98_;
+        let t102_ = ::mstmm::generated::recip_above(t101_, c_(1.0));
+        let t103_ = T::sqrt(t102_);
+        let t104_ = t98_ * t103_;
+        let t105_ = t100_ * t104_;
+        let t106_ = T::mul_neg_add(t104_, t105_, t100_);
+        let t107_ = t99_ * t99_;
+        let t108_ = T::mul_add(t106_, t106_, t107_);
+        let t109_ = ::mstmm::generated::recip_above(t108_, c_(1.0));
+        let t110_ = T::sqrt(t109_);
+        let t111_ = t106_ * t110_;
+        let t112_ = t99_ * t110_;
+        let t113_ = sin_crank_pin_angle_ * c_(0.2);
+        let t114_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let t115_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t114_);
+        let t116_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let t117_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t116_);
+        let t118_ = cos_b_angle_ * t115_;
+        let t119_ = T::mul_neg_add(sin_b_angle_, t117_, t118_);
+        let t120_ = sin_b_angle_ * t115_;
+        let t121_ = T::mul_add(cos_b_angle_, t117_, t120_);
+        let t122_ = cos_rocker_pin_angle_ * t119_;
+        let t123_ = T::mul_neg_add(sin_rocker_pin_angle_, t121_, t122_);
+        let t124_ = sin_rocker_pin_angle_ * t119_;
+        let t125_ = T::mul_add(cos_rocker_pin_angle_, t121_, t124_);
+        let t126_ = t117_ + t121_;
+        let t127_ = T::mul_add(c_(0.6), t126_, t113_);
+        let t128_ = t115_ + t119_;
+        let t129_ = T::mul_neg_add(cos_crank_pin_angle_, c_(0.2), c_(0.8));
+        let t130_ = T::mul_sub(c_(0.6), t128_, t129_);
+        let t131_ = t123_ * t130_;
+        let t132_ = T::mul_add(t125_, t127_, t131_);
+        let t133_ = t125_ * t130_;
+        let t134_ = T::mul_neg_add(t123_, t127_, t133_);
+        let t135_ = T::mul_add(t75_, t132_, t134_);
+        let t136_ = t73_ * t132_;
+        let t137_ = t97_ * t135_;
+        let t138_ = T::mul_add(t75_, t137_, t136_);
+        let t139_ = t104_ * t138_;
+        let t140_ = T::mul_neg_add(t104_, t139_, t138_);
+        let t141_ = t111_ * t140_;
+        let t142_ = T::mul_add(t112_, t137_, t141_);
+        let closure_reaction0_ = T::mul_neg_add(t111_, t142_, t140_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t112_, t142_, t137_);
+        /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 6 mul, 2 add, 0 reciprocal.
+        let t143_ = t29_ * t35_;
+        let t144_ = t61_ * t35_;
+        let t145_ = t143_ * closure_reaction0_;
+        let minus_crank_pin_a_ang_z_ = T::mul_add(
+            t144_,
+            minus_closure_reaction1_,
+            t145_,
+        );
+        /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 17 mul, 5 add, 0 reciprocal.
+        let t146_ = c_(0.2) * minus_crank_pin_a_ang_z_;
+        let minus_a_a_lin_x_ = sin_a_angle_ * t146_;
+        let minus_a_a_lin_y_ = cos_a_angle_ * t146_;
+        let t147_ = t24_ * t4_;
+        let t148_ = t49_ * t4_;
+        let t149_ = sin_a_angle_ * a_z0_force_x_;
+        let t150_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t149_);
+        let t151_ = c_(0.2) * t150_;
+        let t152_ = t147_ * closure_reaction0_;
+        let t153_ = T::mul_add(t148_, minus_closure_reaction1_, t152_);
+        let a_a_ang_z_ = T::mul_sub(t151_, minus_crank_pin_a_ang_z_, t153_);
+        /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 15 mul, 8 add, 0 reciprocal.
+        let t154_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t155_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t156_ = sin_b_angle_ * c_(2.5);
+        let t157_ = cos_b_angle_ * c_(2.5);
+        let t158_ = cos_b_angle_ * c_(1.5);
+        let t159_ = t154_ * closure_reaction0_;
+        let t160_ = T::mul_neg_add(t155_, minus_closure_reaction1_, t159_);
+        let t161_ = T::mul_add(t158_, a_a_ang_z_, t160_);
+        let t162_ = T::mul_sub(t157_, minus_a_a_lin_y_, t161_);
+        let minus_b_a_ang_z_ = T::mul_sub(t156_, minus_a_a_lin_x_, t162_);
         /// Closure.
-        let t167_ = crank_pin_rate_ * c_(0.2);
-        let t168_ = sin_a_angle_ * t167_;
-        let t169_ = a_omega_z_ * c_(0.6);
-        let t170_ = T::mul_add(cos_a_angle_, t167_, t169_);
-        let t171_ = cos_b_angle_ * t168_;
-        let t172_ = T::mul_add(sin_b_angle_, t170_, t171_);
-        let t173_ = c_(0.6) * b_omega_z_;
-        let t174_ = cos_rocker_pin_angle_ * t172_;
-        let t175_ = sin_rocker_pin_angle_ * t172_;
-        let t176_ = T::mul_sub(sin_b_angle_, t168_, t173_);
-        let t177_ = T::mul_sub(cos_b_angle_, t170_, t176_);
-        let t178_ = T::mul_add(sin_rocker_pin_angle_, t177_, t174_);
-        let t179_ = T::mul_neg_add(cos_rocker_pin_angle_, t177_, t175_);
-        let t180_ = T::mul_add(t84_, t178_, t179_);
-        let t181_ = t83_ * t178_;
-        let t182_ = t107_ * t180_;
-        let t183_ = T::mul_add(t84_, t182_, t181_);
-        let t184_ = t112_ * t183_;
-        let t185_ = T::mul_neg_add(t112_, t184_, t183_);
-        let t186_ = t121_ * t185_;
-        let t187_ = T::mul_add(t122_, t182_, t186_);
-        let closure_reaction0_2_ = T::mul_neg_add(t121_, t187_, t185_);
-        let minus_closure_reaction1_2_ = T::mul_neg_add(t122_, t187_, t182_);
+        let t163_ = crank_pin_rate_ * c_(0.2);
+        let t164_ = sin_a_angle_ * t163_;
+        let t165_ = a_omega_z_ * c_(0.6);
+        let t166_ = T::mul_add(cos_a_angle_, t163_, t165_);
+        let t167_ = cos_b_angle_ * t164_;
+        let t168_ = T::mul_add(sin_b_angle_, t166_, t167_);
+        let t169_ = c_(0.6) * b_omega_z_;
+        let t170_ = cos_rocker_pin_angle_ * t168_;
+        let t171_ = sin_rocker_pin_angle_ * t168_;
+        let t172_ = T::mul_sub(sin_b_angle_, t164_, t169_);
+        let t173_ = T::mul_sub(cos_b_angle_, t166_, t172_);
+        let t174_ = T::mul_add(sin_rocker_pin_angle_, t173_, t170_);
+        let t175_ = T::mul_neg_add(cos_rocker_pin_angle_, t173_, t171_);
+        let t176_ = T::mul_add(t75_, t174_, t175_);
+        let t177_ = t73_ * t174_;
+        let t178_ = t97_ * t176_;
+        let t179_ = T::mul_add(t75_, t178_, t177_);
+        let t180_ = t104_ * t179_;
+        let t181_ = T::mul_neg_add(t104_, t180_, t179_);
+        let t182_ = t111_ * t181_;
+        let t183_ = T::mul_add(t112_, t178_, t182_);
+        let closure_reaction0_2_ = T::mul_neg_add(t111_, t183_, t181_);
+        let minus_closure_reaction1_2_ = T::mul_neg_add(t112_, t183_, t178_);
         /// Acceleration of `crank_pin`.
-        let t188_ = t36_ * closure_reaction0_2_;
+        let t184_ = t143_ * closure_reaction0_2_;
         let minus_crank_pin_a_ang_z_2_ = T::mul_add(
-            t71_,
+            t144_,
             minus_closure_reaction1_2_,
-            t188_,
+            t184_,
         );
         /// Acceleration of `a`.
-        let t189_ = c_(0.2) * minus_crank_pin_a_ang_z_2_;
-        let minus_a_a_lin_x_2_ = sin_a_angle_ * t189_;
-        let minus_a_a_lin_y_2_ = cos_a_angle_ * t189_;
-        let t190_ = t28_ * closure_reaction0_2_;
-        let t191_ = T::mul_add(t52_, minus_closure_reaction1_2_, t190_);
-        let a_a_ang_z_2_ = T::mul_sub(t157_, minus_crank_pin_a_ang_z_2_, t191_);
+        let t185_ = c_(0.2) * minus_crank_pin_a_ang_z_2_;
+        let minus_a_a_lin_x_2_ = sin_a_angle_ * t185_;
+        let minus_a_a_lin_y_2_ = cos_a_angle_ * t185_;
+        let t186_ = t147_ * closure_reaction0_2_;
+        let t187_ = T::mul_add(t148_, minus_closure_reaction1_2_, t186_);
+        let a_a_ang_z_2_ = T::mul_sub(t151_, minus_crank_pin_a_ang_z_2_, t187_);
         /// Acceleration of `b`.
-        let t192_ = t20_ * closure_reaction0_2_;
-        let t193_ = T::mul_neg_add(t38_, minus_closure_reaction1_2_, t192_);
-        let t194_ = T::mul_add(t162_, a_a_ang_z_2_, t193_);
-        let t195_ = T::mul_sub(t161_, minus_a_a_lin_y_2_, t194_);
-        let minus_b_a_ang_z_2_ = T::mul_sub(t160_, minus_a_a_lin_x_2_, t195_);
+        let t188_ = t154_ * closure_reaction0_2_;
+        let t189_ = T::mul_neg_add(t155_, minus_closure_reaction1_2_, t188_);
+        let t190_ = T::mul_add(t158_, a_a_ang_z_2_, t189_);
+        let t191_ = T::mul_sub(t157_, minus_a_a_lin_y_2_, t190_);
+        let minus_b_a_ang_z_2_ = T::mul_sub(t156_, minus_a_a_lin_x_2_, t191_);
         /// Results: 10 mul, 22 add, 1 reciprocal, 2 square root, 1 sin/cos.
-        let t196_ = crank_pin_angle_ - minus_crank_pin_a_ang_z_;
-        let t197_ = a_angle_ + minus_crank_pin_a_ang_z_;
-        let t198_ = a_a_ang_z_ + t197_;
-        let t199_ = b_angle_ - a_a_ang_z_;
-        let t200_ = minus_b_a_ang_z_ - t199_;
-        let t201_ = T::mul_add(t135_, t135_, c_(0.000000000000000000000000000001));
-        let t202_ = T::sqrt(t201_);
-        let t203_ = T::atan2(t202_, t133_);
-        let t204_ = T::recip(t202_);
-        let t205_ = t203_ * t204_;
-        let t206_ = t135_ * t205_;
-        let t207_ = rocker_pin_angle_ - t206_;
-        let t208_ = t207_ + minus_b_a_ang_z_;
-        let t209_ = crank_pin_rate_ - minus_crank_pin_a_ang_z_2_;
-        let t210_ = a_rate_ + minus_crank_pin_a_ang_z_2_;
-        let t211_ = a_a_ang_z_2_ + t210_;
-        let t212_ = b_rate_ - a_a_ang_z_2_;
-        let t213_ = minus_b_a_ang_z_2_ - t212_;
-        let t214_ = b_omega_z_ - minus_b_a_ang_z_2_;
-        let t215_ = rocker_pin_rate_ + b_omega_z_;
-        let t216_ = c_(1.0) - t133_;
-        let t217_ = t215_ * t215_;
-        let t218_ = T::mul_add(t179_, t179_, t217_);
-        let t219_ = T::mul_add(t178_, t178_, t218_);
-        let t220_ = T::mul_add(t216_, t216_, t219_);
-        let t221_ = T::mul_add(t142_, t142_, t220_);
-        let t222_ = T::mul_add(t144_, t144_, t221_);
-        let t223_ = T::mul_add(t206_, t206_, t222_);
-        let t224_ = T::sqrt(t223_);
-        let residual_ = t224_;
-        state_.q.data.0 = [[t196_, t198_, -t200_, t208_]];
-        state_.v.data.0 = [[t209_, t211_, -t213_, -t214_]];
+        let t192_ = crank_pin_angle_ - minus_crank_pin_a_ang_z_;
+        let t193_ = a_angle_ + minus_crank_pin_a_ang_z_;
+        let t194_ = a_a_ang_z_ + t193_;
+        let t195_ = b_angle_ - a_a_ang_z_;
+        let t196_ = minus_b_a_ang_z_ - t195_;
+        let t197_ = T::mul_add(t125_, t125_, c_(0.000000000000000000000000000001));
+        let t198_ = T::sqrt(t197_);
+        let t199_ = T::atan2(t198_, t123_);
+        let t200_ = T::recip(t198_);
+        let t201_ = t199_ * t200_;
+        let t202_ = t125_ * t201_;
+        let t203_ = rocker_pin_angle_ - t202_;
+        let t204_ = t203_ + minus_b_a_ang_z_;
+        let t205_ = crank_pin_rate_ - minus_crank_pin_a_ang_z_2_;
+        let t206_ = a_rate_ + minus_crank_pin_a_ang_z_2_;
+        let t207_ = a_a_ang_z_2_ + t206_;
+        let t208_ = b_rate_ - a_a_ang_z_2_;
+        let t209_ = minus_b_a_ang_z_2_ - t208_;
+        let t210_ = b_omega_z_ - minus_b_a_ang_z_2_;
+        let t211_ = rocker_pin_rate_ + b_omega_z_;
+        let t212_ = c_(1.0) - t123_;
+        let t213_ = t211_ * t211_;
+        let t214_ = T::mul_add(t175_, t175_, t213_);
+        let t215_ = T::mul_add(t174_, t174_, t214_);
+        let t216_ = T::mul_add(t212_, t212_, t215_);
+        let t217_ = T::mul_add(t132_, t132_, t216_);
+        let t218_ = T::mul_add(t134_, t134_, t217_);
+        let t219_ = T::mul_add(t202_, t202_, t218_);
+        let t220_ = T::sqrt(t219_);
+        let residual_ = t220_;
+        state_.q.data.0 = [[t192_, t194_, -t196_, t204_]];
+        state_.v.data.0 = [[t205_, t207_, -t209_, -t210_]];
         residual_
     }
 }

@@ -1,7 +1,7 @@
 //! A free direction of a hinge is eliminated: equations (1), (2), (4) and (6).
 
 use super::super::hinge::Column;
-use super::{Carried, Sums};
+use super::Carried;
 use crate::math::{Scalar, SpatialInertia, Wrench};
 
 /// A free direction that has been eliminated.
@@ -12,8 +12,14 @@ pub struct Eliminated<S> {
     pub gain: Wrench<S>,
     /// `w / d`
     pub rest: S,
+    /// `u`
+    pub along: Vec<S>,
+    /// `1 / d`
+    pub inverse: S,
     /// `u / d`
     pub pulls: Vec<S>,
+    /// What the squares of `u` would be if nothing in them cancelled.
+    pub sizes: Vec<S>,
     /// The axis that it is, where so little hangs on `y` that the next results wait for `1 / d` most of
     /// the time.
     pub waiting: Option<usize>,
@@ -64,14 +70,13 @@ fn inverse_after<S: Scalar>(
 /// All free directions of a hinge, one after the other; with each comes its `d`.
 pub fn eliminate<S: Scalar>(
     here: &mut Carried<S>,
-    sums: &mut Sums<S>,
     conditions: &[Condition<S>],
 ) -> Vec<(S, Eliminated<S>)> {
     let mut before = None;
     let mut one = |(number, condition): (usize, &Condition<S>)| {
         let is_last = number + 1 == conditions.len();
         let first = before.replace((*condition, here.inertia)).filter(|_| is_last);
-        eliminate_one(here, sums, condition, first.as_ref())
+        eliminate_one(here, condition, first.as_ref())
     };
     conditions.iter().enumerate().map(&mut one).collect()
 }
@@ -80,7 +85,6 @@ pub fn eliminate<S: Scalar>(
 /// direction before it, with `A` as it was then, where this is the last.
 fn eliminate_one<S: Scalar>(
     here: &mut Carried<S>,
-    sums: &mut Sums<S>,
     condition: &Condition<S>,
     first: Option<&(Condition<S>, SpatialInertia<S>)>,
 ) -> (S, Eliminated<S>) {
@@ -109,24 +113,21 @@ fn eliminate_one<S: Scalar>(
     here.load = Wrench::from_fn(|k| if along(k) { effort } else { before.at(k) + y.at(k) * rest });
     let u: Vec<S> = here.pulls.iter().map(|&pull| direction.power(pull)).collect();
     let pulls: Vec<S> = u.iter().map(|&u| u * inverse).collect();
-    for (i, pull) in here.pulls.iter_mut().enumerate() {
+    let size = |pull: &Wrench<S>| {
+        let force = pull.force.dot(pull.force);
+        column.scale(force, pull.moment.dot(pull.moment) + force * here.reach)
+    };
+    let sizes = here.pulls.iter().map(size).collect();
+    for (pull, &u) in here.pulls.iter_mut().zip(&u) {
         let old = *pull;
-        *pull =
-            Wrench::from_fn(|k| if along(k) { S::zero() } else { old.at(k) - gain.at(k) * u[i] });
-        sums.gamma[i] = sums.gamma[i] + u[i] * rest;
-        let force = old.force.dot(old.force);
-        let size = column.scale(force, old.moment.dot(old.moment) + force * here.reach);
-        sums.sizes[i] = sums.sizes[i] + size * inverse;
-        for (sum, &pull) in sums.matrix[i].iter_mut().zip(&pulls) {
-            *sum = *sum + u[i] * pull;
-        }
+        *pull = Wrench::from_fn(|k| if along(k) { S::zero() } else { old.at(k) - gain.at(k) * u });
     }
-    (pivot, Eliminated { column, gain, rest, pulls, waiting })
+    (pivot, Eliminated { column, gain, rest, along: u, inverse, pulls, sizes, waiting })
 }
 
 #[cfg(test)]
 pub mod tests {
-    use super::super::{Carried, Sums};
+    use super::super::Carried;
     use super::{Column, Condition, SpatialInertia, Wrench, eliminate};
     use crate::math::{Mat3, Scalar, Structured, Sym3, Vec3};
 
@@ -163,7 +164,7 @@ pub mod tests {
         };
         let conditions = [0.25, -0.5, 0.125].into_iter().enumerate().map(condition);
         let conditions: Vec<Condition<Structured<f64>>> = conditions.collect();
-        let steps = eliminate(&mut here, &mut Sums::of(0), &conditions);
+        let steps = eliminate(&mut here, &conditions);
         assert!(steps.iter().all(|(pivot, _)| pivot.value() > 0.0));
         assert!(here.inertia.angular.0.iter().all(|x| x.vanishes()));
         assert!(here.inertia.coupling.0.iter().flatten().all(|x| x.vanishes()));

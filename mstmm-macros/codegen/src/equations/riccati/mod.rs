@@ -28,7 +28,7 @@
 mod direction;
 mod recover;
 
-use super::closure::{self, Closure};
+use super::closure::{self, Closure, Dof, Reactions};
 use super::motion::Drift;
 use super::passage::Bundle;
 use super::problem::{Movement, Problem, Relation};
@@ -58,8 +58,10 @@ struct Carried<S> {
 struct Sums<S> {
     /// `γ`
     gamma: Vec<S>,
-    /// `G`, below the diagonal and on it, by rows.
-    matrix: Vec<Vec<S>>,
+    /// What `G` is the sum of, outside of repeated parts.
+    dofs: Vec<Dof<S>>,
+    /// The part of `G` that repeated parts add, below the diagonal and on it, by rows.
+    repeated: Vec<Vec<S>>,
     /// What the diagonal of `G` would be if nothing in it cancelled.
     sizes: Vec<S>,
 }
@@ -70,21 +72,21 @@ pub fn solve<S: Scalar>(
     trace: &mut Trace<S>,
 ) -> (Movement<S>, Vec<Pivot<S>>) {
     let Reduced { mut eliminated, relations, sums, pivots } = reduce(problem, trace);
-    let Closure { reactions, undetermined } = close(problem, sums, trace);
+    let closure = close(problem, sums, trace);
     for step in eliminated.iter_mut().flatten() {
-        let pulled = super::hinge::dot(&step.pulls, &reactions);
+        let pulled = super::hinge::dot(&step.pulls, &closure.reactions);
         step.rest = step.rest - pulled;
     }
     let (amounts, points) = recover(problem, &eliminated, trace);
-    (Movement { amounts, points, relations, reactions, undetermined }, pivots)
+    (Movement { amounts, points, relations, closure }, pivots)
 }
 
-/// For methods that have none of their own for each hinge: pivots, what measures those of a closure, and
+/// For methods that solve for the movement in another way: pivots, the reactions of a closing hinge, and
 /// what hinges transmit.
-pub fn pivots<S: Scalar>(
+pub fn reduced<S: Scalar>(
     problem: &Problem<S>,
     trace: &mut Trace<S>,
-) -> (Vec<Pivot<S>>, Vec<S>, Vec<Relation<S>>) {
+) -> (Vec<Pivot<S>>, Closure<S>, Vec<Relation<S>>) {
     let Reduced { pivots, sums, relations, .. } = reduce(problem, &mut Trace::new());
     trace.section(
         "Inertia beyond the hinges, to be divided by",
@@ -93,7 +95,8 @@ pub fn pivots<S: Scalar>(
     for pivot in &pivots {
         trace.number(format!("{}_d", problem.links[pivot.link].over.name), pivot.value);
     }
-    (pivots, sums.sizes, relations)
+    let closure = close(problem, sums, trace);
+    (pivots, closure, relations)
 }
 
 /// What comes out of the way to the ground.
@@ -131,7 +134,10 @@ fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<S> {
             .zip(conditions)
             .map(|(&column, (&effort, &armature))| Condition { column, effort, armature })
             .collect();
-        let steps = eliminate(&mut here, &mut sums, &conditions);
+        let steps = eliminate(&mut here, &conditions);
+        for (_, step) in &steps {
+            sums.add(step, problem.passage.is_repeated(index));
+        }
         for (number, (condition, (pivot, step))) in conditions.iter().zip(steps).enumerate() {
             let scale = condition.column.scale(here.scales.0, here.scales.1) + condition.armature;
             trace.number(format!("{}_d{number}", over.name), pivot);
@@ -214,8 +220,8 @@ impl<S: Scalar> Bundle<S> for Carried<S> {
 impl<S: Scalar> Bundle<S> for Sums<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
         let gamma = self.gamma.visit(replace);
-        let matrix = self.matrix.visit(replace);
-        Sums { gamma, matrix, sizes: self.sizes.visit(replace) }
+        let repeated = self.repeated.visit(replace);
+        Sums { gamma, repeated, sizes: self.sizes.visit(replace), dofs: self.dofs }
     }
 }
 
@@ -223,7 +229,25 @@ impl<S: Scalar> Sums<S> {
     fn of(count: usize) -> Self {
         let zero = || vec![S::zero(); count];
         let row = |row: usize| vec![S::zero(); row + 1];
-        Sums { gamma: zero(), matrix: (0..count).map(row).collect(), sizes: zero() }
+        let repeated = (0..count).map(row).collect();
+        Sums { gamma: zero(), dofs: Vec::new(), repeated, sizes: zero() }
+    }
+
+    /// Equation (4), but for `E`.
+    fn add(&mut self, step: &Eliminated<S>, is_repeated: bool) {
+        let Eliminated { along, inverse, rest, pulls, sizes, .. } = step;
+        for (i, &u) in along.iter().enumerate() {
+            self.gamma[i] = self.gamma[i] + u * *rest;
+            self.sizes[i] = self.sizes[i] + sizes[i] * *inverse;
+        }
+        if !is_repeated {
+            return self.dofs.push(Dof { along: along.clone(), inverse: *inverse });
+        }
+        for (row, &u) in self.repeated.iter_mut().zip(along) {
+            for (sum, &pull) in row.iter_mut().zip(pulls) {
+                *sum = *sum + u * pull;
+            }
+        }
     }
 
     /// The part of equation (5) that the ground makes, from its `a` at the first link's point.
@@ -236,17 +260,18 @@ impl<S: Scalar> Sums<S> {
 
 /// Equation (5) solved for the reactions.
 fn close<S: Scalar>(problem: &Problem<S>, sums: Sums<S>, trace: &mut Trace<S>) -> Closure<S> {
-    let Some(demand) = &problem.closing else {
-        return Closure { reactions: Vec::new(), undetermined: Vec::new() };
-    };
+    let Some(demand) = &problem.closing else { return Closure::none() };
     trace.section("Closure", "[P, Eqs. (9) to (11)] at the held end");
-    let Sums { gamma, matrix: mut left, mut sizes } = sums;
+    let Sums { gamma, mut dofs, repeated, mut sizes } = sums;
     // Where the closing hinge hangs on the ground, nothing it does moves anything.
     let gamma = if demand.closing.parent.is_some() { gamma } else { problem.at_rest() };
-    for (k, held) in demand.closing.held.iter().enumerate() {
-        left[k][k] = left[k][k] + held.inertia;
+    let with_rotors = demand.closing.held.iter().enumerate();
+    for (k, held) in with_rotors.filter(|(_, held)| !held.inertia.vanishes()) {
+        let along = (0..sizes.len()).map(|i| if i == k { S::one() } else { S::zero() }).collect();
+        dofs.push(Dof { along, inverse: held.inertia });
         sizes[k] = sizes[k] + held.inertia;
     }
-    let right: Vec<S> = gamma.iter().zip(&demand.reached).map(|(&g, &r)| g - r).collect();
-    closure::solve(&left, &sizes, &right, trace)
+    let right = gamma.iter().zip(&demand.reached).map(|(&g, &r)| g - r).collect();
+    let linkage = demand.linkage.clone();
+    closure::solve(&Reactions { dofs, repeated, sizes, right, linkage }, trace)
 }

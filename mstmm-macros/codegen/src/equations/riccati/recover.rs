@@ -77,7 +77,6 @@ fn advance_early<S: Scalar>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::Sums;
     use super::super::direction::tests::{carried, some};
     use super::super::direction::{Condition, eliminate};
     use super::{Column, Eliminated, Motion, advance};
@@ -100,7 +99,7 @@ mod tests {
                 armature: rotor(number),
             })
             .collect();
-        let steps = eliminate(&mut here, &mut Sums::of(0), &conditions);
+        let steps = eliminate(&mut here, &conditions);
         let steps: Vec<Eliminated<_>> = steps.into_iter().map(|(_, step)| step).collect();
         let carried = Motion {
             linear: Vec3([0.7, -0.2, 1.9].map(some)),

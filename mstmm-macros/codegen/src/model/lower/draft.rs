@@ -89,6 +89,7 @@ impl Draft<'_> {
             method: self.settings.method,
             results: self.settings.results,
             held_by_closure: false,
+            closure_rank: None,
             assertions: Vec::new(),
         })
     }

@@ -69,6 +69,7 @@ impl Sketch<'_, '_> {
             method: Some(Method::Riccati),
             results: draft.settings.results,
             held_by_closure: false,
+            closure_rank: None,
             assertions: Vec::new(),
         }
     }

@@ -1,0 +1,142 @@
+use super::{Closure, Dof, Linkage, Rank, Reactions, Trace, solve};
+
+/// The same system in three ways: degrees of freedom that are kept, that repeated parts have added up,
+/// and some of both.
+const KEPT: [fn(usize) -> bool; 3] = [|_| true, |_| false, |number| number % 2 == 0];
+
+/// Condition numbers are below 1e4 in these tests; a solution takes some hundred operations.
+const TOLERANCE: f64 = 1e4 * 100.0 * f64::EPSILON;
+
+fn product<const N: usize>(vectors: &[[f64; N]], x: &[f64]) -> Vec<f64> {
+    let along = |v: &[f64; N]| v.iter().zip(x).map(|(v, x)| v * x).sum::<f64>();
+    (0..N).map(|i| vectors.iter().map(|v| v[i] * along(v)).sum()).collect()
+}
+
+/// `Σ v vᵀ λ = b`
+fn solved<const N: usize>(
+    vectors: &[[f64; N]],
+    keep: fn(usize) -> bool,
+    right: Vec<f64>,
+    rank: Rank<f64>,
+) -> Closure<f64> {
+    let of = |kept: bool| {
+        let some = vectors.iter().enumerate().filter(move |(number, _)| keep(*number) == kept);
+        some.map(|(_, v)| v)
+    };
+    // Other vectors of the same products.
+    let dof = |v: &[f64; N]| Dof { along: v.iter().map(|x| x * 2.0).collect(), inverse: 0.25 };
+    let entry = |i: usize, j: usize| of(false).map(|v| v[i] * v[j]).sum();
+    let system = Reactions {
+        dofs: of(true).map(dof).collect(),
+        repeated: (0..N).map(|i| (0..=i).map(|j| entry(i, j)).collect()).collect(),
+        sizes: (0..N).map(|i| vectors.iter().map(|v| v[i].abs().max(1.0)).sum()).collect(),
+        right,
+        linkage: Linkage { rank, noise: 64.0 },
+    };
+    solve(&system, &mut Trace::new())
+}
+
+fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+fn directions(closure: &Closure<f64>) -> Vec<&Vec<f64>> {
+    closure.undetermined.iter().filter(|u| u.iter().any(|&x| x != 0.0)).collect()
+}
+
+#[test]
+fn a_regular_system_is_solved_and_nothing_is_undetermined() {
+    let vectors =
+        [[1.0, 2.0, 0.0, -1.0], [0.0, 1.0, 3.0, 0.5], [2.0, 0.0, 1.0, 0.0], [0.0, 0.1, 0.2, 0.3]];
+    let x = [0.3, -1.0, 2.0, 0.7];
+    for keep in KEPT {
+        let closure = solved(&vectors, keep, product(&vectors, &x), Rank::Known(4));
+        let off = largest_difference(&closure.reactions, &x);
+        assert!(off < TOLERANCE, "{off:e}");
+        assert!(directions(&closure).is_empty());
+    }
+}
+
+/// Rank two: the third and fourth rows are combinations of the first two.
+const TWO: [[f64; 4]; 2] = [[1.0, 2.0, 3.0, -1.0], [0.0, 1.0, 1.0, 2.0]];
+
+/// A combination of vectors has no part along the null directions.
+fn combination(vectors: &[[f64; 4]; 2]) -> Vec<f64> {
+    (0..4).map(|k| 0.7 * vectors[0][k] - 1.3 * vectors[1][k]).collect()
+}
+
+/// A row that depends on others in one pose only, as in the straight pose of a parallelogram.
+#[test]
+fn a_regular_system_may_be_singular() {
+    let x = combination(&TWO);
+    for keep in KEPT {
+        let closure = solved(&TWO, keep, product(&TWO, &x), Rank::Known(4));
+        let off = largest_difference(&closure.reactions, &x);
+        assert!(off < TOLERANCE, "{off:e}");
+        assert_eq!(directions(&closure).len(), 2);
+    }
+}
+
+#[test]
+fn of_all_solutions_the_shortest_is_found_with_and_without_a_given_rank() {
+    let x = combination(&TWO);
+    let ranks = [Rank::Known(2), Rank::Given(vec![1.0, 1.0, 0.0, 0.0]), Rank::Given(vec![1.0; 4])];
+    for (keep, rank) in KEPT.into_iter().flat_map(|keep| ranks.clone().map(|rank| (keep, rank))) {
+        let closure = solved(&TWO, keep, product(&TWO, &x), rank.clone());
+        let off = largest_difference(&closure.reactions, &x);
+        assert!(off < TOLERANCE, "{rank:?}: {off:e}");
+        let found = directions(&closure);
+        assert_eq!(found.len(), 2, "{rank:?}");
+        for direction in found {
+            let length: f64 = direction.iter().map(|x| x * x).sum();
+            assert!((length - 1.0).abs() < 1e-14);
+            assert!(product(&TWO, direction).iter().all(|x| x.abs() < 1e-13));
+        }
+    }
+}
+
+/// In front of rows that determine everything one nearly vanishes, down to rounding and below: taken
+/// first, its pivot would make rounding of what is left seem more than that.
+#[test]
+fn a_row_that_nearly_vanishes_spoils_nothing() {
+    for (keep, exponent) in KEPT.into_iter().flat_map(|keep| (0..20).map(move |e| (keep, e))) {
+        let size = 10.0_f64.powi(-exponent);
+        let vectors = TWO.map(|v| [v[0] * size, v[1], v[2], v[3]]);
+        let x = combination(&vectors);
+        let closure = solved(&vectors, keep, product(&vectors, &x), Rank::Known(2));
+        let off = largest_difference(&closure.reactions, &x);
+        assert!(off < TOLERANCE, "{size:e}: {off:e}");
+        assert_eq!(directions(&closure).len(), 2, "{size:e}");
+    }
+}
+
+/// Two rows that nearly depend on each other, to a part of a millionth: where degrees of freedom are
+/// kept they are told apart as well as their numbers tell it, although squares would not.
+#[test]
+fn small_singular_values_are_no_rounding() {
+    for exponent in 0..8 {
+        let part = 10.0_f64.powi(-exponent);
+        let vectors = [[1.0, 1.0, 0.5], [part, -part, 0.25 * part]];
+        let x: Vec<f64> = (0..3).map(|k| vectors[0][k] - 1.5 * vectors[1][k] / part).collect();
+        let closure = solved(&vectors, KEPT[0], product(&vectors, &x), Rank::Known(2));
+        let off = largest_difference(&closure.reactions, &x);
+        // Of the right side the part along the second vector is smaller by the square of that part.
+        assert!(off < 100.0 * f64::EPSILON / (part * part), "{part:e}: {off:e}");
+        assert_eq!(directions(&closure).len(), 1, "{part:e}");
+    }
+}
+
+/// With a right side that no reactions fit, the best fit is that of its part which some do.
+#[test]
+fn what_cannot_be_fitted_makes_no_difference() {
+    let x = combination(&TWO);
+    // Across both vectors.
+    let across = [-1.0, -1.0, 1.0, 0.0];
+    assert!(product(&TWO, &across).iter().all(|&x| x == 0.0));
+    for keep in KEPT {
+        let right = product(&TWO, &x).iter().zip(across).map(|(b, n)| b + 0.25 * n).collect();
+        let closure = solved(&TWO, keep, right, Rank::Known(2));
+        let off = largest_difference(&closure.reactions, &x);
+        assert!(off < TOLERANCE, "{off:e}");
+    }
+}
