@@ -1,0 +1,18 @@
+//! Overconstrained linkages: closed chains of pins that move although as many constraints as
+//! rates, or more, close them, compared with an independent reference in twice the precision.
+
+#[path = "support/double_double.rs"]
+mod double_double;
+mod overconstrained {
+    #[macro_use]
+    mod face;
+    mod algebra;
+    mod bennett;
+    mod checks;
+    mod configuration;
+    mod linkage;
+    mod reference;
+    mod sarrus;
+    mod states;
+    mod svd;
+}
