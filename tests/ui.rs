@@ -37,11 +37,12 @@ fn every_rule_has_a_case() {
 }
 
 /// A message about anything but the description would not be the user's to mend. In the folder `quiet`
-/// programs use the chains that are wrong, of which nothing may be said, and in `reading` what right ones
-/// do not have.
+/// programs use the chains that are wrong, of which nothing may be said; in `reading` they read what right
+/// ones do not have, and in `writing` they write what only setters change.
 #[test]
 fn cases_are_macro_calls_alone() {
-    let programs = ["tests/ui/quiet", "tests/ui/reading"].map(|folder| root().join(folder));
+    let programs =
+        ["quiet", "reading", "writing"].map(|folder| root().join("tests/ui").join(folder));
     let is_call = |case: &PathBuf| !programs.iter().any(|folder| case.starts_with(folder));
     for case in cases().into_iter().filter(is_call) {
         let source = fs::read_to_string(&case).expect("a case");

@@ -13,6 +13,43 @@ use core::mem::MaybeUninit;
 
 use crate::{ChainState, Closure, Error, Mask, Scalar};
 
+/// The parameters of a chain and what is derived from them, to be read.
+///
+/// All code in the module of the macro call can write the fields of generated types. It cannot write these.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sealed<P, D = ()> {
+    parameters: P,
+    derived: D,
+}
+
+impl<P> Sealed<P> {
+    /// Parameters from which nothing has been derived yet.
+    #[inline(always)]
+    pub fn new(parameters: P) -> Self {
+        Self { parameters, derived: () }
+    }
+
+    /// The same parameters with what is derived from them.
+    #[inline(always)]
+    pub fn with<D>(self, derived: D) -> Sealed<P, D> {
+        Sealed { parameters: self.parameters, derived }
+    }
+}
+
+impl<P, D> Sealed<P, D> {
+    /// The parameters.
+    #[inline(always)]
+    pub fn parameters(&self) -> &P {
+        &self.parameters
+    }
+
+    /// What is derived from them.
+    #[inline(always)]
+    pub fn derived(&self) -> &D {
+        &self.derived
+    }
+}
+
 /// How many units in the last place of its scale a pivot must exceed to count as positive: a pivot that should vanish is
 /// the difference of a few rounded products of that size.
 const NOISE: f64 = 8.0;

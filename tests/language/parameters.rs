@@ -92,3 +92,79 @@ fn parameters_leave_moments_and_limits_in_order() {
     door.set_inertia(0.0).expect("a point mass");
     door.set_widest(2.0).expect("a wider door");
 }
+
+mstmm_chain! {
+    plane chain Links {
+        param knot[2] = 0 kg;
+        param sleeve[3] = 0 kg;
+        param length = 1 m;
+        body Bar { mass = 1 kg; com = [length / 2, 0]; output = [length, 0]; inertia = 0.1 kg*m^2 about com; }
+        body Knot { mass = 1 kg + knot; com = [0.5, 0] m; output = [1, 0] m; inertia = 0.1 kg*m^2 about com; }
+        body Sleeve { mass = 1 kg + sleeve; com = [0.5, 0] m; output = [1, 0] m; inertia = 0.1 kg*m^2 about com; }
+        ground -> pin first -> Bar bar
+            -> repeat 2 { pin a -> Knot b }
+            -> repeat 2 { pin plain -> Bar own }
+            -> repeat 3 { pin c -> Sleeve d }
+            -> pin last -> Bar end;
+        hinge first { torque = input; }
+    }
+}
+
+/// Every repeated part keeps what is derived for it, whatever stands between.
+#[test]
+fn each_repeated_part_has_its_parameters() {
+    let mut links = Links::<f64>::new();
+    links.set_knot(|index| index as f64).expect("positive masses");
+    links.set_sleeve(|index| 10.0 * index as f64).expect("positive masses");
+    links.set_length(2.0).expect("a finite length");
+    assert_eq!(links.parameters().knot(), &[0.0, 1.0]);
+    assert_eq!(links.parameters().sleeve(), &[0.0, 10.0, 20.0]);
+    let mut falling = links.initial_state();
+    falling.v = Default::default();
+    let inputs = LinksInputs { first: 1.0 };
+    let turned = links.accelerations(&falling, &inputs).expect("regular");
+    let copy = links.clone();
+    links.set_sleeve(|_| 0.0).expect("positive masses");
+    assert_ne!(links, copy);
+    assert_ne!(links.accelerations(&falling, &inputs).expect("regular"), turned);
+    links.set_sleeve(|index| 10.0 * index as f64).expect("positive masses");
+    assert_eq!(links, copy);
+}
+
+/// Fields that are written at every step are public.
+#[test]
+fn states_and_inputs_are_written_by_field() {
+    let links = Links::<f64>::new();
+    let mut state = links.initial_state();
+    state.q[0] = 0.5;
+    state.v[1] = -1.0;
+    state.t = 2.0;
+    assert_eq!((state.first().angle(), state.t), (0.5, 2.0));
+    let mut inputs = links.no_inputs();
+    inputs.first = 3.0;
+    let mut at = links.workspace();
+    links.solve_into(&state, &inputs, &mut at).expect("regular");
+    assert_eq!(at.first().effort(), 3.0);
+}
+
+/// Constants of a function serve a chain in it, and what the chain keeps of them is out of reach too.
+#[test]
+fn a_chain_in_a_function_has_parameters_and_constants() {
+    const LENGTH: f64 = 0.25;
+    mstmm_chain! {
+        plane chain Local {
+            gravity = [0, -9.8] m/s^2;
+            param mass = 2 * LENGTH;
+            body Rod { mass = mass * (1 kg); com = [LENGTH, 0]; inertia = 0 about com; }
+            ground -> pin joint -> Rod rod;
+        }
+    }
+    let mut local = Local::<f64>::new();
+    let state = local.initial_state();
+    let at_first = local.energy(&state);
+    local.set_mass(3.0).expect("a positive mass");
+    assert_eq!(local.parameters().mass(), 3.0);
+    assert_eq!(local.energy(&state), at_first);
+    let acceleration = local.accelerations(&state, &local.no_inputs()).expect("regular")[0];
+    crate::assert_close([acceleration], [-9.8 / LENGTH]);
+}

@@ -4,6 +4,7 @@ use super::Plan;
 use super::delivery::Deliveries;
 use super::looped::{self, Masks, Target};
 use super::names::{Variables, helper};
+use super::sealed;
 use super::spread::Spread;
 use super::statement::{Around, Writer};
 use crate::compile::groups;
@@ -36,7 +37,7 @@ pub struct Results {
 const NESTED_SCOPES: usize = 1000;
 
 impl Plan<'_> {
-    /// A program of the step: it reads `state`, `inputs` and `self.derived`. Where parts are repeated
+    /// A program of the step: it reads `state`, `inputs` and what the chain keeps. Where parts are repeated
     /// its results go into arrays as `targets` say, and its second and third groups are pivots and
     /// scales if `pivoted`.
     pub fn step(&self, program: &Program, targets: &[Target], pivoted: bool) -> Results {
@@ -49,13 +50,15 @@ impl Plan<'_> {
         let variables = Variables::of(program);
         let reading = if looped {
             let once = self.read_once(program);
-            let (slots, inputs) = (read_slots(program, &variables), self.read_inputs(program));
+            let (slots, inputs) =
+                (read_slots(self, program, &variables), self.read_inputs(program));
             quote!(#slots #once #inputs)
         } else {
             let coordinates =
                 self.read(program, self.programs.symbols.q(), quote!(state_.q.data.0));
             let rates = self.read(program, self.programs.symbols.v(), quote!(state_.v.data.0));
-            let (slots, inputs) = (read_slots(program, &variables), self.read_inputs(program));
+            let (slots, inputs) =
+                (read_slots(self, program, &variables), self.read_inputs(program));
             quote!(#slots #coordinates #rates #inputs)
         };
         let masks: Masks = if pivoted {
@@ -228,8 +231,8 @@ pub(super) fn reads(program: &Program, number: usize) -> bool {
     program.symbols.binary_search(&(number as u32)).is_ok()
 }
 
-/// Takes the slots that the program reads out of `self.derived`.
-fn read_slots(program: &Program, variables: &Variables) -> TokenStream {
+/// Takes the slots that the program reads out of what the chain keeps.
+fn read_slots(plan: &Plan, program: &Program, variables: &Variables) -> TokenStream {
     let Some(last) = program.slots.iter().map(|slot| slot.index).max() else {
         return TokenStream::new();
     };
@@ -241,7 +244,8 @@ fn read_slots(program: &Program, variables: &Variables) -> TokenStream {
             }
             None => quote!(_),
         });
-    quote!(let [#(#entries,)* ..] = self.derived;)
+    let derived = sealed::once(plan, &quote!(self));
+    quote!(let [#(#entries,)* ..] = #derived;)
 }
 
 /// Whether a known number stands anywhere in the program.

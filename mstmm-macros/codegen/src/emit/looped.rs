@@ -4,11 +4,12 @@ use super::Plan;
 use super::block::{Results, is_long};
 use super::inputs;
 use super::names::{Variables, helper};
+use super::sealed;
 use super::spread::{Piece, Spread};
 use crate::compile::groups;
 use crate::program::{Block, Loop, Name, Operand, Program};
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use quote::{ToTokens, quote};
 
 /// A group of results that go into an array.
 #[derive(Clone, Debug)]
@@ -191,10 +192,10 @@ impl Plan<'_> {
         let name_of = |index| turn.slots.iter().find(|slot| slot.index == index);
         let variable = |index| name_of(index).map(|slot| variables.get(slot.name).clone());
         let names: Vec<Option<Ident>> = (0..slots.pieces[0].count).map(variable).collect();
-        let derived = format_ident!("derived{}", turn.repeat);
+        let derived = sealed::of_part(self, &quote!(self), turn.repeat);
         let pattern = pattern(&names);
         let any = names.iter().any(Option::is_some);
-        let slices = self.slices(&quote!(self.#derived), &slots.pieces[0]);
+        let slices = self.slices(&derived, &slots.pieces[0]);
         any.then(|| (quote!(&#pattern), quote!(#slices.iter())))
     }
 

@@ -7,6 +7,7 @@ use super::Plan;
 use super::block::{Results, reads};
 use super::looped::usize_literal;
 use super::names::{Variables, helper};
+use super::sealed;
 use super::statement::{Around, Writer};
 use crate::model::{Driven, Input};
 use crate::program::{Move, Name, Operand, Program, Spills};
@@ -83,7 +84,8 @@ impl Plan<'_> {
         }
         let reference = sources.borrow("derived", |name, again| {
             let owner = if again { quote!(self_again_) } else { quote!(self) };
-            quote!(let #name = &#owner.derived;)
+            let derived = sealed::once(self, &owner);
+            quote!(let #name = &#derived;)
         });
         for slot in &program.slots {
             sources.slots.insert(slot.name, Source::new(reference, Some(slot.index)));

@@ -41,8 +41,7 @@
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct FourBar<T> {
-    parameters: FourBarParameters<T>,
-    derived: [T; 0],
+    changed_by_setters: ::mstmm::generated::Sealed<FourBarParameters<T>, [T; 0]>,
 }
 /// Numbers of [`FourBar`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,13 +61,13 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let parameters_ = FourBarParameters {
             none: ::core::marker::PhantomData,
         };
-        let (chain_, _) = Self::derive(parameters_);
+        let (chain_, _) = Self::derive(::mstmm::generated::Sealed::new(parameters_));
         chain_
     }
-    /// The numbers that may change at run time.
+    /// The values that may change at run time: there are none.
     #[inline]
     pub fn parameters(&self) -> &FourBarParameters<T> {
-        &self.parameters
+        self.changed_by_setters.parameters()
     }
     /// The state that the description starts from, at time zero.
     #[must_use]
@@ -83,12 +82,14 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     }
     /// Quantities derived from parameters and constants: 0 mul, 0 add, 0 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
-    fn derive(parameters_: FourBarParameters<T>) -> (Self, [T; 0]) {
+    fn derive(
+        sealed_: ::mstmm::generated::Sealed<FourBarParameters<T>>,
+    ) -> (Self, [T; 0]) {
+        let parameters_ = sealed_.parameters();
         let (derived_, checks_) = ([], []);
         (
             Self {
-                parameters: parameters_,
-                derived: derived_,
+                changed_by_setters: sealed_.with(derived_),
             },
             checks_,
         )

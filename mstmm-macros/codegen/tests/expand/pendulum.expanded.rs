@@ -26,8 +26,7 @@
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Pendulum<T> {
-    parameters: PendulumParameters<T>,
-    derived: [T; 7],
+    changed_by_setters: ::mstmm::generated::Sealed<PendulumParameters<T>, [T; 7]>,
 }
 /// Numbers of [`Pendulum`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,13 +52,13 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let parameters_ = PendulumParameters {
             payload: T::constant(0.5f64),
         };
-        let (chain_, _) = Self::derive(parameters_);
+        let (chain_, _) = Self::derive(::mstmm::generated::Sealed::new(parameters_));
         chain_
     }
-    /// The numbers that may change at run time.
+    /// The values that may change at run time. Each has a setter.
     #[inline]
     pub fn parameters(&self) -> &PendulumParameters<T> {
-        &self.parameters
+        self.changed_by_setters.parameters()
     }
     /// Sets `payload` in kg.
     ///
@@ -73,11 +72,16 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         &mut self,
         value_: T,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let mut parameters_ = self.parameters;
+        let mut parameters_ = *self.parameters();
         parameters_.payload = value_;
         let values_ = &[value_];
-        let (chain_, checks_) = Self::derive(parameters_);
-        ::mstmm::generated::check_parameter("payload", values_, &[&chain_.derived])?;
+        let sealed_ = ::mstmm::generated::Sealed::new(parameters_);
+        let (chain_, checks_) = Self::derive(sealed_);
+        ::mstmm::generated::check_parameter(
+            "payload",
+            values_,
+            &[&*chain_.changed_by_setters.derived()],
+        )?;
         ::mstmm::generated::check_numbers(
             "payload",
             &checks_,
@@ -99,7 +103,10 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     }
     /// Quantities derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
-    fn derive(parameters_: PendulumParameters<T>) -> (Self, [T; 1]) {
+    fn derive(
+        sealed_: ::mstmm::generated::Sealed<PendulumParameters<T>>,
+    ) -> (Self, [T; 1]) {
+        let parameters_ = sealed_.parameters();
         let c_ = T::constant;
         let payload_ = parameters_.payload;
         /// Quantities derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
@@ -127,8 +134,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         );
         (
             Self {
-                parameters: parameters_,
-                derived: derived_,
+                changed_by_setters: sealed_.with(derived_),
             },
             checks_,
         )
@@ -165,7 +171,9 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         let c_ = T::constant;
         let [known_joint_k_xx_, known_joint_b_y_z_, known_joint_j_xx_, known_joint_j_yy_,
-        known_joint_z0_force_y_, known_p5_, known_p6_, ..] = self.derived;
+        known_joint_z0_force_y_, known_p5_, known_p6_, ..] = *self
+            .changed_by_setters
+            .derived();
         let [[joint_angle_]] = state_.q.data.0;
         let joint_input0_ = inputs_.joint;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
@@ -237,7 +245,9 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         n20_, n21_, n22_, _, _, _, n26_] = &mut at_.numbers;
         let c_ = T::constant;
         let [known_joint_k_xx_, known_joint_b_y_z_, known_joint_j_xx_, known_joint_j_yy_,
-        known_joint_z0_force_y_, known_p5_, known_p6_, ..] = self.derived;
+        known_joint_z0_force_y_, known_p5_, known_p6_, ..] = *self
+            .changed_by_setters
+            .derived();
         let [[joint_angle_]] = state_.q.data.0;
         let [[joint_rate_]] = state_.v.data.0;
         let joint_input0_ = inputs_.joint;
@@ -327,7 +337,9 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &PendulumState<T>) -> ::mstmm::Energy<T> {
         let c_ = T::constant;
-        let [_, known_joint_b_y_z_, _, known_joint_j_yy_, ..] = self.derived;
+        let [_, known_joint_b_y_z_, _, known_joint_j_yy_, ..] = *self
+            .changed_by_setters
+            .derived();
         let [[joint_angle_]] = state_.q.data.0;
         let [[joint_rate_]] = state_.v.data.0;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.

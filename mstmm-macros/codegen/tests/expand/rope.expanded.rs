@@ -67,9 +67,7 @@
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Rope<T> {
-    parameters: RopeParameters<T>,
-    derived: [T; 0],
-    derived0: [T; 70],
+    changed_by_setters: ::mstmm::generated::Sealed<RopeParameters<T>, ([T; 0], [T; 70])>,
 }
 /// Numbers of [`Rope`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,13 +93,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let parameters_ = RopeParameters {
             knot: [T::constant(0f64); 10],
         };
-        let (chain_, _) = Self::derive(parameters_);
+        let (chain_, _) = Self::derive(::mstmm::generated::Sealed::new(parameters_));
         chain_
     }
-    /// The numbers that may change at run time.
+    /// The values that may change at run time. Each has a setter.
     #[inline]
     pub fn parameters(&self) -> &RopeParameters<T> {
-        &self.parameters
+        self.changed_by_setters.parameters()
     }
     /// Sets `knot` in kg.
     ///
@@ -117,16 +115,20 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         &mut self,
         mut value_: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let mut parameters_ = self.parameters;
+        let mut parameters_ = *self.parameters();
         for (index_, place_) in ::core::iter::zip(0.., &mut parameters_.knot) {
             *place_ = value_(index_);
         }
         let values_ = &parameters_.knot;
-        let (chain_, checks_) = Self::derive(parameters_);
+        let sealed_ = ::mstmm::generated::Sealed::new(parameters_);
+        let (chain_, checks_) = Self::derive(sealed_);
         ::mstmm::generated::check_parameter(
             "knot",
             values_,
-            &[&chain_.derived, &chain_.derived0],
+            &[
+                &chain_.changed_by_setters.derived().0,
+                &chain_.changed_by_setters.derived().1,
+            ],
         )?;
         for numbers_ in ::mstmm::generated::times::<T, 1>(checks_.as_slice(), 0, 10) {
             ::mstmm::generated::check_numbers(
@@ -177,7 +179,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     }
     /// Quantities derived from parameters and constants: 3 mul, 3 add, 0 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
-    fn derive(parameters_: RopeParameters<T>) -> (Self, [T; 10]) {
+    fn derive(
+        sealed_: ::mstmm::generated::Sealed<RopeParameters<T>>,
+    ) -> (Self, [T; 10]) {
+        let parameters_ = sealed_.parameters();
         let c_ = T::constant;
         let mut results1_ = [T::constant(0.0); 10];
         let mut results2_ = [T::constant(0.0); 70];
@@ -210,9 +215,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let (derived_, checks_) = ([], results1_);
         (
             Self {
-                parameters: parameters_,
-                derived: derived_,
-                derived0: results2_,
+                changed_by_setters: sealed_.with((derived_, results2_)),
             },
             checks_,
         )
@@ -284,7 +287,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
                 ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
             ),
-            ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10).iter(),
+            ::mstmm::generated::times::<
+                T,
+                7,
+            >(self.changed_by_setters.derived().1.as_slice(), 0, 10)
+                .iter(),
         ) {
             let carry0_0_before_ = carry0_0_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
@@ -345,7 +352,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             ],
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
-                ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10)
+                ::mstmm::generated::times::<
+                    T,
+                    7,
+                >(self.changed_by_setters.derived().1.as_slice(), 0, 10)
                     .iter(),
                 store1_.iter(),
             ),
@@ -584,7 +594,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
                 ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
             ),
-            ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10).iter(),
+            ::mstmm::generated::times::<
+                T,
+                7,
+            >(self.changed_by_setters.derived().1.as_slice(), 0, 10)
+                .iter(),
         ) {
             let carry0_0_before_ = carry0_0_;
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
@@ -651,7 +665,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             ],
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
-                ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10)
+                ::mstmm::generated::times::<
+                    T,
+                    7,
+                >(self.changed_by_setters.derived().1.as_slice(), 0, 10)
                     .iter(),
                 store1_.iter(),
             ),
@@ -934,7 +951,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
                     ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
                 ),
-                ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10).iter(),
+                ::mstmm::generated::times::<
+                    T,
+                    7,
+                >(self.changed_by_setters.derived().1.as_slice(), 0, 10)
+                    .iter(),
             ),
             ::mstmm::generated::times_mut::<T, 22>(results7_.as_mut_slice(), 5, 10)
                 .iter_mut(),
@@ -1049,7 +1070,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
                 ::core::iter::zip(
-                    ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10)
+                    ::mstmm::generated::times::<
+                        T,
+                        7,
+                    >(self.changed_by_setters.derived().1.as_slice(), 0, 10)
                         .iter(),
                     store1_.iter(),
                 ),
@@ -1246,7 +1270,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                         ::mstmm::generated::times::<
                             T,
                             7,
-                        >(self.derived0.as_slice(), 0, 10)
+                        >(self.changed_by_setters.derived().1.as_slice(), 0, 10)
                             .iter(),
                         store1_.iter(),
                     ),
@@ -1591,7 +1615,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 ::mstmm::generated::times::<T, 1>(state_.q.as_slice(), 0, 10).iter(),
                 ::mstmm::generated::times::<T, 1>(state_.v.as_slice(), 0, 10).iter(),
             ),
-            ::mstmm::generated::times::<T, 7>(self.derived0.as_slice(), 0, 10).iter(),
+            ::mstmm::generated::times::<
+                T,
+                7,
+            >(self.changed_by_setters.derived().1.as_slice(), 0, 10)
+                .iter(),
         ) {
             let carry0_0_before_ = carry0_0_;
             let carry0_1_before_ = carry0_1_;

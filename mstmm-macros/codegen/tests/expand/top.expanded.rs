@@ -26,8 +26,7 @@
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 struct Top<T> {
-    parameters: TopParameters<T>,
-    derived: [T; 0],
+    changed_by_setters: ::mstmm::generated::Sealed<TopParameters<T>, [T; 0]>,
 }
 /// Numbers of [`Top`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,13 +46,13 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let parameters_ = TopParameters {
             none: ::core::marker::PhantomData,
         };
-        let (chain_, _) = Self::derive(parameters_);
+        let (chain_, _) = Self::derive(::mstmm::generated::Sealed::new(parameters_));
         chain_
     }
-    /// The numbers that may change at run time.
+    /// The values that may change at run time: there are none.
     #[inline]
     fn parameters(&self) -> &TopParameters<T> {
-        &self.parameters
+        self.changed_by_setters.parameters()
     }
     /// The state that the description starts from, at time zero.
     #[must_use]
@@ -73,12 +72,12 @@ impl<T: ::mstmm::Scalar> Top<T> {
     }
     /// Quantities derived from parameters and constants: 0 mul, 0 add, 0 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
-    fn derive(parameters_: TopParameters<T>) -> (Self, [T; 0]) {
+    fn derive(sealed_: ::mstmm::generated::Sealed<TopParameters<T>>) -> (Self, [T; 0]) {
+        let parameters_ = sealed_.parameters();
         let (derived_, checks_) = ([], []);
         (
             Self {
-                parameters: parameters_,
-                derived: derived_,
+                changed_by_setters: sealed_.with(derived_),
             },
             checks_,
         )

@@ -32,8 +32,7 @@
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPins<T> {
-    parameters: TwoPinsParameters<T>,
-    derived: [T; 0],
+    changed_by_setters: ::mstmm::generated::Sealed<TwoPinsParameters<T>, [T; 0]>,
 }
 /// Numbers of [`TwoPins`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,13 +52,13 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         let parameters_ = TwoPinsParameters {
             none: ::core::marker::PhantomData,
         };
-        let (chain_, _) = Self::derive(parameters_);
+        let (chain_, _) = Self::derive(::mstmm::generated::Sealed::new(parameters_));
         chain_
     }
-    /// The numbers that may change at run time.
+    /// The values that may change at run time: there are none.
     #[inline]
     pub fn parameters(&self) -> &TwoPinsParameters<T> {
-        &self.parameters
+        self.changed_by_setters.parameters()
     }
     /// The state that the description starts from, at time zero.
     #[must_use]
@@ -74,12 +73,14 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
     }
     /// Quantities derived from parameters and constants: 0 mul, 0 add, 0 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
-    fn derive(parameters_: TwoPinsParameters<T>) -> (Self, [T; 0]) {
+    fn derive(
+        sealed_: ::mstmm::generated::Sealed<TwoPinsParameters<T>>,
+    ) -> (Self, [T; 0]) {
+        let parameters_ = sealed_.parameters();
         let (derived_, checks_) = ([], []);
         (
             Self {
-                parameters: parameters_,
-                derived: derived_,
+                changed_by_setters: sealed_.with(derived_),
             },
             checks_,
         )

@@ -1,0 +1,132 @@
+//! Parameters: the type that holds their values, and their setters.
+
+use super::Plan;
+use super::docs;
+use super::looped::usize_literal;
+use super::sealed;
+use super::spread::Spread;
+use crate::model::Parameter;
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+/// `struct ChainParameters<T>`.
+pub fn type_of_all(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
+    let (name, visibility) = (&plan.names.parameters, &plan.surface.visibility);
+    let doc = format!(" Numbers of [`{}`] that may change at run time.", plan.names.chain);
+    let fields = plan.chain.parameters.iter().map(|parameter| {
+        let (name, ty) = (&parameter.name, type_of(parameter));
+        quote!(#name: #ty)
+    });
+    let getters = plan.chain.parameters.iter().map(|parameter| {
+        let (name, doc) = (&parameter.name, docs::parameter(parameter));
+        let ty = type_of(parameter);
+        let (ty, value) = match parameter.times {
+            None => (ty, quote!(self.#name)),
+            Some(_) => (quote!(&#ty), quote!(&self.#name)),
+        };
+        quote! {
+            #[doc = #doc]
+            #[inline]
+            #visibility fn #name(&self) -> #ty {
+                #value
+            }
+        }
+    });
+    // A struct without fields would not use `T`.
+    let marker =
+        plan.chain.parameters.is_empty().then(|| quote!(none: ::core::marker::PhantomData<T>));
+    quote! {
+        #[doc = #doc]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[allow(dead_code, non_snake_case)]
+        #visibility struct #name<T> {
+            #(#fields,)*
+            #marker
+        }
+        #[allow(dead_code, non_snake_case)]
+        impl<T: #mstmm::Scalar> #name<T> {
+            #(#getters)*
+        }
+    }
+}
+
+/// The type of a parameter.
+fn type_of(parameter: &Parameter) -> TokenStream {
+    match parameter.times.map(usize_literal) {
+        None => quote!(T),
+        Some(times) => quote!([T; #times]),
+    }
+}
+
+/// How the numbers lie that are checked when a parameter is set.
+pub fn checked(plan: &Plan) -> Spread {
+    Spread::of_parts(plan, plan.programs.checks.iter().map(|check| check.part))
+}
+
+/// `set_x`: takes effect only if the chain stays a physical one.
+pub fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
+    let mstmm = &plan.mstmm;
+    let (name, visibility) = (&parameter.name, &plan.surface.visibility);
+    let set = format_ident!("set_{name}", span = name.span());
+    let text = name.to_string();
+    let doc = format!(" Sets {}", docs::parameter(parameter).trim_start());
+    let rules = checked(plan).pieces.into_iter().map(|piece| {
+        let rules = plan.programs.checks[piece.first..piece.first + piece.count].iter();
+        let rules = rules.map(|check| {
+            let (positive, reason) = (check.positive, &check.reason);
+            quote!((#positive, #reason))
+        });
+        if piece.times == 1 && piece.place == 0 && piece.count == plan.programs.checks.len() {
+            return quote!(#mstmm::generated::check_numbers(#text, &checks_, &[#(#rules),*])?;);
+        }
+        let slices = plan.slices(&quote!(checks_), &piece);
+        quote! {
+            for numbers_ in #slices {
+                #mstmm::generated::check_numbers(#text, numbers_, &[#(#rules),*])?;
+            }
+        }
+    });
+    let derived = sealed::arrays(plan, &quote!(chain_));
+    let (arguments, change, values) = match parameter.times {
+        None => (quote!(value_: T), quote!(parameters_.#name = value_;), quote!(&[value_])),
+        Some(_) => (
+            quote!(mut value_: impl ::core::ops::FnMut(::core::primitive::usize) -> T),
+            quote! {
+                for (index_, place_) in ::core::iter::zip(0.., &mut parameters_.#name) {
+                    *place_ = value_(index_);
+                }
+            },
+            quote!(&parameters_.#name),
+        ),
+    };
+    let each = parameter.times.map(|times| {
+        let doc = format!(" One number for each of {times} times, from `value` by index.");
+        quote! {
+            ///
+            #[doc = #doc]
+        }
+    });
+    quote! {
+        #[doc = #doc]
+        #each
+        ///
+        /// # Errors
+        ///
+        /// `Error::Parameter` if the number is not finite or would
+        /// leave the chain with a mass that is not positive, a stiffness or damping that is negative
+        /// or a quantity that is not finite; the old one is kept then.
+        #[allow(unused_variables, clippy::all)]
+        #visibility fn #set(&mut self, #arguments) -> ::core::result::Result<(), #mstmm::Error> {
+            let mut parameters_ = *self.parameters();
+            #change
+            let values_ = #values;
+            let sealed_ = #mstmm::generated::Sealed::new(parameters_);
+            let (chain_, checks_) = Self::derive(sealed_);
+            #mstmm::generated::check_parameter(#text, values_, &[#(&#derived),*])?;
+            #(#rules)*
+            *self = chain_;
+            ::core::result::Result::Ok(())
+        }
+    }
+}

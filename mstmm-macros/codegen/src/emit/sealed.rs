@@ -1,0 +1,64 @@
+//! What a chain keeps: its parameters and what is derived from them.
+//!
+//! Private fields of generated types are in reach of all code in the module of the macro call. Both are
+//! therefore inside a type of the runtime, which nothing but generated code replaces.
+
+use super::Plan;
+use super::looped::usize_literal;
+use super::spread::Spread;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// The only field of a chain. Its name is what rustc proposes where a field is written that is not there.
+pub fn field() -> Ident {
+    format_ident!("changed_by_setters")
+}
+
+/// The type of the field: parameters, and an array, in pairs with those of repeated parts.
+pub fn type_of(plan: &Plan) -> TokenStream {
+    let (mstmm, parameters) = (&plan.mstmm, &plan.names.parameters);
+    let slots = Literal::usize_unsuffixed(plan.programs.setup.outputs[0].len());
+    let parts = parts(plan).into_iter().map(|(_, spread)| {
+        let total = usize_literal(spread.total);
+        quote!([T; #total])
+    });
+    let derived = paired(quote!([T; #slots]), parts);
+    quote!(#mstmm::generated::Sealed<#parameters<T>, #derived>)
+}
+
+/// Arrays in pairs: tuples of any length have not all traits.
+pub fn paired(once: TokenStream, parts: impl Iterator<Item = TokenStream>) -> TokenStream {
+    parts.fold(once, |before, part| quote!((#before, #part)))
+}
+
+/// Repeated parts of which something is known since setup, and how it lies in its array.
+pub fn parts(plan: &Plan) -> Vec<(usize, Spread)> {
+    let part = |part: usize| Some((part, plan.slots_of_part(part)?));
+    (0..plan.chain.repeats.len()).filter_map(part).collect()
+}
+
+/// All arrays of a chain.
+pub fn arrays(plan: &Plan, owner: &TokenStream) -> Vec<TokenStream> {
+    (0..=parts(plan).len()).map(|number| array(plan, owner, number)).collect()
+}
+
+/// The array of what is known since setup and is there once.
+pub fn once(plan: &Plan, owner: &TokenStream) -> TokenStream {
+    array(plan, owner, 0)
+}
+
+/// The array of a repeated part that has one.
+pub fn of_part(plan: &Plan, owner: &TokenStream, part: usize) -> TokenStream {
+    let before = parts(plan).iter().filter(|(other, _)| *other < part).count();
+    array(plan, owner, 1 + before)
+}
+
+fn array(plan: &Plan, owner: &TokenStream, number: usize) -> TokenStream {
+    let (field, parts) = (field(), parts(plan).len());
+    if parts == 0 {
+        return quote!(*#owner.#field.derived());
+    }
+    let inwards = (number..parts).map(|_| quote!(.0));
+    let last = (number > 0).then(|| quote!(.1));
+    quote!(#owner.#field.derived()#(#inwards)*#last)
+}
