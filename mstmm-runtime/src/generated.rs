@@ -322,7 +322,7 @@ pub fn assemble<S: ChainState>(
     type Real<S> = <<S as ChainState>::Scalar as Scalar>::Real;
     let epsilon = Real::<S>::epsilon();
     let closed = Real::<S>::constant(64.0) * epsilon;
-    let near = epsilon.sqrt() * epsilon.sqrt().sqrt().sqrt();
+    let near = independent::<Real<S>>();
 
     let start = state.clone();
     let mut before = Real::<S>::constant(f64::INFINITY);
@@ -342,6 +342,56 @@ pub fn assemble<S: ChainState>(
     }
     *state = start;
     Err(Error::NotAssembled)
+}
+
+/// Poses that the rank of a closure is looked for in: the start may be a special one.
+const POSES: usize = 4;
+
+/// As many ones as a closing hinge holds independent directions in poses that are closed, then zeros. It is
+/// the largest rank in the start and in poses that are assembled from places around it; ones alone where
+/// none can be assembled.
+#[cold]
+pub fn closure_steps<S: ChainState, const N: usize>(
+    start: &S,
+    normalize: impl Fn(&mut S),
+    mut correct: impl FnMut(&mut S) -> S::Scalar,
+    pivots: impl Fn(&S) -> [S::Scalar; N],
+) -> [S::Scalar; N] {
+    let constant = <S::Scalar as Scalar>::constant;
+    let one = constant(1.0);
+    let rounding = independent::<S::Scalar>();
+    let mut steps = None;
+    for pose in 0..POSES {
+        let mut state = start.clone();
+        state.v_mut().fill(constant(0.0));
+        if pose > 0 {
+            for (number, q) in state.q_mut().iter_mut().enumerate() {
+                *q += constant(scattered(number + 1, pose) - 0.5);
+            }
+            normalize(&mut state);
+        }
+        if assemble(&mut state, &mut correct).is_err() {
+            continue;
+        }
+        let found = steps.get_or_insert([constant(0.0); N]);
+        for (step, pivot) in found.iter_mut().zip(pivots(&state)) {
+            *step = S::Scalar::select(pivot.greater(rounding), one, *step);
+        }
+    }
+    steps.unwrap_or([one; N])
+}
+
+/// A pivot of a closure that is more than rounding and the square of what `assemble` leaves open: ε^⅝, as
+/// small as the smallest that counts there.
+fn independent<T: Scalar>() -> T {
+    let root = T::epsilon().sqrt();
+    root * root.sqrt().sqrt()
+}
+
+/// Numbers from 0 to 1 as far from each other as they can be: multiples of the golden ratio.
+fn scattered(number: usize, seed: usize) -> f64 {
+    let multiple = number as f64 * seed as f64 * 0.618_033_988_749_895;
+    multiple - multiple as u64 as f64
 }
 
 /// Square root of a number in a chain's description.

@@ -4,7 +4,9 @@
 use crate::diag::Diagnostics;
 use crate::equations::{self, Axes, Numbers, Point, Reaction, Situation, Solved, Swept, Trace};
 use crate::math::{Structured, Vec3};
-use crate::model::{Chain, Drive, Driven, Element, Hinge, HingeId, Layout, Method, Source};
+use crate::model::{
+    Chain, ClosureRank, Drive, Driven, Element, Hinge, HingeId, Layout, Method, Source,
+};
 use proc_macro2::Ident;
 
 /// States tried besides the start. A hinge that moves nothing with inertia in all of them does so in
@@ -77,13 +79,17 @@ pub fn examine(chain: &mut Chain, diagnostics: &mut Diagnostics) -> Examination 
         chain.held_by_closure = trial.idle_hinges().is_empty();
     }
     trial.refuse_idle_hinges(diagnostics);
+    chain.closure_rank = trial.closure_rank_at_run_time();
     if chain.constants > 0 {
         return Examination::default();
     }
     let poses = trial.closed_poses();
     let mobility = if whole { trial.mobility(&poses) } else { None };
-    chain.closure_rank =
-        if whole { trial.closure_rank(&poses).map(|(rank, _)| rank) } else { None };
+    if let (Some((rank, _)), true) =
+        (trial.closure_rank(&poses), whole && chain.geometry_is_known())
+    {
+        chain.closure_rank = ClosureRank::Known(rank);
+    }
     if let Some(Mobility { freedoms: 0, .. }) = mobility {
         trial.refuse_rigid_chain(diagnostics);
     }
@@ -95,7 +101,7 @@ pub fn examine(chain: &mut Chain, diagnostics: &mut Diagnostics) -> Examination 
 fn numbers(chain: &Chain, seed: usize) -> Numbers<Number> {
     let any = |constant: usize| 0.5 + scattered(constant + 1, seed + 1);
     let constants = (0..chain.constants).map(|constant| Number::variable(any(constant))).collect();
-    let mut numbers = Numbers { parameters: Vec::new(), constants };
+    let mut numbers = Numbers { constants, ..Numbers::default() };
     let defaults = chain.parameters.iter().map(|parameter| {
         // No default uses another parameter.
         Number::variable(numbers.scalar(&parameter.default).value())
@@ -107,6 +113,17 @@ fn numbers(chain: &Chain, seed: usize) -> Numbers<Number> {
 /// Numbers from 0 to 1 as far from each other as they can be: multiples of the golden ratio.
 fn scattered(number: usize, seed: usize) -> f64 {
     (number as f64 * seed as f64 * 0.618_033_988_749_895).fract()
+}
+
+/// By how much a coordinate differs from the start: by nothing for the first seed, up to a half for others.
+fn around(number: usize, seed: usize) -> f64 {
+    if seed == 0 { 0.0 } else { scattered(number, seed) - 0.5 }
+}
+
+/// Coordinates, and inputs with motions that are prescribed.
+struct Pose {
+    q: Vec<Number>,
+    inputs: Vec<Number>,
 }
 
 /// A chain without repeated parts and its numbers.
@@ -133,7 +150,7 @@ impl Trial {
             if !self.fits(&numbers) {
                 continue;
             }
-            let solved = self.solved(&numbers, &self.coordinates(&numbers, seed));
+            let solved = self.solved(&numbers, &self.pose(&numbers, seed));
             let vanishing = solved.pivots.iter().filter(|pivot| {
                 let (value, scale) = (pivot.value.value(), pivot.scale.value());
                 value.abs() <= NOISE * f64::EPSILON * scale
@@ -204,13 +221,13 @@ impl Trial {
 
     /// The start and poses next to it, for the start itself may be a special one, all put onto the
     /// closure; none for a chain that is not closed.
-    fn closed_poses(&self) -> Vec<Vec<Number>> {
+    fn closed_poses(&self) -> Vec<Pose> {
         let seeds = if self.merged.closings.is_empty() { 0..0 } else { 0..STATES };
-        seeds.filter_map(|seed| self.closed(self.coordinates(&self.numbers, seed))).collect()
+        seeds.filter_map(|seed| self.closed(self.pose(&self.numbers, seed))).collect()
     }
 
     /// How the closure holds the chain in these poses.
-    fn mobility(&self, poses: &[Vec<Number>]) -> Option<Mobility> {
+    fn mobility(&self, poses: &[Pose]) -> Option<Mobility> {
         let closing = *self.merged.closings.first()?;
         let redundant = self.closure_rank(poses).map(|(rank, directions)| directions - rank)?;
         let own = self.merged.v[closing].len();
@@ -219,11 +236,26 @@ impl Trial {
         Some(Mobility { freedoms: (open + redundant).checked_sub(held)?, held, redundant })
     }
 
+    /// What is left to find when parameters are set: not where motions are prescribed, for positions at
+    /// rest may be special ones.
+    fn closure_rank_at_run_time(&self) -> ClosureRank {
+        let chain = &self.chain;
+        let is_prescribed = chain.hinges.iter().any(Hinge::is_prescribed);
+        let is_known = chain.geometry_is_known() && chain.constants == 0;
+        let reaction = self.solved(&self.numbers, &self.pose(&self.numbers, 0)).reaction;
+        match reaction {
+            Some(reaction) if !is_prescribed && !is_known => {
+                ClosureRank::FoundAtRunTime(reaction.undetermined.len())
+            }
+            _ => ClosureRank::Unknown,
+        }
+    }
+
     /// How many directions of the closing hinge hold something anywhere in these poses, and how many
     /// there are, those that a rotor holds among them.
-    fn closure_rank(&self, poses: &[Vec<Number>]) -> Option<(usize, usize)> {
-        let ranks = poses.iter().filter_map(|q| {
-            let Reaction { pivots, undetermined, .. } = self.solved(&self.numbers, q).reaction?;
+    fn closure_rank(&self, poses: &[Pose]) -> Option<(usize, usize)> {
+        let ranks = poses.iter().filter_map(|pose| {
+            let Reaction { pivots, undetermined, .. } = self.solved(&self.numbers, pose).reaction?;
             let rank = pivots.iter().filter(|pivot| pivot.value() > INDEPENDENT).count();
             Some((rank, undetermined.len()))
         });
@@ -231,12 +263,12 @@ impl Trial {
     }
 
     /// The start, closed if that goes from there or nearby.
-    fn drawing(&self, poses: Vec<Vec<Number>>) -> Drawing {
+    fn drawing(&self, poses: Vec<Pose>) -> Drawing {
         let near = poses.into_iter().next();
-        let q = near.unwrap_or_else(|| self.coordinates(&self.numbers, 0));
-        let (v, inputs) = (self.at_rest(), self.inputs());
-        let situation = Situation::new(&self.chain, &self.layout, &self.numbers, (&q, &v, &inputs));
-        let (solved, swept) = self.swept(&self.numbers, &q);
+        let pose = near.unwrap_or_else(|| self.pose(&self.numbers, 0));
+        let (v, Pose { q, inputs }) = (self.at_rest(), &pose);
+        let situation = Situation::new(&self.chain, &self.layout, &self.numbers, (q, &v, inputs));
+        let (solved, swept) = self.swept(&self.numbers, &pose);
         let report = equations::report(&situation, (&solved, &swept), &mut Trace::new());
         let position = |place: Vec3<Number>| place.0.map(Number::value);
         let centre = |(element, point): (&Element, &Point<Number>)| match *element {
@@ -261,21 +293,21 @@ impl Trial {
         largest.filter(|axis| size(axis) > 0.0).unwrap_or(2)
     }
 
-    fn solved(&self, numbers: &Numbers<Number>, q: &[Number]) -> Solved<Number> {
-        let (v, inputs) = (self.at_rest(), self.inputs());
-        let situation = Situation::new(&self.chain, &self.merged, numbers, (q, &v, &inputs));
+    fn solved(&self, numbers: &Numbers<Number>, pose: &Pose) -> Solved<Number> {
+        let (v, Pose { q, inputs }) = (self.at_rest(), pose);
+        let situation = Situation::new(&self.chain, &self.merged, numbers, (q, &v, inputs));
         equations::accelerations(&situation, Method::Riccati, Axes::Body, &mut Trace::new())
     }
 
-    fn swept(&self, numbers: &Numbers<Number>, q: &[Number]) -> (Solved<Number>, Swept<Number>) {
-        let (v, inputs) = (self.at_rest(), self.inputs());
-        let situation = Situation::new(&self.chain, &self.merged, numbers, (q, &v, &inputs));
+    fn swept(&self, numbers: &Numbers<Number>, pose: &Pose) -> (Solved<Number>, Swept<Number>) {
+        let (v, Pose { q, inputs }) = (self.at_rest(), pose);
+        let situation = Situation::new(&self.chain, &self.merged, numbers, (q, &v, inputs));
         equations::sweep(&situation, Method::Riccati, Axes::Body, &mut Trace::new())
     }
 
     /// The coordinates put onto the closure; nothing if that leads nowhere.
-    fn closed(&self, mut q: Vec<Number>) -> Option<Vec<Number>> {
-        let (v, inputs) = (self.at_rest(), self.inputs());
+    fn closed(&self, pose: Pose) -> Option<Pose> {
+        let (v, Pose { mut q, inputs }) = (self.at_rest(), pose);
         let (mut nearest, mut stalled) = (f64::INFINITY, 0);
         for _ in 0..CORRECTIONS {
             let situation =
@@ -283,7 +315,7 @@ impl Trial {
             let correction = equations::correction(&situation, &mut Trace::new())?;
             let residual = correction.residual.value();
             if residual < CLOSED {
-                return Some(q);
+                return Some(Pose { q, inputs });
             }
             // Written so that NaN is no progress.
             stalled = if residual < 0.9 * nearest { 0 } else { stalled + 1 };
@@ -296,6 +328,11 @@ impl Trial {
         None
     }
 
+    /// The start with what is prescribed at rest, or somewhere around them.
+    fn pose(&self, numbers: &Numbers<Number>, seed: usize) -> Pose {
+        Pose { q: self.coordinates(numbers, seed), inputs: self.inputs(seed) }
+    }
+
     /// The start, or somewhere around it: every coordinate by up to a half.
     fn coordinates(&self, numbers: &Numbers<Number>, seed: usize) -> Vec<Number> {
         let mut count = 0;
@@ -306,8 +343,7 @@ impl Trial {
                 .iter()
                 .map(|start| {
                     count += 1;
-                    let step = if seed == 0 { 0.0 } else { scattered(count, seed) - 0.5 };
-                    Number::variable(numbers.scalar(start).value() + step)
+                    Number::variable(numbers.scalar(start).value() + around(count, seed))
                 })
                 .collect();
             equations::hinge::normalized(&hinge.kind, &near)
@@ -319,17 +355,21 @@ impl Trial {
         vec![Number::variable(0.0); self.merged.freedoms()]
     }
 
-    /// Prescribed motions at rest in the zero position, and nothing that drives.
-    fn inputs(&self) -> Vec<Number> {
-        let count = self.merged.inputs.last().map_or(0, |input| input.range.end);
-        let mut inputs = vec![Number::variable(0.0); count];
+    /// Prescribed motions at rest in the zero position, or around it, and nothing that drives.
+    fn inputs(&self, seed: usize) -> Vec<Number> {
+        let total = self.merged.inputs.last().map_or(0, |input| input.range.end);
+        let mut inputs = vec![Number::variable(0.0); total];
+        // Behind those of coordinates, which they should not repeat.
+        let mut count = self.merged.coordinates();
         for input in &self.merged.inputs {
-            if let Driven::Motion(hinge) = input.what {
-                let rest = self.chain.hinges[hinge].kind.shape().coordinates.iter();
-                for (place, coordinate) in inputs[input.range.clone()].iter_mut().zip(rest) {
-                    *place = Number::variable(coordinate.rest);
-                }
-            }
+            let Driven::Motion(hinge) = input.what else { continue };
+            let kind = &self.chain.hinges[hinge].kind;
+            let near = kind.shape().coordinates.iter().map(|coordinate| {
+                count += 1;
+                Number::variable(coordinate.rest + around(count, seed))
+            });
+            let near = equations::hinge::normalized(kind, &near.collect::<Vec<_>>());
+            inputs[input.range.clone()][..near.len()].copy_from_slice(&near);
         }
         inputs
     }

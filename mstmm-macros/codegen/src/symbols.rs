@@ -1,21 +1,21 @@
 //! The unknowns of a chain: their numbers in the graph and their names in the program.
 
-use crate::model::{Chain, Driven, Hinge, Input, Layout, Shape};
+use crate::model::{Chain, ClosureRank, Driven, Hinge, Input, Layout, Shape};
 use proc_macro2::Ident;
 use std::collections::HashSet;
 use std::ops::Range;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Numbers and names of all unknowns: parameters, constants, coordinates, rates, inputs, and the
-/// length of an implicit step.
+/// Numbers and names of all unknowns: parameters, constants, the steps of a closure, coordinates, rates,
+/// inputs, and the length of an implicit step.
 #[derive(Clone, Debug)]
 pub struct Symbols {
     names: Vec<String>,
     /// Which belong to which repeated part.
     parts: Vec<Option<usize>>,
-    /// Where each of the six groups ends.
-    ends: [usize; 6],
+    /// Where each of the seven groups ends.
+    ends: [usize; 7],
 }
 
 impl Symbols {
@@ -25,9 +25,14 @@ impl Symbols {
         let constants = (0..chain.constants).map(|number| format!("constant{number}"));
         let free = || chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
         let inputs = || layout.inputs.iter().flat_map(|input| input_names(chain, input));
-        let groups: [Vec<String>; 6] = [
+        let steps = match chain.closure_rank {
+            ClosureRank::FoundAtRunTime(directions) => directions,
+            ClosureRank::Unknown | ClosureRank::Known(_) => 0,
+        };
+        let groups: [Vec<String>; 7] = [
             parameters.collect(),
             constants.collect(),
+            (0..steps).map(|step| format!("closure_step{step}")).collect(),
             free().flat_map(|hinge| named(hinge, coordinates(hinge.kind.shape()))).collect(),
             free().flat_map(|hinge| named(hinge, hinge.kind.shape().rates.to_vec())).collect(),
             inputs().collect(),
@@ -62,34 +67,39 @@ impl Symbols {
         self.ends[0]..self.ends[1]
     }
 
+    /// Numbers of the steps of a closure.
+    pub fn closure_steps(&self) -> Range<usize> {
+        self.ends[1]..self.ends[2]
+    }
+
     /// Numbers of the coordinates.
     pub fn q(&self) -> Range<usize> {
-        self.ends[1]..self.ends[2]
+        self.ends[2]..self.ends[3]
     }
 
     /// Numbers of the rates.
     pub fn v(&self) -> Range<usize> {
-        self.ends[2]..self.ends[3]
+        self.ends[3]..self.ends[4]
     }
 
     /// Numbers of the inputs.
     pub fn inputs(&self) -> Range<usize> {
-        self.ends[3]..self.ends[4]
+        self.ends[4]..self.ends[5]
     }
 
     /// The number of the implicit step.
     pub fn step(&self) -> Range<usize> {
-        self.ends[4]..self.ends[5]
+        self.ends[5]..self.ends[6]
     }
 }
 
 /// Which unknowns belong to which repeated part; `ends` are those of the groups.
-fn parts(chain: &Chain, layout: &Layout, ends: &[usize; 6]) -> Vec<Option<usize>> {
-    let mut parts = vec![None; ends[5]];
+fn parts(chain: &Chain, layout: &Layout, ends: &[usize; 7]) -> Vec<Option<usize>> {
+    let mut parts = vec![None; ends[6]];
     for (index, repeat) in chain.repeats.iter().enumerate() {
         for hinge in repeat.hinges.clone() {
-            parts[ends[1]..][layout.q[hinge].clone()].fill(Some(index));
-            parts[ends[2]..][layout.v[hinge].clone()].fill(Some(index));
+            parts[ends[2]..][layout.q[hinge].clone()].fill(Some(index));
+            parts[ends[3]..][layout.v[hinge].clone()].fill(Some(index));
         }
     }
     for (index, parameter) in chain.parameters.iter().enumerate() {
@@ -98,7 +108,7 @@ fn parts(chain: &Chain, layout: &Layout, ends: &[usize; 6]) -> Vec<Option<usize>
         }
     }
     for input in &layout.inputs {
-        parts[ends[3]..][input.range.clone()].fill(chain.repeat_of_input(input.what));
+        parts[ends[4]..][input.range.clone()].fill(chain.repeat_of_input(input.what));
     }
     parts
 }

@@ -10,7 +10,9 @@ pub use places::{Place, Places, PointPlaces, Sight};
 
 use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
 use crate::expr::{Expr, Graph, Stage};
-use crate::model::{Chain, Driven, Hinge, HingeId, HingeKind, Layout, Method, Passive, Value};
+use crate::model::{
+    Chain, ClosureRank, Driven, Hinge, HingeId, HingeKind, Layout, Method, Passive, Value,
+};
 use crate::passes::{Issued, Setup, issue, opposite, spills};
 use crate::program::{Program, Spills};
 use crate::symbols::Symbols;
@@ -52,6 +54,9 @@ pub struct Programs {
     pub normalized: Program,
     /// `q`, `v`, inputs to both put back onto the closure, and to how far off they were.
     pub correction: Option<Program>,
+    /// `q` to the pivots of the closing hinge with all steps, the largest first, where the rank of the
+    /// closure is found at run time.
+    pub closure_pivots: Option<Program>,
 }
 
 /// The axes of the sweeps. In inertial axes `riccati` took 45 % more operations in the best case
@@ -82,6 +87,7 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
     let normalized =
         scene.coordinates(&mut setup, |kind, q, _| equations::hinge::normalized(kind, q));
     let correction = scene.correction(&mut setup);
+    let closure_pivots = scene.closure_pivots(&mut setup);
     let start = scene.start(&mut setup);
     let (setup, checks) = scene.setup(setup);
     Programs {
@@ -101,6 +107,7 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
         coordinate_rates,
         normalized,
         correction,
+        closure_pivots,
     }
 }
 
@@ -138,6 +145,7 @@ impl<'a, 'g> Scene<'a, 'g> {
             numbers: Numbers {
                 parameters: unknowns(symbols.parameters(), Stage::Setup),
                 constants: unknowns(symbols.constants(), Stage::Setup),
+                closure_steps: unknowns(symbols.closure_steps(), Stage::Setup),
             },
             q: unknowns(symbols.q(), Stage::State),
             v: unknowns(symbols.v(), Stage::State),
@@ -254,6 +262,20 @@ impl<'a, 'g> Scene<'a, 'g> {
         let v = self.v.iter().zip(correction.rates).map(|(&v, change)| v + change).collect();
         let groups = [q, v, vec![correction.residual]];
         Some(self.program(Stage::State, &trace, &groups, &turns, setup))
+    }
+
+    fn closure_pivots(&self, setup: &mut Setup) -> Option<Program> {
+        let ClosureRank::FoundAtRunTime(directions) = self.chain.closure_rank else { return None };
+        let numbers = Numbers { closure_steps: Vec::new(), ..self.numbers.clone() };
+        let (solved, trace, turns) = self.woven(|loom, trace| {
+            let state = (&self.q[..], &self.v[..], &self.inputs[..]);
+            let situation = Situation::new(self.chain, self.merged, &numbers, state).woven(loom);
+            equations::accelerations(&situation, Method::Riccati, AXES, trace)
+        });
+        let mut pivots = solved.reaction?.pivots;
+        // Directions that are held in no state.
+        pivots.resize(directions, Expr::Number(0.0));
+        Some(self.program(Stage::State, &trace, &[pivots], &turns, setup))
     }
 
     /// A program that maps every hinge's coordinates (and rates).

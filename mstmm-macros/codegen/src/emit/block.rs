@@ -92,7 +92,7 @@ impl Plan<'_> {
         writer.finish()
     }
 
-    /// The program of the setup: it reads `parameters` and `constants`.
+    /// The program of the setup: it reads `parameters`, the steps of a closure among them, and `constants`.
     pub fn setup_block(&self, program: &Program, targets: &[Target]) -> Results {
         let parameters = self.chain.parameters.iter().zip(self.programs.symbols.parameters());
         let parameters =
@@ -102,7 +102,12 @@ impl Plan<'_> {
             });
         let constants =
             self.read_array(program, self.programs.symbols.constants(), quote!(*constants_));
-        let reading = quote!(#(#parameters)* #constants);
+        let steps = self.read_array(
+            program,
+            self.programs.symbols.closure_steps(),
+            quote!(parameters_.closure_steps_),
+        );
+        let reading = quote!(#(#parameters)* #constants #steps);
         let results = self.results(program, Variables::of(program), reading);
         self.finished(results, program, targets)
     }

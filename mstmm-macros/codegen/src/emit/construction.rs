@@ -1,6 +1,7 @@
 //! The chain's type, how it is made and where it starts.
 
 use super::Plan;
+use super::closure;
 use super::docs;
 use super::formula::value_tokens;
 use super::looped::{Target, usize_literal};
@@ -19,6 +20,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let constructors = constructors(plan);
     let derive = derive(plan);
     let start = start(plan);
+    let rank = closure::emit(plan);
     let setters = plan.chain.parameters.iter().map(|parameter| parameters::setter(plan, parameter));
     let name = &plan.names.chain;
     let assertions = plan.chain.assertions.iter().filter_map(|rule| assertion(plan, rule));
@@ -31,6 +33,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
             #(#setters)*
             #start
             #derive
+            #rank
         }
         impl<T: #mstmm::Scalar> ::core::default::Default for #name<T> {
             fn default() -> Self {
@@ -69,8 +72,13 @@ fn constructors(plan: &Plan) -> TokenStream {
             Some(times) => quote!(#name: [#one; #times]),
         }
     });
-    let marker =
-        plan.chain.parameters.is_empty().then(|| quote!(none: ::core::marker::PhantomData));
+    let steps = closure::directions(plan).map(|count| {
+        let count = usize_literal(count);
+        quote!(closure_steps_: [T::constant(1.0); #count],)
+    });
+    let is_empty = plan.chain.parameters.is_empty() && steps.is_none();
+    let marker = is_empty.then(|| quote!(none: ::core::marker::PhantomData));
+    let chain = closure::found(plan, true, quote!(chain_));
     let doc = if plan.chain.parameters.is_empty() {
         " The chain as described."
     } else {
@@ -86,9 +94,9 @@ fn constructors(plan: &Plan) -> TokenStream {
         #[must_use]
         #[allow(clippy::all)]
         #visibility fn new() -> Self {
-            let parameters_ = #parameters { #(#values,)* #marker };
+            let parameters_ = #parameters { #(#values,)* #steps #marker };
             let (chain_, _) = Self::derive(#mstmm::generated::Sealed::new(parameters_));
-            chain_
+            #chain
         }
 
         #[doc = #read]

@@ -1,6 +1,7 @@
 //! Parameters: the type that holds their values, and their setters.
 
 use super::Plan;
+use super::closure;
 use super::docs;
 use super::looped::usize_literal;
 use super::sealed;
@@ -33,15 +34,21 @@ pub fn type_of_all(plan: &Plan) -> TokenStream {
             }
         }
     });
+    // Found anew when parameters are set, and kept with them.
+    let steps = closure::directions(plan).map(|count| {
+        let count = usize_literal(count);
+        quote!(closure_steps_: [T; #count],)
+    });
     // A struct without fields would not use `T`.
-    let marker =
-        plan.chain.parameters.is_empty().then(|| quote!(none: ::core::marker::PhantomData<T>));
+    let is_empty = plan.chain.parameters.is_empty() && steps.is_none();
+    let marker = is_empty.then(|| quote!(none: ::core::marker::PhantomData<T>));
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
             #(#fields,)*
+            #steps
             #marker
         }
         #[allow(dead_code, non_snake_case)]
@@ -107,6 +114,9 @@ pub fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
             #[doc = #doc]
         }
     });
+    let is_geometry = plan.chain.parameters.iter().position(|other| other.name == *name);
+    let is_geometry = is_geometry.is_some_and(|index| plan.chain.geometry_uses(index));
+    let chain = closure::found(plan, is_geometry, quote!(chain_));
     quote! {
         #[doc = #doc]
         #each
@@ -125,7 +135,7 @@ pub fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
             let (chain_, checks_) = Self::derive(sealed_);
             #mstmm::generated::check_parameter(#text, values_, &[#(&#derived),*])?;
             #(#rules)*
-            *self = chain_;
+            *self = #chain;
             ::core::result::Result::Ok(())
         }
     }

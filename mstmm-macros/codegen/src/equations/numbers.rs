@@ -10,6 +10,15 @@ pub struct Numbers<S> {
     pub parameters: Vec<S>,
     /// By [`Symbol::Constant`].
     pub constants: Vec<S>,
+    /// One for each independent direction of the closing hinge, then zeros; nothing where none of them is
+    /// known to depend on others.
+    pub closure_steps: Vec<S>,
+}
+
+impl<S> Default for Numbers<S> {
+    fn default() -> Self {
+        Numbers { parameters: Vec::new(), constants: Vec::new(), closure_steps: Vec::new() }
+    }
 }
 
 impl<S: Scalar> Numbers<S> {

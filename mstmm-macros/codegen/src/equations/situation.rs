@@ -4,8 +4,8 @@ use super::closure::{Linkage, Rank};
 use super::{Numbers, Passage, Weave};
 use crate::math::{Mat3, Motion, Scalar, Vec3};
 use crate::model::{
-    BodyId, Chain, Drive, Driven, Effort, Element, Frame, HingeId, Joined, Layout, Link, Part,
-    Place, Source,
+    BodyId, Chain, ClosureRank, Drive, Driven, Effort, Element, Frame, HingeId, Joined, Layout,
+    Link, Part, Place, Source,
 };
 
 /// Roundings of a closing hinge's direction on its way over a link, in units in the last place.
@@ -188,8 +188,11 @@ impl<'a, S: Scalar> Situation<'a, S> {
     /// What the solution for the reactions of a closing hinge that holds so many directions has to know.
     pub fn linkage(&self, held: usize) -> Linkage<S> {
         let rank = match self.chain.closure_rank {
-            Some(rank) => Rank::Known(rank),
-            None => Rank::Given(vec![S::one(); held]),
+            ClosureRank::Known(rank) => Rank::Known(rank),
+            _ => {
+                let given = self.numbers.closure_steps.iter().copied();
+                Rank::Given(given.chain(std::iter::repeat(S::one())).take(held).collect())
+            }
         };
         let times = |link: &Link| self.chain.times(Element::Hinge(link.hinge));
         let links: usize = self.layout.links.iter().map(times).sum();

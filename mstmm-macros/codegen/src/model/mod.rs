@@ -77,9 +77,8 @@ pub struct Chain {
     /// Whether bodies of a closed chain have inertia in all directions only by what holds them where
     /// the chain closes.
     pub held_by_closure: bool,
-    /// How many independent directions the closing hinge holds anywhere on the closure, where that was
-    /// found.
-    pub closure_rank: Option<usize>,
+    /// How many independent directions its closing hinge holds.
+    pub closure_rank: ClosureRank,
     /// What must hold of Rust constants: nothing but `rustc` knows.
     pub assertions: Vec<Requirement>,
 }
@@ -185,6 +184,17 @@ pub enum Method {
     Transfer,
     /// The Riccati transfer from the free end to the held one.
     Riccati,
+}
+
+/// How many independent directions a closing hinge holds anywhere on the closure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ClosureRank {
+    /// Nobody knows: every state decides by the size of its pivots.
+    Unknown,
+    /// So many, whatever the parameters.
+    Known(usize),
+    /// It is found when parameters are set; the hinge holds so many directions.
+    FoundAtRunTime(usize),
 }
 
 /// A number that may change at run time.

@@ -38,6 +38,23 @@ impl Chain {
         self.parts_that_use(parameter).into_iter().flatten().next()
     }
 
+    /// Whether frames or axes depend on a parameter, and with them perhaps the rank of a closure.
+    pub fn geometry_uses(&self, parameter: usize) -> bool {
+        self.geometry().any(|value| value.uses(parameter))
+    }
+
+    /// Whether frames and axes are known numbers.
+    pub fn geometry_is_known(&self) -> bool {
+        self.geometry().all(|value| value.known().is_some())
+    }
+
+    /// The numbers of all frames and axes.
+    fn geometry(&self) -> impl Iterator<Item = &Value> {
+        let frames = self.bodies.iter().flat_map(|body| of_frame(&body.output));
+        let hinges = self.hinges.iter();
+        frames.chain(hinges.flat_map(|hinge| [of_places(hinge), of_kind(&hinge.kind)].concat()))
+    }
+
     /// The repeated parts in which a parameter is used, in their order; nothing stands for all else.
     fn parts_that_use(&self, parameter: usize) -> Vec<Option<usize>> {
         let used = |values: Vec<&Value>| values.into_iter().any(|value| value.uses(parameter));
@@ -81,19 +98,7 @@ fn of_body(body: &Body) -> Vec<&Value> {
 fn of_hinge(hinge: &Hinge) -> Vec<&Value> {
     let Hinge { kind, start, start_rate, rest, drive, passive, .. } = hinge;
     let mut values: Vec<&Value> = start.iter().chain(start_rate).chain(rest).collect();
-    match kind {
-        HingeKind::Pin { axis } | HingeKind::Slider { axis } | HingeKind::Cylindrical { axis } => {
-            values.extend(axis);
-        }
-        HingeKind::Screw { axis, pitch } => values.extend(axis.iter().chain([pitch])),
-        HingeKind::Universal { axes } => values.extend(axes.iter().flatten()),
-        HingeKind::Weld
-        | HingeKind::Ball
-        | HingeKind::Planar { .. }
-        | HingeKind::Floating
-        | HingeKind::Elastic
-        | HingeKind::PlaneElastic => {}
-    }
+    values.extend(of_kind(kind));
     if let Drive::Efforts(efforts) = drive {
         values.extend(efforts.iter().filter_map(|effort| match effort {
             Effort::Constant(value) => Some(value),
@@ -102,6 +107,22 @@ fn of_hinge(hinge: &Hinge) -> Vec<&Value> {
     }
     values.extend(passive.iter().flat_map(of_passive));
     values
+}
+
+fn of_kind(kind: &HingeKind) -> Vec<&Value> {
+    match kind {
+        HingeKind::Pin { axis } | HingeKind::Slider { axis } | HingeKind::Cylindrical { axis } => {
+            axis.iter().collect()
+        }
+        HingeKind::Screw { axis, pitch } => axis.iter().chain([pitch]).collect(),
+        HingeKind::Universal { axes } => axes.iter().flatten().collect(),
+        HingeKind::Weld
+        | HingeKind::Ball
+        | HingeKind::Planar { .. }
+        | HingeKind::Floating
+        | HingeKind::Elastic
+        | HingeKind::PlaneElastic => Vec::new(),
+    }
 }
 
 fn of_passive(passive: &Passive) -> Vec<&Value> {

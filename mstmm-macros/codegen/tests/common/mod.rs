@@ -68,10 +68,10 @@ pub fn variables<S: Scalar>(values: &[f64]) -> Vec<Structured<S>> {
 
 /// The parameters at their defaults.
 pub fn numbers<S: Scalar>(chain: &Chain) -> Numbers<Structured<S>> {
-    let none = Numbers::<S> { parameters: Vec::new(), constants: Vec::new() };
+    let none = Numbers::<S>::default();
     let default = |value| Structured::variable(none.scalar(value));
     let defaults = chain.parameters.iter().map(|parameter| default(&parameter.default));
-    Numbers { parameters: defaults.collect(), constants: Vec::new() }
+    Numbers { parameters: defaults.collect(), ..Numbers::default() }
 }
 
 /// Runs the equations on `S` with the parameters at their defaults; `efforts` are those of all rates.

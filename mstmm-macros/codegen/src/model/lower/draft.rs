@@ -13,8 +13,8 @@ use super::setting::Settings;
 use super::vector::zeros;
 use crate::model::condition::Requirement;
 use crate::model::{
-    About, Body, BodyId, Chain, Dimension, Drive, Element, Frame, Hinge, HingeKind, Inertia,
-    Parameter, Place, Repeat, Role, Value,
+    About, Body, BodyId, Chain, ClosureRank, Dimension, Drive, Element, Frame, Hinge, HingeKind,
+    Inertia, Parameter, Place, Repeat, Role, Value,
 };
 use crate::syntax::{self, ChainDef};
 
@@ -89,7 +89,7 @@ impl Draft<'_> {
             method: self.settings.method,
             results: self.settings.results,
             held_by_closure: false,
-            closure_rank: None,
+            closure_rank: ClosureRank::Unknown,
             assertions: Vec::new(),
         })
     }

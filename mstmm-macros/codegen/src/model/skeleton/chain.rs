@@ -3,8 +3,8 @@
 use super::{End, Part, Sketch, is_identifier};
 use crate::model::lower::{Draft, Motion, of_everything};
 use crate::model::{
-    About, Body, Chain, Drive, Effort, Element, Frame, Hinge, HingeKind, Inertia, Load, LoadAxes,
-    Method, Place, Repeat, Role, Source, Value,
+    About, Body, Chain, ClosureRank, Drive, Effort, Element, Frame, Hinge, HingeKind, Inertia,
+    Load, LoadAxes, Method, Place, Repeat, Role, Source, Value,
 };
 use proc_macro2::Ident;
 use std::collections::HashSet;
@@ -69,7 +69,7 @@ impl Sketch<'_, '_> {
             method: Some(Method::Riccati),
             results: draft.settings.results,
             held_by_closure: false,
-            closure_rank: None,
+            closure_rank: ClosureRank::Unknown,
             assertions: Vec::new(),
         }
     }

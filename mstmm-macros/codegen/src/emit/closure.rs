@@ -1,0 +1,57 @@
+//! The rank of a closure, where it is found when parameters are set.
+
+use super::Plan;
+use super::looped::usize_literal;
+use crate::model::ClosureRank;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// How many directions the closing hinge holds, where their rank is found at run time.
+pub fn directions(plan: &Plan) -> Option<usize> {
+    match plan.chain.closure_rank {
+        ClosureRank::FoundAtRunTime(directions) => Some(directions),
+        ClosureRank::Unknown | ClosureRank::Known(_) => None,
+    }
+}
+
+/// A chain with the rank of its closure, found anew if frames or axes may have changed.
+pub fn found(plan: &Plan, may_have_changed: bool, chain: TokenStream) -> TokenStream {
+    if may_have_changed && directions(plan).is_some() { quote!(#chain.find_rank()) } else { chain }
+}
+
+/// What finds the rank.
+pub fn emit(plan: &Plan) -> TokenStream {
+    let (Some(program), Some(directions)) = (&plan.programs.closure_pivots, directions(plan))
+    else {
+        return TokenStream::new();
+    };
+    let (mstmm, state) = (&plan.mstmm, &plan.names.state);
+    let block = plan.step(program, &[], false);
+    let (statements, pivots) = (block.statements, &block.outputs[0]);
+    let count = usize_literal(directions);
+    quote! {
+        /// The chain with the rank of its closure, which frames and axes decide.
+        #[allow(clippy::all)]
+        fn find_rank(mut self) -> Self {
+            let mut parameters_ = *self.parameters();
+            parameters_.closure_steps_ = [T::constant(1.0); #count];
+            let (free_, _) = Self::derive(#mstmm::generated::Sealed::new(parameters_));
+            let inputs_ = free_.no_inputs();
+            parameters_.closure_steps_ = #mstmm::generated::closure_steps(
+                &free_.initial_state(),
+                |state_| #mstmm::Chain::normalize(&free_, state_),
+                |state_| free_.correct(state_, &inputs_),
+                |state_| free_.closure_pivots(state_),
+            );
+            let (chain_, _) = Self::derive(#mstmm::generated::Sealed::new(parameters_));
+            chain_
+        }
+
+        /// How well each direction of the closing hinge is determined, the largest pivot first.
+        #[allow(unused_doc_comments, unused_variables, clippy::all)]
+        fn closure_pivots(&self, state_: &#state<T>) -> [T; #count] {
+            #statements
+            [#(#pivots),*]
+        }
+    }
+}
