@@ -47,8 +47,12 @@ pub trait Chain {
     /// The time derivative of `state`: afterwards `rate.q()` is q̇ and `rate.v()` is v̇. The time
     /// of `rate` means nothing.
     ///
-    /// The quaternions of `state` need be of unit length only up to the error of an integrator's
-    /// stage.
+    /// The quaternions of `state` may have any length near one, as those of an integrator's stages
+    /// have. They are used unchanged and are not checked: for a quaternion of length n whose
+    /// rotation matrix is R, the matrix (1 − n²) 1 + n² R is used instead of R, which is R up to
+    /// terms of the order of n² − 1, and q̇ is n times that of the unit quaternion. A state or
+    /// inputs that come from outside are checked by [`check_state`](Chain::check_state) and
+    /// [`check_inputs`](Chain::check_inputs).
     ///
     /// # Errors
     /// [`Error::NotFinite`] if the state or the inputs are not finite, [`Error::Singular`] if
@@ -89,6 +93,36 @@ pub trait Chain {
     /// It is linear in the rates. What is not finite gives what is not finite.
     fn configuration_rate_into(&self, state: &Self::State, rate: &mut Self::State);
 
+    /// Checks what a state that comes from outside must fulfil beyond finite numbers: the length of
+    /// each quaternion is between 0.9 and 1.1. A quaternion that is not finite passes; it gives
+    /// [`Error::NotFinite`] where it is used. Of lanes all must pass.
+    ///
+    /// Accelerations are those of the rotation up to terms of the order of n² − 1 for a length n, see
+    /// [`derivative_into`](Chain::derivative_into). For a state whose quaternions are further from
+    /// unit length than rounding, call [`normalize`](Chain::normalize) first.
+    ///
+    /// Integrators check the state that they are given once in a call of `step` or `advance`. The
+    /// default checks nothing.
+    ///
+    /// # Errors
+    /// [`Error::Quaternion`].
+    fn check_state(&self, state: &Self::State) -> Result<(), Error> {
+        let _ = state;
+        Ok(())
+    }
+
+    /// Checks the quaternions of prescribed motions in the same way as
+    /// [`check_state`](Chain::check_state).
+    ///
+    /// Integrators check all inputs that they ask for. The default checks nothing.
+    ///
+    /// # Errors
+    /// [`Error::Quaternion`].
+    fn check_inputs(&self, inputs: &Self::Inputs) -> Result<(), Error> {
+        let _ = inputs;
+        Ok(())
+    }
+
     /// Brings quaternions back to unit length, from which a step moves them by no more than its
     /// error.
     fn normalize(&self, state: &mut Self::State);
@@ -122,7 +156,8 @@ pub trait GeneratedChain: Chain {
     /// energies and, at every connection point, pose, velocity and the state vector `z`.
     ///
     /// # Errors
-    /// As [`Chain::derivative_into`]; `at` is then as [`workspace`](Self::workspace) makes it: results of earlier calls
+    /// As [`Chain::derivative_into`], and those of [`Chain::check_state`] and
+    /// [`Chain::check_inputs`]; `at` is then as [`workspace`](Self::workspace) makes it: results of earlier calls
     /// are gone.
     fn solve_into(
         &self,
@@ -135,10 +170,11 @@ pub trait GeneratedChain: Chain {
     /// fulfil the closure, with prescribed motions as `inputs` say. Other chains are closed always.
     ///
     /// # Errors
-    /// [`Error::NotAssembled`] if that leads nowhere; `state` is left as it was.
+    /// [`Error::NotAssembled`] if that leads nowhere, and those of [`Chain::check_state`] and
+    /// [`Chain::check_inputs`]; `state` is left as it was.
     fn assemble(&self, state: &mut Self::State, inputs: &Self::Inputs) -> Result<(), Error> {
-        let _ = (state, inputs);
-        Ok(())
+        self.check_state(state)?;
+        self.check_inputs(inputs)
     }
 
     /// Kinetic and potential energy.

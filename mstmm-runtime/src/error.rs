@@ -17,6 +17,12 @@ pub enum Error {
     /// A coordinate, a rate, an input or the time is NaN or infinite, or they are so large that the
     /// accelerations, or their sum, are beyond what a number can hold.
     NotFinite,
+    /// A quaternion of a state or of a prescribed motion is not a rotation: its length is not
+    /// between 0.9 and 1.1. Zero, very small and very large quaternions are among these.
+    Quaternion {
+        /// The name of the hinge, of the floating body or of the moving end.
+        hinge: &'static str,
+    },
     /// A value was refused; the one set before is kept.
     Parameter {
         /// The parameter's name.
@@ -38,6 +44,11 @@ impl fmt::Display for Error {
             Error::Singular { hinge } => {
                 write!(f, "nothing with inertia lies beyond hinge `{hinge}`")
             }
+            Error::Quaternion { hinge } => write!(
+                f,
+                "the quaternion of `{hinge}` is not a rotation: its length must be between 0.9 \
+                 and 1.1"
+            ),
             Error::NotFinite => {
                 f.write_str("a coordinate, rate, input or time is not a finite number")
             }

@@ -6,6 +6,7 @@
 pub use arrayvec::ArrayVec as Stored;
 
 pub use crate::point::Places;
+pub use crate::quaternion::{QuaternionsOf, check_quaternion, check_quaternions};
 
 use core::convert::identity;
 use core::hint::black_box;

@@ -115,6 +115,7 @@ pub mod integrate;
 mod lanes;
 pub mod paper;
 mod point;
+mod quaternion;
 mod scalar;
 mod trig;
 

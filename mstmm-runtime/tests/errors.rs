@@ -10,6 +10,10 @@ fn errors_speak_plainly() {
         "nothing with inertia lies beyond hinge `elbow`"
     );
     assert_eq!(told(Error::NotFinite), "a coordinate, rate, input or time is not a finite number");
+    assert_eq!(
+        told(Error::Quaternion { hinge: "wrist" }),
+        "the quaternion of `wrist` is not a rotation: its length must be between 0.9 and 1.1"
+    );
     let refused = Error::Parameter { name: "payload", reason: "must not be negative" };
     assert_eq!(told(refused), "`payload` must not be negative");
     assert_eq!(

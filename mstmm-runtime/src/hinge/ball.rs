@@ -3,7 +3,8 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::orientation::{aligned, from_bryan_angles, store, to_array, to_unit_quaternion};
-use crate::Scalar;
+use crate::quaternion::to_unit_length;
+use crate::{Error, Scalar};
 
 /// Orientation and rate of a ball hinge, copied from a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +37,13 @@ impl<T: Scalar> BallState<T> {
         Vector3::from(self.rate)
     }
 
+    /// The orientation as the state has it: w, x, y, z.
+    #[doc(hidden)]
+    #[inline]
+    pub fn quaternion(&self) -> [T; 4] {
+        self.orientation
+    }
+
     /// What [`new`](Self::new) was given.
     #[doc(hidden)]
     #[inline]
@@ -54,6 +62,8 @@ impl<T: Scalar> Default for BallState<T> {
 /// Orientation and rate of a ball hinge, to be changed in a state.
 #[derive(Debug)]
 pub struct BallStateMut<'a, T> {
+    /// The hinge's name, for errors.
+    hinge: &'static str,
     orientation: [&'a mut T; 4],
     rate: [&'a mut T; 3],
 }
@@ -63,14 +73,37 @@ impl<'a, T: Scalar> BallStateMut<'a, T> {
     /// generated code does.
     #[inline]
     pub fn new(orientation: [&'a mut T; 4], rate: [&'a mut T; 3]) -> Self {
-        Self { orientation, rate }
+        Self { hinge: "", orientation, rate }
+    }
+
+    /// Gives the view the name of its hinge.
+    #[doc(hidden)]
+    #[inline]
+    pub fn named(self, hinge: &'static str) -> Self {
+        Self { hinge, ..self }
     }
 
     /// Sets the rotation that turns outboard components into inboard components.
+    ///
+    /// The type says that its length is one, so the components are stored unchanged. Those of a
+    /// quaternion made by `new_unchecked` are checked where the state is used, see
+    /// [`Error::Quaternion`]; [`set_quaternion`](Self::set_quaternion) checks at once.
     #[inline]
     pub fn set_orientation(&mut self, orientation: UnitQuaternion<T>) -> &mut Self {
         store(&mut self.orientation, to_array(orientation));
         self
+    }
+
+    /// Sets the rotation that turns outboard components into inboard components by the components
+    /// w, x, y, z of a quaternion, which is brought to unit length.
+    ///
+    /// # Errors
+    /// [`Error::Quaternion`] if the length is not between 0.9 and 1.1, [`Error::NotFinite`] if a
+    /// component is not finite. The orientation set before is kept.
+    #[inline]
+    pub fn set_quaternion(&mut self, quaternion: [T; 4]) -> Result<&mut Self, Error> {
+        store(&mut self.orientation, to_unit_length(self.hinge, quaternion)?);
+        Ok(self)
     }
 
     /// Sets the rotation A = A_z(θ₃) A_y(θ₂) A_x(θ₁) by Bryan angles in rad, `[P, Eq. (1)]`; these

@@ -3,7 +3,8 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::orientation::{aligned, from_bryan_angles, store, to_array, to_unit_quaternion};
-use crate::Scalar;
+use crate::quaternion::to_unit_length;
+use crate::{Error, Scalar};
 
 /// Position, orientation and their rates of a floating hinge, copied from a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,6 +52,13 @@ impl<T: Scalar> FloatingState<T> {
         Vector3::from(self.rate)
     }
 
+    /// The orientation as the state has it: w, x, y, z.
+    #[doc(hidden)]
+    #[inline]
+    pub fn quaternion(&self) -> [T; 4] {
+        self.orientation
+    }
+
     /// What [`new`](Self::new) was given.
     #[doc(hidden)]
     #[inline]
@@ -70,6 +78,8 @@ impl<T: Scalar> Default for FloatingState<T> {
 /// Position, orientation and their rates of a floating hinge, to be changed in a state.
 #[derive(Debug)]
 pub struct FloatingStateMut<'a, T> {
+    /// The hinge's name, for errors.
+    hinge: &'static str,
     position: [&'a mut T; 3],
     orientation: [&'a mut T; 4],
     velocity: [&'a mut T; 3],
@@ -86,7 +96,7 @@ impl<'a, T: Scalar> FloatingStateMut<'a, T> {
         velocity: [&'a mut T; 3],
         rate: [&'a mut T; 3],
     ) -> Self {
-        Self { position, orientation, velocity, rate }
+        Self { hinge: "", position, orientation, velocity, rate }
     }
 
     /// Sets the position of the outboard frame's origin in m, along inboard axes, from the inboard
@@ -97,11 +107,34 @@ impl<'a, T: Scalar> FloatingStateMut<'a, T> {
         self
     }
 
+    /// Gives the view the name of its hinge.
+    #[doc(hidden)]
+    #[inline]
+    pub fn named(self, hinge: &'static str) -> Self {
+        Self { hinge, ..self }
+    }
+
     /// Sets the rotation that turns outboard components into inboard components.
+    ///
+    /// The type says that its length is one, so the components are stored unchanged. Those of a
+    /// quaternion made by `new_unchecked` are checked where the state is used, see
+    /// [`Error::Quaternion`]; [`set_quaternion`](Self::set_quaternion) checks at once.
     #[inline]
     pub fn set_orientation(&mut self, orientation: UnitQuaternion<T>) -> &mut Self {
         store(&mut self.orientation, to_array(orientation));
         self
+    }
+
+    /// Sets the rotation that turns outboard components into inboard components by the components
+    /// w, x, y, z of a quaternion, which is brought to unit length.
+    ///
+    /// # Errors
+    /// [`Error::Quaternion`] if the length is not between 0.9 and 1.1, [`Error::NotFinite`] if a
+    /// component is not finite. The orientation set before is kept.
+    #[inline]
+    pub fn set_quaternion(&mut self, quaternion: [T; 4]) -> Result<&mut Self, Error> {
+        store(&mut self.orientation, to_unit_length(self.hinge, quaternion)?);
+        Ok(self)
     }
 
     /// Sets the rotation A = A_z(θ₃) A_y(θ₂) A_x(θ₁) by Bryan angles in rad, `[P, Eq. (1)]`; these

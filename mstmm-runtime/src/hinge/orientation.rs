@@ -11,7 +11,7 @@ pub(super) fn aligned<T: Scalar>() -> [T; 4] {
     [T::constant(1.0), zero, zero, zero]
 }
 
-/// The quaternion stored as w, x, y, z; it is of unit length already.
+/// The quaternion stored as w, x, y, z, whose length is taken to be one.
 #[inline]
 pub(super) fn to_unit_quaternion<T: Scalar>([w, x, y, z]: [T; 4]) -> UnitQuaternion<T> {
     Unit::new_unchecked(Quaternion { coords: Vector4::new(x, y, z, w) })

@@ -1,6 +1,7 @@
 //! Dormand and Prince's method of order five with an error estimate of order four.
 
 use super::Real;
+use super::ask::ask;
 use super::combine::{
     add_scaled, copy, has_finite_entries, is_finite, start_plus_scaled, weighted_sum,
 };
@@ -132,6 +133,7 @@ impl<C: Chain> Dopri5<C> {
         state: &mut C::State,
         mut inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
+        chain.check_state(state)?;
         self.begin(chain, state, &mut inputs, false)?;
         self.take(chain, &mut inputs, None)?;
         copy(state, &self.end);
@@ -153,6 +155,7 @@ impl<C: Chain> Dopri5<C> {
         if !end.finite() {
             return Err(Error::NotFinite);
         }
+        chain.check_state(state)?;
         if state.time().worst() == end {
             return Ok(());
         }
@@ -395,5 +398,6 @@ fn evaluate<C: Chain>(
     rate: &mut C::State,
 ) -> Result<(), Error> {
     statistics.evaluations = statistics.evaluations.saturating_add(1);
-    chain.derivative_into(state, &inputs(state.time(), state), rate)
+    let acting = ask(chain, inputs, state.time(), state)?;
+    chain.derivative_into(state, &acting, rate)
 }

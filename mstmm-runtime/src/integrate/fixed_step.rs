@@ -30,6 +30,7 @@ pub(super) fn step<C: Chain>(
     state: &mut C::State,
     mut inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
 ) -> Result<(), Error> {
+    chain.check_state(state)?;
     let pace = method.pace();
     let (span, clock) = pace.whole(state.time(), pace.step);
     method.take(chain, state, span, &mut inputs)?;
@@ -48,6 +49,7 @@ pub(super) fn advance<C: Chain>(
     if !end.finite() {
         return Err(Error::NotFinite);
     }
+    chain.check_state(state)?;
     while state.time().worst() != end {
         let (span, clock) = method.pace().towards(state.time(), end);
         if span.end == state.time() {

@@ -1,6 +1,7 @@
 //! Euler's method for stiff springs.
 
 use super::Real;
+use super::ask::ask;
 use super::fixed_step::{self, FixedStep, Pace, Span, clone_and_debug};
 use super::semi_implicit_euler::follow;
 use crate::{Chain, ChainState, Error};
@@ -85,7 +86,7 @@ impl<C: Chain> FixedStep<C> for LinearlyImplicitEuler<C> {
         span: Span<C::Scalar>,
         inputs: &mut impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
-        let acting = inputs(state.time(), state);
+        let acting = ask(chain, inputs, state.time(), state)?;
         chain.implicit_derivative_into(state, &acting, span.step, &mut self.rate)?;
         follow(chain, state, span, &mut self.rate, &mut self.result, inputs)
     }

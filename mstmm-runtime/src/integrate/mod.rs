@@ -23,6 +23,10 @@
 //! state| inputs`. It is asked at every stage of a step, so it should be smooth in time within a
 //! step; where it jumps, let a step end.
 //!
+//! A quaternion of the given state, or of a prescribed motion, whose length is not between 0.9 and 1.1
+//! is refused with [`Error::Quaternion`](crate::Error::Quaternion). The state is checked once in a call
+//! of `step` or `advance`; the states of stages, which an integrator makes itself, are not.
+//!
 //! Quaternions are integrated as four numbers, and brought back to unit length after every step by
 //! [`Chain::normalize`]; a chain held at both ends is then brought back onto its closure by
 //! [`Chain::close`], which asks for what acts on it once more. That moves the state by no more than
@@ -30,6 +34,7 @@
 //! no pose in which they fail. [`Dopri5::interpolate`] closes nothing: within a step a chain is open
 //! by about the error of the step.
 
+mod ask;
 mod combine;
 mod dopri5;
 mod fixed_step;

@@ -1,6 +1,7 @@
 //! Newmark's method.
 
 use super::Real;
+use super::ask::ask;
 use super::combine::{add_scaled_coordinates, add_scaled_rates, copy};
 use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug};
 use crate::{Chain, ChainState, Error, Scalar};
@@ -145,11 +146,12 @@ impl<C: Chain> FixedStep<C> for Newmark<C> {
         span: Span<C::Scalar>,
         inputs: &mut impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
-        chain.derivative_into(state, &inputs(state.time(), state), &mut self.first)?;
+        let acting = ask(chain, inputs, state.time(), state)?;
+        chain.derivative_into(state, &acting, &mut self.first)?;
         copy(&mut self.last, &self.first);
         self.reach(chain, state, span);
         for _ in 0..self.iterations.max(1) {
-            let acting = inputs(span.end, &self.result);
+            let acting = ask(chain, inputs, span.end, &self.result)?;
             chain.derivative_into(&self.result, &acting, &mut self.last)?;
             self.reach(chain, state, span);
         }

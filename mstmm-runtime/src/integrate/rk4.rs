@@ -1,6 +1,7 @@
 //! The classical method of order four.
 
 use super::Real;
+use super::ask::ask;
 use super::combine::{add_scaled, copy, start_plus_scaled, sum_scaled, weighted_sum};
 use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug};
 use crate::{Chain, ChainState, Error, Scalar};
@@ -108,7 +109,8 @@ impl<C: Chain> FixedStep<C> for Rk4<C> {
             (end, one, None),
         ] {
             self.stage.set_time(time);
-            chain.derivative_into(&self.stage, &inputs(time, &self.stage), &mut self.rate)?;
+            let acting = ask(chain, inputs, time, &self.stage)?;
+            chain.derivative_into(&self.stage, &acting, &mut self.rate)?;
             add_scaled(&mut self.sum, weight, &self.rate);
             if let Some(onward) = onward {
                 sum_scaled(&mut self.stage, state, onward, &self.rate);

@@ -1,6 +1,7 @@
 //! Euler's method that takes the coordinates along by the new rates.
 
 use super::Real;
+use super::ask::ask;
 use super::combine::{add_scaled_coordinates, add_scaled_rates, copy};
 use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug};
 use crate::{Chain, ChainState, Error};
@@ -86,7 +87,8 @@ impl<C: Chain> FixedStep<C> for SemiImplicitEuler<C> {
         span: Span<C::Scalar>,
         inputs: &mut impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
-        chain.derivative_into(state, &inputs(state.time(), state), &mut self.rate)?;
+        let acting = ask(chain, inputs, state.time(), state)?;
+        chain.derivative_into(state, &acting, &mut self.rate)?;
         follow(chain, state, span, &mut self.rate, &mut self.result, inputs)
     }
 }

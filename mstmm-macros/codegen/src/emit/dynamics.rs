@@ -6,6 +6,7 @@ use super::block::{Results, body};
 use super::docs;
 use super::integrable::{generated, integrable};
 use super::looped::{Target, usize_literal};
+use super::quaternions;
 use super::solution::solution;
 use super::spread::Spread;
 use crate::compile::groups;
@@ -49,10 +50,13 @@ fn accelerations(plan: &Plan) -> TokenStream {
     let body = checked(plan, program, block, &plan.programs.pivots);
     let cost = docs::cost(program);
     let implicit = implicit(plan);
+    let (checked, errors) = (quaternions::checked(plan), quaternions::error(plan));
+    let near_one = quaternions::near_one(plan);
     quote! {
         #implicit
 
         /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
+        #(#[doc = #near_one])*
         ///
         #(#[doc = #cost])*
         ///
@@ -75,12 +79,14 @@ fn accelerations(plan: &Plan) -> TokenStream {
         /// # Errors
         ///
         /// As [`accelerations_into`](Self::accelerations_into).
+        #(#[doc = #errors])*
         #[inline]
         #visibility fn accelerations(
             &self,
             state_: &#state<T>,
             inputs_: &#inputs<T>,
         ) -> ::core::result::Result<#mstmm::nalgebra::SVector<T, #freedoms>, #mstmm::Error> {
+            #checked
             let mut accelerations_ =
                 #mstmm::generated::vector([T::constant(0.0); #freedoms]);
             self.accelerations_into(state_, inputs_, &mut accelerations_)?;

@@ -4,6 +4,7 @@
 use super::Plan;
 use super::docs;
 use super::looped::Target;
+use super::quaternions;
 use super::spread::Spread;
 use crate::program::Program;
 use proc_macro2::TokenStream;
@@ -32,6 +33,7 @@ pub fn integrable(plan: &Plan) -> TokenStream {
             }
         }
     });
+    let checks = quaternions::checks(plan);
     let correction = correction(plan);
     let (correct, close, assemble) = (&correction.correct, &correction.close, &correction.assemble);
     quote! {
@@ -67,6 +69,8 @@ pub fn integrable(plan: &Plan) -> TokenStream {
                 state_.q.data.0 = { #normalized };
             }
 
+            #checks
+
             #close
         }
 
@@ -93,9 +97,10 @@ fn correction(plan: &Plan) -> Correction {
     let targets = [(0, Spread::coordinates(plan)), (1, Spread::freedoms(plan))];
     let targets = targets.map(|(group, spread)| Target::new(group, spread));
     let block = plan.step(program, &targets, false);
+    let checked = quaternions::checked(plan);
     let (statements, q, v, residual) =
         (block.statements, &block.arrays[0], &block.arrays[1], &block.outputs[2]);
-    let cost = docs::cost(program);
+    let (cost, errors) = (docs::cost(program), quaternions::error(plan));
     Correction {
         correct: quote! {
             #[allow(dead_code)]
@@ -134,12 +139,14 @@ fn correction(plan: &Plan) -> Correction {
                 ///
                 /// `Error::NotAssembled` if that leads nowhere;
                 /// `state` is left as it was.
+                #(#[doc = #errors])*
                 #[allow(dead_code)]
                 #visibility fn assemble(
                     &self,
                     state_: &mut #state<T>,
                     inputs_: &#inputs<T>,
                 ) -> ::core::result::Result<(), #mstmm::Error> {
+                    #checked
                     #mstmm::generated::assemble(state_, |state_| self.correct(state_, inputs_))
                 }
             }

@@ -14,6 +14,7 @@ mod looped;
 mod names;
 mod parameters;
 mod places;
+mod quaternions;
 mod references;
 mod repeated;
 mod sealed;

@@ -4,6 +4,7 @@
 use super::Plan;
 use super::looped::usize_literal;
 use super::names::{accessor_mut, helper};
+use super::quaternions;
 use super::spread::{Piece, Spread};
 use super::workspace::point_type;
 use crate::model::{Group, HingeId};
@@ -85,6 +86,7 @@ pub fn state_accessors(plan: &Plan, hinge: HingeId, count: usize) -> TokenStream
     let (read, change) = (parts.taken(plan, &index, false), parts.taken(plan, &index, true));
     let (groups, new_groups) = (groups(plan, hinge, ""), groups(plan, hinge, "new_"));
     let (view, view_mut) = (view_name(plan, hinge, ""), view_name(plan, hinge, "Mut"));
+    let named = quaternions::named(&plan.chain.hinges[hinge]);
     let kind = &plan.chain.hinges[hinge].kind;
     let given =
         |letter: &'static str, count: usize| (0..count).map(move |k| format!("{letter}{k}"));
@@ -115,7 +117,7 @@ pub fn state_accessors(plan: &Plan, hinge: HingeId, count: usize) -> TokenStream
             index_: ::core::primitive::usize,
         ) -> ::core::option::Option<#mstmm::#view_mut<'_, T>> {
             #change
-            ::core::option::Option::Some(#mstmm::#view_mut::new(#(#groups),*))
+            ::core::option::Option::Some(#mstmm::#view_mut::new(#(#groups),*)#named)
         }
 
         #[doc = #doc_set]
@@ -169,6 +171,7 @@ pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str
         quote!(let [#pattern] = &mut #array.data.0;)
     };
     let groups = groups(plan, hinge, "");
+    let named = quaternions::named(&plan.chain.hinges[hinge]);
     let (change_q, change_v) = (
         change(Spread::coordinates(plan), (&q, &q_range), "q", quote!(self.q)),
         change(Spread::freedoms(plan), (&v, &v_range), "v", quote!(self.v)),
@@ -188,7 +191,7 @@ pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str
         #visibility fn #name_mut(&mut self) -> #mstmm::#view_mut<'_, T> {
             #change_q
             #change_v
-            #mstmm::#view_mut::new(#(#groups),*)
+            #mstmm::#view_mut::new(#(#groups),*)#named
         }
     }
 }

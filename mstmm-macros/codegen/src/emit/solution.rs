@@ -7,6 +7,7 @@ use super::docs;
 use super::dynamics::{Check, check};
 use super::looped::{Target, usize_literal};
 use super::names::{Variables, helper};
+use super::quaternions;
 use super::spread::Spread;
 use crate::compile::groups;
 use crate::program::Operand;
@@ -23,7 +24,7 @@ pub fn solution(plan: &Plan) -> TokenStream {
     let (workspace, visibility) = (&plan.names.workspace, &plan.surface.visibility);
     let program = &plan.programs.solution;
     let body = if plan.chain.repeats.is_empty() { solved(plan) } else { solved_in_loops(plan) };
-    let cost = docs::cost(program);
+    let (cost, errors) = (docs::cost(program), quaternions::error(plan));
     let doc = format!(" Writes into `at`: {}.", docs::results(plan));
     quote! {
         #[doc = #doc]
@@ -34,6 +35,7 @@ pub fn solution(plan: &Plan) -> TokenStream {
         ///
         /// As [`accelerations_into`](Self::accelerations_into); `at` is then as
         /// [`workspace`](Self::workspace) makes it: results of earlier calls are gone.
+        #(#[doc = #errors])*
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         #visibility fn solve_into(
             &self,
@@ -79,7 +81,7 @@ fn solved(plan: &Plan) -> Group {
         names.push(quote!(#name));
     }
     let statements = plan.delivering(block, program, deliveries);
-    let given = taken_back(plan, &check.given);
+    let given = taken_back(plan, &given(plan, &check));
     body(
         quote! {
             #given
@@ -90,6 +92,13 @@ fn solved(plan: &Plan) -> Group {
             ::core::result::Result::Ok(())
         },
     )
+}
+
+/// Statements that fail where what is given is refused.
+fn given(plan: &Plan, check: &Check) -> TokenStream {
+    let mut statements = quaternions::checked(plan);
+    statements.extend(check.given.clone());
+    statements
 }
 
 /// The test of what has been found: where it fails, nothing stays of what has been written.
@@ -209,7 +218,7 @@ fn solved_in_loops(plan: &Plan) -> Group {
         let field = format_ident!("{field}");
         quote!(at_.#field = #energy;)
     });
-    let mut statements = taken_back(plan, &check.given);
+    let mut statements = taken_back(plan, &given(plan, &check));
     statements.extend(block.statements);
     body(
         statements,

@@ -3,7 +3,7 @@
 use super::looped::usize_literal;
 use super::names::{accessor_mut, helper};
 use super::spread::Spread;
-use super::{Plan, repeated};
+use super::{Plan, quaternions, repeated};
 use crate::model::{Element, Group};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -137,6 +137,7 @@ fn accessors(plan: &Plan, index: usize) -> TokenStream {
         return repeated::single_accessors(plan, index, (&doc, &doc_mut));
     }
     let (from_q, from_v) = (pattern((true, q)), pattern((false, v)));
+    let named = quaternions::named(hinge);
     quote! {
         #[doc = #doc]
         #[inline]
@@ -152,7 +153,7 @@ fn accessors(plan: &Plan, index: usize) -> TokenStream {
         #visibility fn #name_mut(&mut self) -> #mstmm::#view_mut<'_, T> {
             let [#from_q] = &mut self.q.data.0;
             let [#from_v] = &mut self.v.data.0;
-            #mstmm::#view_mut::new(#arguments)
+            #mstmm::#view_mut::new(#arguments)#named
         }
     }
 }

@@ -1,0 +1,142 @@
+//! The checks of quaternions where a state or a prescribed motion comes from outside.
+
+use super::Plan;
+use super::looped::usize_literal;
+use super::spread::{Piece, Spread};
+use crate::model::{Driven, Form, Hinge, HingeId, HingeKind, Input};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// Where the quaternion is among the coordinates of a hinge.
+fn quaternion_of(kind: &HingeKind) -> Option<usize> {
+    let group = kind.shape().groups.iter().find(|group| group.form == Form::Quaternion);
+    group.map(|group| group.coordinates.start)
+}
+
+/// The hinges whose quaternion is in the state, each with its place in the model.
+fn in_state(plan: &Plan) -> Vec<(HingeId, usize)> {
+    let hinges = plan.chain.hinges.iter().enumerate();
+    let free = hinges.filter(|(_, hinge)| !hinge.is_prescribed());
+    let place =
+        |index: HingeId, kind| quaternion_of(kind).map(|first| plan.layout.q[index].start + first);
+    free.filter_map(|(index, hinge)| Some((index, place(index, &hinge.kind)?))).collect()
+}
+
+/// The prescribed motions with a quaternion.
+fn in_inputs<'a>(plan: &'a Plan) -> impl Iterator<Item = &'a Input> {
+    plan.layout.inputs.iter().filter(|input| match input.what {
+        Driven::Motion(hinge) => quaternion_of(&plan.chain.hinges[hinge].kind).is_some(),
+        _ => false,
+    })
+}
+
+/// The methods `check_state` and `check_inputs` of the trait `Chain`, where there are quaternions.
+pub fn checks(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
+    let (state, inputs) = (&plan.names.state, &plan.names.inputs);
+    let mut methods = TokenStream::new();
+    let spread = Spread::coordinates(plan);
+    let table: Vec<TokenStream> =
+        in_state(plan).into_iter().filter_map(|entry| row(plan, &spread, entry)).collect();
+    if !table.is_empty() {
+        methods.extend(quote! {
+            #[inline]
+            fn check_state(
+                &self,
+                state_: &#state<T>,
+            ) -> ::core::result::Result<(), #mstmm::Error> {
+                #mstmm::generated::check_quaternions(state_.q.as_slice(), &[#(#table),*])
+            }
+        });
+    }
+    let motions: Vec<TokenStream> = in_inputs(plan).map(|input| motion(plan, input)).collect();
+    if !motions.is_empty() {
+        methods.extend(quote! {
+            #[inline]
+            fn check_inputs(
+                &self,
+                inputs_: &#inputs<T>,
+            ) -> ::core::result::Result<(), #mstmm::Error> {
+                #(#motions)*
+                ::core::result::Result::Ok(())
+            }
+        });
+    }
+    methods
+}
+
+/// The row of a hinge in the table of quaternions.
+fn row(plan: &Plan, spread: &Spread, (index, place): (HingeId, usize)) -> Option<TokenStream> {
+    let mstmm = &plan.mstmm;
+    let hinge = plan.chain.hinges[index].name.to_string();
+    let &Piece { first, count, place: start, times, .. } = spread.piece_of(place)?;
+    let [first, stride, count] = [start + place - first, count, times].map(usize_literal);
+    Some(quote! {
+        #mstmm::generated::QuaternionsOf {
+            hinge: #hinge,
+            first: #first,
+            stride: #stride,
+            count: #count,
+        }
+    })
+}
+
+/// Statements that check a prescribed motion.
+fn motion(plan: &Plan, input: &Input) -> TokenStream {
+    let mstmm = &plan.mstmm;
+    let name = plan.chain.name_of_input(input.what);
+    let hinge = name.to_string();
+    let check = |motion: TokenStream| quote!(#mstmm::generated::check_quaternion(#hinge, #motion.state.quaternion())?;);
+    if plan.chain.repeat_of_input(input.what).is_some() {
+        let one = check(quote!(motion_));
+        return quote! {
+            for motion_ in &inputs_.#name {
+                #one
+            }
+        };
+    }
+    check(quote!(inputs_.#name))
+}
+
+/// The call that gives a view its hinge's name, where an error of the view can name it.
+pub fn named(hinge: &Hinge) -> Option<TokenStream> {
+    let name = hinge.name.to_string();
+    quaternion_of(&hinge.kind).map(|_| quote!(.named(#name)))
+}
+
+/// Statements that check the state and the inputs of a function.
+pub fn checked(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
+    let mut statements = TokenStream::new();
+    if !in_state(plan).is_empty() {
+        statements.extend(quote!(#mstmm::Chain::check_state(self, state_)?;));
+    }
+    if in_inputs(plan).next().is_some() {
+        statements.extend(quote!(#mstmm::Chain::check_inputs(self, inputs_)?;));
+    }
+    statements
+}
+
+/// The documentation of the error of such a function, where there are quaternions.
+pub fn error(plan: &Plan) -> Vec<String> {
+    if checked(plan).is_empty() {
+        return Vec::new();
+    }
+    let text = " `Error::Quaternion` if the length of a quaternion is not between 0.9 and 1.1.";
+    vec![String::new(), text.to_owned()]
+}
+
+/// What the fast path makes of quaternions whose length is not one.
+pub fn near_one(plan: &Plan) -> Vec<String> {
+    if checked(plan).is_empty() {
+        return Vec::new();
+    }
+    let lines = [
+        "",
+        " Quaternions may have any length near one, as those of an integrator's stages have. They",
+        " are used unchanged and are not checked: for a quaternion of length n whose rotation matrix",
+        " is R, the matrix (1 − n²) 1 + n² R is used instead of R, which is R up to terms of the",
+        " order of n² − 1.",
+    ];
+    lines.map(str::to_owned).into()
+}
