@@ -55,8 +55,8 @@ pub trait Chain {
     /// [`check_inputs`](Chain::check_inputs).
     ///
     /// # Errors
-    /// [`Error::NotFinite`] if the state or the inputs are not finite, [`Error::Singular`] if
-    /// nothing with inertia lies beyond a hinge. `rate` means nothing then.
+    /// [`Error::NotFinite`] if the state or the inputs are not finite, [`Error::Singular`] if no
+    /// inertia is left beyond a hinge. `rate` means nothing then.
     fn derivative_into(
         &self,
         state: &Self::State,

@@ -8,8 +8,12 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Error {
-    /// Nothing with inertia lies beyond the hinge in some direction in which it is free, so its
-    /// acceleration has no answer.
+    /// Along some direction in which the hinge is free, no inertia beyond it is left: nothing there
+    /// has any in this state, or rounding has lost it.
+    ///
+    /// The inertia beyond a hinge is found as a difference of larger numbers. It is lost if it is
+    /// not larger than their rounding: with masses about 10⁶ apart in `f32`, about 10¹⁵ in `f64`.
+    /// Then take `f64`, or masses, lengths and inertias closer together.
     Singular {
         /// The hinge's name in the chain's description.
         hinge: &'static str,
@@ -42,7 +46,12 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Error::Singular { hinge } => {
-                write!(f, "nothing with inertia lies beyond hinge `{hinge}`")
+                write!(
+                    f,
+                    "no inertia is left beyond hinge `{hinge}` in a direction in which it is free: \
+                     nothing there has any in this state, or rounding has lost it next to much \
+                     larger inertias; if so, use `f64`, or masses closer together"
+                )
             }
             Error::Quaternion { hinge } => write!(
                 f,

@@ -7,7 +7,9 @@ fn errors_speak_plainly() {
     let told = |error: Error| error.to_string();
     assert_eq!(
         told(Error::Singular { hinge: "elbow" }),
-        "nothing with inertia lies beyond hinge `elbow`"
+        "no inertia is left beyond hinge `elbow` in a direction in which it is free: nothing there \
+         has any in this state, or rounding has lost it next to much larger inertias; if so, use \
+         `f64`, or masses closer together"
     );
     assert_eq!(told(Error::NotFinite), "a coordinate, rate, input or time is not a finite number");
     assert_eq!(

@@ -122,7 +122,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     ///
     /// # Errors
     ///
-    /// `Error::Singular` if nothing with inertia lies beyond a
+    /// `Error::Singular` if no inertia is left beyond a
     /// hinge, `Error::NotFinite` if a number of the state or the
     /// inputs is not finite. `accelerations` is not touched then.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]

@@ -159,7 +159,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// # Errors
     ///
-    /// `Error::Singular` if nothing with inertia lies beyond a
+    /// `Error::Singular` if no inertia is left beyond a
     /// hinge, `Error::NotFinite` if a number of the state or the
     /// inputs is not finite. `accelerations` is not touched then.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
