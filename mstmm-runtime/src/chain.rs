@@ -131,8 +131,16 @@ pub trait Chain {
     /// velocities, by one correction: a step moves it off by no more than its error, of which about
     /// the square is left. Integrators ask for it after every step; `inputs` are asked at its end,
     /// by chains that need them. Other chains are closed always.
-    fn close(&self, state: &mut Self::State, inputs: impl FnOnce(&Self::State) -> Self::Inputs) {
+    ///
+    /// # Errors
+    /// That of `inputs`, unchanged; `state` is left as it was.
+    fn close<E: From<Error>>(
+        &self,
+        state: &mut Self::State,
+        inputs: impl FnOnce(&Self::State) -> Result<Self::Inputs, E>,
+    ) -> Result<(), E> {
         let _ = (state, inputs);
+        Ok(())
     }
 }
 

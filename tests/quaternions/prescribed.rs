@@ -84,9 +84,9 @@ mstmm_chain! {
     }
 }
 
-/// `assemble` is given prescribed motions, too.
+/// `assemble` is given prescribed motions, too, and asked at the end of a step they close the chain.
 #[test]
-fn closed_chains_refuse_them_when_they_are_assembled() {
+fn closed_chains_refuse_them_when_they_are_assembled_and_closed() {
     let chain = Rocking::<f64>::new();
     let mut state = chain.initial_state();
     GeneratedChain::assemble(&chain, &mut state, &chain.no_inputs()).expect("a loop");
@@ -94,4 +94,10 @@ fn closed_chains_refuse_them_when_they_are_assembled() {
     wrong.deck.state = FloatingState::new([0.0; 3], of_length(1.2), [0.0; 3], [0.0; 3]);
     let error = Error::Quaternion { hinge: "deck" };
     assert_refused(&chain, &state, &wrong, error);
+    let (mut moved, mut asked) = (state.clone(), 0);
+    let result = SemiImplicitEuler::new(1e-3).step(&chain, &mut moved, |_, _| {
+        asked += 1;
+        if asked == 2 { wrong } else { chain.no_inputs() }
+    });
+    assert_eq!((result, moved), (Err(error), state));
 }

@@ -1,6 +1,7 @@
 //! What methods with a fixed step share: the clock, the way to an end time, the end of a step.
 
 use super::Real;
+use super::ask::ask;
 use super::combine::{copy, is_finite};
 use crate::{Chain, ChainState, Error, Scalar};
 
@@ -12,24 +13,24 @@ pub(super) trait FixedStep<C: Chain> {
     /// Takes `state` from its own time over `span`.
     ///
     /// # Errors
-    /// Those of [`Chain::derivative_into`], and [`Error::NotFinite`] if the result is not finite.
-    /// `state` is left as it was.
-    fn take(
+    /// Those of `inputs` and of [`Chain::derivative_into`], and [`Error::NotFinite`] if the result is
+    /// not finite. `state` is left as it was.
+    fn take<E: From<Error>>(
         &mut self,
         chain: &C,
         state: &mut C::State,
         span: Span<C::Scalar>,
-        inputs: &mut impl FnMut(C::Scalar, &C::State) -> C::Inputs,
-    ) -> Result<(), Error>;
+        inputs: &mut impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+    ) -> Result<(), E>;
 }
 
 /// One whole step.
-pub(super) fn step<C: Chain>(
+pub(super) fn step<C: Chain, E: From<Error>>(
     method: &mut impl FixedStep<C>,
     chain: &C,
     state: &mut C::State,
-    mut inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
-) -> Result<(), Error> {
+    mut inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+) -> Result<(), E> {
     chain.check_state(state)?;
     let pace = method.pace();
     let (span, clock) = pace.whole(state.time(), pace.step);
@@ -39,21 +40,21 @@ pub(super) fn step<C: Chain>(
 }
 
 /// Whole steps and a shorter one that ends at the time `end`.
-pub(super) fn advance<C: Chain>(
+pub(super) fn advance<C: Chain, E: From<Error>>(
     method: &mut impl FixedStep<C>,
     chain: &C,
     state: &mut C::State,
     end: Real<C>,
-    mut inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
-) -> Result<(), Error> {
+    mut inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+) -> Result<(), E> {
     if !end.finite() {
-        return Err(Error::NotFinite);
+        return Err(Error::NotFinite.into());
     }
     chain.check_state(state)?;
     while state.time().worst() != end {
         let (span, clock) = method.pace().towards(state.time(), end);
         if span.end == state.time() {
-            return Err(Error::Parameter { name: "step", reason: "must move the clock" });
+            return Err(Error::Parameter { name: "step", reason: "must move the clock" }.into());
         }
         method.take(chain, state, span, &mut inputs)?;
         method.pace().clock = clock;
@@ -62,18 +63,18 @@ pub(super) fn advance<C: Chain>(
 }
 
 /// The end of every step: sets the time of `result`, projects it, and writes it to `state`.
-pub(super) fn arrive<C: Chain>(
+pub(super) fn arrive<C: Chain, E: From<Error>>(
     chain: &C,
     result: &mut C::State,
     time: C::Scalar,
     state: &mut C::State,
-    inputs: &mut impl FnMut(C::Scalar, &C::State) -> C::Inputs,
-) -> Result<(), Error> {
+    inputs: &mut impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+) -> Result<(), E> {
     result.set_time(time);
     chain.normalize(result);
-    chain.close(result, |state| inputs(time, state));
+    chain.close(result, |state| ask(chain, inputs, time, state))?;
     if !is_finite(result) {
-        return Err(Error::NotFinite);
+        return Err(Error::NotFinite.into());
     }
     copy(state, result);
     Ok(())
@@ -145,6 +146,46 @@ impl<T: Scalar> Clock<T> {
         Self { time, lost: (now - (time - back)) + (change - back) }
     }
 }
+
+/// `try_step` and `try_advance` of a method.
+macro_rules! fallible_inputs {
+    ($method:ident) => {
+        impl<C: Chain> $method<C> {
+            /// Takes `state` one step further, as [`step`](Self::step) does, with `inputs` that may
+            /// fail.
+            ///
+            /// # Errors
+            /// The first error of `inputs`, unchanged: it ends the step at once. Those of
+            /// [`step`](Self::step), as an `E`. `state` and the integrator are left as they were.
+            pub fn try_step<E: From<Error>>(
+                &mut self,
+                chain: &C,
+                state: &mut C::State,
+                inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+            ) -> Result<(), E> {
+                fixed_step::step(self, chain, state, inputs)
+            }
+
+            /// Takes `state` to the time `end` in s, as [`advance`](Self::advance) does, with
+            /// `inputs` that may fail.
+            ///
+            /// # Errors
+            /// The first error of `inputs`, unchanged: it ends the step at once. Those of
+            /// [`advance`](Self::advance), as an `E`. `state` and the integrator are then what the
+            /// last complete step led to.
+            pub fn try_advance<E: From<Error>>(
+                &mut self,
+                chain: &C,
+                state: &mut C::State,
+                end: Real<C>,
+                inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+            ) -> Result<(), E> {
+                fixed_step::advance(self, chain, state, end, inputs)
+            }
+        }
+    };
+}
+pub(super) use fallible_inputs;
 
 /// `Clone` and `Debug` of a method, whose first field is its [`Pace`]. Derived, both would ask the
 /// same of the chain's own type.

@@ -1,8 +1,8 @@
 //! Euler's method for stiff springs.
 
 use super::Real;
-use super::ask::ask;
-use super::fixed_step::{self, FixedStep, Pace, Span, clone_and_debug};
+use super::ask::{always, ask};
+use super::fixed_step::{self, FixedStep, Pace, Span, clone_and_debug, fallible_inputs};
 use super::semi_implicit_euler::follow;
 use crate::{Chain, ChainState, Error};
 
@@ -21,6 +21,8 @@ pub struct LinearlyImplicitEuler<C: Chain> {
     rate: C::State,
     result: C::State,
 }
+
+fallible_inputs!(LinearlyImplicitEuler);
 
 clone_and_debug!(LinearlyImplicitEuler { rate, result });
 
@@ -54,7 +56,7 @@ impl<C: Chain> LinearlyImplicitEuler<C> {
         state: &mut C::State,
         inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
-        fixed_step::step(self, chain, state, inputs)
+        fixed_step::step(self, chain, state, always::<C>(inputs))
     }
 
     /// Takes `state` to the time `end` in s as [`Rk4::advance`](super::Rk4::advance) does.
@@ -70,7 +72,7 @@ impl<C: Chain> LinearlyImplicitEuler<C> {
         end: Real<C>,
         inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
-        fixed_step::advance(self, chain, state, end, inputs)
+        fixed_step::advance(self, chain, state, end, always::<C>(inputs))
     }
 }
 
@@ -79,13 +81,13 @@ impl<C: Chain> FixedStep<C> for LinearlyImplicitEuler<C> {
         &mut self.pace
     }
 
-    fn take(
+    fn take<E: From<Error>>(
         &mut self,
         chain: &C,
         state: &mut C::State,
         span: Span<C::Scalar>,
-        inputs: &mut impl FnMut(C::Scalar, &C::State) -> C::Inputs,
-    ) -> Result<(), Error> {
+        inputs: &mut impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+    ) -> Result<(), E> {
         let acting = ask(chain, inputs, state.time(), state)?;
         chain.implicit_derivative_into(state, &acting, span.step, &mut self.rate)?;
         follow(chain, state, span, &mut self.rate, &mut self.result, inputs)

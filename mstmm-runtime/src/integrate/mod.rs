@@ -23,6 +23,40 @@
 //! state| inputs`. It is asked at every stage of a step, so it should be smooth in time within a
 //! step; where it jumps, let a step end.
 //!
+//! Inputs that may fail, such as those of a controller that reads sensors, are given to `try_step` and
+//! `try_advance` as a `Result` with an error of any type `E: From<Error>`. The first error ends the
+//! step at once and reaches the caller unchanged. The state, the clock, and of [`Dopri5`] the size of
+//! the next step and the dense output are then as before that step. Errors of the chain are converted
+//! to `E`.
+//!
+//! ```
+//! # use mstmm_runtime::{Chain, ChainState, Error, Rk4};
+//! #[derive(Debug, PartialEq)]
+//! enum Fault {
+//!     Sensor,
+//!     Dynamics(Error),
+//! }
+//!
+//! impl From<Error> for Fault {
+//!     fn from(error: Error) -> Self {
+//!         Fault::Dynamics(error)
+//!     }
+//! }
+//!
+//! /// A torque against the rate that a sensor measures.
+//! fn control<C: Chain<Scalar = f64, Inputs = f64>>(state: &C::State) -> Result<f64, Fault> {
+//!     let measured = state.v().first().filter(|rate| rate.abs() < 10.0);
+//!     Ok(-0.5 * measured.ok_or(Fault::Sensor)?)
+//! }
+//!
+//! fn move_on<C: Chain<Scalar = f64, Inputs = f64>>(
+//!     chain: &C,
+//!     state: &mut C::State,
+//! ) -> Result<(), Fault> {
+//!     Rk4::new(1e-3).try_step(chain, state, |_time, state| control::<C>(state))
+//! }
+//! ```
+//!
 //! A quaternion of the given state, or of a prescribed motion, whose length is not between 0.9 and 1.1
 //! is refused with [`Error::Quaternion`](crate::Error::Quaternion). The state is checked once in a call
 //! of `step` or `advance`; the states of stages, which an integrator makes itself, are not.

@@ -1,9 +1,9 @@
 //! Newmark's method.
 
 use super::Real;
-use super::ask::ask;
+use super::ask::{always, ask};
 use super::combine::{add_scaled_coordinates, add_scaled_rates, copy};
-use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug};
+use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug, fallible_inputs};
 use crate::{Chain, ChainState, Error, Scalar};
 
 /// Newmark's method (J. Eng. Mech. Div. ASCE 85, 1959) with a fixed step: order two.
@@ -39,6 +39,8 @@ pub struct Newmark<C: Chain> {
     mean: C::State,
     result: C::State,
 }
+
+fallible_inputs!(Newmark);
 
 clone_and_debug!(Newmark { beta, gamma, iterations, first, last, mean, result });
 
@@ -93,7 +95,7 @@ impl<C: Chain> Newmark<C> {
         state: &mut C::State,
         inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
-        fixed_step::step(self, chain, state, inputs)
+        fixed_step::step(self, chain, state, always::<C>(inputs))
     }
 
     /// Takes `state` to the time `end` in s as [`Rk4::advance`](super::Rk4::advance) does.
@@ -109,7 +111,7 @@ impl<C: Chain> Newmark<C> {
         end: Real<C>,
         inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
-        fixed_step::advance(self, chain, state, end, inputs)
+        fixed_step::advance(self, chain, state, end, always::<C>(inputs))
     }
 
     /// Writes the end of a step from `state` to `self.result`, by the accelerations in `self.first`
@@ -139,13 +141,13 @@ impl<C: Chain> FixedStep<C> for Newmark<C> {
         &mut self.pace
     }
 
-    fn take(
+    fn take<E: From<Error>>(
         &mut self,
         chain: &C,
         state: &mut C::State,
         span: Span<C::Scalar>,
-        inputs: &mut impl FnMut(C::Scalar, &C::State) -> C::Inputs,
-    ) -> Result<(), Error> {
+        inputs: &mut impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+    ) -> Result<(), E> {
         let acting = ask(chain, inputs, state.time(), state)?;
         chain.derivative_into(state, &acting, &mut self.first)?;
         copy(&mut self.last, &self.first);

@@ -1,9 +1,9 @@
 //! The classical method of order four.
 
 use super::Real;
-use super::ask::ask;
+use super::ask::{always, ask};
 use super::combine::{add_scaled, copy, start_plus_scaled, sum_scaled, weighted_sum};
-use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug};
+use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug, fallible_inputs};
 use crate::{Chain, ChainState, Error, Scalar};
 
 /// The classical Runge–Kutta method of order four with a fixed step.
@@ -21,6 +21,8 @@ pub struct Rk4<C: Chain> {
     rate: C::State,
     sum: C::State,
 }
+
+fallible_inputs!(Rk4);
 
 clone_and_debug!(Rk4 { stage, rate, sum });
 
@@ -60,7 +62,7 @@ impl<C: Chain> Rk4<C> {
         state: &mut C::State,
         inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
-        fixed_step::step(self, chain, state, inputs)
+        fixed_step::step(self, chain, state, always::<C>(inputs))
     }
 
     /// Takes `state` to the time `end` in s, before or after its own, and lands on it exactly: in
@@ -78,7 +80,7 @@ impl<C: Chain> Rk4<C> {
         end: Real<C>,
         inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
-        fixed_step::advance(self, chain, state, end, inputs)
+        fixed_step::advance(self, chain, state, end, always::<C>(inputs))
     }
 }
 
@@ -87,13 +89,13 @@ impl<C: Chain> FixedStep<C> for Rk4<C> {
         &mut self.pace
     }
 
-    fn take(
+    fn take<E: From<Error>>(
         &mut self,
         chain: &C,
         state: &mut C::State,
         Span { step, end }: Span<C::Scalar>,
-        inputs: &mut impl FnMut(C::Scalar, &C::State) -> C::Inputs,
-    ) -> Result<(), Error> {
+        inputs: &mut impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+    ) -> Result<(), E> {
         let half = step * C::Scalar::constant(0.5);
         let (one, two) = (C::Scalar::constant(1.0), C::Scalar::constant(2.0));
         let (start, middle) = (state.time(), state.time() + half);

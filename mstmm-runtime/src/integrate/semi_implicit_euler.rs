@@ -1,9 +1,9 @@
 //! Euler's method that takes the coordinates along by the new rates.
 
 use super::Real;
-use super::ask::ask;
+use super::ask::{always, ask};
 use super::combine::{add_scaled_coordinates, add_scaled_rates, copy};
-use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug};
+use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug, fallible_inputs};
 use crate::{Chain, ChainState, Error};
 
 /// The semi-implicit, or symplectic, method of Euler with a fixed step: order one at one evaluation
@@ -23,6 +23,8 @@ pub struct SemiImplicitEuler<C: Chain> {
     rate: C::State,
     result: C::State,
 }
+
+fallible_inputs!(SemiImplicitEuler);
 
 clone_and_debug!(SemiImplicitEuler { rate, result });
 
@@ -55,7 +57,7 @@ impl<C: Chain> SemiImplicitEuler<C> {
         state: &mut C::State,
         inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
-        fixed_step::step(self, chain, state, inputs)
+        fixed_step::step(self, chain, state, always::<C>(inputs))
     }
 
     /// Takes `state` to the time `end` in s as [`Rk4::advance`](super::Rk4::advance) does.
@@ -71,7 +73,7 @@ impl<C: Chain> SemiImplicitEuler<C> {
         end: Real<C>,
         inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
-        fixed_step::advance(self, chain, state, end, inputs)
+        fixed_step::advance(self, chain, state, end, always::<C>(inputs))
     }
 }
 
@@ -80,13 +82,13 @@ impl<C: Chain> FixedStep<C> for SemiImplicitEuler<C> {
         &mut self.pace
     }
 
-    fn take(
+    fn take<E: From<Error>>(
         &mut self,
         chain: &C,
         state: &mut C::State,
         span: Span<C::Scalar>,
-        inputs: &mut impl FnMut(C::Scalar, &C::State) -> C::Inputs,
-    ) -> Result<(), Error> {
+        inputs: &mut impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+    ) -> Result<(), E> {
         let acting = ask(chain, inputs, state.time(), state)?;
         chain.derivative_into(state, &acting, &mut self.rate)?;
         follow(chain, state, span, &mut self.rate, &mut self.result, inputs)
@@ -94,14 +96,14 @@ impl<C: Chain> FixedStep<C> for SemiImplicitEuler<C> {
 }
 
 /// Follows v̇ in `rate` over `span`, first with the rates, then by these with the coordinates.
-pub(super) fn follow<C: Chain>(
+pub(super) fn follow<C: Chain, E: From<Error>>(
     chain: &C,
     state: &mut C::State,
     Span { step, end }: Span<C::Scalar>,
     rate: &mut C::State,
     result: &mut C::State,
-    inputs: &mut impl FnMut(C::Scalar, &C::State) -> C::Inputs,
-) -> Result<(), Error> {
+    inputs: &mut impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+) -> Result<(), E> {
     copy(result, state);
     add_scaled_rates(result, step, rate);
     chain.configuration_rate_into(result, rate);

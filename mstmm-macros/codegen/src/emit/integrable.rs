@@ -121,13 +121,16 @@ fn correction(plan: &Plan) -> Correction {
         },
         close: quote! {
             #[inline]
-            fn close(
+            fn close<E: ::core::convert::From<#mstmm::Error>>(
                 &self,
                 state_: &mut #state<T>,
-                inputs_: impl ::core::ops::FnOnce(&#state<T>) -> #inputs<T>,
-            ) {
-                let inputs_ = inputs_(state_);
+                inputs_: impl ::core::ops::FnOnce(
+                    &#state<T>,
+                ) -> ::core::result::Result<#inputs<T>, E>,
+            ) -> ::core::result::Result<(), E> {
+                let inputs_ = inputs_(state_)?;
                 self.correct(state_, &inputs_);
+                ::core::result::Result::Ok(())
             }
         },
         assemble: quote! {

@@ -1359,13 +1359,16 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for FourBar<T> {
         };
     }
     #[inline]
-    fn close(
+    fn close<E: ::core::convert::From<::mstmm::Error>>(
         &self,
         state_: &mut FourBarState<T>,
-        inputs_: impl ::core::ops::FnOnce(&FourBarState<T>) -> FourBarInputs<T>,
-    ) {
-        let inputs_ = inputs_(state_);
+        inputs_: impl ::core::ops::FnOnce(
+            &FourBarState<T>,
+        ) -> ::core::result::Result<FourBarInputs<T>, E>,
+    ) -> ::core::result::Result<(), E> {
+        let inputs_ = inputs_(state_)?;
         self.correct(state_, &inputs_);
+        ::core::result::Result::Ok(())
     }
 }
 #[allow(dead_code)]

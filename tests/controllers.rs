@@ -1,0 +1,8 @@
+//! Controllers that fail inside an integrator: their error reaches the caller as it is, and state and
+//! integrator are as before the step.
+
+mod controllers {
+    mod errors;
+    mod models;
+    mod motions;
+}
