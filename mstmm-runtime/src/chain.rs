@@ -4,8 +4,8 @@ use crate::{Energy, Error, Scalar};
 
 /// The state of a simulation: coordinates, rates and the time.
 ///
-/// The coordinates of all hinges lie one after the other in `q`, their rates in `v`, in the chain's
-/// order. `v` is shorter than `q` where an orientation is kept as a quaternion. All states of one
+/// The coordinates of all hinges lie one after the other in `q`, their rates in `v`, in the same
+/// order; that of generated chains is documented at [`GeneratedChain`]. `v` is shorter than `q` where an orientation is kept as a quaternion. All states of one
 /// chain have arrays of the same lengths.
 pub trait ChainState: Clone {
     /// The numbers the state is kept in.
@@ -147,6 +147,19 @@ pub trait Chain {
 /// A chain made by `mstmm_chain!`: what every one of them can do, for code that works with any.
 ///
 /// The methods are those of the generated type itself, which documents them.
+///
+/// # Orders
+///
+/// Coordinates [`q`](ChainState::q), rates [`v`](ChainState::v) and accelerations lie hinge by hinge
+/// in the order of the route. The body of a chain that floats comes first, and hinges whose motion is
+/// prescribed have no place. A repeated part lies repetition by repetition: all its hinges in the order
+/// of the route for the first repetition, then all of them for the second, and so on. So `repeat 2 { pin
+/// a -> Rod b -> slider c -> Rod d }` has the rates a₀, c₀, a₁, c₁. The documentation of a state's type
+/// has a table with the places of all its hinges.
+///
+/// The connection points that a workspace's `points()` returns are in the order of the route, too: the
+/// input of the first element, then the output of every element, repetition by repetition where a part
+/// is repeated. The input of an element is the output of the one before it.
 pub trait GeneratedChain: Chain {
     /// Where results are written.
     type Workspace;
@@ -176,6 +189,10 @@ pub trait GeneratedChain: Chain {
 
     /// Closes a chain that is held at both ends: moves `state` to coordinates and rates nearby that
     /// fulfil the closure, with prescribed motions as `inputs` say. Other chains are closed always.
+    ///
+    /// Coordinates are found by Newton's method. Of all small motions that close the gap to first
+    /// order, each correction is the one with the least kinetic energy, and so is each change of the
+    /// rates among those that make both sides of the closing hinge move alike.
     ///
     /// # Errors
     /// [`Error::NotAssembled`] if that leads nowhere, and those of [`Chain::check_state`] and

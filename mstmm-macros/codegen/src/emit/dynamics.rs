@@ -55,7 +55,7 @@ fn accelerations(plan: &Plan) -> TokenStream {
     quote! {
         #implicit
 
-        /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
+        /// The accelerations `v̇` of all hinges, in the order of `v` of the state: the fast path.
         #(#[doc = #near_one])*
         ///
         #(#[doc = #cost])*

@@ -105,8 +105,8 @@ fn correction(plan: &Plan) -> Correction {
         correct: quote! {
             #[allow(dead_code)]
             impl<T: #mstmm::Scalar> #name<T> {
-                /// Corrects coordinates and rates once by the smallest motion that closes the
-                /// chain, and returns how far it was from closed.
+                /// Corrects coordinates and rates once by the motion of least kinetic energy that
+                /// closes the chain, and returns how far it was from closed.
                 ///
                 #(#[doc = #cost])*
                 #[allow(unused_doc_comments, unused_variables, clippy::all)]
@@ -135,8 +135,17 @@ fn correction(plan: &Plan) -> Correction {
         },
         assemble: quote! {
             impl<T: #mstmm::Scalar> #name<T> {
-                /// Closes the chain: moves `state` to coordinates and rates nearby, measured by
-                /// the kinetic energy that it takes, that fulfil the closure.
+                /// Closes the chain: moves `state` to coordinates and rates nearby that fulfil the
+                /// closure.
+                ///
+                /// The coordinates are found by Newton's method. Of all small motions that close
+                /// the gap to first order, each correction is the one with the least kinetic energy,
+                /// ½ δᵀ M δ for a motion δ along the rates and the mass matrix M of bodies and rotors.
+                /// The rates are changed along with them: of all changes that make the closing
+                /// hinge's sides move alike, each is the one with the least kinetic energy, which is
+                /// what an impulse in the closing hinge would do. What is minimised is each
+                /// correction: after several of them the way from the start is the least one only up
+                /// to the square of its length.
                 ///
                 /// # Errors
                 ///

@@ -12,6 +12,7 @@ mod inputs;
 mod integrable;
 mod looped;
 mod names;
+mod orders;
 mod parameters;
 mod places;
 mod quaternions;

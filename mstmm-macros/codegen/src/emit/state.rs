@@ -3,7 +3,7 @@
 use super::looped::usize_literal;
 use super::names::{accessor_mut, helper};
 use super::spread::Spread;
-use super::{Plan, quaternions, repeated};
+use super::{Plan, orders, quaternions, repeated};
 use crate::model::{Element, Group};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -18,11 +18,13 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let freedoms = usize_literal(Spread::freedoms(plan).total);
     let accessors = (0..plan.chain.hinges.len()).map(|index| accessors(plan, index));
     let rest = rest(plan);
+    let order = orders::of_state(plan);
     quote! {
         #[doc = #doc]
         ///
-        /// The hinges lie one after the other in the order written. [`Default`] is every hinge at
-        /// rest in its zero position.
+        #(#[doc = #order])*
+        ///
+        /// [`Default`] is every hinge at rest in its zero position.
         #[derive(Clone, Debug, PartialEq)]
         #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {

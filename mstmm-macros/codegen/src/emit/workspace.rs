@@ -2,7 +2,7 @@
 
 use super::looped::usize_literal;
 use super::spread::Spread;
-use super::{Plan, docs, places, repeated, solution};
+use super::{Plan, docs, orders, places, repeated, solution};
 use crate::compile::groups;
 use crate::model::{Dimension, Element, Hinge, Results};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -20,7 +20,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let number_count = usize_literal(Spread::numbers_of_points(plan).total);
     let shifts = usize_literal(plan.chain.dimension.shifts().len());
     let places = places::emit(plan);
-    let all_points = places::all(plan);
+    let (all_points, order) = (places::all(plan), orders::of_points(plan));
     let [numbers_at_first, at_rest_at_first] =
         [groups::NUMBERS, groups::AT_REST].map(|group| solution::at_first(plan, group));
     let rates = usize_literal(Spread::rates(plan).total);
@@ -71,7 +71,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
         }
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #name<T> {
-            /// Accelerations `v̇` of all hinges, in the order of the rates.
+            /// Accelerations `v̇` of all hinges, in the order of `v` of the state.
             #[inline]
             #visibility fn accelerations(&self) -> &#mstmm::nalgebra::SVector<T, #freedoms> {
                 &self.accelerations
@@ -79,8 +79,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
 
             #energy_methods
 
-            /// All connection points in the order written: the first element's input, then every
-            /// element's output.
+            #(#[doc = #order])*
             #[inline]
             #visibility fn points(&self) -> [#point; #point_count] {
                 #all_points

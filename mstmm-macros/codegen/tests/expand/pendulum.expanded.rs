@@ -147,7 +147,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for Pendulum<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
-    /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
+    /// The accelerations `v̇` of all hinges, in the order of `v` of the state: the fast path.
     ///
     /// 4 operations: 3 mul, 1 add, 0 reciprocal, 1 sin/cos.
     ///
@@ -423,8 +423,14 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Pendulum<T> {
 }
 /// Coordinates and rates of [`Pendulum`] at a time.
 ///
-/// The hinges lie one after the other in the order written. [`Default`] is every hinge at
-/// rest in its zero position.
+/// The hinges lie one after the other in the order of the route. A body that floats comes
+/// first; a hinge whose motion is prescribed has no place.
+///
+/// | of | places in `q` | places in `v` |
+/// |---|---|---|
+/// | `joint` | 0 | 0 |
+///
+/// [`Default`] is every hinge at rest in its zero position.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumState<T> {
@@ -526,7 +532,7 @@ pub struct PendulumWorkspace<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
-    /// Accelerations `v̇` of all hinges, in the order of the rates.
+    /// Accelerations `v̇` of all hinges, in the order of `v` of the state.
     #[inline]
     pub fn accelerations(&self) -> &::mstmm::nalgebra::SVector<T, 1> {
         &self.accelerations
@@ -542,8 +548,8 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
     pub fn potential_energy(&self) -> T {
         self.potential_energy
     }
-    /// All connection points in the order written: the first element's input, then every
-    /// element's output.
+    /// All connection points in the order of the route: the input of the first element, then the
+    /// output of every element, which is the input of the next one.
     #[inline]
     pub fn points(&self) -> [::mstmm::Point<T>; 3] {
         [self.point_(0), self.point_(1), self.point_(2)]

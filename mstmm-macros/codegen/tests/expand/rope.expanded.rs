@@ -532,7 +532,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         accelerations_.data.0 = [results0_];
         ::core::result::Result::Ok(())
     }
-    /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
+    /// The accelerations `v̇` of all hinges, in the order of `v` of the state: the fast path.
     ///
     /// 102 operations: 58 mul, 43 add, 1 reciprocal, 2 sin/cos.
     ///
@@ -1802,8 +1802,17 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Rope<T> {
 }
 /// Coordinates and rates of [`Rope`] at a time.
 ///
-/// The hinges lie one after the other in the order written. [`Default`] is every hinge at
-/// rest in its zero position.
+/// The hinges lie one after the other in the order of the route. A body that floats comes
+/// first; a hinge whose motion is prescribed has no place.
+/// A repeated part lies repetition by repetition: all its hinges in the order of the route
+/// for the first repetition, then all of them for the second, and so on.
+///
+/// | of | places in `q`, with k from zero | places in `v` |
+/// |---|---|---|
+/// | `joint`, repetition k of 10 | 0 (+ k) | 0 (+ k) |
+/// | `hook` | 10 | 10 |
+///
+/// [`Default`] is every hinge at rest in its zero position.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct RopeState<T> {
@@ -1973,7 +1982,7 @@ pub struct RopeWorkspace<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
-    /// Accelerations `v̇` of all hinges, in the order of the rates.
+    /// Accelerations `v̇` of all hinges, in the order of `v` of the state.
     #[inline]
     pub fn accelerations(&self) -> &::mstmm::nalgebra::SVector<T, 11> {
         &self.accelerations
@@ -1989,8 +1998,10 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
     pub fn potential_energy(&self) -> T {
         self.potential_energy
     }
-    /// All connection points in the order written: the first element's input, then every
-    /// element's output.
+    /// All connection points in the order of the route: the input of the first element, then the
+    /// output of every element, which is the input of the next one.
+    /// Those of a repeated part come repetition by repetition: the outputs of all its elements
+    /// for the first repetition, then those for the second, and so on.
     #[inline]
     pub fn points(&self) -> [::mstmm::PlanePoint<T>; 23] {
         ::core::array::from_fn(|index_| self.point_(index_))

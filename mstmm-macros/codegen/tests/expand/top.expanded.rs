@@ -90,7 +90,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for Top<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Top<T> {
-    /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
+    /// The accelerations `v̇` of all hinges, in the order of `v` of the state: the fast path.
     ///
     /// Quaternions may have any length near one, as those of an integrator's stages have. They
     /// are used unchanged and are not checked: for a quaternion of length n whose rotation matrix
@@ -486,8 +486,14 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Top<T> {
 }
 /// Coordinates and rates of [`Top`] at a time.
 ///
-/// The hinges lie one after the other in the order written. [`Default`] is every hinge at
-/// rest in its zero position.
+/// The hinges lie one after the other in the order of the route. A body that floats comes
+/// first; a hinge whose motion is prescribed has no place.
+///
+/// | of | places in `q` | places in `v` |
+/// |---|---|---|
+/// | `tip` | 0 to 3 | 0 to 2 |
+///
+/// [`Default`] is every hinge at rest in its zero position.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 struct TopState<T> {
@@ -590,7 +596,7 @@ struct TopWorkspace<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TopWorkspace<T> {
-    /// Accelerations `v̇` of all hinges, in the order of the rates.
+    /// Accelerations `v̇` of all hinges, in the order of `v` of the state.
     #[inline]
     fn accelerations(&self) -> &::mstmm::nalgebra::SVector<T, 3> {
         &self.accelerations
@@ -606,8 +612,8 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
     fn potential_energy(&self) -> T {
         self.potential_energy
     }
-    /// All connection points in the order written: the first element's input, then every
-    /// element's output.
+    /// All connection points in the order of the route: the input of the first element, then the
+    /// output of every element, which is the input of the next one.
     #[inline]
     fn points(&self) -> [::mstmm::Point<T>; 3] {
         [self.point_(0), self.point_(1), self.point_(2)]

@@ -93,7 +93,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for TwoPins<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TwoPins<T> {
-    /// The accelerations `v̇` of all hinges, in the order of the rates: the fast path.
+    /// The accelerations `v̇` of all hinges, in the order of `v` of the state: the fast path.
     ///
     /// 122 operations: 70 mul, 47 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
@@ -707,8 +707,15 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for TwoPins<T> {
 }
 /// Coordinates and rates of [`TwoPins`] at a time.
 ///
-/// The hinges lie one after the other in the order written. [`Default`] is every hinge at
-/// rest in its zero position.
+/// The hinges lie one after the other in the order of the route. A body that floats comes
+/// first; a hinge whose motion is prescribed has no place.
+///
+/// | of | places in `q` | places in `v` |
+/// |---|---|---|
+/// | `shoulder` | 0 | 0 |
+/// | `elbow` | 1 | 1 |
+///
+/// [`Default`] is every hinge at rest in its zero position.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct TwoPinsState<T> {
@@ -826,7 +833,7 @@ pub struct TwoPinsWorkspace<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
-    /// Accelerations `v̇` of all hinges, in the order of the rates.
+    /// Accelerations `v̇` of all hinges, in the order of `v` of the state.
     #[inline]
     pub fn accelerations(&self) -> &::mstmm::nalgebra::SVector<T, 2> {
         &self.accelerations
@@ -842,8 +849,8 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
     pub fn potential_energy(&self) -> T {
         self.potential_energy
     }
-    /// All connection points in the order written: the first element's input, then every
-    /// element's output.
+    /// All connection points in the order of the route: the input of the first element, then the
+    /// output of every element, which is the input of the next one.
     #[inline]
     pub fn points(
         &self,
