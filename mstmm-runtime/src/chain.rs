@@ -133,7 +133,8 @@ pub trait Chain {
     /// by chains that need them. Other chains are closed always.
     ///
     /// # Errors
-    /// That of `inputs`, unchanged; `state` is left as it was.
+    /// That of `inputs`, unchanged; `state` is left as it was. [`Error::Closure`] if a redundant closure
+    /// turns out to be none; `state` means nothing then.
     fn close<E: From<Error>>(
         &self,
         state: &mut Self::State,

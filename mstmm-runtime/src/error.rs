@@ -40,6 +40,15 @@ pub enum Error {
     OutsideStep,
     /// A chain that is held at both ends cannot be closed from the coordinates it was given.
     NotAssembled,
+    /// The closing hinge of a linkage with redundant constraints holds more independent directions in
+    /// this pose than around the start of the description, where the rank of its closure was found.
+    ///
+    /// Linkages whose mobility depends on the pose are such. Let the description start in a pose like
+    /// those that it is to move in.
+    Closure {
+        /// The hinge's name in the chain's description.
+        hinge: &'static str,
+    },
 }
 
 impl fmt::Display for Error {
@@ -67,6 +76,11 @@ impl fmt::Display for Error {
             }
             Error::OutsideStep => f.write_str("the time lies outside the last step"),
             Error::NotAssembled => f.write_str("the chain cannot be closed from this start"),
+            Error::Closure { hinge } => write!(
+                f,
+                "hinge `{hinge}` closes the chain in more independent directions here than around \
+                 the start of its description: let it start in a pose like this one"
+            ),
         }
     }
 }

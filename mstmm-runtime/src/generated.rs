@@ -313,12 +313,13 @@ const MOST_CORRECTIONS: u32 = 50;
 /// 4.7·10⁻⁵ in single precision: long chains leave more rounding. Of several lanes the worst one decides.
 ///
 /// # Errors
-/// [`Error::NotAssembled`] if it is not closed after 50 corrections, or as soon as it is not finite; `state` is left as
-/// it was.
+/// [`Error::NotAssembled`] if it is not closed after 50 corrections, or as soon as it is not finite, and
+/// [`Error::Closure`] as [`check_closure`] says; `state` is left as it was.
 #[cold]
 pub fn assemble<S: ChainState>(
     state: &mut S,
-    mut correct: impl FnMut(&mut S) -> S::Scalar,
+    hinge: &'static str,
+    mut correct: impl FnMut(&mut S) -> [S::Scalar; 2],
 ) -> Result<(), Error> {
     type Real<S> = <<S as ChainState>::Scalar as Scalar>::Real;
     let epsilon = Real::<S>::epsilon();
@@ -327,22 +328,40 @@ pub fn assemble<S: ChainState>(
 
     let start = state.clone();
     let mut before = Real::<S>::constant(f64::INFINITY);
-    for _ in 0..MOST_CORRECTIONS {
-        let left = correct(state).worst();
+    for correction in 0..MOST_CORRECTIONS {
+        let residual = correct(state);
+        let left = residual[0].worst();
         let is_closed = left <= closed || (left <= near && left >= before);
-        if is_closed && finite(&[state.q(), state.v()]).is_ok() {
-            return Ok(());
+        let is_last = correction + 1 == MOST_CORRECTIONS && left <= near;
+        if (is_closed || is_last) && finite(&[state.q(), state.v()]).is_ok() {
+            let checked = check_closure(residual, hinge);
+            if checked.is_err() {
+                *state = start;
+            }
+            return checked;
         }
         before = left;
         if !left.finite() {
             break;
         }
     }
-    if before <= near && finite(&[state.q(), state.v()]).is_ok() {
-        return Ok(());
-    }
     *state = start;
     Err(Error::NotAssembled)
+}
+
+/// Whether directions of a closing hinge that count as redundant are so. From a residual, how far the chain is from
+/// closed in m, rad, m/s and rad/s and how much these directions hold, from nothing to one.
+///
+/// Off its closure a redundant linkage holds more than on it, by about the square of how far it is off. Beyond that,
+/// with 10⁶ for lengths of a millimetre, and beyond rounding, the linkage has another rank than the one that was found.
+///
+/// # Errors
+/// [`Error::Closure`].
+#[inline]
+pub fn check_closure<T: Scalar>(residual: [T; 2], hinge: &'static str) -> Result<(), Error> {
+    let [gap, excess] = residual;
+    let most = (gap * gap).mul_add(T::constant(1e6), independent::<T>());
+    if (!excess.greater(most)).all() { Ok(()) } else { Err(Error::Closure { hinge }) }
 }
 
 /// Poses that the rank of a closure is looked for in: the start may be a special one.
@@ -355,7 +374,7 @@ const POSES: usize = 4;
 pub fn closure_steps<S: ChainState, const N: usize>(
     start: &S,
     normalize: impl Fn(&mut S),
-    mut correct: impl FnMut(&mut S) -> S::Scalar,
+    mut correct: impl FnMut(&mut S) -> [S::Scalar; 2],
     pivots: impl Fn(&S) -> [S::Scalar; N],
 ) -> [S::Scalar; N] {
     let constant = <S::Scalar as Scalar>::constant;
@@ -371,7 +390,8 @@ pub fn closure_steps<S: ChainState, const N: usize>(
             }
             normalize(&mut state);
         }
-        if assemble(&mut state, &mut correct).is_err() {
+        // With all directions kept none counts as redundant, and no name is needed.
+        if assemble(&mut state, "", &mut correct).is_err() {
             continue;
         }
         let found = steps.get_or_insert([constant(0.0); N]);

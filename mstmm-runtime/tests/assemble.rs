@@ -3,13 +3,21 @@
 mod common;
 
 use common::State;
-use mstmm_runtime::generated::assemble;
-use mstmm_runtime::{ChainState, Error};
+use mstmm_runtime::generated::{self, check_closure, closure_steps};
+use mstmm_runtime::{ChainState, Error, Scalar};
 
 type Start<T> = State<T, 1, 1>;
 
 fn start(q: f64) -> Start<f64> {
     State { q: [q], v: [1.0], t: 3.0 }
+}
+
+/// Of a chain without redundant directions.
+fn assemble<T: Scalar>(
+    state: &mut Start<T>,
+    mut correct: impl FnMut(&mut Start<T>) -> T,
+) -> Result<(), Error> {
+    generated::assemble(state, "hook", |state| [correct(state), T::constant(0.0)])
 }
 
 /// Newton's method on q² = 2; the rate is to be 2q.
@@ -88,6 +96,31 @@ fn rounding_that_stays_is_accepted() {
     assert_eq!(told(&[1e-3, 1e-15]), (Ok(()), 2));
     assert_eq!(told(&[1e-3, 2e-3, 1e-3, 1e-12, 1e-12]), (Ok(()), 5));
     assert_eq!(told(&[1e-9]), (Err(Error::NotAssembled), 50));
+}
+
+/// Off a closure redundant directions hold about the square of the gap; on it nothing but rounding.
+#[test]
+fn a_redundant_direction_that_holds_on_the_closure_is_an_error() {
+    let error = Err(Error::Closure { hinge: "hook" });
+    assert_eq!(check_closure([1e-3, 1e-2], "hook"), Ok(()));
+    assert_eq!(check_closure([1e-12, 1e-11], "hook"), Ok(()));
+    assert_eq!(check_closure([1e-12, 1e-3], "hook"), error);
+    assert_eq!(check_closure([1e-6_f32, 1e-5], "hook"), Ok(()));
+    assert_eq!(check_closure([1e-6_f32, 1e-2], "hook"), error);
+    let mut state = start(1.0);
+    let refused =
+        generated::assemble(&mut state, "hook", |state| [toward_the_root_of_two(state), 0.1]);
+    assert_eq!((refused, state), (error, start(1.0)));
+}
+
+/// The pivots of a closure that is special at its start: rank one there, two elsewhere.
+#[test]
+fn the_rank_of_a_closure_is_the_largest_around_the_start() {
+    let pivots = |state: &Start<f64>| [1.0, (state.q[0] - 1.0).powi(2), 1e-20];
+    let steps = |gap: f64| closure_steps(&start(1.0), |_| {}, |_| [gap, 0.0], pivots);
+    assert_eq!(steps(0.0), [1.0, 1.0, 0.0]);
+    // What cannot be assembled says nothing: then no direction counts as redundant.
+    assert_eq!(steps(1.0), [1.0; 3]);
 }
 
 mod chains {

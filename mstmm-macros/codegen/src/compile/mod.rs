@@ -260,7 +260,7 @@ impl<'a, 'g> Scene<'a, 'g> {
         let correction = correction?;
         let q = equations::moved(self.chain, self.layout, &self.q, &correction.coordinates);
         let v = self.v.iter().zip(correction.rates).map(|(&v, change)| v + change).collect();
-        let groups = [q, v, vec![correction.residual]];
+        let groups = [q, v, vec![correction.residual, correction.excess]];
         Some(self.program(Stage::State, &trace, &groups, &turns, setup))
     }
 

@@ -6,7 +6,7 @@ use super::docs;
 use super::looped::Target;
 use super::quaternions;
 use super::spread::Spread;
-use crate::program::Program;
+use crate::program::{Operand, Program};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -100,19 +100,25 @@ fn correction(plan: &Plan) -> Correction {
     let checked = quaternions::checked(plan);
     let (statements, q, v, residual) =
         (block.statements, &block.arrays[0], &block.arrays[1], &block.outputs[2]);
+    let closing = plan.layout.closings.first();
+    let closing = closing.unwrap_or_else(|| unreachable!("mstmm bug: nothing to correct"));
+    let hinge = plan.chain.hinges[*closing].name.to_string();
+    let check = (program.outputs[2][1] != Operand::Number(0.0))
+        .then(|| quote!(#mstmm::generated::check_closure(residual_, #hinge)?;));
     let (cost, errors) = (docs::cost(program), quaternions::error(plan));
     Correction {
         correct: quote! {
             #[allow(dead_code)]
             impl<T: #mstmm::Scalar> #name<T> {
                 /// Corrects coordinates and rates once by the motion of least kinetic energy that
-                /// closes the chain, and returns how far it was from closed.
+                /// closes the chain, and returns how far it was from closed and how much
+                /// redundant directions of the closing hinge held.
                 ///
                 #(#[doc = #cost])*
                 #[allow(unused_doc_comments, unused_variables, clippy::all)]
-                fn correct(&self, state_: &mut #state<T>, inputs_: &#inputs<T>) -> T {
+                fn correct(&self, state_: &mut #state<T>, inputs_: &#inputs<T>) -> [T; 2] {
                     #statements
-                    let residual_ = #(#residual)*;
+                    let residual_ = [#(#residual),*];
                     state_.q.data.0 = [#q];
                     state_.v.data.0 = [#v];
                     residual_
@@ -129,7 +135,8 @@ fn correction(plan: &Plan) -> Correction {
                 ) -> ::core::result::Result<#inputs<T>, E>,
             ) -> ::core::result::Result<(), E> {
                 let inputs_ = inputs_(state_)?;
-                self.correct(state_, &inputs_);
+                let residual_ = self.correct(state_, &inputs_);
+                #check
                 ::core::result::Result::Ok(())
             }
         },
@@ -149,7 +156,8 @@ fn correction(plan: &Plan) -> Correction {
                 ///
                 /// # Errors
                 ///
-                /// `Error::NotAssembled` if that leads nowhere;
+                /// `Error::NotAssembled` if that leads nowhere, and `Error::Closure` if it leads to a pose
+                /// in which the closing hinge holds more than around the start of the description;
                 /// `state` is left as it was.
                 #(#[doc = #errors])*
                 #[allow(dead_code)]
@@ -159,7 +167,7 @@ fn correction(plan: &Plan) -> Correction {
                     inputs_: &#inputs<T>,
                 ) -> ::core::result::Result<(), #mstmm::Error> {
                     #checked
-                    #mstmm::generated::assemble(state_, |state_| self.correct(state_, inputs_))
+                    #mstmm::generated::assemble(state_, #hinge, |state_| self.correct(state_, inputs_))
                 }
             }
         },

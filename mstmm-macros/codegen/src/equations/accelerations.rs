@@ -207,7 +207,7 @@ fn reaction<S: Scalar>(
     let to_hinge = Rotation::general(attitude * rotation);
     let of = |wrench: Wrench<S>| wrench.turned(&closing.over.to_parent).turned_back(&to_hinge);
     let along = |amounts: &Vec<S>| of(closing.wrench(Wrench::zero(), amounts));
-    let Closure { reactions, undetermined, pivots } = &movement.closure;
+    let Closure { reactions, undetermined, pivots, .. } = &movement.closure;
     Reaction {
         wrench: of(closing.wrench(demand.given, reactions)),
         undetermined: undetermined.iter().map(along).collect(),

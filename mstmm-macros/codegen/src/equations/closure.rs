@@ -37,12 +37,15 @@ pub struct Closure<S> {
     pub undetermined: Vec<Vec<S>>,
     /// `d_k / s_i` of each step, the largest first.
     pub pivots: Vec<S>,
+    /// The largest `|J_i|² / s_i` that all steps have left: what one more step would have found.
+    pub excess: S,
 }
 
-impl<S> Closure<S> {
+impl<S: Scalar> Closure<S> {
     /// Of a chain that is not closed.
     pub fn none() -> Self {
-        Closure { reactions: Vec::new(), undetermined: Vec::new(), pivots: Vec::new() }
+        let (reactions, undetermined, pivots) = (Vec::new(), Vec::new(), Vec::new());
+        Closure { reactions, undetermined, pivots, excess: S::zero() }
     }
 }
 
@@ -96,6 +99,7 @@ pub fn solve<S: Scalar>(system: &Reactions<S>, trace: &mut Trace<S>) -> Closure<
         trace.number(format!("closure_d{k}"), pivot.value);
     }
     let is_regular = system.is_regular(&left);
+    let excess = if pivots.len() < left.alive.len() { left.excess(system) } else { S::zero() };
     let undetermined = orthonormal(null_directions(&pivots, left));
     let reactions = if is_regular {
         let found = substituted(&pivots, system.right.clone());
@@ -106,7 +110,8 @@ pub fn solve<S: Scalar>(system: &Reactions<S>, trace: &mut Trace<S>) -> Closure<
     for (k, &reaction) in reactions.iter().enumerate() {
         trace.number(format!("closure_reaction{k}"), reaction);
     }
-    Closure { reactions, undetermined, pivots: pivots.iter().map(|it| it.measured).collect() }
+    let pivots = pivots.iter().map(|pivot| pivot.measured).collect();
+    Closure { reactions, undetermined, pivots, excess }
 }
 
 /// What a step found.
@@ -205,13 +210,23 @@ impl<S: Scalar> Left<S> {
 
     /// The open row of which most is left.
     fn largest(&self, sizes: &[S]) -> Vec<S> {
+        self.spread(largest(&self.scores(sizes)).0)
+    }
+
+    /// How much is left of that row.
+    fn excess(&self, system: &Reactions<S>) -> S {
+        largest(&self.scores(&system.sizes)).1
+    }
+
+    /// How much is left of each row that may be chosen.
+    fn scores(&self, sizes: &[S]) -> Vec<S> {
         let score = |&k: &usize| {
             let (row, open) = (&self.rows[k], self.open[k]);
             // Rows that are not open come behind all others.
             let closed = S::one() - open;
             row.product(row) * sizes[k].recip_above(S::zero()) * open - closed
         };
-        self.spread(largest(&self.alive.iter().map(score).collect::<Vec<S>>()))
+        self.alive.iter().map(score).collect()
     }
 
     /// Weights of the rows that may be chosen, as those of all rows.
@@ -344,8 +359,8 @@ fn null_direction<S: Scalar>(pivots: &[Pivot<S>], start: Vec<S>) -> Vec<S> {
     })
 }
 
-/// Weights that are one at the largest of the numbers and zero elsewhere.
-fn largest<S: Scalar>(numbers: &[S]) -> Vec<S> {
+/// Weights that are one at the largest of the numbers and zero elsewhere, and that number.
+fn largest<S: Scalar>(numbers: &[S]) -> (Vec<S>, S) {
     let mut weights = vec![S::one()];
     let mut best = numbers[0];
     for &number in &numbers[1..] {
@@ -356,7 +371,7 @@ fn largest<S: Scalar>(numbers: &[S]) -> Vec<S> {
         weights.push(is_more);
         best = best * is_less + number * is_more;
     }
-    weights
+    (weights, best)
 }
 
 /// Of weights that are zero or one, the first that is one.

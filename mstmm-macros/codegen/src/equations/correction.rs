@@ -23,6 +23,9 @@ pub struct Correction<S> {
     /// How far the closing hinge's sides are apart, in m and rad, and how fast they part, in m/s and
     /// rad/s: the root of the sum of squares.
     pub residual: S,
+    /// How much the directions that count as redundant hold here, from nothing to one. Off the closure it
+    /// is about the square of how far.
+    pub excess: S,
 }
 
 /// The correction; nothing for a chain that is not closed.
@@ -40,9 +43,12 @@ pub fn correction<S: Scalar>(
         let entries: Vec<S> = axes.iter().map(|&k| motion.at(k)).collect();
         dot(&entries, &entries)
     };
+    let (coordinates, excess) = along(situation, &links, &closing, apart.motion, trace);
+    let (rates, _) = along(situation, &links, &closing, parting, trace);
     Some(Correction {
-        coordinates: along(situation, &links, &closing, apart.motion, trace),
-        rates: along(situation, &links, &closing, parting, trace),
+        coordinates,
+        rates,
+        excess,
         residual: (size(apart.motion) + apart.half_turn() + size(parting)).sqrt(),
     })
 }
@@ -124,14 +130,15 @@ fn pose_of<S: Scalar>(link: Option<usize>, poses: &[Pose<S>]) -> Pose<S> {
     )
 }
 
-/// The motion of all hinges that moves the closing hinge by `wanted`.
+/// The motion of all hinges that moves the closing hinge by `wanted`, and how much redundant directions
+/// hold.
 fn along<S: Scalar>(
     situation: &Situation<S>,
     links: &[LinkMotion<S>],
     closing: &Closing<S>,
     wanted: Motion<S>,
     trace: &mut Trace<S>,
-) -> Vec<S> {
+) -> (Vec<S>, S) {
     let problem = Problem {
         links,
         dimension: situation.chain.dimension,
@@ -154,7 +161,7 @@ fn along<S: Scalar>(
     };
     let problem =
         if situation.chain.held_by_closure { problem.with_added_inertia() } else { problem };
-    let (Movement { amounts, points, .. }, _) = riccati::solve(&problem, trace);
+    let (Movement { amounts, points, closure, .. }, _) = riccati::solve(&problem, trace);
     let layout = situation.layout;
     let mut rates = vec![S::zero(); layout.freedoms()];
     for (link, amounts) in links.iter().zip(&amounts) {
@@ -166,5 +173,5 @@ fn along<S: Scalar>(
     if !own.is_empty() {
         rates[own].copy_from_slice(&closing.rates(wanted - arriving));
     }
-    rates
+    (rates, closure.excess)
 }

@@ -1367,14 +1367,15 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for FourBar<T> {
         ) -> ::core::result::Result<FourBarInputs<T>, E>,
     ) -> ::core::result::Result<(), E> {
         let inputs_ = inputs_(state_)?;
-        self.correct(state_, &inputs_);
+        let residual_ = self.correct(state_, &inputs_);
         ::core::result::Result::Ok(())
     }
 }
 #[allow(dead_code)]
 impl<T: ::mstmm::Scalar> FourBar<T> {
     /// Corrects coordinates and rates once by the motion of least kinetic energy that
-    /// closes the chain, and returns how far it was from closed.
+    /// closes the chain, and returns how far it was from closed and how much
+    /// redundant directions of the closing hinge held.
     ///
     /// 346 operations: 209 mul, 124 add, 7 reciprocal, 6 square root, 5 sin/cos.
     ///
@@ -1391,7 +1392,11 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 15 | 8 | 0 | 0 | 0 |
     /// | Results |  | 10 | 22 | 1 | 2 | 1 |
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
-    fn correct(&self, state_: &mut FourBarState<T>, inputs_: &FourBarInputs<T>) -> T {
+    fn correct(
+        &self,
+        state_: &mut FourBarState<T>,
+        inputs_: &FourBarInputs<T>,
+    ) -> [T; 2] {
         let c_ = T::constant;
         let [[crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]] = state_
             .q
@@ -1682,7 +1687,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t218_ = T::mul_add(t134_, t134_, t217_);
         let t219_ = T::mul_add(t202_, t202_, t218_);
         let t220_ = T::sqrt(t219_);
-        let residual_ = t220_;
+        let residual_ = [t220_, c_(0.0)];
         state_.q.data.0 = [[t192_, t194_, -t196_, t204_]];
         state_.v.data.0 = [[t205_, t207_, -t209_, -t210_]];
         residual_
@@ -1703,7 +1708,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     ///
     /// # Errors
     ///
-    /// `Error::NotAssembled` if that leads nowhere;
+    /// `Error::NotAssembled` if that leads nowhere, and `Error::Closure` if it leads to a pose
+    /// in which the closing hinge holds more than around the start of the description;
     /// `state` is left as it was.
     #[allow(dead_code)]
     pub fn assemble(
@@ -1711,7 +1717,11 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         state_: &mut FourBarState<T>,
         inputs_: &FourBarInputs<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        ::mstmm::generated::assemble(state_, |state_| self.correct(state_, inputs_))
+        ::mstmm::generated::assemble(
+            state_,
+            "rocker_pin",
+            |state_| self.correct(state_, inputs_),
+        )
     }
 }
 impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for FourBar<T> {
