@@ -8,9 +8,13 @@ mod overconstrained {
     mod face;
     mod algebra;
     mod bennett;
+    mod bricard;
     mod checks;
     mod configuration;
+    mod four_bars;
+    mod goldberg;
     mod linkage;
+    mod motion;
     mod reference;
     mod sarrus;
     mod states;

@@ -1,22 +1,11 @@
 //! The reference compared with other forms of the same mechanics.
 
 use super::algebra::{Real, norm};
+use super::bennett;
 use super::linkage::Linkage;
-use super::states::{NEAR, ordinary};
-use super::{bennett, sarrus};
+use super::states::{NEAR, linkages, ordinary};
 use crate::double_double::DoubleDouble;
 use mstmm::Scalar;
-
-fn linkages() -> Vec<Linkage> {
-    vec![
-        bennett::bennett(),
-        bennett::bennett_tilted(),
-        bennett::bennett_slender(),
-        bennett::bennett_slender_tilted(),
-        sarrus::sarrus(),
-        sarrus::sarrus_tilted(),
-    ]
-}
 
 /// In twice the precision each linkage closes to rounding with exactly the rank it should have,
 /// far from losing more: its proportions are exact.
@@ -34,12 +23,7 @@ fn linkages_close_and_have_their_rank() {
         }
         // Rounded to `f64`, coordinates miss by their last bits.
         let gap = linkage.gap(&linkage.start.iter().map(|x| x.exact()).collect::<Vec<_>>());
-        let motion = linkage.motion(&linkage.start, &linkage.start_rate);
-        let moving = [0, 1, 2, 3, 4, 5].map(|row| {
-            let columns = motion.jacobian().into_iter().zip(&linkage.start_rate);
-            columns.map(|(column, rate)| column[row] * rate).sum::<f64>()
-        });
-        let drift = norm(&moving);
+        let drift = linkage.drift(&linkage.start, &linkage.start_rate);
         println!(
             "{}: strength at least {least:.1e}, start misses by {gap:.1e}, moving by {drift:.1e}",
             linkage.name

@@ -6,7 +6,7 @@ use super::svd::decomposed;
 use crate::double_double::DoubleDouble;
 
 /// The longest step of the first angle from one configuration to the next, in rad.
-const LONGEST_STEP: f64 = 0.05;
+const LONGEST_STEP: f64 = 0.1;
 
 impl Linkage {
     /// Returns all angles, in twice the precision, for an angle of the first pin.
@@ -34,6 +34,13 @@ impl Linkage {
     pub fn gap<T: Real>(&self, q: &[T]) -> f64 {
         let motion = self.motion(q, &vec![T::default(); q.len()]);
         norm(&motion.gap()).double()
+    }
+
+    /// Returns how fast the closure is left, in m/s and rad/s.
+    pub fn drift(&self, q: &[f64], v: &[f64]) -> f64 {
+        let columns = self.motion(q, v).jacobian();
+        let rate = |row: usize| columns.iter().zip(v).map(|(column, v)| column[row] * v).sum();
+        norm(&[0, 1, 2, 3, 4, 5].map(rate))
     }
 
     /// A step of Newton's method that leaves the first angle unchanged.

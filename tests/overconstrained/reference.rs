@@ -30,12 +30,15 @@ pub struct Reference<T> {
     pub strength: f64,
     /// The condition number of G = J M⁻¹ Jᵀ on its range, without the direction of the closing pin.
     pub condition: f64,
-    /// The condition number of the mass matrix of the route without the closing pin.
-    pub mass_condition: f64,
-    /// The greatest acceleration of the route without its closing pin's reaction, and with it.
-    pub acceleration_scale: f64,
-    /// The greatest effort of loads and inertia on the route, and of the reaction.
-    pub load_scale: f64,
+    /// How much a relative change of all numbers may change the accelerations, in rad/s².
+    ///
+    /// The accelerations minimise Gauss' constraint, (v̇ − a)ᵀ M (v̇ − a) with the accelerations a of
+    /// the route without its closing pin, under J v̇ = γ. A change ε of J moves that minimum by
+    /// ε κ² (|v̇| + |a|) in the norm of M, where κ² is the condition number of G.
+    pub acceleration_change: f64,
+    /// How much it may change the reactions, which are that minimum times the inverse of J M^-½:
+    /// its norm times the same, in N and N m.
+    pub reaction_change: f64,
 }
 
 /// The mass matrix and the efforts of gravity and of inertia for zero accelerations.
@@ -90,13 +93,13 @@ impl Linkage {
         let missing = left_over(&mass, &efforts, &accelerations);
         let reaction = jacobian.solved_transposed(rank, &missing);
         let route = Route::new(&mass, &efforts, &columns, rank);
-        let greatest = |list: &[T]| list.iter().fold(0.0_f64, |a, x| a.max(x.double().abs()));
+        let size = dot(&accelerations, &applied(&mass, &accelerations)).sqrt().double();
+        let change = route.condition * (size + route.free);
         Reference {
             strength: jacobian.ratio(rank),
             condition: route.condition,
-            mass_condition: route.mass_condition,
-            acceleration_scale: greatest(&accelerations).max(route.free_acceleration),
-            load_scale: greatest(&efforts).max(greatest(&reaction)),
+            acceleration_change: change / route.lightest.sqrt(),
+            reaction_change: change / route.weakest,
             accelerations,
             reaction,
             values: jacobian.values,
@@ -143,11 +146,16 @@ fn left_over<T: Real>(mass: &[Vec<T>], efforts: &[T], accelerations: &[T]) -> Ve
     needed.into_iter().zip(efforts).map(|(needed, given)| needed - *given).collect()
 }
 
-/// What the route without its closing pin says of scales.
+/// Properties of the route without its closing pin.
 struct Route {
+    /// The condition number of G.
     condition: f64,
-    mass_condition: f64,
-    free_acceleration: f64,
+    /// The least singular value of J M^-½ that is not zero.
+    weakest: f64,
+    /// The least eigenvalue of M.
+    lightest: f64,
+    /// The accelerations in the norm of M.
+    free: f64,
 }
 
 impl Route {
@@ -172,15 +180,17 @@ impl Route {
                 column
             })
             .collect();
+        let weighted = decomposed(&scaled);
         Route {
-            condition: decomposed(&scaled).ratio(rank - 1).powi(-2),
-            mass_condition: spectrum.ratio(bodies).recip(),
-            free_acceleration: free.iter().fold(0.0, |a, x| x.double().abs().max(a)),
+            condition: weighted.ratio(rank - 1).powi(-2),
+            weakest: weighted.values[rank - 2].double(),
+            lightest: spectrum.values[bodies - 1].double(),
+            free: dot(&free, &efforts[..bodies]).sqrt().double(),
         }
     }
 }
 
-/// Returns the greatest of the norms of force and moment of a difference.
+/// Returns the norm of a difference.
 pub fn apart(a: &[f64], b: &[f64]) -> f64 {
     let off: Vec<f64> = a.iter().zip(b).map(|(x, y)| x - y).collect();
     norm(&off)

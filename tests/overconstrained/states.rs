@@ -49,19 +49,11 @@ struct Off {
 }
 
 impl Off {
-    /// The accelerations minimise Gauss' constraint, (v̇ − a)ᵀ M (v̇ − a) with the accelerations a of
-    /// the route without its closing pin, under J v̇ = γ. Rounded numbers in J, the coordinates
-    /// among them, change that minimum by ε κ² (|v̇| + |a|) in the norm of M, where κ² is the
-    /// condition number of G = J M⁻¹ Jᵀ, and the components by √(condition of M) more. The
-    /// reactions are G⁺ (J a − γ) and change by ε κ² of themselves and of the loads.
+    /// Each of the operations of the chain counts as a change of the numbers by ε.
     fn new(answer: &Answer, reference: &Reference<DoubleDouble>, epsilon: f64) -> Off {
-        let rounding = OPERATIONS * epsilon * reference.condition;
+        let rounding = OPERATIONS * epsilon;
         let expected = doubles(&reference.accelerations);
-        let bound = rounding * reference.mass_condition.sqrt() * reference.acceleration_scale;
-        let accelerations = [&answer.fast, &answer.accelerations]
-            .map(|found| apart(found, &expected) / bound)
-            .into_iter()
-            .fold(0.0, worst);
+        let found = [&answer.fast, &answer.accelerations].map(|found| apart(found, &expected));
         let reaction = apart(&answer.reaction, &doubles(&reference.reaction));
         let undetermined = answer.undetermined.iter().filter(|wrench| norm(&wrench[..]) > 0.0);
         let work = undetermined.clone().map(|wrench| {
@@ -70,9 +62,9 @@ impl Off {
             power.chain([long]).fold(0.0, |largest: f64, x| worst(largest, x.abs()))
         });
         Off {
-            accelerations,
-            reaction: reaction / (rounding * reference.load_scale),
-            undetermined: work.fold(0.0, worst) / rounding,
+            accelerations: worst(found[0], found[1]) / (rounding * reference.acceleration_change),
+            reaction: reaction / (rounding * reference.reaction_change),
+            undetermined: work.fold(0.0, worst) / (rounding * reference.condition),
         }
     }
 
@@ -156,8 +148,13 @@ where
 
 /// Tests each linkage by both methods in both precisions.
 macro_rules! states {
-    ($($module:ident::$name:ident $riccati:ident $transfer:ident;)*) => { $(
-        mod $name {
+    ($($module:ident::$name:ident $riccati:ident $transfer:ident;)*) => {
+        /// Returns all linkages.
+        pub fn linkages() -> Vec<Linkage> {
+            vec![$(super::$module::$name()),*]
+        }
+
+        $( mod $name {
             use super::super::$module as models;
             use super::{check, ordinary, single, NEAR};
 
@@ -189,8 +186,8 @@ macro_rules! states {
                 let linkage = models::$name();
                 check::<models::$transfer<f32>>(&linkage, &single(&linkage));
             }
-        }
-    )* };
+        } )*
+    };
 }
 
 states! {
@@ -200,6 +197,16 @@ states! {
     bennett::bennett_slender_tilted BennettSlenderTilted BennettSlenderTiltedByTransfer;
     sarrus::sarrus Sarrus SarrusByTransfer;
     sarrus::sarrus_tilted SarrusTilted SarrusTiltedByTransfer;
+    goldberg::goldberg Goldberg GoldbergByTransfer;
+    goldberg::goldberg_tilted GoldbergTilted GoldbergTiltedByTransfer;
+    bricard::bricard Bricard BricardByTransfer;
+    bricard::bricard_tilted BricardTilted BricardTiltedByTransfer;
+    bricard::trihedral Trihedral TrihedralByTransfer;
+    bricard::trihedral_tilted TrihedralTilted TrihedralTiltedByTransfer;
+    four_bars::parallel Parallel ParallelByTransfer;
+    four_bars::parallel_tilted ParallelTilted ParallelTiltedByTransfer;
+    four_bars::spherical Spherical SphericalByTransfer;
+    four_bars::spherical_tilted SphericalTilted SphericalTiltedByTransfer;
 }
 
 /// Returns ordinary angles of the first pin, between the ends of its range, or all around.
