@@ -53,21 +53,7 @@ macro_rules! linkage {
         closing $last_axis:tt $last:ident $last_start:tt $last_rate:tt;
         to $to:tt $to_turned:tt;
     ) => {
-        linkage! { @chain $riccati riccati $last {
-            gravity = $gravity m/s^2;
-            $( body $Type {
-                mass = $mass kg;
-                com = $com m;
-                inertia = tensor $inertia kg*m^2 about com;
-                output = $out m turned quaternion $turned;
-            } )*
-            ground at $from m turned quaternion $from_turned
-                $( -> pin($axis) $hinge -> $Type $body )*
-                -> pin($last_axis) $last -> ground at $to m turned quaternion $to_turned;
-            $( hinge $hinge { start = $start rad; start_rate = $rate rad/s; } )*
-            hinge $last { start = $last_start rad; start_rate = $last_rate rad/s; }
-        } }
-        linkage! { @chain $transfer transfer $last {
+        linkage! { @chains $riccati $transfer $last {
             gravity = $gravity m/s^2;
             $( body $Type {
                 mass = $mass kg;
@@ -107,9 +93,11 @@ macro_rules! linkage {
             }
         }
     };
-    (@chain $name:ident $method:ident $last:ident { $($description:tt)* }) => {
-        mstmm::mstmm_chain! { pub chain $name { method = $method; $($description)* } }
-        linkage! { @face $name $last }
+    (@chains $riccati:ident $transfer:ident $last:ident { $($description:tt)* }) => {
+        mstmm::mstmm_chain! { pub chain $riccati { method = riccati; $($description)* } }
+        mstmm::mstmm_chain! { pub chain $transfer { method = transfer; $($description)* } }
+        linkage! { @face $riccati $last }
+        linkage! { @face $transfer $last }
     };
     (@face $name:ident $last:ident) => {
         impl<T> $crate::overconstrained::face::Closed for $name<T>
@@ -153,6 +141,30 @@ macro_rules! linkage {
                     reaction: force.chain(moment).collect(),
                 })
             }
+        }
+    };
+}
+
+/// Calls a macro with all linkages: the module, the function and both chains of each.
+macro_rules! each_linkage {
+    ($given:ident) => {
+        $given! {
+            bennett::bennett Bennett BennettByTransfer;
+            bennett::bennett_tilted BennettTilted BennettTiltedByTransfer;
+            bennett::bennett_slender BennettSlender BennettSlenderByTransfer;
+            bennett::bennett_slender_tilted BennettSlenderTilted BennettSlenderTiltedByTransfer;
+            sarrus::sarrus Sarrus SarrusByTransfer;
+            sarrus::sarrus_tilted SarrusTilted SarrusTiltedByTransfer;
+            goldberg::goldberg Goldberg GoldbergByTransfer;
+            goldberg::goldberg_tilted GoldbergTilted GoldbergTiltedByTransfer;
+            bricard::bricard Bricard BricardByTransfer;
+            bricard::bricard_tilted BricardTilted BricardTiltedByTransfer;
+            bricard::trihedral Trihedral TrihedralByTransfer;
+            bricard::trihedral_tilted TrihedralTilted TrihedralTiltedByTransfer;
+            four_bars::parallel Parallel ParallelByTransfer;
+            four_bars::parallel_tilted ParallelTilted ParallelTiltedByTransfer;
+            four_bars::spherical Spherical SphericalByTransfer;
+            four_bars::spherical_tilted SphericalTilted SphericalTiltedByTransfer;
         }
     };
 }

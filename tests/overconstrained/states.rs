@@ -12,9 +12,9 @@ use std::fmt::{self, Display, Formatter};
 /// The least singular value relative to the greatest, up to which a closure counts as regular.
 const REGULAR: f64 = 1e-3;
 /// The rate of the first pin in rad/s.
-const RATE: f64 = 1.5;
+pub const RATE: f64 = 1.5;
 /// Rounding errors that a result may have, each multiplied by the condition of the closure.
-const OPERATIONS: f64 = 32.0;
+pub const OPERATIONS: f64 = 64.0;
 
 /// A configuration of a linkage near one in which a link and its neighbour lie in a line.
 pub const NEAR: [f64; 8] = [0.0, 1e-12, -1e-9, 1e-6, 1e-5, -1e-3, 1e-2, 0.1];
@@ -94,17 +94,16 @@ impl Display for Off {
 }
 
 /// The larger number; a NaN wins.
-fn worst(a: f64, b: f64) -> f64 {
+pub fn worst(a: f64, b: f64) -> f64 {
     if b.is_nan() || b > a { b } else { a }
 }
 
 /// What is wrong with a state, in words.
-fn complaint<C>(linkage: &Linkage, crank: f64, largest: &mut Off) -> Option<String>
+fn complaint<C>(chain: &C, linkage: &Linkage, crank: f64, largest: &mut Off) -> Option<String>
 where
     C: Closed,
     <C as Chain>::Scalar: Real,
 {
-    let chain = C::default();
     let instant = linkage.instant::<C::Scalar>(crank, RATE);
     let reference = &instant.reference;
     assert!(reference.strength > REGULAR, "singular at {crank:e} rad: {:e}", reference.strength);
@@ -128,8 +127,21 @@ fn independent(wrenches: &[[f64; 6]]) -> usize {
     decomposed(&columns).values.into_iter().filter(|value| *value > REGULAR).count()
 }
 
-/// Compares a chain with the reference in many states.
-pub fn check<C>(linkage: &Linkage, cranks: &[f64])
+/// Compares a chain as written with the reference in many states.
+fn check<C>(linkage: &Linkage, cranks: &[f64])
+where
+    C: Closed,
+    <C as Chain>::Scalar: Real,
+{
+    compare(&C::default(), linkage, cranks);
+}
+
+/// Compares a chain with the reference near special positions and in ordinary ones.
+pub fn compared<C: Closed<Scalar = f64>>(chain: &C, linkage: &Linkage) {
+    compare(chain, linkage, &[&NEAR[..], &ORDINARY].concat());
+}
+
+fn compare<C>(chain: &C, linkage: &Linkage, cranks: &[f64])
 where
     C: Closed,
     <C as Chain>::Scalar: Real,
@@ -138,7 +150,7 @@ where
     let wrong: Vec<String> = cranks
         .iter()
         .filter_map(|&crank| {
-            let complaint = complaint::<C>(linkage, crank, &mut largest)?;
+            let complaint = complaint(chain, linkage, crank, &mut largest)?;
             Some(format!("at {crank:e} rad: {complaint}"))
         })
         .collect();
@@ -190,24 +202,7 @@ macro_rules! states {
     };
 }
 
-states! {
-    bennett::bennett Bennett BennettByTransfer;
-    bennett::bennett_tilted BennettTilted BennettTiltedByTransfer;
-    bennett::bennett_slender BennettSlender BennettSlenderByTransfer;
-    bennett::bennett_slender_tilted BennettSlenderTilted BennettSlenderTiltedByTransfer;
-    sarrus::sarrus Sarrus SarrusByTransfer;
-    sarrus::sarrus_tilted SarrusTilted SarrusTiltedByTransfer;
-    goldberg::goldberg Goldberg GoldbergByTransfer;
-    goldberg::goldberg_tilted GoldbergTilted GoldbergTiltedByTransfer;
-    bricard::bricard Bricard BricardByTransfer;
-    bricard::bricard_tilted BricardTilted BricardTiltedByTransfer;
-    bricard::trihedral Trihedral TrihedralByTransfer;
-    bricard::trihedral_tilted TrihedralTilted TrihedralTiltedByTransfer;
-    four_bars::parallel Parallel ParallelByTransfer;
-    four_bars::parallel_tilted ParallelTilted ParallelTiltedByTransfer;
-    four_bars::spherical Spherical SphericalByTransfer;
-    four_bars::spherical_tilted SphericalTilted SphericalTiltedByTransfer;
-}
+each_linkage! { states }
 
 /// Returns ordinary angles of the first pin, between the ends of its range, or all around.
 pub fn ordinary(linkage: &Linkage) -> Vec<f64> {
