@@ -15,6 +15,7 @@ mod overconstrained {
     mod goldberg;
     mod linkage;
     mod motion;
+    mod nearby;
     mod newton_euler;
     mod reference;
     mod sarrus;
