@@ -19,6 +19,7 @@ mod overconstrained {
     mod newton_euler;
     mod reference;
     mod sarrus;
+    mod scaled;
     mod states;
     mod svd;
 }
