@@ -5,9 +5,12 @@
 //! greatest kinetic energy: 1e-9 in 60 s of Bennett's linkage at 8 rad/s, and in 3 s of the others
 //! at most 6e-9 from 1.5 rad/s and 2e-8 from 8 rad/s, both of Sarrus' linkage.
 
+use super::algebra::norm;
 use super::face::Closed;
 use super::linkage::Linkage;
+use super::reference::apart;
 use mstmm::{ChainState, Dopri5, Energy, Rk4};
+use mstmm_reference::Random;
 
 /// Starts a linkage as written, but with this rate of the first pin in rad/s.
 fn started<C: Closed<Scalar = f64>>(chain: &C, linkage: &Linkage, rate: f64) -> C::State {
@@ -95,6 +98,52 @@ fn seconds<C: Closed<Scalar = f64>>(linkage: &Linkage) {
     }
 }
 
+/// Three seconds in single precision. Each step may change the energy by some roundings of what is
+/// moved to and fro, and 3000 steps add up.
+fn single<C: Closed<Scalar = f32>>(linkage: &Linkage) {
+    let chain = C::default();
+    let mut state = chain.initial_state();
+    let energy = |state: &C::State| {
+        let Energy { kinetic, potential } = chain.energy(state);
+        Energy { kinetic: f64::from(kinetic), potential: f64::from(potential) }
+    };
+    let mut ledger = Ledger::new(energy(&state));
+    let mut rk4 = Rk4::new(1e-3);
+    for _ in 0..3000 {
+        rk4.step(&chain, &mut state, |_, _| chain.no_inputs()).expect("a regular linkage");
+        ledger.enter(energy(&state));
+    }
+    let drift = ledger.relative();
+    println!("{} in single precision: drift {drift:.1e}", linkage.name);
+    let bound = 3000.0 * 16.0 * f64::from(f32::EPSILON);
+    assert!(drift < bound, "{} in single precision: energy drifts by {drift:e}", linkage.name);
+}
+
+/// Assembly of starts that miss by a little closes them nearby: each angle moves by no more than
+/// the misses move the ends, over the weakest singular value.
+fn rough<C: Closed<Scalar = f64>>(linkage: &Linkage) {
+    let chain = C::default();
+    let strength = linkage.instant::<f64>(linkage.start[0], 1.5).reference.strength;
+    for (seed, miss) in [(0, 1e-6), (1, 1e-3), (2, 1e-2)] {
+        let mut random = Random::new(seed);
+        let mut state = chain.initial_state();
+        let mut off = |x: &mut f64| *x += miss * random.between(-1.0, 1.0);
+        state.q_mut().iter_mut().for_each(&mut off);
+        state.v_mut().iter_mut().for_each(&mut off);
+        let before = state.clone();
+        chain.assemble(&mut state, &chain.no_inputs()).expect("a linkage that closes");
+        let [gap, drift] = [linkage.gap(state.q()), linkage.drift(state.q(), state.v())];
+        let moved = apart(state.q(), before.q()) / (miss / strength);
+        println!("{}, seed {seed}, {miss:e} off: moved {moved:.1e}, gap {gap:.1e}", linkage.name);
+        assert!(gap < 1e-12 && drift < 1e-11, "{}: {gap:e}, {drift:e}", linkage.name);
+        assert!(moved < 4.0, "{}, {miss:e} off: moved by {moved:e} of it", linkage.name);
+        let answer = chain.answer(&state).expect("a regular linkage");
+        assert_eq!(answer.redundant, 6 - linkage.rank, "{}, {miss:e} off", linkage.name);
+        let [kept, start] = [state.v(), &linkage.start_rate].map(norm);
+        assert!((kept / start - 1.0).abs() < 0.2, "{}: speed {kept} of {start}", linkage.name);
+    }
+}
+
 /// Assembly keeps a start that closes, and of rates that do not fit leaves a motion that does.
 fn assembled<C: Closed<Scalar = f64>>(linkage: &Linkage) {
     let chain = C::default();
@@ -122,13 +171,27 @@ macro_rules! motions {
     ($($module:ident::$name:ident $riccati:ident $transfer:ident;)*) => { $(
         mod $name {
             use super::super::$module as models;
-            use super::{assembled, seconds};
+            use super::{assembled, rough, seconds, single};
 
             #[test]
             fn energy_lasts() {
                 let linkage = models::$name();
                 seconds::<models::$riccati<f64>>(&linkage);
                 seconds::<models::$transfer<f64>>(&linkage);
+            }
+
+            #[test]
+            fn single_precision_lasts() {
+                let linkage = models::$name();
+                single::<models::$riccati<f32>>(&linkage);
+                single::<models::$transfer<f32>>(&linkage);
+            }
+
+            #[test]
+            fn assembly_closes_nearby() {
+                let linkage = models::$name();
+                rough::<models::$riccati<f64>>(&linkage);
+                rough::<models::$transfer<f64>>(&linkage);
             }
 
             #[test]
