@@ -22,4 +22,5 @@ mod overconstrained {
     mod scaled;
     mod states;
     mod svd;
+    mod weak;
 }

@@ -24,7 +24,7 @@ impl Linkage {
         }
         let mut q: Vec<DoubleDouble> = q.into_iter().map(Real::exact).collect();
         q[0] = crank;
-        (0..4).for_each(|_| self.improve(&mut q));
+        (0..6).for_each(|_| self.improve(&mut q));
         let gap = self.gap(&q);
         assert!(gap < 1e-28, "{} misses its closure by {gap:e} at {:e} rad", self.name, crank.high);
         q

@@ -141,7 +141,8 @@ pub fn compared<C: Closed<Scalar = f64>>(chain: &C, linkage: &Linkage) {
     compare(chain, linkage, &[&NEAR[..], &ORDINARY].concat());
 }
 
-fn compare<C>(chain: &C, linkage: &Linkage, cranks: &[f64])
+/// Compares a chain with the reference for these angles of the first pin.
+pub fn compare<C>(chain: &C, linkage: &Linkage, cranks: &[f64])
 where
     C: Closed,
     <C as Chain>::Scalar: Real,
