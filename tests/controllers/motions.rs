@@ -52,7 +52,7 @@ fn failed_steps_leave_nothing() {
 }
 
 /// `try_advance` keeps all complete steps, and goes on from there as if nothing had happened.
-fn a_failed_way_keeps_its_steps<C: Driven, I: Integrator<C>>() {
+fn complete_steps_are_kept<C: Driven, I: Integrator<C>>() {
     let chain = C::default();
     // Rounding of this time is what the clock keeps.
     let end = C::Scalar::constant(0.1);
@@ -63,7 +63,7 @@ fn a_failed_way_keeps_its_steps<C: Driven, I: Integrator<C>>() {
         times += 1;
         chain.drive(time, state)
     };
-    whole.plain_advance(&chain, &mut expected, end, counted).expect("a way");
+    whole.plain_advance(&chain, &mut expected, end, counted).expect("an interval");
     for at in (1..=times).step_by(7) {
         let (mut integrator, mut state) = (I::make(), chain.start());
         let mut asked = 0;
@@ -78,8 +78,8 @@ fn a_failed_way_keeps_its_steps<C: Driven, I: Integrator<C>>() {
 }
 
 #[test]
-fn failed_ways_keep_their_steps() {
-    on_everything!(a_failed_way_keeps_its_steps);
+fn complete_steps_are_kept_after_a_failure() {
+    on_everything!(complete_steps_are_kept);
 }
 
 /// Inputs in a `Result` move the chain as those without do, to the bit.
@@ -93,8 +93,8 @@ fn inputs_in_a_result_are_the_same<C: Driven, I: Integrator<C>>() {
     one.plain_step(&chain, &mut state, good).expect("a step");
     other.try_step(&chain, &mut same, fine).expect("a step");
     assert_eq!(state, same);
-    one.plain_advance(&chain, &mut state, end, good).expect("a way");
-    other.try_advance(&chain, &mut same, end, fine).expect("a way");
+    one.plain_advance(&chain, &mut state, end, good).expect("an interval");
+    other.try_advance(&chain, &mut same, end, fine).expect("an interval");
     assert_eq!(state, same);
     assert!(one.seen(&chain) == other.seen(&chain));
 }

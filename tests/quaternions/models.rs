@@ -144,7 +144,7 @@ pub fn accepted<T: Number>() -> Vec<[T; 4]> {
     [0.9, 0.9001, 0.95, 1.0, 1.05, 1.0999, 1.1].map(of_length).into()
 }
 
-/// What all integrators, each by `step` and by `advance`, make of a state, with the state then.
+/// The results of `step` and `advance` of all integrators from a state, with the states that they leave.
 pub fn moved<C: Compared>(
     chain: &C,
     state: &C::State,
@@ -161,7 +161,7 @@ pub fn moved<C: Compared>(
             let mut moved = state.clone();
             let result = $integrator.advance(chain, &mut moved, end, |_, _| *inputs);
             found.push((concat!(stringify!($name), "::advance"), result, moved));
-            // No way at all is no way around the check.
+            // The state is checked even if no step is needed.
             let mut moved = state.clone();
             let result = $integrator.advance(chain, &mut moved, state.time(), |_, _| *inputs);
             if result.is_err() {
