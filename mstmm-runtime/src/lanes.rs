@@ -31,7 +31,8 @@ macro_rules! lanes {
             // are spilled by the compiler all the same, which takes it ten times as long.
             const EXPLICIT_SPILLS: bool = cfg!(target_feature = "avx512f");
 
-            #[inline(always)]
+            // Not `inline(always)`: see `splat`.
+            #[inline]
             fn constant(value: f64) -> Self {
                 <Self as Scalar>::splat(value as $real)
             }
@@ -134,11 +135,19 @@ macro_rules! lanes {
 
             // Not by an array of copies, `[value; N]`, as in `$lanes::splat`: that is a loop until the compiler
             // is nearly done, and it orders the statements around loops anew.
-            #[inline(always)]
+            //
+            // Lanes in several registers are a variable in memory to the compiler, and a number that is written
+            // to part of a register reads the rest of it first. To show that this rest is undefined, LLVM's
+            // promotion to registers (`PromoteMemToReg`) walks through the block up to the constant, for each
+            // constant and lane: the square of the length of a chain. So the copies are
+            // put together within this function, which is optimised before LLVM inlines it (`inline(always)` inlines
+            // it unoptimised), and the result is that of an operation on whole registers, which changes no bit and
+            // of which no instruction remains.
+            #[inline]
             fn splat(value: $real) -> Self {
                 let mut copies = Self::default();
                 $(copies.as_mut_array()[$number] = value;)*
-                copies
+                copies | Self::default()
             }
         }
 
