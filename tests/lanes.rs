@@ -5,6 +5,7 @@
 mod lanes {
     mod bits;
     mod chains;
+    mod native;
     mod numbers;
     mod operations;
     mod sample;

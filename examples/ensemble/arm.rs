@@ -86,7 +86,7 @@ impl End {
             angles: angles.map(|angle| angle.lane(lane)).into(),
             offset: [offset.x, offset.y, offset.z].map(|way| way.lane(lane)),
         };
-        Ok((0..T::COUNT).map(of_lane))
+        Ok((0..T::LANES).map(of_lane))
     }
 
     /// Of the flange from where it should be, in m.

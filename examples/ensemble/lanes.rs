@@ -5,9 +5,6 @@ use mstmm::wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
 /// A number of one lane or of several.
 pub trait Lanes: Scalar {
-    /// How many there are.
-    const COUNT: usize;
-
     /// From the number of each lane.
     fn from_lanes(lane: impl FnMut(usize) -> f64) -> Self;
 
@@ -16,8 +13,6 @@ pub trait Lanes: Scalar {
 }
 
 impl Lanes for f64 {
-    const COUNT: usize = 1;
-
     fn from_lanes(mut lane: impl FnMut(usize) -> f64) -> Self {
         lane(0)
     }
@@ -28,10 +23,8 @@ impl Lanes for f64 {
 }
 
 macro_rules! lanes {
-    ($($lanes:ident of $count:literal $real:ident;)*) => { $(
+    ($($lanes:ident of $real:ident;)*) => { $(
         impl Lanes for $lanes {
-            const COUNT: usize = $count;
-
             fn from_lanes(mut lane: impl FnMut(usize) -> f64) -> Self {
                 $lanes::new(std::array::from_fn(|index| lane(index) as $real))
             }
@@ -44,10 +37,10 @@ macro_rules! lanes {
 }
 
 lanes! {
-    f32x4 of 4 f32;
-    f32x8 of 8 f32;
-    f32x16 of 16 f32;
-    f64x2 of 2 f64;
-    f64x4 of 4 f64;
-    f64x8 of 8 f64;
+    f32x4 of f32;
+    f32x8 of f32;
+    f32x16 of f32;
+    f64x2 of f64;
+    f64x4 of f64;
+    f64x8 of f64;
 }

@@ -29,10 +29,10 @@ const ALONE: usize = 10;
 /// Simulates Franka Emika Pandas with random payloads and starts, whose controller brings them to the
 /// same pose, and says how far from it they stop.
 ///
-/// Does so in lanes, several arms side by side, by the fastest of the widths, and for a part of them
-/// one by one, and says how many steps a second each way takes. `RUSTFLAGS="-C target-cpu=native"`
-/// makes use of the widest registers. Fails if an arm in lanes does not have the bits that it has
-/// alone.
+/// Does so in lanes, as many arms side by side as a register holds, and for a part of them in lanes
+/// of other widths and one by one, and says how many steps a second each way takes.
+/// `RUSTFLAGS="-C target-cpu=native"` makes use of the widest registers. Fails if an arm in lanes does
+/// not have the bits that it has alone.
 #[derive(Parser)]
 #[command(name = "ensemble")]
 struct Arguments {
@@ -99,7 +99,7 @@ fn compute(arguments: &Arguments) -> Result<Outcome, Box<dyn Error>> {
     let cores = std::thread::available_parallelism()?.get();
     let precisions = if arguments.single { [DOUBLE, SINGLE].as_slice() } else { &[DOUBLE] };
 
-    let each = precisions.len() * (arms.len() + DOUBLE.len() * part(TRIED).len());
+    let each = precisions.len() * (arms.len() + DOUBLE.ways.len() * part(TRIED).len());
     let progress = Progress::new(each + part(TRIED).len() + part(ALONE).len());
     let mut runs = Vec::new();
     for &way in ONE_BY_ONE {
@@ -107,14 +107,12 @@ fn compute(arguments: &Arguments) -> Result<Outcome, Box<dyn Error>> {
         runs.push(way.run(part(ALONE), &settings, cores, &progress)?.0);
     }
     let mut ends = Vec::new();
-    for ways in precisions {
-        let tried = ways.iter().map(|way| Ok(way.run(part(TRIED), &settings, 1, &progress)?.0));
-        let tried = tried.collect::<Result<Vec<Run>, Box<dyn Error>>>()?;
-        let pace = |&(_, run): &(_, &Run)| run.steps_per_second;
-        let fastest = ways.iter().zip(&tried).max_by(|a, b| pace(a).total_cmp(&pace(b)));
-        let (fastest, _) = fastest.ok_or("there is no way")?;
-        runs.extend(tried);
-        let (run, of_all) = fastest.run(&arms, &settings, cores, &progress)?;
+    for precision in precisions {
+        for way in precision.ways {
+            runs.push(way.run(part(TRIED), &settings, 1, &progress)?.0);
+        }
+        let native = precision.native().ok_or("no lanes fit a register")?;
+        let (run, of_all) = native.run(&arms, &settings, cores, &progress)?;
         runs.push(run);
         ends.push(of_all);
     }

@@ -5,8 +5,9 @@ use std::io::{IsTerminal, stderr};
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use mstmm::Rk4;
+use mstmm::lanes::{NativeF32, NativeF64};
 use mstmm::wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
+use mstmm::{Rk4, Scalar};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -56,7 +57,7 @@ macro_rules! ways {
     ($($number:ident)*) => {
         &[$(Way {
             name: stringify!($number),
-            lanes: <$number as Lanes>::COUNT,
+            lanes: <$number as Scalar>::LANES,
             simulate: simulate::<$number>,
         }),*]
     };
@@ -65,16 +66,32 @@ macro_rules! ways {
 /// One by one.
 pub const ONE_BY_ONE: &[Way] = ways!(f64);
 
-/// In lanes: the more, the fewer registers are left for each number, and of those that the processor
-/// does not have several stand for one.
-pub const DOUBLE: &[Way] = ways!(f64x2 f64x4 f64x8);
-pub const SINGLE: &[Way] = ways!(f32x4 f32x8 f32x16);
+/// In lanes. Lanes that are wider than the registers leave fewer registers for each value.
+pub const DOUBLE: Precision =
+    Precision { ways: ways!(f64x2 f64x4 f64x8), native: NativeF64::LANES };
+pub const SINGLE: Precision =
+    Precision { ways: ways!(f32x4 f32x8 f32x16), native: NativeF32::LANES };
+
+/// The types of one precision.
+#[derive(Clone, Copy)]
+pub struct Precision {
+    pub ways: &'static [Way],
+    /// The number of lanes that fit a register.
+    native: usize,
+}
+
+impl Precision {
+    /// The type whose lanes fit a register.
+    pub fn native(self) -> Option<Way> {
+        self.ways.iter().find(|way| way.lanes == self.native).copied()
+    }
+}
 
 /// Simulates arms one after the other, as many at a time as there are lanes.
 fn simulate<T: Lanes>(arms: &[Arm], settings: &Settings) -> Result<Vec<End>, mstmm::Error> {
     let controller = Controller::new();
     let mut ends = Vec::with_capacity(arms.len());
-    for arms in arms.chunks(T::COUNT) {
+    for arms in arms.chunks(T::LANES) {
         let (chain, mut state) = Arm::chain::<T>(arms)?;
         let mut rk4 = Rk4::new(T::constant(settings.step));
         for _ in 0..settings.steps {

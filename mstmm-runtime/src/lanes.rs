@@ -1,11 +1,67 @@
-//! Lanes of SIMD registers as numbers, by the crate `wide`: a chain of such moves in as many states
-//! side by side as there are lanes, each with the bits that it would have alone.
+//! Lanes of SIMD registers as scalars, by the crate [`wide`].
+//!
+//! A chain of lanes computes as many states side by side as there are lanes
+//! ([`Scalar::LANES`]). Every lane has the bits that it would have in a chain of `f64` or `f32`.
+//!
+//! [`NativeF64`] and [`NativeF32`] are the widest lanes that fit one register of the target that the crate is built
+//! for. They are the fastest for most chains:
+//!
+//! | target | to build for it | [`NativeF64`] | [`NativeF32`] |
+//! |---|---|---|---|
+//! | x86-64 | | `f64x2` | `f32x4` |
+//! | x86-64 with AVX | `RUSTFLAGS="-C target-cpu=x86-64-v3"` | `f64x4` | `f32x8` |
+//! | x86-64 with AVX-512 | `RUSTFLAGS="-C target-cpu=x86-64-v4"` | `f64x8` | `f32x16` |
+//! | aarch64 | | `f64x2` | `f32x4` |
+//! | WebAssembly with `simd128` | `RUSTFLAGS="-C target-feature=+simd128"` | `f64x2` | `f32x4` |
+//! | others, without registers that `wide` uses | | `f64x2` | `f32x4` |
+//!
+//! `RUSTFLAGS="-C target-cpu=native"` builds for the processor of the machine. The compiler decides, not the machine
+//! that runs the program: a program that is built for AVX-512 does not run without AVX-512.
+//!
+//! ```
+//! use mstmm_runtime::Scalar;
+//! use mstmm_runtime::lanes::NativeF64;
+//!
+//! // A start for every state of an ensemble, as many at a time as a register holds.
+//! let starts: Vec<f64> = (0..100).map(|index| 0.01 * f64::from(index)).collect();
+//! for starts in starts.chunks(NativeF64::LANES) {
+//!     let lanes = |lane: usize| starts.get(lane).copied().unwrap_or_default();
+//!     let angle = NativeF64::new(std::array::from_fn(lanes));
+//!     assert_eq!(angle.as_array()[0], starts[0]);
+//! }
+//! ```
+//!
+//! # Lanes that are wider than the registers
+//!
+//! All lanes of `wide` are scalars on all targets, so a chain of `f64x8` compiles everywhere. Without AVX-512 a value
+//! of `f64x8` occupies two or four registers, most values are in memory, and a state costs more time than in
+//! [`NativeF64`]. The optimised build of a chain of such lanes costs the compiler two to four times the time of
+//! [`NativeF64`].
+//!
+//! Unoptimised code of the longest lanes needs a stack of more than 2 MB.
 
 use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 use wide::{u32x4, u32x8, u32x16, u64x2, u64x4, u64x8};
 
 use crate::trig::sin_cos::{self, Quadrant};
 use crate::{Mask, Scalar};
+
+#[cfg(not(target_feature = "avx"))]
+use self::{f32x4 as WidestF32, f64x2 as WidestF64};
+#[cfg(all(target_feature = "avx", not(target_feature = "avx512f")))]
+use self::{f32x8 as WidestF32, f64x4 as WidestF64};
+#[cfg(target_feature = "avx512f")]
+use self::{f32x16 as WidestF32, f64x8 as WidestF64};
+
+/// The widest lanes of `f64` that fit one register of the target: `f64x2`, with AVX `f64x4`, with AVX-512 `f64x8`.
+///
+/// [`NativeF64::LANES`](Scalar::LANES) is their number.
+pub type NativeF64 = WidestF64;
+
+/// The widest lanes of `f32` that fit one register of the target: `f32x4`, with AVX `f32x8`, with AVX-512 `f32x16`.
+///
+/// [`NativeF32::LANES`](Scalar::LANES) is their number.
+pub type NativeF32 = WidestF32;
 
 /// Implements [`Scalar`] for lanes of a primitive. Operations are those of IEEE 754, lane by lane.
 macro_rules! lanes {
@@ -26,6 +82,8 @@ macro_rules! lanes {
         impl Scalar for $lanes {
             type Mask = $lanes;
             type Real = $real;
+
+            const LANES: usize = [$($number),*].len();
 
             // Where there are 32 registers that hold all lanes. Where a value takes several of 16, most
             // are spilled by the compiler all the same, which takes it ten times as long.

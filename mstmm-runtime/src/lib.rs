@@ -112,7 +112,7 @@ pub mod generated;
 pub mod hinge;
 pub mod integrate;
 #[cfg(feature = "wide")]
-mod lanes;
+pub mod lanes;
 pub mod paper;
 mod point;
 mod quaternion;

@@ -57,6 +57,9 @@ pub trait Scalar:
     /// It is of the same precision as the lanes; for `f32` and `f64` it is the type itself.
     type Real: Scalar<Real = Self::Real, Mask = bool> + PartialOrd;
 
+    /// The number of lanes, which is the number of states that a chain of this scalar computes side by side.
+    const LANES: usize = 1;
+
     /// Whether generated code chooses itself which values it keeps in memory until they are needed again.
     ///
     /// It is `false` unless a type says otherwise, and then the compiler chooses, which for one number a register

@@ -1,5 +1,6 @@
 //! Every lane has exactly the bits that it has alone.
 
+use mstmm::lanes::{NativeF32, NativeF64};
 use mstmm::wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 use mstmm::{ChainState, Error, LinearlyImplicitEuler, Newmark, Rk4, Scalar, SemiImplicitEuler};
 
@@ -132,4 +133,10 @@ fn shorter_lanes() {
     check::<Balls<f64x4>, Balls<f64>>("Balls of f64x4");
     check::<Balls<f32x4>, Balls<f32>>("Balls of f32x4");
     check::<Balls<f32x8>, Balls<f32>>("Balls of f32x8");
+}
+
+#[test]
+fn lanes_of_one_register() {
+    check::<Slides<NativeF64>, Slides<f64>>("Slides of NativeF64");
+    check::<Slides<NativeF32>, Slides<f32>>("Slides of NativeF32");
 }
