@@ -1,7 +1,8 @@
-//! Mistakes of the user, collected so that one build reports them all.
+//! Errors and warnings of a text, collected so that one build reports them all.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, TokenStreamExt};
+use std::collections::HashSet;
 use syn::Error;
 
 /// From the first to the last token of something written.
@@ -34,29 +35,46 @@ impl ToTokens for Extent {
     }
 }
 
-/// As many mistakes are reported: more would help nobody.
+/// As many errors are reported, and as many warnings: more would help nobody.
 const MOST: usize = 100;
 
-/// A list of mistakes, each with the token that the user has to edit.
+/// A warning: the chain is right, and perhaps not what was meant.
+#[derive(Clone, Debug)]
+pub struct Warning {
+    /// The token that it is about.
+    pub at: Span,
+    /// The name of the rule, in capitals.
+    pub rule: &'static str,
+    /// What is unclear, and what to write instead.
+    pub message: String,
+}
+
+/// The errors and the warnings of a text, each on the token that the user has to edit. A token has
+/// one of each at most: the first that was found. They are reported in the order of the text.
 #[derive(Debug, Default)]
 pub struct Diagnostics {
-    errors: Vec<Error>,
+    errors: Vec<(Place, Error)>,
     /// The first of those beyond the most that are reported, and how many these are.
     beyond: Option<(Span, usize)>,
+    /// Where errors are.
+    wrong: HashSet<Spot>,
+    warnings: Vec<(Place, Warning)>,
+    /// Where warnings are.
+    unclear: HashSet<Spot>,
 }
 
 impl Diagnostics {
-    /// Notes a mistake at a single token.
+    /// Adds an error at a single token.
     pub fn error(&mut self, at: Span, message: impl std::fmt::Display) {
         self.note(|| Error::new(at, message));
     }
 
-    /// Notes a mistake that covers all of `at`.
+    /// Adds an error that covers all of `at`.
     pub fn error_over(&mut self, at: impl ToTokens, message: impl std::fmt::Display) {
         self.note(|| Error::new_spanned(at, message));
     }
 
-    /// Notes a mistake that a parser found.
+    /// Adds an error that a parser found.
     pub fn push(&mut self, error: Error) {
         self.note(|| error);
     }
@@ -64,35 +82,77 @@ impl Diagnostics {
     fn note(&mut self, error: impl FnOnce() -> Error) {
         if let Some((_, count)) = &mut self.beyond {
             *count += 1;
-        } else if self.is_full() {
-            self.beyond = Some((error().span(), 1));
-        } else {
-            self.errors.push(error());
+            return;
+        }
+        let error = error();
+        let place = Place::of(error.span());
+        if !self.wrong.insert(place.spot(&error)) {
+            return;
+        }
+        match self.is_full() {
+            true => self.beyond = Some((error.span(), 1)),
+            false => self.errors.push((place, error)),
         }
     }
 
-    /// Whether the next mistakes will only be counted, so that their words are of no use.
+    /// Adds a warning at a single token. `rule` is the name of the rule, in capitals.
+    pub fn warn(&mut self, at: Span, rule: &'static str, message: impl std::fmt::Display) {
+        let (place, message) = (Place::of(at), message.to_string());
+        if self.warnings.len() < MOST && self.unclear.insert(place.spot(&message)) {
+            self.warnings.push((place, Warning { at, rule, message }));
+        }
+    }
+
+    /// Whether the next errors will only be counted, so that their words are of no use.
     pub fn is_full(&self) -> bool {
         self.errors.len() >= MOST
     }
 
-    /// Whether there is no mistake so far.
+    /// Whether there is no error so far.
     pub fn is_empty(&self) -> bool {
         self.errors.is_empty()
     }
 
-    /// Closes a phase: all mistakes as one error, or the way is free.
+    /// The warnings so far, in the order of the text.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let mut warnings = self.warnings.clone();
+        warnings.sort_by(|(a, _), (b, _)| a.cmp(b));
+        warnings.into_iter().map(|(_, warning)| warning).collect()
+    }
+
+    /// Closes a phase: all errors as one, in the order of the text, or none.
     pub fn finish(mut self) -> syn::Result<()> {
-        if let Some((at, count)) = self.beyond {
-            self.errors.push(Error::new(at, format!("… and {count} more mistakes")));
-        }
-        match self.errors.into_iter().reduce(|mut all, next| {
+        self.errors.sort_by(|(a, _), (b, _)| a.cmp(b));
+        let beyond =
+            self.beyond.map(|(at, count)| Error::new(at, format!("… and {count} more mistakes")));
+        let errors = self.errors.into_iter().map(|(_, error)| error).chain(beyond);
+        match errors.reduce(|mut all, next| {
             all.combine(next);
             all
         }) {
             Some(all) => Err(all),
             None => Ok(()),
         }
+    }
+}
+
+/// Where a token begins: its file, line and column.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+struct Place(String, usize, usize);
+
+/// What tells tokens apart. Tokens that another macro has made may all be at the place of its call:
+/// the message tells those apart.
+type Spot = (Place, Option<String>);
+
+impl Place {
+    fn of(span: Span) -> Place {
+        let start = span.start();
+        Place(span.file(), start.line, start.column)
+    }
+
+    fn spot(&self, message: &impl ToString) -> Spot {
+        let is_of_call = *self == Place::of(Span::call_site());
+        (self.clone(), is_of_call.then(|| message.to_string()))
     }
 }
 

@@ -6,7 +6,7 @@
 //!
 //! | module | holds | may use |
 //! |---|---|---|
-//! | [`diag`] | mistakes, collected | nothing of ours |
+//! | [`diag`] | errors and warnings, collected | nothing of ours |
 //! | [`syntax`] | what was written, with spans | `diag` |
 //! | [`model`] | names resolved, units and constants evaluated, every rule on models | `diag`; `syntax` where it is lowered and checked |
 //! | [`math`] | scalars, vectors, spatial blocks | nothing of ours |
@@ -18,7 +18,7 @@
 //! | [`symbols`] | numbers and names of a chain's unknowns | `model` |
 //! | [`weave`] | repeated parts as loops | `equations`, `expr` |
 //! | [`compile`](mod@compile) | from a model to its programs | `equations`, `expr`, `model`, `passes`, `program`, `symbols`, `weave` |
-//! | [`emit`] | the only `quote!` of items | `compile`, `model`, `program`, `syntax` |
+//! | [`emit`] | the only `quote!` of items | `compile`, `diag`, `model`, `program`, `syntax` |
 
 #![deny(missing_docs)]
 
@@ -44,8 +44,10 @@ use proc_macro2::TokenStream;
 pub struct Expansion {
     /// The types of all chains; skeletons of those that have mistakes.
     pub items: TokenStream,
-    /// All mistakes of the text, each on the token to edit.
+    /// All errors of the text in its order, each on the token to edit.
     pub mistakes: Option<syn::Error>,
+    /// All warnings of the text in its order, each on its token; the items give them.
+    pub warnings: Vec<diag::Warning>,
 }
 
 /// Expands the text inside `mstmm_chain!`: the phases in their order. Generated code calls the crate
@@ -65,8 +67,10 @@ pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
         let programs = compile::programs(chain, &layout);
         emit::expand(chain, surface, &layout, &programs, examination, mstmm)
     };
-    let items = chains.iter().zip(&examinations).map(items).collect();
-    Expansion { items, mistakes: diagnostics.finish().err() }
+    let mut items: TokenStream = chains.iter().zip(&examinations).map(items).collect();
+    let warnings = diagnostics.warnings();
+    items.extend(warnings.iter().map(emit::warning));
+    Expansion { items, mistakes: diagnostics.finish().err(), warnings }
 }
 
 /// A chain and how it is to look in the user's crate.

@@ -17,7 +17,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("symbols.rs", &["model"]),
     ("weave.rs", &["equations", "expr"]),
     ("compile", &["equations", "expr", "model", "passes", "program", "symbols", "weave"]),
-    ("emit", &["compile", "examine", "model", "program", "syntax"]),
+    ("emit", &["compile", "diag", "examine", "model", "program", "syntax"]),
     ("lib.rs", &[]),
 ];
 

@@ -24,6 +24,7 @@ mod spill;
 mod spread;
 mod state;
 mod statement;
+mod warning;
 mod workspace;
 
 use crate::compile::Programs;
@@ -33,6 +34,7 @@ use crate::syntax::Surface;
 use names::{Names, variable};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
+pub use warning::warning;
 
 /// All that the parts of the expansion are written from.
 struct Plan<'a> {

@@ -9,7 +9,7 @@ use quote::quote;
 /// tokens.
 pub fn check(text: &str) -> Option<bool> {
     let tokens = without_brackets(text.parse().ok()?);
-    let Expansion { items, mistakes } = mstmm_codegen::expand(tokens, &quote!(::mstmm));
+    let Expansion { items, mistakes, .. } = mstmm_codegen::expand(tokens, &quote!(::mstmm));
     let parsed = syn::parse2::<syn::File>(items);
     let file = parsed.unwrap_or_else(|error| panic!("the code does not parse: {error}"));
     let Some(mistakes) = mistakes else {

@@ -53,8 +53,8 @@ fn every_field_of_a_hinge_is_judged_on_its_own() {
             ("kg", "expected a torque, found a mass"),
             ("3", "expected `input`, the motion given at each step, found a number"),
             ("1", "limits are two: `[lowest, highest]`, found a number"),
-            ("-1", "a damping cannot be negative"),
             ("0", "the stiffness of limits must be positive"),
+            ("-1", "a damping cannot be negative"),
         ],
     );
 }
@@ -65,20 +65,20 @@ fn a_missing_field_hides_no_wrong_one() {
         "pin",
         "limits = [3, 1]; friction = -1;",
         &[
-            ("friction", "`friction` needs `friction_speed` beside it"),
             ("limits", "`limits` needs `limit_stiffness` beside it"),
-            ("-1", "friction cannot be negative"),
             ("[3, 1]", "the first limit must be below the second one"),
+            ("friction", "`friction` needs `friction_speed` beside it"),
+            ("-1", "friction cannot be negative"),
         ],
     );
     expect_hinge(
         "pin",
         "limit_stiffness = -2; friction_speed = -1;",
         &[
-            ("friction_speed", "`friction_speed` needs `friction` beside it"),
             ("limit_stiffness", "`limit_stiffness` needs `limits` beside it"),
-            ("-1", "the speed of friction must be positive"),
             ("-2", "the stiffness of limits must be positive"),
+            ("friction_speed", "`friction_speed` needs `friction` beside it"),
+            ("-1", "the speed of friction must be positive"),
         ],
     );
 }

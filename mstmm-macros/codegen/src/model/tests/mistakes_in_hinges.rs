@@ -202,9 +202,9 @@ fn passive_numbers_give_no_energy() {
         "pin",
         "limits = [2, 1]; limit_stiffness = 0; limit_damping = -1;",
         &[
-            ("-1", "a damping cannot be negative"),
-            ("0", "the stiffness of limits must be positive"),
             ("[2, 1]", "the first limit must be below the second one"),
+            ("0", "the stiffness of limits must be positive"),
+            ("-1", "a damping cannot be negative"),
         ],
     );
     expect_hinge(
@@ -222,8 +222,8 @@ fn passive_numbers_give_no_energy() {
         "hinge wrist {",
         "hinge shoulder, wrist { damping = -1; friction = 2; } hinge wrist {",
         &[
-            ("friction", "`friction` needs `friction_speed` beside it"),
             ("-1", "a damping cannot be negative"),
+            ("friction", "`friction` needs `friction_speed` beside it"),
         ],
     );
 }

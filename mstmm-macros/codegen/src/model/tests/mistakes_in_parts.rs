@@ -19,11 +19,11 @@ fn fields_that_are_missing_are_listed_together() {
         "mass = 2 kg",
         "colour = 2",
         &[
+            ("Rod", "body `Rod` needs `mass`"),
             (
                 "colour",
                 "body `Rod` has no field `colour`; it has `mass`, `com`, `inertia` and `output`",
             ),
-            ("Rod", "body `Rod` needs `mass`"),
         ],
     );
     // One that could not be read is not missing.
@@ -222,8 +222,8 @@ fn properties_fit_their_owner() {
         "hinge shoulder, wrist { pitch = 1; torque = x; }\n hinge wrist {",
         &[
             ("pitch", PITCH),
-            ("torque", "`torque` of a pin is given twice"),
             ("x", "unknown name `x`"),
+            ("torque", "`torque` of a pin is given twice"),
         ],
     );
     expect("ball wrist", "weld wrist", &[("start_rate", "a weld has no field `start_rate`")]);
@@ -258,7 +258,7 @@ fn fields_end_with_semicolons() {
     expect(
         fields,
         &fields.replacen(';', ",", 1).replace("2 kg", "2 m"),
-        &[(",", message), ("m", "expected a mass, found a length")],
+        &[("m", "expected a mass, found a length"), (",", message)],
     );
     expect(fields, &fields.replacen('=', ":", 1), &[(":", "expected `=`, found `:`")]);
     // What is skipped may hold the fields that lack.

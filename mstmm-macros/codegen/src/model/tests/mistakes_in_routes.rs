@@ -43,27 +43,27 @@ fn hinges_and_bodies_alternate() {
         "-> Rod rod",
         "-> Rod rod -> Rod end",
         &[
-            ("end", "bodies `rod` and `end` have no hinge between them"),
             ("Rod", "body `Rod` needs `output`"),
+            ("end", "bodies `rod` and `end` have no hinge between them"),
         ],
     );
     expect(
         "ground -> pin(z) shoulder ->",
         "ground -> weld shoulder -> Rod a -> pin b -> ground ->",
         &[
+            ("Rod", "body `Rod` needs `output`"),
+            ("ground", "`ground` can only stand at an end of the route"),
             ("start", "a weld has no field `start`"),
             ("torque", "a weld has no field `torque`"),
-            ("ground", "`ground` can only stand at an end of the route"),
-            ("Rod", "body `Rod` needs `output`"),
         ],
     );
     expect(
         "ground -> pin(z) shoulder ->",
         "ground -> Rod shoulder -> ball x ->",
         &[
-            ("shoulder", "`shoulder` is a body: `body shoulder { … }`"),
-            ("shoulder", "`ground` and body `shoulder` have no hinge between them"),
             ("Rod", "body `Rod` needs `output`"),
+            ("shoulder", "`ground` and body `shoulder` have no hinge between them"),
+            ("shoulder", "`shoulder` is a body: `body shoulder { … }`"),
         ],
     );
 }
@@ -74,8 +74,8 @@ fn ends_are_free_or_held() {
         "-> Rod rod;",
         "-> Rod rod -> pin last;",
         &[
-            ("last", "hinge `last` joins nothing: end the route with a body or with `ground`"),
             ("Rod", "body `Rod` needs `output`"),
+            ("last", "hinge `last` joins nothing: end the route with a body or with `ground`"),
         ],
     );
     expect(
@@ -90,8 +90,8 @@ fn ends_are_free_or_held() {
         "-> Rod rod;",
         "-> Rod rod -> pin last -> moving;",
         &[
-            ("moving", "a moving end needs a name: `moving name`"),
             ("Rod", "body `Rod` needs `output`"),
+            ("moving", "a moving end needs a name: `moving name`"),
         ],
     );
 }
@@ -237,8 +237,8 @@ fn stops_are_joined_by_arrows() {
     expect_rods(
         "pin j => Rod rod => pin k;",
         &[
-            ("=", message),
             ("j", "hinge `j` joins nothing: begin the route with a body or with `ground`"),
+            ("=", message),
             ("k", "hinge `k` joins nothing: end the route with a body or with `ground`"),
         ],
     );

@@ -10,14 +10,14 @@ fn names_are_used_once() {
     expect(
         "ball wrist",
         "ball upper",
-        &[("wrist", "no hinge `wrist` on the route"), ("upper", "the name `upper` is used twice")],
+        &[("upper", "the name `upper` is used twice"), ("wrist", "no hinge `wrist` on the route")],
     );
     expect(
         "Rod rod",
         "Rod -> pin j -> Rod",
         &[
-            ("Rod", "the name `rod` is used twice; write a name after the type"),
             ("Rod", "body `Rod` needs `output`"),
+            ("Rod", "the name `rod` is used twice; write a name after the type"),
         ],
     );
     expect(
@@ -28,7 +28,7 @@ fn names_are_used_once() {
     expect(
         "body Rod {",
         "body Cube {",
-        &[("Rod", "unknown type of body `Rod`"), ("Cube", "body `Cube` is described twice")],
+        &[("Cube", "body `Cube` is described twice"), ("Rod", "unknown type of body `Rod`")],
     );
 }
 
@@ -61,8 +61,8 @@ fn names_are_free() {
         "body Rod {",
         "body pin {",
         &[
-            ("Rod", "unknown type of body `Rod`"),
             ("pin", "`pin` is a word of this language and cannot be a name"),
+            ("Rod", "unknown type of body `Rod`"),
         ],
     );
 }
@@ -119,17 +119,17 @@ fn all_mistakes_of_all_phases_are_reported() {
     expect_all(
         source,
         &[
-            ("0", "expected `,`, found `0`"),
             ("kg", "expected an acceleration, found a mass"),
-            ("l", "no hinge `l` on the route"),
-            ("m", "expected an angle, found a length"),
-            ("b", "the name `b` is used twice"),
             ("B", "body `B` needs `output`"),
             ("-1 kg", "a mass must be positive"),
+            ("0", "expected `,`, found `0`"),
             (
                 "diag(1, 1, 3)",
                 "no body has this inertia: a principal moment is more than the sum of the other two",
             ),
+            ("b", "the name `b` is used twice"),
+            ("m", "expected an angle, found a length"),
+            ("l", "no hinge `l` on the route"),
         ],
     );
 }
