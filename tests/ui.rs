@@ -38,11 +38,12 @@ fn every_rule_has_a_case() {
 
 /// A message about anything but the description would not be the user's to mend. In the folder `quiet`
 /// programs use the chains that are wrong, of which nothing may be said; in `reading` they read what right
-/// ones do not have, and in `writing` they write what only setters change.
+/// ones do not have, in `writing` they write what only setters change, and in `warnings` they deny
+/// warnings, which would not be seen otherwise.
 #[test]
 fn cases_are_macro_calls_alone() {
-    let programs =
-        ["quiet", "reading", "writing"].map(|folder| root().join("tests/ui").join(folder));
+    let folders = ["quiet", "reading", "writing", "warnings"];
+    let programs = folders.map(|folder| root().join("tests/ui").join(folder));
     let is_call = |case: &PathBuf| !programs.iter().any(|folder| case.starts_with(folder));
     for case in cases().into_iter().filter(is_call) {
         let source = fs::read_to_string(&case).expect("a case");

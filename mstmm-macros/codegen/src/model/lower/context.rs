@@ -7,14 +7,14 @@ use super::dimension::Dimension;
 use crate::diag::{Diagnostics, did_you_mean};
 use crate::model::condition::Requirement;
 use crate::model::{self, Symbol, Value};
-use crate::syntax::{Extent, Field, Written};
+use crate::syntax::{Expr, Extent, Field, Written};
 
 /// Names, constants and mistakes.
 pub(super) struct Context<'a> {
     /// In how many directions the chain moves.
     pub space: model::Dimension,
-    /// The parameters that may be used.
-    pub parameters: Vec<(&'a Ident, Measure)>,
+    /// The parameters that may be used, in the order of [`Symbol::Parameter`].
+    pub parameters: Vec<KnownParameter<'a>>,
     /// The parameters that may not be used yet.
     pub later_parameters: Vec<&'a Ident>,
     /// The Rust paths seen so far, in the order of [`Symbol::Constant`].
@@ -29,6 +29,18 @@ pub(super) struct Context<'a> {
     read: Vec<*const Field>,
     /// Fields with a mistake that is reported: several hinges may share one.
     faulty: Vec<*const Field>,
+}
+
+/// A parameter that may be used.
+pub(super) struct KnownParameter<'a> {
+    /// Its name.
+    pub name: &'a Ident,
+    /// What is known of its unit.
+    pub measure: Measure,
+    /// Its default in SI units, if it is known.
+    pub default: Option<f64>,
+    /// The default as written, if it could be read.
+    pub written: Option<&'a Expr>,
 }
 
 /// What is known of a number's unit.

@@ -3,6 +3,7 @@
 //! Every step reads as far as it can and reports what it cannot, so that one build shows all
 //! mistakes. What is missing on account of a mistake is an empty [`Option`] in the [`Draft`].
 
+mod angle;
 mod body;
 mod context;
 mod dimension;

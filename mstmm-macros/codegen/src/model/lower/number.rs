@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use super::context::{Context, Measure};
-use super::dimension::{ACCELERATION, COMPONENT, Dimension, LENGTH, PITCH, Quantity, RATE};
+use super::dimension::{ACCELERATION, ANGLE, COMPONENT, Dimension, LENGTH, PITCH, Quantity, RATE};
 use super::unit::{self, Scale};
 use super::vector::and;
 use crate::diag::nearest;
@@ -46,6 +46,7 @@ impl Context<'_> {
             _ => self.measure(expr)?,
         };
         self.expect(&measured, expected)?;
+        self.warn_of_degrees(&measured, expr, expected);
         self.finite(measured.value, expr.extent)
     }
 
@@ -127,8 +128,8 @@ impl Context<'_> {
     }
 
     fn name(&mut self, name: &Ident) -> Option<(Value, Measure)> {
-        if let Some(index) = self.parameters.iter().position(|(other, _)| *other == name) {
-            let measure = self.parameters[index].1;
+        if let Some(index) = self.parameters.iter().position(|other| other.name == name) {
+            let measure = self.parameters[index].measure;
             return Some((Value::Symbol(Symbol::Parameter(index)), measure));
         }
         if self.later_parameters.contains(&name) {
@@ -154,7 +155,7 @@ impl Context<'_> {
         if !self.whole {
             return None;
         }
-        let known = self.parameters.iter().map(|(name, _)| name.to_string());
+        let known = self.parameters.iter().map(|other| other.name.to_string());
         let hint = self.hint(name, known.chain(["PI".to_owned()]));
         self.refuse(name, format!("unknown name `{text}`{hint}"))
     }
@@ -294,7 +295,7 @@ impl Context<'_> {
             (Err(unknown), _) => unknown,
         };
         let symbol = &unknown.symbol;
-        let is_name = self.parameters.iter().any(|(name, _)| *name == symbol)
+        let is_name = self.parameters.iter().any(|other| other.name == symbol)
             || self.later_parameters.iter().any(|name| *name == symbol)
             || symbol == "PI";
         let hint = unit::hint(symbol);
@@ -329,7 +330,11 @@ impl Context<'_> {
         let [argument] = arguments else {
             return self.refuse(expr.extent, format!("`{function}` takes one number"));
         };
-        let argument = self.measure(argument)?;
+        let written = argument;
+        let argument = self.measure(written)?;
+        if function != "sqrt" {
+            self.warn_of_degrees(&argument, written, ANGLE);
+        }
         let measure = match argument.measure {
             Measure::Of(dimension) if function == "sqrt" => match dimension.root() {
                 Some(root) => Measure::Of(root),

@@ -1,6 +1,6 @@
 //! Numbers that may change at run time.
 
-use super::context::{Context, Measure};
+use super::context::{Context, KnownParameter, Measure};
 use crate::model::{Parameter, Symbol, Value};
 use crate::syntax::{ChainDef, Field, ParameterDef, Written};
 
@@ -11,9 +11,12 @@ pub(super) fn parameters<'a>(def: &'a ChainDef, context: &mut Context<'a>) -> Ve
         def.parameters.iter().map(|def| (def, parameter(&def.field, context))).collect();
     context.later_parameters.clear();
     let mut parameters = Vec::new();
-    for (index, (ParameterDef { field: Field { name, .. }, times }, read)) in
-        read.into_iter().enumerate()
-    {
+    for (index, (ParameterDef { field, times }, read)) in read.into_iter().enumerate() {
+        let Field { name, value } = field;
+        let written = match value {
+            Some(Written::Number(expr)) if read.is_some() => Some(expr),
+            _ => None,
+        };
         // One with a mistake is known all the same, fits anything and has no value to judge: that
         // of itself.
         let itself = Value::Symbol(Symbol::Parameter(index));
@@ -22,7 +25,8 @@ pub(super) fn parameters<'a>(def: &'a ChainDef, context: &mut Context<'a>) -> Ve
             Measure::Of(dimension) => dimension.unit(),
             _ => String::new(),
         };
-        context.parameters.push((name, measure));
+        let known = KnownParameter { name, measure, default: default.known(), written };
+        context.parameters.push(known);
         parameters.push(Parameter { name: name.clone(), default, unit, times: *times });
     }
     parameters

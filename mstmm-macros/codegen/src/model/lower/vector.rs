@@ -148,6 +148,9 @@ impl Context<'_> {
             let fits = parts.iter().map(|part| self.expect(part, expected)).fold(Some(()), and);
             fits?;
             self.common_measure(&parts, "one vector")?;
+            for (part, entry) in parts.iter().zip(&list.entries) {
+                self.warn_of_degrees(part, entry, expected);
+            }
         }
         let values = parts.into_iter().zip(&list.entries);
         let values: Vec<_> =
@@ -175,7 +178,7 @@ impl Context<'_> {
     pub fn asks_for_input(&mut self, written: &Written) -> Option<bool> {
         let Some(word) = written.word() else { return Some(false) };
         let text = word.to_string();
-        let is_parameter = self.parameters.iter().any(|(name, _)| *name == word);
+        let is_parameter = self.parameters.iter().any(|other| other.name == word);
         let is_constant = text == text.to_uppercase();
         let hint = did_you_mean(&text, ["input"]);
         if word == "input" || is_parameter || is_constant || hint.is_empty() {

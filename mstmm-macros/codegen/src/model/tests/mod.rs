@@ -11,6 +11,7 @@ mod mistakes_in_numbers;
 mod mistakes_in_parts;
 mod mistakes_in_routes;
 mod mistakes_in_words;
+mod warnings;
 
 use proc_macro2::Span;
 

@@ -1,0 +1,101 @@
+//! Angles without a unit: they are in radians, and large ones were most likely meant in degrees.
+
+use std::f64::consts::TAU;
+
+use super::context::{Context, KnownParameter, Measure};
+use super::dimension::{ANGLE, Quantity};
+use super::number::Measured;
+use crate::syntax::{Expr, ExprKind};
+
+/// The name of the warning.
+const RULE: &str = "ANGLE_WITHOUT_UNIT";
+
+impl Context<'_> {
+    /// Warns of an angle of more than a turn that has no unit, unless it is written with `PI`. A
+    /// parameter that is used as an angle counts with its default, and the warning is on the default.
+    pub fn warn_of_degrees(&mut self, found: &Measured, expr: &Expr, expected: &Quantity) {
+        if expected.dimension != ANGLE.dimension || found.measure != Measure::Plain {
+            return;
+        }
+        let defaults: Vec<_> = self.parameters.iter().map(|parameter| parameter.default).collect();
+        let Some(angle) = found.value.at(&defaults).filter(|angle| angle.is_finite()) else {
+            return;
+        };
+        if angle.abs() <= TAU || uses_pi(expr, &self.parameters) {
+            return;
+        }
+        let written = without_sign(default_of(expr, &self.parameters));
+        let message = match written.kind {
+            ExprKind::Number(number) => {
+                let number = shown(number);
+                format!(
+                    "`{number}` is an angle of {number} rad, {}: \
+                     write `{number} deg` for degrees, or `{number} rad` if radians are meant",
+                    turns(angle)
+                )
+            }
+            _ => format!(
+                "this angle without a unit is {} rad, {}: \
+                 write `(…) deg` for degrees, or `(…) rad` if radians are meant",
+                shown((10.0 * angle).round() / 10.0),
+                turns(angle)
+            ),
+        };
+        self.diagnostics.warn(written.extent.first, RULE, message);
+    }
+}
+
+/// How many turns an angle is, in words.
+fn turns(angle: f64) -> String {
+    match (angle.abs() / TAU).floor() {
+        1.0 => "more than one turn".into(),
+        turns => format!("more than {} turns", shown(turns)),
+    }
+}
+
+/// A number as one would write it.
+fn shown(number: f64) -> String {
+    if number.abs() < 1e9 { number.to_string() } else { format!("{number:e}") }
+}
+
+/// The parameter of this name.
+fn parameter<'p, 'a>(
+    expr: &Expr,
+    parameters: &'p [KnownParameter<'a>],
+) -> Option<&'p KnownParameter<'a>> {
+    let ExprKind::Name(name) = &expr.kind else { return None };
+    parameters.iter().find(|parameter| parameter.name == name)
+}
+
+/// What to edit of an angle: the default where it is a parameter, else the angle itself.
+fn default_of<'e>(expr: &'e Expr, parameters: &[KnownParameter<'e>]) -> &'e Expr {
+    let default = parameter(without_sign(expr), parameters).and_then(|known| known.written);
+    default.unwrap_or(expr)
+}
+
+/// The number behind its signs.
+fn without_sign(mut expr: &Expr) -> &Expr {
+    while let ExprKind::Negated(inner) = &expr.kind {
+        expr = inner;
+    }
+    expr
+}
+
+/// Whether `PI` is part of an expression, or of the default of a parameter in it.
+fn uses_pi(expr: &Expr, parameters: &[KnownParameter]) -> bool {
+    let any = |expr: &Expr| uses_pi(expr, parameters);
+    match &expr.kind {
+        ExprKind::Number(_) | ExprKind::Path(_) => false,
+        ExprKind::Name(name) if name == "PI" => true,
+        // No default uses another parameter.
+        ExprKind::Name(_) => {
+            parameter(expr, parameters).and_then(|known| known.written).is_some_and(any)
+        }
+        ExprKind::Negated(inner) | ExprKind::Power(inner, _) | ExprKind::Quantity(inner, _) => {
+            any(inner)
+        }
+        ExprKind::Sum(terms) => terms.iter().any(|term| any(&term.expr)),
+        ExprKind::Product(factors) => factors.iter().any(|factor| any(&factor.expr)),
+        ExprKind::Call(_, arguments) => arguments.iter().any(any),
+    }
+}

@@ -1,0 +1,154 @@
+//! Warnings: right chains that are perhaps not what was meant.
+
+use quote::quote;
+
+use super::text;
+use crate::diag::Warning;
+
+/// All warnings of a right chain: the text that each is on, and the message.
+fn warnings_in(source: &str) -> Vec<(String, String)> {
+    let expansion = crate::expand(source.parse().expect("tokens"), &quote!(::mstmm));
+    assert!(expansion.mistakes.is_none(), "{:?}, in {source}", expansion.mistakes);
+    let items = expansion.items.to_string();
+    assert_eq!(items.matches("deprecated").count(), expansion.warnings.len(), "in {source}");
+    let shown = |Warning { at, message, .. }: Warning| (text(source, at), message);
+    expansion.warnings.into_iter().map(shown).collect()
+}
+
+/// Expects warnings on exactly these tokens of a chain.
+#[track_caller]
+fn expect_chain(source: &str, expected: &[&str]) {
+    let warnings = warnings_in(source);
+    let tokens: Vec<&str> = warnings.iter().map(|(token, _)| token.as_str()).collect();
+    assert_eq!(tokens, expected, "in {source}");
+}
+
+const ROD: &str = "body Rod { mass = 1; com = [0.5, 0, 0]; output = [1, 0, 0]; \
+                   inertia = diag(1, 1, 1) about com; }";
+
+/// Expects warnings on exactly these tokens of a chain with two hinges of this kind, of which this
+/// is written.
+#[track_caller]
+fn expect_hinge(kind: &str, fields: &str, expected: &[&str]) {
+    let parameters = "param tilt = 40; param full = 4*PI; param fine = 40 deg; param small = 2;";
+    let route = format!("ground -> {kind} a -> Rod one -> {kind} b -> Rod two;");
+    let hinges = format!("hinge a, b {{ {fields} }}");
+    expect_chain(&format!("chain A {{ {parameters} {ROD} {route} {hinges} }}"), expected);
+}
+
+#[test]
+fn an_angle_of_more_than_a_turn_has_a_unit() {
+    // Two hinges share the field: there is one warning.
+    expect_hinge("pin", "start = 30;", &["30"]);
+    expect_hinge("pin", "start = -30.5;", &["30.5"]);
+    expect_hinge("pin", "start = (30);", &["(30)"]);
+    expect_hinge("pin", "start = 6.29; rest = -7;", &["6.29", "7"]);
+    expect_hinge("pin", "limits = [-90, 100]; limit_stiffness = 1;", &["90", "100"]);
+    expect_hinge(
+        "ball",
+        "start = rpy(1, 20, 30); limits = 45; limit_stiffness = 1;",
+        &["20", "30", "45"],
+    );
+    expect_hinge("universal", "start = [10, 1];", &["10"]);
+    expect_hinge("screw(z, 5 mm/rev)", "start = 100;", &["100"]);
+    expect_hinge(
+        "cylindrical",
+        "start = 1 m turned 30; turning_limits = [-9, 2]; turning_limit_stiffness = 1;",
+        &["30", "9"],
+    );
+    expect_hinge(
+        "planar",
+        "start = [10, 20] turned 30; rest = [10, 20] turned -30;",
+        &["30", "30"],
+    );
+    expect_hinge("floating", "start = [9, 9, 9] m turned rpy(0, 0, 90);", &["90"]);
+    expect_hinge("elastic", "start = [9, 9, 9] m turned rpy(90, 0, 0);", &["90"]);
+}
+
+#[test]
+fn frames_and_functions_take_angles() {
+    let chain = |ground: &str, output: &str, start: &str| {
+        format!(
+            "chain A {{ body Rod {{ mass = 1; com = [9, cos(60), 0]; output = {output}; \
+             inertia = diag(1, 1, 1) about com; }} {ground} Rod one -> pin j -> Rod two; {start} }}"
+        )
+    };
+    expect_chain(
+        &chain("ground turned rpy(30, 0, 0) -> weld a ->", "[9, 9, 9] turned rpy(0, 45, 0)", ""),
+        &["60", "45", "30"],
+    );
+    expect_chain(
+        &chain("", "[sqrt(30), 0, 0]", "body one { start = [9, 9, 9] turned rpy(0, 0, 7); }"),
+        &["60", "7"],
+    );
+    let plane = "plane chain A { body Rod { mass = 1; com = [9, 9]; inertia = 90 about com; \
+                 output = [9, 9] turned 30; } ground at [9, 9] turned -45 -> pin a -> Rod one \
+                 -> planar b -> Rod two; hinge b { start = [9, 9] turned 20; } }";
+    expect_chain(plane, &["30", "45", "20"]);
+}
+
+#[test]
+fn an_expression_is_judged_by_its_value() {
+    expect_hinge("pin", "start = 10*3;", &["10"]);
+    expect_hinge("pin", "start = 20 + 10;", &["20"]);
+    expect_hinge("pin", "start = 30/10;", &[]);
+    expect_hinge("pin", "start = -2^2; rest = 3^2;", &["3"]);
+    // A multiple of π is meant in radians.
+    expect_hinge("pin", "start = 10*PI; rest = -2*(1 + PI);", &[]);
+}
+
+#[test]
+fn the_default_of_a_parameter_is_judged_where_it_is_an_angle() {
+    expect_hinge("pin", "start = tilt; rest = -tilt;", &["40"]);
+    expect_hinge("pin", "start = tilt/100;", &[]);
+    expect_hinge("pin", "start = 5*small;", &["5"]);
+    expect_hinge("pin", "start = full; rest = 2*full;", &[]);
+    expect_hinge("pin", "start = fine; rest = 20*fine;", &[]);
+    expect_hinge("pin", "start_rate = tilt; damping = tilt;", &[]);
+}
+
+#[test]
+fn what_has_a_unit_or_is_no_angle_is_fine() {
+    expect_hinge("pin", "start = 30 deg; rest = 30 rad;", &[]);
+    expect_hinge("pin", "start = 6.28; rest = -6.28; start_rate = 100; torque = 90;", &[]);
+    expect_hinge("pin", "limits = [-90, 100] deg; limit_stiffness = 100;", &[]);
+    expect_hinge("pin", "start = ANGLE; rest = 10*consts::ANGLE;", &[]);
+    expect_hinge("slider", "start = 30; rest = -30;", &[]);
+    expect_hinge("ball", "start = quaternion(90, 0, 0, 90); start_rate = [90, 90, 90];", &[]);
+    expect_hinge("ball", "start = rpy(90 deg, 0, 400 rad);", &[]);
+    expect_hinge("elastic", "start = [30, 40, 50]; stiffness = 100;", &[]);
+}
+
+#[test]
+fn the_message_says_what_to_write() {
+    let message = |start: &str| {
+        let hinge = format!("hinge a {{ start = {start}; }}");
+        let source = format!("chain A {{ {ROD} ground -> pin a -> Rod one; {hinge} }}");
+        let [(_, message)] = &warnings_in(&source)[..] else { panic!("one warning in {source}") };
+        message.clone()
+    };
+    assert_eq!(
+        message("30"),
+        "`30` is an angle of 30 rad, more than 4 turns: \
+         write `30 deg` for degrees, or `30 rad` if radians are meant"
+    );
+    assert_eq!(
+        message("-6.5"),
+        "`6.5` is an angle of 6.5 rad, more than one turn: \
+         write `6.5 deg` for degrees, or `6.5 rad` if radians are meant"
+    );
+    assert_eq!(
+        message("10*3.33"),
+        "this angle without a unit is 33.3 rad, more than 5 turns: \
+         write `(…) deg` for degrees, or `(…) rad` if radians are meant"
+    );
+}
+
+#[test]
+fn warnings_are_in_the_order_of_the_text() {
+    let source = "chain A { body Rod { mass = 1; com = [1, 0, 0]; inertia = diag(1, 1, 1) about com; }
+        ground turned rpy(0, 0, 10) -> pin a -> Rod one; hinge a { rest = 20; start = 30; } }
+        chain B { param tilt = 40; body Rod { mass = 1; com = [1, 0, 0]; inertia = diag(1, 1, 1) about com; }
+        ground turned rpy(0, 0, 50) -> pin a -> Rod one; hinge a { rest = 60; start = tilt; } }";
+    expect_chain(source, &["10", "20", "30", "40", "50", "60"]);
+}
