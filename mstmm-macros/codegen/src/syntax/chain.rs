@@ -6,7 +6,7 @@ use syn::{Error, Result};
 use super::cursor::Cursor;
 use super::field::Content;
 use super::tree::{Block, BlockWord, ChainDef, DimensionWord, ParameterDef};
-use super::{attribute, field, route};
+use super::{attribute, branch, field, route};
 use crate::diag::{Diagnostics, did_you_mean, nearest};
 
 /// The words that an item can begin with.
@@ -126,11 +126,7 @@ fn item(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
     } else if route::is_route(input) {
         let route = route::route(input, diagnostics);
         match def.route {
-            Some(ref mut first) => {
-                diagnostics.push(route::second(start.next_span()));
-                // The two may be parts of one.
-                first.whole = false;
-            }
+            Some(ref mut first) => first.add(start.next_span(), route),
             None => def.route = Some(route),
         }
     } else {
@@ -232,6 +228,9 @@ fn unknown(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics
         }
         return lose(input.unexpected("an item"), input, def, diagnostics);
     };
+    if let Some(message) = branch::item(&word) {
+        return lose(Error::new(word.span(), message), input, def, diagnostics);
+    }
     let near = nearest(&word.to_string(), ITEMS.iter().chain(SETTINGS).copied());
     let hint = near.map_or_else(
         || "there are `gravity`, `method`, `results`, `param`, `body`, the route, `hinge`, `load` and `spring`".to_owned(),

@@ -5,7 +5,7 @@ use syn::{Error, Result};
 
 use super::cursor::Cursor;
 use super::tree::{Expr, ExprKind, Extent, Field, Form, List, Turn, Written};
-use super::{attribute, chain, number, route, unit};
+use super::{attribute, branch, chain, number, route, unit};
 use crate::diag::Diagnostics;
 
 /// What stands in the braces of a block.
@@ -165,7 +165,13 @@ pub(super) fn written(input: &mut Cursor) -> Result<Written> {
     if is_form(input) {
         return form(input).map(Written::Form);
     }
+    let start = Extent::token(input.next_span());
     let position = position(input)?;
+    if let Written::Number(Expr { kind: ExprKind::Name(body), .. }) = &position
+        && branch::place(input).is_some()
+    {
+        return Ok(Written::PlaceOn(body.clone(), start.to(input.last())));
+    }
     if let Some(turn) = turned(input)? {
         return Ok(Written::Turned(position.into(), turn));
     }

@@ -24,6 +24,7 @@
 //! ```
 
 mod attribute;
+mod branch;
 mod chain;
 mod cursor;
 mod field;

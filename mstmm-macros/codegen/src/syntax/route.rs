@@ -5,7 +5,7 @@ use syn::{Error, Result};
 
 use super::cursor::Cursor;
 use super::tree::{Arguments, Repeat, Route, Stop, Written};
-use super::{chain, field};
+use super::{branch, chain, field};
 use crate::diag::Diagnostics;
 
 /// The largest count of a `repeat`.
@@ -13,13 +13,17 @@ const MOST_TIMES: usize = 10_000_000;
 
 /// All stops up to and with the `;`. Behind a mistake it goes on with the next statement.
 pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route {
-    let mut route = Route { stops: Vec::new(), repeats: Vec::new(), whole: true };
+    let mut route =
+        Route { stops: Vec::new(), repeats: Vec::new(), whole: true, further: Vec::new() };
     let mut joints = Joints::default();
     loop {
         let before = *input;
-        let read = match input.word("repeat") {
-            Some(at) => repeat(at, input, &mut route, &mut joints, diagnostics),
-            None => stop(input, diagnostics).map(|stop| route.stops.push(stop)),
+        let read = if let Some(at) = input.word("repeat") {
+            repeat(at, input, &mut route, &mut joints, diagnostics)
+        } else if let Some(group) = branch::group(input) {
+            branch::branches(group, &mut route, diagnostics)
+        } else {
+            stop(input, diagnostics).map(|stop| route.stops.push(stop))
         };
         if let Err(error) = read {
             diagnostics.push(error);
@@ -49,19 +53,28 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route 
 
 /// What joins stops. Where it is written otherwise all along, that is reported once.
 #[derive(Default)]
-struct Joints {
+pub(super) struct Joints {
     reported: bool,
+    /// Whether an arrow was read: then what stands in place of one may begin a branch.
+    has_arrow: bool,
 }
 
 impl Joints {
+    /// Between stops that are reported as a whole.
+    pub fn reported() -> Self {
+        Joints { reported: true, has_arrow: false }
+    }
+
     /// Reads a `->`, or what stands in its place.
-    fn read(&mut self, input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
+    pub fn read(&mut self, input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
         if input.pair('-', '>').is_some() {
+            self.has_arrow = true;
             return true;
         }
         let (at, before) = (input.next_span(), *input);
+        let branches = self.has_arrow && [',', '|', '&'].iter().any(|&sign| input.peek_punct(sign));
         let mut signs = 0;
-        while ['-', '=', '>', ','].iter().any(|&sign| input.punct(sign).is_some()) {
+        while ['-', '=', '<', '>', ',', '|', '&'].iter().any(|&sign| input.punct(sign).is_some()) {
             signs += 1;
         }
         if input.peek_ident().is_none() {
@@ -70,7 +83,8 @@ impl Joints {
             return false;
         }
         if signs > 0 && !self.reported {
-            diagnostics.error(at, "stops are joined by `->`");
+            let more = if branches { format!("; {}", branch::BRANCHES) } else { String::new() };
+            diagnostics.error(at, format!("stops are joined by `->`{more}"));
             self.reported = true;
         }
         signs > 0
@@ -144,7 +158,7 @@ fn contents(
     }
 }
 
-fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Stop> {
+pub(super) fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Stop> {
     if let Some(at) = input.word("ground") {
         let position =
             if input.word("at").is_some() { Some(field::position(input)?.into()) } else { None };
@@ -162,14 +176,17 @@ fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Stop> {
     if arguments.is_none() && begins_hinge(&word) && is_misplaced(input) {
         return misplaced(&word, input, diagnostics);
     }
-    let name = name(input);
+    // A place may follow on the name, or on a body that is called by its type or its name only.
+    let place = branch::place(input);
+    let name = if place.is_some() { None } else { name(input) };
+    let place = place.or_else(|| branch::place(input));
     let written = inside(input);
     let at = input.next_span();
     if let (None, Some(name), Some(behind)) = (&arguments, &name, self::arguments(input)?) {
         diagnostics.error(at, format!("write `{word}({written}) {name}`"));
         arguments = Some(behind);
     }
-    Ok(Stop::Element { word, arguments, name })
+    Ok(Stop::Element { word, arguments, name, place })
 }
 
 /// The name of a stop, if it has one.
@@ -271,8 +288,9 @@ pub(super) fn is_route_of_stops(input: &Cursor) -> bool {
 }
 
 /// Whether an arrow stands in the rest of a statement.
-fn has_arrow(mut rest: Cursor) -> bool {
-    let is_arrow = |at: &Cursor| at.peek_pair('-', '>') || at.peek_pair('=', '>');
+pub(super) fn has_arrow(mut rest: Cursor) -> bool {
+    let pairs = [('-', '>'), ('=', '>'), ('<', '-')];
+    let is_arrow = |at: &Cursor| pairs.iter().any(|&(first, second)| at.peek_pair(first, second));
     while !rest.is_empty() && !rest.peek_punct(';') && !chain::begins_item(&rest) {
         if is_arrow(&rest) {
             return true;
@@ -283,9 +301,4 @@ fn has_arrow(mut rest: Cursor) -> bool {
         rest.any();
     }
     false
-}
-
-/// A route that stands where one is already.
-pub(super) fn second(at: Span) -> Error {
-    Error::new(at, "a second route; a chain has one")
 }

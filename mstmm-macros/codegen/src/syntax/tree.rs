@@ -100,6 +100,37 @@ pub struct Route {
     pub repeats: Vec<Repeat>,
     /// Whether all of it could be read. If not, nothing is missed on its account.
     pub whole: bool,
+    /// Routes that are written after the first one, an error. Their stops are here too, so that the
+    /// names on them are known.
+    pub further: Vec<Further>,
+}
+
+impl Route {
+    /// Adds a route that is written after this one and begins at this token.
+    pub fn add(&mut self, at: Span, other: Route) {
+        let start = self.stops.len();
+        let moved = |stops: Range<usize>| start + stops.start..start + stops.end;
+        self.further.push(Further { at, start });
+        self.stops.extend(other.stops);
+        let repeats = other.repeats.into_iter();
+        self.repeats.extend(repeats.map(|repeat| Repeat { stops: moved(repeat.stops), ..repeat }));
+        // The two may be parts of one.
+        self.whole = false;
+    }
+
+    /// How many stops the first route has.
+    pub fn first_end(&self) -> usize {
+        self.further.first().map_or(self.stops.len(), |further| further.start)
+    }
+}
+
+/// A route that is written after the first one.
+#[derive(Debug)]
+pub struct Further {
+    /// Its first token.
+    pub at: Span,
+    /// Its first stop among those of all routes.
+    pub start: usize,
 }
 
 /// `repeat count { stop -> … }`
@@ -150,6 +181,8 @@ pub enum Stop {
         arguments: Option<Arguments>,
         /// The name.
         name: Option<Ident>,
+        /// Where a place on it is written, as in `crank.lug` or `crank at lug`, an error.
+        place: Option<Span>,
     },
 }
 
@@ -175,6 +208,8 @@ pub enum Written {
     Form(Form),
     /// `a unit about word`
     About(Expr, Ident),
+    /// `body.point` or `body at point`, an error: the body, and all of it.
+    PlaceOn(Ident, Extent),
 }
 
 /// What stands behind `turned`.
@@ -205,6 +240,7 @@ impl Written {
             Written::Turned(position, turn) => position.extent().to(turn.extent()),
             Written::Form(form) => form.extent(),
             Written::About(expr, point) => expr.extent.to(Extent::token(point.span())),
+            Written::PlaceOn(_, extent) => *extent,
         }
     }
 
@@ -217,6 +253,7 @@ impl Written {
             Written::Turned(..) => "a turned frame".into(),
             Written::Form(form) => format!("`{}(…)`", form.word),
             Written::About(..) => "a number about a point".into(),
+            Written::PlaceOn(body, _) => format!("a point of `{body}`"),
         }
     }
 }

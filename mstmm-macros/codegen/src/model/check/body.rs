@@ -8,8 +8,12 @@ use crate::model::lower::{Draft, Given, POINTS, Stop, listed};
 
 /// A type of body that is on no route is a slip, most likely of the route.
 pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let lost =
-        |stop: &Stop| matches!(stop, Stop::Unknown { .. } | Stop::Body { body_type: None, .. });
+    let lost = |stop: &Stop| {
+        matches!(
+            stop,
+            Stop::Unknown { .. } | Stop::Again { .. } | Stop::Body { body_type: None, .. }
+        )
+    };
     let stops = whole_route(draft);
     if stops.is_empty() || stops.iter().any(lost) {
         return;

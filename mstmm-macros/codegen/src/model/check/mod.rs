@@ -1,6 +1,7 @@
 //! What can be wrong with a chain whose every part could be read: one function for each rule.
 
 mod body;
+mod branch;
 mod compound;
 mod hinge;
 mod inertia;
@@ -51,6 +52,7 @@ const RULES: &[Rule] = &[
     name::types_are_not_words_of_the_language,
     name::parameters_are_not_words_of_the_language,
     route::there_is_a_route_with_a_body,
+    route::there_is_one_route,
     route::ground_is_at_the_ends,
     route::hinges_and_bodies_alternate,
     route::hinges_join_something_on_both_sides,

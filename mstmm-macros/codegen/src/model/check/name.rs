@@ -70,19 +70,43 @@ struct Name<'a> {
     made: bool,
     /// The methods that it has beside the one of its name: what they begin and end with.
     also: &'static [(&'static str, &'static str)],
+    /// What to say where the name is used before, if more than that.
+    twice: &'static str,
 }
 
 fn names<'a>(draft: &'a Draft) -> Vec<Name<'a>> {
     let parameters = draft.def.parameters.iter();
-    let parameters = parameters.map(|def| Name { ident: &def.field.name, made: false, also: &[] });
+    let plain = |ident| Name { ident, made: false, also: &[], twice: "" };
+    let parameters = parameters.map(|def| plain(&def.field.name));
     let stops = draft.stops.iter().enumerate().filter_map(|(index, stop)| {
         let made = matches!(stop, Stop::Body { named: false, .. });
         let repeated = repeat_around(draft, index).is_some() && matches!(stop, Stop::Hinge { .. });
         let also = if repeated { REPEATED } else { CHANGED };
-        Some(Name { ident: stop.name()?, made, also })
+        let twice = if made { "; write a name after the type" } else { twice(draft, index) };
+        Some(Name { ident: stop.name()?, made, also, twice })
     });
-    let acting = acting(draft).map(|ident| Name { ident, made: false, also: &[] });
+    let acting = acting(draft).map(plain);
     parameters.chain(stops).chain(acting).collect()
+}
+
+/// What to say of a stop by the name of one before it, if it may be meant to close a loop there.
+fn twice(draft: &Draft, index: usize) -> &'static str {
+    let (before, behind) = draft.stops.split_at(index);
+    let is_same = |other: &Stop| other.name() == behind.first().and_then(Stop::name);
+    match behind {
+        [Stop::Body { word, .. }]
+            // A hinge back to the body that it comes from is no loop.
+            if before.iter().rev().skip(2).any(|other| {
+                is_same(other) && matches!(other, Stop::Body { word: same, .. } if same == word)
+            }) =>
+        {
+            "; a chain closes over the ground or a moving end only"
+        }
+        [Stop::Moving { .. }] if before.first().is_some_and(is_same) => {
+            "; give this end another name, and both ends the same motion"
+        }
+        _ => "",
+    }
 }
 
 /// The methods by which a state is changed.
@@ -141,12 +165,9 @@ pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) 
         let methods: Vec<String> = [text.clone()].into_iter().chain(name.methods()).collect();
         let shared = methods.iter().find_map(|method| Some((method, *owners.get(method)?)));
         if let Some((method, other)) = shared {
-            let message = match (other == name.ident, name.made) {
-                (true, true) => {
-                    format!("the name `{text}` is used twice; write a name after the type")
-                }
-                (true, false) => format!("the name `{text}` is used twice"),
-                (false, _) => format!("`{text}` and `{other}` both have a method `{method}`"),
+            let message = match other == name.ident {
+                true => format!("the name `{text}` is used twice{}", name.twice),
+                false => format!("`{text}` and `{other}` both have a method `{method}`"),
             };
             diagnostics.error(name.ident.span(), message);
         }

@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::compound;
+use super::{branch, compound};
 use crate::diag::Diagnostics;
 use crate::model::Drive;
 use crate::model::lower::{Draft, Properties, Stop, listed};
@@ -23,7 +23,9 @@ fn readable_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [Stop<'a>] {
 }
 
 fn has_body(stops: &[Stop]) -> bool {
-    stops.iter().any(|stop| matches!(stop, Stop::Body { .. } | Stop::Unknown { .. }))
+    let is_body =
+        |stop: &Stop| matches!(stop, Stop::Body { .. } | Stop::Unknown { .. } | Stop::Again { .. });
+    stops.iter().any(is_body)
 }
 
 /// What a message about a stop points at, and how it calls the stop.
@@ -39,7 +41,7 @@ pub(super) fn called(stop: &Stop) -> Option<(Span, String)> {
             None => (word.span(), format!("`{word}`")),
         }),
         Stop::Body { name, .. } => Some((name.span(), format!("body `{name}`"))),
-        Stop::Unknown { .. } => None,
+        Stop::Unknown { .. } | Stop::Again { .. } => None,
     }
 }
 
@@ -52,6 +54,17 @@ pub(super) fn there_is_a_route_with_a_body(draft: &Draft, diagnostics: &mut Diag
     let stops = readable_route(draft);
     if let (Some((at, _)), false) = (stops.first().and_then(called), has_body(stops)) {
         diagnostics.error(at, "there is no body on the route");
+    }
+}
+
+/// A chain has one route.
+pub(super) fn there_is_one_route(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let Some(route) = &draft.def.route else { return };
+    let ends = route.further.iter().skip(1).map(|further| further.start);
+    for (further, end) in route.further.iter().zip(ends.chain([draft.stops.len()])) {
+        let stops = &draft.stops[further.start..end];
+        let message = branch::of_route(&draft.stops[..route.first_end()], stops);
+        diagnostics.error(further.at, message);
     }
 }
 
@@ -72,7 +85,10 @@ pub(super) fn ground_is_at_the_ends(draft: &Draft, diagnostics: &mut Diagnostics
         };
         // One in a repeated part is reported there.
         if repeat_around(draft, index + 1).is_none() {
-            let message = format!("`{word}` can only stand at an end of the route");
+            let message = format!(
+                "`{word}` can only be at an end of the route: end this chain here, and write what \
+                 follows as a second chain"
+            );
             diagnostics.error(at, message);
         }
     }
@@ -176,7 +192,9 @@ pub(super) fn closed_chains_can_move(draft: &Draft, diagnostics: &mut Diagnostic
             let motion = properties.motion.as_ref();
             shape.groups.is_empty() || motion.is_some_and(|motion| motion.drive == Drive::Motion)
         }
-        Stop::Ground { .. } | Stop::Moving { .. } | Stop::Unknown { .. } => false,
+        Stop::Ground { .. } | Stop::Moving { .. } | Stop::Unknown { .. } | Stop::Again { .. } => {
+            false
+        }
     };
     let has_body = middle.iter().any(|stop| matches!(stop, Stop::Body { .. }));
     if let Some((at, _)) = called(last)

@@ -67,7 +67,7 @@ impl Draft<'_> {
                     route.push(Element::Body(bodies.len()));
                     bodies.push(self.body(stop)?);
                 }
-                Stop::Unknown { .. } => return None,
+                Stop::Unknown { .. } | Stop::Again { .. } => return None,
             }
         }
         let ends = self.stops.iter().filter(|stop| matches!(stop, Stop::Moving { .. }));
@@ -124,7 +124,7 @@ impl Draft<'_> {
             Stop::Ground { frame, .. } => Some(Place::Ground(frame.clone()?)),
             // A moving end is a body whose output is its input.
             Stop::Body { .. } | Stop::Moving { .. } => Some(on(numbers.body(index))),
-            Stop::Hinge { .. } | Stop::Unknown { .. } => None,
+            Stop::Hinge { .. } | Stop::Unknown { .. } | Stop::Again { .. } => None,
         };
         let sides = [place(index.checked_sub(1)?, Place::Output)?, place(index + 1, Place::Input)?];
         Some(hinge((*name)?.clone(), kind, sides, motion))

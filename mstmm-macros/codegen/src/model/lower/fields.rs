@@ -87,6 +87,9 @@ const COUNTERPARTS: &[(&str, &str)] = &[
     ("cog", "com"),
     ("moment", "torque"),
     ("body", "on"),
+    ("bodies", "on"),
+    ("between", "on"),
+    ("from", "on"),
     ("point", "at"),
 ];
 

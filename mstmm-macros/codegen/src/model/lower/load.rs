@@ -10,12 +10,15 @@ use super::route::Stop;
 use super::vector::zeros;
 use crate::diag::did_you_mean;
 use crate::model::{BodyId, Dimension, Frame, LoadAxes, Source, Value};
-use crate::syntax::{Block, BlockWord, ChainDef, Field, Written};
+use crate::syntax::{Block, BlockWord, ChainDef, Extent, Field, List, Written};
 
 const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"];
 /// In a line chain nothing turns.
 const LINE_LOAD_FIELDS: &[&str] = &["on", "at", "force"];
 const SPRING_FIELDS: &[&str] = &["on", "at", "to", "stiffness", "damping", "length"];
+/// What is said of a spring between two bodies.
+const BETWEEN_BODIES: &str = "a spring joins a body to the ground: between two bodies write two loads \
+                              with `force = input`, and give them opposite forces at each step";
 /// The points that every body has.
 pub(crate) const POINTS: &[&str] = &["input", "output", "com"];
 const AXES: &[(&str, LoadAxes)] = &[("inertial", LoadAxes::Inertial), ("body", LoadAxes::Body)];
@@ -92,7 +95,7 @@ pub(super) fn loads<'a>(
             fields.add(field, known_fields(block.word, context.space), &owner, context);
         }
         let on = fields.get("on").and_then(|field| {
-            context.field(field, |context, written| on(written, def, stops, context))
+            context.field(field, |context, written| on(written, block.word, def, stops, context))
         });
         let target = Target { stops, types, body: on.map(|on| on.value) };
         match block.word {
@@ -104,8 +107,27 @@ pub(super) fn loads<'a>(
 }
 
 /// The body that is meant.
-fn on(written: &Written, def: &ChainDef, stops: &[Stop], context: &mut Context) -> Option<BodyId> {
+fn on(
+    written: &Written,
+    of: BlockWord,
+    def: &ChainDef,
+    stops: &[Stop],
+    context: &mut Context,
+) -> Option<BodyId> {
     let bodies = || stops.iter().filter(|stop| matches!(stop, Stop::Body { .. }));
+    if let Written::PlaceOn(body, extent) = written {
+        let message = format!("a point is a separate field: write `on = {body}; at = …;`");
+        return context.refuse(*extent, message);
+    }
+    if let Written::Vector(List { entries, .. }) = written
+        && let [_, second, ..] = &entries[..]
+    {
+        let message = match of {
+            BlockWord::Spring => BETWEEN_BODIES,
+            _ => "a load acts on one body: write a `load` for each",
+        };
+        return context.refuse(second.extent, message);
+    }
     let Some(word) = written.word() else {
         let found = written.described();
         let message = format!("expected the name of a body on the route, found {found}");
@@ -122,6 +144,9 @@ fn on(written: &Written, def: &ChainDef, stops: &[Stop], context: &mut Context) 
         .any(|stop| matches!(stop, Stop::Hinge { name: Some(name), .. } if *name == word))
     {
         return context.refuse(word, format!("`{word}` is a hinge: only a body can be pulled at"));
+    }
+    if word == "ground" {
+        return context.refuse(word, "the ground does not move: name a body on the route");
     }
     let hint = context.hint(word, bodies().filter_map(Stop::name));
     context.refuse(word, format!("no body `{word}` on the route{hint}"))
@@ -227,7 +252,10 @@ fn spring<'a>(
     target: &Target,
     context: &mut Context,
 ) -> SpringDraft<'a> {
-    let vector = |context: &mut Context, it: &Written| context.written_vector(it, LENGTH);
+    let to = |context: &mut Context, written: &Written| match not_on_ground(written, target) {
+        Some((at, message)) => context.refuse(at, message),
+        None => context.written_vector(written, LENGTH),
+    };
     let [stiffness, damping, length] =
         [("stiffness", STIFFNESS), ("damping", DAMPING), ("length", LENGTH)].map(
             |(name, expected)| match fields.get(name) {
@@ -242,11 +270,26 @@ fn spring<'a>(
         name,
         body: target.body,
         at: target.at(fields.get("at"), context),
-        to: fields.get("to").and_then(|to| context.field(to, vector)).map(|to| to.value),
+        to: fields.get("to").and_then(|field| context.field(field, to)).map(|to| to.value),
         stiffness: stiffness.flatten(),
         damping,
         length,
     }
+}
+
+/// What is wrong with the end of a spring that is no point on the ground: the token, and the message.
+fn not_on_ground(written: &Written, target: &Target) -> Option<(Extent, String)> {
+    let word = match written {
+        Written::PlaceOn(body, _) => body,
+        other => other.word()?,
+    };
+    let at = Extent::token(word.span());
+    if word == "ground" {
+        let message = "the ground needs a point: `to = [x, y, z] m`, inertial frame";
+        return Some((at, message.into()));
+    }
+    let is_it = |stop: &Stop| matches!(stop, Stop::Body { .. }) && stop.name() == Some(word);
+    target.stops.iter().any(is_it).then(|| (at, BETWEEN_BODIES.into()))
 }
 
 /// Those of `required` that a block lacks.
@@ -283,7 +326,11 @@ impl LoadDraft<'_> {
 impl SpringDraft<'_> {
     /// The fields that it lacks, in words.
     pub fn missing(&self) -> Vec<String> {
-        let missing = missing(self.block, &["on", "to", "stiffness"]);
+        let on = self.block.fields.iter().find(|field| field.name == "on");
+        let body = on.is_none_or(|on| on.value.as_ref().is_some_and(|on| on.word().is_some()));
+        // Where `on` is not one body, the other one is there in place of the point.
+        let required = if body { &["on", "to", "stiffness"][..] } else { &["stiffness"] };
+        let missing = missing(self.block, required);
         missing.iter().map(|name| format!("`{name}`")).collect()
     }
 

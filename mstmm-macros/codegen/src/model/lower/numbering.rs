@@ -32,7 +32,7 @@ impl Numbers {
                 Stop::Body { .. } => counts.bodies += 1,
                 Stop::Moving { .. } => counts.ends += 1,
                 Stop::Hinge { .. } => counts.hinges += 1,
-                Stop::Ground { .. } | Stop::Unknown { .. } => {}
+                Stop::Ground { .. } | Stop::Unknown { .. } | Stop::Again { .. } => {}
             }
             before.push(counts);
         }

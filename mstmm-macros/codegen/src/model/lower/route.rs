@@ -9,6 +9,7 @@ use super::hinge::{KINDS, Kind};
 use crate::diag::nearest;
 use crate::model::{Frame, HingeKind, Shape};
 use crate::syntax::{self, Arguments, ChainDef};
+use std::collections::HashSet;
 
 /// A stop of the route as far as it could be read.
 pub(crate) enum Stop<'a> {
@@ -57,13 +58,18 @@ pub(crate) enum Stop<'a> {
         /// Its name.
         name: Option<&'a Ident>,
     },
+    /// A stop by the name of one before it, which is reported already.
+    Again {
+        /// The name.
+        name: &'a Ident,
+    },
 }
 
 impl Stop<'_> {
     /// Its name on the route.
     pub fn name(&self) -> Option<&Ident> {
         match self {
-            Stop::Ground { .. } => None,
+            Stop::Ground { .. } | Stop::Again { .. } => None,
             Stop::Moving { name, .. } | Stop::Hinge { name, .. } | Stop::Unknown { name } => *name,
             Stop::Body { name, .. } => Some(name),
         }
@@ -76,25 +82,72 @@ pub(super) fn stops<'a>(
     types: &[BodyType],
     context: &mut Context,
 ) -> Vec<Stop<'a>> {
-    let stops: &[syntax::Stop] = def.route.as_ref().map_or(&[], |route| &route.stops);
-    let resolve = |(index, stop): (usize, &'a syntax::Stop)| match stop {
+    let Some(route) = &def.route else { return Vec::new() };
+    let mut known = HashSet::new();
+    let mut resolve = |(index, stop): (usize, &'a syntax::Stop)| match stop {
         syntax::Stop::Ground { at, position, turned } => {
             Stop::Ground { at: *at, frame: context.frame(position.as_deref(), turned.as_deref()) }
         }
+        syntax::Stop::Moving { name: Some(name), .. }
+            if index >= route.first_end() && known.contains(&name.to_string()) =>
+        {
+            Stop::Again { name }
+        }
         syntax::Stop::Moving { at, name } => {
+            known.extend(name.as_ref().map(ToString::to_string));
             if name.is_none() {
                 context.diagnostics.error(*at, "a moving end needs a name: `moving name`");
             }
             Stop::Moving { at: *at, name: name.as_ref() }
         }
         syntax::Stop::Unread { name } => Stop::Unknown { name: name.as_ref() },
-        syntax::Stop::Element { word, arguments, name } => {
-            let at_end = index == 0 || index + 1 == stops.len();
-            Element { word, arguments: arguments.as_ref(), name: name.as_ref(), at_end }
-                .resolve(def, types, context)
+        syntax::Stop::Element { word, arguments, name, place } => {
+            let first_end = route.first_end();
+            let (arguments, name) = (arguments.as_ref(), name.as_ref());
+            let at_end = index == 0 || index + 1 == first_end || index + 1 == route.stops.len();
+            let element = Element { word, arguments, name, at_end };
+            let further = route.further.iter().any(|further| further.start == index);
+            let again = element.again(&known, types, further);
+            let stop = match again {
+                Some(name) if index < first_end => passed_twice(name, context),
+                Some(name) => Stop::Again { name },
+                // The whole route is reported at its first token.
+                None if further && !element.is_known(types) => Stop::Unknown { name: element.name },
+                None => element.resolve(def, types, context),
+            };
+            if let (Some(place), None) = (place, again) {
+                refuse_place(*place, &stop, context);
+            }
+            known.extend(stop.name().map(ToString::to_string));
+            stop
         }
     };
-    stops.iter().enumerate().map(resolve).collect()
+    route.stops.iter().enumerate().map(&mut resolve).collect()
+}
+
+/// Refuses a stop on the route for the second time.
+fn passed_twice<'a>(name: &'a Ident, context: &mut Context) -> Stop<'a> {
+    let message = format!(
+        "`{name}` is on the route already, and a chain closes over the ground or a moving end only: \
+         end the route before this hinge, and hold the two bodies together by two loads with \
+         `force = input`"
+    );
+    context.diagnostics.error(name.span(), message);
+    Stop::Again { name }
+}
+
+/// Refuses a place that is written on the route.
+fn refuse_place(place: Span, stop: &Stop, context: &mut Context) {
+    let message = match stop {
+        Stop::Body { word, .. } => format!(
+            "the route goes on at the `output` of a body: give `{word}` an `output` there instead"
+        ),
+        Stop::Hinge { .. } => "a hinge is at the `output` of the body before it: \
+                               write its place there, or on the ground as in `ground at [x, y, z]`"
+            .into(),
+        _ => return,
+    };
+    context.diagnostics.error(place, message);
 }
 
 /// A hinge or a body as written.
@@ -121,12 +174,34 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("hooke", "universal"),
     ("helical", "screw"),
     ("bushing", "elastic"),
+    ("spring", "elastic"),
 ];
 
 /// What the ground is called elsewhere.
 const GROUNDS: &[&str] = &["world", "base", "earth", "inertial", "origin"];
 
 impl<'a> Element<'a> {
+    /// The name of a stop before this one that it is called by: without a kind or a type, or with one
+    /// where a further route begins.
+    fn again(
+        &self,
+        known: &HashSet<String>,
+        types: &[BodyType],
+        further: bool,
+    ) -> Option<&'a Ident> {
+        let is_known = |name: &&Ident| known.contains(&name.to_string());
+        match self.name {
+            None => (!self.is_known(types)).then_some(self.word).filter(is_known),
+            Some(name) => further.then_some(name).filter(is_known),
+        }
+    }
+
+    /// Whether its word is a kind of hinge or a type of body.
+    fn is_known(&self, types: &[BodyType]) -> bool {
+        KINDS.iter().any(|kind| self.word == kind.word)
+            || types.iter().any(|known| self.word == known.name)
+    }
+
     fn resolve(self, def: &ChainDef, types: &[BodyType], context: &mut Context) -> Stop<'a> {
         let Element { word, name, .. } = self;
         if let Some(kind) = KINDS.iter().find(|kind| word == kind.word) {

@@ -149,7 +149,8 @@ impl<'d, 'a> Sketch<'d, 'a> {
     }
 
     fn stop(&mut self, index: usize, stop: &Stop, repeat: Option<usize>) {
-        let last = index + 1 == self.draft.stops.len();
+        let route = self.draft.def.route.as_ref();
+        let last = route.is_some_and(|route| index + 1 == route.first_end());
         match stop {
             Stop::Ground { .. } if index == 0 => self.start = End::Held,
             Stop::Ground { .. } if last => self.finish = End::Held,
@@ -157,7 +158,10 @@ impl<'d, 'a> Sketch<'d, 'a> {
                 let end = End::Moving(self.name(*name));
                 if index == 0 { self.start = end } else { self.finish = end }
             }
-            Stop::Ground { .. } | Stop::Moving { .. } => {}
+            Stop::Moving { name, .. } if matches!(self.finish, End::Free) => {
+                self.finish = End::Moving(self.name(*name));
+            }
+            Stop::Ground { .. } | Stop::Moving { .. } | Stop::Again { .. } => {}
             Stop::Hinge { name, kind, .. } => {
                 if !self.wants_hinge() {
                     self.body(None, repeat);

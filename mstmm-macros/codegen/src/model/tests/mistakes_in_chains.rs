@@ -140,7 +140,10 @@ fn ends_are_at_the_ends() {
     expect(
         "-> Cube upper ->",
         "-> Cube upper -> pin a -> moving b -> pin c -> Cube d ->",
-        &[("moving", "`moving` can only stand at an end of the route")],
+        &[(
+            "moving",
+            "`moving` can only be at an end of the route: end this chain here, and write what follows as a second chain",
+        )],
     );
     expect("ground -> pin(z) shoulder", "moving hand -> pin(z) shoulder", &[]);
     expect(

@@ -1,6 +1,7 @@
 //! Descriptions and what is made of them.
 
 mod any_tokens;
+mod branches_and_loops;
 mod each_mistake_once;
 mod good;
 mod good_chains;

@@ -1,0 +1,184 @@
+//! What is written of branches, of loops and of springs between bodies: messages name the way round,
+//! which `tests/ways_round.rs` goes.
+
+use super::each_mistake_once::expect_rods;
+
+const BRANCHES: &str = "a chain has no branches: write a branch as a separate chain, \
+                        and couple the two by a `load` with `force = input` in each";
+
+const SPRING: &str = "a spring joins a body to the ground: between two bodies write two loads \
+                      with `force = input`, and give them opposite forces at each step";
+
+const SECOND: &str = "a chain has one route: write this one as a second chain; a loop over the ground \
+                      is one route, `ground -> … -> ground at […]`";
+
+const TRUNK: &str = "ground -> pin a -> Rod crank -> pin b -> Rod bar";
+
+fn continues(name: &str) -> String {
+    format!("a chain has one route: go on with `-> …` in place of the `;` after `{name}`")
+}
+
+fn branches_at(name: &str) -> String {
+    format!(
+        "a chain has no branches, and `{name}` is on the route already: write the branch as a \
+         separate chain, and couple the two by a `load` with `force = input` in each"
+    )
+}
+
+fn closes_over(name: &str) -> String {
+    format!(
+        "`{name}` is on the route already, and a chain closes over the ground or a moving end only: \
+         end the route before this hinge, and hold the two bodies together by two loads with \
+         `force = input`"
+    )
+}
+
+#[test]
+fn a_second_route_is_a_second_chain() {
+    expect_rods(&format!("{TRUNK}; ground -> pin c -> Rod x;"), &[("ground", SECOND)]);
+    expect_rods(&format!("{TRUNK}; moving m -> pin c -> Rod x;"), &[("moving", SECOND)]);
+    expect_rods(
+        &format!("{TRUNK}; Rod x -> pin c -> Rod y;"),
+        &[("Rod", "a chain has one route: write this one as a second chain")],
+    );
+    // Names that are on the moving end's route already are of one end.
+    expect_rods("moving m -> pin a -> Rod x; moving m -> pin b -> Rod y;", &[("moving", SECOND)]);
+    // Hinges of both routes are known.
+    let both = format!("{TRUNK}; ground -> pin c -> Rod x; hinge a, b, c {{ start = 1; }}");
+    expect_rods(&both, &[("ground", SECOND)]);
+    expect_rods(
+        &format!("{both} load l {{ on = x; force = input; }} hinge d {{ start = 1; }}"),
+        &[("ground", SECOND)],
+    );
+}
+
+#[test]
+fn the_rest_of_a_route_follows_on_an_arrow() {
+    let rest = "a chain has one route: to go on with the first one, write `->` in place of the `;` \
+                before this";
+    expect_rods(&format!("{TRUNK}; pin c -> Rod x;"), &[("pin", rest)]);
+    for start in ["bar", "Rod bar", "bar.tip", "bar at tip", "bar at [1, 0, 0] m", "from bar"] {
+        let first = start.split([' ', '.']).next().expect("a word");
+        let message = continues("bar");
+        expect_rods(&format!("{TRUNK}; {start} -> pin c -> Rod x;"), &[(first, &message)]);
+    }
+}
+
+#[test]
+fn a_branch_is_a_chain_of_its_own() {
+    for start in ["crank", "Rod crank", "crank.tip", "crank at tip", "branch crank"] {
+        let first = start.split([' ', '.']).next().expect("a word");
+        let message = branches_at("crank");
+        expect_rods(&format!("{TRUNK}; {start} -> pin c -> Rod x;"), &[(first, &message)]);
+    }
+    expect_rods(&format!("{TRUNK}; Rod x -> pin c -> crank;"), &[("Rod", &branches_at("crank"))]);
+    let joined = format!("stops are joined by `->`; {BRANCHES}");
+    for sign in [",", "|", "&"] {
+        expect_rods(&format!("{TRUNK} {sign} pin c -> Rod x;"), &[(sign, &joined)]);
+    }
+    expect_rods(
+        "ground -> pin a -> Rod hub -> { pin b -> Rod x, pin c -> Rod y }; hinge b, c { start = 1; }",
+        &[("{", BRANCHES)],
+    );
+    expect_rods(
+        "ground -> pin a -> Rod hub -> (pin b -> Rod x) -> pin c -> Rod y; hinge b { start = 1; }",
+        &[("(", BRANCHES)],
+    );
+    expect_rods("ground -> pin a -> Rod hub -> [pin b -> Rod x];", &[("[", BRANCHES)]);
+    expect_rods(
+        &format!("{TRUNK}; branch {{ crank -> pin c -> Rod x; }}"),
+        &[("branch", BRANCHES)],
+    );
+}
+
+#[test]
+fn a_route_can_pass_through_a_body_with_two_branches() {
+    let message = "a chain has no branches, but a route can pass through `hub`: \
+                   begin it at the free end of one branch, as in `… -> hub -> …`";
+    expect_rods("Rod hub -> pin a -> Rod left; hub -> pin b -> Rod right;", &[("hub", message)]);
+}
+
+#[test]
+fn a_loop_closes_over_the_ground_or_a_moving_end() {
+    for end in ["crank", "crank.tip", "crank at tip", "crank at [1, 0, 0] m turned rpy(0, 0, 1)"] {
+        expect_rods(&format!("{TRUNK} -> pin c -> {end};"), &[("crank", &closes_over("crank"))]);
+    }
+    expect_rods(
+        &format!("{TRUNK} -> pin c -> crank -> pin d -> Rod x;"),
+        &[("crank", &closes_over("crank"))],
+    );
+    expect_rods(
+        &format!("{TRUNK} -> pin c -> Rod crank;"),
+        &[(
+            "crank",
+            "the name `crank` is used twice; a chain closes over the ground or a moving end only",
+        )],
+    );
+    expect_rods(
+        &format!("{TRUNK}; bar -> pin c -> crank;"),
+        &[(
+            "bar",
+            "a chain closes over the ground or a moving end only, not from `bar`: \
+             hold the two bodies together by two loads with `force = input`",
+        )],
+    );
+    expect_rods(
+        "moving m -> pin a -> Rod x -> pin b -> moving m;",
+        &[(
+            "m",
+            "the name `m` is used twice; give this end another name, and both ends the same motion",
+        )],
+    );
+    let message = "a chain closes by a route that ends as it began, \
+                   `ground -> … -> ground at […]`: a loop over a body is held by two loads with \
+                   `force = input`";
+    expect_rods(&format!("{TRUNK}; loop {{ bar -> pin c -> crank; }}"), &[("loop", message)]);
+}
+
+#[test]
+fn hinges_are_at_outputs() {
+    let message =
+        "the route goes on at the `output` of a body: give `Rod` an `output` there instead";
+    for (place, at) in [(".tip", "tip"), (" at tip", "at"), (" at [1, 0, 0] m", "at")] {
+        expect_rods(
+            &format!("ground -> pin a -> Rod x{place} -> pin b -> Rod y;"),
+            &[(at, message)],
+        );
+    }
+    expect_rods(
+        "ground -> pin a at [1, 0, 0] m -> Rod x;",
+        &[(
+            "at",
+            "a hinge is at the `output` of the body before it: \
+             write its place there, or on the ground as in `ground at [x, y, z]`",
+        )],
+    );
+}
+
+#[test]
+fn a_spring_goes_to_the_ground() {
+    let expect_spring = |fields: &str, at: &str, message: &str| {
+        expect_rods(&format!("{TRUNK}; spring s {{ {fields} stiffness = 1; }}"), &[(at, message)]);
+    };
+    for to in ["bar", "bar.tip", "bar at tip", "bar at [1, 0, 0] m"] {
+        expect_spring(&format!("on = crank; to = {to};"), "bar", SPRING);
+    }
+    expect_spring("on = [crank, bar];", "bar", SPRING);
+    expect_spring(
+        "on = crank; to = ground;",
+        "ground",
+        "the ground needs a point: `to = [x, y, z] m`, inertial frame",
+    );
+    let point = "a point is a separate field: write `on = crank; at = …;`";
+    expect_spring("on = crank.tip; to = [0, 0, 0];", "crank.tip", point);
+    let ground = "the ground does not move: name a body on the route";
+    expect_spring("on = ground; to = [0, 0, 0];", "ground", ground);
+    expect_rods(
+        &format!("{TRUNK}; load l {{ on = [crank, bar]; force = input; }}"),
+        &[("bar", "a load acts on one body: write a `load` for each")],
+    );
+    expect_rods(
+        &format!("{TRUNK}; load l {{ on = crank.tip; force = input; }}"),
+        &[("crank.tip", point)],
+    );
+}
