@@ -68,6 +68,9 @@ pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
         emit::expand(chain, surface, &layout, &programs, examination, mstmm)
     };
     let mut items: TokenStream = chains.iter().zip(&examinations).map(items).collect();
+    if !right {
+        items = emit::without_clashes(items);
+    }
     let warnings = diagnostics.warnings();
     items.extend(warnings.iter().map(emit::warning));
     Expansion { items, mistakes: diagnostics.finish().err(), warnings }

@@ -1,6 +1,7 @@
 //! From programs to Rust: the only place that writes tokens.
 
 mod block;
+mod clash;
 mod closure;
 mod construction;
 mod delivery;
@@ -31,6 +32,7 @@ use crate::compile::Programs;
 use crate::examine::Examination;
 use crate::model::{Chain, Layout};
 use crate::syntax::Surface;
+pub use clash::without_clashes;
 use names::{Names, variable};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -68,6 +70,8 @@ pub fn expand(
     let inputs = inputs::emit(&plan);
     let workspace = workspace::emit(&plan);
     let references = references::emit(&plan);
+    let (visibility, name, own) = (&surface.visibility, &plan.names.chain, &chain.name);
+    let alias = (name != own).then(|| quote!(#visibility type #own<S> = #name<S>;));
     quote! {
         #construction
         #dynamics
@@ -75,5 +79,6 @@ pub fn expand(
         #inputs
         #workspace
         #references
+        #alias
     }
 }

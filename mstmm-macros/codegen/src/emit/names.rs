@@ -23,8 +23,10 @@ impl Names {
     /// The names of `chain`.
     pub fn of(chain: &Chain) -> Self {
         let named = |suffix: &str| format_ident!("{}{suffix}", chain.name);
+        // A type `T` cannot be generic over `T`; a chain of this name is a wrong one.
+        let chain_type = if chain.name == "T" { named("Chain") } else { chain.name.clone() };
         Names {
-            chain: chain.name.clone(),
+            chain: chain_type,
             state: named("State"),
             inputs: named("Inputs"),
             parameters: named("Parameters"),

@@ -48,7 +48,7 @@ pub(super) fn begins_block(input: &Cursor) -> bool {
 
 /// One chain; nothing if its head could not be read.
 pub(super) fn chain(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<ChainDef> {
-    let (mut def, mut inside) = match head(input) {
+    let (mut def, mut inside) = match head(input, diagnostics) {
         Ok(head) => head,
         Err(error) => {
             diagnostics.push(error);
@@ -67,12 +67,22 @@ pub(super) fn chain(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option
     Some(def)
 }
 
-fn head<'a>(input: &mut Cursor<'a>) -> Result<(ChainDef, Cursor<'a>)> {
-    let attributes = attribute::of_chain(input)?;
+fn head<'a>(
+    input: &mut Cursor<'a>,
+    diagnostics: &mut Diagnostics,
+) -> Result<(ChainDef, Cursor<'a>)> {
+    let attributes = attribute::of_chain(input).or_else(|error| {
+        diagnostics.push(error);
+        Ok::<_, Error>(Vec::new())
+    })?;
     let visibility = attribute::visibility(input)?;
     let dimension = dimension(input);
     if input.word("chain").is_none() {
-        return Err(no_chain(input));
+        let error = no_chain(input);
+        if !slip_of_chain(input) {
+            return Err(error);
+        }
+        diagnostics.push(error);
     }
     let name = input.ident().ok_or_else(|| input.unexpected("the chain's name"))?;
     let (inside, _) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
@@ -89,6 +99,19 @@ fn head<'a>(input: &mut Cursor<'a>) -> Result<(ChainDef, Cursor<'a>)> {
         clashes: false,
     };
     Ok((def, inside))
+}
+
+/// Whether the head of a chain is next but for a wrong word in it, which is read over.
+fn slip_of_chain(input: &mut Cursor) -> bool {
+    let mut ahead = *input;
+    ahead.ident();
+    ahead.word("chain");
+    let mut behind = ahead;
+    let is_head = behind.ident().is_some() && behind.peek_group(Delimiter::Brace);
+    if is_head {
+        *input = ahead;
+    }
+    is_head
 }
 
 /// What stands in the place of `chain`: perhaps a wrong word before it.
@@ -114,9 +137,10 @@ fn item(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
     let refused = end_block(input).or_else(|| route_setting(input));
     if let Some((at, message)) = refused {
         diagnostics.error(at, message);
-    } else if let Some((word, at)) = block_word(input) {
+    } else if let Some((word, at)) = block_word(input).or_else(|| slip_of_block(input, diagnostics))
+    {
         block(word, at, input, def, diagnostics);
-    } else if input.word("param").is_some() {
+    } else if input.word("param").is_some() || slip_of_parameter(input, diagnostics) {
         match parameter(input, diagnostics) {
             Ok(parameter) => def.parameters.push(parameter),
             Err(error) => lose(error, input, def, diagnostics),
@@ -163,6 +187,36 @@ fn route_setting(input: &mut Cursor) -> Option<(Span, &'static str)> {
 /// The word of a block, if one is next.
 fn block_word(input: &mut Cursor) -> Option<(BlockWord, Span)> {
     BLOCKS.iter().find_map(|&(word, block)| Some((block, input.word(word)?)))
+}
+
+/// A block whose word is close to one of the language, which is reported.
+fn slip_of_block(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<(BlockWord, Span)> {
+    let mut ahead = *input;
+    let word = ahead.ident()?;
+    let words = BLOCKS.iter().map(|&(word, _)| word);
+    let near = nearest(&word.to_string(), words.chain(["param"]))?;
+    let &(_, block) = BLOCKS.iter().find(|(word, _)| *word == near)?;
+    let mut names = ahead;
+    block_head(&mut names).ok()?;
+    diagnostics.error(word.span(), format!("unknown item `{word}`; did you mean `{near}`?"));
+    *input = ahead;
+    Some((block, word.span()))
+}
+
+/// Whether a parameter is next behind a word that is close to `param`, which is reported.
+fn slip_of_parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
+    let mut ahead = *input;
+    let Some(word) = ahead.ident() else { return false };
+    let mut value = ahead;
+    let is_parameter = nearest(&word.to_string(), ["param"]).is_some()
+        && value.ident().is_some()
+        && (value.group(Delimiter::Bracket).is_some() || value.peek_punct('='));
+    if is_parameter {
+        let message = format!("unknown item `{word}`; did you mean `param`?");
+        diagnostics.error(word.span(), message);
+        *input = ahead;
+    }
+    is_parameter
 }
 
 /// The name of a setting, if one is next: its word, or any word with `=` behind it.

@@ -6,7 +6,7 @@ use syn::{Error, Result};
 use super::cursor::Cursor;
 use super::tree::{Arguments, Repeat, Route, Stop, Written};
 use super::{branch, chain, field};
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostics, nearest};
 
 /// The largest count of a `repeat`.
 const MOST_TIMES: usize = 10_000_000;
@@ -18,7 +18,8 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route 
     let mut joints = Joints::default();
     loop {
         let before = *input;
-        let read = if let Some(at) = input.word("repeat") {
+        let word = input.word("repeat").or_else(|| slip_of_repeat(input, diagnostics));
+        let read = if let Some(at) = word {
             repeat(at, input, &mut route, &mut joints, diagnostics)
         } else if let Some(group) = branch::group(input) {
             branch::branches(group, &mut route, diagnostics)
@@ -29,8 +30,7 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route 
             diagnostics.push(error);
             // A `;` may be just what was found in place of a stop.
             *input = before;
-            input.skip_statement();
-            route.whole = false;
+            rest(input, &mut route);
             return route;
         }
         if input.punct(';').is_some() {
@@ -42,13 +42,68 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route 
         }
         if !joints.read(input, diagnostics) {
             diagnostics.push(input.unexpected("`->` or `;`"));
-            input.skip_statement();
             // The last stop is as likely the mistake as what stands behind it.
-            route.stops.pop();
-            route.whole = false;
+            if let Some(Stop::Element { doubtful, .. }) = route.stops.last_mut() {
+                *doubtful = true;
+            }
+            rest(input, &mut route);
             return route;
         }
     }
+}
+
+/// Reads what is left of a route behind an error, for the names in it: nothing more is reported.
+fn rest(input: &mut Cursor, route: &mut Route) {
+    route.whole = false;
+    let mut inside = *input;
+    input.skip_statement();
+    while !inside.is_empty() && inside.punct(';').is_none() && !chain::begins_block(&inside) {
+        let mut ahead = inside;
+        let at = ahead.next_span();
+        let is_repeat = ahead.word("repeat").is_some();
+        let count = if is_repeat { count("", &mut ahead).ok().and_then(Result::ok) } else { None };
+        match (count, ahead.group(Delimiter::Brace)) {
+            (Some(count), Some((mut part, _))) => {
+                inside = ahead;
+                let start = route.stops.len();
+                while !part.is_empty() {
+                    doubtful(&mut part, route);
+                }
+                if route.stops.len() > start {
+                    route.repeats.push(Repeat { at, count, stops: start..route.stops.len() });
+                }
+            }
+            _ => doubtful(&mut inside, route),
+        }
+    }
+}
+
+/// A stop behind an error, or a token that begins none.
+fn doubtful(input: &mut Cursor, route: &mut Route) {
+    let mut ahead = *input;
+    match stop(&mut ahead, &mut Diagnostics::default()) {
+        Ok(mut stop) => {
+            if let Stop::Element { doubtful, .. } = &mut stop {
+                *doubtful = true;
+            }
+            route.stops.push(stop);
+            *input = ahead;
+        }
+        Err(_) => _ = input.any(),
+    }
+}
+
+/// A word that is close to `repeat` with a count and braces behind it, which is reported.
+fn slip_of_repeat(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<Span> {
+    let mut ahead = *input;
+    let word = ahead.ident()?;
+    nearest(&word.to_string(), ["repeat"])?;
+    let mut behind = ahead;
+    behind.literal()?;
+    behind.group(Delimiter::Brace)?;
+    diagnostics.error(word.span(), format!("unknown stop `{word}`; did you mean `repeat`?"));
+    *input = ahead;
+    Some(word.span())
 }
 
 /// What joins stops. Where it is written otherwise all along, that is reported once.
@@ -186,7 +241,7 @@ pub(super) fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<
         diagnostics.error(at, format!("write `{word}({written}) {name}`"));
         arguments = Some(behind);
     }
-    Ok(Stop::Element { word, arguments, name, place })
+    Ok(Stop::Element { word, arguments, name, place, doubtful: false })
 }
 
 /// The name of a stop, if it has one.
@@ -243,7 +298,7 @@ fn misplaced(word: &Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) ->
     let name = name(input);
     let called = name.as_ref().map_or_else(|| "name".to_owned(), ToString::to_string);
     diagnostics.error(at, format!("write `{word}({written}) {called}`"));
-    Ok(Stop::Unread { name })
+    Ok(Stop::Unread { word: word.clone(), name })
 }
 
 /// What stands in the brackets that are next, for a message.

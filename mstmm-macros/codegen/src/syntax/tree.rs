@@ -57,6 +57,8 @@ pub struct Field {
     pub name: Ident,
     /// Its value; missing where it could not be read, which is reported already.
     pub value: Option<Written>,
+    /// Whether the word `input`, or what is close to it, is in the value, read or not.
+    pub asks_for_input: bool,
 }
 
 /// Which word a block begins with.
@@ -170,6 +172,8 @@ pub enum Stop {
     },
     /// A hinge of which only the name could be read, which is reported.
     Unread {
+        /// The kind as written.
+        word: Ident,
         /// The name.
         name: Option<Ident>,
     },
@@ -183,6 +187,8 @@ pub enum Stop {
         name: Option<Ident>,
         /// Where a place on it is written, as in `crank.lug` or `crank at lug`, an error.
         place: Option<Span>,
+        /// Whether it follows on an error, so that no word of it is judged.
+        doubtful: bool,
     },
 }
 

@@ -12,8 +12,6 @@ mod passive;
 mod repeat;
 mod route;
 
-pub(super) use name::can_be_a_name;
-
 use super::condition::{Requirement, judge};
 use super::lower::Draft;
 use crate::diag::Diagnostics;

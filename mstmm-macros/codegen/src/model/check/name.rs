@@ -41,13 +41,6 @@ const RESERVED: &[&str] = &[
     "PLACES_",
 ];
 
-/// Whether methods of the generated types can be called so.
-pub(in crate::model) fn can_be_a_name(text: &str) -> bool {
-    let mutable = format!("{text}_mut");
-    let clashes = |word: &&str| *word == text || *word == mutable;
-    !RESERVED.iter().any(clashes) && !INPUTS.contains(&text)
-}
-
 /// Fields that the inputs of a chain may have.
 const INPUTS: &[&str] = &["gravity"];
 

@@ -1,8 +1,10 @@
 //! The fields of one part, whatever they say.
 
 use super::context::Context;
+use super::dimension::{INERTIA, LENGTH, MASS, Quantity, STIFFNESS};
+use super::unit;
 use crate::diag::nearest;
-use crate::syntax::Field;
+use crate::syntax::{Expr, ExprKind, Field, Written};
 
 /// Fields by name, each known and given once.
 #[derive(Clone, Debug, Default)]
@@ -86,6 +88,19 @@ const COUNTERPARTS: &[(&str, &str)] = &[
     ("center_of_mass", "com"),
     ("cog", "com"),
     ("moment", "torque"),
+    ("motor", "torque"),
+    ("motor", "force"),
+    ("effort", "torque"),
+    ("effort", "force"),
+    ("actuator", "torque"),
+    ("actuator", "force"),
+    ("prescribed", "motion"),
+    ("driven", "motion"),
+    ("weight", "mass"),
+    ("moment_of_inertia", "inertia"),
+    ("tensor", "inertia"),
+    ("end", "output"),
+    ("tip", "output"),
     ("body", "on"),
     ("bodies", "on"),
     ("between", "on"),
@@ -94,7 +109,7 @@ const COUNTERPARTS: &[(&str, &str)] = &[
 ];
 
 /// The known field that an unknown one means.
-fn meant<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
+pub(crate) fn meant<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     let find = |meant: &str| known.iter().copied().find(|known| *known == meant);
     let counterparts = COUNTERPARTS.iter().filter(|(other, _)| *other == name);
     let counterpart = counterparts.into_iter().find_map(|(_, meant)| find(meant));
@@ -104,19 +119,54 @@ fn meant<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
 }
 
 /// Those of `required` that are missing. A field whose name is close counts as given: it is
-/// reported as unknown, and its correction is the cure. One that could not be read may be any.
+/// reported as unknown, and its correction is the cure. So does one by any other name whose value
+/// could be that of the missing field. One that could not be read may be any.
 pub(super) fn missing<'r>(fields: &[Field], required: &[&'r str], known: &[&str]) -> Vec<&'r str> {
-    if fields.iter().any(|field| field.value.is_none() && !known.iter().any(|k| field.name == k)) {
+    let is_known = |field: &Field| known.iter().any(|known| field.name == known);
+    if fields.iter().any(|field| field.value.is_none() && !is_known(field)) {
         return Vec::new();
     }
+    let unknown: Vec<(&Field, Option<&str>)> = fields
+        .iter()
+        .filter(|field| !is_known(field))
+        .map(|field| (field, meant(&field.name.to_string(), known)))
+        .collect();
     let is_meant = |name: &str| {
-        fields.iter().any(|field| {
-            let given = field.name.to_string();
-            given == name
-                || (!known.contains(&given.as_str()) && meant(&given, known) == Some(name))
-        })
+        fields.iter().any(|field| field.name == name)
+            || unknown.iter().any(|(_, meant)| *meant == Some(name))
     };
-    required.iter().copied().filter(|name| !is_meant(name)).collect()
+    let mut missing: Vec<_> = required.iter().copied().filter(|name| !is_meant(name)).collect();
+    for (field, _) in unknown.iter().filter(|(_, meant)| meant.is_none()) {
+        let could_be = |name: &&str| field.value.as_ref().is_some_and(|value| fits(value, name));
+        if let Some(place) = missing.iter().position(could_be) {
+            missing.remove(place);
+        }
+    }
+    missing
+}
+
+/// Whether a value could be that of a field by its looks.
+fn fits(value: &Written, field: &str) -> bool {
+    let measures = |quantity: &Quantity| match value {
+        Written::Number(Expr { kind: ExprKind::Quantity(_, unit), .. }) => {
+            unit::resolve(unit).is_ok_and(|(_, dimension)| dimension == quantity.dimension)
+        }
+        _ => false,
+    };
+    let is_plain = !matches!(value, Written::Number(Expr { kind: ExprKind::Quantity(..), .. }));
+    let is_number = matches!(value, Written::Number(_)) && value.word().is_none();
+    let is_place = matches!(value, Written::Vector(_) | Written::Turned(..)) || measures(LENGTH);
+    match field {
+        "mass" => is_number && (is_plain || measures(MASS)),
+        "stiffness" => is_number && (is_plain || measures(STIFFNESS)),
+        "com" | "output" | "to" => is_place,
+        "inertia" => matches!(value, Written::Form(_) | Written::About(..)) || measures(INERTIA),
+        "on" => value.word().is_some_and(|word| word != "input"),
+        "force" | "torque" => {
+            matches!(value, Written::Vector(_)) || value.word().is_some_and(|word| word == "input")
+        }
+        _ => false,
+    }
 }
 
 /// `a`, `a and b`, `a, b and c`

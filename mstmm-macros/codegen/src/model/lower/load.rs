@@ -12,7 +12,8 @@ use crate::diag::did_you_mean;
 use crate::model::{BodyId, Dimension, Frame, LoadAxes, Source, Value};
 use crate::syntax::{Block, BlockWord, ChainDef, Extent, Field, List, Written};
 
-const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"];
+/// The fields of a load.
+pub(crate) const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"];
 /// In a line chain nothing turns.
 const LINE_LOAD_FIELDS: &[&str] = &["on", "at", "force"];
 const SPRING_FIELDS: &[&str] = &["on", "at", "to", "stiffness", "damping", "length"];
@@ -25,7 +26,8 @@ const AXES: &[(&str, LoadAxes)] = &[("inertial", LoadAxes::Inertial), ("body", L
 
 /// A load as far as it could be read.
 pub(crate) struct LoadDraft<'a> {
-    block: &'a Block,
+    /// As written.
+    pub block: &'a Block,
     /// Its name.
     pub name: &'a Ident,
     /// The body that it acts on.

@@ -12,7 +12,7 @@ pub(super) fn parameters<'a>(def: &'a ChainDef, context: &mut Context<'a>) -> Ve
     context.later_parameters.clear();
     let mut parameters = Vec::new();
     for (index, (ParameterDef { field, times }, read)) in read.into_iter().enumerate() {
-        let Field { name, value } = field;
+        let Field { name, value, .. } = field;
         let written = match value {
             Some(Written::Number(expr)) if read.is_some() => Some(expr),
             _ => None,

@@ -161,8 +161,9 @@ fn unknown_name(
     }
     let Some(Route { whole: true, .. }) = def.route else { return };
     // It may be the name that a hinge on the route lacks.
-    let nameless =
-        |stop: &Stop| matches!(stop, Stop::Hinge { name: None, .. } | Stop::Unknown { name: None });
+    let nameless = |stop: &Stop| {
+        matches!(stop, Stop::Hinge { name: None, .. } | Stop::Unknown { name: None, .. })
+    };
     if stops.iter().any(nameless) {
         return;
     }

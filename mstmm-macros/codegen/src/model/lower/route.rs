@@ -57,6 +57,8 @@ pub(crate) enum Stop<'a> {
     Unknown {
         /// Its name.
         name: Option<&'a Ident>,
+        /// The word of the language that is most likely meant.
+        kind: Option<&'static str>,
     },
     /// A stop by the name of one before it, which is reported already.
     Again {
@@ -70,7 +72,9 @@ impl Stop<'_> {
     pub fn name(&self) -> Option<&Ident> {
         match self {
             Stop::Ground { .. } | Stop::Again { .. } => None,
-            Stop::Moving { name, .. } | Stop::Hinge { name, .. } | Stop::Unknown { name } => *name,
+            Stop::Moving { name, .. } | Stop::Hinge { name, .. } | Stop::Unknown { name, .. } => {
+                *name
+            }
             Stop::Body { name, .. } => Some(name),
         }
     }
@@ -100,8 +104,11 @@ pub(super) fn stops<'a>(
             }
             Stop::Moving { at: *at, name: name.as_ref() }
         }
-        syntax::Stop::Unread { name } => Stop::Unknown { name: name.as_ref() },
-        syntax::Stop::Element { word, arguments, name, place } => {
+        syntax::Stop::Unread { word, name } => {
+            let kind = KINDS.iter().find(|kind| word == kind.word).map(|kind| kind.word);
+            Stop::Unknown { name: name.as_ref(), kind }
+        }
+        syntax::Stop::Element { word, arguments, name, place, doubtful } => {
             let first_end = route.first_end();
             let (arguments, name) = (arguments.as_ref(), name.as_ref());
             let at_end = index == 0 || index + 1 == first_end || index + 1 == route.stops.len();
@@ -109,10 +116,15 @@ pub(super) fn stops<'a>(
             let further = route.further.iter().any(|further| further.start == index);
             let again = element.again(&known, types, further);
             let stop = match again {
-                Some(name) if index < first_end => passed_twice(name, context),
+                Some(name) if index < first_end && !doubtful => passed_twice(name, context),
                 Some(name) => Stop::Again { name },
-                // The whole route is reported at its first token.
-                None if further && !element.is_known(types) => Stop::Unknown { name: element.name },
+                // It is reported that a further route begins here, or that something is wrong before.
+                None if (further || *doubtful) && !element.is_known(types) => {
+                    Stop::Unknown { name: element.name, kind: None }
+                }
+                None if *doubtful && element.name.is_none() && element.is_kind() => {
+                    Stop::Unknown { name: None, kind: None }
+                }
                 None => element.resolve(def, types, context),
             };
             if let (Some(place), None) = (place, again) {
@@ -198,8 +210,12 @@ impl<'a> Element<'a> {
 
     /// Whether its word is a kind of hinge or a type of body.
     fn is_known(&self, types: &[BodyType]) -> bool {
+        self.is_kind() || types.iter().any(|known| self.word == known.name)
+    }
+
+    /// Whether its word is a kind of hinge.
+    fn is_kind(&self) -> bool {
         KINDS.iter().any(|kind| self.word == kind.word)
-            || types.iter().any(|known| self.word == known.name)
     }
 
     fn resolve(self, def: &ChainDef, types: &[BodyType], context: &mut Context) -> Stop<'a> {
@@ -215,13 +231,15 @@ impl<'a> Element<'a> {
             let name = self.name.map_or_else(String::new, ToString::to_string);
             let message = format!("the {what} comes first, then the name: `{name} {word}`");
             context.diagnostics.error(word.span(), message);
-            return Stop::Unknown { name: Some(word) };
+            let kind = KINDS.iter().find(|kind| self.name.is_some_and(|name| name == kind.word));
+            return Stop::Unknown { name: Some(word), kind: kind.map(|kind| kind.word) };
         }
         if self.is_body(types) {
             self.unknown_type(def, types, context);
             return self.body(None, context);
         }
-        let message = match self.meant() {
+        let meant = self.meant();
+        let message = match meant {
             Some(meant) => {
                 let is_kind = KINDS.iter().any(|kind| kind.word == meant);
                 let what = if is_kind { "kind of hinge" } else { "stop" };
@@ -230,7 +248,7 @@ impl<'a> Element<'a> {
             None => format!("unknown kind of hinge `{word}`; there are {}", kinds(context)),
         };
         context.diagnostics.error(word.span(), message);
-        Stop::Unknown { name }
+        Stop::Unknown { name, kind: meant }
     }
 
     /// What stands in the place of the name, if word and name are swapped.
@@ -267,7 +285,7 @@ impl<'a> Element<'a> {
         let Element { word, arguments, name, .. } = self;
         let Some(plain) = kind.plain(context.space) else {
             no_such_hinge(word, context);
-            return Stop::Unknown { name };
+            return Stop::Unknown { name, kind: None };
         };
         if name.is_none() {
             let message = format!("a hinge needs a name: `{word} name`");

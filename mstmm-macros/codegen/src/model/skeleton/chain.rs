@@ -1,10 +1,11 @@
 //! From a route in which hinges and bodies alternate to a chain.
 
-use super::{End, Part, Sketch, is_identifier};
+use super::{End, Part, Sketch, asked, is_identifier};
+use crate::diag::nearest;
 use crate::model::lower::{Draft, Motion, of_everything};
 use crate::model::{
     About, Body, Chain, ClosureRank, Drive, Effort, Element, Frame, Hinge, HingeKind, Inertia,
-    Load, LoadAxes, Method, Place, Repeat, Role, Source, Value,
+    Load, LoadAxes, Method, Place, Repeat, Role, Value,
 };
 use proc_macro2::Ident;
 use std::collections::HashSet;
@@ -54,13 +55,10 @@ impl Sketch<'_, '_> {
         Chain {
             name,
             dimension: draft.space,
-            gravity: match draft.settings.gravity {
-                Some(Source::Input) => Source::Input,
-                _ => Source::Nothing,
-            },
+            gravity: asked::source(asked::gravity(draft)),
             parameters,
             constants: draft.constants,
-            loads: loads(draft, bodies_on_route),
+            loads: loads(draft, &parts, bodies_on_route),
             springs: Vec::new(),
             route: numbers.route(implied),
             repeats: numbers.repeats(draft, implied),
@@ -134,25 +132,36 @@ impl Numbers<'_> {
     }
 }
 
-/// The loads, for the inputs that they have.
-fn loads(draft: &Draft, bodies: usize) -> Vec<Load> {
-    let input = |source: &Option<Source>| match source {
-        Some(Source::Input) => Source::Input,
-        _ => Source::Nothing,
-    };
-    let mut names = HashSet::new();
+/// Loads beyond so many of a wrong chain have no inputs: a long chain has many names.
+const MOST_LOADS: usize = 1000;
+
+/// The loads, for the inputs that they have: none by the name of a hinge's or of another load.
+fn loads(draft: &Draft, parts: &[Part], bodies: usize) -> Vec<Load> {
+    let mut names: HashSet<String> = parts.iter().map(|part| part.name.to_string()).collect();
+    let on_route = parts.iter().filter(|part| part.hinge.is_none());
+    let on_route: Vec<String> = on_route.map(|part| part.name.to_string()).collect();
     let mut loads = Vec::new();
-    for load in &draft.loads {
-        if is_identifier(load.name) && names.insert(load.name.to_string()) {
-            loads.push(Load {
-                name: load.name.clone(),
-                body: load.body.filter(|&body| body < bodies).unwrap_or(0),
-                at: Frame::identity(),
-                axes: LoadAxes::Inertial,
-                force: input(&load.force),
-                torque: input(&load.torque),
-            });
+    for load in draft.loads.iter().take(MOST_LOADS) {
+        let name = load.name;
+        let inputs = [format!("{name}_force"), format!("{name}_torque")];
+        if !is_identifier(name) || inputs.into_iter().any(|input| !names.insert(input)) {
+            continue;
         }
+        let [force, torque] = asked::efforts_of_load(load.block);
+        let on = asked::body_of_load(load.block).and_then(|on| {
+            let on = on.to_string();
+            let exact = on_route.iter().position(|name| *name == on);
+            let near = || nearest(&on, on_route.iter().map(String::as_str));
+            exact.or_else(|| near().and_then(|near| on_route.iter().position(|name| name == near)))
+        });
+        loads.push(Load {
+            name: name.clone(),
+            body: on.or(load.body).filter(|&body| body < bodies).unwrap_or(0),
+            at: Frame::identity(),
+            axes: LoadAxes::Inertial,
+            force: asked::source(force),
+            torque: asked::source(torque),
+        });
     }
     loads
 }

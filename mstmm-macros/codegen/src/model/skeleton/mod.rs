@@ -2,11 +2,12 @@
 //! numbers made up. Its types and methods keep the rest of the user's crate quiet, so that the
 //! mistakes alone are reported. It never runs, for the crate does not compile.
 
+mod asked;
 mod chain;
 
-use super::check::can_be_a_name;
-use super::lower::{Draft, Stop};
-use super::{Chain, Dimension, Drive, Effort, HingeKind, Parameter, Shape, Value};
+use super::lower::{Draft, KINDS, Stop};
+use super::{Chain, Dimension, Drive, HingeKind, Parameter, Value};
+use asked::Said;
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
 use std::collections::HashSet;
@@ -16,7 +17,7 @@ use std::ops::Range;
 /// if no type can have its name.
 pub(super) fn skeleton(draft: &Draft) -> Option<Chain> {
     let name = draft.def.name.clone();
-    if name == "T" || draft.def.clashes || !is_identifier(&name) {
+    if draft.def.clashes || !is_identifier(&name) {
         return None;
     }
     let mut sketch = Sketch::new(draft);
@@ -28,6 +29,16 @@ pub(super) fn skeleton(draft: &Draft) -> Option<Chain> {
 fn is_identifier(name: &Ident) -> bool {
     let text = name.to_string();
     !text.starts_with("r#") && syn::parse_str::<Ident>(&text).is_ok()
+}
+
+/// The name as written, if it is an identifier and not among these; else one that nobody knows.
+fn named(written: Option<&Ident>, taken: &mut HashSet<String>) -> Ident {
+    let free = |name: &&Ident| is_identifier(name) && !taken.contains(&name.to_string());
+    let name = written.filter(free).cloned();
+    let name =
+        name.unwrap_or_else(|| format_ident!("unnamed{}", taken.len(), span = Span::call_site()));
+    taken.insert(name.to_string());
+    name
 }
 
 /// An element of the route.
@@ -55,6 +66,8 @@ struct Sketch<'d, 'a> {
     finish: End,
     names: HashSet<String>,
     parameters: Vec<Parameter>,
+    /// What blocks say of hinges.
+    said: Said<'d>,
 }
 
 impl<'d, 'a> Sketch<'d, 'a> {
@@ -66,9 +79,12 @@ impl<'d, 'a> Sketch<'d, 'a> {
             finish: End::Free,
             names: HashSet::new(),
             parameters: Vec::new(),
+            said: asked::said(draft),
         };
+        // Parameters are in types without other names.
+        let mut parameters = HashSet::new();
         for parameter in &draft.parameters {
-            let name = sketch.name(Some(&parameter.name));
+            let name = named(Some(&parameter.name), &mut parameters);
             sketch.parameters.push(Parameter {
                 name,
                 default: Value::number(1.0),
@@ -78,26 +94,10 @@ impl<'d, 'a> Sketch<'d, 'a> {
         sketch
     }
 
-    /// The name as written, if it can be one and is not taken; else one that nobody knows.
+    /// The name as written, if it is an identifier and no other element has it; else one that nobody
+    /// knows. What the language forbids otherwise is kept: what clashes in a type is left out there.
     fn name(&mut self, written: Option<&Ident>) -> Ident {
-        let free = |name: &&Ident| {
-            let text = name.to_string();
-            let plain = |text: &str| {
-                let text = text.strip_prefix("set_each_").unwrap_or(text);
-                text.strip_suffix("_mut").unwrap_or(text).to_owned()
-            };
-            let methods = [format!("{text}_mut"), format!("set_each_{text}")];
-            let taken = [&methods[..], &[plain(&text), text.clone()]].concat();
-            is_identifier(name)
-                && can_be_a_name(&text)
-                && taken.iter().all(|other| !self.names.contains(other))
-        };
-        let name = written.filter(free).cloned();
-        let name = name.unwrap_or_else(|| {
-            format_ident!("unnamed{}", self.names.len(), span = Span::call_site())
-        });
-        self.names.insert(name.to_string());
-        name
+        named(written, &mut self.names)
     }
 
     fn body(&mut self, name: Option<&Ident>, repeat: Option<usize>) {
@@ -163,12 +163,19 @@ impl<'d, 'a> Sketch<'d, 'a> {
             }
             Stop::Ground { .. } | Stop::Moving { .. } | Stop::Again { .. } => {}
             Stop::Hinge { name, kind, .. } => {
-                if !self.wants_hinge() {
-                    self.body(None, repeat);
-                }
                 let kind = kind.plain(self.draft.space).unwrap_or(HingeKind::Weld);
-                let drive = self.drive(index, kind.shape());
-                self.hinge(*name, (kind, drive), repeat);
+                self.driven(*name, kind, repeat);
+            }
+            Stop::Unknown { name, kind: Some("moving") } if index == 0 || last => {
+                let end = End::Moving(self.name(*name));
+                if index == 0 { self.start = end } else { self.finish = end }
+            }
+            Stop::Unknown { kind: Some("ground"), .. } if index == 0 => self.start = End::Held,
+            Stop::Unknown { kind: Some("ground"), .. } if last => self.finish = End::Held,
+            Stop::Unknown { name, kind: Some(word) } => {
+                let kind = KINDS.iter().find(|kind| kind.word == *word);
+                let kind = kind.and_then(|kind| kind.plain(self.draft.space));
+                self.driven(*name, kind.unwrap_or_else(|| pin_or_slider(self.draft)), repeat);
             }
             Stop::Body { name, .. } => {
                 if self.wants_hinge() {
@@ -176,35 +183,22 @@ impl<'d, 'a> Sketch<'d, 'a> {
                 }
                 self.body(Some(name), repeat);
             }
-            Stop::Unknown { name } if self.wants_hinge() => {
-                self.hinge(*name, self.unknown_hinge(), repeat);
+            // The commonest hinge.
+            Stop::Unknown { name, kind: None } if self.wants_hinge() => {
+                self.driven(*name, pin_or_slider(self.draft), repeat);
             }
-            Stop::Unknown { name } => self.body(*name, repeat),
+            Stop::Unknown { name, kind: None } => self.body(*name, repeat),
         }
     }
 
-    /// The commonest hinge.
-    fn unknown_hinge(&self) -> (HingeKind, Drive) {
-        let kind = pin_or_slider(self.draft);
-        let efforts = Drive::Efforts(vec![Effort::Free; kind.freedoms()]);
-        (kind, efforts)
-    }
-
-    /// What the caller gives of a hinge.
-    fn drive(&self, index: usize, shape: &'static Shape) -> Drive {
-        let properties = self.draft.properties.get(index);
-        let motion = properties.and_then(|properties| properties.motion.as_ref());
-        let drive = motion.map_or(Drive::Efforts(Vec::new()), |motion| motion.drive.clone());
-        let efforts = match drive {
-            Drive::Motion if shape.view.is_some() => return Drive::Motion,
-            Drive::Motion => Vec::new(),
-            Drive::Efforts(efforts) => efforts,
-        };
-        let efforts = (0..shape.rates.len()).map(|rate| match efforts.get(rate) {
-            Some(Effort::Input) => Effort::Input,
-            _ => Effort::Free,
-        });
-        Drive::Efforts(efforts.collect())
+    /// A hinge, with a body before it where there is none.
+    fn driven(&mut self, name: Option<&Ident>, kind: HingeKind, repeat: Option<usize>) {
+        if !self.wants_hinge() {
+            self.body(None, repeat);
+        }
+        let said = name.and_then(|name| self.said.get(&name.to_string()));
+        let drive = asked::drive(said.map_or(&[], Vec::as_slice), kind.shape());
+        self.hinge(name, (kind, drive), repeat);
     }
 
     /// Ends the route, with a body at least.

@@ -17,7 +17,7 @@ fn fields_that_are_missing_are_listed_together() {
     );
     expect(
         "mass = 2 kg",
-        "colour = 2",
+        "colour = 2 m/s",
         &[
             ("Rod", "body `Rod` needs `mass`"),
             (
@@ -26,6 +26,12 @@ fn fields_that_are_missing_are_listed_together() {
             ),
         ],
     );
+    // What could be the mass is not missed beside.
+    for written in ["colour = 2", "colour = 2 kg"] {
+        let message =
+            "body `Rod` has no field `colour`; it has `mass`, `com`, `inertia` and `output`";
+        expect("mass = 2 kg", written, &[("colour", message)]);
+    }
     // One that could not be read is not missing.
     expect("mass = 2 kg", "mass = ?", &[("?", "expected a number, found `?`")]);
     expect("mass = 2 kg", "mass 2 kg", &[("2", "expected `=`, found `2`")]);

@@ -85,7 +85,7 @@ fn settings_are_known() {
 fn items_are_known() {
     expect("body Rod {", "bdy Rod {", &[("bdy", "unknown item `bdy`; did you mean `body`?")]);
     expect("param ratio", "parm ratio", &[("parm", "unknown item `parm`; did you mean `param`?")]);
-    // The parameter is lost, but not missed where it is used.
+    // The parameter is known all the same.
     let source = edited(&[("param payload", "parm payload"), ("mass = 2 kg", "mass = payload")]);
     expect_all(&source, &[("parm", "unknown item `parm`; did you mean `param`?")]);
     expect(
@@ -103,8 +103,9 @@ fn items_are_known() {
 fn dimensions_are_known() {
     let message = "before `chain` stands `space`, `plane`, `line` or nothing";
     let hint = format!("{message}; did you mean `plane`?");
-    expect_all("planar chain A { }", &[("planar", &hint)]);
-    expect_all("two chain A { }", &[("two", message)]);
+    let empty = "chain `A` has no route";
+    expect_all("planar chain A { }", &[("planar", &hint), ("A", empty)]);
+    expect_all("two chain A { }", &[("two", message), ("A", empty)]);
 }
 
 #[test]
