@@ -6,7 +6,7 @@ use syn::{Error, Result};
 use super::cursor::Cursor;
 use super::field::Content;
 use super::tree::{Block, BlockWord, ChainDef, DimensionWord, ParameterDef};
-use super::{attribute, branch, field, route};
+use super::{attribute, branch, field, recover, route};
 use crate::diag::{Diagnostics, did_you_mean, nearest};
 
 /// The words that an item can begin with.
@@ -28,6 +28,9 @@ const DIMENSIONS: &[(&str, DimensionWord)] = &[
 ];
 /// The words that a setting begins with.
 pub const SETTINGS: &[&str] = &["gravity", "method", "results"];
+
+/// The count of a parameter whose count could not be read: any index of a program is less.
+const UNKNOWN_COUNT: usize = 1000;
 
 /// Whether the next word begins an item, so that it is nothing else.
 pub(super) fn begins_item(input: &Cursor) -> bool {
@@ -233,12 +236,22 @@ fn setting(input: &mut Cursor) -> Option<Ident> {
 
 fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<ParameterDef> {
     let name = input.ident().ok_or_else(|| input.unexpected("the parameter's name"))?;
+    let mut behind = *input;
     let times = match input.group(Delimiter::Bracket) {
+        // Other brackets, which are reported where the value is missed.
+        None if behind.group(Delimiter::Parenthesis).is_some() && behind.peek_punct('=') => {
+            diagnostics.push(input.unexpected("`=`"));
+            *input = behind;
+            Some(UNKNOWN_COUNT)
+        }
         None => None,
         Some((mut inside, _)) => {
-            let times = route::count("the count of a parameter", &mut inside)??;
-            inside.check_empty("`]`")?;
-            Some(times)
+            let times = route::count("the count of a parameter", &mut inside).flatten();
+            let times = times.and_then(|times| inside.check_empty("`]`").map(|()| times));
+            Some(times.unwrap_or_else(|error| {
+                diagnostics.push(error);
+                UNKNOWN_COUNT
+            }))
         }
     };
     Ok(ParameterDef { field: field::field(name, input, diagnostics), times })
@@ -275,9 +288,15 @@ fn block_head<'a>(input: &mut Cursor<'a>) -> Result<(Vec<Ident>, Cursor<'a>)> {
 
 /// An item that begins with no word of the language.
 fn unknown(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
+    let start = *input;
     let Some(word) = input.peek_ident() else {
         // What stands here may be the rest of the route.
         if let Some(route) = &mut def.route {
+            if input.pair('-', '>').is_some() {
+                *input = start;
+                diagnostics.push(input.unexpected("an item"));
+                return recover::rest(input, route);
+            }
             route.whole = false;
         }
         return lose(input.unexpected("an item"), input, def, diagnostics);

@@ -26,7 +26,8 @@ pub(super) fn content(mut inside: Cursor, diagnostics: &mut Diagnostics) -> Cont
         if let Err(error) = attribute::docs(&mut inside) {
             diagnostics.push(error);
         }
-        if let Some(name) = point(&mut inside) {
+        let name = point(&mut inside).or_else(|| slip_of_point(&mut inside, diagnostics));
+        if let Some(name) = name {
             content.points.push(ends.field(name, &mut inside, diagnostics));
         } else if let Some(name) = inside.ident() {
             content.fields.push(ends.field(name, &mut inside, diagnostics));
@@ -45,6 +46,17 @@ fn point(input: &mut Cursor) -> Option<Ident> {
     let mut ahead = *input;
     ahead.word("point")?;
     let name = ahead.ident()?;
+    *input = ahead;
+    Some(name)
+}
+
+/// The name of a point behind a word that is close to `point`, which is reported.
+fn slip_of_point(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<Ident> {
+    let mut ahead = *input;
+    let word = ahead.ident()?;
+    nearest(&word.to_string(), ["point"])?;
+    let name = ahead.ident().filter(|_| ahead.peek_punct('='))?;
+    diagnostics.error(word.span(), format!("unknown word `{word}`; did you mean `point`?"));
     *input = ahead;
     Some(name)
 }

@@ -29,6 +29,7 @@ mod chain;
 mod cursor;
 mod field;
 mod number;
+mod recover;
 mod route;
 mod surface;
 mod tree;

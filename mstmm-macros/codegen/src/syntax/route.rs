@@ -4,9 +4,10 @@ use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 use syn::{Error, Result};
 
 use super::cursor::Cursor;
+use super::recover::{self, doubtful};
 use super::tree::{Arguments, Repeat, Route, Stop, Written};
 use super::{branch, chain, field};
-use crate::diag::{Diagnostics, nearest};
+use crate::diag::Diagnostics;
 
 /// The largest count of a `repeat`.
 const MOST_TIMES: usize = 10_000_000;
@@ -18,7 +19,7 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route 
     let mut joints = Joints::default();
     loop {
         let before = *input;
-        let word = input.word("repeat").or_else(|| slip_of_repeat(input, diagnostics));
+        let word = input.word("repeat").or_else(|| recover::slip_of_repeat(input, diagnostics));
         let read = if let Some(at) = word {
             repeat(at, input, &mut route, &mut joints, diagnostics)
         } else if let Some(group) = branch::group(input) {
@@ -30,7 +31,7 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route 
             diagnostics.push(error);
             // A `;` may be just what was found in place of a stop.
             *input = before;
-            rest(input, &mut route);
+            recover::rest(input, &mut route);
             return route;
         }
         if input.punct(';').is_some() {
@@ -40,71 +41,22 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route 
             diagnostics.error(input.last().first, "expected `;` after this");
             return route;
         }
-        if !joints.read(input, diagnostics) {
+        let joined = joints.read(input, diagnostics);
+        route.whole &= !joints.branches;
+        if !joined {
             diagnostics.push(input.unexpected("`->` or `;`"));
             // The last stop is as likely the mistake as what stands behind it.
             if let Some(Stop::Element { doubtful, .. }) = route.stops.last_mut() {
                 *doubtful = true;
             }
-            rest(input, &mut route);
+            recover::rest(input, &mut route);
             return route;
         }
     }
 }
 
-/// Reads what is left of a route behind an error, for the names in it: nothing more is reported.
-fn rest(input: &mut Cursor, route: &mut Route) {
-    route.whole = false;
-    let mut inside = *input;
-    input.skip_statement();
-    while !inside.is_empty() && inside.punct(';').is_none() && !chain::begins_block(&inside) {
-        let mut ahead = inside;
-        let at = ahead.next_span();
-        let is_repeat = ahead.word("repeat").is_some();
-        let count = if is_repeat { count("", &mut ahead).ok().and_then(Result::ok) } else { None };
-        match (count, ahead.group(Delimiter::Brace)) {
-            (Some(count), Some((mut part, _))) => {
-                inside = ahead;
-                let start = route.stops.len();
-                while !part.is_empty() {
-                    doubtful(&mut part, route);
-                }
-                if route.stops.len() > start {
-                    route.repeats.push(Repeat { at, count, stops: start..route.stops.len() });
-                }
-            }
-            _ => doubtful(&mut inside, route),
-        }
-    }
-}
-
-/// A stop behind an error, or a token that begins none.
-fn doubtful(input: &mut Cursor, route: &mut Route) {
-    let mut ahead = *input;
-    match stop(&mut ahead, &mut Diagnostics::default()) {
-        Ok(mut stop) => {
-            if let Stop::Element { doubtful, .. } = &mut stop {
-                *doubtful = true;
-            }
-            route.stops.push(stop);
-            *input = ahead;
-        }
-        Err(_) => _ = input.any(),
-    }
-}
-
-/// A word that is close to `repeat` with a count and braces behind it, which is reported.
-fn slip_of_repeat(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<Span> {
-    let mut ahead = *input;
-    let word = ahead.ident()?;
-    nearest(&word.to_string(), ["repeat"])?;
-    let mut behind = ahead;
-    behind.literal()?;
-    behind.group(Delimiter::Brace)?;
-    diagnostics.error(word.span(), format!("unknown stop `{word}`; did you mean `repeat`?"));
-    *input = ahead;
-    Some(word.span())
-}
+/// Words that belong in parentheses behind the kind of a hinge.
+const AXES: &[&str] = &["x", "y", "z"];
 
 /// What joins stops. Where it is written otherwise all along, that is reported once.
 #[derive(Default)]
@@ -112,12 +64,14 @@ pub(super) struct Joints {
     reported: bool,
     /// Whether an arrow was read: then what stands in place of one may begin a branch.
     has_arrow: bool,
+    /// Whether it did.
+    branches: bool,
 }
 
 impl Joints {
     /// Between stops that are reported as a whole.
     pub fn reported() -> Self {
-        Joints { reported: true, has_arrow: false }
+        Joints { reported: true, ..Joints::default() }
     }
 
     /// Reads a `->`, or what stands in its place.
@@ -141,6 +95,7 @@ impl Joints {
             let more = if branches { format!("; {}", branch::BRANCHES) } else { String::new() };
             diagnostics.error(at, format!("stops are joined by `->`{more}"));
             self.reported = true;
+            self.branches |= branches;
         }
         signs > 0
     }
@@ -162,17 +117,22 @@ fn repeat(
         let message = format!("nothing is repeated here: {}", Repeat::EXAMPLE);
         Err(Error::new_spanned(braces, message))
     } else {
-        contents(inside, &mut route.stops, joints, diagnostics)
+        contents(inside, route, joints, diagnostics)
     };
     match (count, read) {
         (Ok(count), Ok(())) => {
-            route.repeats.push(Repeat { at, count, stops: start..route.stops.len() });
+            route.repeats.push(Repeat { at, count: Some(count), stops: start..route.stops.len() });
         }
         (count, read) => {
+            let times = count.as_ref().ok().copied();
             for error in [count.err(), read.err()].into_iter().flatten() {
                 diagnostics.push(error);
             }
             route.whole = false;
+            let stops = start..route.stops.len();
+            if !stops.is_empty() {
+                route.repeats.push(Repeat { at, count: times, stops });
+            }
         }
     }
     Ok(())
@@ -195,7 +155,7 @@ pub(super) fn count(asked: &str, input: &mut Cursor) -> Result<Result<usize>> {
 /// The stops in the braces of a `repeat`.
 fn contents(
     mut inside: Cursor,
-    stops: &mut Vec<Stop>,
+    route: &mut Route,
     joints: &mut Joints,
     diagnostics: &mut Diagnostics,
 ) -> Result<()> {
@@ -203,12 +163,16 @@ fn contents(
         if let Some(at) = inside.word("repeat") {
             return Err(Error::new(at, "`repeat` cannot stand within `repeat`"));
         }
-        stops.push(stop(&mut inside, diagnostics)?);
+        route.stops.push(stop(&mut inside, diagnostics)?);
         if inside.is_empty() {
             return Ok(());
         }
         if !joints.read(&mut inside, diagnostics) {
-            return Err(inside.unexpected("`->` or `}`"));
+            let error = inside.unexpected("`->` or `}`");
+            while !inside.is_empty() {
+                doubtful(&mut inside, route);
+            }
+            return Err(error);
         }
     }
 }
@@ -235,6 +199,13 @@ pub(super) fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<
     let place = branch::place(input);
     let name = if place.is_some() { None } else { name(input) };
     let place = place.or_else(|| branch::place(input));
+    if arguments.is_none()
+        && let Some(axis) = name.as_ref().filter(|name| AXES.iter().any(|axis| name == axis))
+        && let Some(own) = self::name(input)
+    {
+        diagnostics.error(axis.span(), format!("write `{word}({axis}) {own}`"));
+        return Ok(Stop::Unread { word, name: Some(own) });
+    }
     let written = inside(input);
     let at = input.next_span();
     if let (None, Some(name), Some(behind)) = (&arguments, &name, self::arguments(input)?) {

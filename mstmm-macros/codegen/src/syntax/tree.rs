@@ -140,8 +140,8 @@ pub struct Further {
 pub struct Repeat {
     /// Where the word stands.
     pub at: Span,
-    /// How many times its stops stand in a row, at least once.
-    pub count: usize,
+    /// How many times its stops stand in a row, at least once; missing where it could not be read.
+    pub count: Option<usize>,
     /// Its stops, at least one, among those of the route.
     pub stops: Range<usize>,
 }

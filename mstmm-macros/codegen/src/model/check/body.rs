@@ -35,14 +35,18 @@ pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
     };
     let last_is_followed = draft.def.route.iter().flat_map(|route| &route.repeats).any(|repeat| {
         // By its own hinge, but for the last time.
-        repeat.count > 1 && repeat.stops.end == draft.stops.len()
+        repeat.count.is_some_and(|count| count > 1) && repeat.stops.end == draft.stops.len()
     });
+    // What follows on a body is not known where the route has errors.
+    let is_again = |stop: &Stop| matches!(stop, Stop::Again { .. });
+    let is_whole = draft.def.route.as_ref().is_some_and(|route| route.whole)
+        && !draft.stops.iter().any(is_again);
     for (index, body) in draft.types.iter().enumerate() {
         let is_it =
             |stop: &Stop| matches!(stop, Stop::Body { body_type, .. } if *body_type == Some(index));
         let is_followed = stops.iter().any(is_it) || (last_is_followed && last.is_some_and(is_it));
         let missing: Vec<_> =
-            body.missing(is_followed).iter().map(|name| format!("`{name}`")).collect();
+            body.missing(is_followed && is_whole).iter().map(|name| format!("`{name}`")).collect();
         if !missing.is_empty() {
             let message = format!("body `{}` needs {}", body.name, listed(&missing));
             diagnostics.error(body.name.span(), message);

@@ -83,7 +83,7 @@ impl Draft<'_> {
             bodies,
             hinges,
             route,
-            repeats: self.repeats(&numbers),
+            repeats: self.repeats(&numbers)?,
             loads: self.loads.into_iter().map(LoadDraft::finish).collect::<Option<_>>()?,
             springs: self.springs.into_iter().map(SpringDraft::finish).collect::<Option<_>>()?,
             method: self.settings.method,
@@ -144,16 +144,16 @@ impl Draft<'_> {
         })
     }
 
-    fn repeats(&self, numbers: &Numbers) -> Vec<Repeat> {
+    fn repeats(&self, numbers: &Numbers) -> Option<Vec<Repeat>> {
         let written = self.def.route.iter().flat_map(|route| &route.repeats);
         let repeat = |repeat: &syntax::Repeat| {
             let stops = repeat.stops.clone();
-            Repeat {
-                count: repeat.count,
+            Some(Repeat {
+                count: repeat.count?,
                 hinges: numbers.hinges(stops.clone()),
                 bodies: numbers.bodies(stops.clone()),
                 route: numbers.elements(stops),
-            }
+            })
         };
         written.map(repeat).collect()
     }

@@ -6,11 +6,13 @@ use super::body::BodyType;
 use super::context::{Context, Given};
 use super::dimension::{DAMPING, FORCE, LENGTH, STIFFNESS, TORQUE};
 use super::fields::{self, Fields};
+use super::properties::has_duplicates;
 use super::route::Stop;
 use super::vector::zeros;
 use crate::diag::did_you_mean;
 use crate::model::{BodyId, Dimension, Frame, LoadAxes, Source, Value};
 use crate::syntax::{Block, BlockWord, ChainDef, Extent, Field, List, Written};
+use std::collections::HashSet;
 
 /// The fields of a load.
 pub(crate) const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"];
@@ -138,7 +140,12 @@ fn on(
     if let Some(body) = bodies().position(|stop| stop.name() == Some(word)) {
         return Some(body);
     }
-    if !def.route.as_ref().is_some_and(|route| route.whole) {
+    let is_unknown =
+        |stop: &Stop| matches!(stop, Stop::Unknown { name, .. } if *name == Some(word));
+    if !def.route.as_ref().is_some_and(|route| route.whole)
+        || stops.iter().any(is_unknown)
+        || has_duplicates(stops, |stop| matches!(stop, Stop::Body { .. }))
+    {
         return None;
     }
     if stops
@@ -209,6 +216,11 @@ impl Target<'_, '_> {
         }
         if context.space == Dimension::Line {
             return context.written_vector(written, LENGTH).map(Some);
+        }
+        // A point whose name is refused may be meant.
+        let mut names = POINTS.iter().map(|name| (*name).to_owned()).collect::<HashSet<_>>();
+        if body_type.points.iter().any(|point| !names.insert(point.name.to_string())) {
+            return Some(None);
         }
         let names = body_type.points.iter().map(|point| point.name.to_string());
         let known = POINTS.iter().map(|known| (*known).to_owned());

@@ -60,8 +60,12 @@ fn refuse_points(block: &Block, context: &mut Context) {
 
 /// Where each name stands first.
 fn places(stops: &[Stop]) -> HashMap<String, usize> {
-    let names = stops.iter().enumerate().rev();
-    names.filter_map(|(index, stop)| Some((stop.name()?.to_string(), index))).collect()
+    let is_end = |stop: &Stop| matches!(stop, Stop::Moving { .. });
+    let mut names: Vec<_> = stops.iter().enumerate().rev().collect();
+    // Of two with one name, which is an error, the one that more can be said of.
+    names.sort_by_key(|(_, stop)| !is_end(stop));
+    let place = |(index, stop): (usize, &Stop)| Some((stop.name()?.to_string(), index));
+    names.into_iter().filter_map(place).collect()
 }
 
 /// Whether no end of the chain is held.
@@ -147,6 +151,17 @@ fn target(
     }
 }
 
+/// Whether one of these stops has the name of another stop: it may be meant to have one of its own,
+/// which nobody knows.
+pub(super) fn has_duplicates(stops: &[Stop], these: impl Fn(&Stop) -> bool) -> bool {
+    let mut names = HashMap::new();
+    stops.iter().filter_map(|stop| Some((stop, stop.name()?))).any(|(stop, name)| {
+        let is_of_these = these(stop);
+        let before = names.insert(name.to_string(), is_of_these);
+        before.is_some_and(|before| before || is_of_these)
+    })
+}
+
 fn unknown_name(
     block: &Block,
     name: &Ident,
@@ -164,7 +179,9 @@ fn unknown_name(
     let nameless = |stop: &Stop| {
         matches!(stop, Stop::Hinge { name: None, .. } | Stop::Unknown { name: None, .. })
     };
-    if stops.iter().any(nameless) {
+    if stops.iter().any(nameless)
+        || has_duplicates(stops, |stop| !matches!(stop, Stop::Body { .. }))
+    {
         return;
     }
     let is_body = |stop: &Stop| matches!(stop, Stop::Body { word, .. } if *word == name);

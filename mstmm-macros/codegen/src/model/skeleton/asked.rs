@@ -5,7 +5,7 @@ use crate::model::lower::{Draft, LOAD_FIELDS, fields, groups, meant};
 use crate::model::{Drive, Effort, Shape, Source};
 use crate::syntax::{Block, BlockWord, Field};
 use proc_macro2::Ident;
-use std::collections::{HashMap, HashSet};
+use std::collections::{HashMap, HashSet, VecDeque};
 
 /// Slips in names of blocks are looked up for so many of them: a long chain has many names.
 const MOST_SLIPS: usize = 100;
@@ -55,12 +55,24 @@ pub(super) fn said<'d>(draft: &'d Draft) -> Said<'d> {
             if slips > MOST_SLIPS {
                 continue;
             }
-            let Some(near) = nearest(&name, names.iter().map(String::as_str)) else { continue };
-            name = near.to_owned();
+            if let Some(near) = nearest(&name, names.iter().map(String::as_str)) {
+                name = near.to_owned();
+            }
         }
         said.entry(name).or_default().extend(&block.fields);
     }
     said
+}
+
+/// Names of hinges in blocks that are neither on the route nor close to one there.
+pub(super) fn nameless(draft: &Draft) -> VecDeque<Ident> {
+    let names: Vec<String> =
+        draft.stops.iter().filter_map(|stop| stop.name()).map(Ident::to_string).collect();
+    let is_far =
+        |name: &&Ident| nearest(&name.to_string(), names.iter().map(String::as_str)).is_none();
+    let blocks = draft.def.blocks.iter().filter(|block| block.word == BlockWord::Hinge);
+    let far = blocks.flat_map(|block| &block.names).take(MOST_SLIPS).filter(is_far);
+    far.cloned().collect()
 }
 
 /// Whether gravity is given at each step.

@@ -115,6 +115,8 @@ impl Numbers<'_> {
     /// The repeated parts; one that holds nothing is none.
     fn repeats(&self, draft: &Draft, implied: usize) -> Vec<Repeat> {
         let written = draft.def.route.iter().flat_map(|route| &route.repeats).enumerate();
+        // A parameter for every time has the count of its part.
+        let of_parameters = draft.parameters.iter().find_map(|parameter| parameter.times);
         let repeat = |(index, repeat): (usize, &crate::syntax::Repeat)| {
             let is_in = |part: &Part| part.repeat == Some(index);
             let first = self.parts.iter().position(is_in)?;
@@ -122,7 +124,7 @@ impl Numbers<'_> {
             let ((bodies, hinges), (last_body, last_hinge)) =
                 (self.counts[first], self.counts[end]);
             Some(Repeat {
-                count: repeat.count,
+                count: repeat.count.or(of_parameters).unwrap_or(UNKNOWN_COUNT),
                 hinges: implied + hinges..implied + last_hinge,
                 bodies: bodies..last_body,
                 route: first..end,
@@ -131,6 +133,9 @@ impl Numbers<'_> {
         written.filter_map(repeat).collect()
     }
 }
+
+/// The count of a `repeat` of which nothing tells it.
+const UNKNOWN_COUNT: usize = 2;
 
 /// Loads beyond so many of a wrong chain have no inputs: a long chain has many names.
 const MOST_LOADS: usize = 1000;
@@ -143,11 +148,15 @@ fn loads(draft: &Draft, parts: &[Part], bodies: usize) -> Vec<Load> {
     let mut loads = Vec::new();
     for load in draft.loads.iter().take(MOST_LOADS) {
         let name = load.name;
-        let inputs = [format!("{name}_force"), format!("{name}_torque")];
-        if !is_identifier(name) || inputs.into_iter().any(|input| !names.insert(input)) {
+        if !is_identifier(name) {
             continue;
         }
-        let [force, torque] = asked::efforts_of_load(load.block);
+        let asked = asked::efforts_of_load(load.block).into_iter().zip(["force", "torque"]);
+        let mut is_free = |(asked, effort)| asked && names.insert(format!("{name}_{effort}"));
+        let [force, torque] = {
+            let mut efforts = asked.map(&mut is_free);
+            [(); 2].map(|()| efforts.next().unwrap_or(false))
+        };
         let on = asked::body_of_load(load.block).and_then(|on| {
             let on = on.to_string();
             let exact = on_route.iter().position(|name| *name == on);

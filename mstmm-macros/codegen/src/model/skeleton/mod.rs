@@ -10,7 +10,7 @@ use super::{Chain, Dimension, Drive, HingeKind, Parameter, Value};
 use asked::Said;
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
-use std::collections::HashSet;
+use std::collections::{HashSet, VecDeque};
 use std::ops::Range;
 
 /// The chain that a draft with mistakes would be without them, as far as it can be guessed; nothing
@@ -68,6 +68,8 @@ struct Sketch<'d, 'a> {
     parameters: Vec<Parameter>,
     /// What blocks say of hinges.
     said: Said<'d>,
+    /// Names in blocks that nothing on the route has: those of hinges that have none there.
+    nameless: VecDeque<Ident>,
 }
 
 impl<'d, 'a> Sketch<'d, 'a> {
@@ -80,6 +82,7 @@ impl<'d, 'a> Sketch<'d, 'a> {
             names: HashSet::new(),
             parameters: Vec::new(),
             said: asked::said(draft),
+            nameless: asked::nameless(draft),
         };
         // Parameters are in types without other names.
         let mut parameters = HashSet::new();
@@ -155,7 +158,14 @@ impl<'d, 'a> Sketch<'d, 'a> {
             Stop::Ground { .. } if index == 0 => self.start = End::Held,
             Stop::Ground { .. } if last => self.finish = End::Held,
             Stop::Moving { name, .. } if index == 0 || last => {
-                let end = End::Moving(self.name(*name));
+                let same = |(other, stop): (usize, &Stop)| {
+                    other != index && name.is_some() && stop.name() == *name
+                };
+                // The inputs have a name once.
+                let end = match self.draft.stops.iter().enumerate().any(same) {
+                    true => End::Held,
+                    false => End::Moving(self.name(*name)),
+                };
                 if index == 0 { self.start = end } else { self.finish = end }
             }
             Stop::Moving { name, .. } if matches!(self.finish, End::Free) => {
@@ -196,6 +206,11 @@ impl<'d, 'a> Sketch<'d, 'a> {
         if !self.wants_hinge() {
             self.body(None, repeat);
         }
+        let block = match name {
+            Some(_) => None,
+            None => self.nameless.pop_front(),
+        };
+        let name = name.or(block.as_ref());
         let said = name.and_then(|name| self.said.get(&name.to_string()));
         let drive = asked::drive(said.map_or(&[], Vec::as_slice), kind.shape());
         self.hinge(name, (kind, drive), repeat);

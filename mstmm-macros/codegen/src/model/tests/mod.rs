@@ -12,6 +12,7 @@ mod mistakes_in_numbers;
 mod mistakes_in_parts;
 mod mistakes_in_routes;
 mod mistakes_in_words;
+mod no_followers;
 mod warnings;
 
 use proc_macro2::Span;

@@ -1,0 +1,121 @@
+//! Nothing is reported that only follows from another error; a token has one error, and errors are in
+//! the order of the text. What `rustc` would say of code that uses wrong chains, `tests/ui/quiet` shows.
+
+use super::each_mistake_once::expect_rods;
+use super::expect_all;
+
+/// A chain with one type of body that has these fields.
+fn expect_body(fields: &str, mistakes: &[(&str, &str)]) {
+    let source = format!("chain A {{ body Rod {{ {fields} }} ground -> pin j -> Rod rod; }}");
+    expect_all(&source, mistakes);
+}
+
+const REST: &str = "com = [1, 0, 0] m; inertia = diag(1, 1, 1) kg*m^2 about com;";
+
+#[test]
+fn an_unknown_field_may_be_the_missing_one() {
+    let unknown = |field: &str| {
+        format!("body `Rod` has no field `{field}`; it has `mass`, `com`, `inertia` and `output`")
+    };
+    expect_body(&format!("heft = 1 kg; {REST}"), &[("heft", &unknown("heft"))]);
+    expect_body(&format!("heft = 1; {REST}"), &[("heft", &unknown("heft"))]);
+    expect_body("mass = 1; com = [1, 0, 0]; J = diag(1, 1, 1) about com;", &[("J", &unknown("J"))]);
+    expect_body(
+        "mass = 1; middle = [1, 0, 0]; inertia = diag(1, 1, 1) about com;",
+        &[("middle", &unknown("middle"))],
+    );
+    // What cannot be the missing one hides it not.
+    expect_body(
+        &format!("colour = 1 m/s; {REST}"),
+        &[("Rod", "body `Rod` needs `mass`"), ("colour", &unknown("colour"))],
+    );
+    expect_rods(
+        "ground -> pin j -> Rod rod; spring s { on = rod; k = 3 N/m; to = [0, 0, 0]; }",
+        &[(
+            "k",
+            "spring `s` has no field `k`; \
+             it has `on`, `at`, `to`, `stiffness`, `damping` and `length`",
+        )],
+    );
+}
+
+#[test]
+fn misspelt_items_are_read_as_what_is_meant() {
+    let item = |word: &str, meant: &str| format!("unknown item `{word}`; did you mean `{meant}`?");
+    expect_rods(
+        "ground -> pin j -> Rod rod; hing j { start = 1 kg; } lod l { on = rod; force = 1 kg; }",
+        &[
+            ("hing", &item("hing", "hinge")),
+            ("kg", "expected an angle, found a mass"),
+            ("lod", &item("lod", "load")),
+            ("1 kg", "expected a vector `[x, y, z]`, found a number"),
+        ],
+    );
+    expect_rods(
+        "parm p = 1 kg; ground -> pin j -> Rod rod; hinge j { start = p; }",
+        &[("parm", &item("parm", "param")), ("p", "expected an angle, found a mass")],
+    );
+    expect_rods(
+        "ground -> repat 3 { pin j -> Rod rod }; hinge j { start = 1; }",
+        &[("repat", "unknown stop `repat`; did you mean `repeat`?")],
+    );
+    expect_rods(
+        "ground -> pin z j -> Rod rod; hinge j { start = 1; }",
+        &[("z", "write `pin(z) j`")],
+    );
+}
+
+#[test]
+fn stops_behind_an_error_are_known() {
+    let rest = "hinge b, c { start = 1; } load l { on = two; force = input; }";
+    expect_rods(
+        &format!("ground -> pin a -> Rod one pin b -> Rod two -> pin c -> Rod three; {rest}"),
+        &[("pin", "expected `->` or `;`, found `pin`")],
+    );
+    expect_rods(
+        &format!("ground -> pin a -> Rod one; -> pin b -> Rod two -> pin c -> Rod three; {rest}"),
+        &[("-", "expected an item, found `-`")],
+    );
+    expect_rods(
+        &format!("ground -> pin a -> Rod one -> 7 -> pin b -> Rod two -> pin c -> Rod x; {rest}"),
+        &[("7", "expected a hinge, a body or `ground`, found `7`")],
+    );
+    expect_rods(
+        "ground -> repeat many { pin j -> Rod rod } -> pin k -> Rod end; hinge j, k { start = 1; }",
+        &[("many", "expected how many times, a number, found `many`")],
+    );
+}
+
+#[test]
+fn a_name_that_is_used_twice_may_be_the_unknown_one() {
+    let twice = [("a", "the name `a` is used twice")];
+    expect_rods("ground -> pin a -> Rod x -> pin a -> Rod y; hinge b { start = 1; }", &twice);
+    // A name of a body is another matter.
+    expect_rods(
+        "ground -> pin a -> Rod x -> pin a -> Rod y; load l { on = z; force = input; }",
+        &[twice[0], ("z", "no body `z` on the route")],
+    );
+    expect_rods(
+        "ground -> pin a -> rod Rod; load l { on = rod; force = input; }",
+        &[("rod", "the type comes first, then the name: `Rod rod`")],
+    );
+}
+
+#[test]
+fn a_token_has_one_error() {
+    // A name that is forbidden and used twice.
+    expect_rods(
+        "ground -> pin q -> Rod x -> pin q -> Rod y;",
+        &[
+            ("q", "`q` is a method of every chain and cannot be a name"),
+            ("q", "the name `q` is used twice"),
+        ],
+    );
+    expect_rods(
+        "param ground = 1; ground -> pin j -> Rod ground;",
+        &[
+            ("ground", "`ground` is a word of this language and cannot be a name"),
+            ("ground", "the name `ground` is used twice"),
+        ],
+    );
+}
