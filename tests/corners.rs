@@ -22,6 +22,7 @@ both! { Stone StoneByTransfer [Floating] {
     body Stone {
         mass = 2 kg;
         com = [0, 0, 0.5] m;
+        output = [0, 0, 1] m;
         inertia = tensor(0.9, 0.8, 0.3, 0, 0.1, 0) kg*m^2 about com;
     }
     Stone stone;

@@ -152,6 +152,7 @@ mstmm_chain! {
         body Arm {
             mass = 1.5 kg;
             com = [0.2, -0.1, 0.3] m;
+            output = [0.4, 0, 0] m;
             inertia = tensor(0.1, 0.12, 0.09, 0.01, 0.02, -0.01) kg*m^2 about com;
         }
         ground -> universal([1, 2, 0], [1, 1, 1]) joint -> Arm arm;

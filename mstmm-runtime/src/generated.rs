@@ -5,7 +5,7 @@
 /// What a loop leaves for later ones, time by time: room that nothing fills before it does.
 pub use arrayvec::ArrayVec as Stored;
 
-pub use crate::point::Places;
+pub use crate::point::{Places, entries};
 pub use crate::quaternion::{QuaternionsOf, check_quaternion, check_quaternions};
 
 use core::convert::identity;

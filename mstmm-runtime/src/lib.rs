@@ -103,6 +103,7 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+mod body;
 mod chain;
 mod closure;
 mod energy;
@@ -119,21 +120,22 @@ mod quaternion;
 mod scalar;
 mod trig;
 
+pub use body::{BodyResult, HasCom, HasOutput, Written};
 pub use chain::{Chain, ChainState, GeneratedChain};
 pub use closure::Closure;
 pub use energy::Energy;
 pub use error::Error;
 pub use hinge::{
-    BallState, BallStateMut, BodyResult, CylindricalState, CylindricalStateMut, ElasticState,
-    ElasticStateMut, FloatingState, FloatingStateMut, HingeMotion, HingeResult, PinState,
-    PinStateMut, PlanarState, PlanarStateMut, PlaneElasticState, PlaneElasticStateMut, ScrewState,
-    ScrewStateMut, SliderState, SliderStateMut, UniversalState, UniversalStateMut,
+    BallState, BallStateMut, CylindricalState, CylindricalStateMut, ElasticState, ElasticStateMut,
+    FloatingState, FloatingStateMut, HingeMotion, HingeResult, PinState, PinStateMut, PlanarState,
+    PlanarStateMut, PlaneElasticState, PlaneElasticStateMut, ScrewState, ScrewStateMut,
+    SliderState, SliderStateMut, UniversalState, UniversalStateMut,
 };
 pub use integrate::{Dopri5, LinearlyImplicitEuler, Newmark, Rk4, SemiImplicitEuler, Statistics};
 pub use nalgebra;
 pub use point::{
-    ConnectionPoint, Everything, HasPoses, HasVelocities, HasZ, LinePoint, LineStateVector,
-    PlanePoint, PlaneStateVector, Point, Results, StateVector,
+    BodyPoint, ConnectionPoint, Everything, HasPoses, HasVelocities, HasZ, LinePoint,
+    LineStateVector, PlanePoint, PlaneStateVector, Point, Results, StateVector,
 };
 pub use scalar::{Mask, Scalar};
 #[cfg(feature = "wide")]

@@ -3,8 +3,8 @@
 use mstmm_runtime::generated::{Places, place_of};
 use mstmm_runtime::nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 use mstmm_runtime::{
-    BodyResult, Closure, HingeResult, LinePoint, LineStateVector, PlanePoint, PlaneStateVector,
-    Point, StateVector,
+    BodyPoint, BodyResult, Closure, HingeResult, LinePoint, LineStateVector, PlanePoint,
+    PlaneStateVector, Point, StateVector,
 };
 
 #[test]
@@ -32,8 +32,20 @@ fn points_in_space_and_results() {
     let hinge = HingeResult::new(3.0, -1.0, rest, point);
     assert_eq!((hinge.acceleration(), hinge.effort()), (3.0, -1.0));
     assert_eq!((hinge.input(), hinge.output()), (rest, point));
-    let body: BodyResult<f64> = BodyResult::new(point, rest);
+    let body: BodyResult<f64> = BodyResult::new(point, rest, [1.0, 2.0, 3.0]);
     assert_eq!((body.input(), body.output()), (point, rest));
+    let com = body.com();
+    assert_eq!(com, BodyPoint::new(point, [1.0, 2.0, 3.0]));
+    let arm = Vector3::new(-2.0, 1.0, 3.0);
+    assert_eq!(com.position(), point.position() + arm);
+    assert_eq!(com.orientation(), point.orientation());
+    let omega = point.angular_velocity();
+    assert_eq!(com.angular_velocity(), omega);
+    assert!((com.velocity() - (point.velocity() + omega.cross(&arm))).norm() < 1e-14);
+    let turning = point.angular_acceleration();
+    assert_eq!(com.angular_acceleration(), turning);
+    let felt = turning.cross(&arm) + omega.cross(&omega.cross(&arm));
+    assert!((com.acceleration() - (point.acceleration() + felt)).norm() < 1e-13);
 }
 
 #[test]
@@ -56,8 +68,16 @@ fn points_in_the_plane() {
 
     let rest = PlanePoint::<f64>::default();
     assert_eq!(rest.orientation(), Rotation2::identity());
-    let body: BodyResult<f64, PlanePoint<f64>> = BodyResult::new(point, rest);
+    let body: BodyResult<f64, PlanePoint<f64>> = BodyResult::new(point, rest, [1.0, 2.0]);
     assert_eq!((body.input(), body.output()), (point, rest));
+    let (com, arm) = (body.com(), turn * Vector2::new(1.0, 2.0));
+    assert_eq!((com.orientation(), com.cos_sin()), (turn, point.cos_sin()));
+    assert!((com.position() - (point.position() + arm)).norm() < 1e-15);
+    let across = Vector2::new(-arm.y, arm.x);
+    assert!((com.velocity() - (point.velocity() + 0.6 * across)).norm() < 1e-15);
+    let felt = 3.0 * across - 0.36 * arm;
+    assert!((com.acceleration() - (point.acceleration() + felt)).norm() < 1e-14);
+    assert_eq!((com.angular_velocity(), com.angular_acceleration()), (0.6, 3.0));
     let hinge = HingeResult::new(Vector2::new(1.0, 2.0), Vector2::new(3.0, 4.0), point, rest);
     assert_eq!((hinge.input(), hinge.output()), (point, rest));
     assert_eq!(hinge.effort(), Vector2::new(3.0, 4.0));
@@ -74,8 +94,11 @@ fn points_on_a_line() {
     let rest = LinePoint::default();
     let hinge: HingeResult<f32, f32, LinePoint<f32>> = HingeResult::new(3.0, 4.0, point, rest);
     assert_eq!((hinge.acceleration(), hinge.effort()), (3.0, 4.0));
-    let body = BodyResult::new(hinge.input(), hinge.output());
+    let body: BodyResult<f32, LinePoint<f32>> =
+        BodyResult::new(hinge.input(), hinge.output(), [0.5]);
     assert_eq!((body.input(), body.output()), (point, rest));
+    let com = body.com();
+    assert_eq!((com.position(), com.velocity(), com.acceleration()), (0.6, 0.2, 1.0));
 }
 
 #[test]

@@ -132,7 +132,12 @@ fn a_held_body_is_carried_by_its_input() {
     mstmm_chain! {
         chain Lamp {
             gravity = [0, -10, 0] m/s^2;
-            body Rod { mass = 2 kg; com = [0.5, 0, 0] m; inertia = diag(1, 1, 1) about com; }
+            body Rod {
+                mass = 2 kg;
+                com = [0.5, 0, 0] m;
+                output = [1, 0, 0] m;
+                inertia = diag(1, 1, 1) about com;
+            }
             ground -> pin joint -> Rod rod;
             hinge joint { torque = 10 N*m; }
         }

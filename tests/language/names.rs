@@ -220,3 +220,51 @@ fn names_like_those_of_generated_code_mean_nothing() {
     let (odd, plain) = (OddPendulum::<f64>::new(), PlainPendulum::<f64>::new());
     assert_same!(OddPendulum, odd.no_inputs(), PlainPendulum, plain.no_inputs());
 }
+
+mstmm_chain! {
+    plane chain Pointed {
+        param place_of_x = 0.5 m;
+        body rod_type {
+            mass = 2 kg;
+            com = [1, 0] m;
+            output = [1, 0] m;
+            inertia = 1 kg*m^2 about com;
+            point x = [place_of_x, 0];
+            point place_of_x = [2, 0] m;
+            point common_ = [3, 0] m;
+            point deref = [4, 0] m;
+            point new = [5, 0] m;
+            point T = [6, 0] m;
+            point TIP = [7, 0] m;
+            point rod_type = [8, 0] m;
+            point rod = [9, 0] m;
+            point position = [10, 0] m;
+        }
+        ground -> pin joint -> rod_type rod -> pin hook -> rod_type rod_type;
+    }
+}
+
+#[test]
+fn names_of_points_mean_nothing() {
+    let pointed = Pointed::<f64>::new();
+    let mut at = pointed.workspace();
+    let state = pointed.initial_state();
+    pointed.solve_into(&state, &pointed.no_inputs(), &mut at).expect("a regular chain");
+    let rod = at.rod();
+    let points = [
+        rod.x(),
+        rod.place_of_x(),
+        rod.common_(),
+        rod.deref(),
+        rod.new(),
+        rod.T(),
+        rod.TIP(),
+        rod.rod_type(),
+        rod.rod(),
+        rod.position(),
+    ];
+    let found = points.map(|point| point.position().x);
+    assert_eq!(found, [0.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0]);
+    assert_eq!((rod.com().position().x, rod.output().position().x), (1.0, 1.0));
+    assert_eq!(at.rod_type().rod().position().x, 10.0);
+}

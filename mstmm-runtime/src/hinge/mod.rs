@@ -30,7 +30,7 @@ pub use motion::HingeMotion;
 pub use pin::{PinState, PinStateMut};
 pub use planar::{PlanarState, PlanarStateMut};
 pub use plane_elastic::{PlaneElasticState, PlaneElasticStateMut};
-pub use result::{BodyResult, HingeResult};
+pub use result::HingeResult;
 pub use screw::{ScrewState, ScrewStateMut};
 pub use slider::{SliderState, SliderStateMut};
 pub use universal::{UniversalState, UniversalStateMut};

@@ -1,4 +1,4 @@
-//! What a solution says of hinges and bodies.
+//! What a solution says of hinges.
 
 use core::marker::PhantomData;
 
@@ -42,34 +42,6 @@ impl<T, V: Copy, P: ConnectionPoint<Scalar = T> + Copy> HingeResult<T, V, P> {
     }
 
     /// The hinge's output end, on the outboard side.
-    #[inline]
-    pub fn output(&self) -> P {
-        self.output
-    }
-}
-
-/// What a solution says of one body. `P` is the kind of connection point, [`Point`] in space.
-#[derive(Clone, Copy, Debug)]
-pub struct BodyResult<T, P = Point<T>> {
-    input: P,
-    output: P,
-    number: PhantomData<T>,
-}
-
-impl<T, P: ConnectionPoint<Scalar = T> + Copy> BodyResult<T, P> {
-    /// Puts the result together; generated code does.
-    #[inline]
-    pub fn new(input: P, output: P) -> Self {
-        Self { input, output, number: PhantomData }
-    }
-
-    /// The body's input end. The force on the body there is +q, the torque −m.
-    #[inline]
-    pub fn input(&self) -> P {
-        self.input
-    }
-
-    /// The body's output end. The force on the body there is −q, the torque +m.
     #[inline]
     pub fn output(&self) -> P {
         self.output

@@ -1,14 +1,16 @@
 //! Motion and internal loads at a connection point, in space, in the plane and along a line.
 
+mod body_point;
 mod line;
 mod places;
 mod plane;
 mod results;
 mod space;
 
+pub use body_point::BodyPoint;
 pub use line::{LinePoint, LineStateVector};
 #[doc(hidden)]
-pub use places::Places;
+pub use places::{Places, entries};
 pub use plane::{PlanePoint, PlaneStateVector};
 pub use results::{Everything, HasPoses, HasVelocities, HasZ, Results};
 pub use space::{Point, StateVector};
@@ -18,16 +20,21 @@ pub use space::{Point, StateVector};
 pub trait ConnectionPoint {
     /// The numbers the point's motion and loads are kept in.
     type Scalar;
+    /// The components of a vector, as many as the chain has dimensions.
+    type Vector;
 }
 
 impl<T, R> ConnectionPoint for Point<T, R> {
     type Scalar = T;
+    type Vector = [T; 3];
 }
 
 impl<T, R> ConnectionPoint for PlanePoint<T, R> {
     type Scalar = T;
+    type Vector = [T; 2];
 }
 
 impl<T, R> ConnectionPoint for LinePoint<T, R> {
     type Scalar = T;
+    type Vector = [T; 1];
 }

@@ -30,8 +30,10 @@ impl<const AXES: usize, const VECTORS: usize> Places<AXES, VECTORS> {
 }
 
 /// The entries of the vector at a place.
+#[doc(hidden)]
 #[inline(always)]
-pub(super) fn entries<T: Scalar, const N: usize>(numbers: &[T], place: u32) -> [T; N] {
+#[must_use]
+pub fn entries<T: Scalar, const N: usize>(numbers: &[T], place: u32) -> [T; N] {
     let (first, signs) = ((place as usize / 10).checked_sub(1), place % 10);
     let found = first.and_then(|first| numbers.get(first..)?.first_chunk::<N>());
     let Some(&(mut entries)) = found else { return [T::constant(0.0); N] };

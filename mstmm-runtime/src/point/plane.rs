@@ -74,10 +74,10 @@ impl<T: Scalar> PlaneStateVector<T> {
 #[derive(Clone, Copy, PartialEq)]
 pub struct PlanePoint<T, R = Everything> {
     position: [T; 2],
-    cos_sin: [T; 2],
+    pub(super) cos_sin: [T; 2],
     velocity: [T; 2],
-    angular_velocity: T,
-    z: PlaneStateVector<T>,
+    pub(super) angular_velocity: T,
+    pub(super) z: PlaneStateVector<T>,
     results: PhantomData<R>,
 }
 

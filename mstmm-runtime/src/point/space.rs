@@ -83,10 +83,10 @@ impl<T: Scalar> StateVector<T> {
 #[derive(Clone, Copy, PartialEq)]
 pub struct Point<T, R = Everything> {
     position: [T; 3],
-    rotation: [[T; 3]; 3],
+    pub(super) rotation: [[T; 3]; 3],
     velocity: [T; 3],
-    angular_velocity: [T; 3],
-    z: StateVector<T>,
+    pub(super) angular_velocity: [T; 3],
+    pub(super) z: StateVector<T>,
     results: PhantomData<R>,
 }
 

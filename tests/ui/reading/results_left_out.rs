@@ -13,10 +13,10 @@ mstmm::mstmm_chain! {
 }
 
 fn main() {
-    let tip = Weighed::<f64>::new().workspace().rod().output();
-    tip.position();
-    tip.angular_velocity();
-    tip.z();
+    let joint = Weighed::<f64>::new().workspace().rod().input();
+    joint.position();
+    joint.angular_velocity();
+    joint.z();
 
     let at = Gauged::<f64>::new().workspace();
     at.joint().output().cos_sin();

@@ -226,7 +226,8 @@ impl<'a, 'g> Scene<'a, 'g> {
         let held = undetermined.as_ref().map(Vec::len);
         let wrenches = undetermined.into_iter().flatten();
         let wrenches = wrenches.flat_map(|w| w.force.0.into_iter().chain(w.moment.0));
-        let (mut places, numbers) = places::places(self.chain, self.graph, &report.points);
+        let (mut places, numbers) =
+            places::places(self.chain, self.graph, &report.points, &self.numbers);
         let (shifts, zero) = (self.chain.dimension.shifts(), Expr::Number(0.0));
         groups.extend([
             report.accelerations,

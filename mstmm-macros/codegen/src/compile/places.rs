@@ -1,9 +1,9 @@
 //! Where results lie that many connection points share: every vector once, whichever the signs of its
 //! entries.
 
-use crate::equations::{Point, Seen};
+use crate::equations::{Numbers, Point, Seen};
 use crate::expr::{Edge, Expr, Graph};
-use crate::model::{Chain, Dimension, Element, Results};
+use crate::model::{Body, Chain, Dimension, Element, Results};
 use crate::program::{Block, Operand, Program};
 use std::collections::HashMap;
 
@@ -39,6 +39,9 @@ pub struct PointPlaces {
     pub orientation: Option<Vec<Place>>,
     /// Velocity, `Ω`, `r̈` as felt, `Ω̇`, `m` and `q`; along a line those that there are.
     pub vectors: Vec<Sight>,
+    /// At the input of a body its centre of mass and its named points, body frame; none where no
+    /// parameter changes them, so that the workspace need not keep them.
+    pub changing: Vec<Option<Place>>,
 }
 
 /// Where the numbers of all connection points are: pieces of those that stand once or belong to one
@@ -56,6 +59,7 @@ pub(super) fn places<'g>(
     chain: &Chain,
     graph: &'g Graph,
     points: &[Point<Expr<'g>>],
+    numbers: &Numbers<Expr<'g>>,
 ) -> (Places, Vec<Expr<'g>>) {
     let mut all = Filling { graph, known: HashMap::new(), start: 0, numbers: Vec::new() };
     let mut places = Places::default();
@@ -64,7 +68,7 @@ pub(super) fn places<'g>(
         Element::Body(body) => chain.repeat_of_body(body),
     };
     let parts = std::iter::once(None).chain(chain.route.iter().map(part));
-    for (point, part) in points.iter().zip(parts) {
+    for (index, (point, part)) in points.iter().zip(parts).enumerate() {
         match places.pieces.last() {
             Some((_, last)) if *last == part => {}
             _ => {
@@ -72,7 +76,11 @@ pub(super) fn places<'g>(
                 places.pieces.push((0, part));
             }
         }
-        places.points.push(all.point(point, chain.dimension, chain.results));
+        let mut own = all.point(point, chain.dimension, chain.results);
+        if let Some(Element::Body(body)) = chain.route.get(index) {
+            own.changing = all.changing(&chain.bodies[*body], chain, numbers);
+        }
+        places.points.push(own);
         if let Some((count, _)) = places.pieces.last_mut() {
             *count = all.count();
         }
@@ -115,6 +123,7 @@ impl PointPlaces {
         std::iter::once(&mut self.position)
             .chain(self.orientation.iter_mut().flatten())
             .chain(vectors)
+            .chain(self.changing.iter_mut().flatten())
     }
 }
 
@@ -178,7 +187,24 @@ impl<'g> Filling<'g> {
             false => Sight { axes: None, vector: Place::default() },
         };
         let vectors = seen.map(sight).collect();
-        PointPlaces { start: self.start, position, orientation, vectors }
+        let changing = Vec::new();
+        PointPlaces { start: self.start, position, orientation, vectors, changing }
+    }
+
+    /// The places of those of a body's points that parameters change, if they can be read.
+    fn changing(
+        &mut self,
+        body: &Body,
+        chain: &Chain,
+        numbers: &Numbers<Expr<'g>>,
+    ) -> Vec<Option<Place>> {
+        let shifts = chain.dimension.shifts();
+        let all = body.own_points().map(|position| {
+            let changes = shifts.iter().any(|&axis| position[axis].changes());
+            let kept = changes && chain.results.poses;
+            kept.then(|| self.vector(numbers.vector(position).0, shifts))
+        });
+        all.collect()
     }
 
     fn sight(&mut self, seen: &Seen<Expr<'g>>, along: &[usize], dimension: Dimension) -> Sight {

@@ -1,6 +1,7 @@
 //! From programs to Rust: the only place that writes tokens.
 
 mod block;
+mod body;
 mod clash;
 mod closure;
 mod construction;

@@ -9,7 +9,7 @@ use crate::model::Dimension;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
-/// The table of places, and the method that reads a point.
+/// The table of places, and the methods that read a point and a vector.
 pub fn emit(plan: &Plan) -> TokenStream {
     let mstmm = &plan.mstmm;
     let point = point_type(plan);
@@ -23,6 +23,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     // Where a place is known while compiling, what is read of its point is all that is left.
     let inline =
         if plan.chain.repeats.is_empty() { quote!(inline(always)) } else { quote!(inline) };
+    let vector = vector(plan, &inline);
     quote! {
         /// Where every point of the model has its numbers.
         const PLACES_: [#mstmm::generated::Places<#axes, #vectors>; #count] = [#(#entries),*];
@@ -33,7 +34,32 @@ pub fn emit(plan: &Plan) -> TokenStream {
             #found
             <#point>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
         }
+
+        #vector
     }
+}
+
+/// The method that reads a vector of a body, where parameters change some.
+fn vector(plan: &Plan, inline: &TokenStream) -> Option<TokenStream> {
+    let mstmm = &plan.mstmm;
+    let mut changing = plan.programs.places.points.iter().flat_map(|places| &places.changing);
+    changing.any(Option::is_some).then(|| {
+        let shifts = usize_literal(plan.chain.dimension.shifts().len());
+        let found = found(plan);
+        quote! {
+            /// The vector at a place among the numbers of connection point number `index`.
+            #[#inline]
+            #[allow(unused_variables)]
+            fn vector_(
+                &self,
+                index_: ::core::primitive::usize,
+                place_: ::core::primitive::u32,
+            ) -> [T; #shifts] {
+                #found
+                #mstmm::generated::entries(numbers_, place_)
+            }
+        }
+    })
 }
 
 /// All points.
@@ -89,7 +115,7 @@ fn entry(plan: &Plan, places: &PointPlaces) -> TokenStream {
 }
 
 /// A place as the runtime has it: behind its number a digit for the signs, to be read by people too.
-fn signed(place: &Place) -> TokenStream {
+pub fn signed(place: &Place) -> TokenStream {
     let bits = place.opposite.iter().enumerate();
     let signs: usize = bits.map(|(k, &opposite)| usize::from(opposite) << k).sum();
     usize_literal(10 * place.first + signs).to_token_stream()

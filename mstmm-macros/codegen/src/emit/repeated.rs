@@ -1,13 +1,13 @@
 //! Access by index to the hinges and bodies of repeated parts, and access to all others of such a
 //! chain.
 
-use super::Plan;
 use super::looped::usize_literal;
 use super::names::{accessor_mut, helper};
 use super::quaternions;
 use super::spread::{Piece, Spread};
 use super::workspace::point_type;
-use crate::model::{Group, HingeId};
+use super::{Plan, body};
+use crate::model::{BodyId, Group, HingeId};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
@@ -205,20 +205,22 @@ pub fn points_of(plan: &Plan, place: usize) -> (usize, usize) {
 }
 
 /// The result of a repeated body.
-pub fn body(plan: &Plan, (name, place): (&Ident, usize), count: usize) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let (visibility, point) = (&plan.surface.visibility, point_type(plan));
-    let doc = format!(" Input and output of body `{name}` number `index` of {count}.");
-    let ends = ends(plan, place, count);
+pub fn body(plan: &Plan, (index, place): (BodyId, usize), count: usize) -> TokenStream {
+    let (body, visibility) = (&plan.chain.bodies[index], &plan.surface.visibility);
+    let name = &body.name;
+    let contents = body::contents(body);
+    let doc = format!(" Results at body `{name}` number `index` of {count}: {contents}.");
+    let (ends, ty) = (ends(plan, place, count), body::type_of(plan, body));
+    let result = body::result(plan, (index, place), &quote!(first_));
     quote! {
         #[doc = #doc]
         #[inline]
         #visibility fn #name(
             &self,
             index_: ::core::primitive::usize,
-        ) -> ::core::option::Option<#mstmm::BodyResult<T, #point>> {
+        ) -> ::core::option::Option<#ty> {
             #ends
-            ::core::option::Option::Some(#mstmm::BodyResult::new(input_, output_))
+            ::core::option::Option::Some(#result)
         }
     }
 }

@@ -2,9 +2,9 @@
 
 use super::looped::usize_literal;
 use super::spread::Spread;
-use super::{Plan, docs, orders, places, repeated, solution};
+use super::{Plan, body, docs, orders, places, repeated, solution};
 use crate::compile::groups;
-use crate::model::{Dimension, Element, Hinge, Results};
+use crate::model::{BodyId, Dimension, Element, Hinge, Results};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
@@ -45,11 +45,11 @@ pub fn emit(plan: &Plan) -> TokenStream {
         method: closure_method,
         shown: closure_shown,
     } = closure;
-    let text = name.to_string();
+    let (text, body_types) = (name.to_string(), body::types(plan));
     let elements = plan.chain.route.iter().enumerate().map(|(place, element)| match *element {
         Element::Body(index) => match plan.chain.times(*element) {
-            _ if plan.chain.repeat_of_body(index).is_none() => body(plan, index, place),
-            count => repeated::body(plan, (&plan.chain.bodies[index].name, place), count),
+            _ if plan.chain.repeat_of_body(index).is_none() => self::body(plan, index, place),
+            count => repeated::body(plan, (index, place), count),
         },
         Element::Hinge(index) => match plan.chain.times(*element) {
             _ if plan.chain.repeat_of_hinge(index).is_none() => hinge(plan, index, place),
@@ -91,6 +91,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
 
             #(#elements)*
         }
+        #body_types
         impl<T: #mstmm::Scalar> ::core::fmt::Debug for #name<T> {
             fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 to_.debug_struct(#text)
@@ -223,17 +224,19 @@ fn closure(plan: &Plan) -> Closure {
     }
 }
 
-fn body(plan: &Plan, index: usize, place: usize) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let (name, visibility) = (&plan.chain.bodies[index].name, &plan.surface.visibility);
-    let doc = format!(" Input and output of body `{name}`.");
-    let (ends, point) = (ends(plan, place), point_type(plan));
+fn body(plan: &Plan, index: BodyId, place: usize) -> TokenStream {
+    let (body, visibility) = (&plan.chain.bodies[index], &plan.surface.visibility);
+    let name = &body.name;
+    let doc = format!(" Results at body `{name}`: {}.", body::contents(body));
+    let (first, _) = repeated::points_of(plan, place);
+    let (ends, ty) = (ends(plan, place), body::type_of(plan, body));
+    let result = body::result(plan, (index, place), &usize_literal(first));
     quote! {
         #[doc = #doc]
         #[inline]
-        #visibility fn #name(&self) -> #mstmm::BodyResult<T, #point> {
+        #visibility fn #name(&self) -> #ty {
             #ends
-            #mstmm::BodyResult::new(input_, output_)
+            #result
         }
     }
 }

@@ -225,8 +225,42 @@ pub struct Body {
     pub inertia: Inertia,
     /// The output point and the frame there.
     pub output: Frame,
+    /// Points with a name, in the order written.
+    pub points: Vec<NamedPoint>,
+    /// Which optional points the description has.
+    pub written: Written,
     /// What it stands for.
     pub role: Role,
+}
+
+impl Body {
+    /// The points of the body that its results have by name, body frame: the centre of mass first.
+    pub fn own_points(&self) -> impl Iterator<Item = &[Value; 3]> {
+        std::iter::once(&self.com).chain(self.points.iter().map(|point| &point.position))
+    }
+}
+
+/// A point of a body with a name.
+#[derive(Clone, Debug)]
+pub struct NamedPoint {
+    /// The name.
+    pub name: Ident,
+    /// Where it is in m, body frame.
+    pub position: [Value; 3],
+}
+
+/// Which optional points the description of a body has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Written {
+    /// The output.
+    pub output: bool,
+    /// The centre of mass, which a line chain may omit.
+    pub com: bool,
+}
+
+impl Written {
+    /// All of them.
+    pub const ALL: Written = Written { output: true, com: true };
 }
 
 /// What a body of the model stands for.

@@ -2,7 +2,7 @@
 //! shares with what is around it passes through there, so it is the same every time.
 
 use super::{
-    About, Body, BodyId, Chain, Frame, Hinge, HingeKind, Inertia, Place, Role, Seam, Value,
+    About, Body, BodyId, Chain, Frame, Hinge, HingeKind, Inertia, Place, Role, Seam, Value, Written,
 };
 use super::{Drive, Driven, Element};
 use proc_macro2::Span;
@@ -40,6 +40,8 @@ fn add_seam(chain: &mut Chain, seam: Seam, at: Place) -> BodyId {
         com: [(); 3].map(|()| zero()),
         inertia: Inertia { tensor: [(); 6].map(|()| zero()), about: About::Com },
         output: Frame::identity(),
+        points: Vec::new(),
+        written: Written::ALL,
         role: Role::Seam(seam),
     });
     chain.hinges.push(Hinge {

@@ -92,6 +92,7 @@ fn of_body(body: &Body) -> Vec<&Value> {
     values.extend(&body.com);
     values.extend(&body.inertia.tensor);
     values.extend(of_frame(&body.output));
+    values.extend(body.points.iter().flat_map(|point| &point.position));
     values
 }
 

@@ -128,6 +128,16 @@ impl Value {
         }
     }
 
+    /// Whether any parameter stands in it.
+    pub fn changes(&self) -> bool {
+        match self {
+            Number(_) | Value::Symbol(Symbol::Constant(_)) => false,
+            Value::Symbol(Symbol::Parameter(_)) => true,
+            Sum(a, b) | Product(a, b) | Quotient(a, b) => a.changes() || b.changes(),
+            Value::Sqrt(a) | Value::Sin(a) | Value::Cos(a) => a.changes(),
+        }
+    }
+
     /// How many numbers, symbols and operations stand in it.
     pub fn size(&self) -> usize {
         match self {

@@ -94,7 +94,7 @@ fn tell_apart(chains: &mut [ChainDef], diagnostics: &mut Diagnostics) {
     let mut taken: HashMap<String, Ident> = HashMap::new();
     for chain in chains {
         let types = TYPES.iter().map(|suffix| format!("{}{suffix}", chain.name));
-        let types: Vec<String> = types.collect();
+        let types: Vec<String> = types.chain(types_of_results(chain)).collect();
         let clash = types.iter().find_map(|name| Some((name, taken.get(name)?)));
         if let Some((name, other)) = clash {
             let message = match *other == chain.name {
@@ -107,4 +107,10 @@ fn tell_apart(chains: &mut [ChainDef], diagnostics: &mut Diagnostics) {
         }
         taken.extend(types.into_iter().map(|name| (name, chain.name.clone())));
     }
+}
+
+/// The types of results at bodies with named points.
+fn types_of_results(chain: &ChainDef) -> impl Iterator<Item = String> {
+    let bodies = chain.blocks.iter().filter(|block| !block.points.is_empty());
+    bodies.flat_map(|block| &block.names).map(|name| format!("{}{name}Result", chain.name))
 }

@@ -2031,11 +2031,15 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
             output_,
         )
     }
-    /// Input and output of body `crank`.
+    /// Results at body `crank`: input, output and centre of mass.
     #[inline]
     pub fn crank(&self) -> ::mstmm::BodyResult<T, ::mstmm::PlanePoint<T>> {
         let (input_, output_) = (self.point_(1), self.point_(2));
-        ::mstmm::BodyResult::new(input_, output_)
+        ::mstmm::BodyResult::new(
+            input_,
+            output_,
+            [T::constant(0.1f64), T::constant(0f64)],
+        )
     }
     /// Acceleration, effort, input and output of hinge `a`.
     #[inline]
@@ -2060,11 +2064,15 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
             output_,
         )
     }
-    /// Input and output of body `coupler`.
+    /// Results at body `coupler`: input, output and centre of mass.
     #[inline]
     pub fn coupler(&self) -> ::mstmm::BodyResult<T, ::mstmm::PlanePoint<T>> {
         let (input_, output_) = (self.point_(3), self.point_(4));
-        ::mstmm::BodyResult::new(input_, output_)
+        ::mstmm::BodyResult::new(
+            input_,
+            output_,
+            [T::constant(0.3f64), T::constant(0f64)],
+        )
     }
     /// Acceleration, effort, input and output of hinge `b`.
     #[inline]
@@ -2089,11 +2097,15 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
             output_,
         )
     }
-    /// Input and output of body `rocker`.
+    /// Results at body `rocker`: input, output and centre of mass.
     #[inline]
     pub fn rocker(&self) -> ::mstmm::BodyResult<T, ::mstmm::PlanePoint<T>> {
         let (input_, output_) = (self.point_(5), self.point_(6));
-        ::mstmm::BodyResult::new(input_, output_)
+        ::mstmm::BodyResult::new(
+            input_,
+            output_,
+            [T::constant(0.3f64), T::constant(0f64)],
+        )
     }
     /// Acceleration, effort, input and output of hinge `rocker_pin`.
     #[inline]

@@ -622,11 +622,17 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
             output_,
         )
     }
-    /// Input and output of body `rod`.
+    /// Results at body `rod`: input and centre of mass.
     #[inline]
-    pub fn rod(&self) -> ::mstmm::BodyResult<T, ::mstmm::Point<T>> {
+    pub fn rod(
+        &self,
+    ) -> ::mstmm::BodyResult<T, ::mstmm::Point<T>, ::mstmm::Written<false, true>> {
         let (input_, output_) = (self.point_(1), self.point_(2));
-        ::mstmm::BodyResult::new(input_, output_)
+        ::mstmm::BodyResult::new(
+            input_,
+            output_,
+            [T::constant(0.5f64), T::constant(0f64), T::constant(0f64)],
+        )
     }
 }
 impl<T: ::mstmm::Scalar> ::core::fmt::Debug for PendulumWorkspace<T> {

@@ -2077,7 +2077,7 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
         );
         ::core::option::Option::Some(result_)
     }
-    /// Input and output of body `rod` number `index` of 10.
+    /// Results at body `rod` number `index` of 10: input, output and centre of mass.
     #[inline]
     pub fn rod(
         &self,
@@ -2088,7 +2088,13 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
         }
         let first_ = 1 + index_ * 2;
         let (input_, output_) = (self.point_(first_), self.point_(first_ + 1));
-        ::core::option::Option::Some(::mstmm::BodyResult::new(input_, output_))
+        ::core::option::Option::Some(
+            ::mstmm::BodyResult::new(
+                input_,
+                output_,
+                [T::constant(0.05f64), T::constant(0f64)],
+            ),
+        )
     }
     /// Acceleration, effort, input and output of hinge `hook`.
     #[inline]
@@ -2113,11 +2119,17 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
             output_,
         )
     }
-    /// Input and output of body `weight`.
+    /// Results at body `weight`: input and centre of mass.
     #[inline]
-    pub fn weight(&self) -> ::mstmm::BodyResult<T, ::mstmm::PlanePoint<T>> {
+    pub fn weight(
+        &self,
+    ) -> ::mstmm::BodyResult<T, ::mstmm::PlanePoint<T>, ::mstmm::Written<false, true>> {
         let (input_, output_) = (self.point_(21), self.point_(22));
-        ::mstmm::BodyResult::new(input_, output_)
+        ::mstmm::BodyResult::new(
+            input_,
+            output_,
+            [T::constant(0f64), T::constant((-0.1f64))],
+        )
     }
 }
 impl<T: ::mstmm::Scalar> ::core::fmt::Debug for RopeWorkspace<T> {

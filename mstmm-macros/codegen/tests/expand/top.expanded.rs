@@ -684,11 +684,17 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
             output_,
         )
     }
-    /// Input and output of body `cone`.
+    /// Results at body `cone`: input and centre of mass.
     #[inline]
-    fn cone(&self) -> ::mstmm::BodyResult<T, ::mstmm::Point<T>> {
+    fn cone(
+        &self,
+    ) -> ::mstmm::BodyResult<T, ::mstmm::Point<T>, ::mstmm::Written<false, true>> {
         let (input_, output_) = (self.point_(1), self.point_(2));
-        ::mstmm::BodyResult::new(input_, output_)
+        ::mstmm::BodyResult::new(
+            input_,
+            output_,
+            [T::constant(0f64), T::constant(0f64), T::constant(0.06f64)],
+        )
     }
 }
 impl<T: ::mstmm::Scalar> ::core::fmt::Debug for TopWorkspace<T> {

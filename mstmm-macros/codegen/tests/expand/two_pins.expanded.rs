@@ -961,7 +961,7 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
             output_,
         )
     }
-    /// Input and output of body `upper`.
+    /// Results at body `upper`: input, output and centre of mass.
     #[inline]
     pub fn upper(
         &self,
@@ -970,7 +970,11 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
         ::mstmm::Point<T, ::mstmm::Results<false, false, true>>,
     > {
         let (input_, output_) = (self.point_(1), self.point_(2));
-        ::mstmm::BodyResult::new(input_, output_)
+        ::mstmm::BodyResult::new(
+            input_,
+            output_,
+            [T::constant(0.5f64), T::constant(0f64), T::constant(0f64)],
+        )
     }
     /// Acceleration, effort, input and output of hinge `elbow`.
     #[inline]
@@ -1001,7 +1005,7 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
             output_,
         )
     }
-    /// Input and output of body `lower`.
+    /// Results at body `lower`: input, output and centre of mass.
     #[inline]
     pub fn lower(
         &self,
@@ -1010,7 +1014,11 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
         ::mstmm::Point<T, ::mstmm::Results<false, false, true>>,
     > {
         let (input_, output_) = (self.point_(3), self.point_(4));
-        ::mstmm::BodyResult::new(input_, output_)
+        ::mstmm::BodyResult::new(
+            input_,
+            output_,
+            [T::constant(0.5f64), T::constant(0f64), T::constant(0f64)],
+        )
     }
 }
 impl<T: ::mstmm::Scalar> ::core::fmt::Debug for TwoPinsWorkspace<T> {

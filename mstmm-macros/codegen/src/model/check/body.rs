@@ -1,5 +1,7 @@
 //! Bodies.
 
+use proc_macro2::Ident;
+
 use super::route::whole_route;
 use crate::diag::Diagnostics;
 use crate::model::Value;
@@ -54,6 +56,14 @@ pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
     }
 }
 
+/// Methods of the results at a body, which no named point can have the name of.
+const RESERVED: &[&str] = &["clone"];
+
+/// Whether a method of the results at a body can be called so.
+pub(in crate::model) fn can_be_a_point(name: &Ident) -> bool {
+    !POINTS.iter().chain(RESERVED).any(|known| name == known)
+}
+
 /// A type of body has a point of a name once, and not one that every body has.
 pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics) {
     for body in &draft.types {
@@ -61,6 +71,8 @@ pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics
             let name = point.name;
             let message = if POINTS.iter().any(|known| name == known) {
                 format!("every body has a point `{name}`")
+            } else if !can_be_a_point(name) {
+                format!("`{name}` is a method of the results at every body and cannot be a name")
             } else if body.points[..index].iter().any(|other| other.name == name) {
                 format!("body `{}` has two points `{name}`", body.name)
             } else {

@@ -38,6 +38,7 @@ const RESERVED: &[&str] = &[
     "closure",
     "assemble",
     "point_",
+    "vector_",
     "PLACES_",
 ];
 
@@ -124,7 +125,9 @@ fn acting<'a>(draft: &'a Draft) -> impl Iterator<Item = &'a Ident> {
 pub(super) fn names_are_identifiers(draft: &Draft, diagnostics: &mut Diagnostics) {
     let types = draft.types.iter().map(|body| body.name);
     let names = names(draft);
-    let all = names.iter().map(|name| name.ident).chain(types).chain([&draft.def.name]);
+    let points = draft.types.iter().flat_map(|body| &body.points).map(|point| point.name);
+    let all = names.iter().map(|name| name.ident).chain(types).chain(points);
+    let all = all.chain([&draft.def.name]);
     for name in all {
         let text = name.to_string();
         let keyword = syn::parse_str::<Ident>(&text).is_err() || LATER_KEYWORDS.contains(&&*text);

@@ -7,7 +7,7 @@ use super::dimension::{LENGTH, MASS};
 use super::fields::{self, Fields};
 use super::inertia;
 use super::vector::zeros;
-use crate::model::{About, Dimension, Frame, Inertia, Value};
+use crate::model::{About, Dimension, Frame, Inertia, NamedPoint, Value};
 use crate::syntax::{Block, BlockWord, ChainDef, Extent, Field, Written};
 
 /// The fields of a type of body.
@@ -39,6 +39,13 @@ pub(crate) struct Point<'a> {
     pub name: &'a Ident,
     /// Where it is in the body frame, in m.
     pub position: Option<[Value; 3]>,
+}
+
+impl Point<'_> {
+    /// The point; nothing where its position could not be read.
+    pub fn finish(&self) -> Option<NamedPoint> {
+        Some(NamedPoint { name: self.name.clone(), position: self.position.clone()? })
+    }
 }
 
 /// Whether a block describes a type of body.
@@ -100,14 +107,19 @@ impl BodyType<'_> {
         if self.space == Dimension::Line {
             let tensor = [(); 6].map(|()| Value::number(0.0));
             self.inertia = Some(Given { value: Inertia { tensor, about: About::Com }, at });
-            if self.gives("com").is_none() {
+            if !self.gives("com") {
                 self.com = Some(Given { value: zeros(), at });
             }
         }
         self
     }
 
-    fn gives(&self, name: &str) -> Option<&Field> {
+    /// Whether a field is written.
+    pub fn gives(&self, name: &str) -> bool {
+        self.field(name).is_some()
+    }
+
+    fn field(&self, name: &str) -> Option<&Field> {
         self.block.fields.iter().find(|field| field.name == name)
     }
 
@@ -127,7 +139,7 @@ impl BodyType<'_> {
 
     /// Where an entry of the inertia tensor stands.
     pub fn inertia_entry(&self, index: usize) -> Option<Extent> {
-        match self.gives("inertia")?.value.as_ref()? {
+        match self.field("inertia")?.value.as_ref()? {
             Written::Form(form) => inertia::entry(form, index),
             Written::Number(expr) | Written::About(expr, _) => Some(expr.extent),
             _ => None,

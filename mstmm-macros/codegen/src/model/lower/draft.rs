@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use super::body::BodyType;
+use super::body::{BodyType, Point};
 use super::context::Given;
 use super::hinge::{Motion, of_everything};
 use super::load::{LoadDraft, SpringDraft};
@@ -14,7 +14,7 @@ use super::vector::zeros;
 use crate::model::condition::Requirement;
 use crate::model::{
     About, Body, BodyId, Chain, ClosureRank, Dimension, Drive, Element, Frame, Hinge, HingeKind,
-    Inertia, Parameter, Place, Repeat, Role, Value,
+    Inertia, Parameter, Place, Repeat, Role, Value, Written,
 };
 use crate::syntax::{self, ChainDef};
 
@@ -140,6 +140,8 @@ impl Draft<'_> {
             com: body_type.com.clone()?.value,
             inertia: body_type.inertia.clone()?.value,
             output: body_type.output.clone().map_or_else(Frame::identity, |given| given.value),
+            points: body_type.points.iter().map(Point::finish).collect::<Option<_>>()?,
+            written: Written { output: body_type.gives("output"), com: body_type.gives("com") },
             role: Role::Matter,
         })
     }
@@ -174,6 +176,8 @@ fn end_body(name: &Ident) -> Body {
         com: zeros(),
         inertia: Inertia { tensor: [(); 6].map(|()| zero()), about: About::Com },
         output: Frame::identity(),
+        points: Vec::new(),
+        written: Written::ALL,
         role: Role::End,
     }
 }

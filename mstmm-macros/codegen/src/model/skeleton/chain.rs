@@ -2,10 +2,11 @@
 
 use super::{End, Part, Sketch, asked, is_identifier};
 use crate::diag::nearest;
+use crate::model::check::can_be_a_point;
 use crate::model::lower::{Draft, Motion, of_everything};
 use crate::model::{
     About, Body, Chain, ClosureRank, Drive, Effort, Element, Frame, Hinge, HingeKind, Inertia,
-    Load, LoadAxes, Method, Place, Repeat, Role, Value,
+    Load, LoadAxes, Method, NamedPoint, Place, Repeat, Role, Value, Written,
 };
 use proc_macro2::Ident;
 use std::collections::HashSet;
@@ -50,7 +51,11 @@ impl Sketch<'_, '_> {
             hinges.push(hinge);
         }
         let bodies = parts.iter().filter(|part| part.hinge.is_none());
-        let bodies = bodies.map(|part| body(&part.name, Role::Matter));
+        let bodies = bodies.map(|part| Body {
+            type_name: part.body_type.as_ref().unwrap_or(&part.name).clone(),
+            points: points(draft, part.body_type.as_ref()),
+            ..body(&part.name, Role::Matter)
+        });
         let bodies: Vec<Body> = bodies.chain(ends.iter().map(|end| body(end, Role::End))).collect();
         Chain {
             name,
@@ -191,6 +196,22 @@ fn body(name: &Ident, role: Role) -> Body {
         com: [(); 3].map(|()| number(0.0)),
         inertia: Inertia { tensor: [one, one, one, 0.0, 0.0, 0.0].map(number), about: About::Com },
         output: Frame::identity(),
+        points: Vec::new(),
+        written: Written::ALL,
         role,
     }
+}
+
+/// The named points of a type of body; those of all types where the type is unknown.
+fn points(draft: &Draft, body_type: Option<&Ident>) -> Vec<NamedPoint> {
+    let Some(body_type) = body_type else { return Vec::new() };
+    let known = draft.types.iter().find(|known| known.name == body_type);
+    let types = known.map_or(&draft.types[..], std::slice::from_ref);
+    let mut names = HashSet::new();
+    let all = types.iter().flat_map(|body_type| &body_type.points);
+    let usable = all.filter(|point| {
+        can_be_a_point(point.name) && is_identifier(point.name) && names.insert(point.name)
+    });
+    let zeros = || [(); 3].map(|()| Value::number(0.0));
+    usable.map(|point| NamedPoint { name: point.name.clone(), position: zeros() }).collect()
 }

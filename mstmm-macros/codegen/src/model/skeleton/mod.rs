@@ -46,6 +46,8 @@ struct Part {
     name: Ident,
     /// What it lets free and how it is driven; nothing for a body.
     hinge: Option<(HingeKind, Drive)>,
+    /// The type of a body, if one was written.
+    body_type: Option<Ident>,
     /// The repeated part that it is in.
     repeat: Option<usize>,
 }
@@ -103,14 +105,14 @@ impl<'d, 'a> Sketch<'d, 'a> {
         named(written, &mut self.names)
     }
 
-    fn body(&mut self, name: Option<&Ident>, repeat: Option<usize>) {
-        let name = self.name(name);
-        self.parts.push(Part { name, hinge: None, repeat });
+    fn body(&mut self, name: Option<&Ident>, body_type: Option<&Ident>, repeat: Option<usize>) {
+        let (name, body_type) = (self.name(name), body_type.cloned());
+        self.parts.push(Part { name, hinge: None, body_type, repeat });
     }
 
     fn hinge(&mut self, name: Option<&Ident>, hinge: (HingeKind, Drive), repeat: Option<usize>) {
         let name = self.name(name);
-        self.parts.push(Part { name, hinge: Some(hinge), repeat });
+        self.parts.push(Part { name, hinge: Some(hinge), body_type: None, repeat });
     }
 
     fn weld(&mut self, repeat: Option<usize>) {
@@ -147,7 +149,7 @@ impl<'d, 'a> Sketch<'d, 'a> {
     fn enter(&mut self, before: Option<usize>, repeat: Option<usize>) {
         let ends_with_hinge = self.parts.last().is_some_and(|last| last.hinge.is_some());
         if (before.is_some() && ends_with_hinge) || (repeat.is_some() && !self.wants_hinge()) {
-            self.body(None, before);
+            self.body(None, None, before);
         }
     }
 
@@ -187,24 +189,24 @@ impl<'d, 'a> Sketch<'d, 'a> {
                 let kind = kind.and_then(|kind| kind.plain(self.draft.space));
                 self.driven(*name, kind.unwrap_or_else(|| pin_or_slider(self.draft)), repeat);
             }
-            Stop::Body { name, .. } => {
+            Stop::Body { name, word, .. } => {
                 if self.wants_hinge() {
                     self.weld(repeat);
                 }
-                self.body(Some(name), repeat);
+                self.body(Some(name), Some(word), repeat);
             }
             // The commonest hinge.
             Stop::Unknown { name, kind: None } if self.wants_hinge() => {
                 self.driven(*name, pin_or_slider(self.draft), repeat);
             }
-            Stop::Unknown { name, kind: None } => self.body(*name, repeat),
+            Stop::Unknown { name, kind: None } => self.body(*name, *name, repeat),
         }
     }
 
     /// A hinge, with a body before it where there is none.
     fn driven(&mut self, name: Option<&Ident>, kind: HingeKind, repeat: Option<usize>) {
         if !self.wants_hinge() {
-            self.body(None, repeat);
+            self.body(None, None, repeat);
         }
         let block = match name {
             Some(_) => None,
@@ -230,12 +232,12 @@ impl<'d, 'a> Sketch<'d, 'a> {
             self.finish = End::Free;
         }
         match (&self.finish, self.parts.last().map(|last| last.hinge.is_some())) {
-            (End::Free, Some(true)) => self.body(None, None),
+            (End::Free, Some(true)) => self.body(None, None, None),
             (End::Free, None) => {
                 if !starts_free {
                     self.weld(None);
                 }
-                self.body(None, None);
+                self.body(None, None, None);
             }
             (End::Held | End::Moving(_), Some(false)) => self.weld(None),
             _ => {}

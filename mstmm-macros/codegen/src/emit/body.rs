@@ -1,0 +1,131 @@
+//! Results at bodies, and the types of bodies with named points.
+
+use super::formula::value_tokens;
+use super::looped::usize_literal;
+use super::workspace::point_type;
+use super::{Plan, places};
+use crate::model::{Body, BodyId, NamedPoint, Value, Written, listed};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+use std::collections::HashSet;
+
+/// The types of results at bodies with named points.
+pub fn types(plan: &Plan) -> TokenStream {
+    let mut written = HashSet::new();
+    let bodies = plan.chain.bodies.iter().filter(|body| !body.points.is_empty());
+    bodies.filter(|body| written.insert(body.type_name.to_string())).map(|b| own(plan, b)).collect()
+}
+
+/// The type of results at bodies of one type.
+fn own(plan: &Plan, body: &Body) -> TokenStream {
+    let mstmm = &plan.mstmm;
+    let (name, visibility) = (own_name(plan, body), &plan.surface.visibility);
+    let (common, point) = (common(plan, body), point_type(plan));
+    let doc = format!(
+        " Results at a body `{}` of [`{}`]: its ends, its centre of mass and its named points.",
+        body.type_name, plan.chain.name
+    );
+    let shifts = usize_literal(plan.chain.dimension.shifts().len());
+    let (names, fields): (Vec<_>, Vec<_>) =
+        body.points.iter().map(|NamedPoint { name, .. }| (name, field(name))).unzip();
+    let docs = names.iter().map(|name| format!(" Returns the motion of the point `{name}`."));
+    quote! {
+        #[doc = #doc]
+        #[derive(Clone, Copy, Debug)]
+        #[allow(dead_code, non_snake_case, non_camel_case_types)]
+        #visibility struct #name<T> {
+            common_: #common,
+            #(#fields: [T; #shifts],)*
+        }
+        #[allow(dead_code, non_snake_case)]
+        impl<T: #mstmm::Scalar> #name<T> {
+            #(
+                #[doc = #docs]
+                #[inline]
+                #visibility fn #names(&self) -> #mstmm::BodyPoint<#point> {
+                    #mstmm::BodyPoint::new(self.common_.input(), self.#fields)
+                }
+            )*
+        }
+        impl<T: #mstmm::Scalar> ::core::ops::Deref for #name<T> {
+            type Target = #common;
+            #[inline]
+            fn deref(&self) -> &#common {
+                &self.common_
+            }
+        }
+    }
+}
+
+/// The type of results that all bodies have.
+fn common(plan: &Plan, body: &Body) -> TokenStream {
+    let (mstmm, point) = (&plan.mstmm, point_type(plan));
+    match body.written {
+        Written::ALL => quote!(#mstmm::BodyResult<T, #point>),
+        Written { output, com } => {
+            quote!(#mstmm::BodyResult<T, #point, #mstmm::Written<#output, #com>>)
+        }
+    }
+}
+
+fn own_name(plan: &Plan, body: &Body) -> Ident {
+    format_ident!("{}{}Result", plan.chain.name, body.type_name, span = Span::call_site())
+}
+
+/// The field of a named point, which is no field of the template.
+fn field(point: &Ident) -> Ident {
+    format_ident!("place_of_{point}", span = Span::call_site())
+}
+
+/// The type of the results at a body.
+pub fn type_of(plan: &Plan, body: &Body) -> TokenStream {
+    if body.points.is_empty() {
+        return common(plan, body);
+    }
+    let name = own_name(plan, body);
+    quote!(#name<T>)
+}
+
+/// The results at a body whose connection points are bound to `input_` and `output_`; `first` is the
+/// number of its input among all points.
+pub fn result(plan: &Plan, (body, place): (BodyId, usize), first: &impl ToTokens) -> TokenStream {
+    let mstmm = &plan.mstmm;
+    let body = &plan.chain.bodies[body];
+    let changing = &plan.programs.places.points[place].changing;
+    let mut vectors = body.own_points().zip(changing).map(|(position, place)| match place {
+        Some(place) => {
+            let place = places::signed(place);
+            quote!(self.vector_(#first, #place))
+        }
+        None => fixed(plan, position),
+    });
+    let com = vectors.next();
+    let common = quote!(#mstmm::BodyResult::new(input_, output_, #com));
+    if body.points.is_empty() {
+        return common;
+    }
+    let (name, fields) = (own_name(plan, body), body.points.iter().map(|point| field(&point.name)));
+    quote!(#name { common_: #common, #(#fields: #vectors,)* })
+}
+
+/// A vector that no parameter changes; zero where none reads it.
+fn fixed(plan: &Plan, position: &[Value; 3]) -> TokenStream {
+    let entries = plan.chain.dimension.shifts().iter().map(|&axis| match &position[axis] {
+        value if value.changes() => quote!(T::constant(0.0)),
+        value => {
+            let value = value_tokens(plan, value);
+            quote!(T::constant(#value))
+        }
+    });
+    quote!([#(#entries),*])
+}
+
+/// What can be read at a body.
+pub fn contents(body: &Body) -> String {
+    let names = body.points.iter().map(|point| format!("`{}`", point.name));
+    let ends = [("output", body.written.output), ("centre of mass", body.written.com)];
+    let ends = ends.iter().filter(|(_, written)| *written).map(|(text, _)| (*text).to_owned());
+    let all: Vec<String> = std::iter::once("input".to_owned()).chain(ends).chain(names).collect();
+    let all: Vec<&str> = all.iter().map(String::as_str).collect();
+    listed(&all)
+}

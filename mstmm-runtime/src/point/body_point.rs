@@ -1,0 +1,213 @@
+//! Motion of points fixed in a body.
+
+use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
+
+use super::{ConnectionPoint, HasPoses, HasVelocities, HasZ, LinePoint, PlanePoint, Point};
+use crate::Scalar;
+
+/// A point fixed in a body: its centre of mass, or a named point.
+///
+/// Vectors are in the inertial frame. Each method computes its value from the results at the body's
+/// input when it is called, and needs those results: a velocity also the pose, an acceleration all three
+/// of `poses`, `velocities` and `z`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyPoint<P: ConnectionPoint> {
+    input: P,
+    place: P::Vector,
+}
+
+impl<P: ConnectionPoint> BodyPoint<P> {
+    /// The point at `place`, m, in the frame of the body with this input.
+    #[inline]
+    pub fn new(input: P, place: P::Vector) -> Self {
+        Self { input, place }
+    }
+}
+
+impl<T: Scalar, R> BodyPoint<Point<T, R>> {
+    /// The way from the input to the point, inertial components.
+    #[inline]
+    fn arm(&self) -> [T; 3] {
+        let [x, y, z] = self.place;
+        let along = |[a, b, c]: [T; 3]| a.mul_add(x, b.mul_add(y, c * z));
+        self.input.rotation.map(along)
+    }
+
+    /// The position r = r_I + A r′ in m, from the inertial frame's origin.
+    #[inline]
+    pub fn position(&self) -> Vector3<T>
+    where
+        R: HasPoses,
+    {
+        self.input.position() + Vector3::from(self.arm())
+    }
+
+    /// The rotation A that turns components in the body's frame into inertial components.
+    #[inline]
+    pub fn orientation(&self) -> Rotation3<T>
+    where
+        R: HasPoses,
+    {
+        self.input.orientation()
+    }
+
+    /// The velocity ṙ = ṙ_I + Ω × A r′ in m/s.
+    #[inline]
+    pub fn velocity(&self) -> Vector3<T>
+    where
+        R: HasPoses + HasVelocities,
+    {
+        let turning = cross(self.input.angular_velocity, self.arm());
+        self.input.velocity() + Vector3::from(turning)
+    }
+
+    /// The body's angular velocity Ω in rad/s.
+    #[inline]
+    pub fn angular_velocity(&self) -> Vector3<T>
+    where
+        R: HasVelocities,
+    {
+        self.input.angular_velocity()
+    }
+
+    /// The acceleration r̈ = r̈_I + Ω̇ × A r′ + Ω × (Ω × A r′) in m/s². It is the true one: a body at rest
+    /// under gravity has none.
+    #[inline]
+    pub fn acceleration(&self) -> Vector3<T>
+    where
+        R: HasPoses + HasVelocities + HasZ,
+    {
+        let (arm, omega) = (self.arm(), self.input.angular_velocity);
+        let tangential = cross(self.input.z.angular_acceleration().into(), arm);
+        let centripetal = cross(omega, cross(omega, arm));
+        self.input.acceleration() + Vector3::from(tangential) + Vector3::from(centripetal)
+    }
+
+    /// The body's angular acceleration Ω̇ in rad/s².
+    #[inline]
+    pub fn angular_acceleration(&self) -> Vector3<T>
+    where
+        R: HasZ,
+    {
+        self.input.angular_acceleration()
+    }
+}
+
+impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
+    /// The way from the input to the point, inertial components.
+    #[inline]
+    fn arm(&self) -> Vector2<T> {
+        let ([cosine, sine], [x, y]) = (self.input.cos_sin, self.place);
+        Vector2::new(cosine.mul_add(x, -(sine * y)), sine.mul_add(x, cosine * y))
+    }
+
+    /// The position r = r_I + A r′ in m, from the inertial frame's origin.
+    #[inline]
+    pub fn position(&self) -> Vector2<T>
+    where
+        R: HasPoses,
+    {
+        self.input.position() + self.arm()
+    }
+
+    /// The rotation A that turns components in the body's frame into inertial components.
+    #[inline]
+    pub fn orientation(&self) -> Rotation2<T>
+    where
+        R: HasPoses,
+    {
+        self.input.orientation()
+    }
+
+    /// Cosine and sine of the angle by which the body's frame is turned against the inertial one,
+    /// counter-clockwise.
+    #[inline]
+    pub fn cos_sin(&self) -> (T, T)
+    where
+        R: HasPoses,
+    {
+        self.input.cos_sin()
+    }
+
+    /// The velocity ṙ = ṙ_I + Ω × A r′ in m/s.
+    #[inline]
+    pub fn velocity(&self) -> Vector2<T>
+    where
+        R: HasPoses + HasVelocities,
+    {
+        self.input.velocity() + across(self.arm()) * self.input.angular_velocity
+    }
+
+    /// The body's angular velocity Ω_z in rad/s.
+    #[inline]
+    pub fn angular_velocity(&self) -> T
+    where
+        R: HasVelocities,
+    {
+        self.input.angular_velocity()
+    }
+
+    /// The acceleration r̈ = r̈_I + Ω̇ × A r′ − Ω² A r′ in m/s². It is the true one: a body at rest under
+    /// gravity has none.
+    #[inline]
+    pub fn acceleration(&self) -> Vector2<T>
+    where
+        R: HasPoses + HasVelocities + HasZ,
+    {
+        let (arm, omega) = (self.arm(), self.input.angular_velocity);
+        let tangential = across(arm) * self.input.z.angular_acceleration();
+        self.input.acceleration() + tangential - arm * (omega * omega)
+    }
+
+    /// The body's angular acceleration Ω̇_z in rad/s².
+    #[inline]
+    pub fn angular_acceleration(&self) -> T
+    where
+        R: HasZ,
+    {
+        self.input.angular_acceleration()
+    }
+}
+
+impl<T: Scalar, R> BodyPoint<LinePoint<T, R>> {
+    /// The position x in m, from the inertial frame's origin.
+    #[inline]
+    pub fn position(&self) -> T
+    where
+        R: HasPoses,
+    {
+        let [place] = self.place;
+        self.input.position() + place
+    }
+
+    /// The velocity ẋ in m/s, that of all points of the body.
+    #[inline]
+    pub fn velocity(&self) -> T
+    where
+        R: HasVelocities,
+    {
+        self.input.velocity()
+    }
+
+    /// The acceleration ẍ in m/s², that of all points of the body.
+    #[inline]
+    pub fn acceleration(&self) -> T
+    where
+        R: HasZ,
+    {
+        self.input.acceleration()
+    }
+}
+
+/// The cross product.
+#[inline]
+fn cross<T: Scalar>([a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> [T; 3] {
+    [b.mul_add(z, -(c * y)), c.mul_add(x, -(a * z)), a.mul_add(y, -(b * x))]
+}
+
+/// The cross product of the unit vector along z and a vector in the plane.
+#[inline]
+fn across<T: Scalar>(vector: Vector2<T>) -> Vector2<T> {
+    let [x, y] = vector.into();
+    Vector2::new(-y, x)
+}
