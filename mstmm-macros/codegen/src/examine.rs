@@ -66,6 +66,8 @@ pub struct Drawing {
     pub centres: Vec<[f64; 3]>,
     /// The axis that is nearest to the vertical; z where there is no gravity.
     pub up: usize,
+    /// Gravity in m/s², with parameters at their defaults; none where it is zero or an input.
+    pub gravity: Option<[f64; 3]>,
 }
 
 /// Tries a chain out; what is wrong with it is reported.
@@ -282,15 +284,21 @@ impl Trial {
             points: report.points.iter().map(|point| position(point.position)).collect(),
             centres: self.chain.route.iter().zip(&report.points).map(centre).collect(),
             up: self.vertical(),
+            gravity: self.gravity(),
             chain: self.chain.clone(),
         }
     }
 
+    fn gravity(&self) -> Option<[f64; 3]> {
+        let Source::Constant(gravity) = &self.chain.gravity else { return None };
+        let gravity = self.numbers.vector(gravity).0.map(Number::value);
+        gravity.iter().any(|&part| part != 0.0).then_some(gravity)
+    }
+
     fn vertical(&self) -> usize {
-        let Source::Constant(gravity) = &self.chain.gravity else { return 2 };
-        let size = |axis: &usize| self.numbers.scalar(&gravity[*axis]).value().abs();
-        let largest = [2, 1, 0].into_iter().max_by(|a, b| size(a).total_cmp(&size(b)));
-        largest.filter(|axis| size(axis) > 0.0).unwrap_or(2)
+        let Some(gravity) = self.gravity() else { return 2 };
+        let size = |axis: usize| gravity[axis].abs();
+        [2, 1, 0].into_iter().max_by(|&a, &b| size(a).total_cmp(&size(b))).unwrap_or(2)
     }
 
     fn solved(&self, numbers: &Numbers<Number>, pose: &Pose) -> Solved<Number> {

@@ -1,21 +1,33 @@
 //! A picture of a chain as it starts, for the docs of its type: a person sees at once whether it is
 //! the one that was meant.
 
+use super::gravity;
 use crate::examine::Drawing;
 use crate::model::{Dimension, Element, Hinge, HingeKind, Place};
 
 /// The longer side of the picture, and the room around it.
 const SIZE: f64 = 400.0;
-const MARGIN: f64 = 36.0;
+pub(super) const MARGIN: f64 = 36.0;
 /// Names of more elements would cover each other.
 const NAMED: usize = 24;
 
 const BLUE: &str = "#3a87c8";
 
-/// The lines of the picture. Along each axis that shows there is an arrow.
+/// The lines of the picture. Along each axis that shows there is a line, along gravity an arrow.
 pub fn picture(drawing: &Drawing) -> Vec<String> {
     let view = View::of(drawing);
-    let [width, height] = view.size;
+    let [mut width, height] = view.size;
+    let names = match drawing.chain.route.len() {
+        ..=NAMED => names(drawing, &view),
+        _ => Vec::new(),
+    };
+    let sign = gravity::Sign::of(&view.axes, drawing.gravity);
+    let arrow = sign.map(|sign| {
+        // Beside all else.
+        let right = names.iter().map(Name::right).fold(width, f64::max);
+        width = right + gravity::ROOM;
+        sign.drawn([right, MARGIN])
+    });
     let mut lines = vec![
         String::new(),
         format!(
@@ -33,9 +45,8 @@ pub fn picture(drawing: &Drawing) -> Vec<String> {
         Element::Hinge(index) => Some(hinge(drawing, &view, place, &drawing.chain.hinges[*index])),
         Element::Body(_) => None,
     }));
-    if drawing.chain.route.len() <= NAMED {
-        lines.extend(names(drawing, &view));
-    }
+    lines.extend(names.iter().map(Name::drawn));
+    lines.extend(arrow);
     lines.push(" </svg>".into());
     lines
 }
@@ -53,14 +64,7 @@ struct View {
 
 impl View {
     fn of(drawing: &Drawing) -> View {
-        let (c, s) = (0.866, 0.5);
-        let [away, across, up] = [[-c, s], [c, s], [0.0, -1.0]];
-        let axes = match (drawing.chain.dimension, drawing.up) {
-            (Dimension::Plane | Dimension::Line, _) => [[1.0, 0.0], [0.0, -1.0], [0.0, 0.0]],
-            (Dimension::Space, 0) => [up, away, across],
-            (Dimension::Space, 1) => [across, up, away],
-            (Dimension::Space, _) => [away, across, up],
-        };
+        let axes = axes(drawing.chain.dimension, drawing.up);
         let mut view = View { axes, scale: 1.0, origin: [0.0; 2], size: [0.0; 2] };
         let seen = drawing.points.iter().chain(&drawing.centres).map(|point| view.place(point));
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
@@ -86,6 +90,18 @@ impl View {
             let seen: f64 = self.axes.iter().zip(point).map(|(axis, x)| axis[k] * x).sum();
             self.origin[k] + seen * self.scale
         })
+    }
+}
+
+/// What each axis is on the picture, right and down, where this one is nearest to the vertical.
+pub(super) fn axes(dimension: Dimension, up: usize) -> [[f64; 2]; 3] {
+    let (c, s) = (0.866, 0.5);
+    let [near, across, upwards] = [[-c, s], [c, s], [0.0, -1.0]];
+    match (dimension, up) {
+        (Dimension::Plane | Dimension::Line, _) => [[1.0, 0.0], [0.0, -1.0], [0.0, 0.0]],
+        (Dimension::Space, 0) => [upwards, near, across],
+        (Dimension::Space, 1) => [across, upwards, near],
+        (Dimension::Space, _) => [near, across, upwards],
     }
 }
 
@@ -177,21 +193,47 @@ fn hinge(drawing: &Drawing, view: &View, place: usize, hinge: &Hinge) -> String 
     format!(" {way}{sign} stroke=\"currentColor\" stroke-width=\"1.5\"/>")
 }
 
+/// The name of an element on the picture.
+struct Name {
+    text: String,
+    at: [f64; 2],
+    /// Whether it is the name of a body, in the middle over its place.
+    is_body: bool,
+}
+
+/// About how wide a letter is.
+const LETTER: f64 = 7.0;
+
+impl Name {
+    /// How far it reaches to the right.
+    fn right(&self) -> f64 {
+        let width = self.text.chars().count() as f64 * LETTER;
+        self.at[0] + if self.is_body { width / 2.0 } else { width }
+    }
+
+    fn drawn(&self) -> String {
+        let Name { text, at: [x, y], is_body } = self;
+        let style = if *is_body { " text-anchor=\"middle\" font-style=\"italic\"" } else { "" };
+        format!(" <text x=\"{x:.1}\" y=\"{y:.1}\"{style}>{text}</text>")
+    }
+}
+
 /// The names of bodies beside their middles, those of hinges beside their signs.
-fn names(drawing: &Drawing, view: &View) -> Vec<String> {
+fn names(drawing: &Drawing, view: &View) -> Vec<Name> {
     let name = |(place, element): (usize, &Element)| {
         let [a, b] = [place, place + 1].map(|end| view.place(&drawing.points[end]));
-        let (name, [x, y], style) = match *element {
-            Element::Body(index) => {
-                let middle = [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0 + 20.0];
-                let style = " text-anchor=\"middle\" font-style=\"italic\"";
-                (&drawing.chain.bodies[index].name, middle, style)
-            }
-            Element::Hinge(index) => {
-                (&drawing.chain.hinges[index].name, [a[0] + 8.0, a[1] - 8.0], "")
-            }
-        };
-        format!(" <text x=\"{x:.1}\" y=\"{y:.1}\"{style}>{name}</text>")
+        match *element {
+            Element::Body(index) => Name {
+                text: drawing.chain.bodies[index].name.to_string(),
+                at: [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0 + 20.0],
+                is_body: true,
+            },
+            Element::Hinge(index) => Name {
+                text: drawing.chain.hinges[index].name.to_string(),
+                at: [a[0] + 8.0, a[1] - 8.0],
+                is_body: false,
+            },
+        }
     };
     drawing.chain.route.iter().enumerate().map(name).collect()
 }

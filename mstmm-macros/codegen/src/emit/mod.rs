@@ -10,6 +10,7 @@ mod docs;
 mod drawing;
 mod dynamics;
 mod formula;
+mod gravity;
 mod inputs;
 mod integrable;
 mod looped;

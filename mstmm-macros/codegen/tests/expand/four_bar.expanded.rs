@@ -4,7 +4,7 @@
 ///
 /// `ground -> pin crank_pin -> crank -> pin a -> coupler -> pin b -> rocker -> pin rocker_pin -> ground`
 ///
-/// <svg role="img" aria-label="The chain at its start" viewBox="0 0 472 239" width="472" style="max-width:100%;height:auto" font-size="12" stroke-linecap="round" fill="currentColor">
+/// <svg role="img" aria-label="The chain at its start" viewBox="0 0 574 239" width="574" style="max-width:100%;height:auto" font-size="12" stroke-linecap="round" fill="currentColor">
 /// <path d="M22 217l14.0 0.0" stroke="currentColor" opacity="0.6"/><text x="43.0" y="219.6" font-size="10" opacity="0.6" text-anchor="middle">x</text>
 /// <path d="M22 217l0.0 -14.0" stroke="currentColor" opacity="0.6"/><text x="22.0" y="198.6" font-size="10" opacity="0.6" text-anchor="middle">y</text>
 /// <path d="M105.3 202.6L36.0 157.5" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M105.3 202.6L70.6 180.0L36.0 157.5" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="70.6" cy="180.0" r="3" fill="#3a87c8"/>
@@ -23,6 +23,7 @@
 /// <text x="260.2" y="28.0">b</text>
 /// <text x="344.1" y="139.3" text-anchor="middle" font-style="italic">rocker</text>
 /// <text x="444.0" y="194.6">rocker_pin</text>
+/// <path d="M544.0 22.0l0.0 28.0m-3.5 -6.1l3.5 6.1l3.5 -6.1" fill="none" stroke="currentColor" stroke-width="1.5"/><text x="557.0" y="40.0" font-style="italic" text-anchor="middle">g</text>
 /// </svg>
 ///
 /// | element | what it is | freedoms |

@@ -4,7 +4,7 @@
 ///
 /// `ground -> pin joint -> rod`
 ///
-/// <svg role="img" aria-label="The chain at its start" viewBox="0 0 72 472" width="72" style="max-width:100%;height:auto" font-size="12" stroke-linecap="round" fill="currentColor">
+/// <svg role="img" aria-label="The chain at its start" viewBox="0 0 139 472" width="139" style="max-width:100%;height:auto" font-size="12" stroke-linecap="round" fill="currentColor">
 /// <path d="M22 450l12.1 7.0" stroke="currentColor" opacity="0.6"/><text x="40.2" y="463.5" font-size="10" opacity="0.6" text-anchor="middle">x</text>
 /// <path d="M22 450l0.0 -14.0" stroke="currentColor" opacity="0.6"/><text x="22.0" y="432.0" font-size="10" opacity="0.6" text-anchor="middle">y</text>
 /// <path d="M22 450l-12.1 7.0" stroke="currentColor" opacity="0.6"/><text x="3.8" y="463.5" font-size="10" opacity="0.6" text-anchor="middle">z</text>
@@ -13,6 +13,7 @@
 /// <circle cx="36.0" cy="36.0" r="5" fill-opacity="0.15" stroke="currentColor" stroke-width="1.5"/>
 /// <text x="44.0" y="28.0">joint</text>
 /// <text x="36.0" y="56.0" text-anchor="middle" font-style="italic">rod</text>
+/// <path d="M109.0 22.0l0.0 28.0m-3.5 -6.1l3.5 6.1l3.5 -6.1" fill="none" stroke="currentColor" stroke-width="1.5"/><text x="122.0" y="40.0" font-style="italic" text-anchor="middle">g</text>
 /// </svg>
 ///
 /// | element | what it is | freedoms |

@@ -4,7 +4,7 @@
 ///
 /// `ground -> repeat 10 { pin joint -> rod } -> pin hook -> weight`
 ///
-/// <svg role="img" aria-label="The chain at its start" viewBox="0 0 472 112" width="472" style="max-width:100%;height:auto" font-size="12" stroke-linecap="round" fill="currentColor">
+/// <svg role="img" aria-label="The chain at its start" viewBox="0 0 532 112" width="532" style="max-width:100%;height:auto" font-size="12" stroke-linecap="round" fill="currentColor">
 /// <path d="M22 90l14.0 0.0" stroke="currentColor" opacity="0.6"/><text x="43.0" y="93.0" font-size="10" opacity="0.6" text-anchor="middle">x</text>
 /// <path d="M22 90l0.0 -14.0" stroke="currentColor" opacity="0.6"/><text x="22.0" y="72.0" font-size="10" opacity="0.6" text-anchor="middle">y</text>
 /// <path d="M36.0 36.0L76.0 36.0" stroke="#3a87c8" stroke-width="7" stroke-opacity="0.45"/><path d="M36.0 36.0L56.0 36.0L76.0 36.0" fill="none" stroke="#3a87c8" stroke-width="1"/><circle cx="56.0" cy="36.0" r="3" fill="#3a87c8"/>
@@ -52,6 +52,7 @@
 /// <text x="416.0" y="56.0" text-anchor="middle" font-style="italic">rod</text>
 /// <text x="444.0" y="28.0">hook</text>
 /// <text x="436.0" y="56.0" text-anchor="middle" font-style="italic">weight</text>
+/// <path d="M502.0 22.0l0.0 28.0m-3.5 -6.1l3.5 6.1l3.5 -6.1" fill="none" stroke="currentColor" stroke-width="1.5"/><text x="515.0" y="40.0" font-style="italic" text-anchor="middle">g</text>
 /// </svg>
 ///
 /// | element | what it is | freedoms |

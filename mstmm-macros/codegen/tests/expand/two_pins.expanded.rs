@@ -4,7 +4,7 @@
 ///
 /// `ground -> pin shoulder -> upper -> pin elbow -> lower`
 ///
-/// <svg role="img" aria-label="The chain at its start" viewBox="0 0 472 303" width="472" style="max-width:100%;height:auto" font-size="12" stroke-linecap="round" fill="currentColor">
+/// <svg role="img" aria-label="The chain at its start" viewBox="0 0 532 303" width="532" style="max-width:100%;height:auto" font-size="12" stroke-linecap="round" fill="currentColor">
 /// <path d="M22 281l12.1 7.0" stroke="currentColor" opacity="0.6"/><text x="40.2" y="294.4" font-size="10" opacity="0.6" text-anchor="middle">x</text>
 /// <path d="M22 281l0.0 -14.0" stroke="currentColor" opacity="0.6"/><text x="22.0" y="262.9" font-size="10" opacity="0.6" text-anchor="middle">y</text>
 /// <path d="M22 281l-12.1 7.0" stroke="currentColor" opacity="0.6"/><text x="3.8" y="294.4" font-size="10" opacity="0.6" text-anchor="middle">z</text>
@@ -17,6 +17,7 @@
 /// <text x="136.0" y="113.7" text-anchor="middle" font-style="italic">upper</text>
 /// <text x="244.0" y="143.5">elbow</text>
 /// <text x="336.0" y="229.2" text-anchor="middle" font-style="italic">lower</text>
+/// <path d="M502.0 22.0l0.0 28.0m-3.5 -6.1l3.5 6.1l3.5 -6.1" fill="none" stroke="currentColor" stroke-width="1.5"/><text x="515.0" y="40.0" font-style="italic" text-anchor="middle">g</text>
 /// </svg>
 ///
 /// | element | what it is | freedoms |

@@ -1,0 +1,204 @@
+//! The arrow of gravity on the picture of a chain.
+
+use super::drawing::MARGIN;
+
+/// The width of the room for the arrow.
+pub const ROOM: f64 = 2.0 * MARGIN - 12.0;
+/// The length of an arrow that is not foreshortened.
+const LENGTH: f64 = 28.0;
+/// An arrow that is shorter than this part of its length is drawn as if it were seen along it.
+const SHORTEST: f64 = 0.2;
+/// The length of the strokes at the point of the arrow.
+const HEAD: f64 = 7.0;
+
+/// How gravity is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sign {
+    /// In this direction, pixels to the right and down.
+    Across([f64; 2]),
+    /// Out of the picture.
+    Towards,
+    /// Into the picture.
+    Away,
+}
+
+impl Sign {
+    /// Gravity where the inertial axes are seen so, right and down; none where it is not known.
+    pub fn of(axes: &[[f64; 2]; 3], gravity: Option<[f64; 3]>) -> Option<Sign> {
+        let gravity = gravity?;
+        let largest = gravity.iter().fold(0.0_f64, |largest, part| largest.max(part.abs()));
+        let gravity = gravity.map(|part| part / largest);
+        let size = gravity.iter().map(|part| part * part).sum::<f64>().sqrt();
+        let seen = [0, 1].map(|k| {
+            let parts = axes.iter().zip(gravity).map(|(axis, part)| axis[k] * part);
+            parts.sum::<f64>() / size
+        });
+        if seen[0].hypot(seen[1]) >= SHORTEST {
+            return Some(Sign::Across(seen.map(|part| part * LENGTH)));
+        }
+        // The picture is seen from where all coordinates are positive.
+        let towards = gravity.iter().sum::<f64>() > 0.0;
+        Some(if towards { Sign::Towards } else { Sign::Away })
+    }
+
+    /// The sign in the middle of a room that begins at this place.
+    pub fn drawn(self, [left, middle]: [f64; 2]) -> String {
+        let [x, y] = [left + ROOM / 2.0, middle];
+        let (sign, [right, down]) = match self {
+            Sign::Across(way) => (arrow([x, y], way), beside(way)),
+            Sign::Towards => {
+                let dot = format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2\"/>");
+                (ring([x, y]) + &dot, [18.0, 0.0])
+            }
+            Sign::Away => {
+                let cross = format!(
+                    "<path d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\" stroke=\"currentColor\" \
+                     stroke-width=\"1.5\"/>",
+                    x - 4.0,
+                    y - 4.0
+                );
+                (ring([x, y]) + &cross, [18.0, 0.0])
+            }
+        };
+        format!(
+            " {sign}<text x=\"{:.1}\" y=\"{:.1}\" font-style=\"italic\" \
+             text-anchor=\"middle\">g</text>",
+            x + right,
+            y + down + 4.0
+        )
+    }
+}
+
+/// An arrow with its middle at this place.
+fn arrow([x, y]: [f64; 2], [right, down]: [f64; 2]) -> String {
+    let length = right.hypot(down);
+    let [along, across] = [[right, down], [-down, right]].map(|way| way.map(|part| part / length));
+    let stroke = |side: f64| [0, 1].map(|k| HEAD * (-0.87 * along[k] + side * 0.5 * across[k]));
+    let [[left_x, left_y], [right_x, right_y]] = [stroke(1.0), stroke(-1.0)];
+    format!(
+        "<path d=\"M{:.1} {:.1}l{right:.1} {down:.1}m{left_x:.1} {left_y:.1}l{:.1} {:.1}l{right_x:.1} \
+         {right_y:.1}\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"1.5\"/>",
+        x - right / 2.0,
+        y - down / 2.0,
+        -left_x,
+        -left_y
+    )
+}
+
+/// Beside an arrow, to its right; above one that lies level.
+fn beside([right, down]: [f64; 2]) -> [f64; 2] {
+    let distance = 13.0 / right.hypot(down);
+    let across = [down * distance, -right * distance];
+    let turned = across[0] < -1e-9 || (across[0].abs() <= 1e-9 && across[1] > 0.0);
+    if turned { across.map(|part| -part) } else { across }
+}
+
+fn ring([x, y]: [f64; 2]) -> String {
+    format!(
+        "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"8\" fill=\"none\" stroke=\"currentColor\" \
+         stroke-width=\"1.5\"/>"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::drawing::{axes, picture};
+    use super::Sign;
+    use crate::diag::Diagnostics;
+    use crate::examine::{Drawing, examine};
+    use crate::model::Dimension;
+
+    /// A chain with this gravity as it is drawn.
+    fn drawing(text: &str) -> Drawing {
+        let mut chains = crate::read(text.parse().expect("tokens")).expect("a right chain");
+        examine(&mut chains[0].0, &mut Diagnostics::default()).start.expect("a picture")
+    }
+
+    fn in_space(gravity: &str, rest: &str) -> Drawing {
+        drawing(&format!(
+            "chain C {{ {gravity} param tilt = 30 deg;
+                body Rod {{ mass = 1; com = [1, 0, 0]; inertia = diag(1, 1, 1) about com; }}
+                ground -> pin a -> Rod rod; {rest} }}"
+        ))
+    }
+
+    fn sign(drawing: &Drawing) -> Option<Sign> {
+        Sign::of(&axes(drawing.chain.dimension, drawing.up), drawing.gravity)
+    }
+
+    /// The direction to the right and down, of unit length.
+    fn way(drawing: &Drawing) -> [f64; 2] {
+        let Some(Sign::Across([right, down])) = sign(drawing) else { panic!("no arrow") };
+        [right, down].map(|part| part / right.hypot(down))
+    }
+
+    #[track_caller]
+    fn assert_near(found: [f64; 2], expected: [f64; 2]) {
+        let off = (found[0] - expected[0]).hypot(found[1] - expected[1]);
+        assert!(off < 1e-3, "{found:?} is not {expected:?}");
+    }
+
+    #[test]
+    fn gravity_points_down_along_each_axis() {
+        for gravity in ["[-9.8, 0, 0]", "[0, -9.8, 0]", "[0, 0, -9.8]", "[0, 0, -1e-300]"] {
+            assert_near(way(&in_space(&format!("gravity = {gravity};"), "")), [0.0, 1.0]);
+        }
+        assert_near(way(&in_space("gravity = [0, 0, 9.8];", "")), [0.0, -1.0]);
+    }
+
+    /// As far across as down: on the picture y leads to the right and down by 30°.
+    #[test]
+    fn gravity_that_is_tilted_points_where_the_axes_are_drawn() {
+        let tilted = in_space("gravity = [0, 5, -5 - 1e-9];", "");
+        assert_near(way(&tilted), [0.5, 0.866]);
+        let by_parameter = in_space("gravity = [sin(tilt), 0, -cos(tilt)];", "");
+        let (across, down) = (0.5 * 0.866, 0.5 * 0.5 + 0.866);
+        let length = f64::hypot(across, down);
+        assert_near(way(&by_parameter), [-across / length, down / length]);
+    }
+
+    #[test]
+    fn gravity_along_the_view_is_a_ring() {
+        assert_eq!(sign(&in_space("gravity = [-1, -1, -1];", "")), Some(Sign::Away));
+        assert_eq!(sign(&in_space("gravity = [2, 2, 2];", "")), Some(Sign::Towards));
+        assert_eq!(sign(&in_space("gravity = [-9, -9, -9.5];", "")), Some(Sign::Away));
+    }
+
+    #[test]
+    fn gravity_that_is_not_known_or_zero_is_not_drawn() {
+        for gravity in ["", "gravity = input;", "gravity = [0, 0, 0];"] {
+            assert_eq!(sign(&in_space(gravity, "")), None);
+        }
+    }
+
+    #[test]
+    fn gravity_lies_in_the_plane_and_along_the_line() {
+        let plane = "plane chain C { gravity = [3, -4];
+            body Rod { mass = 1; com = [1, 0]; inertia = 1 about com; } ground -> pin a -> Rod rod; }";
+        assert_eq!(axes(Dimension::Plane, 2), [[1.0, 0.0], [0.0, -1.0], [0.0, 0.0]]);
+        assert_near(way(&drawing(plane)), [0.6, 0.8]);
+        let line =
+            "line chain C { gravity = -9.8; body Car { mass = 1; } ground -> slider a -> Car b; }";
+        assert_near(way(&drawing(line)), [-1.0, 0.0]);
+    }
+
+    /// All that is drawn before it ends to the left of the arrow's room.
+    #[test]
+    fn the_arrow_is_beside_the_chain() {
+        let long = "plane chain C { gravity = [0, -9.8];
+            body Rod { mass = 1; com = [1, 0]; output = [2, 0]; inertia = 1 about com; }
+            ground -> repeat 4 { pin a -> Rod rod } -> pin a_hinge_with_a_long_name -> Rod last; }";
+        let lines = picture(&drawing(long));
+        let arrow = lines.iter().find(|line| line.contains(">g<")).expect("an arrow");
+        let place = |text: &str, before: &str| -> f64 {
+            let (_, rest) = text.split_once(before).expect("a place");
+            rest.split([' ', '"']).next().and_then(|x| x.parse().ok()).expect("a number")
+        };
+        let width = place(&lines[1], "viewBox=\"0 0 ");
+        let at = place(arrow, "d=\"M");
+        assert!(at + 28.0 < width, "{arrow}");
+        let names = lines.iter().filter(|line| line.contains("a_hinge_with_a_long_name"));
+        let ends = names.map(|name| place(name, "<text x=\"") + 24.0 * 6.0);
+        assert!(ends.chain([436.0]).all(|end| end < at), "{lines:?}");
+    }
+}
