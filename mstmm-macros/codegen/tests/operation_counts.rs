@@ -113,3 +113,38 @@ fn counts_are_below_those_of_a_traced_recursion() {
         }
     }
 }
+
+/// Points that can be read take no operation where nobody reads them, and are kept only where parameters
+/// change them.
+#[test]
+fn points_of_bodies_cost_nothing() {
+    let of = |points: &str| {
+        let text = format!(
+            "chain Arm {{
+                gravity = [0, 0, -9.8];
+                param reach = 1;
+                body Rod {{
+                    mass = 1;
+                    com = [0.5, 0.1, 0];
+                    output = [1, 0, 0];
+                    inertia = diag(1, 1, 1) about com;
+                    {points}
+                }}
+                ground -> pin(y) base -> Rod first -> repeat 3 {{ ball joint -> Rod rod }};
+            }}"
+        );
+        let mut chains =
+            mstmm_codegen::read(text.parse().expect("tokens")).unwrap_or_else(|e| panic!("{e}"));
+        let (chain, _) = chains.remove(0);
+        let programs = programs(&chain, &Layout::of(&chain));
+        let kept: usize = programs.places.pieces.iter().map(|(count, _)| count).sum();
+        (programs.accelerations.cost(), programs.solution.cost(), programs.setup.cost(), kept)
+    };
+    let (accelerations, solution, setup, kept) = of("");
+    let fixed = of("point tip = [1, 0.2, 0.3]; point mark = [CONSTANT, 0, 2 * CONSTANT];");
+    assert_eq!(fixed, (accelerations, solution, setup, kept));
+    let changing = of("point tip = [reach, 0.2, 0]; point mark = [0, 2 * reach, -reach];");
+    assert_eq!((changing.0, changing.1), (accelerations, solution));
+    // Two vectors for the body that stands once, and two for those that are repeated.
+    assert_eq!(changing.3, kept + 12);
+}
