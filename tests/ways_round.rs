@@ -152,8 +152,8 @@ fn two_loads_join_a_branch_to_its_trunk() {
     through.solve_into(&whole, &through.no_inputs(), &mut at).expect("a solution");
     let start = at.right().input();
     b.right_mut()
-        .set_position(start.position().into())
-        .set_velocity(start.velocity().into())
+        .set_position(start.position())
+        .set_velocity(start.velocity())
         .set_rate(start.angular_velocity());
 
     let (mut on_trunk, mut on_branch) = (trunk.workspace(), branch.workspace());

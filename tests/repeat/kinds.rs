@@ -68,7 +68,7 @@ twins! {
             start_velocity = [1, 2, 3];
             start_rate = [3, 2, 1];
         }
-        hinge c { start = [0.3, 0.1, 0.2] m turned rpy(0.1, 0.2, 8); start_rate = [1, 2, 1]; }
+        hinge c { start = [0.3, 0.1, 0.2] m turned rpy(0.1, 0.2, 8) rad; start_rate = [1, 2, 1]; }
     } = SixfoldOut {
         ground -> floating a1 -> Rod b1 -> elastic c1 -> Cube d1
             -> floating a2 -> Rod b2 -> elastic c2 -> Cube d2;
@@ -77,7 +77,7 @@ twins! {
             start_velocity = [1, 2, 3];
             start_rate = [3, 2, 1];
         }
-        hinge c1, c2 { start = [0.3, 0.1, 0.2] m turned rpy(0.1, 0.2, 8); start_rate = [1, 2, 1]; }
+        hinge c1, c2 { start = [0.3, 0.1, 0.2] m turned rpy(0.1, 0.2, 8) rad; start_rate = [1, 2, 1]; }
     };
 
     welds: Welded {

@@ -3,8 +3,6 @@
 use super::each_mistake_once::{ITEMS, expect_rods};
 use super::{expect, expect_all};
 
-const ROUTE: &str = "ground -> pin(z) shoulder -> Cube upper -> ball wrist -> Rod rod;";
-
 const BODY_BETWEEN: &str = "; put one there, with a mass, however small";
 
 /// Hinges in a row.
