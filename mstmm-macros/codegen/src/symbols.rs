@@ -27,7 +27,7 @@ impl Symbols {
         let inputs = || layout.inputs.iter().flat_map(|input| input_names(chain, input));
         let steps = match chain.closure_rank {
             ClosureRank::FoundAtRunTime(directions) => directions,
-            ClosureRank::Unknown | ClosureRank::Known(_) => 0,
+            ClosureRank::Unknown | ClosureRank::Known { .. } => 0,
         };
         let groups: [Vec<String>; 7] = [
             parameters.collect(),

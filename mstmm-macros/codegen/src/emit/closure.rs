@@ -10,7 +10,7 @@ use quote::quote;
 pub fn directions(plan: &Plan) -> Option<usize> {
     match plan.chain.closure_rank {
         ClosureRank::FoundAtRunTime(directions) => Some(directions),
-        ClosureRank::Unknown | ClosureRank::Known(_) => None,
+        ClosureRank::Unknown | ClosureRank::Known { .. } => None,
     }
 }
 

@@ -188,10 +188,13 @@ impl<'a, S: Scalar> Situation<'a, S> {
     /// What the solution for the reactions of a closing hinge that holds so many directions has to know.
     pub fn linkage(&self, held: usize) -> Linkage<S> {
         let rank = match self.chain.closure_rank {
-            ClosureRank::Known(rank) => Rank::Known(rank),
-            _ => {
-                let given = self.numbers.closure_steps.iter().copied();
-                Rank::Given(given.chain(std::iter::repeat(S::one())).take(held).collect())
+            // In an implicit step springs and dampers hold directions with an inertia of their own, each
+            // of which is independent of all others.
+            ClosureRank::Known { rank, directions } => Rank::Known(rank + held - directions),
+            ClosureRank::Unknown | ClosureRank::FoundAtRunTime(_) => {
+                let given = &self.numbers.closure_steps;
+                let ones = std::iter::repeat_n(S::one(), held - given.len());
+                Rank::Given(ones.chain(given.iter().copied()).collect())
             }
         };
         let times = |link: &Link| self.chain.times(Element::Hinge(link.hinge));

@@ -192,7 +192,12 @@ pub enum ClosureRank {
     /// Nobody knows: every state decides by the size of its pivots.
     Unknown,
     /// So many, whatever the parameters.
-    Known(usize),
+    Known {
+        /// How many of them are independent.
+        rank: usize,
+        /// How many there are, those among them that the inertia of a rotor holds.
+        directions: usize,
+    },
     /// It is found when parameters are set; the hinge holds so many directions.
     FoundAtRunTime(usize),
 }

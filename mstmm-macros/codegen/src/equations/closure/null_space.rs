@@ -1,0 +1,58 @@
+//! Reactions that make no difference to the motion: equation (4) of [`super`].
+
+use super::super::hinge::dot;
+use super::rows::{Left, Pivot};
+use super::{plus_scaled, without};
+use crate::math::Scalar;
+
+/// Equation (4): a direction for each row, zero where the pivot of its step is none of rounding.
+pub(super) fn null_directions<S: Scalar>(pivots: &[Pivot<S>], left: Left<S>) -> Vec<Vec<S>> {
+    let mut directions = Vec::new();
+    for (k, pivot) in pivots.iter().enumerate() {
+        let is_rounding = S::one() - pivot.value * pivot.inverse;
+        let start = pivot.choice.iter().map(|&x| x * is_rounding).collect();
+        directions.push(null_direction(&pivots[..k], start));
+    }
+    let mut open: Vec<S> = left.alive.iter().map(|&row| left.open[row]).collect();
+    for _ in pivots.len()..open.len() {
+        let first = first(&open);
+        open = plus_scaled(open, &first, -S::one());
+        directions.push(null_direction(pivots, left.spread(first)));
+    }
+    let count = left.open.len();
+    for row in (0..count).filter(|row| !left.alive.contains(row)) {
+        let entry = |k| if k == row { S::one() } else { S::zero() };
+        directions.push((0..count).map(entry).collect());
+    }
+    directions
+}
+
+/// `start` and what it takes along the rows that steps have chosen for `l_kᵀ x = 0`.
+fn null_direction<S: Scalar>(pivots: &[Pivot<S>], start: Vec<S>) -> Vec<S> {
+    pivots.iter().rev().fold(start, |x, pivot| {
+        let step = -dot(&pivot.column, &x);
+        plus_scaled(x, &pivot.choice, step)
+    })
+}
+
+/// Of weights that are zero or one, the first that is one.
+fn first<S: Scalar>(weights: &[S]) -> Vec<S> {
+    let mut found = S::zero();
+    let one = |&weight: &S| {
+        let first = weight * (S::one() - found);
+        found = found + first;
+        first
+    };
+    weights.iter().map(one).collect()
+}
+
+/// The directions as unit vectors across each other; zero stays zero.
+pub(super) fn orthonormal<S: Scalar>(directions: Vec<Vec<S>>) -> Vec<Vec<S>> {
+    let mut units: Vec<Vec<S>> = Vec::new();
+    for direction in directions {
+        let own = units.iter().fold(direction, |x, unit| without(x, unit));
+        let length = dot(&own, &own).recip_above(S::one()).sqrt();
+        units.push(own.iter().map(|&x| x * length).collect());
+    }
+    units
+}

@@ -1,0 +1,186 @@
+//! Rows of a closure, eliminated in the order of what is left of them: equation (1) of [`super`].
+
+use super::super::hinge::dot;
+use super::{Rank, Reactions, plus_scaled};
+use crate::math::{NOISE, Scalar};
+
+/// What a step found.
+pub(super) struct Pivot<S> {
+    /// `e_i`
+    pub(super) choice: Vec<S>,
+    /// `l_k`: one in the row of this step, zero in those of earlier steps, and zero where the pivot is
+    /// rounding.
+    pub(super) column: Vec<S>,
+    /// `d_k`
+    pub(super) value: S,
+    /// `d_k / s_i`
+    pub(super) measured: S,
+    /// `1 / d_k`, zero where the pivot is rounding.
+    pub(super) inverse: S,
+}
+
+/// A row of `J`, twice: the product of two rows is that of the left one's entries with the right one's.
+#[derive(Clone)]
+struct Row<S> {
+    left: Vec<S>,
+    /// The same, but for the part of `G` that is between them.
+    right: Vec<S>,
+}
+
+impl<S: Scalar> Row<S> {
+    fn product(&self, other: &Self) -> S {
+        dot(&self.left, &other.right)
+    }
+
+    fn plus_scaled(self, other: &Self, factor: S) -> Self {
+        let left = plus_scaled(self.left, &other.left, factor);
+        Row { left, right: plus_scaled(self.right, &other.right, factor) }
+    }
+
+    fn vanishes(&self) -> bool {
+        self.right.iter().all(|x| x.vanishes())
+    }
+}
+
+/// What earlier steps have left.
+pub(super) struct Left<S> {
+    rows: Vec<Row<S>>,
+    /// One for each row that no step has chosen yet.
+    pub(super) open: Vec<S>,
+    /// Those that do not vanish in every state; no step chooses another one.
+    pub(super) alive: Vec<usize>,
+}
+
+/// Equation (1), step by step.
+pub(super) fn factorised<S: Scalar>(system: &Reactions<S>) -> (Vec<Pivot<S>>, Left<S>) {
+    let mut left = Left::of(system);
+    let mut pivots = Vec::new();
+    let is_regular = system.is_regular(&left);
+    for allowed in system.steps(&left) {
+        let is_last = pivots.len() + 1 == left.alive.len();
+        let choice = match () {
+            () if is_regular => left.next(pivots.len()),
+            () if is_last => left.last(),
+            () => left.largest(&system.sizes),
+        };
+        pivots.push(left.eliminate(choice, system, allowed));
+    }
+    (pivots, left)
+}
+
+impl<S: Scalar> Left<S> {
+    fn of(system: &Reactions<S>) -> Self {
+        let count = system.right.len();
+        let repeated = |i: usize, j: usize| system.repeated[i.max(j)][i.min(j)];
+        let shared: Vec<usize> = (0..count).filter(|&k| !repeated(k, k).vanishes()).collect();
+        let roots: Vec<S> = system.dofs.iter().map(|dof| dof.inverse.sqrt()).collect();
+        let row = |i: usize| {
+            let dofs = system.dofs.iter().zip(&roots);
+            let own: Vec<S> = dofs.map(|(dof, &root)| dof.along[i] * root).collect();
+            let unit = shared.iter().map(|&k| if k == i { S::one() } else { S::zero() });
+            let between = shared.iter().map(|&k| repeated(i, k));
+            let left = own.iter().copied().chain(unit).collect();
+            Row { left, right: own.iter().copied().chain(between).collect() }
+        };
+        let rows: Vec<Row<S>> = (0..count).map(row).collect();
+        let alive = (0..count).filter(|&k| !rows[k].vanishes()).collect();
+        Left { rows, open: vec![S::one(); count], alive }
+    }
+
+    /// The row of a step in the order of rows.
+    fn next(&self, step: usize) -> Vec<S> {
+        let weight = |k| if k == step { S::one() } else { S::zero() };
+        self.spread((0..self.alive.len()).map(weight).collect())
+    }
+
+    /// The only row that is open.
+    fn last(&self) -> Vec<S> {
+        self.spread(self.alive.iter().map(|&row| self.open[row]).collect())
+    }
+
+    /// The open row of which most is left.
+    fn largest(&self, sizes: &[S]) -> Vec<S> {
+        self.spread(largest(&self.scores(sizes)).0)
+    }
+
+    /// How much is left of that row.
+    pub(super) fn excess(&self, system: &Reactions<S>) -> S {
+        largest(&self.scores(&system.sizes)).1
+    }
+
+    /// How much is left of each row that may be chosen.
+    fn scores(&self, sizes: &[S]) -> Vec<S> {
+        let score = |&k: &usize| {
+            let (row, open) = (&self.rows[k], self.open[k]);
+            // Rows that are not open come behind all others.
+            let closed = S::one() - open;
+            row.product(row) * sizes[k].recip_above(S::zero()) * open - closed
+        };
+        self.alive.iter().map(score).collect()
+    }
+
+    /// Weights of the rows that may be chosen, as those of all rows.
+    pub(super) fn spread(&self, weights: Vec<S>) -> Vec<S> {
+        let mut all = vec![S::zero(); self.open.len()];
+        for (&row, weight) in self.alive.iter().zip(weights) {
+            all[row] = weight;
+        }
+        all
+    }
+
+    fn eliminate(&mut self, choice: Vec<S>, system: &Reactions<S>, allowed: S) -> Pivot<S> {
+        let zero = vec![S::zero(); self.rows[0].left.len()];
+        let none = Row { left: zero.clone(), right: zero };
+        let weighted = self.rows.iter().zip(&choice);
+        let chosen = weighted.fold(none, |sum, (row, &weight)| sum.plus_scaled(row, weight));
+        let (value, size) = (chosen.product(&chosen), dot(&choice, &system.sizes));
+        let inverse = system.guarded_reciprocal(value, size) * allowed;
+        let along = |(row, &open): (&Row<S>, &S)| row.product(&chosen) * inverse * open;
+        let column: Vec<S> = self.rows.iter().zip(&self.open).map(along).collect();
+        for (row, &amount) in self.rows.iter_mut().zip(&column) {
+            *row = row.clone().plus_scaled(&chosen, -amount);
+        }
+        self.open = plus_scaled(self.open.clone(), &choice, -S::one());
+        let measured = value * size.recip_above(S::zero());
+        Pivot { choice, column, value, measured, inverse }
+    }
+}
+
+impl<S: Scalar> Reactions<S> {
+    /// Whether no row depends on others but in singular poses: then any order of rows will do.
+    pub(super) fn is_regular(&self, left: &Left<S>) -> bool {
+        matches!(self.linkage.rank, Rank::Known(rank) if rank >= left.alive.len())
+    }
+
+    /// A weight for each step that may be taken: one, or zero beyond the rank.
+    fn steps(&self, left: &Left<S>) -> Vec<S> {
+        let most = left.alive.len();
+        match &self.linkage.rank {
+            Rank::Known(rank) => vec![S::one(); most.min(*rank)],
+            Rank::Given(steps) => steps.iter().copied().take(most).collect(),
+        }
+    }
+
+    /// `1 / d` of a square, or zero where a direction is not determined: by a pivot of less than a unit in
+    /// the last place of `s_i`, rounding of `b` would make larger reactions than the loads do.
+    fn guarded_reciprocal(&self, square: S, size: S) -> S {
+        let is_kept = self.repeated.iter().flatten().all(|x| x.vanishes());
+        let units = if is_kept { 1.0 } else { self.linkage.noise };
+        square.recip_above(size * S::number(units / NOISE))
+    }
+}
+
+/// Weights that are one at the largest of the numbers and zero elsewhere, and that number.
+fn largest<S: Scalar>(numbers: &[S]) -> (Vec<S>, S) {
+    let mut weights = vec![S::one()];
+    let mut best = numbers[0];
+    for &number in &numbers[1..] {
+        let (is_less, is_more) = (number - best).sides();
+        for weight in &mut weights {
+            *weight = *weight * is_less;
+        }
+        weights.push(is_more);
+        best = best * is_less + number * is_more;
+    }
+    (weights, best)
+}
