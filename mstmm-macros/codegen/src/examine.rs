@@ -5,7 +5,7 @@ use crate::diag::Diagnostics;
 use crate::equations::{self, Axes, Numbers, Point, Reaction, Situation, Solved, Swept, Trace};
 use crate::math::{Structured, Vec3};
 use crate::model::{
-    Chain, ClosureRank, Drive, Driven, Element, Hinge, HingeId, Layout, Method, Source,
+    Chain, ClosureRank, Drive, Driven, Element, Hinge, HingeId, Layout, Method, Role, Source,
 };
 use proc_macro2::Ident;
 
@@ -40,6 +40,9 @@ type Number = Structured<f64>;
 pub struct Examination {
     /// How its closure holds a chain that is held at both ends, where a closed pose was found.
     pub mobility: Option<Mobility>,
+    /// The largest mass divided by the smallest, parameters at their defaults; nothing where Rust constants
+    /// decide.
+    pub mass_ratio: Option<f64>,
     /// The chain at its start, closed if it is a closed one; nothing where Rust constants decide.
     pub start: Option<Drawing>,
 }
@@ -87,15 +90,16 @@ pub fn examine(chain: &mut Chain, diagnostics: &mut Diagnostics) -> Examination 
     }
     let poses = trial.closed_poses();
     let mobility = if whole { trial.mobility(&poses) } else { None };
-    if let (Some((rank, _)), true) =
+    if let (Some((rank, directions)), true) =
         (trial.closure_rank(&poses), whole && chain.geometry_is_known())
     {
-        chain.closure_rank = ClosureRank::Known(rank);
+        chain.closure_rank = ClosureRank::Known { rank, directions };
     }
     if let Some(Mobility { freedoms: 0, .. }) = mobility {
         trial.refuse_rigid_chain(diagnostics);
     }
-    Examination { mobility, start: Some(trial.drawing(poses)) }
+    let mass_ratio = Some(trial.mass_ratio());
+    Examination { mobility, mass_ratio, start: Some(trial.drawing(poses)) }
 }
 
 /// The chain's numbers with parameters at their defaults. Rust constants, which are not known, are any
@@ -169,6 +173,16 @@ impl Trial {
             idle = Some(still);
         }
         idle.unwrap_or_default()
+    }
+
+    /// The largest mass divided by the smallest.
+    fn mass_ratio(&self) -> f64 {
+        let bodies = self.chain.bodies.iter().filter(|body| body.role == Role::Matter);
+        let masses = bodies.map(|body| self.numbers.scalar(&body.mass).value());
+        let (least, most) = masses.fold((f64::INFINITY, 0.0_f64), |(least, most), mass| {
+            (least.min(mass), most.max(mass))
+        });
+        most / least
     }
 
     /// Whether Rust constants of these numbers would be right ones.

@@ -63,10 +63,6 @@ pub struct Programs {
 /// measured (thirty balls) and six times as many in the worst (one ball).
 const AXES: Axes = Axes::Body;
 
-/// Chains of up to this many bodies are also counted with `transfer`; for longer ones `riccati`
-/// was cheaper in every case measured.
-const COUNTED_WITH_TRANSFER: usize = 2;
-
 /// Writes down, simplifies and orders all equations of `chain`.
 pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
     let symbols = Symbols::of(chain, layout);
@@ -74,7 +70,7 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
     let graph = Graph::default();
     let scene = Scene::new(chain, (layout, &merged), &symbols, &graph);
     let mut setup = Setup::default();
-    let method = scene.cheapest();
+    let method = chain.method.unwrap_or(Method::Riccati);
     let (Issued { program: accelerations, waits }, pivots) =
         scene.accelerations(method, &mut setup);
     let waiting = waits.then_some(&accelerations);
@@ -156,25 +152,6 @@ impl<'a, 'g> Scene<'a, 'g> {
 
     fn situation<'b>(&'b self, layout: &'b Layout) -> Situation<'b, Expr<'g>> {
         Situation::new(self.chain, layout, &self.numbers, (&self.q, &self.v, &self.inputs))
-    }
-
-    /// The method asked for, or the cheapest.
-    fn cheapest(&self) -> Method {
-        if let Some(method) = self.chain.method {
-            return method;
-        }
-        if self.layout.links.len() > COUNTED_WITH_TRANSFER {
-            return Method::Riccati;
-        }
-        let cost = |method| {
-            let (issued, _) = self.accelerations(method, &mut Setup::default());
-            issued.program.cost().arithmetic()
-        };
-        if cost(Method::Transfer) < cost(Method::Riccati) {
-            Method::Transfer
-        } else {
-            Method::Riccati
-        }
     }
 
     fn accelerations(&self, method: Method, setup: &mut Setup) -> (Issued, Vec<HingeId>) {

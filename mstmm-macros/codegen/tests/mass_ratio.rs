@@ -1,0 +1,94 @@
+//! What both methods lose where masses are far apart, on random chains beside numbers of twice the
+//! precision. The docs of chains by `transfer` quote the bound that is held here.
+
+mod common;
+
+use common::double_double::DoubleDouble;
+use common::{compute, read};
+use mstmm_codegen::equations::Axes;
+use mstmm_codegen::math::Scalar;
+use mstmm_codegen::model::Method;
+use mstmm_reference::Random;
+use std::fmt::Write;
+
+/// A chain of bodies of like size, a state, and the ratio of its masses.
+struct Sample {
+    text: String,
+    q: Vec<f64>,
+    v: Vec<f64>,
+    ratio: f64,
+}
+
+/// Masses are spread over so many powers of ten.
+fn sample(random: &mut Random, bodies: usize, powers: f64, balls: bool) -> Sample {
+    let mut text = String::from("chain Far { gravity = [0, -9.8, 0];\n");
+    let mut route = String::from("ground");
+    let masses: Vec<f64> = (0..bodies).map(|_| 10_f64.powf(random.between(-powers, 0.0))).collect();
+    for (k, &mass) in masses.iter().enumerate() {
+        let mut moment = |least: f64, most: f64| mass * random.between(least, most);
+        let (xx, yy, zz) = (moment(0.05, 0.1), moment(0.1, 0.14), moment(0.1, 0.14));
+        let (length, roll, pitch) =
+            (random.between(0.5, 1.5), random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+        writeln!(
+            text,
+            "body B{k} {{ mass = {mass:e}; com = [{:e}, 0.1, 0.05]; inertia = diag({xx:e}, {yy:e}, \
+             {zz:e}) about com; output = [{length:e}, 0, 0] turned rpy({roll:e}, {pitch:e}, 0); }}",
+            length / 2.0
+        )
+        .expect("text can be written");
+        let kind = if balls { "ball" } else { "pin(z)" };
+        write!(route, " -> {kind} h{k} -> B{k} b{k}").expect("text can be written");
+    }
+    let quaternion = |random: &mut Random| {
+        let all = [(); 4].map(|()| random.between(-1.0, 1.0));
+        let length = all.iter().map(|x| x * x).sum::<f64>().sqrt();
+        all.map(|x| x / length).to_vec()
+    };
+    let coordinates = |_| if balls { quaternion(random) } else { vec![random.between(-1.0, 1.0)] };
+    let q = (0..bodies).flat_map(coordinates).collect();
+    let rates = if balls { 3 * bodies } else { bodies };
+    let v = (0..rates).map(|_| random.between(-1.0, 1.0)).collect();
+    let extreme = |pick: fn(f64, f64) -> f64, start| masses.iter().copied().fold(start, pick);
+    let ratio = extreme(f64::max, 0.0) / extreme(f64::min, f64::INFINITY);
+    Sample { text: text + &route + "; }", q, v, ratio }
+}
+
+fn accelerations<S: Scalar>(sample: &Sample, method: Method) -> Vec<S> {
+    let chain = read(&sample.text);
+    let efforts = vec![0.0; sample.v.len()];
+    compute(&chain, (method, Axes::Body), &sample.q, &sample.v, &efforts).accelerations
+}
+
+/// The largest difference, relative to the largest acceleration.
+fn error(found: &[f64], truth: &[DoubleDouble]) -> f64 {
+    let size = truth.iter().fold(0.0_f64, |size, x| size.max(x.high.abs()));
+    found.iter().zip(truth).map(|(x, t)| (x - t.high).abs() / size).fold(0.0, f64::max)
+}
+
+#[test]
+fn transfer_loses_no_more_than_its_docs_say() {
+    let first = std::env::var("MSTMM_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(0);
+    println!("from seed {first}");
+    for powers in [0.0, 1.0, 2.0, 4.0, 6.0] {
+        let mut worst = [0.0_f64; 2];
+        for seed in first..first + 30 {
+            let mut random = Random::new(seed);
+            for (bodies, balls) in
+                [(2, false), (2, true), (5, false), (5, true), (9, false), (9, true)]
+            {
+                let sample = sample(&mut random, bodies, powers, balls);
+                let truth = accelerations::<DoubleDouble>(&sample, Method::Riccati);
+                let riccati = error(&accelerations(&sample, Method::Riccati), &truth);
+                let transfer = error(&accelerations(&sample, Method::Transfer), &truth);
+                let limit = 100.0 * (10.0 + sample.ratio) * f64::EPSILON;
+                assert!(
+                    transfer < limit,
+                    "seed {seed}: {transfer:e} of {limit:e}\n{}",
+                    sample.text
+                );
+                worst = [worst[0].max(riccati), worst[1].max(transfer)];
+            }
+        }
+        println!("masses over 10^{powers}: riccati {:.1e}, transfer {:.1e}", worst[0], worst[1]);
+    }
+}
