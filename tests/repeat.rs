@@ -10,6 +10,7 @@ mod repeat {
     mod named;
     mod parameters;
     mod places;
+    mod redundant;
     mod twins;
 }
 mod support;
