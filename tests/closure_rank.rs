@@ -250,6 +250,63 @@ fn a_parameter_may_change_the_rank() {
     assert_eq!(solve(&chain), (free, 3));
 }
 
+/// An arm that turns about two axes, shifts along its own and is held at its base's point. Without a length it
+/// may turn as it likes, by two independent directions of three; stretched, it may not turn at all.
+macro_rules! polar {
+    ($name:ident, $method:ident, [$($parameter:tt)*], $rest:expr) => {
+        mstmm_chain! {
+            pub chain $name {
+                method = $method;
+                $($parameter)*
+                body Cart {
+                    mass = 1 kg; com = [0.1, 0.2, 0] m; inertia = diag(0.1, 0.12, 0.13) kg*m^2 about com;
+                    output = [$rest, 0, 0] m;
+                }
+                body Arm {
+                    mass = 2 kg; com = [0.3, 0.1, 0.1] m; inertia = diag(0.1, 0.15, 0.18) kg*m^2 about com;
+                    output = [0, 0, 0] m;
+                }
+                ground -> slider(x) shift -> Cart cart -> universal(z, y) turn -> Arm arm
+                    -> slider(x) length -> Cart head -> ball hold -> ground at [2 * $rest, 0, 0] m;
+                hinge turn { start = [50, -40] deg; }
+            }
+        }
+    };
+}
+
+polar!(Polar, riccati, [], 0);
+polar!(PolarByTransfer, transfer, [], 0);
+polar!(PolarOf, riccati, [param rest = 0;], (rest));
+
+macro_rules! another_rank_is_an_error {
+    ($chain:ty) => {
+        let chain = <$chain>::new();
+        let (mut at, inputs) = (chain.workspace(), chain.no_inputs());
+        let mut state = chain.initial_state();
+        chain.assemble(&mut state, &inputs).expect("an arm without a length");
+        chain.solve_into(&state, &inputs, &mut at).expect("a state");
+        assert_eq!(at.closure().redundant(), 1);
+        let stretched = || {
+            let mut state = chain.initial_state();
+            state.q_mut()[..4].copy_from_slice(&[-0.7, 0.0, 0.0, 0.7]);
+            state
+        };
+        let mut state = stretched();
+        let error = Err(mstmm::Error::Closure { hinge: "hold" });
+        assert_eq!(chain.assemble(&mut state, &inputs), error);
+        assert_eq!(state, stretched());
+        let stepped = Rk4::new(1e-3).step(&chain, &mut state, |_, _| chain.no_inputs());
+        assert_eq!((stepped, state), (error, stretched()));
+    };
+}
+
+#[test]
+fn another_rank_than_around_the_start_is_an_error() {
+    another_rank_is_an_error!(Polar<f64>);
+    another_rank_is_an_error!(PolarByTransfer<f64>);
+    another_rank_is_an_error!(PolarOf<f64>);
+}
+
 mstmm_chain! {
     /// Bars that are parallel in pairs; where the prescribed angle of the crank is zero all of them lie in line.
     plane chain Parallelogram {

@@ -250,8 +250,12 @@ impl<'a, 'g> Scene<'a, 'g> {
             let situation = Situation::new(self.chain, self.merged, &numbers, state).woven(loom);
             equations::accelerations(&situation, Method::Riccati, AXES, trace)
         });
-        let mut pivots = solved.reaction?.pivots;
-        // Directions that are held in no state.
+        let Some(reaction) = solved.reaction else {
+            unreachable!("mstmm bug: the rank of a closure is to be found, and nothing closes")
+        };
+        // Directions that are held in no state have none.
+        let mut pivots = reaction.pivots;
+        assert!(pivots.len() <= directions, "mstmm bug: more pivots than directions");
         pivots.resize(directions, Expr::Number(0.0));
         Some(self.program(Stage::State, &trace, &[pivots], &turns, setup))
     }

@@ -1,6 +1,7 @@
 //! A program as statements.
 
 use super::Plan;
+use super::closure;
 use super::delivery::Deliveries;
 use super::looped::{self, Masks, Target};
 use super::names::{Variables, helper};
@@ -102,11 +103,8 @@ impl Plan<'_> {
             });
         let constants =
             self.read_array(program, self.programs.symbols.constants(), quote!(*constants_));
-        let steps = self.read_array(
-            program,
-            self.programs.symbols.closure_steps(),
-            quote!(parameters_.closure_steps_),
-        );
+        let (steps, field) = (self.programs.symbols.closure_steps(), closure::steps(self));
+        let steps = self.read_array(program, steps, quote!(parameters_.#field));
         let reading = quote!(#(#parameters)* #constants #steps);
         let results = self.results(program, Variables::of(program), reading);
         self.finished(results, program, targets)

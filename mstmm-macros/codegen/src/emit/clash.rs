@@ -9,7 +9,7 @@ use syn::{ImplItem, Item};
 /// written before what is named after its elements.
 pub fn without_clashes(items: TokenStream) -> TokenStream {
     let Ok(mut file) = syn::parse2::<syn::File>(items.clone()) else {
-        panic!("the expansion of a chain does not parse: {items}");
+        unreachable!("mstmm bug: the expansion of a chain does not parse: {items}");
     };
     let mut taken = HashSet::new();
     for item in &mut file.items {

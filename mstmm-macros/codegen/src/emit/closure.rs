@@ -3,8 +3,8 @@
 use super::Plan;
 use super::looped::usize_literal;
 use crate::model::ClosureRank;
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
 
 /// How many directions the closing hinge holds, where their rank is found at run time.
 pub fn directions(plan: &Plan) -> Option<usize> {
@@ -14,9 +14,18 @@ pub fn directions(plan: &Plan) -> Option<usize> {
     }
 }
 
-/// A chain with the rank of its closure, found anew if frames or axes may have changed.
+/// The private field of the parameters' type that keeps the steps: no parameter has its name.
+pub fn steps(plan: &Plan) -> Ident {
+    let mut name = "closure_steps_".to_owned();
+    while plan.chain.parameters.iter().any(|parameter| parameter.name == name) {
+        name.push('_');
+    }
+    format_ident!("{name}")
+}
+
+/// A chain with the rank of its closure, found anew if frames, axes or the start may have changed.
 pub fn found(plan: &Plan, may_have_changed: bool, chain: TokenStream) -> TokenStream {
-    if may_have_changed && directions(plan).is_some() { quote!(#chain.find_rank()) } else { chain }
+    if may_have_changed && directions(plan).is_some() { quote!(#chain.find_rank_()) } else { chain }
 }
 
 /// What finds the rank.
@@ -25,23 +34,23 @@ pub fn emit(plan: &Plan) -> TokenStream {
     else {
         return TokenStream::new();
     };
-    let (mstmm, state) = (&plan.mstmm, &plan.names.state);
+    let (mstmm, state, steps) = (&plan.mstmm, &plan.names.state, steps(plan));
     let block = plan.step(program, &[], false);
     let (statements, pivots) = (block.statements, &block.outputs[0]);
     let count = usize_literal(directions);
     quote! {
         /// The chain with the rank of its closure, which frames and axes decide.
         #[allow(clippy::all)]
-        fn find_rank(mut self) -> Self {
+        fn find_rank_(self) -> Self {
             let mut parameters_ = *self.parameters();
-            parameters_.closure_steps_ = [T::constant(1.0); #count];
+            parameters_.#steps = [T::constant(1.0); #count];
             let (free_, _) = Self::derive(#mstmm::generated::Sealed::new(parameters_));
             let inputs_ = free_.no_inputs();
-            parameters_.closure_steps_ = #mstmm::generated::closure_steps(
+            parameters_.#steps = #mstmm::generated::closure_steps(
                 &free_.initial_state(),
                 |state_| #mstmm::Chain::normalize(&free_, state_),
                 |state_| free_.correct(state_, &inputs_),
-                |state_| free_.closure_pivots(state_),
+                |state_| free_.closure_pivots_(state_),
             );
             let (chain_, _) = Self::derive(#mstmm::generated::Sealed::new(parameters_));
             chain_
@@ -49,7 +58,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
 
         /// How well each direction of the closing hinge is determined, the largest pivot first.
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
-        fn closure_pivots(&self, state_: &#state<T>) -> [T; #count] {
+        fn closure_pivots_(&self, state_: &#state<T>) -> [T; #count] {
             #statements
             [#(#pivots),*]
         }

@@ -73,8 +73,8 @@ fn constructors(plan: &Plan) -> TokenStream {
         }
     });
     let steps = closure::directions(plan).map(|count| {
-        let count = usize_literal(count);
-        quote!(closure_steps_: [T::constant(1.0); #count],)
+        let (field, count) = (closure::steps(plan), usize_literal(count));
+        quote!(#field: [T::constant(1.0); #count],)
     });
     let is_empty = plan.chain.parameters.is_empty() && steps.is_none();
     let marker = is_empty.then(|| quote!(none: ::core::marker::PhantomData));

@@ -52,8 +52,8 @@ fn precision(plan: &Plan) -> Vec<String> {
     let error = |epsilon: f64| TRANSFER_LOSS * (10.0 + ratio) * epsilon;
     let text = format!(
         " **Precision of `transfer`.** The largest mass is {times} times the smallest, with parameters at \
-         their defaults. `transfer` may lose digits by that factor: the relative error of accelerations is up \
-         to {:.0e} in `f64` and {:.0e} in `f32`, that of wrenches at the lightest bodies up to a hundred times \
+         their defaults. `transfer` may lose digits by that factor: for bodies of similar size the relative error of \
+         accelerations is up to {:.1e} in `f64` and {:.1e} in `f32`, that of wrenches at the lightest bodies up to a hundred times \
          more. `riccati` does not lose them.",
         error(f64::EPSILON),
         error(f32::EPSILON.into()),

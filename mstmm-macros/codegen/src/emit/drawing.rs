@@ -23,7 +23,7 @@ pub fn picture(drawing: &Drawing) -> Vec<String> {
     };
     let sign = gravity::Sign::of(&view.axes, drawing.gravity);
     let arrow = sign.map(|sign| {
-        // Beside all else.
+        // To the right of everything else.
         let right = names.iter().map(Name::right).fold(width, f64::max);
         width = right + gravity::ROOM;
         sign.drawn([right, MARGIN])

@@ -36,8 +36,8 @@ pub fn type_of_all(plan: &Plan) -> TokenStream {
     });
     // Found anew when parameters are set, and kept with them.
     let steps = closure::directions(plan).map(|count| {
-        let count = usize_literal(count);
-        quote!(closure_steps_: [T; #count],)
+        let (field, count) = (closure::steps(plan), usize_literal(count));
+        quote!(#field: [T; #count],)
     });
     // A struct without fields would not use `T`.
     let is_empty = plan.chain.parameters.is_empty() && steps.is_none();
@@ -114,12 +114,20 @@ pub fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
             #[doc = #doc]
         }
     });
-    let is_geometry = plan.chain.parameters.iter().position(|other| other.name == *name);
-    let is_geometry = is_geometry.is_some_and(|index| plan.chain.geometry_uses(index));
-    let chain = closure::found(plan, is_geometry, quote!(chain_));
+    let index = plan.chain.parameters.iter().position(|other| other.name == *name);
+    let is_used = index.is_some_and(|index| plan.chain.closure_uses(index));
+    let chain = closure::found(plan, is_used, quote!(chain_));
+    let cost = (is_used && closure::directions(plan).is_some()).then(|| {
+        quote! {
+            ///
+            /// It finds the rank of the closure again, in up to four poses that are assembled around
+            /// the start. If none can be assembled, no direction counts as redundant.
+        }
+    });
     quote! {
         #[doc = #doc]
         #each
+        #cost
         ///
         /// # Errors
         ///

@@ -37,7 +37,7 @@ pub fn checks(plan: &Plan) -> TokenStream {
     let mut methods = TokenStream::new();
     let spread = Spread::coordinates(plan);
     let table: Vec<TokenStream> =
-        in_state(plan).into_iter().filter_map(|entry| row(plan, &spread, entry)).collect();
+        in_state(plan).into_iter().map(|entry| row(plan, &spread, entry)).collect();
     if !table.is_empty() {
         methods.extend(quote! {
             #[inline]
@@ -66,19 +66,21 @@ pub fn checks(plan: &Plan) -> TokenStream {
 }
 
 /// The row of a hinge in the table of quaternions.
-fn row(plan: &Plan, spread: &Spread, (index, place): (HingeId, usize)) -> Option<TokenStream> {
+fn row(plan: &Plan, spread: &Spread, (index, place): (HingeId, usize)) -> TokenStream {
     let mstmm = &plan.mstmm;
     let hinge = plan.chain.hinges[index].name.to_string();
-    let &Piece { first, count, place: start, times, .. } = spread.piece_of(place)?;
+    let Some(&Piece { first, count, place: start, times, .. }) = spread.piece_of(place) else {
+        unreachable!("mstmm bug: a quaternion that is in no piece of the coordinates")
+    };
     let [first, stride, count] = [start + place - first, count, times].map(usize_literal);
-    Some(quote! {
+    quote! {
         #mstmm::generated::QuaternionsOf {
             hinge: #hinge,
             first: #first,
             stride: #stride,
             count: #count,
         }
-    })
+    }
 }
 
 /// Statements that check a prescribed motion.

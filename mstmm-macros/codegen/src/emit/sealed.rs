@@ -1,7 +1,7 @@
 //! What a chain keeps: its parameters and what is derived from them.
 //!
 //! Private fields of generated types are in reach of all code in the module of the macro call. Both are
-//! therefore inside a type of the runtime, which nothing but generated code replaces.
+//! therefore inside a type of the runtime. Only generated code replaces that value.
 
 use super::Plan;
 use super::looped::usize_literal;

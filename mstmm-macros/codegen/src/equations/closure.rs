@@ -32,7 +32,7 @@ use super::Trace;
 use super::hinge::dot;
 use crate::math::Scalar;
 use null_space::{null_directions, orthonormal};
-use rows::{Pivot, factorised};
+use rows::{Left, Pivot, factorised};
 
 /// Reactions and what they do not determine.
 #[derive(Clone, Debug)]
@@ -44,7 +44,7 @@ pub struct Closure<S> {
     pub undetermined: Vec<Vec<S>>,
     /// `d_k / s_i` of each step, the largest first.
     pub pivots: Vec<S>,
-    /// The largest `|J_i|² / s_i` that all steps have left: what one more step would have found.
+    /// The largest `|J_i|² / s_i` that the steps which the rank allows have left.
     pub excess: S,
 }
 
@@ -67,7 +67,7 @@ pub struct Reactions<S> {
     pub sizes: Vec<S>,
     /// `b`
     pub right: Vec<S>,
-    /// What there is to know of the linkage.
+    /// Rank and rounding of the linkage.
     pub linkage: Linkage<S>,
 }
 
@@ -80,7 +80,7 @@ pub struct Dof<S> {
     pub inverse: S,
 }
 
-/// What the solution for the reactions has to know of a linkage.
+/// Properties of the linkage that the solution for the reactions needs.
 #[derive(Clone, Debug)]
 pub struct Linkage<S> {
     /// The rank of its closure.
@@ -106,7 +106,7 @@ pub fn solve<S: Scalar>(system: &Reactions<S>, trace: &mut Trace<S>) -> Closure<
         trace.number(format!("closure_d{k}"), pivot.value);
     }
     let is_regular = system.is_regular(&left);
-    let excess = if pivots.len() < left.alive.len() { left.excess(system) } else { S::zero() };
+    let excess = excess(system, &pivots, &left);
     let undetermined = orthonormal(null_directions(&pivots, left));
     let reactions = if is_regular {
         let found = substituted(&pivots, system.right.clone());
@@ -121,7 +121,7 @@ pub fn solve<S: Scalar>(system: &Reactions<S>, trace: &mut Trace<S>) -> Closure<
     Closure { reactions, undetermined, pivots, excess }
 }
 
-/// `L⁻ᵀ D⁻¹ L⁻¹ b`, where `L` is square but for the rows of pivots that are rounding.
+/// `L⁻ᵀ D⁻¹ L⁻¹ b`, where `L` is square except for the rows of pivots that are rounding.
 fn substituted<S: Scalar>(pivots: &[Pivot<S>], mut right: Vec<S>) -> Vec<S> {
     let mut amounts = Vec::new();
     for Pivot { choice, column, inverse, .. } in pivots {
@@ -168,6 +168,17 @@ fn least_norm<S: Scalar>(pivots: &[Pivot<S>], right: &[S]) -> Vec<S> {
     across.iter().zip(x).fold(vec![S::zero(); right.len()], |sum, ((q, inverse), x)| {
         plus_scaled(sum, q, x * *inverse)
     })
+}
+
+/// What the first step beyond the rank finds or would find.
+fn excess<S: Scalar>(system: &Reactions<S>, pivots: &[Pivot<S>], left: &Left<S>) -> S {
+    let steps = system.steps(left);
+    let (mut before, mut excess) = (S::one(), S::zero());
+    for (pivot, &allowed) in pivots.iter().zip(&steps) {
+        excess = excess + pivot.measured * (before - allowed);
+        before = allowed;
+    }
+    if pivots.len() < left.alive.len() { excess + left.excess(system) * before } else { excess }
 }
 
 /// `x` without its part along a unit vector, or along nothing.

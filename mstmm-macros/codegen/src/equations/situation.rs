@@ -188,12 +188,12 @@ impl<'a, S: Scalar> Situation<'a, S> {
     /// What the solution for the reactions of a closing hinge that holds so many directions has to know.
     pub fn linkage(&self, held: usize) -> Linkage<S> {
         let rank = match self.chain.closure_rank {
-            // In an implicit step springs and dampers hold directions with an inertia of their own, each
-            // of which is independent of all others.
-            ClosureRank::Known { rank, directions } => Rank::Known(rank + held - directions),
+            // In an implicit step springs and dampers hold directions with a separate inertia, each of
+            // which is independent of all others.
+            ClosureRank::Known { rank, directions } => Rank::Known(rank + added(held, directions)),
             ClosureRank::Unknown | ClosureRank::FoundAtRunTime(_) => {
                 let given = &self.numbers.closure_steps;
-                let ones = std::iter::repeat_n(S::one(), held - given.len());
+                let ones = std::iter::repeat_n(S::one(), added(held, given.len()));
                 Rank::Given(ones.chain(given.iter().copied()).collect())
             }
         };
@@ -208,6 +208,13 @@ impl<'a, S: Scalar> Situation<'a, S> {
         let gravity = self.vector(gravity, Driven::Gravity, dimension.shifts());
         Motion { linear: -gravity, angular: Vec3::zero() }
     }
+}
+
+/// How many directions an implicit step adds to those that a closing hinge holds.
+fn added(held: usize, directions: usize) -> usize {
+    held.checked_sub(directions).unwrap_or_else(|| {
+        unreachable!("mstmm bug: a closing hinge holds {held} of {directions} directions")
+    })
 }
 
 /// A frame inside another one.

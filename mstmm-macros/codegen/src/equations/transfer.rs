@@ -212,7 +212,7 @@ impl<S: Scalar> Product<S> {
     }
 }
 
-/// The boundary conditions behind the last body, [P, Eq. (11)].
+/// The boundary conditions outboard of the last body, [P, Eq. (11)].
 fn far_end<S: Scalar>(
     problem: &Problem<S>,
     (product, last): (&Product<S>, usize),

@@ -38,9 +38,11 @@ impl Chain {
         self.parts_that_use(parameter).into_iter().flatten().next()
     }
 
-    /// Whether frames or axes depend on a parameter, and with them perhaps the rank of a closure.
-    pub fn geometry_uses(&self, parameter: usize) -> bool {
-        self.geometry().any(|value| value.uses(parameter))
+    /// Whether frames, axes or the start depend on a parameter, and with them perhaps the rank of a
+    /// closure that is found around the start.
+    pub fn closure_uses(&self, parameter: usize) -> bool {
+        let start = self.hinges.iter().flat_map(|hinge| &hinge.start);
+        self.geometry().chain(start).any(|value| value.uses(parameter))
     }
 
     /// Whether frames and axes are known numbers.

@@ -1709,8 +1709,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     ///
     /// # Errors
     ///
-    /// `Error::NotAssembled` if that leads nowhere, and `Error::Closure` if it leads to a pose
-    /// in which the closing hinge holds more than around the start of the description;
+    /// `Error::NotAssembled` if the corrections do not converge, `Error::Closure` if they lead to
+    /// a pose in which the closure has a higher rank than around the start;
     /// `state` is left as it was.
     #[allow(dead_code)]
     pub fn assemble(

@@ -153,7 +153,7 @@ impl<S: Scalar> Reactions<S> {
     }
 
     /// A weight for each step that may be taken: one, or zero beyond the rank.
-    fn steps(&self, left: &Left<S>) -> Vec<S> {
+    pub(super) fn steps(&self, left: &Left<S>) -> Vec<S> {
         let most = left.alive.len();
         match &self.linkage.rank {
             Rank::Known(rank) => vec![S::one(); most.min(*rank)],

@@ -233,7 +233,7 @@ impl<S: Scalar> Sums<S> {
         Sums { gamma: zero(), dofs: Vec::new(), repeated, sizes: zero() }
     }
 
-    /// Equation (4), but for `E`.
+    /// Equation (4), except for `E`.
     fn add(&mut self, step: &Eliminated<S>, is_repeated: bool) {
         let Eliminated { along, inverse, rest, pulls, sizes, .. } = step;
         for (i, &u) in along.iter().enumerate() {

@@ -156,12 +156,9 @@ fn loads(draft: &Draft, parts: &[Part], bodies: usize) -> Vec<Load> {
         if !is_identifier(name) {
             continue;
         }
-        let asked = asked::efforts_of_load(load.block).into_iter().zip(["force", "torque"]);
+        let [force, torque] = asked::efforts_of_load(load.block);
         let mut is_free = |(asked, effort)| asked && names.insert(format!("{name}_{effort}"));
-        let [force, torque] = {
-            let mut efforts = asked.map(&mut is_free);
-            [(); 2].map(|()| efforts.next().unwrap_or(false))
-        };
+        let [force, torque] = [(force, "force"), (torque, "torque")].map(&mut is_free);
         let on = asked::body_of_load(load.block).and_then(|on| {
             let on = on.to_string();
             let exact = on_route.iter().position(|name| *name == on);
