@@ -133,8 +133,8 @@ pub trait Chain {
     /// by chains that need them. Other chains are closed always.
     ///
     /// # Errors
-    /// That of `inputs`, unchanged; `state` is left as it was. [`Error::Closure`] if a redundant closure
-    /// turns out to be none; `state` means nothing then.
+    /// That of `inputs`, unchanged; `state` is left as it was. [`Error::Closure`] if directions that
+    /// count as redundant are independent in this pose; `state` is then unspecified.
     fn close<E: From<Error>>(
         &self,
         state: &mut Self::State,
@@ -196,8 +196,9 @@ pub trait GeneratedChain: Chain {
     /// rates among those that make both sides of the closing hinge move alike.
     ///
     /// # Errors
-    /// [`Error::NotAssembled`] if that leads nowhere, and those of [`Chain::check_state`] and
-    /// [`Chain::check_inputs`]; `state` is left as it was.
+    /// [`Error::NotAssembled`] if the corrections do not converge, [`Error::Closure`] if they lead to a
+    /// pose in which the closure has a higher rank than was found, and those of
+    /// [`Chain::check_state`] and [`Chain::check_inputs`]; `state` is left as it was.
     fn assemble(&self, state: &mut Self::State, inputs: &Self::Inputs) -> Result<(), Error> {
         self.check_state(state)?;
         self.check_inputs(inputs)

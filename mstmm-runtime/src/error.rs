@@ -40,11 +40,11 @@ pub enum Error {
     OutsideStep,
     /// A chain that is held at both ends cannot be closed from the coordinates it was given.
     NotAssembled,
-    /// The closing hinge of a linkage with redundant constraints holds more independent directions in
-    /// this pose than around the start of the description, where the rank of its closure was found.
+    /// The closing hinge holds more independent directions in this pose than the rank that was found for
+    /// its closure.
     ///
-    /// Linkages whose mobility depends on the pose are such. Let the description start in a pose like
-    /// those that it is to move in.
+    /// The rank is found in poses around the start of the description. It can be too low if the mobility
+    /// depends on the pose: write a start in a pose like those of the motion.
     Closure {
         /// The hinge's name in the chain's description.
         hinge: &'static str,
@@ -78,8 +78,8 @@ impl fmt::Display for Error {
             Error::NotAssembled => f.write_str("the chain cannot be closed from this start"),
             Error::Closure { hinge } => write!(
                 f,
-                "hinge `{hinge}` closes the chain in more independent directions here than around \
-                 the start of its description: let it start in a pose like this one"
+                "the closure of hinge `{hinge}` has a higher rank here than around the start of the \
+                 description: write a start in a pose like this one"
             ),
         }
     }

@@ -14,7 +14,7 @@ use core::mem::MaybeUninit;
 
 use crate::{ChainState, Closure, Error, Mask, Scalar};
 
-/// The parameters of a chain and what is derived from them, to be read.
+/// The parameters of a chain and the values derived from them; read only.
 ///
 /// All code in the module of the macro call can write the fields of generated types. It cannot write these.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -349,11 +349,11 @@ pub fn assemble<S: ChainState>(
     Err(Error::NotAssembled)
 }
 
-/// Whether directions of a closing hinge that count as redundant are so. From a residual, how far the chain is from
-/// closed in m, rad, m/s and rad/s and how much these directions hold, from nothing to one.
+/// Fails if directions of a closing hinge that count as redundant are independent. `residual` is how far the chain is
+/// from closed, in m, rad, m/s and rad/s, and the largest relative pivot that is left, from 0 to 1.
 ///
-/// Off its closure a redundant linkage holds more than on it, by about the square of how far it is off. Beyond that,
-/// with 10⁶ for lengths of a millimetre, and beyond rounding, the linkage has another rank than the one that was found.
+/// Off its closure a redundant linkage leaves about the square of the first. The limit is 10⁶ times that, for lengths of
+/// a millimetre, and rounding.
 ///
 /// # Errors
 /// [`Error::Closure`].
@@ -367,9 +367,8 @@ pub fn check_closure<T: Scalar>(residual: [T; 2], hinge: &'static str) -> Result
 /// Poses that the rank of a closure is looked for in: the start may be a special one.
 const POSES: usize = 4;
 
-/// As many ones as a closing hinge holds independent directions in poses that are closed, then zeros. It is
-/// the largest rank in the start and in poses that are assembled from places around it; ones alone where
-/// none can be assembled.
+/// Returns the steps of a closure: a one for each independent direction, then zeros. The rank is the largest one found
+/// in the start and in poses assembled around it. If none can be assembled, all entries are one.
 #[cold]
 pub fn closure_steps<S: ChainState, const N: usize>(
     start: &S,
@@ -402,8 +401,8 @@ pub fn closure_steps<S: ChainState, const N: usize>(
     steps.unwrap_or([one; N])
 }
 
-/// A pivot of a closure that is more than rounding and the square of what `assemble` leaves open: ε^⅝, as
-/// small as the smallest that counts there.
+/// The smallest relative pivot that counts as independent: ε^⅝, which exceeds rounding and the square of the gap that
+/// `assemble` leaves.
 fn independent<T: Scalar>() -> T {
     let root = T::epsilon().sqrt();
     root * root.sqrt().sqrt()

@@ -48,8 +48,8 @@ impl<C: Chain> LinearlyImplicitEuler<C> {
     /// `inputs` is asked once, at the start, with the time in s and the state.
     ///
     /// # Errors
-    /// Those of [`Chain::implicit_derivative_into`], and [`Error::NotFinite`] if the result is not
-    /// finite. `state` is left as it was.
+    /// Those of [`Chain::check_state`], [`Chain::check_inputs`], [`Chain::implicit_derivative_into`] and
+    /// [`Chain::close`], and [`Error::NotFinite`] if the result is not finite. `state` is left as it was.
     pub fn step(
         &mut self,
         chain: &C,

@@ -66,8 +66,8 @@
 //! [`Chain::close`], which asks for what acts on it once more. That moves the state by no more than
 //! the error of the step, so a method keeps its order, and unlike any three angles quaternions have
 //! no pose in which they fail. The stages of a step are off the closure by their error. They take the
-//! rank of a redundant closure from the linkage, not from their state: Bennett's linkage, which would
-//! be rigid there, keeps its energy within 10⁻¹² in a minute of [`Rk4`] at 1 ms. [`Dopri5::interpolate`] closes nothing: within a step a chain is open
+//! rank of a redundant closure from the linkage, not from their state; Bennett's linkage keeps its
+//! energy within 10⁻⁸ in a minute of [`Rk4`] at 1 ms. [`Dopri5::interpolate`] closes nothing: within a step a chain is open
 //! by about the error of the step.
 
 mod ask;

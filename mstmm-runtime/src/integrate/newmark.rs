@@ -87,7 +87,8 @@ impl<C: Chain> Newmark<C> {
     /// in s and the state there, whose quaternions are of unit length only up to its error.
     ///
     /// # Errors
-    /// Those of [`Chain::derivative_into`], and [`Error::NotFinite`] if the result is not finite.
+    /// Those of [`Chain::check_state`], [`Chain::check_inputs`], [`Chain::derivative_into`] and
+    /// [`Chain::close`], and [`Error::NotFinite`] if the result is not finite.
     /// `state` is left as it was.
     pub fn step(
         &mut self,

@@ -54,7 +54,8 @@ impl<C: Chain> Rk4<C> {
     /// the stage's error.
     ///
     /// # Errors
-    /// Those of [`Chain::derivative_into`], and [`Error::NotFinite`] if the result is not finite.
+    /// Those of [`Chain::check_state`], [`Chain::check_inputs`], [`Chain::derivative_into`] and
+    /// [`Chain::close`], and [`Error::NotFinite`] if the result is not finite.
     /// `state` is left as it was.
     pub fn step(
         &mut self,

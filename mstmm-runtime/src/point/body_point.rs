@@ -9,7 +9,8 @@ use crate::Scalar;
 ///
 /// Vectors are in the inertial frame. Each method computes its value from the results at the body's
 /// input when it is called, and needs those results: a velocity also the pose, an acceleration all three
-/// of `poses`, `velocities` and `z`.
+/// of `poses`, `velocities` and `z`. In a line chain a velocity and an acceleration need only their own
+/// results.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyPoint<P: ConnectionPoint> {
     input: P,

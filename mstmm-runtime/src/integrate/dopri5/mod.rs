@@ -145,9 +145,9 @@ impl<C: Chain> Dopri5<C> {
     /// - [`Error::Parameter`] if a tolerance is negative or NaN, or both are zero.
     /// - Those of [`Chain::check_state`], and of [`Chain::derivative_into`] at the start.
     /// - Those of [`Chain::check_inputs`] at any stage.
-    /// - [`Error::StepTooSmall`] if no step meets the tolerance, or if all give what is not finite;
-    ///   another error of [`Chain::derivative_into`] if that stands in the way of the shortest
-    ///   step.
+    /// - [`Error::StepTooSmall`] if no step meets the tolerance, or if all steps give values that are
+    ///   not finite; another error of [`Chain::derivative_into`] or [`Chain::close`] if even the
+    ///   shortest step fails with it.
     ///
     /// `state` is left as it was.
     pub fn step(
@@ -241,7 +241,7 @@ impl<C: Chain> Dopri5<C> {
     /// # Errors
     /// [`Error::OutsideStep`] if `time` lies outside the last accepted step, or if there was none,
     /// or if the last call of [`step`](Dopri5::step) or [`advance`](Dopri5::advance) failed for
-    /// another reason than an error of its inputs. `out` is left as it was.
+    /// another reason than an error of its inputs or of its arguments. `out` is left as it was.
     pub fn interpolate(&self, chain: &C, time: Real<C>, out: &mut C::State) -> Result<(), Error> {
         let Some(end) = self.accepted else {
             return Err(Error::OutsideStep);
