@@ -38,8 +38,8 @@ pub fn chain(plan: &Plan) -> Vec<String> {
     lines
 }
 
-/// The relative error of accelerations by `transfer`, in units of ε, is at most so often the ratio of masses
-/// and ten: five times as much as in random chains (`tests/mass_ratio.rs`).
+/// The relative error of accelerations by `transfer`, in units of ε, is at most so many times the ratio of masses
+/// and ten: more than twice what random chains lose (`tests/mass_ratio.rs`).
 const TRANSFER_LOSS: f64 = 100.0;
 
 /// What `transfer` loses where masses are far apart.
