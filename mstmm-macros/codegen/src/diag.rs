@@ -45,7 +45,7 @@ pub struct Warning {
     pub at: Span,
     /// The name of the rule, in capitals.
     pub rule: &'static str,
-    /// What is unclear, and what to write instead.
+    /// The message: it says what is unclear, then what to write instead.
     pub message: String,
 }
 

@@ -28,8 +28,8 @@ const CLOSED: f64 = 1e-9;
 /// step.
 const NOISE: f64 = 8.0;
 
-/// What a direction that is held already leaves of its pivot in a pose that is closed within
-/// [`CLOSED`] is the square of that, and rounding: far less than this. A linkage whose smallest singular
+/// The smallest relative pivot of an independent direction. In a pose that is closed within [`CLOSED`] a
+/// redundant direction leaves the square of that, and rounding: far less. A linkage whose smallest singular
 /// value is a thousandth of its largest leaves a millionth.
 const INDEPENDENT: f64 = 1e-10;
 
@@ -90,8 +90,10 @@ pub fn examine(chain: &mut Chain, diagnostics: &mut Diagnostics) -> Examination 
     }
     let poses = trial.closed_poses();
     let mobility = if whole { trial.mobility(&poses) } else { None };
+    // A single pose with prescribed motions has them in their zero positions, which may be special.
+    let is_enough = poses.len() > 1 || !chain.hinges.iter().any(Hinge::is_prescribed);
     if let (Some((rank, directions)), true) =
-        (trial.closure_rank(&poses), whole && chain.geometry_is_known())
+        (trial.closure_rank(&poses), whole && is_enough && chain.geometry_is_known())
     {
         chain.closure_rank = ClosureRank::Known { rank, directions };
     }
@@ -252,8 +254,8 @@ impl Trial {
         Some(Mobility { freedoms: (open + redundant).checked_sub(held)?, held, redundant })
     }
 
-    /// What is left to find when parameters are set: not where motions are prescribed, for positions at
-    /// rest may be special ones.
+    /// Whether the rank of the closure is to be found when parameters are set. It is not if motions are
+    /// prescribed: their zero positions may be special.
     fn closure_rank_at_run_time(&self) -> ClosureRank {
         let chain = &self.chain;
         let is_prescribed = chain.hinges.iter().any(Hinge::is_prescribed);
@@ -381,7 +383,7 @@ impl Trial {
     fn inputs(&self, seed: usize) -> Vec<Number> {
         let total = self.merged.inputs.last().map_or(0, |input| input.range.end);
         let mut inputs = vec![Number::variable(0.0); total];
-        // Behind those of coordinates, which they should not repeat.
+        // Numbered after the coordinates, whose deviations they should not repeat.
         let mut count = self.merged.coordinates();
         for input in &self.merged.inputs {
             let Driven::Motion(hinge) = input.what else { continue };

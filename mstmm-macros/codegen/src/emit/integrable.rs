@@ -149,10 +149,9 @@ fn correction(plan: &Plan) -> Correction {
                 /// the gap to first order, each correction is the one with the least kinetic energy,
                 /// ½ δᵀ M δ for a motion δ along the rates and the mass matrix M of bodies and rotors.
                 /// The rates are changed along with them: of all changes that make the closing
-                /// hinge's sides move alike, each is the one with the least kinetic energy, which is
-                /// what an impulse in the closing hinge would do. What is minimised is each
-                /// correction: after several of them the way from the start is the least one only up
-                /// to the square of its length.
+                /// hinge's sides move alike, each is the one with the least kinetic energy, as
+                /// an impulse in the closing hinge would make it. Each correction is minimal; the sum
+                /// of several corrections is minimal up to the square of its length.
                 ///
                 /// # Errors
                 ///

@@ -108,6 +108,7 @@ pub fn solve<S: Scalar>(system: &Reactions<S>, trace: &mut Trace<S>) -> Closure<
     let is_regular = system.is_regular(&left);
     let excess = excess(system, &pivots, &left);
     let undetermined = orthonormal(null_directions(&pivots, left));
+    // Without redundant directions L is square, and fewer operations do.
     let reactions = if is_regular {
         let found = substituted(&pivots, system.right.clone());
         undetermined.iter().fold(found, |x, unit| without(x, unit))

@@ -23,7 +23,7 @@ pub(super) struct Pivot<S> {
 #[derive(Clone)]
 struct Row<S> {
     left: Vec<S>,
-    /// The same, but for the part of `G` that is between them.
+    /// The same, with the part of `G` between the rows multiplied in.
     right: Vec<S>,
 }
 
@@ -58,10 +58,12 @@ pub(super) fn factorised<S: Scalar>(system: &Reactions<S>) -> (Vec<Pivot<S>>, Le
     let is_regular = system.is_regular(&left);
     for allowed in system.steps(&left) {
         let is_last = pivots.len() + 1 == left.alive.len();
-        let choice = match () {
-            () if is_regular => left.next(pivots.len()),
-            () if is_last => left.last(),
-            () => left.largest(&system.sizes),
+        let choice = if is_regular {
+            left.next(pivots.len())
+        } else if is_last {
+            left.last()
+        } else {
+            left.largest(&system.sizes)
         };
         pivots.push(left.eliminate(choice, system, allowed));
     }
@@ -112,7 +114,7 @@ impl<S: Scalar> Left<S> {
     fn scores(&self, sizes: &[S]) -> Vec<S> {
         let score = |&k: &usize| {
             let (row, open) = (&self.rows[k], self.open[k]);
-            // Rows that are not open come behind all others.
+            // Rows that are not open have the lowest scores.
             let closed = S::one() - open;
             row.product(row) * sizes[k].recip_above(S::zero()) * open - closed
         };

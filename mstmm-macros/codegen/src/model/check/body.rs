@@ -39,7 +39,7 @@ pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
         // By its own hinge, but for the last time.
         repeat.count.is_some_and(|count| count > 1) && repeat.stops.end == draft.stops.len()
     });
-    // What follows on a body is not known where the route has errors.
+    // In a route with errors nobody knows which bodies are followed by a hinge.
     let is_again = |stop: &Stop| matches!(stop, Stop::Again { .. });
     let is_whole = draft.def.route.as_ref().is_some_and(|route| route.whole)
         && !draft.stops.iter().any(is_again);

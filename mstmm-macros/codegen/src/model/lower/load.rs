@@ -19,7 +19,7 @@ pub(crate) const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"]
 /// In a line chain nothing turns.
 const LINE_LOAD_FIELDS: &[&str] = &["on", "at", "force"];
 const SPRING_FIELDS: &[&str] = &["on", "at", "to", "stiffness", "damping", "length"];
-/// What is said of a spring between two bodies.
+/// The message for a spring between two bodies.
 const BETWEEN_BODIES: &str = "a spring joins a body to the ground: between two bodies write two loads \
                               with `force = input`, and give them opposite forces at each step";
 /// The points that every body has.
@@ -291,7 +291,7 @@ fn spring<'a>(
     }
 }
 
-/// What is wrong with the end of a spring that is no point on the ground: the token, and the message.
+/// The token and the message if the end of a spring is not a point on the ground.
 fn not_on_ground(written: &Written, target: &Target) -> Option<(Extent, String)> {
     let word = match written {
         Written::PlaceOn(body, _) => body,

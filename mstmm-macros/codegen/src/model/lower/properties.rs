@@ -151,8 +151,7 @@ fn target(
     }
 }
 
-/// Whether one of these stops has the name of another stop: it may be meant to have one of its own,
-/// which nobody knows.
+/// Whether one of these stops has the name of another stop. It may be meant to have a different name.
 pub(super) fn has_duplicates(stops: &[Stop], these: impl Fn(&Stop) -> bool) -> bool {
     let mut names = HashMap::new();
     stops.iter().filter_map(|stop| Some((stop, stop.name()?))).any(|(stop, name)| {

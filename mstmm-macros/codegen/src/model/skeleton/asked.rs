@@ -1,4 +1,4 @@
-//! What the caller gives at each step, as far as it can be told from what is written, right or wrong.
+//! Inputs of the caller, inferred from a description that may be wrong.
 
 use crate::diag::nearest;
 use crate::model::lower::{Draft, LOAD_FIELDS, fields, groups, meant};
@@ -83,7 +83,7 @@ pub(super) fn gravity(draft: &Draft) -> bool {
     draft.def.settings.iter().filter(is_gravity).any(|field| field.asks_for_input)
 }
 
-/// What is given at each step, or nothing.
+/// The source of a vector that is an input, or none.
 pub(super) fn source(asked: bool) -> Source {
     if asked { Source::Input } else { Source::Nothing }
 }

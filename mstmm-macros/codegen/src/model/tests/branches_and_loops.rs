@@ -1,5 +1,5 @@
-//! What is written of branches, of loops and of springs between bodies: messages name the way round,
-//! which `tests/ways_round.rs` goes.
+//! Messages for branches, loops and springs between bodies. They name alternatives, which
+//! `tests/ways_round.rs` tries.
 
 use super::each_mistake_once::expect_rods;
 
