@@ -301,7 +301,7 @@ impl<'a, 'g> Scene<'a, 'g> {
     fn setup(&self, setup: Setup) -> (Program, Vec<Check>) {
         let checks = checks::of(self.chain);
         let mut trace = Trace::new();
-        trace.section("Quantities derived from parameters and constants", "");
+        trace.section("derived", "Quantities derived from parameters and constants", "");
         let mut group = |part: Option<usize>| {
             let mut slots = Vec::new();
             for (name, edge) in setup.values(part) {

@@ -31,7 +31,7 @@ pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Ener
     // First moments and inertias are constant in body axes.
     let mut links = motion(situation, Axes::Body, trace);
     redistribute(&mut links, |link| situation.layout.is_at_seam(link));
-    trace.section("Energy", "");
+    trace.section("energy", "Energy", "");
     let half = S::number(0.5);
     let gravity = match &situation.chain.gravity {
         Source::Constant(values) => situation.numbers.vector(values),

@@ -148,7 +148,11 @@ pub fn motion<S: Scalar>(
         let (attitude, omega) = (next.attitude, next.omega);
         (next.attitude, next.omega) = situation.passage.outwards(index, (attitude, omega));
         let name = &next.over.name;
-        trace.section(format!("Motion across `{name}`"), "[P, Eqs. (1), (13), (36)]");
+        trace.section(
+            format!("{name}_kinematics"),
+            format!("Motion across `{name}`"),
+            "[P, Eqs. (1), (13), (36)]",
+        );
         trace.matrix(&format!("{name}_turn"), next.over.to_parent.matrix());
         trace.matrix(&format!("{name}_axes"), next.attitude);
         trace.vector(&format!("{name}_omega"), next.omega);

@@ -72,11 +72,12 @@ pub fn report<S: Scalar>(
     let links = motion(situation, swept.axes, trace);
     let poses = poses(situation, &links);
     for (LinkMotion { over, .. }, pose) in links.iter().zip(&poses) {
-        trace.section(format!("Pose behind `{}`", over.name), "[P, Eq. (12)]");
-        trace.vector(&format!("{}_position", over.name), pose.position);
-        trace.matrix(&format!("{}_to_inertial", over.name), pose.to_inertial);
-        trace.section(format!("Velocity behind `{}`", over.name), "");
-        trace.vector(&format!("{}_velocity", over.name), pose.velocity);
+        let name = &over.name;
+        trace.section(format!("{name}_pose"), format!("Pose behind `{name}`"), "[P, Eq. (12)]");
+        trace.vector(&format!("{name}_position"), pose.position);
+        trace.matrix(&format!("{name}_to_inertial"), pose.to_inertial);
+        trace.section(format!("{name}_velocity"), format!("Velocity behind `{name}`"), "");
+        trace.vector(&format!("{name}_velocity"), pose.velocity);
     }
     let felt = felt(situation, &links, swept);
     let closing = closing(situation, swept.axes, &links);
@@ -97,7 +98,7 @@ pub fn report<S: Scalar>(
     let accelerations = rate_accelerations(situation, &solved.accelerations);
     let sheet = Sheet { situation, links: &links, poses: &poses, felt: &felt, hinges: &hinges };
     let points: Vec<Point<S>> = spots(situation).iter().map(|spot| sheet.point(spot)).collect();
-    trace.section("Connection points", "[P, Eqs. (4), (12), (13)]");
+    trace.section("points", "Connection points", "[P, Eqs. (4), (12), (13)]");
     for (number, point) in points.iter().enumerate() {
         trace.vector(&format!("point{number}_velocity"), point.velocity.vector);
         trace.vector(&format!("point{number}_felt"), point.felt.vector);

@@ -2,10 +2,14 @@
 //! code shows to a reader, and what a test can look into.
 
 use crate::math::{Mat3, Motion, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
+use std::collections::HashSet;
 
 /// A headed group of intermediate results.
 #[derive(Clone, Debug)]
 pub struct Section<S> {
+    /// A short name, different from that of all other sections of the trace: `elbow_riccati`. The
+    /// names of values without a name begin with it.
+    pub prefix: String,
     /// What is computed.
     pub title: String,
     /// Where the equations are from.
@@ -19,17 +23,36 @@ pub struct Section<S> {
 pub struct Trace<S> {
     /// The sections in their order.
     pub sections: Vec<Section<S>>,
+    prefixes: HashSet<String>,
 }
 
 impl<S: Scalar> Trace<S> {
     /// An empty trace.
     pub fn new() -> Self {
-        Trace { sections: Vec::new() }
+        Trace { sections: Vec::new(), prefixes: HashSet::new() }
     }
 
-    /// Begins a section.
-    pub fn section(&mut self, title: impl Into<String>, source: &'static str) {
-        self.sections.push(Section { title: title.into(), source, values: Vec::new() });
+    /// Begins a section. The prefix gets a number if an earlier section has the same one, as the second
+    /// of two sweeps over the same links has.
+    pub fn section(
+        &mut self,
+        prefix: impl Into<String>,
+        title: impl Into<String>,
+        source: &'static str,
+    ) {
+        let prefix = self.unique(prefix.into());
+        self.sections.push(Section { prefix, title: title.into(), source, values: Vec::new() });
+    }
+
+    /// The prefix itself if it is free, otherwise the prefix with the first number that makes it so.
+    fn unique(&mut self, prefix: String) -> String {
+        let mut unique = prefix.clone();
+        let mut number = 1;
+        while !self.prefixes.insert(unique.clone()) {
+            number += 1;
+            unique = format!("{prefix}{number}");
+        }
+        unique
     }
 
     /// Names a number.
@@ -77,5 +100,21 @@ impl<S: Scalar> Trace<S> {
         self.symmetric(&format!("{name}_k"), inertia.linear);
         self.matrix(&format!("{name}_b"), inertia.coupling);
         self.symmetric(&format!("{name}_j"), inertia.angular);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Trace;
+
+    #[test]
+    fn prefixes_are_different() {
+        let mut trace = Trace::<f64>::new();
+        for prefix in ["elbow_riccati", "elbow_riccati", "elbow_riccati2", "elbow_riccati"] {
+            trace.section(prefix, "", "");
+        }
+        let prefixes: Vec<&str> = trace.sections.iter().map(|one| one.prefix.as_str()).collect();
+        let expected = ["elbow_riccati", "elbow_riccati2", "elbow_riccati22", "elbow_riccati3"];
+        assert_eq!(prefixes, expected);
     }
 }

@@ -63,6 +63,7 @@ pub fn solve<S: Scalar>(
     for (place, &index) in path.iter().enumerate() {
         let over = &problem.links[index].over;
         trace.section(
+            format!("{}_transfer", over.name),
             format!("Transfer to `{}`", over.name),
             "[P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge",
         );
@@ -219,7 +220,7 @@ fn far_end<S: Scalar>(
     reactions: &[S],
     trace: &mut Trace<S>,
 ) -> Vec<S> {
-    trace.section("Boundary solve at the far end", "[P, Eqs. (9) to (11)]");
+    trace.section("end", "Boundary solve at the far end", "[P, Eqs. (9) to (11)]");
     let end = product.beyond(problem, last);
     let given = problem.closing.as_ref().map_or(Wrench::zero(), |demand| {
         demand.closing.over.returned(demand.closing.wrench(demand.given, reactions))
@@ -269,7 +270,7 @@ fn recover<S: Scalar>(
     for (&link, steps) in path.iter().zip(used).rev() {
         unknowns = problem.passage.inwards(link, unknowns);
         let name = &problem.links[link].over.name;
-        trace.section(format!("Back to `{name}`"), "[P, Eqs. (8), (11)]");
+        trace.section(format!("{name}_back"), format!("Back to `{name}`"), "[P, Eqs. (8), (11)]");
         let mut betas = Vec::new();
         for step in steps.iter().rev() {
             unknowns = step.reflection.expand(unknowns, step.settled);

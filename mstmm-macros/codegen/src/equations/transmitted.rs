@@ -25,7 +25,11 @@ pub fn transmitted<S: Scalar>(
     let released = |(index, wrench): (usize, Wrench<S>)| {
         let over = &problem.links[index].over;
         let wrench = over.freedom.released(wrench, &over.efforts);
-        trace.section(format!("Load on `{}`", over.name), "[P, Eqs. (18), (19)]");
+        trace.section(
+            format!("{}_wrench", over.name),
+            format!("Load on `{}`", over.name),
+            "[P, Eqs. (18), (19)]",
+        );
         trace.wrench(&format!("{}_load", over.name), wrench);
         wrench
     };

@@ -89,6 +89,7 @@ pub fn reduced<S: Scalar>(
 ) -> (Vec<Pivot<S>>, Closure<S>, Vec<Relation<S>>) {
     let Reduced { pivots, sums, relations, .. } = reduce(problem, &mut Trace::new());
     trace.section(
+        "pivots",
         "Inertia beyond the hinges, to be divided by",
         "the pivots of the Riccati transfer",
     );
@@ -120,6 +121,7 @@ fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<S> {
         (carried[index], sums) = problem.passage.inwards(index, (carried[index].clone(), sums));
         let over = &links[index].over;
         trace.section(
+            format!("{}_riccati", over.name),
             format!("Riccati transfer over `{}`", over.name),
             "F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]",
         );
@@ -261,7 +263,7 @@ impl<S: Scalar> Sums<S> {
 /// Equation (5) solved for the reactions.
 fn close<S: Scalar>(problem: &Problem<S>, sums: Sums<S>, trace: &mut Trace<S>) -> Closure<S> {
     let Some(demand) = &problem.closing else { return Closure::none() };
-    trace.section("Closure", "[P, Eqs. (9) to (11)] at the held end");
+    trace.section("closure", "Closure", "[P, Eqs. (9) to (11)] at the held end");
     let Sums { gamma, mut dofs, repeated, mut sizes } = sums;
     // Where the closing hinge hangs on the ground, nothing it does moves anything.
     let gamma = if demand.closing.parent.is_some() { gamma } else { problem.at_rest() };

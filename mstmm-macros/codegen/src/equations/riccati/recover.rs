@@ -16,7 +16,11 @@ pub(super) fn recover<S: Scalar>(
     let mut amounts = Vec::new();
     for (index, (link, eliminated)) in problem.links.iter().zip(eliminated).enumerate() {
         let over = &link.over;
-        trace.section(format!("Acceleration of `{}`", over.name), "[P, Eqs. (13), (36), (44)]");
+        trace.section(
+            format!("{}_acceleration", over.name),
+            format!("Acceleration of `{}`", over.name),
+            "[P, Eqs. (13), (36), (44)]",
+        );
         let carried = problem.carried(index, &points);
         let (betas, acceleration) = match &eliminated[..] {
             [step @ Eliminated { waiting: Some(axis), .. }] => {
