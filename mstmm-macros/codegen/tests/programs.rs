@@ -3,6 +3,7 @@
 
 mod common;
 
+use common::interpreter::{self, Arguments};
 use common::{Point, compute, compute_with, difference, drives, read};
 use mstmm_codegen::compile::{self, Place, Programs, Sight, groups};
 use mstmm_codegen::equations::Axes;
@@ -10,59 +11,14 @@ use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
 use mstmm_codegen::math::{Scalar, Structured, Vec3};
 use mstmm_codegen::model::{Dimension, Layout, Method};
 use mstmm_codegen::passes::{Setup, Unknowns, factor, order, schedule};
-use mstmm_codegen::program::{Name, Operand, Operation, Program, Statement};
+use mstmm_codegen::program::Program;
 use mstmm_reference::{Random, Recipe, random_mechanism, random_motion};
-use std::collections::HashMap;
 
-/// Runs a program; `symbols` by number, `slots` by index.
+/// Runs a program without loops; `symbols` by number, `slots` by index.
 fn run(program: &Program, symbols: &[f64], slots: &[f64]) -> Vec<Vec<f64>> {
-    let mut named: HashMap<Name, f64> = HashMap::new();
-    for slot in &program.slots {
-        named.insert(slot.name, slots[slot.index]);
-    }
-    for statement in program.sections().flat_map(|section| &section.statements) {
-        let value = |operand: &Operand| value(operand, symbols, &named);
-        match statement {
-            Statement::Let(name, operation) => {
-                let result = match operation {
-                    Operation::Sum(a, b) => value(a) + value(b),
-                    Operation::Difference(a, b) => value(a) - value(b),
-                    Operation::Product(a, b) => value(a) * value(b),
-                    Operation::MulAdd(a, b, c) => value(a) * value(b) + value(c),
-                    Operation::MulSub(a, b, c) => value(a) * value(b) - value(c),
-                    Operation::MulNegAdd(a, b, c) => value(c) - value(a) * value(b),
-                    Operation::Recip(a) => value(a).recip(),
-                    Operation::Sqrt(a) => value(a).sqrt(),
-                    Operation::CopySign(a, b) => value(a).copysign(value(b)),
-                    Operation::Atan2(a, b) => value(a).atan2(value(b)),
-                    Operation::RecipAbove(a, b) => value(a).recip_above(value(b)),
-                };
-                let text = program.names.text(*name);
-                assert!(named.insert(*name, result).is_none(), "`{text}` is computed twice");
-            }
-            Statement::SinCos { sines, cosines, angles } => {
-                let angles: Vec<f64> = angles.iter().map(value).collect();
-                for (k, angle) in angles.into_iter().enumerate() {
-                    let both = [(&sines[k], angle.sin()), (&cosines[k], angle.cos())];
-                    named.extend(both.into_iter().filter_map(|(n, x)| Some(((*n)?, x))));
-                }
-            }
-        }
-    }
-    let group = |group: &Vec<Operand>| {
-        group.iter().map(|operand| value(operand, symbols, &named)).collect()
-    };
-    program.outputs.iter().map(group).collect()
-}
-
-fn value(operand: &Operand, symbols: &[f64], named: &HashMap<Name, f64>) -> f64 {
-    match operand {
-        Operand::Number(number) => *number,
-        Operand::Symbol(number) => symbols[*number as usize],
-        Operand::Named(name) => *named.get(name).unwrap_or_else(|| panic!("{name:?} has no value")),
-        Operand::Minus(inner) => -value(inner, symbols, named),
-        Operand::Repeated => panic!("no part of these chains is repeated"),
-    }
+    let symbols = symbols.iter().map(|&symbol| vec![symbol]).collect();
+    let arguments = Arguments { symbols, slots: slots.to_vec(), ..Arguments::default() };
+    interpreter::run(program, &arguments).into_iter().map(|group| group.concat()).collect()
 }
 
 /// All points in inertial axes, read off the numbers of a solution as the runtime does.

@@ -3,6 +3,7 @@
 
 pub mod double_double;
 pub mod drives;
+pub mod interpreter;
 pub mod paper;
 
 use mstmm_codegen::equations::{self, Axes, Energy, Numbers, Situation, Solved, Trace};
