@@ -272,10 +272,10 @@ fn evaluate(graph: &Graph, edge: Edge, unknowns: &[f64]) -> f64 {
         Node::Product(a, b) => go(a) * go(b),
         Node::Recip(a) => go(a).recip(),
         Node::Sqrt(a) => go(a).sqrt(),
-        Node::Sin(a) => go(a).sin(),
-        Node::Cos(a) => go(a).cos(),
+        Node::Sin(a) => libm::sin(go(a)),
+        Node::Cos(a) => libm::cos(go(a)),
         Node::CopySign(a, b) => go(a).copysign(go(b)),
-        Node::Atan2(a, b) => go(a).atan2(go(b)),
+        Node::Atan2(a, b) => libm::atan2(go(a), go(b)),
         Node::RecipAbove(a, b) => go(a).recip_above(go(b)),
     };
     if edge.is_negative() { -plain } else { plain }
