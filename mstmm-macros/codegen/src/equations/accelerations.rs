@@ -106,8 +106,8 @@ fn solve<S: Scalar, R>(
 ) -> (Solved<S>, R) {
     let mut links = motion(situation, axes, trace);
     let closing = closing(situation, axes, &links);
-    let given =
-        to_parents.then(|| redistribute(&mut links, |link| situation.layout.is_at_seam(link)));
+    let stays = |link| situation.layout.is_at_seam(link);
+    let given = to_parents.then(|| redistribute(&mut links, stays, trace));
     let problem = Problem { given, ..forces(situation, &links, closing.as_ref()) };
     let (movement, pivots) = match method {
         Method::Riccati => riccati::solve(&problem, trace),

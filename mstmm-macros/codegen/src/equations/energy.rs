@@ -30,7 +30,7 @@ pub struct Energy<S> {
 pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Energy<S> {
     // First moments and inertias are constant in body axes.
     let mut links = motion(situation, Axes::Body, trace);
-    redistribute(&mut links, |link| situation.layout.is_at_seam(link));
+    redistribute(&mut links, |link| situation.layout.is_at_seam(link), trace);
     trace.section("energy", "Energy", "");
     let half = S::number(0.5);
     let gravity = match &situation.chain.gravity {

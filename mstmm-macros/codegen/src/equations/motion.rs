@@ -73,6 +73,8 @@ impl<S: Scalar> Drift<S> {
 /// A part in motion, in its link's work axes unless another frame is named.
 #[derive(Clone, Debug)]
 pub struct LinkMotion<S> {
+    /// The name of the part's first body.
+    pub name: String,
     /// The hinge that it hangs on.
     pub over: Crossed<S>,
     /// Index of the link of the part that it hangs on; none if that is the ground.
@@ -158,6 +160,7 @@ pub fn motion<S: Scalar>(
         trace.vector(&format!("{name}_omega"), next.omega);
         trace.vector(&format!("{name}_centripetal"), next.over.drift.on_parent);
         trace.motion(&format!("{name}_drift"), next.over.drift.in_hinge);
+        trace.rigid_body(&next.name, next.mass, next.moment, next.inertia);
         links.push(next);
     }
     links
@@ -179,6 +182,7 @@ fn link_motion<S: Scalar>(
     let carried = parent.map_or(Vec3::zero(), |parent| over.to_parent.back(parent.omega));
     let rigid = rigid_part(situation, link, to, point);
     LinkMotion {
+        name: situation.chain.bodies[link.body].name.to_string(),
         parent: link.parent,
         point,
         attitude,

@@ -6,6 +6,7 @@
 //! its hinge. Masses in the middle of balls might go as well, for one operation in a hundred less;
 //! three balls took 6 % more time then, ten 12 %.
 
+use super::Trace;
 use super::motion::LinkMotion;
 use crate::math::{Mat3, Scalar, SpatialInertia, Sym3, Vec3};
 
@@ -23,6 +24,7 @@ pub struct Given<S> {
 pub fn redistribute<S: Scalar>(
     links: &mut [LinkMotion<S>],
     stays: impl Fn(usize) -> bool,
+    trace: &mut Trace<S>,
 ) -> Vec<Given<S>> {
     let before =
         |link: &LinkMotion<S>| Given { mass: S::zero(), scales: (link.mass, link.inertia.trace()) };
@@ -46,6 +48,10 @@ pub fn redistribute<S: Scalar>(
         }
         best.0.put_into(&mut links[index]);
         best.1.put_into(&mut links[parent]);
+    }
+    trace.section("base", "Base parameters", "");
+    for LinkMotion { name, mass, moment, inertia, .. } in links.iter() {
+        trace.rigid_body(&format!("{name}_base"), *mass, *moment, *inertia);
     }
     given
 }

@@ -72,7 +72,9 @@ impl<S: Scalar> Trace<S> {
     /// Names the entries of a matrix.
     pub fn matrix(&mut self, name: &str, Mat3(rows): Mat3<S>) {
         for (row, values) in ["x", "y", "z"].into_iter().zip(rows) {
-            self.vector(&format!("{name}_{row}"), Vec3(values));
+            for (column, value) in ["x", "y", "z"].into_iter().zip(values) {
+                self.number(format!("{name}_{row}{column}"), value);
+            }
         }
     }
 
@@ -83,6 +85,13 @@ impl<S: Scalar> Trace<S> {
         }
     }
 
+    /// Names mass, first moment and inertia of a rigid body.
+    pub fn rigid_body(&mut self, name: &str, mass: S, first_moment: Vec3<S>, inertia: Sym3<S>) {
+        self.number(format!("{name}_mass"), mass);
+        self.vector(&format!("{name}_first_moment"), first_moment);
+        self.symmetric(&format!("{name}_inertia"), inertia);
+    }
+
     /// Names the entries of a motion.
     pub fn motion(&mut self, name: &str, motion: Motion<S>) {
         self.vector(&format!("{name}_lin"), motion.linear);
@@ -91,15 +100,17 @@ impl<S: Scalar> Trace<S> {
 
     /// Names the entries of a wrench.
     pub fn wrench(&mut self, name: &str, wrench: Wrench<S>) {
-        self.vector(&format!("{name}_force"), wrench.force);
-        self.vector(&format!("{name}_moment"), wrench.moment);
+        let entries = wrench.force.0.into_iter().chain(wrench.moment.0);
+        for (entry, value) in ["fx", "fy", "fz", "mx", "my", "mz"].into_iter().zip(entries) {
+            self.number(format!("{name}_{entry}"), value);
+        }
     }
 
     /// Names the entries of a spatial inertia.
     pub fn inertia(&mut self, name: &str, inertia: SpatialInertia<S>) {
-        self.symmetric(&format!("{name}_k"), inertia.linear);
-        self.matrix(&format!("{name}_b"), inertia.coupling);
-        self.symmetric(&format!("{name}_j"), inertia.angular);
+        self.symmetric(&format!("{name}_mass"), inertia.linear);
+        self.matrix(&format!("{name}_coupling"), inertia.coupling);
+        self.symmetric(&format!("{name}_inertia"), inertia.angular);
     }
 }
 

@@ -111,7 +111,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 4 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 4 | 1 | 0 | 0 |
-    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 28 | 20 | 1 | 0 | 0 |
+    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 29 | 23 | 1 | 0 | 0 |
     /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 117 | 65 | 4 | 4 | 0 |
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
@@ -119,7 +119,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 15 | 10 | 0 | 0 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 7 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 12 | 6 | 0 | 0 | 0 |
-    /// | Results |  | 1 | 5 | 0 | 0 | 0 |
+    /// | Results |  | 0 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -170,80 +170,83 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t4_ = sin_b_angle_ * sin_b_angle_;
         let t5_ = c_(1.5) * t4_;
         let t6_ = t5_ + c_(0.5);
-        let a_j_zz_ = T::mul_add(c_(0.36), t6_, c_(0.24));
-        let t8_ = T::recip(a_j_zz_);
+        let a_articulated_inertia_zz_ = T::mul_add(c_(0.36), t6_, c_(0.24));
+        let a_d_inverse_ = T::recip(a_articulated_inertia_zz_);
         let t3_ = sin_b_angle_ * cos_b_angle_;
-        let a_b_y_z_ = T::mul_add(c_(0.6), t6_, c_(0.6));
-        let a_b_x_z_ = t3_ * c_(0.8999999999999999);
-        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 28 mul, 20 add, 1 reciprocal.
-        let t18_ = sin_a_angle_ * cos_a_angle_;
+        let a_articulated_coupling_yz_ = T::mul_add(c_(0.6), t6_, c_(0.6));
+        let a_articulated_coupling_xz_ = t3_ * c_(0.8999999999999999);
+        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 29 mul, 23 add, 1 reciprocal.
+        let t17_ = sin_a_angle_ * cos_a_angle_;
         /// Riccati transfer over `a`.
-        let a_k_xy_ = c_(1.5) * t3_;
+        let a_articulated_mass_xy_ = c_(1.5) * t3_;
         /// Riccati transfer over `crank_pin`.
-        let t13_ = a_b_y_z_ * a_b_y_z_;
-        let t15_ = a_b_x_z_ * a_b_y_z_;
-        let t10_ = c_(2.5) + t5_;
-        let t11_ = a_b_x_z_ * a_b_x_z_;
-        let t9_ = t5_ - c_(4.0);
-        let t22_ = c_(2.0) * t18_;
-        let t14_ = T::mul_neg_add(t8_, t13_, t10_);
-        let t16_ = T::mul_neg_add(t8_, t15_, a_k_xy_);
-        let t12_ = T::mul_add(t8_, t11_, t9_);
-        let t17_ = sin_a_angle_ * sin_a_angle_;
-        let t23_ = T::mul_add(t16_, t22_, t14_);
-        let t19_ = t12_ + t14_;
-        let t24_ = T::mul_sub(t17_, t19_, t23_);
+        let t12_ = a_articulated_coupling_yz_ * a_articulated_coupling_yz_;
+        let t14_ = a_articulated_coupling_xz_ * a_articulated_coupling_yz_;
+        let t9_ = c_(2.5) + t5_;
+        let t10_ = a_articulated_coupling_xz_ * a_articulated_coupling_xz_;
+        let t8_ = t5_ - c_(4.0);
+        let t21_ = c_(2.0) * t17_;
+        let t13_ = T::mul_neg_add(a_d_inverse_, t12_, t9_);
+        let t15_ = T::mul_neg_add(a_d_inverse_, t14_, a_articulated_mass_xy_);
+        let t11_ = T::mul_add(a_d_inverse_, t10_, t8_);
+        let t16_ = sin_a_angle_ * sin_a_angle_;
+        let t22_ = T::mul_add(t15_, t21_, t13_);
+        let t18_ = t11_ + t13_;
+        let t23_ = T::mul_sub(t16_, t18_, t22_);
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 117 mul, 65 add, 4 reciprocal, 4 square root.
         let t34_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
         let t37_ = sin_b_angle_ * cos_rocker_pin_angle_;
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_j_zz_ = T::mul_neg_add(
+        let crank_pin_articulated_inertia_zz_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t24_,
+            t23_,
             c_(0.020000000000000004),
         );
         /// Closure.
         let t35_ = cos_b_angle_ * cos_rocker_pin_angle_;
         let t38_ = T::mul_add(cos_b_angle_, t34_, t37_);
         /// Riccati transfer over `crank_pin`.
-        let t32_ = T::recip(crank_pin_j_zz_);
+        let crank_pin_d_inverse_ = T::recip(crank_pin_articulated_inertia_zz_);
         /// Closure.
         let t36_ = T::mul_neg_add(sin_b_angle_, t34_, t35_);
         let t39_ = c_(0.6) * t38_;
         /// Riccati transfer over `a`.
-        let a_z0_force_x_ = a_b_x_z_ * t8_;
+        let a_gain_fx_ = a_articulated_coupling_xz_ * a_d_inverse_;
         /// Closure.
-        let a_j_zz_spilled_ = ::mstmm::generated::spill(place0_, a_j_zz_);
+        let a_articulated_inertia_zz_spilled_ = ::mstmm::generated::spill(
+            place0_,
+            a_articulated_inertia_zz_,
+        );
         let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
         /// Riccati transfer over `a`.
-        let crank_pin_j_zz_spilled_ = ::mstmm::generated::spill(
+        let crank_pin_articulated_inertia_zz_spilled_ = ::mstmm::generated::spill(
             place1_,
-            crank_pin_j_zz_,
+            crank_pin_articulated_inertia_zz_,
         );
-        let a_z0_force_y_ = a_b_y_z_ * t8_;
+        let a_gain_fy_ = a_articulated_coupling_yz_ * a_d_inverse_;
         /// Closure.
-        let t12_spilled_ = ::mstmm::generated::spill(place2_, t12_);
-        let t40_ = T::mul_neg_add(t39_, a_z0_force_x_, t36_);
-        let t14_spilled_ = ::mstmm::generated::spill(place3_, t14_);
-        let t45_ = T::sqrt(t8_);
+        let t11_spilled_ = ::mstmm::generated::spill(place2_, t11_);
+        let t40_ = T::mul_neg_add(t39_, a_gain_fx_, t36_);
+        let t13_spilled_ = ::mstmm::generated::spill(place3_, t13_);
+        let t45_ = T::sqrt(a_d_inverse_);
         let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
         let sin_crank_pin_angle_spilled_ = ::mstmm::generated::spill(
             place4_,
             sin_crank_pin_angle_,
         );
-        let t41_ = T::mul_neg_add(t39_, a_z0_force_y_, t38_);
+        let t41_ = T::mul_neg_add(t39_, a_gain_fy_, t38_);
         let cos_crank_pin_angle_spilled_ = ::mstmm::generated::spill(
             place5_,
             cos_crank_pin_angle_,
         );
         let t71_ = cos_a_angle_ * t40_;
         let t42_ = sin_a_angle_ * t40_;
-        let t24_spilled_ = ::mstmm::generated::spill(place6_, t24_);
-        let t50_ = T::sqrt(t32_);
-        let t18_spilled_ = ::mstmm::generated::spill(place7_, t18_);
+        let t23_spilled_ = ::mstmm::generated::spill(place6_, t23_);
+        let t50_ = T::sqrt(crank_pin_d_inverse_);
+        let t17_spilled_ = ::mstmm::generated::spill(place7_, t17_);
         let t52_ = c_(0.6) * sin_rocker_pin_angle_;
         let t55_ = t54_ * c_(0.36);
-        let t19_spilled_ = ::mstmm::generated::spill(place8_, t19_);
+        let t18_spilled_ = ::mstmm::generated::spill(place8_, t18_);
         let t64_ = t36_ * t36_;
         let t72_ = T::mul_neg_add(sin_a_angle_, t41_, t71_);
         let t43_ = T::mul_add(cos_a_angle_, t41_, t42_);
@@ -255,9 +258,12 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t44_ = c_(0.2) * t43_;
         let t36_spilled_ = ::mstmm::generated::spill(place10_, t36_);
         let t57_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
-        let a_b_x_z_spilled_ = ::mstmm::generated::spill(place11_, a_b_x_z_);
+        let a_articulated_coupling_xz_spilled_ = ::mstmm::generated::spill(
+            place11_,
+            a_articulated_coupling_xz_,
+        );
         let t61_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t16_spilled_ = ::mstmm::generated::spill(place12_, t16_);
+        let t15_spilled_ = ::mstmm::generated::spill(place12_, t15_);
         let t46_ = sin_rocker_pin_angle_ * c_(1.2247448713915892);
         let t58_ = t56_ * c_(4.166666666666667);
         let t67_ = T::mul_add(t65_, c_(0.72), t66_);
@@ -271,20 +277,20 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             sin_rocker_pin_angle_,
         );
         let t48_ = t46_ * t46_;
-        let t70_ = T::mul_add(t8_, t67_, t58_);
+        let t70_ = T::mul_add(a_d_inverse_, t67_, t58_);
         let t47_ = t39_ * t45_;
         let t79_ = T::mul_add(t77_, c_(0.76), t78_);
         let t60_ = T::mul_add(sin_b_angle_, t57_, t59_);
         let t63_ = c_(0.6) * t62_;
         let t49_ = T::mul_add(t47_, t47_, t48_);
-        let t84_ = T::mul_add(t79_, t32_, t70_);
+        let t84_ = T::mul_add(t79_, crank_pin_d_inverse_, t70_);
         let t51_ = t44_ * t50_;
-        let t68_ = T::mul_neg_add(t63_, a_z0_force_x_, t60_);
+        let t68_ = T::mul_neg_add(t63_, a_gain_fx_, t60_);
         let t86_ = c_(0.0009765625) * t84_;
         let closure_d0_ = T::mul_add(t51_, t51_, t49_);
-        let a_z0_force_x_spilled_ = ::mstmm::generated::spill(place15_, a_z0_force_x_);
-        let t69_ = T::mul_neg_add(t63_, a_z0_force_y_, t62_);
-        let a_z0_force_y_spilled_ = ::mstmm::generated::spill(place16_, a_z0_force_y_);
+        let a_gain_fx_spilled_ = ::mstmm::generated::spill(place15_, a_gain_fx_);
+        let t69_ = T::mul_neg_add(t63_, a_gain_fy_, t62_);
+        let a_gain_fy_spilled_ = ::mstmm::generated::spill(place16_, a_gain_fy_);
         let t73_ = sin_a_angle_ * t68_;
         let t44_spilled_ = ::mstmm::generated::spill(place17_, t44_);
         let t80_ = cos_rocker_pin_angle_ * c_(1.2247448713915892);
@@ -293,7 +299,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t39_spilled_ = ::mstmm::generated::spill(place18_, t39_);
         let t82_ = t46_ * t80_;
         let t81_ = t63_ * t45_;
-        let a_b_y_z_spilled_ = ::mstmm::generated::spill(place19_, a_b_y_z_);
+        let a_articulated_coupling_yz_spilled_ = ::mstmm::generated::spill(
+            place19_,
+            a_articulated_coupling_yz_,
+        );
         let t75_ = c_(0.2) * t74_;
         let t105_ = cos_a_angle_ * t68_;
         let t83_ = T::mul_neg_add(t47_, t81_, t82_);
@@ -330,124 +339,131 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let b_rate_ = v_[2];
         let b_omega_z_ = b_rate_ + a_omega_z_;
         /// Closure.
-        let t104_ = T::mul_add(t8_, t103_, t99_);
+        let t104_ = T::mul_add(a_d_inverse_, t103_, t99_);
         let t110_ = T::mul_add(c_(0.76), t108_, t109_);
         let t91_ = T::mul_add(t47_, t89_, t81_);
         let t93_ = t90_ * t90_;
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t2_ = b_omega_z_ * b_omega_z_;
         /// Closure.
-        let t121_ = T::mul_add(t110_, t32_, t104_);
+        let t121_ = T::mul_add(t110_, crank_pin_d_inverse_, t104_);
         let t92_ = T::mul_add(t51_, t89_, t85_);
         let t94_ = T::mul_add(t91_, t91_, t93_);
         /// Motion across `b`.
         let t1_ = a_omega_z_ * a_omega_z_;
         /// Riccati transfer over `b`.
-        let minus_b_e_force_x_ = c_(0.6) * t2_;
+        let minus_b_bias_fx_ = c_(0.6) * t2_;
         /// Closure.
         let t122_ = c_(0.0009765625) * t121_;
         let closure_d1_ = T::mul_add(t92_, t92_, t94_);
         /// Motion across `b`.
         let minus_b_centripetal_x_ = t1_ * c_(0.6);
         /// Riccati transfer over `a`.
-        let t7_ = sin_b_angle_ * minus_b_e_force_x_;
+        let t7_ = sin_b_angle_ * minus_b_bias_fx_;
         /// Closure.
         let t129_ = T::sqrt(t128_);
         let t123_ = ::mstmm::generated::recip_above(closure_d1_, t122_);
         /// Riccati transfer over `a`.
-        let minus_a_e_force_y_ = T::mul_add(minus_b_centripetal_x_, a_k_xy_, t7_);
-        let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
+        let minus_a_bias_fy_ = T::mul_add(
+            minus_b_centripetal_x_,
+            a_articulated_mass_xy_,
+            t7_,
+        );
+        let minus_a_bias_mz_ = c_(0.6) * minus_a_bias_fy_;
         /// Riccati transfer over `crank_pin`.
-        let t28_ = T::mul_add(cos_b_angle_, minus_b_e_force_x_, minus_b_centripetal_x_);
-        let t25_ = t5_ - c_(2.0);
+        let t27_ = T::mul_add(cos_b_angle_, minus_b_bias_fx_, minus_b_centripetal_x_);
+        let t24_ = t5_ - c_(2.0);
         /// Riccati transfer over `a`.
-        let a_w0_ = minus_a_e_moment_z_ * t8_;
+        let a_rest_ = minus_a_bias_mz_ * a_d_inverse_;
         /// Riccati transfer over `crank_pin`.
-        let t20_ = T::mul_neg_add(c_(2.0), t17_, c_(1.0));
-        let t29_ = T::mul_sub(minus_b_centripetal_x_, t25_, t28_);
+        let t19_ = T::mul_neg_add(c_(2.0), t16_, c_(1.0));
+        let t28_ = T::mul_sub(minus_b_centripetal_x_, t24_, t27_);
         /// Closure.
         let t125_ = T::mul_neg_add(closure_d1_, t123_, c_(1.0));
         /// Riccati transfer over `crank_pin`.
-        let a_b_y_z_ = *a_b_y_z_spilled_;
-        let t26_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
+        let a_articulated_coupling_yz_ = *a_articulated_coupling_yz_spilled_;
+        let t25_ = T::mul_neg_add(a_articulated_coupling_yz_, a_rest_, minus_a_bias_fy_);
         /// Motion across `a`.
         let crank_pin_rate_ = v_again_[0];
         let t0_ = crank_pin_rate_ * crank_pin_rate_;
         /// Riccati transfer over `crank_pin`.
-        let t16_ = *t16_spilled_;
-        let t21_ = t16_ * t20_;
-        let a_b_x_z_ = *a_b_x_z_spilled_;
-        let t30_ = T::mul_add(a_b_x_z_, a_w0_, t29_);
+        let t15_ = *t15_spilled_;
+        let t20_ = t15_ * t19_;
+        let a_articulated_coupling_xz_ = *a_articulated_coupling_xz_spilled_;
+        let t29_ = T::mul_add(a_articulated_coupling_xz_, a_rest_, t28_);
         /// Closure.
         let t126_ = t89_ * t125_;
         let t130_ = t124_ * t129_;
         /// Riccati transfer over `crank_pin`.
         let cos_a_angle_ = *cos_a_angle_spilled_;
-        let t27_ = cos_a_angle_ * t26_;
+        let t26_ = cos_a_angle_ * t25_;
         /// Motion across `a`.
         let minus_a_centripetal_x_ = t0_ * c_(0.2);
         /// Closure.
         let cos_rocker_pin_angle_ = *cos_rocker_pin_angle_spilled_;
-        let t95_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t95_ = cos_rocker_pin_angle_ * minus_b_bias_fx_;
         /// Riccati transfer over `crank_pin`.
+        let t17_ = *t17_spilled_;
         let t18_ = *t18_spilled_;
-        let t19_ = *t19_spilled_;
-        let crank_pin_k_xy_ = T::mul_neg_add(t18_, t19_, t21_);
+        let crank_pin_articulated_mass_xy_ = T::mul_neg_add(t17_, t18_, t20_);
         /// Closure.
         let t131_ = t126_ * t130_;
         /// Riccati transfer over `crank_pin`.
-        let t31_ = T::mul_neg_add(sin_a_angle_, t30_, t27_);
+        let t30_ = T::mul_neg_add(sin_a_angle_, t29_, t26_);
         /// Closure.
         let sin_rocker_pin_angle_ = *sin_rocker_pin_angle_spilled_;
-        let t96_ = T::mul_sub(sin_rocker_pin_angle_, minus_b_e_force_x_, c_(9.8));
+        let t96_ = T::mul_sub(sin_rocker_pin_angle_, minus_b_bias_fx_, c_(9.8));
         let t36_ = *t36_spilled_;
         let t111_ = T::mul_add(minus_b_centripetal_x_, t36_, t95_);
         let t133_ = t125_ * t125_;
         let t132_ = T::mul_neg_add(t130_, t131_, t126_);
         /// Riccati transfer over `crank_pin`.
-        let minus_crank_pin_e_force_y_ = T::mul_add(
+        let minus_crank_pin_bias_fy_ = T::mul_add(
             minus_a_centripetal_x_,
-            crank_pin_k_xy_,
-            t31_,
+            crank_pin_articulated_mass_xy_,
+            t30_,
         );
         /// Closure.
         let t114_ = T::mul_add(minus_b_centripetal_x_, t60_, t96_);
         let t39_ = *t39_spilled_;
-        let t112_ = T::mul_sub(t39_, a_w0_, t111_);
+        let t112_ = T::mul_sub(t39_, a_rest_, t111_);
         /// Riccati transfer over `crank_pin`.
-        let t24_ = *t24_spilled_;
-        let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t24_, c_(0.1));
+        let t23_ = *t23_spilled_;
+        let crank_pin_articulated_coupling_yz_ = T::mul_neg_add(c_(0.2), t23_, c_(0.1));
         /// Closure.
         let t134_ = T::mul_add(t132_, t132_, t133_);
         /// Riccati transfer over `crank_pin`.
         let crank_pin_input0_ = *crank_pin_input_;
-        let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
+        let t33_ = T::mul_add(c_(0.2), minus_crank_pin_bias_fy_, crank_pin_input0_);
         /// Closure.
-        let t115_ = T::mul_sub(t63_, a_w0_, t114_);
+        let t115_ = T::mul_sub(t63_, a_rest_, t114_);
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
+        let crank_pin_articulated_coupling_xz_ = c_(0.2)
+            * crank_pin_articulated_mass_xy_;
         /// Closure.
         let t72_ = *t72_spilled_;
         let t113_ = T::mul_sub(minus_a_centripetal_x_, t72_, t112_);
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t32_;
+        let crank_pin_gain_fy_ = crank_pin_articulated_coupling_yz_
+            * crank_pin_d_inverse_;
         /// Closure.
         let t135_ = ::mstmm::generated::recip_above(t134_, c_(1.0));
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_w0_ = t33_ * t32_;
+        let crank_pin_rest_ = t33_ * crank_pin_d_inverse_;
         /// Closure.
         let t116_ = T::mul_sub(minus_a_centripetal_x_, t106_, t115_);
         let cos_crank_pin_angle_ = *cos_crank_pin_angle_spilled_;
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
+        let crank_pin_gain_fx_ = crank_pin_articulated_coupling_xz_
+            * crank_pin_d_inverse_;
         /// Closure.
         let t44_ = *t44_spilled_;
         let t43_ = *t43_spilled_;
-        let t118_ = T::mul_neg_add(t44_, crank_pin_z0_force_y_, t43_);
-        let t120_ = T::mul_neg_add(t75_, crank_pin_z0_force_y_, t74_);
-        let t139_ = T::mul_neg_add(t44_, crank_pin_w0_, t113_);
-        let t142_ = T::mul_neg_add(t75_, crank_pin_w0_, t116_);
+        let t118_ = T::mul_neg_add(t44_, crank_pin_gain_fy_, t43_);
+        let t120_ = T::mul_neg_add(t75_, crank_pin_gain_fy_, t74_);
+        let t139_ = T::mul_neg_add(t44_, crank_pin_rest_, t113_);
+        let t142_ = T::mul_neg_add(t75_, crank_pin_rest_, t116_);
         let sin_crank_pin_angle_ = *sin_crank_pin_angle_spilled_;
         let sin_b_angle_spilled_ = ::mstmm::generated::spill(place13_, sin_b_angle_);
         let minus_b_centripetal_x_spilled_ = ::mstmm::generated::spill(
@@ -455,8 +471,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             minus_b_centripetal_x_,
         );
         let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
-        let t117_ = T::mul_neg_add(t44_, crank_pin_z0_force_x_, t72_);
-        let t119_ = T::mul_neg_add(t75_, crank_pin_z0_force_x_, t106_);
+        let t117_ = T::mul_neg_add(t44_, crank_pin_gain_fx_, t72_);
+        let t119_ = T::mul_neg_add(t75_, crank_pin_gain_fx_, t106_);
         let t140_ = T::mul_sub(crank_pin_a_lin_y_, t118_, t139_);
         let t143_ = T::mul_sub(crank_pin_a_lin_y_, t120_, t142_);
         let t141_ = T::mul_add(crank_pin_a_lin_x_, t117_, t140_);
@@ -472,30 +488,30 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t137_ = t132_ * t136_;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 15 mul, 10 add, 0 reciprocal.
         let cos_a_angle_ = *cos_a_angle_spilled_;
-        let a_z0_force_x_ = *a_z0_force_x_spilled_;
-        let t164_ = cos_a_angle_ * a_z0_force_x_;
-        let t166_ = sin_a_angle_ * a_z0_force_x_;
+        let a_gain_fx_ = *a_gain_fx_spilled_;
+        let t164_ = cos_a_angle_ * a_gain_fx_;
+        let t166_ = sin_a_angle_ * a_gain_fx_;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 7 mul, 4 add, 0 reciprocal.
-        let t155_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        let t155_ = sin_crank_pin_angle_ * crank_pin_gain_fx_;
         /// Closure.
         let t138_ = t125_ * t136_;
         let t151_ = t137_ * t150_;
         /// Acceleration of `a`.
-        let a_z0_force_y_ = *a_z0_force_y_spilled_;
-        let t165_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t164_);
+        let a_gain_fy_ = *a_gain_fy_spilled_;
+        let t165_ = T::mul_neg_add(sin_a_angle_, a_gain_fy_, t164_);
         let t159_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
-        let t167_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t166_);
+        let t167_ = T::mul_add(cos_a_angle_, a_gain_fy_, t166_);
         /// Acceleration of `crank_pin`.
         let cos_crank_pin_angle_ = *cos_crank_pin_angle_spilled_;
-        let t156_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t155_);
+        let t156_ = T::mul_add(cos_crank_pin_angle_, crank_pin_gain_fy_, t155_);
         /// Closure.
         let t152_ = T::mul_add(t138_, t147_, t151_);
         /// Acceleration of `a`.
-        let t169_ = T::mul_add(t159_, t165_, a_w0_);
-        let t163_ = t63_ * t8_;
+        let t169_ = T::mul_add(t159_, t165_, a_rest_);
+        let t163_ = t63_ * a_d_inverse_;
         /// Acceleration of `crank_pin`.
-        let t154_ = t75_ * t32_;
-        let t157_ = T::mul_sub(c_(9.8), t156_, crank_pin_w0_);
+        let t154_ = t75_ * crank_pin_d_inverse_;
+        let t157_ = T::mul_sub(c_(9.8), t156_, crank_pin_rest_);
         /// Closure.
         let minus_closure_reaction1_ = T::mul_neg_add(t138_, t152_, t147_);
         /// Acceleration of `a`.
@@ -505,9 +521,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t173_ = sin_rocker_pin_angle_ * c_(2.5);
         /// Acceleration of `a`.
         let t39_ = *t39_spilled_;
-        let t162_ = t39_ * t8_;
+        let t162_ = t39_ * a_d_inverse_;
         /// Acceleration of `crank_pin`.
-        let t153_ = t44_ * t32_;
+        let t153_ = t44_ * crank_pin_d_inverse_;
         /// Closure.
         let closure_reaction0_ = T::mul_neg_add(t137_, t152_, t150_);
         /// Acceleration of `crank_pin`.
@@ -550,37 +566,42 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let a_a_lin_y_ = T::mul_add(cos_a_angle_, t161_, t160_);
         /// Acceleration of `b`.
         let t183_ = T::mul_sub(t175_, t180_, t182_);
-        /// Results: 1 mul, 5 add, 0 reciprocal.
-        let t14_ = *t14_spilled_;
-        let t186_ = c_(4.0) + t14_;
-        let t12_ = *t12_spilled_;
-        let t187_ = t12_ - t186_;
+        /// Riccati transfer over `crank_pin`.
+        let t13_ = *t13_spilled_;
+        let t31_ = c_(4.0) + t13_;
+        let t11_ = *t11_spilled_;
+        let t32_ = t11_ - t31_;
         /// Acceleration of `b`.
         let minus_b_a_ang_z_ = T::mul_sub(t176_, a_a_lin_y_, t183_);
-        /// Results.
-        let t188_ = T::mul_neg_add(
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_d_scale_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t187_,
+            t32_,
             c_(0.030000000000000006),
         );
+        /// Results: 0 mul, 2 add, 0 reciprocal.
         let t184_ = minus_crank_pin_a_ang_z_ + a_a_ang_z_;
         let t185_ = a_a_ang_z_ + minus_b_a_ang_z_;
-        let a_j_zz_ = *a_j_zz_spilled_;
-        let crank_pin_j_zz_ = *crank_pin_j_zz_spilled_;
+        let a_articulated_inertia_zz_ = *a_articulated_inertia_zz_spilled_;
+        let crank_pin_articulated_inertia_zz_ = *crank_pin_articulated_inertia_zz_spilled_;
         if !::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
-            [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t188_],
+            [a_articulated_inertia_zz_, crank_pin_articulated_inertia_zz_],
+            [c_(2.04), crank_pin_d_scale_],
             [state_.t, state_.v.data.0[0][3], t184_, -t185_],
         ) {
             return ::core::result::Result::Err(
                 ::mstmm::generated::irregular::<
                     T,
                     _,
-                >(&["a", "crank_pin"], [a_j_zz_, crank_pin_j_zz_], [c_(2.04), t188_]),
+                >(
+                    &["a", "crank_pin"],
+                    [a_articulated_inertia_zz_, crank_pin_articulated_inertia_zz_],
+                    [c_(2.04), crank_pin_d_scale_],
+                ),
             );
         }
         accelerations_.data.0 = [
@@ -612,7 +633,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// |---|---|---|---|---|---|---|
     /// | Motion across `crank_pin` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 4 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 4 | 1 | 0 | 0 |
-    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 28 | 20 | 1 | 0 | 0 |
+    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 29 | 23 | 1 | 0 | 0 |
     /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 117 | 65 | 4 | 4 | 0 |
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 0 |
@@ -620,7 +641,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 17 | 11 | 0 | 0 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 7 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 15 | 8 | 0 | 0 | 0 |
-    /// | Results |  | 16 | 13 | 0 | 0 | 0 |
+    /// | Results |  | 15 | 10 | 0 | 0 | 0 |
     /// | Load on `crank_pin` | \[P, Eqs. (18), (19)\] | 19 | 18 | 0 | 0 | 0 |
     /// | Velocity behind `a` |  | 3 | 0 | 0 | 0 | 0 |
     /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 3 | 5 | 0 | 0 | 0 |
@@ -673,60 +694,60 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t4_ = sin_b_angle_ * sin_b_angle_;
         let t5_ = c_(1.5) * t4_;
         let t6_ = t5_ + c_(0.5);
-        let a_j_zz_ = T::mul_add(c_(0.36), t6_, c_(0.24));
-        let t8_ = T::recip(a_j_zz_);
+        let a_articulated_inertia_zz_ = T::mul_add(c_(0.36), t6_, c_(0.24));
+        let a_d_inverse_ = T::recip(a_articulated_inertia_zz_);
         let t3_ = sin_b_angle_ * cos_b_angle_;
-        let a_b_y_z_ = T::mul_add(c_(0.6), t6_, c_(0.6));
-        let a_b_x_z_ = t3_ * c_(0.8999999999999999);
-        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 28 mul, 20 add, 1 reciprocal.
-        let t18_ = sin_a_angle_ * cos_a_angle_;
+        let a_articulated_coupling_yz_ = T::mul_add(c_(0.6), t6_, c_(0.6));
+        let a_articulated_coupling_xz_ = t3_ * c_(0.8999999999999999);
+        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 29 mul, 23 add, 1 reciprocal.
+        let t17_ = sin_a_angle_ * cos_a_angle_;
         /// Riccati transfer over `a`.
-        let a_k_xy_ = c_(1.5) * t3_;
+        let a_articulated_mass_xy_ = c_(1.5) * t3_;
         /// Riccati transfer over `crank_pin`.
-        let t13_ = a_b_y_z_ * a_b_y_z_;
-        let t15_ = a_b_x_z_ * a_b_y_z_;
-        let t10_ = c_(2.5) + t5_;
-        let t11_ = a_b_x_z_ * a_b_x_z_;
-        let t9_ = t5_ - c_(4.0);
-        let t22_ = c_(2.0) * t18_;
-        let t14_ = T::mul_neg_add(t8_, t13_, t10_);
-        let t16_ = T::mul_neg_add(t8_, t15_, a_k_xy_);
-        let t12_ = T::mul_add(t8_, t11_, t9_);
-        let t17_ = sin_a_angle_ * sin_a_angle_;
-        let t23_ = T::mul_add(t16_, t22_, t14_);
-        let t19_ = t12_ + t14_;
-        let t24_ = T::mul_sub(t17_, t19_, t23_);
+        let t12_ = a_articulated_coupling_yz_ * a_articulated_coupling_yz_;
+        let t14_ = a_articulated_coupling_xz_ * a_articulated_coupling_yz_;
+        let t9_ = c_(2.5) + t5_;
+        let t10_ = a_articulated_coupling_xz_ * a_articulated_coupling_xz_;
+        let t8_ = t5_ - c_(4.0);
+        let t21_ = c_(2.0) * t17_;
+        let t13_ = T::mul_neg_add(a_d_inverse_, t12_, t9_);
+        let t15_ = T::mul_neg_add(a_d_inverse_, t14_, a_articulated_mass_xy_);
+        let t11_ = T::mul_add(a_d_inverse_, t10_, t8_);
+        let t16_ = sin_a_angle_ * sin_a_angle_;
+        let t22_ = T::mul_add(t15_, t21_, t13_);
+        let t18_ = t11_ + t13_;
+        let t23_ = T::mul_sub(t16_, t18_, t22_);
         /// Closure, [P, Eqs. (9) to (11)] at the held end: 117 mul, 65 add, 4 reciprocal, 4 square root.
         let t34_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
         let t37_ = sin_b_angle_ * cos_rocker_pin_angle_;
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_j_zz_ = T::mul_neg_add(
+        let crank_pin_articulated_inertia_zz_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t24_,
+            t23_,
             c_(0.020000000000000004),
         );
         /// Closure.
         let t35_ = cos_b_angle_ * cos_rocker_pin_angle_;
         let t38_ = T::mul_add(cos_b_angle_, t34_, t37_);
         /// Riccati transfer over `crank_pin`.
-        let t32_ = T::recip(crank_pin_j_zz_);
+        let crank_pin_d_inverse_ = T::recip(crank_pin_articulated_inertia_zz_);
         /// Closure.
         let t36_ = T::mul_neg_add(sin_b_angle_, t34_, t35_);
         let t39_ = c_(0.6) * t38_;
         /// Riccati transfer over `a`.
-        let a_z0_force_x_ = a_b_x_z_ * t8_;
+        let a_gain_fx_ = a_articulated_coupling_xz_ * a_d_inverse_;
         /// Closure.
         let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
         /// Riccati transfer over `a`.
-        let a_z0_force_y_ = a_b_y_z_ * t8_;
+        let a_gain_fy_ = a_articulated_coupling_yz_ * a_d_inverse_;
         /// Closure.
-        let t40_ = T::mul_neg_add(t39_, a_z0_force_x_, t36_);
-        let t45_ = T::sqrt(t8_);
+        let t40_ = T::mul_neg_add(t39_, a_gain_fx_, t36_);
+        let t45_ = T::sqrt(a_d_inverse_);
         let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
-        let t41_ = T::mul_neg_add(t39_, a_z0_force_y_, t38_);
+        let t41_ = T::mul_neg_add(t39_, a_gain_fy_, t38_);
         let t71_ = cos_a_angle_ * t40_;
         let t42_ = sin_a_angle_ * t40_;
-        let t50_ = T::sqrt(t32_);
+        let t50_ = T::sqrt(crank_pin_d_inverse_);
         let t52_ = c_(0.6) * sin_rocker_pin_angle_;
         let t55_ = t54_ * c_(0.36);
         let t64_ = t36_ * t36_;
@@ -747,18 +768,18 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t59_ = cos_b_angle_ * sin_rocker_pin_angle_;
         let t62_ = T::mul_neg_add(cos_b_angle_, t57_, t61_);
         let t48_ = t46_ * t46_;
-        let t70_ = T::mul_add(t8_, t67_, t58_);
+        let t70_ = T::mul_add(a_d_inverse_, t67_, t58_);
         let t47_ = t39_ * t45_;
         let t79_ = T::mul_add(t77_, c_(0.76), t78_);
         let t60_ = T::mul_add(sin_b_angle_, t57_, t59_);
         let t63_ = c_(0.6) * t62_;
         let t49_ = T::mul_add(t47_, t47_, t48_);
-        let t84_ = T::mul_add(t79_, t32_, t70_);
+        let t84_ = T::mul_add(t79_, crank_pin_d_inverse_, t70_);
         let t51_ = t44_ * t50_;
-        let t68_ = T::mul_neg_add(t63_, a_z0_force_x_, t60_);
+        let t68_ = T::mul_neg_add(t63_, a_gain_fx_, t60_);
         let t86_ = c_(0.0009765625) * t84_;
         let closure_d0_ = T::mul_add(t51_, t51_, t49_);
-        let t69_ = T::mul_neg_add(t63_, a_z0_force_y_, t62_);
+        let t69_ = T::mul_neg_add(t63_, a_gain_fy_, t62_);
         let t73_ = sin_a_angle_ * t68_;
         let t80_ = cos_rocker_pin_angle_ * c_(1.2247448713915892);
         let t87_ = ::mstmm::generated::recip_above(closure_d0_, t86_);
@@ -796,114 +817,121 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         *n33_ = b_omega_z_;
         ::mstmm::generated::written();
         /// Closure.
-        let t104_ = T::mul_add(t8_, t103_, t99_);
+        let t104_ = T::mul_add(a_d_inverse_, t103_, t99_);
         let t110_ = T::mul_add(c_(0.76), t108_, t109_);
         let t91_ = T::mul_add(t47_, t89_, t81_);
         let t93_ = t90_ * t90_;
         /// Riccati transfer over `b`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t2_ = b_omega_z_ * b_omega_z_;
         /// Closure.
-        let t121_ = T::mul_add(t110_, t32_, t104_);
+        let t121_ = T::mul_add(t110_, crank_pin_d_inverse_, t104_);
         let t92_ = T::mul_add(t51_, t89_, t85_);
         let t94_ = T::mul_add(t91_, t91_, t93_);
         /// Motion across `b`.
         let t1_ = a_omega_z_ * a_omega_z_;
         /// Riccati transfer over `b`.
-        let minus_b_e_force_x_ = c_(0.6) * t2_;
+        let minus_b_bias_fx_ = c_(0.6) * t2_;
         /// Closure.
         let t122_ = c_(0.0009765625) * t121_;
         let closure_d1_ = T::mul_add(t92_, t92_, t94_);
         /// Motion across `b`.
         let minus_b_centripetal_x_ = t1_ * c_(0.6);
         /// Riccati transfer over `a`.
-        let t7_ = sin_b_angle_ * minus_b_e_force_x_;
+        let t7_ = sin_b_angle_ * minus_b_bias_fx_;
         /// Closure.
         let t129_ = T::sqrt(t128_);
         let t123_ = ::mstmm::generated::recip_above(closure_d1_, t122_);
         /// Riccati transfer over `a`.
-        let minus_a_e_force_y_ = T::mul_add(minus_b_centripetal_x_, a_k_xy_, t7_);
-        let minus_a_e_moment_z_ = c_(0.6) * minus_a_e_force_y_;
+        let minus_a_bias_fy_ = T::mul_add(
+            minus_b_centripetal_x_,
+            a_articulated_mass_xy_,
+            t7_,
+        );
+        let minus_a_bias_mz_ = c_(0.6) * minus_a_bias_fy_;
         /// Riccati transfer over `crank_pin`.
-        let t28_ = T::mul_add(cos_b_angle_, minus_b_e_force_x_, minus_b_centripetal_x_);
-        let t25_ = t5_ - c_(2.0);
+        let t27_ = T::mul_add(cos_b_angle_, minus_b_bias_fx_, minus_b_centripetal_x_);
+        let t24_ = t5_ - c_(2.0);
         /// Riccati transfer over `a`.
-        let a_w0_ = minus_a_e_moment_z_ * t8_;
+        let a_rest_ = minus_a_bias_mz_ * a_d_inverse_;
         /// Riccati transfer over `crank_pin`.
-        let t20_ = T::mul_neg_add(c_(2.0), t17_, c_(1.0));
-        let t29_ = T::mul_sub(minus_b_centripetal_x_, t25_, t28_);
+        let t19_ = T::mul_neg_add(c_(2.0), t16_, c_(1.0));
+        let t28_ = T::mul_sub(minus_b_centripetal_x_, t24_, t27_);
         /// Closure.
         let t125_ = T::mul_neg_add(closure_d1_, t123_, c_(1.0));
         /// Riccati transfer over `crank_pin`.
-        let t26_ = T::mul_neg_add(a_b_y_z_, a_w0_, minus_a_e_force_y_);
+        let t25_ = T::mul_neg_add(a_articulated_coupling_yz_, a_rest_, minus_a_bias_fy_);
         /// Motion across `a`.
         let t0_ = crank_pin_rate_ * crank_pin_rate_;
         /// Riccati transfer over `crank_pin`.
-        let t21_ = t16_ * t20_;
-        let t30_ = T::mul_add(a_b_x_z_, a_w0_, t29_);
+        let t20_ = t15_ * t19_;
+        let t29_ = T::mul_add(a_articulated_coupling_xz_, a_rest_, t28_);
         /// Closure.
         let t126_ = t89_ * t125_;
         let t130_ = t124_ * t129_;
         /// Riccati transfer over `crank_pin`.
-        let t27_ = cos_a_angle_ * t26_;
+        let t26_ = cos_a_angle_ * t25_;
         /// Motion across `a`.
         let minus_a_centripetal_x_ = t0_ * c_(0.2);
         /// Closure.
-        let t95_ = cos_rocker_pin_angle_ * minus_b_e_force_x_;
+        let t95_ = cos_rocker_pin_angle_ * minus_b_bias_fx_;
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_k_xy_ = T::mul_neg_add(t18_, t19_, t21_);
+        let crank_pin_articulated_mass_xy_ = T::mul_neg_add(t17_, t18_, t20_);
         /// Closure.
         let t131_ = t126_ * t130_;
         /// Riccati transfer over `crank_pin`.
-        let t31_ = T::mul_neg_add(sin_a_angle_, t30_, t27_);
+        let t30_ = T::mul_neg_add(sin_a_angle_, t29_, t26_);
         /// Closure.
-        let t96_ = T::mul_sub(sin_rocker_pin_angle_, minus_b_e_force_x_, c_(9.8));
+        let t96_ = T::mul_sub(sin_rocker_pin_angle_, minus_b_bias_fx_, c_(9.8));
         let t111_ = T::mul_add(minus_b_centripetal_x_, t36_, t95_);
         let t133_ = t125_ * t125_;
         let t132_ = T::mul_neg_add(t130_, t131_, t126_);
         /// Riccati transfer over `crank_pin`.
-        let minus_crank_pin_e_force_y_ = T::mul_add(
+        let minus_crank_pin_bias_fy_ = T::mul_add(
             minus_a_centripetal_x_,
-            crank_pin_k_xy_,
-            t31_,
+            crank_pin_articulated_mass_xy_,
+            t30_,
         );
         /// Closure.
         let t114_ = T::mul_add(minus_b_centripetal_x_, t60_, t96_);
-        let t112_ = T::mul_sub(t39_, a_w0_, t111_);
+        let t112_ = T::mul_sub(t39_, a_rest_, t111_);
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_b_y_z_ = T::mul_neg_add(c_(0.2), t24_, c_(0.1));
+        let crank_pin_articulated_coupling_yz_ = T::mul_neg_add(c_(0.2), t23_, c_(0.1));
         /// Closure.
         let t134_ = T::mul_add(t132_, t132_, t133_);
         /// Riccati transfer over `crank_pin`.
-        let t33_ = T::mul_add(c_(0.2), minus_crank_pin_e_force_y_, crank_pin_input0_);
+        let t33_ = T::mul_add(c_(0.2), minus_crank_pin_bias_fy_, crank_pin_input0_);
         /// Closure.
-        let t115_ = T::mul_sub(t63_, a_w0_, t114_);
+        let t115_ = T::mul_sub(t63_, a_rest_, t114_);
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_b_x_z_ = c_(0.2) * crank_pin_k_xy_;
+        let crank_pin_articulated_coupling_xz_ = c_(0.2)
+            * crank_pin_articulated_mass_xy_;
         /// Closure.
         let t113_ = T::mul_sub(minus_a_centripetal_x_, t72_, t112_);
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_z0_force_y_ = crank_pin_b_y_z_ * t32_;
+        let crank_pin_gain_fy_ = crank_pin_articulated_coupling_yz_
+            * crank_pin_d_inverse_;
         /// Closure.
         let t135_ = ::mstmm::generated::recip_above(t134_, c_(1.0));
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_w0_ = t33_ * t32_;
+        let crank_pin_rest_ = t33_ * crank_pin_d_inverse_;
         /// Closure.
         let t116_ = T::mul_sub(minus_a_centripetal_x_, t106_, t115_);
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
         *n9_ = crank_pin_a_lin_y_;
         ::mstmm::generated::written();
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_z0_force_x_ = crank_pin_b_x_z_ * t32_;
+        let crank_pin_gain_fx_ = crank_pin_articulated_coupling_xz_
+            * crank_pin_d_inverse_;
         /// Closure.
-        let t118_ = T::mul_neg_add(t44_, crank_pin_z0_force_y_, t43_);
-        let t120_ = T::mul_neg_add(t75_, crank_pin_z0_force_y_, t74_);
-        let t139_ = T::mul_neg_add(t44_, crank_pin_w0_, t113_);
-        let t142_ = T::mul_neg_add(t75_, crank_pin_w0_, t116_);
+        let t118_ = T::mul_neg_add(t44_, crank_pin_gain_fy_, t43_);
+        let t120_ = T::mul_neg_add(t75_, crank_pin_gain_fy_, t74_);
+        let t139_ = T::mul_neg_add(t44_, crank_pin_rest_, t113_);
+        let t142_ = T::mul_neg_add(t75_, crank_pin_rest_, t116_);
         let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
         *n8_ = crank_pin_a_lin_x_;
         ::mstmm::generated::written();
-        let t117_ = T::mul_neg_add(t44_, crank_pin_z0_force_x_, t72_);
-        let t119_ = T::mul_neg_add(t75_, crank_pin_z0_force_x_, t106_);
+        let t117_ = T::mul_neg_add(t44_, crank_pin_gain_fx_, t72_);
+        let t119_ = T::mul_neg_add(t75_, crank_pin_gain_fx_, t106_);
         let t140_ = T::mul_sub(crank_pin_a_lin_y_, t118_, t139_);
         let t143_ = T::mul_sub(crank_pin_a_lin_y_, t120_, t142_);
         let t141_ = T::mul_add(crank_pin_a_lin_x_, t117_, t140_);
@@ -917,27 +945,27 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t150_ = T::mul_neg_add(t130_, t149_, t148_);
         let t137_ = t132_ * t136_;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 17 mul, 11 add, 0 reciprocal.
-        let t165_ = cos_a_angle_ * a_z0_force_x_;
-        let t167_ = sin_a_angle_ * a_z0_force_x_;
+        let t165_ = cos_a_angle_ * a_gain_fx_;
+        let t167_ = sin_a_angle_ * a_gain_fx_;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 7 mul, 4 add, 0 reciprocal.
-        let t155_ = sin_crank_pin_angle_ * crank_pin_z0_force_x_;
+        let t155_ = sin_crank_pin_angle_ * crank_pin_gain_fx_;
         /// Closure.
         let t138_ = t125_ * t136_;
         let t151_ = t137_ * t150_;
         /// Acceleration of `a`.
-        let t166_ = T::mul_neg_add(sin_a_angle_, a_z0_force_y_, t165_);
+        let t166_ = T::mul_neg_add(sin_a_angle_, a_gain_fy_, t165_);
         let t159_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
-        let t168_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t167_);
+        let t168_ = T::mul_add(cos_a_angle_, a_gain_fy_, t167_);
         /// Acceleration of `crank_pin`.
-        let t156_ = T::mul_add(cos_crank_pin_angle_, crank_pin_z0_force_y_, t155_);
+        let t156_ = T::mul_add(cos_crank_pin_angle_, crank_pin_gain_fy_, t155_);
         /// Closure.
         let t152_ = T::mul_add(t138_, t147_, t151_);
         /// Acceleration of `a`.
-        let t170_ = T::mul_add(t159_, t166_, a_w0_);
-        let t164_ = t63_ * t8_;
+        let t170_ = T::mul_add(t159_, t166_, a_rest_);
+        let t164_ = t63_ * a_d_inverse_;
         /// Acceleration of `crank_pin`.
-        let t154_ = t75_ * t32_;
-        let t157_ = T::mul_sub(c_(9.8), t156_, crank_pin_w0_);
+        let t154_ = t75_ * crank_pin_d_inverse_;
+        let t157_ = T::mul_sub(c_(9.8), t156_, crank_pin_rest_);
         /// Closure.
         let minus_closure_reaction1_ = T::mul_neg_add(t138_, t152_, t147_);
         /// Acceleration of `a`.
@@ -945,9 +973,9 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 15 mul, 8 add, 0 reciprocal.
         let t179_ = sin_rocker_pin_angle_ * c_(2.5);
         /// Acceleration of `a`.
-        let t163_ = t39_ * t8_;
+        let t163_ = t39_ * a_d_inverse_;
         /// Acceleration of `crank_pin`.
-        let t153_ = t44_ * t32_;
+        let t153_ = t44_ * crank_pin_d_inverse_;
         /// Closure.
         let closure_reaction0_ = T::mul_neg_add(t137_, t152_, t150_);
         /// Acceleration of `crank_pin`.
@@ -997,8 +1025,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Acceleration of `b`.
         let t181_ = sin_b_angle_ * c_(2.5);
         let t187_ = T::mul_add(t182_, a_a_lin_y_, t186_);
-        /// Results: 16 mul, 13 add, 0 reciprocal.
-        let t217_ = t0_ * c_(0.09000000000000002);
+        /// Results: 15 mul, 10 add, 0 reciprocal.
+        let t214_ = t0_ * c_(0.09000000000000002);
         /// Acceleration of `b`.
         let t174_ = minus_b_centripetal_x_ + minus_a_a_lin_x_;
         /// Load on `crank_pin`, [P, Eqs. (18), (19)]: 19 mul, 18 add, 0 reciprocal.
@@ -1009,11 +1037,11 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         *n34_ = minus_b_a_ang_z_;
         ::mstmm::generated::written();
         /// Results.
-        let t219_ = T::mul_add(t1_, c_(0.48), t217_);
+        let t216_ = T::mul_add(t1_, c_(0.48), t214_);
         /// Velocity behind `a`: 3 mul, 0 add, 0 reciprocal.
         let t205_ = crank_pin_rate_ * c_(0.2);
         /// Results.
-        let t218_ = a_omega_z_ * c_(1.7999999999999998);
+        let t215_ = a_omega_z_ * c_(1.7999999999999998);
         /// Load on `crank_pin`.
         let t190_ = cos_rocker_pin_angle_ * closure_reaction0_;
         let t193_ = T::mul_neg_add(
@@ -1031,7 +1059,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Connection points, [P, Eqs. (4), (12), (13)]: 3 mul, 5 add, 0 reciprocal.
         let t211_ = c_(0.6) * b_omega_z_;
         /// Results.
-        let t220_ = T::mul_add(t2_, c_(0.12), t219_);
+        let t217_ = T::mul_add(t2_, c_(0.12), t216_);
         /// Pose behind `a`, [P, Eq. (12)]: 6 mul, 2 add, 0 reciprocal.
         let t203_ = cos_crank_pin_angle_ * cos_a_angle_;
         let a_position_x_ = cos_crank_pin_angle_ * c_(0.2);
@@ -1060,15 +1088,15 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         ::mstmm::generated::written();
         /// Pose behind `a`.
         let t204_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let a_to_inertial_x_x_ = T::mul_neg_add(
+        let a_to_inertial_xx_ = T::mul_neg_add(
             sin_crank_pin_angle_,
             sin_a_angle_,
             t203_,
         );
-        *n15_ = a_to_inertial_x_x_;
+        *n15_ = a_to_inertial_xx_;
         ::mstmm::generated::written();
         /// Results.
-        let t223_ = sin_crank_pin_angle_ * c_(8.82);
+        let t220_ = sin_crank_pin_angle_ * c_(8.82);
         /// Load on `crank_pin`.
         let t188_ = T::mul_sub(t0_, c_(0.1), crank_pin_a_lin_x_);
         let t198_ = T::mul_add(c_(2.0), a_a_lin_y_, t175_);
@@ -1077,52 +1105,52 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         *n29_ = minus_b_a_lin_x_;
         ::mstmm::generated::written();
         /// Load on `crank_pin`.
-        let b_load_force_y_ = T::mul_sub(c_(2.0), b_a_lin_y_, t195_);
-        *n32_ = b_load_force_y_;
+        let b_load_fy_ = T::mul_sub(c_(2.0), b_a_lin_y_, t195_);
+        *n32_ = b_load_fy_;
         ::mstmm::generated::written();
-        let t194_ = minus_b_e_force_x_ - t191_;
+        let t194_ = minus_b_bias_fx_ - t191_;
         /// Velocity behind `b`: 5 mul, 3 add, 0 reciprocal.
         let t208_ = T::mul_add(a_omega_z_, c_(0.6), a_velocity_y_);
         let t210_ = sin_b_angle_ * a_velocity_x_;
         /// Pose behind `a`.
-        let minus_a_to_inertial_x_y_ = T::mul_add(
+        let minus_a_to_inertial_xy_ = T::mul_add(
             sin_crank_pin_angle_,
             cos_a_angle_,
             t204_,
         );
-        *n16_ = minus_a_to_inertial_x_y_;
+        *n16_ = minus_a_to_inertial_xy_;
         ::mstmm::generated::written();
         /// Pose behind `b`, [P, Eq. (12)]: 6 mul, 4 add, 0 reciprocal.
-        let t206_ = cos_b_angle_ * a_to_inertial_x_x_;
+        let t206_ = cos_b_angle_ * a_to_inertial_xx_;
         /// Velocity behind `b`.
         let t209_ = cos_b_angle_ * a_velocity_x_;
         /// Results.
-        let t221_ = T::mul_add(a_velocity_y_, t218_, t220_);
+        let t218_ = T::mul_add(a_velocity_y_, t215_, t217_);
         /// Load on `crank_pin`.
         let t196_ = T::mul_add(c_(2.0), minus_a_a_lin_x_, minus_b_centripetal_x_);
-        let minus_b_load_force_x_ = T::mul_add(c_(2.0), minus_b_a_lin_x_, t194_);
-        *n31_ = minus_b_load_force_x_;
+        let minus_b_load_fx_ = T::mul_add(c_(2.0), minus_b_a_lin_x_, t194_);
+        *n31_ = minus_b_load_fx_;
         ::mstmm::generated::written();
-        let t199_ = T::mul_add(cos_b_angle_, b_load_force_y_, t198_);
+        let t199_ = T::mul_add(cos_b_angle_, b_load_fy_, t198_);
         /// Pose behind `b`.
-        let b_position_x_ = T::mul_add(c_(0.6), a_to_inertial_x_x_, a_position_x_);
+        let b_position_x_ = T::mul_add(c_(0.6), a_to_inertial_xx_, a_position_x_);
         *n23_ = b_position_x_;
         ::mstmm::generated::written();
-        let t207_ = sin_b_angle_ * a_to_inertial_x_x_;
+        let t207_ = sin_b_angle_ * a_to_inertial_xx_;
         /// Velocity behind `b`.
         let minus_b_velocity_y_ = T::mul_neg_add(cos_b_angle_, t208_, t210_);
         *n26_ = minus_b_velocity_y_;
         ::mstmm::generated::written();
         /// Pose behind `b`.
-        let b_position_y_ = T::mul_add(c_(0.6), minus_a_to_inertial_x_y_, a_position_y_);
+        let b_position_y_ = T::mul_add(c_(0.6), minus_a_to_inertial_xy_, a_position_y_);
         *n24_ = b_position_y_;
         ::mstmm::generated::written();
-        let b_to_inertial_x_x_ = T::mul_neg_add(
+        let b_to_inertial_xx_ = T::mul_neg_add(
             sin_b_angle_,
-            minus_a_to_inertial_x_y_,
+            minus_a_to_inertial_xy_,
             t206_,
         );
-        *n27_ = b_to_inertial_x_x_;
+        *n27_ = b_to_inertial_xx_;
         ::mstmm::generated::written();
         /// Velocity behind `b`.
         let b_velocity_x_ = T::mul_add(sin_b_angle_, t208_, t209_);
@@ -1130,16 +1158,13 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         *n37_ = b_velocity_x_;
         ::mstmm::generated::written();
         /// Results.
-        let t224_ = T::mul_add(minus_a_to_inertial_x_y_, c_(17.64), t223_);
-        let t214_ = c_(4.0) + t14_;
+        let t221_ = T::mul_add(minus_a_to_inertial_xy_, c_(17.64), t220_);
+        /// Riccati transfer over `crank_pin`.
+        let t31_ = c_(4.0) + t13_;
         /// Load on `crank_pin`.
-        let t197_ = T::mul_add(sin_b_angle_, b_load_force_y_, t196_);
-        let minus_a_load_force_y_ = T::mul_sub(
-            sin_b_angle_,
-            minus_b_load_force_x_,
-            t199_,
-        );
-        *n20_ = minus_a_load_force_y_;
+        let t197_ = T::mul_add(sin_b_angle_, b_load_fy_, t196_);
+        let minus_a_load_fy_ = T::mul_sub(sin_b_angle_, minus_b_load_fx_, t199_);
+        *n20_ = minus_a_load_fy_;
         ::mstmm::generated::written();
         let t201_ = T::mul_neg_add(
             c_(0.1),
@@ -1147,80 +1172,71 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             crank_pin_a_lin_y_,
         );
         /// Pose behind `b`.
-        let minus_b_to_inertial_x_y_ = T::mul_add(
+        let minus_b_to_inertial_xy_ = T::mul_add(
             cos_b_angle_,
-            minus_a_to_inertial_x_y_,
+            minus_a_to_inertial_xy_,
             t207_,
         );
-        *n28_ = minus_b_to_inertial_x_y_;
+        *n28_ = minus_b_to_inertial_xy_;
         ::mstmm::generated::written();
         /// Connection points.
         let minus_point6_velocity_y_ = minus_b_velocity_y_ - t211_;
         *n38_ = minus_point6_velocity_y_;
         ::mstmm::generated::written();
         /// Results.
-        let t222_ = T::mul_sub(minus_b_velocity_y_, t211_, t221_);
-        at_.kinetic_energy = -t222_;
+        let t219_ = T::mul_sub(minus_b_velocity_y_, t211_, t218_);
+        at_.kinetic_energy = -t219_;
         ::mstmm::generated::written();
         /// Connection points.
-        let point6_position_x_ = T::mul_add(c_(0.6), b_to_inertial_x_x_, b_position_x_);
+        let point6_position_x_ = T::mul_add(c_(0.6), b_to_inertial_xx_, b_position_x_);
         *n35_ = point6_position_x_;
         ::mstmm::generated::written();
+        /// Riccati transfer over `crank_pin`.
+        let t32_ = t11_ - t31_;
         /// Results.
-        let t215_ = t12_ - t214_;
-        let t228_ = cos_rocker_pin_angle_ * t137_;
-        let t230_ = sin_rocker_pin_angle_ * t137_;
+        let t225_ = cos_rocker_pin_angle_ * t137_;
+        let t227_ = sin_rocker_pin_angle_ * t137_;
         /// Load on `crank_pin`.
-        let minus_a_load_force_x_ = T::mul_add(
-            cos_b_angle_,
-            minus_b_load_force_x_,
-            t197_,
-        );
-        *n19_ = minus_a_load_force_x_;
+        let minus_a_load_fx_ = T::mul_add(cos_b_angle_, minus_b_load_fx_, t197_);
+        *n19_ = minus_a_load_fx_;
         ::mstmm::generated::written();
-        let t200_ = T::mul_neg_add(sin_a_angle_, minus_a_load_force_y_, t188_);
-        let t202_ = T::mul_sub(cos_a_angle_, minus_a_load_force_y_, t201_);
+        let t200_ = T::mul_neg_add(sin_a_angle_, minus_a_load_fy_, t188_);
+        let t202_ = T::mul_sub(cos_a_angle_, minus_a_load_fy_, t201_);
         /// Connection points.
         let point6_position_y_ = T::mul_add(
             c_(0.6),
-            minus_b_to_inertial_x_y_,
+            minus_b_to_inertial_xy_,
             b_position_y_,
         );
         *n36_ = point6_position_y_;
         ::mstmm::generated::written();
         /// Results.
-        let t225_ = T::mul_add(minus_b_to_inertial_x_y_, c_(5.88), t224_);
-        at_.potential_energy = t225_;
+        let t222_ = T::mul_add(minus_b_to_inertial_xy_, c_(5.88), t221_);
+        at_.potential_energy = t222_;
         ::mstmm::generated::written();
-        let t216_ = T::mul_neg_add(
+        /// Riccati transfer over `crank_pin`.
+        let crank_pin_d_scale_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t215_,
+            t32_,
             c_(0.030000000000000006),
         );
-        let t226_ = cos_rocker_pin_angle_ * t130_;
-        let t227_ = sin_rocker_pin_angle_ * t130_;
-        let t229_ = T::mul_add(sin_rocker_pin_angle_, t138_, t228_);
-        let t231_ = T::mul_neg_add(cos_rocker_pin_angle_, t138_, t230_);
+        /// Results.
+        let t223_ = cos_rocker_pin_angle_ * t130_;
+        let t224_ = sin_rocker_pin_angle_ * t130_;
+        let t226_ = T::mul_add(sin_rocker_pin_angle_, t138_, t225_);
+        let t228_ = T::mul_neg_add(cos_rocker_pin_angle_, t138_, t227_);
         at_.closure = ::mstmm::generated::closure([
-            [t226_, t227_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
-            [-t229_, -t231_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [t223_, t224_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
+            [-t226_, -t228_, c_(0.0), c_(0.0), c_(0.0), c_(0.0)],
         ]);
         ::mstmm::generated::written();
         let t212_ = minus_crank_pin_a_ang_z_ + a_a_ang_z_;
         /// Load on `crank_pin`.
-        let minus_crank_pin_load_force_x_ = T::mul_add(
-            cos_a_angle_,
-            minus_a_load_force_x_,
-            t200_,
-        );
-        *n3_ = minus_crank_pin_load_force_x_;
+        let minus_crank_pin_load_fx_ = T::mul_add(cos_a_angle_, minus_a_load_fx_, t200_);
+        *n3_ = minus_crank_pin_load_fx_;
         ::mstmm::generated::written();
-        let minus_crank_pin_load_force_y_ = T::mul_add(
-            sin_a_angle_,
-            minus_a_load_force_x_,
-            t202_,
-        );
-        *n4_ = minus_crank_pin_load_force_y_;
+        let minus_crank_pin_load_fy_ = T::mul_add(sin_a_angle_, minus_a_load_fx_, t202_);
+        *n4_ = minus_crank_pin_load_fy_;
         ::mstmm::generated::written();
         /// Results.
         let t213_ = a_a_ang_z_ + minus_b_a_ang_z_;
@@ -1229,14 +1245,18 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
             _,
             _,
         >(
-            [a_j_zz_, crank_pin_j_zz_],
-            [c_(2.04), t216_],
+            [a_articulated_inertia_zz_, crank_pin_articulated_inertia_zz_],
+            [c_(2.04), crank_pin_d_scale_],
             [state_.t, state_.v.data.0[0][3], t212_, -t213_],
         ) {
             let error_ = ::mstmm::generated::irregular::<
                 T,
                 _,
-            >(&["a", "crank_pin"], [a_j_zz_, crank_pin_j_zz_], [c_(2.04), t216_]);
+            >(
+                &["a", "crank_pin"],
+                [a_articulated_inertia_zz_, crank_pin_articulated_inertia_zz_],
+                [c_(2.04), crank_pin_d_scale_],
+            );
             ::mstmm::generated::take_back(at_, || self.workspace());
             return ::core::result::Result::Err(error_);
         }
@@ -1245,7 +1265,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         ];
         ::mstmm::generated::written();
         /// Connection points.
-        let minus_point6_felt_x_ = minus_b_e_force_x_ + minus_b_a_lin_x_;
+        let minus_point6_felt_x_ = minus_b_bias_fx_ + minus_b_a_lin_x_;
         *n39_ = minus_point6_felt_x_;
         ::mstmm::generated::written();
         let point6_felt_y_ = b_a_lin_y_ - t189_;
@@ -1386,8 +1406,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
     /// | Motion across `a` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Motion across `b` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 0 |
     /// | Riccati transfer over `a` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 9 | 3 | 1 | 0 | 0 |
-    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 12 | 9 | 0 | 0 | 0 |
-    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 140 | 73 | 5 | 4 | 0 |
+    /// | Riccati transfer over `crank_pin` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 12 | 9 | 1 | 0 | 0 |
+    /// | Closure | \[P, Eqs. (9) to (11)\] at the held end | 140 | 73 | 4 | 4 | 0 |
     /// | Acceleration of `crank_pin` | \[P, Eqs. (13), (36), (44)\] | 6 | 2 | 0 | 0 | 0 |
     /// | Acceleration of `a` | \[P, Eqs. (13), (36), (44)\] | 17 | 5 | 0 | 0 | 0 |
     /// | Acceleration of `b` | \[P, Eqs. (13), (36), (44)\] | 15 | 8 | 0 | 0 | 0 |
@@ -1423,274 +1443,274 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let b_omega_z_ = b_rate_ + a_omega_z_;
         /// Riccati transfer over `a`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 9 mul, 3 add, 1 reciprocal.
         let t0_ = sin_b_angle_ * cos_b_angle_;
-        let a_k_xy_ = c_(1.5) * t0_;
-        let a_b_x_z_ = t0_ * c_(0.8999999999999999);
+        let a_articulated_mass_xy_ = c_(1.5) * t0_;
+        let a_articulated_coupling_xz_ = t0_ * c_(0.8999999999999999);
         let t1_ = sin_b_angle_ * sin_b_angle_;
         let t2_ = c_(1.5) * t1_;
         let t3_ = t2_ + c_(0.5);
-        let a_b_y_z_ = T::mul_add(c_(0.6), t3_, c_(0.6));
-        let a_j_zz_ = T::mul_add(c_(0.36), t3_, c_(0.24));
-        let t4_ = T::recip(a_j_zz_);
-        let a_z0_force_x_ = a_b_x_z_ * t4_;
-        let a_z0_force_y_ = a_b_y_z_ * t4_;
-        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 12 mul, 9 add, 0 reciprocal.
-        let t5_ = t2_ - c_(4.0);
-        let t6_ = c_(2.5) + t2_;
-        let t7_ = a_b_x_z_ * a_b_x_z_;
-        let t8_ = T::mul_add(t4_, t7_, t5_);
-        let t9_ = a_b_y_z_ * a_b_y_z_;
-        let t10_ = T::mul_neg_add(t4_, t9_, t6_);
-        let t11_ = a_b_x_z_ * a_b_y_z_;
-        let t12_ = T::mul_neg_add(t4_, t11_, a_k_xy_);
-        let t13_ = sin_a_angle_ * sin_a_angle_;
-        let t14_ = sin_a_angle_ * cos_a_angle_;
-        let t15_ = t8_ + t10_;
-        let t16_ = c_(2.0) * t14_;
-        let t17_ = T::mul_add(t12_, t16_, t10_);
-        let t18_ = T::mul_sub(t13_, t15_, t17_);
-        let crank_pin_j_zz_ = T::mul_neg_add(
+        let a_articulated_coupling_yz_ = T::mul_add(c_(0.6), t3_, c_(0.6));
+        let a_articulated_inertia_zz_ = T::mul_add(c_(0.36), t3_, c_(0.24));
+        let a_d_inverse_ = T::recip(a_articulated_inertia_zz_);
+        let a_gain_fx_ = a_articulated_coupling_xz_ * a_d_inverse_;
+        let a_gain_fy_ = a_articulated_coupling_yz_ * a_d_inverse_;
+        /// Riccati transfer over `crank_pin`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 12 mul, 9 add, 1 reciprocal.
+        let t4_ = t2_ - c_(4.0);
+        let t5_ = c_(2.5) + t2_;
+        let t6_ = a_articulated_coupling_xz_ * a_articulated_coupling_xz_;
+        let t7_ = T::mul_add(a_d_inverse_, t6_, t4_);
+        let t8_ = a_articulated_coupling_yz_ * a_articulated_coupling_yz_;
+        let t9_ = T::mul_neg_add(a_d_inverse_, t8_, t5_);
+        let t10_ = a_articulated_coupling_xz_ * a_articulated_coupling_yz_;
+        let t11_ = T::mul_neg_add(a_d_inverse_, t10_, a_articulated_mass_xy_);
+        let t12_ = sin_a_angle_ * sin_a_angle_;
+        let t13_ = sin_a_angle_ * cos_a_angle_;
+        let t14_ = t7_ + t9_;
+        let t15_ = c_(2.0) * t13_;
+        let t16_ = T::mul_add(t11_, t15_, t9_);
+        let t17_ = T::mul_sub(t12_, t14_, t16_);
+        let crank_pin_articulated_inertia_zz_ = T::mul_neg_add(
             c_(0.04000000000000001),
-            t18_,
+            t17_,
             c_(0.020000000000000004),
         );
-        /// Closure, [P, Eqs. (9) to (11)] at the held end: 140 mul, 73 add, 5 reciprocal, 4 square root.
-        let t19_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
-        let t20_ = cos_b_angle_ * cos_rocker_pin_angle_;
-        let t21_ = T::mul_neg_add(sin_b_angle_, t19_, t20_);
-        let t22_ = sin_b_angle_ * cos_rocker_pin_angle_;
-        let t23_ = T::mul_add(cos_b_angle_, t19_, t22_);
-        let t24_ = c_(0.6) * t23_;
-        let t25_ = T::mul_neg_add(t24_, a_z0_force_x_, t21_);
-        let t26_ = T::mul_neg_add(t24_, a_z0_force_y_, t23_);
-        let t27_ = sin_a_angle_ * t25_;
-        let t28_ = T::mul_add(cos_a_angle_, t26_, t27_);
-        let t29_ = c_(0.2) * t28_;
-        let t30_ = T::sqrt(t4_);
-        let t31_ = sin_rocker_pin_angle_ * c_(1.2247448713915892);
-        let t32_ = t24_ * t30_;
-        let t33_ = t31_ * t31_;
-        let t34_ = T::mul_add(t32_, t32_, t33_);
-        let t35_ = T::recip(crank_pin_j_zz_);
-        let t36_ = T::sqrt(t35_);
-        let t37_ = t29_ * t36_;
-        let closure_d0_ = T::mul_add(t37_, t37_, t34_);
-        let t38_ = c_(0.6) * sin_rocker_pin_angle_;
-        let t39_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
-        let t40_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t39_);
-        let t41_ = t40_ * c_(0.36);
-        let t42_ = T::mul_add(t38_, t38_, t41_);
-        let t43_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
-        let t44_ = t42_ * c_(4.166666666666667);
-        let t45_ = cos_b_angle_ * sin_rocker_pin_angle_;
-        let t46_ = T::mul_add(sin_b_angle_, t43_, t45_);
-        let t47_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t48_ = T::mul_neg_add(cos_b_angle_, t43_, t47_);
-        let t49_ = c_(0.6) * t48_;
-        let t50_ = t21_ * t21_;
-        let t51_ = T::mul_add(t23_, t23_, t50_);
-        let t52_ = t24_ * t24_;
-        let t53_ = T::mul_add(t51_, c_(0.72), t52_);
-        let t54_ = T::mul_neg_add(t49_, a_z0_force_x_, t46_);
-        let t55_ = T::mul_neg_add(t49_, a_z0_force_y_, t48_);
-        let t56_ = T::mul_add(t4_, t53_, t44_);
-        let t57_ = cos_a_angle_ * t25_;
-        let t58_ = T::mul_neg_add(sin_a_angle_, t26_, t57_);
-        let t59_ = sin_a_angle_ * t54_;
-        let t60_ = T::mul_add(cos_a_angle_, t55_, t59_);
-        let t61_ = c_(0.2) * t60_;
-        let t62_ = t58_ * t58_;
-        let t63_ = T::mul_add(t28_, t28_, t62_);
-        let t64_ = t29_ * t29_;
-        let t65_ = T::mul_add(t63_, c_(0.76), t64_);
-        let t66_ = cos_rocker_pin_angle_ * c_(1.2247448713915892);
-        let t67_ = t49_ * t30_;
-        let t68_ = t31_ * t66_;
-        let t69_ = T::mul_neg_add(t32_, t67_, t68_);
-        let t70_ = T::mul_add(t65_, t35_, t56_);
-        let t71_ = t61_ * t36_;
-        let t72_ = c_(0.0009765625) * t70_;
-        let t73_ = ::mstmm::generated::recip_above(closure_d0_, t72_);
-        let t74_ = T::mul_neg_add(t37_, t71_, t69_);
-        let t75_ = t73_ * t74_;
-        let t76_ = T::mul_neg_add(t31_, t75_, t66_);
-        let t77_ = T::mul_add(t32_, t75_, t67_);
-        let t78_ = T::mul_add(t37_, t75_, t71_);
-        let t79_ = t76_ * t76_;
-        let t80_ = T::mul_add(t77_, t77_, t79_);
-        let closure_d1_ = T::mul_add(t78_, t78_, t80_);
-        let t81_ = c_(0.6) * cos_rocker_pin_angle_;
-        let t82_ = T::mul_add(t81_, t81_, t41_);
-        let t83_ = t82_ * c_(4.166666666666667);
-        let t84_ = t46_ * t46_;
-        let t85_ = T::mul_add(t48_, t48_, t84_);
-        let t86_ = t49_ * t49_;
-        let t87_ = T::mul_add(c_(0.72), t85_, t86_);
-        let t88_ = T::mul_add(t4_, t87_, t83_);
-        let t89_ = cos_a_angle_ * t54_;
-        let t90_ = T::mul_neg_add(sin_a_angle_, t55_, t89_);
-        let t91_ = t90_ * t90_;
-        let t92_ = T::mul_add(t60_, t60_, t91_);
-        let t93_ = t61_ * t61_;
-        let t94_ = T::mul_add(c_(0.76), t92_, t93_);
-        let t95_ = T::mul_add(t94_, t35_, t88_);
-        let t96_ = c_(0.0009765625) * t95_;
-        let t97_ = ::mstmm::generated::recip_above(closure_d1_, t96_);
-        let t98_ = T::mul_neg_add(closure_d0_, t73_, c_(1.0));
-        let t99_ = T::mul_neg_add(closure_d1_, t97_, c_(1.0));
-        let t100_ = t75_ * t99_;
-        let t101_ = t98_ * t98_;
-        let t102_ = ::mstmm::generated::recip_above(t101_, c_(1.0));
-        let t103_ = T::sqrt(t102_);
-        let t104_ = t98_ * t103_;
-        let t105_ = t100_ * t104_;
-        let t106_ = T::mul_neg_add(t104_, t105_, t100_);
-        let t107_ = t99_ * t99_;
-        let t108_ = T::mul_add(t106_, t106_, t107_);
-        let t109_ = ::mstmm::generated::recip_above(t108_, c_(1.0));
-        let t110_ = T::sqrt(t109_);
-        let t111_ = t106_ * t110_;
-        let t112_ = t99_ * t110_;
-        let t113_ = sin_crank_pin_angle_ * c_(0.2);
-        let t114_ = cos_crank_pin_angle_ * cos_a_angle_;
-        let t115_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t114_);
-        let t116_ = cos_crank_pin_angle_ * sin_a_angle_;
-        let t117_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t116_);
-        let t118_ = cos_b_angle_ * t115_;
-        let t119_ = T::mul_neg_add(sin_b_angle_, t117_, t118_);
-        let t120_ = sin_b_angle_ * t115_;
-        let t121_ = T::mul_add(cos_b_angle_, t117_, t120_);
-        let t122_ = cos_rocker_pin_angle_ * t119_;
-        let t123_ = T::mul_neg_add(sin_rocker_pin_angle_, t121_, t122_);
-        let t124_ = sin_rocker_pin_angle_ * t119_;
-        let t125_ = T::mul_add(cos_rocker_pin_angle_, t121_, t124_);
-        let t126_ = t117_ + t121_;
-        let t127_ = T::mul_add(c_(0.6), t126_, t113_);
-        let t128_ = t115_ + t119_;
-        let t129_ = T::mul_neg_add(cos_crank_pin_angle_, c_(0.2), c_(0.8));
-        let t130_ = T::mul_sub(c_(0.6), t128_, t129_);
-        let t131_ = t123_ * t130_;
-        let t132_ = T::mul_add(t125_, t127_, t131_);
-        let t133_ = t125_ * t130_;
-        let t134_ = T::mul_neg_add(t123_, t127_, t133_);
-        let t135_ = T::mul_add(t75_, t132_, t134_);
-        let t136_ = t73_ * t132_;
-        let t137_ = t97_ * t135_;
-        let t138_ = T::mul_add(t75_, t137_, t136_);
-        let t139_ = t104_ * t138_;
-        let t140_ = T::mul_neg_add(t104_, t139_, t138_);
-        let t141_ = t111_ * t140_;
-        let t142_ = T::mul_add(t112_, t137_, t141_);
-        let closure_reaction0_ = T::mul_neg_add(t111_, t142_, t140_);
-        let minus_closure_reaction1_ = T::mul_neg_add(t112_, t142_, t137_);
+        let crank_pin_d_inverse_ = T::recip(crank_pin_articulated_inertia_zz_);
+        /// Closure, [P, Eqs. (9) to (11)] at the held end: 140 mul, 73 add, 4 reciprocal, 4 square root.
+        let t18_ = T::mul_neg_add(sin_rocker_pin_angle_, c_(1.5), sin_rocker_pin_angle_);
+        let t19_ = cos_b_angle_ * cos_rocker_pin_angle_;
+        let t20_ = T::mul_neg_add(sin_b_angle_, t18_, t19_);
+        let t21_ = sin_b_angle_ * cos_rocker_pin_angle_;
+        let t22_ = T::mul_add(cos_b_angle_, t18_, t21_);
+        let t23_ = c_(0.6) * t22_;
+        let t24_ = T::mul_neg_add(t23_, a_gain_fx_, t20_);
+        let t25_ = T::mul_neg_add(t23_, a_gain_fy_, t22_);
+        let t26_ = sin_a_angle_ * t24_;
+        let t27_ = T::mul_add(cos_a_angle_, t25_, t26_);
+        let t28_ = c_(0.2) * t27_;
+        let t29_ = T::sqrt(a_d_inverse_);
+        let t30_ = sin_rocker_pin_angle_ * c_(1.2247448713915892);
+        let t31_ = t23_ * t29_;
+        let t32_ = t30_ * t30_;
+        let t33_ = T::mul_add(t31_, t31_, t32_);
+        let t34_ = T::sqrt(crank_pin_d_inverse_);
+        let t35_ = t28_ * t34_;
+        let closure_d0_ = T::mul_add(t35_, t35_, t33_);
+        let t36_ = c_(0.6) * sin_rocker_pin_angle_;
+        let t37_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
+        let t38_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t37_);
+        let t39_ = t38_ * c_(0.36);
+        let t40_ = T::mul_add(t36_, t36_, t39_);
+        let t41_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
+        let t42_ = t40_ * c_(4.166666666666667);
+        let t43_ = cos_b_angle_ * sin_rocker_pin_angle_;
+        let t44_ = T::mul_add(sin_b_angle_, t41_, t43_);
+        let t45_ = sin_b_angle_ * sin_rocker_pin_angle_;
+        let t46_ = T::mul_neg_add(cos_b_angle_, t41_, t45_);
+        let t47_ = c_(0.6) * t46_;
+        let t48_ = t20_ * t20_;
+        let t49_ = T::mul_add(t22_, t22_, t48_);
+        let t50_ = t23_ * t23_;
+        let t51_ = T::mul_add(t49_, c_(0.72), t50_);
+        let t52_ = T::mul_neg_add(t47_, a_gain_fx_, t44_);
+        let t53_ = T::mul_neg_add(t47_, a_gain_fy_, t46_);
+        let t54_ = T::mul_add(a_d_inverse_, t51_, t42_);
+        let t55_ = cos_a_angle_ * t24_;
+        let t56_ = T::mul_neg_add(sin_a_angle_, t25_, t55_);
+        let t57_ = sin_a_angle_ * t52_;
+        let t58_ = T::mul_add(cos_a_angle_, t53_, t57_);
+        let t59_ = c_(0.2) * t58_;
+        let t60_ = t56_ * t56_;
+        let t61_ = T::mul_add(t27_, t27_, t60_);
+        let t62_ = t28_ * t28_;
+        let t63_ = T::mul_add(t61_, c_(0.76), t62_);
+        let t64_ = cos_rocker_pin_angle_ * c_(1.2247448713915892);
+        let t65_ = t47_ * t29_;
+        let t66_ = t30_ * t64_;
+        let t67_ = T::mul_neg_add(t31_, t65_, t66_);
+        let t68_ = T::mul_add(t63_, crank_pin_d_inverse_, t54_);
+        let t69_ = t59_ * t34_;
+        let t70_ = c_(0.0009765625) * t68_;
+        let t71_ = ::mstmm::generated::recip_above(closure_d0_, t70_);
+        let t72_ = T::mul_neg_add(t35_, t69_, t67_);
+        let t73_ = t71_ * t72_;
+        let t74_ = T::mul_neg_add(t30_, t73_, t64_);
+        let t75_ = T::mul_add(t31_, t73_, t65_);
+        let t76_ = T::mul_add(t35_, t73_, t69_);
+        let t77_ = t74_ * t74_;
+        let t78_ = T::mul_add(t75_, t75_, t77_);
+        let closure_d1_ = T::mul_add(t76_, t76_, t78_);
+        let t79_ = c_(0.6) * cos_rocker_pin_angle_;
+        let t80_ = T::mul_add(t79_, t79_, t39_);
+        let t81_ = t80_ * c_(4.166666666666667);
+        let t82_ = t44_ * t44_;
+        let t83_ = T::mul_add(t46_, t46_, t82_);
+        let t84_ = t47_ * t47_;
+        let t85_ = T::mul_add(c_(0.72), t83_, t84_);
+        let t86_ = T::mul_add(a_d_inverse_, t85_, t81_);
+        let t87_ = cos_a_angle_ * t52_;
+        let t88_ = T::mul_neg_add(sin_a_angle_, t53_, t87_);
+        let t89_ = t88_ * t88_;
+        let t90_ = T::mul_add(t58_, t58_, t89_);
+        let t91_ = t59_ * t59_;
+        let t92_ = T::mul_add(c_(0.76), t90_, t91_);
+        let t93_ = T::mul_add(t92_, crank_pin_d_inverse_, t86_);
+        let t94_ = c_(0.0009765625) * t93_;
+        let t95_ = ::mstmm::generated::recip_above(closure_d1_, t94_);
+        let t96_ = T::mul_neg_add(closure_d0_, t71_, c_(1.0));
+        let t97_ = T::mul_neg_add(closure_d1_, t95_, c_(1.0));
+        let t98_ = t73_ * t97_;
+        let t99_ = t96_ * t96_;
+        let t100_ = ::mstmm::generated::recip_above(t99_, c_(1.0));
+        let t101_ = T::sqrt(t100_);
+        let t102_ = t96_ * t101_;
+        let t103_ = t98_ * t102_;
+        let t104_ = T::mul_neg_add(t102_, t103_, t98_);
+        let t105_ = t97_ * t97_;
+        let t106_ = T::mul_add(t104_, t104_, t105_);
+        let t107_ = ::mstmm::generated::recip_above(t106_, c_(1.0));
+        let t108_ = T::sqrt(t107_);
+        let t109_ = t104_ * t108_;
+        let t110_ = t97_ * t108_;
+        let t111_ = sin_crank_pin_angle_ * c_(0.2);
+        let t112_ = cos_crank_pin_angle_ * cos_a_angle_;
+        let t113_ = T::mul_neg_add(sin_crank_pin_angle_, sin_a_angle_, t112_);
+        let t114_ = cos_crank_pin_angle_ * sin_a_angle_;
+        let t115_ = T::mul_add(sin_crank_pin_angle_, cos_a_angle_, t114_);
+        let t116_ = cos_b_angle_ * t113_;
+        let t117_ = T::mul_neg_add(sin_b_angle_, t115_, t116_);
+        let t118_ = sin_b_angle_ * t113_;
+        let t119_ = T::mul_add(cos_b_angle_, t115_, t118_);
+        let t120_ = cos_rocker_pin_angle_ * t117_;
+        let t121_ = T::mul_neg_add(sin_rocker_pin_angle_, t119_, t120_);
+        let t122_ = sin_rocker_pin_angle_ * t117_;
+        let t123_ = T::mul_add(cos_rocker_pin_angle_, t119_, t122_);
+        let t124_ = t115_ + t119_;
+        let t125_ = T::mul_add(c_(0.6), t124_, t111_);
+        let t126_ = t113_ + t117_;
+        let t127_ = T::mul_neg_add(cos_crank_pin_angle_, c_(0.2), c_(0.8));
+        let t128_ = T::mul_sub(c_(0.6), t126_, t127_);
+        let t129_ = t121_ * t128_;
+        let t130_ = T::mul_add(t123_, t125_, t129_);
+        let t131_ = t123_ * t128_;
+        let t132_ = T::mul_neg_add(t121_, t125_, t131_);
+        let t133_ = T::mul_add(t73_, t130_, t132_);
+        let t134_ = t71_ * t130_;
+        let t135_ = t95_ * t133_;
+        let t136_ = T::mul_add(t73_, t135_, t134_);
+        let t137_ = t102_ * t136_;
+        let t138_ = T::mul_neg_add(t102_, t137_, t136_);
+        let t139_ = t109_ * t138_;
+        let t140_ = T::mul_add(t110_, t135_, t139_);
+        let closure_reaction0_ = T::mul_neg_add(t109_, t140_, t138_);
+        let minus_closure_reaction1_ = T::mul_neg_add(t110_, t140_, t135_);
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 6 mul, 2 add, 0 reciprocal.
-        let t143_ = t29_ * t35_;
-        let t144_ = t61_ * t35_;
-        let t145_ = t143_ * closure_reaction0_;
+        let t141_ = t28_ * crank_pin_d_inverse_;
+        let t142_ = t59_ * crank_pin_d_inverse_;
+        let t143_ = t141_ * closure_reaction0_;
         let minus_crank_pin_a_ang_z_ = T::mul_add(
-            t144_,
+            t142_,
             minus_closure_reaction1_,
-            t145_,
+            t143_,
         );
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 17 mul, 5 add, 0 reciprocal.
-        let t146_ = c_(0.2) * minus_crank_pin_a_ang_z_;
-        let minus_a_a_lin_x_ = sin_a_angle_ * t146_;
-        let minus_a_a_lin_y_ = cos_a_angle_ * t146_;
-        let t147_ = t24_ * t4_;
-        let t148_ = t49_ * t4_;
-        let t149_ = sin_a_angle_ * a_z0_force_x_;
-        let t150_ = T::mul_add(cos_a_angle_, a_z0_force_y_, t149_);
-        let t151_ = c_(0.2) * t150_;
-        let t152_ = t147_ * closure_reaction0_;
-        let t153_ = T::mul_add(t148_, minus_closure_reaction1_, t152_);
-        let a_a_ang_z_ = T::mul_sub(t151_, minus_crank_pin_a_ang_z_, t153_);
+        let t144_ = c_(0.2) * minus_crank_pin_a_ang_z_;
+        let minus_a_a_lin_x_ = sin_a_angle_ * t144_;
+        let minus_a_a_lin_y_ = cos_a_angle_ * t144_;
+        let t145_ = t23_ * a_d_inverse_;
+        let t146_ = t47_ * a_d_inverse_;
+        let t147_ = sin_a_angle_ * a_gain_fx_;
+        let t148_ = T::mul_add(cos_a_angle_, a_gain_fy_, t147_);
+        let t149_ = c_(0.2) * t148_;
+        let t150_ = t145_ * closure_reaction0_;
+        let t151_ = T::mul_add(t146_, minus_closure_reaction1_, t150_);
+        let a_a_ang_z_ = T::mul_sub(t149_, minus_crank_pin_a_ang_z_, t151_);
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 15 mul, 8 add, 0 reciprocal.
-        let t154_ = sin_rocker_pin_angle_ * c_(2.5);
-        let t155_ = cos_rocker_pin_angle_ * c_(2.5);
-        let t156_ = sin_b_angle_ * c_(2.5);
-        let t157_ = cos_b_angle_ * c_(2.5);
-        let t158_ = cos_b_angle_ * c_(1.5);
-        let t159_ = t154_ * closure_reaction0_;
-        let t160_ = T::mul_neg_add(t155_, minus_closure_reaction1_, t159_);
-        let t161_ = T::mul_add(t158_, a_a_ang_z_, t160_);
-        let t162_ = T::mul_sub(t157_, minus_a_a_lin_y_, t161_);
-        let minus_b_a_ang_z_ = T::mul_sub(t156_, minus_a_a_lin_x_, t162_);
+        let t152_ = sin_rocker_pin_angle_ * c_(2.5);
+        let t153_ = cos_rocker_pin_angle_ * c_(2.5);
+        let t154_ = sin_b_angle_ * c_(2.5);
+        let t155_ = cos_b_angle_ * c_(2.5);
+        let t156_ = cos_b_angle_ * c_(1.5);
+        let t157_ = t152_ * closure_reaction0_;
+        let t158_ = T::mul_neg_add(t153_, minus_closure_reaction1_, t157_);
+        let t159_ = T::mul_add(t156_, a_a_ang_z_, t158_);
+        let t160_ = T::mul_sub(t155_, minus_a_a_lin_y_, t159_);
+        let minus_b_a_ang_z_ = T::mul_sub(t154_, minus_a_a_lin_x_, t160_);
         /// Closure.
-        let t163_ = crank_pin_rate_ * c_(0.2);
-        let t164_ = sin_a_angle_ * t163_;
-        let t165_ = a_omega_z_ * c_(0.6);
-        let t166_ = T::mul_add(cos_a_angle_, t163_, t165_);
-        let t167_ = cos_b_angle_ * t164_;
-        let t168_ = T::mul_add(sin_b_angle_, t166_, t167_);
-        let t169_ = c_(0.6) * b_omega_z_;
-        let t170_ = cos_rocker_pin_angle_ * t168_;
-        let t171_ = sin_rocker_pin_angle_ * t168_;
-        let t172_ = T::mul_sub(sin_b_angle_, t164_, t169_);
-        let t173_ = T::mul_sub(cos_b_angle_, t166_, t172_);
-        let t174_ = T::mul_add(sin_rocker_pin_angle_, t173_, t170_);
-        let t175_ = T::mul_neg_add(cos_rocker_pin_angle_, t173_, t171_);
-        let t176_ = T::mul_add(t75_, t174_, t175_);
-        let t177_ = t73_ * t174_;
-        let t178_ = t97_ * t176_;
-        let t179_ = T::mul_add(t75_, t178_, t177_);
-        let t180_ = t104_ * t179_;
-        let t181_ = T::mul_neg_add(t104_, t180_, t179_);
-        let t182_ = t111_ * t181_;
-        let t183_ = T::mul_add(t112_, t178_, t182_);
-        let closure_reaction0_2_ = T::mul_neg_add(t111_, t183_, t181_);
-        let minus_closure_reaction1_2_ = T::mul_neg_add(t112_, t183_, t178_);
+        let t161_ = crank_pin_rate_ * c_(0.2);
+        let t162_ = sin_a_angle_ * t161_;
+        let t163_ = a_omega_z_ * c_(0.6);
+        let t164_ = T::mul_add(cos_a_angle_, t161_, t163_);
+        let t165_ = cos_b_angle_ * t162_;
+        let t166_ = T::mul_add(sin_b_angle_, t164_, t165_);
+        let t167_ = c_(0.6) * b_omega_z_;
+        let t168_ = cos_rocker_pin_angle_ * t166_;
+        let t169_ = sin_rocker_pin_angle_ * t166_;
+        let t170_ = T::mul_sub(sin_b_angle_, t162_, t167_);
+        let t171_ = T::mul_sub(cos_b_angle_, t164_, t170_);
+        let t172_ = T::mul_add(sin_rocker_pin_angle_, t171_, t168_);
+        let t173_ = T::mul_neg_add(cos_rocker_pin_angle_, t171_, t169_);
+        let t174_ = T::mul_add(t73_, t172_, t173_);
+        let t175_ = t71_ * t172_;
+        let t176_ = t95_ * t174_;
+        let t177_ = T::mul_add(t73_, t176_, t175_);
+        let t178_ = t102_ * t177_;
+        let t179_ = T::mul_neg_add(t102_, t178_, t177_);
+        let t180_ = t109_ * t179_;
+        let t181_ = T::mul_add(t110_, t176_, t180_);
+        let closure_reaction0_2_ = T::mul_neg_add(t109_, t181_, t179_);
+        let minus_closure_reaction1_2_ = T::mul_neg_add(t110_, t181_, t176_);
         /// Acceleration of `crank_pin`.
-        let t184_ = t143_ * closure_reaction0_2_;
+        let t182_ = t141_ * closure_reaction0_2_;
         let minus_crank_pin_a_ang_z_2_ = T::mul_add(
-            t144_,
+            t142_,
             minus_closure_reaction1_2_,
-            t184_,
+            t182_,
         );
         /// Acceleration of `a`.
-        let t185_ = c_(0.2) * minus_crank_pin_a_ang_z_2_;
-        let minus_a_a_lin_x_2_ = sin_a_angle_ * t185_;
-        let minus_a_a_lin_y_2_ = cos_a_angle_ * t185_;
-        let t186_ = t147_ * closure_reaction0_2_;
-        let t187_ = T::mul_add(t148_, minus_closure_reaction1_2_, t186_);
-        let a_a_ang_z_2_ = T::mul_sub(t151_, minus_crank_pin_a_ang_z_2_, t187_);
+        let t183_ = c_(0.2) * minus_crank_pin_a_ang_z_2_;
+        let minus_a_a_lin_x_2_ = sin_a_angle_ * t183_;
+        let minus_a_a_lin_y_2_ = cos_a_angle_ * t183_;
+        let t184_ = t145_ * closure_reaction0_2_;
+        let t185_ = T::mul_add(t146_, minus_closure_reaction1_2_, t184_);
+        let a_a_ang_z_2_ = T::mul_sub(t149_, minus_crank_pin_a_ang_z_2_, t185_);
         /// Acceleration of `b`.
-        let t188_ = t154_ * closure_reaction0_2_;
-        let t189_ = T::mul_neg_add(t155_, minus_closure_reaction1_2_, t188_);
-        let t190_ = T::mul_add(t158_, a_a_ang_z_2_, t189_);
-        let t191_ = T::mul_sub(t157_, minus_a_a_lin_y_2_, t190_);
-        let minus_b_a_ang_z_2_ = T::mul_sub(t156_, minus_a_a_lin_x_2_, t191_);
+        let t186_ = t152_ * closure_reaction0_2_;
+        let t187_ = T::mul_neg_add(t153_, minus_closure_reaction1_2_, t186_);
+        let t188_ = T::mul_add(t156_, a_a_ang_z_2_, t187_);
+        let t189_ = T::mul_sub(t155_, minus_a_a_lin_y_2_, t188_);
+        let minus_b_a_ang_z_2_ = T::mul_sub(t154_, minus_a_a_lin_x_2_, t189_);
         /// Results: 10 mul, 22 add, 1 reciprocal, 2 square root, 1 sin/cos.
-        let t192_ = crank_pin_angle_ - minus_crank_pin_a_ang_z_;
-        let t193_ = a_angle_ + minus_crank_pin_a_ang_z_;
-        let t194_ = a_a_ang_z_ + t193_;
-        let t195_ = b_angle_ - a_a_ang_z_;
-        let t196_ = minus_b_a_ang_z_ - t195_;
-        let t197_ = T::mul_add(t125_, t125_, c_(0.000000000000000000000000000001));
-        let t198_ = T::sqrt(t197_);
-        let t199_ = T::atan2(t198_, t123_);
-        let t200_ = T::recip(t198_);
-        let t201_ = t199_ * t200_;
-        let t202_ = t125_ * t201_;
-        let t203_ = rocker_pin_angle_ - t202_;
-        let t204_ = t203_ + minus_b_a_ang_z_;
-        let t205_ = crank_pin_rate_ - minus_crank_pin_a_ang_z_2_;
-        let t206_ = a_rate_ + minus_crank_pin_a_ang_z_2_;
-        let t207_ = a_a_ang_z_2_ + t206_;
-        let t208_ = b_rate_ - a_a_ang_z_2_;
-        let t209_ = minus_b_a_ang_z_2_ - t208_;
-        let t210_ = b_omega_z_ - minus_b_a_ang_z_2_;
-        let t211_ = rocker_pin_rate_ + b_omega_z_;
-        let t212_ = c_(1.0) - t123_;
-        let t213_ = t211_ * t211_;
-        let t214_ = T::mul_add(t175_, t175_, t213_);
-        let t215_ = T::mul_add(t174_, t174_, t214_);
-        let t216_ = T::mul_add(t212_, t212_, t215_);
-        let t217_ = T::mul_add(t132_, t132_, t216_);
-        let t218_ = T::mul_add(t134_, t134_, t217_);
-        let t219_ = T::mul_add(t202_, t202_, t218_);
-        let t220_ = T::sqrt(t219_);
-        let residual_ = [t220_, c_(0.0)];
-        state_.q.data.0 = [[t192_, t194_, -t196_, t204_]];
-        state_.v.data.0 = [[t205_, t207_, -t209_, -t210_]];
+        let t190_ = crank_pin_angle_ - minus_crank_pin_a_ang_z_;
+        let t191_ = a_angle_ + minus_crank_pin_a_ang_z_;
+        let t192_ = a_a_ang_z_ + t191_;
+        let t193_ = b_angle_ - a_a_ang_z_;
+        let t194_ = minus_b_a_ang_z_ - t193_;
+        let t195_ = T::mul_add(t123_, t123_, c_(0.000000000000000000000000000001));
+        let t196_ = T::sqrt(t195_);
+        let t197_ = T::atan2(t196_, t121_);
+        let t198_ = T::recip(t196_);
+        let t199_ = t197_ * t198_;
+        let t200_ = t123_ * t199_;
+        let t201_ = rocker_pin_angle_ - t200_;
+        let t202_ = t201_ + minus_b_a_ang_z_;
+        let t203_ = crank_pin_rate_ - minus_crank_pin_a_ang_z_2_;
+        let t204_ = a_rate_ + minus_crank_pin_a_ang_z_2_;
+        let t205_ = a_a_ang_z_2_ + t204_;
+        let t206_ = b_rate_ - a_a_ang_z_2_;
+        let t207_ = minus_b_a_ang_z_2_ - t206_;
+        let t208_ = b_omega_z_ - minus_b_a_ang_z_2_;
+        let t209_ = rocker_pin_rate_ + b_omega_z_;
+        let t210_ = c_(1.0) - t121_;
+        let t211_ = t209_ * t209_;
+        let t212_ = T::mul_add(t173_, t173_, t211_);
+        let t213_ = T::mul_add(t172_, t172_, t212_);
+        let t214_ = T::mul_add(t210_, t210_, t213_);
+        let t215_ = T::mul_add(t130_, t130_, t214_);
+        let t216_ = T::mul_add(t132_, t132_, t215_);
+        let t217_ = T::mul_add(t200_, t200_, t216_);
+        let t218_ = T::sqrt(t217_);
+        let residual_ = [t218_, c_(0.0)];
+        state_.q.data.0 = [[t190_, t192_, -t194_, t202_]];
+        state_.v.data.0 = [[t203_, t205_, -t207_, -t208_]];
         residual_
     }
 }

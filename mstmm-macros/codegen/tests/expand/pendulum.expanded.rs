@@ -111,27 +111,27 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let c_ = T::constant;
         let payload_ = parameters_.payload;
         /// Quantities derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
-        let joint_k_xx_ = payload_ + c_(1.0);
-        let joint_b_y_z_ = joint_k_xx_ * c_(0.5);
-        let t0_ = joint_k_xx_ * c_(0.25);
-        let joint_j_yy_ = t0_ + c_(0.08333333333333333);
+        let rod_mass_ = payload_ + c_(1.0);
+        let rod_first_moment_x_ = rod_mass_ * c_(0.5);
+        let t0_ = rod_mass_ * c_(0.25);
+        let rod_inertia_yy_ = t0_ + c_(0.08333333333333333);
         let t1_ = t0_ + c_(0.07333333333333333);
-        let joint_j_xx_ = joint_j_yy_ - t1_;
-        let p5_ = T::recip(joint_j_yy_);
-        let joint_z0_force_y_ = joint_b_y_z_ * p5_;
-        let t2_ = joint_j_yy_ + joint_j_xx_;
-        let p6_ = joint_j_yy_ + t2_;
+        let rod_inertia_xx_ = rod_inertia_yy_ - t1_;
+        let joint_d_inverse_ = T::recip(rod_inertia_yy_);
+        let t2_ = rod_inertia_yy_ + rod_inertia_xx_;
+        let joint_d_scale_ = rod_inertia_yy_ + t2_;
+        let joint_gain_fy_ = rod_first_moment_x_ * joint_d_inverse_;
         let (derived_, checks_) = (
             [
-                joint_k_xx_,
-                joint_b_y_z_,
-                joint_j_xx_,
-                joint_j_yy_,
-                joint_z0_force_y_,
-                p5_,
-                p6_,
+                rod_mass_,
+                rod_first_moment_x_,
+                rod_inertia_xx_,
+                rod_inertia_yy_,
+                joint_d_inverse_,
+                joint_d_scale_,
+                joint_gain_fy_,
             ],
-            [joint_k_xx_],
+            [rod_mass_],
         );
         (
             Self {
@@ -171,33 +171,32 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         accelerations_: &mut ::mstmm::nalgebra::SVector<T, 1>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         let c_ = T::constant;
-        let [known_joint_k_xx_, known_joint_b_y_z_, known_joint_j_xx_, known_joint_j_yy_,
-        known_joint_z0_force_y_, known_p5_, known_p6_, ..] = *self
-            .changed_by_setters
-            .derived();
+        let [known_rod_mass_, known_rod_first_moment_x_, known_rod_inertia_xx_,
+        known_rod_inertia_yy_, known_joint_d_inverse_, known_joint_d_scale_,
+        known_joint_gain_fy_, ..] = *self.changed_by_setters.derived();
         let [[joint_angle_]] = state_.q.data.0;
         let joint_input0_ = inputs_.joint;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
         /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 1 mul, 0 add, 0 reciprocal.
-        let joint_w0_ = joint_input0_ * known_p5_;
+        let joint_rest_ = joint_input0_ * known_joint_d_inverse_;
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
-        let t0_ = cos_joint_angle_ * known_joint_z0_force_y_;
-        let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t0_, joint_w0_);
+        let t0_ = cos_joint_angle_ * known_joint_gain_fy_;
+        let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t0_, joint_rest_);
         if !::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
-            [known_joint_j_yy_],
-            [known_p6_],
+            [known_rod_inertia_yy_],
+            [known_joint_d_scale_],
             [state_.t, state_.v.data.0[0][0], joint_a_ang_z_],
         ) {
             return ::core::result::Result::Err(
                 ::mstmm::generated::irregular::<
                     T,
                     _,
-                >(&["joint"], [known_joint_j_yy_], [known_p6_]),
+                >(&["joint"], [known_rod_inertia_yy_], [known_joint_d_scale_]),
             );
         }
         accelerations_.data.0 = [[joint_a_ang_z_]];
@@ -245,10 +244,9 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let [_, _, _, _, _, n5_, n6_, n7_, _, n9_, n10_, _, _, _, _, n15_, n16_, _, _, _,
         n20_, n21_, n22_, _, _, _, n26_] = &mut at_.numbers;
         let c_ = T::constant;
-        let [known_joint_k_xx_, known_joint_b_y_z_, known_joint_j_xx_, known_joint_j_yy_,
-        known_joint_z0_force_y_, known_p5_, known_p6_, ..] = *self
-            .changed_by_setters
-            .derived();
+        let [known_rod_mass_, known_rod_first_moment_x_, known_rod_inertia_xx_,
+        known_rod_inertia_yy_, known_joint_d_inverse_, known_joint_d_scale_,
+        known_joint_gain_fy_, ..] = *self.changed_by_setters.derived();
         let [[joint_angle_]] = state_.q.data.0;
         let [[joint_rate_]] = state_.v.data.0;
         let joint_input0_ = inputs_.joint;
@@ -264,37 +262,37 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         ::mstmm::generated::written();
         /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 3 mul, 0 add, 0 reciprocal.
         let t0_ = joint_rate_ * joint_rate_;
-        let joint_w0_ = joint_input0_ * known_p5_;
+        let joint_rest_ = joint_input0_ * known_joint_d_inverse_;
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 1 add, 0 reciprocal.
-        let t1_ = cos_joint_angle_ * known_joint_z0_force_y_;
+        let t1_ = cos_joint_angle_ * known_joint_gain_fy_;
         let joint_a_lin_y_ = cos_joint_angle_ * c_(9.8);
         *n22_ = joint_a_lin_y_;
         ::mstmm::generated::written();
         /// Riccati transfer over `joint`.
-        let minus_joint_e_force_x_ = known_joint_b_y_z_ * t0_;
+        let minus_joint_bias_fx_ = known_rod_first_moment_x_ * t0_;
         /// Results: 4 mul, 0 add, 0 reciprocal.
-        let t3_ = known_joint_j_yy_ * t0_;
+        let t3_ = known_rod_inertia_yy_ * t0_;
         /// Acceleration of `joint`.
         let joint_a_lin_x_ = sin_joint_angle_ * c_(9.8);
         *n21_ = joint_a_lin_x_;
         ::mstmm::generated::written();
         /// Results.
-        let t5_ = sin_joint_angle_ * known_joint_b_y_z_;
+        let t5_ = sin_joint_angle_ * known_rod_first_moment_x_;
         /// Acceleration of `joint`.
-        let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t1_, joint_w0_);
+        let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t1_, joint_rest_);
         if !::mstmm::generated::regular::<
             T,
             _,
             _,
         >(
-            [known_joint_j_yy_],
-            [known_p6_],
+            [known_rod_inertia_yy_],
+            [known_joint_d_scale_],
             [state_.t, state_.v.data.0[0][0], joint_a_ang_z_],
         ) {
             let error_ = ::mstmm::generated::irregular::<
                 T,
                 _,
-            >(&["joint"], [known_joint_j_yy_], [known_p6_]);
+            >(&["joint"], [known_rod_inertia_yy_], [known_joint_d_scale_]);
             ::mstmm::generated::take_back(at_, || self.workspace());
             return ::core::result::Result::Err(error_);
         }
@@ -302,26 +300,26 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         *n26_ = joint_a_ang_z_;
         ::mstmm::generated::written();
         /// Load on `joint`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
-        let t2_ = known_joint_k_xx_ * joint_a_lin_y_;
+        let t2_ = known_rod_mass_ * joint_a_lin_y_;
         /// Results.
         let t4_ = c_(0.5) * t3_;
         at_.kinetic_energy = t4_;
         ::mstmm::generated::written();
         /// Load on `joint`.
-        let minus_joint_load_force_x_ = T::mul_neg_add(
-            known_joint_k_xx_,
+        let minus_joint_load_fx_ = T::mul_neg_add(
+            known_rod_mass_,
             joint_a_lin_x_,
-            minus_joint_e_force_x_,
+            minus_joint_bias_fx_,
         );
-        *n15_ = minus_joint_load_force_x_;
+        *n15_ = minus_joint_load_fx_;
         ::mstmm::generated::written();
         /// Results.
         let t6_ = c_(9.8) * t5_;
         at_.potential_energy = t6_;
         ::mstmm::generated::written();
         /// Load on `joint`.
-        let joint_load_force_y_ = T::mul_add(known_joint_b_y_z_, joint_a_ang_z_, t2_);
-        *n16_ = joint_load_force_y_;
+        let joint_load_fy_ = T::mul_add(known_rod_first_moment_x_, joint_a_ang_z_, t2_);
+        *n16_ = joint_load_fy_;
         ::mstmm::generated::written();
         ::core::result::Result::Ok(())
     }
@@ -338,7 +336,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &PendulumState<T>) -> ::mstmm::Energy<T> {
         let c_ = T::constant;
-        let [_, known_joint_b_y_z_, _, known_joint_j_yy_, ..] = *self
+        let [known_rod_mass_, known_rod_first_moment_x_, _, known_rod_inertia_yy_, ..] = *self
             .changed_by_setters
             .derived();
         let [[joint_angle_]] = state_.q.data.0;
@@ -347,9 +345,9 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let ([sin_joint_angle_], [_]) = T::sin_cos([joint_angle_]);
         /// Results: 5 mul, 0 add, 0 reciprocal.
         let t0_ = joint_rate_ * joint_rate_;
-        let t1_ = known_joint_j_yy_ * t0_;
+        let t1_ = known_rod_inertia_yy_ * t0_;
         let t2_ = c_(0.5) * t1_;
-        let t3_ = sin_joint_angle_ * known_joint_b_y_z_;
+        let t3_ = sin_joint_angle_ * known_rod_first_moment_x_;
         let t4_ = c_(9.8) * t3_;
         ::mstmm::Energy {
             kinetic: t2_,

@@ -197,18 +197,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 .iter_mut(),
         ) {
             /// Quantities derived from parameters and constants: 3 mul, 3 add, 0 reciprocal.
-            let p1_ = knot_ + c_(0.1);
-            let p2_ = p1_ * c_(0.05);
-            let p3_ = p1_ * c_(0.0025000000000000005);
-            let p4_ = p3_ + c_(0.0001);
-            let p5_ = p3_ + p4_;
-            let p6_ = c_(0.5) * p1_;
-            *o1_0_ = p1_;
-            *o2_0_ = knot_;
-            *o2_1_ = p1_;
-            *o2_2_ = p2_;
-            *o2_3_ = p3_;
-            *o2_4_ = p4_;
+            let rod_mass_ = knot_ + c_(0.1);
+            let rod_first_moment_x_ = rod_mass_ * c_(0.05);
+            let rod_inertia_yy_ = rod_mass_ * c_(0.0025000000000000005);
+            let rod_inertia_zz_ = rod_inertia_yy_ + c_(0.0001);
+            let p5_ = rod_inertia_yy_ + rod_inertia_zz_;
+            let p6_ = c_(0.5) * rod_mass_;
+            *o1_0_ = rod_mass_;
+            *o2_0_ = rod_mass_;
+            *o2_1_ = rod_first_moment_x_;
+            *o2_2_ = rod_inertia_yy_;
+            *o2_3_ = rod_inertia_zz_;
+            *o2_4_ = knot_;
             *o2_5_ = p5_;
             *o2_6_ = p6_;
             () = ();
@@ -236,11 +236,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
-    /// | Results |  | 39 | 32 | 0 | 0 | 0 |
+    /// | Results |  | 38 | 29 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 10 | 12 | 1 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 11 | 15 | 1 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 7 | 6 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
@@ -275,11 +275,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry0_0_ = c_(0.0);
         for (
             (&[joint_angle_], &[joint_rate_]),
-            &[known_knot_,
-            known_p1_,
-            known_p2_,
-            known_p3_,
-            known_p4_,
+            &[known_rod_mass_,
+            known_rod_first_moment_x_,
+            known_rod_inertia_yy_,
+            known_rod_inertia_zz_,
+            known_knot_,
             known_p5_,
             _,
             ],
@@ -303,7 +303,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let minus_end_of_repeat0_centripetal_x_ = c_(0.1) * t10_;
             /// Results: 3 mul, 2 add, 0 reciprocal.
             let t11_ = joint_angle_ * c_(0.2);
-            let t12_ = known_p2_ * t10_;
+            let t12_ = known_rod_first_moment_x_ * t10_;
             let t13_ = T::mul_add(joint_rate_, t8_, t11_);
             let t14_ = known_p5_ + t9_;
             _ = store1_
@@ -321,10 +321,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t15_ = hook_omega_z_ * hook_omega_z_;
-        let hook_e_force_y_ = c_(0.2) * t15_;
+        let hook_bias_fy_ = c_(0.2) * t15_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t16_ = sin_hook_angle_ * hook_e_force_y_;
-        let t17_ = cos_hook_angle_ * hook_e_force_y_;
+        let t16_ = sin_hook_angle_ * hook_bias_fy_;
+        let t17_ = cos_hook_angle_ * hook_bias_fy_;
         let mut carry1_0_ = t5_;
         let mut carry1_1_ = -t3_;
         let mut carry1_2_ = c_(2.0);
@@ -336,11 +336,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry1_8_ = t17_;
         let mut carry1_9_ = c_(0.0);
         for (
-            &[_,
-            known_p1_,
-            known_p2_,
+            &[known_rod_mass_,
+            known_rod_first_moment_x_,
             _,
-            known_p4_,
+            known_rod_inertia_zz_,
+            _,
             _,
             _,
             ],
@@ -371,15 +371,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_7_before_ = carry1_7_;
             let carry1_8_before_ = carry1_8_;
             let carry1_9_before_ = carry1_9_;
-            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 10 mul, 12 add, 1 reciprocal.
-            let joint_k_zz_ = known_p1_ + carry1_2_before_;
-            let joint_b_x_z_ = T::mul_add(c_(0.1), carry1_3_before_, carry1_4_before_);
+            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 11 mul, 15 add, 1 reciprocal.
+            let joint_articulated_mass_zz_ = known_rod_mass_ + carry1_2_before_;
+            let joint_articulated_coupling_xz_ = T::mul_add(
+                c_(0.1),
+                carry1_3_before_,
+                carry1_4_before_,
+            );
             let t18_ = T::mul_add(c_(0.1), carry1_1_before_, carry1_5_before_);
-            let joint_b_y_z_ = known_p2_ + t18_;
+            let joint_articulated_coupling_yz_ = known_rod_first_moment_x_ + t18_;
             let t19_ = carry1_5_before_ + t18_;
-            let t20_ = known_p4_ + carry1_6_before_;
-            let joint_j_zz_ = T::mul_add(c_(0.1), t19_, t20_);
-            let joint_e_force_y_ = T::mul_neg_add(
+            let t20_ = known_rod_inertia_zz_ + carry1_6_before_;
+            let joint_articulated_inertia_zz_ = T::mul_add(c_(0.1), t19_, t20_);
+            let joint_bias_fy_ = T::mul_neg_add(
                 carry1_3_before_,
                 minus_end_of_repeat0_centripetal_x_,
                 carry1_8_before_,
@@ -389,59 +393,96 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_centripetal_x_,
                 carry1_9_before_,
             );
-            let joint_e_moment_z_ = T::mul_add(c_(0.1), joint_e_force_y_, t21_);
-            let joint_d0_ = t9_ + joint_j_zz_;
-            let t22_ = T::recip(joint_d0_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t22_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t22_;
-            let joint_z0_moment_z_ = joint_j_zz_ * t22_;
-            let t23_ = joint_e_moment_z_ + t13_;
-            let minus_joint_w0_ = t22_ * t23_;
-            /// Results: 24 mul, 25 add, 0 reciprocal.
-            let t24_ = known_p1_ + carry1_0_before_;
-            let t25_ = carry1_0_before_ + carry1_1_before_;
-            let t26_ = carry1_2_before_ + t25_;
-            let t27_ = known_p1_ + carry1_1_before_;
-            let t28_ = T::mul_neg_add(joint_b_x_z_, joint_z0_force_x_, t24_);
-            let t29_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_y_, t27_);
-            let t30_ = T::mul_neg_add(joint_b_y_z_, joint_z0_force_x_, carry1_3_before_);
-            let t31_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_x_, joint_b_x_z_);
-            let t32_ = T::mul_neg_add(joint_j_zz_, joint_z0_force_y_, joint_b_y_z_);
-            let t33_ = T::mul_neg_add(joint_j_zz_, joint_z0_moment_z_, joint_j_zz_);
-            let t34_ = t12_ - carry1_7_before_;
-            let t35_ = T::mul_add(
+            let joint_bias_mz_ = T::mul_add(c_(0.1), joint_bias_fy_, t21_);
+            let joint_d_ = t9_ + joint_articulated_inertia_zz_;
+            let joint_d_inverse_ = T::recip(joint_d_);
+            let t22_ = carry1_0_before_ + carry1_1_before_;
+            let t23_ = carry1_2_before_ + t22_;
+            let joint_d_scale_ = T::mul_add(c_(0.010000000000000002), t23_, t14_);
+            let joint_gain_fx_ = joint_articulated_coupling_xz_ * joint_d_inverse_;
+            let joint_gain_fy_ = joint_articulated_coupling_yz_ * joint_d_inverse_;
+            let joint_gain_mz_ = joint_articulated_inertia_zz_ * joint_d_inverse_;
+            let t24_ = joint_bias_mz_ + t13_;
+            let minus_joint_rest_ = joint_d_inverse_ * t24_;
+            /// Results: 23 mul, 22 add, 0 reciprocal.
+            let t25_ = known_rod_mass_ + carry1_0_before_;
+            let t26_ = known_rod_mass_ + carry1_1_before_;
+            let t27_ = T::mul_neg_add(
+                joint_articulated_coupling_xz_,
+                joint_gain_fx_,
+                t25_,
+            );
+            let t28_ = T::mul_neg_add(
+                joint_articulated_coupling_yz_,
+                joint_gain_fy_,
+                t26_,
+            );
+            let t29_ = T::mul_neg_add(
+                joint_articulated_coupling_yz_,
+                joint_gain_fx_,
+                carry1_3_before_,
+            );
+            let t30_ = T::mul_neg_add(
+                joint_articulated_inertia_zz_,
+                joint_gain_fx_,
+                joint_articulated_coupling_xz_,
+            );
+            let t31_ = T::mul_neg_add(
+                joint_articulated_inertia_zz_,
+                joint_gain_fy_,
+                joint_articulated_coupling_yz_,
+            );
+            let t32_ = T::mul_neg_add(
+                joint_articulated_inertia_zz_,
+                joint_gain_mz_,
+                joint_articulated_inertia_zz_,
+            );
+            let t33_ = t12_ - carry1_7_before_;
+            let t34_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_centripetal_x_,
+                t33_,
+            );
+            let t35_ = T::mul_add(
+                joint_articulated_coupling_xz_,
+                minus_joint_rest_,
                 t34_,
             );
-            let t36_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t35_);
-            let t37_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
-            let t38_ = T::mul_neg_add(joint_j_zz_, minus_joint_w0_, joint_e_moment_z_);
-            let t39_ = cos_joint_angle_ * t36_;
-            let t40_ = T::mul_add(sin_joint_angle_, t37_, t39_);
-            let t41_ = sin_joint_angle_ * t36_;
-            let t42_ = T::mul_neg_add(cos_joint_angle_, t37_, t41_);
-            let t43_ = t28_ - t29_;
-            let t44_ = sin_joint_angle_ * t43_;
-            let t45_ = c_(2.0) * t30_;
-            let t46_ = T::mul_add(cos_joint_angle_, t45_, t44_);
-            let t47_ = sin_joint_angle_ * t46_;
-            let t48_ = t28_ - t47_;
-            let t49_ = T::mul_neg_add(cos_joint_angle_, t46_, t30_);
-            let t50_ = t29_ + t47_;
-            let t51_ = cos_joint_angle_ * t31_;
-            let t52_ = T::mul_neg_add(sin_joint_angle_, t32_, t51_);
-            let t53_ = sin_joint_angle_ * t31_;
-            let t54_ = T::mul_add(cos_joint_angle_, t32_, t53_);
-            let t55_ = T::mul_add(c_(0.010000000000000002), t26_, t14_);
+            let t36_ = T::mul_neg_add(
+                joint_articulated_coupling_yz_,
+                minus_joint_rest_,
+                joint_bias_fy_,
+            );
+            let t37_ = T::mul_neg_add(
+                joint_articulated_inertia_zz_,
+                minus_joint_rest_,
+                joint_bias_mz_,
+            );
+            let t38_ = cos_joint_angle_ * t35_;
+            let t39_ = T::mul_add(sin_joint_angle_, t36_, t38_);
+            let t40_ = sin_joint_angle_ * t35_;
+            let t41_ = T::mul_neg_add(cos_joint_angle_, t36_, t40_);
+            let t42_ = t27_ - t28_;
+            let t43_ = sin_joint_angle_ * t42_;
+            let t44_ = c_(2.0) * t29_;
+            let t45_ = T::mul_add(cos_joint_angle_, t44_, t43_);
+            let t46_ = sin_joint_angle_ * t45_;
+            let t47_ = t27_ - t46_;
+            let t48_ = T::mul_neg_add(cos_joint_angle_, t45_, t29_);
+            let t49_ = t28_ + t46_;
+            let t50_ = cos_joint_angle_ * t30_;
+            let t51_ = T::mul_neg_add(sin_joint_angle_, t31_, t50_);
+            let t52_ = sin_joint_angle_ * t30_;
+            let t53_ = T::mul_add(cos_joint_angle_, t31_, t52_);
             _ = store3_
                 .try_push([
-                    minus_joint_w0_,
-                    joint_z0_force_x_,
-                    joint_z0_force_y_,
-                    joint_z0_moment_z_,
+                    minus_joint_rest_,
+                    joint_gain_fx_,
+                    joint_gain_fy_,
+                    joint_gain_mz_,
                 ]);
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_d0_, t55_);
+            regular0_ = regular0_
+                & !::mstmm::generated::vanishes(joint_d_, joint_d_scale_);
             (
                 carry1_0_,
                 carry1_1_,
@@ -453,7 +494,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_7_,
                 carry1_8_,
                 carry1_9_,
-            ) = (t48_, t50_, joint_k_zz_, -t49_, t52_, t54_, t33_, -t40_, -t42_, t38_);
+            ) = (
+                t47_,
+                t49_,
+                joint_articulated_mass_zz_,
+                -t48_,
+                t51_,
+                t53_,
+                t32_,
+                -t39_,
+                -t41_,
+                t37_,
+            );
         }
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
@@ -467,10 +519,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 _,
                 _,
                 ],
-                &[minus_joint_w0_,
-                joint_z0_force_x_,
-                joint_z0_force_y_,
-                joint_z0_moment_z_,
+                &[minus_joint_rest_,
+                joint_gain_fx_,
+                joint_gain_fy_,
+                joint_gain_mz_,
                 ],
             ),
             [o0_0_,
@@ -487,18 +539,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 7 mul, 6 add, 0 reciprocal.
-            let t56_ = cos_joint_angle_ * carry2_0_before_;
-            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t56_);
-            let t57_ = sin_joint_angle_ * carry2_0_before_;
+            let t54_ = cos_joint_angle_ * carry2_0_before_;
+            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t54_);
+            let t55_ = sin_joint_angle_ * carry2_0_before_;
             let minus_joint_a_lin_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry2_1_before_,
-                t57_,
+                t55_,
             );
-            let t58_ = T::mul_add(carry2_2_before_, joint_z0_moment_z_, minus_joint_w0_);
-            let t59_ = T::mul_sub(minus_joint_a_lin_y_, joint_z0_force_y_, t58_);
-            let t60_ = T::mul_sub(joint_a_lin_x_, joint_z0_force_x_, t59_);
-            let joint_a_ang_z_ = carry2_2_before_ - t60_;
+            let t56_ = T::mul_add(carry2_2_before_, joint_gain_mz_, minus_joint_rest_);
+            let t57_ = T::mul_sub(minus_joint_a_lin_y_, joint_gain_fy_, t56_);
+            let t58_ = T::mul_sub(joint_a_lin_x_, joint_gain_fx_, t57_);
+            let joint_a_ang_z_ = carry2_2_before_ - t58_;
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
             let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_centripetal_x_
                 - joint_a_lin_x_;
@@ -507,7 +559,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 joint_a_ang_z_,
                 minus_joint_a_lin_y_,
             );
-            *o0_0_ = -t60_;
+            *o0_0_ = -t58_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 -minus_end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
@@ -515,13 +567,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Results: 2 mul, 2 add, 0 reciprocal.
-        let t61_ = T::mul_add(t7_, carry2_1_, carry2_2_);
-        let t62_ = T::mul_add(t6_, carry2_0_, t61_);
+        let t59_ = T::mul_add(t7_, carry2_1_, carry2_2_);
+        let t60_ = T::mul_add(t6_, carry2_0_, t59_);
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t62_;
+            *o0_ = -t60_;
         }
         ::mstmm::generated::require(regular0_, "joint")?;
         if !::mstmm::generated::regular::<T, _, _>([], [], [state_.t]) {
@@ -540,11 +592,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
-    /// | Results |  | 39 | 29 | 0 | 0 | 0 |
+    /// | Results |  | 38 | 26 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 6 | 1 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 9 | 9 | 1 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     ///
@@ -582,11 +634,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry0_0_ = c_(0.0);
         for (
             (&[joint_angle_], &[joint_rate_]),
-            &[known_knot_,
-            known_p1_,
-            known_p2_,
-            known_p3_,
-            known_p4_,
+            &[known_rod_mass_,
+            known_rod_first_moment_x_,
+            known_rod_inertia_yy_,
+            known_rod_inertia_zz_,
+            known_knot_,
             known_p5_,
             _,
             ],
@@ -615,7 +667,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t12_ = sin_joint_angle_ * cos_joint_angle_;
             let t13_ = c_(2.0) * t12_;
             let t14_ = T::mul_neg_add(c_(2.0), t11_, c_(1.0));
-            let t15_ = known_p2_ * t8_;
+            let t15_ = known_rod_first_moment_x_ * t8_;
             _ = store1_
                 .try_push([
                     sin_joint_angle_,
@@ -634,10 +686,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t16_ = hook_omega_z_ * hook_omega_z_;
-        let hook_e_force_y_ = c_(0.2) * t16_;
+        let hook_bias_fy_ = c_(0.2) * t16_;
         /// Results: 2 mul, 0 add, 0 reciprocal.
-        let t17_ = sin_hook_angle_ * hook_e_force_y_;
-        let t18_ = cos_hook_angle_ * hook_e_force_y_;
+        let t17_ = sin_hook_angle_ * hook_bias_fy_;
+        let t18_ = cos_hook_angle_ * hook_bias_fy_;
         let mut carry1_0_ = t5_;
         let mut carry1_1_ = -t3_;
         let mut carry1_2_ = c_(2.0);
@@ -646,11 +698,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry1_5_ = t18_;
         let mut carry1_6_ = c_(0.0);
         for (
-            &[_,
-            known_p1_,
-            known_p2_,
+            &[known_rod_mass_,
+            known_rod_first_moment_x_,
             _,
-            known_p4_,
+            known_rod_inertia_zz_,
+            _,
             known_p5_,
             _,
             ],
@@ -681,63 +733,79 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_4_before_ = carry1_4_;
             let carry1_5_before_ = carry1_5_;
             let carry1_6_before_ = carry1_6_;
-            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 6 add, 1 reciprocal.
-            let joint_k_zz_ = known_p1_ + carry1_2_before_;
-            let joint_b_x_z_ = c_(0.1) * carry1_3_before_;
-            let joint_b_y_z_ = T::mul_add(c_(0.1), carry1_1_before_, known_p2_);
-            let joint_j_zz_ = T::mul_add(
+            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 9 mul, 9 add, 1 reciprocal.
+            let joint_articulated_mass_zz_ = known_rod_mass_ + carry1_2_before_;
+            let joint_articulated_coupling_xz_ = c_(0.1) * carry1_3_before_;
+            let joint_articulated_coupling_yz_ = T::mul_add(
+                c_(0.1),
+                carry1_1_before_,
+                known_rod_first_moment_x_,
+            );
+            let joint_articulated_inertia_zz_ = T::mul_add(
                 carry1_1_before_,
                 c_(0.010000000000000002),
-                known_p4_,
+                known_rod_inertia_zz_,
             );
-            let joint_e_force_y_ = T::mul_neg_add(
+            let joint_bias_fy_ = T::mul_neg_add(
                 carry1_3_before_,
                 minus_end_of_repeat0_centripetal_x_,
                 carry1_5_before_,
             );
-            let t19_ = T::recip(joint_j_zz_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t19_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t19_;
-            let t20_ = t10_ + carry1_6_before_;
-            let t21_ = T::mul_add(c_(0.1), joint_e_force_y_, t20_);
-            let minus_joint_w0_ = t19_ * t21_;
-            /// Results: 22 mul, 22 add, 0 reciprocal.
-            let t22_ = known_p1_ + carry1_0_before_;
-            let t23_ = carry1_0_before_ + carry1_1_before_;
-            let t24_ = carry1_2_before_ + t23_;
-            let t25_ = T::mul_add(c_(0.010000000000000002), t24_, known_p5_);
-            let t26_ = known_p1_ + carry1_1_before_;
-            let t27_ = joint_b_x_z_ * joint_b_x_z_;
-            let t28_ = T::mul_neg_add(t19_, t27_, t22_);
-            let t29_ = joint_b_y_z_ * joint_b_y_z_;
-            let t30_ = T::mul_neg_add(t19_, t29_, t26_);
-            let t31_ = joint_b_x_z_ * joint_b_y_z_;
-            let t32_ = T::mul_neg_add(t19_, t31_, carry1_3_before_);
-            let t33_ = t28_ + t30_;
-            let t34_ = t28_ - t30_;
-            let t35_ = t14_ * t32_;
-            let t36_ = T::mul_add(t12_, t34_, t35_);
-            let t37_ = cos_joint_angle_ * joint_z0_force_x_;
-            let t38_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t37_);
-            let t39_ = sin_joint_angle_ * joint_z0_force_x_;
-            let t40_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t39_);
-            let t41_ = t15_ - carry1_4_before_;
-            let t42_ = T::mul_add(
+            let joint_d_inverse_ = T::recip(joint_articulated_inertia_zz_);
+            let t19_ = carry1_0_before_ + carry1_1_before_;
+            let t20_ = carry1_2_before_ + t19_;
+            let joint_d_scale_ = T::mul_add(c_(0.010000000000000002), t20_, known_p5_);
+            let joint_gain_fx_ = joint_articulated_coupling_xz_ * joint_d_inverse_;
+            let joint_gain_fy_ = joint_articulated_coupling_yz_ * joint_d_inverse_;
+            let t21_ = t10_ + carry1_6_before_;
+            let t22_ = T::mul_add(c_(0.1), joint_bias_fy_, t21_);
+            let minus_joint_rest_ = joint_d_inverse_ * t22_;
+            /// Results: 21 mul, 19 add, 0 reciprocal.
+            let t23_ = known_rod_mass_ + carry1_0_before_;
+            let t24_ = known_rod_mass_ + carry1_1_before_;
+            let t25_ = joint_articulated_coupling_xz_ * joint_articulated_coupling_xz_;
+            let t26_ = T::mul_neg_add(joint_d_inverse_, t25_, t23_);
+            let t27_ = joint_articulated_coupling_yz_ * joint_articulated_coupling_yz_;
+            let t28_ = T::mul_neg_add(joint_d_inverse_, t27_, t24_);
+            let t29_ = joint_articulated_coupling_xz_ * joint_articulated_coupling_yz_;
+            let t30_ = T::mul_neg_add(joint_d_inverse_, t29_, carry1_3_before_);
+            let t31_ = t26_ + t28_;
+            let t32_ = t26_ - t28_;
+            let t33_ = t14_ * t30_;
+            let t34_ = T::mul_add(t12_, t32_, t33_);
+            let t35_ = cos_joint_angle_ * joint_gain_fx_;
+            let t36_ = T::mul_neg_add(sin_joint_angle_, joint_gain_fy_, t35_);
+            let t37_ = sin_joint_angle_ * joint_gain_fx_;
+            let t38_ = T::mul_add(cos_joint_angle_, joint_gain_fy_, t37_);
+            let t39_ = t15_ - carry1_4_before_;
+            let t40_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_centripetal_x_,
-                t41_,
+                t39_,
             );
-            let t43_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t42_);
-            let t44_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
-            let t45_ = cos_joint_angle_ * t43_;
-            let t46_ = T::mul_add(sin_joint_angle_, t44_, t45_);
-            let t47_ = sin_joint_angle_ * t43_;
-            let t48_ = T::mul_neg_add(cos_joint_angle_, t44_, t47_);
-            let t49_ = T::mul_add(t13_, t32_, t30_);
-            let t50_ = T::mul_add(t11_, t34_, t49_);
-            let t51_ = t33_ - t50_;
-            _ = store3_.try_push([t38_, t40_, minus_joint_w0_]);
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t25_);
+            let t41_ = T::mul_add(
+                joint_articulated_coupling_xz_,
+                minus_joint_rest_,
+                t40_,
+            );
+            let t42_ = T::mul_neg_add(
+                joint_articulated_coupling_yz_,
+                minus_joint_rest_,
+                joint_bias_fy_,
+            );
+            let t43_ = cos_joint_angle_ * t41_;
+            let t44_ = T::mul_add(sin_joint_angle_, t42_, t43_);
+            let t45_ = sin_joint_angle_ * t41_;
+            let t46_ = T::mul_neg_add(cos_joint_angle_, t42_, t45_);
+            let t47_ = T::mul_add(t13_, t30_, t28_);
+            let t48_ = T::mul_add(t11_, t32_, t47_);
+            let t49_ = t31_ - t48_;
+            _ = store3_.try_push([t36_, t38_, minus_joint_rest_]);
+            regular0_ = regular0_
+                & !::mstmm::generated::vanishes(
+                    joint_articulated_inertia_zz_,
+                    joint_d_scale_,
+                );
             (
                 carry1_0_,
                 carry1_1_,
@@ -746,7 +814,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_4_,
                 carry1_5_,
                 carry1_6_,
-            ) = (t51_, t50_, joint_k_zz_, t36_, -t46_, -t48_, -t10_);
+            ) = (t49_, t48_, joint_articulated_mass_zz_, t34_, -t44_, -t46_, -t10_);
         }
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
@@ -763,9 +831,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_centripetal_x_,
                 _,
                 ],
-                &[t38_,
-                t40_,
-                minus_joint_w0_,
+                &[t36_,
+                t38_,
+                minus_joint_rest_,
                 ],
             ),
             [o0_0_,
@@ -782,10 +850,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
-            let t52_ = T::mul_add(carry2_1_before_, t40_, minus_joint_w0_);
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t38_, t52_);
+            let t50_ = T::mul_add(carry2_1_before_, t38_, minus_joint_rest_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t36_, t50_);
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
-            let t53_ = T::mul_neg_add(
+            let t51_ = T::mul_neg_add(
                 sin_joint_angle_,
                 carry2_1_before_,
                 minus_end_of_repeat0_centripetal_x_,
@@ -793,18 +861,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let end_of_repeat0_a_lin_x_ = T::mul_sub(
                 cos_joint_angle_,
                 carry2_0_before_,
-                t53_,
+                t51_,
             );
-            let t54_ = sin_joint_angle_ * carry2_0_before_;
-            let t55_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t54_);
+            let t52_ = sin_joint_angle_ * carry2_0_before_;
+            let t53_ = T::mul_neg_add(cos_joint_angle_, carry2_1_before_, t52_);
             let minus_end_of_repeat0_a_lin_y_ = T::mul_add(
                 c_(0.1),
                 minus_joint_a_ang_z_,
-                t55_,
+                t53_,
             );
             /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t56_ = carry2_2_before_ + minus_joint_a_ang_z_;
-            *o0_0_ = -t56_;
+            let t54_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            *o0_0_ = -t54_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 end_of_repeat0_a_lin_x_,
                 -minus_end_of_repeat0_a_lin_y_,
@@ -812,13 +880,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Results: 2 mul, 2 add, 0 reciprocal.
-        let t57_ = T::mul_add(t7_, carry2_1_, carry2_2_);
-        let t58_ = T::mul_add(t6_, carry2_0_, t57_);
+        let t55_ = T::mul_add(t7_, carry2_1_, carry2_2_);
+        let t56_ = T::mul_add(t6_, carry2_0_, t55_);
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t58_;
+            *o0_ = -t56_;
         }
         ::mstmm::generated::require(regular0_, "joint")?;
         if !::mstmm::generated::regular::<T, _, _>([], [], [state_.t]) {
@@ -853,12 +921,12 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
-    /// | Results |  | 55 | 40 | 0 | 0 | 0 |
+    /// | Results |  | 54 | 37 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
     /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 6 | 5 | 0 | 0 | 0 |
     /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 8 | 6 | 1 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 9 | 9 | 1 | 0 | 0 |
     /// | Load on `start_of_repeat0` | \[P, Eqs. (18), (19)\] | 2 | 2 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
@@ -914,11 +982,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         for (
             (
                 (&[joint_angle_], &[joint_rate_]),
-                &[known_knot_,
-                known_p1_,
-                known_p2_,
-                known_p3_,
-                known_p4_,
+                &[known_rod_mass_,
+                known_rod_first_moment_x_,
+                known_rod_inertia_yy_,
+                known_rod_inertia_zz_,
+                known_knot_,
                 known_p5_,
                 known_p6_,
                 ],
@@ -970,7 +1038,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let minus_end_of_repeat0_centripetal_x_ = c_(0.1) * t8_;
             /// Load on `joint`, [P, Eqs. (18), (19)]: 2 mul, 1 add, 0 reciprocal.
             let t9_ = joint_angle_ * c_(0.2);
-            let minus_joint_load_moment_z_ = T::mul_add(joint_rate_, c_(0.01), t9_);
+            let minus_joint_load_mz_ = T::mul_add(joint_rate_, c_(0.01), t9_);
             /// Results: 11 mul, 1 add, 0 reciprocal.
             let t10_ = joint_angle_ * t9_;
             let t11_ = t10_ * c_(0.5);
@@ -978,16 +1046,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t13_ = sin_joint_angle_ * cos_joint_angle_;
             let t14_ = c_(2.0) * t13_;
             let t15_ = T::mul_neg_add(c_(2.0), t12_, c_(1.0));
-            let t16_ = known_p2_ * t8_;
+            let t16_ = known_rod_first_moment_x_ * t8_;
             let t17_ = c_(0.1) * joint_omega_z_;
-            let t18_ = known_p2_ * joint_omega_z_;
-            let t19_ = known_p4_ * t8_;
+            let t18_ = known_rod_first_moment_x_ * joint_omega_z_;
+            let t19_ = known_rod_inertia_zz_ * t8_;
             let t20_ = c_(0.5) * t19_;
             _ = store1_
                 .try_push([
                     sin_joint_angle_,
                     cos_joint_angle_,
-                    minus_joint_load_moment_z_,
+                    minus_joint_load_mz_,
                     t12_,
                     t13_,
                     t14_,
@@ -1000,19 +1068,19 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     t20_,
                 ]);
             *o7_11_ = joint_omega_z_;
-            *o7_15_ = minus_joint_load_moment_z_;
+            *o7_15_ = minus_joint_load_mz_;
             (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
         /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
         let t21_ = hook_omega_z_ * hook_omega_z_;
-        let hook_e_force_y_ = c_(0.2) * t21_;
+        let hook_bias_fy_ = c_(0.2) * t21_;
         /// Results: 4 mul, 0 add, 0 reciprocal.
         let t24_ = c_(0.2) * hook_omega_z_;
         let t25_ = t21_ * c_(0.015000000000000003);
-        let t22_ = sin_hook_angle_ * hook_e_force_y_;
-        let t23_ = cos_hook_angle_ * hook_e_force_y_;
+        let t22_ = sin_hook_angle_ * hook_bias_fy_;
+        let t23_ = cos_hook_angle_ * hook_bias_fy_;
         let mut carry1_0_ = t5_;
         let mut carry1_1_ = -t3_;
         let mut carry1_2_ = c_(2.0);
@@ -1022,17 +1090,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry1_6_ = c_(0.0);
         for (
             (
-                &[_,
-                known_p1_,
-                known_p2_,
+                &[known_rod_mass_,
+                known_rod_first_moment_x_,
                 _,
-                known_p4_,
+                known_rod_inertia_zz_,
+                _,
                 known_p5_,
                 _,
                 ],
                 &[sin_joint_angle_,
                 cos_joint_angle_,
-                minus_joint_load_moment_z_,
+                minus_joint_load_mz_,
                 t12_,
                 t13_,
                 t14_,
@@ -1089,61 +1157,73 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_4_before_ = carry1_4_;
             let carry1_5_before_ = carry1_5_;
             let carry1_6_before_ = carry1_6_;
-            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 8 mul, 6 add, 1 reciprocal.
-            let joint_k_zz_ = known_p1_ + carry1_2_before_;
-            let joint_b_x_z_ = c_(0.1) * carry1_3_before_;
-            let joint_b_y_z_ = T::mul_add(c_(0.1), carry1_1_before_, known_p2_);
-            let joint_j_zz_ = T::mul_add(
+            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 9 mul, 9 add, 1 reciprocal.
+            let joint_articulated_mass_zz_ = known_rod_mass_ + carry1_2_before_;
+            let joint_articulated_coupling_xz_ = c_(0.1) * carry1_3_before_;
+            let joint_articulated_coupling_yz_ = T::mul_add(
+                c_(0.1),
+                carry1_1_before_,
+                known_rod_first_moment_x_,
+            );
+            let joint_articulated_inertia_zz_ = T::mul_add(
                 carry1_1_before_,
                 c_(0.010000000000000002),
-                known_p4_,
+                known_rod_inertia_zz_,
             );
-            let joint_e_force_y_ = T::mul_neg_add(
+            let joint_bias_fy_ = T::mul_neg_add(
                 carry1_3_before_,
                 minus_end_of_repeat0_centripetal_x_,
                 carry1_5_before_,
             );
-            let t26_ = T::recip(joint_j_zz_);
-            let joint_z0_force_x_ = joint_b_x_z_ * t26_;
-            let joint_z0_force_y_ = joint_b_y_z_ * t26_;
-            let t27_ = minus_joint_load_moment_z_ + carry1_6_before_;
-            let t28_ = T::mul_add(c_(0.1), joint_e_force_y_, t27_);
-            let minus_joint_w0_ = t26_ * t28_;
-            /// Results: 22 mul, 22 add, 0 reciprocal.
-            let t29_ = known_p1_ + carry1_0_before_;
-            let t30_ = carry1_0_before_ + carry1_1_before_;
-            let t31_ = carry1_2_before_ + t30_;
-            let t32_ = T::mul_add(c_(0.010000000000000002), t31_, known_p5_);
-            let t33_ = known_p1_ + carry1_1_before_;
-            let t34_ = joint_b_x_z_ * joint_b_x_z_;
-            let t35_ = T::mul_neg_add(t26_, t34_, t29_);
-            let t36_ = joint_b_y_z_ * joint_b_y_z_;
-            let t37_ = T::mul_neg_add(t26_, t36_, t33_);
-            let t38_ = joint_b_x_z_ * joint_b_y_z_;
-            let t39_ = T::mul_neg_add(t26_, t38_, carry1_3_before_);
-            let t40_ = t35_ + t37_;
-            let t41_ = t35_ - t37_;
-            let t42_ = t15_ * t39_;
-            let t43_ = T::mul_add(t13_, t41_, t42_);
-            let t44_ = cos_joint_angle_ * joint_z0_force_x_;
-            let t45_ = T::mul_neg_add(sin_joint_angle_, joint_z0_force_y_, t44_);
-            let t46_ = sin_joint_angle_ * joint_z0_force_x_;
-            let t47_ = T::mul_add(cos_joint_angle_, joint_z0_force_y_, t46_);
-            let t48_ = t16_ - carry1_4_before_;
-            let t49_ = T::mul_add(
+            let joint_d_inverse_ = T::recip(joint_articulated_inertia_zz_);
+            let t26_ = carry1_0_before_ + carry1_1_before_;
+            let t27_ = carry1_2_before_ + t26_;
+            let joint_d_scale_ = T::mul_add(c_(0.010000000000000002), t27_, known_p5_);
+            let joint_gain_fx_ = joint_articulated_coupling_xz_ * joint_d_inverse_;
+            let joint_gain_fy_ = joint_articulated_coupling_yz_ * joint_d_inverse_;
+            let t28_ = minus_joint_load_mz_ + carry1_6_before_;
+            let t29_ = T::mul_add(c_(0.1), joint_bias_fy_, t28_);
+            let minus_joint_rest_ = joint_d_inverse_ * t29_;
+            /// Results: 21 mul, 19 add, 0 reciprocal.
+            let t30_ = known_rod_mass_ + carry1_0_before_;
+            let t31_ = known_rod_mass_ + carry1_1_before_;
+            let t32_ = joint_articulated_coupling_xz_ * joint_articulated_coupling_xz_;
+            let t33_ = T::mul_neg_add(joint_d_inverse_, t32_, t30_);
+            let t34_ = joint_articulated_coupling_yz_ * joint_articulated_coupling_yz_;
+            let t35_ = T::mul_neg_add(joint_d_inverse_, t34_, t31_);
+            let t36_ = joint_articulated_coupling_xz_ * joint_articulated_coupling_yz_;
+            let t37_ = T::mul_neg_add(joint_d_inverse_, t36_, carry1_3_before_);
+            let t38_ = t33_ + t35_;
+            let t39_ = t33_ - t35_;
+            let t40_ = t15_ * t37_;
+            let t41_ = T::mul_add(t13_, t39_, t40_);
+            let t42_ = cos_joint_angle_ * joint_gain_fx_;
+            let t43_ = T::mul_neg_add(sin_joint_angle_, joint_gain_fy_, t42_);
+            let t44_ = sin_joint_angle_ * joint_gain_fx_;
+            let t45_ = T::mul_add(cos_joint_angle_, joint_gain_fy_, t44_);
+            let t46_ = t16_ - carry1_4_before_;
+            let t47_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_centripetal_x_,
-                t48_,
+                t46_,
             );
-            let t50_ = T::mul_add(joint_b_x_z_, minus_joint_w0_, t49_);
-            let t51_ = T::mul_neg_add(joint_b_y_z_, minus_joint_w0_, joint_e_force_y_);
-            let t52_ = cos_joint_angle_ * t50_;
-            let t53_ = T::mul_add(sin_joint_angle_, t51_, t52_);
-            let t54_ = sin_joint_angle_ * t50_;
-            let t55_ = T::mul_neg_add(cos_joint_angle_, t51_, t54_);
-            let t56_ = T::mul_add(t14_, t39_, t37_);
-            let t57_ = T::mul_add(t12_, t41_, t56_);
-            let t58_ = t40_ - t57_;
+            let t48_ = T::mul_add(
+                joint_articulated_coupling_xz_,
+                minus_joint_rest_,
+                t47_,
+            );
+            let t49_ = T::mul_neg_add(
+                joint_articulated_coupling_yz_,
+                minus_joint_rest_,
+                joint_bias_fy_,
+            );
+            let t50_ = cos_joint_angle_ * t48_;
+            let t51_ = T::mul_add(sin_joint_angle_, t49_, t50_);
+            let t52_ = sin_joint_angle_ * t48_;
+            let t53_ = T::mul_neg_add(cos_joint_angle_, t49_, t52_);
+            let t54_ = T::mul_add(t14_, t37_, t35_);
+            let t55_ = T::mul_add(t12_, t39_, t54_);
+            let t56_ = t38_ - t55_;
             _ = store3_
                 .try_push([
                     carry1_0_before_,
@@ -1151,17 +1231,21 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     carry1_3_before_,
                     carry1_4_before_,
                     carry1_5_before_,
+                    t33_,
                     t35_,
                     t37_,
-                    t39_,
+                    t43_,
                     t45_,
-                    t47_,
-                    minus_joint_w0_,
-                    t50_,
-                    t51_,
+                    minus_joint_rest_,
+                    t48_,
+                    t49_,
                 ]);
             *o7_24_ = carry1_6_before_;
-            regular0_ = regular0_ & !::mstmm::generated::vanishes(joint_j_zz_, t32_);
+            regular0_ = regular0_
+                & !::mstmm::generated::vanishes(
+                    joint_articulated_inertia_zz_,
+                    joint_d_scale_,
+                );
             (
                 carry1_0_,
                 carry1_1_,
@@ -1171,18 +1255,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_5_,
                 carry1_6_,
             ) = (
-                t58_,
-                t57_,
-                joint_k_zz_,
-                t43_,
+                t56_,
+                t55_,
+                joint_articulated_mass_zz_,
+                t41_,
+                -t51_,
                 -t53_,
-                -t55_,
-                -minus_joint_load_moment_z_,
+                -minus_joint_load_mz_,
             );
         }
         /// Load on `start_of_repeat0`, [P, Eqs. (18), (19)]: 2 mul, 2 add, 0 reciprocal.
-        let start_of_repeat0_load_force_x_ = T::mul_add(carry1_3_, c_(9.8), carry1_4_);
-        let start_of_repeat0_load_force_y_ = T::mul_add(carry1_1_, c_(9.8), carry1_5_);
+        let start_of_repeat0_load_fx_ = T::mul_add(carry1_3_, c_(9.8), carry1_4_);
+        let start_of_repeat0_load_fy_ = T::mul_add(carry1_1_, c_(9.8), carry1_5_);
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
         let mut carry2_2_ = c_(0.0);
@@ -1200,9 +1284,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             (
                 (
                     (
-                        &[_,
-                        known_p1_,
-                        known_p2_,
+                        &[known_rod_mass_,
+                        known_rod_first_moment_x_,
+                        _,
                         _,
                         _,
                         _,
@@ -1228,14 +1312,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     carry1_3_before_,
                     carry1_4_before_,
                     carry1_5_before_,
+                    t33_,
                     t35_,
                     t37_,
-                    t39_,
+                    t43_,
                     t45_,
-                    t47_,
-                    minus_joint_w0_,
-                    t50_,
-                    t51_,
+                    minus_joint_rest_,
+                    t48_,
+                    t49_,
                     ],
                 ),
                 [o7_5_,
@@ -1297,16 +1381,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_11_before_ = carry2_11_;
             let carry2_12_before_ = carry2_12_;
             /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
-            let t59_ = cos_joint_angle_ * carry2_0_before_;
-            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t59_);
-            let t60_ = sin_joint_angle_ * carry2_0_before_;
+            let t57_ = cos_joint_angle_ * carry2_0_before_;
+            let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t57_);
+            let t58_ = sin_joint_angle_ * carry2_0_before_;
             let minus_joint_a_lin_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry2_1_before_,
-                t60_,
+                t58_,
             );
-            let t61_ = T::mul_add(carry2_1_before_, t47_, minus_joint_w0_);
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t45_, t61_);
+            let t59_ = T::mul_add(carry2_1_before_, t45_, minus_joint_rest_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t43_, t59_);
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
             let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_centripetal_x_
                 - joint_a_lin_x_;
@@ -1316,112 +1400,116 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_joint_a_lin_y_,
             );
             /// Load on `joint`, [P, Eqs. (18), (19)]: 4 mul, 4 add, 0 reciprocal.
-            let t62_ = T::mul_add(t39_, minus_joint_a_lin_y_, t50_);
-            let joint_load_force_x_ = T::mul_sub(t35_, joint_a_lin_x_, t62_);
-            let t63_ = T::mul_neg_add(t37_, minus_joint_a_lin_y_, t51_);
-            let joint_load_force_y_ = T::mul_add(t39_, joint_a_lin_x_, t63_);
+            let t60_ = T::mul_add(t37_, minus_joint_a_lin_y_, t48_);
+            let joint_load_fx_ = T::mul_sub(t33_, joint_a_lin_x_, t60_);
+            let t61_ = T::mul_neg_add(t35_, minus_joint_a_lin_y_, t49_);
+            let joint_load_fy_ = T::mul_add(t37_, joint_a_lin_x_, t61_);
             /// Load on `end_of_repeat0`, [P, Eqs. (18), (19)]: 4 mul, 4 add, 0 reciprocal.
-            let t64_ = T::mul_neg_add(
+            let t62_ = T::mul_neg_add(
                 carry1_3_before_,
                 minus_end_of_repeat0_a_lin_y_,
                 carry1_4_before_,
             );
-            let minus_end_of_repeat0_load_force_x_ = T::mul_sub(
+            let minus_end_of_repeat0_load_fx_ = T::mul_sub(
                 carry1_0_before_,
                 minus_end_of_repeat0_a_lin_x_,
-                t64_,
+                t62_,
             );
-            let t65_ = T::mul_neg_add(
+            let t63_ = T::mul_neg_add(
                 carry1_1_before_,
                 minus_end_of_repeat0_a_lin_y_,
                 carry1_5_before_,
             );
-            let minus_end_of_repeat0_load_force_y_ = T::mul_sub(
+            let minus_end_of_repeat0_load_fy_ = T::mul_sub(
                 carry1_3_before_,
                 minus_end_of_repeat0_a_lin_x_,
-                t65_,
+                t63_,
             );
             /// Pose behind `joint`, [P, Eq. (12)]: 8 mul, 4 add, 0 reciprocal.
-            let t66_ = cos_joint_angle_ * carry2_5_before_;
-            let joint_to_inertial_x_x_ = T::mul_add(
+            let t64_ = cos_joint_angle_ * carry2_5_before_;
+            let joint_to_inertial_xx_ = T::mul_add(
                 sin_joint_angle_,
                 carry2_6_before_,
+                t64_,
+            );
+            let t65_ = sin_joint_angle_ * carry2_5_before_;
+            let minus_joint_to_inertial_xy_ = T::mul_neg_add(
+                cos_joint_angle_,
+                carry2_6_before_,
+                t65_,
+            );
+            let t66_ = cos_joint_angle_ * carry2_7_before_;
+            let joint_to_inertial_yx_ = T::mul_add(
+                sin_joint_angle_,
+                carry2_8_before_,
                 t66_,
             );
-            let t67_ = sin_joint_angle_ * carry2_5_before_;
-            let minus_joint_to_inertial_x_y_ = T::mul_neg_add(
+            let t67_ = sin_joint_angle_ * carry2_7_before_;
+            let minus_joint_to_inertial_yy_ = T::mul_neg_add(
                 cos_joint_angle_,
-                carry2_6_before_,
+                carry2_8_before_,
                 t67_,
             );
-            let t68_ = cos_joint_angle_ * carry2_7_before_;
-            let joint_to_inertial_y_x_ = T::mul_add(
-                sin_joint_angle_,
-                carry2_8_before_,
-                t68_,
-            );
-            let t69_ = sin_joint_angle_ * carry2_7_before_;
-            let minus_joint_to_inertial_y_y_ = T::mul_neg_add(
-                cos_joint_angle_,
-                carry2_8_before_,
-                t69_,
-            );
             /// Velocity behind `joint`: 4 mul, 2 add, 0 reciprocal.
-            let t70_ = cos_joint_angle_ * carry2_9_before_;
+            let t68_ = cos_joint_angle_ * carry2_9_before_;
             let joint_velocity_x_ = T::mul_add(
                 sin_joint_angle_,
                 carry2_10_before_,
-                t70_,
+                t68_,
             );
-            let t71_ = sin_joint_angle_ * carry2_9_before_;
+            let t69_ = sin_joint_angle_ * carry2_9_before_;
             let minus_joint_velocity_y_ = T::mul_neg_add(
                 cos_joint_angle_,
                 carry2_10_before_,
-                t71_,
+                t69_,
             );
             /// Connection points, [P, Eqs. (4), (12), (13)]: 2 mul, 3 add, 0 reciprocal.
             let point2_velocity_y_ = t17_ - minus_joint_velocity_y_;
             let point2_position_x_ = T::mul_add(
                 c_(0.1),
-                joint_to_inertial_x_x_,
+                joint_to_inertial_xx_,
                 carry2_3_before_,
             );
             let point2_position_y_ = T::mul_add(
                 c_(0.1),
-                joint_to_inertial_y_x_,
+                joint_to_inertial_yx_,
                 carry2_4_before_,
             );
             /// Results: 7 mul, 8 add, 0 reciprocal.
-            let t72_ = carry2_2_before_ + minus_joint_a_ang_z_;
-            let t73_ = known_p1_ * carry2_4_before_;
-            let t74_ = T::mul_add(known_p2_, joint_to_inertial_y_x_, t73_);
-            let t75_ = known_p6_ * joint_velocity_x_;
-            let t76_ = T::mul_neg_add(known_p6_, minus_joint_velocity_y_, t18_);
-            let t77_ = carry2_11_before_ + t20_;
-            let t78_ = T::mul_sub(minus_joint_velocity_y_, t76_, t77_);
-            let t79_ = T::mul_sub(joint_velocity_x_, t75_, t78_);
-            let t80_ = t11_ + carry2_12_before_;
-            let t81_ = T::mul_add(c_(9.8), t74_, t80_);
+            let t70_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            let t71_ = known_rod_mass_ * carry2_4_before_;
+            let t72_ = T::mul_add(
+                known_rod_first_moment_x_,
+                joint_to_inertial_yx_,
+                t71_,
+            );
+            let t73_ = known_p6_ * joint_velocity_x_;
+            let t74_ = T::mul_neg_add(known_p6_, minus_joint_velocity_y_, t18_);
+            let t75_ = carry2_11_before_ + t20_;
+            let t76_ = T::mul_sub(minus_joint_velocity_y_, t74_, t75_);
+            let t77_ = T::mul_sub(joint_velocity_x_, t73_, t76_);
+            let t78_ = t11_ + carry2_12_before_;
+            let t79_ = T::mul_add(c_(9.8), t72_, t78_);
             *o7_5_ = carry2_3_before_;
             *o7_6_ = carry2_4_before_;
-            *o7_7_ = joint_to_inertial_x_x_;
-            *o7_8_ = joint_to_inertial_y_x_;
+            *o7_7_ = joint_to_inertial_xx_;
+            *o7_8_ = joint_to_inertial_yx_;
             *o7_9_ = joint_velocity_x_;
             *o7_10_ = minus_joint_velocity_y_;
             *o7_12_ = joint_a_lin_x_;
             *o7_13_ = minus_joint_a_lin_y_;
             *o7_14_ = minus_joint_a_ang_z_;
-            *o7_16_ = joint_load_force_x_;
-            *o7_17_ = joint_load_force_y_;
+            *o7_16_ = joint_load_fx_;
+            *o7_17_ = joint_load_fy_;
             *o7_18_ = point2_position_x_;
             *o7_19_ = point2_position_y_;
             *o7_20_ = joint_velocity_x_;
             *o7_21_ = point2_velocity_y_;
             *o7_22_ = minus_end_of_repeat0_a_lin_x_;
             *o7_23_ = minus_end_of_repeat0_a_lin_y_;
-            *o7_25_ = minus_end_of_repeat0_load_force_x_;
-            *o7_26_ = minus_end_of_repeat0_load_force_y_;
-            *o0_0_ = -t72_;
+            *o7_25_ = minus_end_of_repeat0_load_fx_;
+            *o7_26_ = minus_end_of_repeat0_load_fy_;
+            *o0_0_ = -t70_;
             (
                 carry2_0_,
                 carry2_1_,
@@ -1442,68 +1530,64 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 -minus_joint_a_ang_z_,
                 point2_position_x_,
                 point2_position_y_,
-                joint_to_inertial_x_x_,
-                -minus_joint_to_inertial_x_y_,
-                joint_to_inertial_y_x_,
-                -minus_joint_to_inertial_y_y_,
+                joint_to_inertial_xx_,
+                -minus_joint_to_inertial_xy_,
+                joint_to_inertial_yx_,
+                -minus_joint_to_inertial_yy_,
                 joint_velocity_x_,
                 point2_velocity_y_,
+                t77_,
                 t79_,
-                t81_,
             );
         }
         /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 6 mul, 3 add, 0 reciprocal.
-        let t82_ = cos_hook_angle_ * carry2_0_;
+        let t80_ = cos_hook_angle_ * carry2_0_;
         /// Pose behind `hook`, [P, Eq. (12)]: 6 mul, 3 add, 0 reciprocal.
-        let t88_ = sin_hook_angle_ * carry2_7_;
+        let t86_ = sin_hook_angle_ * carry2_7_;
         /// Velocity behind `hook`: 4 mul, 2 add, 0 reciprocal.
-        let t90_ = sin_hook_angle_ * carry2_9_;
-        let t89_ = cos_hook_angle_ * carry2_9_;
+        let t88_ = sin_hook_angle_ * carry2_9_;
+        let t87_ = cos_hook_angle_ * carry2_9_;
         /// Acceleration of `hook`.
-        let t83_ = sin_hook_angle_ * carry2_0_;
-        let t84_ = t6_ * carry2_0_;
+        let t81_ = sin_hook_angle_ * carry2_0_;
+        let t82_ = t6_ * carry2_0_;
         /// Results: 5 mul, 7 add, 0 reciprocal.
-        let t92_ = c_(2.0) * carry2_4_;
+        let t90_ = c_(2.0) * carry2_4_;
         /// Acceleration of `hook`.
-        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t82_);
+        let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t80_);
         /// Pose behind `hook`.
-        let minus_hook_to_inertial_y_y_ = T::mul_neg_add(
+        let minus_hook_to_inertial_yy_ = T::mul_neg_add(
             cos_hook_angle_,
             carry2_8_,
-            t88_,
+            t86_,
         );
         /// Velocity behind `hook`.
-        let minus_hook_velocity_y_ = T::mul_neg_add(cos_hook_angle_, carry2_10_, t90_);
+        let minus_hook_velocity_y_ = T::mul_neg_add(cos_hook_angle_, carry2_10_, t88_);
         /// Results.
-        let t96_ = carry2_11_ + t25_;
+        let t94_ = carry2_11_ + t25_;
         /// Velocity behind `hook`.
-        let hook_velocity_x_ = T::mul_add(sin_hook_angle_, carry2_10_, t89_);
+        let hook_velocity_x_ = T::mul_add(sin_hook_angle_, carry2_10_, t87_);
         /// Pose behind `hook`.
-        let t86_ = cos_hook_angle_ * carry2_5_;
-        let t87_ = cos_hook_angle_ * carry2_7_;
+        let t84_ = cos_hook_angle_ * carry2_5_;
+        let t85_ = cos_hook_angle_ * carry2_7_;
         /// Acceleration of `hook`.
-        let minus_hook_a_lin_y_ = T::mul_neg_add(cos_hook_angle_, carry2_1_, t83_);
-        let minus_hook_a_ang_z_ = T::mul_add(t7_, carry2_1_, t84_);
+        let minus_hook_a_lin_y_ = T::mul_neg_add(cos_hook_angle_, carry2_1_, t81_);
+        let minus_hook_a_ang_z_ = T::mul_add(t7_, carry2_1_, t82_);
         /// Load on `hook`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
-        let t85_ = c_(2.0) * hook_a_lin_x_;
+        let t83_ = c_(2.0) * hook_a_lin_x_;
         /// Results.
-        let t93_ = T::mul_add(c_(0.2), minus_hook_to_inertial_y_y_, t92_);
-        let t97_ = T::mul_add(minus_hook_velocity_y_, minus_hook_velocity_y_, t96_);
-        let t94_ = t24_ + hook_velocity_x_;
+        let t91_ = T::mul_add(c_(0.2), minus_hook_to_inertial_yy_, t90_);
+        let t95_ = T::mul_add(minus_hook_velocity_y_, minus_hook_velocity_y_, t94_);
+        let t92_ = t24_ + hook_velocity_x_;
         /// Pose behind `hook`.
-        let hook_to_inertial_x_x_ = T::mul_add(sin_hook_angle_, carry2_6_, t86_);
-        let hook_to_inertial_y_x_ = T::mul_add(sin_hook_angle_, carry2_8_, t87_);
+        let hook_to_inertial_xx_ = T::mul_add(sin_hook_angle_, carry2_6_, t84_);
+        let hook_to_inertial_yx_ = T::mul_add(sin_hook_angle_, carry2_8_, t85_);
         /// Load on `hook`.
-        let hook_load_force_y_ = T::mul_neg_add(
-            c_(2.0),
-            minus_hook_a_lin_y_,
-            hook_e_force_y_,
-        );
-        let hook_load_force_x_ = T::mul_neg_add(c_(0.2), minus_hook_a_ang_z_, t85_);
+        let hook_load_fy_ = T::mul_neg_add(c_(2.0), minus_hook_a_lin_y_, hook_bias_fy_);
+        let hook_load_fx_ = T::mul_neg_add(c_(0.2), minus_hook_a_ang_z_, t83_);
         /// Results.
-        let t95_ = T::mul_add(c_(9.8), t93_, carry2_12_);
-        let t98_ = T::mul_add(hook_velocity_x_, t94_, t97_);
-        let t91_ = carry2_2_ + minus_hook_a_ang_z_;
+        let t93_ = T::mul_add(c_(9.8), t91_, carry2_12_);
+        let t96_ = T::mul_add(hook_velocity_x_, t92_, t95_);
+        let t89_ = carry2_2_ + minus_hook_a_ang_z_;
         for [o0_, o1_, o2_, o3_, o4_] in ::mstmm::generated::times_mut::<
             T,
             5,
@@ -1511,8 +1595,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o0_ = c_(0.0);
             *o1_ = c_(9.8);
             *o2_ = carry1_6_;
-            *o3_ = start_of_repeat0_load_force_x_;
-            *o4_ = start_of_repeat0_load_force_y_;
+            *o3_ = start_of_repeat0_load_fx_;
+            *o4_ = start_of_repeat0_load_fy_;
         }
         for [o0_, o1_, o2_, o3_, o4_, o5_, o6_, o7_, o8_, o9_, o10_, o11_] in ::mstmm::generated::times_mut::<
             T,
@@ -1520,22 +1604,22 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         >(results7_.as_mut_slice(), 225, 1) {
             *o0_ = carry2_3_;
             *o1_ = carry2_4_;
-            *o2_ = hook_to_inertial_x_x_;
-            *o3_ = hook_to_inertial_y_x_;
+            *o2_ = hook_to_inertial_xx_;
+            *o3_ = hook_to_inertial_yx_;
             *o4_ = hook_velocity_x_;
             *o5_ = minus_hook_velocity_y_;
             *o6_ = hook_omega_z_;
             *o7_ = hook_a_lin_x_;
             *o8_ = minus_hook_a_lin_y_;
             *o9_ = minus_hook_a_ang_z_;
-            *o10_ = hook_load_force_x_;
-            *o11_ = hook_load_force_y_;
+            *o10_ = hook_load_fx_;
+            *o11_ = hook_load_fy_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
         >(results0_.as_mut_slice(), 10, 1) {
-            *o0_ = -t91_;
+            *o0_ = -t89_;
         }
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
@@ -1570,8 +1654,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             ::mstmm::generated::take_back(at_, || self.workspace());
             return ::core::result::Result::Err(error_);
         }
-        at_.kinetic_energy = t98_;
-        at_.potential_energy = t95_;
+        at_.kinetic_energy = t96_;
+        at_.potential_energy = t93_;
         at_.at_rest = [c_(0.0), c_(9.8)];
         ::core::result::Result::Ok(())
     }
@@ -1603,11 +1687,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut carry0_7_ = c_(0.0);
         for (
             (&[joint_angle_], &[joint_rate_]),
-            &[known_knot_,
-            known_p1_,
-            known_p2_,
-            known_p3_,
-            known_p4_,
+            &[known_rod_mass_,
+            known_rod_first_moment_x_,
+            known_rod_inertia_yy_,
+            known_rod_inertia_zz_,
+            known_knot_,
             _,
             known_p6_,
             ],
@@ -1641,13 +1725,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t4_ = sin_joint_angle_ * carry0_2_before_;
             let t5_ = cos_joint_angle_ * carry0_4_before_;
             let t6_ = sin_joint_angle_ * carry0_4_before_;
-            let t7_ = known_p2_ * joint_omega_z_;
-            let t8_ = known_p4_ * t2_;
+            let t7_ = known_rod_first_moment_x_ * joint_omega_z_;
+            let t8_ = known_rod_inertia_zz_ * t2_;
             let t9_ = T::mul_add(sin_joint_angle_, carry0_3_before_, t3_);
             let t10_ = T::mul_neg_add(cos_joint_angle_, carry0_3_before_, t4_);
             let t11_ = T::mul_add(c_(0.1), t9_, carry0_1_before_);
-            let t12_ = known_p1_ * carry0_1_before_;
-            let t13_ = T::mul_add(known_p2_, t9_, t12_);
+            let t12_ = known_rod_mass_ * carry0_1_before_;
+            let t13_ = T::mul_add(known_rod_first_moment_x_, t9_, t12_);
             let t14_ = T::mul_add(sin_joint_angle_, carry0_5_before_, t5_);
             let t15_ = T::mul_neg_add(cos_joint_angle_, carry0_5_before_, t6_);
             let t16_ = T::mul_sub(c_(0.1), joint_omega_z_, t15_);

@@ -132,17 +132,17 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t4_ = tip_qw_ * t3_;
         let t2_ = tip_qw_ * t0_;
         /// Riccati transfer over `tip`.
-        let tip_w0_ = t5_ * c_(0.9);
-        let minus_tip_w1_ = t6_ * c_(0.9);
+        let tip_rest0_ = t5_ * c_(0.9);
+        let minus_tip_rest1_ = t6_ * c_(0.9);
         /// Motion across `tip`.
-        let tip_turn_z_y_ = T::mul_add(tip_qy_, t1_, t4_);
-        let minus_tip_turn_z_x_ = T::mul_neg_add(tip_qx_, t1_, t2_);
+        let tip_turn_zy_ = T::mul_add(tip_qy_, t1_, t4_);
+        let minus_tip_turn_zx_ = T::mul_neg_add(tip_qx_, t1_, t2_);
         /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
-        let tip_a_ang_x_ = T::mul_add(tip_turn_z_y_, c_(117.60000000000001), tip_w0_);
+        let tip_a_ang_x_ = T::mul_add(tip_turn_zy_, c_(117.60000000000001), tip_rest0_);
         let tip_a_ang_y_ = T::mul_sub(
-            minus_tip_turn_z_x_,
+            minus_tip_turn_zx_,
             c_(117.60000000000001),
-            minus_tip_w1_,
+            minus_tip_rest1_,
         );
         if !::mstmm::generated::regular::<
             T,
@@ -237,15 +237,15 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t2_ = tip_qy_ * t0_;
         let t5_ = tip_qw_ * t1_;
         /// Riccati transfer over `tip`.
-        let minus_tip_w1_ = t16_ * c_(0.9);
-        let tip_w0_ = t15_ * c_(0.9);
+        let minus_tip_rest1_ = t16_ * c_(0.9);
+        let tip_rest0_ = t15_ * c_(0.9);
         /// Motion across `tip`.
         let t6_ = tip_qx_ * t0_;
-        let minus_tip_turn_z_x_ = t7_ - t8_;
-        *n8_ = minus_tip_turn_z_x_;
+        let minus_tip_turn_zx_ = t7_ - t8_;
+        *n8_ = minus_tip_turn_zx_;
         ::mstmm::generated::written();
-        let tip_turn_z_y_ = t11_ + t12_;
-        *n11_ = tip_turn_z_y_;
+        let tip_turn_zy_ = t11_ + t12_;
+        *n11_ = tip_turn_zy_;
         ::mstmm::generated::written();
         let t10_ = T::mul_sub(tip_qx_, t9_, c_(1.0));
         /// Riccati transfer over `tip`.
@@ -257,13 +257,13 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t4_ = t2_ - c_(1.0);
         /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 5 mul, 2 add, 0 reciprocal.
         let minus_tip_a_ang_y_ = T::mul_neg_add(
-            minus_tip_turn_z_x_,
+            minus_tip_turn_zx_,
             c_(117.60000000000001),
-            minus_tip_w1_,
+            minus_tip_rest1_,
         );
         *n22_ = minus_tip_a_ang_y_;
         ::mstmm::generated::written();
-        let tip_a_ang_x_ = T::mul_add(tip_turn_z_y_, c_(117.60000000000001), tip_w0_);
+        let tip_a_ang_x_ = T::mul_add(tip_turn_zy_, c_(117.60000000000001), tip_rest0_);
         if !::mstmm::generated::regular::<
             T,
             _,
@@ -277,69 +277,69 @@ impl<T: ::mstmm::Scalar> Top<T> {
         *n21_ = tip_a_ang_x_;
         ::mstmm::generated::written();
         /// Motion across `tip`.
-        let minus_tip_turn_x_y_ = t5_ - t6_;
-        *n9_ = minus_tip_turn_x_y_;
+        let minus_tip_turn_xy_ = t5_ - t6_;
+        *n9_ = minus_tip_turn_xy_;
         ::mstmm::generated::written();
-        let tip_turn_x_z_ = t7_ + t8_;
-        *n12_ = tip_turn_x_z_;
+        let tip_turn_xz_ = t7_ + t8_;
+        *n12_ = tip_turn_xz_;
         ::mstmm::generated::written();
-        let tip_turn_y_x_ = t5_ + t6_;
-        *n7_ = tip_turn_y_x_;
+        let tip_turn_yx_ = t5_ + t6_;
+        *n7_ = tip_turn_yx_;
         ::mstmm::generated::written();
-        let minus_tip_turn_z_z_ = t2_ + t10_;
-        *n14_ = minus_tip_turn_z_z_;
+        let minus_tip_turn_zz_ = t2_ + t10_;
+        *n14_ = minus_tip_turn_zz_;
         ::mstmm::generated::written();
         /// Riccati transfer over `tip`.
-        let minus_tip_e_force_z_ = c_(0.012) * t14_;
+        let minus_tip_bias_fz_ = c_(0.012) * t14_;
         /// Results.
         let t23_ = T::mul_add(t14_, c_(0.001), t22_);
         /// Load on `tip`, [P, Eqs. (18), (19)]: 5 mul, 5 add, 0 reciprocal.
-        let t17_ = minus_tip_turn_z_x_ * c_(1.9600000000000002);
-        let t19_ = tip_turn_z_y_ * c_(1.9600000000000002);
+        let t17_ = minus_tip_turn_zx_ * c_(1.9600000000000002);
+        let t19_ = tip_turn_zy_ * c_(1.9600000000000002);
         let t18_ = t16_ - minus_tip_a_ang_y_;
         let t20_ = t15_ - tip_a_ang_x_;
         /// Acceleration of `tip`.
-        let minus_tip_a_lin_x_ = minus_tip_turn_z_x_ * c_(9.8);
+        let minus_tip_a_lin_x_ = minus_tip_turn_zx_ * c_(9.8);
         *n18_ = minus_tip_a_lin_x_;
         ::mstmm::generated::written();
-        let tip_a_lin_y_ = tip_turn_z_y_ * c_(9.8);
+        let tip_a_lin_y_ = tip_turn_zy_ * c_(9.8);
         *n19_ = tip_a_lin_y_;
         ::mstmm::generated::written();
-        let minus_tip_a_lin_z_ = c_(9.8) * minus_tip_turn_z_z_;
+        let minus_tip_a_lin_z_ = c_(9.8) * minus_tip_turn_zz_;
         *n20_ = minus_tip_a_lin_z_;
         ::mstmm::generated::written();
         /// Results.
-        let t25_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
+        let t25_ = c_(0.11760000000000001) * minus_tip_turn_zz_;
         at_.potential_energy = -t25_;
         ::mstmm::generated::written();
         /// Load on `tip`.
-        let minus_tip_load_force_z_ = T::mul_add(
+        let minus_tip_load_fz_ = T::mul_add(
             c_(1.9600000000000002),
-            minus_tip_turn_z_z_,
-            minus_tip_e_force_z_,
+            minus_tip_turn_zz_,
+            minus_tip_bias_fz_,
         );
-        *n5_ = minus_tip_load_force_z_;
+        *n5_ = minus_tip_load_fz_;
         ::mstmm::generated::written();
         /// Results.
         let t24_ = c_(0.5) * t23_;
         at_.kinetic_energy = t24_;
         ::mstmm::generated::written();
         /// Load on `tip`.
-        let minus_tip_load_force_x_ = T::mul_neg_add(c_(0.012), t18_, t17_);
-        *n3_ = minus_tip_load_force_x_;
+        let minus_tip_load_fx_ = T::mul_neg_add(c_(0.012), t18_, t17_);
+        *n3_ = minus_tip_load_fx_;
         ::mstmm::generated::written();
-        let tip_load_force_y_ = T::mul_add(c_(0.012), t20_, t19_);
-        *n4_ = tip_load_force_y_;
+        let tip_load_fy_ = T::mul_add(c_(0.012), t20_, t19_);
+        *n4_ = tip_load_fy_;
         ::mstmm::generated::written();
         /// Motion across `tip`.
-        let minus_tip_turn_y_y_ = t3_ + t10_;
-        *n10_ = minus_tip_turn_y_y_;
+        let minus_tip_turn_yy_ = t3_ + t10_;
+        *n10_ = minus_tip_turn_yy_;
         ::mstmm::generated::written();
-        let minus_tip_turn_y_z_ = t11_ - t12_;
-        *n13_ = minus_tip_turn_y_z_;
+        let minus_tip_turn_yz_ = t11_ - t12_;
+        *n13_ = minus_tip_turn_yz_;
         ::mstmm::generated::written();
-        let minus_tip_turn_x_x_ = t3_ + t4_;
-        *n6_ = minus_tip_turn_x_x_;
+        let minus_tip_turn_xx_ = t3_ + t4_;
+        *n6_ = minus_tip_turn_xx_;
         ::mstmm::generated::written();
         ::core::result::Result::Ok(())
     }
@@ -362,7 +362,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t0_ = tip_qx_ * c_(2.0);
         let t1_ = tip_qy_ * c_(2.0);
         let t2_ = T::mul_sub(tip_qy_, t1_, c_(1.0));
-        let minus_tip_turn_z_z_ = T::mul_add(tip_qx_, t0_, t2_);
+        let minus_tip_turn_zz_ = T::mul_add(tip_qx_, t0_, t2_);
         /// Results: 7 mul, 2 add, 0 reciprocal.
         let t3_ = tip_wy_ * tip_wy_;
         let t4_ = tip_wz_ * tip_wz_;
@@ -370,7 +370,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t6_ = t4_ * c_(0.0001);
         let t7_ = T::mul_add(t5_, c_(0.001), t6_);
         let t8_ = c_(0.5) * t7_;
-        let t9_ = c_(0.11760000000000001) * minus_tip_turn_z_z_;
+        let t9_ = c_(0.11760000000000001) * minus_tip_turn_zz_;
         ::mstmm::Energy {
             kinetic: t8_,
             potential: -t9_,

@@ -506,8 +506,8 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         /// Pose behind `elbow`, [P, Eq. (12)]: 4 mul, 2 add, 0 reciprocal.
         let t83_ = cos_shoulder_angle_ * sin_elbow_angle_;
         /// Load on `shoulder`.
-        let elbow_load_force_y_ = T::mul_add(c_(0.5), t78_, point2_felt_y_);
-        *n31_ = elbow_load_force_y_;
+        let elbow_load_fy_ = T::mul_add(c_(0.5), t78_, point2_felt_y_);
+        *n31_ = elbow_load_fy_;
         ::mstmm::generated::written();
         let t80_ = T::mul_neg_add(c_(0.5), minus_shoulder_beta0_, shoulder_a_lin_y_);
         let minus_point2_felt_x_ = T::mul_neg_add(sin_elbow_angle_, t77_, t11_);
@@ -525,19 +525,19 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         /// Results.
         let t88_ = sin_shoulder_angle_ * c_(14.700000000000001);
         /// Pose behind `elbow`.
-        let minus_elbow_to_inertial_x_y_ = T::mul_add(
+        let minus_elbow_to_inertial_xy_ = T::mul_add(
             sin_shoulder_angle_,
             cos_elbow_angle_,
             t83_,
         );
-        *n25_ = minus_elbow_to_inertial_x_y_;
-        *n27_ = minus_elbow_to_inertial_x_y_;
+        *n25_ = minus_elbow_to_inertial_xy_;
+        *n27_ = minus_elbow_to_inertial_xy_;
         ::mstmm::generated::written();
         /// Load on `shoulder`.
-        let t79_ = T::mul_add(sin_elbow_angle_, elbow_load_force_y_, t10_);
-        let t81_ = T::mul_add(cos_elbow_angle_, elbow_load_force_y_, t80_);
-        let minus_elbow_load_force_x_ = t9_ + minus_point2_felt_x_;
-        *n30_ = minus_elbow_load_force_x_;
+        let t79_ = T::mul_add(sin_elbow_angle_, elbow_load_fy_, t10_);
+        let t81_ = T::mul_add(cos_elbow_angle_, elbow_load_fy_, t80_);
+        let minus_elbow_load_fx_ = t9_ + minus_point2_felt_x_;
+        *n30_ = minus_elbow_load_fx_;
         ::mstmm::generated::written();
         /// Inertia beyond the hinges, to be divided by.
         let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
@@ -559,35 +559,35 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         }
         ::mstmm::generated::written();
         /// Pose behind `elbow`.
-        let elbow_to_inertial_x_x_ = T::mul_neg_add(
+        let elbow_to_inertial_xx_ = T::mul_neg_add(
             sin_shoulder_angle_,
             sin_elbow_angle_,
             t82_,
         );
-        *n24_ = elbow_to_inertial_x_x_;
-        *n28_ = elbow_to_inertial_x_x_;
+        *n24_ = elbow_to_inertial_xx_;
+        *n28_ = elbow_to_inertial_xx_;
         ::mstmm::generated::written();
         /// Results.
         let t87_ = T::mul_add(elbow_velocity_y_, t85_, t86_);
         at_.kinetic_energy = t87_;
         ::mstmm::generated::written();
-        let t89_ = T::mul_add(c_(4.9), minus_elbow_to_inertial_x_y_, t88_);
+        let t89_ = T::mul_add(c_(4.9), minus_elbow_to_inertial_xy_, t88_);
         at_.potential_energy = t89_;
         ::mstmm::generated::written();
         /// Load on `shoulder`.
-        let minus_shoulder_load_force_x_ = T::mul_add(
+        let minus_shoulder_load_fx_ = T::mul_add(
             cos_elbow_angle_,
-            minus_elbow_load_force_x_,
+            minus_elbow_load_fx_,
             t79_,
         );
-        *n3_ = minus_shoulder_load_force_x_;
+        *n3_ = minus_shoulder_load_fx_;
         ::mstmm::generated::written();
-        let minus_shoulder_load_force_y_ = T::mul_sub(
+        let minus_shoulder_load_fy_ = T::mul_sub(
             sin_elbow_angle_,
-            minus_elbow_load_force_x_,
+            minus_elbow_load_fx_,
             t81_,
         );
-        *n4_ = minus_shoulder_load_force_y_;
+        *n4_ = minus_shoulder_load_fy_;
         ::mstmm::generated::written();
         /// Connection points, [P, Eqs. (4), (12), (13)]: 0 mul, 2 add, 0 reciprocal.
         let minus_point4_felt_x_ = t8_ + minus_point2_felt_x_;

@@ -126,8 +126,8 @@ fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<S> {
             "F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]",
         );
         let mut here = carried[index].clone();
-        trace.inertia(&over.name, here.inertia);
-        trace.wrench(&format!("{}_e", over.name), here.load);
+        trace.inertia(&format!("{}_articulated", over.name), here.inertia);
+        trace.wrench(&format!("{}_bias", over.name), here.load);
         let conditions = problem.efforts[index].iter().zip(&over.freedom.armature);
         let conditions: Vec<Condition<S>> = over
             .freedom
@@ -142,9 +142,12 @@ fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<S> {
         }
         for (number, (condition, (pivot, step))) in conditions.iter().zip(steps).enumerate() {
             let scale = condition.column.scale(here.scales.0, here.scales.1) + condition.armature;
+            let number = if conditions.len() > 1 { number.to_string() } else { String::new() };
             trace.number(format!("{}_d{number}", over.name), pivot);
-            trace.wrench(&format!("{}_z{number}", over.name), step.gain);
-            trace.number(format!("{}_w{number}", over.name), step.rest);
+            trace.number(format!("{}_d{number}_inverse", over.name), step.inverse);
+            trace.number(format!("{}_d{number}_scale", over.name), scale);
+            trace.wrench(&format!("{}_gain{number}", over.name), step.gain);
+            trace.number(format!("{}_rest{number}", over.name), step.rest);
             eliminated[index].push(step);
             pivots.push(Pivot { link: index, value: pivot, scale });
         }
