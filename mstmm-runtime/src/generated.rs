@@ -9,8 +9,6 @@ pub use crate::point::{Places, entries};
 pub use crate::quaternion::{QuaternionsOf, check_quaternion, check_quaternions};
 
 use core::convert::identity;
-use core::hint::black_box;
-use core::mem::MaybeUninit;
 
 use crate::{ChainState, Closure, Error, Mask, Scalar};
 
@@ -136,30 +134,6 @@ fn diagnosis<T: Scalar>(hinges: &[&'static str], pivots: &[T], scales: &[T]) -> 
 #[inline(always)]
 pub fn written() {
     core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
-}
-
-/// Room for values that are needed later: nothing fills it before [`spill`] does.
-#[inline(always)]
-pub fn room<T, const N: usize>() -> [MaybeUninit<T>; N] {
-    [const { MaybeUninit::uninit() }; N]
-}
-
-/// References to what is in memory. Of numbers with [explicit spills](Scalar::EXPLICIT_SPILLS) the compiler knows
-/// nothing about them any longer, so that what is there is read when it is needed, and again when it is needed again.
-#[inline(always)]
-pub fn in_memory<T: Scalar, R>(references: R) -> R {
-    if T::EXPLICIT_SPILLS { black_box(references) } else { references }
-}
-
-/// Puts a value into a place until it is needed again. Of numbers without
-/// [explicit spills](Scalar::EXPLICIT_SPILLS) nothing is left of that.
-#[inline(always)]
-pub fn spill<T: Scalar>(place: &mut MaybeUninit<T>, value: T) -> &mut T {
-    let spilled = place.write(value);
-    if T::EXPLICIT_SPILLS {
-        written();
-    }
-    spilled
 }
 
 /// Makes results anew where there turn out to be none: nothing of what has been written stays.

@@ -85,10 +85,6 @@ macro_rules! lanes {
 
             const LANES: usize = [$($number),*].len();
 
-            // Where there are 32 registers that hold all lanes. Where a value takes several of 16, most
-            // are spilled by the compiler all the same, which takes it ten times as long.
-            const EXPLICIT_SPILLS: bool = cfg!(target_feature = "avx512f");
-
             // Not `inline(always)`: see `splat`.
             #[inline]
             fn constant(value: f64) -> Self {

@@ -60,13 +60,6 @@ pub trait Scalar:
     /// The number of lanes, which is the number of states that a chain of this scalar computes side by side.
     const LANES: usize = 1;
 
-    /// Whether generated code chooses itself which values it keeps in memory until they are needed again.
-    ///
-    /// It is `false` unless a type says otherwise, and then the compiler chooses, which for one number a register
-    /// does it about as well. For lanes of SIMD registers the generated code does it better, and where the
-    /// target has AVX-512 `wide`'s leave it to it. Nothing but speed hangs on it.
-    const EXPLICIT_SPILLS: bool = false;
-
     /// The number nearest to `value`. For a literal it is computed while compiling.
     fn constant(value: f64) -> Self;
 

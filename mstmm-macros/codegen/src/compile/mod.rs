@@ -10,11 +10,9 @@ pub use places::{Place, Places, PointPlaces, Sight};
 
 use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
 use crate::expr::{Expr, Graph, Stage};
-use crate::model::{
-    Chain, ClosureRank, Driven, Hinge, HingeId, HingeKind, Layout, Method, Passive, Value,
-};
-use crate::passes::{Issued, Setup, issue, opposite, spills};
-use crate::program::{Program, Spills};
+use crate::model::{Chain, ClosureRank, Hinge, HingeId, HingeKind, Layout, Method, Passive, Value};
+use crate::passes::{Setup, issue, opposite};
+use crate::program::Program;
 use crate::symbols::Symbols;
 
 /// Everything that is computed for a chain, as programs.
@@ -33,8 +31,6 @@ pub struct Programs {
     pub start: Program,
     /// `q`, `v`, inputs to `v̇`, pivots and their scales.
     pub accelerations: Program,
-    /// Which values of it are kept in memory meanwhile.
-    pub spills: Option<Spills>,
     /// The same for a linearly implicit step, where that makes a difference, and the hinges that its
     /// pivots belong to.
     pub implicit: Option<(Program, Vec<HingeId>)>,
@@ -71,10 +67,7 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
     let scene = Scene::new(chain, (layout, &merged), &symbols, &graph);
     let mut setup = Setup::default();
     let method = chain.method.unwrap_or(Method::Riccati);
-    let (Issued { program: accelerations, waits }, pivots) =
-        scene.accelerations(method, &mut setup);
-    let waiting = waits.then_some(&accelerations);
-    let spills = waiting.and_then(|program| spills(program, |number| scene.is_read_often(number)));
+    let (accelerations, pivots) = scene.accelerations(method, &mut setup);
     let yields = chain.hinges.iter().flat_map(|hinge| &hinge.passive).any(Passive::has_effort);
     let implicit = yields.then(|| scene.implicit(method, &mut setup));
     let (solution, places, held) = scene.solution(method, &mut setup);
@@ -92,7 +85,6 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
         setup,
         checks,
         start,
-        spills,
         accelerations,
         implicit,
         pivots,
@@ -154,22 +146,12 @@ impl<'a, 'g> Scene<'a, 'g> {
         Situation::new(self.chain, layout, &self.numbers, (&self.q, &self.v, &self.inputs))
     }
 
-    fn accelerations(&self, method: Method, setup: &mut Setup) -> (Issued, Vec<HingeId>) {
+    fn accelerations(&self, method: Method, setup: &mut Setup) -> (Program, Vec<HingeId>) {
         self.solved(method, setup, |situation| situation)
     }
 
-    /// Whether an unknown may be read more than once: a prescribed motion is taken apart.
-    fn is_read_often(&self, number: u32) -> bool {
-        let mut prescribed =
-            self.layout.inputs.iter().filter(|input| matches!(input.what, Driven::Motion(_)));
-        let first = self.symbols.inputs().start;
-        let place = (number as usize).checked_sub(first);
-        place.is_none_or(|place| !prescribed.any(|input| input.range.contains(&place)))
-    }
-
     fn implicit(&self, method: Method, setup: &mut Setup) -> (Program, Vec<HingeId>) {
-        let (issued, pivots) = self.solved(method, setup, |situation| situation.within(self.step));
-        (issued.program, pivots)
+        self.solved(method, setup, |situation| situation.within(self.step))
     }
 
     fn solved(
@@ -177,7 +159,7 @@ impl<'a, 'g> Scene<'a, 'g> {
         method: Method,
         setup: &mut Setup,
         set: impl for<'b> Fn(Situation<'b, Expr<'g>>) -> Situation<'b, Expr<'g>>,
-    ) -> (Issued, Vec<HingeId>) {
+    ) -> (Program, Vec<HingeId>) {
         let (solved, trace, turns) = self.woven(|loom, trace| {
             let situation = set(self.situation(self.merged)).woven(loom);
             equations::accelerations(&situation, method, AXES, trace)
@@ -218,7 +200,7 @@ impl<'a, 'g> Scene<'a, 'g> {
                 .collect(),
         ]);
         let program = self.program(Stage::State, &trace, &groups, &turns, setup);
-        let mut program = issue(program).program;
+        let mut program = issue(program);
         places.take_signs(&mut program, groups::NUMBERS);
         (program, places, held)
     }

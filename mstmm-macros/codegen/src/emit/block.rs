@@ -7,7 +7,7 @@ use super::looped::{self, Masks, Target};
 use super::names::{Variables, helper};
 use super::sealed;
 use super::spread::Spread;
-use super::statement::{Around, Writer};
+use super::statement::Writer;
 use crate::compile::groups;
 use crate::program::{Loop, Operand, Program, Section, Statement};
 use proc_macro2::{Delimiter, Group, TokenStream};
@@ -84,12 +84,9 @@ impl Plan<'_> {
     ) -> TokenStream {
         let mut writer = Writer::after(self, &opened.variables, opened.statements);
         writer.add(deliveries.at_once());
-        let mut around = |writer: &mut Writer, around: Around| {
-            if let Around::Behind(statement) = around {
-                writer.add(deliveries.after(statement));
-            }
-        };
-        writer.sections_with(program.sections(), is_long(program), &mut around);
+        writer.sections_with(program.sections(), is_long(program), &mut |writer, statement| {
+            writer.add(deliveries.after(statement));
+        });
         writer.finish()
     }
 

@@ -43,10 +43,7 @@ fn accelerations(plan: &Plan) -> TokenStream {
     let visibility = &plan.surface.visibility;
     let freedoms = usize_literal(Spread::freedoms(plan).total);
     let program = &plan.programs.accelerations;
-    let block = match &plan.programs.spills {
-        Some(spills) => plan.spilling(program, spills),
-        None => plan.step(program, &[Target::new(0, Spread::freedoms(plan))], true),
-    };
+    let block = plan.step(program, &[Target::new(0, Spread::freedoms(plan))], true);
     let body = checked(plan, program, block, &plan.programs.pivots);
     let cost = docs::cost(program);
     let implicit = implicit(plan);

@@ -154,22 +154,16 @@ impl Plan<'_> {
 
     /// Takes the inputs that a program reads into variables.
     pub fn read_inputs(&self, program: &Program) -> TokenStream {
-        self.needed_inputs(program).map(|input| self.read_whole_input(input)).collect()
-    }
-
-    /// Takes an input that stands once into variables.
-    pub fn read_whole_input(&self, input: &Input) -> TokenStream {
-        let name = self.chain.name_of_input(input.what);
-        self.read_input(input, &quote!(inputs_.#name))
-    }
-
-    /// The inputs of which a program reads something.
-    pub fn needed_inputs<'b>(&'b self, program: &'b Program) -> impl Iterator<Item = &'b Input> {
         let first = self.programs.symbols.inputs().start;
-        self.layout.inputs.iter().filter(move |input| {
+        let needed = self.layout.inputs.iter().filter(|input| {
             let mut numbers = input.range.clone();
             numbers.any(|k| program.symbols.binary_search(&((first + k) as u32)).is_ok())
-        })
+        });
+        let read = needed.map(|input| {
+            let name = self.chain.name_of_input(input.what);
+            self.read_input(input, &quote!(inputs_.#name))
+        });
+        read.collect()
     }
 
     /// Takes an input apart.

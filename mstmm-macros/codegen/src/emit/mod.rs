@@ -23,7 +23,6 @@ mod references;
 mod repeated;
 mod sealed;
 mod solution;
-mod spill;
 mod spread;
 mod state;
 mod statement;

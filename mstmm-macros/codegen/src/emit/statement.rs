@@ -11,14 +11,6 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenS
 /// So many names are declared at once where they are declared before they are computed.
 const DECLARED: usize = 500;
 
-/// Where something is written between statements.
-pub enum Around<'a> {
-    /// Before a statement.
-    Before,
-    /// Behind this one.
-    Behind(&'a Statement),
-}
-
 /// Tokens that are being written.
 pub struct Writer<'a> {
     plan: &'a Plan<'a>,
@@ -53,12 +45,12 @@ impl<'a> Writer<'a> {
         self.sections_with(sections, flat, &mut |_, _| ());
     }
 
-    /// The statements of sections, with what `around` has to say before and behind each of them.
+    /// The statements of sections, each followed by what `behind` writes.
     pub fn sections_with<'s>(
         &mut self,
         sections: impl IntoIterator<Item = &'s Section>,
         flat: bool,
-        around: &mut dyn FnMut(&mut Self, Around),
+        behind: &mut dyn FnMut(&mut Self, &Statement),
     ) {
         let sections: Vec<&Section> = sections.into_iter().collect();
         let mut headings = by_heading(sections.iter().copied());
@@ -71,13 +63,12 @@ impl<'a> Writer<'a> {
                 self.documentation(&format!(" {}.", section.title));
             }
             for statement in &section.statements {
-                around(self, Around::Before);
                 if !flat {
                     self.word("let");
                 }
                 self.statement(statement);
                 self.sign(';');
-                around(self, Around::Behind(statement));
+                behind(self, statement);
             }
         }
     }
@@ -160,15 +151,6 @@ impl<'a> Writer<'a> {
                 None => pattern.word("_"),
             });
         });
-    }
-
-    /// `let name = …;`
-    pub fn assign(&mut self, name: &Ident, write: impl FnOnce(&mut Self)) {
-        self.word("let");
-        self.variable(name);
-        self.sign('=');
-        write(self);
-        self.sign(';');
     }
 
     fn operation(&mut self, operation: &Operation) {

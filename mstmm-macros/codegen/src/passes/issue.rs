@@ -20,26 +20,17 @@ const CYCLES: u32 = 2;
 /// There is work enough if all operations take so many times as long as the longest path.
 const ENOUGH: f64 = 1.2;
 
-/// A program whose statements stand in the order in which they should run.
-pub struct Issued {
-    /// The program. A section that others interrupt has fallen into several of the same heading.
-    pub program: Program,
-    /// Whether its statements wait for one another, with too little work meanwhile, in some block.
-    pub waits: bool,
-}
-
-/// The same program with its statements in the order in which they should run.
-pub fn issue(mut program: Program) -> Issued {
-    let mut waits = false;
+/// The same program with its statements in the order in which they should run: a section that others interrupt
+/// becomes several with the same heading.
+pub fn issue(mut program: Program) -> Program {
     for block in &mut program.blocks {
         if let Block::Once(sections) = block
             && let Some(order) = waiting_order(sections, program.names.count())
         {
             *sections = issued(std::mem::take(sections), &order);
-            waits = true;
         }
     }
-    Issued { program, waits }
+    program
 }
 
 /// The numbers of the statements of a block in the order in which they should run, if they wait for one

@@ -8,7 +8,6 @@
 //! 6. [`schedule()`] puts what is live under the headings of a trace and names it.
 //! 7. [`opposite()`] gives results their own signs.
 //! 8. [`issue()`] orders the statements so that a processor waits little.
-//! 9. [`spills()`] finds which values are kept in memory meanwhile.
 //!
 //! Folding, signs and common subexpressions need no pass: the graph's rules see to them while the
 //! formulas are written down.
@@ -29,18 +28,16 @@ mod opposite;
 mod order;
 mod schedule;
 mod setup;
-mod spill;
 mod sums;
 mod turns;
 
 pub use factor::factor;
 pub use images::Images;
-pub use issue::{Issued, issue};
+pub use issue::issue;
 pub use join::join;
 pub use live::Live;
 pub use opposite::opposite;
 pub use order::order;
 pub use schedule::{Heading, Unknowns, schedule};
 pub use setup::Setup;
-pub use spill::spills;
 pub use turns::{Carry, Home, Turn, Turns, needed_carries};

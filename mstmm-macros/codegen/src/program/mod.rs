@@ -4,11 +4,9 @@
 mod cost;
 mod names;
 mod shown;
-mod spills;
 
 pub use cost::{Cost, Headed, by_heading};
 pub use names::{Name, Names};
-pub use spills::{Move, Spills};
 
 /// A program.
 #[derive(Clone, Debug, PartialEq)]

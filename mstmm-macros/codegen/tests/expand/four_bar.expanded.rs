@@ -134,26 +134,13 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         accelerations_: &mut ::mstmm::nalgebra::SVector<T, 4>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
         let c_ = T::constant;
-        let [q_] = &state_.q.data.0;
-        let [v_] = &state_.v.data.0;
-        let crank_pin_input_ = &inputs_.crank_pin;
-        /// Room for values until they are needed again, and references to read unknowns again.
-        let mut room_ = ::mstmm::generated::room::<T, 23>();
-        let (room_, self_again_, state_again_, inputs_again_) = ::mstmm::generated::in_memory::<
-            T,
-            _,
-        >((&mut room_, self, state_, inputs_));
-        let [place0_, place1_, place2_, place3_, place4_, place5_, place6_, place7_,
-        place8_, place9_, place10_, place11_, place12_, place13_, place14_, place15_,
-        place16_, place17_, place18_, place19_, place20_, place21_, place22_] = room_;
-        let [q_again_] = &state_again_.q.data.0;
-        let [v_again_] = &state_again_.v.data.0;
-        let crank_pin_input_again_ = &inputs_again_.crank_pin;
+        let [[crank_pin_angle_, a_angle_, b_angle_, rocker_pin_angle_]] = state_
+            .q
+            .data
+            .0;
+        let [[crank_pin_rate_, a_rate_, b_rate_, ..]] = state_.v.data.0;
+        let crank_pin_input0_ = inputs_.crank_pin;
         /// Motion across `crank_pin`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 4 sin/cos.
-        let crank_pin_angle_ = q_[0];
-        let a_angle_ = q_[1];
-        let b_angle_ = q_[2];
-        let rocker_pin_angle_ = q_[3];
         let (
             [sin_crank_pin_angle_,
             sin_a_angle_,
@@ -213,40 +200,19 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Riccati transfer over `a`.
         let a_gain_fx_ = a_articulated_coupling_xz_ * a_d_inverse_;
         /// Closure.
-        let a_articulated_inertia_zz_spilled_ = ::mstmm::generated::spill(
-            place0_,
-            a_articulated_inertia_zz_,
-        );
         let t53_ = cos_rocker_pin_angle_ * cos_rocker_pin_angle_;
         /// Riccati transfer over `a`.
-        let crank_pin_articulated_inertia_zz_spilled_ = ::mstmm::generated::spill(
-            place1_,
-            crank_pin_articulated_inertia_zz_,
-        );
         let a_gain_fy_ = a_articulated_coupling_yz_ * a_d_inverse_;
         /// Closure.
-        let t11_spilled_ = ::mstmm::generated::spill(place2_, t11_);
         let t40_ = T::mul_neg_add(t39_, a_gain_fx_, t36_);
-        let t13_spilled_ = ::mstmm::generated::spill(place3_, t13_);
         let t45_ = T::sqrt(a_d_inverse_);
         let t54_ = T::mul_add(sin_rocker_pin_angle_, sin_rocker_pin_angle_, t53_);
-        let sin_crank_pin_angle_spilled_ = ::mstmm::generated::spill(
-            place4_,
-            sin_crank_pin_angle_,
-        );
         let t41_ = T::mul_neg_add(t39_, a_gain_fy_, t38_);
-        let cos_crank_pin_angle_spilled_ = ::mstmm::generated::spill(
-            place5_,
-            cos_crank_pin_angle_,
-        );
         let t71_ = cos_a_angle_ * t40_;
         let t42_ = sin_a_angle_ * t40_;
-        let t23_spilled_ = ::mstmm::generated::spill(place6_, t23_);
         let t50_ = T::sqrt(crank_pin_d_inverse_);
-        let t17_spilled_ = ::mstmm::generated::spill(place7_, t17_);
         let t52_ = c_(0.6) * sin_rocker_pin_angle_;
         let t55_ = t54_ * c_(0.36);
-        let t18_spilled_ = ::mstmm::generated::spill(place8_, t18_);
         let t64_ = t36_ * t36_;
         let t72_ = T::mul_neg_add(sin_a_angle_, t41_, t71_);
         let t43_ = T::mul_add(cos_a_angle_, t41_, t42_);
@@ -254,28 +220,16 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t65_ = T::mul_add(t38_, t38_, t64_);
         let t66_ = t39_ * t39_;
         let t76_ = t72_ * t72_;
-        let t72_spilled_ = ::mstmm::generated::spill(place9_, t72_);
         let t44_ = c_(0.2) * t43_;
-        let t36_spilled_ = ::mstmm::generated::spill(place10_, t36_);
         let t57_ = T::mul_neg_add(cos_rocker_pin_angle_, c_(1.5), cos_rocker_pin_angle_);
-        let a_articulated_coupling_xz_spilled_ = ::mstmm::generated::spill(
-            place11_,
-            a_articulated_coupling_xz_,
-        );
         let t61_ = sin_b_angle_ * sin_rocker_pin_angle_;
-        let t15_spilled_ = ::mstmm::generated::spill(place12_, t15_);
         let t46_ = sin_rocker_pin_angle_ * c_(1.2247448713915892);
         let t58_ = t56_ * c_(4.166666666666667);
         let t67_ = T::mul_add(t65_, c_(0.72), t66_);
         let t77_ = T::mul_add(t43_, t43_, t76_);
         let t78_ = t44_ * t44_;
-        let t43_spilled_ = ::mstmm::generated::spill(place13_, t43_);
         let t59_ = cos_b_angle_ * sin_rocker_pin_angle_;
         let t62_ = T::mul_neg_add(cos_b_angle_, t57_, t61_);
-        let sin_rocker_pin_angle_spilled_ = ::mstmm::generated::spill(
-            place14_,
-            sin_rocker_pin_angle_,
-        );
         let t48_ = t46_ * t46_;
         let t70_ = T::mul_add(a_d_inverse_, t67_, t58_);
         let t47_ = t39_ * t45_;
@@ -288,31 +242,18 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t68_ = T::mul_neg_add(t63_, a_gain_fx_, t60_);
         let t86_ = c_(0.0009765625) * t84_;
         let closure_d0_ = T::mul_add(t51_, t51_, t49_);
-        let a_gain_fx_spilled_ = ::mstmm::generated::spill(place15_, a_gain_fx_);
         let t69_ = T::mul_neg_add(t63_, a_gain_fy_, t62_);
-        let a_gain_fy_spilled_ = ::mstmm::generated::spill(place16_, a_gain_fy_);
         let t73_ = sin_a_angle_ * t68_;
-        let t44_spilled_ = ::mstmm::generated::spill(place17_, t44_);
         let t80_ = cos_rocker_pin_angle_ * c_(1.2247448713915892);
         let t87_ = ::mstmm::generated::recip_above(closure_d0_, t86_);
         let t74_ = T::mul_add(cos_a_angle_, t69_, t73_);
-        let t39_spilled_ = ::mstmm::generated::spill(place18_, t39_);
         let t82_ = t46_ * t80_;
         let t81_ = t63_ * t45_;
-        let a_articulated_coupling_yz_spilled_ = ::mstmm::generated::spill(
-            place19_,
-            a_articulated_coupling_yz_,
-        );
         let t75_ = c_(0.2) * t74_;
         let t105_ = cos_a_angle_ * t68_;
         let t83_ = T::mul_neg_add(t47_, t81_, t82_);
         let t85_ = t75_ * t50_;
-        let cos_a_angle_spilled_ = ::mstmm::generated::spill(place20_, cos_a_angle_);
         let t97_ = c_(0.6) * cos_rocker_pin_angle_;
-        let cos_rocker_pin_angle_spilled_ = ::mstmm::generated::spill(
-            place21_,
-            cos_rocker_pin_angle_,
-        );
         let t100_ = t60_ * t60_;
         let t106_ = T::mul_neg_add(sin_a_angle_, t69_, t105_);
         let t88_ = T::mul_neg_add(t51_, t85_, t83_);
@@ -328,15 +269,11 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t108_ = T::mul_add(t74_, t74_, t107_);
         let t109_ = t75_ * t75_;
         /// Motion across `a`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
-        let crank_pin_rate_ = v_[0];
-        let a_rate_ = v_[1];
-        let t87_spilled_ = ::mstmm::generated::spill(place22_, t87_);
         let a_omega_z_ = crank_pin_rate_ + a_rate_;
         /// Closure.
         let t90_ = T::mul_neg_add(t46_, t89_, t80_);
         let t128_ = ::mstmm::generated::recip_above(t127_, c_(1.0));
         /// Motion across `b`, [P, Eqs. (1), (13), (36)]: 2 mul, 1 add, 0 reciprocal.
-        let b_rate_ = v_[2];
         let b_omega_z_ = b_rate_ + a_omega_z_;
         /// Closure.
         let t104_ = T::mul_add(a_d_inverse_, t103_, t99_);
@@ -381,39 +318,29 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Closure.
         let t125_ = T::mul_neg_add(closure_d1_, t123_, c_(1.0));
         /// Riccati transfer over `crank_pin`.
-        let a_articulated_coupling_yz_ = *a_articulated_coupling_yz_spilled_;
         let t25_ = T::mul_neg_add(a_articulated_coupling_yz_, a_rest_, minus_a_bias_fy_);
         /// Motion across `a`.
-        let crank_pin_rate_ = v_again_[0];
         let t0_ = crank_pin_rate_ * crank_pin_rate_;
         /// Riccati transfer over `crank_pin`.
-        let t15_ = *t15_spilled_;
         let t20_ = t15_ * t19_;
-        let a_articulated_coupling_xz_ = *a_articulated_coupling_xz_spilled_;
         let t29_ = T::mul_add(a_articulated_coupling_xz_, a_rest_, t28_);
         /// Closure.
         let t126_ = t89_ * t125_;
         let t130_ = t124_ * t129_;
         /// Riccati transfer over `crank_pin`.
-        let cos_a_angle_ = *cos_a_angle_spilled_;
         let t26_ = cos_a_angle_ * t25_;
         /// Motion across `a`.
         let minus_a_centripetal_x_ = t0_ * c_(0.2);
         /// Closure.
-        let cos_rocker_pin_angle_ = *cos_rocker_pin_angle_spilled_;
         let t95_ = cos_rocker_pin_angle_ * minus_b_bias_fx_;
         /// Riccati transfer over `crank_pin`.
-        let t17_ = *t17_spilled_;
-        let t18_ = *t18_spilled_;
         let crank_pin_articulated_mass_xy_ = T::mul_neg_add(t17_, t18_, t20_);
         /// Closure.
         let t131_ = t126_ * t130_;
         /// Riccati transfer over `crank_pin`.
         let t30_ = T::mul_neg_add(sin_a_angle_, t29_, t26_);
         /// Closure.
-        let sin_rocker_pin_angle_ = *sin_rocker_pin_angle_spilled_;
         let t96_ = T::mul_sub(sin_rocker_pin_angle_, minus_b_bias_fx_, c_(9.8));
-        let t36_ = *t36_spilled_;
         let t111_ = T::mul_add(minus_b_centripetal_x_, t36_, t95_);
         let t133_ = t125_ * t125_;
         let t132_ = T::mul_neg_add(t130_, t131_, t126_);
@@ -425,15 +352,12 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         );
         /// Closure.
         let t114_ = T::mul_add(minus_b_centripetal_x_, t60_, t96_);
-        let t39_ = *t39_spilled_;
         let t112_ = T::mul_sub(t39_, a_rest_, t111_);
         /// Riccati transfer over `crank_pin`.
-        let t23_ = *t23_spilled_;
         let crank_pin_articulated_coupling_yz_ = T::mul_neg_add(c_(0.2), t23_, c_(0.1));
         /// Closure.
         let t134_ = T::mul_add(t132_, t132_, t133_);
         /// Riccati transfer over `crank_pin`.
-        let crank_pin_input0_ = *crank_pin_input_;
         let t33_ = T::mul_add(c_(0.2), minus_crank_pin_bias_fy_, crank_pin_input0_);
         /// Closure.
         let t115_ = T::mul_sub(t63_, a_rest_, t114_);
@@ -441,7 +365,6 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let crank_pin_articulated_coupling_xz_ = c_(0.2)
             * crank_pin_articulated_mass_xy_;
         /// Closure.
-        let t72_ = *t72_spilled_;
         let t113_ = T::mul_sub(minus_a_centripetal_x_, t72_, t112_);
         /// Riccati transfer over `crank_pin`.
         let crank_pin_gain_fy_ = crank_pin_articulated_coupling_yz_
@@ -452,24 +375,15 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let crank_pin_rest_ = t33_ * crank_pin_d_inverse_;
         /// Closure.
         let t116_ = T::mul_sub(minus_a_centripetal_x_, t106_, t115_);
-        let cos_crank_pin_angle_ = *cos_crank_pin_angle_spilled_;
         let crank_pin_a_lin_y_ = cos_crank_pin_angle_ * c_(9.8);
         /// Riccati transfer over `crank_pin`.
         let crank_pin_gain_fx_ = crank_pin_articulated_coupling_xz_
             * crank_pin_d_inverse_;
         /// Closure.
-        let t44_ = *t44_spilled_;
-        let t43_ = *t43_spilled_;
         let t118_ = T::mul_neg_add(t44_, crank_pin_gain_fy_, t43_);
         let t120_ = T::mul_neg_add(t75_, crank_pin_gain_fy_, t74_);
         let t139_ = T::mul_neg_add(t44_, crank_pin_rest_, t113_);
         let t142_ = T::mul_neg_add(t75_, crank_pin_rest_, t116_);
-        let sin_crank_pin_angle_ = *sin_crank_pin_angle_spilled_;
-        let sin_b_angle_spilled_ = ::mstmm::generated::spill(place13_, sin_b_angle_);
-        let minus_b_centripetal_x_spilled_ = ::mstmm::generated::spill(
-            place6_,
-            minus_b_centripetal_x_,
-        );
         let crank_pin_a_lin_x_ = sin_crank_pin_angle_ * c_(9.8);
         let t117_ = T::mul_neg_add(t44_, crank_pin_gain_fx_, t72_);
         let t119_ = T::mul_neg_add(t75_, crank_pin_gain_fx_, t106_);
@@ -479,7 +393,6 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t144_ = T::mul_add(crank_pin_a_lin_x_, t119_, t143_);
         let t136_ = T::sqrt(t135_);
         let t145_ = T::mul_add(t89_, t141_, t144_);
-        let t87_ = *t87_spilled_;
         let t146_ = t87_ * t141_;
         let t147_ = t123_ * t145_;
         let t148_ = T::mul_add(t89_, t147_, t146_);
@@ -487,8 +400,6 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t150_ = T::mul_neg_add(t130_, t149_, t148_);
         let t137_ = t132_ * t136_;
         /// Acceleration of `a`, [P, Eqs. (13), (36), (44)]: 15 mul, 10 add, 0 reciprocal.
-        let cos_a_angle_ = *cos_a_angle_spilled_;
-        let a_gain_fx_ = *a_gain_fx_spilled_;
         let t164_ = cos_a_angle_ * a_gain_fx_;
         let t166_ = sin_a_angle_ * a_gain_fx_;
         /// Acceleration of `crank_pin`, [P, Eqs. (13), (36), (44)]: 7 mul, 4 add, 0 reciprocal.
@@ -497,12 +408,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t138_ = t125_ * t136_;
         let t151_ = t137_ * t150_;
         /// Acceleration of `a`.
-        let a_gain_fy_ = *a_gain_fy_spilled_;
         let t165_ = T::mul_neg_add(sin_a_angle_, a_gain_fy_, t164_);
         let t159_ = minus_a_centripetal_x_ - crank_pin_a_lin_x_;
         let t167_ = T::mul_add(cos_a_angle_, a_gain_fy_, t166_);
         /// Acceleration of `crank_pin`.
-        let cos_crank_pin_angle_ = *cos_crank_pin_angle_spilled_;
         let t156_ = T::mul_add(cos_crank_pin_angle_, crank_pin_gain_fy_, t155_);
         /// Closure.
         let t152_ = T::mul_add(t138_, t147_, t151_);
@@ -517,10 +426,8 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Acceleration of `a`.
         let t170_ = T::mul_sub(crank_pin_a_lin_y_, t167_, t169_);
         /// Acceleration of `b`, [P, Eqs. (13), (36), (44)]: 12 mul, 6 add, 0 reciprocal.
-        let sin_rocker_pin_angle_ = *sin_rocker_pin_angle_spilled_;
         let t173_ = sin_rocker_pin_angle_ * c_(2.5);
         /// Acceleration of `a`.
-        let t39_ = *t39_spilled_;
         let t162_ = t39_ * a_d_inverse_;
         /// Acceleration of `crank_pin`.
         let t153_ = t44_ * crank_pin_d_inverse_;
@@ -531,7 +438,6 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Acceleration of `a`.
         let t171_ = T::mul_add(t163_, minus_closure_reaction1_, t170_);
         /// Acceleration of `b`.
-        let cos_rocker_pin_angle_ = *cos_rocker_pin_angle_spilled_;
         let t174_ = cos_rocker_pin_angle_ * c_(2.5);
         /// Acceleration of `a`.
         let t168_ = c_(0.2) * t167_;
@@ -543,7 +449,6 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t172_ = T::mul_add(t162_, closure_reaction0_, t171_);
         /// Acceleration of `b`.
         let t177_ = cos_b_angle_ * c_(1.5);
-        let minus_b_centripetal_x_ = *minus_b_centripetal_x_spilled_;
         let t179_ = T::mul_add(cos_a_angle_, t159_, minus_b_centripetal_x_);
         let t181_ = T::mul_neg_add(t174_, minus_closure_reaction1_, t178_);
         /// Acceleration of `a`.
@@ -554,7 +459,6 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         );
         let a_a_ang_z_ = T::mul_sub(t168_, minus_crank_pin_a_ang_z_, t172_);
         /// Acceleration of `b`.
-        let sin_b_angle_ = *sin_b_angle_spilled_;
         let t175_ = sin_b_angle_ * c_(2.5);
         /// Acceleration of `a`.
         let t160_ = sin_a_angle_ * t159_;
@@ -567,9 +471,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Acceleration of `b`.
         let t183_ = T::mul_sub(t175_, t180_, t182_);
         /// Riccati transfer over `crank_pin`.
-        let t13_ = *t13_spilled_;
         let t31_ = c_(4.0) + t13_;
-        let t11_ = *t11_spilled_;
         let t32_ = t11_ - t31_;
         /// Acceleration of `b`.
         let minus_b_a_ang_z_ = T::mul_sub(t176_, a_a_lin_y_, t183_);
@@ -582,8 +484,6 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Results: 0 mul, 2 add, 0 reciprocal.
         let t184_ = minus_crank_pin_a_ang_z_ + a_a_ang_z_;
         let t185_ = a_a_ang_z_ + minus_b_a_ang_z_;
-        let a_articulated_inertia_zz_ = *a_articulated_inertia_zz_spilled_;
-        let crank_pin_articulated_inertia_zz_ = *crank_pin_articulated_inertia_zz_spilled_;
         if !::mstmm::generated::regular::<
             T,
             _,
