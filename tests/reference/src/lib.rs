@@ -9,6 +9,8 @@
 //! * [`Chain`] describes a chain, [`State`] and [`Drives`] what it is given at one instant.
 //! * [`Chain::solve_driven`] gives accelerations, efforts, internal loads and energies at one
 //!   instant; [`Chain::solve`] does where only efforts are given.
+//! * [`Chain::inverse_dynamics`], [`Chain::bias_efforts`] and [`Chain::mass_matrix`] give the efforts
+//!   that accelerations need.
 //! * [`Chain::close`] finds states in which a closed chain closes.
 //! * [`simulate()`] integrates the bodies' own motions, not the hinge coordinates.
 //! * [`random_chain()`], [`random_mechanism`], [`random_state`], [`random_efforts`] and
@@ -23,6 +25,7 @@ mod drives;
 mod equations;
 mod extrapolation;
 mod hinge;
+mod inverse;
 mod load;
 mod mechanism;
 mod moved;

@@ -9,6 +9,7 @@ mod descriptions;
 mod equivalents;
 mod golden_motions;
 mod hinge_forms;
+mod inverse;
 mod motions;
 mod outside;
 mod samples;

@@ -1,0 +1,200 @@
+//! Inverse dynamics: the efforts that the drives of all free rates must supply for given
+//! accelerations.
+//!
+//! Every hinge of the chain is prescribed, a floating base included, and the solver of
+//! maximal coordinates then gives the efforts of the drives. A closed chain is opened at its last
+//! hinge that is not a weld.
+
+use crate::chain::{Chain, Element, End, Frame, State};
+use crate::drives::{Drives, HingeMotion};
+use crate::hinge::{Hinge, HingeKind};
+use crate::passive::Passive;
+use nalgebra::DVector;
+
+impl Chain {
+    /// Returns the efforts `τ` of the drives of all free rates at which these rates have the given
+    /// derivatives `v̇`:
+    ///
+    /// ```text
+    /// M(q) v̇ + bias = τ
+    /// ```
+    ///
+    /// The efforts are in the order of [`State::v`], and `τᵀ v` is the power of the drives. Those of
+    /// a floating base are a force on its input point in N (inertial axes), then a torque in N·m
+    /// (body axes).
+    ///
+    /// Everything that acts besides the drives of free rates is part of `bias`: gravity, Coriolis
+    /// and centrifugal terms, springs, dampers, friction, limits, loads, moving ends and prescribed
+    /// motions. The efforts of motors are not, neither inputs nor constant ones: they are
+    /// what `τ` counts, so [`Drives::efforts`] are ignored. In an open chain `τ` therefore equals
+    /// the efforts of the motors, with zeros for a floating base, if `v̇` are the accelerations of
+    /// [`Chain::solve_driven`].
+    ///
+    /// A closed chain is the tree that remains without its closing hinge, the last one that is not a
+    /// weld. That hinge transmits nothing; its own rates see what acts along them, which is its
+    /// rotors, springs, dampers, friction and limits. Bodies that welds join to the finish take no
+    /// part. With the reactions `λ` of the closure `J v̇ = d` the equations are
+    ///
+    /// ```text
+    /// M(q) v̇ + bias = τ + Jᵀ λ
+    /// ```
+    ///
+    /// The state of a closed chain need not close.
+    ///
+    /// # Panics
+    ///
+    /// Panics when the elements do not alternate, and when the state, the drives or the
+    /// accelerations have the wrong length.
+    pub fn inverse_dynamics(
+        &self,
+        state: &State,
+        drives: &Drives,
+        accelerations: &[f64],
+    ) -> Vec<f64> {
+        self.check_lengths(state, drives);
+        assert_eq!(accelerations.len(), self.freedoms(), "chain {}: accelerations", self.name);
+        let mut opened = Opened::new(self, state, drives, accelerations);
+        if self.closed() {
+            opened.remove_closing_hinge();
+        }
+        opened.efforts()
+    }
+
+    /// Returns the `bias` of [`Chain::inverse_dynamics`]: the efforts of the drives of all free
+    /// rates at which no rate changes.
+    ///
+    /// # Panics
+    ///
+    /// Panics like [`Chain::inverse_dynamics`].
+    pub fn bias_efforts(&self, state: &State, drives: &Drives) -> Vec<f64> {
+        self.inverse_dynamics(state, drives, &vec![0.0; self.freedoms()])
+    }
+
+    /// Returns the mass matrix `M` of [`Chain::inverse_dynamics`] row by row, inertias of rotors
+    /// included.
+    ///
+    /// # Panics
+    ///
+    /// Panics like [`Chain::inverse_dynamics`].
+    pub fn mass_matrix(&self, state: &State, drives: &Drives) -> Vec<Vec<f64>> {
+        let bias = self.bias_efforts(state, drives);
+        let mut rows = vec![vec![0.0; bias.len()]; bias.len()];
+        for column in 0..bias.len() {
+            let mut accelerations = vec![0.0; bias.len()];
+            accelerations[column] = 1.0;
+            let efforts = self.inverse_dynamics(state, drives, &accelerations);
+            for (row, (effort, bias)) in rows.iter_mut().zip(efforts.iter().zip(&bias)) {
+                row[column] = effort - bias;
+            }
+        }
+        rows
+    }
+}
+
+/// A chain whose hinges are all prescribed.
+struct Opened {
+    chain: Chain,
+    drives: Drives,
+    /// Whether the rates of each hinge are free in the original chain.
+    free: Vec<bool>,
+    /// The efforts of the hinge that has been removed.
+    removed: Vec<f64>,
+}
+
+impl Opened {
+    fn new(chain: &Chain, state: &State, drives: &Drives, accelerations: &[f64]) -> Opened {
+        let mut own = Own { q: &state.q, v: &state.v, a: accelerations };
+        let mut opened = Opened {
+            chain: chain.clone(),
+            drives: drives.clone(),
+            free: Vec::new(),
+            removed: Vec::new(),
+        };
+        let mut motions = Vec::new();
+        if chain.floats() {
+            let base = Hinge::new("base", HingeKind::of_base(chain.dimension));
+            motions.push(own.motion(&base));
+            opened.free.push(true);
+            opened.chain.start = End::Held(Frame::IDENTITY);
+            opened.chain.elements.insert(0, Element::Hinge(base));
+        }
+        let mut given = drives.motions.iter().cloned();
+        for hinge in chain.hinges() {
+            let given = if hinge.prescribed { given.next() } else { None };
+            motions.push(given.unwrap_or_else(|| own.motion(hinge)));
+            opened.free.push(!hinge.prescribed);
+        }
+        opened.drives.motions = motions;
+        opened.drives.efforts = Vec::new();
+        for element in &mut opened.chain.elements {
+            if let Element::Hinge(hinge) = element {
+                hinge.prescribed = true;
+            }
+        }
+        opened
+    }
+
+    /// Removes the closing hinge, and all that is attached to the finish alone then.
+    fn remove_closing_hinge(&mut self) {
+        let moves = |element: &Element| matches!(element, Element::Hinge(hinge) if hinge.kind != HingeKind::Weld);
+        let place = self.chain.elements.iter().rposition(moves).unwrap_or(0);
+        let removed = self.chain.elements.split_off(place);
+        self.chain.finish = End::Free;
+        let number = self.chain.hinges().count();
+        if let (Some(Element::Hinge(hinge)), true) = (removed.first(), self.free[number]) {
+            let HingeMotion { q, v, a } = &self.drives.motions[number];
+            let passive = Passive::new(hinge, q, v);
+            let efforts = passive.inertia * DVector::from_column_slice(a) + passive.inertia_bias
+                - passive.efforts;
+            self.removed = efforts.as_slice().to_vec();
+        }
+        self.free.truncate(number);
+        self.drives.motions.truncate(number);
+        let stays = |name: &str| self.chain.bodies().any(|body| body.name == name);
+        let loads = self.chain.loads.iter().zip(&self.drives.loads);
+        let (loads, given) = loads
+            .filter(|(load, _)| stays(&load.body))
+            .map(|(load, given)| (load.clone(), *given))
+            .unzip();
+        let springs =
+            self.chain.springs.iter().filter(|spring| stays(&spring.body)).cloned().collect();
+        (self.chain.loads, self.drives.loads, self.chain.springs) = (loads, given, springs);
+    }
+
+    /// Returns the efforts of the drives of the rates that are free in the original chain.
+    fn efforts(mut self) -> Vec<f64> {
+        if self.chain.elements.is_empty() {
+            return self.removed;
+        }
+        let none = State { q: Vec::new(), v: Vec::new() };
+        let solution = self.chain.solve_driven(&none, &self.drives);
+        let all = solution.efforts.into_iter().zip(self.free);
+        let mut efforts: Vec<f64> =
+            all.filter(|(_, free)| *free).flat_map(|(efforts, _)| efforts).collect();
+        efforts.append(&mut self.removed);
+        efforts
+    }
+}
+
+/// The entries of a state and of its accelerations that no hinge has taken yet.
+struct Own<'a> {
+    q: &'a [f64],
+    v: &'a [f64],
+    a: &'a [f64],
+}
+
+impl Own<'_> {
+    /// Takes the motion of the next hinge.
+    fn motion(&mut self, hinge: &Hinge) -> HingeMotion {
+        let take = |from: &mut &[f64], count: usize| {
+            let (own, rest) = from.split_at(count);
+            *from = rest;
+            own.to_vec()
+        };
+        HingeMotion {
+            q: take(&mut self.q, hinge.kind.coordinates()),
+            v: take(&mut self.v, hinge.kind.freedoms()),
+            a: take(&mut self.a, hinge.kind.freedoms()),
+        }
+    }
+}
