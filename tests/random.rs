@@ -75,11 +75,7 @@ fn text() -> String {
          use super::face::printed;\nuse crate::support::motion::*;\n",
     );
     for seed in SEEDS {
-        for (letter, method) in [("R", "riccati"), ("T", "transfer")] {
-            let chain = chain(seed);
-            let name = format!("{}{letter}", chain.name);
-            text.push_str(&printed(&Chain { name, ..chain }, method));
-        }
+        text.push_str(&printed(&chain(seed)));
     }
     text
 }

@@ -32,13 +32,30 @@ pub trait Printed: GeneratedChain<Scalar = f64> + Default {
     }
 }
 
-/// Gives a printed chain its face: the kind of its points, the energy with as many arguments as it
-/// takes, the fields of its inputs, and its hinges.
+/// Makes a printed chain by both methods, and gives each its face: the kind of its points, the energy
+/// with as many arguments as it takes, the fields of its inputs, and its hinges.
 macro_rules! printed {
     (
-        $name:ident, $point:ident, $energy:ident($($argument:ident),*);
-        inputs |$drives:ident| { $($field:ident: $value:expr,)* }
+        $riccati:ident $transfer:ident, $point:ident, $energy:ident $arguments:tt;
+        inputs |$drives:ident| $inputs:tt
         hinges $($hinge:ident)*;
+        pub $($kind:ident)+ { $($items:tt)* }
+    ) => {
+        mstmm::mstmm_chain! {
+            pub $($kind)+ $riccati { method = riccati; $($items)* }
+            pub $($kind)+ $transfer { method = transfer; $($items)* }
+        }
+        $crate::random::face::face! { $riccati $point $energy $arguments $drives $inputs $($hinge)* }
+        $crate::random::face::face! { $transfer $point $energy $arguments $drives $inputs $($hinge)* }
+    };
+}
+pub(crate) use printed;
+
+/// The face of one chain.
+macro_rules! face {
+    (
+        $name:ident $point:ident $energy:ident ($($argument:ident),*)
+        $drives:ident { $($field:ident: $value:expr,)* } $($hinge:ident)*
     ) => {
         impl $crate::random::face::Printed for $name<f64> {
             type Point = mstmm::$point<f64>;
@@ -76,7 +93,7 @@ macro_rules! printed {
         }
     };
 }
-pub(crate) use printed;
+pub(crate) use face;
 
 /// What an energy may be asked for with.
 pub struct Given<'a, S, I> {

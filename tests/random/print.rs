@@ -4,9 +4,10 @@ use mstmm_reference::{Chain, Dimension, Drives, End, Gravity, Hinge, HingeKind, 
 
 const INDENT: &str = "    ";
 
-/// The chain by a method, and the call that gives it its face.
-pub fn printed(chain: &Chain, method: &str) -> String {
-    let (name, description) = (&chain.name, chain.to_macro_text(Some(method)));
+/// The call that makes a chain by both methods and gives each its face.
+pub fn printed(chain: &Chain) -> String {
+    let (name, description) = (&chain.name, chain.to_macro_text(None));
+    let description = description.replacen(&format!(" {name} {{"), " {", 1);
     let point = match chain.dimension {
         Dimension::Space => "Point",
         Dimension::Plane => "PlanePoint",
@@ -21,8 +22,8 @@ pub fn printed(chain: &Chain, method: &str) -> String {
     let fields = if fields.is_empty() { "{}".to_owned() } else { format!("{{\n{fields}    }}") };
     let hinges: String = chain.hinges().map(|hinge| format!(" {}", hinge.name)).collect();
     format!(
-        "\nmstmm::mstmm_chain! {{\n{description}}}\n\nprinted! {{\n    {name}, {point}, {energy};\n\
-         {INDENT}inputs |{drives}| {fields}\n{INDENT}hinges{hinges};\n}}\n"
+        "\nprinted! {{\n    {name}R {name}T, {point}, {energy};\n\
+         {INDENT}inputs |{drives}| {fields}\n{INDENT}hinges{hinges};\n{description}}}\n"
     )
 }
 
