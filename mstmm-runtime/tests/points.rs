@@ -111,50 +111,46 @@ fn closures_tell_what_is_redundant() {
     assert_eq!(loop_in_a_plane.undetermined(), &[[0.0; 6], across]);
 }
 
-/// A quarter turn about z, whose last column is kept as its opposite, and a force in some of whose
-/// entries signs differ; what is felt at rest is taken off; zeros lie nowhere.
+/// A quarter turn about z; what is felt at rest is subtracted; place 0 is a vector of zeros.
 #[test]
 fn points_are_read_off_shared_numbers() {
-    let numbers = [0.1, 0.2, 0.3, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 4.0, 5.0, 6.0];
-    let turned = [40, 70, 107];
+    let numbers = [
+        0.1, 0.2, 0.3, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 4.0, 5.0, 6.0, -1.0, -2.0,
+        -3.0,
+    ];
+    let turned = [4, 7, 10];
     let places = Places::new(
-        10,
+        1,
         turned,
-        [(turned, 130), ([0; 3], 137), ([0; 3], 130), (turned, 0), (turned, 137), ([0; 3], 15)],
+        [(turned, 13), ([0; 3], 16), ([0; 3], 13), (turned, 0), (turned, 16), ([0; 3], 1)],
     );
     let point = Point::<f64>::read(&numbers, Some(&places), [0.0, 9.0, 1.0]);
     assert_eq!(point.position(), Vector3::new(0.1, 0.2, 0.3));
     assert_eq!(point.orientation() * Vector3::x(), Vector3::y());
     assert_eq!(point.orientation() * Vector3::z(), Vector3::z());
     assert_eq!(point.velocity(), Vector3::new(-5.0, 4.0, 6.0));
-    assert_eq!(point.angular_velocity(), Vector3::new(-4.0, -5.0, -6.0));
+    assert_eq!(point.angular_velocity(), Vector3::new(-1.0, -2.0, -3.0));
     assert_eq!(point.acceleration(), Vector3::new(4.0, -4.0, 5.0));
     assert_eq!(point.angular_acceleration(), Vector3::zeros());
-    assert_eq!(point.moment(), Vector3::new(5.0, -4.0, -6.0));
-    assert_eq!(point.force(), Vector3::new(-0.1, 0.2, -0.3));
+    assert_eq!(point.moment(), Vector3::new(2.0, -1.0, -3.0));
+    assert_eq!(point.force(), Vector3::new(0.1, 0.2, 0.3));
     assert_eq!(Point::<f64>::read(&numbers, None, [0.0; 3]), Point::default());
 
-    let (turned, straight) = ([43], [0]);
-    let vectors = [
-        (turned, 130),
-        (straight, 150),
-        (straight, 133),
-        (straight, 140),
-        (straight, 151),
-        (turned, 12),
-    ];
-    let flat = Places::new(10, turned, vectors);
+    let (turned, straight) = ([4], [0]);
+    let vectors =
+        [(turned, 13), (straight, 15), (straight, 16), (straight, 14), (straight, 18), (turned, 1)];
+    let flat = Places::new(1, turned, vectors);
     let point = PlanePoint::<f64>::read(&numbers, Some(&flat), [1.0, 2.0]);
-    assert_eq!(point.cos_sin(), (0.0, -1.0));
-    assert_eq!(point.velocity(), Vector2::new(5.0, -4.0));
+    assert_eq!(point.cos_sin(), (0.0, 1.0));
+    assert_eq!(point.velocity(), Vector2::new(-5.0, 4.0));
     assert_eq!((point.angular_velocity(), point.angular_acceleration()), (6.0, 5.0));
-    assert_eq!(point.acceleration(), Vector2::new(-5.0, -7.0));
-    assert_eq!((point.moment(), point.force()), (-6.0, Vector2::new(-0.2, -0.1)));
+    assert_eq!(point.acceleration(), Vector2::new(-2.0, -4.0));
+    assert_eq!((point.moment(), point.force()), (-3.0, Vector2::new(-0.2, 0.1)));
 
-    let line = Places::new(20, [], [([], 130), ([], 140), ([], 151)]);
+    let line = Places::new(2, [], [([], 13), ([], 14), ([], 18)]);
     let point = LinePoint::<f64>::read(&numbers, Some(&line), [1.0]);
     assert_eq!((point.position(), point.velocity()), (0.2, 4.0));
-    assert_eq!((point.acceleration(), point.force()), (4.0, -6.0));
+    assert_eq!((point.acceleration(), point.force()), (4.0, -3.0));
 }
 
 /// Two points once, three of a part that stands twice, one behind: with five numbers, seven, and two.

@@ -29,8 +29,7 @@ fn points(programs: &Programs, dimension: Dimension, full: &[Vec<f64>]) -> Vec<f
         let entries = |place: &Place, count: usize| -> Vec<f64> {
             let Some(first) = place.first.checked_sub(1) else { return vec![0.0; count] };
             assert_eq!(place.count, count);
-            let numbers = full[groups::NUMBERS][first..first + count].iter().zip(place.opposite);
-            numbers.map(|(x, opposite)| if opposite { -x } else { *x }).collect()
+            full[groups::NUMBERS][first..first + count].to_vec()
         };
         let inertial = |Sight { axes, vector }: &Sight, along: &[usize]| -> Vec<f64> {
             let vector = entries(vector, along.len());

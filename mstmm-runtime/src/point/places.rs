@@ -1,14 +1,13 @@
-//! How generated code keeps what connection points share: every vector once, whichever the signs of its
-//! entries, in the axes that it was computed in.
+//! How generated code stores what connection points share: every vector once, in the axes that it was
+//! computed in.
 
 use crate::Scalar;
 
 /// Where a connection point has its numbers, for generated code.
 ///
-/// A place tells where a vector begins and of which entries the opposite lies there: with `10 n + s` at
-/// number n − 1, with the first, second and third entry turned round where 1, 2 and 4 are in s; with 0
-/// nowhere, as it is zero. Axes are the places of the columns of the matrix that leads to inertial
-/// ones, in the plane of cosine and sine of the angle; all of them 0 where they are inertial.
+/// A place is the number of a vector's first entry, counted from one; place 0 is a vector of zeros that is not
+/// stored. Axes are the places of the columns of the matrix that leads to inertial axes, in the plane
+/// the place of cosine and sine of the angle; all of them are 0 if they are inertial.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Places<const AXES: usize, const VECTORS: usize> {
@@ -34,15 +33,9 @@ impl<const AXES: usize, const VECTORS: usize> Places<AXES, VECTORS> {
 #[inline(always)]
 #[must_use]
 pub fn entries<T: Scalar, const N: usize>(numbers: &[T], place: u32) -> [T; N] {
-    let (first, signs) = ((place as usize / 10).checked_sub(1), place % 10);
+    let first = (place as usize).checked_sub(1);
     let found = first.and_then(|first| numbers.get(first..)?.first_chunk::<N>());
-    let Some(&(mut entries)) = found else { return [T::constant(0.0); N] };
-    for (k, entry) in entries.iter_mut().enumerate() {
-        if signs >> k & 1 == 1 {
-            *entry = -*entry;
-        }
-    }
-    entries
+    found.copied().unwrap_or([T::constant(0.0); N])
 }
 
 /// The difference of two vectors.

@@ -11,7 +11,7 @@ pub use places::{Place, Places, PointPlaces, Sight};
 use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
 use crate::expr::{Expr, Graph, Stage};
 use crate::model::{Chain, ClosureRank, Hinge, HingeId, HingeKind, Layout, Method, Passive, Value};
-use crate::passes::{Setup, issue, opposite};
+use crate::passes::{Setup, issue};
 use crate::program::Program;
 use crate::symbols::Symbols;
 
@@ -166,7 +166,6 @@ impl<'a, 'g> Scene<'a, 'g> {
         });
         let (groups, hinges) = self.split(&solved);
         let program = self.program(Stage::State, &trace, &groups, &turns, setup);
-        let program = opposite(program, groups::ACCELERATIONS, self.symbols.names());
         (issue(program), hinges)
     }
 
@@ -185,7 +184,7 @@ impl<'a, 'g> Scene<'a, 'g> {
         let held = undetermined.as_ref().map(Vec::len);
         let wrenches = undetermined.into_iter().flatten();
         let wrenches = wrenches.flat_map(|w| w.force.0.into_iter().chain(w.moment.0));
-        let (mut places, numbers) =
+        let (places, numbers) =
             places::places(self.chain, self.graph, &report.points, &self.numbers);
         let (shifts, zero) = (self.chain.dimension.shifts(), Expr::Number(0.0));
         groups.extend([
@@ -200,9 +199,7 @@ impl<'a, 'g> Scene<'a, 'g> {
                 .collect(),
         ]);
         let program = self.program(Stage::State, &trace, &groups, &turns, setup);
-        let mut program = issue(program);
-        places.take_signs(&mut program, groups::NUMBERS);
-        (program, places, held)
+        (issue(program), places, held)
     }
 
     fn energy(&self, setup: &mut Setup) -> Program {

@@ -1,10 +1,8 @@
-//! Where results lie that many connection points share: every vector once, whichever the signs of its
-//! entries.
+//! Where the numbers of connection points are stored: every vector once, however many points share it.
 
 use crate::equations::{Numbers, Point, Seen};
 use crate::expr::{Edge, Expr, Graph};
 use crate::model::{Body, Chain, Dimension, Element, Results};
-use crate::program::{Block, Operand, Program};
 use std::collections::HashMap;
 
 /// A vector among the numbers of all points.
@@ -14,8 +12,6 @@ pub struct Place {
     pub first: usize,
     /// How many numbers it has.
     pub count: usize,
-    /// Of which of them the opposite lies there.
-    pub opposite: [bool; 3],
 }
 
 /// A vector and the axes that it is seen in: places of what turns into inertial ones, columns of a
@@ -88,59 +84,10 @@ pub(super) fn places<'g>(
     (places, all.numbers)
 }
 
-impl Places {
-    /// Takes the negatives out of a program's `group` that has the numbers: places tell signs, and none of
-    /// them has to be turned round to be written.
-    pub(super) fn take_signs(&mut self, program: &mut Program, group: usize) {
-        let mut opposite = vec![false; program.outputs[group].len()];
-        let mut take = |number: usize, value: &mut Operand| {
-            if let Operand::Minus(inner) = value {
-                (*value, opposite[number]) = ((**inner).clone(), true);
-            }
-        };
-        for (number, value) in program.outputs[group].iter_mut().enumerate() {
-            take(number, value);
-        }
-        for block in &mut program.blocks {
-            let Block::Loop(turn) = block else { continue };
-            for (_, number, value) in turn.outputs.iter_mut().filter(|output| output.0 == group) {
-                take(*number, value);
-            }
-        }
-        for point in &mut self.points {
-            let piece = &opposite[point.start..];
-            point.all_mut().for_each(|place| place.turn_round(piece));
-        }
-    }
-}
-
-impl PointPlaces {
-    /// All places.
-    fn all_mut(&mut self) -> impl Iterator<Item = &mut Place> {
-        let vectors = self.vectors.iter_mut().flat_map(|Sight { axes, vector }| {
-            axes.iter_mut().flatten().chain(std::iter::once(vector))
-        });
-        std::iter::once(&mut self.position)
-            .chain(self.orientation.iter_mut().flatten())
-            .chain(vectors)
-            .chain(self.changing.iter_mut().flatten())
-    }
-}
-
-impl Place {
-    /// Of some numbers of its piece the opposite lies there now.
-    fn turn_round(&mut self, piece: &[bool]) {
-        let Some(first) = self.first.checked_sub(1) else { return };
-        for (own, number) in self.opposite.iter_mut().zip(&piece[first..first + self.count]) {
-            *own ^= number;
-        }
-    }
-}
-
 /// Numbers that find their places.
 struct Filling<'g> {
     graph: &'g Graph,
-    /// Where vectors of the piece begin, by the positives of their numbers.
+    /// Where vectors of the piece begin, by their numbers.
     known: HashMap<Vec<Edge>, usize>,
     /// How many numbers lie before the piece.
     start: usize,
@@ -233,15 +180,13 @@ impl<'g> Filling<'g> {
         if edges.iter().all(|&edge| self.graph.expr(edge).known() == Some(0.0)) {
             return Place::default();
         }
-        let is_negative = |k: usize| edges.get(k).is_some_and(|edge| edge.is_negative());
-        let (count, opposite) = (edges.len(), std::array::from_fn(is_negative));
-        let edges: Vec<Edge> = edges.into_iter().map(Edge::plain).collect();
+        let count = edges.len();
         if let Some(&first) = self.known.get(&edges) {
-            return Place { first, count, opposite };
+            return Place { first, count };
         }
         let first = self.count() + 1;
         self.numbers.extend(edges.iter().map(|&edge| self.graph.expr(edge)));
         self.known.insert(edges, first);
-        Place { first, count, opposite }
+        Place { first, count }
     }
 }

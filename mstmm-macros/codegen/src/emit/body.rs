@@ -94,7 +94,7 @@ pub fn result(plan: &Plan, (body, place): (BodyId, usize), first: &impl ToTokens
     let changing = &plan.programs.places.points[place].changing;
     let mut vectors = body.own_points().zip(changing).map(|(position, place)| match place {
         Some(place) => {
-            let place = places::signed(place);
+            let place = places::literal(place);
             quote!(self.vector_(#first, #place))
         }
         None => fixed(plan, position),

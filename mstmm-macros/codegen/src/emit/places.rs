@@ -6,8 +6,8 @@ use super::spread::Spread;
 use super::workspace::point_type;
 use crate::compile::{Place, PointPlaces, Sight};
 use crate::model::Dimension;
-use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
 
 /// The table of places, and the methods that read a point and a vector.
 pub fn emit(plan: &Plan) -> TokenStream {
@@ -97,26 +97,24 @@ fn found(plan: &Plan) -> TokenStream {
 
 fn entry(plan: &Plan, places: &PointPlaces) -> TokenStream {
     let mstmm = &plan.mstmm;
-    let position = signed(&places.position);
+    let position = literal(&places.position);
     let count = plan.chain.dimension.columns();
     let axes = |axes: &Option<Vec<Place>>| {
-        let columns: Vec<TokenStream> = match axes {
-            Some(columns) => columns.iter().map(signed).collect(),
-            None => vec![quote!(0); count],
+        let columns = match axes {
+            Some(columns) => columns.iter().map(literal).collect(),
+            None => vec![usize_literal(0); count],
         };
         quote!([#(#columns),*])
     };
     let orientation = axes(&places.orientation);
     let vectors = places.vectors.iter().map(|sight: &Sight| {
-        let (axes, vector) = (axes(&sight.axes), signed(&sight.vector));
+        let (axes, vector) = (axes(&sight.axes), literal(&sight.vector));
         quote!((#axes, #vector))
     });
     quote!(#mstmm::generated::Places::new(#position, #orientation, [#(#vectors),*]))
 }
 
-/// A place as the runtime has it: behind its number a digit for the signs, to be read by people too.
-pub fn signed(place: &Place) -> TokenStream {
-    let bits = place.opposite.iter().enumerate();
-    let signs: usize = bits.map(|(k, &opposite)| usize::from(opposite) << k).sum();
-    usize_literal(10 * place.first + signs).to_token_stream()
+/// A place as the runtime has it.
+pub fn literal(place: &Place) -> Literal {
+    usize_literal(place.first)
 }

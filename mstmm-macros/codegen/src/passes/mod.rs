@@ -6,8 +6,7 @@
 //! 4. [`order()`] adds up sums in the order in which their terms are known.
 //! 5. `turns` finds which values belong into loops over repeated parts.
 //! 6. [`schedule()`] puts what is live under the headings of a trace and names it.
-//! 7. [`opposite()`] gives results their own signs.
-//! 8. [`issue()`] orders the statements so that a processor waits little.
+//! 7. [`issue()`] orders the statements so that a processor waits little.
 //!
 //! Folding, signs and common subexpressions need no pass: the graph's rules see to them while the
 //! formulas are written down.
@@ -24,7 +23,6 @@ mod latency;
 mod live;
 mod looped;
 mod names;
-mod opposite;
 mod order;
 mod schedule;
 mod setup;
@@ -36,7 +34,6 @@ pub use images::Images;
 pub use issue::issue;
 pub use join::join;
 pub use live::Live;
-pub use opposite::opposite;
 pub use order::order;
 pub use schedule::{Heading, Unknowns, schedule};
 pub use setup::Setup;

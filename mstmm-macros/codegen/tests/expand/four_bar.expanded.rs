@@ -572,7 +572,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let [[crank_pin_rate_, a_rate_, b_rate_, ..]] = state_.v.data.0;
         let crank_pin_input0_ = inputs_.crank_pin;
         at_.efforts.data.0 = [[crank_pin_input0_, c_(0.0), c_(0.0), c_(0.0)]];
-        *n2_ = crank_pin_input0_;
+        *n2_ = -crank_pin_input0_;
         *n7_ = crank_pin_rate_;
         /// Motion across `crank_pin`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 4 sin/cos.
         let (
@@ -890,7 +890,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t184_ = t179_ * closure_reaction0_;
         /// Acceleration of `crank_pin`.
         let minus_crank_pin_a_ang_z_ = T::mul_add(t153_, closure_reaction0_, t158_);
-        *n10_ = minus_crank_pin_a_ang_z_;
+        *n10_ = -minus_crank_pin_a_ang_z_;
         ::mstmm::generated::written();
         /// Acceleration of `a`.
         let t173_ = T::mul_add(t163_, closure_reaction0_, t172_);
@@ -920,7 +920,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t186_ = T::mul_add(t183_, a_a_ang_z_, t185_);
         /// Acceleration of `a`.
         let minus_a_a_lin_x_ = T::mul_neg_add(sin_a_angle_, t161_, t160_);
-        *n17_ = minus_a_a_lin_x_;
+        *n17_ = -minus_a_a_lin_x_;
         ::mstmm::generated::written();
         /// Acceleration of `b`.
         let t181_ = sin_b_angle_ * c_(2.5);
@@ -934,7 +934,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Acceleration of `b`.
         let t175_ = c_(0.6) * a_a_ang_z_;
         let minus_b_a_ang_z_ = T::mul_add(t181_, t174_, t187_);
-        *n34_ = minus_b_a_ang_z_;
+        *n34_ = -minus_b_a_ang_z_;
         ::mstmm::generated::written();
         /// Results.
         let t216_ = T::mul_add(t1_, c_(0.48), t214_);
@@ -1002,7 +1002,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t198_ = T::mul_add(c_(2.0), a_a_lin_y_, t175_);
         /// Acceleration of `b`.
         let minus_b_a_lin_x_ = T::mul_neg_add(sin_b_angle_, t176_, t177_);
-        *n29_ = minus_b_a_lin_x_;
+        *n29_ = -minus_b_a_lin_x_;
         ::mstmm::generated::written();
         /// Load on `crank_pin`.
         let b_load_fy_ = T::mul_sub(c_(2.0), b_a_lin_y_, t195_);
@@ -1029,7 +1029,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Load on `crank_pin`.
         let t196_ = T::mul_add(c_(2.0), minus_a_a_lin_x_, minus_b_centripetal_x_);
         let minus_b_load_fx_ = T::mul_add(c_(2.0), minus_b_a_lin_x_, t194_);
-        *n31_ = minus_b_load_fx_;
+        *n31_ = -minus_b_load_fx_;
         ::mstmm::generated::written();
         let t199_ = T::mul_add(cos_b_angle_, b_load_fy_, t198_);
         /// Pose behind `b`.
@@ -1039,7 +1039,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t207_ = sin_b_angle_ * a_to_inertial_xx_;
         /// Velocity behind `b`.
         let minus_b_velocity_y_ = T::mul_neg_add(cos_b_angle_, t208_, t210_);
-        *n26_ = minus_b_velocity_y_;
+        *n26_ = -minus_b_velocity_y_;
         ::mstmm::generated::written();
         /// Pose behind `b`.
         let b_position_y_ = T::mul_add(c_(0.6), minus_a_to_inertial_xy_, a_position_y_);
@@ -1064,7 +1064,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         /// Load on `crank_pin`.
         let t197_ = T::mul_add(sin_b_angle_, b_load_fy_, t196_);
         let minus_a_load_fy_ = T::mul_sub(sin_b_angle_, minus_b_load_fx_, t199_);
-        *n20_ = minus_a_load_fy_;
+        *n20_ = -minus_a_load_fy_;
         ::mstmm::generated::written();
         let t201_ = T::mul_neg_add(
             c_(0.1),
@@ -1081,7 +1081,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         ::mstmm::generated::written();
         /// Connection points.
         let minus_point6_velocity_y_ = minus_b_velocity_y_ - t211_;
-        *n38_ = minus_point6_velocity_y_;
+        *n38_ = -minus_point6_velocity_y_;
         ::mstmm::generated::written();
         /// Results.
         let t219_ = T::mul_sub(minus_b_velocity_y_, t211_, t218_);
@@ -1098,7 +1098,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t227_ = sin_rocker_pin_angle_ * t137_;
         /// Load on `crank_pin`.
         let minus_a_load_fx_ = T::mul_add(cos_b_angle_, minus_b_load_fx_, t197_);
-        *n19_ = minus_a_load_fx_;
+        *n19_ = -minus_a_load_fx_;
         ::mstmm::generated::written();
         let t200_ = T::mul_neg_add(sin_a_angle_, minus_a_load_fy_, t188_);
         let t202_ = T::mul_sub(cos_a_angle_, minus_a_load_fy_, t201_);
@@ -1133,10 +1133,10 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         let t212_ = minus_crank_pin_a_ang_z_ + a_a_ang_z_;
         /// Load on `crank_pin`.
         let minus_crank_pin_load_fx_ = T::mul_add(cos_a_angle_, minus_a_load_fx_, t200_);
-        *n3_ = minus_crank_pin_load_fx_;
+        *n3_ = -minus_crank_pin_load_fx_;
         ::mstmm::generated::written();
         let minus_crank_pin_load_fy_ = T::mul_add(sin_a_angle_, minus_a_load_fx_, t202_);
-        *n4_ = minus_crank_pin_load_fy_;
+        *n4_ = -minus_crank_pin_load_fy_;
         ::mstmm::generated::written();
         /// Results.
         let t213_ = a_a_ang_z_ + minus_b_a_ang_z_;
@@ -1166,7 +1166,7 @@ impl<T: ::mstmm::Scalar> FourBar<T> {
         ::mstmm::generated::written();
         /// Connection points.
         let minus_point6_felt_x_ = minus_b_bias_fx_ + minus_b_a_lin_x_;
-        *n39_ = minus_point6_felt_x_;
+        *n39_ = -minus_point6_felt_x_;
         ::mstmm::generated::written();
         let point6_felt_y_ = b_a_lin_y_ - t189_;
         *n40_ = point6_felt_y_;
@@ -1878,42 +1878,42 @@ impl<T: ::mstmm::Scalar> FourBarWorkspace<T> {
         ::mstmm::generated::Places::new(
             0,
             [0],
-            [([0], 0), ([0], 0), ([0], 10), ([0], 0), ([0], 31), ([60], 43)],
+            [([0], 0), ([0], 0), ([0], 1), ([0], 0), ([0], 3), ([6], 4)],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [60],
-            [([0], 0), ([0], 80), ([60], 90), ([0], 111), ([0], 31), ([60], 43)],
+            [6],
+            [([0], 0), ([0], 8), ([6], 9), ([0], 11), ([0], 3), ([6], 4)],
         ),
         ::mstmm::generated::Places::new(
-            120,
-            [60],
-            [([160], 140), ([0], 80), ([160], 181), ([0], 111), ([0], 0), ([160], 203)],
+            12,
+            [6],
+            [([16], 14), ([0], 8), ([16], 18), ([0], 11), ([0], 0), ([16], 20)],
         ),
         ::mstmm::generated::Places::new(
-            120,
-            [160],
-            [([160], 140), ([0], 220), ([160], 181), ([0], 230), ([0], 0), ([160], 203)],
+            12,
+            [16],
+            [([16], 14), ([0], 22), ([16], 18), ([0], 23), ([0], 0), ([16], 20)],
         ),
         ::mstmm::generated::Places::new(
-            240,
-            [160],
-            [([280], 262), ([0], 220), ([280], 301), ([0], 230), ([0], 0), ([280], 321)],
+            24,
+            [16],
+            [([28], 26), ([0], 22), ([28], 30), ([0], 23), ([0], 0), ([28], 32)],
         ),
         ::mstmm::generated::Places::new(
-            240,
-            [280],
-            [([280], 262), ([0], 340), ([280], 301), ([0], 351), ([0], 0), ([280], 321)],
+            24,
+            [28],
+            [([28], 26), ([0], 34), ([28], 30), ([0], 35), ([0], 0), ([28], 32)],
         ),
         ::mstmm::generated::Places::new(
-            360,
-            [280],
-            [([280], 382), ([0], 340), ([280], 401), ([0], 351), ([0], 0), ([280], 420)],
+            36,
+            [28],
+            [([28], 38), ([0], 34), ([28], 40), ([0], 35), ([0], 0), ([28], 42)],
         ),
         ::mstmm::generated::Places::new(
-            440,
+            44,
             [0],
-            [([0], 0), ([0], 0), ([0], 10), ([0], 0), ([0], 0), ([280], 420)],
+            [([0], 0), ([0], 0), ([0], 1), ([0], 0), ([0], 0), ([28], 42)],
         ),
     ];
     /// Connection point number `index`.

@@ -251,12 +251,12 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let [[joint_rate_]] = state_.v.data.0;
         let joint_input0_ = inputs_.joint;
         at_.efforts.data.0 = [[joint_input0_]];
-        *n5_ = joint_input0_;
+        *n5_ = -joint_input0_;
         *n20_ = joint_rate_;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
         *n7_ = sin_joint_angle_;
-        *n9_ = sin_joint_angle_;
+        *n9_ = -sin_joint_angle_;
         *n6_ = cos_joint_angle_;
         *n10_ = cos_joint_angle_;
         ::mstmm::generated::written();
@@ -311,7 +311,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             joint_a_lin_x_,
             minus_joint_bias_fx_,
         );
-        *n15_ = minus_joint_load_fx_;
+        *n15_ = -minus_joint_load_fx_;
         ::mstmm::generated::written();
         /// Results.
         let t6_ = c_(9.8) * t5_;
@@ -561,32 +561,32 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
             [
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([0, 0, 0], 10),
+                ([0, 0, 0], 1),
                 ([0, 0, 0], 0),
-                ([70, 101, 130], 44),
-                ([70, 101, 130], 161),
+                ([7, 10, 13], 4),
+                ([7, 10, 13], 16),
             ],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [70, 101, 130],
+            [7, 10, 13],
             [
                 ([0, 0, 0], 0),
-                ([70, 101, 130], 190),
-                ([70, 101, 130], 220),
-                ([70, 101, 130], 250),
-                ([70, 101, 130], 44),
-                ([70, 101, 130], 161),
+                ([7, 10, 13], 19),
+                ([7, 10, 13], 22),
+                ([7, 10, 13], 25),
+                ([7, 10, 13], 4),
+                ([7, 10, 13], 16),
             ],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [70, 101, 130],
+            [7, 10, 13],
             [
                 ([0, 0, 0], 0),
-                ([70, 101, 130], 190),
-                ([70, 101, 130], 220),
-                ([70, 101, 130], 250),
+                ([7, 10, 13], 19),
+                ([7, 10, 13], 22),
+                ([7, 10, 13], 25),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
             ],

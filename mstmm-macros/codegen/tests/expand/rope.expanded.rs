@@ -1240,7 +1240,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     t48_,
                     t49_,
                 ]);
-            *o7_24_ = carry1_6_before_;
+            *o7_24_ = -carry1_6_before_;
             regular0_ = regular0_
                 & !::mstmm::generated::vanishes(
                     joint_articulated_inertia_zz_,
@@ -1495,20 +1495,20 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o7_7_ = joint_to_inertial_xx_;
             *o7_8_ = joint_to_inertial_yx_;
             *o7_9_ = joint_velocity_x_;
-            *o7_10_ = minus_joint_velocity_y_;
+            *o7_10_ = -minus_joint_velocity_y_;
             *o7_12_ = joint_a_lin_x_;
-            *o7_13_ = minus_joint_a_lin_y_;
-            *o7_14_ = minus_joint_a_ang_z_;
+            *o7_13_ = -minus_joint_a_lin_y_;
+            *o7_14_ = -minus_joint_a_ang_z_;
             *o7_16_ = joint_load_fx_;
             *o7_17_ = joint_load_fy_;
             *o7_18_ = point2_position_x_;
             *o7_19_ = point2_position_y_;
             *o7_20_ = joint_velocity_x_;
             *o7_21_ = point2_velocity_y_;
-            *o7_22_ = minus_end_of_repeat0_a_lin_x_;
-            *o7_23_ = minus_end_of_repeat0_a_lin_y_;
-            *o7_25_ = minus_end_of_repeat0_load_fx_;
-            *o7_26_ = minus_end_of_repeat0_load_fy_;
+            *o7_22_ = -minus_end_of_repeat0_a_lin_x_;
+            *o7_23_ = -minus_end_of_repeat0_a_lin_y_;
+            *o7_25_ = -minus_end_of_repeat0_load_fx_;
+            *o7_26_ = -minus_end_of_repeat0_load_fy_;
             *o0_0_ = -t70_;
             (
                 carry2_0_,
@@ -1594,7 +1594,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         >(results7_.as_mut_slice(), 0, 1) {
             *o0_ = c_(0.0);
             *o1_ = c_(9.8);
-            *o2_ = carry1_6_;
+            *o2_ = -carry1_6_;
             *o3_ = start_of_repeat0_load_fx_;
             *o4_ = start_of_repeat0_load_fy_;
         }
@@ -1607,11 +1607,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o2_ = hook_to_inertial_xx_;
             *o3_ = hook_to_inertial_yx_;
             *o4_ = hook_velocity_x_;
-            *o5_ = minus_hook_velocity_y_;
+            *o5_ = -minus_hook_velocity_y_;
             *o6_ = hook_omega_z_;
             *o7_ = hook_a_lin_x_;
-            *o8_ = minus_hook_a_lin_y_;
-            *o9_ = minus_hook_a_ang_z_;
+            *o8_ = -minus_hook_a_lin_y_;
+            *o9_ = -minus_hook_a_ang_z_;
             *o10_ = hook_load_fx_;
             *o11_ = hook_load_fy_;
         }
@@ -2096,27 +2096,27 @@ impl<T: ::mstmm::Scalar> RopeWorkspace<T> {
         ::mstmm::generated::Places::new(
             0,
             [0],
-            [([0], 0), ([0], 0), ([0], 10), ([0], 0), ([0], 31), ([0], 40)],
+            [([0], 0), ([0], 0), ([0], 1), ([0], 0), ([0], 3), ([0], 4)],
         ),
         ::mstmm::generated::Places::new(
-            10,
-            [30],
-            [([30], 52), ([0], 70), ([30], 82), ([0], 101), ([0], 110), ([30], 120)],
+            1,
+            [3],
+            [([3], 5), ([0], 7), ([3], 8), ([0], 10), ([0], 11), ([3], 12)],
         ),
         ::mstmm::generated::Places::new(
-            140,
-            [30],
-            [([30], 160), ([0], 70), ([30], 183), ([0], 101), ([0], 201), ([30], 213)],
+            14,
+            [3],
+            [([3], 16), ([0], 7), ([3], 18), ([0], 10), ([0], 20), ([3], 21)],
         ),
         ::mstmm::generated::Places::new(
-            10,
-            [30],
-            [([30], 52), ([0], 70), ([30], 82), ([0], 101), ([0], 0), ([30], 110)],
+            1,
+            [3],
+            [([3], 5), ([0], 7), ([3], 8), ([0], 10), ([0], 0), ([3], 11)],
         ),
         ::mstmm::generated::Places::new(
-            10,
-            [30],
-            [([30], 52), ([0], 70), ([30], 82), ([0], 101), ([0], 0), ([0], 0)],
+            1,
+            [3],
+            [([3], 5), ([0], 7), ([3], 8), ([0], 10), ([0], 0), ([0], 0)],
         ),
     ];
     /// Connection point number `index`.

@@ -139,7 +139,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let minus_tip_turn_zx_ = T::mul_neg_add(tip_qx_, t1_, t2_);
         /// Acceleration of `tip`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
         let tip_a_ang_x_ = T::mul_add(tip_turn_zy_, c_(117.60000000000001), tip_rest0_);
-        let tip_a_ang_y_ = T::mul_sub(
+        let minus_tip_a_ang_y_ = T::mul_neg_add(
             minus_tip_turn_zx_,
             c_(117.60000000000001),
             minus_tip_rest1_,
@@ -148,12 +148,12 @@ impl<T: ::mstmm::Scalar> Top<T> {
             T,
             _,
             _,
-        >([], [], [state_.t, tip_a_ang_x_, tip_a_ang_y_]) {
+        >([], [], [state_.t, tip_a_ang_x_, -minus_tip_a_ang_y_]) {
             return ::core::result::Result::Err(
                 ::mstmm::generated::irregular::<T, _>(&[], [], []),
             );
         }
-        accelerations_.data.0 = [[tip_a_ang_x_, tip_a_ang_y_, c_(0.0)]];
+        accelerations_.data.0 = [[tip_a_ang_x_, -minus_tip_a_ang_y_, c_(0.0)]];
         ::core::result::Result::Ok(())
     }
     /// The accelerations `v̇` of all hinges by value; see
@@ -242,7 +242,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         /// Motion across `tip`.
         let t6_ = tip_qx_ * t0_;
         let minus_tip_turn_zx_ = t7_ - t8_;
-        *n8_ = minus_tip_turn_zx_;
+        *n8_ = -minus_tip_turn_zx_;
         ::mstmm::generated::written();
         let tip_turn_zy_ = t11_ + t12_;
         *n11_ = tip_turn_zy_;
@@ -261,7 +261,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
             c_(117.60000000000001),
             minus_tip_rest1_,
         );
-        *n22_ = minus_tip_a_ang_y_;
+        *n22_ = -minus_tip_a_ang_y_;
         ::mstmm::generated::written();
         let tip_a_ang_x_ = T::mul_add(tip_turn_zy_, c_(117.60000000000001), tip_rest0_);
         if !::mstmm::generated::regular::<
@@ -278,7 +278,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         ::mstmm::generated::written();
         /// Motion across `tip`.
         let minus_tip_turn_xy_ = t5_ - t6_;
-        *n9_ = minus_tip_turn_xy_;
+        *n9_ = -minus_tip_turn_xy_;
         ::mstmm::generated::written();
         let tip_turn_xz_ = t7_ + t8_;
         *n12_ = tip_turn_xz_;
@@ -287,7 +287,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
         *n7_ = tip_turn_yx_;
         ::mstmm::generated::written();
         let minus_tip_turn_zz_ = t2_ + t10_;
-        *n14_ = minus_tip_turn_zz_;
+        *n14_ = -minus_tip_turn_zz_;
         ::mstmm::generated::written();
         /// Riccati transfer over `tip`.
         let minus_tip_bias_fz_ = c_(0.012) * t14_;
@@ -300,13 +300,13 @@ impl<T: ::mstmm::Scalar> Top<T> {
         let t20_ = t15_ - tip_a_ang_x_;
         /// Acceleration of `tip`.
         let minus_tip_a_lin_x_ = minus_tip_turn_zx_ * c_(9.8);
-        *n18_ = minus_tip_a_lin_x_;
+        *n18_ = -minus_tip_a_lin_x_;
         ::mstmm::generated::written();
         let tip_a_lin_y_ = tip_turn_zy_ * c_(9.8);
         *n19_ = tip_a_lin_y_;
         ::mstmm::generated::written();
         let minus_tip_a_lin_z_ = c_(9.8) * minus_tip_turn_zz_;
-        *n20_ = minus_tip_a_lin_z_;
+        *n20_ = -minus_tip_a_lin_z_;
         ::mstmm::generated::written();
         /// Results.
         let t25_ = c_(0.11760000000000001) * minus_tip_turn_zz_;
@@ -318,7 +318,7 @@ impl<T: ::mstmm::Scalar> Top<T> {
             minus_tip_turn_zz_,
             minus_tip_bias_fz_,
         );
-        *n5_ = minus_tip_load_fz_;
+        *n5_ = -minus_tip_load_fz_;
         ::mstmm::generated::written();
         /// Results.
         let t24_ = c_(0.5) * t23_;
@@ -326,20 +326,20 @@ impl<T: ::mstmm::Scalar> Top<T> {
         ::mstmm::generated::written();
         /// Load on `tip`.
         let minus_tip_load_fx_ = T::mul_neg_add(c_(0.012), t18_, t17_);
-        *n3_ = minus_tip_load_fx_;
+        *n3_ = -minus_tip_load_fx_;
         ::mstmm::generated::written();
         let tip_load_fy_ = T::mul_add(c_(0.012), t20_, t19_);
         *n4_ = tip_load_fy_;
         ::mstmm::generated::written();
         /// Motion across `tip`.
         let minus_tip_turn_yy_ = t3_ + t10_;
-        *n10_ = minus_tip_turn_yy_;
+        *n10_ = -minus_tip_turn_yy_;
         ::mstmm::generated::written();
         let minus_tip_turn_yz_ = t11_ - t12_;
-        *n13_ = minus_tip_turn_yz_;
+        *n13_ = -minus_tip_turn_yz_;
         ::mstmm::generated::written();
         let minus_tip_turn_xx_ = t3_ + t4_;
-        *n6_ = minus_tip_turn_xx_;
+        *n6_ = -minus_tip_turn_xx_;
         ::mstmm::generated::written();
         ::core::result::Result::Ok(())
     }
@@ -627,32 +627,32 @@ impl<T: ::mstmm::Scalar> TopWorkspace<T> {
             [
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([0, 0, 0], 10),
+                ([0, 0, 0], 1),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([75, 103, 136], 45),
+                ([7, 10, 13], 4),
             ],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [75, 103, 136],
+            [7, 10, 13],
             [
                 ([0, 0, 0], 0),
-                ([75, 103, 136], 160),
-                ([75, 103, 136], 195),
-                ([75, 103, 136], 222),
+                ([7, 10, 13], 16),
+                ([7, 10, 13], 19),
+                ([7, 10, 13], 22),
                 ([0, 0, 0], 0),
-                ([75, 103, 136], 45),
+                ([7, 10, 13], 4),
             ],
         ),
         ::mstmm::generated::Places::new(
             0,
-            [75, 103, 136],
+            [7, 10, 13],
             [
                 ([0, 0, 0], 0),
-                ([75, 103, 136], 160),
-                ([75, 103, 136], 195),
-                ([75, 103, 136], 222),
+                ([7, 10, 13], 16),
+                ([7, 10, 13], 19),
+                ([7, 10, 13], 22),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
             ],

@@ -349,7 +349,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             ],
         ) = T::sin_cos([shoulder_angle_, elbow_angle_]);
         *n7_ = sin_shoulder_angle_;
-        *n9_ = sin_shoulder_angle_;
+        *n9_ = -sin_shoulder_angle_;
         *n6_ = cos_shoulder_angle_;
         *n10_ = cos_shoulder_angle_;
         ::mstmm::generated::written();
@@ -487,7 +487,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             t76_,
             minus_end_x4_,
         );
-        *n20_ = minus_shoulder_beta0_;
+        *n20_ = -minus_shoulder_beta0_;
         ::mstmm::generated::written();
         /// Boundary solve at the far end.
         let end_x5_ = T::mul_neg_add(c_(0.5), t70_, t67_);
@@ -511,7 +511,7 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         ::mstmm::generated::written();
         let t80_ = T::mul_neg_add(c_(0.5), minus_shoulder_beta0_, shoulder_a_lin_y_);
         let minus_point2_felt_x_ = T::mul_neg_add(sin_elbow_angle_, t77_, t11_);
-        *n21_ = minus_point2_felt_x_;
+        *n21_ = -minus_point2_felt_x_;
         ::mstmm::generated::written();
         /// Results.
         let t85_ = elbow_omega_z_ * c_(0.5);
@@ -531,13 +531,13 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             t83_,
         );
         *n25_ = minus_elbow_to_inertial_xy_;
-        *n27_ = minus_elbow_to_inertial_xy_;
+        *n27_ = -minus_elbow_to_inertial_xy_;
         ::mstmm::generated::written();
         /// Load on `shoulder`.
         let t79_ = T::mul_add(sin_elbow_angle_, elbow_load_fy_, t10_);
         let t81_ = T::mul_add(cos_elbow_angle_, elbow_load_fy_, t80_);
         let minus_elbow_load_fx_ = t9_ + minus_point2_felt_x_;
-        *n30_ = minus_elbow_load_fx_;
+        *n30_ = -minus_elbow_load_fx_;
         ::mstmm::generated::written();
         /// Inertia beyond the hinges, to be divided by.
         let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
@@ -580,18 +580,18 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             minus_elbow_load_fx_,
             t79_,
         );
-        *n3_ = minus_shoulder_load_fx_;
+        *n3_ = -minus_shoulder_load_fx_;
         ::mstmm::generated::written();
         let minus_shoulder_load_fy_ = T::mul_sub(
             sin_elbow_angle_,
             minus_elbow_load_fx_,
             t81_,
         );
-        *n4_ = minus_shoulder_load_fy_;
+        *n4_ = -minus_shoulder_load_fy_;
         ::mstmm::generated::written();
         /// Connection points, [P, Eqs. (4), (12), (13)]: 0 mul, 2 add, 0 reciprocal.
         let minus_point4_felt_x_ = t8_ + minus_point2_felt_x_;
-        *n36_ = minus_point4_felt_x_;
+        *n36_ = -minus_point4_felt_x_;
         ::mstmm::generated::written();
         let point4_felt_y_ = point2_felt_y_ + t78_;
         *n37_ = point4_felt_y_;
@@ -868,10 +868,10 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
             [
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([0, 0, 0], 10),
+                ([0, 0, 0], 1),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([70, 101, 130], 43),
+                ([7, 10, 13], 4),
             ],
         ),
         ::mstmm::generated::Places::new(
@@ -880,10 +880,10 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
             [
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([70, 101, 130], 160),
-                ([70, 101, 130], 194),
+                ([7, 10, 13], 16),
+                ([7, 10, 13], 19),
                 ([0, 0, 0], 0),
-                ([70, 101, 130], 43),
+                ([7, 10, 13], 4),
             ],
         ),
         ::mstmm::generated::Places::new(
@@ -892,10 +892,10 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
             [
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([250, 281, 130], 221),
-                ([70, 101, 130], 194),
+                ([25, 28, 13], 22),
+                ([7, 10, 13], 19),
                 ([0, 0, 0], 0),
-                ([250, 281, 130], 311),
+                ([25, 28, 13], 31),
             ],
         ),
         ::mstmm::generated::Places::new(
@@ -904,10 +904,10 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
             [
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([250, 281, 130], 221),
-                ([250, 281, 130], 340),
+                ([25, 28, 13], 22),
+                ([25, 28, 13], 34),
                 ([0, 0, 0], 0),
-                ([250, 281, 130], 311),
+                ([25, 28, 13], 31),
             ],
         ),
         ::mstmm::generated::Places::new(
@@ -916,8 +916,8 @@ impl<T: ::mstmm::Scalar> TwoPinsWorkspace<T> {
             [
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
-                ([250, 281, 130], 371),
-                ([250, 281, 130], 340),
+                ([25, 28, 13], 37),
+                ([25, 28, 13], 34),
                 ([0, 0, 0], 0),
                 ([0, 0, 0], 0),
             ],
