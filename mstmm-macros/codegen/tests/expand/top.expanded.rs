@@ -427,16 +427,15 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Top<T> {
             /// Results: 8 mul, 3 add, 1 reciprocal, 1 square root.
             let t0_ = tip_qw_ * tip_qw_;
             let t1_ = T::mul_add(tip_qx_, tip_qx_, t0_);
-            let t2_ = tip_qy_ * tip_qy_;
+            let t2_ = T::mul_add(tip_qy_, tip_qy_, t1_);
             let t3_ = T::mul_add(tip_qz_, tip_qz_, t2_);
-            let t4_ = t1_ + t3_;
-            let t5_ = T::sqrt(t4_);
-            let t6_ = T::recip(t5_);
-            let t7_ = tip_qw_ * t6_;
-            let t8_ = tip_qx_ * t6_;
-            let t9_ = tip_qy_ * t6_;
-            let t10_ = tip_qz_ * t6_;
-            [[t7_, t8_, t9_, t10_]]
+            let t4_ = T::sqrt(t3_);
+            let t5_ = T::recip(t4_);
+            let t6_ = tip_qw_ * t5_;
+            let t7_ = tip_qx_ * t5_;
+            let t8_ = tip_qy_ * t5_;
+            let t9_ = tip_qz_ * t5_;
+            [[t6_, t7_, t8_, t9_]]
         };
     }
     #[inline]

@@ -29,7 +29,7 @@
 ///
 /// Mobility 2: 2 degrees of freedom.
 ///
-/// Accelerations by `transfer`, 122 operations (70 mul, 47 add, 3 reciprocal, 2 square root, 2 sin/cos); with the results that are asked for 160 operations.
+/// Accelerations by `transfer`, 122 operations (69 mul, 48 add, 3 reciprocal, 2 square root, 2 sin/cos); with the results that are asked for 160 operations.
 ///
 /// **Precision of `transfer`.** The largest mass is 1 times the smallest, with parameters at their defaults. `transfer` may lose digits by that factor: for bodies of similar size the relative error of accelerations is up to 2.4e-13 in `f64` and 1.3e-4 in `f32`, that of wrenches at the lightest bodies up to a hundred times more. `riccati` does not lose them.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,12 +98,12 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for TwoPins<T> {
 impl<T: ::mstmm::Scalar> TwoPins<T> {
     /// The accelerations `v̇` of all hinges, in the order of `v` of the state: the fast path.
     ///
-    /// 122 operations: 70 mul, 47 add, 3 reciprocal, 2 square root, 2 sin/cos.
+    /// 122 operations: 69 mul, 48 add, 3 reciprocal, 2 square root, 2 sin/cos.
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `shoulder` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 2 |
-    /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 55 | 38 | 3 | 2 | 0 |
+    /// | Boundary solve at the far end | \[P, Eqs. (9) to (11)\] | 54 | 39 | 3 | 2 | 0 |
     /// | Transfer to `elbow` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 7 | 5 | 0 | 0 | 0 |
     /// | Motion across `elbow` | \[P, Eqs. (1), (13), (36)\] | 1 | 1 | 0 | 0 | 0 |
     /// | Transfer to `shoulder` | \[P, Eqs. (8), (21)\] with the conditions \[P, Eqs. (25), (35)\] of this hinge | 2 | 0 | 0 | 0 | 0 |
@@ -134,20 +134,20 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             cos_elbow_angle_,
             ],
         ) = T::sin_cos([shoulder_angle_, elbow_angle_]);
-        /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 55 mul, 38 add, 3 reciprocal, 2 square root.
-        let t23_ = T::mul_add(
+        /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 54 mul, 39 add, 3 reciprocal, 2 square root.
+        let t24_ = T::mul_add(
             sin_elbow_angle_,
             c_(0.48639392383214375),
             sin_elbow_angle_,
         );
         let t15_ = cos_elbow_angle_ * cos_elbow_angle_;
-        let t24_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t23_);
-        let t28_ = T::mul_add(t24_, t24_, t15_);
-        let t29_ = T::sqrt(t28_);
-        let t30_ = T::copysign(t29_, cos_elbow_angle_);
-        let t31_ = cos_elbow_angle_ + t30_;
-        let t25_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
-        let t32_ = t30_ * t31_;
+        let t25_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t24_);
+        let t29_ = T::mul_add(t25_, t25_, t15_);
+        let t30_ = T::sqrt(t29_);
+        let t31_ = T::copysign(t30_, cos_elbow_angle_);
+        let t32_ = cos_elbow_angle_ + t31_;
+        let t26_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
+        let t33_ = t31_ * t32_;
         /// Transfer to `elbow`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 7 mul, 5 add, 0 reciprocal.
         let elbow_a4_lin_y_ = T::mul_neg_add(
             cos_elbow_angle_,
@@ -155,60 +155,58 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             cos_elbow_angle_,
         );
         /// Boundary solve at the far end.
-        let t26_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t25_);
-        let t33_ = T::recip(t32_);
-        let t27_ = elbow_a4_lin_y_ - t26_;
-        let t36_ = t24_ * t27_;
-        let t37_ = T::mul_add(sin_elbow_angle_, t31_, t36_);
-        let t38_ = t33_ * t37_;
-        let t40_ = T::mul_neg_add(t24_, t38_, t27_);
-        let t49_ = T::mul_add(t40_, t40_, c_(0.25));
-        let t50_ = T::sqrt(t49_);
-        let t51_ = T::copysign(t50_, -t40_);
-        let t52_ = t40_ - t51_;
-        let t14_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
+        let t27_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t26_);
+        let t34_ = T::recip(t33_);
+        let t28_ = elbow_a4_lin_y_ - t27_;
+        let t37_ = t25_ * t28_;
+        let t38_ = T::mul_add(sin_elbow_angle_, t32_, t37_);
+        let t39_ = t34_ * t38_;
+        let t41_ = T::mul_neg_add(t25_, t39_, t28_);
+        let t50_ = T::mul_add(t41_, t41_, c_(0.25));
+        let t51_ = T::sqrt(t50_);
+        let t52_ = T::copysign(t51_, -t41_);
         /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 1 mul, 1 add, 0 reciprocal.
         let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
         let minus_elbow_centripetal_x_ = shoulder_rate_ * shoulder_rate_;
+        /// Boundary solve at the far end.
+        let t53_ = t41_ - t52_;
         /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
         let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
         /// Boundary solve at the far end.
-        let t53_ = t51_ * t52_;
+        let t14_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
+        let t54_ = t52_ * t53_;
+        let t7_ = elbow_omega_z_ * elbow_omega_z_;
+        let t9_ = T::mul_sub(minus_elbow_centripetal_x_, c_(0.5), shoulder_a_lin_x_);
+        let t46_ = t14_ * t25_;
+        /// Transfer to `elbow`.
+        let t1_ = minus_elbow_centripetal_x_ - shoulder_a_lin_x_;
         /// Transfer to `shoulder`.
         let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
         /// Boundary solve at the far end.
-        let t45_ = t14_ * t24_;
-        let t7_ = elbow_omega_z_ * elbow_omega_z_;
-        let t9_ = T::mul_sub(minus_elbow_centripetal_x_, c_(0.5), shoulder_a_lin_x_);
-        let t54_ = T::recip(t53_);
+        let t55_ = T::recip(t54_);
+        let t8_ = c_(0.5) * t7_;
+        let t17_ = t9_ + t1_;
+        let t47_ = t34_ * t46_;
         /// Transfer to `elbow`.
-        let t1_ = minus_elbow_centripetal_x_ - shoulder_a_lin_x_;
+        let t2_ = cos_elbow_angle_ * shoulder_a_lin_y_;
         /// Boundary solve at the far end.
+        let t10_ = sin_elbow_angle_ * shoulder_a_lin_y_;
+        let t20_ = T::mul_add(cos_elbow_angle_, t17_, t8_);
         let t18_ = T::mul_neg_add(
             sin_elbow_angle_,
             c_(0.16439898730535732),
             sin_elbow_angle_,
         );
+        let t49_ = T::mul_neg_add(t25_, t47_, t14_);
         /// Transfer to `elbow`.
         let t4_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
         /// Boundary solve at the far end.
-        let t46_ = t33_ * t45_;
-        let t8_ = c_(0.5) * t7_;
-        let t17_ = t9_ + t1_;
-        /// Transfer to `elbow`.
-        let t2_ = cos_elbow_angle_ * shoulder_a_lin_y_;
-        /// Boundary solve at the far end.
+        let t11_ = T::mul_add(sin_elbow_angle_, t9_, t2_);
+        let t21_ = t10_ - t20_;
         let t19_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t18_);
+        let t58_ = T::mul_add(t49_, t53_, c_(0.16666666666666666));
         /// Transfer to `elbow`.
         let t5_ = t4_ * c_(0.9863939238321437);
-        /// Boundary solve at the far end.
-        let t48_ = T::mul_neg_add(t24_, t46_, t14_);
-        let t20_ = T::mul_add(cos_elbow_angle_, t17_, t8_);
-        let t11_ = T::mul_add(sin_elbow_angle_, t9_, t2_);
-        let t10_ = sin_elbow_angle_ * shoulder_a_lin_y_;
-        let t57_ = T::mul_add(t48_, t52_, c_(0.16666666666666666));
-        let t21_ = T::mul_add(t5_, t19_, t20_);
-        /// Transfer to `elbow`.
         let t6_ = cos_elbow_angle_ * c_(0.16439898730535732);
         /// Boundary solve at the far end.
         let t16_ = T::mul_neg_add(
@@ -216,55 +214,56 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             c_(2.0685934174848226),
             cos_elbow_angle_,
         );
+        let t22_ = t10_ + t21_;
         /// Transfer to `elbow`.
         let t3_ = T::mul_add(sin_elbow_angle_, t1_, t2_);
         /// Boundary solve at the far end.
-        let t41_ = T::mul_neg_add(t4_, c_(0.0810810810810811), t11_);
-        let t58_ = t54_ * t57_;
-        let t22_ = T::mul_neg_add(c_(2.0), t10_, t21_);
-        let t34_ = t31_ * t33_;
+        let t42_ = T::mul_neg_add(t4_, c_(0.0810810810810811), t11_);
+        let t59_ = t55_ * t58_;
+        let t23_ = T::mul_sub(t5_, t19_, t22_);
+        let t35_ = t32_ * t34_;
         /// Transfer to `elbow`.
         let elbow_a_lin_y_ = T::mul_neg_add(t5_, t6_, t3_);
         /// Boundary solve at the far end.
-        let t42_ = T::mul_add(t5_, t16_, t41_);
-        let t60_ = T::mul_add(c_(0.5), t58_, c_(0.3333333333333333));
+        let t43_ = T::mul_add(t5_, t16_, t42_);
+        let t61_ = T::mul_add(c_(0.5), t59_, c_(0.3333333333333333));
         let t12_ = t4_ * c_(0.054054054054054064);
-        let t35_ = t22_ * t34_;
-        let t39_ = T::mul_neg_add(t31_, t38_, sin_elbow_angle_);
-        let t43_ = elbow_a_lin_y_ + t42_;
-        let t63_ = T::recip(t60_);
+        let t36_ = t23_ * t35_;
+        let t40_ = T::mul_neg_add(t32_, t39_, sin_elbow_angle_);
+        let t44_ = elbow_a_lin_y_ + t43_;
+        let t64_ = T::recip(t61_);
         let t13_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t12_);
-        let t47_ = t31_ * t46_;
-        let t44_ = T::mul_add(t35_, t39_, t43_);
-        let t55_ = t52_ * t54_;
-        let t61_ = T::mul_neg_add(t35_, t47_, t13_);
-        let t56_ = t44_ * t55_;
-        let t59_ = T::mul_add(t52_, t58_, t48_);
-        let t62_ = T::mul_sub(t56_, t59_, t61_);
-        let t65_ = t52_ * t56_;
-        let t64_ = t62_ * t63_;
-        let t66_ = T::mul_neg_add(c_(0.5), t64_, t65_);
-        let t67_ = t54_ * t66_;
-        let t69_ = t31_ * t35_;
-        let t68_ = T::mul_add(t52_, t67_, t56_);
-        let t70_ = T::mul_neg_add(t24_, t68_, t69_);
-        let t71_ = t33_ * t70_;
+        let t48_ = t32_ * t47_;
+        let t45_ = T::mul_add(t36_, t40_, t44_);
+        let t56_ = t53_ * t55_;
+        let t62_ = T::mul_neg_add(t36_, t48_, t13_);
+        let t57_ = t45_ * t56_;
+        let t60_ = T::mul_add(t53_, t59_, t49_);
+        let t63_ = T::mul_sub(t57_, t60_, t62_);
+        let t66_ = t53_ * t57_;
+        let t65_ = t63_ * t64_;
+        let t67_ = T::mul_neg_add(c_(0.5), t65_, t66_);
+        let t68_ = t55_ * t67_;
+        let t70_ = t32_ * t36_;
+        let t69_ = T::mul_add(t53_, t68_, t57_);
+        let t71_ = T::mul_neg_add(t25_, t69_, t70_);
+        let t72_ = t34_ * t71_;
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
-        let t72_ = t4_ * c_(1.9863939238321437);
+        let t73_ = t4_ * c_(1.9863939238321437);
         /// Boundary solve at the far end.
-        let minus_end_x4_ = T::mul_add(t24_, t71_, t68_);
+        let minus_end_x4_ = T::mul_add(t25_, t72_, t69_);
         /// Inertia beyond the hinges, to be divided by, the pivots of the Riccati transfer: 2 mul, 1 add, 0 reciprocal.
         let t0_ = sin_elbow_angle_ * sin_elbow_angle_;
         /// Back to `shoulder`.
-        let t73_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t72_);
+        let t74_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t73_);
         /// Inertia beyond the hinges, to be divided by.
         let shoulder_d_ = T::mul_add(t0_, c_(0.75), c_(0.5833333333333333));
         /// Boundary solve at the far end.
-        let end_x5_ = T::mul_neg_add(c_(0.5), t67_, t64_);
+        let end_x5_ = T::mul_neg_add(c_(0.5), t68_, t65_);
         /// Back to `shoulder`.
         let minus_shoulder_beta0_ = T::mul_add(
             c_(0.0816364570071376),
-            t73_,
+            t74_,
             minus_end_x4_,
         );
         if !::mstmm::generated::regular::<
@@ -354,19 +353,19 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
         *n10_ = cos_shoulder_angle_;
         ::mstmm::generated::written();
         /// Boundary solve at the far end, [P, Eqs. (9) to (11)]: 55 mul, 39 add, 3 reciprocal, 2 square root.
-        let t22_ = T::mul_add(
+        let t21_ = T::mul_add(
             sin_elbow_angle_,
             c_(0.48639392383214375),
             sin_elbow_angle_,
         );
-        let t18_ = cos_elbow_angle_ * cos_elbow_angle_;
-        let t23_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t22_);
-        let t27_ = T::mul_add(t23_, t23_, t18_);
-        let t28_ = T::sqrt(t27_);
-        let t29_ = T::copysign(t28_, cos_elbow_angle_);
-        let t30_ = cos_elbow_angle_ + t29_;
-        let t24_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
-        let t31_ = t29_ * t30_;
+        let t17_ = cos_elbow_angle_ * cos_elbow_angle_;
+        let t22_ = T::mul_sub(sin_elbow_angle_, c_(0.17120202538928544), t21_);
+        let t26_ = T::mul_add(t22_, t22_, t17_);
+        let t27_ = T::sqrt(t26_);
+        let t28_ = T::copysign(t27_, cos_elbow_angle_);
+        let t29_ = cos_elbow_angle_ + t28_;
+        let t23_ = T::mul_add(cos_elbow_angle_, c_(0.5), c_(0.4931969619160719));
+        let t30_ = t28_ * t29_;
         /// Transfer to `elbow`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 7 mul, 5 add, 0 reciprocal.
         let elbow_a4_lin_y_ = T::mul_neg_add(
             cos_elbow_angle_,
@@ -374,112 +373,112 @@ impl<T: ::mstmm::Scalar> TwoPins<T> {
             cos_elbow_angle_,
         );
         /// Boundary solve at the far end.
-        let t25_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t24_);
-        let t32_ = T::recip(t31_);
-        let t26_ = elbow_a4_lin_y_ - t25_;
-        let t34_ = t23_ * t26_;
-        let t35_ = T::mul_add(sin_elbow_angle_, t30_, t34_);
-        let t36_ = t32_ * t35_;
-        let t38_ = T::mul_neg_add(t23_, t36_, t26_);
-        let t46_ = T::mul_add(t38_, t38_, c_(0.25));
-        let t47_ = T::sqrt(t46_);
-        let t48_ = T::copysign(t47_, -t38_);
-        let t49_ = t38_ - t48_;
+        let t24_ = T::mul_sub(cos_elbow_angle_, c_(0.17120202538928544), t23_);
+        let t31_ = T::recip(t30_);
+        let t25_ = elbow_a4_lin_y_ - t24_;
+        let t33_ = t22_ * t25_;
+        let t34_ = T::mul_add(sin_elbow_angle_, t29_, t33_);
+        let t35_ = t31_ * t34_;
+        let t37_ = T::mul_neg_add(t22_, t35_, t25_);
+        let t45_ = T::mul_add(t37_, t37_, c_(0.25));
+        let t46_ = T::sqrt(t45_);
         /// Motion across `elbow`, [P, Eqs. (1), (13), (36)]: 1 mul, 1 add, 0 reciprocal.
         let elbow_omega_z_ = shoulder_rate_ + elbow_rate_;
         /// Boundary solve at the far end.
-        let t17_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
-        let t50_ = t48_ * t49_;
+        let t47_ = T::copysign(t46_, -t37_);
+        let t8_ = elbow_omega_z_ * elbow_omega_z_;
+        let t48_ = t37_ - t47_;
         /// Motion across `elbow`.
         let minus_elbow_centripetal_x_ = shoulder_rate_ * shoulder_rate_;
         /// Boundary solve at the far end.
-        let t8_ = elbow_omega_z_ * elbow_omega_z_;
+        let t16_ = T::mul_add(c_(0.5), elbow_a4_lin_y_, c_(0.3287979746107146));
         /// Transfer to `shoulder`, [P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge: 2 mul, 0 add, 0 reciprocal.
         let shoulder_a_lin_x_ = sin_shoulder_angle_ * c_(9.8);
         *n15_ = shoulder_a_lin_x_;
         ::mstmm::generated::written();
         /// Boundary solve at the far end.
-        let t42_ = t17_ * t23_;
+        let t49_ = t47_ * t48_;
+        let t9_ = c_(0.5) * t8_;
         /// Transfer to `shoulder`.
         let shoulder_a_lin_y_ = cos_shoulder_angle_ * c_(9.8);
         *n16_ = shoulder_a_lin_y_;
         ::mstmm::generated::written();
         /// Boundary solve at the far end.
-        let t51_ = T::recip(t50_);
-        let t9_ = c_(0.5) * t8_;
+        let t41_ = t16_ * t22_;
         let t10_ = T::mul_sub(minus_elbow_centripetal_x_, c_(0.5), shoulder_a_lin_x_);
-        let t43_ = t32_ * t42_;
-        let t20_ = T::mul_neg_add(
+        let t50_ = T::recip(t49_);
+        let t12_ = sin_elbow_angle_ * shoulder_a_lin_y_;
+        let t42_ = t31_ * t41_;
+        let t57_ = T::mul_add(cos_elbow_angle_, t10_, t9_);
+        /// Transfer to `elbow`.
+        let t3_ = cos_elbow_angle_ * shoulder_a_lin_y_;
+        let t1_ = minus_elbow_centripetal_x_ - shoulder_a_lin_x_;
+        /// Boundary solve at the far end.
+        let t44_ = T::mul_neg_add(t22_, t42_, t16_);
+        let t58_ = t12_ - t57_;
+        let t19_ = T::mul_neg_add(
             sin_elbow_angle_,
             c_(0.16439898730535732),
             sin_elbow_angle_,
         );
         /// Transfer to `elbow`.
-        let t3_ = cos_elbow_angle_ * shoulder_a_lin_y_;
         let t5_ = T::mul_neg_add(cos_shoulder_angle_, c_(4.9), shoulder_a_lin_y_);
         /// Boundary solve at the far end.
-        let t12_ = sin_elbow_angle_ * shoulder_a_lin_y_;
-        let t58_ = T::mul_add(cos_elbow_angle_, t10_, t9_);
+        let t11_ = cos_elbow_angle_ * t1_;
+        let t13_ = T::mul_add(sin_elbow_angle_, t10_, t3_);
         /// Transfer to `elbow`.
-        let t1_ = minus_elbow_centripetal_x_ - shoulder_a_lin_x_;
-        /// Boundary solve at the far end.
-        let t45_ = T::mul_neg_add(t23_, t43_, t17_);
-        let t21_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t20_);
-        let t14_ = T::mul_add(sin_elbow_angle_, t10_, t3_);
-        /// Transfer to `elbow`.
-        let t6_ = t5_ * c_(0.9863939238321437);
         let t2_ = sin_elbow_angle_ * t1_;
         /// Boundary solve at the far end.
-        let t59_ = t12_ - t58_;
-        let t11_ = cos_elbow_angle_ * t1_;
-        let t53_ = T::mul_add(t45_, t49_, c_(0.16666666666666666));
+        let t59_ = t12_ + t58_;
+        let t52_ = T::mul_add(t44_, t48_, c_(0.16666666666666666));
+        let t20_ = T::mul_sub(sin_elbow_angle_, c_(2.0685934174848226), t19_);
         /// Transfer to `elbow`.
+        let t6_ = t5_ * c_(0.9863939238321437);
         let t7_ = cos_elbow_angle_ * c_(0.16439898730535732);
         /// Boundary solve at the far end.
-        let t19_ = T::mul_neg_add(
+        let t18_ = T::mul_neg_add(
             cos_elbow_angle_,
             c_(2.0685934174848226),
             cos_elbow_angle_,
         );
-        let t39_ = T::mul_neg_add(t5_, c_(0.0810810810810811), t14_);
-        let t60_ = T::mul_sub(t6_, t21_, t59_);
+        let t60_ = t11_ - t59_;
+        let t38_ = T::mul_neg_add(t5_, c_(0.0810810810810811), t13_);
         /// Transfer to `elbow`.
         let t4_ = t2_ + t3_;
         /// Boundary solve at the far end.
-        let t13_ = t11_ - t12_;
-        let t54_ = t51_ * t53_;
-        let t33_ = t30_ * t32_;
+        let t53_ = t50_ * t52_;
+        let t61_ = T::mul_add(t6_, t20_, t60_);
+        let t32_ = t29_ * t31_;
         /// Transfer to `elbow`.
         let elbow_a_lin_y_ = T::mul_neg_add(t6_, t7_, t4_);
         /// Boundary solve at the far end.
-        let t40_ = T::mul_add(t6_, t19_, t39_);
-        let t61_ = t13_ + t60_;
-        let t56_ = T::mul_add(c_(0.5), t54_, c_(0.3333333333333333));
-        let t15_ = t5_ * c_(0.054054054054054064);
-        let t37_ = T::mul_neg_add(t30_, t36_, sin_elbow_angle_);
-        let t62_ = t33_ * t61_;
-        let t41_ = elbow_a_lin_y_ + t40_;
-        let t57_ = T::recip(t56_);
-        let t16_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t15_);
-        let t44_ = t30_ * t43_;
-        let t63_ = T::mul_add(t37_, t62_, t41_);
-        let t52_ = t49_ * t51_;
-        let t65_ = T::mul_neg_add(t44_, t62_, t16_);
-        let t55_ = T::mul_add(t49_, t54_, t45_);
-        let t64_ = t52_ * t63_;
-        let t66_ = T::mul_sub(t55_, t64_, t65_);
-        let t68_ = t49_ * t64_;
-        let t67_ = t57_ * t66_;
+        let t39_ = T::mul_add(t6_, t18_, t38_);
+        let t55_ = T::mul_add(c_(0.5), t53_, c_(0.3333333333333333));
+        let t14_ = t5_ * c_(0.054054054054054064);
+        let t36_ = T::mul_neg_add(t29_, t35_, sin_elbow_angle_);
+        let t62_ = t32_ * t61_;
+        let t40_ = elbow_a_lin_y_ + t39_;
+        let t56_ = T::recip(t55_);
+        let t15_ = T::mul_sub(c_(0.5), elbow_a_lin_y_, t14_);
+        let t43_ = t29_ * t42_;
+        let t63_ = T::mul_add(t36_, t62_, t40_);
+        let t51_ = t48_ * t50_;
+        let t65_ = T::mul_neg_add(t43_, t62_, t15_);
+        let t54_ = T::mul_add(t48_, t53_, t44_);
+        let t64_ = t51_ * t63_;
+        let t66_ = T::mul_sub(t54_, t64_, t65_);
+        let t68_ = t48_ * t64_;
+        let t67_ = t56_ * t66_;
         let t69_ = T::mul_neg_add(c_(0.5), t67_, t68_);
-        let t70_ = t51_ * t69_;
-        let t72_ = t30_ * t62_;
-        let t71_ = T::mul_add(t49_, t70_, t64_);
-        let t73_ = T::mul_neg_add(t23_, t71_, t72_);
-        let t74_ = t32_ * t73_;
+        let t70_ = t50_ * t69_;
+        let t72_ = t29_ * t62_;
+        let t71_ = T::mul_add(t48_, t70_, t64_);
+        let t73_ = T::mul_neg_add(t22_, t71_, t72_);
+        let t74_ = t31_ * t73_;
         /// Back to `shoulder`, [P, Eqs. (8), (11)]: 3 mul, 2 add, 0 reciprocal.
         let t75_ = t5_ * c_(1.9863939238321437);
         /// Boundary solve at the far end.
-        let minus_end_x4_ = T::mul_add(t23_, t74_, t71_);
+        let minus_end_x4_ = T::mul_add(t22_, t74_, t71_);
         /// Back to `shoulder`.
         let t76_ = T::mul_neg_add(c_(0.16666666666666669), minus_end_x4_, t75_);
         let minus_shoulder_beta0_ = T::mul_add(
