@@ -1,17 +1,17 @@
 //! What a comparison needs to know of a chain, out of the compiler's model of it.
 
 use mstmm_codegen::model::{
-    Chain, Drive, Driven, Effort, Form, Freedoms, Hinge, HingeKind, Layout, Source, Value,
+    Chain, Drive, Driven, Effort, Form, Freedoms, Hinge, HingeId, HingeKind, Layout, Source, Value,
 };
 use mstmm_precision as told;
 
 /// Tells of a chain.
 pub fn describe(chain: &Chain, random_inputs: bool) -> told::Description {
     let layout = Layout::of(chain);
-    let hinge = |index: usize| hinge(chain, &chain.hinges[index]);
+    let hinge = |index: HingeId| hinge(chain, &chain.hinges[index]);
     let mut parts: Vec<told::Part> = Vec::new();
     let mut last = None;
-    for index in (0..chain.hinges.len()).filter(|&index| !layout.q[index].is_empty()) {
+    for index in chain.hinges.ids().into_iter().filter(|&index| !layout.q[index].is_empty()) {
         let repeat = chain.repeat_of_hinge(index);
         match parts.last_mut() {
             Some(part) if last == Some(repeat) => part.hinges.push(hinge(index)),

@@ -5,7 +5,8 @@ use crate::diag::Diagnostics;
 use crate::equations::{self, Axes, Numbers, Point, Reaction, Situation, Solved, Swept, Trace};
 use crate::math::{Structured, Vec3};
 use crate::model::{
-    Chain, ClosureRank, Drive, Driven, Element, Hinge, HingeId, Layout, Method, Role, Source,
+    Chain, ClosureRank, Drive, Driven, Element, Hinge, HingeId, Layout, LinkId, Method, Role,
+    Source,
 };
 use proc_macro2::Ident;
 
@@ -146,8 +147,7 @@ struct Trial {
 impl Trial {
     fn new(chain: Chain) -> Self {
         let (layout, merged) = (Layout::of(&chain), Layout::merged(&chain));
-        let numbers = numbers(&chain, 0);
-        Trial { chain, layout, merged, numbers }
+        Trial { numbers: numbers(&chain, 0), chain, layout, merged }
     }
 
     /// Hinges that in no state move anything with inertia along one of their freedoms.
@@ -163,8 +163,8 @@ impl Trial {
                 let (value, scale) = (pivot.value.value(), pivot.scale.value());
                 value.abs() <= NOISE * f64::EPSILON * scale
             });
-            let now = vanishing.map(|pivot| self.merged.links[pivot.link].hinge);
-            let now: Vec<HingeId> = now.collect();
+            let now: Vec<HingeId> =
+                vanishing.map(|pivot| self.merged.links[LinkId(pivot.link)].hinge).collect();
             let still: Vec<HingeId> = match idle {
                 None => now,
                 Some(before) => before.into_iter().filter(|hinge| now.contains(hinge)).collect(),
@@ -381,8 +381,8 @@ impl Trial {
 
     /// Prescribed motions at rest in the zero position, or around it, and nothing that drives.
     fn inputs(&self, seed: usize) -> Vec<Number> {
-        let total = self.merged.inputs.last().map_or(0, |input| input.range.end);
-        let mut inputs = vec![Number::variable(0.0); total];
+        let total = self.merged.inputs.iter().map(|input| input.range.len());
+        let mut inputs = vec![Number::variable(0.0); total.sum()];
         // Numbered after the coordinates, whose deviations they should not repeat.
         let mut count = self.merged.coordinates();
         for input in &self.merged.inputs {

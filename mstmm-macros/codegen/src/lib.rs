@@ -7,18 +7,19 @@
 //! | module | holds | may use |
 //! |---|---|---|
 //! | [`diag`] | errors and warnings, collected | nothing of ours |
+//! | [`ids`] | types of indices and the lists that they index | nothing of ours |
 //! | [`syntax`] | what was written, with spans | `diag` |
-//! | [`model`] | names resolved, units and constants evaluated, every rule on models | `diag`; `syntax` where it is lowered and checked |
+//! | [`model`] | names resolved, units and constants evaluated, every rule on models | `diag`, `ids`; `syntax` where it is lowered and checked |
 //! | [`math`] | scalars, vectors, spatial blocks | nothing of ours |
-//! | [`equations`] | the paper, generic over [`math::Scalar`] | `math`, `model` |
+//! | [`equations`] | the paper, generic over [`math::Scalar`] | `ids`, `math`, `model` |
 //! | [`examine`] | a chain tried out in numbers | `diag`, `equations`, `math`, `model` |
 //! | [`expr`] | formulas as a graph without repetitions | `math` |
-//! | [`program`] | straight-line programs and their costs | nothing of ours |
-//! | [`passes`] | one optimisation a file | `expr`, `math`, `program` |
+//! | [`program`] | straight-line programs and their costs | `ids` |
+//! | [`passes`] | one optimisation a file | `expr`, `ids`, `math`, `program` |
 //! | [`symbols`] | numbers and names of a chain's unknowns | `model` |
-//! | [`weave`] | repeated parts as loops | `equations`, `expr` |
-//! | [`compile`](mod@compile) | from a model to its programs | `equations`, `expr`, `model`, `passes`, `program`, `symbols`, `weave` |
-//! | [`emit`] | the only `quote!` of items | `compile`, `diag`, `model`, `program`, `syntax` |
+//! | [`weave`] | repeated parts as loops | `equations`, `expr`, `ids` |
+//! | [`compile`](mod@compile) | from a model to its programs | `equations`, `expr`, `ids`, `model`, `passes`, `program`, `symbols`, `weave` |
+//! | [`emit`] | the only `quote!` of items | `compile`, `diag`, `ids`, `model`, `program`, `syntax` |
 
 #![deny(missing_docs)]
 
@@ -28,6 +29,7 @@ pub mod emit;
 pub mod equations;
 pub mod examine;
 pub mod expr;
+pub mod ids;
 pub mod math;
 pub mod model;
 pub mod passes;

@@ -1,6 +1,6 @@
 //! The unknowns of a chain: their numbers in the graph and their names in the program.
 
-use crate::model::{Chain, ClosureRank, Driven, Hinge, Input, Layout, Shape};
+use crate::model::{Chain, ClosureRank, Driven, Hinge, Input, Layout, RepeatId, Shape};
 use proc_macro2::Ident;
 use std::collections::HashSet;
 use std::ops::Range;
@@ -13,7 +13,7 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 pub struct Symbols {
     names: Vec<String>,
     /// Which belong to which repeated part.
-    parts: Vec<Option<usize>>,
+    parts: Vec<Option<RepeatId>>,
     /// Where each of the seven groups ends.
     ends: [usize; 7],
 }
@@ -53,7 +53,7 @@ impl Symbols {
     }
 
     /// Which unknowns belong to which repeated part, by number.
-    pub fn parts(&self) -> &[Option<usize>] {
+    pub fn parts(&self) -> &[Option<RepeatId>] {
         &self.parts
     }
 
@@ -94,10 +94,10 @@ impl Symbols {
 }
 
 /// Which unknowns belong to which repeated part; `ends` are those of the groups.
-fn parts(chain: &Chain, layout: &Layout, ends: &[usize; 7]) -> Vec<Option<usize>> {
+fn parts(chain: &Chain, layout: &Layout, ends: &[usize; 7]) -> Vec<Option<RepeatId>> {
     let mut parts = vec![None; ends[6]];
-    for (index, repeat) in chain.repeats.iter().enumerate() {
-        for hinge in repeat.hinges.clone() {
+    for (index, repeat) in chain.repeats.enumerate() {
+        for hinge in repeat.hinges {
             parts[ends[2]..][layout.q[hinge].clone()].fill(Some(index));
             parts[ends[3]..][layout.v[hinge].clone()].fill(Some(index));
         }

@@ -9,6 +9,7 @@
 
 use crate::equations::Weave;
 use crate::expr::{Expr, Graph, Stage};
+use crate::ids::RepeatId;
 use std::cell::RefCell;
 use std::fmt;
 
@@ -16,7 +17,7 @@ use std::fmt;
 #[derive(Clone, Debug)]
 pub struct Turn<'g> {
     /// Which part.
-    pub repeat: usize,
+    pub repeat: RepeatId,
     /// Whether it goes from the last time to the first.
     pub inwards: bool,
     /// What it carries.
@@ -69,7 +70,7 @@ struct Shown {
 
 /// A sweep over a repeated part.
 struct Crossing<'g> {
-    repeat: usize,
+    repeat: RepeatId,
     inwards: bool,
     /// All that is carried into the part, known numbers as well.
     first: Vec<Expr<'g>>,
@@ -153,7 +154,7 @@ impl<'g> Loom<'g> {
 }
 
 impl<'g> Weave<Expr<'g>> for Loom<'g> {
-    fn enter(&self, repeat: usize, inwards: bool, first: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    fn enter(&self, repeat: RepeatId, inwards: bool, first: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let (number, earlier) = self.state.borrow_mut().cross((repeat, inwards), first);
         let (way, entering) = match earlier {
             Some((crossing, entering)) => (Way::Same { crossing }, entering),
@@ -170,7 +171,7 @@ impl<'g> Weave<Expr<'g>> for Loom<'g> {
         entering
     }
 
-    fn leave(&self, _: usize, any: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    fn leave(&self, _: RepeatId, any: &[Expr<'g>]) -> Vec<Expr<'g>> {
         // Every sweep that leaves has entered.
         let Some(number) = self.state.borrow_mut().open.pop() else { return any.to_vec() };
         let way = self.state.borrow().crossings[number].way;
@@ -188,7 +189,7 @@ impl<'g> State<'g> {
     /// times begin with.
     fn cross(
         &mut self,
-        part: (usize, bool),
+        part: (RepeatId, bool),
         first: &[Expr<'g>],
     ) -> (usize, Option<(usize, Vec<Expr<'g>>)>) {
         let number = self.crossings.len();
@@ -238,6 +239,7 @@ mod tests {
     use super::Loom;
     use crate::equations::Weave;
     use crate::expr::{Expr, Graph, Stage};
+    use crate::ids::RepeatId;
     use crate::math::Scalar;
 
     #[test]
@@ -245,8 +247,8 @@ mod tests {
         let graph = Graph::default();
         let own = graph.symbol(0, Stage::State);
         let (left, turns) = Loom::new(&graph, 1).run(|loom| {
-            let enter = || loom.enter(0, false, &[Expr::number(0.0)])[0];
-            let leave = |any| loom.leave(0, &[any])[0];
+            let enter = || loom.enter(RepeatId(0), false, &[Expr::number(0.0)])[0];
+            let leave = |any| loom.leave(RepeatId(0), &[any])[0];
             let sum = || leave(enter() + own);
             let difference = || leave(own - enter());
             let kept = || leave(enter());
@@ -271,8 +273,8 @@ mod tests {
             for (part, inwards, first) in
                 [(0, false, 0.0), (1, false, 0.0), (0, true, 0.0), (0, false, 1.0)]
             {
-                let entering = loom.enter(part, inwards, &[Expr::number(first)])[0];
-                loom.leave(part, &[entering * own + own]);
+                let entering = loom.enter(RepeatId(part), inwards, &[Expr::number(first)])[0];
+                loom.leave(RepeatId(part), &[entering * own + own]);
             }
         });
         assert_eq!(turns.len(), 4);

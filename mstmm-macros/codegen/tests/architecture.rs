@@ -6,18 +6,19 @@ use std::path::{Path, PathBuf};
 /// Each folder or file of `src`, and what of ours it may name.
 const MAY_USE: &[(&str, &[&str])] = &[
     ("diag.rs", &[]),
+    ("ids.rs", &[]),
     ("syntax", &["diag"]),
-    ("model", &["diag", "syntax"]),
+    ("model", &["diag", "ids", "syntax"]),
     ("math", &[]),
-    ("equations", &["math", "model"]),
+    ("equations", &["ids", "math", "model"]),
     ("examine.rs", &["diag", "equations", "math", "model"]),
     ("expr", &["math"]),
-    ("program", &[]),
-    ("passes", &["expr", "math", "program"]),
+    ("program", &["ids"]),
+    ("passes", &["expr", "ids", "math", "program"]),
     ("symbols.rs", &["model"]),
-    ("weave.rs", &["equations", "expr"]),
-    ("compile", &["equations", "expr", "model", "passes", "program", "symbols", "weave"]),
-    ("emit", &["compile", "diag", "examine", "model", "program", "syntax"]),
+    ("weave.rs", &["equations", "expr", "ids"]),
+    ("compile", &["equations", "expr", "ids", "model", "passes", "program", "symbols", "weave"]),
+    ("emit", &["compile", "diag", "examine", "ids", "model", "program", "syntax"]),
     ("lib.rs", &[]),
 ];
 

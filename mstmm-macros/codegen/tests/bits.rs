@@ -66,7 +66,7 @@ fn arguments(chain: &Chain, programs: &Programs, random: &mut Random) -> Argumen
                 None => random.between(-1.0, 1.0),
             }
         };
-        let count = part.map_or(1, |part| repetitions[part]);
+        let count = part.map_or(1, |part| repetitions[part.index()]);
         (0..count).map(|_| one(random)).collect()
     });
     Arguments { symbols: all.collect(), repetitions: repetitions.clone(), ..Arguments::default() }

@@ -1,6 +1,6 @@
 //! What numbers that hang on parameters and constants must be at run time.
 
-use crate::model::{Body, Chain, Friction, Hinge, Limits, Passive, Spring, Value};
+use crate::model::{Body, Chain, Friction, Hinge, Limits, Passive, RepeatId, Spring, Value};
 
 /// A number that is known at run time only.
 #[derive(Clone, Debug)]
@@ -12,18 +12,18 @@ pub struct Check {
     /// What it must be, in words.
     pub reason: String,
     /// The repeated part that it belongs to.
-    pub part: Option<usize>,
+    pub part: Option<RepeatId>,
 }
 
 /// All of them.
 pub(super) fn of(chain: &Chain) -> Vec<Check> {
     let mut checks = Vec::new();
-    for (index, body) in chain.bodies.iter().enumerate() {
+    for (index, body) in chain.bodies.enumerate() {
         let part = chain.repeat_of_body(index);
         let own = of_body(body).into_iter();
         checks.extend(own.map(|check| Check { part, ..check }));
     }
-    for (index, hinge) in chain.hinges.iter().enumerate() {
+    for (index, hinge) in chain.hinges.enumerate() {
         let part = chain.repeat_of_hinge(index);
         checks.extend(of_hinge(hinge).into_iter().map(|check| Check { part, ..check }));
     }

@@ -10,7 +10,9 @@ pub use places::{Place, Places, PointPlaces, Sight};
 
 use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
 use crate::expr::{Expr, Graph, Stage};
-use crate::model::{Chain, ClosureRank, Hinge, HingeId, HingeKind, Layout, Method, Passive, Value};
+use crate::model::{
+    Chain, ClosureRank, Hinge, HingeId, HingeKind, Layout, LinkId, Method, Passive, RepeatId, Value,
+};
 use crate::passes::{Setup, issue};
 use crate::program::Program;
 use crate::symbols::Symbols;
@@ -246,13 +248,13 @@ impl<'a, 'g> Scene<'a, 'g> {
         map: impl Fn(&HingeKind, &[Expr<'g>], &[Expr<'g>]) -> Vec<Expr<'g>>,
     ) -> Program {
         let layout = self.layout;
-        let one = |(index, hinge): (usize, &Hinge)| {
+        let one = |(index, hinge): (HingeId, &Hinge)| {
             if hinge.is_prescribed() {
                 return Vec::new();
             }
             map(&hinge.kind, &self.q[layout.q[index].clone()], &self.v[layout.v[index].clone()])
         };
-        let outputs = self.chain.hinges.iter().enumerate().flat_map(one).collect();
+        let outputs = self.chain.hinges.enumerate().flat_map(one).collect();
         self.program(Stage::State, &Trace::new(), &[outputs], &[], setup)
     }
 
@@ -264,7 +266,7 @@ impl<'a, 'g> Scene<'a, 'g> {
             pivots.iter().map(|pivot| pivot.value).collect(),
             pivots.iter().map(|pivot| pivot.scale).collect(),
         ];
-        (groups, pivots.iter().map(|pivot| self.merged.links[pivot.link].hinge).collect())
+        (groups, pivots.iter().map(|pivot| self.merged.links[LinkId(pivot.link)].hinge).collect())
     }
 
     fn start(&self, setup: &mut Setup) -> Program {
@@ -281,7 +283,7 @@ impl<'a, 'g> Scene<'a, 'g> {
         let checks = checks::of(self.chain);
         let mut trace = Trace::new();
         trace.section("derived", "Quantities derived from parameters and constants", "");
-        let mut group = |part: Option<usize>| {
+        let mut group = |part: Option<RepeatId>| {
             let mut slots = Vec::new();
             for (name, edge) in setup.values(part) {
                 let value = self.graph.expr(edge);
@@ -292,7 +294,7 @@ impl<'a, 'g> Scene<'a, 'g> {
         };
         let once = group(None);
         let parts: Vec<Vec<Expr<'g>>> =
-            (0..self.chain.repeats.len()).map(|part| group(Some(part))).collect();
+            self.chain.repeats.ids().into_iter().map(|part| group(Some(part))).collect();
         let checked = checks.iter().map(|check| self.numbers.scalar(&check.value)).collect();
         let groups: Vec<Vec<Expr<'g>>> = [once, checked].into_iter().chain(parts).collect();
         let program = self.program(Stage::Setup, &trace, &groups, &[], &mut Setup::default());

@@ -2,7 +2,7 @@
 
 use crate::equations::{Numbers, Point, Seen};
 use crate::expr::{Edge, Expr, Graph};
-use crate::model::{Body, Chain, Dimension, Element, Results};
+use crate::model::{Body, Chain, Dimension, Element, RepeatId, Results};
 use std::collections::HashMap;
 
 /// A vector among the numbers of all points.
@@ -45,7 +45,7 @@ pub struct PointPlaces {
 #[derive(Clone, Debug, Default)]
 pub struct Places {
     /// How many numbers each piece has, and its repeated part.
-    pub pieces: Vec<(usize, Option<usize>)>,
+    pub pieces: Vec<(usize, Option<RepeatId>)>,
     /// The points of the model.
     pub points: Vec<PointPlaces>,
 }

@@ -114,7 +114,7 @@ fn derive(plan: &Plan) -> TokenStream {
     let program = &plan.programs.setup;
     let checked = parameters::checked(plan);
     let parts = sealed::parts(plan);
-    let own = parts.iter().map(|(part, spread)| (2 + part, spread.clone()));
+    let own = parts.iter().map(|(part, spread)| (2 + part.index(), spread.clone()));
     let targets: Vec<Target> = std::iter::once((1, checked.clone()))
         .chain(own)
         .map(|(group, spread)| Target::new(group, spread))
@@ -122,7 +122,7 @@ fn derive(plan: &Plan) -> TokenStream {
     let block = plan.setup_block(program, &targets);
     let (statements, slots, checks) = (&block.statements, &block.arrays[0], &block.arrays[1]);
     let check_count = usize_literal(checked.total);
-    let arrays = parts.iter().map(|(part, _)| block.arrays[2 + part].clone());
+    let arrays = parts.iter().map(|(part, _)| block.arrays[2 + part.index()].clone());
     let constants = plan.surface.constants.iter();
     let evaluate = (!plan.surface.constants.is_empty()).then(|| {
         let count = Literal::usize_unsuffixed(plan.surface.constants.len());

@@ -7,6 +7,7 @@ use super::names::{Variables, helper};
 use super::sealed;
 use super::spread::{Piece, Spread};
 use crate::compile::groups;
+use crate::model::RepeatId;
 use crate::program::{Block, Loop, Name, Operand, Program};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -200,8 +201,8 @@ impl Plan<'_> {
     }
 
     /// How the slots of a repeated part lie in their array; nothing if it has none.
-    pub fn slots_of_part(&self, part: usize) -> Option<Spread> {
-        let count = self.programs.setup.outputs.get(2 + part)?.len();
+    pub fn slots_of_part(&self, part: RepeatId) -> Option<Spread> {
+        let count = self.programs.setup.outputs.get(2 + part.index())?.len();
         (count > 0).then(|| Spread::each(count, part, self.chain.repeats[part].count))
     }
 

@@ -18,7 +18,11 @@ pub fn of_state(plan: &Plan) -> Vec<String> {
         ]);
     }
     let (q, v) = (Spread::coordinates(plan), Spread::freedoms(plan));
-    let rows: Vec<String> = (0..plan.chain.hinges.len())
+    let rows: Vec<String> = plan
+        .chain
+        .hinges
+        .ids()
+        .into_iter()
         .filter_map(|hinge| {
             let name = &plan.chain.hinges[hinge].name;
             let repeat = plan.chain.repeat_of_hinge(hinge);

@@ -15,7 +15,7 @@ fn quaternion_of(kind: &HingeKind) -> Option<usize> {
 
 /// The hinges whose quaternion is in the state, each with its place in the model.
 fn in_state(plan: &Plan) -> Vec<(HingeId, usize)> {
-    let hinges = plan.chain.hinges.iter().enumerate();
+    let hinges = plan.chain.hinges.enumerate();
     let free = hinges.filter(|(_, hinge)| !hinge.is_prescribed());
     let place =
         |index: HingeId, kind| quaternion_of(kind).map(|first| plan.layout.q[index].start + first);

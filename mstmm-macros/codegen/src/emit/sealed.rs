@@ -6,6 +6,7 @@
 use super::Plan;
 use super::looped::usize_literal;
 use super::spread::Spread;
+use crate::model::RepeatId;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -32,9 +33,9 @@ pub fn paired(once: TokenStream, parts: impl Iterator<Item = TokenStream>) -> To
 }
 
 /// Repeated parts of which something is known since setup, and how it lies in its array.
-pub fn parts(plan: &Plan) -> Vec<(usize, Spread)> {
-    let part = |part: usize| Some((part, plan.slots_of_part(part)?));
-    (0..plan.chain.repeats.len()).filter_map(part).collect()
+pub fn parts(plan: &Plan) -> Vec<(RepeatId, Spread)> {
+    let part = |part: RepeatId| Some((part, plan.slots_of_part(part)?));
+    plan.chain.repeats.ids().into_iter().filter_map(part).collect()
 }
 
 /// All arrays of a chain.
@@ -48,7 +49,7 @@ pub fn once(plan: &Plan, owner: &TokenStream) -> TokenStream {
 }
 
 /// The array of a repeated part that has one.
-pub fn of_part(plan: &Plan, owner: &TokenStream, part: usize) -> TokenStream {
+pub fn of_part(plan: &Plan, owner: &TokenStream, part: RepeatId) -> TokenStream {
     let before = parts(plan).iter().filter(|(other, _)| *other < part).count();
     array(plan, owner, 1 + before)
 }

@@ -1,7 +1,7 @@
 //! Where numbers lie in arrays: those of a repeated part once for every time.
 
 use super::Plan;
-use crate::model::Element;
+use crate::model::{Element, HingeId, RepeatId};
 
 /// An array that holds numbers of all hinges, or of all connection points.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,13 +22,13 @@ pub struct Piece {
     /// Where they begin in the array.
     pub place: usize,
     /// The repeated part that they belong to.
-    pub repeat: Option<usize>,
+    pub repeat: Option<RepeatId>,
     /// How often they stand there.
     pub times: usize,
 }
 
 impl Spread {
-    fn of(plan: &Plan, items: impl Iterator<Item = (usize, Option<usize>)>) -> Self {
+    fn of(plan: &Plan, items: impl Iterator<Item = (usize, Option<RepeatId>)>) -> Self {
         let mut pieces: Vec<Piece> = Vec::new();
         let (mut first, mut place) = (0, 0);
         for (count, repeat) in items.filter(|(count, _)| *count > 0) {
@@ -58,8 +58,8 @@ impl Spread {
         Spread::of_hinges(plan, |hinge| plan.layout.rates[hinge].len())
     }
 
-    fn of_hinges(plan: &Plan, count: impl Fn(usize) -> usize) -> Self {
-        let hinges = 0..plan.chain.hinges.len();
+    fn of_hinges(plan: &Plan, count: impl Fn(HingeId) -> usize) -> Self {
+        let hinges = plan.chain.hinges.ids().into_iter();
         Spread::of(plan, hinges.map(|hinge| (count(hinge), plan.chain.repeat_of_hinge(hinge))))
     }
 
@@ -78,13 +78,13 @@ impl Spread {
     }
 
     /// So many numbers for every time of one repeated part.
-    pub fn each(count: usize, repeat: usize, times: usize) -> Self {
+    pub fn each(count: usize, repeat: RepeatId, times: usize) -> Self {
         let piece = Piece { first: 0, count, place: 0, repeat: Some(repeat), times };
         Spread { total: count * times, pieces: vec![piece] }
     }
 
     /// Numbers each of which may belong to a repeated part.
-    pub fn of_parts(plan: &Plan, parts: impl Iterator<Item = Option<usize>>) -> Self {
+    pub fn of_parts(plan: &Plan, parts: impl Iterator<Item = Option<RepeatId>>) -> Self {
         Spread::of(plan, parts.map(|part| (1, part)))
     }
 

@@ -4,7 +4,7 @@ use super::looped::usize_literal;
 use super::names::{accessor_mut, helper};
 use super::spread::Spread;
 use super::{Plan, orders, quaternions, repeated};
-use crate::model::{Element, Group};
+use crate::model::{Element, Group, HingeId};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
@@ -16,7 +16,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let doc = format!(" Coordinates and rates of [`{}`] at a time.", plan.names.chain);
     let coordinates = usize_literal(Spread::coordinates(plan).total);
     let freedoms = usize_literal(Spread::freedoms(plan).total);
-    let accessors = (0..plan.chain.hinges.len()).map(|index| accessors(plan, index));
+    let accessors = plan.chain.hinges.ids().into_iter().map(|index| accessors(plan, index));
     let rest = rest(plan);
     let order = orders::of_state(plan);
     quote! {
@@ -108,7 +108,7 @@ fn rest(plan: &Plan) -> TokenStream {
 }
 
 /// The views of one hinge's coordinates, for reading and for writing.
-fn accessors(plan: &Plan, index: usize) -> TokenStream {
+fn accessors(plan: &Plan, index: HingeId) -> TokenStream {
     let mstmm = &plan.mstmm;
     let hinge = &plan.chain.hinges[index];
     if hinge.is_prescribed() {

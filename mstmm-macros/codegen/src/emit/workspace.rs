@@ -4,7 +4,7 @@ use super::looped::usize_literal;
 use super::spread::Spread;
 use super::{Plan, body, docs, orders, places, repeated, solution};
 use crate::compile::groups;
-use crate::model::{BodyId, Dimension, Element, Hinge, Results};
+use crate::model::{BodyId, Dimension, Element, Hinge, HingeId, Results};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
@@ -241,7 +241,7 @@ fn body(plan: &Plan, index: BodyId, place: usize) -> TokenStream {
     }
 }
 
-fn hinge(plan: &Plan, index: usize, place: usize) -> TokenStream {
+fn hinge(plan: &Plan, index: HingeId, place: usize) -> TokenStream {
     let mstmm = &plan.mstmm;
     let Hinge { name, kind, .. } = &plan.chain.hinges[index];
     let visibility = &plan.surface.visibility;

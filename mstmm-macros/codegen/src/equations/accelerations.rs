@@ -8,8 +8,9 @@ use super::problem::{Demand, Movement, Problem};
 use super::redistribution::redistribute;
 use super::transmitted::transmitted;
 use super::{Axes, Situation, Trace, motion, riccati, transfer};
+use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Wrench};
-use crate::model::Method;
+use crate::model::{HingeId, LinkId, Method};
 
 /// A number that must be positive if the accelerations are to mean anything.
 #[derive(Clone, Copy, Debug)]
@@ -62,7 +63,7 @@ pub struct Swept<S> {
     /// The axes that they are in.
     pub axes: Axes,
     /// By hinges; nothing of one that closes the chain, and of a weld between merged bodies.
-    pub behind: Vec<Option<Behind<S>>>,
+    pub behind: IdVec<HingeId, Option<Behind<S>>>,
 }
 
 /// Solves for the accelerations of all hinges.
@@ -88,7 +89,7 @@ pub fn sweep<S: Scalar>(
     // What is given to parents would be missing in the wrenches.
     solve(situation, (method, axes, false), trace, |problem, movement, trace| {
         let wrenches = transmitted(problem, movement, trace);
-        let mut behind = vec![None; situation.chain.hinges.len()];
+        let mut behind = IdVec::filled(None, situation.chain.hinges.len());
         for ((link, &felt), wrench) in problem.links.iter().zip(&movement.points).zip(wrenches) {
             behind[link.over.hinge] = Some(Behind { felt, wrench });
         }
@@ -106,7 +107,7 @@ fn solve<S: Scalar, R>(
 ) -> (Solved<S>, R) {
     let mut links = motion(situation, axes, trace);
     let closing = closing(situation, axes, &links);
-    let stays = |link| situation.layout.is_at_seam(link);
+    let stays = |link| situation.layout.is_at_seam(LinkId(link));
     let given = to_parents.then(|| redistribute(&mut links, stays, trace));
     let problem = Problem { given, ..forces(situation, &links, closing.as_ref()) };
     let (movement, pivots) = match method {

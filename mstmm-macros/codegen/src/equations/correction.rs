@@ -11,7 +11,7 @@ use super::motion::{Drift, LinkMotion};
 use super::problem::{Demand, Movement, Problem};
 use super::{Axes, Situation, Trace, motion, riccati};
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
-use crate::model::{Chain, Hinge, Layout};
+use crate::model::{Chain, Hinge, HingeId, Layout};
 
 /// What brings a chain back onto its closure.
 #[derive(Clone, Debug)]
@@ -55,7 +55,7 @@ pub fn correction<S: Scalar>(
 
 /// Coordinates that have been moved along the rates.
 pub fn moved<S: Scalar>(chain: &Chain, layout: &Layout, q: &[S], along: &[S]) -> Vec<S> {
-    let one = |(index, hinge): (usize, &Hinge)| {
+    let one = |(index, hinge): (HingeId, &Hinge)| {
         if hinge.is_prescribed() {
             return Vec::new();
         }
@@ -64,7 +64,7 @@ pub fn moved<S: Scalar>(chain: &Chain, layout: &Layout, q: &[S], along: &[S]) ->
         let moved: Vec<S> = q.iter().zip(change).map(|(&q, change)| q + change).collect();
         normalized(&hinge.kind, &moved)
     };
-    chain.hinges.iter().enumerate().flat_map(one).collect()
+    chain.hinges.enumerate().flat_map(one).collect()
 }
 
 /// From where the closing hinge arrives to where it should: a shift and a turn.

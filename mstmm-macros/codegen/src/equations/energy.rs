@@ -6,7 +6,7 @@ use super::load::{poses, spring_energy};
 use super::redistribution::redistribute;
 use super::{Axes, Situation, Trace, motion};
 use crate::math::{Scalar, Vec3};
-use crate::model::Source;
+use crate::model::{LinkId, Source};
 
 /// The energy of a chain in J.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +30,7 @@ pub struct Energy<S> {
 pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Energy<S> {
     // First moments and inertias are constant in body axes.
     let mut links = motion(situation, Axes::Body, trace);
-    redistribute(&mut links, |link| situation.layout.is_at_seam(link), trace);
+    redistribute(&mut links, |link| situation.layout.is_at_seam(LinkId(link)), trace);
     trace.section("energy", "Energy", "");
     let half = S::number(0.5);
     let gravity = match &situation.chain.gravity {

@@ -4,7 +4,7 @@ use super::Situation;
 use super::motion::{LinkMotion, link_of};
 use super::passage::Bundle;
 use crate::math::{Mat3, Rotation, Scalar, Vec3, Wrench};
-use crate::model::{BodyId, Driven, Load, LoadAxes, Source, Spring};
+use crate::model::{BodyId, Driven, Load, LoadAxes, LoadId, Source, Spring};
 
 /// Where a link's part is.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +61,7 @@ pub fn loads<S: Scalar>(situation: &Situation<S>, links: &[LinkMotion<S>]) -> Ve
             all[link] = all[link] + wrench(link);
         }
     };
-    for (index, load) in chain.loads.iter().enumerate() {
+    for (index, load) in chain.loads.enumerate() {
         add(load.body, &|link| load_on(situation, (index, load), &links[link], &poses[link]));
     }
     for spring in &chain.springs {
@@ -72,7 +72,7 @@ pub fn loads<S: Scalar>(situation: &Situation<S>, links: &[LinkMotion<S>]) -> Ve
 
 fn load_on<S: Scalar>(
     situation: &Situation<S>,
-    (index, load): (usize, &Load),
+    (index, load): (LoadId, &Load),
     link: &LinkMotion<S>,
     pose: &Pose<S>,
 ) -> Wrench<S> {

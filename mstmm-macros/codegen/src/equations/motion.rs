@@ -4,7 +4,7 @@
 use super::hinge::{self, Freedom, Passives, WorkAxes};
 use super::{Situation, Trace};
 use crate::math::{Mat3, Motion, Rotation, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
-use crate::model::{Chain, Hinge, HingeId, Link, Part, Place};
+use crate::model::{Chain, Hinge, HingeId, Link, LinkId, Part, Place};
 
 /// The axes in which the equations of the links are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -173,7 +173,7 @@ fn link_motion<S: Scalar>(
     link: &Link,
     links: &[LinkMotion<S>],
 ) -> LinkMotion<S> {
-    let parent = link.parent.map(|parent| &links[parent]);
+    let parent = link.parent.map(|parent| &links[parent.index()]);
     let over = cross(situation, axes, (link.hinge, link.reversed), parent);
     let (_, to) = sides(situation.chain, link);
     let (_, point, rotation) = situation.place(to);
@@ -183,7 +183,7 @@ fn link_motion<S: Scalar>(
     let rigid = rigid_part(situation, link, to, point);
     LinkMotion {
         name: situation.chain.bodies[link.body].name.to_string(),
-        parent: link.parent,
+        parent: link.parent.map(LinkId::index),
         point,
         attitude,
         omega: carried + over.relative.angular,
@@ -308,6 +308,6 @@ pub(super) fn sides<'a>(chain: &'a Chain, link: &Link) -> (&'a Place, &'a Place)
 pub(super) fn link_of(part: Part) -> Option<usize> {
     match part {
         Part::Ground => None,
-        Part::Link(link) => Some(link),
+        Part::Link(link) => Some(link.index()),
     }
 }

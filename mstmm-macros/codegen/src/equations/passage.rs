@@ -5,15 +5,15 @@
 //! what any time hands to the next one, and what it carries out by unknowns for what the last leaves.
 
 use crate::math::Scalar;
-use crate::model::{Layout, Seam};
+use crate::model::{Layout, LinkId, RepeatId, Seam};
 use std::fmt::Debug;
 
 /// Replaces what sweeps carry over seams.
 pub trait Weave<S>: Debug {
     /// What any time begins with, for what the first one does.
-    fn enter(&self, repeat: usize, inwards: bool, first: &[S]) -> Vec<S>;
+    fn enter(&self, repeat: RepeatId, inwards: bool, first: &[S]) -> Vec<S>;
     /// What the last time ends with, for what any one does.
-    fn leave(&self, repeat: usize, any: &[S]) -> Vec<S>;
+    fn leave(&self, repeat: RepeatId, any: &[S]) -> Vec<S>;
 }
 
 /// The seams of a chain, and what happens there.
@@ -36,12 +36,12 @@ impl<'a, S: Scalar> Passage<'a, S> {
 
     /// Whether a link's hinge is where a repeated part begins or ends.
     pub fn is_seam(&self, link: usize) -> bool {
-        self.layout.links[link].seam.is_some()
+        self.layout.links[LinkId(link)].seam.is_some()
     }
 
     /// Whether a link's hinge belongs to a repeated part that is run once for all times.
     pub fn is_repeated(&self, link: usize) -> bool {
-        self.weave.is_some() && self.layout.links[link].repeated
+        self.weave.is_some() && self.layout.links[LinkId(link)].repeated
     }
 
     /// What an outward sweep goes on with behind a link.
@@ -56,7 +56,7 @@ impl<'a, S: Scalar> Passage<'a, S> {
 
     fn cross<B: Bundle<S>>(&self, link: usize, inwards: bool, carried: B) -> B {
         let (Some(Seam { repeat, at_end }), Some(weave)) =
-            (self.layout.links[link].seam, self.weave)
+            (self.layout.links[LinkId(link)].seam, self.weave)
         else {
             return carried;
         };

@@ -6,11 +6,12 @@
 
 use super::closing::{Closing, closing};
 use super::load::{Pose, loads, poses};
-use super::motion::{Crossed, LinkMotion};
+use super::motion::{Crossed, LinkMotion, link_of};
 use super::spots::{Spot, spots};
 use super::{Behind, Situation, Solved, Swept, Trace, motion};
+use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
-use crate::model::{Dimension, HingeId, Part};
+use crate::model::{Dimension, HingeId, LinkId};
 
 /// A vector, and the axes that its components are seen in.
 #[derive(Clone, Copy, Debug)]
@@ -87,7 +88,7 @@ pub fn report<S: Scalar>(
         (closing, reaction.wrench.turned(&Rotation::general(attitude * rotation)))
     });
     let wrenches = wrenches(situation, &links, &felt, swept, closed);
-    let mut hinges: Vec<Option<Transmitting<S>>> =
+    let mut hinges: IdVec<HingeId, Option<Transmitting<S>>> =
         situation.chain.hinges.iter().map(|_| None).collect();
     for (index, (link, &wrench)) in links.iter().zip(&wrenches).enumerate() {
         hinges[link.over.hinge] = Some(Transmitting::over(situation, index, link, wrench));
@@ -119,7 +120,7 @@ fn rate_accelerations<S: Scalar>(situation: &Situation<S>, free: &[S]) -> Vec<S>
         Some(given) => given.to_vec(),
         None => free[situation.layout.v[hinge].clone()].to_vec(),
     };
-    (0..situation.chain.hinges.len()).flat_map(of).collect()
+    situation.chain.hinges.ids().into_iter().flat_map(of).collect()
 }
 
 /// What is felt at all links' points: of bodies welded to others, by way of those.
@@ -203,7 +204,7 @@ impl<S: Scalar> Transmitting<S> {
         link: &LinkMotion<S>,
         on_child: Wrench<S>,
     ) -> Self {
-        let (place, over) = (&situation.layout.links[index], link.over.clone());
+        let (place, over) = (&situation.layout.links[LinkId(index)], link.over.clone());
         let (axes, at_child, offset) = match place.seam {
             Some(_) => (link.parent, on_child.turned(&over.to_parent), over.offset),
             None => (Some(index), on_child, over.to_parent.back(over.offset)),
@@ -231,7 +232,7 @@ impl<S: Scalar> Transmitting<S> {
 /// along it of itself.
 fn efforts<S: Scalar>(
     situation: &Situation<S>,
-    hinges: &[Option<Transmitting<S>>],
+    hinges: &IdVec<HingeId, Option<Transmitting<S>>>,
     accelerations: &[S],
 ) -> Vec<S> {
     let of = |(index, transmitting): (HingeId, &Option<Transmitting<S>>)| {
@@ -246,7 +247,7 @@ fn efforts<S: Scalar>(
         let less = rotors.iter().zip(&over.passives.efforts);
         taken.zip(less).map(|(taken, (&rotor, &passive))| taken + rotor - passive).collect()
     };
-    hinges.iter().enumerate().flat_map(of).collect()
+    hinges.enumerate().flat_map(of).collect()
 }
 
 /// What the connection points are read off.
@@ -255,14 +256,14 @@ struct Sheet<'a, S> {
     links: &'a [LinkMotion<S>],
     poses: &'a [Pose<S>],
     felt: &'a [Motion<S>],
-    hinges: &'a [Option<Transmitting<S>>],
+    hinges: &'a IdVec<HingeId, Option<Transmitting<S>>>,
 }
 
 impl<S: Scalar> Sheet<'_, S> {
     fn point(&self, spot: &Spot) -> Point<S> {
         let (part, origin, rotation) = self.situation.place(&spot.place);
         let (force, moment) = self.transmitted(spot);
-        let Part::Link(index) = part else {
+        let Some(index) = link_of(part) else {
             let none = self.seen(None, Vec3::zero());
             return Point {
                 position: origin,

@@ -2,6 +2,7 @@
 
 use super::closure::{Linkage, Rank};
 use super::{Numbers, Passage, Weave};
+use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Scalar, Vec3};
 use crate::model::{
     BodyId, Chain, ClosureRank, Drive, Driven, Effort, Element, Frame, HingeId, Joined, Layout,
@@ -10,6 +11,9 @@ use crate::model::{
 
 /// Roundings of a closing hinge's direction on its way over a link, in units in the last place.
 const ROUNDINGS: f64 = 8.0;
+
+/// Origin and rotation of a frame in another one.
+type Attached<S> = (Vec3<S>, Mat3<S>);
 
 /// A chain in a given state.
 #[derive(Clone, Debug)]
@@ -31,7 +35,7 @@ pub struct Situation<'a, S> {
     /// What happens at the seams of repeated parts.
     pub passage: Passage<'a, S>,
     /// Every body's frame in that of its part.
-    frames: Vec<(Vec3<S>, Mat3<S>)>,
+    frames: IdVec<BodyId, Attached<S>>,
 }
 
 impl<'a, S: Scalar> Situation<'a, S> {
@@ -43,7 +47,7 @@ impl<'a, S: Scalar> Situation<'a, S> {
         (q, v, inputs): (&'a [S], &'a [S], &'a [S]),
     ) -> Self {
         let passage = Passage::plain(layout);
-        let (implicit, frames) = (None, Vec::new());
+        let (implicit, frames) = (None, IdVec::new());
         let mut situation =
             Situation { chain, layout, numbers, q, v, inputs, implicit, passage, frames };
         situation.frames = situation.part_frames();
@@ -61,9 +65,9 @@ impl<'a, S: Scalar> Situation<'a, S> {
     }
 
     /// The frames of merged bodies, each behind those that it is welded to.
-    fn part_frames(&self) -> Vec<(Vec3<S>, Mat3<S>)> {
-        let mut frames = vec![None; self.chain.bodies.len()];
-        for body in 0..frames.len() {
+    fn part_frames(&self) -> IdVec<BodyId, Attached<S>> {
+        let mut frames = IdVec::filled(None, self.chain.bodies.len());
+        for body in frames.ids() {
             let mut open = vec![body];
             while let Some(&last) = open.last() {
                 match self.frame_behind(last, &frames) {
@@ -83,8 +87,8 @@ impl<'a, S: Scalar> Situation<'a, S> {
     fn frame_behind(
         &self,
         body: BodyId,
-        known: &[Option<(Vec3<S>, Mat3<S>)>],
-    ) -> Result<(Vec3<S>, Mat3<S>), BodyId> {
+        known: &IdVec<BodyId, Option<Attached<S>>>,
+    ) -> Result<Attached<S>, BodyId> {
         let identity = (Vec3::zero(), Mat3::identity());
         let Some(Joined { weld, reversed }) = self.layout.joined[body] else { return Ok(identity) };
         let hinge = &self.chain.hinges[weld];

@@ -36,7 +36,7 @@ pub fn spots<S>(situation: &Situation<S>) -> Vec<Spot> {
             }
             Element::Body(index) => {
                 let output = Place::Output(index);
-                let last = chain.hinges.iter().position(|hinge| {
+                let last = chain.hinges.position(|hinge| {
                     hinge.inboard == output && chain.seam(&hinge.outboard).is_some()
                 });
                 (

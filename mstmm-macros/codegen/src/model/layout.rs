@@ -1,7 +1,11 @@
 //! Where things lie: the order in which motion spreads from the ground, and the places of every
 //! hinge's numbers in the coordinates `q`, the rates `v` and the inputs.
 
-use super::{BodyId, Chain, Drive, Effort, Hinge, HingeId, HingeKind, Load, Place, Seam, Source};
+use super::{
+    BodyId, Chain, Drive, Effort, Hinge, HingeId, HingeKind, InputId, LinkId, Load, LoadId, Place,
+    RepeatId, Seam, Source,
+};
+use crate::ids::IdVec;
 use proc_macro2::Ident;
 use quote::format_ident;
 use std::collections::BTreeSet;
@@ -17,7 +21,7 @@ pub struct Link {
     /// All bodies of the part, that one first: the others are welded to it.
     pub members: Vec<BodyId>,
     /// The link of the part on the hinge's other side; none if that is the ground.
-    pub parent: Option<usize>,
+    pub parent: Option<LinkId>,
     /// Whether the part is on the inboard side of its hinge, as in a chain held at its end.
     pub reversed: bool,
     /// Whether it is a place where a repeated part begins or ends.
@@ -32,7 +36,7 @@ pub enum Part {
     /// What does not move.
     Ground,
     /// The part of this link.
-    Link(usize),
+    Link(LinkId),
 }
 
 /// A weld that was merged away.
@@ -48,21 +52,21 @@ pub struct Joined {
 #[derive(Clone, Debug)]
 pub struct Layout {
     /// From the ground outwards: each link stands after its parent.
-    pub links: Vec<Link>,
+    pub links: IdVec<LinkId, Link>,
     /// Hinges that close loops: both sides move already without them.
     pub closings: Vec<HingeId>,
     /// What each body belongs to.
-    pub parts: Vec<Part>,
+    pub parts: IdVec<BodyId, Part>,
     /// The weld by which a body joined its part, unless it is the part's first.
-    pub joined: Vec<Option<Joined>>,
+    pub joined: IdVec<BodyId, Option<Joined>>,
     /// Each hinge's part of `q`; empty where its motion is prescribed.
-    pub q: Vec<Range<usize>>,
+    pub q: IdVec<HingeId, Range<usize>>,
     /// Each hinge's part of `v`; empty where its motion is prescribed.
-    pub v: Vec<Range<usize>>,
+    pub v: IdVec<HingeId, Range<usize>>,
     /// Each hinge's part of what is reported of rates: accelerations and efforts.
-    pub rates: Vec<Range<usize>>,
+    pub rates: IdVec<HingeId, Range<usize>>,
     /// What the caller gives at every step, in the order of the inputs.
-    pub inputs: Vec<Input>,
+    pub inputs: IdVec<InputId, Input>,
 }
 
 /// Something that the caller gives at every step.
@@ -84,9 +88,9 @@ pub enum Driven {
     /// Coordinates, rates and accelerations of a hinge.
     Motion(HingeId),
     /// The force of a load.
-    Force(usize),
+    Force(LoadId),
     /// The torque of a load.
-    Torque(usize),
+    Torque(LoadId),
 }
 
 impl Layout {
@@ -124,19 +128,19 @@ impl Layout {
     }
 
     /// Whether a link's hinge, or its parent's, is on a seam.
-    pub fn is_at_seam(&self, link: usize) -> bool {
-        let is_seam = |link: usize| self.links[link].seam.is_some();
+    pub fn is_at_seam(&self, link: LinkId) -> bool {
+        let is_seam = |link: LinkId| self.links[link].seam.is_some();
         is_seam(link) || self.links[link].parent.is_some_and(is_seam)
     }
 
     /// Length of `q`.
     pub fn coordinates(&self) -> usize {
-        self.q.last().map_or(0, |range| range.end)
+        self.q.iter().last().map_or(0, |range| range.end)
     }
 
     /// Length of `v`: the degrees of freedom, but for those that closures take.
     pub fn freedoms(&self) -> usize {
-        self.v.last().map_or(0, |range| range.end)
+        self.v.iter().last().map_or(0, |range| range.end)
     }
 
     /// The part of the inputs that gives `what`; empty if that is not given.
@@ -154,7 +158,7 @@ impl Chain {
 
     /// What the field of the inputs is called that gives `what`.
     pub fn name_of_input(&self, what: Driven) -> Ident {
-        let of_load = |load: usize, what: &str| {
+        let of_load = |load: LoadId, what: &str| {
             let name = &self.loads[load].name;
             format_ident!("{name}_{what}", span = name.span())
         };
@@ -177,7 +181,7 @@ impl Place {
     }
 }
 
-fn consecutive(lengths: impl Iterator<Item = usize>) -> Vec<Range<usize>> {
+fn consecutive<C: FromIterator<Range<usize>>>(lengths: impl Iterator<Item = usize>) -> C {
     lengths
         .scan(0, |end, length| {
             let start = *end;
@@ -187,13 +191,13 @@ fn consecutive(lengths: impl Iterator<Item = usize>) -> Vec<Range<usize>> {
         .collect()
 }
 
-fn inputs(chain: &Chain) -> Vec<Input> {
+fn inputs(chain: &Chain) -> IdVec<InputId, Input> {
     let mut given: Vec<(Driven, usize)> = Vec::new();
     let (shifts, turns) = (chain.dimension.shifts().len(), chain.dimension.turns().len());
     if chain.gravity == Source::Input {
         given.push((Driven::Gravity, shifts));
     }
-    for (index, hinge) in chain.hinges.iter().enumerate() {
+    for (index, hinge) in chain.hinges.enumerate() {
         match &hinge.drive {
             Drive::Motion => {
                 let count = hinge.kind.coordinates() + 2 * hinge.kind.freedoms();
@@ -205,7 +209,7 @@ fn inputs(chain: &Chain) -> Vec<Input> {
             }
         }
     }
-    for (index, Load { force, torque, .. }) in chain.loads.iter().enumerate() {
+    for (index, Load { force, torque, .. }) in chain.loads.enumerate() {
         for (source, what, count) in
             [(force, Driven::Force(index), shifts), (torque, Driven::Torque(index), turns)]
         {
@@ -215,16 +219,16 @@ fn inputs(chain: &Chain) -> Vec<Input> {
         }
     }
     given.retain(|(_, count)| *count > 0);
-    let ranges = consecutive(given.iter().map(|(_, count)| *count));
+    let ranges: Vec<Range<usize>> = consecutive(given.iter().map(|(_, count)| *count));
     given.iter().zip(ranges).map(|(&(what, _), range)| Input { what, range }).collect()
 }
 
 /// How motion spreads from the ground.
 struct Tree {
-    links: Vec<Link>,
+    links: IdVec<LinkId, Link>,
     closings: Vec<HingeId>,
-    parts: Vec<Part>,
-    joined: Vec<Option<Joined>>,
+    parts: IdVec<BodyId, Part>,
+    joined: IdVec<BodyId, Option<Joined>>,
 }
 
 impl Tree {
@@ -237,9 +241,10 @@ impl Tree {
         };
         let is_free =
             |hinge: HingeId| !is_weld(hinge) && chain.seam(&chain.hinges[hinge].outboard).is_none();
-        let mut touching: Vec<Vec<HingeId>> = vec![Vec::new(); chain.bodies.len()];
+        let mut touching: IdVec<BodyId, Vec<HingeId>> =
+            IdVec::filled(Vec::new(), chain.bodies.len());
         let mut next: BTreeSet<(bool, HingeId)> = BTreeSet::new();
-        for hinge in 0..chain.hinges.len() {
+        for hinge in chain.hinges.ids() {
             for side in sides(hinge) {
                 match side {
                     Some(body) => touching[body].push(hinge),
@@ -247,10 +252,10 @@ impl Tree {
                 }
             }
         }
-        let mut reached: Vec<Option<Part>> = vec![None; chain.bodies.len()];
-        let (mut links, mut closings) = (Vec::<Link>::new(), Vec::new());
-        let mut joined = vec![None; chain.bodies.len()];
-        let mut inside: Option<usize> = None;
+        let mut reached: IdVec<BodyId, Option<Part>> = IdVec::filled(None, chain.bodies.len());
+        let (mut links, mut closings) = (IdVec::<LinkId, Link>::new(), Vec::new());
+        let mut joined = IdVec::filled(None, chain.bodies.len());
+        let mut inside: Option<RepeatId> = None;
         while let Some((_, hinge)) =
             pop(&mut next, |hinge| inside.is_none_or(|repeat| chain.lies_in_repeat(hinge, repeat)))
         {
@@ -277,8 +282,8 @@ impl Tree {
                     None => inside,
                 };
                 let (members, repeated) = (vec![body], chain.repeat_of_hinge(hinge).is_some());
-                links.push(Link { hinge, body, members, parent, reversed, seam, repeated });
-                Part::Link(links.len() - 1)
+                let link = Link { hinge, body, members, parent, reversed, seam, repeated };
+                Part::Link(links.push(link))
             } else {
                 if let Part::Link(link) = from {
                     links[link].members.push(body);

@@ -19,6 +19,7 @@ mod unrolled;
 mod uses;
 mod value;
 
+pub use crate::ids::{BodyId, HingeId, InputId, LinkId, LoadId, RepeatId};
 pub use condition::{Condition, Must, Requirement};
 pub use hinge::{
     Coordinate, Drive, Effort, Form, Freedoms, Friction, Group, Hinge, HingeKind, Limits, Passive,
@@ -31,14 +32,10 @@ pub use results::Results;
 pub use value::{Symbol, Value};
 
 use crate::diag::Diagnostics;
+use crate::ids::{IdRange, IdVec};
 use crate::syntax::{ChainDef, References, Surface};
 use proc_macro2::Ident;
 use std::ops::Range;
-
-/// Index into [`Chain::bodies`].
-pub type BodyId = usize;
-/// Index into [`Chain::hinges`].
-pub type HingeId = usize;
 
 /// A chain in SI units, free of user errors.
 #[derive(Clone, Debug)]
@@ -54,22 +51,22 @@ pub struct Chain {
     /// How many constants are given as Rust paths: [`Symbol::Constant`] indexes them.
     pub constants: usize,
     /// The bodies on the route, in the order written.
-    pub bodies: Vec<Body>,
+    pub bodies: IdVec<BodyId, Body>,
     /// The hinges on the route, in the order written, behind the implied ones. A chain that starts
     /// and ends with a body floats: an implied hinge from the ground to the input of the first
     /// body leaves it everything that its dimension has, under the first body's name. A moving end
     /// is a massless body behind an implied hinge from the ground that is driven by a prescribed
     /// motion, both under the end's name.
-    pub hinges: Vec<Hinge>,
+    pub hinges: IdVec<HingeId, Hinge>,
     /// The elements in the order written, without implied hinges and moving ends.
     pub route: Vec<Element>,
     /// What acts on bodies from outside, in the order written.
-    pub loads: Vec<Load>,
+    pub loads: IdVec<LoadId, Load>,
     /// Springs from bodies to the ground, in the order written.
     pub springs: Vec<Spring>,
     /// Parts of the route that stand for several in a row, in the order written. Where one begins
     /// and where it ends a massless body is welded in, behind all other bodies and hinges.
-    pub repeats: Vec<Repeat>,
+    pub repeats: IdVec<RepeatId, Repeat>,
     /// The method that the user asked for, if any.
     pub method: Option<Method>,
     /// What its solution says.
@@ -170,9 +167,9 @@ pub struct Repeat {
     /// How many times, at least once.
     pub count: usize,
     /// Its hinges.
-    pub hinges: Range<HingeId>,
+    pub hinges: IdRange<HingeId>,
     /// Its bodies.
-    pub bodies: Range<BodyId>,
+    pub bodies: IdRange<BodyId>,
     /// Its elements in [`Chain::route`].
     pub route: Range<usize>,
 }
@@ -282,8 +279,8 @@ pub enum Role {
 /// Where a repeated part begins, or where it ends. What lies between is the same every time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Seam {
-    /// Index into [`Chain::repeats`].
-    pub repeat: usize,
+    /// The part.
+    pub repeat: RepeatId,
     /// Whether the part ends there.
     pub at_end: bool,
 }

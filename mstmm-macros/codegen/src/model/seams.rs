@@ -2,7 +2,8 @@
 //! shares with what is around it passes through there, so it is the same every time.
 
 use super::{
-    About, Body, BodyId, Chain, Frame, Hinge, HingeKind, Inertia, Place, Role, Seam, Value, Written,
+    About, Body, BodyId, Chain, Frame, Hinge, HingeId, HingeKind, Inertia, Place, RepeatId, Role,
+    Seam, Value, Written,
 };
 use super::{Drive, Driven, Element};
 use proc_macro2::Span;
@@ -10,15 +11,15 @@ use quote::format_ident;
 
 /// The chain with its seams.
 pub(super) fn with_seams(mut chain: Chain) -> Chain {
-    for repeat in 0..chain.repeats.len() {
+    for repeat in chain.repeats.ids() {
         let part = chain.repeats[repeat].clone();
-        let first = part.hinges.start;
-        let last = part.bodies.end - 1;
+        let first = part.hinges.first();
+        let last = part.bodies.last();
         let before = chain.hinges[first].inboard.clone();
         let start = add_seam(&mut chain, Seam { repeat, at_end: false }, before);
         chain.hinges[first].inboard = Place::Input(start);
         let behind = Place::Output(last);
-        let next = chain.hinges.iter().position(|hinge| hinge.inboard == behind);
+        let next = chain.hinges.position(|hinge| hinge.inboard == behind);
         let end = add_seam(&mut chain, Seam { repeat, at_end: true }, behind);
         if let Some(next) = next {
             chain.hinges[next].inboard = Place::Input(end);
@@ -30,10 +31,9 @@ pub(super) fn with_seams(mut chain: Chain) -> Chain {
 /// Welds a seam to a place.
 fn add_seam(chain: &mut Chain, seam: Seam, at: Place) -> BodyId {
     let word = if seam.at_end { "end" } else { "start" };
-    let name = format_ident!("{word}_of_repeat{}", seam.repeat, span = Span::call_site());
+    let name = format_ident!("{word}_of_repeat{}", seam.repeat.index(), span = Span::call_site());
     let zero = || Value::number(0.0);
-    let body = chain.bodies.len();
-    chain.bodies.push(Body {
+    let body = chain.bodies.push(Body {
         name: name.clone(),
         type_name: name.clone(),
         mass: zero(),
@@ -68,29 +68,29 @@ impl Chain {
     }
 
     /// The weld that joins a seam to what is before it.
-    pub fn weld_of(&self, seam: Seam) -> Option<usize> {
+    pub fn weld_of(&self, seam: Seam) -> Option<HingeId> {
         let is_it = |hinge: &Hinge| self.seam(&hinge.outboard) == Some(seam);
-        self.hinges.iter().position(is_it)
+        self.hinges.position(is_it)
     }
 
     /// The repeated part that a hinge belongs to.
-    pub fn repeat_of_hinge(&self, hinge: usize) -> Option<usize> {
-        self.repeats.iter().position(|repeat| repeat.hinges.contains(&hinge))
+    pub fn repeat_of_hinge(&self, hinge: HingeId) -> Option<RepeatId> {
+        self.repeats.position(|repeat| repeat.hinges.contains(hinge))
     }
 
     /// Whether a hinge belongs to a repeated part, or joins its end to it.
-    pub fn lies_in_repeat(&self, hinge: usize, repeat: usize) -> bool {
-        self.repeats[repeat].hinges.contains(&hinge)
+    pub fn lies_in_repeat(&self, hinge: HingeId, repeat: RepeatId) -> bool {
+        self.repeats[repeat].hinges.contains(hinge)
             || self.seam(&self.hinges[hinge].outboard) == Some(Seam { repeat, at_end: true })
     }
 
     /// The repeated part that a body belongs to.
-    pub fn repeat_of_body(&self, body: BodyId) -> Option<usize> {
-        self.repeats.iter().position(|repeat| repeat.bodies.contains(&body))
+    pub fn repeat_of_body(&self, body: BodyId) -> Option<RepeatId> {
+        self.repeats.position(|repeat| repeat.bodies.contains(body))
     }
 
     /// The repeated part that an input belongs to.
-    pub fn repeat_of_input(&self, what: Driven) -> Option<usize> {
+    pub fn repeat_of_input(&self, what: Driven) -> Option<RepeatId> {
         match what {
             Driven::Gravity => None,
             Driven::Efforts(hinge) | Driven::Motion(hinge) => self.repeat_of_hinge(hinge),

@@ -1,6 +1,7 @@
 //! A chain with its repeated parts written out.
 
-use super::{Body, Chain, Element, Hinge, Place, Role};
+use super::{Body, BodyId, Chain, Element, Hinge, HingeId, Place, Role};
+use crate::ids::IdVec;
 use std::ops::Range;
 
 impl Chain {
@@ -14,47 +15,47 @@ impl Chain {
     /// The same chain with its repeated parts written out, up to `most` times each. Nothing acts on
     /// bodies from outside there, and names stand more than once.
     pub fn unrolled(&self, most: usize) -> Chain {
-        let ends: Vec<usize> =
-            (0..self.bodies.len()).filter(|&body| self.bodies[body].role == Role::End).collect();
+        let is_end = |&body: &BodyId| self.bodies[body].role == Role::End;
+        let ends: Vec<BodyId> = self.bodies.ids().into_iter().filter(is_end).collect();
         let implied = self.hinges.len() - self.repeats.len() * 2 - self.hinges_on_route();
         let order = self.order(most);
         let bodies_on_route =
             order.iter().filter(|element| matches!(element, Element::Body(_))).count();
         // Where a body of the route's own order goes: nothing is joined to an earlier one.
-        let end = |body: usize| {
-            ends.iter().position(|&end| end == body).map(|number| bodies_on_route + number)
+        let end = |body: BodyId| {
+            let number = ends.iter().position(|&end| end == body)?;
+            Some(BodyId(bodies_on_route + number))
         };
-        let mut hinges: Vec<Hinge> = self.hinges[..implied].to_vec();
+        let mut hinges: IdVec<HingeId, Hinge> = self.hinges.iter().take(implied).cloned().collect();
         for hinge in &mut hinges {
-            let body = hinge.outboard.body().and_then(end).unwrap_or(0);
+            let body = hinge.outboard.body().and_then(end).unwrap_or(BodyId(0));
             hinge.outboard = Place::Input(body);
         }
-        let mut bodies: Vec<Body> = Vec::new();
+        let mut bodies: IdVec<BodyId, Body> = IdVec::new();
         let mut route = Vec::new();
         for (place, element) in order.iter().enumerate() {
             match *element {
                 Element::Body(body) => {
-                    route.push(Element::Body(bodies.len()));
-                    bodies.push(self.bodies[body].clone());
+                    route.push(Element::Body(bodies.push(self.bodies[body].clone())));
                 }
                 Element::Hinge(hinge) => {
-                    route.push(Element::Hinge(hinges.len()));
-                    let outer = |place: &Place, on: fn(usize) -> Place| match place.body() {
+                    let outer = |place: &Place, on: fn(BodyId) -> Place| match place.body() {
                         None => place.clone(),
-                        Some(body) => on(end(body).unwrap_or(0)),
+                        Some(body) => on(end(body).unwrap_or(BodyId(0))),
                     };
                     let written = &self.hinges[hinge];
                     let inboard = if place == 0 {
                         outer(self.before_seam(&written.inboard), Place::Output)
                     } else {
-                        Place::Output(bodies.len() - 1)
+                        Place::Output(bodies.ids().last())
                     };
                     let outboard = if place + 1 == order.len() {
                         outer(&written.outboard, Place::Input)
                     } else {
-                        Place::Input(bodies.len())
+                        Place::Input(BodyId(bodies.len()))
                     };
-                    hinges.push(Hinge { inboard, outboard, ..written.clone() });
+                    let hinge = Hinge { inboard, outboard, ..written.clone() };
+                    route.push(Element::Hinge(hinges.push(hinge)));
                 }
             }
         }
@@ -63,8 +64,8 @@ impl Chain {
             bodies,
             hinges,
             route,
-            repeats: Vec::new(),
-            loads: Vec::new(),
+            repeats: IdVec::new(),
+            loads: IdVec::new(),
             springs: Vec::new(),
             ..self.clone()
         }

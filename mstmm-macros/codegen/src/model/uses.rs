@@ -2,7 +2,7 @@
 
 use super::{
     Body, Chain, Drive, Effort, Frame, Friction, Hinge, HingeKind, Limits, Load, Passive, Place,
-    Source, Spring, Value,
+    RepeatId, Source, Spring, Value,
 };
 use crate::diag::Diagnostics;
 
@@ -33,7 +33,7 @@ pub(super) fn parameters_of_times_stay_in_their_part(chain: &Chain, diagnostics:
 
 impl Chain {
     /// The repeated part that a parameter belongs to.
-    pub fn repeat_of_parameter(&self, parameter: usize) -> Option<usize> {
+    pub fn repeat_of_parameter(&self, parameter: usize) -> Option<RepeatId> {
         self.parameters[parameter].times?;
         self.parts_that_use(parameter).into_iter().flatten().next()
     }
@@ -58,11 +58,11 @@ impl Chain {
     }
 
     /// The repeated parts in which a parameter is used, in their order; nothing stands for all else.
-    fn parts_that_use(&self, parameter: usize) -> Vec<Option<usize>> {
+    fn parts_that_use(&self, parameter: usize) -> Vec<Option<RepeatId>> {
         let used = |values: Vec<&Value>| values.into_iter().any(|value| value.uses(parameter));
-        let bodies = self.bodies.iter().enumerate();
+        let bodies = self.bodies.enumerate();
         let bodies = bodies.map(|(index, body)| (self.repeat_of_body(index), of_body(body)));
-        let hinges = self.hinges.iter().enumerate();
+        let hinges = self.hinges.enumerate();
         let hinges = hinges.map(|(index, hinge)| (self.repeat_of_hinge(index), of_hinge(hinge)));
         let loads = self.loads.iter();
         let loads = loads.map(|load| (self.repeat_of_body(load.body), of_load(load)));
@@ -71,7 +71,7 @@ impl Chain {
         let places = self.hinges.iter().map(|hinge| (None, of_places(hinge)));
         let gravity = std::iter::once((None, of_source(&self.gravity)));
         let all = bodies.chain(hinges).chain(loads).chain(springs).chain(places).chain(gravity);
-        let mut parts: Vec<Option<usize>> =
+        let mut parts: Vec<Option<RepeatId>> =
             all.filter(|(_, values)| used(values.clone())).map(|(part, _)| part).collect();
         parts.sort();
         parts

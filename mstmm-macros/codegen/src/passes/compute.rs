@@ -3,6 +3,7 @@
 use super::Home;
 use super::schedule::Scheduler;
 use crate::expr::{Edge, Node, NodeId};
+use crate::ids::RepeatId;
 use crate::program::{Name, Operand, Operation, Slot, Statement};
 
 impl Scheduler<'_> {
@@ -47,7 +48,7 @@ impl Scheduler<'_> {
     }
 
     /// The repeated part that a node belongs to.
-    fn part_of(&self, id: NodeId) -> Option<usize> {
+    fn part_of(&self, id: NodeId) -> Option<RepeatId> {
         match self.turns.home(id) {
             Home::Once(_) => None,
             Home::Turn(turn) => self.turns.all.get(turn).map(|turn| turn.repeat),

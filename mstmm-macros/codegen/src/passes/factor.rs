@@ -4,10 +4,16 @@
 use super::sums::Sums;
 use super::{Images, Turn};
 use crate::expr::{Edge, Expr, Graph, NodeId};
+use crate::ids::RepeatId;
 use crate::math::Scalar;
 
 /// Rewrites everything that `results` need.
-pub fn factor(graph: &Graph, results: &[Edge], turns: &[Turn], parts: &[Option<usize>]) -> Images {
+pub fn factor(
+    graph: &Graph,
+    results: &[Edge],
+    turns: &[Turn],
+    parts: &[Option<RepeatId>],
+) -> Images {
     let sums = Sums::of(graph, results, turns, parts);
     let mut images = Images::new(graph);
     for id in sums.nodes() {

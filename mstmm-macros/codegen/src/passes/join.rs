@@ -49,6 +49,7 @@ impl Turn {
 mod tests {
     use super::{Turn, join};
     use crate::expr::{Expr, Graph, Stage};
+    use crate::ids::RepeatId;
     use crate::passes::Carry;
 
     /// A loop with one number, entering as the unknown with this number and leaving as the next one.
@@ -56,7 +57,7 @@ mod tests {
         let (entering, leaving) = (number, number + 1);
         let next = graph.symbol(entering, Stage::State) + added;
         let carry = Carry { first: graph.edge(first), next: graph.edge(next), entering, leaving };
-        Turn { repeat: 0, inwards, carries: vec![carry] }
+        Turn { repeat: RepeatId(0), inwards, carries: vec![carry] }
     }
 
     #[test]
@@ -69,7 +70,7 @@ mod tests {
         assert_eq!(count(turn(&graph, true, 4, start, own)), 2);
         assert_eq!(count(turn(&graph, false, 4, left * own, own)), 2);
         assert_eq!(count(turn(&graph, false, 4, start, own * left)), 2);
-        assert_eq!(count(Turn { repeat: 1, ..turn(&graph, false, 4, start, own) }), 2);
+        assert_eq!(count(Turn { repeat: RepeatId(1), ..turn(&graph, false, 4, start, own) }), 2);
     }
 
     #[test]
@@ -83,7 +84,7 @@ mod tests {
             join(&graph, turns).iter().map(|turn| turn.carries.len()).collect()
         };
         assert_eq!(carries(&[first.clone(), second.clone(), third]), [2, 1]);
-        let empty = Turn { repeat: 1, inwards: true, carries: Vec::new() };
+        let empty = Turn { repeat: RepeatId(1), inwards: true, carries: Vec::new() };
         assert_eq!(carries(&[first, empty, second]), [2]);
     }
 }

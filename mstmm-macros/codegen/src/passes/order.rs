@@ -5,10 +5,16 @@ use super::arrivals::Arrivals;
 use super::sums::Sums;
 use super::{Home, Images, Turn};
 use crate::expr::{Edge, Expr, Graph, NodeId};
+use crate::ids::RepeatId;
 use crate::math::Scalar;
 
 /// Rewrites everything that `results` need.
-pub fn order(graph: &Graph, results: &[Edge], turns: &[Turn], parts: &[Option<usize>]) -> Images {
+pub fn order(
+    graph: &Graph,
+    results: &[Edge],
+    turns: &[Turn],
+    parts: &[Option<RepeatId>],
+) -> Images {
     let sums = Sums::of(graph, results, turns, parts);
     let nodes: Vec<NodeId> = sums.nodes().collect();
     let arrivals = Arrivals::of(graph, &nodes, |id| sums.home(id));

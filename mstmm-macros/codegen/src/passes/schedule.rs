@@ -6,6 +6,7 @@ use super::fuse::fused;
 use super::names::NodeNames;
 use super::{Home, Live, Setup, Turn, Turns};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
+use crate::ids::RepeatId;
 use crate::program::{Block, Name, Names, Operand, Program, Section, Slot, Statement};
 use std::collections::{HashMap, HashSet};
 
@@ -26,7 +27,7 @@ pub struct Unknowns<'a> {
     /// Their names by number; behind them come those that loops carry.
     pub names: &'a [String],
     /// Which of them belong to which repeated part.
-    pub parts: &'a [Option<usize>],
+    pub parts: &'a [Option<RepeatId>],
     /// Loops over repeated parts, in their order, with what they carry.
     pub turns: &'a [Turn],
 }

@@ -1,6 +1,7 @@
 //! Values that are known since setup.
 
 use crate::expr::{Edge, NodeId};
+use crate::ids::RepeatId;
 use std::collections::HashMap;
 
 /// The values that all programs of a chain share because they are known since setup: those that
@@ -8,7 +9,7 @@ use std::collections::HashMap;
 #[derive(Clone, Debug, Default)]
 pub struct Setup {
     once: Slots,
-    parts: HashMap<usize, Slots>,
+    parts: HashMap<RepeatId, Slots>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -20,7 +21,7 @@ struct Slots {
 
 impl Setup {
     /// The values in the order of their slots; `part` is the repeated part whose values are meant.
-    pub fn values(&self, part: Option<usize>) -> Vec<(&str, Edge)> {
+    pub fn values(&self, part: Option<RepeatId>) -> Vec<(&str, Edge)> {
         let slots = match part {
             None => Some(&self.once),
             Some(part) => self.parts.get(&part),
@@ -33,7 +34,7 @@ impl Setup {
     /// The slot of `node`, a new one under `name` if it has none yet, and its name.
     pub fn slot(
         &mut self,
-        part: Option<usize>,
+        part: Option<RepeatId>,
         node: NodeId,
         name: impl FnOnce(usize) -> String,
     ) -> (usize, &str) {

@@ -2,6 +2,7 @@
 
 use super::{Home, Live, Turn, Turns};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
+use crate::ids::RepeatId;
 
 /// The sums of formulas, with the sums in them taken apart.
 pub(super) struct Sums<'g> {
@@ -18,7 +19,7 @@ impl<'g> Sums<'g> {
         graph: &'g Graph,
         results: &[Edge],
         turns: &[Turn],
-        parts: &[Option<usize>],
+        parts: &[Option<RepeatId>],
     ) -> Self {
         let live = Live::of(graph, results.iter().copied());
         let turns = Turns::of(graph, &live, turns.to_vec(), parts);

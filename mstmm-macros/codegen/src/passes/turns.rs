@@ -2,12 +2,13 @@
 
 use super::Live;
 use crate::expr::{Edge, Graph, Node, NodeId};
+use crate::ids::{IdRange, RepeatId};
 
 /// A loop over a repeated part.
 #[derive(Clone, Debug)]
 pub struct Turn {
     /// Which part.
-    pub repeat: usize,
+    pub repeat: RepeatId,
     /// Whether it goes from the last time to the first.
     pub inwards: bool,
     /// What it carries.
@@ -49,12 +50,13 @@ pub struct Turns {
 impl Turns {
     /// The homes of all live nodes of `graph`; `parts` says which unknowns belong to which repeated
     /// part.
-    pub fn of(graph: &Graph, live: &Live, turns: Vec<Turn>, parts: &[Option<usize>]) -> Self {
+    pub fn of(graph: &Graph, live: &Live, turns: Vec<Turn>, parts: &[Option<RepeatId>]) -> Self {
         let mut all = turns;
         let with_unknowns = parts.iter().flatten().copied();
         let last = with_unknowns.chain(all.iter().map(|turn| turn.repeat)).max();
-        let count = last.map_or(0, |last| last + 1);
-        all.extend((0..count).map(|repeat| Turn { repeat, inwards: false, carries: Vec::new() }));
+        let count = last.map_or(0, |last| last.index() + 1);
+        let repeats = IdRange::from(0..count).into_iter();
+        all.extend(repeats.map(|repeat| Turn { repeat, inwards: false, carries: Vec::new() }));
         if all.is_empty() {
             return Turns { all, homes: Vec::new() };
         }
@@ -91,7 +93,7 @@ impl Turns {
 #[derive(Clone, Copy, Debug)]
 struct Place {
     /// Of which part it hangs on a single time.
-    repeat: Option<usize>,
+    repeat: Option<RepeatId>,
     /// The loops that come before the first in which it can be computed.
     earliest: usize,
 }
@@ -99,7 +101,7 @@ struct Place {
 impl Place {
     const START: Place = Place { repeat: None, earliest: 0 };
 
-    fn of_symbol(number: u32, turns: &[Turn], parts: &[Option<usize>]) -> Place {
+    fn of_symbol(number: u32, turns: &[Turn], parts: &[Option<RepeatId>]) -> Place {
         if let Some(&part) = parts.get(number as usize) {
             return Place { repeat: part, earliest: 0 };
         }

@@ -8,6 +8,8 @@ mod shown;
 pub use cost::{Cost, Headed, by_heading};
 pub use names::{Name, Names};
 
+use crate::ids::RepeatId;
+
 /// A program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
@@ -37,7 +39,7 @@ pub enum Block {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
     /// Which part.
-    pub repeat: usize,
+    pub repeat: RepeatId,
     /// Whether it goes from the last time to the first.
     pub inwards: bool,
     /// What it carries: they change from time to time, and keep their last value.

@@ -23,8 +23,8 @@ pub fn inputs(chain: &Chain, drives: &Drives) -> Vec<f64> {
     let of = |input: &Input| -> Vec<f64> {
         match input.what {
             Driven::Gravity => pick(&drives.gravity, shifts),
-            Driven::Force(load) => pick(&drives.loads[load].force, shifts),
-            Driven::Torque(load) => pick(&drives.loads[load].torque, turns),
+            Driven::Force(load) => pick(&drives.loads[load.index()].force, shifts),
+            Driven::Torque(load) => pick(&drives.loads[load.index()].torque, turns),
             Driven::Efforts(hinge) => motor(chain, &layout, hinge, &drives.efforts),
             Driven::Motion(hinge) => motion(chain, hinge, drives),
         }

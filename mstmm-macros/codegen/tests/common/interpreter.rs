@@ -134,7 +134,7 @@ impl Machine<'_> {
     }
 
     fn turn(&mut self, block: usize, turn: &Loop) {
-        let count = self.arguments.repetitions[turn.repeat];
+        let count = self.arguments.repetitions[turn.repeat.index()];
         self.stored[block] = vec![Vec::new(); count];
         for (group, place, _) in &turn.outputs {
             self.results[*group][*place] = vec![f64::NAN; count];
@@ -155,7 +155,7 @@ impl Machine<'_> {
     fn repetition(&mut self, block: usize, turn: &Loop) {
         let (time, arguments) = (self.time, self.arguments);
         self.read_slots(&turn.slots, |slot| {
-            arguments.repeated_slots[turn.repeat][slot.index][time]
+            arguments.repeated_slots[turn.repeat.index()][slot.index][time]
         });
         for (from, names) in &turn.loads {
             let Block::Loop(earlier) = &self.program.blocks[*from] else {

@@ -11,10 +11,11 @@ use super::properties::{self, Properties};
 use super::route::Stop;
 use super::setting::Settings;
 use super::vector::zeros;
+use crate::ids::IdVec;
 use crate::model::condition::Requirement;
 use crate::model::{
-    About, Body, BodyId, Chain, ClosureRank, Dimension, Drive, Element, Frame, Hinge, HingeKind,
-    Inertia, Parameter, Place, Repeat, Role, Value, Written,
+    About, Body, BodyId, Chain, ClosureRank, Dimension, Drive, Element, Frame, Hinge, HingeId,
+    HingeKind, Inertia, Parameter, Place, Repeat, RepeatId, Role, Value, Written,
 };
 use crate::syntax::{self, ChainDef};
 
@@ -53,19 +54,17 @@ impl Draft<'_> {
     /// The chain; nothing where a part is missing, which is reported then.
     pub fn finish(self) -> Option<Chain> {
         let numbers = Numbers::of(&self.stops);
-        let mut bodies = Vec::new();
+        let mut bodies: IdVec<BodyId, Body> = IdVec::new();
         let mut hinges = self.implied_hinges(&numbers)?;
         let mut route = Vec::new();
         for (index, stop) in self.stops.iter().enumerate() {
             match stop {
                 Stop::Ground { .. } | Stop::Moving { .. } => {}
                 Stop::Hinge { .. } => {
-                    route.push(Element::Hinge(hinges.len()));
-                    hinges.push(self.hinge(index, &numbers)?);
+                    route.push(Element::Hinge(hinges.push(self.hinge(index, &numbers)?)));
                 }
                 Stop::Body { .. } => {
-                    route.push(Element::Body(bodies.len()));
-                    bodies.push(self.body(stop)?);
+                    route.push(Element::Body(bodies.push(self.body(stop)?)));
                 }
                 Stop::Unknown { .. } | Stop::Again { .. } => return None,
             }
@@ -96,7 +95,7 @@ impl Draft<'_> {
 
     /// The hinges that are not on the route, all from the ground to the input of a body: that by
     /// which a floating chain is free of it, or those that move the moving ends.
-    fn implied_hinges(&self, numbers: &Numbers) -> Option<Vec<Hinge>> {
+    fn implied_hinges(&self, numbers: &Numbers) -> Option<IdVec<HingeId, Hinge>> {
         let kind = || of_everything(self.space);
         let implied = |name: &Ident, body: BodyId, motion: Motion| {
             let inboard = Place::Ground(Frame::identity());
@@ -104,7 +103,7 @@ impl Draft<'_> {
         };
         if properties::floats(&self.stops) {
             let motion = self.properties.first()?.motion.clone()?;
-            return Some(vec![implied(self.stops.first()?.name()?, 0, motion)]);
+            return Some(vec![implied(self.stops.first()?.name()?, BodyId(0), motion)].into());
         }
         let ends = self.stops.iter().enumerate();
         let ends = ends.filter(|(_, stop)| matches!(stop, Stop::Moving { .. }));
@@ -146,7 +145,7 @@ impl Draft<'_> {
         })
     }
 
-    fn repeats(&self, numbers: &Numbers) -> Option<Vec<Repeat>> {
+    fn repeats(&self, numbers: &Numbers) -> Option<IdVec<RepeatId, Repeat>> {
         let written = self.def.route.iter().flat_map(|route| &route.repeats);
         let repeat = |repeat: &syntax::Repeat| {
             let stops = repeat.stops.clone();

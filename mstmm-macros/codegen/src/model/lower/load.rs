@@ -138,7 +138,7 @@ fn on(
         return context.refuse(written.extent(), message);
     };
     if let Some(body) = bodies().position(|stop| stop.name() == Some(word)) {
-        return Some(body);
+        return Some(BodyId(body));
     }
     let is_unknown =
         |stop: &Stop| matches!(stop, Stop::Unknown { name, .. } if *name == Some(word));
@@ -170,11 +170,11 @@ struct Target<'t, 'a> {
 
 impl Target<'_, '_> {
     fn body_type(&self) -> Option<&BodyType<'_>> {
-        let types = self.stops.iter().filter_map(|stop| match stop {
+        let mut types = self.stops.iter().filter_map(|stop| match stop {
             Stop::Body { body_type, .. } => Some(*body_type),
             _ => None,
         });
-        self.types.get(types.collect::<Vec<_>>().get(self.body?).copied()??)
+        self.types.get(types.nth(self.body?.index())??)
     }
 
     /// The point at which something acts: the centre of mass unless something else is said.

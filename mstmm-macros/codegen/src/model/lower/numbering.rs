@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::properties;
 use super::route::Stop;
+use crate::ids::IdRange;
 use crate::model::{BodyId, HingeId};
 
 /// How many bodies, moving ends and hinges stand before each stop, and before the end of the route.
@@ -11,7 +12,8 @@ pub(super) struct Numbers {
     before: Vec<Counts>,
     /// Which stops are moving ends.
     moving: Vec<bool>,
-    implied: HingeId,
+    /// How many hinges are implied.
+    implied: usize,
 }
 
 #[derive(Clone, Copy, Default)]
@@ -45,18 +47,18 @@ impl Numbers {
     pub fn body(&self, stop: usize) -> BodyId {
         let Counts { bodies, ends, .. } = self.before[stop];
         let all = self.before.last().map_or(0, |all| all.bodies);
-        if self.moving[stop] { all + ends } else { bodies }
+        BodyId(if self.moving[stop] { all + ends } else { bodies })
     }
 
     /// The bodies among these stops.
-    pub fn bodies(&self, stops: Range<usize>) -> Range<BodyId> {
-        self.before[stops.start].bodies..self.before[stops.end].bodies
+    pub fn bodies(&self, stops: Range<usize>) -> IdRange<BodyId> {
+        (self.before[stops.start].bodies..self.before[stops.end].bodies).into()
     }
 
     /// The hinges among these stops.
-    pub fn hinges(&self, stops: Range<usize>) -> Range<HingeId> {
+    pub fn hinges(&self, stops: Range<usize>) -> IdRange<HingeId> {
         let hinge = |stop: usize| self.implied + self.before[stop].hinges;
-        hinge(stops.start)..hinge(stops.end)
+        (hinge(stops.start)..hinge(stops.end)).into()
     }
 
     /// The elements among these stops, as the route counts them.

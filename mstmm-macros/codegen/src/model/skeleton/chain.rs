@@ -2,11 +2,13 @@
 
 use super::{End, Part, Sketch, asked, is_identifier};
 use crate::diag::nearest;
+use crate::ids::IdVec;
 use crate::model::check::can_be_a_point;
 use crate::model::lower::{Draft, Motion, of_everything};
 use crate::model::{
-    About, Body, Chain, ClosureRank, Drive, Effort, Element, Frame, Hinge, HingeKind, Inertia,
-    Load, LoadAxes, Method, NamedPoint, Place, Repeat, Role, Value, Written,
+    About, Body, BodyId, Chain, ClosureRank, Drive, Effort, Element, Frame, Hinge, HingeId,
+    HingeKind, Inertia, Load, LoadAxes, LoadId, Method, NamedPoint, Place, Repeat, RepeatId, Role,
+    Value, Written,
 };
 use proc_macro2::Ident;
 use std::collections::HashSet;
@@ -23,28 +25,30 @@ impl Sketch<'_, '_> {
         let first_body = parts.iter().find(|part| part.hinge.is_none());
         let on_ground = || Place::Ground(Frame::identity());
         let bodies_on_route = counts.last().map_or(0, |&(bodies, _)| bodies);
+        let end_body = |number: usize| BodyId(bodies_on_route + number);
 
-        let mut hinges: Vec<Hinge> = Vec::new();
+        let mut hinges: IdVec<HingeId, Hinge> = IdVec::new();
         if floats && let Some(first) = first_body {
             let efforts = Drive::Efforts(vec![Effort::Free; everything().freedoms()]);
-            let places = [on_ground(), Place::Input(0)];
+            let places = [on_ground(), Place::Input(BodyId(0))];
             hinges.push(hinge(first.name.clone(), everything(), places, efforts));
         }
         for (number, end) in ends.iter().enumerate() {
-            let places = [on_ground(), Place::Input(bodies_on_route + number)];
+            let places = [on_ground(), Place::Input(end_body(number))];
             hinges.push(hinge((*end).clone(), everything(), places, Drive::Motion));
         }
         let implied = hinges.len();
         let held = |end: &End, number: usize| match end {
-            End::Moving(_) => Place::Output(bodies_on_route + number),
+            End::Moving(_) => Place::Output(end_body(number)),
             End::Free | End::Held => on_ground(),
         };
         for (index, part) in parts.iter().enumerate() {
             let Some((kind, drive)) = &part.hinge else { continue };
+            let (before, _) = counts[index];
             let inboard =
-                if index == 0 { held(&start, 0) } else { Place::Output(counts[index].0 - 1) };
+                if index == 0 { held(&start, 0) } else { Place::Output(BodyId(before - 1)) };
             let outboard = match parts.get(index + 1) {
-                Some(_) => Place::Input(counts[index].0),
+                Some(_) => Place::Input(BodyId(before)),
                 None => held(&finish, ends.len().saturating_sub(1)),
             };
             let hinge = hinge(part.name.clone(), kind.clone(), [inboard, outboard], drive.clone());
@@ -56,7 +60,8 @@ impl Sketch<'_, '_> {
             points: points(draft, part.body_type.as_ref()),
             ..body(&part.name, Role::Matter)
         });
-        let bodies: Vec<Body> = bodies.chain(ends.iter().map(|end| body(end, Role::End))).collect();
+        let bodies: IdVec<BodyId, Body> =
+            bodies.chain(ends.iter().map(|end| body(end, Role::End))).collect();
         Chain {
             name,
             dimension: draft.space,
@@ -111,14 +116,14 @@ struct Numbers<'p> {
 impl Numbers<'_> {
     fn route(&self, implied: usize) -> Vec<Element> {
         let element = |(part, &(bodies, hinges)): (&Part, &(usize, usize))| match part.hinge {
-            Some(_) => Element::Hinge(implied + hinges),
-            None => Element::Body(bodies),
+            Some(_) => Element::Hinge(HingeId(implied + hinges)),
+            None => Element::Body(BodyId(bodies)),
         };
         self.parts.iter().zip(self.counts).map(element).collect()
     }
 
     /// The repeated parts; one that holds nothing is none.
-    fn repeats(&self, draft: &Draft, implied: usize) -> Vec<Repeat> {
+    fn repeats(&self, draft: &Draft, implied: usize) -> IdVec<RepeatId, Repeat> {
         let written = draft.def.route.iter().flat_map(|route| &route.repeats).enumerate();
         // A parameter for every time has the count of its part.
         let of_parameters = draft.parameters.iter().find_map(|parameter| parameter.times);
@@ -130,8 +135,8 @@ impl Numbers<'_> {
                 (self.counts[first], self.counts[end]);
             Some(Repeat {
                 count: repeat.count.or(of_parameters).unwrap_or(UNKNOWN_COUNT),
-                hinges: implied + hinges..implied + last_hinge,
-                bodies: bodies..last_body,
+                hinges: (implied + hinges..implied + last_hinge).into(),
+                bodies: (bodies..last_body).into(),
                 route: first..end,
             })
         };
@@ -146,11 +151,11 @@ const UNKNOWN_COUNT: usize = 2;
 const MOST_LOADS: usize = 1000;
 
 /// The loads, for the inputs that they have: none by the name of a hinge's or of another load.
-fn loads(draft: &Draft, parts: &[Part], bodies: usize) -> Vec<Load> {
+fn loads(draft: &Draft, parts: &[Part], bodies: usize) -> IdVec<LoadId, Load> {
     let mut names: HashSet<String> = parts.iter().map(|part| part.name.to_string()).collect();
     let on_route = parts.iter().filter(|part| part.hinge.is_none());
     let on_route: Vec<String> = on_route.map(|part| part.name.to_string()).collect();
-    let mut loads = Vec::new();
+    let mut loads = IdVec::new();
     for load in draft.loads.iter().take(MOST_LOADS) {
         let name = load.name;
         if !is_identifier(name) {
@@ -167,7 +172,11 @@ fn loads(draft: &Draft, parts: &[Part], bodies: usize) -> Vec<Load> {
         });
         loads.push(Load {
             name: name.clone(),
-            body: on.or(load.body).filter(|&body| body < bodies).unwrap_or(0),
+            body: on
+                .map(BodyId)
+                .or(load.body)
+                .filter(|body| body.index() < bodies)
+                .unwrap_or(BodyId(0)),
             at: Frame::identity(),
             axes: LoadAxes::Inertial,
             force: asked::source(force),

@@ -77,10 +77,10 @@ fn is_closed(chain: &Chain) -> bool {
     let on_bodies = chain.loads.iter().map(|load| load.body);
     let on_bodies = on_bodies.chain(chain.springs.iter().map(|spring| spring.body));
     let places = chain.hinges.iter().flat_map(|hinge| [&hinge.inboard, &hinge.outboard]);
-    on_bodies.chain(places.filter_map(|place| place.body())).all(|body| body < bodies)
+    on_bodies.chain(places.filter_map(|place| place.body())).all(|body| body.index() < bodies)
         && chain.repeats.iter().all(|repeat| {
-            repeat.hinges.end <= chain.hinges.len()
-                && repeat.bodies.end <= bodies
+            repeat.hinges.last().index() < chain.hinges.len()
+                && repeat.bodies.last().index() < bodies
                 && repeat.route.end <= chain.route.len()
         })
 }

@@ -2,6 +2,7 @@
 
 use super::{PENDULUM, chain, edited};
 use super::{all_known, constants, known};
+use crate::ids::{BodyId, HingeId};
 use crate::model::{
     About, Dimension, Drive, Effort, Element, Frame, HingeKind, Method, Passive, Place, Results,
     Source, Symbol, Value,
@@ -10,7 +11,7 @@ use crate::model::{
 /// A number in the place of the rod's mass.
 fn mass(written: &str) -> Value {
     let (chain, _) = chain(&edited(&[("mass = 2 kg", &format!("mass = {written}"))]));
-    chain.bodies[1].mass.clone()
+    chain.bodies[BodyId(1)].mass.clone()
 }
 
 fn known_mass(written: &str) -> f64 {
@@ -41,7 +42,7 @@ fn the_pendulum_of_the_paper() {
     assert_eq!(chain.gravity, Source::Constant([0.0, -9.8, 0.0].map(Value::number)));
     let names: Vec<_> = chain.bodies.iter().map(|body| body.name.to_string()).collect();
     assert_eq!(names, ["upper", "middle", "lower"]);
-    let body = &chain.bodies[2];
+    let body = &chain.bodies[BodyId(2)];
     assert_eq!(body.type_name, "Cube");
     assert_eq!(known(&body.com), [0.5, 0.0, 0.0]);
     assert_eq!(body.inertia.about, About::Input);
@@ -49,17 +50,20 @@ fn the_pendulum_of_the_paper() {
     assert_eq!(known(&body.output.position), [1.0, 0.0, 0.0]);
     assert_eq!(body.output.rotation, Frame::identity().rotation);
 
-    let [shoulder, elbow, wrist] = &chain.hinges[..] else { panic!("three hinges") };
+    let [shoulder, elbow, wrist] = chain.hinges.as_slice() else { panic!("three hinges") };
     assert!(matches!(&shoulder.inboard, Place::Ground(frame) if *frame == Frame::identity()));
-    assert!(matches!(shoulder.outboard, Place::Input(0)));
-    assert!(matches!((&elbow.inboard, &elbow.outboard), (Place::Output(0), Place::Input(1))));
+    assert!(matches!(shoulder.outboard, Place::Input(BodyId(0))));
+    assert!(matches!(
+        (&elbow.inboard, &elbow.outboard),
+        (Place::Output(BodyId(0)), Place::Input(BodyId(1)))
+    ));
     assert!(matches!(wrist.kind, HingeKind::Ball));
     assert_eq!(wrist.drive, Drive::Efforts(vec![Effort::Free; 3]));
     assert_eq!(wrist.passive, vec![Passive::none(); 3]);
     assert_eq!(all_known(&wrist.rest), [1.0, 0.0, 0.0, 0.0]);
     assert_eq!(all_known(&wrist.start), [1.0, 0.0, 0.0, 0.0]);
     assert_eq!(all_known(&wrist.start_rate), [0.0, 0.1, 0.0]);
-    assert_eq!(chain.route[..2], [Element::Hinge(0), Element::Body(0)]);
+    assert_eq!(chain.route[..2], [Element::Hinge(HingeId(0)), Element::Body(BodyId(0))]);
     assert_eq!((chain.method, chain.results), (None, Results::ALL));
 }
 
@@ -89,21 +93,21 @@ fn an_arm_with_a_payload() {
     );
     assert_eq!(chain.method, Some(Method::Riccati));
     assert_eq!(chain.results, Results { z: true, energies: true, ..Results::NONE });
-    assert_eq!(chain.bodies[0].name, "l1");
-    assert_eq!(known(&chain.bodies[0].com), [0.0, 0.002, -0.048]);
+    assert_eq!(chain.bodies[BodyId(0)].name, "l1");
+    assert_eq!(known(&chain.bodies[BodyId(0)].com), [0.0, 0.002, -0.048]);
     let about_x = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]];
-    assert_eq!(chain.bodies[0].output.rotation.each_ref().map(known), about_x);
+    assert_eq!(chain.bodies[BodyId(0)].output.rotation.each_ref().map(known), about_x);
     let payload = Value::Symbol(Symbol::Parameter(0));
-    assert_eq!(chain.bodies[1].mass, Value::number(0.74).plus(payload));
-    assert_eq!(known(&chain.bodies[1].com), [0.0, 0.0, 0.05]);
+    assert_eq!(chain.bodies[BodyId(1)].mass, Value::number(0.74).plus(payload));
+    assert_eq!(known(&chain.bodies[BodyId(1)].com), [0.0, 0.0, 0.05]);
     assert_eq!(chain.parameters[0].unit, "kg");
     assert_eq!(chain.parameters[0].default.known(), Some(0.5));
-    let Place::Ground(frame) = &chain.hinges[0].inboard else { panic!("on the ground") };
+    let Place::Ground(frame) = &chain.hinges[HingeId(0)].inboard else { panic!("on the ground") };
     assert_eq!(known(&frame.position), [0.0, 0.0, 0.333]);
-    let HingeKind::Pin { axis } = &chain.hinges[1].kind else { panic!("a pin") };
+    let HingeKind::Pin { axis } = &chain.hinges[HingeId(1)].kind else { panic!("a pin") };
     assert_eq!(known(axis), [-1.0, 0.0, 0.0]);
-    assert_eq!(all_known(&chain.hinges[1].start), [-std::f64::consts::FRAC_PI_2]);
-    assert_eq!(all_known(&chain.hinges[1].start_rate), [std::f64::consts::PI / 15.0]);
+    assert_eq!(all_known(&chain.hinges[HingeId(1)].start), [-std::f64::consts::FRAC_PI_2]);
+    assert_eq!(all_known(&chain.hinges[HingeId(1)].start_rate), [std::f64::consts::PI / 15.0]);
     let input = Drive::Efforts(vec![Effort::Input]);
     assert!(chain.hinges.iter().all(|hinge| hinge.drive == input));
 }
@@ -119,7 +123,7 @@ fn a_matrix_is_a_tensor_row_by_row() {
             ground -> ball joint -> Rod rod;
         }",
     );
-    let inertia = &matrix.0.bodies[0].inertia;
+    let inertia = &matrix.0.bodies[BodyId(0)].inertia;
     assert_eq!(known(&inertia.tensor), [0.003, 0.004, 0.005, 0.0001, 0.0002, 0.0003]);
 }
 
@@ -137,17 +141,20 @@ fn a_floating_chain_has_an_implied_hinge() {
             hinge wrist",
         ),
     ]));
-    let floating = &chain.hinges[0];
+    let floating = &chain.hinges[HingeId(0)];
     assert_eq!(floating.name, "cube");
     assert!(matches!(floating.kind, HingeKind::Floating));
-    assert!(matches!((&floating.inboard, &floating.outboard), (Place::Ground(_), Place::Input(0))));
+    assert!(matches!(
+        (&floating.inboard, &floating.outboard),
+        (Place::Ground(_), Place::Input(BodyId(0)))
+    ));
     assert_eq!(all_known(&floating.start), [1.0, 2.0, 3.0, 0.0, 0.0, 0.6, 0.8]);
     let quarter = std::f64::consts::FRAC_PI_2;
     assert_eq!(all_known(&floating.start_rate), [1.0, 0.0, 0.0, 0.0, 0.0, quarter]);
     // A pin without an axis turns about z; the implied hinge is not on the route.
-    let HingeKind::Pin { axis } = &chain.hinges[1].kind else { panic!("a pin") };
+    let HingeKind::Pin { axis } = &chain.hinges[HingeId(1)].kind else { panic!("a pin") };
     assert_eq!(known(axis), [0.0, 0.0, 1.0]);
-    assert_eq!(chain.route[..2], [Element::Body(0), Element::Hinge(1)]);
+    assert_eq!(chain.route[..2], [Element::Body(BodyId(0)), Element::Hinge(HingeId(1))]);
     assert_eq!(chain.route.len(), 5);
 }
 
@@ -161,8 +168,8 @@ fn a_chain_can_hang_on_its_end() {
         ("about com;", "about com; output = [1, 0, 0] m;"),
     ]));
     assert_eq!(chain.hinges.len(), 2);
-    let last = &chain.hinges[1];
-    assert!(matches!(last.inboard, Place::Output(1)));
+    let last = &chain.hinges[HingeId(1)];
+    assert!(matches!(last.inboard, Place::Output(BodyId(1))));
     let Place::Ground(frame) = &last.outboard else { panic!("on the ground") };
     assert_eq!(known(&frame.position), [0.0, 1.0, 0.0]);
     assert_eq!(known(&frame.rotation[0]), [-1.0, 0.0, 0.0]);
@@ -220,8 +227,8 @@ fn angles_fit_numbers() {
         ("start = 30 deg", "start = 0.25 rev"),
         ("torque = input", "torque = (2 N*m/rad) * (0.5 rad)"),
     ]));
-    assert_eq!(all_known(&chain.hinges[0].start), [std::f64::consts::FRAC_PI_2]);
-    assert_eq!(constants(&chain.hinges[0].drive), [1.0]);
+    assert_eq!(all_known(&chain.hinges[HingeId(0)].start), [std::f64::consts::FRAC_PI_2]);
+    assert_eq!(constants(&chain.hinges[HingeId(0)].drive), [1.0]);
 }
 
 #[test]
@@ -230,15 +237,15 @@ fn a_ball_starts_turned_and_driven() {
         "start_rate = [0, 0.1, 0] rad/s;",
         "start = rpy(0, 0, 180 deg); torque = [0, 0, 5] N*mm;",
     )]));
-    assert_eq!(all_known(&chain.hinges[1].start), [0.0, 0.0, 0.0, 1.0]);
-    assert_eq!(constants(&chain.hinges[1].drive), [0.0, 0.0, 0.005]);
+    assert_eq!(all_known(&chain.hinges[HingeId(1)].start), [0.0, 0.0, 0.0, 1.0]);
+    assert_eq!(constants(&chain.hinges[HingeId(1)].drive), [0.0, 0.0, 0.005]);
 }
 
 #[test]
 fn what_is_left_away_is_zero() {
     let (chain, _) = chain(&edited(&[("gravity = [0, -9.8, 0] m/s^2;", "")]));
     assert_eq!(chain.gravity, Source::Nothing);
-    assert_eq!(chain.bodies[1].output, Frame::identity());
+    assert_eq!(chain.bodies[BodyId(1)].output, Frame::identity());
 }
 
 #[test]
@@ -266,5 +273,5 @@ fn an_expression_from_a_macro_is_one_factor() {
     }
     let source = edited(&[("mass = 2 kg", "mass = 2 * EXPR")]);
     let chains = super::read(replace(source.parse().expect("tokens"))).expect("good");
-    assert_eq!(chains[0].0.bodies[1].mass.known(), Some(6.0));
+    assert_eq!(chains[0].0.bodies[BodyId(1)].mass.known(), Some(6.0));
 }

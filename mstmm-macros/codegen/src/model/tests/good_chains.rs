@@ -1,6 +1,7 @@
 //! Chains without mistakes: dimensions, ends, loads and repeated parts.
 
 use super::{all_known, chain, edited, known};
+use crate::ids::{BodyId, HingeId, LoadId, RepeatId};
 use crate::model::{
     Chain, Dimension, Drive, Element, HingeKind, LoadAxes, Place, Repeat, Role, Seam, Source, Value,
 };
@@ -24,6 +25,7 @@ fn names(chain: &Chain) -> (Vec<String>, Vec<String>) {
 }
 
 fn is_moving(chain: &Chain, hinge: usize, body: usize) -> bool {
+    let (hinge, body) = (HingeId(hinge), BodyId(body));
     let implied = &chain.hinges[hinge];
     let body_is_end = chain.bodies[body].role == Role::End && chain.bodies[body].mass.is_zero();
     body_is_end && implied.is_prescribed() && implied.outboard == Place::Input(body)
@@ -51,12 +53,12 @@ fn a_plane_chain_lies_in_the_plane() {
     let (chain, _) = chain(PLANE);
     assert_eq!(chain.dimension, Dimension::Plane);
     assert_eq!(chain.gravity, Source::Constant([0.0, -9.8, 0.0].map(Value::number)));
-    let body = &chain.bodies[0];
+    let body = &chain.bodies[BodyId(0)];
     assert_eq!(known(&body.com), [0.5, 0.0, 0.0]);
     assert_eq!(known(&body.inertia.tensor), [0.0, 0.0, 1.0 / 12.0, 0.0, 0.0, 0.0]);
     let quarter = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
     assert_eq!(body.output.rotation.each_ref().map(known), quarter);
-    let Place::Ground(frame) = &chain.hinges[0].inboard else { panic!("on the ground") };
+    let Place::Ground(frame) = &chain.hinges[HingeId(0)].inboard else { panic!("on the ground") };
     assert_eq!(known(&frame.position), [1.0, 2.0, 0.0]);
     assert_eq!(frame.rotation.each_ref().map(known), quarter);
     let kinds: Vec<_> = chain.hinges.iter().map(|hinge| hinge.kind.clone()).collect();
@@ -65,10 +67,10 @@ fn a_plane_chain_lies_in_the_plane() {
     assert_eq!(kinds[0], HingeKind::Pin { axis: z });
     assert_eq!(kinds[1], HingeKind::Slider { axis: slide });
     assert_eq!(kinds[2..], [HingeKind::PlaneElastic, HingeKind::Planar { normal: 2 }]);
-    assert_eq!(all_known(&chain.hinges[2].start), [0.001, 0.002, 3.0]);
+    assert_eq!(all_known(&chain.hinges[HingeId(2)].start), [0.001, 0.002, 3.0]);
 
-    let load = &chain.loads[0];
-    assert_eq!((load.body, load.axes), (3, LoadAxes::Body));
+    let load = &chain.loads[LoadId(0)];
+    assert_eq!((load.body, load.axes), (BodyId(3), LoadAxes::Body));
     assert_eq!(known(&load.at.position), [1.0, 0.1, 0.0]);
     assert_eq!(load.force, Source::Constant([1.0, 2.0, 0.0].map(Value::number)));
     assert_eq!(load.torque, Source::Constant([0.0, 0.0, 3.0].map(Value::number)));
@@ -86,7 +88,7 @@ fn a_floating_plane_chain_has_three_coordinates() {
         "body first { start = [1, 2] m turned 3; start_velocity = [4, 5] m/s; start_rate = 6; }
          hinge c",
     ));
-    let implied = &chain.hinges[0];
+    let implied = &chain.hinges[HingeId(0)];
     assert_eq!(
         (implied.name.to_string(), &implied.kind),
         ("first".into(), &HingeKind::Planar { normal: 2 })
@@ -113,14 +115,14 @@ fn a_line_chain_has_numbers_for_vectors() {
     let slider = HingeKind::Slider { axis: [1.0, 0.0, 0.0].map(Value::number) };
     assert!(chain.hinges.iter().all(|hinge| hinge.kind == slider));
     assert_eq!(names(&chain).1, ["front", "a", "b", "c"]);
-    assert_eq!(all_known(&chain.hinges[0].start), [3.0]);
-    assert_eq!(all_known(&chain.hinges[0].start_rate), [4.0]);
-    assert_eq!(known(&chain.bodies[0].com), [0.0; 3]);
-    assert_eq!(known(&chain.bodies[0].inertia.tensor), [0.0; 6]);
-    assert_eq!(known(&chain.bodies[3].com), [0.1, 0.0, 0.0]);
-    assert_eq!(known(&chain.bodies[0].output.position), [0.3, 0.0, 0.0]);
-    assert_eq!(chain.loads[0].force, Source::Constant([6.0, 0.0, 0.0].map(Value::number)));
-    assert_eq!(chain.loads[0].torque, Source::Nothing);
+    assert_eq!(all_known(&chain.hinges[HingeId(0)].start), [3.0]);
+    assert_eq!(all_known(&chain.hinges[HingeId(0)].start_rate), [4.0]);
+    assert_eq!(known(&chain.bodies[BodyId(0)].com), [0.0; 3]);
+    assert_eq!(known(&chain.bodies[BodyId(0)].inertia.tensor), [0.0; 6]);
+    assert_eq!(known(&chain.bodies[BodyId(3)].com), [0.1, 0.0, 0.0]);
+    assert_eq!(known(&chain.bodies[BodyId(0)].output.position), [0.3, 0.0, 0.0]);
+    assert_eq!(chain.loads[LoadId(0)].force, Source::Constant([6.0, 0.0, 0.0].map(Value::number)));
+    assert_eq!(chain.loads[LoadId(0)].torque, Source::Nothing);
     assert_eq!(known(&chain.springs[0].at), [0.2, 0.0, 0.0]);
 }
 
@@ -136,9 +138,9 @@ fn both_ends_can_be_held() {
         "ground -> pin a -> Cube upper -> pin b -> Rod rod -> ball c -> ground at [1, 0, 0] m;",
     );
     assert_eq!(chain.hinges.len(), 3);
-    assert_eq!(chain.hinges[2].inboard, Place::Output(1));
+    assert_eq!(chain.hinges[HingeId(2)].inboard, Place::Output(BodyId(1)));
     assert!(
-        matches!(&chain.hinges[2].outboard, Place::Ground(frame) if known(&frame.position) == [1.0, 0.0, 0.0])
+        matches!(&chain.hinges[HingeId(2)].outboard, Place::Ground(frame) if known(&frame.position) == [1.0, 0.0, 0.0])
     );
 }
 
@@ -149,20 +151,25 @@ fn ends_can_move() {
     assert_eq!(names(&chain).0, ["upper", "rod", "hand"]);
     assert_eq!(names(&chain).1, ["hand", "a", "b"]);
     assert!(is_moving(&chain, 0, 2));
-    assert_eq!(chain.hinges[0].kind, HingeKind::Floating);
-    assert_eq!(all_known(&chain.hinges[0].start), [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
+    assert_eq!(chain.hinges[HingeId(0)].kind, HingeKind::Floating);
+    assert_eq!(all_known(&chain.hinges[HingeId(0)].start), [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
     assert_eq!(
-        (&chain.hinges[1].inboard, &chain.hinges[1].outboard),
-        (&Place::Output(2), &Place::Input(0))
+        (&chain.hinges[HingeId(1)].inboard, &chain.hinges[HingeId(1)].outboard),
+        (&Place::Output(BodyId(2)), &Place::Input(BodyId(0)))
     );
-    let route = [Element::Hinge(1), Element::Body(0), Element::Hinge(2), Element::Body(1)];
+    let route = [
+        Element::Hinge(HingeId(1)),
+        Element::Body(BodyId(0)),
+        Element::Hinge(HingeId(2)),
+        Element::Body(BodyId(1)),
+    ];
     assert_eq!(chain.route, route);
 
     let chain = on_route("Cube upper -> ball b -> Rod rod -> pin a -> moving hand;");
     assert_eq!(names(&chain).1, ["hand", "b", "a"]);
     assert_eq!(
-        (&chain.hinges[2].inboard, &chain.hinges[2].outboard),
-        (&Place::Output(1), &Place::Input(2))
+        (&chain.hinges[HingeId(2)].inboard, &chain.hinges[HingeId(2)].outboard),
+        (&Place::Output(BodyId(1)), &Place::Input(BodyId(2)))
     );
 
     let chain = on_route(
@@ -171,8 +178,8 @@ fn ends_can_move() {
     assert_eq!(names(&chain).0, ["upper", "rod", "left", "right"]);
     assert_eq!(names(&chain).1, ["left", "right", "a", "b", "c"]);
     assert!(is_moving(&chain, 0, 2) && is_moving(&chain, 1, 3));
-    assert_eq!(chain.hinges[2].inboard, Place::Output(2));
-    assert_eq!(chain.hinges[4].outboard, Place::Input(3));
+    assert_eq!(chain.hinges[HingeId(2)].inboard, Place::Output(BodyId(2)));
+    assert_eq!(chain.hinges[HingeId(4)].outboard, Place::Input(BodyId(3)));
 }
 
 #[test]
@@ -188,10 +195,10 @@ fn loads_act_at_points() {
                 "output = [1, 0, 0] m; /// At its corner.\n point tip = [1, 1, 0] m;",
             ),
         ]));
-        let load = chain.loads[0].clone();
+        let load = chain.loads[LoadId(0)].clone();
         assert_eq!(load.force, Source::Input);
         assert_eq!(load.torque, Source::Constant([0.0, 0.0, 0.001].map(Value::number)));
-        assert_eq!((load.body, load.axes), (0, LoadAxes::Inertial));
+        assert_eq!((load.body, load.axes), (BodyId(0), LoadAxes::Inertial));
         known(&load.at.position)
     };
     assert_eq!(load(""), [0.5, 0.0, 0.0]);
@@ -204,7 +211,7 @@ fn loads_act_at_points() {
 
 /// The seam on the inboard side of a hinge, and what that is welded to.
 fn behind_seam(chain: &Chain, hinge: usize) -> (Seam, Place) {
-    let seam = chain.seam(&chain.hinges[hinge].inboard).expect("a seam");
+    let seam = chain.seam(&chain.hinges[HingeId(hinge)].inboard).expect("a seam");
     let weld = chain.weld_of(seam).expect("a weld");
     (seam, chain.hinges[weld].inboard.clone())
 }
@@ -217,21 +224,30 @@ fn parts_of_the_route_can_be_repeated() {
     );
     assert_eq!(names(&chain).1[..5], ["first", "a", "b", "c", "e"]);
     assert_eq!(
-        chain.repeats,
+        chain.repeats.as_slice(),
         [
-            Repeat { count: 1000, hinges: 1..3, bodies: 1..3, route: 1..5 },
-            Repeat { count: 3, hinges: 4..5, bodies: 4..5, route: 7..9 },
+            Repeat { count: 1000, hinges: (1..3).into(), bodies: (1..3).into(), route: 1..5 },
+            Repeat { count: 3, hinges: (4..5).into(), bodies: (4..5).into(), route: 7..9 },
         ]
     );
-    assert_eq!(behind_seam(&chain, 1), (Seam { repeat: 0, at_end: false }, Place::Output(0)));
-    assert_eq!(behind_seam(&chain, 3), (Seam { repeat: 0, at_end: true }, Place::Output(2)));
+    assert_eq!(
+        behind_seam(&chain, 1),
+        (Seam { repeat: RepeatId(0), at_end: false }, Place::Output(BodyId(0)))
+    );
+    assert_eq!(
+        behind_seam(&chain, 3),
+        (Seam { repeat: RepeatId(0), at_end: true }, Place::Output(BodyId(2)))
+    );
 
     let chain = on_route("ground -> repeat 5 { pin a -> Rod b } -> pin c -> ground; load x { on = b; force = input; }".replace("Rod b }", "Cube u -> pin d -> Rod b }").as_str());
-    assert_eq!(chain.repeats, [Repeat { count: 5, hinges: 0..2, bodies: 0..2, route: 0..4 }]);
-    assert_eq!(chain.loads[0].body, 1);
+    assert_eq!(
+        chain.repeats.as_slice(),
+        [Repeat { count: 5, hinges: (0..2).into(), bodies: (0..2).into(), route: 0..4 }]
+    );
+    assert_eq!(chain.loads[LoadId(0)].body, BodyId(1));
     assert!(matches!(behind_seam(&chain, 0).1, Place::Ground(_)));
-    assert_eq!(behind_seam(&chain, 2).1, Place::Output(1));
-    assert_eq!(chain.hinges[0].drive, Drive::Efforts(vec![crate::model::Effort::Free]));
+    assert_eq!(behind_seam(&chain, 2).1, Place::Output(BodyId(1)));
+    assert_eq!(chain.hinges[HingeId(0)].drive, Drive::Efforts(vec![crate::model::Effort::Free]));
 }
 
 /// Words of this language that are also good names.
@@ -241,5 +257,5 @@ fn words_that_begin_items_can_be_names() {
         "ground -> elastic spring -> Cube load -> ball moving -> Rod line; load plane { on = load; force = input; }",
     );
     assert_eq!(names(&chain).1, ["spring", "moving"]);
-    assert_eq!(chain.loads[0].body, 0);
+    assert_eq!(chain.loads[LoadId(0)].body, BodyId(0));
 }

@@ -1,6 +1,7 @@
 //! Hinges without mistakes: all kinds, and all that can be said of them.
 
 use super::{all_known, chain, constants, edited, known};
+use crate::ids::HingeId;
 use crate::model::{Drive, Effort, Friction, Hinge, HingeKind, Passive, Value};
 
 /// The last hinge of the example, of another kind and with other properties.
@@ -9,7 +10,7 @@ fn hinge(kind: &str, properties: &str) -> Hinge {
         ("ball wrist", &format!("{kind} wrist")),
         ("start_rate = [0, 0.1, 0] rad/s;", properties),
     ]));
-    chain.hinges[1].clone()
+    chain.hinges[HingeId(1)].clone()
 }
 
 fn numbers(passive: &[Passive], of: impl Fn(&Passive) -> &Value) -> Vec<f64> {
