@@ -37,7 +37,7 @@ fn every_rule_has_a_case() {
 }
 
 /// A message about anything but the description would not be the user's to mend. In the folder `quiet`
-/// programs use the chains that are wrong, of which nothing may be said; in `reading` they read what right
+/// programs use the chains that are wrong, of which nothing may be said (see `emit/wrong.rs`); in `reading` they read what right
 /// ones do not have, in `writing` they write what only setters change, and in `warnings` they deny
 /// warnings, which would not be seen otherwise.
 #[test]

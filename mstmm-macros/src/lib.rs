@@ -10,7 +10,5 @@ pub fn mstmm_chain_by(input: TokenStream) -> TokenStream {
     let mstmm: TokenStream = tokens.next().into_iter().collect();
     let description: TokenStream = tokens.collect();
     let expansion = mstmm_codegen::expand(description.into(), &mstmm.into());
-    let mut items: TokenStream = expansion.items.into();
-    items.extend(expansion.mistakes.map(|errors| TokenStream::from(errors.into_compile_error())));
-    items
+    expansion.items.into()
 }

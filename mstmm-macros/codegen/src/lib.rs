@@ -44,9 +44,9 @@ use proc_macro2::TokenStream;
 /// What stands in place of a macro call.
 #[derive(Debug)]
 pub struct Expansion {
-    /// The types of all chains; skeletons of those that have mistakes.
+    /// The types of all chains, with all mistakes as errors where there are any.
     pub items: TokenStream,
-    /// All errors of the text in its order, each on the token to edit.
+    /// All errors of the text in its order, each on the token to edit; the items report them.
     pub mistakes: Option<syn::Error>,
     /// All warnings of the text in its order, each on its token; the items give them.
     pub warnings: Vec<diag::Warning>,
@@ -56,26 +56,27 @@ pub struct Expansion {
 /// `mstmm` by this path.
 pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
     let mut diagnostics = Diagnostics::default();
-    let mut chains = understand(description, &mut diagnostics);
-    let right = diagnostics.is_empty();
-    let mut examine = |chain: &mut model::Chain| match right {
-        true => examine::examine(chain, &mut diagnostics),
-        false => examine::Examination::default(),
-    };
-    let examinations: Vec<_> = chains.iter_mut().map(|(chain, _)| examine(chain)).collect();
+    let written = syntax::parse(description, &mut diagnostics);
+    let mut chains = understand(&written, &mut diagnostics);
+    let mut examinations = Vec::new();
+    if diagnostics.is_empty() {
+        let examine = |(chain, _): &mut Understood| examine::examine(chain, &mut diagnostics);
+        examinations.extend(chains.iter_mut().map(examine));
+    }
+    let warnings = diagnostics.warnings();
+    let mistakes = diagnostics.finish().err();
     // From here on no mistake of the user is possible.
-    let items = |((chain, surface), examination): (&Understood, &examine::Examination)| {
+    let right = |((chain, surface), examination): (&Understood, &examine::Examination)| {
         let layout = model::Layout::of(chain);
         let programs = compile::programs(chain, &layout);
         emit::expand(chain, surface, &layout, &programs, examination, mstmm)
     };
-    let mut items: TokenStream = chains.iter().zip(&examinations).map(items).collect();
-    if !right {
-        items = emit::without_clashes(items);
-    }
-    let warnings = diagnostics.warnings();
+    let mut items: TokenStream = match &mistakes {
+        None => chains.iter().zip(&examinations).map(right).collect(),
+        Some(mistakes) => emit::wrong(&written, mistakes),
+    };
     items.extend(warnings.iter().map(emit::warning));
-    Expansion { items, mistakes: diagnostics.finish().err(), warnings }
+    Expansion { items, mistakes, warnings }
 }
 
 /// A chain and how it is to look in the user's crate.
@@ -88,12 +89,12 @@ type Understood = (model::Chain, syntax::Surface);
 /// All mistakes of the text, each on the token to edit.
 pub fn read(description: TokenStream) -> syn::Result<Vec<(model::Chain, syntax::Surface)>> {
     let mut diagnostics = Diagnostics::default();
-    let chains = understand(description, &mut diagnostics);
+    let written = syntax::parse(description, &mut diagnostics);
+    let chains = understand(&written, &mut diagnostics);
     diagnostics.finish().map(|()| chains)
 }
 
-/// All chains, as skeletons where they have mistakes.
-fn understand(description: TokenStream, diagnostics: &mut Diagnostics) -> Vec<Understood> {
-    let written = syntax::parse(description, diagnostics);
+/// All chains; those with mistakes and those after them are missing.
+fn understand(written: &[syntax::ChainDef], diagnostics: &mut Diagnostics) -> Vec<Understood> {
     written.iter().filter_map(|def| model::lower(def, diagnostics)).collect()
 }

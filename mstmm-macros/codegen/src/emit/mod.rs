@@ -2,7 +2,6 @@
 
 mod block;
 mod body;
-mod clash;
 mod closure;
 mod construction;
 mod delivery;
@@ -28,16 +27,17 @@ mod state;
 mod statement;
 mod warning;
 mod workspace;
+mod wrong;
 
 use crate::compile::Programs;
 use crate::examine::Examination;
 use crate::model::{Chain, Layout};
 use crate::syntax::Surface;
-pub use clash::without_clashes;
 use names::{Names, variable};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 pub use warning::warning;
+pub use wrong::wrong;
 
 /// All that the parts of the expansion are written from.
 struct Plan<'a> {
@@ -71,8 +71,6 @@ pub fn expand(
     let inputs = inputs::emit(&plan);
     let workspace = workspace::emit(&plan);
     let references = references::emit(&plan);
-    let (visibility, name, own) = (&surface.visibility, &plan.names.chain, &chain.name);
-    let alias = (name != own).then(|| quote!(#visibility type #own<S> = #name<S>;));
     quote! {
         #construction
         #dynamics
@@ -80,6 +78,5 @@ pub fn expand(
         #inputs
         #workspace
         #references
-        #alias
     }
 }

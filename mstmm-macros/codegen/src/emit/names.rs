@@ -23,10 +23,8 @@ impl Names {
     /// The names of `chain`.
     pub fn of(chain: &Chain) -> Self {
         let named = |suffix: &str| format_ident!("{}{suffix}", chain.name);
-        // A type `T` cannot be generic over `T`; a chain of this name is a wrong one.
-        let chain_type = if chain.name == "T" { named("Chain") } else { chain.name.clone() };
         Names {
-            chain: chain_type,
+            chain: chain.name.clone(),
             state: named("State"),
             inputs: named("Inputs"),
             parameters: named("Parameters"),

@@ -12,7 +12,6 @@ mod load;
 mod lower;
 mod results;
 mod seams;
-mod skeleton;
 #[cfg(test)]
 mod tests;
 mod unrolled;
@@ -33,7 +32,7 @@ pub use value::{Symbol, Value};
 
 use crate::diag::Diagnostics;
 use crate::ids::{IdRange, IdVec};
-use crate::syntax::{ChainDef, References, Surface};
+use crate::syntax::{ChainDef, Surface};
 use proc_macro2::Ident;
 use std::ops::Range;
 
@@ -80,25 +79,17 @@ pub struct Chain {
     pub assertions: Vec<Requirement>,
 }
 
-/// What was meant by a description, checked. Where a mistake has been found, in this description or
-/// before, a skeleton of it; nothing where not even that can be.
+/// What was meant by a description, checked; nothing where a mistake has been found, in this description
+/// or before.
 pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Surface)> {
-    let (draft, mut surface) = lower::draft(def, diagnostics);
+    let (draft, surface) = lower::draft(def, diagnostics);
     let assertions = check::check(&draft, diagnostics);
-    let skeleton = skeleton::skeleton(&draft);
-    let mut chain = if diagnostics.is_empty() { draft.finish() } else { None };
-    if let Some(chain) = &mut chain {
-        chain.assertions = assertions;
-    }
-    if let Some(chain) = &chain {
-        uses::parameters_of_times_stay_in_their_part(chain, diagnostics);
-    }
     if !diagnostics.is_empty() {
-        chain = skeleton;
-        // Not all that is named may be there.
-        surface.references = References::default();
+        return None;
     }
-    Some((seams::with_seams(chain?), surface))
+    let chain = Chain { assertions, ..draft.finish()? };
+    uses::parameters_of_times_stay_in_their_part(&chain, diagnostics);
+    diagnostics.is_empty().then(|| (seams::with_seams(chain), surface))
 }
 
 /// In how many directions a chain moves. A model is spatial whatever its dimension: in a plane

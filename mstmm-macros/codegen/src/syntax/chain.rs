@@ -99,7 +99,6 @@ fn head<'a>(
         blocks: Vec::new(),
         route: None,
         whole: true,
-        clashes: false,
     };
     Ok((def, inside))
 }

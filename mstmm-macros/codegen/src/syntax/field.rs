@@ -1,6 +1,6 @@
 //! `name = value;` and what can be a value.
 
-use proc_macro2::{Delimiter, Ident, TokenTree};
+use proc_macro2::{Delimiter, Ident};
 use syn::{Error, Result};
 
 use super::cursor::Cursor;
@@ -77,7 +77,6 @@ struct Ends {
 
 impl Ends {
     fn field(&mut self, name: Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) -> Field {
-        let asks_for_input = asks_for_input(*input);
         let sign = if input.punct('=').is_some() { Ok(()) } else { Err(input.unexpected("`=`")) };
         let colon = sign.is_err() && input.punct(':').is_some();
         let value = match sign {
@@ -92,13 +91,13 @@ impl Ends {
         match value {
             Ok(Some(value)) => {
                 let value = self.end(&value, input, diagnostics).then_some(value);
-                return Field { name, value, asks_for_input };
+                return Field { name, value };
             }
             Ok(None) => {}
             Err(error) => diagnostics.push(error),
         }
         self.skip(input);
-        Field { name, value: None, asks_for_input }
+        Field { name, value: None }
     }
 
     fn is_end(&self, input: &Cursor) -> bool {
@@ -157,21 +156,6 @@ impl Ends {
             }
         }
     }
-}
-
-/// Whether the word `input` is in the rest of a field, or what may be meant by it.
-fn asks_for_input(mut rest: Cursor) -> bool {
-    while !rest.is_empty() && !rest.peek_punct(';') && !begins_field(&rest) {
-        let word = match rest.any() {
-            Some(TokenTree::Ident(word)) => word.to_string(),
-            Some(TokenTree::Literal(text)) => text.to_string(),
-            _ => continue,
-        };
-        if nearest(word.trim_matches('"'), ["input"]).is_some() {
-            return true;
-        }
-    }
-    false
 }
 
 /// Whether `name =` is next, or `point name =`.

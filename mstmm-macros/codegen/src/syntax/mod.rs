@@ -62,7 +62,7 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<ChainDef
     while !input.is_empty() {
         chains.extend(chain::chain(&mut input, diagnostics));
     }
-    tell_apart(&mut chains, diagnostics);
+    tell_apart(&chains, diagnostics);
     chains
 }
 
@@ -90,7 +90,7 @@ fn too_deep(tokens: &TokenStream) -> Option<Span> {
 const TYPES: &[&str] = &["", "State", "Inputs", "Parameters", "Workspace"];
 
 /// The types of all chains stand beside each other, so no two may have the same name.
-fn tell_apart(chains: &mut [ChainDef], diagnostics: &mut Diagnostics) {
+fn tell_apart(chains: &[ChainDef], diagnostics: &mut Diagnostics) {
     let mut taken: HashMap<String, Ident> = HashMap::new();
     for chain in chains {
         let types = TYPES.iter().map(|suffix| format!("{}{suffix}", chain.name));
@@ -102,7 +102,6 @@ fn tell_apart(chains: &mut [ChainDef], diagnostics: &mut Diagnostics) {
                 false => format!("chains `{other}` and `{}` both have a type `{name}`", chain.name),
             };
             diagnostics.error(chain.name.span(), message);
-            chain.clashes = true;
             continue;
         }
         taken.extend(types.into_iter().map(|name| (name, chain.name.clone())));

@@ -204,7 +204,7 @@ pub(super) fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<
         && let Some(own) = self::name(input)
     {
         diagnostics.error(axis.span(), format!("write `{word}({axis}) {own}`"));
-        return Ok(Stop::Unread { word, name: Some(own) });
+        return Ok(Stop::Unread { name: Some(own) });
     }
     let written = inside(input);
     let at = input.next_span();
@@ -269,7 +269,7 @@ fn misplaced(word: &Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) ->
     let name = name(input);
     let called = name.as_ref().map_or_else(|| "name".to_owned(), ToString::to_string);
     diagnostics.error(at, format!("write `{word}({written}) {called}`"));
-    Ok(Stop::Unread { word: word.clone(), name })
+    Ok(Stop::Unread { name })
 }
 
 /// What stands in the brackets that are next, for a message.

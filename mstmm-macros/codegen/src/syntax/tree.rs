@@ -26,8 +26,6 @@ pub struct ChainDef {
     pub route: Option<Route>,
     /// Whether every item could be read. If not, nothing is missed on its account.
     pub whole: bool,
-    /// Whether its types are called like those of a chain before it, so that it cannot have any.
-    pub clashes: bool,
 }
 
 /// Which word stands before `chain`.
@@ -57,8 +55,6 @@ pub struct Field {
     pub name: Ident,
     /// Its value; missing where it could not be read, which is reported already.
     pub value: Option<Written>,
-    /// Whether the word `input`, or what is close to it, is in the value, read or not.
-    pub asks_for_input: bool,
 }
 
 /// Which word a block begins with.
@@ -172,8 +168,6 @@ pub enum Stop {
     },
     /// A hinge of which only the name could be read, which is reported.
     Unread {
-        /// The kind as written.
-        word: Ident,
         /// The name.
         name: Option<Ident>,
     },

@@ -12,8 +12,6 @@ mod passive;
 mod repeat;
 mod route;
 
-pub(super) use body::can_be_a_point;
-
 use super::condition::{Requirement, judge};
 use super::lower::Draft;
 use crate::diag::Diagnostics;

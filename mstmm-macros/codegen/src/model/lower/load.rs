@@ -15,7 +15,7 @@ use crate::syntax::{Block, BlockWord, ChainDef, Extent, Field, List, Written};
 use std::collections::HashSet;
 
 /// The fields of a load.
-pub(crate) const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"];
+const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"];
 /// In a line chain nothing turns.
 const LINE_LOAD_FIELDS: &[&str] = &["on", "at", "force"];
 const SPRING_FIELDS: &[&str] = &["on", "at", "to", "stiffness", "damping", "length"];
@@ -28,8 +28,7 @@ const AXES: &[(&str, LoadAxes)] = &[("inertial", LoadAxes::Inertial), ("body", L
 
 /// A load as far as it could be read.
 pub(crate) struct LoadDraft<'a> {
-    /// As written.
-    pub block: &'a Block,
+    block: &'a Block,
     /// Its name.
     pub name: &'a Ident,
     /// The body that it acts on.

@@ -27,9 +27,9 @@ pub(super) use body::BodyType;
 pub(super) use context::Given;
 pub(super) use draft::Draft;
 pub(super) use fields::Fields;
-pub(crate) use fields::{listed, meant};
-pub(super) use hinge::{KINDS, Motion, Words, fields, groups, of_everything};
-pub(super) use load::{LOAD_FIELDS, POINTS};
+pub(crate) use fields::listed;
+pub(super) use hinge::{KINDS, Words, groups};
+pub(super) use load::POINTS;
 pub(super) use properties::Properties;
 pub(super) use route::Stop;
 

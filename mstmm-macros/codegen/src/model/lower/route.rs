@@ -57,8 +57,6 @@ pub(crate) enum Stop<'a> {
     Unknown {
         /// Its name.
         name: Option<&'a Ident>,
-        /// The word of the language that is most likely meant.
-        kind: Option<&'static str>,
     },
     /// A stop by the name of one before it, which is reported already.
     Again {
@@ -104,10 +102,7 @@ pub(super) fn stops<'a>(
             }
             Stop::Moving { at: *at, name: name.as_ref() }
         }
-        syntax::Stop::Unread { word, name } => {
-            let kind = KINDS.iter().find(|kind| word == kind.word).map(|kind| kind.word);
-            Stop::Unknown { name: name.as_ref(), kind }
-        }
+        syntax::Stop::Unread { name } => Stop::Unknown { name: name.as_ref() },
         syntax::Stop::Element { word, arguments, name, place, doubtful } => {
             let first_end = route.first_end();
             let (arguments, name) = (arguments.as_ref(), name.as_ref());
@@ -120,10 +115,10 @@ pub(super) fn stops<'a>(
                 Some(name) => Stop::Again { name },
                 // It is reported that a further route begins here, or that something is wrong before.
                 None if (further || *doubtful) && !element.is_known(types) => {
-                    Stop::Unknown { name: element.name, kind: None }
+                    Stop::Unknown { name: element.name }
                 }
                 None if *doubtful && element.name.is_none() && element.is_kind() => {
-                    Stop::Unknown { name: None, kind: None }
+                    Stop::Unknown { name: None }
                 }
                 None => element.resolve(def, types, context),
             };
@@ -231,8 +226,7 @@ impl<'a> Element<'a> {
             let name = self.name.map_or_else(String::new, ToString::to_string);
             let message = format!("the {what} comes first, then the name: `{name} {word}`");
             context.diagnostics.error(word.span(), message);
-            let kind = KINDS.iter().find(|kind| self.name.is_some_and(|name| name == kind.word));
-            return Stop::Unknown { name: Some(word), kind: kind.map(|kind| kind.word) };
+            return Stop::Unknown { name: Some(word) };
         }
         if self.is_body(types) {
             self.unknown_type(def, types, context);
@@ -248,7 +242,7 @@ impl<'a> Element<'a> {
             None => format!("unknown kind of hinge `{word}`; there are {}", kinds(context)),
         };
         context.diagnostics.error(word.span(), message);
-        Stop::Unknown { name, kind: meant }
+        Stop::Unknown { name }
     }
 
     /// What stands in the place of the name, if word and name are swapped.
@@ -285,7 +279,7 @@ impl<'a> Element<'a> {
         let Element { word, arguments, name, .. } = self;
         let Some(plain) = kind.plain(context.space) else {
             no_such_hinge(word, context);
-            return Stop::Unknown { name, kind: None };
+            return Stop::Unknown { name };
         };
         if name.is_none() {
             let message = format!("a hinge needs a name: `{word} name`");

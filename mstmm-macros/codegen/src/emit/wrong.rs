@@ -1,0 +1,71 @@
+//! What chains with mistakes become: types that are errors to rustc, which reports nothing of their use.
+
+use crate::syntax::ChainDef;
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+use std::collections::HashSet;
+
+/// The types of `chains`, at least one of which has `mistakes`, and these.
+///
+/// The inputs of the first chain are a type whose definition contains the errors, and the parameter of all other
+/// types. rustc checks nothing that depends on such a type: not which methods and fields it has, of which kind they
+/// are, nor which traits it implements. The other types are structs, so that users can implement their own traits
+/// and methods for them.
+pub fn wrong(chains: &[ChainDef], mistakes: &syn::Error) -> TokenStream {
+    let errors = mistakes.to_compile_error();
+    let Some(first) = chains.first() else { return errors };
+    let error = format_ident!("{}Inputs", first.name);
+    let visibility = &first.visibility;
+    let mut types = quote! {
+        #[allow(dead_code, non_camel_case_types)]
+        #visibility type #error<T> = <[T; { #errors 0 }] as ::core::ops::Deref>::Target;
+    };
+    let mut taken = HashSet::from([error.to_string()]);
+    for chain in chains {
+        let (name, visibility) = (&chain.name, &chain.visibility);
+        let inputs = format_ident!("{}Inputs", name);
+        if taken.insert(inputs.to_string()) {
+            types.extend(quote! {
+                #[allow(dead_code, non_camel_case_types)]
+                #visibility type #inputs<T> = #error<T>;
+            });
+        }
+        for name in structs(chain).filter(is_identifier) {
+            if !taken.insert(name.to_string()) {
+                continue;
+            }
+            let of_error = format_ident!("{}Of", name);
+            types.extend(quote! {
+                #[doc(hidden)]
+                #[allow(dead_code, non_snake_case, non_camel_case_types)]
+                #visibility struct #of_error<T, E> {
+                    #visibility q: E,
+                    #visibility v: E,
+                    #visibility t: T,
+                }
+                #[allow(dead_code, non_camel_case_types)]
+                #visibility type #name<T> = #of_error<T, #error<T>>;
+            });
+        }
+    }
+    types
+}
+
+/// The names of all types of a chain but its inputs, whose values users write field by field.
+fn structs(chain: &ChainDef) -> impl Iterator<Item = Ident> {
+    let name = &chain.name;
+    let of_chain =
+        ["State", "Parameters", "Workspace"].map(|suffix| format_ident!("{}{suffix}", name));
+    let bodies = chain.blocks.iter().flat_map(|block| &block.names);
+    let results = bodies.map(move |body| format_ident!("{}{}Result", name, body));
+    [name.clone()].into_iter().chain(of_chain).chain(results)
+}
+
+/// Whether a type can be called so.
+fn is_identifier(name: &Ident) -> bool {
+    let text = name.to_string();
+    match text.strip_prefix("r#") {
+        Some(raw) => !["self", "Self", "super", "crate", "_"].contains(&raw),
+        None => text != "gen" && syn::parse_str::<Ident>(&text).is_ok(),
+    }
+}
