@@ -1,7 +1,5 @@
 //! Bodies.
 
-use proc_macro2::Ident;
-
 use super::route::whole_route;
 use crate::diag::Diagnostics;
 use crate::model::Value;
@@ -31,13 +29,16 @@ pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
 
 /// A type of body has mass, centre of mass and inertia, and an output if something follows it.
 pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let (last, stops) = match draft.stops.split_last() {
+    // A last hinge, which joins nothing, needs no output to be joined to.
+    let is_hinge = |stop: &Stop| matches!(stop, Stop::Hinge { .. });
+    let joined = draft.stops.iter().rposition(|stop| !is_hinge(stop)).map_or(0, |last| last + 1);
+    let (last, stops) = match draft.stops[..joined].split_last() {
         Some((last, stops)) => (Some(last), stops),
         None => (None, &draft.stops[..]),
     };
     let last_is_followed = draft.def.route.iter().flat_map(|route| &route.repeats).any(|repeat| {
         // By its own hinge, but for the last time.
-        repeat.count.is_some_and(|count| count > 1) && repeat.stops.end == draft.stops.len()
+        repeat.count.is_some_and(|count| count > 1) && repeat.stops.end >= joined
     });
     // In a route with errors nobody knows which bodies are followed by a hinge.
     let is_again = |stop: &Stop| matches!(stop, Stop::Again { .. });
@@ -59,11 +60,6 @@ pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
 /// Methods of the results at a body, which no named point can have the name of.
 const RESERVED: &[&str] = &["clone"];
 
-/// Whether a method of the results at a body can be called so.
-pub(in crate::model) fn can_be_a_point(name: &Ident) -> bool {
-    !POINTS.iter().chain(RESERVED).any(|known| name == known)
-}
-
 /// A type of body has a point of a name once, and not one that every body has.
 pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics) {
     for body in &draft.types {
@@ -71,7 +67,7 @@ pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics
             let name = point.name;
             let message = if POINTS.iter().any(|known| name == known) {
                 format!("every body has a point `{name}`")
-            } else if !can_be_a_point(name) {
+            } else if RESERVED.iter().any(|known| name == known) {
                 format!("`{name}` is a method of the results at every body and cannot be a name")
             } else if body.points[..index].iter().any(|other| other.name == name) {
                 format!("body `{}` has two points `{name}`", body.name)

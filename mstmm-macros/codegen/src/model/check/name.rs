@@ -2,6 +2,7 @@
 
 use proc_macro2::{Ident, Span};
 use std::collections::HashMap;
+use syn::ext::IdentExt;
 
 use super::route::repeat_around;
 use crate::diag::Diagnostics;
@@ -124,7 +125,9 @@ fn acting<'a>(draft: &'a Draft) -> impl Iterator<Item = &'a Ident> {
 /// Names become methods and types, so they must be identifiers that are no keywords of Rust.
 pub(super) fn names_are_identifiers(draft: &Draft, diagnostics: &mut Diagnostics) {
     let types = draft.types.iter().map(|body| body.name);
-    let names = names(draft);
+    let mut names = names(draft);
+    // A name that is the one of its type: the type is reported.
+    names.retain(|name| !name.made || types.clone().all(|of_type| of_type.unraw() != *name.ident));
     let points = draft.types.iter().flat_map(|body| &body.points).map(|point| point.name);
     let all = names.iter().map(|name| name.ident).chain(types).chain(points);
     let all = all.chain([&draft.def.name]);

@@ -119,3 +119,32 @@ fn a_token_has_one_error() {
         ],
     );
 }
+
+#[test]
+fn a_hinge_that_joins_nothing_needs_no_output() {
+    let body = |output: &str| {
+        format!(
+            "body Bar {{ mass = 1; com = [1, 0, 0]; {output} inertia = diag(1, 1, 1) about com; }}"
+        )
+    };
+    let nothing = ("k", "hinge `k` joins nothing: end the route with a body or with `ground`");
+    let expect = |output: &str, route: &str, mistakes: &[(&str, &str)]| {
+        expect_all(&format!("chain A {{ {} {route} }}", body(output)), mistakes);
+    };
+    expect("", "ground -> pin j -> Bar bar -> pin k;", &[nothing]);
+    expect("output = [1, 0, 0];", "ground -> pin j -> Bar bar -> pin k;", &[nothing]);
+    // An earlier body of the type has a hinge.
+    let missing = ("Bar", "body `Bar` needs `output`");
+    expect("", "ground -> pin j -> Bar a -> pin i -> Bar b -> pin k;", &[missing, nothing]);
+    expect("", "ground -> repeat 3 { pin j -> Bar bar } -> pin k;", &[missing, nothing]);
+}
+
+#[test]
+fn a_type_gives_its_bodies_no_further_error() {
+    let keyword = ("r#type", "`r#type` is a keyword of Rust and cannot be a name");
+    let body = "body r#type { mass = 1; com = [1, 0, 0]; inertia = diag(1, 1, 1) about com; }";
+    expect_all(&format!("chain A {{ {body} ground -> pin j -> r#type; }}"), &[keyword]);
+    let body = body.replace("r#type", "Type");
+    let made = ("Type", "`type` is a keyword of Rust and cannot be a name");
+    expect_all(&format!("chain A {{ {body} ground -> pin j -> Type; }}"), &[made]);
+}
