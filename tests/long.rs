@@ -1,7 +1,7 @@
 //! Chains of a thousand bodies, written with `repeat`: as accurate as short ones, in both precisions
 //! and by both methods, against the same generated code in numbers of twice the precision.
 
-#[path = "support/double_double.rs"]
+#[path = "support/double_double_scalar.rs"]
 mod double_double;
 
 use double_double::DoubleDouble;

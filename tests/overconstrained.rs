@@ -1,7 +1,7 @@
 //! Overconstrained linkages: closed chains of pins that move although as many constraints as
 //! rates, or more, close them, compared with an independent reference in twice the precision.
 
-#[path = "support/double_double.rs"]
+#[path = "support/double_double_scalar.rs"]
 mod double_double;
 mod overconstrained {
     #[macro_use]

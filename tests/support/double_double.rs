@@ -1,7 +1,10 @@
 //! Numbers of twice the precision of `f64`: the unevaluated sum of two. Relative error about
 //! 1e-31 an operation, by the exact sum and product of two floats (Dekker 1971, Knuth).
+//!
+//! The compiler and the generated code have a trait of scalars each. Their tests include this file and
+//! implement the trait.
+#![allow(dead_code)] // No test calls all of it.
 
-use mstmm::Scalar;
 use std::cmp::Ordering;
 use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -24,24 +27,62 @@ fn exact_product(a: f64, b: f64) -> DoubleDouble {
 }
 
 impl DoubleDouble {
-    fn sine_and_cosine(self) -> (Self, Self) {
+    /// The relative error of an operation.
+    pub const EPSILON: Self = Self::new(f64::EPSILON * f64::EPSILON);
+
+    pub const fn new(high: f64) -> Self {
+        DoubleDouble { high, low: 0.0 }
+    }
+
+    /// Two Newton steps double the digits of the `f64` quotient twice.
+    pub fn recip(self) -> Self {
+        let two = Self::new(2.0);
+        let start = Self::new(1.0 / self.high);
+        let better = start * (two - self * start);
+        better * (two - self * better)
+    }
+
+    pub fn sqrt(self) -> Self {
+        if self.high == 0.0 {
+            return self;
+        }
+        let step = |root: Self| (root + self * root.recip()) * Self::new(0.5);
+        step(step(Self::new(self.high.sqrt())))
+    }
+
+    pub fn sin_cos(self) -> (Self, Self) {
         // Taylor series of the angle over 64, then the double-angle formulas six times.
-        let small = self * Self::constant(1.0 / 64.0);
+        let small = self * Self::new(1.0 / 64.0);
         let square = small * small;
-        let (mut sine, mut versine) = (Self::default(), Self::default());
-        let (mut odd, mut even) = (small, square * Self::constant(0.5));
+        let (mut sine, mut versine) = (Self::new(0.0), Self::new(0.0));
+        let (mut odd, mut even) = (small, square * Self::new(0.5));
         for k in 0..14 {
             (sine, versine) = (sine + odd, versine + even);
-            let next =
-                |term: Self, a: f64| -(term * square * Self::constant(a * (a + 1.0)).recip());
+            let next = |term: Self, a: f64| -(term * square * Self::new(a * (a + 1.0)).recip());
             (odd, even) = (next(odd, 2.0 * k as f64 + 2.0), next(even, 2.0 * k as f64 + 3.0));
         }
         // 1 − cos rather than cos keeps all digits of small angles.
-        let (one, two) = (Self::constant(1.0), Self::constant(2.0));
+        let (one, two) = (Self::new(1.0), Self::new(2.0));
         for _ in 0..6 {
             (sine, versine) = (sine * (one - versine) * two, sine * sine * two);
         }
         (sine, one - versine)
+    }
+
+    /// One Newton step, `θ + (y cos θ − x sin θ) / r`, doubles the digits of the `f64` angle.
+    pub fn atan2(self, x: Self) -> Self {
+        let angle = Self::new(self.high.atan2(x.high));
+        let (sine, cosine) = angle.sin_cos();
+        angle + (self * cosine - x * sine) * (self * self + x * x).sqrt().recip()
+    }
+
+    pub fn copysign(self, sign: Self) -> Self {
+        let same = self.high.is_sign_negative() == sign.high.is_sign_negative();
+        if same { self } else { -self }
+    }
+
+    pub fn is_finite(self) -> bool {
+        self.high.is_finite() && self.low.is_finite()
     }
 }
 
@@ -101,92 +142,5 @@ impl MulAssign for DoubleDouble {
 impl PartialOrd for DoubleDouble {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         (*self - *other).high.partial_cmp(&0.0)
-    }
-}
-
-impl Scalar for DoubleDouble {
-    type Mask = bool;
-    type Real = Self;
-
-    fn constant(value: f64) -> Self {
-        DoubleDouble { high: value, low: 0.0 }
-    }
-
-    fn epsilon() -> Self {
-        Self::constant(f64::EPSILON * f64::EPSILON)
-    }
-
-    /// Two Newton steps double the digits of the `f64` quotient twice.
-    fn recip(self) -> Self {
-        let two = Self::constant(2.0);
-        let start = Self::constant(1.0 / self.high);
-        let better = start * (two - self * start);
-        better * (two - self * better)
-    }
-
-    fn sqrt(self) -> Self {
-        if self.high == 0.0 {
-            return self;
-        }
-        let step = |root: Self| (root + self * root.recip()) * Self::constant(0.5);
-        step(step(Self::constant(self.high.sqrt())))
-    }
-
-    fn copysign(self, sign: Self) -> Self {
-        let same = self.high.is_sign_negative() == sign.high.is_sign_negative();
-        if same { self } else { -self }
-    }
-
-    fn abs(self) -> Self {
-        self.copysign(Self::constant(1.0))
-    }
-
-    fn sin_cos<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
-        let both = angles.map(Self::sine_and_cosine);
-        (both.map(|(sine, _)| sine), both.map(|(_, cosine)| cosine))
-    }
-
-    /// One Newton step, `θ + (y cos θ − x sin θ) / r`, doubles the digits of the `f64` angle.
-    fn atan2(self, x: Self) -> Self {
-        let angle = Self::constant(self.high.atan2(x.high));
-        let (sine, cosine) = angle.sine_and_cosine();
-        angle + (self * cosine - x * sine) * (self * self + x * x).sqrt().recip()
-    }
-
-    fn greater(self, other: Self) -> bool {
-        self > other
-    }
-
-    fn finite(self) -> bool {
-        self.high.is_finite() && self.low.is_finite()
-    }
-
-    fn select(mask: bool, yes: Self, no: Self) -> Self {
-        if mask { yes } else { no }
-    }
-
-    fn worst(self) -> Self {
-        self
-    }
-
-    fn splat(value: Self) -> Self {
-        value
-    }
-}
-
-#[test]
-fn identities_hold_to_thirty_digits() {
-    for angle in [0.1, 1.0, -2.5, 3.1, 1e-9] {
-        let number = DoubleDouble::constant;
-        let ([sine], [cosine]) = Scalar::sin_cos([number(angle)]);
-        let one = sine * sine + cosine * cosine - number(1.0);
-        assert!(one.high.abs() < 1e-29, "{one:?}");
-        assert!((sine.high - angle.sin()).abs() <= 1.2e-16 * angle.abs().max(1.0));
-        let root = number(angle.abs() + 0.3).sqrt();
-        assert!((root * root - number(angle.abs() + 0.3)).high.abs() < 1e-30);
-        let back = sine.atan2(cosine) - number(angle);
-        assert!(back.high.abs() < 1e-29, "{back:?}");
-        assert!((root * root.recip() - number(1.0)).high.abs() < 1e-30);
-        assert!(number(angle).greater(number(angle) - DoubleDouble::epsilon()));
     }
 }
