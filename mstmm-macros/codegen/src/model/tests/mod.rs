@@ -1,4 +1,7 @@
 //! Descriptions and what is made of them.
+//!
+//! `tests/ui` has one case with the whole text for a message, and variants here have key words of it;
+//! `tests/messages.rs` holds both to that.
 
 mod any_tokens;
 mod branches_and_loops;
@@ -90,8 +93,20 @@ fn expect(from: &str, to: &str, mistakes: &[(&str, &str)]) {
 #[track_caller]
 fn expect_all(source: &str, mistakes: &[(&str, &str)]) {
     let found = mistakes_in(source);
-    let found: Vec<_> = found.iter().map(|(at, message)| (at.as_str(), message.as_str())).collect();
-    assert_eq!(found, mistakes, "in {source}");
+    let as_expected = |((at, message), expected): (&(String, String), &(&str, &str))| {
+        at == expected.0 && says(message, expected.1)
+    };
+    let all = found.len() == mistakes.len() && found.iter().zip(mistakes).all(as_expected);
+    assert!(all, "found {found:#?}\nexpected {mistakes:#?}\nin {source}");
+}
+
+/// Whether a message is the expected one, in which `…` stands for any words.
+fn says(message: &str, expected: &str) -> bool {
+    let Some((start, rest)) = expected.split_once('…') else { return message == expected };
+    let (between, end) = rest.rsplit_once('…').unwrap_or(("", rest));
+    message.strip_prefix(start).is_some_and(|message| {
+        message.ends_with(end) && between.split('…').all(|words| message.contains(words))
+    })
 }
 
 /// All mistakes: the text that each points at, and the message.

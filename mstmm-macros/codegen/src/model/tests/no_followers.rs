@@ -48,7 +48,7 @@ fn misspelt_items_are_read_as_what_is_meant() {
             ("hing", &item("hing", "hinge")),
             ("kg", "expected an angle, found a mass"),
             ("lod", &item("lod", "load")),
-            ("1 kg", "expected a vector `[x, y, z]`, found a number"),
+            ("1 kg", "expected a vector …, found a number"),
         ],
     );
     expect_rods(
@@ -106,17 +106,11 @@ fn a_token_has_one_error() {
     // A name that is forbidden and used twice.
     expect_rods(
         "ground -> pin q -> Rod x -> pin q -> Rod y;",
-        &[
-            ("q", "`q` is a method of every chain and cannot be a name"),
-            ("q", "the name `q` is used twice"),
-        ],
+        &[("q", "`q` is a method …"), ("q", "the name `q` is used twice")],
     );
     expect_rods(
         "param ground = 1; ground -> pin j -> Rod ground;",
-        &[
-            ("ground", "`ground` is a word of this language and cannot be a name"),
-            ("ground", "the name `ground` is used twice"),
-        ],
+        &[("ground", "`ground` is a word …"), ("ground", "the name `ground` is used twice")],
     );
 }
 
@@ -141,7 +135,7 @@ fn a_hinge_that_joins_nothing_needs_no_output() {
 
 #[test]
 fn a_type_gives_its_bodies_no_further_error() {
-    let keyword = ("r#type", "`r#type` is a keyword of Rust and cannot be a name");
+    let keyword = ("r#type", "`r#type` is a keyword …");
     let body = "body r#type { mass = 1; com = [1, 0, 0]; inertia = diag(1, 1, 1) about com; }";
     expect_all(&format!("chain A {{ {body} ground -> pin j -> r#type; }}"), &[keyword]);
     let body = body.replace("r#type", "Type");
