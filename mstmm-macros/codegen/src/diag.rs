@@ -5,6 +5,17 @@ use quote::{ToTokens, TokenStreamExt};
 use std::collections::HashSet;
 use syn::Error;
 
+/// Stops the compiler at a broken invariant: in a macro that is an error message, and a default in its place
+/// would be a wrong robot.
+macro_rules! bug {
+    ($($what:tt)*) => {
+        unreachable!(
+            "mstmm bug: {}; please report it with the description of the chain",
+            format_args!($($what)*),
+        )
+    };
+}
+
 /// From the first to the last token of something written.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent {

@@ -23,8 +23,10 @@
 
 #![deny(missing_docs)]
 
-pub mod compile;
+#[macro_use]
 pub mod diag;
+
+pub mod compile;
 pub mod emit;
 pub mod equations;
 pub mod examine;

@@ -232,11 +232,13 @@ impl<'a, 'g> Scene<'a, 'g> {
             equations::accelerations(&situation, Method::Riccati, AXES, trace)
         });
         let Some(reaction) = solved.reaction else {
-            unreachable!("mstmm bug: the rank of a closure is to be found, and nothing closes")
+            bug!("the rank of a closure is to be found, and nothing closes")
         };
         // Directions that are held in no state have none.
         let mut pivots = reaction.pivots;
-        assert!(pivots.len() <= directions, "mstmm bug: more pivots than directions");
+        if pivots.len() > directions {
+            bug!("a closing hinge has {} pivots for {directions} directions", pivots.len())
+        }
         pivots.resize(directions, Expr::Number(0.0));
         Some(self.program(Stage::State, &trace, &[pivots], &turns, setup))
     }

@@ -113,7 +113,7 @@ fn route(plan: &Plan) -> String {
     };
     let hinge = |element: Option<&Element>| match element {
         Some(Element::Hinge(index)) => Some(&chain.hinges[*index]),
-        _ => None,
+        Some(Element::Body(_)) | None => None,
     };
     let start = hinge(chain.route.first()).and_then(|hinge| end(chain.before_seam(&hinge.inboard)));
     let finish = hinge(chain.route.last()).and_then(|hinge| end(&hinge.outboard));

@@ -145,7 +145,7 @@ fn ends(drawing: &Drawing, view: &View) -> Vec<String> {
     let chain = &drawing.chain;
     let hinge = |element: Option<&Element>| match element {
         Some(Element::Hinge(index)) => Some(&chain.hinges[*index]),
-        _ => None,
+        Some(Element::Body(_)) | None => None,
     };
     let first = hinge(chain.route.first()).map(|hinge| (&hinge.inboard, 0));
     let last = hinge(chain.route.last()).map(|hinge| (&hinge.outboard, chain.route.len()));
@@ -153,7 +153,7 @@ fn ends(drawing: &Drawing, view: &View) -> Vec<String> {
         let [x, y] = view.place(&drawing.points[point]);
         let dashes = match place {
             Place::Ground(_) => "",
-            _ => " stroke-dasharray=\"3 3\"",
+            Place::Input(_) | Place::Output(_) => " stroke-dasharray=\"3 3\"",
         };
         format!(
             " <path d=\"M{:.1} {:.1}h28m-26 7l5 -7m2 7l5 -7m2 7l5 -7\" fill=\"none\" \
@@ -176,7 +176,12 @@ fn hinge(drawing: &Drawing, view: &View, place: usize, hinge: &Hinge) -> String 
             format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\" fill-opacity=\"0.15\"")
         }
         HingeKind::Ball => format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\""),
-        _ => format!(
+        HingeKind::Slider { .. }
+        | HingeKind::Cylindrical { .. }
+        | HingeKind::Planar { .. }
+        | HingeKind::Floating
+        | HingeKind::Elastic
+        | HingeKind::PlaneElastic => format!(
             "<rect x=\"{:.1}\" y=\"{:.1}\" width=\"10\" height=\"10\" fill-opacity=\"0.15\"",
             x - 5.0,
             y - 5.0

@@ -3,7 +3,7 @@
 use super::Plan;
 use super::looped::{Stream, usize_literal};
 use super::names::helper;
-use crate::model::{Driven, Group, Hinge, HingeId, Input};
+use crate::model::{Driven, Group, Hinge, HingeId, Input, View};
 use crate::program::{Loop, Program};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -110,7 +110,9 @@ fn type_of(plan: &Plan, input: &Input) -> TokenStream {
             let acceleration = plan.numbers_type(plan.chain.hinges[hinge].kind.freedoms());
             quote!(#mstmm::HingeMotion<#mstmm::#view<T>, #acceleration>)
         }
-        _ => plan.numbers_type(input.range.len()),
+        Driven::Gravity | Driven::Efforts(_) | Driven::Force(_) | Driven::Torque(_) => {
+            plan.numbers_type(input.range.len())
+        }
     }
 }
 
@@ -131,17 +133,26 @@ fn zero_of(plan: &Plan, input: &Input) -> TokenStream {
                 }
             }
         }
-        _ => zero(input.range.len()),
+        Driven::Gravity | Driven::Efforts(_) | Driven::Force(_) | Driven::Torque(_) => {
+            zero(input.range.len())
+        }
     }
 }
 
 fn view_name(plan: &Plan, hinge: HingeId) -> Ident {
-    // A hinge without coordinates has no motion to prescribe.
-    let view = plan.chain.hinges[hinge].kind.shape().view.as_ref();
-    format_ident!("{}", view.map_or("", |view| view.name))
+    format_ident!("{}", plan.view(hinge).name)
 }
 
 impl Plan<'_> {
+    /// The view of a hinge that has coordinates.
+    pub fn view(&self, hinge: HingeId) -> &'static View {
+        let Hinge { name, kind, .. } = &self.chain.hinges[hinge];
+        kind.shape()
+            .view
+            .as_ref()
+            .unwrap_or_else(|| bug!("hinge `{name}` has no coordinates to view"))
+    }
+
     /// The type of so many numbers: a number, or a vector.
     pub fn numbers_type(&self, count: usize) -> TokenStream {
         let mstmm = &self.mstmm;
@@ -173,8 +184,7 @@ impl Plan<'_> {
             Driven::Motion(hinge) => {
                 let kind = &self.chain.hinges[hinge].kind;
                 let (coordinates, freedoms) = (kind.coordinates(), kind.freedoms());
-                let groups = kind.shape().view.iter().flat_map(|view| view.groups);
-                let groups = groups.map(|group| match group {
+                let groups = self.view(hinge).groups.iter().map(|group| match group {
                     Group::Coordinates(range) => tuple_or_one(&symbols[range.clone()]),
                     Group::Rates(range) => {
                         let range = coordinates + range.start..coordinates + range.end;

@@ -101,7 +101,7 @@ fn correction(plan: &Plan) -> Correction {
     let (statements, q, v, residual) =
         (block.statements, &block.arrays[0], &block.arrays[1], &block.outputs[2]);
     let closing = plan.layout.closings.first();
-    let closing = closing.unwrap_or_else(|| unreachable!("mstmm bug: nothing to correct"));
+    let closing = closing.unwrap_or_else(|| bug!("a chain without a closing hinge is corrected"));
     let hinge = plan.chain.hinges[*closing].name.to_string();
     let check = (program.outputs[2][1] != Operand::Number(0.0))
         .then(|| quote!(#mstmm::generated::check_closure(residual_, #hinge)?;));

@@ -61,7 +61,7 @@ impl Plan<'_> {
                 let times = usize_literal(self.chain.repeats[turn.repeat].count);
                 quote!(let mut #store = #mstmm::generated::Stored::<[T; #count], #times>::new_const();)
             }
-            _ => TokenStream::new(),
+            Block::Loop(_) | Block::Once(_) => TokenStream::new(),
         });
         let flat = is_long(program);
         let blocks = program.blocks.iter().enumerate().map(|(number, block)| match block {
@@ -202,7 +202,7 @@ impl Plan<'_> {
 
     /// How the slots of a repeated part lie in their array; nothing if it has none.
     pub fn slots_of_part(&self, part: RepeatId) -> Option<Spread> {
-        let count = self.programs.setup.outputs.get(2 + part.index())?.len();
+        let count = self.programs.setup.outputs[2 + part.index()].len();
         (count > 0).then(|| Spread::each(count, part, self.chain.repeats[part].count))
     }
 
@@ -287,7 +287,9 @@ fn load_stream(
     variables: &Variables,
     (from, names): &(usize, Vec<Name>),
 ) -> Option<Stream> {
-    let Some(Block::Loop(earlier)) = program.blocks.get(*from) else { return None };
+    let Some(Block::Loop(earlier)) = program.blocks.get(*from) else {
+        bug!("a loop reads what block {from} stores, which is no loop")
+    };
     let wanted = earlier.stores.iter().map(|name| {
         let is_wanted = names.contains(name);
         is_wanted.then(|| variables.get(*name).clone())

@@ -46,7 +46,10 @@ pub fn of_state(plan: &Plan) -> Vec<String> {
 
 /// The places of a hinge's numbers in an array.
 fn places(spread: &Spread, range: &Range<usize>) -> Option<String> {
-    let piece = spread.piece_of(range.start).filter(|_| !range.is_empty())?;
+    if range.is_empty() {
+        return None;
+    }
+    let piece = spread.piece_of(range.start);
     let first = piece.place + range.start - piece.first;
     let last = first + range.len() - 1;
     let places = if first == last { first.to_string() } else { format!("{first} to {last}") };

@@ -69,9 +69,7 @@ pub fn checks(plan: &Plan) -> TokenStream {
 fn row(plan: &Plan, spread: &Spread, (index, place): (HingeId, usize)) -> TokenStream {
     let mstmm = &plan.mstmm;
     let hinge = plan.chain.hinges[index].name.to_string();
-    let Some(&Piece { first, count, place: start, times, .. }) = spread.piece_of(place) else {
-        unreachable!("mstmm bug: a quaternion that is in no piece of the coordinates")
-    };
+    let &Piece { first, count, place: start, times, .. } = spread.piece_of(place);
     let [first, stride, count] = [start + place - first, count, times].map(usize_literal);
     quote! {
         #mstmm::generated::QuaternionsOf {

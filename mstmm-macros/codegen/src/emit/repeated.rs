@@ -12,17 +12,18 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
 
-/// Where a hinge's numbers lie: the piece of each array, and the numbers' places in the piece.
+/// Where the numbers of a hinge that has coordinates lie: the piece of each array, and the numbers'
+/// places in the piece.
 struct Parts {
-    q: Option<(Piece, Range<usize>)>,
-    v: Option<(Piece, Range<usize>)>,
+    q: (Piece, Range<usize>),
+    v: (Piece, Range<usize>),
 }
 
 impl Parts {
     fn of(plan: &Plan, hinge: HingeId) -> Self {
         let within = |spread: Spread, range: &Range<usize>| {
-            let piece = *spread.piece_of(range.start)?;
-            Some((piece, range.start - piece.first..range.end - piece.first))
+            let piece = *spread.piece_of(range.start);
+            (piece, range.start - piece.first..range.end - piece.first)
         };
         Parts {
             q: within(Spread::coordinates(plan), &plan.layout.q[hinge]),
@@ -32,8 +33,7 @@ impl Parts {
 
     /// What takes the numbers of one time out of the arrays.
     fn taken(&self, plan: &Plan, at: &TokenStream, change: bool) -> TokenStream {
-        let take = |part: &Option<(Piece, Range<usize>)>, letter: &str, array: TokenStream| {
-            let Some((piece, range)) = part else { return TokenStream::new() };
+        let take = |(piece, range): &(Piece, Range<usize>), letter: &str, array: TokenStream| {
             let names = (0..piece.count).map(|k| {
                 if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
             });
@@ -57,7 +57,6 @@ fn variable(letter: &str, number: usize) -> TokenStream {
 
 /// The arguments of a view's constructor, group by group, under names that begin with `prefix`.
 fn groups(plan: &Plan, hinge: HingeId, prefix: &str) -> Vec<TokenStream> {
-    let view = plan.chain.hinges[hinge].kind.shape().view.iter().flat_map(|view| view.groups);
     let group = |group: &Group| {
         let (letter, range) = match group {
             Group::Coordinates(range) => ("q", range.clone()),
@@ -67,12 +66,11 @@ fn groups(plan: &Plan, hinge: HingeId, prefix: &str) -> Vec<TokenStream> {
         let names: Vec<TokenStream> = range.map(|k| variable(&letter, k)).collect();
         if names.len() == 1 { quote!(#(#names)*) } else { quote!([#(#names),*]) }
     };
-    view.map(group).collect()
+    plan.view(hinge).groups.iter().map(group).collect()
 }
 
 fn view_name(plan: &Plan, hinge: HingeId, suffix: &str) -> Ident {
-    let view = plan.chain.hinges[hinge].kind.shape().view.as_ref();
-    format_ident!("{}{suffix}", view.map_or("", |view| view.name))
+    format_ident!("{}{suffix}", plan.view(hinge).name)
 }
 
 /// The views of a repeated hinge.
@@ -141,9 +139,7 @@ pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str
     let name = &plan.chain.hinges[hinge].name;
     let (name_mut, visibility) = (accessor_mut(name), &plan.surface.visibility);
     let (view, view_mut) = (view_name(plan, hinge, ""), view_name(plan, hinge, "Mut"));
-    let Parts { q: Some((q, q_range)), v: Some((v, v_range)) } = Parts::of(plan, hinge) else {
-        return TokenStream::new();
-    };
+    let Parts { q: (q, q_range), v: (v, v_range) } = Parts::of(plan, hinge);
     let read = |(piece, range): (&Piece, &Range<usize>), letter: &str, array: TokenStream| {
         let [count, place] = [piece.count, piece.place].map(usize_literal);
         let names = (0..piece.count).map(|k| {
@@ -200,7 +196,7 @@ pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str
 /// there every further time.
 pub fn points_of(plan: &Plan, place: usize) -> (usize, usize) {
     let spread = Spread::points(plan);
-    let Some(piece) = spread.piece_of(place + 1) else { return (0, 0) };
+    let piece = spread.piece_of(place + 1);
     (piece.place + place - piece.first, piece.count)
 }
 
@@ -233,8 +229,10 @@ pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> Tok
     let range = &plan.layout.rates[index];
     let ty = plan.numbers_type(range.len());
     let spread = Spread::rates(plan);
-    let of = |field: TokenStream| match (spread.piece_of(range.start), range.len()) {
-        (Some(piece), 1..) => {
+    let of = |field: TokenStream| match range.len() {
+        0 => quote!(()),
+        _ => {
+            let piece = spread.piece_of(range.start);
             let slices = plan.slices(&field, piece);
             let names = (0..piece.count).map(|k| {
                 let inside = (piece.first + k >= range.start) && (piece.first + k < range.end);
@@ -250,7 +248,6 @@ pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> Tok
                 #value
             })
         }
-        _ => quote!(()),
     };
     let accelerations = plan.rate_accelerations();
     let (acceleration, effort) = (of(quote!(self.#accelerations)), of(quote!(self.efforts)));

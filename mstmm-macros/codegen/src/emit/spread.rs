@@ -89,7 +89,9 @@ impl Spread {
     }
 
     /// The piece that a number of the model belongs to.
-    pub fn piece_of(&self, number: usize) -> Option<&Piece> {
-        self.pieces.iter().find(|piece| (piece.first..piece.first + piece.count).contains(&number))
+    pub fn piece_of(&self, number: usize) -> &Piece {
+        let has_it = |piece: &&Piece| (piece.first..piece.first + piece.count).contains(&number);
+        let piece = self.pieces.iter().find(has_it);
+        piece.unwrap_or_else(|| bug!("number {number} of an array is in none of its pieces"))
     }
 }

@@ -290,9 +290,8 @@ fn vector(plan: &Plan, range: &Range<usize>, field: &Ident) -> TokenStream {
 fn numbers(plan: &Plan, range: &Range<usize>, field: &Ident) -> TokenStream {
     let mstmm = &plan.mstmm;
     let spread = Spread::rates(plan);
-    let place = spread
-        .piece_of(range.start)
-        .map_or(range.start, |piece| piece.place + range.start - piece.first);
+    let piece = spread.piece_of(range.start);
+    let place = piece.place + range.start - piece.first;
     let [count, place] = [range.len(), place].map(usize_literal);
     quote!(#mstmm::generated::piece::<T, #count>(self.#field.as_slice(), #place))
 }

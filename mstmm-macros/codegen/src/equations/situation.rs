@@ -165,11 +165,14 @@ impl<'a, S: Scalar> Situation<'a, S> {
         let Drive::Efforts(efforts) = &self.chain.hinges[hinge].drive else {
             return vec![S::zero(); self.chain.hinges[hinge].kind.freedoms()];
         };
-        let mut given = self.inputs[self.layout.input(Driven::Efforts(hinge))].iter();
+        let mut given = 0;
         let one = |effort: &Effort| match effort {
             Effort::Free => S::zero(),
             Effort::Constant(value) => self.numbers.scalar(value),
-            Effort::Input => given.next().copied().unwrap_or(S::zero()),
+            Effort::Input => {
+                given += 1;
+                self.inputs[self.layout.input(Driven::Efforts(hinge))][given - 1]
+            }
         };
         efforts.iter().map(one).collect()
     }
@@ -180,11 +183,11 @@ impl<'a, S: Scalar> Situation<'a, S> {
             Source::Nothing => Vec3::zero(),
             Source::Constant(values) => self.numbers.vector(values),
             Source::Input => {
-                let given = &self.inputs[self.layout.input(what)];
-                Vec3([0, 1, 2].map(|k| {
-                    let place = axes.iter().position(|&axis| axis == k);
-                    place.and_then(|place| given.get(place).copied()).unwrap_or(S::zero())
-                }))
+                let given = |place| self.inputs[self.layout.input(what)][place];
+                Vec3(
+                    [0, 1, 2]
+                        .map(|k| axes.iter().position(|&axis| axis == k).map_or(S::zero(), given)),
+                )
             }
         }
     }
@@ -216,9 +219,8 @@ impl<'a, S: Scalar> Situation<'a, S> {
 
 /// How many directions an implicit step adds to those that a closing hinge holds.
 fn added(held: usize, directions: usize) -> usize {
-    held.checked_sub(directions).unwrap_or_else(|| {
-        unreachable!("mstmm bug: a closing hinge holds {held} of {directions} directions")
-    })
+    held.checked_sub(directions)
+        .unwrap_or_else(|| bug!("a closing hinge holds {held} of {directions} directions"))
 }
 
 /// A frame inside another one.

@@ -22,7 +22,7 @@ pub fn spots<S>(situation: &Situation<S>) -> Vec<Spot> {
     };
     // On a seam what passes is what the seam's weld passes on.
     let side = |hinge: HingeId, place: &Place, outboard: bool| {
-        let weld = chain.seam(place).and_then(|seam| chain.weld_of(seam));
+        let weld = chain.seam(place).map(|seam| chain.weld_of(seam));
         weld.map_or(Spot { place: place.clone(), hinge: Some((hinge, outboard)) }, |weld| Spot {
             place: chain.hinges[weld].inboard.clone(),
             hinge: Some((weld, false)),

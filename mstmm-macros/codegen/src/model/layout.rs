@@ -2,8 +2,8 @@
 //! hinge's numbers in the coordinates `q`, the rates `v` and the inputs.
 
 use super::{
-    BodyId, Chain, Drive, Effort, Hinge, HingeId, HingeKind, InputId, LinkId, Load, LoadId, Place,
-    RepeatId, Seam, Source,
+    Body, BodyId, Chain, Drive, Effort, Hinge, HingeId, HingeKind, InputId, LinkId, Load, LoadId,
+    Place, RepeatId, Seam, Source,
 };
 use crate::ids::IdVec;
 use proc_macro2::Ident;
@@ -143,10 +143,10 @@ impl Layout {
         self.v.iter().last().map_or(0, |range| range.end)
     }
 
-    /// The part of the inputs that gives `what`; empty if that is not given.
+    /// The part of the inputs that gives `what`, which the caller does give.
     pub fn input(&self, what: Driven) -> Range<usize> {
         let found = self.inputs.iter().find(|input| input.what == what);
-        found.map_or(0..0, |input| input.range.clone())
+        found.map_or_else(|| bug!("{what:?} is no input"), |input| input.range.clone())
     }
 }
 
@@ -265,10 +265,11 @@ impl Tree {
                 match [(inboard, part(inboard)), (outboard, part(outboard))] {
                     [(_, Some(from)), (Some(body), None)] => (body, from, false),
                     [(Some(body), None), (_, Some(from))] => (body, from, true),
-                    _ => {
+                    [(_, Some(_)), (_, Some(_))] => {
                         closings.push(hinge);
                         continue;
                     }
+                    _ => bug!("hinge `{}` is reached from no side", chain.hinges[hinge].name),
                 };
             let part = if !(is_weld(hinge) && merge) {
                 let parent = match from {
@@ -295,7 +296,10 @@ impl Tree {
             let others = touching[body].iter().filter(|&&other| other != hinge);
             next.extend(others.map(|&other| (is_free(other), other)));
         }
-        let parts = reached.into_iter().map(|part| part.unwrap_or(Part::Ground)).collect();
+        let part = |(body, part): (&Body, Option<Part>)| {
+            part.unwrap_or_else(|| bug!("no hinge holds body `{}`", body.name))
+        };
+        let parts = chain.bodies.iter().zip(reached).map(part).collect();
         Tree { links, closings, parts, joined }
     }
 }

@@ -68,9 +68,9 @@ impl Chain {
     }
 
     /// The weld that joins a seam to what is before it.
-    pub fn weld_of(&self, seam: Seam) -> Option<HingeId> {
+    pub fn weld_of(&self, seam: Seam) -> HingeId {
         let is_it = |hinge: &Hinge| self.seam(&hinge.outboard) == Some(seam);
-        self.hinges.position(is_it)
+        self.hinges.position(is_it).unwrap_or_else(|| bug!("{seam:?} is welded to nothing"))
     }
 
     /// The repeated part that a hinge belongs to.

@@ -26,10 +26,17 @@ impl Chain {
             let number = ends.iter().position(|&end| end == body)?;
             Some(BodyId(bodies_on_route + number))
         };
+        let outer = |place: &Place, on: fn(BodyId) -> Place| match place.body() {
+            None => place.clone(),
+            Some(body) => {
+                on(end(body).unwrap_or_else(|| bug!("a chain ends at a body on its route")))
+            }
+        };
         let mut hinges: IdVec<HingeId, Hinge> = self.hinges.iter().take(implied).cloned().collect();
         for hinge in &mut hinges {
-            let body = hinge.outboard.body().and_then(end).unwrap_or(BodyId(0));
-            hinge.outboard = Place::Input(body);
+            // Those move the ends, or the first body of a chain that floats.
+            let body = hinge.outboard.body().and_then(end);
+            hinge.outboard = Place::Input(body.unwrap_or(BodyId(0)));
         }
         let mut bodies: IdVec<BodyId, Body> = IdVec::new();
         let mut route = Vec::new();
@@ -39,10 +46,6 @@ impl Chain {
                     route.push(Element::Body(bodies.push(self.bodies[body].clone())));
                 }
                 Element::Hinge(hinge) => {
-                    let outer = |place: &Place, on: fn(BodyId) -> Place| match place.body() {
-                        None => place.clone(),
-                        Some(body) => on(end(body).unwrap_or(BodyId(0))),
-                    };
                     let written = &self.hinges[hinge];
                     let inboard = if place == 0 {
                         outer(self.before_seam(&written.inboard), Place::Output)
@@ -73,8 +76,7 @@ impl Chain {
 
     /// Where the seam sits that a place is on, or the place.
     pub fn before_seam<'a>(&'a self, place: &'a Place) -> &'a Place {
-        let weld = self.seam(place).and_then(|seam| self.weld_of(seam));
-        weld.map_or(place, |weld| &self.hinges[weld].inboard)
+        self.seam(place).map_or(place, |seam| &self.hinges[self.weld_of(seam)].inboard)
     }
 
     fn hinges_on_route(&self) -> usize {

@@ -151,7 +151,7 @@ impl Value {
     pub fn at(&self, values: &[Option<f64>]) -> Option<f64> {
         match self {
             Number(value) => Some(*value),
-            Value::Symbol(Symbol::Parameter(index)) => *values.get(*index)?,
+            Value::Symbol(Symbol::Parameter(index)) => values[*index],
             Value::Symbol(Symbol::Constant(_)) => None,
             Sum(a, b) => Some(a.at(values)? + b.at(values)?),
             Product(a, b) => Some(a.at(values)? * b.at(values)?),

@@ -4,9 +4,9 @@ use mstmm_codegen::Expansion;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
 
-/// Expands the text if it is one of Rust's tokens, without a panic: into code that parses and, where
-/// there are mistakes, messages with words. Returns whether it was right, or nothing where it has no
-/// tokens.
+/// Expands the text if it is one of Rust's tokens, without a panic, which a `mstmm bug` is too: into code that
+/// parses and, where there are mistakes, messages with words. Returns whether it was right, or nothing where it
+/// has no tokens.
 pub fn check(text: &str) -> Option<bool> {
     let tokens = without_brackets(text.parse().ok()?);
     let Expansion { items, mistakes, .. } = mstmm_codegen::expand(tokens, &quote!(::mstmm));
