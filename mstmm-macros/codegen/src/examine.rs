@@ -5,8 +5,7 @@ use crate::diag::Diagnostics;
 use crate::equations::{self, Axes, Numbers, Point, Reaction, Situation, Solved, Swept, Trace};
 use crate::math::{Structured, Vec3};
 use crate::model::{
-    Chain, ClosureRank, Drive, Driven, Element, Hinge, HingeId, Layout, LinkId, Method, Role,
-    Source,
+    Chain, ClosureRank, Drive, Driven, Element, Hinge, HingeId, Layout, Method, Role, Source,
 };
 use proc_macro2::Ident;
 
@@ -164,7 +163,7 @@ impl Trial {
                 value.abs() <= NOISE * f64::EPSILON * scale
             });
             let now: Vec<HingeId> =
-                vanishing.map(|pivot| self.merged.links[LinkId(pivot.link)].hinge).collect();
+                vanishing.map(|pivot| self.merged.links[pivot.link].hinge).collect();
             let still: Vec<HingeId> = match idle {
                 None => now,
                 Some(before) => before.into_iter().filter(|hinge| now.contains(hinge)).collect(),

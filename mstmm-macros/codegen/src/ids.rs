@@ -89,6 +89,11 @@ impl<I: Id, T> IdVec<I, T> {
         I::new(self.values.len() - 1)
     }
 
+    /// Takes out the last value.
+    pub fn pop(&mut self) -> Option<T> {
+        self.values.pop()
+    }
+
     /// All indices, in their order.
     pub fn ids(&self) -> IdRange<I> {
         (0..self.values.len()).into()

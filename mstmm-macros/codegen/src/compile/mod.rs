@@ -11,7 +11,7 @@ pub use places::{Place, Places, PointPlaces, Sight};
 use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
 use crate::expr::{Expr, Graph, Stage};
 use crate::model::{
-    Chain, ClosureRank, Hinge, HingeId, HingeKind, Layout, LinkId, Method, Passive, RepeatId, Value,
+    Chain, ClosureRank, Hinge, HingeId, HingeKind, Layout, Method, Passive, RepeatId, Value,
 };
 use crate::passes::{Setup, issue};
 use crate::program::Program;
@@ -268,7 +268,7 @@ impl<'a, 'g> Scene<'a, 'g> {
             pivots.iter().map(|pivot| pivot.value).collect(),
             pivots.iter().map(|pivot| pivot.scale).collect(),
         ];
-        (groups, pivots.iter().map(|pivot| self.merged.links[LinkId(pivot.link)].hinge).collect())
+        (groups, pivots.iter().map(|pivot| self.merged.links[pivot.link].hinge).collect())
     }
 
     fn start(&self, setup: &mut Setup) -> Program {

@@ -6,6 +6,7 @@ use super::load::loads;
 use super::motion::LinkMotion;
 use super::problem::{Demand, Movement, Problem};
 use super::redistribution::redistribute;
+use super::sweep::PerLink;
 use super::transmitted::transmitted;
 use super::{Axes, Situation, Trace, motion, riccati, transfer};
 use crate::ids::IdVec;
@@ -16,7 +17,7 @@ use crate::model::{HingeId, LinkId, Method};
 #[derive(Clone, Copy, Debug)]
 pub struct Pivot<S> {
     /// Index of the link that it belongs to.
-    pub link: usize,
+    pub link: LinkId,
     /// The number.
     pub value: S,
     /// What it is measured by: rounding leaves a few units in the last place of this number.
@@ -107,8 +108,7 @@ fn solve<S: Scalar, R>(
 ) -> (Solved<S>, R) {
     let mut links = motion(situation, axes, trace);
     let closing = closing(situation, axes, &links);
-    let stays = |link| situation.layout.is_at_seam(LinkId(link));
-    let given = to_parents.then(|| redistribute(&mut links, stays, trace));
+    let given = to_parents.then(|| redistribute(situation, &mut links, trace));
     let problem = Problem { given, ..forces(situation, &links, closing.as_ref()) };
     let (movement, pivots) = match method {
         Method::Riccati => riccati::solve(&problem, trace),
@@ -143,14 +143,14 @@ fn solve<S: Scalar, R>(
 /// Newton's and Euler's laws as a problem: forces, efforts and velocities.
 fn forces<'a, S: Scalar>(
     situation: &Situation<'a, S>,
-    links: &'a [LinkMotion<S>],
+    links: &'a PerLink<LinkMotion<S>>,
     closing: Option<&'a Closing<S>>,
 ) -> Problem<'a, S> {
     let outer = loads(situation, links);
     let mut problem = Problem {
         links,
         dimension: situation.chain.dimension,
-        passage: situation.passage,
+        tree: situation.tree,
         drift: links.iter().map(|link| link.over.drift).collect(),
         loads: links.iter().zip(outer).map(|(link, load)| link.velocity_load() - load).collect(),
         efforts: links.iter().map(|link| link.over.freedom.loads(&link.over.efforts)).collect(),
@@ -173,13 +173,13 @@ fn forces<'a, S: Scalar>(
 /// The acceleration that the outboard side of the closing hinge has of itself.
 fn child<S: Scalar>(
     closing: &Closing<S>,
-    links: &[LinkMotion<S>],
+    links: &PerLink<LinkMotion<S>>,
     problem: &Problem<S>,
 ) -> Motion<S> {
     let own = match closing.child {
         None => problem.ground,
         // A moving end hangs on the ground, its motion prescribed.
-        Some(link) => problem.carried(link, &[]),
+        Some(link) => problem.carried(link, problem.ground),
     };
     closing.of_child(own) + closing.child_drift(links)
 }
@@ -198,7 +198,7 @@ fn reached<S: Scalar>(
 fn reaction<S: Scalar>(
     situation: &Situation<S>,
     demand: &Demand<S>,
-    links: &[LinkMotion<S>],
+    links: &PerLink<LinkMotion<S>>,
     movement: &Movement<S>,
 ) -> Reaction<S> {
     let closing = demand.closing;

@@ -10,8 +10,10 @@
 //! A rotor with inertia `I` along a free direction holds that one with an inertia: the direction is
 //! `−I W`, and its `λ` is the acceleration `q̈ = Wᵀ (a_c − X a_p − b)`, so that `F = W (τ − I q̈)`.
 
-use super::motion::{Crossed, LinkMotion, cross, link_of};
+use super::motion::{Crossed, LinkMotion, PartMotion, cross, link_of};
+use super::sweep::PerLink;
 use super::{Axes, Situation, hinge};
+use crate::ids::LinkId;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::HingeId;
 
@@ -21,9 +23,9 @@ pub struct Closing<S> {
     /// The hinge, crossed from its inboard side.
     pub over: Crossed<S>,
     /// The link on its inboard side; none if that is the ground.
-    pub parent: Option<usize>,
+    pub parent: Option<LinkId>,
     /// The link on its outboard side; none if that is the ground.
-    pub child: Option<usize>,
+    pub child: Option<LinkId>,
     /// From the point of the outboard link to the hinge, work axes of that link.
     child_arm: Vec3<S>,
     /// Work axes of the outboard link to those of the hinge.
@@ -47,19 +49,17 @@ pub struct Held<S> {
 pub fn closing<S: Scalar>(
     situation: &Situation<S>,
     axes: Axes,
-    links: &[LinkMotion<S>],
+    links: &PerLink<LinkMotion<S>>,
 ) -> Option<Closing<S>> {
     let &index = situation.layout.closings.first()?;
     let hinge = &situation.chain.hinges[index];
     let (inboard, ..) = situation.place(&hinge.inboard);
     let (outboard, origin, rotation) = situation.place(&hinge.outboard);
     let (parent, child) = (link_of(inboard), link_of(outboard));
-    let over = cross(situation, axes, (index, false), parent.map(|link| &links[link]));
+    let part = |link: Option<LinkId>| link.map_or(PartMotion::ground(), |link| links[link].part());
+    let over = cross(situation, axes, (index, false), &part(parent));
     let alignment = hinge::alignment(&hinge.kind, situation.numbers);
-    let (attitude, point) = match child {
-        None => (Mat3::identity(), Vec3::zero()),
-        Some(link) => (links[link].attitude, links[link].point),
-    };
+    let PartMotion { attitude, point, .. } = part(child);
     let child_to_work = over.from_child * (attitude * (rotation * alignment)).transposed();
     let child_arm = attitude * (origin - point);
     let to_work = Rotation::general(over.from_child);
@@ -165,13 +165,13 @@ impl<S: Scalar> Closing<S> {
 
     /// The wrench on its outboard side, as one about the point of the outboard link in that link's
     /// work axes, and that link.
-    pub fn on_child(&self, wrench: Wrench<S>) -> Option<(usize, Wrench<S>)> {
+    pub fn on_child(&self, wrench: Wrench<S>) -> Option<(LinkId, Wrench<S>)> {
         let back = Rotation::general(self.child_to_work);
         Some((self.child?, wrench.turned_back(&back).moved_from(self.child_arm)))
     }
 
     /// What the turning of the outboard side adds to the acceleration of the hinge, work axes.
-    pub fn child_drift(&self, links: &[LinkMotion<S>]) -> Motion<S> {
+    pub fn child_drift(&self, links: &PerLink<LinkMotion<S>>) -> Motion<S> {
         let omega = self.child.map_or(Vec3::zero(), |child| links[child].omega);
         let linear = self.child_to_work * self.child_arm.centripetal(omega);
         Motion { linear, angular: Vec3::zero() }

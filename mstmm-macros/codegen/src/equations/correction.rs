@@ -9,7 +9,9 @@ use super::hinge::{alignment, coordinate_rates, dot, normalized};
 use super::load::{Pose, poses};
 use super::motion::{Drift, LinkMotion};
 use super::problem::{Demand, Movement, Problem};
+use super::sweep::PerLink;
 use super::{Axes, Situation, Trace, motion, riccati};
+use crate::ids::LinkId;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::{Chain, Hinge, HingeId, Layout};
 
@@ -70,9 +72,9 @@ pub fn moved<S: Scalar>(chain: &Chain, layout: &Layout, q: &[S], along: &[S]) ->
 /// From where the closing hinge arrives to where it should: a shift and a turn.
 fn gap<S: Scalar>(
     situation: &Situation<S>,
-    links: &[LinkMotion<S>],
+    links: &PerLink<LinkMotion<S>>,
     closing: &Closing<S>,
-    poses: &[Pose<S>],
+    poses: &PerLink<Pose<S>>,
 ) -> Gap<S> {
     let hinge = &situation.chain.hinges[closing.over.hinge];
     let (_, origin, rotation) = situation.place(&hinge.outboard);
@@ -111,11 +113,11 @@ impl<S: Scalar> Gap<S> {
 
 /// How the closing hinge's outboard side moves against what arrives there, its axes.
 fn parting<S: Scalar>(
-    links: &[LinkMotion<S>],
+    links: &PerLink<LinkMotion<S>>,
     closing: &Closing<S>,
-    poses: &[Pose<S>],
+    poses: &PerLink<Pose<S>>,
 ) -> Motion<S> {
-    let velocity = |link: Option<usize>| match link {
+    let velocity = |link: Option<LinkId>| match link {
         None => Motion::zero(),
         Some(link) => Motion { linear: poses[link].velocity, angular: links[link].omega },
     };
@@ -123,18 +125,15 @@ fn parting<S: Scalar>(
     closing.of_child(velocity(closing.child)) - arriving
 }
 
-fn pose_of<S: Scalar>(link: Option<usize>, poses: &[Pose<S>]) -> Pose<S> {
-    link.map_or(
-        Pose { position: Vec3::zero(), to_inertial: Mat3::identity(), velocity: Vec3::zero() },
-        |link| poses[link],
-    )
+fn pose_of<S: Scalar>(link: Option<LinkId>, poses: &PerLink<Pose<S>>) -> Pose<S> {
+    link.map_or(Pose::ground(), |link| poses[link])
 }
 
 /// The motion of all hinges that moves the closing hinge by `wanted`, and how much redundant directions
 /// hold.
 fn along<S: Scalar>(
     situation: &Situation<S>,
-    links: &[LinkMotion<S>],
+    links: &PerLink<LinkMotion<S>>,
     closing: &Closing<S>,
     wanted: Motion<S>,
     trace: &mut Trace<S>,
@@ -142,7 +141,7 @@ fn along<S: Scalar>(
     let problem = Problem {
         links,
         dimension: situation.chain.dimension,
-        passage: situation.passage,
+        tree: situation.tree,
         drift: links.iter().map(|_| Drift::none()).collect(),
         loads: links.iter().map(|_| Wrench::zero()).collect(),
         efforts: links

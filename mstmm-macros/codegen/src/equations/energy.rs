@@ -4,9 +4,10 @@ use super::closing::closing;
 use super::hinge::Passives;
 use super::load::{poses, spring_energy};
 use super::redistribution::redistribute;
+use super::sweep::Flatten;
 use super::{Axes, Situation, Trace, motion};
 use crate::math::{Scalar, Vec3};
-use crate::model::{LinkId, Source};
+use crate::model::Source;
 
 /// The energy of a chain in J.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +31,7 @@ pub struct Energy<S> {
 pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Energy<S> {
     // First moments and inertias are constant in body axes.
     let mut links = motion(situation, Axes::Body, trace);
-    redistribute(&mut links, |link| situation.layout.is_at_seam(LinkId(link)), trace);
+    redistribute(situation, &mut links, trace);
     trace.section("energy", "Energy", "");
     let half = S::number(0.5);
     let gravity = match &situation.chain.gravity {
@@ -38,8 +39,9 @@ pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Ener
         Source::Nothing | Source::Input => Vec3::zero(),
     };
     let poses = poses(situation, &links);
-    let mut energy = Energy { kinetic: S::zero(), potential: spring_energy(situation, None) };
-    for (index, (link, pose)) in links.iter().zip(&poses).enumerate() {
+    let start = Energy { kinetic: S::zero(), potential: spring_energy(situation, None) };
+    let mut energy = situation.tree.total(start, |index, mut energy| {
+        let (link, pose) = (&links[index], &poses[index]);
         let beside = link.omega.cross(link.moment);
         let shifting = pose.velocity.dot(pose.velocity * (link.mass * half) + beside);
         let turning = link.inertia.power(link.omega);
@@ -48,13 +50,19 @@ pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Ener
         energy.potential = energy.potential - gravity.dot(first_moment);
         energy.potential = energy.potential + spring_energy(situation, Some((index, link, pose)));
         energy.add_passives(&link.over.passives);
-        let sums = (energy.kinetic, energy.potential);
-        (energy.kinetic, energy.potential) = situation.passage.outwards(index, sums);
-    }
+        energy
+    });
     if let Some(closing) = closing(situation, Axes::Body, &links) {
         energy.add_passives(&closing.over.passives);
     }
     energy
+}
+
+impl<S: Scalar> Flatten<S> for Energy<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        let kinetic = replace(self.kinetic);
+        Energy { kinetic, potential: replace(self.potential) }
+    }
 }
 
 impl<S: Scalar> Energy<S> {

@@ -2,7 +2,8 @@
 
 use super::Situation;
 use super::motion::{LinkMotion, link_of};
-use super::passage::Bundle;
+use super::sweep::{Flatten, PerLink};
+use crate::ids::LinkId;
 use crate::math::{Mat3, Rotation, Scalar, Vec3, Wrench};
 use crate::model::{BodyId, Driven, Load, LoadAxes, LoadId, Source, Spring};
 
@@ -17,7 +18,14 @@ pub struct Pose<S> {
     pub velocity: Vec3<S>,
 }
 
-impl<S: Scalar> Bundle<S> for Pose<S> {
+impl<S: Scalar> Pose<S> {
+    /// Of the ground.
+    pub fn ground() -> Self {
+        Pose { position: Vec3::zero(), to_inertial: Mat3::identity(), velocity: Vec3::zero() }
+    }
+}
+
+impl<S: Scalar> Flatten<S> for Pose<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
         let position = self.position.visit(replace);
         let to_inertial = self.to_inertial.visit(replace);
@@ -26,36 +34,35 @@ impl<S: Scalar> Bundle<S> for Pose<S> {
 }
 
 /// Where all links are [P, Eq. (12)].
-pub fn poses<S: Scalar>(situation: &Situation<S>, links: &[LinkMotion<S>]) -> Vec<Pose<S>> {
-    let mut poses: Vec<Pose<S>> = Vec::new();
-    for (index, link) in links.iter().enumerate() {
-        let over = &link.over;
-        let ground =
-            Pose { position: Vec3::zero(), to_inertial: Mat3::identity(), velocity: Vec3::zero() };
-        let (from, omega) = match link.parent {
-            Some(parent) => (poses[parent], links[parent].omega),
-            None => (ground, Vec3::zero()),
-        };
-        let carried = from.velocity + omega.cross(over.arm);
+pub fn poses<S: Scalar>(
+    situation: &Situation<S>,
+    links: &PerLink<LinkMotion<S>>,
+) -> PerLink<Pose<S>> {
+    let (poses, _) = situation.tree.outward(Pose::ground(), |index, from| {
+        let over = &links[index].over;
+        let carried = from.velocity + over.parent_omega.cross(over.arm);
         let pose = Pose {
             position: from.position + from.to_inertial * over.arm,
             to_inertial: from.to_inertial * over.to_parent.matrix(),
             velocity: over.to_parent.back(carried) + over.relative.linear,
         };
-        poses.push(situation.passage.outwards(index, pose));
-    }
+        (pose, ())
+    });
     poses
 }
 
 /// The loads on every link's part about its point, work axes.
-pub fn loads<S: Scalar>(situation: &Situation<S>, links: &[LinkMotion<S>]) -> Vec<Wrench<S>> {
+pub fn loads<S: Scalar>(
+    situation: &Situation<S>,
+    links: &PerLink<LinkMotion<S>>,
+) -> PerLink<Wrench<S>> {
     let chain = situation.chain;
-    let mut all = vec![Wrench::zero(); links.len()];
+    let mut all = PerLink::filled(Wrench::zero(), links.len());
     if chain.loads.is_empty() && chain.springs.is_empty() {
         return all;
     }
     let poses = poses(situation, links);
-    let mut add = |body: BodyId, wrench: &dyn Fn(usize) -> Wrench<S>| {
+    let mut add = |body: BodyId, wrench: &dyn Fn(LinkId) -> Wrench<S>| {
         // What acts on the ground moves nothing.
         if let Some(link) = link_of(situation.layout.parts[body]) {
             all[link] = all[link] + wrench(link);
@@ -126,7 +133,7 @@ fn inverse_length<S: Scalar>(way: Vec3<S>) -> S {
 /// not move.
 pub fn spring_energy<S: Scalar>(
     situation: &Situation<S>,
-    on: Option<(usize, &LinkMotion<S>, &Pose<S>)>,
+    on: Option<(LinkId, &LinkMotion<S>, &Pose<S>)>,
 ) -> S {
     let own = |spring: &&Spring| {
         link_of(situation.layout.parts[spring.body]) == on.map(|(index, ..)| index)

@@ -2,6 +2,7 @@
 //! the accelerations.
 
 use super::hinge::{self, Freedom, Passives, WorkAxes};
+use super::sweep::{Flatten, PerLink};
 use super::{Situation, Trace};
 use crate::math::{Mat3, Motion, Rotation, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
 use crate::model::{Chain, Hinge, HingeId, Link, LinkId, Part, Place};
@@ -39,6 +40,8 @@ pub struct Crossed<S> {
     pub passives: Passives<S>,
     /// Efforts of motor and passive elements, one for each rate.
     pub efforts: Vec<S>,
+    /// Angular velocity of the parent, in the parent's work axes.
+    pub parent_omega: Vec3<S>,
     /// Motion against the parent, at the point.
     pub relative: Motion<S>,
     /// What joins the acceleration of the point on the way from the parent's.
@@ -78,7 +81,7 @@ pub struct LinkMotion<S> {
     /// The hinge that it hangs on.
     pub over: Crossed<S>,
     /// Index of the link of the part that it hangs on; none if that is the ground.
-    pub parent: Option<usize>,
+    pub parent: Option<LinkId>,
     /// Where its point lies, in its own frame.
     pub point: Vec3<S>,
     /// Its frame's axes to work axes.
@@ -93,7 +96,38 @@ pub struct LinkMotion<S> {
     pub inertia: Sym3<S>,
 }
 
+/// What the motion of a part means to what hangs on it.
+#[derive(Clone, Copy, Debug)]
+pub struct PartMotion<S> {
+    /// Axes of the part's frame to work axes.
+    pub attitude: Mat3<S>,
+    /// Where its point lies, in its own frame.
+    pub point: Vec3<S>,
+    /// Angular velocity `Ω`, work axes.
+    pub omega: Vec3<S>,
+}
+
+impl<S: Scalar> PartMotion<S> {
+    /// The ground is at rest.
+    pub fn ground() -> Self {
+        let (point, omega) = (Vec3::zero(), Vec3::zero());
+        PartMotion { attitude: Mat3::identity(), point, omega }
+    }
+}
+
+impl<S: Scalar> Flatten<S> for PartMotion<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        let attitude = self.attitude.visit(replace);
+        PartMotion { attitude, omega: self.omega.visit(replace), ..self }
+    }
+}
+
 impl<S: Scalar> LinkMotion<S> {
+    /// The motion of its part.
+    pub fn part(&self) -> PartMotion<S> {
+        PartMotion { attitude: self.attitude, point: self.point, omega: self.omega }
+    }
+
     /// The inertia that links `a` and `F` at the point.
     pub fn rigid(&self) -> SpatialInertia<S> {
         SpatialInertia::rigid(self.mass, self.moment, self.inertia)
@@ -143,12 +177,9 @@ pub fn motion<S: Scalar>(
     situation: &Situation<S>,
     axes: Axes,
     trace: &mut Trace<S>,
-) -> Vec<LinkMotion<S>> {
-    let mut links: Vec<LinkMotion<S>> = Vec::new();
-    for (index, link) in situation.layout.links.iter().enumerate() {
-        let mut next = link_motion(situation, axes, link, &links);
-        let (attitude, omega) = (next.attitude, next.omega);
-        (next.attitude, next.omega) = situation.passage.outwards(index, (attitude, omega));
+) -> PerLink<LinkMotion<S>> {
+    let (parts, links) = situation.tree.outward(PartMotion::ground(), |index, parent| {
+        let next = link_motion(situation, axes, &situation.layout.links[index], parent);
         let name = &next.over.name;
         trace.section(
             format!("{name}_kinematics"),
@@ -161,9 +192,14 @@ pub fn motion<S: Scalar>(
         trace.vector(&format!("{name}_centripetal"), next.over.drift.on_parent);
         trace.motion(&format!("{name}_drift"), next.over.drift.in_hinge);
         trace.rigid_body(&next.name, next.mass, next.moment, next.inertia);
-        links.push(next);
-    }
-    links
+        (PartMotion { attitude: next.attitude, point: next.point, omega: next.omega }, next)
+    });
+    let beyond = |(link, part): (LinkMotion<S>, PartMotion<S>)| LinkMotion {
+        attitude: part.attitude,
+        omega: part.omega,
+        ..link
+    };
+    links.into_iter().zip(parts).map(beyond).collect()
 }
 
 /// Crosses the hinge of `link` and comes to its part.
@@ -171,19 +207,18 @@ fn link_motion<S: Scalar>(
     situation: &Situation<S>,
     axes: Axes,
     link: &Link,
-    links: &[LinkMotion<S>],
+    parent: &PartMotion<S>,
 ) -> LinkMotion<S> {
-    let parent = link.parent.map(|parent| &links[parent.index()]);
     let over = cross(situation, axes, (link.hinge, link.reversed), parent);
     let (_, to) = sides(situation.chain, link);
     let (_, point, rotation) = situation.place(to);
     let alignment = hinge::alignment(&situation.chain.hinges[link.hinge].kind, situation.numbers);
     let attitude = over.from_child * (rotation * alignment).transposed();
-    let carried = parent.map_or(Vec3::zero(), |parent| over.to_parent.back(parent.omega));
+    let carried = over.to_parent.back(parent.omega);
     let rigid = rigid_part(situation, link, to, point);
     LinkMotion {
         name: situation.chain.bodies[link.body].name.to_string(),
-        parent: link.parent.map(LinkId::index),
+        parent: link.parent,
         point,
         attitude,
         omega: carried + over.relative.angular,
@@ -226,12 +261,12 @@ fn rigid_part<S: Scalar>(
     all
 }
 
-/// Crosses a hinge from the side of `parent`, the ground if there is none.
+/// Crosses a hinge from the side of `parent`.
 pub fn cross<S: Scalar>(
     situation: &Situation<S>,
     axes: Axes,
     (index, reversed): (HingeId, bool),
-    parent: Option<&LinkMotion<S>>,
+    parent: &PartMotion<S>,
 ) -> Crossed<S> {
     let numbers = situation.numbers;
     let hinge = &situation.chain.hinges[index];
@@ -240,9 +275,8 @@ pub fn cross<S: Scalar>(
     let (q, v) = (situation.coordinates(index), situation.rates(index));
     let crossing = hinge::crossing(&hinge.kind, numbers, q, reversed);
     let alignment = hinge::alignment(&hinge.kind, numbers);
-    let parent_attitude = parent.map_or(Mat3::identity(), |parent| parent.attitude);
-    let from_point = parent.map_or(Vec3::zero(), |parent| parent.point);
-    let from_parent_side = parent_attitude * (from_rotation * alignment);
+    let &PartMotion { attitude, point, omega } = parent;
+    let from_parent_side = attitude * (from_rotation * alignment);
     let of_child =
         WorkAxes { from_parent: crossing.rotation.transposed(), from_child: Mat3::identity() };
     let (to_parent, work) = match axes {
@@ -256,11 +290,10 @@ pub fn cross<S: Scalar>(
         ),
     };
     let offset = from_parent_side * crossing.offset;
-    let arm = parent_attitude * (from_origin - from_point) + offset;
+    let arm = attitude * (from_origin - point) + offset;
     let subspace = crossing.subspace(&work);
     let relative = hinge::combine(subspace.iter(), v);
     let own_drift = crossing.drift(&subspace, v, &work);
-    let omega = parent.map_or(Vec3::zero(), |parent| parent.omega);
     let mut in_hinge = own_drift + hinge_drift(to_parent.back(omega), relative);
     let on_parent = arm.centripetal_by_products(omega);
     let passives = hinge::passives(hinge, numbers, q, v, situation.implicit);
@@ -284,6 +317,7 @@ pub fn cross<S: Scalar>(
         freedom,
         passives,
         efforts,
+        parent_omega: omega,
         relative,
         drift: Drift { on_parent, in_hinge },
         from_child: work.from_child,
@@ -305,9 +339,9 @@ pub(super) fn sides<'a>(chain: &'a Chain, link: &Link) -> (&'a Place, &'a Place)
 }
 
 /// The link that a part moves with; none on the ground.
-pub(super) fn link_of(part: Part) -> Option<usize> {
+pub(super) fn link_of(part: Part) -> Option<LinkId> {
     match part {
         Part::Ground => None,
-        Part::Link(link) => Some(link.index()),
+        Part::Link(link) => Some(link),
     }
 }

@@ -4,8 +4,9 @@
 use super::closing::Closing;
 use super::closure::{Closure, Linkage};
 use super::motion::{Drift, LinkMotion};
-use super::passage::Passage;
 use super::redistribution::Given;
+use super::sweep::{LinkTree, PerLink};
+use crate::ids::LinkId;
 use crate::math::{Motion, Scalar, SpatialInertia, Wrench};
 use crate::model::Dimension;
 
@@ -13,25 +14,25 @@ use crate::model::Dimension;
 #[derive(Clone, Debug)]
 pub struct Problem<'a, S> {
     /// The links.
-    pub links: &'a [LinkMotion<S>],
+    pub links: &'a PerLink<LinkMotion<S>>,
     /// The directions that matter.
     pub dimension: Dimension,
-    /// What happens at the seams of repeated parts.
-    pub passage: Passage<'a, S>,
+    /// The links, for sweeps.
+    pub tree: LinkTree<'a, S>,
     /// What joins `a` at every link on the way from its parent.
-    pub drift: Vec<Drift<S>>,
+    pub drift: PerLink<Drift<S>>,
     /// The part of the wrench at every link's point that does not hang on `a`, of its part alone.
-    pub loads: Vec<Wrench<S>>,
+    pub loads: PerLink<Wrench<S>>,
     /// Efforts along the columns of every link.
-    pub efforts: Vec<Vec<S>>,
+    pub efforts: PerLink<Vec<S>>,
     /// `a` of the ground.
     pub ground: Motion<S>,
     /// The hinge that closes the chain, with what it demands, if there is one.
     pub closing: Option<Demand<'a, S>>,
     /// What the links had before their inertias were redistributed, if they were.
-    pub given: Option<Vec<Given<S>>>,
+    pub given: Option<PerLink<Given<S>>>,
     /// Inertia that a link has besides its own, if any.
-    pub added: Option<(usize, SpatialInertia<S>)>,
+    pub added: Option<(LinkId, SpatialInertia<S>)>,
 }
 
 /// What a closing hinge demands.
@@ -68,12 +69,12 @@ impl<S: Scalar> Relation<S> {
 #[derive(Clone, Debug)]
 pub struct Movement<S> {
     /// Amounts of every link's free columns.
-    pub amounts: Vec<Vec<S>>,
+    pub amounts: PerLink<Vec<S>>,
     /// `a` of every link's point.
-    pub points: Vec<Motion<S>>,
+    pub points: PerLink<Motion<S>>,
     /// What every link's hinge transmits, if that is known without what hangs on it: not where reactions
     /// of a closing hinge join.
-    pub relations: Vec<Relation<S>>,
+    pub relations: PerLink<Relation<S>>,
     /// Reactions along the closing's directions, and what they do not determine.
     pub closure: Closure<S>,
 }
@@ -108,7 +109,7 @@ impl<S: Scalar> Problem<'_, S> {
     }
 
     /// The inertia that links `a` and `F` at a link's point.
-    pub fn inertia(&self, link: usize) -> SpatialInertia<S> {
+    pub fn inertia(&self, link: LinkId) -> SpatialInertia<S> {
         let own = self.links[link].rigid();
         match self.added {
             Some((to, added)) if to == link => own + added,
@@ -117,30 +118,30 @@ impl<S: Scalar> Problem<'_, S> {
     }
 
     /// What measures pivots along shifts and turns of a link's own part.
-    pub fn scales(&self, link: usize) -> (S, S) {
+    pub fn scales(&self, link: LinkId) -> (S, S) {
         let inertia = self.inertia(link);
         let own = (inertia.linear.at(0, 0), inertia.angular.trace());
         self.given.as_ref().map_or(own, |given| given[link].scales)
     }
 
     /// The mass that a link has given to its parent.
-    pub fn given_mass(&self, link: usize) -> S {
+    pub fn given_mass(&self, link: LinkId) -> S {
         self.given.as_ref().map_or(S::zero(), |given| given[link].mass)
     }
 
-    /// `a` of a link's point but for the hinge's own columns.
-    pub fn carried(&self, index: usize, points: &[Motion<S>]) -> Motion<S> {
-        self.links[index].over.carried_with(self.parent(index, points), self.drift[index])
+    /// `a` of a link's point but for the hinge's own columns, from `a` of its parent's point.
+    pub fn carried(&self, link: LinkId, parent: Motion<S>) -> Motion<S> {
+        self.links[link].over.carried_with(parent, self.drift[link])
     }
 
-    /// `a` of the point of a link's parent.
-    pub fn parent(&self, index: usize, points: &[Motion<S>]) -> Motion<S> {
-        self.links[index].parent.map_or(self.ground, |parent| points[parent])
+    /// `a` of the point of a link's parent, from those of all links.
+    pub fn parent(&self, link: LinkId, points: &PerLink<Motion<S>>) -> Motion<S> {
+        self.links[link].parent.map_or(self.ground, |parent| points[parent])
     }
 
     /// The wrenches with which the closing's reactions pull at the link that it hangs on, about its
     /// point, and that link.
-    pub fn pulls(&self) -> Option<(usize, Vec<Wrench<S>>)> {
+    pub fn pulls(&self) -> Option<(LinkId, Vec<Wrench<S>>)> {
         let closing = self.closing.as_ref()?.closing;
         let parent = closing.parent?;
         let pulls = closing.held.iter().map(|held| closing.over.returned(held.wrench)).collect();

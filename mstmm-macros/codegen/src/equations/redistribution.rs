@@ -6,8 +6,10 @@
 //! its hinge. Masses in the middle of balls might go as well, for one operation in a hundred less;
 //! three balls took 6 % more time then, ten 12 %.
 
-use super::Trace;
 use super::motion::LinkMotion;
+use super::sweep::{Flatten, PerLink};
+use super::{Situation, Trace};
+use crate::ids::LinkId;
 use crate::math::{Mat3, Scalar, SpatialInertia, Sym3, Vec3};
 
 /// What a link had before.
@@ -20,51 +22,63 @@ pub struct Given<S> {
 }
 
 /// Redistributes from the free end to the ground, over every hinge that turns about one axis, but for
-/// those that `stays` tells; as much as saves operations.
+/// those at boundaries of repeated parts; as much as saves operations.
 pub fn redistribute<S: Scalar>(
-    links: &mut [LinkMotion<S>],
-    stays: impl Fn(usize) -> bool,
+    situation: &Situation<S>,
+    links: &mut PerLink<LinkMotion<S>>,
     trace: &mut Trace<S>,
-) -> Vec<Given<S>> {
-    let before =
-        |link: &LinkMotion<S>| Given { mass: S::zero(), scales: (link.mass, link.inertia.trace()) };
-    let mut given: Vec<Given<S>> = links.iter().map(before).collect();
-    for index in (0..links.len()).rev() {
+) -> PerLink<Given<S>> {
+    let scales = |link: &LinkMotion<S>| (link.mass, link.inertia.trace());
+    let scales: Vec<(S, S)> = links.iter().map(scales).collect();
+    let own: PerLink<Rigid<S>> = links.iter().map(Rigid::of).collect();
+    let step = |index: LinkId, own: Rigid<S>, of_parent: &mut Rigid<S>| {
         let link = &links[index];
-        let Some(parent) = link.parent else { continue };
-        if stays(index) || !link.over.keeps_the_point() {
-            continue;
+        let stays = situation.layout.is_at_seam(index) || link.parent.is_none();
+        if stays || !link.over.keeps_the_point() {
+            return (own, S::zero());
         }
-        let (own, of_parent) = (Rigid::of(link), Rigid::of(&links[parent]));
-        let weight = |(own, of_parent): &(Rigid<S>, Rigid<S>)| own.weight() + of_parent.weight();
-        let mut best = (own, of_parent);
-        for rod in rods(link) {
-            let to_parent = rod.turned(link.over.to_parent.matrix()).moved_from(link.over.arm);
-            let pair = (own.without(rod), of_parent.with(to_parent));
-            if weight(&pair) < weight(&best) {
-                given[index].mass = rod.mass;
-                best = pair;
-            }
-        }
-        best.0.put_into(&mut links[index]);
-        best.1.put_into(&mut links[parent]);
-    }
+        let ((left, with_rod), given) = lightest(link, (own, *of_parent));
+        *of_parent = with_rod;
+        (left, given)
+    };
+    let ground = Rigid { mass: S::zero(), moment: Vec3::zero(), inertia: Sym3([S::zero(); 6]) };
+    let (left, _) = situation.tree.inward(own, ground, step);
+    let (left, masses): (Vec<Rigid<S>>, Vec<S>) = left.into_iter().unzip();
     trace.section("base", "Base parameters", "");
-    for LinkMotion { name, mass, moment, inertia, .. } in links.iter() {
-        trace.rigid_body(&format!("{name}_base"), *mass, *moment, *inertia);
+    for (link, rigid) in links.iter_mut().zip(left) {
+        rigid.put_into(link);
+        trace.rigid_body(&format!("{}_base", link.name), link.mass, link.moment, link.inertia);
     }
-    given
+    let given = |(mass, scales)| Given { mass, scales };
+    masses.into_iter().zip(scales).map(given).collect()
+}
+
+/// What a link and its parent have with the fewest operations, and the mass that the link gives away.
+fn lightest<S: Scalar>(
+    link: &LinkMotion<S>,
+    (own, of_parent): (Rigid<S>, Rigid<S>),
+) -> ((Rigid<S>, Rigid<S>), S) {
+    let weight = |(own, of_parent): &(Rigid<S>, Rigid<S>)| own.weight() + of_parent.weight();
+    let (mut best, mut given) = ((own, of_parent), S::zero());
+    for rod in rods(link, own) {
+        let to_parent = rod.turned(link.over.to_parent.matrix()).moved_from(link.over.arm);
+        let pair = (own.without(rod), of_parent.with(to_parent));
+        if weight(&pair) < weight(&best) {
+            (best, given) = (pair, rod.mass);
+        }
+    }
+    (best, given)
 }
 
 /// What of a link that turns about one of its axes may be its parent's: a rod along that, without and
 /// with a moment of inertia.
-fn rods<S: Scalar>(link: &LinkMotion<S>) -> Vec<Rigid<S>> {
+fn rods<S: Scalar>(link: &LinkMotion<S>, own: Rigid<S>) -> Vec<Rigid<S>> {
     let Some(axis) = only_axis(link) else { return Vec::new() };
-    let moment = Vec3::from_fn(|k| if k == axis { link.moment[k] } else { S::zero() });
-    let across = link.inertia.at((axis + 2) % 3, (axis + 2) % 3);
+    let moment = Vec3::from_fn(|k| if k == axis { own.moment[k] } else { S::zero() });
+    let across = own.inertia.at((axis + 2) % 3, (axis + 2) % 3);
     let is_across = |i: usize, j: usize| i == j && i != axis;
     let inertia = Sym3::from_fn(|i, j| if is_across(i, j) { across } else { S::zero() });
-    let without = Rigid { mass: link.mass, moment, inertia: Sym3([S::zero(); 6]) };
+    let without = Rigid { mass: own.mass, moment, inertia: Sym3([S::zero(); 6]) };
     vec![without, Rigid { inertia, ..without }]
 }
 
@@ -142,5 +156,12 @@ impl<S: Scalar> Rigid<S> {
         };
         let added = 3 * count(&[self.mass]) + 2 * count(&self.moment.0) + diagonal + beside;
         added + 6 * count(&self.moment.0) + gyroscopic
+    }
+}
+
+/// Nothing crosses a boundary.
+impl<S: Scalar> Flatten<S> for Rigid<S> {
+    fn visit(self, _: &mut dyn FnMut(S) -> S) -> Self {
+        self
     }
 }

@@ -8,6 +8,8 @@ use super::closing::{Closing, closing};
 use super::load::{Pose, loads, poses};
 use super::motion::{Crossed, LinkMotion, link_of};
 use super::spots::{Spot, spots};
+use super::sweep::{Flatten, PerLink};
+use super::transmitted::Summed;
 use super::{Behind, Situation, Solved, Swept, Trace, motion};
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
@@ -90,8 +92,9 @@ pub fn report<S: Scalar>(
     let wrenches = wrenches(situation, &links, &felt, swept, closed);
     let mut hinges: IdVec<HingeId, Option<Transmitting<S>>> =
         situation.chain.hinges.iter().map(|_| None).collect();
-    for (index, (link, &wrench)) in links.iter().zip(&wrenches).enumerate() {
-        hinges[link.over.hinge] = Some(Transmitting::over(situation, index, link, wrench));
+    for (index, link) in links.enumerate() {
+        let over = Transmitting::over(situation, index, link, wrenches[index]);
+        hinges[link.over.hinge] = Some(over);
     }
     if let Some((closing, wrench)) = closed {
         hinges[closing.over.hinge] = Some(Transmitting::closing(closing, wrench));
@@ -126,66 +129,77 @@ fn rate_accelerations<S: Scalar>(situation: &Situation<S>, free: &[S]) -> Vec<S>
 /// What is felt at all links' points: of bodies welded to others, by way of those.
 fn felt<S: Scalar>(
     situation: &Situation<S>,
-    links: &[LinkMotion<S>],
+    links: &PerLink<LinkMotion<S>>,
     swept: &Swept<S>,
-) -> Vec<Motion<S>> {
-    let mut all: Vec<Motion<S>> = Vec::new();
-    for LinkMotion { over, parent, .. } in links {
-        all.push(match swept.behind[over.hinge] {
+) -> PerLink<Motion<S>> {
+    let (all, _) = situation.tree.outward(Felt(situation.ground()), |link, &Felt(parent)| {
+        let over = &links[link].over;
+        let felt = match swept.behind[over.hinge] {
             Some(Behind { felt, .. }) => felt,
-            None => {
-                let parent = parent.map_or(situation.ground(), |parent| all[parent]);
-                over.carried_with(parent, over.drift)
-            }
-        });
+            None => over.carried_with(parent, over.drift),
+        };
+        (Felt(felt), ())
+    });
+    all.into_iter().map(|Felt(felt)| felt).collect()
+}
+
+/// What is felt at a link's point. It crosses no boundary: the sweeps know it there.
+#[derive(Clone, Copy)]
+struct Felt<S>(Motion<S>);
+
+impl<S: Scalar> Flatten<S> for Felt<S> {
+    fn visit(self, _: &mut dyn FnMut(S) -> S) -> Self {
+        self
     }
-    all
 }
 
 /// What every link's hinge exerts on it about its point [P, Eqs. (18), (19)]: of welds between bodies,
 /// what everything behind them takes.
 fn wrenches<S: Scalar>(
     situation: &Situation<S>,
-    links: &[LinkMotion<S>],
-    felt: &[Motion<S>],
+    links: &PerLink<LinkMotion<S>>,
+    felt: &PerLink<Motion<S>>,
     swept: &Swept<S>,
     closed: Option<(&Closing<S>, Wrench<S>)>,
-) -> Vec<Wrench<S>> {
+) -> PerLink<Wrench<S>> {
     let known = |link: &LinkMotion<S>| swept.behind[link.over.hinge].map(|behind| behind.wrench);
     let outer = if links.iter().all(|link| known(link).is_some()) {
-        Vec::new()
+        PerLink::new()
     } else {
         loads(situation, links)
     };
-    let own = |(index, link): (usize, &LinkMotion<S>)| match known(link) {
-        Some(wrench) => wrench,
-        None => link.rigid().times(felt[index]) + link.velocity_load() - outer[index],
-    };
-    let mut all: Vec<Wrench<S>> = links.iter().enumerate().map(own).collect();
-    let pass = |all: &mut Vec<Wrench<S>>, to: Option<usize>, wrench: Wrench<S>| {
-        if let Some(to) = to.filter(|&to| known(&links[to]).is_none()) {
-            all[to] = all[to] + wrench;
+    let own = |(index, link): (LinkId, &LinkMotion<S>)| match known(link) {
+        Some(_) => Summed(None),
+        None => {
+            let own = link.rigid().times(felt[index]) + link.velocity_load() - outer[index];
+            Summed(Some(own))
         }
     };
+    let mut all: PerLink<Summed<S>> = links.enumerate().map(own).collect();
     if let Some((closing, wrench)) = closed {
-        pass(&mut all, closing.parent, wrench.moved_from(closing.over.arm));
+        if let Some(parent) = closing.parent {
+            all[parent].add(|| wrench.moved_from(closing.over.arm));
+        }
         let outboard = wrench.turned_back(&closing.over.to_parent);
         if let Some((child, on_child)) = closing.on_child(outboard) {
-            pass(&mut all, Some(child), on_child.reversed());
+            all[child].add(|| on_child.reversed());
         }
     }
-    for index in (0..links.len()).rev() {
-        let returned = links[index].over.returned(all[index]);
-        pass(&mut all, links[index].parent, returned);
-    }
-    all
+    let step = |link: LinkId, Summed(sum): Summed<S>, parent: &mut Summed<S>| {
+        let Some(wrench) = sum.or_else(|| known(&links[link])) else {
+            unreachable!("mstmm bug: a hinge transmits neither a sum nor what sweeps know")
+        };
+        parent.add(|| links[link].over.returned(wrench));
+        wrench
+    };
+    situation.tree.inward(all, Summed(None), step).0
 }
 
 /// A hinge and what it transmits.
 struct Transmitting<S> {
     over: Crossed<S>,
     /// The link in whose work axes it is; none if those are inertial.
-    axes: Option<usize>,
+    axes: Option<LinkId>,
     /// Exerted by the inboard on the outboard side, about the outboard side's origin.
     wrench: Wrench<S>,
     /// Exerted by the inboard on the outboard side, about the inboard side's origin.
@@ -193,18 +207,18 @@ struct Transmitting<S> {
     /// Exerted on the child, about its point, in the hinge's work axes.
     on_child: Wrench<S>,
     /// The link behind it, where both its sides are one point that moves with that as well.
-    meets: Option<usize>,
+    meets: Option<LinkId>,
 }
 
 impl<S: Scalar> Transmitting<S> {
     /// Over a link's hinge. On a seam the axes in front are known, those behind are another time's.
     fn over(
         situation: &Situation<S>,
-        index: usize,
+        index: LinkId,
         link: &LinkMotion<S>,
         on_child: Wrench<S>,
     ) -> Self {
-        let (place, over) = (&situation.layout.links[LinkId(index)], link.over.clone());
+        let (place, over) = (&situation.layout.links[index], link.over.clone());
         let (axes, at_child, offset) = match place.seam {
             Some(_) => (link.parent, on_child.turned(&over.to_parent), over.offset),
             None => (Some(index), on_child, over.to_parent.back(over.offset)),
@@ -253,9 +267,9 @@ fn efforts<S: Scalar>(
 /// What the connection points are read off.
 struct Sheet<'a, S> {
     situation: &'a Situation<'a, S>,
-    links: &'a [LinkMotion<S>],
-    poses: &'a [Pose<S>],
-    felt: &'a [Motion<S>],
+    links: &'a PerLink<LinkMotion<S>>,
+    poses: &'a PerLink<Pose<S>>,
+    felt: &'a PerLink<Motion<S>>,
     hinges: &'a IdVec<HingeId, Option<Transmitting<S>>>,
 }
 
@@ -293,7 +307,7 @@ impl<S: Scalar> Sheet<'_, S> {
 
     /// Velocity and acceleration of a place on a link: where another link's point is there too, that
     /// one's, which are known.
-    fn moving(&self, spot: &Spot, index: usize, arm: Vec3<S>) -> (Seen<S>, Seen<S>) {
+    fn moving(&self, spot: &Spot, index: LinkId, arm: Vec3<S>) -> (Seen<S>, Seen<S>) {
         let meets = spot.hinge.and_then(|(hinge, _)| self.hinges[hinge].as_ref()?.meets);
         if let Some(other) = meets {
             let (velocity, felt) = (self.poses[other].velocity, self.felt[other].linear);
@@ -318,7 +332,7 @@ impl<S: Scalar> Sheet<'_, S> {
 
     /// A vector in the work axes of a link, or in inertial ones. In a plane and along a line it comes in
     /// the axes of the link's frame: work axes may lie across.
-    fn seen(&self, link: Option<usize>, vector: Vec3<S>) -> Seen<S> {
+    fn seen(&self, link: Option<LinkId>, vector: Vec3<S>) -> Seen<S> {
         let Some(index) = link else { return Seen { axes: Mat3::identity(), vector } };
         let (axes, attitude) = (self.poses[index].to_inertial, self.links[index].attitude);
         match self.situation.chain.dimension {

@@ -1,7 +1,7 @@
 //! A chain in a given state: what every set of equations starts from.
 
 use super::closure::{Linkage, Rank};
-use super::{Numbers, Passage, Weave};
+use super::{LinkTree, Numbers, Weave};
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Scalar, Vec3};
 use crate::model::{
@@ -32,8 +32,8 @@ pub struct Situation<'a, S> {
     pub inputs: &'a [S],
     /// The length of the linearly implicit Euler step to be taken, if that is what is computed.
     pub implicit: Option<S>,
-    /// What happens at the seams of repeated parts.
-    pub passage: Passage<'a, S>,
+    /// The links, for sweeps.
+    pub tree: LinkTree<'a, S>,
     /// Every body's frame in that of its part.
     frames: IdVec<BodyId, Attached<S>>,
 }
@@ -46,10 +46,10 @@ impl<'a, S: Scalar> Situation<'a, S> {
         numbers: &'a Numbers<S>,
         (q, v, inputs): (&'a [S], &'a [S], &'a [S]),
     ) -> Self {
-        let passage = Passage::plain(layout);
         let (implicit, frames) = (None, IdVec::new());
+        let tree = LinkTree::new(layout);
         let mut situation =
-            Situation { chain, layout, numbers, q, v, inputs, implicit, passage, frames };
+            Situation { chain, layout, numbers, q, v, inputs, implicit, tree, frames };
         situation.frames = situation.part_frames();
         situation
     }
@@ -61,7 +61,7 @@ impl<'a, S: Scalar> Situation<'a, S> {
 
     /// The same with `weave` at the seams of repeated parts.
     pub fn woven(self, weave: &'a dyn Weave<S>) -> Self {
-        Situation { passage: Passage::woven(self.layout, weave), ..self }
+        Situation { tree: self.tree.woven(weave), ..self }
     }
 
     /// The frames of merged bodies, each behind those that it is welded to.

@@ -15,8 +15,9 @@ use super::Trace;
 use super::closure::Closure;
 use super::elimination::{Mixed, Reflection};
 use super::hinge::Column;
-use super::passage::Bundle;
 use super::problem::{Movement, Problem, moved};
+use super::sweep::{Flatten, PerLink};
+use crate::ids::LinkId;
 use crate::math::{Motion, Scalar, Wrench};
 
 /// A column of the product: what belongs to one unknown, or the known part.
@@ -58,68 +59,61 @@ pub fn solve<S: Scalar>(
     trace: &mut Trace<S>,
 ) -> Movement<S> {
     let path = path(problem);
-    let mut used: Vec<Vec<Used<S>>> = Vec::new();
-    let mut product: Option<Product<S>> = None;
-    for (place, &index) in path.iter().enumerate() {
-        let over = &problem.links[index].over;
+    let (product, used) = problem.tree.along(&path, None, |link, before: Option<Product<S>>| {
+        let over = &problem.links[link].over;
         trace.section(
             format!("{}_transfer", over.name),
             format!("Transfer to `{}`", over.name),
             "[P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge",
         );
-        let mut here = match (product, place.checked_sub(1)) {
-            (Some(before), Some(last)) => before.across(problem, path[last], index),
-            _ => Product::at_ground(problem, index),
+        let mut here = match (before, problem.links[link].parent) {
+            (Some(before), Some(parent)) => before.across(problem, parent, link),
+            _ => Product::at_ground(problem, link),
         };
-        used.push(here.cross_hinge(problem, index, trace));
+        let used = here.cross_hinge(problem, link, trace);
         here.record(&over.name, trace);
-        product = Some(problem.passage.outwards(index, here));
-    }
+        (Some(here), used)
+    });
     let unknowns = match (&product, path.last()) {
         (Some(product), Some(&last)) => {
             far_end(problem, (product, last), &closure.reactions, trace)
         }
         _ => Vec::new(),
     };
-    let along_path = recover(unknowns, &used, trace, problem, &path);
-    let mut amounts = vec![Vec::new(); problem.links.len()];
-    for (&index, betas) in path.iter().zip(along_path) {
-        amounts[index] = betas;
+    let mut amounts = PerLink::filled(Vec::new(), problem.links.len());
+    for (link, betas) in recover(unknowns, &used, trace, problem) {
+        amounts[link] = betas;
     }
     let points = points(problem, &amounts);
-    Movement { amounts, points, relations: Vec::new(), closure }
+    Movement { amounts, points, relations: PerLink::new(), closure }
 }
 
 /// The links from the ground to the far end; a moving end at the far side is not among them.
-fn path<S: Scalar>(problem: &Problem<S>) -> Vec<usize> {
+fn path<S: Scalar>(problem: &Problem<S>) -> Vec<LinkId> {
     let last = match &problem.closing {
         Some(demand) => demand.closing.parent,
-        None => problem.links.len().checked_sub(1),
+        None => problem.links.ids().into_iter().next_back(),
     };
-    let mut path: Vec<usize> =
-        std::iter::successors(last, |&link| problem.links[link].parent).collect();
-    path.reverse();
-    path
+    last.map_or(Vec::new(), |last| problem.tree.path_to(last))
 }
 
 /// `a` of all points, from the amounts of all columns.
-fn points<S: Scalar>(problem: &Problem<S>, amounts: &[Vec<S>]) -> Vec<Motion<S>> {
-    let mut points: Vec<Motion<S>> = Vec::new();
-    for (index, link) in problem.links.iter().enumerate() {
-        let point = problem.carried(index, &points) + moved(link, &amounts[index]);
-        points.push(problem.passage.outwards(index, point));
-    }
+fn points<S: Scalar>(problem: &Problem<S>, amounts: &PerLink<Vec<S>>) -> PerLink<Motion<S>> {
+    let (points, _) = problem.tree.outward(problem.ground, |link, &parent| {
+        let carried = problem.carried(link, parent);
+        (carried + moved(&problem.links[link], &amounts[link]), ())
+    });
     points
 }
 
-impl<S: Scalar> Bundle<S> for Part<S> {
+impl<S: Scalar> Flatten<S> for Part<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
         let a = self.a.visit(replace);
         Part { a, f: self.f.visit(replace) }
     }
 }
 
-impl<S: Scalar> Bundle<S> for Product<S> {
+impl<S: Scalar> Flatten<S> for Product<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
         let known = self.known.visit(replace);
         Product { known, columns: self.columns.visit(replace) }
@@ -128,16 +122,16 @@ impl<S: Scalar> Bundle<S> for Product<S> {
 
 impl<S: Scalar> Product<S> {
     /// The start of the chain: its acceleration is known, its wrench is the unknown.
-    fn at_ground(problem: &Problem<S>, first: usize) -> Self {
+    fn at_ground(problem: &Problem<S>, first: LinkId) -> Self {
         let unknown = |&k: &usize| Part { a: Motion::zero(), f: Wrench::unit(k) };
         Product {
-            known: Part { a: problem.carried(first, &[]), f: Wrench::zero() },
+            known: Part { a: problem.carried(first, problem.ground), f: Wrench::zero() },
             columns: problem.dimension.axes().iter().map(unknown).collect(),
         }
     }
 
     /// Over the body at `from` [P, Eqs. (17) to (19)] and into the axes of `to`.
-    fn across(self, problem: &Problem<S>, from: usize, to: usize) -> Self {
+    fn across(self, problem: &Problem<S>, from: LinkId, to: LinkId) -> Self {
         let over = &problem.links[to].over;
         let beyond = |f: Wrench<S>| f.moved_from(-over.arm).turned_back(&over.to_parent);
         let Product { known, columns } = self.beyond(problem, from);
@@ -150,7 +144,7 @@ impl<S: Scalar> Product<S> {
     }
 
     /// The wrench behind the body at a link, about its point, in place of the one in front of it.
-    fn beyond(&self, problem: &Problem<S>, link: usize) -> Self {
+    fn beyond(&self, problem: &Problem<S>, link: LinkId) -> Self {
         let inertia = problem.inertia(link);
         let taken = |part: &Part<S>| Part { a: part.a, f: part.f - inertia.times(part.a) };
         let known = taken(&self.known);
@@ -164,7 +158,7 @@ impl<S: Scalar> Product<S> {
     fn cross_hinge(
         &mut self,
         problem: &Problem<S>,
-        index: usize,
+        index: LinkId,
         trace: &mut Trace<S>,
     ) -> Vec<Used<S>> {
         let over = &problem.links[index].over;
@@ -216,7 +210,7 @@ impl<S: Scalar> Product<S> {
 /// The boundary conditions outboard of the last body, [P, Eq. (11)].
 fn far_end<S: Scalar>(
     problem: &Problem<S>,
-    (product, last): (&Product<S>, usize),
+    (product, last): (&Product<S>, LinkId),
     reactions: &[S],
     trace: &mut Trace<S>,
 ) -> Vec<S> {
@@ -260,15 +254,12 @@ fn boundary<S: Scalar>(mut rows: Vec<Row<S>>) -> Vec<S> {
 
 /// Back through the hinges: each gives up its `β` and gets its eliminated unknown.
 fn recover<S: Scalar>(
-    mut unknowns: Vec<S>,
-    used: &[Vec<Used<S>>],
+    unknowns: Vec<S>,
+    used: &[(LinkId, Vec<Used<S>>)],
     trace: &mut Trace<S>,
     problem: &Problem<S>,
-    path: &[usize],
-) -> Vec<Vec<S>> {
-    let mut amounts: Vec<Vec<S>> = Vec::new();
-    for (&link, steps) in path.iter().zip(used).rev() {
-        unknowns = problem.passage.inwards(link, unknowns);
+) -> Vec<(LinkId, Vec<S>)> {
+    let (_, amounts) = problem.tree.back_along(used, unknowns, |link, steps, mut unknowns| {
         let name = &problem.links[link].over.name;
         trace.section(format!("{name}_back"), format!("Back to `{name}`"), "[P, Eqs. (8), (11)]");
         let mut betas = Vec::new();
@@ -280,8 +271,7 @@ fn recover<S: Scalar>(
         for (number, &beta) in betas.iter().enumerate() {
             trace.number(format!("{name}_beta{number}"), beta);
         }
-        amounts.push(betas);
-    }
-    amounts.reverse();
+        (unknowns, betas)
+    });
     amounts
 }

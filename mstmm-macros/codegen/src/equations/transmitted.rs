@@ -1,7 +1,9 @@
 //! What every hinge transmits, once it is known how the links move [P, Eqs. (18), (19)].
 
 use super::Trace;
-use super::problem::{Movement, Problem, Relation};
+use super::problem::{Movement, Problem};
+use super::sweep::{Flatten, PerLink};
+use crate::ids::LinkId;
 use crate::math::{Scalar, Wrench};
 
 /// Over so many bodies at most a wrench is a sum where it need not be one: rounding grows with the square
@@ -14,7 +16,7 @@ pub fn transmitted<S: Scalar>(
     problem: &Problem<S>,
     movement: &Movement<S>,
     trace: &mut Trace<S>,
-) -> Vec<Wrench<S>> {
+) -> PerLink<Wrench<S>> {
     let mut wrenches = from_the_free_end(problem, movement);
     if let Some(demand) = &problem.closing {
         let reaction = demand.closing.wrench(demand.given, &movement.closure.reactions);
@@ -22,7 +24,7 @@ pub fn transmitted<S: Scalar>(
             wrenches[child] = wrenches[child] - on_child;
         }
     }
-    let released = |(index, wrench): (usize, Wrench<S>)| {
+    let released = |(index, &wrench): (LinkId, &Wrench<S>)| {
         let over = &problem.links[index].over;
         let wrench = over.freedom.released(wrench, &over.efforts);
         trace.section(
@@ -33,56 +35,90 @@ pub fn transmitted<S: Scalar>(
         trace.wrench(&format!("{}_load", over.name), wrench);
         wrench
     };
-    wrenches.into_iter().enumerate().map(released).collect()
+    wrenches.enumerate().map(released).collect()
 }
 
 /// From what every body's own motion takes and its children pass on; where that would be a long sum, or
 /// one over the times of a repeated part, from what comes over from the parent, with the relation of
 /// the way to the ground. Relations take about as many operations, but their numbers have to be kept
 /// until it is known how the links move.
-fn from_the_free_end<S: Scalar>(problem: &Problem<S>, movement: &Movement<S>) -> Vec<Wrench<S>> {
-    let relations = relations(problem, movement);
-    let of = |(index, &load): (usize, &Wrench<S>)| {
+fn from_the_free_end<S: Scalar>(
+    problem: &Problem<S>,
+    movement: &Movement<S>,
+) -> PerLink<Wrench<S>> {
+    let of = |(index, &load): (LinkId, &Wrench<S>)| {
         problem.inertia(index).times(movement.points[index]) + load
     };
-    let mut wrenches: Vec<Wrench<S>> = problem.loads.iter().enumerate().map(of).collect();
+    let mut wrenches: PerLink<Wrench<S>> = problem.loads.enumerate().map(of).collect();
     if let (Some(demand), Some((link, pulls))) = (&problem.closing, problem.pulls()) {
         let given = wrenches[link] + demand.closing.over.returned(demand.given);
         wrenches[link] = pulled(given, &pulls, &movement.closure.reactions);
     }
-    for index in (0..wrenches.len()).rev() {
-        wrenches[index] = match relations[index] {
-            Some(relation) => relation.at(problem.carried(index, &movement.points)),
-            None => problem.passage.inwards(index, wrenches[index]),
-        };
-        let link = &problem.links[index];
-        let wrench = link.over.freedom.released(wrenches[index], &link.over.efforts);
-        if let Some(parent) = link.parent.filter(|&parent| relations[parent].is_none()) {
-            wrenches[parent] = wrenches[parent] + link.over.returned(wrench);
-        }
-    }
-    wrenches
+    let by_relation = by_relation(problem, movement);
+    let of = |(wrench, &elsewhere)| Summed(if elsewhere { None } else { Some(wrench) });
+    let own = wrenches.into_iter().zip(&by_relation).map(of).collect();
+    let step = |link: LinkId, Summed(sum): Summed<S>, parent: &mut Summed<S>| {
+        let wrench = sum.unwrap_or_else(|| {
+            let a = problem.parent(link, &movement.points);
+            movement.relations[link].at(problem.carried(link, a))
+        });
+        let over = &problem.links[link].over;
+        let released = over.freedom.released(wrench, &over.efforts);
+        parent.add(|| over.returned(released));
+        wrench
+    };
+    problem.tree.inward(own, Summed(None), step).0
 }
 
-/// The relations of hinges that are not to be summed up for, if there are any.
-fn relations<'a, S: Scalar>(
-    problem: &Problem<S>,
-    movement: &'a Movement<S>,
-) -> Vec<Option<&'a Relation<S>>> {
-    let mut bodies = vec![1; problem.links.len()];
-    let mut chosen = vec![None; problem.links.len()];
-    for (index, relation) in movement.relations.iter().enumerate().rev() {
-        let at_seam = problem.passage.is_seam(index);
-        if at_seam || bodies[index] > MOST_BODIES {
-            (chosen[index], bodies[index]) = (Some(relation), 0);
-        }
-        if let Some(parent) = problem.links[index].parent {
-            // What is beyond a seam is another time's, and cannot be added up at all.
-            let beyond = if at_seam { MOST_BODIES } else { bodies[index] };
-            bodies[parent] = bodies[parent].max(beyond + 1);
+/// Which hinges are not to be summed up for.
+fn by_relation<S: Scalar>(problem: &Problem<S>, movement: &Movement<S>) -> PerLink<bool> {
+    if movement.relations.is_empty() {
+        return PerLink::filled(false, problem.links.len());
+    }
+    let own = PerLink::filled(Bodies(1), problem.links.len());
+    let step = |link: LinkId, Bodies(count): Bodies, parent: &mut Bodies| {
+        let at_boundary = problem.tree.is_boundary(link);
+        let is_chosen = at_boundary || count > MOST_BODIES;
+        // What is beyond a boundary is another repetition's, and cannot be added up at all.
+        let beyond = match is_chosen {
+            _ if at_boundary => MOST_BODIES,
+            true => 0,
+            false => count,
+        };
+        parent.0 = parent.0.max(beyond + 1);
+        is_chosen
+    };
+    problem.tree.inward(own, Bodies(0), step).0
+}
+
+/// A wrench as the sum of what a body takes of itself and what its children pass on; nothing where it is
+/// known in another way.
+#[derive(Clone, Copy, Debug)]
+pub struct Summed<S>(pub Option<Wrench<S>>);
+
+impl<S: Scalar> Summed<S> {
+    /// Adds a wrench, if this is a sum.
+    pub fn add(&mut self, more: impl FnOnce() -> Wrench<S>) {
+        if let Some(sum) = &mut self.0 {
+            *sum = *sum + more();
         }
     }
-    chosen
+}
+
+impl<S: Scalar> Flatten<S> for Summed<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        Summed(self.0.visit(replace))
+    }
+}
+
+/// The longest sum of bodies that hang on a link.
+#[derive(Clone, Copy)]
+struct Bodies(usize);
+
+impl<S> Flatten<S> for Bodies {
+    fn visit(self, _: &mut dyn FnMut(S) -> S) -> Self {
+        self
+    }
 }
 
 /// With the reactions of a closing hinge.

@@ -6,8 +6,8 @@ use crate::math::{Motion, Scalar, Wrench};
 
 /// The directions that a hinge leaves free, in the work axes of the child.
 ///
-/// The child moves against the parent by `Σ columns[i] β[i]`, and `v = inverse · β`. The hinge's
-/// condition is `columnsᵀ F = inverseᵀ τ − armature β̇`.
+/// The child moves against the parent by `Σ columns[i] w[i]`, and `v = inverse · w`. The hinge's
+/// condition is `columnsᵀ F = inverseᵀ τ − armature ẇ`.
 #[derive(Clone, Debug)]
 pub struct Freedom<S> {
     /// The free directions; none where the motion is prescribed.

@@ -3,93 +3,91 @@
 use super::super::Trace;
 use super::super::hinge::Column;
 use super::super::problem::Problem;
+use super::super::sweep::PerLink;
 use super::direction::Eliminated;
+use crate::ids::LinkId;
 use crate::math::{Motion, Scalar};
 
-/// The amounts `β` and the accelerations of all points.
+/// The accelerations `v̇` along all free directions and the accelerations of all points.
 pub(super) fn recover<S: Scalar>(
     problem: &Problem<S>,
-    eliminated: &[Vec<Eliminated<S>>],
+    eliminated: &PerLink<Vec<Eliminated<S>>>,
     trace: &mut Trace<S>,
-) -> (Vec<Vec<S>>, Vec<Motion<S>>) {
-    let mut points: Vec<Motion<S>> = Vec::new();
-    let mut amounts = Vec::new();
-    for (index, (link, eliminated)) in problem.links.iter().zip(eliminated).enumerate() {
-        let over = &link.over;
+) -> (PerLink<Vec<S>>, PerLink<Motion<S>>) {
+    let (points, amounts) = problem.tree.outward(problem.ground, |link, &parent| {
+        let over = &problem.links[link].over;
         trace.section(
             format!("{}_acceleration", over.name),
             format!("Acceleration of `{}`", over.name),
             "[P, Eqs. (13), (36), (44)]",
         );
-        let carried = problem.carried(index, &points);
-        let (betas, acceleration) = match &eliminated[..] {
+        let carried = problem.carried(link, parent);
+        let (amounts, acceleration) = match &eliminated[link][..] {
             [step @ Eliminated { waiting: Some(axis), .. }] => {
-                let parent = problem.parent(index, &points);
-                advance_early(problem, index, (parent, carried), step, *axis)
+                advance_early(problem, link, (parent, carried), step, *axis)
             }
             steps => advance(carried, steps, &over.freedom.armature),
         };
         trace.motion(&format!("{}_a", over.name), acceleration);
-        points.push(problem.passage.outwards(index, acceleration));
-        amounts.push(betas);
-    }
+        (acceleration, amounts)
+    });
     (amounts, points)
 }
 
-/// Adds the parts of a hinge's free directions to `acceleration`; returns their amounts `β` as well.
+/// Adds the parts of a hinge's free directions to `acceleration`; returns their amounts `v̇` as well.
 fn advance<S: Scalar>(
     mut acceleration: Motion<S>,
     steps: &[Eliminated<S>],
     armatures: &[S],
 ) -> (Vec<S>, Motion<S>) {
-    let mut betas = Vec::new();
+    let mut rates = Vec::new();
     for (step, armature) in steps.iter().zip(armatures).rev() {
         let before = acceleration;
-        let beta = match step.column {
-            // The new component follows without the old one, which then matters to `β` alone.
+        let rate = match step.column {
+            // The new component follows without the old one, which then matters to `v̇` alone.
             Column::Axis(axis) if armature.vanishes() => {
-                let new = step.rest - before.power(step.beside(axis));
+                let new = step.rest - before.power(step.gain_beside(axis));
                 acceleration = before.with(axis, new);
                 new - before.at(axis)
             }
             column => {
-                let beta = step.rest - before.power(step.gain);
-                acceleration = before + column.motion().scaled(beta);
-                beta
+                let rate = step.rest - before.power(step.gain);
+                acceleration = before + column.motion().scaled(rate);
+                rate
             }
         };
-        betas.insert(0, beta);
+        rates.insert(0, rate);
     }
-    (betas, acceleration)
+    (rates, acceleration)
 }
 
-/// The same for a single axis, with `zᵀ a'` of equation (3) taken apart: most of it is known before
+/// The same for a single axis, with `Kᵀ a'` of equation (3) taken apart: most of it is known before
 /// `a` of the parent is, and need not wait for it.
 fn advance_early<S: Scalar>(
     problem: &Problem<S>,
-    index: usize,
+    link: LinkId,
     (parent, carried): (Motion<S>, Motion<S>),
     step: &Eliminated<S>,
     axis: usize,
 ) -> (Vec<S>, Motion<S>) {
-    let beside = step.beside(axis);
-    let over = &problem.links[index].over;
-    let rest = step.rest - problem.drift[index].power(&over.to_parent, beside);
-    let new = rest - parent.power(over.returned(beside));
+    let gain = step.gain_beside(axis);
+    let over = &problem.links[link].over;
+    let rest = step.rest - problem.drift[link].power(&over.to_parent, gain);
+    let new = rest - parent.power(over.returned(gain));
     (vec![new - carried.at(axis)], carried.with(axis, new))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::direction::tests::{carried, some};
+    use super::super::direction::tests::{articulated, some};
     use super::super::direction::{Condition, eliminate};
-    use super::{Column, Eliminated, Motion, advance};
+    use super::{Column, Motion, advance};
     use crate::math::{Scalar, Structured, Vec3};
 
-    /// `Sᵀ (A (a' + S β) + e) + H β = τ` for all directions of a hinge at once.
+    /// `Sᵀ (A (a' + S v̇) + e) + H v̇ = τ` for all directions of a hinge at once.
     fn check(columns: &[usize], armatures: &[f64]) {
-        let mut here = carried();
-        let (inertia, load) = (here.inertia, here.load);
+        let mut here = articulated();
+        let (inertia, load) = (here.inertia, here.bias);
         let rotor = |number: usize| match armatures[number] {
             0.0 => Structured::zero(),
             armature => some(armature),
@@ -104,16 +102,15 @@ mod tests {
             })
             .collect();
         let steps = eliminate(&mut here, &conditions);
-        let steps: Vec<Eliminated<_>> = steps.into_iter().map(|(_, step)| step).collect();
         let carried = Motion {
             linear: Vec3([0.7, -0.2, 1.9].map(some)),
             angular: Vec3([-0.4, 0.6, 0.5].map(some)),
         };
         let rotors: Vec<Structured<f64>> = conditions.iter().map(|c| c.armature).collect();
-        let (betas, acceleration) = advance(carried, &steps, &rotors);
+        let (rates, acceleration) = advance(carried, &steps, &rotors);
         let transmitted = inertia.times(acceleration) + load;
-        for (condition, beta) in conditions.iter().zip(betas) {
-            let found = condition.column.motion().power(transmitted) + condition.armature * beta;
+        for (condition, rate) in conditions.iter().zip(rates) {
+            let found = condition.column.motion().power(transmitted) + condition.armature * rate;
             // Sums of products up to 10, pivots above 0.1 of what they come from: a hundred roundings.
             let error = (found - condition.effort).value().abs();
             assert!(error < 10.0 * 100.0 * f64::EPSILON, "{columns:?} {armatures:?}: {error:e}");

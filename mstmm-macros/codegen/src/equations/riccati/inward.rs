@@ -1,0 +1,179 @@
+//! From the free ends to the ground: equations (1), (2) and (4).
+
+use super::super::motion::{Crossed, Drift};
+use super::super::problem::{Problem, Relation};
+use super::super::sweep::{Flatten, PerLink};
+use super::super::{Pivot, Trace};
+use super::direction::{Condition, Eliminated, eliminate};
+use super::open_loop::OpenLoop;
+use crate::ids::LinkId;
+use crate::math::{Motion, Scalar, SpatialInertia, Vec3, Wrench};
+
+/// A link with all that hangs on it.
+#[derive(Clone)]
+pub struct Articulated<S> {
+    /// `Iᴬ`
+    pub inertia: SpatialInertia<S>,
+    /// `pᴬ`
+    pub bias: Wrench<S>,
+    /// `Tᴬ` by columns, if a loop is open here.
+    pub columns: Vec<Wrench<S>>,
+    /// Squares of the arms that the moments of `Tᴬ` come from.
+    pub reach: S,
+    /// What a pivot along a shift or a turn is the sum of: one that should vanish is what rounding
+    /// leaves of it.
+    pub scales: (S, S),
+    /// The loop that is open here, its closing hinge being farther out.
+    pub open: Option<OpenLoop<S>>,
+}
+
+/// What comes out of the way to the ground.
+pub struct Reduced<S> {
+    /// What each link has eliminated.
+    pub eliminated: PerLink<Vec<Eliminated<S>>>,
+    /// What is left of `F = Iᴬ a + pᴬ` then.
+    pub relations: PerLink<Relation<S>>,
+    /// The open loop as it arrives at the ground.
+    pub open: Option<OpenLoop<S>>,
+    /// `D` of all directions, the last link first.
+    pub pivots: Vec<Pivot<S>>,
+}
+
+/// From the free ends to the ground.
+pub fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<S> {
+    let step = |link: LinkId, mut here: Articulated<S>, parent: &mut Articulated<S>| {
+        let over = &problem.links[link].over;
+        trace.section(
+            format!("{}_riccati", over.name),
+            format!("Riccati transfer over `{}`", over.name),
+            "F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]",
+        );
+        trace.inertia(&format!("{}_articulated", over.name), here.inertia);
+        trace.wrench(&format!("{}_bias", over.name), here.bias);
+        let conditions = conditions(over, &problem.efforts[link]);
+        let steps = eliminate(&mut here, &conditions);
+        if let Some(open) = &mut here.open {
+            open.add_directions(&steps, problem.tree.is_repeated(link));
+            open.add_drift(problem.drift[link], over, &here.columns);
+        }
+        let pivots = pivots(link, &here, &conditions, &steps);
+        record(trace, &over.name, &steps, &pivots);
+        let relation = Relation { inertia: here.inertia, load: here.bias };
+        match problem.links[link].parent {
+            Some(_) => here.add_to_parent(problem, link, parent),
+            None => parent.open = here.on_ground(over.carried(problem.ground)),
+        }
+        (steps, pivots, relation)
+    };
+    let nothing = SpatialInertia::from_fn(|_, _| S::zero());
+    let ground = Articulated::with(nothing, Wrench::zero());
+    let (links, ground) = problem.tree.inward(own(problem), ground, step);
+    let pivots = links.iter().rev().flat_map(|(_, pivots, _)| pivots.iter().copied()).collect();
+    // Reactions would come on top, in as many products as a sum over all bodies takes.
+    let relations = match problem.closing {
+        None => links.iter().map(|&(.., relation)| relation).collect(),
+        Some(_) => PerLink::new(),
+    };
+    let eliminated = links.into_iter().map(|(steps, ..)| steps).collect();
+    Reduced { eliminated, relations, open: ground.open, pivots }
+}
+
+/// What every link has of itself, the closing hinge where it hangs on the link.
+fn own<S: Scalar>(problem: &Problem<S>) -> PerLink<Articulated<S>> {
+    let of = |(link, &bias): (LinkId, &Wrench<S>)| {
+        let inertia = problem.inertia(link);
+        Articulated { scales: problem.scales(link), ..Articulated::with(inertia, bias) }
+    };
+    let mut all: PerLink<Articulated<S>> = problem.loads.enumerate().map(of).collect();
+    if let (Some(demand), Some((link, columns))) = (&problem.closing, problem.pulls()) {
+        let over = &demand.closing.over;
+        all[link].bias = all[link].bias + over.returned(demand.given);
+        all[link].open = Some(OpenLoop::new(columns.len()));
+        all[link].columns = columns;
+        all[link].reach = over.arm.dot(over.arm);
+    }
+    all
+}
+
+/// The free directions of a hinge with their efforts.
+fn conditions<S: Scalar>(over: &Crossed<S>, efforts: &[S]) -> Vec<Condition<S>> {
+    let given = efforts.iter().zip(&over.freedom.armature);
+    let columns = over.freedom.columns.iter().zip(given);
+    columns.map(|(&column, (&effort, &armature))| Condition { column, effort, armature }).collect()
+}
+
+/// What a link divides by.
+fn pivots<S: Scalar>(
+    link: LinkId,
+    here: &Articulated<S>,
+    conditions: &[Condition<S>],
+    steps: &[Eliminated<S>],
+) -> Vec<Pivot<S>> {
+    let (mass, moment) = here.scales;
+    let of = |(condition, step): (&Condition<S>, &Eliminated<S>)| {
+        let scale = condition.column.scale(mass, moment) + condition.armature;
+        Pivot { link, value: step.pivot, scale }
+    };
+    conditions.iter().zip(steps).map(of).collect()
+}
+
+fn record<S: Scalar>(
+    trace: &mut Trace<S>,
+    name: &str,
+    steps: &[Eliminated<S>],
+    pivots: &[Pivot<S>],
+) {
+    for (number, (step, pivot)) in steps.iter().zip(pivots).enumerate() {
+        let number = if steps.len() > 1 { number.to_string() } else { String::new() };
+        trace.number(format!("{name}_d{number}"), pivot.value);
+        trace.number(format!("{name}_d{number}_inverse"), step.inverse);
+        trace.number(format!("{name}_d{number}_scale"), pivot.scale);
+        trace.wrench(&format!("{name}_gain{number}"), step.gain);
+        trace.number(format!("{name}_rest{number}"), step.rest);
+    }
+}
+
+impl<S: Scalar> Articulated<S> {
+    /// On no loop.
+    pub fn with(inertia: SpatialInertia<S>, bias: Wrench<S>) -> Self {
+        let (reach, scales) = (S::zero(), (S::zero(), S::zero()));
+        Articulated { inertia, bias, columns: Vec::new(), reach, scales, open: None }
+    }
+
+    /// The open loop at a root, with the acceleration `a` that the root's point has from the ground.
+    fn on_ground(self, a: Motion<S>) -> Option<OpenLoop<S>> {
+        self.open.map(|open| open.on_ground(a, &self.columns))
+    }
+
+    /// Over the link's hinge to the point of the parent, in its work axes: `Iᴬ + Xᵀ Iᴬ X`,
+    /// `pᴬ + Xᵀ (pᴬ + Iᴬ b)` with the bias acceleration `b` of the hinge, `Tᴬ + Xᵀ Tᴬ`.
+    fn add_to_parent(self, problem: &Problem<S>, link: LinkId, parent: &mut Self) {
+        let over = &problem.links[link].over;
+        let mass = self.inertia.linear.trace() + problem.given_mass(link) * S::number(3.0);
+        parent.scales.0 = parent.scales.0 + mass;
+        parent.scales.1 = parent.scales.1 + mass * over.arm.dot(over.arm);
+        let Drift { on_parent, in_hinge } = problem.drift[link];
+        let bias = (self.bias + self.inertia.times(in_hinge)).turned(&over.to_parent);
+        let inertia = over.to_parent.of_inertia(&self.inertia);
+        let bias = bias + inertia.times(Motion { linear: on_parent, angular: Vec3::zero() });
+        parent.inertia = parent.inertia + inertia.moved_from(over.arm);
+        parent.bias = parent.bias + bias.moved_from(over.arm);
+        parent.reach = parent.reach + self.reach + over.arm.dot(over.arm);
+        let Some(open) = self.open else { return };
+        parent.columns = self.columns.iter().map(|&column| over.returned(column)).collect();
+        if parent.open.replace(open).is_some() {
+            unreachable!("mstmm bug: two branches hold the same loop open");
+        }
+    }
+}
+
+impl<S: Scalar> Flatten<S> for Articulated<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        let inertia = self.inertia.visit(replace);
+        let bias = self.bias.visit(replace);
+        let columns = self.columns.visit(replace);
+        let reach = replace(self.reach);
+        let scales = self.scales.visit(replace);
+        Articulated { inertia, bias, columns, reach, scales, open: self.open.visit(replace) }
+    }
+}

@@ -1,0 +1,251 @@
+//! Sweeps over the links of a chain: from the ground outwards, from the free ends inwards, and sums along
+//! the way. Only the functions here loop over links, and only they know where a repeated part begins
+//! and ends, so that no algorithm can forget it.
+//!
+//! On plain numbers nothing happens at these boundaries: such a chain is written out. The compiler runs
+//! the equations of a repeated part once, for all repetitions: what a sweep carries into the part is
+//! replaced by unknowns that stand for what any repetition hands to the next one, and what it carries
+//! out by unknowns for what the last one leaves. An outward sweep crosses a boundary after the link
+//! there, an inward sweep before it.
+
+use crate::ids::IdVec;
+use crate::math::{Mat3, Motion, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
+use crate::model::{Layout, LinkId, RepeatId, Seam};
+use std::fmt::Debug;
+
+/// One for each link.
+pub type PerLink<T> = IdVec<LinkId, T>;
+
+/// Replaces what sweeps carry over the boundaries of repeated parts.
+pub trait Weave<S>: Debug {
+    /// What any repetition begins with, for what the first one does.
+    fn enter(&self, repeat: RepeatId, inwards: bool, first: &[S]) -> Vec<S>;
+    /// What the last repetition ends with, for what any one does.
+    fn leave(&self, repeat: RepeatId, any: &[S]) -> Vec<S>;
+}
+
+/// What a sweep carries from link to link.
+pub trait Flatten<S>: Clone {
+    /// The same with every number that crosses boundaries replaced, always in the same order: those
+    /// that belong to the point of a link. Numbers of its hinge stay on their side.
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self;
+}
+
+/// The links of a chain as a tree on the ground.
+#[derive(Clone, Copy, Debug)]
+pub struct LinkTree<'a, S> {
+    layout: &'a Layout,
+    weave: Option<&'a dyn Weave<S>>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Direction {
+    Outward,
+    Inward,
+}
+
+impl<'a, S: Scalar> LinkTree<'a, S> {
+    /// The links of `layout`, repeated parts written out.
+    pub fn new(layout: &'a Layout) -> Self {
+        LinkTree { layout, weave: None }
+    }
+
+    /// The same with `weave` at the boundaries of repeated parts.
+    pub fn woven(self, weave: &'a dyn Weave<S>) -> Self {
+        LinkTree { weave: Some(weave), ..self }
+    }
+
+    /// Whether a repeated part begins or ends at a link.
+    pub fn is_boundary(&self, link: LinkId) -> bool {
+        self.layout.links[link].seam.is_some()
+    }
+
+    /// Whether a link belongs to a repeated part whose equations run once for all repetitions.
+    pub fn is_repeated(&self, link: LinkId) -> bool {
+        self.weave.is_some() && self.layout.links[link].repeated
+    }
+
+    /// The links from the ground to `last`.
+    pub fn path_to(&self, last: LinkId) -> Vec<LinkId> {
+        let parent = |&link: &LinkId| self.layout.links[link].parent;
+        let mut path: Vec<LinkId> = std::iter::successors(Some(last), parent).collect();
+        path.reverse();
+        path
+    }
+
+    /// From the ground outwards: of what its parent has, or of `base` on the ground, `step` makes what a link
+    /// has and a result. Both come back by links.
+    pub fn outward<B: Flatten<S>, R>(
+        &self,
+        base: B,
+        mut step: impl FnMut(LinkId, &B) -> (B, R),
+    ) -> (PerLink<B>, PerLink<R>) {
+        let mut carried = PerLink::new();
+        let mut results = PerLink::new();
+        for (link, place) in self.layout.links.enumerate() {
+            let parent = place.parent.map_or(&base, |parent| &carried[parent]);
+            let (own, result) = step(link, parent);
+            carried.push(self.cross(link, Direction::Outward, own));
+            results.push(result);
+        }
+        (carried, results)
+    }
+
+    /// From the free ends inwards: `step` takes what a link has of its `own` and what its children have added
+    /// to that, adds its part to what its parent has, `base` on the ground, and makes a result. The results come
+    /// back by links, with what has reached the ground.
+    pub fn inward<B: Flatten<S>, R>(
+        &self,
+        mut own: PerLink<B>,
+        mut base: B,
+        mut step: impl FnMut(LinkId, B, &mut B) -> R,
+    ) -> (PerLink<R>, B) {
+        let mut results = Vec::new();
+        for (link, place) in self.layout.links.enumerate().rev() {
+            let Some(gathered) = own.pop() else {
+                unreachable!("mstmm bug: a sweep starts without the link {link:?}")
+            };
+            let here = self.cross(link, Direction::Inward, gathered);
+            let parent = place.parent.map_or(&mut base, |parent| &mut own[parent]);
+            results.push(step(link, here, parent));
+        }
+        results.reverse();
+        (results.into(), base)
+    }
+
+    /// Over all links in their order, with a running total.
+    pub fn total<B: Flatten<S>>(&self, start: B, mut step: impl FnMut(LinkId, B) -> B) -> B {
+        let all: Vec<LinkId> = self.layout.links.ids().into_iter().collect();
+        self.along(&all, start, |link, total| (step(link, total), ())).0
+    }
+
+    /// Along a path from the ground, each link taking over from the one before: what the last link leaves, and
+    /// the results with their links.
+    pub fn along<B: Flatten<S>, R>(
+        &self,
+        path: &[LinkId],
+        start: B,
+        mut step: impl FnMut(LinkId, B) -> (B, R),
+    ) -> (B, Vec<(LinkId, R)>) {
+        let mut carried = start;
+        let mut results = Vec::new();
+        for &link in path {
+            let (own, result) = step(link, carried);
+            carried = self.cross(link, Direction::Outward, own);
+            results.push((link, result));
+        }
+        (carried, results)
+    }
+
+    /// The same path back to the ground, with what the way outwards has left at each link.
+    pub fn back_along<B: Flatten<S>, T, R>(
+        &self,
+        path: &[(LinkId, T)],
+        start: B,
+        mut step: impl FnMut(LinkId, &T, B) -> (B, R),
+    ) -> (B, Vec<(LinkId, R)>) {
+        let mut carried = start;
+        let mut results = Vec::new();
+        for (link, left) in path.iter().rev() {
+            let (own, result) = step(*link, left, self.cross(*link, Direction::Inward, carried));
+            carried = own;
+            results.push((*link, result));
+        }
+        results.reverse();
+        (carried, results)
+    }
+
+    /// What goes on beyond a link, which differs from what comes to it at the boundary of a repeated part.
+    fn cross<B: Flatten<S>>(&self, link: LinkId, direction: Direction, carried: B) -> B {
+        let (Some(Seam { repeat, at_end }), Some(weave)) =
+            (self.layout.links[link].seam, self.weave)
+        else {
+            return carried;
+        };
+        let mut numbers = Vec::new();
+        carried.clone().visit(&mut |number| {
+            numbers.push(number);
+            number
+        });
+        // What the sweep does not carry over this boundary makes no loop.
+        if numbers.is_empty() {
+            return carried;
+        }
+        let inwards = direction == Direction::Inward;
+        let replaced = if at_end == inwards {
+            weave.enter(repeat, inwards, &numbers)
+        } else {
+            weave.leave(repeat, &numbers)
+        };
+        let mut replaced = replaced.into_iter();
+        carried.visit(&mut |_| {
+            replaced.next().unwrap_or_else(|| {
+                unreachable!("mstmm bug: a boundary takes more numbers than it returns")
+            })
+        })
+    }
+}
+
+impl<S: Scalar> Flatten<S> for S {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        replace(self)
+    }
+}
+
+impl<S, B: Flatten<S>> Flatten<S> for Vec<B> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        self.into_iter().map(|part| part.visit(replace)).collect()
+    }
+}
+
+impl<S, B: Flatten<S>> Flatten<S> for Option<B> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        self.map(|inner| inner.visit(replace))
+    }
+}
+
+impl<S, A: Flatten<S>, B: Flatten<S>> Flatten<S> for (A, B) {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        (self.0.visit(replace), self.1.visit(replace))
+    }
+}
+
+impl<S: Scalar> Flatten<S> for Vec3<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        Vec3(self.0.map(replace))
+    }
+}
+
+impl<S: Scalar> Flatten<S> for Mat3<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        Mat3(self.0.map(|row| row.map(&mut *replace)))
+    }
+}
+
+impl<S: Scalar> Flatten<S> for Sym3<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        Sym3(self.0.map(replace))
+    }
+}
+
+impl<S: Scalar> Flatten<S> for Motion<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        let linear = self.linear.visit(replace);
+        Motion { linear, angular: self.angular.visit(replace) }
+    }
+}
+
+impl<S: Scalar> Flatten<S> for Wrench<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        let force = self.force.visit(replace);
+        Wrench { force, moment: self.moment.visit(replace) }
+    }
+}
+
+impl<S: Scalar> Flatten<S> for SpatialInertia<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        let linear = self.linear.visit(replace);
+        let coupling = self.coupling.visit(replace);
+        SpatialInertia { linear, coupling, angular: self.angular.visit(replace) }
+    }
+}
