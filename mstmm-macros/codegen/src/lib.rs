@@ -18,7 +18,7 @@
 //! | [`passes`] | one optimisation a file | `expr`, `ids`, `math`, `program` |
 //! | [`symbols`] | numbers and names of a chain's unknowns | `model` |
 //! | [`weave`] | repeated parts as loops | `equations`, `expr`, `ids` |
-//! | [`compile`](mod@compile) | from a model to its programs | `equations`, `expr`, `ids`, `model`, `passes`, `program`, `symbols`, `weave` |
+//! | [`compile`](mod@compile) | from a model to its programs | `equations`, `examine`, `expr`, `ids`, `model`, `passes`, `program`, `symbols`, `weave` |
 //! | [`emit`] | the only `quote!` of items | `compile`, `diag`, `ids`, `model`, `program`, `syntax` |
 
 #![deny(missing_docs)]
@@ -59,22 +59,22 @@ pub struct Expansion {
 pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
     let mut diagnostics = Diagnostics::default();
     let written = syntax::parse(description, &mut diagnostics);
-    let mut chains = understand(&written, &mut diagnostics);
-    let mut examinations = Vec::new();
+    let chains = understand(&written, &mut diagnostics);
+    let mut findings = Vec::new();
     if diagnostics.is_empty() {
-        let examine = |(chain, _): &mut Understood| examine::examine(chain, &mut diagnostics);
-        examinations.extend(chains.iter_mut().map(examine));
+        let examine = |(chain, _): &Understood| examine::examine(chain, &mut diagnostics);
+        findings.extend(chains.iter().map(examine));
     }
     let warnings = diagnostics.warnings();
     let mistakes = diagnostics.finish().err();
     // From here on no mistake of the user is possible.
-    let right = |((chain, surface), examination): (&Understood, &examine::Examination)| {
+    let right = |((chain, surface), findings): (&Understood, &examine::Findings)| {
         let layout = model::Layout::of(chain);
-        let programs = compile::programs(chain, &layout);
-        emit::expand(chain, surface, &layout, &programs, examination, mstmm)
+        let programs = compile::programs(chain, findings, &layout);
+        emit::expand(chain, surface, &layout, &programs, findings, mstmm)
     };
     let mut items: TokenStream = match &mistakes {
-        None => chains.iter().zip(&examinations).map(right).collect(),
+        None => chains.iter().zip(&findings).map(right).collect(),
         Some(mistakes) => emit::wrong(&written, mistakes),
     };
     items.extend(warnings.iter().map(emit::warning));

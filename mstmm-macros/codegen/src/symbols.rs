@@ -19,13 +19,13 @@ pub struct Symbols {
 }
 
 impl Symbols {
-    /// The unknowns of `chain`.
-    pub fn of(chain: &Chain, layout: &Layout) -> Self {
+    /// The unknowns of `chain`, whose closure has this rank.
+    pub fn of(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Self {
         let parameters = chain.parameters.iter().map(|parameter| text(&parameter.name));
         let constants = (0..chain.constants).map(|number| format!("constant{number}"));
         let free = || chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
         let inputs = || layout.inputs.iter().flat_map(|input| input_names(chain, input));
-        let steps = match chain.closure_rank {
+        let steps = match rank {
             ClosureRank::FoundAtRunTime(directions) => directions,
             ClosureRank::Unknown | ClosureRank::Known { .. } => 0,
         };

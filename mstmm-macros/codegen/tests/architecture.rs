@@ -11,13 +11,16 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("model", &["diag", "ids", "syntax"]),
     ("math", &[]),
     ("equations", &["ids", "math", "model"]),
-    ("examine.rs", &["diag", "equations", "math", "model"]),
+    ("examine", &["diag", "equations", "math", "model"]),
     ("expr", &["math"]),
     ("program", &["ids"]),
     ("passes", &["expr", "ids", "math", "program"]),
     ("symbols.rs", &["model"]),
     ("weave.rs", &["equations", "expr", "ids"]),
-    ("compile", &["equations", "expr", "ids", "model", "passes", "program", "symbols", "weave"]),
+    (
+        "compile",
+        &["equations", "examine", "expr", "ids", "model", "passes", "program", "symbols", "weave"],
+    ),
     ("emit", &["compile", "diag", "examine", "ids", "model", "program", "syntax"]),
     ("lib.rs", &[]),
 ];

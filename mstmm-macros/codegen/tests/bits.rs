@@ -6,6 +6,7 @@ mod common;
 use common::interpreter::{Arguments, Results, run};
 use mstmm_codegen::compile::{Programs, programs};
 use mstmm_codegen::diag::Diagnostics;
+use mstmm_codegen::examine::{Findings, examine};
 use mstmm_codegen::model::{Chain, Layout, Method, Symbol, Value};
 use mstmm_codegen::program::Program;
 use mstmm_reference::Random;
@@ -19,12 +20,12 @@ fn file(name: &str) -> PathBuf {
 }
 
 /// The chains of a file, with what is found of them by trying.
-fn chains(name: &str) -> Vec<Chain> {
+fn chains(name: &str) -> Vec<(Chain, Findings)> {
     let text = std::fs::read_to_string(file(name)).expect("the chains");
     let read = mstmm_codegen::read(text.parse().expect("tokens"));
-    let tried = |mut chain| {
-        mstmm_codegen::examine::examine(&mut chain, &mut Diagnostics::default());
-        chain
+    let tried = |chain| {
+        let findings = examine(&chain, &mut Diagnostics::default());
+        (chain, findings)
     };
     let read = read.unwrap_or_else(|errors| {
         let texts: Vec<String> = errors.into_iter().map(|error| error.to_string()).collect();
@@ -108,8 +109,8 @@ fn functions(programs: &Programs) -> Vec<(&'static str, &Program)> {
 }
 
 /// The hashes of all functions of a chain.
-fn hashes(chain: &Chain) -> Vec<(&'static str, [Hash; 2])> {
-    let programs = programs(chain, &Layout::of(chain));
+fn hashes(chain: &Chain, findings: &Findings) -> Vec<(&'static str, [Hash; 2])> {
+    let programs = programs(chain, findings, &Layout::of(chain));
     let functions = functions(&programs);
     let mut hashes: Vec<_> = functions.iter().map(|(name, _)| (*name, [Hash::EMPTY; 2])).collect();
     hashes.push(("checks", [Hash::EMPTY; 2]));
@@ -142,16 +143,16 @@ fn every(part: &[Vec<f64>], chain: &Chain) -> Vec<Vec<f64>> {
 fn table() -> String {
     let mut table =
         "chain           method   function          products and sums apart     fused\n".to_owned();
-    let counted = chains("operation_counts.chains").into_iter().flat_map(|chain| {
+    let counted = chains("operation_counts.chains").into_iter().flat_map(|(chain, findings)| {
         [Method::Riccati, Method::Transfer]
-            .map(|method| Chain { method: Some(method), ..chain.clone() })
+            .map(|method| (Chain { method: Some(method), ..chain.clone() }, findings.clone()))
     });
-    for chain in counted.chain(chains("bits.chains")) {
+    for (chain, findings) in counted.chain(chains("bits.chains")) {
         let method = match chain.method {
             Some(Method::Transfer) => "transfer",
             Some(Method::Riccati) | None => "riccati",
         };
-        for (function, [apart, fused]) in hashes(&chain) {
+        for (function, [apart, fused]) in hashes(&chain, &findings) {
             let name = chain.name.to_string();
             writeln!(
                 table,

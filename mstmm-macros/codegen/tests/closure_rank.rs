@@ -62,13 +62,14 @@ fn check(text: impl Fn(&[f64]) -> String, start: &[f64], rank: usize) {
         for _ in 0..STARTS {
             let near: Vec<f64> =
                 start.iter().map(|angle| angle + size * random.between(-1.0, 1.0)).collect();
-            let mut chain = read(&text(&near));
+            let chain = read(&text(&near));
             let mut diagnostics = Diagnostics::default();
-            let mobility = examine(&mut chain, &mut diagnostics).mobility;
+            let findings = examine(&chain, &mut diagnostics);
             assert!(diagnostics.finish().is_ok(), "refused at {near:?}");
             let expected = Mobility { freedoms: 1, held: 5, redundant: 5 - rank };
-            assert_eq!(mobility, Some(expected), "{near:?}");
-            assert_eq!(chain.closure_rank, ClosureRank::Known { rank, directions: 5 }, "{near:?}");
+            assert_eq!(findings.mobility, Some(expected), "{near:?}");
+            let known = ClosureRank::Known { rank, directions: 5 };
+            assert_eq!(findings.closure_rank, known, "{near:?}");
         }
     }
 }

@@ -3,6 +3,7 @@
 
 use mstmm_codegen::compile::programs;
 use mstmm_codegen::diag::Diagnostics;
+use mstmm_codegen::examine::{Findings, examine};
 use mstmm_codegen::model::{self, Layout, Method, Results};
 use mstmm_codegen::program::Cost;
 use std::fmt::Write;
@@ -16,29 +17,29 @@ fn file(name: &str) -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(name)
 }
 
-fn chains() -> Vec<model::Chain> {
+fn chains() -> Vec<(model::Chain, Findings)> {
     let text = std::fs::read_to_string(file("operation_counts.chains")).expect("the chains");
     let chains =
         mstmm_codegen::read(text.parse().expect("tokens")).unwrap_or_else(|e| panic!("{e}"));
-    let tried = |mut chain| {
+    let tried = |chain| {
         // The rank of a closure is found by trying.
-        mstmm_codegen::examine::examine(&mut chain, &mut Diagnostics::default());
-        chain
+        let findings = examine(&chain, &mut Diagnostics::default());
+        (chain, findings)
     };
     chains.into_iter().map(|(chain, _)| tried(chain)).collect()
 }
 
 fn table() -> String {
     let mut table = HEADER.to_owned();
-    for mut chain in chains() {
+    for (mut chain, findings) in chains() {
         let layout = Layout::of(&chain);
         for (method, name) in [(Method::Riccati, "riccati"), (Method::Transfer, "transfer")] {
             chain.method = Some(method);
-            let programs = programs(&chain, &layout);
+            let programs = programs(&chain, &findings, &layout);
             let cost = programs.accelerations.cost();
             let Cost { mul, add, recip, sqrt, trig } = cost;
             let (total, all) = (cost.arithmetic(), programs.solution.cost().arithmetic());
-            let with_z = solution_with_z(&chain, &layout);
+            let with_z = solution_with_z(&chain, &findings, &layout);
             writeln!(
                 table,
                 "{:<15} {name:<8} {mul:>5} {add:>5} {recip:>6} {sqrt:>5} {trig:>7} {total:>6} {with_z:>7} {all:>8}",
@@ -51,9 +52,9 @@ fn table() -> String {
 }
 
 /// Of a solution that says nothing but z.
-fn solution_with_z(chain: &model::Chain, layout: &Layout) -> usize {
+fn solution_with_z(chain: &model::Chain, findings: &Findings, layout: &Layout) -> usize {
     let chain = model::Chain { results: Results { z: true, ..Results::NONE }, ..chain.clone() };
-    programs(&chain, layout).solution.cost().arithmetic()
+    programs(&chain, findings, layout).solution.cost().arithmetic()
 }
 
 #[test]
@@ -105,10 +106,11 @@ fn counts_are_below_those_of_a_traced_recursion() {
         ("Panda", 1648),
         ("BallPendulum", 661),
     ];
-    for chain in chains() {
+    for (chain, findings) in chains() {
         let limit = limits.iter().find(|(name, _)| chain.name == name);
         if let Some((name, limit)) = limit {
-            let count = programs(&chain, &Layout::of(&chain)).accelerations.cost().arithmetic();
+            let programs = programs(&chain, &findings, &Layout::of(&chain));
+            let count = programs.accelerations.cost().arithmetic();
             assert!(count <= *limit, "{name}: {count} operations, {limit} were reached before");
         }
     }
@@ -136,7 +138,7 @@ fn points_of_bodies_cost_nothing() {
         let mut chains =
             mstmm_codegen::read(text.parse().expect("tokens")).unwrap_or_else(|e| panic!("{e}"));
         let (chain, _) = chains.remove(0);
-        let programs = programs(&chain, &Layout::of(&chain));
+        let programs = programs(&chain, &Findings::default(), &Layout::of(&chain));
         let kept: usize = programs.places.pieces.iter().map(|(count, _)| count).sum();
         (programs.accelerations.cost(), programs.solution.cost(), programs.setup.cost(), kept)
     };

@@ -7,6 +7,7 @@ use common::interpreter::{self, Arguments};
 use common::{Point, compute, compute_with, difference, drives, read};
 use mstmm_codegen::compile::{self, Place, Programs, Sight, groups};
 use mstmm_codegen::equations::Axes;
+use mstmm_codegen::examine::Findings;
 use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
 use mstmm_codegen::math::{Scalar, Structured, Vec3};
 use mstmm_codegen::model::{Dimension, Layout, Method};
@@ -99,7 +100,7 @@ fn one_chain(seed: u64) {
     let (state, driven) = random_motion(&mut random, &description);
     for (word, method) in [("riccati", Method::Riccati), ("transfer", Method::Transfer)] {
         let chain = read(&description.to_macro_text(Some(word)));
-        let programs = compile::programs(&chain, &Layout::of(&chain));
+        let programs = compile::programs(&chain, &Findings::default(), &Layout::of(&chain));
         let inputs = drives::inputs(&chain, &driven);
         let symbols = [&state.q[..], &state.v, &inputs, &[0.0]].concat();
         let expected =
@@ -163,7 +164,7 @@ fn parameters_are_folded_into_slots_once() {
     };
     let (q, v) = ([0.3, -0.4], [1.0, 2.0]);
     let with = read(&text("1.3 kg + extra"));
-    let programs = compile::programs(&with, &Layout::of(&with));
+    let programs = compile::programs(&with, &Findings::default(), &Layout::of(&with));
     let slots = run(&programs.setup, &[0.7], &[]);
     let symbols = [0.7, q[0], q[1], v[0], v[1]];
     let computed = run(&programs.accelerations, &symbols, &slots[0]);
@@ -225,7 +226,7 @@ fn parameters_may_stand_anywhere() {
     for method in [Method::Riccati, Method::Transfer] {
         let mut with = with.clone();
         with.method = Some(method);
-        let programs = compile::programs(&with, &layout);
+        let programs = compile::programs(&with, &Findings::default(), &layout);
         let symbols: Vec<f64> = defaults.iter().map(|&(_, x)| x).chain(q).chain(v).collect();
         let slots = run(&programs.setup, &symbols, &[]);
         let computed = run(&programs.solution, &symbols, &slots[0]);

@@ -9,6 +9,7 @@ pub use checks::Check;
 pub use places::{Place, Places, PointPlaces, Sight};
 
 use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
+use crate::examine::Findings;
 use crate::expr::{Expr, Graph, Stage};
 use crate::model::{
     Chain, ClosureRank, Hinge, HingeId, HingeKind, Layout, Method, Passive, RepeatId, Value,
@@ -61,12 +62,12 @@ pub struct Programs {
 /// measured (thirty balls) and six times as many in the worst (one ball).
 const AXES: Axes = Axes::Body;
 
-/// Writes down, simplifies and orders all equations of `chain`.
-pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
-    let symbols = Symbols::of(chain, layout);
+/// Writes down, simplifies and orders all equations of `chain`, of which `findings` are known.
+pub fn programs(chain: &Chain, findings: &Findings, layout: &Layout) -> Programs {
+    let symbols = Symbols::of(chain, layout, findings.closure_rank);
     let merged = Layout::merged(chain);
     let graph = Graph::default();
-    let scene = Scene::new(chain, (layout, &merged), &symbols, &graph);
+    let scene = Scene::new(chain, findings, (layout, &merged), &symbols, &graph);
     let mut setup = Setup::default();
     let method = chain.method.unwrap_or(Method::Riccati);
     let (accelerations, pivots) = scene.accelerations(method, &mut setup);
@@ -104,6 +105,7 @@ pub fn programs(chain: &Chain, layout: &Layout) -> Programs {
 /// A chain in a state of unknowns.
 struct Scene<'a, 'g> {
     chain: &'a Chain,
+    findings: &'a Findings,
     layout: &'a Layout,
     /// The layout with welded bodies merged, which has the same hinges in the same places.
     merged: &'a Layout,
@@ -119,6 +121,7 @@ struct Scene<'a, 'g> {
 impl<'a, 'g> Scene<'a, 'g> {
     fn new(
         chain: &'a Chain,
+        findings: &'a Findings,
         (layout, merged): (&'a Layout, &'a Layout),
         symbols: &'a Symbols,
         graph: &'g Graph,
@@ -128,6 +131,7 @@ impl<'a, 'g> Scene<'a, 'g> {
         };
         Scene {
             chain,
+            findings,
             layout,
             merged,
             symbols,
@@ -145,7 +149,17 @@ impl<'a, 'g> Scene<'a, 'g> {
     }
 
     fn situation<'b>(&'b self, layout: &'b Layout) -> Situation<'b, Expr<'g>> {
-        Situation::new(self.chain, layout, &self.numbers, (&self.q, &self.v, &self.inputs))
+        self.situation_with(layout, &self.numbers)
+    }
+
+    fn situation_with<'b>(
+        &'b self,
+        layout: &'b Layout,
+        numbers: &'b Numbers<Expr<'g>>,
+    ) -> Situation<'b, Expr<'g>> {
+        let &Findings { held_by_closure, closure_rank, .. } = self.findings;
+        let state = (&self.q[..], &self.v[..], &self.inputs[..]);
+        Situation::new(self.chain, layout, numbers, state).knowing(held_by_closure, closure_rank)
     }
 
     fn accelerations(&self, method: Method, setup: &mut Setup) -> (Program, Vec<HingeId>) {
@@ -224,11 +238,12 @@ impl<'a, 'g> Scene<'a, 'g> {
     }
 
     fn closure_pivots(&self, setup: &mut Setup) -> Option<Program> {
-        let ClosureRank::FoundAtRunTime(directions) = self.chain.closure_rank else { return None };
+        let ClosureRank::FoundAtRunTime(directions) = self.findings.closure_rank else {
+            return None;
+        };
         let numbers = Numbers { closure_steps: Vec::new(), ..self.numbers.clone() };
         let (solved, trace, turns) = self.woven(|loom, trace| {
-            let state = (&self.q[..], &self.v[..], &self.inputs[..]);
-            let situation = Situation::new(self.chain, self.merged, &numbers, state).woven(loom);
+            let situation = self.situation_with(self.merged, &numbers).woven(loom);
             equations::accelerations(&situation, Method::Riccati, AXES, trace)
         });
         let Some(reaction) = solved.reaction else {

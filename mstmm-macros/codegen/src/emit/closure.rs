@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 
 /// How many directions the closing hinge holds, where their rank is found at run time.
 pub fn directions(plan: &Plan) -> Option<usize> {
-    match plan.chain.closure_rank {
+    match plan.findings.closure_rank {
         ClosureRank::FoundAtRunTime(directions) => Some(directions),
         ClosureRank::Unknown | ClosureRank::Known { .. } => None,
     }

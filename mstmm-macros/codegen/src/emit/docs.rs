@@ -10,7 +10,7 @@ use crate::program::{Cost, Headed, Program, by_heading};
 pub fn chain(plan: &Plan) -> Vec<String> {
     let mut lines = vec![String::new(), " # The chain".into(), String::new()];
     lines.push(format!(" `{}`", route(plan)));
-    lines.extend(plan.examination.start.iter().flat_map(drawing::picture));
+    lines.extend(plan.findings.start.iter().flat_map(drawing::picture));
     lines.push(String::new());
     lines.push(" | element | what it is | freedoms |".into());
     lines.push(" |---|---|---|".into());
@@ -44,7 +44,7 @@ const TRANSFER_LOSS: f64 = 100.0;
 
 /// What `transfer` loses where masses are far apart.
 fn precision(plan: &Plan) -> Vec<String> {
-    let Some(ratio) = plan.examination.mass_ratio else { return Vec::new() };
+    let Some(ratio) = plan.findings.mass_ratio else { return Vec::new() };
     if plan.programs.method == Method::Riccati {
         return Vec::new();
     }
@@ -83,7 +83,7 @@ fn freedoms(plan: &Plan) -> Vec<String> {
         return vec![format!(" Mobility {count}: {count} {freedoms}.")];
     }
     let rates = if count == 1 { "rate" } else { "rates" };
-    let Some(Mobility { freedoms, held, redundant }) = plan.examination.mobility else {
+    let Some(Mobility { freedoms, held, redundant }) = plan.findings.mobility else {
         return vec![format!(" {count} {rates}, closed by the last hinge.")];
     };
     let mut lines = vec![format!(

@@ -110,8 +110,8 @@ mod tests {
 
     /// A chain with this gravity as it is drawn.
     fn drawing(text: &str) -> Drawing {
-        let mut chains = crate::read(text.parse().expect("tokens")).expect("a right chain");
-        examine(&mut chains[0].0, &mut Diagnostics::default()).start.expect("a picture")
+        let chains = crate::read(text.parse().expect("tokens")).expect("a right chain");
+        examine(&chains[0].0, &mut Diagnostics::default()).start.expect("a picture")
     }
 
     fn in_space(gravity: &str, rest: &str) -> Drawing {

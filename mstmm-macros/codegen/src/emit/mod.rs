@@ -30,7 +30,7 @@ mod workspace;
 mod wrong;
 
 use crate::compile::Programs;
-use crate::examine::Examination;
+use crate::examine::Findings;
 use crate::model::{Chain, Layout};
 use crate::syntax::Surface;
 use names::{Names, variable};
@@ -45,7 +45,7 @@ struct Plan<'a> {
     surface: &'a Surface,
     layout: &'a Layout,
     programs: &'a Programs,
-    examination: &'a Examination,
+    findings: &'a Findings,
     names: Names,
     /// The variables that unknowns are, by number.
     unknowns: Vec<Ident>,
@@ -59,12 +59,12 @@ pub fn expand(
     surface: &Surface,
     layout: &Layout,
     programs: &Programs,
-    examination: &Examination,
+    findings: &Findings,
     mstmm: &TokenStream,
 ) -> TokenStream {
     let names = Names::of(chain);
     let unknowns = programs.symbols.names().iter().map(|text| variable(text)).collect();
-    let plan = Plan { chain, surface, layout, programs, examination, names, unknowns, mstmm };
+    let plan = Plan { chain, surface, layout, programs, findings, names, unknowns, mstmm };
     let construction = construction::emit(&plan);
     let dynamics = dynamics::emit(&plan);
     let state = state::emit(&plan);

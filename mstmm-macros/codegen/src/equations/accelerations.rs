@@ -167,7 +167,7 @@ fn forces<'a, S: Scalar>(
         let linkage = situation.linkage(closing.held.len());
         Demand { closing, reached: reached.collect(), given: closing.given(efforts), linkage }
     });
-    if situation.chain.held_by_closure { problem.with_added_inertia() } else { problem }
+    if situation.held_by_closure { problem.with_added_inertia() } else { problem }
 }
 
 /// The acceleration that the outboard side of the closing hinge has of itself.

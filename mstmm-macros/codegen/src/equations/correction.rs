@@ -158,8 +158,7 @@ fn along<S: Scalar>(
         given: None,
         added: None,
     };
-    let problem =
-        if situation.chain.held_by_closure { problem.with_added_inertia() } else { problem };
+    let problem = if situation.held_by_closure { problem.with_added_inertia() } else { problem };
     let (Movement { amounts, points, closure, .. }, _) = riccati::solve(&problem, trace);
     let layout = situation.layout;
     let mut rates = vec![S::zero(); layout.freedoms()];

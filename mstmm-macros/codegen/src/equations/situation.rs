@@ -32,6 +32,10 @@ pub struct Situation<'a, S> {
     pub inputs: &'a [S],
     /// The length of the linearly implicit Euler step to be taken, if that is what is computed.
     pub implicit: Option<S>,
+    /// Whether bodies have inertia in all directions only by what holds them where the chain closes.
+    pub held_by_closure: bool,
+    /// How many independent directions the closing hinge holds.
+    pub closure_rank: ClosureRank,
     /// The links, for sweeps.
     pub tree: LinkTree<'a, S>,
     /// Every body's frame in that of its part.
@@ -46,12 +50,26 @@ impl<'a, S: Scalar> Situation<'a, S> {
         numbers: &'a Numbers<S>,
         (q, v, inputs): (&'a [S], &'a [S], &'a [S]),
     ) -> Self {
-        let (implicit, frames) = (None, IdVec::new());
-        let tree = LinkTree::new(layout);
-        let mut situation =
-            Situation { chain, layout, numbers, q, v, inputs, implicit, tree, frames };
+        let mut situation = Situation {
+            chain,
+            layout,
+            numbers,
+            q,
+            v,
+            inputs,
+            implicit: None,
+            held_by_closure: false,
+            closure_rank: ClosureRank::Unknown,
+            tree: LinkTree::new(layout),
+            frames: IdVec::new(),
+        };
         situation.frames = situation.part_frames();
         situation
+    }
+
+    /// The same with what is known of the chain's closure.
+    pub fn knowing(self, held_by_closure: bool, closure_rank: ClosureRank) -> Self {
+        Situation { held_by_closure, closure_rank, ..self }
     }
 
     /// The same in a linearly implicit Euler step of length `step`.
@@ -194,7 +212,7 @@ impl<'a, S: Scalar> Situation<'a, S> {
 
     /// What the solution for the reactions of a closing hinge that holds so many directions has to know.
     pub fn linkage(&self, held: usize) -> Linkage<S> {
-        let rank = match self.chain.closure_rank {
+        let rank = match self.closure_rank {
             // In an implicit step springs and dampers hold directions with a separate inertia, each of
             // which is independent of all others.
             ClosureRank::Known { rank, directions } => Rank::Known(rank + added(held, directions)),

@@ -70,11 +70,6 @@ pub struct Chain {
     pub method: Option<Method>,
     /// What its solution says.
     pub results: Results,
-    /// Whether bodies of a closed chain have inertia in all directions only by what holds them where
-    /// the chain closes.
-    pub held_by_closure: bool,
-    /// How many independent directions its closing hinge holds.
-    pub closure_rank: ClosureRank,
     /// What must hold of Rust constants: nothing but `rustc` knows.
     pub assertions: Vec<Requirement>,
 }
@@ -87,7 +82,10 @@ pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Su
     if !diagnostics.is_empty() {
         return None;
     }
-    let chain = Chain { assertions, ..draft.finish()? };
+    let Some(chain) = draft.finish() else {
+        bug!("a part of chain `{}` is missing, and no mistake is reported", def.name)
+    };
+    let chain = Chain { assertions, ..chain };
     uses::parameters_of_times_stay_in_their_part(&chain, diagnostics);
     diagnostics.is_empty().then(|| (seams::with_seams(chain), surface))
 }
@@ -175,9 +173,10 @@ pub enum Method {
 }
 
 /// How many independent directions a closing hinge holds anywhere on the closure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ClosureRank {
     /// Nobody knows: every state decides by the size of its pivots.
+    #[default]
     Unknown,
     /// So many, whatever the parameters.
     Known {

@@ -14,8 +14,8 @@ use super::vector::zeros;
 use crate::ids::IdVec;
 use crate::model::condition::Requirement;
 use crate::model::{
-    About, Body, BodyId, Chain, ClosureRank, Dimension, Drive, Element, Frame, Hinge, HingeId,
-    HingeKind, Inertia, Parameter, Place, Repeat, RepeatId, Role, Value, Written,
+    About, Body, BodyId, Chain, Dimension, Drive, Element, Frame, Hinge, HingeId, HingeKind,
+    Inertia, Parameter, Place, Repeat, RepeatId, Role, Value, Written,
 };
 use crate::syntax::{self, ChainDef};
 
@@ -87,8 +87,6 @@ impl Draft<'_> {
             springs: self.springs.into_iter().map(SpringDraft::finish).collect::<Option<_>>()?,
             method: self.settings.method,
             results: self.settings.results,
-            held_by_closure: false,
-            closure_rank: ClosureRank::Unknown,
             assertions: Vec::new(),
         })
     }

@@ -1,13 +1,14 @@
 //! What can be said of a chain by trying it out in numbers: whether every hinge moves something that
 //! has inertia, how many freedoms its closure leaves, and where it starts.
 
+mod trial;
+
 use crate::diag::Diagnostics;
-use crate::equations::{self, Axes, Numbers, Point, Reaction, Situation, Solved, Swept, Trace};
-use crate::math::{Structured, Vec3};
-use crate::model::{
-    Chain, ClosureRank, Drive, Driven, Element, Hinge, HingeId, Layout, Method, Role, Source,
-};
+use crate::equations::{self, Numbers, Point, Reaction, Trace};
+use crate::math::Vec3;
+use crate::model::{Chain, ClosureRank, Drive, Element, Hinge, HingeId, Role, Source};
 use proc_macro2::Ident;
+use trial::{Number, Pose, Trial, numbers};
 
 /// States tried besides the start. A hinge that moves nothing with inertia in all of them does so in
 /// every state.
@@ -16,13 +17,6 @@ const STATES: usize = 4;
 /// Chains of more elements are tried with repeated parts cut short, and drawn so.
 const ELEMENTS: usize = 100;
 const CUT_SHORT: usize = 3;
-
-/// Corrections that put a chain onto its closure; they converge quadratically where they do. After so
-/// many that bring it no nearer it is given up.
-const CORRECTIONS: usize = 100;
-const PATIENCE: usize = 5;
-/// A residual in m, rad, m/s and rad/s that counts as closed.
-const CLOSED: f64 = 1e-9;
 
 /// A pivot of less than so many units in the last place of its scale is zero: the same as in every
 /// step.
@@ -33,11 +27,14 @@ const NOISE: f64 = 8.0;
 /// value is a thousandth of its largest leaves a millionth.
 const INDEPENDENT: f64 = 1e-10;
 
-type Number = Structured<f64>;
-
-/// What was found.
+/// What was found. A chain of which nothing is known has the default.
 #[derive(Clone, Debug, Default)]
-pub struct Examination {
+pub struct Findings {
+    /// Whether bodies of a closed chain have inertia in all directions only by what holds them where
+    /// the chain closes.
+    pub held_by_closure: bool,
+    /// How many independent directions its closing hinge holds.
+    pub closure_rank: ClosureRank,
     /// How its closure holds a chain that is held at both ends, where a closed pose was found.
     pub mobility: Option<Mobility>,
     /// The largest mass divided by the smallest, parameters at their defaults; nothing where Rust constants
@@ -74,19 +71,19 @@ pub struct Drawing {
 }
 
 /// Tries a chain out; what is wrong with it is reported.
-pub fn examine(chain: &mut Chain, diagnostics: &mut Diagnostics) -> Examination {
+pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     let whole = chain.elements(usize::MAX) <= ELEMENTS;
     let most = if whole { usize::MAX } else { CUT_SHORT };
     let mut trial = Trial::new(chain.unrolled(most));
     if !trial.merged.closings.is_empty() && !trial.idle_hinges().is_empty() {
         // What closes the chain may hold what is loose.
-        trial.chain.held_by_closure = true;
-        chain.held_by_closure = trial.idle_hinges().is_empty();
+        trial.held_by_closure = true;
     }
     trial.refuse_idle_hinges(diagnostics);
-    chain.closure_rank = trial.closure_rank_at_run_time();
+    let held_by_closure = trial.held_by_closure;
+    let mut closure_rank = trial.closure_rank_at_run_time();
     if chain.constants > 0 {
-        return Examination::default();
+        return Findings { held_by_closure, closure_rank, ..Findings::default() };
     }
     let poses = trial.closed_poses();
     let mobility = if whole { trial.mobility(&poses) } else { None };
@@ -95,60 +92,17 @@ pub fn examine(chain: &mut Chain, diagnostics: &mut Diagnostics) -> Examination 
     if let (Some((rank, directions)), true) =
         (trial.closure_rank(&poses), whole && is_enough && chain.geometry_is_known())
     {
-        chain.closure_rank = ClosureRank::Known { rank, directions };
+        closure_rank = ClosureRank::Known { rank, directions };
     }
     if let Some(Mobility { freedoms: 0, .. }) = mobility {
         trial.refuse_rigid_chain(diagnostics);
     }
     let mass_ratio = Some(trial.mass_ratio());
-    Examination { mobility, mass_ratio, start: Some(trial.drawing(poses)) }
-}
-
-/// The chain's numbers with parameters at their defaults. Rust constants, which are not known, are any
-/// numbers, others for every seed.
-fn numbers(chain: &Chain, seed: usize) -> Numbers<Number> {
-    let any = |constant: usize| 0.5 + scattered(constant + 1, seed + 1);
-    let constants = (0..chain.constants).map(|constant| Number::variable(any(constant))).collect();
-    let mut numbers = Numbers { constants, ..Numbers::default() };
-    let defaults = chain.parameters.iter().map(|parameter| {
-        // No default uses another parameter.
-        Number::variable(numbers.scalar(&parameter.default).value())
-    });
-    numbers.parameters = defaults.collect();
-    numbers
-}
-
-/// Numbers from 0 to 1 as far from each other as they can be: multiples of the golden ratio.
-fn scattered(number: usize, seed: usize) -> f64 {
-    (number as f64 * seed as f64 * 0.618_033_988_749_895).fract()
-}
-
-/// By how much a coordinate differs from the start: by nothing for the first seed, up to a half for others.
-fn around(number: usize, seed: usize) -> f64 {
-    if seed == 0 { 0.0 } else { scattered(number, seed) - 0.5 }
-}
-
-/// Coordinates, and inputs with motions that are prescribed.
-struct Pose {
-    q: Vec<Number>,
-    inputs: Vec<Number>,
-}
-
-/// A chain without repeated parts and its numbers.
-struct Trial {
-    chain: Chain,
-    layout: Layout,
-    /// The layout with welded bodies merged, which has the same hinges in the same places.
-    merged: Layout,
-    numbers: Numbers<Number>,
+    let start = Some(trial.drawing(poses));
+    Findings { held_by_closure, closure_rank, mobility, mass_ratio, start }
 }
 
 impl Trial {
-    fn new(chain: Chain) -> Self {
-        let (layout, merged) = (Layout::of(&chain), Layout::merged(&chain));
-        Trial { numbers: numbers(&chain, 0), chain, layout, merged }
-    }
-
     /// Hinges that in no state move anything with inertia along one of their freedoms.
     fn idle_hinges(&self) -> Vec<HingeId> {
         let mut idle: Option<Vec<HingeId>> = None;
@@ -284,7 +238,7 @@ impl Trial {
         let near = poses.into_iter().next();
         let pose = near.unwrap_or_else(|| self.pose(&self.numbers, 0));
         let (v, Pose { q, inputs }) = (self.at_rest(), &pose);
-        let situation = Situation::new(&self.chain, &self.layout, &self.numbers, (q, &v, inputs));
+        let situation = self.situation(&self.layout, &self.numbers, (q, &v, inputs));
         let (solved, swept) = self.swept(&self.numbers, &pose);
         let report = equations::report(&situation, (&solved, &swept), &mut Trace::new());
         let position = |place: Vec3<Number>| place.0.map(Number::value);
@@ -314,86 +268,5 @@ impl Trial {
         let Some(gravity) = self.gravity() else { return 2 };
         let size = |axis: usize| gravity[axis].abs();
         [2, 1, 0].into_iter().max_by(|&a, &b| size(a).total_cmp(&size(b))).unwrap_or(2)
-    }
-
-    fn solved(&self, numbers: &Numbers<Number>, pose: &Pose) -> Solved<Number> {
-        let (v, Pose { q, inputs }) = (self.at_rest(), pose);
-        let situation = Situation::new(&self.chain, &self.merged, numbers, (q, &v, inputs));
-        equations::accelerations(&situation, Method::Riccati, Axes::Body, &mut Trace::new())
-    }
-
-    fn swept(&self, numbers: &Numbers<Number>, pose: &Pose) -> (Solved<Number>, Swept<Number>) {
-        let (v, Pose { q, inputs }) = (self.at_rest(), pose);
-        let situation = Situation::new(&self.chain, &self.merged, numbers, (q, &v, inputs));
-        equations::sweep(&situation, Method::Riccati, Axes::Body, &mut Trace::new())
-    }
-
-    /// The coordinates put onto the closure; nothing if that leads nowhere.
-    fn closed(&self, pose: Pose) -> Option<Pose> {
-        let (v, Pose { mut q, inputs }) = (self.at_rest(), pose);
-        let (mut nearest, mut stalled) = (f64::INFINITY, 0);
-        for _ in 0..CORRECTIONS {
-            let situation =
-                Situation::new(&self.chain, &self.merged, &self.numbers, (&q, &v, &inputs));
-            let correction = equations::correction(&situation, &mut Trace::new())?;
-            let residual = correction.residual.value();
-            if residual < CLOSED {
-                return Some(Pose { q, inputs });
-            }
-            // Written so that NaN is no progress.
-            stalled = if residual < 0.9 * nearest { 0 } else { stalled + 1 };
-            if stalled > PATIENCE {
-                return None;
-            }
-            nearest = nearest.min(residual);
-            q = equations::moved(&self.chain, &self.merged, &q, &correction.coordinates);
-        }
-        None
-    }
-
-    /// The start with what is prescribed at rest, or somewhere around them.
-    fn pose(&self, numbers: &Numbers<Number>, seed: usize) -> Pose {
-        Pose { q: self.coordinates(numbers, seed), inputs: self.inputs(seed) }
-    }
-
-    /// The start, or somewhere around it: every coordinate by up to a half.
-    fn coordinates(&self, numbers: &Numbers<Number>, seed: usize) -> Vec<Number> {
-        let mut count = 0;
-        let free = self.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
-        let coordinates = free.flat_map(|hinge| {
-            let near: Vec<Number> = hinge
-                .start
-                .iter()
-                .map(|start| {
-                    count += 1;
-                    Number::variable(numbers.scalar(start).value() + around(count, seed))
-                })
-                .collect();
-            equations::hinge::normalized(&hinge.kind, &near)
-        });
-        coordinates.collect()
-    }
-
-    fn at_rest(&self) -> Vec<Number> {
-        vec![Number::variable(0.0); self.merged.freedoms()]
-    }
-
-    /// Prescribed motions at rest in the zero position, or around it, and nothing that drives.
-    fn inputs(&self, seed: usize) -> Vec<Number> {
-        let total = self.merged.inputs.iter().map(|input| input.range.len());
-        let mut inputs = vec![Number::variable(0.0); total.sum()];
-        // Numbered after the coordinates, whose deviations they should not repeat.
-        let mut count = self.merged.coordinates();
-        for input in &self.merged.inputs {
-            let Driven::Motion(hinge) = input.what else { continue };
-            let kind = &self.chain.hinges[hinge].kind;
-            let near = kind.shape().coordinates.iter().map(|coordinate| {
-                count += 1;
-                Number::variable(coordinate.rest + around(count, seed))
-            });
-            let near = equations::hinge::normalized(kind, &near.collect::<Vec<_>>());
-            inputs[input.range.clone()][..near.len()].copy_from_slice(&near);
-        }
-        inputs
     }
 }
