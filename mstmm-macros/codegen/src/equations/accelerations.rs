@@ -2,8 +2,8 @@
 
 use super::closing::{Closing, closing};
 use super::closure::Closure;
+use super::kinematics::LinkMotion;
 use super::load::loads;
-use super::motion::LinkMotion;
 use super::problem::{Demand, Movement, Problem};
 use super::redistribution::redistribute;
 use super::sweep::PerLink;
@@ -91,9 +91,10 @@ pub fn sweep<S: Scalar>(
     solve(situation, (method, axes, false), trace, |problem, movement, trace| {
         let wrenches = transmitted(problem, movement, trace);
         let mut behind = IdVec::filled(None, situation.chain.hinges.len());
-        for ((link, &felt), wrench) in problem.links.iter().zip(&movement.points).zip(wrenches) {
-            behind[link.over.hinge] = Some(Behind { felt, wrench });
-        }
+        problem.links.enumerate().for_each(|(link, LinkMotion { over, .. })| {
+            let (felt, wrench) = (movement.points[link], wrenches[link]);
+            behind[over.hinge] = Some(Behind { felt, wrench });
+        });
         Swept { axes, behind }
     })
 }
@@ -119,11 +120,7 @@ fn solve<S: Scalar, R>(
         }
     };
     let layout = situation.layout;
-    let mut accelerations = vec![S::zero(); layout.freedoms()];
-    for (link, amounts) in links.iter().zip(&movement.amounts) {
-        let range = layout.v[link.over.hinge].clone();
-        accelerations[range].copy_from_slice(&link.over.freedom.rates(amounts));
-    }
+    let mut accelerations = movement.rates(&links, layout);
     if let Some(demand) = &problem.closing {
         let a = reached(demand.closing, problem.ground, &movement);
         let a_child = child(demand.closing, &links, &problem);

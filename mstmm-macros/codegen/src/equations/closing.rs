@@ -10,7 +10,7 @@
 //! A rotor with inertia `I` along a free direction holds that one with an inertia: the direction is
 //! `−I W`, and its `λ` is the acceleration `q̈ = Wᵀ (a_c − X a_p − b)`, so that `F = W (τ − I q̈)`.
 
-use super::motion::{Crossed, LinkMotion, PartMotion, cross, link_of};
+use super::kinematics::{Crossed, LinkMotion, PartMotion, cross, link_of};
 use super::sweep::PerLink;
 use super::{Axes, Situation, hinge};
 use crate::ids::LinkId;

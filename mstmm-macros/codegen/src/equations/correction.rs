@@ -6,8 +6,7 @@
 
 use super::closing::{Closing, closing};
 use super::hinge::{alignment, coordinate_rates, dot, normalized};
-use super::load::{Pose, poses};
-use super::motion::{Drift, LinkMotion};
+use super::kinematics::{Drift, LinkMotion, Pose, poses};
 use super::problem::{Demand, Movement, Problem};
 use super::sweep::PerLink;
 use super::{Axes, Situation, Trace, motion, riccati};
@@ -159,13 +158,10 @@ fn along<S: Scalar>(
         added: None,
     };
     let problem = if situation.held_by_closure { problem.with_added_inertia() } else { problem };
-    let (Movement { amounts, points, closure, .. }, _) = riccati::solve(&problem, trace);
+    let (movement, _) = riccati::solve(&problem, trace);
     let layout = situation.layout;
-    let mut rates = vec![S::zero(); layout.freedoms()];
-    for (link, amounts) in links.iter().zip(&amounts) {
-        let range = layout.v[link.over.hinge].clone();
-        rates[range].copy_from_slice(&link.over.freedom.rates(amounts));
-    }
+    let mut rates = movement.rates(links, layout);
+    let Movement { points, closure, .. } = movement;
     let arriving = closing.over.carried(closing.parent.map_or(Motion::zero(), |link| points[link]));
     let own = layout.v[closing.over.hinge].clone();
     if !own.is_empty() {

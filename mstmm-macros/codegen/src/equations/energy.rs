@@ -2,7 +2,8 @@
 
 use super::closing::closing;
 use super::hinge::Passives;
-use super::load::{poses, spring_energy};
+use super::kinematics::poses;
+use super::load::spring_energy;
 use super::redistribution::redistribute;
 use super::sweep::Flatten;
 use super::{Axes, Situation, Trace, motion};

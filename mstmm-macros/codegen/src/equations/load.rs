@@ -1,55 +1,11 @@
 //! What acts on bodies from outside: `f_C`, `m_C` of [P, Eqs. (14), (15)].
 
 use super::Situation;
-use super::motion::{LinkMotion, link_of};
-use super::sweep::{Flatten, PerLink};
+use super::kinematics::{LinkMotion, Pose, link_of, poses};
+use super::sweep::PerLink;
 use crate::ids::LinkId;
-use crate::math::{Mat3, Rotation, Scalar, Vec3, Wrench};
+use crate::math::{Rotation, Scalar, Vec3, Wrench};
 use crate::model::{BodyId, Driven, Load, LoadAxes, LoadId, Source, Spring};
-
-/// Where a link's part is.
-#[derive(Clone, Copy, Debug)]
-pub struct Pose<S> {
-    /// Its point, inertial frame.
-    pub position: Vec3<S>,
-    /// Its work axes to inertial ones.
-    pub to_inertial: Mat3<S>,
-    /// The velocity of its point, work axes.
-    pub velocity: Vec3<S>,
-}
-
-impl<S: Scalar> Pose<S> {
-    /// Of the ground.
-    pub fn ground() -> Self {
-        Pose { position: Vec3::zero(), to_inertial: Mat3::identity(), velocity: Vec3::zero() }
-    }
-}
-
-impl<S: Scalar> Flatten<S> for Pose<S> {
-    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
-        let position = self.position.visit(replace);
-        let to_inertial = self.to_inertial.visit(replace);
-        Pose { position, to_inertial, velocity: self.velocity.visit(replace) }
-    }
-}
-
-/// Where all links are [P, Eq. (12)].
-pub fn poses<S: Scalar>(
-    situation: &Situation<S>,
-    links: &PerLink<LinkMotion<S>>,
-) -> PerLink<Pose<S>> {
-    let (poses, _) = situation.tree.outward(Pose::ground(), |index, from| {
-        let over = &links[index].over;
-        let carried = from.velocity + over.parent_omega.cross(over.arm);
-        let pose = Pose {
-            position: from.position + from.to_inertial * over.arm,
-            to_inertial: from.to_inertial * over.to_parent.matrix(),
-            velocity: over.to_parent.back(carried) + over.relative.linear,
-        };
-        (pose, ())
-    });
-    poses
-}
 
 /// The loads on every link's part about its point, work axes.
 pub fn loads<S: Scalar>(

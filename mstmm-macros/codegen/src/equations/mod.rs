@@ -7,11 +7,13 @@
 //! |---|---|---|
 //! | `a = [r̈; Ω̇]` | [`Motion`](crate::math::Motion) | accelerations at a connection point |
 //! | `F = [q; n]`, `n = −m` | [`Wrench`](crate::math::Wrench) | what a hinge exerts on its child's side |
-//! | `A`, `e` | [`SpatialInertia`](crate::math::SpatialInertia), `Wrench` | Riccati pair, `F = A a + e` |
+//! | `Iᴬ`, `pᴬ` | [`SpatialInertia`](crate::math::SpatialInertia), `Wrench` | Riccati pair, `F = Iᴬ a + pᴬ` |
 //! | `S`, `v` | [`hinge::Geometry`], [`hinge::Freedom`] | free directions of a hinge and its rates |
 //! | `s`, `J` | [`hinge::Strains`] | how far a hinge is from rest, `ṡ = J v` |
 //! | `T`, `W`, `λ` | `closing` | directions that a closing hinge holds, wrenches that do work on one rate each, reactions |
 //! | `c` | the *point* of a link | where a body hangs on its hinge: its input, or its output if the chain is held at its end |
+//!
+//! Each file names its further letters and frames at its head. Sweeps over the links are those of `sweep`.
 //!
 //! Sign rule: on a body the force at the input end is `+q_I`, at the output end `−q_O`; the torque
 //! at the input end is `−m_I`, at the output end `+m_O`.
@@ -28,8 +30,8 @@ mod correction;
 mod elimination;
 mod energy;
 pub mod hinge;
+mod kinematics;
 mod load;
-mod motion;
 mod numbers;
 
 mod problem;
@@ -46,7 +48,7 @@ mod transmitted;
 pub use accelerations::{Behind, Pivot, Reaction, Solved, Swept, accelerations, sweep};
 pub use correction::{Correction, correction, moved};
 pub use energy::{Energy, energy};
-pub use motion::{Axes, LinkMotion, motion};
+pub use kinematics::{Axes, LinkMotion, motion};
 pub use numbers::Numbers;
 pub use report::{Point, Report, Seen, report};
 pub use situation::Situation;

@@ -3,12 +3,12 @@
 
 use super::closing::Closing;
 use super::closure::{Closure, Linkage};
-use super::motion::{Drift, LinkMotion};
+use super::kinematics::{Drift, LinkMotion};
 use super::redistribution::Given;
 use super::sweep::{LinkTree, PerLink};
 use crate::ids::LinkId;
 use crate::math::{Motion, Scalar, SpatialInertia, Wrench};
-use crate::model::Dimension;
+use crate::model::{Dimension, Layout};
 
 /// What the links are to do. `a` may be accelerations, or changes of velocities.
 #[derive(Clone, Debug)]
@@ -49,19 +49,19 @@ pub struct Demand<'a, S> {
     pub linkage: Linkage<S>,
 }
 
-/// `F = A a' + e`: what a hinge transmits, with `a'` of the parent carried over.
+/// `F = Iᴬ a' + pᴬ`: what a hinge transmits, with `a'` of the parent carried over.
 #[derive(Clone, Copy, Debug)]
 pub struct Relation<S> {
-    /// `A`
+    /// `Iᴬ`
     pub inertia: SpatialInertia<S>,
-    /// `e`
-    pub load: Wrench<S>,
+    /// `pᴬ`
+    pub bias: Wrench<S>,
 }
 
 impl<S: Scalar> Relation<S> {
     /// `F` with this `a'`.
     pub fn at(&self, a: Motion<S>) -> Wrench<S> {
-        self.inertia.times(a) + self.load
+        self.inertia.times(a) + self.bias
     }
 }
 
@@ -153,6 +153,17 @@ impl<S: Scalar> Problem<'_, S> {
         let Some(Demand { closing, .. }) = &self.closing else { return Vec::new() };
         let a = closing.over.carried(self.ground);
         closing.held.iter().map(|held| a.power(held.wrench)).collect()
+    }
+}
+
+impl<S: Scalar> Movement<S> {
+    /// Rates of all hinges on links, or their changes, in the layout's order; zero where no link is.
+    pub fn rates(&self, links: &PerLink<LinkMotion<S>>, layout: &Layout) -> Vec<S> {
+        let mut rates = vec![S::zero(); layout.freedoms()];
+        links.iter().zip(&self.amounts).for_each(|(LinkMotion { over, .. }, amounts)| {
+            rates[layout.v[over.hinge].clone()].copy_from_slice(&over.freedom.rates(amounts));
+        });
+        rates
     }
 }
 

@@ -6,7 +6,7 @@
 //! its hinge. Masses in the middle of balls might go as well, for one operation in a hundred less;
 //! three balls took 6 % more time then, ten 12 %.
 
-use super::motion::LinkMotion;
+use super::kinematics::LinkMotion;
 use super::sweep::{Flatten, PerLink};
 use super::{Situation, Trace};
 use crate::ids::LinkId;
@@ -45,10 +45,10 @@ pub fn redistribute<S: Scalar>(
     let (left, _) = situation.tree.inward(own, ground, step);
     let (left, masses): (Vec<Rigid<S>>, Vec<S>) = left.into_iter().unzip();
     trace.section("base", "Base parameters", "");
-    for (link, rigid) in links.iter_mut().zip(left) {
+    links.iter_mut().zip(left).for_each(|(link, rigid)| {
         rigid.put_into(link);
         trace.rigid_body(&format!("{}_base", link.name), link.mass, link.moment, link.inertia);
-    }
+    });
     let given = |(mass, scales)| Given { mass, scales };
     masses.into_iter().zip(scales).map(given).collect()
 }

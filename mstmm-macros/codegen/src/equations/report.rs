@@ -5,8 +5,8 @@
 //! into inertial axes is made where a number is read.
 
 use super::closing::{Closing, closing};
-use super::load::{Pose, loads, poses};
-use super::motion::{Crossed, LinkMotion, link_of};
+use super::kinematics::{Crossed, LinkMotion, Pose, link_of, poses};
+use super::load::loads;
 use super::spots::{Spot, spots};
 use super::sweep::{Flatten, PerLink};
 use super::transmitted::Summed;
@@ -74,14 +74,7 @@ pub fn report<S: Scalar>(
 ) -> Report<S> {
     let links = motion(situation, swept.axes, trace);
     let poses = poses(situation, &links);
-    for (LinkMotion { over, .. }, pose) in links.iter().zip(&poses) {
-        let name = &over.name;
-        trace.section(format!("{name}_pose"), format!("Pose behind `{name}`"), "[P, Eq. (12)]");
-        trace.vector(&format!("{name}_position"), pose.position);
-        trace.matrix(&format!("{name}_to_inertial"), pose.to_inertial);
-        trace.section(format!("{name}_velocity"), format!("Velocity behind `{name}`"), "");
-        trace.vector(&format!("{name}_velocity"), pose.velocity);
-    }
+    links.iter().zip(&poses).for_each(|(link, pose)| record(&link.over.name, pose, trace));
     let felt = felt(situation, &links, swept);
     let closing = closing(situation, swept.axes, &links);
     let closed = closing.as_ref().zip(solved.reaction.as_ref()).map(|(closing, reaction)| {
@@ -92,10 +85,10 @@ pub fn report<S: Scalar>(
     let wrenches = wrenches(situation, &links, &felt, swept, closed);
     let mut hinges: IdVec<HingeId, Option<Transmitting<S>>> =
         situation.chain.hinges.iter().map(|_| None).collect();
-    for (index, link) in links.enumerate() {
+    links.enumerate().for_each(|(index, link)| {
         let over = Transmitting::over(situation, index, link, wrenches[index]);
         hinges[link.over.hinge] = Some(over);
-    }
+    });
     if let Some((closing, wrench)) = closed {
         hinges[closing.over.hinge] = Some(Transmitting::closing(closing, wrench));
     }
@@ -115,6 +108,14 @@ pub fn report<S: Scalar>(
         efforts: efforts(situation, &hinges, &accelerations),
         accelerations,
     }
+}
+
+fn record<S: Scalar>(name: &str, pose: &Pose<S>, trace: &mut Trace<S>) {
+    trace.section(format!("{name}_pose"), format!("Pose behind `{name}`"), "[P, Eq. (12)]");
+    trace.vector(&format!("{name}_position"), pose.position);
+    trace.matrix(&format!("{name}_to_inertial"), pose.to_inertial);
+    trace.section(format!("{name}_velocity"), format!("Velocity behind `{name}`"), "");
+    trace.vector(&format!("{name}_velocity"), pose.velocity);
 }
 
 /// The accelerations of all rates, in the layout's order of all rates.

@@ -1,6 +1,6 @@
 //! From the free ends to the ground: equations (1), (2) and (4).
 
-use super::super::motion::{Crossed, Drift};
+use super::super::kinematics::{Crossed, Drift};
 use super::super::problem::{Problem, Relation};
 use super::super::sweep::{Flatten, PerLink};
 use super::super::{Pivot, Trace};
@@ -58,7 +58,7 @@ pub fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<
         }
         let pivots = pivots(link, &here, &conditions, &steps);
         record(trace, &over.name, &steps, &pivots);
-        let relation = Relation { inertia: here.inertia, load: here.bias };
+        let relation = Relation { inertia: here.inertia, bias: here.bias };
         match problem.links[link].parent {
             Some(_) => here.add_to_parent(problem, link, parent),
             None => parent.open = here.on_ground(over.carried(problem.ground)),
@@ -67,14 +67,14 @@ pub fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<
     };
     let nothing = SpatialInertia::from_fn(|_, _| S::zero());
     let ground = Articulated::with(nothing, Wrench::zero());
-    let (links, ground) = problem.tree.inward(own(problem), ground, step);
-    let pivots = links.iter().rev().flat_map(|(_, pivots, _)| pivots.iter().copied()).collect();
+    let (records, ground) = problem.tree.inward(own(problem), ground, step);
+    let pivots = records.iter().rev().flat_map(|(_, pivots, _)| pivots.iter().copied()).collect();
     // Reactions would come on top, in as many products as a sum over all bodies takes.
     let relations = match problem.closing {
-        None => links.iter().map(|&(.., relation)| relation).collect(),
+        None => records.iter().map(|&(.., relation)| relation).collect(),
         Some(_) => PerLink::new(),
     };
-    let eliminated = links.into_iter().map(|(steps, ..)| steps).collect();
+    let eliminated = records.into_iter().map(|(steps, ..)| steps).collect();
     Reduced { eliminated, relations, open: ground.open, pivots }
 }
 

@@ -2,7 +2,7 @@
 
 use super::super::Trace;
 use super::super::closure::{self, Closure, Dof, Reactions};
-use super::super::motion::{Crossed, Drift};
+use super::super::kinematics::{Crossed, Drift};
 use super::super::problem::Problem;
 use super::super::sweep::Flatten;
 use super::direction::Eliminated;
