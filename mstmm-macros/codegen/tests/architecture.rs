@@ -110,6 +110,57 @@ fn tokens_are_known_to_both_ends_of_the_pipeline_only() {
     }
 }
 
+/// A text's code without its tests, its comments and its line breaks.
+fn code(text: &str) -> String {
+    let code = text.split("#[cfg(test)]").next().unwrap_or(text);
+    let lines = code.lines().map(|line| line.split("//").next().unwrap_or(line).trim());
+    lines.collect::<Vec<_>>().join(" ")
+}
+
+/// Whether `text` has `word` as a word of its own.
+fn has_word(text: &str, word: &str) -> bool {
+    text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|found| found == word)
+}
+
+/// What a text's `for` loops go over, and what its expressions take backwards.
+fn loops(code: &str) -> Vec<&str> {
+    let headers = code.split(" for ").skip(1).filter_map(|rest| {
+        let (header, _) = rest.split_once('{')?;
+        header.split_once(" in ").map(|(_, over)| over)
+    });
+    let statements = code.split([';', '{', '}']).filter(|statement| statement.contains(".rev()"));
+    headers.chain(statements).collect()
+}
+
+#[test]
+fn only_the_sweeps_loop_over_links() {
+    let folder = source().join("equations");
+    for file in files(&folder).into_iter().filter(|file| !file.ends_with("sweep.rs")) {
+        let text = fs::read_to_string(&file).expect("a readable file");
+        for over in loops(&code(&text)) {
+            assert!(!has_word(over, "links"), "{} sweeps by hand: {over}", file.display());
+        }
+    }
+}
+
+#[test]
+fn sweeps_by_hand_are_seen() {
+    let sweeps = [
+        "for (index, link) in situation.layout.links.iter().enumerate() {}",
+        "for (index, link) in\n    links // all\n        .enumerate()\n{}",
+        "for index in (0..links.len()).rev() {}",
+        "while let Some(last) = links.iter().rev().next() {}",
+        "let all = links\n    .iter()\n    .rev().map(pass);",
+    ];
+    let others =
+        ["for (index, load) in chain.loads.enumerate() {}", "links.iter().map(own).collect();"];
+    let sweeps_by_hand = |text: &str| {
+        loops(&code(&format!("fn f() {{\n{text}\n}}"))).iter().any(|over| has_word(over, "links"))
+    };
+    sweeps.iter().for_each(|text| assert!(sweeps_by_hand(text), "{text}"));
+    others.iter().for_each(|text| assert!(!sweeps_by_hand(text), "{text}"));
+}
+
 #[test]
 fn files_are_short() {
     for file in files(&source()) {
