@@ -65,6 +65,10 @@ pub struct Warning {
 #[derive(Debug, Default)]
 pub struct Diagnostics {
     errors: Vec<(Place, Error)>,
+    /// Names that are refused.
+    refused: HashSet<NameAt>,
+    /// Errors at unknown names, and the names that these may be meant to be.
+    unknown: Vec<(Spot, Vec<NameAt>)>,
     /// The first of those beyond the most that are reported, and how many these are.
     beyond: Option<(Span, usize)>,
     /// Where errors are.
@@ -90,20 +94,43 @@ impl Diagnostics {
         self.note(|| error);
     }
 
-    fn note(&mut self, error: impl FnOnce() -> Error) {
+    /// Adds an error at a name that is refused.
+    pub fn name(&mut self, name: &Ident, message: impl std::fmt::Display) {
+        self.refused.insert(name_at(name));
+        self.error(name.span(), message);
+    }
+
+    /// Adds an error at a name that is unknown. It follows from another one, and is not reported, where a name is
+    /// refused that it may be `meant` to be.
+    pub fn unknown<'n>(
+        &mut self,
+        name: &Ident,
+        message: impl std::fmt::Display,
+        meant: impl IntoIterator<Item = &'n Ident>,
+    ) {
+        if let Some(spot) = self.note(|| Error::new(name.span(), message)) {
+            self.unknown.push((spot, meant.into_iter().map(name_at).collect()));
+        }
+    }
+
+    /// Where an error is that was added; nothing if there was one, or if it is only counted.
+    fn note(&mut self, error: impl FnOnce() -> Error) -> Option<Spot> {
         if let Some((_, count)) = &mut self.beyond {
             *count += 1;
-            return;
+            return None;
         }
         let error = error();
         let place = Place::of(error.span());
-        if !self.wrong.insert(place.spot(&error)) {
-            return;
+        let spot = place.spot(&error);
+        if !self.wrong.insert(spot.clone()) {
+            return None;
         }
-        match self.is_full() {
-            true => self.beyond = Some((error.span(), 1)),
-            false => self.errors.push((place, error)),
+        if self.is_full() {
+            self.beyond = Some((error.span(), 1));
+            return None;
         }
+        self.errors.push((place, error));
+        Some(spot)
     }
 
     /// Adds a warning at a single token. `rule` is the name of the rule, in capitals.
@@ -131,8 +158,18 @@ impl Diagnostics {
         warnings.into_iter().map(|(_, warning)| warning).collect()
     }
 
+    /// Drops errors at unknown names that may be meant to be refused ones.
+    fn drop_what_follows(&mut self) {
+        let Diagnostics { errors, refused, unknown, .. } = self;
+        let follows =
+            |(_, meant): &&(Spot, Vec<NameAt>)| meant.iter().any(|name| refused.contains(name));
+        let follow: HashSet<&Spot> = unknown.iter().filter(follows).map(|(spot, _)| spot).collect();
+        errors.retain(|(place, error)| !follow.contains(&place.spot(error)));
+    }
+
     /// Closes a phase: all errors as one, in the order of the text, or none.
     pub fn finish(mut self) -> syn::Result<()> {
+        self.drop_what_follows();
         self.errors.sort_by(|(a, _), (b, _)| a.cmp(b));
         let beyond =
             self.beyond.map(|(at, count)| Error::new(at, format!("… and {count} more mistakes")));
@@ -154,6 +191,13 @@ struct Place(String, usize, usize);
 /// What tells tokens apart. Tokens that another macro has made may all be at the place of its call:
 /// the message tells those apart.
 type Spot = (Place, Option<String>);
+
+/// What tells names apart.
+type NameAt = (Place, String);
+
+fn name_at(name: &Ident) -> NameAt {
+    (Place::of(name.span()), name.to_string())
+}
 
 impl Place {
     fn of(span: Span) -> Place {

@@ -1,6 +1,6 @@
 //! What chains with mistakes become: types that are errors to rustc, which reports nothing of their use.
 
-use crate::syntax::ChainDef;
+use crate::syntax::{ChainDef, Stop};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashSet;
@@ -51,13 +51,18 @@ pub fn wrong(chains: &[ChainDef], mistakes: &syn::Error) -> TokenStream {
     types
 }
 
-/// The names of all types of a chain but its inputs, whose values users write field by field.
+/// The names of all types of a chain but its inputs, whose values users write field by field. Any name of a block or
+/// word of the route may be a type of body, whatever else is wrong with it.
 fn structs(chain: &ChainDef) -> impl Iterator<Item = Ident> {
     let name = &chain.name;
     let of_chain =
         ["State", "Parameters", "Workspace"].map(|suffix| format_ident!("{}{suffix}", name));
-    let bodies = chain.blocks.iter().flat_map(|block| &block.names);
-    let results = bodies.map(move |body| format_ident!("{}{}Result", name, body));
+    let described = chain.blocks.iter().flat_map(|block| &block.names);
+    let used = chain.route.iter().flat_map(|route| &route.stops).filter_map(|stop| match stop {
+        Stop::Element { word, .. } => Some(word),
+        _ => None,
+    });
+    let results = described.chain(used).map(move |body| format_ident!("{}{}Result", name, body));
     [name.clone()].into_iter().chain(of_chain).chain(results)
 }
 

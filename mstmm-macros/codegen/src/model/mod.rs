@@ -77,7 +77,7 @@ pub struct Chain {
 /// What was meant by a description, checked; nothing where a mistake has been found, in this description
 /// or before.
 pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Surface)> {
-    let (draft, surface) = lower::draft(def, diagnostics);
+    let (draft, surface) = lower::draft(def, diagnostics)?;
     let assertions = check::check(&draft, diagnostics);
     if !diagnostics.is_empty() {
         return None;

@@ -1,7 +1,7 @@
 //! `chain Name { … }`
 
 use proc_macro2::{Delimiter, Ident, Span};
-use syn::{Error, Result};
+use syn::{Error, Result, Visibility};
 
 use super::cursor::Cursor;
 use super::field::Content;
@@ -78,17 +78,33 @@ fn head<'a>(
         diagnostics.push(error);
         Ok::<_, Error>(Vec::new())
     })?;
-    let visibility = attribute::visibility(input)?;
-    let dimension = dimension(input);
+    let visibility = attribute::visibility(input).unwrap_or_else(|error| {
+        diagnostics.push(error);
+        Visibility::Inherited
+    });
+    let mut dimension = Some(dimension(input));
     if input.word("chain").is_none() {
         let error = no_chain(input);
-        if !slip_of_chain(input) {
-            return Err(error);
+        let word = input.peek_ident();
+        let Some(of_chain) = slip_of_chain(input) else { return Err(error) };
+        if !of_chain {
+            dimension = word.and_then(|word| near_dimension(&word));
         }
         diagnostics.push(error);
     }
-    let name = input.ident().ok_or_else(|| input.unexpected("the chain's name"))?;
-    let (inside, _) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
+    let mut name = input.ident().ok_or_else(|| input.unexpected("the chain's name"))?;
+    let (inside, _) = match input.group(Delimiter::Brace) {
+        Some(group) => group,
+        None => {
+            let error = input.unexpected("`{`");
+            name = input.ident().unwrap_or(name);
+            let other = [Delimiter::Brace, Delimiter::Bracket, Delimiter::Parenthesis];
+            let group = other.into_iter().find_map(|other| input.group(other));
+            let Some(group) = group else { return Err(error) };
+            diagnostics.push(error);
+            group
+        }
+    };
     let def = ChainDef {
         attributes,
         visibility,
@@ -103,17 +119,25 @@ fn head<'a>(
     Ok((def, inside))
 }
 
-/// Whether the head of a chain is next but for a wrong word in it, which is read over.
-fn slip_of_chain(input: &mut Cursor) -> bool {
+/// Reads over a wrong word, if it is all that is wrong in the head of a chain: whether it is written instead of
+/// `chain`, not before it.
+fn slip_of_chain(input: &mut Cursor) -> Option<bool> {
     let mut ahead = *input;
-    ahead.ident();
-    ahead.word("chain");
+    ahead.any();
+    let of_chain = ahead.word("chain").is_none();
     let mut behind = ahead;
-    let is_head = behind.ident().is_some() && behind.peek_group(Delimiter::Brace);
-    if is_head {
-        *input = ahead;
+    behind.ident()?;
+    if !behind.peek_group(Delimiter::Brace) {
+        return None;
     }
-    is_head
+    *input = ahead;
+    Some(of_chain)
+}
+
+/// The dimension whose word is close to this one.
+fn near_dimension(word: &Ident) -> Option<DimensionWord> {
+    let near = nearest(&word.to_string(), DIMENSIONS.iter().map(|(known, _)| *known))?;
+    DIMENSIONS.iter().find(|(known, _)| *known == near).map(|&(_, dimension)| dimension)
 }
 
 /// What stands in the place of `chain`: perhaps a wrong word before it.

@@ -32,7 +32,9 @@ pub(super) fn content(mut inside: Cursor, diagnostics: &mut Diagnostics) -> Cont
         } else if let Some(name) = inside.ident() {
             content.fields.push(ends.field(name, &mut inside, diagnostics));
         } else if !inside.is_empty() {
-            diagnostics.push(inside.unexpected("a field"));
+            if !ends.lost {
+                diagnostics.push(inside.unexpected("a field"));
+            }
             inside.skip_statement();
             content.whole = false;
         }
@@ -73,12 +75,15 @@ struct Ends {
     reported: bool,
     /// Whether words were skipped behind a mistake, which may have been a field.
     skipped: bool,
+    /// Whether a `;` is in the place of the last field's `=`: the next tokens are its value.
+    lost: bool,
 }
 
 impl Ends {
     fn field(&mut self, name: Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) -> Field {
         let sign = if input.punct('=').is_some() { Ok(()) } else { Err(input.unexpected("`=`")) };
         let colon = sign.is_err() && input.punct(':').is_some();
+        let has_sign = sign.is_ok();
         let value = match sign {
             Ok(()) => written(input).map(Some),
             // The value may follow all the same, or a type.
@@ -91,11 +96,13 @@ impl Ends {
         match value {
             Ok(Some(value)) => {
                 let value = self.end(&value, input, diagnostics).then_some(value);
+                self.lost = false;
                 return Field { name, value };
             }
-            Ok(None) => {}
-            Err(error) => diagnostics.push(error),
+            Err(error) if has_sign || !self.lost => diagnostics.push(error),
+            _ => {}
         }
+        self.lost = !has_sign && !self.lost && input.peek_punct(';');
         self.skip(input);
         Field { name, value: None }
     }

@@ -12,8 +12,8 @@ pub struct ChainDef {
     pub attributes: Vec<syn::Attribute>,
     /// Visibility of the generated types.
     pub visibility: syn::Visibility,
-    /// In how many directions it moves.
-    pub dimension: DimensionWord,
+    /// In how many directions it moves; nothing if the word for that is unknown.
+    pub dimension: Option<DimensionWord>,
     /// The chain's name.
     pub name: Ident,
     /// `gravity = …;` and `method = …;`

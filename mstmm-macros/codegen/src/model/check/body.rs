@@ -74,7 +74,7 @@ pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics
             } else {
                 continue;
             };
-            diagnostics.error(name.span(), message);
+            diagnostics.name(name, message);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Names.
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 use std::collections::HashMap;
 use syn::ext::IdentExt;
 
@@ -136,7 +136,7 @@ pub(super) fn names_are_identifiers(draft: &Draft, diagnostics: &mut Diagnostics
         let keyword = syn::parse_str::<Ident>(&text).is_err() || LATER_KEYWORDS.contains(&&*text);
         if text.starts_with("r#") || keyword {
             let message = format!("`{text}` is a keyword of Rust and cannot be a name");
-            diagnostics.error(name.span(), message);
+            diagnostics.name(name, message);
         }
     }
 }
@@ -149,7 +149,7 @@ pub(super) fn chains_are_not_called_like_their_numbers(
     let name = &draft.def.name;
     if name == "T" {
         let message = "`T` stands for the numbers of a chain and cannot be its name";
-        diagnostics.error(name.span(), message);
+        diagnostics.name(name, message);
     }
 }
 
@@ -168,7 +168,7 @@ pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) 
                 true => format!("the name `{text}` is used twice{}", name.twice),
                 false => format!("`{text}` and `{other}` both have a method `{method}`"),
             };
-            diagnostics.error(name.ident.span(), message);
+            diagnostics.name(name.ident, message);
         }
         for method in methods {
             owners.entry(method).or_insert(name.ident);
@@ -186,7 +186,7 @@ pub(super) fn inputs_of_loads_have_a_name_of_their_own(
         for input in [format!("{load}_force"), format!("{load}_torque")] {
             if let Some(other) = names.iter().find(|other| other.ident == &input) {
                 let message = format!("`{input}` is what an input of load `{load}` is called");
-                diagnostics.error(other.ident.span(), message);
+                diagnostics.name(other.ident, message);
             }
         }
     }
@@ -199,11 +199,11 @@ pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostic
         let mut methods = name.methods().chain([text.clone()]);
         if methods.any(|method| RESERVED.contains(&&*method)) {
             let message = format!("`{text}` is a method of every chain and cannot be a name");
-            diagnostics.error(name.ident.span(), message);
+            diagnostics.name(name.ident, message);
         }
         if INPUTS.contains(&&*text) {
             let message = format!("`{text}` is an input of chains and cannot be a name");
-            diagnostics.error(name.ident.span(), message);
+            diagnostics.name(name.ident, message);
         }
     }
 }
@@ -211,7 +211,7 @@ pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostic
 /// A word that an item begins with can be no name.
 pub(super) fn names_are_not_words_of_the_language(draft: &Draft, diagnostics: &mut Diagnostics) {
     let names = names(draft);
-    let names = names.iter().filter(|name| !name.made).map(|name| (name.ident, name.ident.span()));
+    let names = names.iter().filter(|name| !name.made).map(|name| name.ident);
     refuse_words(names, ITEM_WORDS, diagnostics);
 }
 
@@ -220,7 +220,7 @@ pub(super) fn types_are_described_once(draft: &Draft, diagnostics: &mut Diagnost
     for (index, body) in draft.types.iter().enumerate() {
         if draft.types[..index].iter().any(|other| other.name == body.name) {
             let message = format!("body `{}` is described twice", body.name);
-            diagnostics.error(body.name.span(), message);
+            diagnostics.name(body.name, message);
         }
     }
 }
@@ -230,7 +230,7 @@ pub(super) fn types_are_not_words_of_the_language(draft: &Draft, diagnostics: &m
     let kinds = KINDS.iter().map(|kind| kind.word);
     let words: Vec<_> = kinds.chain(ROUTE_WORDS.iter().chain(ITEM_WORDS).copied()).collect();
     let names = draft.types.iter().map(|body| body.name);
-    refuse_words(names.map(|name| (name, name.span())), &words, diagnostics);
+    refuse_words(names, &words, diagnostics);
 }
 
 /// A parameter cannot be named after a word that stands for a number.
@@ -240,15 +240,15 @@ pub(super) fn parameters_are_not_words_of_the_language(
 ) {
     let words: Vec<_> = NUMBER_WORDS.iter().chain(FUNCTIONS).copied().collect();
     let names = draft.def.parameters.iter().map(|def| &def.field.name);
-    refuse_words(names.map(|name| (name, name.span())), &words, diagnostics);
+    refuse_words(names, &words, diagnostics);
 }
 
 fn refuse_words<'a>(
-    names: impl Iterator<Item = (&'a Ident, Span)>,
+    names: impl Iterator<Item = &'a Ident>,
     words: &[&str],
     diagnostics: &mut Diagnostics,
 ) {
-    for (name, at) in names.filter(|(name, _)| words.iter().any(|word| name == word)) {
-        diagnostics.error(at, format!("`{name}` is a word of this language and cannot be a name"));
+    for name in names.filter(|name| words.iter().any(|word| name == word)) {
+        diagnostics.name(name, format!("`{name}` is a word of this language and cannot be a name"));
     }
 }

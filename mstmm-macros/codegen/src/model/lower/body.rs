@@ -123,6 +123,12 @@ impl BodyType<'_> {
         self.block.fields.iter().find(|field| field.name == name)
     }
 
+    /// Whether something of this name is written as a field, and is none.
+    pub fn has_unknown_field(&self, name: &Ident) -> bool {
+        self.block.fields.iter().any(|field| field.name == *name)
+            && !known(self.space).iter().any(|known| name == known)
+    }
+
     /// The fields that it lacks; it needs an output where something follows on the route.
     pub fn missing(&self, output_is_used: bool) -> Vec<&'static str> {
         if !self.block.whole {

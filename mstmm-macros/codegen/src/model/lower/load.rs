@@ -12,7 +12,6 @@ use super::vector::zeros;
 use crate::diag::did_you_mean;
 use crate::model::{BodyId, Dimension, Frame, LoadAxes, Source, Value};
 use crate::syntax::{Block, BlockWord, ChainDef, Extent, Field, List, Written};
-use std::collections::HashSet;
 
 /// The fields of a load.
 const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"];
@@ -139,8 +138,7 @@ fn on(
     if let Some(body) = bodies().position(|stop| stop.name() == Some(word)) {
         return Some(BodyId(body));
     }
-    let is_unknown =
-        |stop: &Stop| matches!(stop, Stop::Unknown { name, .. } if *name == Some(word));
+    let is_unknown = |stop: &Stop| matches!(stop, Stop::Unknown { name } if name.is_none_or(|name| name == word));
     if !def.route.as_ref().is_some_and(|route| route.whole)
         || stops.iter().any(is_unknown)
         || has_duplicates(stops, |stop| matches!(stop, Stop::Body { .. }))
@@ -157,7 +155,10 @@ fn on(
         return context.refuse(word, "the ground does not move: name a body on the route");
     }
     let hint = context.hint(word, bodies().filter_map(Stop::name));
-    context.refuse(word, format!("no body `{word}` on the route{hint}"))
+    let names = bodies().filter_map(Stop::name);
+    let message = format!("no body `{word}` on the route{hint}");
+    context.diagnostics.unknown(word, message, names);
+    None
 }
 
 /// What something acts on.
@@ -216,15 +217,17 @@ impl Target<'_, '_> {
         if context.space == Dimension::Line {
             return context.written_vector(written, LENGTH).map(Some);
         }
-        // A point whose name is refused may be meant.
-        let mut names = POINTS.iter().map(|name| (*name).to_owned()).collect::<HashSet<_>>();
-        if body_type.points.iter().any(|point| !names.insert(point.name.to_string())) {
+        // It is reported that this is no field.
+        if body_type.has_unknown_field(word) {
             return Some(None);
         }
         let names = body_type.points.iter().map(|point| point.name.to_string());
         let known = POINTS.iter().map(|known| (*known).to_owned());
         let hint = context.hint(word, names.chain(known));
-        context.refuse(word, format!("body `{}` has no point `{word}`{hint}", body_type.name))
+        let message = format!("body `{}` has no point `{word}`{hint}", body_type.name);
+        let points = body_type.points.iter().map(|point| point.name);
+        context.diagnostics.unknown(word, message, points);
+        None
     }
 }
 

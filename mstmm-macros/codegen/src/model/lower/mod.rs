@@ -39,8 +39,12 @@ use crate::syntax::{ChainDef, DimensionWord, Surface};
 use context::Context;
 
 /// What was meant by a description, as far as it could be read; mistakes are reported.
-pub(super) fn draft<'a>(def: &'a ChainDef, diagnostics: &mut Diagnostics) -> (Draft<'a>, Surface) {
-    let space = match def.dimension {
+/// Nothing of a chain of an unknown dimension.
+pub(super) fn draft<'a>(
+    def: &'a ChainDef,
+    diagnostics: &mut Diagnostics,
+) -> Option<(Draft<'a>, Surface)> {
+    let space = match def.dimension? {
         DimensionWord::Space => Dimension::Space,
         DimensionWord::Plane => Dimension::Plane,
         DimensionWord::Line => Dimension::Line,
@@ -73,5 +77,5 @@ pub(super) fn draft<'a>(def: &'a ChainDef, diagnostics: &mut Diagnostics) -> (Dr
         loads,
         springs,
     };
-    (draft, surface)
+    Some((draft, surface))
 }

@@ -157,7 +157,10 @@ impl Context<'_> {
         }
         let known = self.parameters.iter().map(|other| other.name.to_string());
         let hint = self.hint(name, known.chain(["PI".to_owned()]));
-        self.refuse(name, format!("unknown name `{text}`{hint}"))
+        let message = format!("unknown name `{text}`{hint}");
+        let parameters = self.parameters.iter().map(|other| other.name);
+        self.diagnostics.unknown(name, message, parameters);
+        None
     }
 
     fn sum<'e>(

@@ -198,5 +198,7 @@ fn unknown_name(
         _ => ("hinge", stops.iter().filter(|stop| !matches!(stop, Stop::Body { .. })).collect()),
     };
     let hint = context.hint(name, stops.iter().filter_map(|stop| stop.name()));
-    context.diagnostics.error(name.span(), format!("no {word} `{name}` on the route{hint}"));
+    let message = format!("no {word} `{name}` on the route{hint}");
+    let names = stops.iter().filter_map(|stop| stop.name());
+    context.diagnostics.unknown(name, message, names);
 }

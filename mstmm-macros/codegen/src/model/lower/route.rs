@@ -310,7 +310,8 @@ impl<'a> Element<'a> {
             return;
         }
         let hint = context.hint(word, types.iter().map(|known| known.name));
-        context.diagnostics.error(word.span(), format!("unknown type of body `{word}`{hint}"));
+        let message = format!("unknown type of body `{word}`{hint}");
+        context.diagnostics.unknown(word, message, types.iter().map(|known| known.name));
     }
 }
 

@@ -142,3 +142,71 @@ fn a_type_gives_its_bodies_no_further_error() {
     let made = ("Type", "`type` is a keyword of Rust and cannot be a name");
     expect_all(&format!("chain A {{ {body} ground -> pin j -> Type; }}"), &[made]);
 }
+
+#[test]
+fn a_refused_name_may_be_the_unknown_one() {
+    let refused = |name: &'static str| match name {
+        "points" => (name, "`points` is a method of every chain and cannot be a name"),
+        _ => (name, "`type` is a keyword of Rust and cannot be a name"),
+    };
+    for name in ["points", "type"] {
+        expect_rods(
+            &format!("ground -> pin {name} -> Rod rod; hinge shoulder {{ start = 1; }}"),
+            &[refused(name)],
+        );
+        expect_rods(
+            &format!("ground -> pin j -> Rod {name}; load l {{ on = rod; force = input; }}"),
+            &[refused(name)],
+        );
+        expect_rods(
+            &format!("param {name} = 1; ground -> pin j -> Rod rod; hinge j {{ start = angle; }}"),
+            &[refused(name)],
+        );
+    }
+    let point =
+        "point type = [1, 0, 0]; mass = 1; com = [1, 0, 0]; inertia = diag(1, 1, 1) about com;";
+    expect_all(
+        &format!(
+            "chain A {{ body Rod {{ {point} }} ground -> pin j -> Rod rod; \
+             load l {{ on = rod; at = tip; force = input; }} }}"
+        ),
+        &[refused("type")],
+    );
+    let point = point.replace("point type", "lug");
+    expect_all(
+        &format!(
+            "chain A {{ body Rod {{ {point} }} ground -> pin j -> Rod rod; \
+             load l {{ on = rod; at = lug; force = input; }} }}"
+        ),
+        &[("lug", "body `Rod` has no field `lug`; it has `mass`, `com`, `inertia` and `output`")],
+    );
+    // A name of another kind is another matter.
+    expect_rods(
+        "ground -> pin j -> Rod points; hinge k { start = 1; }",
+        &[refused("points"), ("k", "no hinge `k` on the route")],
+    );
+}
+
+#[test]
+fn the_rest_of_a_lost_field_is_not_one() {
+    let equals = |found: &str| format!("expected `=`, found `{found}`");
+    expect_body(&format!("mass; 1 kg; {REST}"), &[(";", &equals(";"))]);
+    expect_body(&format!("mass 1 kg; {REST}"), &[("1", &equals("1"))]);
+}
+
+#[test]
+fn numbers_of_an_unknown_dimension_are_not_judged() {
+    let chain = |word: &str| {
+        format!(
+            "{word} chain A {{ gravity = [0, -9.8]; \
+             body Rod {{ mass = 1; com = [1, 0]; inertia = 1 furlong about com; }} \
+             ground -> pin j -> Rod rod; }}"
+        )
+    };
+    let unknown = "before `chain` stands `space`, `plane`, `line` or nothing";
+    let meant = format!("{unknown}; did you mean `plane`?");
+    let unit = ("furlong", "unknown unit `furlong`");
+    expect_all(&chain("plan"), &[("plan", &meant), unit]);
+    expect_all(&chain("flat"), &[("flat", unknown)]);
+    expect_all(&chain("7"), &[("7", unknown)]);
+}
