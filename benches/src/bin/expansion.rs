@@ -8,8 +8,18 @@ use std::time::Instant;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The file that has the Panda.
-const PANDA: &str = include_str!("../models/panda.rs");
+macro_rules! mstmm_chain {
+    ($($description:tt)*) => {
+        /// The description of the Panda.
+        const PANDA: &str = stringify!($($description)*);
+    };
+}
+
+include!("../../../examples/panda.rs");
+
+panda! {
+    pub chain Panda {}
+}
 
 /// How many bodies a long chain has, no two of them alike.
 const BODIES: usize = 32;
@@ -17,8 +27,8 @@ const BODIES: usize = 32;
 const RUNS: usize = 11;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    time("the Panda", &description(PANDA)?)?;
-    time("32 different bodies", &different_bodies()?.parse::<TokenStream>()?)
+    time("the Panda", &PANDA.parse()?)?;
+    time("32 different bodies", &different_bodies()?.parse()?)
 }
 
 /// Prints the median of some expansions.
@@ -35,16 +45,6 @@ fn time(name: &str, description: &TokenStream) -> Result<(), Box<dyn Error>> {
     milliseconds.sort_by(f64::total_cmp);
     println!("{name}\t{:.1}", milliseconds[RUNS / 2]);
     Ok(())
-}
-
-/// What stands in the macro call of a file.
-fn description(file: &str) -> Result<TokenStream, Box<dyn Error>> {
-    let file = syn::parse_file(file)?;
-    let mut macros = file.items.into_iter().filter_map(|item| match item {
-        syn::Item::Macro(call) if call.mac.path.is_ident("mstmm_chain") => Some(call.mac.tokens),
-        _ => None,
-    });
-    Ok(macros.next().ok_or("the file has no chain")?)
 }
 
 /// A chain of pins whose bodies have full tensors.
