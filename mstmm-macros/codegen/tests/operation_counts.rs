@@ -95,27 +95,6 @@ fn the_readme_has_the_same_counts() {
     }
 }
 
-/// Counts of a straightforward body-frame recursion on the same chains, traced with common
-/// subexpressions and folding (multiplications, additions and reciprocals).
-#[test]
-fn counts_are_below_those_of_a_traced_recursion() {
-    let limits = [
-        ("IiwaLike", 1599),
-        ("IiwaAxial", 1280),
-        ("Dh", 1831),
-        ("Panda", 1648),
-        ("BallPendulum", 661),
-    ];
-    for (chain, findings) in chains() {
-        let limit = limits.iter().find(|(name, _)| chain.name == name);
-        if let Some((name, limit)) = limit {
-            let programs = programs(&chain, &findings, &Layout::of(&chain));
-            let count = programs.accelerations.cost().arithmetic();
-            assert!(count <= *limit, "{name}: {count} operations, {limit} were reached before");
-        }
-    }
-}
-
 /// Points that can be read take no operation where nobody reads them, and are kept only where parameters
 /// change them.
 #[test]
