@@ -124,11 +124,13 @@ fn precisions_and_methods_agree() {
         B: Read,
     {
         let (a, b) = (A::prepared(), B::prepared());
+        let mut closed = 0;
         for seed in 0..STATES {
             let mut state = random_state::<A>(&mut Random::new(seed));
             if a.assemble(&mut state, &a.no_inputs()).is_err() {
                 continue;
             }
+            closed += 1;
             let mut same = b.initial_state();
             let set = |(to, &from): (&mut B::Scalar, &f64)| *to = B::Scalar::constant(from);
             same.q_mut().iter_mut().zip(state.q()).for_each(set);
@@ -145,6 +147,7 @@ fn precisions_and_methods_agree() {
                 assert!(off <= tolerance, "seed {seed}: point {number_of_point} off by {off:e}");
             }
         }
+        assert!(closed > STATES / 2, "only {closed} states close");
     }
     macro_rules! check {
         ($chain:ident $other:ident) => {

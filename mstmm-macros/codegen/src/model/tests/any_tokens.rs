@@ -111,13 +111,17 @@ fn replace_each(source: &str) {
 /// test they would overflow it.
 #[test]
 fn deep_groups_are_refused() {
-    for depth in [100, 1000, 100_000] {
+    let too_deep = "more than 200 groups within each other";
+    for (depth, message) in
+        [(200, "expected `chain`, found `(`"), (201, too_deep), (100_000, too_deep)]
+    {
         let mut inside = TokenStream::new();
         for _ in 0..depth {
             inside = TokenTree::Group(Group::new(Delimiter::Parenthesis, inside)).into();
         }
-        let wrong: TokenStream = "chain A { param p = 1; }".parse().expect("tokens");
-        let mistakes = read(wrong.into_iter().chain(inside).collect()).expect_err("far too deep");
-        assert!(mistakes.into_iter().count() > 0);
+        let right: TokenStream = PENDULUM.parse().expect("tokens");
+        let mistakes = read(right.into_iter().chain(inside).collect()).expect_err("far too deep");
+        let messages: Vec<_> = mistakes.into_iter().map(|error| error.to_string()).collect();
+        assert_eq!(messages, [message], "{depth} groups");
     }
 }
