@@ -75,6 +75,7 @@ fn heading<'g>(section: &Section<Expr<'g>>, go: impl Fn(Edge) -> Option<Edge>) -
         Expr::Number(_) => None,
     };
     Heading {
+        prefix: section.prefix.clone(),
         title: section.title.clone(),
         source: section.source.to_owned(),
         values: section.values.iter().filter_map(formula).collect(),

@@ -58,12 +58,12 @@ impl Scheduler<'_> {
     /// The slot of a value that is known since setup, under a name of this program.
     fn slot_of(&mut self, id: NodeId) -> Slot {
         let (graph, symbols) = (self.graph, self.symbols);
-        let given = self.names.get(id).map(|name| self.program.names.text(name).to_owned());
-        let part = self.part_of(id);
-        let (index, name) = self.setup.slot(part, id, |number| match graph.node(id) {
-            Node::Symbol(symbol) => symbols[symbol as usize].clone(),
-            _ => given.unwrap_or_else(|| format!("p{number}")),
-        });
+        let given = match graph.node(id) {
+            Node::Symbol(symbol) => Some(symbols[symbol as usize].clone()),
+            _ => self.names.get(id).map(|name| self.program.names.text(name).to_owned()),
+        };
+        let (part, prefix) = (self.part_of(id), self.prefix().to_owned());
+        let (index, name) = self.setup.slot(part, id, given, &prefix);
         let wanted = format!("known_{name}");
         let name = self.fresh(wanted);
         self.names.insert(id, name);
@@ -113,14 +113,13 @@ impl Scheduler<'_> {
             ] {
                 names.push(match node.filter(|&node| self.live.has(node)) {
                     Some(node) => {
-                        self.done[node as usize] = true;
+                        self.mark(node);
                         let name = match graph.node(angle) {
                             Node::Symbol(symbol) if !self.carried.contains_key(&symbol) => {
-                                format!("{prefix}_{}", self.symbols[symbol as usize])
+                                self.fresh(format!("{prefix}_{}", self.symbols[symbol as usize]))
                             }
-                            _ => format!("{prefix}_{number}"),
+                            _ => self.numbered(format!("{prefix}_{number}")),
                         };
-                        let name = self.fresh(name);
                         self.names.insert(node, name);
                         Some(name)
                     }
@@ -136,7 +135,7 @@ impl Scheduler<'_> {
         if let Some(name) = self.names.get(id) {
             return name;
         }
-        let name = self.fresh(format!("t{}", self.temporaries));
+        let name = self.numbered(format!("t{}", self.temporaries));
         self.temporaries += 1;
         self.names.insert(id, name);
         name

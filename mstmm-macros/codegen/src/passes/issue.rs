@@ -49,8 +49,7 @@ fn issued(sections: Vec<Section>, order: &[usize]) -> Vec<Section> {
     let owners =
         owners.flat_map(|(number, section)| section.statements.iter().map(move |_| number));
     let owners: Vec<usize> = owners.collect();
-    let headings: Vec<(String, String)> =
-        sections.iter().map(|section| (section.title.clone(), section.source.clone())).collect();
+    let headings: Vec<Section> = sections.iter().map(Section::without_statements).collect();
     let statements = sections.into_iter().flat_map(|section| section.statements);
     let mut statements: Vec<Option<Statement>> = statements.map(Some).collect();
     let mut ordered: Vec<Section> = Vec::new();
@@ -58,8 +57,7 @@ fn issued(sections: Vec<Section>, order: &[usize]) -> Vec<Section> {
     for &number in order {
         let owner = owners[number];
         if current.replace(owner) != Some(owner) {
-            let (title, source) = headings[owner].clone();
-            ordered.push(Section { title, source, statements: Vec::new() });
+            ordered.push(headings[owner].clone());
         }
         if let Some(section) = ordered.last_mut() {
             section.statements.extend(statements[number].take());
@@ -163,7 +161,7 @@ mod tests {
     use crate::program::{Name, Names, Operand, Operation, Section, Statement};
 
     fn section(title: &str, statements: Vec<Statement>) -> Section {
-        Section { title: title.into(), source: String::new(), statements }
+        Section { title: title.into(), statements, ..Section::default() }
     }
 
     fn reciprocal(name: Name, of: Operand) -> Statement {

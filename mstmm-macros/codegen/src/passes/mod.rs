@@ -24,6 +24,7 @@ mod live;
 mod looped;
 mod names;
 mod order;
+mod owners;
 mod schedule;
 mod setup;
 mod sums;

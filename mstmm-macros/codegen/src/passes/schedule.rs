@@ -4,6 +4,7 @@
 use super::angles::{Angles, angles};
 use super::fuse::fused;
 use super::names::NodeNames;
+use super::owners::Owners;
 use super::{Home, Live, Setup, Turn, Turns};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
 use crate::ids::RepeatId;
@@ -13,6 +14,8 @@ use std::collections::{HashMap, HashSet};
 /// Named values under a heading.
 #[derive(Clone, Debug)]
 pub struct Heading {
+    /// What names of values begin with that have none of their own.
+    pub prefix: String,
     /// What is computed.
     pub title: String,
     /// Where the equations are from.
@@ -46,7 +49,8 @@ pub fn schedule(
     let carried: Vec<Edge> = carried.flat_map(|carry| [carry.first, carry.next]).collect();
     let live = Live::of(graph, outputs.iter().flatten().copied().chain(carried));
     let turns = Turns::of(graph, &live, unknowns.turns.to_vec(), unknowns.parts);
-    let mut scheduler = Scheduler::new(graph, unknowns.names, stage, (live, &turns), setup);
+    let owners = Owners::of(graph, headings, unknowns.turns);
+    let mut scheduler = Scheduler::new(graph, unknowns.names, stage, (live, &turns), owners, setup);
     scheduler.name_carries();
     for (name, edge) in headings.iter().flat_map(|heading| &heading.values) {
         scheduler.christen(name, *edge);
@@ -86,7 +90,12 @@ pub(super) struct Scheduler<'a> {
     /// For which request every node was last found to be needed.
     found: Vec<u32>,
     requests: u32,
+    owners: Owners,
     sections: Vec<Section>,
+    /// The section that is being written.
+    current: usize,
+    /// In which section nodes have been stated.
+    places: Vec<Option<usize>>,
     pub(super) program: Program,
     pub(super) temporaries: usize,
 }
@@ -97,6 +106,7 @@ impl<'a> Scheduler<'a> {
         symbols: &'a [String],
         stage: Stage,
         (live, turns): (Live, &'a Turns),
+        owners: Owners,
         setup: &'a mut Setup,
     ) -> Self {
         let (angles, depths) = angles(graph, &live, turns, stage);
@@ -126,7 +136,10 @@ impl<'a> Scheduler<'a> {
                 blocks: Vec::new(),
                 outputs: Vec::new(),
             },
+            owners,
             sections: Vec::new(),
+            current: 0,
+            places: vec![None; graph.len()],
             temporaries: 0,
         }
     }
@@ -144,22 +157,32 @@ impl<'a> Scheduler<'a> {
 
     /// A new value, called so if nothing else is.
     pub(super) fn fresh(&mut self, wanted: String) -> Name {
-        let text = if self.taken.insert(wanted.clone()) {
-            wanted
-        } else {
-            let numbered = (2..).map(|number| format!("{wanted}_{number}"));
-            let mut free = numbered.filter(|name| self.taken.insert(name.clone()));
-            free.next().unwrap_or_default()
-        };
+        let text = self.free(wanted);
         self.program.names.add(text)
+    }
+
+    /// The same of a value whose name says nothing but a number.
+    pub(super) fn numbered(&mut self, wanted: String) -> Name {
+        let text = self.free(wanted);
+        self.program.names.add_numbered(text)
+    }
+
+    /// A name that no other value has.
+    fn free(&mut self, wanted: String) -> String {
+        if self.taken.insert(wanted.clone()) {
+            return wanted;
+        }
+        let numbered = (2..).map(|number| format!("{wanted}_{number}"));
+        let mut free = numbered.filter(|name| self.taken.insert(name.clone()));
+        free.next().unwrap_or_default()
     }
 
     /// Names what loops carry.
     fn name_carries(&mut self) {
         for (number, turn) in self.turns.all.iter().enumerate() {
             for (place, carry) in turn.carries.iter().enumerate() {
-                let name = self.fresh(format!("carry{number}_{place}"));
-                let entering = self.fresh(format!("carry{number}_{place}_before"));
+                let name = self.numbered(format!("carry{number}_{place}"));
+                let entering = self.numbered(format!("carry{number}_{place}_before"));
                 self.carried.insert(carry.entering, entering);
                 self.carried.insert(carry.leaving, name);
             }
@@ -172,22 +195,51 @@ impl<'a> Scheduler<'a> {
         self.live.has(node) && (is_known || self.turns.home(node) == home)
     }
 
-    /// States what lives at `home`, under its headings and then the rest.
+    /// States what lives at `home`, each value under the first heading that needs it; then what no heading needs
+    /// in the same repetition.
     pub(super) fn state_all(&mut self, home: Home, headings: &[Heading], rest: Vec<NodeId>) {
-        for heading in headings {
-            self.open(&heading.title, &heading.source);
-            for (_, edge) in &heading.values {
-                if self.belongs(edge.node(), home) {
-                    self.require(edge.node());
-                }
+        for (number, heading) in headings.iter().enumerate() {
+            self.open(&heading.prefix, &heading.title, &heading.source);
+            let values = heading.values.iter().map(|(_, edge)| edge.node());
+            let early = rest.iter().copied().filter(|&node| self.owners.own(node) == Some(number));
+            let nodes: Vec<NodeId> = values.chain(early).collect();
+            self.require_at(home, nodes);
+        }
+        self.open("result", "Results", "");
+        for node in rest {
+            if self.belongs(node, home) && !self.done[node as usize] {
+                self.current = self.place_of(node, home).unwrap_or(headings.len());
+                self.require(node);
             }
         }
-        self.open("Results", "");
-        for node in rest {
+    }
+
+    fn require_at(&mut self, home: Home, nodes: Vec<NodeId>) {
+        for node in nodes {
             if self.belongs(node, home) {
                 self.require(node);
             }
         }
+    }
+
+    /// The section of a value that no heading needs in the same repetition: the last one that it reads, or else
+    /// the first one that needs it in another repetition. All that it reads must have been stated; angles beside
+    /// it in one statement may not be, and then there is none.
+    fn place_of(&self, node: NodeId, home: Home) -> Option<usize> {
+        if self.turns.all.is_empty() {
+            return None;
+        }
+        let beside = match self.graph.node(node) {
+            Node::Sin(_) | Node::Cos(_) => self.angles.get(&(self.depths[node as usize], home)),
+            _ => None,
+        };
+        let beside = || beside.into_iter().flatten().copied();
+        if beside().any(|angle| self.belongs(angle, home) && !self.done[angle as usize]) {
+            return None;
+        }
+        let read = self.graph.node(node).operands().map(Edge::node).chain(beside());
+        let here = read.filter(|&id| !self.is_slot(id) && self.turns.home(id) == home);
+        here.filter_map(|id| self.places[id as usize]).max().or(self.owners.any(node))
     }
 
     /// What is computed once, when so many loops are done.
@@ -212,16 +264,23 @@ impl<'a> Scheduler<'a> {
         sections
     }
 
-    fn open(&mut self, title: &str, source: &str) {
+    fn open(&mut self, prefix: &str, title: &str, source: &str) {
+        self.current = self.sections.len();
         self.sections.push(Section {
+            prefix: prefix.to_owned(),
             title: title.to_owned(),
             source: source.to_owned(),
             statements: Vec::new(),
         });
     }
 
+    /// What names of values begin with in the section that is open.
+    pub(super) fn prefix(&self) -> &str {
+        self.sections.get(self.current).map_or("result", |section| &section.prefix)
+    }
+
     pub(super) fn state(&mut self, statement: Statement) {
-        if let Some(section) = self.sections.last_mut() {
+        if let Some(section) = self.sections.get_mut(self.current) {
             section.statements.push(statement);
         }
     }
@@ -256,9 +315,18 @@ impl<'a> Scheduler<'a> {
         needed.sort_unstable();
         for id in needed {
             // A group of angles may have stated some of them meanwhile.
-            if !std::mem::replace(&mut self.done[id as usize], true) {
+            if !self.done[id as usize] {
+                self.mark(id);
                 self.compute(id);
             }
+        }
+    }
+
+    /// Notes that a node is stated in the section that is being written.
+    pub(super) fn mark(&mut self, node: NodeId) {
+        self.done[node as usize] = true;
+        if self.graph.symbol_number(node).is_none() {
+            self.places[node as usize] = Some(self.current);
         }
     }
 

@@ -10,6 +10,8 @@ use std::collections::HashMap;
 pub struct Setup {
     once: Slots,
     parts: HashMap<RepeatId, Slots>,
+    /// How many slots without a name each section has, by its prefix.
+    unnamed: HashMap<String, usize>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -31,12 +33,14 @@ impl Setup {
         names.iter().map(String::as_str).zip(edges).collect()
     }
 
-    /// The slot of `node`, a new one under `name` if it has none yet, and its name.
+    /// The slot of `node` and its name. A new one is called `name`, or numbered under the prefix of the section
+    /// that needs it first: so a slot that is added renames no slots of other sections.
     pub fn slot(
         &mut self,
         part: Option<RepeatId>,
         node: NodeId,
-        name: impl FnOnce(usize) -> String,
+        name: Option<String>,
+        prefix: &str,
     ) -> (usize, &str) {
         let slots = match part {
             None => &mut self.once,
@@ -45,7 +49,11 @@ impl Setup {
         let Slots { nodes, names, index } = slots;
         let slot = *index.entry(node).or_insert_with(|| {
             nodes.push(node);
-            names.push(name(names.len()));
+            names.push(name.unwrap_or_else(|| {
+                let number = self.unnamed.entry(prefix.to_owned()).or_default();
+                *number += 1;
+                format!("{prefix}_p{number}")
+            }));
             names.len() - 1
         });
         (slot, &names[slot])

@@ -81,8 +81,10 @@ pub struct Slot {
 }
 
 /// Statements under one heading, which may have others elsewhere.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Section {
+    /// What names of values begin with that have none of their own.
+    pub prefix: String,
     /// What is computed.
     pub title: String,
     /// Where the equations are from.
@@ -92,6 +94,13 @@ pub struct Section {
 }
 
 impl Section {
+    /// The heading only.
+    pub fn without_statements(&self) -> Section {
+        let Section { prefix, title, source, .. } = self;
+        let [prefix, title, source] = [prefix, title, source].map(String::clone);
+        Section { prefix, title, source, statements: Vec::new() }
+    }
+
     /// Title and source.
     pub fn heading(&self) -> (&str, &str) {
         (&self.title, &self.source)

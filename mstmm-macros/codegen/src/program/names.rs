@@ -14,32 +14,46 @@ impl Name {
 /// What the values of a program are called: lists, since looking up every operand in a map takes as long
 /// as all passes do.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Names(Vec<String>);
+pub struct Names {
+    texts: Vec<String>,
+    /// Which of them have a number in place of a name.
+    numbered: Vec<bool>,
+}
 
 impl Names {
-    /// A new value.
+    /// A new value with a name.
     pub fn add(&mut self, text: String) -> Name {
-        self.0.push(text);
-        Name(self.0.len() as u32 - 1)
+        self.push(text, false)
+    }
+
+    /// A new value whose name says nothing but a number.
+    pub fn add_numbered(&mut self, text: String) -> Name {
+        self.push(text, true)
+    }
+
+    fn push(&mut self, text: String, numbered: bool) -> Name {
+        self.texts.push(text);
+        self.numbered.push(numbered);
+        Name(self.texts.len() as u32 - 1)
     }
 
     /// What a value is called.
     pub fn text(&self, name: Name) -> &str {
-        &self.0[name.index()]
+        &self.texts[name.index()]
     }
 
-    /// Calls a value something else.
-    pub fn rename(&mut self, name: Name, text: String) {
-        self.0[name.index()] = text;
+    /// Whether the name of a value says nothing but a number.
+    pub fn is_numbered(&self, name: Name) -> bool {
+        self.numbered[name.index()]
     }
 
     /// What all values are called, by number.
     pub fn all(&self) -> &[String] {
-        &self.0
+        &self.texts
     }
 
     /// How many there are.
     pub fn count(&self) -> usize {
-        self.0.len()
+        self.texts.len()
     }
 }

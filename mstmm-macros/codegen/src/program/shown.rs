@@ -145,7 +145,7 @@ mod tests {
             statement(c, Operation::Product(read_a.clone(), minus_y)),
             statement(d, Operation::Difference(read_c.clone(), read_a.clone())),
         ];
-        let section = Section { title: String::new(), source: String::new(), statements };
+        let section = Section { statements, ..Section::default() };
         let minus_d = Operand::Minus(Box::new(Operand::Named(d)));
         let known = Operand::Number(1.0);
         let all =

@@ -201,16 +201,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let rod_first_moment_x_ = rod_mass_ * c_(0.05);
             let rod_inertia_yy_ = rod_mass_ * c_(0.0025000000000000005);
             let rod_inertia_zz_ = rod_inertia_yy_ + c_(0.0001);
-            let p5_ = rod_inertia_yy_ + rod_inertia_zz_;
-            let p6_ = c_(0.5) * rod_mass_;
+            let joint_riccati_p1_ = rod_inertia_yy_ + rod_inertia_zz_;
+            let result_p1_ = c_(0.5) * rod_mass_;
             *o1_0_ = rod_mass_;
             *o2_0_ = rod_mass_;
             *o2_1_ = rod_first_moment_x_;
             *o2_2_ = rod_inertia_yy_;
             *o2_3_ = rod_inertia_zz_;
             *o2_4_ = knot_;
-            *o2_5_ = p5_;
-            *o2_6_ = p6_;
+            *o2_5_ = joint_riccati_p1_;
+            *o2_6_ = result_p1_;
             () = ();
         }
         let (derived_, checks_) = ([], results1_);
@@ -235,12 +235,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
-    /// | Results |  | 38 | 29 | 0 | 0 | 0 |
+    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 1 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 37 | 36 | 1 | 0 | 0 |
+    /// | Riccati transfer over `end_of_repeat0` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 3 | 6 | 0 | 0 | 0 |
+    /// | Results |  | 4 | 2 | 0 | 0 | 0 |
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
-    /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 11 | 15 | 1 | 0 | 0 |
+    /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 3 | 0 | 0 | 0 | 0 |
+    /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 4 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 7 | 6 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
@@ -259,19 +260,24 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
         let mut store1_ = ::mstmm::generated::Stored::<[T; 6], 10>::new_const();
         let mut store3_ = ::mstmm::generated::Stored::<[T; 4], 10>::new_const();
-        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
+        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
-        /// Results: 8 mul, 3 add, 0 reciprocal.
-        let t0_ = sin_hook_angle_ * sin_hook_angle_;
-        let t8_ = T::mul_add(step_, c_(0.2), c_(0.01));
-        let t1_ = sin_hook_angle_ * cos_hook_angle_;
-        let t2_ = t0_ * c_(1.3333333333333335);
-        let t9_ = step_ * t8_;
-        let t6_ = cos_hook_angle_ * c_(6.666666666666666);
-        let t7_ = sin_hook_angle_ * c_(6.666666666666666);
-        let t4_ = t1_ * c_(1.3333333333333335);
-        let t3_ = t2_ - c_(2.0);
-        let t5_ = t2_ + c_(0.6666666666666665);
+        let t2_ = sin_hook_angle_ * sin_hook_angle_;
+        /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 1 add, 0 reciprocal.
+        let t0_ = T::mul_add(step_, c_(0.2), c_(0.01));
+        /// Motion across `hook`.
+        let t3_ = sin_hook_angle_ * cos_hook_angle_;
+        /// Riccati transfer over `end_of_repeat0`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 2 add, 0 reciprocal.
+        let t4_ = t2_ * c_(1.3333333333333335);
+        /// Riccati transfer over `joint`.
+        let t1_ = step_ * t0_;
+        /// Results: 2 mul, 0 add, 0 reciprocal.
+        let t8_ = cos_hook_angle_ * c_(6.666666666666666);
+        let t9_ = sin_hook_angle_ * c_(6.666666666666666);
+        /// Riccati transfer over `end_of_repeat0`.
+        let t6_ = t3_ * c_(1.3333333333333335);
+        let t5_ = t4_ - c_(2.0);
+        let t7_ = t4_ + c_(0.6666666666666665);
         let mut carry0_0_ = c_(0.0);
         for (
             (&[joint_angle_], &[joint_rate_]),
@@ -280,7 +286,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             known_rod_inertia_yy_,
             known_rod_inertia_zz_,
             known_knot_,
-            known_p5_,
+            known_joint_riccati_p1_,
             _,
             ],
         ) in ::core::iter::zip(
@@ -298,37 +304,36 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
-            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
+            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 3 mul, 0 add, 0 reciprocal.
             let t10_ = joint_omega_z_ * joint_omega_z_;
             let minus_end_of_repeat0_centripetal_x_ = c_(0.1) * t10_;
-            /// Results: 3 mul, 2 add, 0 reciprocal.
+            let t14_ = known_rod_first_moment_x_ * t10_;
+            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 2 add, 0 reciprocal.
             let t11_ = joint_angle_ * c_(0.2);
-            let t12_ = known_rod_first_moment_x_ * t10_;
-            let t13_ = T::mul_add(joint_rate_, t8_, t11_);
-            let t14_ = known_p5_ + t9_;
+            let t12_ = T::mul_add(joint_rate_, t0_, t11_);
+            let t13_ = known_joint_riccati_p1_ + t1_;
             _ = store1_
                 .try_push([
                     sin_joint_angle_,
                     cos_joint_angle_,
                     minus_end_of_repeat0_centripetal_x_,
+                    t14_,
                     t12_,
                     t13_,
-                    t14_,
                 ]);
             (carry0_0_,) = (joint_omega_z_,);
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
-        /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
+        /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 4 mul, 0 add, 0 reciprocal.
         let t15_ = hook_omega_z_ * hook_omega_z_;
         let hook_bias_fy_ = c_(0.2) * t15_;
-        /// Results: 2 mul, 0 add, 0 reciprocal.
         let t16_ = sin_hook_angle_ * hook_bias_fy_;
         let t17_ = cos_hook_angle_ * hook_bias_fy_;
-        let mut carry1_0_ = t5_;
-        let mut carry1_1_ = -t3_;
+        let mut carry1_0_ = t7_;
+        let mut carry1_1_ = -t5_;
         let mut carry1_2_ = c_(2.0);
-        let mut carry1_3_ = -t4_;
+        let mut carry1_3_ = -t6_;
         let mut carry1_4_ = c_(0.0);
         let mut carry1_5_ = c_(0.0);
         let mut carry1_6_ = c_(0.0);
@@ -347,9 +352,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             &[sin_joint_angle_,
             cos_joint_angle_,
             minus_end_of_repeat0_centripetal_x_,
+            t14_,
             t12_,
             t13_,
-            t14_,
             ],
         ) in ::core::iter::Iterator::rev(
             ::core::iter::zip(
@@ -371,7 +376,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_7_before_ = carry1_7_;
             let carry1_8_before_ = carry1_8_;
             let carry1_9_before_ = carry1_9_;
-            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 11 mul, 15 add, 1 reciprocal.
+            /// Riccati transfer over `end_of_repeat0`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 1 mul, 4 add, 0 reciprocal.
+            let t25_ = known_rod_mass_ + carry1_0_before_;
+            let t26_ = known_rod_mass_ + carry1_1_before_;
+            let t33_ = t14_ - carry1_7_before_;
+            let t34_ = T::mul_add(
+                carry1_0_before_,
+                minus_end_of_repeat0_centripetal_x_,
+                t33_,
+            );
+            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 33 mul, 33 add, 1 reciprocal.
             let joint_articulated_mass_zz_ = known_rod_mass_ + carry1_2_before_;
             let joint_articulated_coupling_xz_ = T::mul_add(
                 c_(0.1),
@@ -394,19 +408,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_9_before_,
             );
             let joint_bias_mz_ = T::mul_add(c_(0.1), joint_bias_fy_, t21_);
-            let joint_d_ = t9_ + joint_articulated_inertia_zz_;
+            let joint_d_ = t1_ + joint_articulated_inertia_zz_;
             let joint_d_inverse_ = T::recip(joint_d_);
             let t22_ = carry1_0_before_ + carry1_1_before_;
             let t23_ = carry1_2_before_ + t22_;
-            let joint_d_scale_ = T::mul_add(c_(0.010000000000000002), t23_, t14_);
+            let joint_d_scale_ = T::mul_add(c_(0.010000000000000002), t23_, t13_);
             let joint_gain_fx_ = joint_articulated_coupling_xz_ * joint_d_inverse_;
             let joint_gain_fy_ = joint_articulated_coupling_yz_ * joint_d_inverse_;
             let joint_gain_mz_ = joint_articulated_inertia_zz_ * joint_d_inverse_;
-            let t24_ = joint_bias_mz_ + t13_;
+            let t24_ = joint_bias_mz_ + t12_;
             let minus_joint_rest_ = joint_d_inverse_ * t24_;
-            /// Results: 23 mul, 22 add, 0 reciprocal.
-            let t25_ = known_rod_mass_ + carry1_0_before_;
-            let t26_ = known_rod_mass_ + carry1_1_before_;
             let t27_ = T::mul_neg_add(
                 joint_articulated_coupling_xz_,
                 joint_gain_fx_,
@@ -436,12 +447,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 joint_articulated_inertia_zz_,
                 joint_gain_mz_,
                 joint_articulated_inertia_zz_,
-            );
-            let t33_ = t12_ - carry1_7_before_;
-            let t34_ = T::mul_add(
-                carry1_0_before_,
-                minus_end_of_repeat0_centripetal_x_,
-                t33_,
             );
             let t35_ = T::mul_add(
                 joint_articulated_coupling_xz_,
@@ -567,8 +572,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             );
         }
         /// Results: 2 mul, 2 add, 0 reciprocal.
-        let t59_ = T::mul_add(t7_, carry2_1_, carry2_2_);
-        let t60_ = T::mul_add(t6_, carry2_0_, t59_);
+        let t59_ = T::mul_add(t9_, carry2_1_, carry2_2_);
+        let t60_ = T::mul_add(t8_, carry2_0_, t59_);
         for [o0_] in ::mstmm::generated::times_mut::<
             T,
             1,
@@ -591,13 +596,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
-    /// | Results |  | 38 | 26 | 0 | 0 | 0 |
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
-    /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 9 | 9 | 1 | 0 | 0 |
-    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 2 | 2 | 0 | 0 | 0 |
+    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 2 | 1 | 0 | 0 | 1 |
+    /// | Riccati transfer over `end_of_repeat0` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 3 | 6 | 0 | 0 | 0 |
+    /// | Results |  | 4 | 2 | 0 | 0 | 0 |
+    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 4 | 2 | 0 | 0 | 1 |
+    /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 3 | 0 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 27 | 23 | 1 | 0 | 0 |
+    /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 4 | 0 | 0 | 0 | 0 |
+    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 6 | 5 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 5 | 4 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -620,14 +626,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
         let mut store1_ = ::mstmm::generated::Stored::<[T; 9], 10>::new_const();
         let mut store3_ = ::mstmm::generated::Stored::<[T; 3], 10>::new_const();
-        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
+        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
-        /// Results: 6 mul, 2 add, 0 reciprocal.
         let t0_ = sin_hook_angle_ * sin_hook_angle_;
         let t1_ = sin_hook_angle_ * cos_hook_angle_;
+        /// Riccati transfer over `end_of_repeat0`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 2 add, 0 reciprocal.
         let t2_ = t0_ * c_(1.3333333333333335);
+        /// Results: 2 mul, 0 add, 0 reciprocal.
         let t6_ = cos_hook_angle_ * c_(6.666666666666666);
         let t7_ = sin_hook_angle_ * c_(6.666666666666666);
+        /// Riccati transfer over `end_of_repeat0`.
         let t4_ = t1_ * c_(1.3333333333333335);
         let t3_ = t2_ - c_(2.0);
         let t5_ = t2_ + c_(0.6666666666666665);
@@ -639,7 +647,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             known_rod_inertia_yy_,
             known_rod_inertia_zz_,
             known_knot_,
-            known_p5_,
+            known_joint_riccati_p1_,
             _,
             ],
         ) in ::core::iter::zip(
@@ -654,20 +662,20 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 .iter(),
         ) {
             let carry0_0_before_ = carry0_0_;
-            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
+            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 4 mul, 2 add, 0 reciprocal, 1 sin/cos.
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
-            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
-            let t8_ = joint_omega_z_ * joint_omega_z_;
-            let minus_end_of_repeat0_centripetal_x_ = c_(0.1) * t8_;
-            /// Results: 7 mul, 2 add, 0 reciprocal.
-            let t9_ = joint_angle_ * c_(0.2);
-            let t10_ = T::mul_add(joint_rate_, c_(0.01), t9_);
             let t11_ = sin_joint_angle_ * sin_joint_angle_;
             let t12_ = sin_joint_angle_ * cos_joint_angle_;
             let t13_ = c_(2.0) * t12_;
             let t14_ = T::mul_neg_add(c_(2.0), t11_, c_(1.0));
+            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 3 mul, 0 add, 0 reciprocal.
+            let t8_ = joint_omega_z_ * joint_omega_z_;
+            let minus_end_of_repeat0_centripetal_x_ = c_(0.1) * t8_;
             let t15_ = known_rod_first_moment_x_ * t8_;
+            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 1 add, 0 reciprocal.
+            let t9_ = joint_angle_ * c_(0.2);
+            let t10_ = T::mul_add(joint_rate_, c_(0.01), t9_);
             _ = store1_
                 .try_push([
                     sin_joint_angle_,
@@ -684,10 +692,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         }
         /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
-        /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
+        /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 4 mul, 0 add, 0 reciprocal.
         let t16_ = hook_omega_z_ * hook_omega_z_;
         let hook_bias_fy_ = c_(0.2) * t16_;
-        /// Results: 2 mul, 0 add, 0 reciprocal.
         let t17_ = sin_hook_angle_ * hook_bias_fy_;
         let t18_ = cos_hook_angle_ * hook_bias_fy_;
         let mut carry1_0_ = t5_;
@@ -703,7 +710,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             _,
             known_rod_inertia_zz_,
             _,
-            known_p5_,
+            known_joint_riccati_p1_,
             _,
             ],
             &[sin_joint_angle_,
@@ -733,7 +740,16 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry1_4_before_ = carry1_4_;
             let carry1_5_before_ = carry1_5_;
             let carry1_6_before_ = carry1_6_;
-            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 9 mul, 9 add, 1 reciprocal.
+            /// Riccati transfer over `end_of_repeat0`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 1 mul, 4 add, 0 reciprocal.
+            let t27_ = known_rod_mass_ + carry1_0_before_;
+            let t28_ = known_rod_mass_ + carry1_1_before_;
+            let t39_ = t15_ - carry1_4_before_;
+            let t40_ = T::mul_add(
+                carry1_0_before_,
+                minus_end_of_repeat0_centripetal_x_,
+                t39_,
+            );
+            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 25 mul, 22 add, 1 reciprocal.
             let joint_articulated_mass_zz_ = known_rod_mass_ + carry1_2_before_;
             let joint_articulated_coupling_xz_ = c_(0.1) * carry1_3_before_;
             let joint_articulated_coupling_yz_ = T::mul_add(
@@ -754,35 +770,26 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let joint_d_inverse_ = T::recip(joint_articulated_inertia_zz_);
             let t19_ = carry1_0_before_ + carry1_1_before_;
             let t20_ = carry1_2_before_ + t19_;
-            let joint_d_scale_ = T::mul_add(c_(0.010000000000000002), t20_, known_p5_);
+            let joint_d_scale_ = T::mul_add(
+                c_(0.010000000000000002),
+                t20_,
+                known_joint_riccati_p1_,
+            );
             let joint_gain_fx_ = joint_articulated_coupling_xz_ * joint_d_inverse_;
             let joint_gain_fy_ = joint_articulated_coupling_yz_ * joint_d_inverse_;
             let t21_ = t10_ + carry1_6_before_;
             let t22_ = T::mul_add(c_(0.1), joint_bias_fy_, t21_);
             let minus_joint_rest_ = joint_d_inverse_ * t22_;
-            /// Results: 21 mul, 19 add, 0 reciprocal.
-            let t23_ = known_rod_mass_ + carry1_0_before_;
-            let t24_ = known_rod_mass_ + carry1_1_before_;
-            let t25_ = joint_articulated_coupling_xz_ * joint_articulated_coupling_xz_;
-            let t26_ = T::mul_neg_add(joint_d_inverse_, t25_, t23_);
-            let t27_ = joint_articulated_coupling_yz_ * joint_articulated_coupling_yz_;
-            let t28_ = T::mul_neg_add(joint_d_inverse_, t27_, t24_);
-            let t29_ = joint_articulated_coupling_xz_ * joint_articulated_coupling_yz_;
-            let t30_ = T::mul_neg_add(joint_d_inverse_, t29_, carry1_3_before_);
-            let t31_ = t26_ + t28_;
-            let t32_ = t26_ - t28_;
-            let t33_ = t14_ * t30_;
-            let t34_ = T::mul_add(t12_, t32_, t33_);
-            let t35_ = cos_joint_angle_ * joint_gain_fx_;
-            let t36_ = T::mul_neg_add(sin_joint_angle_, joint_gain_fy_, t35_);
-            let t37_ = sin_joint_angle_ * joint_gain_fx_;
-            let t38_ = T::mul_add(cos_joint_angle_, joint_gain_fy_, t37_);
-            let t39_ = t15_ - carry1_4_before_;
-            let t40_ = T::mul_add(
-                carry1_0_before_,
-                minus_end_of_repeat0_centripetal_x_,
-                t39_,
-            );
+            let t29_ = joint_articulated_coupling_xz_ * joint_articulated_coupling_xz_;
+            let t30_ = T::mul_neg_add(joint_d_inverse_, t29_, t27_);
+            let t31_ = joint_articulated_coupling_yz_ * joint_articulated_coupling_yz_;
+            let t32_ = T::mul_neg_add(joint_d_inverse_, t31_, t28_);
+            let t33_ = joint_articulated_coupling_xz_ * joint_articulated_coupling_yz_;
+            let t34_ = T::mul_neg_add(joint_d_inverse_, t33_, carry1_3_before_);
+            let t35_ = t30_ + t32_;
+            let t36_ = t30_ - t32_;
+            let t37_ = t14_ * t34_;
+            let t38_ = T::mul_add(t12_, t36_, t37_);
             let t41_ = T::mul_add(
                 joint_articulated_coupling_xz_,
                 minus_joint_rest_,
@@ -797,10 +804,15 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t44_ = T::mul_add(sin_joint_angle_, t42_, t43_);
             let t45_ = sin_joint_angle_ * t41_;
             let t46_ = T::mul_neg_add(cos_joint_angle_, t42_, t45_);
-            let t47_ = T::mul_add(t13_, t30_, t28_);
-            let t48_ = T::mul_add(t11_, t32_, t47_);
-            let t49_ = t31_ - t48_;
-            _ = store3_.try_push([t36_, t38_, minus_joint_rest_]);
+            let t47_ = T::mul_add(t13_, t34_, t32_);
+            let t48_ = T::mul_add(t11_, t36_, t47_);
+            let t49_ = t35_ - t48_;
+            /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 2 add, 0 reciprocal.
+            let t23_ = cos_joint_angle_ * joint_gain_fx_;
+            let t24_ = T::mul_neg_add(sin_joint_angle_, joint_gain_fy_, t23_);
+            let t25_ = sin_joint_angle_ * joint_gain_fx_;
+            let t26_ = T::mul_add(cos_joint_angle_, joint_gain_fy_, t25_);
+            _ = store3_.try_push([t24_, t26_, minus_joint_rest_]);
             regular0_ = regular0_
                 & !::mstmm::generated::vanishes(
                     joint_articulated_inertia_zz_,
@@ -814,7 +826,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry1_4_,
                 carry1_5_,
                 carry1_6_,
-            ) = (t49_, t48_, joint_articulated_mass_zz_, t34_, -t44_, -t46_, -t10_);
+            ) = (t49_, t48_, joint_articulated_mass_zz_, t38_, -t44_, -t46_, -t10_);
         }
         let mut carry2_0_ = c_(0.0);
         let mut carry2_1_ = c_(9.8);
@@ -831,8 +843,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_end_of_repeat0_centripetal_x_,
                 _,
                 ],
-                &[t36_,
-                t38_,
+                &[t24_,
+                t26_,
                 minus_joint_rest_,
                 ],
             ),
@@ -849,9 +861,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_0_before_ = carry2_0_;
             let carry2_1_before_ = carry2_1_;
             let carry2_2_before_ = carry2_2_;
-            /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 2 add, 0 reciprocal.
-            let t50_ = T::mul_add(carry2_1_before_, t38_, minus_joint_rest_);
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t36_, t50_);
+            /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 3 add, 0 reciprocal.
+            let t50_ = T::mul_add(carry2_1_before_, t26_, minus_joint_rest_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t24_, t50_);
+            let t54_ = carry2_2_before_ + minus_joint_a_ang_z_;
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 5 mul, 4 add, 0 reciprocal.
             let t51_ = T::mul_neg_add(
                 sin_joint_angle_,
@@ -870,8 +883,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_joint_a_ang_z_,
                 t53_,
             );
-            /// Results: 0 mul, 1 add, 0 reciprocal.
-            let t54_ = carry2_2_before_ + minus_joint_a_ang_z_;
             *o0_0_ = -t54_;
             (carry2_0_, carry2_1_, carry2_2_) = (
                 end_of_repeat0_a_lin_x_,
@@ -920,24 +931,25 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
-    /// | Results |  | 54 | 37 | 0 | 0 | 0 |
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
-    /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 6 | 5 | 0 | 0 | 0 |
-    /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 9 | 9 | 1 | 0 | 0 |
+    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 3 | 1 | 0 | 0 | 1 |
+    /// | Riccati transfer over `end_of_repeat0` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 2 | 1 | 0 | 0 | 0 |
+    /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 8 | 4 | 0 | 0 | 0 |
+    /// | Load on `hook` | \[P, Eqs. (18), (19)\] | 3 | 3 | 0 | 0 | 0 |
+    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 5 | 2 | 0 | 0 | 1 |
+    /// | Motion across `end_of_repeat0` | \[P, Eqs. (1), (13), (36)\] | 4 | 0 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 13 | 10 | 1 | 0 | 0 |
+    /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 22 | 21 | 0 | 0 | 0 |
+    /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 3 | 3 | 0 | 0 | 0 |
+    /// | Riccati transfer over `hook` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 5 | 0 | 0 | 0 | 0 |
+    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 10 | 7 | 0 | 0 | 0 |
     /// | Load on `start_of_repeat0` | \[P, Eqs. (18), (19)\] | 2 | 2 | 0 | 0 | 0 |
-    /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 6 | 4 | 0 | 0 | 0 |
     /// | Acceleration of `end_of_repeat0` | \[P, Eqs. (13), (36), (44)\] | 1 | 2 | 0 | 0 | 0 |
     /// | Load on `end_of_repeat0` | \[P, Eqs. (18), (19)\] | 4 | 4 | 0 | 0 | 0 |
     /// | Pose behind `joint` | \[P, Eq. (12)\] | 8 | 4 | 0 | 0 | 0 |
-    /// | Velocity behind `joint` |  | 4 | 2 | 0 | 0 | 0 |
-    /// | Connection points | \[P, Eqs. (4), (12), (13)\] | 2 | 3 | 0 | 0 | 0 |
-    /// | Acceleration of `hook` | \[P, Eqs. (13), (36), (44)\] | 6 | 3 | 0 | 0 | 0 |
+    /// | Velocity behind `joint` |  | 6 | 3 | 0 | 0 | 0 |
+    /// | Results |  | 10 | 11 | 0 | 0 | 0 |
     /// | Pose behind `hook` | \[P, Eq. (12)\] | 6 | 3 | 0 | 0 | 0 |
-    /// | Velocity behind `hook` |  | 4 | 2 | 0 | 0 | 0 |
-    /// | Load on `hook` | \[P, Eqs. (18), (19)\] | 3 | 2 | 0 | 0 | 0 |
+    /// | Velocity behind `hook` |  | 4 | 3 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -967,17 +979,20 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let mut regular0_ = <T::Mask as ::mstmm::Mask>::splat(true);
         let mut store1_ = ::mstmm::generated::Stored::<[T; 13], 10>::new_const();
         let mut store3_ = ::mstmm::generated::Stored::<[T; 13], 10>::new_const();
-        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
+        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_hook_angle_], [cos_hook_angle_]) = T::sin_cos([hook_angle_]);
-        /// Results: 6 mul, 2 add, 0 reciprocal.
-        let t0_ = sin_hook_angle_ * sin_hook_angle_;
-        let t1_ = sin_hook_angle_ * cos_hook_angle_;
-        let t2_ = t0_ * c_(1.3333333333333335);
-        let t6_ = cos_hook_angle_ * c_(6.666666666666666);
-        let t7_ = sin_hook_angle_ * c_(6.666666666666666);
-        let t4_ = t1_ * c_(1.3333333333333335);
-        let t3_ = t2_ - c_(2.0);
-        let t5_ = t2_ + c_(0.6666666666666665);
+        let t2_ = sin_hook_angle_ * sin_hook_angle_;
+        let t3_ = sin_hook_angle_ * cos_hook_angle_;
+        /// Riccati transfer over `end_of_repeat0`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 1 add, 0 reciprocal.
+        let t4_ = t2_ * c_(1.3333333333333335);
+        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 2 mul, 0 add, 0 reciprocal.
+        let t0_ = cos_hook_angle_ * c_(6.666666666666666);
+        let t1_ = sin_hook_angle_ * c_(6.666666666666666);
+        /// Riccati transfer over `end_of_repeat0`.
+        let t6_ = t3_ * c_(1.3333333333333335);
+        let t7_ = t4_ + c_(0.6666666666666665);
+        /// Load on `hook`, [P, Eqs. (18), (19)]: 0 mul, 1 add, 0 reciprocal.
+        let t5_ = t4_ - c_(2.0);
         let mut carry0_0_ = c_(0.0);
         for (
             (
@@ -987,8 +1002,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 known_rod_inertia_yy_,
                 known_rod_inertia_zz_,
                 known_knot_,
-                known_p5_,
-                known_p6_,
+                known_joint_riccati_p1_,
+                known_result_p1_,
                 ],
             ),
             [_,
@@ -1030,40 +1045,41 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 .iter_mut(),
         ) {
             let carry0_0_before_ = carry0_0_;
-            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
+            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 5 mul, 2 add, 0 reciprocal, 1 sin/cos.
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
-            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 2 mul, 0 add, 0 reciprocal.
+            let t14_ = sin_joint_angle_ * sin_joint_angle_;
+            let t15_ = sin_joint_angle_ * cos_joint_angle_;
+            let t16_ = c_(2.0) * t15_;
+            let t17_ = T::mul_neg_add(c_(2.0), t14_, c_(1.0));
+            let t18_ = known_rod_first_moment_x_ * joint_omega_z_;
+            /// Motion across `end_of_repeat0`, [P, Eqs. (1), (13), (36)]: 4 mul, 0 add, 0 reciprocal.
             let t8_ = joint_omega_z_ * joint_omega_z_;
             let minus_end_of_repeat0_centripetal_x_ = c_(0.1) * t8_;
-            /// Load on `joint`, [P, Eqs. (18), (19)]: 2 mul, 1 add, 0 reciprocal.
-            let t9_ = joint_angle_ * c_(0.2);
-            let minus_joint_load_mz_ = T::mul_add(joint_rate_, c_(0.01), t9_);
-            /// Results: 11 mul, 1 add, 0 reciprocal.
-            let t10_ = joint_angle_ * t9_;
-            let t11_ = t10_ * c_(0.5);
-            let t12_ = sin_joint_angle_ * sin_joint_angle_;
-            let t13_ = sin_joint_angle_ * cos_joint_angle_;
-            let t14_ = c_(2.0) * t13_;
-            let t15_ = T::mul_neg_add(c_(2.0), t12_, c_(1.0));
-            let t16_ = known_rod_first_moment_x_ * t8_;
-            let t17_ = c_(0.1) * joint_omega_z_;
-            let t18_ = known_rod_first_moment_x_ * joint_omega_z_;
             let t19_ = known_rod_inertia_zz_ * t8_;
             let t20_ = c_(0.5) * t19_;
+            /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 4 mul, 1 add, 0 reciprocal.
+            let t9_ = joint_angle_ * c_(0.2);
+            let minus_joint_load_mz_ = T::mul_add(joint_rate_, c_(0.01), t9_);
+            let t12_ = joint_angle_ * t9_;
+            let t13_ = t12_ * c_(0.5);
+            /// Load on `joint`, [P, Eqs. (18), (19)]: 1 mul, 0 add, 0 reciprocal.
+            let t10_ = known_rod_first_moment_x_ * t8_;
+            /// Connection points, [P, Eqs. (4), (12), (13)]: 1 mul, 0 add, 0 reciprocal.
+            let t11_ = c_(0.1) * joint_omega_z_;
             _ = store1_
                 .try_push([
                     sin_joint_angle_,
                     cos_joint_angle_,
                     minus_joint_load_mz_,
-                    t12_,
-                    t13_,
                     t14_,
                     t15_,
-                    minus_end_of_repeat0_centripetal_x_,
                     t16_,
-                    t11_,
                     t17_,
+                    minus_end_of_repeat0_centripetal_x_,
+                    t10_,
+                    t13_,
+                    t11_,
                     t18_,
                     t20_,
                 ]);
@@ -1071,20 +1087,21 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             *o7_15_ = minus_joint_load_mz_;
             (carry0_0_,) = (joint_omega_z_,);
         }
-        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
+        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 1 mul, 1 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
-        /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 2 mul, 0 add, 0 reciprocal.
+        /// Riccati transfer over `hook`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 5 mul, 0 add, 0 reciprocal.
         let t21_ = hook_omega_z_ * hook_omega_z_;
         let hook_bias_fy_ = c_(0.2) * t21_;
-        /// Results: 4 mul, 0 add, 0 reciprocal.
+        /// Motion across `hook`.
         let t24_ = c_(0.2) * hook_omega_z_;
+        /// Riccati transfer over `hook`.
         let t25_ = t21_ * c_(0.015000000000000003);
         let t22_ = sin_hook_angle_ * hook_bias_fy_;
         let t23_ = cos_hook_angle_ * hook_bias_fy_;
-        let mut carry1_0_ = t5_;
-        let mut carry1_1_ = -t3_;
+        let mut carry1_0_ = t7_;
+        let mut carry1_1_ = -t5_;
         let mut carry1_2_ = c_(2.0);
-        let mut carry1_3_ = -t4_;
+        let mut carry1_3_ = -t6_;
         let mut carry1_4_ = -t22_;
         let mut carry1_5_ = t23_;
         let mut carry1_6_ = c_(0.0);
@@ -1095,18 +1112,18 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 _,
                 known_rod_inertia_zz_,
                 _,
-                known_p5_,
+                known_joint_riccati_p1_,
                 _,
                 ],
                 &[sin_joint_angle_,
                 cos_joint_angle_,
                 minus_joint_load_mz_,
-                t12_,
-                t13_,
                 t14_,
                 t15_,
-                minus_end_of_repeat0_centripetal_x_,
                 t16_,
+                t17_,
+                minus_end_of_repeat0_centripetal_x_,
+                t10_,
                 _,
                 _,
                 _,
@@ -1178,52 +1195,57 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let joint_d_inverse_ = T::recip(joint_articulated_inertia_zz_);
             let t26_ = carry1_0_before_ + carry1_1_before_;
             let t27_ = carry1_2_before_ + t26_;
-            let joint_d_scale_ = T::mul_add(c_(0.010000000000000002), t27_, known_p5_);
+            let joint_d_scale_ = T::mul_add(
+                c_(0.010000000000000002),
+                t27_,
+                known_joint_riccati_p1_,
+            );
             let joint_gain_fx_ = joint_articulated_coupling_xz_ * joint_d_inverse_;
             let joint_gain_fy_ = joint_articulated_coupling_yz_ * joint_d_inverse_;
             let t28_ = minus_joint_load_mz_ + carry1_6_before_;
             let t29_ = T::mul_add(c_(0.1), joint_bias_fy_, t28_);
             let minus_joint_rest_ = joint_d_inverse_ * t29_;
-            /// Results: 21 mul, 19 add, 0 reciprocal.
-            let t30_ = known_rod_mass_ + carry1_0_before_;
-            let t31_ = known_rod_mass_ + carry1_1_before_;
-            let t32_ = joint_articulated_coupling_xz_ * joint_articulated_coupling_xz_;
-            let t33_ = T::mul_neg_add(joint_d_inverse_, t32_, t30_);
-            let t34_ = joint_articulated_coupling_yz_ * joint_articulated_coupling_yz_;
-            let t35_ = T::mul_neg_add(joint_d_inverse_, t34_, t31_);
-            let t36_ = joint_articulated_coupling_xz_ * joint_articulated_coupling_yz_;
-            let t37_ = T::mul_neg_add(joint_d_inverse_, t36_, carry1_3_before_);
-            let t38_ = t33_ + t35_;
-            let t39_ = t33_ - t35_;
-            let t40_ = t15_ * t37_;
-            let t41_ = T::mul_add(t13_, t39_, t40_);
-            let t42_ = cos_joint_angle_ * joint_gain_fx_;
-            let t43_ = T::mul_neg_add(sin_joint_angle_, joint_gain_fy_, t42_);
-            let t44_ = sin_joint_angle_ * joint_gain_fx_;
-            let t45_ = T::mul_add(cos_joint_angle_, joint_gain_fy_, t44_);
-            let t46_ = t16_ - carry1_4_before_;
-            let t47_ = T::mul_add(
+            /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 2 add, 0 reciprocal.
+            let t30_ = cos_joint_angle_ * joint_gain_fx_;
+            let t31_ = T::mul_neg_add(sin_joint_angle_, joint_gain_fy_, t30_);
+            let t32_ = sin_joint_angle_ * joint_gain_fx_;
+            let t33_ = T::mul_add(cos_joint_angle_, joint_gain_fy_, t32_);
+            /// Load on `joint`, [P, Eqs. (18), (19)]: 17 mul, 17 add, 0 reciprocal.
+            let t34_ = known_rod_mass_ + carry1_0_before_;
+            let t35_ = known_rod_mass_ + carry1_1_before_;
+            let t36_ = joint_articulated_coupling_xz_ * joint_articulated_coupling_xz_;
+            let t37_ = T::mul_neg_add(joint_d_inverse_, t36_, t34_);
+            let t38_ = joint_articulated_coupling_yz_ * joint_articulated_coupling_yz_;
+            let t39_ = T::mul_neg_add(joint_d_inverse_, t38_, t35_);
+            let t40_ = joint_articulated_coupling_xz_ * joint_articulated_coupling_yz_;
+            let t41_ = T::mul_neg_add(joint_d_inverse_, t40_, carry1_3_before_);
+            let t42_ = t10_ - carry1_4_before_;
+            let t43_ = T::mul_add(
                 carry1_0_before_,
                 minus_end_of_repeat0_centripetal_x_,
-                t46_,
+                t42_,
             );
-            let t48_ = T::mul_add(
+            let t44_ = T::mul_add(
                 joint_articulated_coupling_xz_,
                 minus_joint_rest_,
-                t47_,
+                t43_,
             );
-            let t49_ = T::mul_neg_add(
+            let t45_ = T::mul_neg_add(
                 joint_articulated_coupling_yz_,
                 minus_joint_rest_,
                 joint_bias_fy_,
             );
-            let t50_ = cos_joint_angle_ * t48_;
-            let t51_ = T::mul_add(sin_joint_angle_, t49_, t50_);
-            let t52_ = sin_joint_angle_ * t48_;
-            let t53_ = T::mul_neg_add(cos_joint_angle_, t49_, t52_);
-            let t54_ = T::mul_add(t14_, t37_, t35_);
-            let t55_ = T::mul_add(t12_, t39_, t54_);
-            let t56_ = t38_ - t55_;
+            let t46_ = t37_ + t39_;
+            let t47_ = t37_ - t39_;
+            let t48_ = t17_ * t41_;
+            let t49_ = T::mul_add(t15_, t47_, t48_);
+            let t50_ = cos_joint_angle_ * t44_;
+            let t51_ = T::mul_add(sin_joint_angle_, t45_, t50_);
+            let t52_ = sin_joint_angle_ * t44_;
+            let t53_ = T::mul_neg_add(cos_joint_angle_, t45_, t52_);
+            let t54_ = T::mul_add(t16_, t41_, t39_);
+            let t55_ = T::mul_add(t14_, t47_, t54_);
+            let t56_ = t46_ - t55_;
             _ = store3_
                 .try_push([
                     carry1_0_before_,
@@ -1231,14 +1253,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     carry1_3_before_,
                     carry1_4_before_,
                     carry1_5_before_,
-                    t33_,
-                    t35_,
                     t37_,
-                    t43_,
-                    t45_,
+                    t39_,
+                    t41_,
+                    t31_,
+                    t33_,
                     minus_joint_rest_,
-                    t48_,
-                    t49_,
+                    t44_,
+                    t45_,
                 ]);
             *o7_24_ = -carry1_6_before_;
             regular0_ = regular0_
@@ -1258,7 +1280,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 t56_,
                 t55_,
                 joint_articulated_mass_zz_,
-                t41_,
+                t49_,
                 -t51_,
                 -t53_,
                 -minus_joint_load_mz_,
@@ -1290,7 +1312,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                         _,
                         _,
                         _,
-                        known_p6_,
+                        known_result_p1_,
                         ],
                         &[sin_joint_angle_,
                         cos_joint_angle_,
@@ -1301,8 +1323,8 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                         _,
                         minus_end_of_repeat0_centripetal_x_,
                         _,
+                        t13_,
                         t11_,
-                        t17_,
                         t18_,
                         t20_,
                         ],
@@ -1312,14 +1334,14 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                     carry1_3_before_,
                     carry1_4_before_,
                     carry1_5_before_,
-                    t33_,
-                    t35_,
                     t37_,
-                    t43_,
-                    t45_,
+                    t39_,
+                    t41_,
+                    t31_,
+                    t33_,
                     minus_joint_rest_,
-                    t48_,
-                    t49_,
+                    t44_,
+                    t45_,
                     ],
                 ),
                 [o7_5_,
@@ -1380,7 +1402,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry2_10_before_ = carry2_10_;
             let carry2_11_before_ = carry2_11_;
             let carry2_12_before_ = carry2_12_;
-            /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
+            /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 6 mul, 5 add, 0 reciprocal.
             let t57_ = cos_joint_angle_ * carry2_0_before_;
             let joint_a_lin_x_ = T::mul_add(sin_joint_angle_, carry2_1_before_, t57_);
             let t58_ = sin_joint_angle_ * carry2_0_before_;
@@ -1389,8 +1411,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry2_1_before_,
                 t58_,
             );
-            let t59_ = T::mul_add(carry2_1_before_, t45_, minus_joint_rest_);
-            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t43_, t59_);
+            let t59_ = T::mul_add(carry2_1_before_, t33_, minus_joint_rest_);
+            let minus_joint_a_ang_z_ = T::mul_add(carry2_0_before_, t31_, t59_);
+            let t70_ = carry2_2_before_ + minus_joint_a_ang_z_;
             /// Acceleration of `end_of_repeat0`, [P, Eqs. (13), (36), (44)]: 1 mul, 2 add, 0 reciprocal.
             let minus_end_of_repeat0_a_lin_x_ = minus_end_of_repeat0_centripetal_x_
                 - joint_a_lin_x_;
@@ -1400,10 +1423,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 minus_joint_a_lin_y_,
             );
             /// Load on `joint`, [P, Eqs. (18), (19)]: 4 mul, 4 add, 0 reciprocal.
-            let t60_ = T::mul_add(t37_, minus_joint_a_lin_y_, t48_);
-            let joint_load_fx_ = T::mul_sub(t33_, joint_a_lin_x_, t60_);
-            let t61_ = T::mul_neg_add(t35_, minus_joint_a_lin_y_, t49_);
-            let joint_load_fy_ = T::mul_add(t37_, joint_a_lin_x_, t61_);
+            let t60_ = T::mul_add(t41_, minus_joint_a_lin_y_, t44_);
+            let joint_load_fx_ = T::mul_sub(t37_, joint_a_lin_x_, t60_);
+            let t61_ = T::mul_neg_add(t39_, minus_joint_a_lin_y_, t45_);
+            let joint_load_fy_ = T::mul_add(t41_, joint_a_lin_x_, t61_);
             /// Load on `end_of_repeat0`, [P, Eqs. (18), (19)]: 4 mul, 4 add, 0 reciprocal.
             let t62_ = T::mul_neg_add(
                 carry1_3_before_,
@@ -1450,7 +1473,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry2_8_before_,
                 t67_,
             );
-            /// Velocity behind `joint`: 4 mul, 2 add, 0 reciprocal.
+            /// Velocity behind `joint`: 6 mul, 3 add, 0 reciprocal.
             let t68_ = cos_joint_angle_ * carry2_9_before_;
             let joint_velocity_x_ = T::mul_add(
                 sin_joint_angle_,
@@ -1463,8 +1486,10 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry2_10_before_,
                 t69_,
             );
+            let t73_ = known_result_p1_ * joint_velocity_x_;
+            let t74_ = T::mul_neg_add(known_result_p1_, minus_joint_velocity_y_, t18_);
             /// Connection points, [P, Eqs. (4), (12), (13)]: 2 mul, 3 add, 0 reciprocal.
-            let point2_velocity_y_ = t17_ - minus_joint_velocity_y_;
+            let point2_velocity_y_ = t11_ - minus_joint_velocity_y_;
             let point2_position_x_ = T::mul_add(
                 c_(0.1),
                 joint_to_inertial_xx_,
@@ -1475,20 +1500,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 joint_to_inertial_yx_,
                 carry2_4_before_,
             );
-            /// Results: 7 mul, 8 add, 0 reciprocal.
-            let t70_ = carry2_2_before_ + minus_joint_a_ang_z_;
+            /// Results: 5 mul, 6 add, 0 reciprocal.
             let t71_ = known_rod_mass_ * carry2_4_before_;
             let t72_ = T::mul_add(
                 known_rod_first_moment_x_,
                 joint_to_inertial_yx_,
                 t71_,
             );
-            let t73_ = known_p6_ * joint_velocity_x_;
-            let t74_ = T::mul_neg_add(known_p6_, minus_joint_velocity_y_, t18_);
             let t75_ = carry2_11_before_ + t20_;
             let t76_ = T::mul_sub(minus_joint_velocity_y_, t74_, t75_);
             let t77_ = T::mul_sub(joint_velocity_x_, t73_, t76_);
-            let t78_ = t11_ + carry2_12_before_;
+            let t78_ = t13_ + carry2_12_before_;
             let t79_ = T::mul_add(c_(9.8), t72_, t78_);
             *o7_5_ = carry2_3_before_;
             *o7_6_ = carry2_4_before_;
@@ -1540,17 +1562,17 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 t79_,
             );
         }
-        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 6 mul, 3 add, 0 reciprocal.
+        /// Acceleration of `hook`, [P, Eqs. (13), (36), (44)]: 6 mul, 4 add, 0 reciprocal.
         let t80_ = cos_hook_angle_ * carry2_0_;
         /// Pose behind `hook`, [P, Eq. (12)]: 6 mul, 3 add, 0 reciprocal.
         let t86_ = sin_hook_angle_ * carry2_7_;
-        /// Velocity behind `hook`: 4 mul, 2 add, 0 reciprocal.
+        /// Velocity behind `hook`: 4 mul, 3 add, 0 reciprocal.
         let t88_ = sin_hook_angle_ * carry2_9_;
         let t87_ = cos_hook_angle_ * carry2_9_;
         /// Acceleration of `hook`.
         let t81_ = sin_hook_angle_ * carry2_0_;
-        let t82_ = t6_ * carry2_0_;
-        /// Results: 5 mul, 7 add, 0 reciprocal.
+        let t82_ = t0_ * carry2_0_;
+        /// Results: 5 mul, 5 add, 0 reciprocal.
         let t90_ = c_(2.0) * carry2_4_;
         /// Acceleration of `hook`.
         let hook_a_lin_x_ = T::mul_add(sin_hook_angle_, carry2_1_, t80_);
@@ -1571,12 +1593,13 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let t85_ = cos_hook_angle_ * carry2_7_;
         /// Acceleration of `hook`.
         let minus_hook_a_lin_y_ = T::mul_neg_add(cos_hook_angle_, carry2_1_, t81_);
-        let minus_hook_a_ang_z_ = T::mul_add(t7_, carry2_1_, t82_);
+        let minus_hook_a_ang_z_ = T::mul_add(t1_, carry2_1_, t82_);
         /// Load on `hook`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
         let t83_ = c_(2.0) * hook_a_lin_x_;
         /// Results.
         let t91_ = T::mul_add(c_(0.2), minus_hook_to_inertial_yy_, t90_);
         let t95_ = T::mul_add(minus_hook_velocity_y_, minus_hook_velocity_y_, t94_);
+        /// Velocity behind `hook`.
         let t92_ = t24_ + hook_velocity_x_;
         /// Pose behind `hook`.
         let hook_to_inertial_xx_ = T::mul_add(sin_hook_angle_, carry2_6_, t84_);
@@ -1587,6 +1610,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         /// Results.
         let t93_ = T::mul_add(c_(9.8), t91_, carry2_12_);
         let t96_ = T::mul_add(hook_velocity_x_, t92_, t95_);
+        /// Acceleration of `hook`.
         let t89_ = carry2_2_ + minus_hook_a_ang_z_;
         for [o0_, o1_, o2_, o3_, o4_] in ::mstmm::generated::times_mut::<
             T,
@@ -1666,9 +1690,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 1 | 0 | 0 | 1 |
-    /// | Results |  | 38 | 22 | 0 | 0 | 0 |
+    /// | Motion across `hook` | \[P, Eqs. (1), (13), (36)\] | 2 | 2 | 0 | 0 | 1 |
+    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 18 | 11 | 0 | 0 | 1 |
+    /// | Results |  | 18 | 11 | 0 | 0 | 0 |
     #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn energy(&self, state_: &RopeState<T>) -> ::mstmm::Energy<T> {
@@ -1693,7 +1717,7 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             known_rod_inertia_zz_,
             known_knot_,
             _,
-            known_p6_,
+            known_result_p1_,
             ],
         ) in ::core::iter::zip(
             ::core::iter::zip(
@@ -1714,12 +1738,9 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let carry0_5_before_ = carry0_5_;
             let carry0_6_before_ = carry0_6_;
             let carry0_7_before_ = carry0_7_;
-            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal, 1 sin/cos.
+            /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 18 mul, 11 add, 0 reciprocal, 1 sin/cos.
             let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
             let joint_omega_z_ = joint_rate_ + carry0_0_before_;
-            /// Results: 24 mul, 13 add, 0 reciprocal.
-            let t0_ = joint_angle_ * c_(0.2);
-            let t1_ = joint_angle_ * t0_;
             let t2_ = joint_omega_z_ * joint_omega_z_;
             let t3_ = cos_joint_angle_ * carry0_2_before_;
             let t4_ = sin_joint_angle_ * carry0_2_before_;
@@ -1730,18 +1751,21 @@ impl<T: ::mstmm::Scalar> Rope<T> {
             let t9_ = T::mul_add(sin_joint_angle_, carry0_3_before_, t3_);
             let t10_ = T::mul_neg_add(cos_joint_angle_, carry0_3_before_, t4_);
             let t11_ = T::mul_add(c_(0.1), t9_, carry0_1_before_);
-            let t12_ = known_rod_mass_ * carry0_1_before_;
-            let t13_ = T::mul_add(known_rod_first_moment_x_, t9_, t12_);
             let t14_ = T::mul_add(sin_joint_angle_, carry0_5_before_, t5_);
             let t15_ = T::mul_neg_add(cos_joint_angle_, carry0_5_before_, t6_);
             let t16_ = T::mul_sub(c_(0.1), joint_omega_z_, t15_);
-            let t17_ = known_p6_ * t14_;
-            let t18_ = T::mul_neg_add(known_p6_, t15_, t7_);
+            let t17_ = known_result_p1_ * t14_;
+            let t18_ = T::mul_neg_add(known_result_p1_, t15_, t7_);
             let t19_ = T::mul_add(c_(0.5), t8_, carry0_6_before_);
-            let t20_ = T::mul_add(t1_, c_(0.5), carry0_7_before_);
-            let t21_ = T::mul_add(c_(9.8), t13_, t20_);
             let t22_ = T::mul_sub(t15_, t18_, t19_);
             let t23_ = T::mul_sub(t14_, t17_, t22_);
+            /// Results: 6 mul, 3 add, 0 reciprocal.
+            let t0_ = joint_angle_ * c_(0.2);
+            let t1_ = joint_angle_ * t0_;
+            let t12_ = known_rod_mass_ * carry0_1_before_;
+            let t13_ = T::mul_add(known_rod_first_moment_x_, t9_, t12_);
+            let t20_ = T::mul_add(t1_, c_(0.5), carry0_7_before_);
+            let t21_ = T::mul_add(c_(9.8), t13_, t20_);
             (
                 carry0_0_,
                 carry0_1_,
@@ -1753,10 +1777,11 @@ impl<T: ::mstmm::Scalar> Rope<T> {
                 carry0_7_,
             ) = (joint_omega_z_, t11_, t9_, -t10_, t14_, t16_, t23_, t21_);
         }
-        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 0 mul, 1 add, 0 reciprocal.
+        /// Motion across `hook`, [P, Eqs. (1), (13), (36)]: 2 mul, 2 add, 0 reciprocal.
         let hook_omega_z_ = hook_rate_ + carry0_0_;
-        /// Results: 14 mul, 9 add, 0 reciprocal.
         let t24_ = hook_omega_z_ * hook_omega_z_;
+        let t35_ = T::mul_add(t24_, c_(0.015000000000000003), carry0_6_);
+        /// Results: 12 mul, 8 add, 0 reciprocal.
         let t25_ = sin_hook_angle_ * carry0_2_;
         let t26_ = T::mul_neg_add(cos_hook_angle_, carry0_3_, t25_);
         let t27_ = sin_hook_angle_ * carry0_4_;
@@ -1767,7 +1792,6 @@ impl<T: ::mstmm::Scalar> Rope<T> {
         let t32_ = T::mul_neg_add(cos_hook_angle_, carry0_5_, t27_);
         let t33_ = T::mul_add(c_(0.2), hook_omega_z_, t31_);
         let t34_ = T::mul_add(c_(9.8), t30_, carry0_7_);
-        let t35_ = T::mul_add(t24_, c_(0.015000000000000003), carry0_6_);
         let t36_ = T::mul_add(t32_, t32_, t35_);
         let t37_ = T::mul_add(t31_, t33_, t36_);
         ::mstmm::Energy {
