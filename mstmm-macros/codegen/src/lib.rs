@@ -14,7 +14,7 @@
 //! | [`equations`] | the paper, generic over [`math::Scalar`] | `ids`, `math`, `model` |
 //! | [`examine`] | a chain tried out in numbers | `diag`, `equations`, `math`, `model` |
 //! | [`expr`] | formulas as a graph without repetitions | `math` |
-//! | [`program`] | straight-line programs and their costs | `ids` |
+//! | [`program`] | straight-line programs, their costs and their text | `ids` |
 //! | [`passes`] | one optimisation a file | `expr`, `ids`, `math`, `program` |
 //! | [`symbols`] | numbers and names of a chain's unknowns | `model` |
 //! | [`weave`] | repeated parts as loops | `equations`, `expr`, `ids` |
@@ -94,6 +94,24 @@ pub fn read(description: TokenStream) -> syn::Result<Vec<(model::Chain, syntax::
     let written = syntax::parse(description, &mut diagnostics);
     let chains = understand(&written, &mut diagnostics);
     diagnostics.finish().map(|()| chains)
+}
+
+/// Reads all chains of one macro call and tries them out in numbers, as [`expand`] does.
+///
+/// # Errors
+///
+/// As [`read`]; mistakes that the trial finds as well.
+pub fn read_and_examine(
+    description: TokenStream,
+) -> syn::Result<Vec<(model::Chain, examine::Findings)>> {
+    let chains = read(description)?;
+    let mut diagnostics = Diagnostics::default();
+    let examined = chains.into_iter().map(|(chain, _)| {
+        let findings = examine::examine(&chain, &mut diagnostics);
+        (chain, findings)
+    });
+    let examined = examined.collect();
+    diagnostics.finish().map(|()| examined)
 }
 
 /// All chains; those with mistakes and those after them are missing.

@@ -1,10 +1,10 @@
 //! From formulas to programs: simplified, ordered, repeated parts as loops.
 
-use super::Scene;
+use super::{Reader, Scene};
 use crate::equations::{Section, Trace};
 use crate::expr::{Edge, Expr, Stage};
 use crate::passes::{
-    Carry, Heading, Setup, Turn, Unknowns, factor, join, needed_carries, order, schedule,
+    Carry, Heading, Setup, Turn, Unknowns, factor, issue, join, needed_carries, order, schedule,
 };
 use crate::program::Program;
 use crate::weave::{self, Loom};
@@ -26,18 +26,33 @@ impl<'g> Scene<'_, 'g> {
         let results: Vec<Edge> = edges.iter().flatten().copied().collect();
         let turns: Vec<Turn> = turns.iter().map(|turn| self.turn(turn)).collect();
         let (turns, roots) = needed_carries(self.graph, &turns, &results);
-        let turns = join(self.graph, &turns);
+        let turns = match self.reader {
+            Reader::Person => turns,
+            Reader::Processor => join(self.graph, &turns),
+        };
         let (names, parts) = (self.symbols.names(), self.symbols.parts());
         let factored = factor(self.graph, &roots, &turns, parts);
         let turns = factored.turns(&turns);
-        let ordered = order(self.graph, &factored.edges(&roots), &turns, parts);
-        let turns = ordered.turns(&turns);
-        let go = |edge: Edge| ordered.edge(factored.edge(edge)?);
+        let ordered = (self.reader == Reader::Processor)
+            .then(|| order(self.graph, &factored.edges(&roots), &turns, parts));
+        let turns = ordered.as_ref().map_or_else(|| turns.clone(), |ordered| ordered.turns(&turns));
+        let go = |edge: Edge| match &ordered {
+            Some(ordered) => ordered.edge(factored.edge(edge)?),
+            None => factored.edge(edge),
+        };
         let outputs: Vec<Vec<Edge>> =
             edges.iter().map(|group| group.iter().filter_map(|&edge| go(edge)).collect()).collect();
         let headings: Vec<Heading> = trace.sections.iter().map(|one| heading(one, go)).collect();
         let unknowns = Unknowns { names, parts, turns: &turns };
         schedule(self.graph, &unknowns, stage, &headings, &outputs, setup)
+    }
+
+    /// A program in the order in which its statements should run.
+    pub(super) fn issued(&self, program: Program) -> Program {
+        match self.reader {
+            Reader::Person => program,
+            Reader::Processor => issue(program),
+        }
     }
 
     /// A loop, with what it carries as edges.

@@ -4,9 +4,11 @@ mod arrange;
 mod checks;
 pub mod groups;
 mod places;
+mod text;
 
 pub use checks::Check;
 pub use places::{Place, Places, PointPlaces, Sight};
+pub use text::chain_text;
 
 use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
 use crate::examine::Findings;
@@ -14,7 +16,7 @@ use crate::expr::{Expr, Graph, Stage};
 use crate::model::{
     Chain, ClosureRank, Hinge, HingeId, HingeKind, Layout, Method, Passive, RepeatId, Value,
 };
-use crate::passes::{Setup, issue};
+use crate::passes::Setup;
 use crate::program::Program;
 use crate::symbols::Symbols;
 
@@ -62,12 +64,30 @@ pub struct Programs {
 /// measured (thirty balls) and six times as many in the worst (one ball).
 const AXES: Axes = Axes::Body;
 
+/// For whom programs are ordered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Reader {
+    /// In the order of the equations.
+    Person,
+    /// With the terms of sums, loops and statements in the order in which a processor waits least.
+    Processor,
+}
+
 /// Writes down, simplifies and orders all equations of `chain`, of which `findings` are known.
 pub fn programs(chain: &Chain, findings: &Findings, layout: &Layout) -> Programs {
+    programs_for(Reader::Processor, chain, findings, layout)
+}
+
+/// The same without what is done for processors.
+fn readable(chain: &Chain, findings: &Findings, layout: &Layout) -> Programs {
+    programs_for(Reader::Person, chain, findings, layout)
+}
+
+fn programs_for(reader: Reader, chain: &Chain, findings: &Findings, layout: &Layout) -> Programs {
     let symbols = Symbols::of(chain, layout, findings.closure_rank);
     let merged = Layout::merged(chain);
     let graph = Graph::default();
-    let scene = Scene::new(chain, findings, (layout, &merged), &symbols, &graph);
+    let scene = Scene::new(reader, chain, findings, (layout, &merged), &symbols, &graph);
     let mut setup = Setup::default();
     let method = chain.method.unwrap_or(Method::Riccati);
     let (accelerations, pivots) = scene.accelerations(method, &mut setup);
@@ -104,6 +124,7 @@ pub fn programs(chain: &Chain, findings: &Findings, layout: &Layout) -> Programs
 
 /// A chain in a state of unknowns.
 struct Scene<'a, 'g> {
+    reader: Reader,
     chain: &'a Chain,
     findings: &'a Findings,
     layout: &'a Layout,
@@ -120,6 +141,7 @@ struct Scene<'a, 'g> {
 
 impl<'a, 'g> Scene<'a, 'g> {
     fn new(
+        reader: Reader,
         chain: &'a Chain,
         findings: &'a Findings,
         (layout, merged): (&'a Layout, &'a Layout),
@@ -130,6 +152,7 @@ impl<'a, 'g> Scene<'a, 'g> {
             range.map(|number| graph.symbol(number as u32, stage)).collect()
         };
         Scene {
+            reader,
             chain,
             findings,
             layout,
@@ -182,7 +205,7 @@ impl<'a, 'g> Scene<'a, 'g> {
         });
         let (groups, hinges) = self.split(&solved);
         let program = self.program(Stage::State, &trace, &groups, &turns, setup);
-        (issue(program), hinges)
+        (self.issued(program), hinges)
     }
 
     fn solution(&self, method: Method, setup: &mut Setup) -> (Program, Places, Option<usize>) {
@@ -215,7 +238,7 @@ impl<'a, 'g> Scene<'a, 'g> {
                 .collect(),
         ]);
         let program = self.program(Stage::State, &trace, &groups, &turns, setup);
-        (issue(program), places, held)
+        (self.issued(program), places, held)
     }
 
     fn energy(&self, setup: &mut Setup) -> Program {

@@ -4,6 +4,7 @@
 mod cost;
 mod names;
 mod shown;
+pub mod text;
 
 pub use cost::{Cost, Headed, by_heading};
 pub use names::{Name, Names};

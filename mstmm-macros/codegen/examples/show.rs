@@ -1,0 +1,45 @@
+//! Prints the functions of the chains in a file in the order of their equations:
+//! `cargo run -p mstmm-codegen --example show -- FILE.chain [FUNCTION]`.
+
+use mstmm_codegen::compile::chain_text;
+use std::process::ExitCode;
+
+/// The text of one function of all chains in a file, or of all functions; or what is wrong.
+pub fn show(file: &str, function: Option<&str>) -> Result<String, String> {
+    let text = std::fs::read_to_string(file).map_err(|error| format!("{file}: {error}"))?;
+    let tokens = text.parse().map_err(|error| format!("{file}: {error}"))?;
+    let chains = mstmm_codegen::read_and_examine(tokens).map_err(|errors| {
+        let lines = errors.into_iter().map(|error| {
+            let start = error.span().start();
+            format!("{file}:{}:{}: {error}", start.line, start.column + 1)
+        });
+        lines.collect::<Vec<_>>().join("\n")
+    })?;
+    let texts = chains.iter().map(|(chain, findings)| {
+        chain_text(chain, findings, function).map_err(|functions| {
+            format!("`{}` has the functions {}", chain.name, functions.join(", "))
+        })
+    });
+    let texts: Vec<String> = texts.collect::<Result<_, _>>()?;
+    Ok(texts.join("\n"))
+}
+
+#[allow(dead_code, reason = "a test includes this file")]
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let shown = match &arguments[..] {
+        [file] => show(file, None),
+        [file, function] => show(file, Some(function)),
+        _ => Err("usage: show FILE.chain [FUNCTION]".to_owned()),
+    };
+    match shown {
+        Ok(text) => {
+            print!("{text}");
+            ExitCode::SUCCESS
+        }
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}

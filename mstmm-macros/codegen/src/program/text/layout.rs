@@ -1,0 +1,72 @@
+//! Lines of no more than a hundred characters.
+
+const WIDTH: usize = 100;
+const INDENT: &str = "    ";
+
+/// A line at a depth, broken into several where it is too long; those that follow are indented once more.
+pub fn broken(text: &str, depth: usize) -> Vec<String> {
+    let comment = text.starts_with("//");
+    let (first, next) = (INDENT.repeat(depth), if comment { "// " } else { INDENT });
+    let next = format!("{first}{next}");
+    let (mut lines, mut start, mut rest) = (Vec::new(), &first, text);
+    while start.len() + rest.len() > WIDTH {
+        let room = WIDTH - start.len().min(WIDTH);
+        let Some(place) = best_break(rest, room, comment) else { break };
+        lines.push(format!("{start}{}", rest[..place].trim_end()));
+        rest = rest[place..].trim_start();
+        start = &next;
+    }
+    lines.push(format!("{start}{rest}"));
+    lines
+}
+
+/// Where a text breaks that has so much room: before a sign or after a comma, in as few brackets as possible
+/// and as late as possible; a comment at any space.
+fn best_break(text: &str, room: usize, comment: bool) -> Option<usize> {
+    let mut depth = 0;
+    let mut best: Option<(usize, usize)> = None;
+    for (place, letter) in text.char_indices().take_while(|&(place, _)| place <= room) {
+        match letter {
+            '(' | '[' => depth += 2,
+            ')' | ']' if depth > 1 => depth -= 2,
+            ' ' => {
+                let after = &text[place + 1..];
+                let level = if comment {
+                    Some(0)
+                } else if text[..place].ends_with(',')
+                    || after.starts_with("+ ")
+                    || after.starts_with("- ")
+                {
+                    Some(depth)
+                } else {
+                    after.starts_with("* ").then_some(depth + 1)
+                };
+                if let Some(level) = level
+                    && place > 0
+                    && best.is_none_or(|(_, lowest)| level <= lowest)
+                {
+                    best = Some((place, level));
+                }
+            }
+            _ => {}
+        }
+    }
+    best.map(|(place, _)| place)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::broken;
+
+    #[test]
+    fn long_lines_break_at_outer_signs_first() {
+        let long = "a".repeat(40);
+        let lines = broken(&format!("let x = b * (c + {long}) + {long};"), 1);
+        let expected = [format!("    let x = b * (c + {long})"), format!("        + {long};")];
+        assert_eq!(lines, expected);
+        let lines = broken(&format!("x = [{long}, {long}, {long}];"), 0);
+        assert_eq!(lines, [format!("x = [{long}, {long},"), format!("    {long}];")]);
+        let lines = broken(&format!("// {long} {long} {long}"), 0);
+        assert_eq!(lines, [format!("// {long} {long}"), format!("// {long}")]);
+    }
+}

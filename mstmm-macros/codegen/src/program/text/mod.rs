@@ -1,0 +1,238 @@
+//! A program as text for people, in the order of its equations.
+//!
+//! Values that are used once are written inside their user. Values without a name are numbered within their
+//! section: `elbow_riccati_t3` if the section alone reads the value, `elbow_riccati_x3` if others do, so that a
+//! value more or less renames nothing in other sections. In a loop, `carry a = b, then c` says that `a` is `b` in
+//! the first repetition and what `c` was in the repetition before in all others; after the loop it is what `c`
+//! was in the last one.
+
+mod formula;
+mod items;
+mod layout;
+mod uses;
+
+use super::{Block, Carried, Loop, Name, Operand, Program};
+use formula::Formula;
+use items::{Item, ItemSection, items};
+use std::collections::HashMap;
+use uses::Uses;
+
+/// The heading of results.
+const RESULTS: &str = "Results";
+
+/// Longer formulas are lines of their own.
+const INLINED: usize = 160;
+
+/// What a program's unknowns, loops and results are called.
+#[derive(Clone, Debug)]
+pub struct Labels<'a> {
+    /// The unknowns by number.
+    pub unknowns: &'a [String],
+    /// The repeated parts: what one repetition is called, and how many there are.
+    pub repeats: Vec<(String, usize)>,
+    /// The groups of results.
+    pub groups: Vec<String>,
+}
+
+/// The text of a program.
+pub fn text(function: &str, program: &Program, labels: &Labels) -> String {
+    let blocks: Vec<Vec<ItemSection>> = program.blocks.iter().map(items).collect();
+    let uses = Uses::of(program, &blocks);
+    let mut printer = Printer {
+        program,
+        labels,
+        names: uses.names(program, &blocks),
+        uses,
+        inlined: HashMap::new(),
+        counts: HashMap::new(),
+        lines: Vec::new(),
+        heading: String::new(),
+        depth: 0,
+    };
+    printer.line(&format!("fn {function}() {{"));
+    printer.depth += 1;
+    for (block, sections) in program.blocks.iter().zip(&blocks) {
+        match block {
+            Block::Once(_) => printer.sections(sections),
+            Block::Loop(one) => printer.one_loop(one, sections),
+        }
+    }
+    printer.under(RESULTS, "", Printer::results);
+    printer.depth -= 1;
+    printer.line("}");
+    printer.lines.join("\n") + "\n"
+}
+
+struct Printer<'a> {
+    program: &'a Program,
+    labels: &'a Labels<'a>,
+    uses: Uses<'a>,
+    /// What values are called, as far as that is known, by their numbers.
+    names: Vec<Option<String>>,
+    /// Values that are written where they are used.
+    inlined: HashMap<Name, Formula>,
+    /// How many values without a name that no other section reads each section has, by its prefix.
+    counts: HashMap<String, usize>,
+    lines: Vec<String>,
+    /// The last heading of the block.
+    heading: String,
+    depth: usize,
+}
+
+impl Printer<'_> {
+    fn line(&mut self, text: &str) {
+        self.lines.extend(layout::broken(text, self.depth));
+    }
+
+    /// Writes what `write` writes under a heading, if it is anything. Results under that heading follow a section
+    /// of the same name.
+    fn under(&mut self, title: &str, source: &str, write: impl FnOnce(&mut Self)) {
+        let first = self.lines.len();
+        write(self);
+        let own = self.lines.split_off(first);
+        if own.is_empty() {
+            return;
+        }
+        let source = if source.is_empty() { String::new() } else { format!(", {source}") };
+        let heading = format!("// {title}{source}.");
+        if self.heading != heading {
+            self.gap();
+            self.line(&heading);
+            self.heading = heading;
+        }
+        self.lines.extend(own);
+    }
+
+    /// An empty line, but not at the beginning of a block.
+    fn gap(&mut self) {
+        if !self.lines.last().is_some_and(|line| line.ends_with('{')) {
+            self.lines.push(String::new());
+        }
+    }
+
+    fn sections(&mut self, sections: &[ItemSection]) {
+        for ItemSection { prefix, title, source, items } in sections {
+            self.under(title, source, |printer| {
+                items.iter().for_each(|item| printer.item(prefix, item));
+            });
+        }
+    }
+
+    fn item(&mut self, prefix: &str, item: &Item) {
+        match item {
+            Item::Let(name, operation) => {
+                let formula = Formula::of(operation, &|operand| self.operand(operand));
+                self.state(prefix, *name, formula);
+            }
+            Item::Angle { sine: Some(sine), cosine: Some(cosine), angle } => {
+                let angle = self.operand(angle).text;
+                let [sine, cosine] = [sine, cosine].map(|name| self.name(prefix, *name));
+                self.line(&format!("let ({sine}, {cosine}) = sin_cos({angle});"));
+            }
+            Item::Angle { sine, cosine, angle } => {
+                let angle = self.operand(angle).text;
+                for (function, name) in [("sin", sine), ("cos", cosine)] {
+                    if let Some(name) = name {
+                        let formula = Formula::call(function, &[&angle]);
+                        self.state(prefix, *name, formula);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Writes a value down, or keeps it for its only user.
+    fn state(&mut self, prefix: &str, name: Name, formula: Formula) {
+        let numbered = self.program.names.is_numbered(name);
+        if numbered && self.uses.is_once(name) && formula.text.len() <= INLINED {
+            self.inlined.insert(name, formula);
+            return;
+        }
+        let name = self.name(prefix, name);
+        self.line(&format!("let {name} = {};", formula.text));
+    }
+
+    /// What a value is called, with the next number of its section if it has none yet.
+    fn name(&mut self, prefix: &str, name: Name) -> String {
+        if let Some(known) = &self.names[name.index()] {
+            return known.clone();
+        }
+        let count = self.counts.entry(prefix.to_owned()).or_default();
+        *count += 1;
+        let text = format!("{prefix}_t{count}");
+        self.names[name.index()] = Some(text.clone());
+        text
+    }
+
+    fn operand(&self, operand: &Operand) -> Formula {
+        match operand {
+            Operand::Number(value) => Formula::number(*value),
+            Operand::Symbol(number) => {
+                Formula::atom(self.labels.unknowns[*number as usize].clone())
+            }
+            Operand::Named(name) => match self.inlined.get(name) {
+                Some(formula) => formula.clone(),
+                None => Formula::atom(self.names[name.index()].clone().unwrap_or_else(|| {
+                    unreachable!("mstmm bug: a value is read before it is computed")
+                })),
+            },
+            Operand::Minus(inner) => self.operand(inner).negated(),
+            Operand::Repeated => unreachable!("mstmm bug: a result of a loop is read outside"),
+        }
+    }
+
+    fn one_loop(&mut self, one: &Loop, sections: &[ItemSection]) {
+        let (item, count) = &self.labels.repeats[one.repeat.index()];
+        let range = match one.inwards {
+            true => format!("(0..{count}).rev()"),
+            false => format!("0..{count}"),
+        };
+        self.gap();
+        self.line(&format!("for {item} in {range} {{"));
+        self.heading.clear();
+        self.depth += 1;
+        let before = self.lines.len();
+        self.sections(sections);
+        self.under(RESULTS, "", |printer| printer.loop_results(one));
+        // What the loop hands on has its name only now.
+        let body = self.lines.split_off(before);
+        one.carries.iter().for_each(|carried| self.carry(carried));
+        if !one.carries.is_empty() {
+            self.gap();
+        }
+        self.lines.extend(body);
+        self.depth -= 1;
+        self.line("}");
+        self.heading.clear();
+    }
+
+    fn carry(&mut self, Carried { entering, first, next, .. }: &Carried) {
+        let name = self.operand(&Operand::Named(*entering)).text;
+        let [first, next] = [first, next].map(|operand| self.operand(operand).text);
+        self.line(&format!("carry {name} = {first}, then {next};"));
+    }
+
+    fn loop_results(&mut self, one: &Loop) {
+        for (group, place, operand) in &one.outputs {
+            let (group, value) = (&self.labels.groups[*group], self.operand(operand).text);
+            self.line(&format!("{group}[{place}] = {value};"));
+        }
+    }
+
+    fn results(&mut self) {
+        let program = self.program;
+        for (group, operands) in self.labels.groups.iter().zip(&program.outputs) {
+            let all = operands.iter().enumerate();
+            let own = all.filter(|(_, operand)| **operand != Operand::Repeated);
+            let values: Vec<_> = own.map(|(place, one)| (place, self.operand(one).text)).collect();
+            if !values.is_empty() && values.len() == operands.len() {
+                let values: Vec<String> = values.into_iter().map(|(_, text)| text).collect();
+                self.line(&format!("{group} = [{}];", values.join(", ")));
+            } else {
+                let lines =
+                    values.iter().map(|(place, value)| format!("{group}[{place}] = {value};"));
+                lines.for_each(|line| self.line(&line));
+            }
+        }
+    }
+}

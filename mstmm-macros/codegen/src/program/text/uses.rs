@@ -1,0 +1,112 @@
+//! Who reads which value of a program, and what values are called.
+
+use super::items::ItemSection;
+use crate::program::{Block, Carried, Name, Operand, Program};
+use std::collections::{HashMap, HashSet};
+
+/// The prefix of what is computed for results only.
+pub const RESULT: &str = "result";
+
+/// Where a value is computed or read.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct At<'a> {
+    block: usize,
+    /// The prefix of the section.
+    prefix: &'a str,
+}
+
+/// Where a value is computed, if a statement does so, and where it is read: nowhere in particular by what loops
+/// carry.
+#[derive(Clone, Default)]
+struct Use<'a> {
+    owner: Option<At<'a>>,
+    readers: Vec<Option<At<'a>>>,
+}
+
+/// The uses of a program's values, by their numbers.
+pub struct Uses<'a>(Vec<Use<'a>>);
+
+impl<'a> Uses<'a> {
+    /// Those of a program whose blocks have these sections.
+    pub fn of(program: &Program, blocks: &'a [Vec<ItemSection>]) -> Self {
+        let mut uses = Uses(vec![Use::default(); program.names.count()]);
+        for (block, sections) in blocks.iter().enumerate() {
+            for section in sections {
+                let at = At { block, prefix: &section.prefix };
+                for item in &section.items {
+                    item.operands().for_each(|operand| uses.read(operand, Some(at)));
+                    let names = item.names().into_iter().flatten();
+                    names.for_each(|name| uses.0[name.index()].owner = Some(at));
+                }
+            }
+            if let Block::Loop(one) = &program.blocks[block] {
+                let at = At { block, prefix: RESULT };
+                one.outputs.iter().for_each(|(_, _, result)| uses.read(result, Some(at)));
+                let carried = one.carries.iter().flat_map(|carry| [&carry.first, &carry.next]);
+                carried.for_each(|operand| uses.read(operand, None));
+            }
+        }
+        let last = At { block: blocks.len().saturating_sub(1), prefix: RESULT };
+        program.outputs.iter().flatten().for_each(|result| uses.read(result, Some(last)));
+        uses
+    }
+
+    fn read(&mut self, operand: &Operand, at: Option<At<'a>>) {
+        if let Some(name) = operand.name() {
+            self.0[name.index()].readers.push(at);
+        }
+    }
+
+    /// Whether a value is read once, where it is computed.
+    pub fn is_once(&self, name: Name) -> bool {
+        let Use { owner, readers } = &self.0[name.index()];
+        readers[..] == [*owner] && owner.is_some()
+    }
+
+    /// The prefix of the section that computes a value, if other sections read it.
+    fn shared_by(&self, name: Name) -> Option<&'a str> {
+        let Use { owner, readers } = &self.0[name.index()];
+        let own = (*owner)?.prefix;
+        let is_own = |reader: &Option<At>| reader.is_some_and(|at| at.prefix == own);
+        (!readers.iter().all(is_own)).then_some(own)
+    }
+
+    /// What values are called: their names, or numbers under the prefix of their section if other sections read
+    /// them. All else has its number when it is written down.
+    pub fn names(&self, program: &Program, blocks: &[Vec<ItemSection>]) -> Vec<Option<String>> {
+        let all = program.names.all().iter().cloned();
+        let mut names: Vec<Option<String>> = all.map(Some).collect();
+        let mut counts: HashMap<&str, usize> = HashMap::new();
+        let items = blocks.iter().flatten().flat_map(|section| &section.items);
+        for name in items.flat_map(|item| item.names()).flatten() {
+            if !program.names.is_numbered(name) {
+                continue;
+            }
+            names[name.index()] = self.shared_by(name).map(|prefix| {
+                let count = counts.entry(prefix).or_default();
+                *count += 1;
+                format!("{prefix}_x{count}")
+            });
+        }
+        name_carries(program, &mut names);
+        names
+    }
+}
+
+/// Calls what loops carry after what they hand on.
+fn name_carries(program: &Program, names: &mut [Option<String>]) {
+    let carries: Vec<&Carried> = program.loops().flat_map(|one| &one.carries).collect();
+    let is_carried =
+        |name: &Name| carries.iter().any(|carry| [carry.name, carry.entering].contains(name));
+    let mut taken: HashSet<String> = names.iter().flatten().cloned().collect();
+    for carry in &carries {
+        let next = carry.next.name().filter(|name| !is_carried(name));
+        let next = next.and_then(|name| names[name.index()].clone());
+        let base = next.map_or("carried".to_owned(), |next| format!("{next}_carried"));
+        let numbered = (2..).map(|number| format!("{base}{number}"));
+        let mut free = std::iter::once(base.clone()).chain(numbered);
+        let text = free.find(|text| taken.insert(text.clone()));
+        names[carry.entering.index()].clone_from(&text);
+        names[carry.name.index()] = text;
+    }
+}

@@ -1,0 +1,89 @@
+//! The text of functions in the order of their equations, committed to be read: a change of one equation moves lines
+//! of the sections that hold it or own values shared with it. `MSTMM_BLESS=1 cargo test -p mstmm-codegen --test text`
+//! writes it anew.
+
+#[path = "../examples/show.rs"]
+mod show;
+
+use show::show;
+use std::path::{Path, PathBuf};
+
+/// What a person reads through.
+const LONGEST: usize = 330;
+
+fn file(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(name)
+}
+
+/// The text of functions of a chain in `tests/expand`.
+fn check(name: &str, functions: &[&str]) {
+    let chain = file(&format!("expand/{name}.chain"));
+    let chain = chain.to_str().expect("a path in Unicode");
+    let texts = functions.iter().map(|function| show(chain, Some(function)));
+    let texts: Vec<String> =
+        texts.map(|text| text.unwrap_or_else(|error| panic!("{error}"))).collect();
+    let text = texts.join("\n");
+    let path = file(&format!("text/{name}.txt"));
+    if std::env::var_os("MSTMM_BLESS").is_some() {
+        std::fs::write(&path, &text).expect("a writable folder");
+    }
+    let golden = std::fs::read_to_string(&path).expect("the committed text");
+    let changed = text.lines().zip(golden.lines()).position(|(now, then)| now != then);
+    assert!(text == golden, "{name}, line {changed:?} from 0: MSTMM_BLESS=1 accepts it");
+    assert!(text.lines().count() <= LONGEST, "{name} is too long to be read through");
+}
+
+#[test]
+fn pendulum_with_a_motor_and_a_parameter() {
+    check("pendulum", &["setup", "accelerations", "solution", "energy"]);
+}
+
+#[test]
+fn a_body_on_a_ball() {
+    check("top", &["accelerations", "solution", "coordinate_rates", "normalized"]);
+}
+
+#[test]
+fn two_pins_by_transfer() {
+    check("two_pins", &["accelerations", "solution"]);
+}
+
+#[test]
+fn an_arm_of_three_pins() {
+    check("arm", &["accelerations"]);
+}
+
+#[test]
+fn a_rope_as_loops() {
+    check("rope", &["setup", "accelerations"]);
+}
+
+#[test]
+fn a_four_bar_in_the_plane() {
+    check("four_bar", &["accelerations"]);
+}
+
+#[test]
+fn all_functions_are_shown_one_after_the_other() {
+    let chain = file("expand/four_bar.chain");
+    let all = show(chain.to_str().expect("a path"), None).expect("a right chain");
+    let names: Vec<&str> =
+        all.lines().filter_map(|line| line.strip_prefix("fn ")?.strip_suffix("() {")).collect();
+    let expected = ["setup", "accelerations", "solution", "energy", "coordinate_rates"];
+    assert_eq!(names[..5], expected);
+    assert_eq!(names[5..], ["normalized", "correction", "start"]);
+}
+
+#[test]
+fn what_cannot_be_shown_is_an_error() {
+    let chain = file("expand/top.chain");
+    let chain = chain.to_str().expect("a path");
+    let error = show(chain, Some("forces")).expect_err("no such function");
+    assert!(error.starts_with("`Top` has the functions setup, accelerations, "), "{error}");
+    assert!(show("no.chain", None).expect_err("no such file").starts_with("no.chain: "));
+    let wrong = std::env::temp_dir().join(format!("wrong{}.chain", std::process::id()));
+    std::fs::write(&wrong, "chain A {\n    ground -> pin a -> B b;\n}").expect("a writable folder");
+    let error = show(wrong.to_str().expect("a path"), None).expect_err("no body `B`");
+    std::fs::remove_file(&wrong).expect("the file");
+    assert!(error.contains(".chain:2:24: "), "{error}");
+}
