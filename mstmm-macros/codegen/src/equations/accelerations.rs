@@ -6,6 +6,7 @@ use super::kinematics::LinkMotion;
 use super::load::loads;
 use super::problem::{Demand, Movement, Problem};
 use super::redistribution::redistribute;
+use super::strategy::uses_base_parameters;
 use super::sweep::PerLink;
 use super::transmitted::transmitted;
 use super::{Axes, Situation, Trace, motion, riccati, transfer};
@@ -75,8 +76,8 @@ pub fn accelerations<S: Scalar>(
     trace: &mut Trace<S>,
 ) -> Solved<S> {
     let layout = situation.layout;
-    let pays = method == Method::Riccati && axes == Axes::Body && layout.closings.is_empty();
-    let (solved, ()) = solve(situation, (method, axes, pays), trace, |_, _, _| ());
+    let to_parents = uses_base_parameters(method, axes, !layout.closings.is_empty());
+    let (solved, ()) = solve(situation, (method, axes, to_parents), trace, |_, _, _| ());
     solved
 }
 

@@ -13,7 +13,8 @@
 //! | `T`, `W`, `λ` | `closing` | directions that a closing hinge holds, wrenches that do work on one rate each, reactions |
 //! | `c` | the *point* of a link | where a body hangs on its hinge: its input, or its output if the chain is held at its end |
 //!
-//! Each file names its further letters and frames at its head. Sweeps over the links are those of `sweep`.
+//! Each file names its further letters and frames at its head. Sweeps over the links are those of `sweep`;
+//! what the generator knows of costs stands in `strategy`.
 //!
 //! Sign rule: on a body the force at the input end is `+q_I`, at the output end `−q_O`; the torque
 //! at the input end is `−m_I`, at the output end `+m_O`.
@@ -40,6 +41,7 @@ mod report;
 mod riccati;
 mod situation;
 mod spots;
+mod strategy;
 mod sweep;
 mod trace;
 mod transfer;

@@ -2,11 +2,11 @@
 //!
 //! On the axis of a pin a thin rod moves as the parent does: `m`, `m z_C` and the moment of inertia across
 //! the axis. What is left has zeros in their places, and the parent's numbers are constants as before:
-//! base parameters. `A` of a body is then less by what went to the parent, which comes in again behind
-//! its hinge. Masses in the middle of balls might go as well, for one operation in a hundred less;
-//! three balls took 6 % more time then, ten 12 %.
+//! base parameters. `Iᴬ` of a body is then less by what went to the parent, which comes in again behind
+//! its hinge.
 
 use super::kinematics::LinkMotion;
+use super::strategy;
 use super::sweep::{Flatten, PerLink};
 use super::{Situation, Trace};
 use crate::ids::LinkId;
@@ -22,7 +22,7 @@ pub struct Given<S> {
 }
 
 /// Redistributes from the free end to the ground, over every hinge that turns about one axis, but for
-/// those at boundaries of repeated parts; as much as saves operations.
+/// those at boundaries of repeated parts; as much as saves [`strategy::operations`].
 pub fn redistribute<S: Scalar>(
     situation: &Situation<S>,
     links: &mut PerLink<LinkMotion<S>>,
@@ -58,12 +58,13 @@ fn lightest<S: Scalar>(
     link: &LinkMotion<S>,
     (own, of_parent): (Rigid<S>, Rigid<S>),
 ) -> ((Rigid<S>, Rigid<S>), S) {
-    let weight = |(own, of_parent): &(Rigid<S>, Rigid<S>)| own.weight() + of_parent.weight();
+    let operations =
+        |(own, of_parent): &(Rigid<S>, Rigid<S>)| own.operations() + of_parent.operations();
     let (mut best, mut given) = ((own, of_parent), S::zero());
     for rod in rods(link, own) {
         let to_parent = rod.turned(link.over.to_parent.matrix()).moved_from(link.over.arm);
         let pair = (own.without(rod), of_parent.with(to_parent));
-        if weight(&pair) < weight(&best) {
+        if operations(&pair) < operations(&best) {
             (best, given) = (pair, rod.mass);
         }
     }
@@ -143,19 +144,8 @@ impl<S: Scalar> Rigid<S> {
         Rigid { moment: self.moment + arm * self.mass, inertia: there.angular, ..self }
     }
 
-    /// About how many operations it takes in a sweep: to be added to what comes from the children,
-    /// and for its velocity load.
-    fn weight(&self) -> usize {
-        let count = |numbers: &[S]| numbers.iter().filter(|x| !x.vanishes()).count();
-        let Sym3(entries) = self.inertia;
-        let [diagonal, beside] = [&entries[..3], &entries[3..]].map(count);
-        let difference = |(i, j): (usize, usize)| entries[i] - entries[j];
-        let gyroscopic = match beside {
-            0 => 2 * count(&[(0, 1), (0, 2), (1, 2)].map(difference)),
-            _ => 2 * diagonal + 4 * beside + 9,
-        };
-        let added = 3 * count(&[self.mass]) + 2 * count(&self.moment.0) + diagonal + beside;
-        added + 6 * count(&self.moment.0) + gyroscopic
+    fn operations(&self) -> usize {
+        strategy::operations(self.mass, self.moment, self.inertia)
     }
 }
 

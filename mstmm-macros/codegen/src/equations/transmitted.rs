@@ -2,13 +2,10 @@
 
 use super::Trace;
 use super::problem::{Movement, Problem};
+use super::strategy::LONGEST_SUM;
 use super::sweep::{Flatten, PerLink};
 use crate::ids::LinkId;
 use crate::math::{Scalar, Wrench};
-
-/// Over so many bodies at most a wrench is a sum where it need not be one: rounding grows with the square
-/// of their number.
-const MOST_BODIES: usize = 8;
 
 /// On the child's side of every link's hinge, about the link's point, in its work axes; where the hinge
 /// frees whole axes that is its effort and nothing else [P, Eqs. (25), (57), (58)].
@@ -39,9 +36,8 @@ pub fn transmitted<S: Scalar>(
 }
 
 /// From what every body's own motion takes and its children pass on; where that would be a long sum, or
-/// one over the times of a repeated part, from what comes over from the parent, with the relation of
-/// the way to the ground. Relations take about as many operations, but their numbers have to be kept
-/// until it is known how the links move.
+/// one over the repetitions of a part, from what comes over from the parent, with the relation of the way
+/// to the ground.
 fn from_the_free_end<S: Scalar>(
     problem: &Problem<S>,
     movement: &Movement<S>,
@@ -78,10 +74,10 @@ fn by_relation<S: Scalar>(problem: &Problem<S>, movement: &Movement<S>) -> PerLi
     let own = PerLink::filled(Bodies(1), problem.links.len());
     let step = |link: LinkId, Bodies(count): Bodies, parent: &mut Bodies| {
         let at_boundary = problem.tree.is_boundary(link);
-        let is_chosen = at_boundary || count > MOST_BODIES;
+        let is_chosen = at_boundary || count > LONGEST_SUM;
         // What is beyond a boundary is another repetition's, and cannot be added up at all.
         let beyond = match is_chosen {
-            _ if at_boundary => MOST_BODIES,
+            _ if at_boundary => LONGEST_SUM,
             true => 0,
             false => count,
         };

@@ -11,7 +11,7 @@ mod vector;
 
 pub use dual::Dual;
 pub use matrix::{Mat3, Sym3};
-pub use rotation::{Rotation, Turn};
+pub use rotation::{PlaneFormula, Rotation, Turn};
 pub use scalar::{NOISE, Scalar};
 pub use spatial::{Motion, SpatialInertia, Wrench};
 pub use structured::Structured;

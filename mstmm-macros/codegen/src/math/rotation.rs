@@ -1,4 +1,4 @@
-//! Rotations whose structure is known: a turn about one coordinate axis, then a fixed rotation.
+//! Rotations, and those whose structure is known: a turn about one coordinate axis, then a fixed rotation.
 
 use super::{Mat3, Scalar, SpatialInertia, Sym3, Vec3};
 
@@ -6,7 +6,16 @@ use super::{Mat3, Scalar, SpatialInertia, Sym3, Vec3};
 #[derive(Clone, Copy, Debug)]
 pub struct Rotation<S> {
     matrix: Mat3<S>,
-    turn: Option<(Turn<S>, Mat3<S>)>,
+    steps: Option<(Turn<S>, Mat3<S>)>,
+}
+
+/// How the part of a symmetric tensor in the plane of a turn is turned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlaneFormula {
+    /// By four products.
+    FewestOperations,
+    /// By some operations more, of which fewer wait for others.
+    ShortestPath,
 }
 
 /// A turn about a coordinate axis.
@@ -68,7 +77,7 @@ impl<S: Scalar> Turn<S> {
     ///   [q t]      [            w                        ]
     /// ```
     ///
-    /// which takes some operations more, but fewer of them wait for others.
+    /// by [`PlaneFormula::ShortestPath`].
     fn of_plane(&self, tensor: Sym3<S>) -> Sym3<S> {
         let Turn { axis: k, sin, cos } = *self;
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
@@ -82,23 +91,11 @@ impl<S: Scalar> Turn<S> {
         Sym3::from_fn(|i, j| turned[i][j])
     }
 
-    /// Whether forces in the plane of the turn hang on shifts in it alone.
-    fn leaves_plane_alone(&self, inertia: &SpatialInertia<S>) -> bool {
-        (0..3).filter(|&row| row != self.axis).all(|row| {
-            inertia.linear.at(row, self.axis).vanishes()
-                && inertia.coupling[row].iter().all(|entry| entry.vanishes())
-        })
-    }
-
-    /// Chains in a plane, whose inertias leave it alone behind every pin, have so little to compute
-    /// for each body that they wait for results most of the time.
-    fn of_inertia(&self, inertia: &SpatialInertia<S>) -> SpatialInertia<S> {
-        let waits = self.leaves_plane_alone(inertia);
+    fn of_inertia(&self, inertia: &SpatialInertia<S>, formula: PlaneFormula) -> SpatialInertia<S> {
         SpatialInertia {
-            linear: if waits {
-                self.of_plane(inertia.linear)
-            } else {
-                self.of_symmetric(inertia.linear)
+            linear: match formula {
+                PlaneFormula::FewestOperations => self.of_symmetric(inertia.linear),
+                PlaneFormula::ShortestPath => self.of_plane(inertia.linear),
             },
             coupling: self.of_tensor(inertia.coupling),
             angular: self.of_symmetric(inertia.angular),
@@ -109,14 +106,17 @@ impl<S: Scalar> Turn<S> {
 impl<S: Scalar> Rotation<S> {
     /// A rotation of which nothing more is known.
     pub fn general(matrix: Mat3<S>) -> Self {
-        Rotation { matrix, turn: None }
+        Rotation { matrix, steps: None }
     }
 
-    /// `mount · turn`
-    pub fn mounted(mount: Mat3<S>, turn: Turn<S>) -> Self {
-        // Two steps pay only if the second merely exchanges axes.
-        let stepwise = exchanges_axes(mount).then_some((turn, mount));
-        Rotation { matrix: mount * turn.matrix(), turn: stepwise }
+    /// `mount · turn`: tensors are turned in these two steps.
+    pub fn stepwise(mount: Mat3<S>, turn: Turn<S>) -> Self {
+        Rotation { matrix: mount * turn.matrix(), steps: Some((turn, mount)) }
+    }
+
+    /// The axis of the first step, if there are two.
+    pub fn axis(&self) -> Option<usize> {
+        self.steps.map(|(turn, _)| turn.axis)
     }
 
     /// The rotation matrix.
@@ -134,18 +134,17 @@ impl<S: Scalar> Rotation<S> {
         self.matrix.transposed() * vector
     }
 
-    /// An inertia in the axes that the rotation leads to.
-    pub fn of_inertia(&self, inertia: &SpatialInertia<S>) -> SpatialInertia<S> {
-        match &self.turn {
-            Some((turn, mount)) => turn.of_inertia(inertia).turned(*mount),
+    /// An inertia in the axes that the rotation leads to; the formula is that of the first of two steps.
+    pub fn of_inertia(
+        &self,
+        inertia: &SpatialInertia<S>,
+        formula: PlaneFormula,
+    ) -> SpatialInertia<S> {
+        match &self.steps {
+            Some((turn, mount)) => turn.of_inertia(inertia, formula).turned(*mount),
             None => inertia.turned(self.matrix),
         }
     }
-}
-
-/// Whether every row has one entry only.
-fn exchanges_axes<S: Scalar>(matrix: Mat3<S>) -> bool {
-    matrix.0.iter().all(|row| row.iter().filter(|entry| entry.vanishes()).count() == 2)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::{Direction, Geometry, geometry};
 use crate::equations::Numbers;
+use crate::equations::strategy::turns_stepwise;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Turn, Vec3};
 use crate::model::HingeKind;
 
@@ -78,8 +79,8 @@ impl<S: Scalar> Crossing<S> {
     /// Its rotation followed by the fixed one of the parent's side.
     pub fn mounted_on(&self, side: Mat3<S>) -> Rotation<S> {
         match self.turn {
-            Some(turn) => Rotation::mounted(side, turn),
-            None => Rotation::general(side * self.rotation),
+            Some(turn) if turns_stepwise(side) => Rotation::stepwise(side, turn),
+            _ => Rotation::general(side * self.rotation),
         }
     }
 

@@ -1,6 +1,7 @@
 //! A free direction of a hinge is eliminated: equations (1), (2), (4) and (6).
 
 use super::super::hinge::{Column, dot};
+use super::super::strategy;
 use super::inward::Articulated;
 use crate::math::{Scalar, SpatialInertia, Wrench};
 
@@ -22,8 +23,7 @@ pub struct Eliminated<S> {
     pub by_pivot: Vec<S>,
     /// What the squares of `t` would be if nothing in them cancelled.
     pub sizes: Vec<S>,
-    /// The axis that it is, where so little depends on `U` that the next results wait for `1 / D` most of
-    /// the time.
+    /// The axis that it is, if what follows waits for `1 / D`.
     pub waiting: Option<usize>,
 }
 
@@ -38,9 +38,6 @@ impl<S: Scalar> Eliminated<S> {
         self.rest = self.rest - dot(&self.by_pivot, reactions);
     }
 }
-
-/// How many directions a plane has.
-const PLANE: usize = 3;
 
 /// A free direction with its effort and the inertia of its rotor.
 #[derive(Clone, Copy)]
@@ -71,7 +68,7 @@ fn inverse_after<S: Scalar>(
 ) -> Option<S> {
     let (i, j) = (first.axis()?, second.axis()?);
     let (a, b, c) = (old.at(i, i), old.at(i, j), old.at(j, j));
-    (!b.vanishes()).then(|| a * (a * c - b * b).recip())
+    strategy::inverts_early(b).then(|| a * (a * c - b * b).recip())
 }
 
 /// All free directions of a hinge, one after the other.
@@ -106,8 +103,7 @@ fn eliminate_one<S: Scalar>(
     let axis = condition.axis();
     let is_along = |k: usize| axis == Some(k);
     let gain = Wrench::from_fn(|k| if is_along(k) { S::one() } else { u.at(k) * inverse });
-    let linked = (0..6).filter(|&k| !u.at(k).vanishes()).count();
-    let waiting = axis.filter(|_| linked <= PLANE);
+    let waiting = axis.filter(|_| strategy::waits_for_pivot(&u));
     here.inertia = SpatialInertia::from_fn(|i, j| {
         if is_along(i) || is_along(j) {
             S::zero()

@@ -3,7 +3,7 @@
 use super::super::kinematics::{Crossed, Drift};
 use super::super::problem::{Problem, Relation};
 use super::super::sweep::{Flatten, PerLink};
-use super::super::{Pivot, Trace};
+use super::super::{Pivot, Trace, strategy};
 use super::direction::{Condition, Eliminated, eliminate};
 use super::open_loop::OpenLoop;
 use crate::ids::LinkId;
@@ -69,10 +69,10 @@ pub fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<
     let ground = Articulated::with(nothing, Wrench::zero());
     let (records, ground) = problem.tree.inward(own(problem), ground, step);
     let pivots = records.iter().rev().flat_map(|(_, pivots, _)| pivots.iter().copied()).collect();
-    // Reactions would come on top, in as many products as a sum over all bodies takes.
-    let relations = match problem.closing {
-        None => records.iter().map(|&(.., relation)| relation).collect(),
-        Some(_) => PerLink::new(),
+    let relations = if strategy::keeps_relations(problem.closing.is_some()) {
+        records.iter().map(|&(.., relation)| relation).collect()
+    } else {
+        PerLink::new()
     };
     let eliminated = records.into_iter().map(|(steps, ..)| steps).collect();
     Reduced { eliminated, relations, open: ground.open, pivots }
@@ -154,7 +154,9 @@ impl<S: Scalar> Articulated<S> {
         parent.scales.1 = parent.scales.1 + mass * over.arm.dot(over.arm);
         let Drift { on_parent, in_hinge } = problem.drift[link];
         let bias = (self.bias + self.inertia.times(in_hinge)).turned(&over.to_parent);
-        let inertia = over.to_parent.of_inertia(&self.inertia);
+        let inertia = over
+            .to_parent
+            .of_inertia(&self.inertia, strategy::plane_formula(&over.to_parent, &self.inertia));
         let bias = bias + inertia.times(Motion { linear: on_parent, angular: Vec3::zero() });
         parent.inertia = parent.inertia + inertia.moved_from(over.arm);
         parent.bias = parent.bias + bias.moved_from(over.arm);

@@ -36,12 +36,10 @@
 //! (4)  `t = Tᴬᵀ s`, `Tᴬ ← Tᴬ − K tᵀ`, `γ ← γ + t ε / D`, `Λ ← Λ + t tᵀ / D`
 //! (5)  `Tᵀ a = γ + Tᴬᵀ a_ground − Λ λ`
 //!
-//! Chains in a plane have so little to compute for each body that they wait for `1 / D` most of the
-//! time: there (2) is `Iᴬ ← Iᴬ − (U Uᵀ) / D`, and in (3) `Kᵀ a'` is taken apart into what depends on the
-//! parent and what does not.
-//!
-//! The last of several axes of a hinge need not wait for the one before. With what `Iᴬ` was before that
-//! one, `a` and `c` on its diagonal for the two and `b` beside it, `D = c − b² / a`:
+//! Where what follows waits for `1 / D`, (2) is `Iᴬ ← Iᴬ − (U Uᵀ) / D`, and in (3) `Kᵀ a'` is taken apart
+//! into what depends on the parent and what does not. The last of several axes of a hinge need not wait
+//! for the one before: with what `Iᴬ` was before that one, `a` and `c` on its diagonal for the two and
+//! `b` beside it, `D = c − b² / a`:
 //!
 //! (6)  `1 / D = a / (a c − b²)`
 
