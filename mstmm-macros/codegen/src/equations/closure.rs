@@ -1,21 +1,21 @@
-//! The reactions of a closing hinge: `G λ = b` with `G = J M⁻¹ Jᵀ`, which is positive except along the
+//! The reactions of a closing hinge: `Λ λ = b` with `Λ = J M⁻¹ Jᵀ`, which is positive except along the
 //! directions that other directions of the hinge determine already, as all those out of the plane of
 //! a planar loop and three of the five of Bennett's linkage.
 //!
-//! Row `i` of `J M^(-1/2)` has an entry `u_i / √d` for each degree of freedom that the Riccati transfer
+//! Row `i` of `J M^(-1/2)` has an entry `t_i / √D` for each degree of freedom that the Riccati transfer
 //! eliminates. Gram and Schmidt's elimination of rows in the order of their norms reveals the rank: it
-//! is Cholesky's factorisation of `G` with complete pivoting (Higham, *Accuracy and Stability of Numerical
+//! is Cholesky's factorisation of `Λ` with complete pivoting (Higham, *Accuracy and Stability of Numerical
 //! Algorithms*, section 10.3) without the squares, whose rounding would hide small singular values.
 //! Row `i` is measured by `s_i`, what its square would be if nothing in it cancelled. Step `k`:
 //!
 //! (1)  `i = argmax |J_i|² / s_i`, `r_k = J_i`, `d_k = |r_k|²`, `l_k = J r_k / d_k`, `J ← J − l_k r_kᵀ`
-//! (2)  `G = L D Lᵀ`, `L = Q R` with the columns of `Q` across each other, `QᵀQ = S`
-//! (3)  `λ = G⁺ b = Q S⁻¹ R⁻ᵀ D⁻¹ R⁻¹ S⁻¹ Qᵀ b`
+//! (2)  `Λ = L D Lᵀ`, `L = Q R` with the columns of `Q` across each other, `QᵀQ = Σ`
+//! (3)  `λ = Λ⁺ b = Q Σ⁻¹ R⁻ᵀ D⁻¹ R⁻¹ Σ⁻¹ Qᵀ b`
 //! (4)  `N = { x : Lᵀ x = 0 }`
 //!
 //! `λ` has the least norm, in N and N m, of all reactions that fit `b` best; those in `N` make no
 //! difference to the motion. Repeated parts have too many degrees of freedom to keep: they add to a part
-//! of `G` itself, and products of rows have that between them.
+//! of `Λ` itself, and products of rows have that between them.
 //!
 //! A row is chosen by arithmetic, with weights that are one at the row and zero elsewhere, so that every
 //! state takes the same steps. There are as many steps as the closure has rank anywhere, which is a
@@ -59,9 +59,9 @@ impl<S: Scalar> Closure<S> {
 /// A linear system for the reactions of a closing hinge.
 #[derive(Clone, Debug)]
 pub struct Reactions<S> {
-    /// What `G` is the sum of, outside of repeated parts.
+    /// What `Λ` is the sum of, outside of repeated parts.
     pub dofs: Vec<Dof<S>>,
-    /// The part of `G` that repeated parts add, below its diagonal and on it, by rows.
+    /// The part of `Λ` that repeated parts add, below its diagonal and on it, by rows.
     pub repeated: Vec<Vec<S>>,
     /// `s`
     pub sizes: Vec<S>,
@@ -71,12 +71,12 @@ pub struct Reactions<S> {
     pub linkage: Linkage<S>,
 }
 
-/// The part of `G` that a degree of freedom adds: `u uᵀ / d`.
+/// The part of `Λ` that a degree of freedom adds: `t tᵀ / D`.
 #[derive(Clone, Debug)]
 pub struct Dof<S> {
-    /// `u`
+    /// `t`
     pub along: Vec<S>,
-    /// `1 / d`
+    /// `1 / D`
     pub inverse: S,
 }
 
@@ -139,7 +139,7 @@ fn substituted<S: Scalar>(pivots: &[Pivot<S>], mut right: Vec<S>) -> Vec<S> {
 
 /// Equations (2), by Gram and Schmidt, and (3).
 fn least_norm<S: Scalar>(pivots: &[Pivot<S>], right: &[S]) -> Vec<S> {
-    // Columns of Q, and of S⁻¹.
+    // Columns of Q, and of Σ⁻¹.
     let mut across: Vec<(Vec<S>, S)> = Vec::new();
     // Columns of R above its diagonal, which is one.
     let mut upper: Vec<Vec<S>> = Vec::new();

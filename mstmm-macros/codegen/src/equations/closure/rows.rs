@@ -23,7 +23,7 @@ pub(super) struct Pivot<S> {
 #[derive(Clone)]
 struct Row<S> {
     left: Vec<S>,
-    /// The same, with the part of `G` between the rows multiplied in.
+    /// The same, with the part of `Λ` between the rows multiplied in.
     right: Vec<S>,
 }
 
