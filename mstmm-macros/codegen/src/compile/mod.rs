@@ -1,12 +1,10 @@
 //! From a model to its programs: the equations written down, simplified and ordered.
 
 mod arrange;
-mod checks;
 pub mod groups;
 mod places;
 mod text;
 
-pub use checks::Check;
 pub use places::{Place, Places, PointPlaces, Sight};
 pub use text::chain_text;
 
@@ -14,7 +12,7 @@ use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
 use crate::examine::Findings;
 use crate::expr::{Expr, Graph, Stage};
 use crate::model::{
-    Chain, ClosureRank, Hinge, HingeId, HingeKind, Layout, Method, Passive, RepeatId, Value,
+    Chain, Check, ClosureRank, Hinge, HingeId, HingeKind, Layout, Method, Passive, RepeatId, Value,
 };
 use crate::passes::Setup;
 use crate::program::Program;
@@ -320,7 +318,7 @@ impl<'a, 'g> Scene<'a, 'g> {
     }
 
     fn setup(&self, setup: Setup) -> (Program, Vec<Check>) {
-        let checks = checks::of(self.chain);
+        let checks = self.chain.checks();
         let mut trace = Trace::new();
         trace.section("derived", "Quantities derived from parameters and constants", "");
         let mut group = |part: Option<RepeatId>| {

@@ -6,7 +6,7 @@ use super::docs;
 use super::looped::usize_literal;
 use super::sealed;
 use super::spread::Spread;
-use crate::model::Parameter;
+use crate::model::{Must, Parameter};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -81,7 +81,7 @@ pub fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
     let rules = checked(plan).pieces.into_iter().map(|piece| {
         let rules = plan.programs.checks[piece.first..piece.first + piece.count].iter();
         let rules = rules.map(|check| {
-            let (positive, reason) = (check.positive, &check.reason);
+            let (positive, reason) = (check.must == Must::BePositive, &check.reason);
             quote!((#positive, #reason))
         });
         if piece.times == 1 && piece.place == 0 && piece.count == plan.programs.checks.len() {

@@ -11,6 +11,7 @@ mod layout;
 mod load;
 mod lower;
 mod results;
+mod rules;
 mod seams;
 #[cfg(test)]
 mod tests;
@@ -28,6 +29,7 @@ pub use layout::{Driven, Input, Joined, Layout, Link, Part};
 pub use load::{Load, LoadAxes, Source, Spring};
 pub(crate) use lower::listed;
 pub use results::Results;
+pub use rules::Check;
 pub use value::{Symbol, Value};
 
 use crate::diag::Diagnostics;

@@ -2,9 +2,9 @@
 
 use super::route::whole_route;
 use crate::diag::Diagnostics;
-use crate::model::Value;
-use crate::model::condition::{Condition, Must, Requirement};
-use crate::model::lower::{Draft, Given, POINTS, Stop, listed};
+use crate::model::condition::Requirement;
+use crate::model::lower::{Draft, POINTS, Stop, listed};
+use crate::model::rules::MASS;
 
 /// A type of body that is on no route is a slip, most likely of the route.
 pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
@@ -82,9 +82,5 @@ pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics
 /// A body without mass has no acceleration.
 pub(super) fn masses_are_positive(draft: &Draft) -> Vec<Requirement> {
     let masses = draft.types.iter().filter_map(|body| body.mass.as_ref());
-    let positive = |mass: &Given<Value>| {
-        let value = mass.value.clone();
-        Condition::new(value, Must::BePositive, mass.at, "a mass must be positive").shown("kg")
-    };
-    masses.map(|mass| vec![positive(mass)]).collect()
+    masses.map(|mass| vec![MASS.condition(mass.value.clone(), mass.at)]).collect()
 }

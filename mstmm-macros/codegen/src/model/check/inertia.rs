@@ -2,6 +2,7 @@
 
 use crate::model::condition::{Condition, Must, Requirement};
 use crate::model::lower::{BodyType, Draft, Given};
+use crate::model::rules::MOMENT;
 use crate::model::{Dimension, Inertia, Value};
 
 /// No moment of inertia is negative.
@@ -11,8 +12,7 @@ pub(super) fn moments_are_not_negative(draft: &Draft) -> Vec<Requirement> {
         let moments = inertia.value.tensor[..3].iter().enumerate();
         Some(moments.map(move |(index, moment)| {
             let at = body.inertia_entry(index).unwrap_or(inertia.at);
-            let message = "a moment of inertia cannot be negative";
-            vec![Condition::new(moment.clone(), Must::NotBeNegative, at, message).shown("kg*m^2")]
+            vec![MOMENT.condition(moment.clone(), at)]
         }))
     });
     moments.flatten().collect()

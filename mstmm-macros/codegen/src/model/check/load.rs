@@ -2,8 +2,9 @@
 
 use crate::diag::Diagnostics;
 use crate::model::Value;
-use crate::model::condition::{Condition, Must, Requirement};
+use crate::model::condition::Requirement;
 use crate::model::lower::{Draft, Given, listed};
+use crate::model::rules::{DAMPING, LENGTH, Rule, STIFFNESS};
 
 /// A load acts on a body, by a force or a torque.
 pub(super) fn loads_are_complete(draft: &Draft, diagnostics: &mut Diagnostics) {
@@ -31,15 +32,14 @@ pub(super) fn springs_are_complete(draft: &Draft, diagnostics: &mut Diagnostics)
 pub(super) fn spring_numbers_are_not_negative(draft: &Draft) -> Vec<Requirement> {
     let numbers = draft.springs.iter().flat_map(|spring| {
         [
-            (spring.stiffness.as_ref(), "a stiffness"),
-            (spring.damping.as_ref().and_then(Option::as_ref), "a damping"),
-            (spring.length.as_ref().and_then(Option::as_ref), "a length"),
+            (spring.stiffness.as_ref(), STIFFNESS),
+            (spring.damping.as_ref().and_then(Option::as_ref), DAMPING),
+            (spring.length.as_ref().and_then(Option::as_ref), LENGTH),
         ]
     });
-    let not_negative = |(given, called): (Option<&Given<Value>>, &str)| {
+    let not_negative = |(given, rule): (Option<&Given<Value>>, Rule)| {
         let Given { value, at } = given?.clone();
-        let message = format!("{called} cannot be negative");
-        Some(vec![Condition::new(value, Must::NotBeNegative, at, message).shown("")])
+        Some(vec![rule.condition(value, at)])
     };
     numbers.filter_map(not_negative).collect()
 }

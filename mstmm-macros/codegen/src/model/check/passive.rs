@@ -1,9 +1,10 @@
 //! Springs, dampers, friction, limits and rotors of hinges.
 
 use crate::diag::Diagnostics;
-use crate::model::condition::{Condition, Must, Requirement};
+use crate::model::condition::{Must, Requirement};
 use crate::model::lower::{Draft, Fields, Stop, Words, groups};
-use crate::model::{Form, Limits, Passive, Value};
+use crate::model::rules::{LARGEST_ANGLE, PASSIVE, PassiveRule, WIDTH};
+use crate::model::{Form, Passive};
 use crate::syntax::{Extent, Field, Written};
 
 /// Fields that say nothing without another one.
@@ -15,31 +16,7 @@ const NEEDED: &[(Name, Name)] = &[
     (|words| words.limit_damping, |words| words.limits),
 ];
 
-/// Numbers that are not negative, and what to call them.
-const NOT_NEGATIVE: &[(Name, Number, &str)] = &[
-    (|words| words.stiffness, |passive| Some(&passive.stiffness), "a stiffness"),
-    (|words| words.damping, |passive| Some(&passive.damping), "a damping"),
-    (|words| words.armature, |passive| Some(&passive.armature), "an armature"),
-    (|words| words.friction, |passive| Some(&passive.friction.as_ref()?.effort), "friction"),
-    (|words| words.limit_damping, |passive| Some(&passive.limits.as_ref()?.damping), "a damping"),
-];
-
-/// Numbers that are positive, and what to call them.
-const POSITIVE: &[(Name, Number, &str)] = &[
-    (
-        |words| words.friction_speed,
-        |passive| Some(&passive.friction.as_ref()?.speed),
-        "the speed of friction",
-    ),
-    (
-        |words| words.limit_stiffness,
-        |passive| Some(&passive.limits.as_ref()?.stiffness),
-        "the stiffness of limits",
-    ),
-];
-
 type Name = fn(&Words) -> &'static str;
-type Number = fn(&Passive) -> Option<&Value>;
 
 /// What is said of a group of degrees of freedom.
 struct Group<'d> {
@@ -100,33 +77,27 @@ pub(super) fn friction_and_limits_are_complete(draft: &Draft, diagnostics: &mut 
 
 /// What is passive gives no energy.
 pub(super) fn passive_numbers_are_not_negative(draft: &Draft) -> Vec<Requirement> {
-    requirements(draft, NOT_NEGATIVE, Must::NotBeNegative, "cannot be negative")
+    requirements(draft, Must::NotBeNegative)
 }
 
-/// By a speed of zero friction would divide by zero, and limits without stiffness are none.
+/// Speeds of friction and the stiffness of limits are no zeros.
 pub(super) fn speeds_and_limits_are_positive(draft: &Draft) -> Vec<Requirement> {
-    requirements(draft, POSITIVE, Must::BePositive, "must be positive")
+    requirements(draft, Must::BePositive)
 }
 
-fn requirements(
-    draft: &Draft,
-    numbers: &[(Name, Number, &str)],
-    must: Must,
-    verdict: &str,
-) -> Vec<Requirement> {
+fn requirements(draft: &Draft, must: Must) -> Vec<Requirement> {
     let mut once = Once::default();
     let mut requirements = Vec::new();
     for Group { fields, words, passive, .. } in all_groups(draft) {
-        for (name, number, called) in numbers {
-            let Some(field) = fields.get(name(words)) else { continue };
+        for PassiveRule { rule, field, number } in PASSIVE.iter().filter(|it| it.rule.must == must)
+        {
+            let Some(field) = fields.get(field(words)) else { continue };
             for (index, passive) in passive.iter().enumerate() {
                 if let Some(value) = number(passive)
                     && let Some((entry, at)) = entry(field, index)
                     && once.is_new(field, entry)
                 {
-                    let message = format!("{called} {verdict}");
-                    let condition = Condition::new(value.clone(), must, at, message);
-                    requirements.push(vec![condition.shown("")]);
+                    requirements.push(vec![rule.condition(value.clone(), at)]);
                 }
             }
         }
@@ -148,19 +119,15 @@ pub(super) fn limits_are_in_order(draft: &Draft) -> Vec<Requirement> {
     let mut requirements = Vec::new();
     for Group { fields, words, form, passive } in all_groups(draft) {
         let limits = passive.first().and_then(|passive| passive.limits.as_ref());
-        if let (Some(field), Some(Limits { low, high, .. })) = (fields.get(words.limits), limits)
+        if let (Some(field), Some(limits)) = (fields.get(words.limits), limits)
             && let Some(written) = &field.value
             && once.is_new(field, 0)
         {
-            let (message, width) = match form {
-                Form::Quaternion => ("the largest angle must be positive", high.clone()),
-                Form::Numbers | Form::Angles => (
-                    "the first limit must be below the second one",
-                    high.clone().minus(low.clone()),
-                ),
+            let rule = match form {
+                Form::Quaternion => LARGEST_ANGLE,
+                Form::Numbers | Form::Angles => WIDTH,
             };
-            let at = written.extent();
-            requirements.push(vec![Condition::new(width, Must::BePositive, at, message)]);
+            requirements.push(vec![rule.condition(limits.width(), written.extent())]);
         }
     }
     requirements

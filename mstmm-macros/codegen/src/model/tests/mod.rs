@@ -16,6 +16,7 @@ mod mistakes_in_parts;
 mod mistakes_in_routes;
 mod mistakes_in_words;
 mod no_followers;
+mod rules;
 mod warnings;
 
 use proc_macro2::Span;

@@ -1,0 +1,188 @@
+//! What must hold of the numbers of bodies, springs and hinges, each rule once: the compiler judges known
+//! numbers by it, `rustc` those that hang on Rust constants, and setters those that hang on parameters.
+
+use super::condition::{Condition, Must};
+use super::lower::Words;
+use super::{Body, Chain, Hinge, Limits, Passive, RepeatId, Spring, Value};
+use crate::diag::Extent;
+
+/// What must hold of a number.
+pub(super) struct Rule {
+    /// What it must be.
+    pub must: Must,
+    /// What the compiler says where it is not.
+    message: &'static str,
+    /// The unit that the compiler shows a number with that comes from parameters.
+    unit: Option<&'static str>,
+    /// What a setter calls the number.
+    called: &'static str,
+}
+
+pub(super) const MASS: Rule =
+    Rule { unit: Some("kg"), ..positive("a mass must be positive", "mass") };
+pub(super) const MOMENT: Rule = Rule {
+    unit: Some("kg*m^2"),
+    ..not_negative("a moment of inertia cannot be negative", "moments of inertia")
+};
+pub(super) const STIFFNESS: Rule = not_negative("a stiffness cannot be negative", "stiffness");
+pub(super) const DAMPING: Rule = not_negative("a damping cannot be negative", "damping");
+pub(super) const LENGTH: Rule = not_negative("a length cannot be negative", "length");
+pub(super) const WIDTH: Rule = Rule {
+    unit: None,
+    ..positive("the first limit must be below the second one", "width of the limits")
+};
+pub(super) const LARGEST_ANGLE: Rule =
+    Rule { message: "the largest angle must be positive", ..WIDTH };
+
+const fn positive(message: &'static str, called: &'static str) -> Rule {
+    Rule { must: Must::BePositive, message, unit: Some(""), called }
+}
+
+const fn not_negative(message: &'static str, called: &'static str) -> Rule {
+    Rule { must: Must::NotBeNegative, message, unit: Some(""), called }
+}
+
+/// A rule on what acts in a hinge of itself.
+pub(super) struct PassiveRule {
+    /// The rule.
+    pub rule: Rule,
+    /// The field that gives the number.
+    pub field: fn(&Words) -> &'static str,
+    /// The number, if there is one.
+    pub number: fn(&Passive) -> Option<&Value>,
+}
+
+/// All of them but that on the width of limits, which is no field's.
+pub(super) const PASSIVE: &[PassiveRule] = &[
+    PassiveRule {
+        rule: STIFFNESS,
+        field: |words| words.stiffness,
+        number: |passive| Some(&passive.stiffness),
+    },
+    PassiveRule {
+        rule: DAMPING,
+        field: |words| words.damping,
+        number: |passive| Some(&passive.damping),
+    },
+    PassiveRule {
+        rule: not_negative("an armature cannot be negative", "armature"),
+        field: |words| words.armature,
+        number: |passive| Some(&passive.armature),
+    },
+    PassiveRule {
+        rule: not_negative("friction cannot be negative", "friction"),
+        field: |words| words.friction,
+        number: |passive| Some(&passive.friction.as_ref()?.effort),
+    },
+    PassiveRule {
+        // By a speed of zero friction would divide by zero.
+        rule: positive("the speed of friction must be positive", "friction speed"),
+        field: |words| words.friction_speed,
+        number: |passive| Some(&passive.friction.as_ref()?.speed),
+    },
+    PassiveRule {
+        // Limits without stiffness are none.
+        rule: positive("the stiffness of limits must be positive", "limit stiffness"),
+        field: |words| words.limit_stiffness,
+        number: |passive| Some(&passive.limits.as_ref()?.stiffness),
+    },
+    PassiveRule {
+        rule: not_negative("a damping cannot be negative", "limit damping"),
+        field: |words| words.limit_damping,
+        number: |passive| Some(&passive.limits.as_ref()?.damping),
+    },
+];
+
+/// A number that is known at run time only, and what it must be then.
+#[derive(Clone, Debug)]
+pub struct Check {
+    /// The number.
+    pub value: Value,
+    /// What it must be, besides finite.
+    pub must: Must,
+    /// The same in words.
+    pub reason: String,
+    /// The repeated part that it belongs to.
+    pub part: Option<RepeatId>,
+}
+
+impl Rule {
+    /// The rule for a number at this place of the description.
+    pub fn condition(&self, value: Value, at: Extent) -> Condition {
+        Condition { shown: self.unit, ..Condition::new(value, self.must, at, self.message) }
+    }
+
+    /// The rule for a number of an owner, such as a body, that is known at run time only; nothing where the
+    /// compiler has judged it.
+    fn check(&self, value: &Value, owner: &str) -> Option<Check> {
+        let Rule { must, called, .. } = self;
+        let adjective = match must {
+            Must::BeFinite => "finite",
+            Must::BePositive => "positive",
+            Must::NotBeNegative => "not negative",
+        };
+        let reason = format!("must leave the {called} of {owner} {adjective}");
+        let check = || Check { value: value.clone(), must: *must, reason, part: None };
+        value.known().is_none().then(check)
+    }
+}
+
+impl Limits {
+    /// How far it is from the lowest to the highest.
+    pub(super) fn width(&self) -> Value {
+        self.high.clone().minus(self.low.clone())
+    }
+}
+
+impl Chain {
+    /// What must hold of its numbers when parameters are set.
+    pub fn checks(&self) -> Vec<Check> {
+        let of = |part, own: Vec<Check>| own.into_iter().map(move |check| Check { part, ..check });
+        let bodies = self.bodies.enumerate();
+        let bodies = bodies.flat_map(|(id, body)| of(self.repeat_of_body(id), of_body(body)));
+        let hinges = self.hinges.enumerate();
+        let hinges = hinges.flat_map(|(id, hinge)| of(self.repeat_of_hinge(id), of_hinge(hinge)));
+        let springs = self.springs.iter();
+        let springs =
+            springs.flat_map(|spring| of(self.repeat_of_body(spring.body), of_spring(spring)));
+        let mut checks: Vec<Check> = bodies.chain(hinges).chain(springs).collect();
+        // A loop over the times of a part writes to one slice of them.
+        checks.sort_by_key(|check| check.part);
+        checks
+    }
+}
+
+/// That no moment is more than the sum of the others is not asked for: parameters are set one by one,
+/// and three moments could never be made larger then.
+fn of_body(body: &Body) -> Vec<Check> {
+    let owner = format!("body `{}`", body.name);
+    let moments = body.inertia.tensor[..3].iter().filter_map(|one| MOMENT.check(one, &owner));
+    MASS.check(&body.mass, &owner).into_iter().chain(moments).collect()
+}
+
+fn of_hinge(hinge: &Hinge) -> Vec<Check> {
+    let owner = format!("hinge `{}`", hinge.name);
+    let mut checks: Vec<Check> = Vec::new();
+    for passive in &hinge.passive {
+        let numbers = PASSIVE
+            .iter()
+            .filter_map(|PassiveRule { rule, number, .. }| rule.check(number(passive)?, &owner));
+        let width = passive.limits.as_ref().map(Limits::width);
+        for check in numbers.chain(width.and_then(|width| WIDTH.check(&width, &owner))) {
+            // The components of a ball's spring are one number.
+            let same =
+                |other: &Check| (&other.value, &other.reason) == (&check.value, &check.reason);
+            if !checks.iter().any(same) {
+                checks.push(check);
+            }
+        }
+    }
+    checks
+}
+
+fn of_spring(spring: &Spring) -> Vec<Check> {
+    let owner = format!("spring `{}`", spring.name);
+    let numbers =
+        [(STIFFNESS, &spring.stiffness), (DAMPING, &spring.damping), (LENGTH, &spring.length)];
+    numbers.iter().filter_map(|(rule, value)| rule.check(value, &owner)).collect()
+}
