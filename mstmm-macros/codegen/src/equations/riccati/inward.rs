@@ -61,7 +61,7 @@ pub fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<
         let relation = Relation { inertia: here.inertia, bias: here.bias };
         match problem.links[link].parent {
             Some(_) => here.add_to_parent(problem, link, parent),
-            None => parent.open = here.on_ground(over.carried(problem.ground)),
+            None => parent.hold(here.on_ground(over.carried(problem.ground))),
         }
         (steps, pivots, relation)
     };
@@ -161,9 +161,15 @@ impl<S: Scalar> Articulated<S> {
         parent.inertia = parent.inertia + inertia.moved_from(over.arm);
         parent.bias = parent.bias + bias.moved_from(over.arm);
         parent.reach = parent.reach + self.reach + over.arm.dot(over.arm);
-        let Some(open) = self.open else { return };
-        parent.columns = self.columns.iter().map(|&column| over.returned(column)).collect();
-        if parent.open.replace(open).is_some() {
+        if self.open.is_some() {
+            parent.columns = self.columns.iter().map(|&column| over.returned(column)).collect();
+        }
+        parent.hold(self.open);
+    }
+
+    /// Takes over the open loop of a branch, if it has one: a moving end is a branch without.
+    fn hold(&mut self, open: Option<OpenLoop<S>>) {
+        if open.is_some() && std::mem::replace(&mut self.open, open).is_some() {
             unreachable!("mstmm bug: two branches hold the same loop open");
         }
     }
