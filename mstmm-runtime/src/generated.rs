@@ -51,7 +51,7 @@ impl<P, D> Sealed<P, D> {
 
 /// How many units in the last place of its scale a pivot must exceed to count as positive: a pivot that should vanish is
 /// the difference of a few rounded products of that size.
-const NOISE: f64 = 8.0;
+pub const NOISE: f64 = 8.0;
 
 /// Whether all pivots are positive beyond rounding, and numbers finite: so is then their sum, and if it overflows
 /// they mean nothing either. What is known last comes last.
@@ -189,7 +189,7 @@ pub fn check_numbers<T: Scalar, const N: usize>(
 
 /// How many units in the last place of its scale a number must exceed to count as not zero, where equations have to
 /// ask: rows of a closure that hang on others leave the rounding of many operations.
-const REDUNDANT: f64 = 1024.0;
+pub const REDUNDANT: f64 = 1024.0;
 
 /// `1 / value` where it exceeds what rounding can leave of `scale`, zero elsewhere.
 #[inline]

@@ -18,7 +18,7 @@
 //! | [`passes`] | one optimisation a file | `expr`, `ids`, `math`, `program` |
 //! | [`symbols`] | numbers and names of a chain's unknowns | `model` |
 //! | [`weave`] | repeated parts as loops | `equations`, `expr`, `ids` |
-//! | [`compile`](mod@compile) | from a model to its programs | `equations`, `examine`, `expr`, `ids`, `model`, `passes`, `program`, `symbols`, `weave` |
+//! | [`compile`](mod@compile) | from a model to its programs | `equations`, `examine`, `expr`, `ids`, `math`, `model`, `passes`, `program`, `symbols`, `weave` |
 //! | [`emit`] | the only `quote!` of items | `compile`, `diag`, `ids`, `model`, `program`, `syntax` |
 
 #![deny(missing_docs)]

@@ -11,6 +11,7 @@ pub use text::chain_text;
 use crate::equations::{self, Axes, Numbers, Pivot, Situation, Solved, Trace};
 use crate::examine::Findings;
 use crate::expr::{Expr, Graph, Stage};
+use crate::math::NOISE;
 use crate::model::{
     Chain, Check, ClosureRank, Hinge, HingeId, HingeKind, Layout, Method, Passive, RepeatId, Value,
 };
@@ -339,9 +340,6 @@ impl<'a, 'g> Scene<'a, 'g> {
         (program, checks)
     }
 }
-
-/// How many units in the last place of its scale a pivot must exceed: the same as in every step.
-const NOISE: f64 = 8.0;
 
 /// Whether a pivot is known, and known to be positive beyond rounding, so that no step has to look.
 fn is_positive(pivot: &Pivot<Expr>) -> bool {

@@ -5,7 +5,7 @@ mod trial;
 
 use crate::diag::Diagnostics;
 use crate::equations::{self, Numbers, Point, Reaction, Trace};
-use crate::math::Vec3;
+use crate::math::{NOISE, Vec3};
 use crate::model::{Chain, ClosureRank, Drive, Element, Hinge, HingeId, Role, Source};
 use proc_macro2::Ident;
 use trial::{Number, Pose, Trial, numbers};
@@ -17,10 +17,6 @@ const STATES: usize = 4;
 /// Chains of more elements are tried with repeated parts cut short, and drawn so.
 const ELEMENTS: usize = 100;
 const CUT_SHORT: usize = 3;
-
-/// A pivot of less than so many units in the last place of its scale is zero: the same as in every
-/// step.
-const NOISE: f64 = 8.0;
 
 /// The smallest relative pivot of an independent direction. In a pose that is closed within [`CLOSED`] a
 /// redundant direction leaves the square of that, and rounding: far less. A linkage whose smallest singular

@@ -7,12 +7,14 @@ mod rotation;
 mod scalar;
 mod spatial;
 mod structured;
+mod tolerances;
 mod vector;
 
 pub use dual::Dual;
 pub use matrix::{Mat3, Sym3};
 pub use rotation::{PlaneFormula, Rotation, Turn};
-pub use scalar::{NOISE, Scalar};
+pub use scalar::Scalar;
 pub use spatial::{Motion, SpatialInertia, Wrench};
 pub use structured::Structured;
+pub use tolerances::{NOISE, REDUNDANT};
 pub use vector::Vec3;

@@ -1,5 +1,6 @@
 //! What the equations need of a number.
 
+use super::REDUNDANT;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// A number or a formula. There is no ordering: equations cannot branch on values.
@@ -62,10 +63,6 @@ pub trait Scalar:
     }
 }
 
-/// How many units in the last place of its scale a number must exceed to count as not zero, where
-/// equations ask with [`Scalar::recip_above`].
-pub const NOISE: f64 = 1024.0;
-
 macro_rules! plain_number {
     ($($float:ty),*) => { $(
         impl Scalar for $float {
@@ -88,7 +85,7 @@ macro_rules! plain_number {
                 <$float>::atan2(self, x)
             }
             fn recip_above(self, scale: Self) -> Self {
-                let vanishes = self <= NOISE as $float * <$float>::EPSILON * scale;
+                let vanishes = self <= REDUNDANT as $float * <$float>::EPSILON * scale;
                 if vanishes { 0.0 } else { <$float>::recip(self) }
             }
             fn vanishes(self) -> bool {

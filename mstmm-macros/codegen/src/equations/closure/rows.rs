@@ -2,7 +2,7 @@
 
 use super::super::hinge::dot;
 use super::{Rank, Reactions, plus_scaled};
-use crate::math::{NOISE, Scalar};
+use crate::math::{REDUNDANT, Scalar};
 
 /// What a step found.
 pub(super) struct Pivot<S> {
@@ -168,7 +168,7 @@ impl<S: Scalar> Reactions<S> {
     fn guarded_reciprocal(&self, square: S, size: S) -> S {
         let is_kept = self.repeated.iter().flatten().all(|x| x.vanishes());
         let units = if is_kept { 1.0 } else { self.linkage.noise };
-        square.recip_above(size * S::number(units / NOISE))
+        square.recip_above(size * S::number(units / REDUNDANT))
     }
 }
 
