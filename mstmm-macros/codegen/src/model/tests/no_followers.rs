@@ -146,7 +146,7 @@ fn a_type_gives_its_bodies_no_further_error() {
 #[test]
 fn a_refused_name_may_be_the_unknown_one() {
     let refused = |name: &'static str| match name {
-        "points" => (name, "`points` is a method of every chain and cannot be a name"),
+        "points" => (name, "`points` is a method …"),
         _ => (name, "`type` is a keyword of Rust and cannot be a name"),
     };
     for name in ["points", "type"] {
