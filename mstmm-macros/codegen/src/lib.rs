@@ -9,7 +9,7 @@
 //! | [`diag`] | errors and warnings, collected | nothing of ours |
 //! | [`ids`] | types of indices and the lists that they index | nothing of ours |
 //! | [`syntax`] | what was written, with spans | `diag` |
-//! | [`model`] | names resolved, units and constants evaluated, every rule on models | `diag`, `ids`; `syntax` where it is lowered and checked |
+//! | [`model`] | names resolved, units and constants evaluated, every rule on models | `diag`, `ids`, `math`; `syntax` where it is lowered and checked |
 //! | [`math`] | scalars, vectors, spatial blocks | nothing of ours |
 //! | [`equations`] | the paper, generic over [`math::Scalar`] | `ids`, `math`, `model` |
 //! | [`examine`] | a chain tried out in numbers | `diag`, `equations`, `math`, `model` |

@@ -8,7 +8,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("diag.rs", &[]),
     ("ids.rs", &[]),
     ("syntax", &["diag"]),
-    ("model", &["diag", "ids", "syntax"]),
+    ("model", &["diag", "ids", "math", "syntax"]),
     ("math", &[]),
     ("equations", &["ids", "math", "model"]),
     ("examine", &["diag", "equations", "math", "model"]),

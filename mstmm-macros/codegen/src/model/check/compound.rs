@@ -1,12 +1,13 @@
 //! Hinges in a row, without a body between them.
 
+use crate::math::Vec3;
 use crate::model::lower::{Given, Stop};
 use crate::model::{HingeKind, Value};
 
 /// Directions whose sine, or cosine, is less than this are parallel, or at a right angle.
 const ALIKE: f64 = 1e-6;
 
-type Vector = [f64; 3];
+type Vector = Vec3<f64>;
 
 /// What to write in place of hinges in a row, as the end of a message.
 pub(super) fn advice(hinges: &[Stop], defaults: &[Option<f64>]) -> String {
@@ -29,14 +30,14 @@ fn compound(hinges: &[Stop], defaults: &[Option<f64>]) -> Option<&'static str> {
     use HingeKind::{Pin, Slider};
     match kinds?[..] {
         [Pin { axis: a }, Pin { axis: b }] => {
-            (dot(along(a)?, along(b)?).abs() < ALIKE).then_some("universal")
+            (along(a)?.dot(along(b)?).abs() < ALIKE).then_some("universal")
         }
         [Pin { axis: a }, Slider { axis: b }] | [Slider { axis: a }, Pin { axis: b }] => {
             (sine(along(a)?, along(b)?) < ALIKE).then_some("cylindrical")
         }
         [Pin { axis: a }, Pin { axis: b }, Pin { axis: c }] => {
             let (a, b, c) = (along(a)?, along(b)?, along(c)?);
-            (dot(a, cross(b, c)).abs() > ALIKE).then_some("ball")
+            (a.dot(b.cross(c)).abs() > ALIKE).then_some("ball")
         }
         _ => None,
     }
@@ -48,20 +49,11 @@ fn direction(axis: &[Value; 3], defaults: &[Option<f64>]) -> Option<Vector> {
     let [x, y, z] = axis.each_ref().map(|component| component.at(defaults));
     let axis = [x?, y?, z?];
     let largest = axis.iter().fold(0.0_f64, |largest, component| largest.max(component.abs()));
-    (largest > 0.0 && largest.is_finite()).then(|| axis.map(|component| component / largest))
+    (largest > 0.0 && largest.is_finite()).then(|| Vec3(axis.map(|component| component / largest)))
 }
 
 /// The sine of the angle between two directions.
 fn sine(a: Vector, b: Vector) -> f64 {
-    let length = |a: Vector| dot(a, a).sqrt();
-    length(cross(a, b)) / (length(a) * length(b))
-}
-
-fn dot([a, b, c]: Vector, [x, y, z]: Vector) -> f64 {
-    a * x + b * y + c * z
-}
-
-/// `a × b`
-fn cross([a, b, c]: Vector, [x, y, z]: Vector) -> Vector {
-    [b * z - c * y, c * x - a * z, a * y - b * x]
+    let length = |a: Vector| a.dot(a).sqrt();
+    length(a.cross(b)) / (length(a) * length(b))
 }
