@@ -58,7 +58,7 @@ pub fn closing<S: Scalar>(
     let (parent, child) = (link_of(inboard), link_of(outboard));
     let part = |link: Option<LinkId>| link.map_or(PartMotion::ground(), |link| links[link].part());
     let over = cross(situation, axes, (index, false), &part(parent));
-    let alignment = hinge::alignment(&hinge.kind, situation.numbers);
+    let alignment = hinge.kind.law().alignment(situation.numbers);
     let PartMotion { attitude, point, .. } = part(child);
     let child_to_work = over.from_child * (attitude * (rotation * alignment)).transposed();
     let child_arm = attitude * (origin - point);

@@ -5,7 +5,7 @@
 //! accelerations without velocities, efforts and loads.
 
 use super::closing::{Closing, closing};
-use super::hinge::{alignment, coordinate_rates, dot, normalized};
+use super::hinge::{coordinate_rates, dot, normalized};
 use super::kinematics::{Drift, LinkMotion, Pose, poses};
 use super::problem::{Demand, Movement, Problem};
 use super::sweep::PerLink;
@@ -77,7 +77,7 @@ fn gap<S: Scalar>(
 ) -> Gap<S> {
     let hinge = &situation.chain.hinges[closing.over.hinge];
     let (_, origin, rotation) = situation.place(&hinge.outboard);
-    let aligned = rotation * alignment(&hinge.kind, situation.numbers);
+    let aligned = rotation * hinge.kind.law().alignment(situation.numbers);
     let from = pose_of(closing.parent, poses);
     let reached = from.position + from.to_inertial * closing.over.arm;
     let axes = Rotation::general(from.to_inertial * closing.over.to_parent.matrix());

@@ -3,39 +3,55 @@
 //! Coordinates: the unit quaternion (w, x, y, z) that turns outboard components into inboard ones.
 //! Rates: the angular velocity of the outboard frame against the inboard one, outboard axes.
 
-use super::{Direction, Geometry};
+use super::law::{HingeLaw, own_axes};
+use super::{Direction, Geometry, Strains};
+use crate::equations::Numbers;
 use crate::math::{Mat3, Scalar, Vec3};
 
-/// A turn by the quaternion, free about all axes: the moment vanishes, as [P, Eq. (25)] has it for
-/// the next hinge.
-pub fn geometry<S: Scalar>(q: &[S]) -> Geometry<S> {
-    Geometry {
-        rotation: Mat3::from_quaternion([q[0], q[1], q[2], q[3]]),
-        directions: turns(),
-        ..Geometry::fixed()
+/// A ball and socket.
+#[derive(Clone, Copy, Debug)]
+pub struct Ball;
+
+impl<S: Scalar> HingeLaw<S> for Ball {
+    /// A turn by the quaternion, free about all axes: the moment vanishes, as [P, Eq. (25)] has it for
+    /// the next hinge.
+    fn geometry(&self, _: &Numbers<S>, q: &[S]) -> Geometry<S> {
+        Geometry {
+            rotation: Mat3::from_quaternion([q[0], q[1], q[2], q[3]]),
+            directions: turns(),
+            ..Geometry::fixed()
+        }
+    }
+
+    fn alignment(&self, _: &Numbers<S>) -> Mat3<S> {
+        own_axes()
+    }
+
+    /// `½ (w, x, y, z) ∘ (0, ω)`
+    fn coordinate_rates(&self, q: &[S], v: &[S]) -> Vec<S> {
+        let (w, r) = (q[0], Vec3([q[1], q[2], q[3]]));
+        let half = Vec3([v[0], v[1], v[2]]) * S::number(0.5);
+        let vector = half * w + r.cross(half);
+        let mut rates = vec![-r.dot(half)];
+        rates.extend(vector.0);
+        rates
+    }
+
+    /// The quaternion divided by its length.
+    fn normalized(&self, q: &[S]) -> Vec<S> {
+        let square = q.iter().fold(S::zero(), |sum, &x| sum + x * x);
+        let scale = square.sqrt().recip();
+        q.iter().map(|&x| x * scale).collect()
+    }
+
+    fn strains(&self, _: &[S]) -> Strains<S> {
+        Strains::change_by_rates(3)
     }
 }
 
 /// The turns about the three outboard axes.
 pub fn turns<S: Scalar>() -> Vec<Direction<S>> {
     (0..3).map(|k| Direction::about(Vec3::unit(k)).outboard()).collect()
-}
-
-/// `½ (w, x, y, z) ∘ (0, ω)`
-pub fn coordinate_rates<S: Scalar>(q: &[S], v: &[S]) -> Vec<S> {
-    let (w, r) = (q[0], Vec3([q[1], q[2], q[3]]));
-    let half = Vec3([v[0], v[1], v[2]]) * S::number(0.5);
-    let vector = half * w + r.cross(half);
-    let mut rates = vec![-r.dot(half)];
-    rates.extend(vector.0);
-    rates
-}
-
-/// The quaternion divided by its length.
-pub fn normalized<S: Scalar>(q: &[S]) -> Vec<S> {
-    let square = q.iter().fold(S::zero(), |sum, &x| sum + x * x);
-    let scale = square.sqrt().recip();
-    q.iter().map(|&x| x * scale).collect()
 }
 
 /// The rotation vector that leads from the quaternion `rest` to `q`, outboard axes: of the two that

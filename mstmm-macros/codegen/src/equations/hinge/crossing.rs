@@ -1,6 +1,6 @@
 //! Over a hinge from the parent's side to the child's, whichever of the two is the inboard one.
 
-use super::{Direction, Geometry, geometry};
+use super::{Direction, Geometry};
 use crate::equations::Numbers;
 use crate::equations::strategy::turns_stepwise;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Turn, Vec3};
@@ -45,7 +45,7 @@ pub fn crossing<S: Scalar>(
     q: &[S],
     reversed: bool,
 ) -> Crossing<S> {
-    let geometry = geometry(kind, numbers, q);
+    let geometry = kind.law().geometry(numbers, q);
     if reversed { inwards(geometry) } else { outwards(geometry) }
 }
 

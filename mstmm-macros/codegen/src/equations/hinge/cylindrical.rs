@@ -3,18 +3,44 @@
 //! Coordinates: the way in m as for a slider, the angle in rad as for a pin.
 
 use super::axis::Alignment;
-use super::{Direction, Geometry};
+use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
+use super::{Direction, Geometry, Strains};
 use crate::equations::Numbers;
-use crate::math::Scalar;
+use crate::math::{Mat3, Scalar};
 use crate::model::Value;
 
-/// A shift and a turn.
-pub fn geometry<S: Scalar>(axis: &[Value; 3], numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
-    let along = Alignment::with(axis, numbers);
-    let direction = along.direction();
-    Geometry {
-        offset: direction * q[0],
-        directions: vec![Direction::along(direction), Direction::about(direction)],
-        ..Geometry::turned(along.turn(q[1]))
+/// A cylindrical hinge.
+#[derive(Clone, Copy, Debug)]
+pub struct Cylindrical<'a> {
+    /// The axis, the same on both sides.
+    pub axis: &'a [Value; 3],
+}
+
+impl<S: Scalar> HingeLaw<S> for Cylindrical<'_> {
+    /// A shift and a turn.
+    fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
+        let along = Alignment::with(self.axis, numbers);
+        let direction = along.direction();
+        Geometry {
+            offset: direction * q[0],
+            directions: vec![Direction::along(direction), Direction::about(direction)],
+            ..Geometry::turned(along.turn(q[1]))
+        }
+    }
+
+    fn alignment(&self, numbers: &Numbers<S>) -> Mat3<S> {
+        Alignment::with(self.axis, numbers).rotation
+    }
+
+    fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {
+        coordinates_change_by(v)
+    }
+
+    fn normalized(&self, q: &[S]) -> Vec<S> {
+        free_of_quaternions(q)
+    }
+
+    fn strains(&self, _: &[S]) -> Strains<S> {
+        Strains::change_by_rates(2)
     }
 }

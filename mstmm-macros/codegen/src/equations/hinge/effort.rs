@@ -2,7 +2,7 @@
 //! the inertia of rotors, each along one strain.
 
 use super::passive::{Acting, Along, along_group};
-use super::strain::{self, Strains, strains};
+use super::strain::{self, Strains};
 use crate::equations::Numbers;
 use crate::math::Scalar;
 use crate::model::{Hinge, Passive};
@@ -34,7 +34,7 @@ pub fn passives<S: Scalar>(
     v: &[S],
     implicit: Option<S>,
 ) -> Passives<S> {
-    let strains = strains(&hinge.kind, q);
+    let strains = hinge.kind.law().strains(q);
     let rates = strain::rates(&strains.rows, v);
     let rotors: Vec<S> = hinge.passive.iter().map(|p| numbers.scalar(&p.armature)).collect();
     let mut inertias = rotors.clone();

@@ -11,45 +11,66 @@
 //! `m_x`.
 //! Both reactions act at the outboard origin, and no angular momentum comes from nothing.
 
-use super::{Geometry, floating};
+use super::law::{HingeLaw, free_of_quaternions, own_axes};
+use super::{Geometry, Strains, floating, strain};
+use crate::equations::Numbers;
 use crate::math::{Mat3, Scalar, Vec3};
 
-/// A shift and a turn; everything is free.
-pub fn geometry<S: Scalar>(q: &[S]) -> Geometry<S> {
-    let about = |k: usize| Mat3::turn_about(k, q[3 + k].sin_cos());
-    Geometry {
-        rotation: about(2) * (about(1) * about(0)),
-        offset: about(2) * Vec3([q[0], q[1], q[2]]),
-        directions: floating::directions(),
-        ..Geometry::fixed()
-    }
-}
+/// An elastic hinge.
+#[derive(Clone, Copy, Debug)]
+pub struct Elastic;
 
-/// From rates to the rates of the coordinates, and back.
-///
-/// `Ω = ξ θ̇₁ + A_xᵀ η θ̇₂ + A_xᵀ A_yᵀ ζ θ̇_r` in outboard axes, and `ḋ = A_z (Δ̇ + θ̇_r ζ × Δ)`.
-pub fn strains<S: Scalar>(q: &[S]) -> (Vec<Vec<S>>, Vec<Vec<S>>) {
-    let (zero, one) = (S::zero(), S::one());
-    let ([s1, s2, s3], [c1, c2, c3]) = sines(q);
-    let tangent = s2 * c2.recip();
-    let secant = c2.recip();
-    // θ̇ = H⁻¹ Ω, and H [P, Eq. (1)] for outboard axes.
-    let angles =
-        [[one, s1 * tangent, c1 * tangent], [zero, c1, -s1], [zero, s1 * secant, c1 * secant]];
-    let spins = [[one, zero, -s2], [zero, c1, s1 * c2], [zero, -s1, c1 * c2]];
-    let turned = [-q[1], q[0], zero];
-    let shift = [[c3, -s3, zero], [s3, c3, zero], [zero, zero, one]];
-    let (mut to, mut back) = (Vec::new(), Vec::new());
-    for row in 0..3 {
-        let shift_back = [0, 1, 2].map(|column| shift[column][row]);
-        to.push(shift_back.into_iter().chain(angles[2].map(|h| -(turned[row] * h))).collect());
-        let yaw = Vec3(shift[row]).dot(Vec3(turned));
-        back.push(shift[row].into_iter().chain([zero, zero, yaw]).collect());
+impl<S: Scalar> HingeLaw<S> for Elastic {
+    /// A shift and a turn; everything is free.
+    fn geometry(&self, _: &Numbers<S>, q: &[S]) -> Geometry<S> {
+        let about = |k: usize| Mat3::turn_about(k, q[3 + k].sin_cos());
+        Geometry {
+            rotation: about(2) * (about(1) * about(0)),
+            offset: about(2) * Vec3([q[0], q[1], q[2]]),
+            directions: floating::directions(),
+            ..Geometry::fixed()
+        }
     }
-    let behind = |row: [S; 3]| [zero; 3].into_iter().chain(row).collect::<Vec<S>>();
-    to.extend(angles.map(behind));
-    back.extend(spins.map(behind));
-    (to, back)
+
+    fn alignment(&self, _: &Numbers<S>) -> Mat3<S> {
+        own_axes()
+    }
+
+    /// The strains are the coordinates less their rest values.
+    fn coordinate_rates(&self, q: &[S], v: &[S]) -> Vec<S> {
+        strain::rates(&self.strains(q).rows, v)
+    }
+
+    fn normalized(&self, q: &[S]) -> Vec<S> {
+        free_of_quaternions(q)
+    }
+
+    /// From rates to the rates of the coordinates, and back.
+    ///
+    /// `Ω = ξ θ̇₁ + A_xᵀ η θ̇₂ + A_xᵀ A_yᵀ ζ θ̇_r` in outboard axes, and `ḋ = A_z (Δ̇ + θ̇_r ζ × Δ)`.
+    fn strains(&self, q: &[S]) -> Strains<S> {
+        let (zero, one) = (S::zero(), S::one());
+        let ([s1, s2, s3], [c1, c2, c3]) = sines(q);
+        let tangent = s2 * c2.recip();
+        let secant = c2.recip();
+        // θ̇ = H⁻¹ Ω, and H [P, Eq. (1)] for outboard axes.
+        let angles =
+            [[one, s1 * tangent, c1 * tangent], [zero, c1, -s1], [zero, s1 * secant, c1 * secant]];
+        let spins = [[one, zero, -s2], [zero, c1, s1 * c2], [zero, -s1, c1 * c2]];
+        let turned = [-q[1], q[0], zero];
+        let shift = [[c3, -s3, zero], [s3, c3, zero], [zero, zero, one]];
+        let (mut to, mut back) = (Vec::new(), Vec::new());
+        for row in 0..3 {
+            let shift_back = [0, 1, 2].map(|column| shift[column][row]);
+            to.push(shift_back.into_iter().chain(angles[2].map(|h| -(turned[row] * h))).collect());
+            let yaw = Vec3(shift[row]).dot(Vec3(turned));
+            back.push(shift[row].into_iter().chain([zero, zero, yaw]).collect());
+        }
+        let behind = |row: [S; 3]| [zero; 3].into_iter().chain(row).collect::<Vec<S>>();
+        to.extend(angles.map(behind));
+        back.extend(spins.map(behind));
+        Strains::of(to, back)
+    }
 }
 
 fn sines<S: Scalar>(q: &[S]) -> ([S; 3], [S; 3]) {

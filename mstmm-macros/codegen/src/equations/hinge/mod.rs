@@ -1,10 +1,8 @@
 //! Hinges: how each turns and shifts its outboard frame against its inboard one, and which
 //! directions it leaves free. One file a kind.
 //!
-//! A new kind is a variant of [`HingeKind`] and four files, each with its line in the list beside
-//! it: its words in `model/lower/hinge`, its numbers in `model/hinge`, its [`Geometry`] here, and the
-//! view of its coordinates in the runtime's `hinge`. What follows from the geometry, what acts along
-//! the free directions and how hinges close a loop is the same for all.
+//! Each kind is one [`HingeLaw`]; `CONTRIBUTING.md` lists what else a new kind needs. What follows from the
+//! law, what acts along the free directions and how hinges close a loop is the same for all.
 //!
 //! A hinge is crossed from the side that motion comes from (the *parent*) to the other (the
 //! *child*). The parent is the inboard side, unless the chain is held at its end only: then the
@@ -19,6 +17,7 @@ mod effort;
 mod elastic;
 mod floating;
 mod freedom;
+mod law;
 mod passive;
 mod pin;
 mod planar;
@@ -32,12 +31,11 @@ mod weld;
 pub use crossing::{Crossing, WorkAxes, combine, crossing};
 pub use effort::{Passives, passives};
 pub use freedom::{Column, Freedom, dot, freedom, identity, prescribed};
-pub use strain::{Strains, strains};
+pub use law::HingeLaw;
+pub use strain::Strains;
 
-use super::Numbers;
 use crate::math::{Mat3, Motion, Scalar, Turn, Vec3};
 use crate::model::HingeKind;
-use axis::Alignment;
 
 /// A hinge at given coordinates, in aligned axes.
 #[derive(Clone, Debug)]
@@ -101,55 +99,12 @@ impl<S: Scalar> Direction<S> {
     }
 }
 
-/// The geometry of a hinge.
-pub fn geometry<S: Scalar>(kind: &HingeKind, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
-    match kind {
-        HingeKind::Weld => weld::geometry(),
-        HingeKind::Pin { axis } => pin::geometry(axis, numbers, q),
-        HingeKind::Slider { axis } => slider::geometry(axis, numbers, q),
-        HingeKind::Screw { axis, pitch } => screw::geometry(axis, pitch, numbers, q),
-        HingeKind::Cylindrical { axis } => cylindrical::geometry(axis, numbers, q),
-        HingeKind::Universal { axes } => universal::geometry(axes, numbers, q),
-        HingeKind::Ball => ball::geometry(q),
-        HingeKind::Planar { normal } => planar::geometry(*normal, q),
-        HingeKind::Floating => floating::geometry(q),
-        HingeKind::Elastic => elastic::geometry(q),
-        HingeKind::PlaneElastic => plane_elastic::geometry(q),
-    }
-}
-
-/// The rotation from aligned axes to those of the hinge's frames.
-pub fn alignment<S: Scalar>(kind: &HingeKind, numbers: &Numbers<S>) -> Mat3<S> {
-    match kind {
-        HingeKind::Pin { axis }
-        | HingeKind::Slider { axis }
-        | HingeKind::Screw { axis, .. }
-        | HingeKind::Cylindrical { axis }
-        | HingeKind::Universal { axes: [_, axis] } => Alignment::with(axis, numbers).rotation,
-        HingeKind::Weld
-        | HingeKind::Ball
-        | HingeKind::Planar { .. }
-        | HingeKind::Floating
-        | HingeKind::Elastic
-        | HingeKind::PlaneElastic => Mat3::identity(),
-    }
-}
-
-/// The time derivative of the coordinates.
+/// The time derivative of the coordinates of a hinge.
 pub fn coordinate_rates<S: Scalar>(kind: &HingeKind, q: &[S], v: &[S]) -> Vec<S> {
-    match kind {
-        HingeKind::Ball => ball::coordinate_rates(q, v),
-        HingeKind::Floating => floating::coordinate_rates(q, v),
-        HingeKind::Elastic | HingeKind::PlaneElastic => strain::rates(&strains(kind, q).rows, v),
-        _ => v.to_vec(),
-    }
+    kind.law().coordinate_rates(q, v)
 }
 
-/// The coordinates with quaternions put back to unit length.
+/// The coordinates of a hinge with quaternions put back to unit length.
 pub fn normalized<S: Scalar>(kind: &HingeKind, q: &[S]) -> Vec<S> {
-    match kind {
-        HingeKind::Ball => ball::normalized(q),
-        HingeKind::Floating => floating::normalized(q),
-        _ => q.to_vec(),
-    }
+    kind.law().normalized(q)
 }

@@ -5,14 +5,40 @@
 //! then a single number, `H_2 Aᵀ m = 0` of [P, Eq. (35)].
 
 use super::axis::Alignment;
-use super::{Direction, Geometry};
+use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
+use super::{Direction, Geometry, Strains};
 use crate::equations::Numbers;
-use crate::math::Scalar;
+use crate::math::{Mat3, Scalar};
 use crate::model::Value;
 
-/// A turn about the axis: `Ω_O = Ω_I + A_O ω_r` [P, Eq. (36)].
-pub fn geometry<S: Scalar>(axis: &[Value; 3], numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
-    let along = Alignment::with(axis, numbers);
-    let turn = Direction::about(along.direction());
-    Geometry { directions: vec![turn], ..Geometry::turned(along.turn(q[0])) }
+/// A pin.
+#[derive(Clone, Copy, Debug)]
+pub struct Pin<'a> {
+    /// The axis, the same on both sides.
+    pub axis: &'a [Value; 3],
+}
+
+impl<S: Scalar> HingeLaw<S> for Pin<'_> {
+    /// A turn about the axis: `Ω_O = Ω_I + A_O ω_r` [P, Eq. (36)].
+    fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
+        let along = Alignment::with(self.axis, numbers);
+        let turn = Direction::about(along.direction());
+        Geometry { directions: vec![turn], ..Geometry::turned(along.turn(q[0])) }
+    }
+
+    fn alignment(&self, numbers: &Numbers<S>) -> Mat3<S> {
+        Alignment::with(self.axis, numbers).rotation
+    }
+
+    fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {
+        coordinates_change_by(v)
+    }
+
+    fn normalized(&self, q: &[S]) -> Vec<S> {
+        free_of_quaternions(q)
+    }
+
+    fn strains(&self, _: &[S]) -> Strains<S> {
+        Strains::change_by_rates(1)
+    }
 }

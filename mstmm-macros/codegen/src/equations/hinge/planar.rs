@@ -3,20 +3,47 @@
 //! Coordinates: the ways in m of the outboard origin along the two inboard axes that follow the
 //! normal, and the angle in rad about the normal.
 
-use super::{Direction, Geometry};
-use crate::math::{Scalar, Turn, Vec3};
+use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions, own_axes};
+use super::{Direction, Geometry, Strains};
+use crate::equations::Numbers;
+use crate::math::{Mat3, Scalar, Turn, Vec3};
 
-/// Two shifts along inboard axes and a turn.
-pub fn geometry<S: Scalar>(normal: usize, q: &[S]) -> Geometry<S> {
-    let [first, second] = [1, 2].map(|k| Vec3::unit((normal + k) % 3));
-    let (sin, cos) = q[2].sin_cos();
-    Geometry {
-        offset: first * q[0] + second * q[1],
-        directions: vec![
-            Direction::along(first),
-            Direction::along(second),
-            Direction::about(Vec3::unit(normal)),
-        ],
-        ..Geometry::turned(Turn { axis: normal, sin, cos })
+/// A planar hinge.
+#[derive(Clone, Copy, Debug)]
+pub struct Planar {
+    /// Which axis the normal is.
+    pub normal: usize,
+}
+
+impl<S: Scalar> HingeLaw<S> for Planar {
+    /// Two shifts along inboard axes and a turn.
+    fn geometry(&self, _: &Numbers<S>, q: &[S]) -> Geometry<S> {
+        let [first, second] = [1, 2].map(|k| Vec3::unit((self.normal + k) % 3));
+        let (sin, cos) = q[2].sin_cos();
+        Geometry {
+            offset: first * q[0] + second * q[1],
+            directions: vec![
+                Direction::along(first),
+                Direction::along(second),
+                Direction::about(Vec3::unit(self.normal)),
+            ],
+            ..Geometry::turned(Turn { axis: self.normal, sin, cos })
+        }
+    }
+
+    fn alignment(&self, _: &Numbers<S>) -> Mat3<S> {
+        own_axes()
+    }
+
+    fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {
+        coordinates_change_by(v)
+    }
+
+    fn normalized(&self, q: &[S]) -> Vec<S> {
+        free_of_quaternions(q)
+    }
+
+    fn strains(&self, _: &[S]) -> Strains<S> {
+        Strains::change_by_rates(3)
     }
 }

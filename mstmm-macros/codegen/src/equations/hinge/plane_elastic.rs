@@ -5,27 +5,50 @@
 //! rad. Rates: as for a planar hinge. Efforts act along the rates of the coordinates, as for the
 //! elastic hinge in space.
 
-use super::{Geometry, planar};
-use crate::math::Scalar;
+use super::law::{HingeLaw, free_of_quaternions, own_axes};
+use super::planar::Planar;
+use super::{Geometry, Strains, strain};
+use crate::equations::Numbers;
+use crate::math::{Mat3, Scalar};
 
-/// Two shifts and a turn.
-pub fn geometry<S: Scalar>(q: &[S]) -> Geometry<S> {
-    let (sin, cos) = q[2].sin_cos();
-    let offset = [cos * q[0] - sin * q[1], sin * q[0] + cos * q[1]];
-    planar::geometry(2, &[offset[0], offset[1], q[2]])
-}
+/// An elastic hinge in the plane.
+#[derive(Clone, Copy, Debug)]
+pub struct PlaneElastic;
 
-/// From rates to the rates of the coordinates, and back.
-pub fn strains<S: Scalar>(q: &[S]) -> (Vec<Vec<S>>, Vec<Vec<S>>) {
-    let (zero, one) = (S::zero(), S::one());
-    let (sin, cos) = q[2].sin_cos();
-    let turned = [-q[1], q[0]];
-    let along = |x: S, y: S| x * turned[0] + y * turned[1];
-    let to = vec![vec![cos, sin, -turned[0]], vec![-sin, cos, -turned[1]], vec![zero, zero, one]];
-    let back = vec![
-        vec![cos, -sin, along(cos, -sin)],
-        vec![sin, cos, along(sin, cos)],
-        vec![zero, zero, one],
-    ];
-    (to, back)
+impl<S: Scalar> HingeLaw<S> for PlaneElastic {
+    /// Two shifts and a turn.
+    fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
+        let (sin, cos) = q[2].sin_cos();
+        let offset = [cos * q[0] - sin * q[1], sin * q[0] + cos * q[1]];
+        Planar { normal: 2 }.geometry(numbers, &[offset[0], offset[1], q[2]])
+    }
+
+    fn alignment(&self, _: &Numbers<S>) -> Mat3<S> {
+        own_axes()
+    }
+
+    /// The strains are the coordinates less their rest values.
+    fn coordinate_rates(&self, q: &[S], v: &[S]) -> Vec<S> {
+        strain::rates(&self.strains(q).rows, v)
+    }
+
+    fn normalized(&self, q: &[S]) -> Vec<S> {
+        free_of_quaternions(q)
+    }
+
+    /// From rates to the rates of the coordinates, and back.
+    fn strains(&self, q: &[S]) -> Strains<S> {
+        let (zero, one) = (S::zero(), S::one());
+        let (sin, cos) = q[2].sin_cos();
+        let turned = [-q[1], q[0]];
+        let along = |x: S, y: S| x * turned[0] + y * turned[1];
+        let to =
+            vec![vec![cos, sin, -turned[0]], vec![-sin, cos, -turned[1]], vec![zero, zero, one]];
+        let back = vec![
+            vec![cos, -sin, along(cos, -sin)],
+            vec![sin, cos, along(sin, cos)],
+            vec![zero, zero, one],
+        ];
+        Strains::of(to, back)
+    }
 }

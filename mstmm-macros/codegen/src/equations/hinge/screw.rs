@@ -3,24 +3,47 @@
 //! Coordinate: the angle in rad as for a pin; the outboard origin is shifted by `pitch · angle`.
 
 use super::axis::Alignment;
-use super::{Direction, Geometry};
+use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
+use super::{Direction, Geometry, Strains};
 use crate::equations::Numbers;
-use crate::math::{Motion, Scalar};
+use crate::math::{Mat3, Motion, Scalar};
 use crate::model::Value;
 
-/// A turn with its shift, `S = [pitch ζ; ζ]`.
-pub fn geometry<S: Scalar>(
-    axis: &[Value; 3],
-    pitch: &Value,
-    numbers: &Numbers<S>,
-    q: &[S],
-) -> Geometry<S> {
-    let along = Alignment::with(axis, numbers);
-    let direction = along.direction();
-    let shift = direction * numbers.scalar(pitch);
-    Geometry {
-        offset: shift * q[0],
-        directions: vec![Direction::inboard(Motion { linear: shift, angular: direction })],
-        ..Geometry::turned(along.turn(q[0]))
+/// A screw.
+#[derive(Clone, Copy, Debug)]
+pub struct Screw<'a> {
+    /// The axis, the same on both sides.
+    pub axis: &'a [Value; 3],
+    /// Shift in m for a turn by one rad.
+    pub pitch: &'a Value,
+}
+
+impl<S: Scalar> HingeLaw<S> for Screw<'_> {
+    /// A turn with its shift, `S = [pitch ζ; ζ]`.
+    fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
+        let along = Alignment::with(self.axis, numbers);
+        let direction = along.direction();
+        let shift = direction * numbers.scalar(self.pitch);
+        Geometry {
+            offset: shift * q[0],
+            directions: vec![Direction::inboard(Motion { linear: shift, angular: direction })],
+            ..Geometry::turned(along.turn(q[0]))
+        }
+    }
+
+    fn alignment(&self, numbers: &Numbers<S>) -> Mat3<S> {
+        Alignment::with(self.axis, numbers).rotation
+    }
+
+    fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {
+        coordinates_change_by(v)
+    }
+
+    fn normalized(&self, q: &[S]) -> Vec<S> {
+        free_of_quaternions(q)
+    }
+
+    fn strains(&self, _: &[S]) -> Strains<S> {
+        Strains::change_by_rates(1)
     }
 }

@@ -3,17 +3,43 @@
 //! Coordinate: the way in m of the outboard origin along the axis.
 
 use super::axis::Alignment;
-use super::{Direction, Geometry};
+use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
+use super::{Direction, Geometry, Strains};
 use crate::equations::Numbers;
-use crate::math::Scalar;
+use crate::math::{Mat3, Scalar};
 use crate::model::Value;
 
-/// A shift along the axis.
-pub fn geometry<S: Scalar>(axis: &[Value; 3], numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
-    let along = Alignment::with(axis, numbers).direction();
-    Geometry {
-        offset: along * q[0],
-        directions: vec![Direction::along(along)],
-        ..Geometry::fixed()
+/// A slider.
+#[derive(Clone, Copy, Debug)]
+pub struct Slider<'a> {
+    /// The axis, the same on both sides.
+    pub axis: &'a [Value; 3],
+}
+
+impl<S: Scalar> HingeLaw<S> for Slider<'_> {
+    /// A shift along the axis.
+    fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
+        let along = Alignment::with(self.axis, numbers).direction();
+        Geometry {
+            offset: along * q[0],
+            directions: vec![Direction::along(along)],
+            ..Geometry::fixed()
+        }
+    }
+
+    fn alignment(&self, numbers: &Numbers<S>) -> Mat3<S> {
+        Alignment::with(self.axis, numbers).rotation
+    }
+
+    fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {
+        coordinates_change_by(v)
+    }
+
+    fn normalized(&self, q: &[S]) -> Vec<S> {
+        free_of_quaternions(q)
+    }
+
+    fn strains(&self, _: &[S]) -> Strains<S> {
+        Strains::change_by_rates(1)
     }
 }

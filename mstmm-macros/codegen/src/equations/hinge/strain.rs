@@ -1,7 +1,7 @@
 //! Strains: how far a hinge is from rest, in the measures that its springs act on.
 
-use super::freedom::dot;
-use super::{ball, elastic, plane_elastic};
+use super::ball;
+use super::freedom::{dot, identity};
 use crate::math::{Dual, Scalar};
 use crate::model::{Form, Freedoms, HingeKind};
 
@@ -12,16 +12,21 @@ pub struct Strains<S> {
     pub rows: Vec<Vec<S>>,
     /// `J⁻¹`, by rows.
     pub inverse: Vec<Vec<S>>,
+    /// Whether `J` is the same at all coordinates.
+    is_constant: bool,
 }
 
-/// The strains of a hinge at given coordinates.
-pub fn strains<S: Scalar>(kind: &HingeKind, q: &[S]) -> Strains<S> {
-    let (rows, inverse) = match kind {
-        HingeKind::Elastic => elastic::strains(q),
-        HingeKind::PlaneElastic => plane_elastic::strains(q),
-        _ => super::freedom::identity(kind.freedoms()),
-    };
-    Strains { rows, inverse }
+impl<S: Scalar> Strains<S> {
+    /// Strains that change by so many rates, `J = 1`.
+    pub fn change_by_rates(count: usize) -> Self {
+        let (rows, inverse) = identity(count);
+        Strains { rows, inverse, is_constant: true }
+    }
+
+    /// By `J` and `J⁻¹`, which depend on the coordinates.
+    pub fn of(rows: Vec<Vec<S>>, inverse: Vec<Vec<S>>) -> Self {
+        Strains { rows, inverse, is_constant: false }
+    }
 }
 
 /// `s`, one for each rate: coordinates less their rest values, rotation vectors from rest.
@@ -49,14 +54,14 @@ pub fn returned<S: Scalar>(rows: &[Vec<S>], along: &[S]) -> Vec<S> {
 
 /// `J̇ v`, the strain accelerations that the rates alone make, where a rotor feels them.
 pub fn drift<S: Scalar>(kind: &HingeKind, q: &[S], v: &[S], rotors: &[S]) -> Vec<S> {
-    let mixed = matches!(kind, HingeKind::Elastic | HingeKind::PlaneElastic);
-    if !mixed || rotors.iter().all(|rotor| rotor.vanishes()) {
+    let strains = kind.law().strains(q);
+    if strains.is_constant || rotors.iter().all(|rotor| rotor.vanishes()) {
         return vec![S::zero(); v.len()];
     }
-    // The strains are the coordinates, and change with J v.
-    let coordinate_rates = rates(&strains(kind, q).rows, v);
+    let coordinate_rates = kind.law().coordinate_rates(q, v);
     let moving: Vec<Dual<S>> =
         q.iter().zip(coordinate_rates).map(|(&q, rate)| Dual::new(q, rate)).collect();
     let rates_held: Vec<Dual<S>> = v.iter().map(|&v| Dual::new(v, S::zero())).collect();
-    rates(&strains(kind, &moving).rows, &rates_held).iter().map(|sum| sum.derivative()).collect()
+    let moving = kind.law().strains(&moving);
+    rates(&moving.rows, &rates_held).iter().map(|sum| sum.derivative()).collect()
 }

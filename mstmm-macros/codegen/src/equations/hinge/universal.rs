@@ -5,23 +5,49 @@
 //! the outboard one.
 
 use super::axis::{Alignment, turn_about};
-use super::{Direction, Geometry};
+use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
+use super::{Direction, Geometry, Strains};
 use crate::equations::Numbers;
 use crate::math::{Mat3, Scalar, Vec3};
 use crate::model::Value;
 
-/// Two turns, each about an axis fixed on its side; the first carries the second's axis with it.
-pub fn geometry<S: Scalar>(axes: &[[Value; 3]; 2], numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
-    let outboard = Alignment::with(&axes[1], numbers);
-    let first = inboard_axis(&axes[0], &outboard, numbers);
-    let rotation = first_turn(first, q[0].sin_cos()) * outboard.turn(q[1]).matrix();
-    Geometry {
-        rotation,
-        directions: vec![
-            Direction::about(first),
-            Direction::about(outboard.direction()).outboard(),
-        ],
-        ..Geometry::fixed()
+/// A universal hinge.
+#[derive(Clone, Copy, Debug)]
+pub struct Universal<'a> {
+    /// The axis fixed on the inboard side, and the one fixed on the outboard side.
+    pub axes: &'a [[Value; 3]; 2],
+}
+
+impl<S: Scalar> HingeLaw<S> for Universal<'_> {
+    /// Two turns, each about an axis fixed on its side; the first carries the second's axis with it.
+    fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
+        let outboard = Alignment::with(&self.axes[1], numbers);
+        let first = inboard_axis(&self.axes[0], &outboard, numbers);
+        let rotation = first_turn(first, q[0].sin_cos()) * outboard.turn(q[1]).matrix();
+        Geometry {
+            rotation,
+            directions: vec![
+                Direction::about(first),
+                Direction::about(outboard.direction()).outboard(),
+            ],
+            ..Geometry::fixed()
+        }
+    }
+
+    fn alignment(&self, numbers: &Numbers<S>) -> Mat3<S> {
+        Alignment::with(&self.axes[1], numbers).rotation
+    }
+
+    fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {
+        coordinates_change_by(v)
+    }
+
+    fn normalized(&self, q: &[S]) -> Vec<S> {
+        free_of_quaternions(q)
+    }
+
+    fn strains(&self, _: &[S]) -> Strains<S> {
+        Strains::change_by_rates(2)
     }
 }
 

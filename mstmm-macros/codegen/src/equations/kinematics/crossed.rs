@@ -101,7 +101,7 @@ pub fn cross<S: Scalar>(
     let (_, from_origin, from_rotation) = situation.place(from);
     let (q, v) = (situation.coordinates(index), situation.rates(index));
     let crossing = hinge::crossing(&hinge.kind, numbers, q, reversed);
-    let alignment = hinge::alignment(&hinge.kind, numbers);
+    let alignment = hinge.kind.law().alignment(numbers);
     let &PartMotion { attitude, point, omega } = parent;
     let from_parent_side = attitude * (from_rotation * alignment);
     let of_child =

@@ -19,7 +19,6 @@ mod pose;
 pub use crossed::{Crossed, Drift, cross};
 pub use pose::{Pose, poses};
 
-use super::hinge;
 use super::sweep::{Flatten, PerLink};
 use super::{Situation, Trace};
 use crate::ids::LinkId;
@@ -149,7 +148,7 @@ fn link_motion<S: Scalar>(
     let over = cross(situation, axes, (link.hinge, link.reversed), parent);
     let (_, to) = sides(situation.chain, link);
     let (_, point, rotation) = situation.place(to);
-    let alignment = hinge::alignment(&situation.chain.hinges[link.hinge].kind, situation.numbers);
+    let alignment = situation.chain.hinges[link.hinge].kind.law().alignment(situation.numbers);
     let attitude = over.from_child * (rotation * alignment).transposed();
     let carried = over.to_parent.back(parent.omega);
     let rigid = rigid_part(situation, link, to, point);

@@ -1,0 +1,58 @@
+//! What a kind of hinge is to the equations.
+
+use super::{
+    Geometry, Strains, ball::Ball, cylindrical::Cylindrical, elastic::Elastic, floating::Floating,
+    pin::Pin, planar::Planar, plane_elastic::PlaneElastic, screw::Screw, slider::Slider,
+    universal::Universal, weld::Weld,
+};
+use crate::equations::Numbers;
+use crate::math::{Mat3, Scalar};
+use crate::model::HingeKind;
+
+/// The law of a kind of hinge. Every kind says all of it, in this order.
+pub trait HingeLaw<S: Scalar> {
+    /// The geometry at coordinates `q`, in aligned axes.
+    fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S>;
+    /// The rotation from aligned axes to those of the hinge's frames.
+    fn alignment(&self, numbers: &Numbers<S>) -> Mat3<S>;
+    /// The time derivative of the coordinates at rates `v`.
+    fn coordinate_rates(&self, q: &[S], v: &[S]) -> Vec<S>;
+    /// The coordinates with quaternions put back to unit length.
+    fn normalized(&self, q: &[S]) -> Vec<S>;
+    /// How rates become strain rates.
+    fn strains(&self, q: &[S]) -> Strains<S>;
+}
+
+impl HingeKind {
+    /// The law of this kind.
+    pub fn law<S: Scalar>(&self) -> Box<dyn HingeLaw<S> + '_> {
+        match self {
+            HingeKind::Weld => Box::new(Weld),
+            HingeKind::Pin { axis } => Box::new(Pin { axis }),
+            HingeKind::Slider { axis } => Box::new(Slider { axis }),
+            HingeKind::Screw { axis, pitch } => Box::new(Screw { axis, pitch }),
+            HingeKind::Cylindrical { axis } => Box::new(Cylindrical { axis }),
+            HingeKind::Universal { axes } => Box::new(Universal { axes }),
+            HingeKind::Ball => Box::new(Ball),
+            HingeKind::Planar { normal } => Box::new(Planar { normal: *normal }),
+            HingeKind::Floating => Box::new(Floating),
+            HingeKind::Elastic => Box::new(Elastic),
+            HingeKind::PlaneElastic => Box::new(PlaneElastic),
+        }
+    }
+}
+
+/// The alignment of a hinge whose free directions lie along the axes of its frames.
+pub fn own_axes<S: Scalar>() -> Mat3<S> {
+    Mat3::identity()
+}
+
+/// The rates of coordinates that change by the hinge's rates, `q̇ = v`.
+pub fn coordinates_change_by<S: Scalar>(v: &[S]) -> Vec<S> {
+    v.to_vec()
+}
+
+/// Coordinates with no quaternion among them, which have no length to keep.
+pub fn free_of_quaternions<S: Scalar>(q: &[S]) -> Vec<S> {
+    q.to_vec()
+}
