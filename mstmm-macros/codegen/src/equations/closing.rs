@@ -10,6 +10,7 @@
 //! A rotor with inertia `I` along a free direction holds that one with an inertia: the direction is
 //! `−I W`, and its `λ` is the acceleration `q̈ = Wᵀ (a_c − X a_p − b)`, so that `F = W (τ − I q̈)`.
 
+use super::elimination::{Mixed, Reflection};
 use super::kinematics::{Crossed, LinkMotion, PartMotion, cross, link_of};
 use super::sweep::PerLink;
 use super::{Axes, Situation, hinge};
@@ -97,31 +98,24 @@ fn along_strain<S: Scalar>(over: &Crossed<S>, duals: &[Wrench<S>], strain: usize
     rates.fold(Wrench::zero(), |sum, (&dual, &x)| sum + dual.scaled(x))
 }
 
-/// Wrenches of norm one that do no work on any of the motions, among the axes that matter.
+/// Unit wrenches across each other that do no work on any of the motions, among the axes that matter: the null
+/// space of `Sᵀ`.
+///
+/// Axes along which nothing moves are in it as they are. Among the others each motion takes one direction
+/// away, by a reflection; the motions with the fewest entries come first, since one along an axis takes that
+/// axis and nothing else.
 fn complement<S: Scalar>(motions: &[Motion<S>], axes: &[usize]) -> Vec<Wrench<S>> {
-    let present = |k: usize| motions.iter().any(|motion| !motion.at(k).vanishes());
-    let (rows, free): (Vec<usize>, Vec<usize>) = axes.iter().partition(|&&k| present(k));
-    let mut all: Vec<Wrench<S>> = free.into_iter().map(Wrench::unit).collect();
-    match (&rows[..], motions) {
-        // A screw: shift and turn together.
-        (&[i, j], [motion]) => {
-            let (a, b) = (motion.at(i), motion.at(j));
-            all.push(unit(Wrench::unit(j).scaled(a) - Wrench::unit(i).scaled(b)));
-        }
-        // A universal hinge: two turns.
-        (&[_, _, _], [first, second]) => {
-            let moment = first.angular.cross(second.angular);
-            all.push(unit(Wrench { force: Vec3::zero(), moment }));
-        }
-        _ => {}
+    let present = |motion: &Motion<S>, k: usize| !motion.at(k).vanishes();
+    let moves = |k: usize| motions.iter().any(|motion| present(motion, k));
+    let (moving, still): (Vec<usize>, Vec<usize>) = axes.iter().partition(|&&k| moves(k));
+    let mut left: Vec<Wrench<S>> = moving.into_iter().map(Wrench::unit).collect();
+    let mut by_entries: Vec<&Motion<S>> = motions.iter().collect();
+    by_entries.sort_by_key(|motion| (0..6).filter(|&k| present(motion, k)).count());
+    for motion in by_entries {
+        let powers: Vec<S> = left.iter().map(|&wrench| motion.power(wrench)).collect();
+        Reflection::of(&powers).apply(&mut left);
     }
-    all
-}
-
-/// A wrench of norm one, in N and N m.
-fn unit<S: Scalar>(wrench: Wrench<S>) -> Wrench<S> {
-    let square = wrench.force.dot(wrench.force) + wrench.moment.dot(wrench.moment);
-    wrench.scaled(square.sqrt().recip())
+    still.into_iter().map(Wrench::unit).chain(left).collect()
 }
 
 /// Wrenches each of which does work on one of the motions and none on the others.
@@ -155,6 +149,15 @@ fn inverse_of_products<S: Scalar>(products: &[Vec<S>]) -> Vec<Vec<S>> {
         }
     }
     right
+}
+
+impl<S: Scalar> Mixed<S> for Wrench<S> {
+    fn plus_scaled(self, other: Self, factor: S) -> Self {
+        self + other.scaled(factor)
+    }
+    fn scaled(self, factor: S) -> Self {
+        Wrench::scaled(self, factor)
+    }
 }
 
 impl<S: Scalar> Closing<S> {
@@ -199,5 +202,53 @@ impl<S: Scalar> Closing<S> {
     pub fn wrench(&self, given: Wrench<S>, reactions: &[S]) -> Wrench<S> {
         let all = self.held.iter().zip(reactions);
         all.fold(given, |sum, (held, &reaction)| sum + held.wrench.scaled(reaction))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::complement;
+    use crate::math::{Motion, Scalar, Structured, Vec3};
+
+    /// Motions by their entries; zeros are known.
+    fn motions(entries: &[[f64; 6]]) -> Vec<Motion<Structured<f64>>> {
+        let number = |x: f64| if x == 0.0 { Structured::zero() } else { Structured::variable(x) };
+        let vector = |part: &[f64]| Vec3::from_fn(|k| number(part[k]));
+        let motion = |e: &[f64; 6]| Motion { linear: vector(&e[..3]), angular: vector(&e[3..]) };
+        entries.iter().map(motion).collect()
+    }
+
+    #[test]
+    fn complements_are_orthonormal_and_do_no_work() {
+        let screw = [0.0, 0.0, -0.3, 0.0, 0.0, 1.0];
+        let universal = [[0.0, 0.0, 0.0, 0.6, 0.48, 0.64], [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]];
+        let skew = [[0.3, -0.2, 0.0, 0.5, 0.1, 0.7], [0.1, 0.4, 0.2, 0.0, -0.6, 0.2]];
+        let ball = [3, 4, 5].map(|axis| [0, 1, 2, 3, 4, 5].map(|k| f64::from(k == axis)));
+        let all: [&[[f64; 6]]; 5] = [&[], &[screw], &universal, &skew, &ball];
+        for entries in all {
+            let motions = motions(entries);
+            let held = complement(&motions, &[0, 1, 2, 3, 4, 5]);
+            assert_eq!(held.len(), 6 - motions.len());
+            for (i, wrench) in held.iter().enumerate() {
+                for motion in &motions {
+                    // Entries up to one, a dozen roundings.
+                    assert!(motion.power(*wrench).value().abs() < 12.0 * f64::EPSILON);
+                }
+                for (j, other) in held.iter().enumerate() {
+                    let products = (0..6).map(|k| wrench.at(k).value() * other.at(k).value());
+                    let error = products.sum::<f64>() - f64::from(u8::from(i == j));
+                    assert!(error.abs() < 12.0 * f64::EPSILON, "{i} {j}: {error}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn directions_along_axes_stay_whole() {
+        let pin = motions(&[[0.0, 0.0, 0.0, 0.0, 0.0, 1.0]]);
+        for wrench in complement(&pin, &[0, 1, 2, 3, 4, 5]) {
+            let present: Vec<usize> = (0..6).filter(|&k| !wrench.at(k).vanishes()).collect();
+            assert_eq!(present.len(), 1);
+        }
     }
 }
