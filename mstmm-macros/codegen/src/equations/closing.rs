@@ -52,7 +52,11 @@ pub fn closing<S: Scalar>(
     axes: Axes,
     links: &PerLink<LinkMotion<S>>,
 ) -> Option<Closing<S>> {
-    let &index = situation.layout.closings.first()?;
+    let index = match situation.layout.closings[..] {
+        [] => return None,
+        [index] => index,
+        ref all => bug!("{} hinges close a chain", all.len()),
+    };
     let hinge = &situation.chain.hinges[index];
     let (inboard, ..) = situation.place(&hinge.inboard);
     let (outboard, origin, rotation) = situation.place(&hinge.outboard);
@@ -113,6 +117,9 @@ fn complement<S: Scalar>(motions: &[Motion<S>], axes: &[usize]) -> Vec<Wrench<S>
     by_entries.sort_by_key(|motion| (0..6).filter(|&k| present(motion, k)).count());
     for motion in by_entries {
         let powers: Vec<S> = left.iter().map(|&wrench| motion.power(wrench)).collect();
+        if powers.iter().all(|power| power.vanishes()) {
+            bug!("a closing hinge has a motion that others of it make")
+        }
         Reflection::of(&powers).apply(&mut left);
     }
     still.into_iter().map(Wrench::unit).chain(left).collect()

@@ -128,7 +128,9 @@ impl<S: Scalar> Rigid<S> {
 
     /// A rod's, in the axes that `rotation` leads to: known, however far its hinge has turned.
     fn turned(self, rotation: Mat3<S>) -> Self {
-        let axis = (0..3).find(|&k| self.inertia.at(k, k).vanishes()).unwrap_or(2);
+        let Some(axis) = (0..3).find(|&k| self.inertia.at(k, k).vanishes()) else {
+            bug!("a rod has a moment of inertia about its axis")
+        };
         let across = self.inertia.at((axis + 2) % 3, (axis + 2) % 3);
         let direction = Vec3::from_fn(|k| rotation[k][axis]);
         let inertia = Sym3::from_fn(|i, j| {

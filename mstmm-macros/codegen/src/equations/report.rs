@@ -188,7 +188,7 @@ fn wrenches<S: Scalar>(
     }
     let step = |link: LinkId, Summed(sum): Summed<S>, parent: &mut Summed<S>| {
         let Some(wrench) = sum.or_else(|| known(&links[link])) else {
-            unreachable!("mstmm bug: a hinge transmits neither a sum nor what sweeps know")
+            bug!("the wrench in a hinge is neither a sum nor known")
         };
         parent.add(|| links[link].over.returned(wrench));
         wrench
@@ -324,10 +324,11 @@ impl<S: Scalar> Sheet<'_, S> {
     /// `q` and `m` at a place: on a body, `+q` and `−m` at its input, `−q` and `+m` at its output.
     fn transmitted(&self, spot: &Spot) -> (Seen<S>, Seen<S>) {
         let at = |(index, outboard): (HingeId, bool)| {
-            let hinge = self.hinges[index].as_ref()?;
-            Some((hinge.axes, if outboard { hinge.wrench } else { hinge.at_inboard }))
+            let Some(hinge) = &self.hinges[index] else { bug!("a hinge transmits nothing") };
+            (hinge.axes, if outboard { hinge.wrench } else { hinge.at_inboard })
         };
-        let (axes, wrench) = spot.hinge.and_then(at).unwrap_or((None, Wrench::zero()));
+        let at_free_end = (None, Wrench::zero());
+        let (axes, wrench) = spot.hinge.map_or(at_free_end, at);
         (self.seen(axes, wrench.force), self.seen(axes, -wrench.moment))
     }
 

@@ -97,8 +97,8 @@ impl<'a, S: Scalar> Situation<'a, S> {
                 }
             }
         }
-        let identity = (Vec3::zero(), Mat3::identity());
-        frames.into_iter().map(|frame| frame.unwrap_or(identity)).collect()
+        let known = |frame: Option<_>| frame.unwrap_or_else(|| bug!("a body has no frame"));
+        frames.into_iter().map(known).collect()
     }
 
     /// The frame of a body, or the body whose frame has to be known before.

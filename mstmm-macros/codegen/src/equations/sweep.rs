@@ -102,9 +102,7 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
     ) -> (PerLink<R>, B) {
         let mut results = Vec::new();
         for (link, place) in self.layout.links.enumerate().rev() {
-            let Some(gathered) = own.pop() else {
-                unreachable!("mstmm bug: a sweep starts without the link {link:?}")
-            };
+            let Some(gathered) = own.pop() else { bug!("a sweep starts without {link:?}") };
             let here = self.cross(link, Direction::Inward, gathered);
             let parent = place.parent.map_or(&mut base, |parent| &mut own[parent]);
             results.push(step(link, here, parent));
@@ -177,11 +175,12 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         } else {
             weave.leave(repeat, &numbers)
         };
+        if replaced.len() != numbers.len() {
+            bug!("{} numbers reach a boundary, {} leave it", numbers.len(), replaced.len())
+        }
         let mut replaced = replaced.into_iter();
         carried.visit(&mut |_| {
-            replaced.next().unwrap_or_else(|| {
-                unreachable!("mstmm bug: a boundary takes more numbers than it returns")
-            })
+            replaced.next().unwrap_or_else(|| bug!("fewer numbers leave a boundary than reach it"))
         })
     }
 }

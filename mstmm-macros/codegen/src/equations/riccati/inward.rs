@@ -170,7 +170,7 @@ impl<S: Scalar> Articulated<S> {
     /// Takes over the open loop of a branch, if it has one: a moving end is a branch without.
     fn hold(&mut self, open: Option<OpenLoop<S>>) {
         if open.is_some() && std::mem::replace(&mut self.open, open).is_some() {
-            unreachable!("mstmm bug: two branches hold the same loop open");
+            bug!("two branches hold the same loop open")
         }
     }
 }
