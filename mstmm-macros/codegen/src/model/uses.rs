@@ -1,8 +1,8 @@
 //! Where parameters are used.
 
 use super::{
-    Body, Chain, Drive, Effort, Frame, Friction, Hinge, HingeKind, Limits, Load, Passive, Place,
-    RepeatId, Source, Spring, Value,
+    Body, Chain, Drive, Effort, Frame, Friction, Hinge, Limits, Load, Passive, Place, RepeatId,
+    Source, Spring, Value,
 };
 use crate::diag::Diagnostics;
 
@@ -54,7 +54,7 @@ impl Chain {
     fn geometry(&self) -> impl Iterator<Item = &Value> {
         let frames = self.bodies.iter().flat_map(|body| of_frame(&body.output));
         let hinges = self.hinges.iter();
-        frames.chain(hinges.flat_map(|hinge| [of_places(hinge), of_kind(&hinge.kind)].concat()))
+        frames.chain(hinges.flat_map(|hinge| [of_places(hinge), hinge.kind.values()].concat()))
     }
 
     /// The repeated parts in which a parameter is used, in their order; nothing stands for all else.
@@ -101,7 +101,7 @@ fn of_body(body: &Body) -> Vec<&Value> {
 fn of_hinge(hinge: &Hinge) -> Vec<&Value> {
     let Hinge { kind, start, start_rate, rest, drive, passive, .. } = hinge;
     let mut values: Vec<&Value> = start.iter().chain(start_rate).chain(rest).collect();
-    values.extend(of_kind(kind));
+    values.extend(kind.values());
     if let Drive::Efforts(efforts) = drive {
         values.extend(efforts.iter().filter_map(|effort| match effort {
             Effort::Constant(value) => Some(value),
@@ -110,22 +110,6 @@ fn of_hinge(hinge: &Hinge) -> Vec<&Value> {
     }
     values.extend(passive.iter().flat_map(of_passive));
     values
-}
-
-fn of_kind(kind: &HingeKind) -> Vec<&Value> {
-    match kind {
-        HingeKind::Pin { axis } | HingeKind::Slider { axis } | HingeKind::Cylindrical { axis } => {
-            axis.iter().collect()
-        }
-        HingeKind::Screw { axis, pitch } => axis.iter().chain([pitch]).collect(),
-        HingeKind::Universal { axes } => axes.iter().flatten().collect(),
-        HingeKind::Weld
-        | HingeKind::Ball
-        | HingeKind::Planar { .. }
-        | HingeKind::Floating
-        | HingeKind::Elastic
-        | HingeKind::PlaneElastic => Vec::new(),
-    }
 }
 
 fn of_passive(passive: &Passive) -> Vec<&Value> {

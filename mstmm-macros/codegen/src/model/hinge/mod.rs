@@ -262,6 +262,24 @@ impl HingeKind {
         }
     }
 
+    /// All numbers that it is described by.
+    pub fn values(&self) -> Vec<&Value> {
+        let axes = self.axes().iter().flatten();
+        match self {
+            HingeKind::Screw { pitch, .. } => axes.chain([pitch]).collect(),
+            HingeKind::Weld
+            | HingeKind::Pin { .. }
+            | HingeKind::Slider { .. }
+            | HingeKind::Cylindrical { .. }
+            | HingeKind::Universal { .. }
+            | HingeKind::Ball
+            | HingeKind::Planar { .. }
+            | HingeKind::Floating
+            | HingeKind::Elastic
+            | HingeKind::PlaneElastic => axes.collect(),
+        }
+    }
+
     /// The numbers of this kind.
     pub fn shape(&self) -> &'static Shape {
         match self {

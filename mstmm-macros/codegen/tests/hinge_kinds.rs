@@ -1,0 +1,117 @@
+//! Every kind of hinge stands in every registry: what the compiler cannot count, this test does.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Kinds that have the word, the page and the sample of another, which they are in a plane.
+const IN_A_PLANE: &[(&str, &str)] = &[("plane_elastic", "elastic")];
+
+/// Kinds of the reference solver that the compiler describes as another one.
+const REFERENCE_ALONE: &[&str] = &["line_elastic", "line_floating", "plane_floating"];
+
+/// Kinds without coordinates, which have nothing to view.
+const WITHOUT_VIEW: &[&str] = &["weld"];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn text(file: &str) -> String {
+    fs::read_to_string(root().join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
+}
+
+/// `PlaneElastic` as `plane_elastic`.
+fn snake(name: &str) -> String {
+    let mut snake = String::new();
+    for (place, letter) in name.char_indices() {
+        if letter.is_uppercase() && place > 0 {
+            snake.push('_');
+        }
+        snake.extend(letter.to_lowercase());
+    }
+    snake
+}
+
+/// The variants of an enum in a file.
+fn variants(file: &str, name: &str) -> Vec<String> {
+    let parsed = syn::parse_file(&text(file)).expect("a Rust file");
+    let found = parsed.items.into_iter().find_map(|item| match item {
+        syn::Item::Enum(item) if item.ident == name => Some(item.variants),
+        _ => None,
+    });
+    let variants = found.unwrap_or_else(|| panic!("{file} has no `{name}`"));
+    variants.iter().map(|variant| snake(&variant.ident.to_string())).collect()
+}
+
+/// The kinds of the model.
+fn kinds() -> Vec<String> {
+    variants("mstmm-macros/codegen/src/model/hinge/mod.rs", "HingeKind")
+}
+
+/// The kinds that are described by a word of their own.
+fn words() -> Vec<String> {
+    let other = |kind: &String| IN_A_PLANE.iter().any(|(plane, _)| plane == kind);
+    kinds().into_iter().filter(|kind| !other(kind)).collect()
+}
+
+/// The names of a folder's files with an ending.
+fn files(folder: &str, ending: &str) -> Vec<String> {
+    let entries = fs::read_dir(root().join(folder)).expect("a readable folder");
+    let names = entries.map(|entry| entry.expect("an entry").file_name());
+    let names = names.map(|name| name.to_string_lossy().into_owned());
+    names.filter_map(|name| name.strip_suffix(ending).map(str::to_owned)).collect()
+}
+
+fn sorted(mut names: Vec<String>) -> Vec<String> {
+    names.sort();
+    names
+}
+
+#[test]
+fn every_kind_has_its_numbers_its_law_and_its_view() {
+    let [models, laws] = ["model", "equations"]
+        .map(|part| files(&format!("mstmm-macros/codegen/src/{part}/hinge"), ".rs"));
+    let views = files("mstmm-runtime/src/hinge", ".rs");
+    for kind in kinds() {
+        assert!(models.contains(&kind), "model/hinge has no `{kind}`");
+        assert!(laws.contains(&kind), "equations/hinge has no `{kind}`");
+        assert!(
+            views.contains(&kind) || WITHOUT_VIEW.contains(&kind.as_str()),
+            "the runtime has no view of `{kind}`"
+        );
+    }
+}
+
+#[test]
+fn every_word_is_read_explained_and_tried() {
+    let lower = text("mstmm-macros/codegen/src/model/lower/hinge/mod.rs");
+    let (_, listed) = lower.split_once("const KINDS").expect("the list of words");
+    let listed = listed.split_once("];").map_or(listed, |(list, _)| list);
+    let listed = listed.split("::KIND,").filter_map(|part| part.split_whitespace().last());
+    let words = words();
+    let listed: Vec<String> = listed.map(str::to_owned).filter(|word| word != "];").collect();
+    assert_eq!(sorted(listed), sorted(words.clone()), "words of the language");
+    let pages = files("src/hinges", ".md").into_iter().filter(|page| page != "hinges").collect();
+    assert_eq!(sorted(pages), sorted(words.clone()), "pages on hinges");
+    let (book, tries) =
+        (text("src/hinges.rs"), text("mstmm-macros/codegen/tests/any_text/words.rs"));
+    for word in &words {
+        assert!(book.contains(&format!("hinges/{word}.md")), "src/hinges.rs leaves out `{word}`");
+        let is_tried = tries.split_whitespace().any(|tried| tried == word);
+        assert!(is_tried, "texts at random leave out `{word}`");
+    }
+}
+
+#[test]
+fn the_reference_knows_every_kind_and_random_chains_have_it() {
+    let reference = variants("tests/reference/src/hinge.rs", "HingeKind");
+    let known = reference.iter().filter(|kind| !REFERENCE_ALONE.contains(&kind.as_str()));
+    assert_eq!(sorted(known.cloned().collect()), sorted(kinds()), "kinds of the reference");
+    let random = variants("tests/reference/src/recipe.rs", "Joining");
+    assert_eq!(sorted(random), sorted(words()), "kinds of random chains");
+    let seeds = text("tests/random.rs");
+    for kind in kinds() {
+        let named = format!("(\"{}\",", kind.replace('_', " "));
+        assert!(seeds.contains(&named), "no seed is asked for `{kind}`");
+    }
+}
