@@ -16,14 +16,14 @@ pub(super) struct Owners {
 impl Owners {
     /// The owners of all nodes that `headings` need; none where there is no loop.
     pub(super) fn of(graph: &Graph, headings: &[Heading], turns: &[Turn]) -> Self {
+        if turns.is_empty() {
+            return Owners { own: Vec::new(), any: Vec::new() };
+        }
         let mut handed_on = HashMap::new();
         for carry in turns.iter().flat_map(|turn| &turn.carries) {
             for symbol in [carry.entering, carry.leaving] {
                 handed_on.insert(symbol, [carry.first.node(), carry.next.node()]);
             }
-        }
-        if turns.is_empty() {
-            return Owners { own: Vec::new(), any: Vec::new() };
         }
         let [own, any] = [&HashMap::new(), &handed_on].map(|handed_on| {
             let mut owners = vec![None; graph.len()];

@@ -198,25 +198,25 @@ impl<'a> Scheduler<'a> {
     /// States what lives at `home`, each value under the first heading that needs it; then what no heading needs
     /// in the same repetition.
     pub(super) fn state_all(&mut self, home: Home, headings: &[Heading], rest: Vec<NodeId>) {
-        for (number, heading) in headings.iter().enumerate() {
+        let mut early = vec![Vec::new(); headings.len()];
+        for &node in &rest {
+            if let Some(number) = self.owners.own(node) {
+                early[number].push(node);
+            }
+        }
+        for (heading, early) in headings.iter().zip(early) {
             self.open(&heading.prefix, &heading.title, &heading.source);
             let values = heading.values.iter().map(|(_, edge)| edge.node());
-            let early = rest.iter().copied().filter(|&node| self.owners.own(node) == Some(number));
-            let nodes: Vec<NodeId> = values.chain(early).collect();
-            self.require_at(home, nodes);
+            for node in values.chain(early) {
+                if self.belongs(node, home) {
+                    self.require(node);
+                }
+            }
         }
         self.open("result", "Results", "");
         for node in rest {
             if self.belongs(node, home) && !self.done[node as usize] {
                 self.current = self.place_of(node, home).unwrap_or(headings.len());
-                self.require(node);
-            }
-        }
-    }
-
-    fn require_at(&mut self, home: Home, nodes: Vec<NodeId>) {
-        for node in nodes {
-            if self.belongs(node, home) {
                 self.require(node);
             }
         }
