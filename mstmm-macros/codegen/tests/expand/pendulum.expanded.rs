@@ -155,7 +155,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 1 | 0 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = I a + p of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 1 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -178,7 +178,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let joint_input0_ = inputs_.joint;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
-        /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 1 mul, 0 add, 0 reciprocal.
+        /// Riccati transfer over `joint`, F = I a + p of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 1 mul, 0 add, 0 reciprocal.
         let joint_rest_ = joint_input0_ * known_joint_d_inverse_;
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
         let t0_ = cos_joint_angle_ * known_joint_gain_fy_;
@@ -225,7 +225,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Riccati transfer over `joint` | F = A a + e of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 3 | 0 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = I a + p of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 3 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Results |  | 4 | 0 | 0 | 0 | 0 |
     /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 3 | 2 | 0 | 0 | 0 |
@@ -260,7 +260,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         *n6_ = cos_joint_angle_;
         *n10_ = cos_joint_angle_;
         ::mstmm::generated::written();
-        /// Riccati transfer over `joint`, F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 3 mul, 0 add, 0 reciprocal.
+        /// Riccati transfer over `joint`, F = I a + p of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 3 mul, 0 add, 0 reciprocal.
         let t0_ = joint_rate_ * joint_rate_;
         let joint_rest_ = joint_input0_ * known_joint_d_inverse_;
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 1 add, 0 reciprocal.

@@ -60,8 +60,8 @@ impl<S: Scalar> Condition<S> {
     }
 }
 
-/// Equation (6), if both are axes that depend on each other: `1 / D` of the second, from `Iᴬ` before the
-/// first was eliminated.
+/// Equation (6), if both are axes that depend on each other: `1 / D` of the second, from `Iᴬ`
+/// before the first was eliminated.
 fn inverse_after<S: Scalar>(
     (first, old): &(Condition<S>, SpatialInertia<S>),
     second: &Condition<S>,
@@ -85,8 +85,8 @@ pub fn eliminate<S: Scalar>(
     conditions.iter().enumerate().map(&mut one).collect()
 }
 
-/// Equations (1), (2) and (4) for one free direction. Equation (6) takes the direction before it, with `Iᴬ`
-/// as it was then, where this is the last.
+/// Equations (1), (2) and (4) for one free direction. Equation (6) takes the direction before it,
+/// with `Iᴬ` as it was then, where this is the last.
 fn eliminate_one<S: Scalar>(
     here: &mut Articulated<S>,
     condition: &Condition<S>,

@@ -46,10 +46,13 @@ pub fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<
         trace.section(
             format!("{}_riccati", over.name),
             format!("Riccati transfer over `{}`", over.name),
-            "F = A a + e of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]",
+            "F = I a + p of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]",
         );
         trace.inertia(&format!("{}_articulated", over.name), here.inertia);
         trace.wrench(&format!("{}_bias", over.name), here.bias);
+        for (number, &column) in here.columns.iter().enumerate() {
+            trace.wrench(&format!("{}_column{number}", over.name), column);
+        }
         let conditions = conditions(over, &problem.efforts[link]);
         let steps = eliminate(&mut here, &conditions);
         if let Some(open) = &mut here.open {
@@ -130,6 +133,9 @@ fn record<S: Scalar>(
         trace.number(format!("{name}_d{number}_scale"), pivot.scale);
         trace.wrench(&format!("{name}_gain{number}"), step.gain);
         trace.number(format!("{name}_rest{number}"), step.rest);
+        for (column, &along) in step.along.iter().enumerate() {
+            trace.number(format!("{name}_column{column}_along{number}"), along);
+        }
     }
 }
 
@@ -140,7 +146,8 @@ impl<S: Scalar> Articulated<S> {
         Articulated { inertia, bias, columns: Vec::new(), reach, scales, open: None }
     }
 
-    /// The open loop at a root, with the acceleration `a` that the root's point has from the ground.
+    /// The open loop at a root, with the acceleration `a` that the root's point has from the
+    /// ground.
     fn on_ground(self, a: Motion<S>) -> Option<OpenLoop<S>> {
         self.open.map(|open| open.on_ground(a, &self.columns))
     }

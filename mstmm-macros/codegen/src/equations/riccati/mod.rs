@@ -1,6 +1,6 @@
-//! Riccati transfer: from the free ends to the ground, the relation between `F` and `a` at every point;
-//! from the ground outwards, the accelerations. In axes fixed in the parts it is the articulated-body
-//! recursion (R. Featherstone, *Rigid Body Dynamics Algorithms*, section 7.3).
+//! Riccati transfer: from the free ends to the ground, the relation between `F` and `a` at every
+//! point; from the ground outwards, the accelerations. In axes fixed in the parts it is the
+//! articulated-body recursion (R. Featherstone, *Rigid Body Dynamics Algorithms*, section 7.3).
 //!
 //! # Notation
 //!
@@ -30,16 +30,16 @@
 //! What is left has `Iᴬ s = 0` and `sᵀ pᴬ = τ`. Where `s` is an axis both are set exactly, and `Iᴬ`
 //! keeps one of each pair of entries only: without that, chains of balls lose all digits.
 //!
-//! A closing hinge acts on its link with unknown reactions, `F = Iᴬ a + pᴬ + Tᴬ λ`, and demands what `a`
-//! of that link is to be along them. The same sweep carries both to the ground:
+//! A closing hinge acts on its link with unknown reactions, `F = Iᴬ a + pᴬ + Tᴬ λ`, and demands
+//! what `a` of that link is to be along them. The same sweep carries both to the ground:
 //!
 //! (4)  `t = Tᴬᵀ s`, `Tᴬ ← Tᴬ − K tᵀ`, `γ ← γ + t ε / D`, `Λ ← Λ + t tᵀ / D`
 //! (5)  `Tᵀ a = γ + Tᴬᵀ a_ground − Λ λ`
 //!
-//! Where what follows waits for `1 / D`, (2) is `Iᴬ ← Iᴬ − (U Uᵀ) / D`, and in (3) `Kᵀ a'` is taken apart
-//! into what depends on the parent and what does not. The last of several axes of a hinge need not wait
-//! for the one before: with what `Iᴬ` was before that one, `a` and `c` on its diagonal for the two and
-//! `b` beside it, `D = c − b² / a`:
+//! Where what follows waits for `1 / D`, (2) is `Iᴬ ← Iᴬ − (U Uᵀ) / D`, and in (3) `Kᵀ a'` is taken
+//! apart into what depends on the parent and what does not. The last of several axes of a hinge
+//! need not wait for the one before: with what `Iᴬ` was before that one, `a` and `c` on its
+//! diagonal for the two and `b` beside it, `D = c − b² / a`:
 //!
 //! (6)  `1 / D = a / (a c − b²)`
 
@@ -70,8 +70,8 @@ pub fn solve<S: Scalar>(
     (Movement { amounts, points, relations, closure }, pivots)
 }
 
-/// For methods that solve for the movement in another way: pivots, the reactions of a closing hinge, and
-/// what hinges transmit.
+/// For methods that solve for the movement in another way: pivots, the reactions of a closing
+/// hinge, and what hinges transmit.
 pub fn reduced<S: Scalar>(
     problem: &Problem<S>,
     trace: &mut Trace<S>,

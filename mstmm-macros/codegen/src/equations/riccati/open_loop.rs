@@ -97,7 +97,11 @@ pub fn close<S: Scalar>(
         dofs.push(Dof { along, inverse: held.inertia });
         sizes[k] = sizes[k] + held.inertia;
     }
-    let right = gamma.iter().zip(&demand.reached).map(|(&g, &r)| g - r).collect();
+    let right: Vec<S> = gamma.iter().zip(&demand.reached).map(|(&g, &r)| g - r).collect();
+    for (k, (&size, &right)) in sizes.iter().zip(&right).enumerate() {
+        trace.number(format!("closure_size{k}"), size);
+        trace.number(format!("closure_right{k}"), right);
+    }
     let linkage = demand.linkage.clone();
     closure::solve(&Reactions { dofs, repeated, sizes, right, linkage }, trace)
 }

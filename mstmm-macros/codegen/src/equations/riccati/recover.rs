@@ -34,7 +34,8 @@ pub(super) fn recover<S: Scalar>(
     (amounts, points)
 }
 
-/// Adds the parts of a hinge's free directions to `acceleration`; returns their amounts `v̇` as well.
+/// Adds the parts of a hinge's free directions to `acceleration`; returns their amounts `v̇` as
+/// well.
 fn advance<S: Scalar>(
     mut acceleration: Motion<S>,
     steps: &[Eliminated<S>],
@@ -111,7 +112,8 @@ mod tests {
         let transmitted = inertia.times(acceleration) + load;
         for (condition, rate) in conditions.iter().zip(rates) {
             let found = condition.column.motion().power(transmitted) + condition.armature * rate;
-            // Sums of products up to 10, pivots above 0.1 of what they come from: a hundred roundings.
+            // Sums of products up to 10, pivots above 0.1 of what they come from: a hundred
+            // roundings.
             let error = (found - condition.effort).value().abs();
             assert!(error < 10.0 * 100.0 * f64::EPSILON, "{columns:?} {armatures:?}: {error:e}");
         }
