@@ -116,7 +116,8 @@ fn solve<S: Scalar, R>(
         Method::Riccati => riccati::solve(&problem, trace),
         Method::Transfer => {
             let (pivots, closure, relations) = riccati::reduced(&problem, trace);
-            // By the sum over all bodies beyond a hinge, rounding would grow with the square of their number.
+            // By the sum over all bodies beyond a hinge, rounding would grow with the square of
+            // their number.
             (Movement { relations, ..transfer::solve(&problem, closure, trace) }, pivots)
         }
     };
@@ -182,8 +183,8 @@ fn child<S: Scalar>(
     closing.of_child(own) + closing.child_drift(links)
 }
 
-/// The acceleration at the closing hinge that comes over from its inboard side, with what joins on the
-/// way.
+/// The acceleration at the closing hinge that comes over from its inboard side, with what joins on
+/// the way.
 fn reached<S: Scalar>(
     closing: &Closing<S>,
     ground: Motion<S>,

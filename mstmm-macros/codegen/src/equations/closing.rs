@@ -102,12 +102,12 @@ fn along_strain<S: Scalar>(over: &Crossed<S>, duals: &[Wrench<S>], strain: usize
     rates.fold(Wrench::zero(), |sum, (&dual, &x)| sum + dual.scaled(x))
 }
 
-/// Unit wrenches across each other that do no work on any of the motions, among the axes that matter: the null
-/// space of `Sᵀ`.
+/// Unit wrenches across each other that do no work on any of the motions, among the axes that
+/// matter: the null space of `Sᵀ`.
 ///
-/// Axes along which nothing moves are in it as they are. Among the others each motion takes one direction
-/// away, by a reflection; the motions with the fewest entries come first, since one along an axis takes that
-/// axis and nothing else.
+/// Axes along which nothing moves are in it as they are. Among the others each motion takes one
+/// direction away, by a reflection; the motions with the fewest entries come first, since one along
+/// an axis takes that axis and nothing else.
 fn complement<S: Scalar>(motions: &[Motion<S>], axes: &[usize]) -> Vec<Wrench<S>> {
     let present = |motion: &Motion<S>, k: usize| !motion.at(k).vanishes();
     let moves = |k: usize| motions.iter().any(|motion| present(motion, k));

@@ -1,12 +1,13 @@
-//! The reactions of a closing hinge: `Λ λ = b` with `Λ = J M⁻¹ Jᵀ`, which is positive except along the
-//! directions that other directions of the hinge determine already, as all those out of the plane of
-//! a planar loop and three of the five of Bennett's linkage.
+//! The reactions of a closing hinge: `Λ λ = b` with `Λ = J M⁻¹ Jᵀ`, which is positive except along
+//! the directions that other directions of the hinge determine already, as all those out of the
+//! plane of a planar loop and three of the five of Bennett's linkage.
 //!
-//! Row `i` of `J M^(-1/2)` has an entry `t_i / √D` for each degree of freedom that the Riccati transfer
-//! eliminates. Gram and Schmidt's elimination of rows in the order of their norms reveals the rank: it
-//! is Cholesky's factorisation of `Λ` with complete pivoting (Higham, *Accuracy and Stability of Numerical
-//! Algorithms*, section 10.3) without the squares, whose rounding would hide small singular values.
-//! Row `i` is measured by `s_i`, what its square would be if nothing in it cancelled. Step `k`:
+//! Row `i` of `J M^(-1/2)` has an entry `t_i / √D` for each degree of freedom that the Riccati
+//! transfer eliminates. Gram and Schmidt's elimination of rows in the order of their norms reveals
+//! the rank: it is Cholesky's factorisation of `Λ` with complete pivoting (Higham, *Accuracy and
+//! Stability of Numerical Algorithms*, section 10.3) without the squares, whose rounding would hide
+//! small singular values. Row `i` is measured by `s_i`, what its square would be if nothing in it
+//! cancelled. Step `k`:
 //!
 //! (1)  `i = argmax |J_i|² / s_i`, `r_k = J_i`, `d_k = |r_k|²`, `l_k = J r_k / d_k`, `J ← J − l_k r_kᵀ`
 //! (2)  `Λ = L D Lᵀ`, `L = Q R` with the columns of `Q` across each other, `QᵀQ = Σ`
@@ -14,14 +15,15 @@
 //! (4)  `N = { x : Lᵀ x = 0 }`
 //!
 //! `λ` has the least norm, in N and N m, of all reactions that fit `b` best; those in `N` make no
-//! difference to the motion. Repeated parts have too many degrees of freedom to keep: they add to a part
-//! of `Λ` itself, and products of rows have that between them.
+//! difference to the motion. Repeated parts have too many degrees of freedom to keep: they add to a
+//! part of `Λ` itself, and products of rows have that between them.
 //!
-//! A row is chosen by arithmetic, with weights that are one at the row and zero elsewhere, so that every
-//! state takes the same steps. There are as many steps as the closure has rank anywhere, which is a
-//! property of the linkage: off the closure by the error of an integrator's stage the rank is higher, and
-//! a linkage that moves by its proportions only would be rigid. Near a bifurcation, as in the straight
-//! pose of a parallelogram, a pivot vanishes; the direction then counts as undetermined.
+//! A row is chosen by arithmetic, with weights that are one at the row and zero elsewhere, so that
+//! every state takes the same steps. There are as many steps as the closure has rank anywhere,
+//! which is a property of the linkage: off the closure by the error of an integrator's stage the
+//! rank is higher, and a linkage that moves by its proportions only would be rigid. Near a
+//! bifurcation, as in the straight pose of a parallelogram, a pivot vanishes; the direction then
+//! counts as undetermined.
 
 mod null_space;
 mod rows;
@@ -85,8 +87,8 @@ pub struct Dof<S> {
 pub struct Linkage<S> {
     /// The rank of its closure.
     pub rank: Rank<S>,
-    /// How many units in the last place of `s_i` rounding leaves of the square of a row to which repeated
-    /// parts have added.
+    /// How many units in the last place of `s_i` rounding leaves of the square of a row to which
+    /// repeated parts have added.
     pub noise: f64,
 }
 

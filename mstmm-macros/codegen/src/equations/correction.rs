@@ -21,11 +21,11 @@ pub struct Correction<S> {
     pub coordinates: Vec<S>,
     /// What the rates lack.
     pub rates: Vec<S>,
-    /// How far the closing hinge's sides are apart, in m and rad, and how fast they part, in m/s and
-    /// rad/s: the root of the sum of squares.
+    /// How far the closing hinge's sides are apart, in m and rad, and how fast they part, in m/s
+    /// and rad/s: the root of the sum of squares.
     pub residual: S,
-    /// How much the directions that count as redundant hold here, from nothing to one. Off the closure it
-    /// is about the square of how far.
+    /// How much the directions that count as redundant hold here, from nothing to one. Off the
+    /// closure it is about the square of how far.
     pub excess: S,
 }
 
@@ -128,8 +128,8 @@ fn pose_of<S: Scalar>(link: Option<LinkId>, poses: &PerLink<Pose<S>>) -> Pose<S>
     link.map_or(Pose::ground(), |link| poses[link])
 }
 
-/// The motion of all hinges that moves the closing hinge by `wanted`, and how much redundant directions
-/// hold.
+/// The motion of all hinges that moves the closing hinge by `wanted`, and how much redundant
+/// directions hold.
 fn along<S: Scalar>(
     situation: &Situation<S>,
     links: &PerLink<LinkMotion<S>>,

@@ -33,7 +33,8 @@ impl<S: Scalar> Reflection<S> {
     pub fn of(coefficients: &[S]) -> Self {
         let present: Vec<usize> =
             (0..coefficients.len()).filter(|&k| !coefficients[k].vanishes()).collect();
-        // No condition is without coefficients, unless nothing has inertia, which the pivots report.
+        // No condition is without coefficients, unless nothing has inertia, which the pivots
+        // report.
         let place = present.first().copied().unwrap_or(0);
         let entry = coefficients[place];
         if present.len() <= 1 {

@@ -22,10 +22,10 @@ pub struct Energy<S> {
 
 /// The energy in the given situation, whose layout has every body for itself.
 ///
-/// Turning about the link's point, of which the sweeps have products, takes fewer operations than about
-/// the centre of mass: `½ m ṙᵀ ṙ + ṙᵀ (Ω × m r_C) + ½ Ωᵀ J Ω`, of the Panda 250 of 2870 with everything.
-/// Where the centre of mass rests while the body turns, the terms cancel up to `(r_C / k)²`, `k`
-/// being the radius of gyration: two digits if it is a tenth of the distance.
+/// Turning about the link's point, of which the sweeps have products, takes fewer operations than
+/// about the centre of mass: `½ m ṙᵀ ṙ + ṙᵀ (Ω × m r_C) + ½ Ωᵀ J Ω`, of the Panda 250 of 2870 with
+/// everything. Where the centre of mass rests while the body turns, the terms cancel up to
+/// `(r_C / k)²`, `k` being the radius of gyration: two digits if it is a tenth of the distance.
 ///
 /// What the turning of a pin leaves in place moves as the parent does, and has its height: given to
 /// that one it has the same energy, for 301 operations of the Panda in place of 392.

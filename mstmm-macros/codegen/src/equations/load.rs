@@ -85,8 +85,8 @@ fn inverse_length<S: Scalar>(way: Vec3<S>) -> S {
     (way.dot(way) + S::number(1e-30)).sqrt().recip()
 }
 
-/// The energy of the springs from a link's part to the ground; without a link, of those from what does
-/// not move.
+/// The energy of the springs from a link's part to the ground; without a link, of those from what
+/// does not move.
 pub fn spring_energy<S: Scalar>(
     situation: &Situation<S>,
     on: Option<(LinkId, &LinkMotion<S>, &Pose<S>)>,

@@ -13,16 +13,16 @@
 //! | `T`, `W`, `λ` | `closing` | directions that a closing hinge holds, wrenches that do work on one rate each, reactions |
 //! | `c` | the *point* of a link | where a body hangs on its hinge: its input, or its output if the chain is held at its end |
 //!
-//! Each file names its further letters and frames at its head. Sweeps over the links are those of `sweep`;
-//! what the generator knows of costs stands in `strategy`.
+//! Each file names its further letters and frames at its head. Sweeps over the links are those of
+//! `sweep`; what the generator knows of costs stands in `strategy`.
 //!
 //! Sign rule: on a body the force at the input end is `+q_I`, at the output end `−q_O`; the torque
 //! at the input end is `−m_I`, at the output end `+m_O`.
 //!
 //! # References
 //!
-//! `[P]` X. Rui, D. Bestle, J. Zhang, Q. Zhou: A new version of transfer matrix method for multibody
-//! systems. Multibody System Dynamics 38 (2016).
+//! `[P]` X. Rui, D. Bestle, J. Zhang, Q. Zhou: A new version of transfer matrix method for
+//! multibody systems. Multibody System Dynamics 38 (2016).
 
 mod accelerations;
 mod closing;

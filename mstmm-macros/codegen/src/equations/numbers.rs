@@ -10,8 +10,8 @@ pub struct Numbers<S> {
     pub parameters: Vec<S>,
     /// By [`Symbol::Constant`].
     pub constants: Vec<S>,
-    /// One for each independent direction of the closing hinge, then zeros; nothing where none of them is
-    /// known to depend on others.
+    /// One for each independent direction of the closing hinge, then zeros; nothing where none of
+    /// them is known to depend on others.
     pub closure_steps: Vec<S>,
 }
 

@@ -72,17 +72,17 @@ pub struct Movement<S> {
     pub amounts: PerLink<Vec<S>>,
     /// `a` of every link's point.
     pub points: PerLink<Motion<S>>,
-    /// What every link's hinge transmits, if that is known without what hangs on it: not where reactions
-    /// of a closing hinge join.
+    /// What every link's hinge transmits, if that is known without what hangs on it: not where
+    /// reactions of a closing hinge join.
     pub relations: PerLink<Relation<S>>,
     /// Reactions along the closing's directions, and what they do not determine.
     pub closure: Closure<S>,
 }
 
 impl<S: Scalar> Problem<'_, S> {
-    /// The same with inertia along what the closing hinge holds: `μ p (pᵀ a − r)` of a direction with
-    /// `pᵀ a = r` is nothing, but it keeps a body that has no inertia there from being loose before
-    /// the chain is closed.
+    /// The same with inertia along what the closing hinge holds: `μ p (pᵀ a − r)` of a direction
+    /// with `pᵀ a = r` is nothing, but it keeps a body that has no inertia there from being loose
+    /// before the chain is closed.
     pub fn with_added_inertia(mut self) -> Self {
         let (Some(demand), Some((link, pulls))) = (&self.closing, self.pulls()) else {
             return self;
@@ -157,7 +157,8 @@ impl<S: Scalar> Problem<'_, S> {
 }
 
 impl<S: Scalar> Movement<S> {
-    /// Rates of all hinges on links, or their changes, in the layout's order; zero where no link is.
+    /// Rates of all hinges on links, or their changes, in the layout's order; zero where no link
+    /// is.
     pub fn rates(&self, links: &PerLink<LinkMotion<S>>, layout: &Layout) -> Vec<S> {
         let mut rates = vec![S::zero(); layout.freedoms()];
         links.iter().zip(&self.amounts).for_each(|(LinkMotion { over, .. }, amounts)| {

@@ -1,9 +1,10 @@
-//! What of a body's inertia the turning of its hinge leaves in place: that may as well be the parent's.
+//! What of a body's inertia the turning of its hinge leaves in place: that may as well be the
+//! parent's.
 //!
-//! On the axis of a pin a thin rod moves as the parent does: `m`, `m z_C` and the moment of inertia across
-//! the axis. What is left has zeros in their places, and the parent's numbers are constants as before:
-//! base parameters. `Iᴬ` of a body is then less by what went to the parent, which comes in again behind
-//! its hinge.
+//! On the axis of a pin a thin rod moves as the parent does: `m`, `m z_C` and the moment of inertia
+//! across the axis. What is left has zeros in their places, and the parent's numbers are constants
+//! as before: base parameters. `Iᴬ` of a body is then less by what went to the parent, which comes
+//! in again behind its hinge.
 
 use super::kinematics::LinkMotion;
 use super::strategy;
@@ -21,8 +22,8 @@ pub struct Given<S> {
     pub scales: (S, S),
 }
 
-/// Redistributes from the free end to the ground, over every hinge that turns about one axis, but for
-/// those at boundaries of repeated parts; as much as saves [`strategy::operations`].
+/// Redistributes from the free end to the ground, over every hinge that turns about one axis, but
+/// for those at boundaries of repeated parts; as much as saves [`strategy::operations`].
 pub fn redistribute<S: Scalar>(
     situation: &Situation<S>,
     links: &mut PerLink<LinkMotion<S>>,
@@ -53,7 +54,8 @@ pub fn redistribute<S: Scalar>(
     masses.into_iter().zip(scales).map(given).collect()
 }
 
-/// What a link and its parent have with the fewest operations, and the mass that the link gives away.
+/// What a link and its parent have with the fewest operations, and the mass that the link gives
+/// away.
 fn lightest<S: Scalar>(
     link: &LinkMotion<S>,
     (own, of_parent): (Rigid<S>, Rigid<S>),
@@ -71,8 +73,8 @@ fn lightest<S: Scalar>(
     (best, given)
 }
 
-/// What of a link that turns about one of its axes may be its parent's: a rod along that, without and
-/// with a moment of inertia.
+/// What of a link that turns about one of its axes may be its parent's: a rod along that, without
+/// and with a moment of inertia.
 fn rods<S: Scalar>(link: &LinkMotion<S>, own: Rigid<S>) -> Vec<Rigid<S>> {
     let Some(axis) = only_axis(link) else { return Vec::new() };
     let moment = Vec3::from_fn(|k| if k == axis { own.moment[k] } else { S::zero() });

@@ -1,8 +1,8 @@
 //! Everything that can be asked of a chain once its accelerations are known: pose, velocity and
 //! the state vector `z` at every connection point, of the bodies as written.
 //!
-//! Poses are inertial. All else stays in the axes of links, where the sweeps have most of it: a turn
-//! into inertial axes is made where a number is read.
+//! Poses are inertial. All else stays in the axes of links, where the sweeps have most of it: a
+//! turn into inertial axes is made where a number is read.
 
 use super::closing::{Closing, closing};
 use super::kinematics::{Crossed, LinkMotion, Pose, link_of, poses};
@@ -66,7 +66,8 @@ pub struct Report<S> {
     pub efforts: Vec<S>,
 }
 
-/// The report on a chain with every body a link, from what the sweeps know with welded bodies merged.
+/// The report on a chain with every body a link, from what the sweeps know with welded bodies
+/// merged.
 pub fn report<S: Scalar>(
     situation: &Situation<S>,
     (solved, swept): (&Solved<S>, &Swept<S>),
@@ -154,8 +155,8 @@ impl<S: Scalar> Flatten<S> for Felt<S> {
     }
 }
 
-/// What every link's hinge exerts on it about its point [P, Eqs. (18), (19)]: of welds between bodies,
-/// what everything behind them takes.
+/// What every link's hinge exerts on it about its point [P, Eqs. (18), (19)]: of welds between
+/// bodies, what everything behind them takes.
 fn wrenches<S: Scalar>(
     situation: &Situation<S>,
     links: &PerLink<LinkMotion<S>>,
@@ -306,8 +307,8 @@ impl<S: Scalar> Sheet<'_, S> {
         }
     }
 
-    /// Velocity and acceleration of a place on a link: where another link's point is there too, that
-    /// one's, which are known.
+    /// Velocity and acceleration of a place on a link: where another link's point is there too,
+    /// that one's, which are known.
     fn moving(&self, spot: &Spot, index: LinkId, arm: Vec3<S>) -> (Seen<S>, Seen<S>) {
         let meets = spot.hinge.and_then(|(hinge, _)| self.hinges[hinge].as_ref()?.meets);
         if let Some(other) = meets {
@@ -332,8 +333,8 @@ impl<S: Scalar> Sheet<'_, S> {
         (self.seen(axes, wrench.force), self.seen(axes, -wrench.moment))
     }
 
-    /// A vector in the work axes of a link, or in inertial ones. In a plane and along a line it comes in
-    /// the axes of the link's frame: work axes may lie across.
+    /// A vector in the work axes of a link, or in inertial ones. In a plane and along a line it
+    /// comes in the axes of the link's frame: work axes may lie across.
     fn seen(&self, link: Option<LinkId>, vector: Vec3<S>) -> Seen<S> {
         let Some(index) = link else { return Seen { axes: Mat3::identity(), vector } };
         let (axes, attitude) = (self.poses[index].to_inertial, self.links[index].attitude);

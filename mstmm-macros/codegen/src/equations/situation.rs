@@ -32,7 +32,8 @@ pub struct Situation<'a, S> {
     pub inputs: &'a [S],
     /// The length of the linearly implicit Euler step to be taken, if that is what is computed.
     pub implicit: Option<S>,
-    /// Whether bodies have inertia in all directions only by what holds them where the chain closes.
+    /// Whether bodies have inertia in all directions only by what holds them where the chain
+    /// closes.
     pub held_by_closure: bool,
     /// How many independent directions the closing hinge holds.
     pub closure_rank: ClosureRank,
@@ -210,11 +211,12 @@ impl<'a, S: Scalar> Situation<'a, S> {
         }
     }
 
-    /// What the solution for the reactions of a closing hinge that holds so many directions has to know.
+    /// What the solution for the reactions of a closing hinge that holds so many directions has to
+    /// know.
     pub fn linkage(&self, held: usize) -> Linkage<S> {
         let rank = match self.closure_rank {
-            // In an implicit step springs and dampers hold directions with a separate inertia, each of
-            // which is independent of all others.
+            // In an implicit step springs and dampers hold directions with a separate inertia, each
+            // of which is independent of all others.
             ClosureRank::Known { rank, directions } => Rank::Known(rank + added(held, directions)),
             ClosureRank::Unknown | ClosureRank::FoundAtRunTime(_) => {
                 let given = &self.numbers.closure_steps;

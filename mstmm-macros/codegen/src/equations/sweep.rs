@@ -1,12 +1,12 @@
-//! Sweeps over the links of a chain: from the ground outwards, from the free ends inwards, and sums along
-//! the way. Only the functions here loop over links, and only they know where a repeated part begins
-//! and ends, so that no algorithm can forget it.
+//! Sweeps over the links of a chain: from the ground outwards, from the free ends inwards, and sums
+//! along the way. Only the functions here loop over links, and only they know where a repeated part
+//! begins and ends, so that no algorithm can forget it.
 //!
-//! On plain numbers nothing happens at these boundaries: such a chain is written out. The compiler runs
-//! the equations of a repeated part once, for all repetitions: what a sweep carries into the part is
-//! replaced by unknowns that stand for what any repetition hands to the next one, and what it carries
-//! out by unknowns for what the last one leaves. An outward sweep crosses a boundary after the link
-//! there, an inward sweep before it.
+//! On plain numbers nothing happens at these boundaries: such a chain is written out. The compiler
+//! runs the equations of a repeated part once, for all repetitions: what a sweep carries into the
+//! part is replaced by unknowns that stand for what any repetition hands to the next one, and what
+//! it carries out by unknowns for what the last one leaves. An outward sweep crosses a boundary
+//! after the link there, an inward sweep before it.
 
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
@@ -73,8 +73,8 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         path
     }
 
-    /// From the ground outwards: of what its parent has, or of `base` on the ground, `step` makes what a link
-    /// has and a result. Both come back by links.
+    /// From the ground outwards: of what its parent has, or of `base` on the ground, `step` makes
+    /// what a link has and a result. Both come back by links.
     pub fn outward<B: Flatten<S>, R>(
         &self,
         base: B,
@@ -91,9 +91,9 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         (carried, results)
     }
 
-    /// From the free ends inwards: `step` takes what a link has of its `own` and what its children have added
-    /// to that, adds its part to what its parent has, `base` on the ground, and makes a result. The results come
-    /// back by links, with what has reached the ground.
+    /// From the free ends inwards: `step` takes what a link has of its `own` and what its children
+    /// have added to that, adds its part to what its parent has, `base` on the ground, and makes a
+    /// result. The results come back by links, with what has reached the ground.
     pub fn inward<B: Flatten<S>, R>(
         &self,
         mut own: PerLink<B>,
@@ -117,8 +117,8 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         self.along(&all, start, |link, total| (step(link, total), ())).0
     }
 
-    /// Along a path from the ground, each link taking over from the one before: what the last link leaves, and
-    /// the results with their links.
+    /// Along a path from the ground, each link taking over from the one before: what the last link
+    /// leaves, and the results with their links.
     pub fn along<B: Flatten<S>, R>(
         &self,
         path: &[LinkId],
@@ -153,7 +153,8 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         (carried, results)
     }
 
-    /// What goes on beyond a link, which differs from what comes to it at the boundary of a repeated part.
+    /// What goes on beyond a link, which differs from what comes to it at the boundary of a
+    /// repeated part.
     fn cross<B: Flatten<S>>(&self, link: LinkId, direction: Direction, carried: B) -> B {
         let (Some(Seam { repeat, at_end }), Some(weave)) =
             (self.layout.links[link].seam, self.weave)

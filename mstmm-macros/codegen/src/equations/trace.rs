@@ -32,8 +32,8 @@ impl<S: Scalar> Trace<S> {
         Trace { sections: Vec::new(), prefixes: HashSet::new() }
     }
 
-    /// Begins a section. The prefix gets a number if an earlier section has the same one, as the second
-    /// of two sweeps over the same links has.
+    /// Begins a section. The prefix gets a number if an earlier section has the same one, as the
+    /// second of two sweeps over the same links has.
     pub fn section(
         &mut self,
         prefix: impl Into<String>,
@@ -44,7 +44,8 @@ impl<S: Scalar> Trace<S> {
         self.sections.push(Section { prefix, title: title.into(), source, values: Vec::new() });
     }
 
-    /// The prefix itself if it is free, otherwise the prefix with the first number that makes it so.
+    /// The prefix itself if it is free, otherwise the prefix with the first number that makes it
+    /// so.
     fn unique(&mut self, prefix: String) -> String {
         let mut unique = prefix.clone();
         let mut number = 1;

@@ -8,8 +8,8 @@
 //! through the eliminations gives every `β`.
 //!
 //! A closing hinge adds its reactions to the wrench at the far end. They are those of the Riccati
-//! transfer, whose equations for them are symmetric and show which are redundant; with them the boundary
-//! solve is that of a loaded end.
+//! transfer, whose equations for them are symmetric and show which are redundant; with them the
+//! boundary solve is that of a loaded end.
 
 use super::Trace;
 use super::closure::Closure;

@@ -7,8 +7,8 @@ use super::sweep::{Flatten, PerLink};
 use crate::ids::LinkId;
 use crate::math::{Scalar, Wrench};
 
-/// On the child's side of every link's hinge, about the link's point, in its work axes; where the hinge
-/// frees whole axes that is its effort and nothing else [P, Eqs. (25), (57), (58)].
+/// On the child's side of every link's hinge, about the link's point, in its work axes; where the
+/// hinge frees whole axes that is its effort and nothing else [P, Eqs. (25), (57), (58)].
 pub fn transmitted<S: Scalar>(
     problem: &Problem<S>,
     movement: &Movement<S>,
@@ -35,9 +35,9 @@ pub fn transmitted<S: Scalar>(
     wrenches.enumerate().map(released).collect()
 }
 
-/// From what every body's own motion takes and its children pass on; where that would be a long sum, or
-/// one over the repetitions of a part, from what comes over from the parent, with the relation of the way
-/// to the ground.
+/// From what every body's own motion takes and its children pass on; where that would be a long
+/// sum, or one over the repetitions of a part, from what comes over from the parent, with the
+/// relation of the way to the ground.
 fn from_the_free_end<S: Scalar>(
     problem: &Problem<S>,
     movement: &Movement<S>,
@@ -87,8 +87,8 @@ fn by_relation<S: Scalar>(problem: &Problem<S>, movement: &Movement<S>) -> PerLi
     problem.tree.inward(own, Bodies(0), step).0
 }
 
-/// A wrench as the sum of what a body takes of itself and what its children pass on; nothing where it is
-/// known in another way.
+/// A wrench as the sum of what a body takes of itself and what its children pass on; nothing where
+/// it is known in another way.
 #[derive(Clone, Copy, Debug)]
 pub struct Summed<S>(pub Option<Wrench<S>>);
 

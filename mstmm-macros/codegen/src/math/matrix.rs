@@ -83,8 +83,8 @@ impl<S: Scalar> Mat3<S> {
 
     /// `self · inner · selfᵀ` of a rotation, which leaves any multiple of the identity as it is: as
     /// much of it is taken out as the last entry of the diagonal is, always that one, since what
-    /// integrators make of quaternions is no rotation to the last digit. It leaves the trace as it is,
-    /// too, from which the first entry follows without the first row of `self · inner`.
+    /// integrators make of quaternions is no rotation to the last digit. It leaves the trace as it
+    /// is, too, from which the first entry follows without the first row of `self · inner`.
     pub fn rotated(self, inner: Sym3<S>) -> Sym3<S> {
         let even = inner.at(2, 2);
         let along = |i: usize, j: usize| if i == j { even } else { S::zero() };
@@ -190,9 +190,9 @@ impl<S: Scalar> Sym3<S> {
         omega.dot(self * omega)
     }
 
-    /// `Ω × J Ω` of an inertia, of [P, Eq. (20)] the gyroscopic part of `E_9`. About principal axes these
-    /// are Euler's equations: products of rates, which points of the body have in their accelerations
-    /// too, and differences of moments, which vanish where it is even about an axis.
+    /// `Ω × J Ω` of an inertia, of [P, Eq. (20)] the gyroscopic part of `E_9`. About principal axes
+    /// these are Euler's equations: products of rates, which points of the body have in their
+    /// accelerations too, and differences of moments, which vanish where it is even about an axis.
     pub fn gyroscopic(self, omega: Vec3<S>) -> Vec3<S> {
         if self.is_diagonal() {
             return Vec3::from_fn(|k| {

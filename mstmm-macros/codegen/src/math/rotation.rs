@@ -1,4 +1,5 @@
-//! Rotations, and those whose structure is known: a turn about one coordinate axis, then a fixed rotation.
+//! Rotations, and those whose structure is known: a turn about one coordinate axis, then a fixed
+//! rotation.
 
 use super::{Mat3, Scalar, SpatialInertia, Sym3, Vec3};
 
@@ -134,7 +135,8 @@ impl<S: Scalar> Rotation<S> {
         self.matrix.transposed() * vector
     }
 
-    /// An inertia in the axes that the rotation leads to; the formula is that of the first of two steps.
+    /// An inertia in the axes that the rotation leads to; the formula is that of the first of two
+    /// steps.
     pub fn of_inertia(
         &self,
         inertia: &SpatialInertia<S>,

@@ -3,8 +3,8 @@
 use super::Scalar;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A number with the knowledge whether it is the same for every state: zeros and ones that are known
-/// fold away as they do in formulas, so the equations take the same ways on plain numbers.
+/// A number with the knowledge whether it is the same for every state: zeros and ones that are
+/// known fold away as they do in formulas, so the equations take the same ways on plain numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Structured<S> {
     value: S,

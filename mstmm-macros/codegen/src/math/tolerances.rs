@@ -1,11 +1,12 @@
-//! From where on a number counts as zero, in units in the last place of its scale. Generated code judges by the
-//! same numbers, which the runtime has of its own.
+//! From where on a number counts as zero, in units in the last place of its scale. Generated code
+//! judges by the same numbers, which the runtime has of its own.
 
-/// A pivot: one that should vanish is the difference of a few rounded products of the size of its scale.
+/// A pivot: one that should vanish is the difference of a few rounded products of the size of its
+/// scale.
 pub const NOISE: f64 = 8.0;
 
-/// A number of which equations ask with [`Scalar::recip_above`](super::Scalar::recip_above): rows of a closure
-/// that hang on others leave the rounding of many operations.
+/// A number of which equations ask with [`Scalar::recip_above`](super::Scalar::recip_above): rows
+/// of a closure that hang on others leave the rounding of many operations.
 pub const REDUNDANT: f64 = 1024.0;
 
 #[cfg(test)]

@@ -8,8 +8,8 @@ use crate::math::{REDUNDANT, Scalar};
 pub(super) struct Pivot<S> {
     /// `e_i`
     pub(super) choice: Vec<S>,
-    /// `l_k`: one in the row of this step, zero in those of earlier steps, and zero where the pivot is
-    /// rounding.
+    /// `l_k`: one in the row of this step, zero in those of earlier steps, and zero where the pivot
+    /// is rounding.
     pub(super) column: Vec<S>,
     /// `d_k`
     pub(super) value: S,
@@ -19,7 +19,8 @@ pub(super) struct Pivot<S> {
     pub(super) inverse: S,
 }
 
-/// A row of `J`, twice: the product of two rows is that of the left one's entries with the right one's.
+/// A row of `J`, twice: the product of two rows is that of the left one's entries with the right
+/// one's.
 #[derive(Clone)]
 struct Row<S> {
     left: Vec<S>,
@@ -163,8 +164,9 @@ impl<S: Scalar> Reactions<S> {
         }
     }
 
-    /// `1 / d` of a square, or zero where a direction is not determined: by a pivot of less than a unit in
-    /// the last place of `s_i`, rounding of `b` would make larger reactions than the loads do.
+    /// `1 / d` of a square, or zero where a direction is not determined: by a pivot of less than a
+    /// unit in the last place of `s_i`, rounding of `b` would make larger reactions than the loads
+    /// do.
     fn guarded_reciprocal(&self, square: S, size: S) -> S {
         let is_kept = self.repeated.iter().flatten().all(|x| x.vanishes());
         let units = if is_kept { 1.0 } else { self.linkage.noise };

@@ -1,7 +1,7 @@
 use super::{Closure, Dof, Linkage, Rank, Reactions, Trace, solve};
 
-/// The same system in three ways: degrees of freedom that are kept, that repeated parts have added up,
-/// and some of both.
+/// The same system in three ways: degrees of freedom that are kept, that repeated parts have added
+/// up, and some of both.
 const KEPT: [fn(usize) -> bool; 3] = [|_| true, |_| false, |number| number % 2 == 0];
 
 /// Condition numbers are below 1e4 in these tests; a solution takes some hundred operations.
@@ -95,8 +95,8 @@ fn of_all_solutions_the_shortest_is_found_with_and_without_a_given_rank() {
     }
 }
 
-/// In front of rows that determine everything one nearly vanishes, down to rounding and below: taken
-/// first, its pivot would make rounding of what is left seem more than that.
+/// In front of rows that determine everything one nearly vanishes, down to rounding and below:
+/// taken first, its pivot would make rounding of what is left seem more than that.
 #[test]
 fn a_row_that_nearly_vanishes_spoils_nothing() {
     for (keep, exponent) in KEPT.into_iter().flat_map(|keep| (0..20).map(move |e| (keep, e))) {
@@ -110,8 +110,8 @@ fn a_row_that_nearly_vanishes_spoils_nothing() {
     }
 }
 
-/// Two rows that nearly depend on each other. Rows that are kept show singular values down to 1e-7 of the
-/// largest; squares of the rows would not.
+/// Two rows that nearly depend on each other. Rows that are kept show singular values down to 1e-7
+/// of the largest; squares of the rows would not.
 #[test]
 fn small_singular_values_are_no_rounding() {
     for exponent in 0..8 {

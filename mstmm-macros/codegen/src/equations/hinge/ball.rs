@@ -13,8 +13,8 @@ use crate::math::{Mat3, Scalar, Vec3};
 pub struct Ball;
 
 impl<S: Scalar> HingeLaw<S> for Ball {
-    /// A turn by the quaternion, free about all axes: the moment vanishes, as [P, Eq. (25)] has it for
-    /// the next hinge.
+    /// A turn by the quaternion, free about all axes: the moment vanishes, as [P, Eq. (25)] has it
+    /// for the next hinge.
     fn geometry(&self, _: &Numbers<S>, q: &[S]) -> Geometry<S> {
         Geometry {
             rotation: Mat3::from_quaternion([q[0], q[1], q[2], q[3]]),

@@ -94,9 +94,9 @@ impl<S: Scalar> Crossing<S> {
 
     /// `Ṡ q̇`, the acceleration that the rates alone make, seen from the parent, work axes.
     ///
-    /// Shifts are fixed on the inboard side; with the turning rates `ω_i`, `ω_o` of directions fixed
-    /// on the two sides, outwards it is `[0; ω_i × ω_o]`. Inwards, seen from the outboard frame, the
-    /// inboard origin at `−d` has besides `2 ω × ḋ − ω × (ω × d)`.
+    /// Shifts are fixed on the inboard side; with the turning rates `ω_i`, `ω_o` of directions
+    /// fixed on the two sides, outwards it is `[0; ω_i × ω_o]`. Inwards, seen from the outboard
+    /// frame, the inboard origin at `−d` has besides `2 ω × ḋ − ω × (ω × d)`.
     pub fn drift(&self, subspace: &[Motion<S>], rates: &[S], axes: &WorkAxes<S>) -> Motion<S> {
         let turning = |on_child: bool| {
             let all = subspace.iter().zip(&self.directions).zip(rates);

@@ -14,7 +14,8 @@ pub struct Passives<S> {
     pub strains: Strains<S>,
     /// Strain rates.
     pub rates: Vec<S>,
-    /// Efforts, one for each of the hinge's rates; what the rates alone demand of rotors is taken off.
+    /// Efforts, one for each of the hinge's rates; what the rates alone demand of rotors is taken
+    /// off.
     pub efforts: Vec<S>,
     /// Inertia along each strain: of rotors and, in an implicit step, what the step adds.
     pub inertias: Vec<S>,

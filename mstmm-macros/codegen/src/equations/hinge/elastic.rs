@@ -47,7 +47,8 @@ impl<S: Scalar> HingeLaw<S> for Elastic {
 
     /// From rates to the rates of the coordinates, and back.
     ///
-    /// `Ω = ξ θ̇₁ + A_xᵀ η θ̇₂ + A_xᵀ A_yᵀ ζ θ̇_r` in outboard axes, and `ḋ = A_z (Δ̇ + θ̇_r ζ × Δ)`.
+    /// `Ω = ξ θ̇₁ + A_xᵀ η θ̇₂ + A_xᵀ A_yᵀ ζ θ̇_r` in outboard axes, and
+    /// `ḋ = A_z (Δ̇ + θ̇_r ζ × Δ)`.
     fn strains(&self, q: &[S]) -> Strains<S> {
         let (zero, one) = (S::zero(), S::one());
         let ([s1, s2, s3], [c1, c2, c3]) = sines(q);

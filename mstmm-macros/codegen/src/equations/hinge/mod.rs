@@ -1,8 +1,9 @@
 //! Hinges: how each turns and shifts its outboard frame against its inboard one, and which
 //! directions it leaves free. One file a kind.
 //!
-//! Each kind is one [`HingeLaw`]; `CONTRIBUTING.md` lists what else a new kind needs. What follows from the
-//! law, what acts along the free directions and how hinges close a loop is the same for all.
+//! Each kind is one [`HingeLaw`]; `CONTRIBUTING.md` lists what else a new kind needs. What follows
+//! from the law, what acts along the free directions and how hinges close a loop is the same for
+//! all.
 //!
 //! A hinge is crossed from the side that motion comes from (the *parent*) to the other (the
 //! *child*). The parent is the inboard side, unless the chain is held at its end only: then the

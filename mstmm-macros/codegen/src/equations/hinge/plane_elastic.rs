@@ -1,8 +1,8 @@
 //! Elastic in the plane: the plane cut of [P, Sect. A.1], where the intermediate frame is the
 //! outboard one's axes at the inboard origin.
 //!
-//! Coordinates: the displacement of the outboard origin in m along the turned axes, and the angle in
-//! rad. Rates: as for a planar hinge. Efforts act along the rates of the coordinates, as for the
+//! Coordinates: the displacement of the outboard origin in m along the turned axes, and the angle
+//! in rad. Rates: as for a planar hinge. Efforts act along the rates of the coordinates, as for the
 //! elastic hinge in space.
 
 use super::law::{HingeLaw, free_of_quaternions, own_axes};

@@ -1,8 +1,8 @@
 //! Universal: turns about an axis fixed on the inboard side, then about one fixed on the outboard
 //! side.
 //!
-//! Coordinates: both angles in rad; `A = A_a(α) A_b(β)`. Aligned axes have one coordinate axis along
-//! the outboard one.
+//! Coordinates: both angles in rad; `A = A_a(α) A_b(β)`. Aligned axes have one coordinate axis
+//! along the outboard one.
 
 use super::axis::{Alignment, turn_about};
 use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
@@ -19,7 +19,8 @@ pub struct Universal<'a> {
 }
 
 impl<S: Scalar> HingeLaw<S> for Universal<'_> {
-    /// Two turns, each about an axis fixed on its side; the first carries the second's axis with it.
+    /// Two turns, each about an axis fixed on its side; the first carries the second's axis with
+    /// it.
     fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
         let outboard = Alignment::with(&self.axes[1], numbers);
         let first = inboard_axis(&self.axes[0], &outboard, numbers);

@@ -39,8 +39,8 @@ pub struct Crossed<S> {
     pub from_child: Mat3<S>,
 }
 
-/// What velocities and prescribed accelerations add to the acceleration of a point on the way from its
-/// parent's [P, Eqs. (13), (36)], each part in the axes in which it has most zeros.
+/// What velocities and prescribed accelerations add to the acceleration of a point on the way from
+/// its parent's [P, Eqs. (13), (36)], each part in the axes in which it has most zeros.
 #[derive(Clone, Copy, Debug)]
 pub struct Drift<S> {
     /// Of the way on the parent to the hinge, `Ω_p × (Ω_p × arm)`; parent's work axes.

@@ -1,5 +1,5 @@
-//! Kinematics: how every part is turned, how fast, and what its velocities add to the accelerations, from
-//! the ground outwards; and where every part is.
+//! Kinematics: how every part is turned, how fast, and what its velocities add to the
+//! accelerations, from the ground outwards; and where every part is.
 //!
 //! # Notation
 //!
@@ -11,7 +11,8 @@
 //! | `b` | [`Drift`] | bias acceleration of the point against the parent's |
 //!
 //! Frames: the *work axes* of a link are those in which its equations are written ([`Axes`]); its
-//! *attitude* leads from the axes of its part's frame to them, `to_parent` from them to the parent's.
+//! *attitude* leads from the axes of its part's frame to them, `to_parent` from them to the
+//! parent's.
 
 mod crossed;
 mod pose;
@@ -95,8 +96,8 @@ impl<S: Scalar> LinkMotion<S> {
         SpatialInertia::rigid(self.mass, self.moment, self.inertia)
     }
 
-    /// The load that the velocities take: `[m Ω̃Ω̃ r_C; Ω × J Ω]`, of [P, Eq. (20)] `−E_5` and, about
-    /// the point, the gyroscopic part of `E_9`.
+    /// The load that the velocities take: `[m Ω̃Ω̃ r_C; Ω × J Ω]`, of [P, Eq. (20)] `−E_5` and,
+    /// about the point, the gyroscopic part of `E_9`.
     pub fn velocity_load(&self) -> Wrench<S> {
         let moment = self.inertia.gyroscopic(self.omega);
         Wrench { force: self.moment.centripetal_by_products(self.omega), moment }
