@@ -8,13 +8,13 @@
 //!
 //! | symbol | in code | meaning |
 //! |---|---|---|
-//! | `Iᴬ`, `pᴬ` | [`Articulated`] | articulated inertia and bias, `F = Iᴬ a + pᴬ` |
-//! | `s`, `τ` | [`Condition`] | a free direction of the link's hinge, `sᵀ F = τ` |
-//! | `U`, `D`, `K`, `ε` | [`Eliminated`] | of the elimination of `s`, equation (1) |
+//! | `Iᴬ`, `pᴬ` | [`inward::Articulated`] | articulated inertia and bias, `F = Iᴬ a + pᴬ` |
+//! | `s`, `τ` | [`direction::Condition`] | a free direction of the link's hinge, `sᵀ F = τ` |
+//! | `U`, `D`, `K`, `ε` | [`direction::Eliminated`] | of the elimination of `s`, equation (1) |
 //! | `a'` | `carried` | `a` but for the hinge's own rates, from `a` of the parent |
 //! | `v̇` | `amounts` | accelerations along the free directions, `a = a' + Σ s v̇` |
 //! | `T`, `λ` | `closing` | directions that the closing hinge holds, its reactions along them |
-//! | `Tᴬ`, `γ`, `Λ` | [`OpenLoop`] | `T` as it acts here, and the sums of equation (5) |
+//! | `Tᴬ`, `γ`, `Λ` | [`open_loop::OpenLoop`] | `T` as it acts here, and the sums of equation (5) |
 //!
 //! # Equations
 //!
