@@ -111,7 +111,7 @@ fn solve<S: Scalar, R>(
     let mut links = motion(situation, axes, trace);
     let closing = closing(situation, axes, &links);
     let given = to_parents.then(|| redistribute(situation, &mut links, trace));
-    let problem = Problem { given, ..forces(situation, &links, closing.as_ref()) };
+    let problem = Problem { given, ..forces(situation, &links, closing.as_ref(), trace) };
     let (movement, pivots) = match method {
         Method::Riccati => riccati::solve(&problem, trace),
         Method::Transfer => {
@@ -144,14 +144,24 @@ fn forces<'a, S: Scalar>(
     situation: &Situation<'a, S>,
     links: &'a PerLink<LinkMotion<S>>,
     closing: Option<&'a Closing<S>>,
+    trace: &mut Trace<S>,
 ) -> Problem<'a, S> {
     let outer = loads(situation, links);
+    let own = |(link, outer): (&LinkMotion<S>, Wrench<S>)| {
+        let name = &link.name;
+        let source = "[P, Eqs. (14), (15), (20)]";
+        trace.section(format!("{name}_loads"), format!("Loads on `{name}`"), source);
+        trace.wrench(&format!("{name}_velocity_load"), link.velocity_load());
+        trace.wrench(&format!("{name}_load"), outer);
+        link.velocity_load() - outer
+    };
+    let loads = links.iter().zip(outer).map(own).collect();
     let mut problem = Problem {
         links,
         dimension: situation.chain.dimension,
         tree: situation.tree,
         drift: links.iter().map(|link| link.over.drift).collect(),
-        loads: links.iter().zip(outer).map(|(link, load)| link.velocity_load() - load).collect(),
+        loads,
         efforts: links.iter().map(|link| link.over.freedom.loads(&link.over.efforts)).collect(),
         ground: situation.ground(),
         closing: None,

@@ -225,7 +225,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Riccati transfer over `joint` | F = I a + p of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 3 | 0 | 0 | 0 | 0 |
+    /// | Loads on `rod` | \[P, Eqs. (14), (15), (20)\] | 2 | 0 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = I a + p of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 1 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Results |  | 4 | 0 | 0 | 0 | 0 |
     /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 3 | 2 | 0 | 0 | 0 |
@@ -260,16 +261,17 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         *n6_ = cos_joint_angle_;
         *n10_ = cos_joint_angle_;
         ::mstmm::generated::written();
-        /// Riccati transfer over `joint`, F = I a + p of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 3 mul, 0 add, 0 reciprocal.
+        /// Loads on `rod`, [P, Eqs. (14), (15), (20)]: 2 mul, 0 add, 0 reciprocal.
         let t0_ = joint_rate_ * joint_rate_;
+        /// Riccati transfer over `joint`, F = I a + p of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 1 mul, 0 add, 0 reciprocal.
         let joint_rest_ = joint_input0_ * known_joint_d_inverse_;
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 1 add, 0 reciprocal.
         let t1_ = cos_joint_angle_ * known_joint_gain_fy_;
         let joint_a_lin_y_ = cos_joint_angle_ * c_(9.8);
         *n22_ = joint_a_lin_y_;
         ::mstmm::generated::written();
-        /// Riccati transfer over `joint`.
-        let minus_joint_bias_fx_ = known_rod_first_moment_x_ * t0_;
+        /// Loads on `rod`.
+        let minus_rod_velocity_load_fx_ = known_rod_first_moment_x_ * t0_;
         /// Results: 4 mul, 0 add, 0 reciprocal.
         let t3_ = known_rod_inertia_yy_ * t0_;
         /// Acceleration of `joint`.
@@ -309,7 +311,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let minus_joint_load_fx_ = T::mul_neg_add(
             known_rod_mass_,
             joint_a_lin_x_,
-            minus_joint_bias_fx_,
+            minus_rod_velocity_load_fx_,
         );
         *n15_ = -minus_joint_load_fx_;
         ::mstmm::generated::written();
