@@ -25,7 +25,7 @@ macro_rules! declare_id {
             }
         }
 
-        impl Id for $name {
+        impl $crate::ids::Id for $name {
             fn new(index: usize) -> Self {
                 $name(index)
             }
@@ -36,6 +36,8 @@ macro_rules! declare_id {
         }
     )*};
 }
+
+pub(crate) use declare_id;
 
 declare_id! {
     /// A body of the model.

@@ -1,7 +1,7 @@
 //! The compiler behind `mstmm_chain!`: from the text of a chain to the code that computes it.
 //!
 //! ```text
-//! tokens --syntax--> ChainDef --model--> Chain --equations--> Expr graph --passes--> Program --emit--> tokens
+//! tokens --syntax--> ChainDef --model--> Chain --equations--> Function --passes--> Procedure --emit--> tokens
 //! ```
 //!
 //! | module | holds | may use |
@@ -14,11 +14,10 @@
 //! | [`equations`] | the paper, generic over [`math::Scalar`] | `ids`, `math`, `model` |
 //! | [`examine`] | a chain tried out in numbers | `diag`, `equations`, `math`, `model` |
 //! | [`expr`] | formulas as a graph without repetitions | `math` |
-//! | [`program`] | straight-line programs, their costs and their text | `ids` |
-//! | [`passes`] | one optimisation a file | `expr`, `ids`, `math`, `program` |
-//! | [`symbols`] | numbers and names of a chain's unknowns | `model` |
-//! | [`weave`] | repeated parts as loops | `equations`, `expr`, `ids` |
-//! | [`compile`](mod@compile) | from a model to its programs | `equations`, `examine`, `expr`, `ids`, `math`, `model`, `passes`, `program`, `symbols`, `weave` |
+//! | [`program`] | programs and procedures, their costs and their text | `diag`, `ids` |
+//! | [`function`] | functions as values, and repeated parts as loops | `diag`, `equations`, `expr`, `ids`, `program` |
+//! | [`passes`] | one optimisation a file | `diag`, `expr`, `function`, `ids`, `math`, `program` |
+//! | [`compile`](mod@compile) | from a model to its procedures: the table of functions and the list of passes | `diag`, `equations`, `examine`, `expr`, `function`, `ids`, `math`, `model`, `passes`, `program` |
 //! | [`emit`] | the only `quote!` of items | `compile`, `diag`, `ids`, `model`, `program`, `syntax` |
 
 #![deny(missing_docs)]
@@ -31,14 +30,13 @@ pub mod emit;
 pub mod equations;
 pub mod examine;
 pub mod expr;
+pub mod function;
 pub mod ids;
 pub mod math;
 pub mod model;
 pub mod passes;
 pub mod program;
-pub mod symbols;
 pub mod syntax;
-pub mod weave;
 
 use diag::Diagnostics;
 use proc_macro2::TokenStream;
@@ -70,8 +68,8 @@ pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
     // From here on no mistake of the user is possible.
     let right = |((chain, surface), findings): (&Understood, &examine::Findings)| {
         let layout = model::Layout::of(chain);
-        let programs = compile::programs(chain, findings, &layout);
-        emit::expand(chain, surface, &layout, &programs, findings, mstmm)
+        let compiled = compile::compile(chain, findings, &layout);
+        emit::expand(chain, surface, &layout, &compiled, findings, mstmm)
     };
     let mut items: TokenStream = match &mistakes {
         None => chains.iter().zip(&findings).map(right).collect(),

@@ -13,23 +13,22 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("equations", &["ids", "math", "model"]),
     ("examine", &["diag", "equations", "math", "model"]),
     ("expr", &["math"]),
-    ("program", &["ids"]),
-    ("passes", &["expr", "ids", "math", "program"]),
-    ("symbols.rs", &["model"]),
-    ("weave.rs", &["equations", "expr", "ids"]),
+    ("program", &["diag", "ids"]),
+    ("function", &["diag", "equations", "expr", "ids", "program"]),
+    ("passes", &["diag", "expr", "function", "ids", "math", "program"]),
     (
         "compile",
         &[
+            "diag",
             "equations",
             "examine",
             "expr",
+            "function",
             "ids",
             "math",
             "model",
             "passes",
             "program",
-            "symbols",
-            "weave",
         ],
     ),
     ("emit", &["compile", "diag", "examine", "ids", "model", "program", "syntax"]),
@@ -37,7 +36,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
 ];
 
 /// Words that name foreign crates, and who alone may use them.
-const MAY_QUOTE: &[&str] = &["emit", "lib.rs", "diag.rs", "symbols.rs", "syntax", "model"];
+const MAY_QUOTE: &[&str] = &["emit", "lib.rs", "diag.rs", "compile", "syntax", "model"];
 
 const LONGEST_FILE: usize = 400;
 

@@ -3,12 +3,13 @@
 
 mod common;
 
-use common::interpreter::{Arguments, Results, run};
-use mstmm_codegen::compile::{Programs, programs};
-use mstmm_codegen::diag::Diagnostics;
-use mstmm_codegen::examine::{Findings, examine};
-use mstmm_codegen::model::{Chain, Layout, Method, Symbol, Value};
-use mstmm_codegen::program::Program;
+use common::given::slots;
+use common::interpreter::{Arrays, run};
+use mstmm_codegen::compile::{Compiled, CompiledFunction, compile, outputs};
+use mstmm_codegen::examine::Findings;
+use mstmm_codegen::function::Unknowns;
+use mstmm_codegen::model::{Answer, Chain, Layout, Method, Symbol, Value};
+use mstmm_codegen::program::{Argument, ArrayRole, Procedure};
 use mstmm_reference::Random;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -22,16 +23,11 @@ fn file(name: &str) -> PathBuf {
 /// The chains of a file, with what is found of them by trying.
 fn chains(name: &str) -> Vec<(Chain, Findings)> {
     let text = std::fs::read_to_string(file(name)).expect("the chains");
-    let read = mstmm_codegen::read(text.parse().expect("tokens"));
-    let tried = |chain| {
-        let findings = examine(&chain, &mut Diagnostics::default());
-        (chain, findings)
-    };
-    let read = read.unwrap_or_else(|errors| {
+    let read = mstmm_codegen::read_and_examine(text.parse().expect("tokens"));
+    read.unwrap_or_else(|errors| {
         let texts: Vec<String> = errors.into_iter().map(|error| error.to_string()).collect();
         panic!("{name}: {texts:#?}")
-    });
-    read.into_iter().map(|(chain, _)| tried(chain)).collect()
+    })
 }
 
 /// FNV-1a over the bits of all results.
@@ -41,36 +37,66 @@ struct Hash(u64);
 impl Hash {
     const EMPTY: Hash = Hash(0xcbf2_9ce4_8422_2325);
 
-    fn add(&mut self, results: &Results) {
-        for value in results.iter().flatten().flatten() {
-            // The sign and the payload of what is undefined are the processor's.
-            let bits = if value.is_nan() { f64::NAN.to_bits() } else { value.to_bits() };
-            for byte in bits.to_le_bytes() {
-                self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    /// Adds all results, entry by entry; a number that is the same in all repetitions counts once.
+    fn add(&mut self, procedure: &Procedure, arrays: &Arrays<f64>) {
+        for array in &procedure.arrays {
+            let ArrayRole::Result(id) = array.role else { continue };
+            // Slots are what the other functions read.
+            if id == outputs::slots(id.part) {
+                continue;
             }
+            let values = arrays.result(id);
+            for segment in &array.layout.segments {
+                for entry in 0..segment.count {
+                    let repetitions = (0..segment.repetitions)
+                        .map(|it| bits(values[segment.place + it * segment.count + entry]));
+                    let mut all: Vec<u64> = repetitions.collect();
+                    if all.iter().all(|it| *it == all[0]) {
+                        all.truncate(1);
+                    }
+                    all.into_iter().for_each(|bits| self.add_bits(bits));
+                }
+            }
+        }
+    }
+
+    fn add_bits(&mut self, bits: u64) {
+        for byte in bits.to_le_bytes() {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
         }
     }
 }
 
+/// The bits of a number; the sign and the payload of what is undefined are the processor's.
+fn bits(value: f64) -> u64 {
+    if value.is_nan() { f64::NAN.to_bits() } else { value.to_bits() }
+}
+
 /// All unknowns at random numbers, but for parameters, which are near their defaults, and the steps of a
 /// closure, all of which are taken.
-fn arguments(chain: &Chain, programs: &Programs, random: &mut Random) -> Arguments {
-    let symbols = &programs.symbols;
-    let repetitions: Vec<usize> = chain.repeats.iter().map(|repeat| repeat.count).collect();
-    let all = symbols.parts().iter().enumerate().map(|(number, part)| {
-        let one = |random: &mut Random| {
-            let default = chain.parameters.get(number).map(|one| constant(chain, &one.default));
-            let steps = symbols.closure_steps();
-            match default {
-                Some(default) => default * random.between(0.9, 1.1),
-                None if steps.contains(&number) => 1.0,
-                None => random.between(-1.0, 1.0),
+fn arguments(chain: &Chain, unknowns: &Unknowns, random: &mut Random) -> Arrays<f64> {
+    let mut arrays = Arrays::default();
+    arrays.arguments.insert(Argument::Time, vec![0.0]);
+    for (argument, layout) in unknowns.arguments() {
+        let mut values = vec![f64::NAN; layout.total];
+        for segment in &layout.segments {
+            for entry in 0..segment.count {
+                for repetition in 0..segment.repetitions {
+                    let value = match argument {
+                        Argument::Parameter(index) => {
+                            let default = constant(chain, &chain.parameters[index].default);
+                            default * random.between(0.9, 1.1)
+                        }
+                        Argument::ClosureSteps => 1.0,
+                        _ => random.between(-1.0, 1.0),
+                    };
+                    values[segment.place + repetition * segment.count + entry] = value;
+                }
             }
-        };
-        let count = part.map_or(1, |part| repetitions[part.index()]);
-        (0..count).map(|_| one(random)).collect()
-    });
-    Arguments { symbols: all.collect(), repetitions: repetitions.clone(), ..Arguments::default() }
+        }
+        arrays.arguments.insert(argument, values);
+    }
+    arrays
 }
 
 /// The value of what stands for a parameter's default.
@@ -89,60 +115,46 @@ fn constant(chain: &Chain, value: &Value) -> f64 {
     }
 }
 
-/// The functions of a chain besides its setup.
-fn functions(programs: &Programs) -> Vec<(&'static str, &Program)> {
-    let always = [
-        ("accelerations", &programs.accelerations),
-        ("solution", &programs.solution),
-        ("energy", &programs.energy),
-        ("coordinate rates", &programs.coordinate_rates),
-        ("normalized", &programs.normalized),
-        ("start", &programs.start),
-    ];
-    let some = [
-        ("implicit", programs.implicit.as_ref().map(|(program, _)| program)),
-        ("correction", programs.correction.as_ref()),
-        ("closure pivots", programs.closure_pivots.as_ref()),
-    ];
-    let some = some.into_iter().filter_map(|(name, program)| Some((name, program?)));
-    always.into_iter().chain(some).collect()
-}
-
 /// The hashes of all functions of a chain.
-fn hashes(chain: &Chain, findings: &Findings) -> Vec<(&'static str, [Hash; 2])> {
-    let programs = programs(chain, findings, &Layout::of(chain));
-    let functions = functions(&programs);
-    let mut hashes: Vec<_> = functions.iter().map(|(name, _)| (*name, [Hash::EMPTY; 2])).collect();
-    hashes.push(("checks", [Hash::EMPTY; 2]));
+fn hashes(chain: &Chain, findings: &Findings) -> Vec<(String, [Hash; 2])> {
+    let compiled = compile(chain, findings, &Layout::of(chain));
+    let name = |function: &CompiledFunction| match function.answer {
+        Some(answer) => format!("{answer:?}"),
+        None => "Setup".to_owned(),
+    };
+    let functions = || std::iter::once(&compiled.setup).chain(&compiled.functions);
+    let mut hashes: Vec<_> = functions().map(|it| (name(it), [Hash::EMPTY; 2])).collect();
     for seed in 0..STATES {
         let mut random = Random::new(seed);
-        let mut arguments = arguments(chain, &programs, &mut random);
+        let given =
+            with_unit_quaternions(arguments(chain, &compiled.unknowns, &mut random), &compiled);
         for fused in [false, true] {
-            arguments.fused = fused;
-            let setup = run(&programs.setup, &arguments);
-            arguments.slots = setup[0].iter().map(|slot| slot[0]).collect();
-            arguments.repeated_slots = setup[2..].iter().map(|part| every(part, chain)).collect();
-            for ((_, program), (_, hashes)) in functions.iter().zip(&mut hashes) {
-                hashes[usize::from(fused)].add(&run(program, &arguments));
-            }
-            if let Some((_, hashes)) = hashes.last_mut() {
-                hashes[usize::from(fused)].add(&setup[1..2].to_vec());
+            let mut given = Arrays { fused, untested: true, ..given.clone() };
+            for (function, (_, hashes)) in functions().zip(&mut hashes) {
+                let mut arrays = given.clone();
+                run(&function.procedure, &mut arrays).expect("nothing is tested");
+                hashes[usize::from(fused)].add(&function.procedure, &arrays);
+                if function.answer.is_none() {
+                    given.arguments.extend(slots(&compiled, &arrays));
+                }
             }
         }
     }
     hashes
 }
 
-/// The slots of a repeated part; what is the same in every repetition stands once.
-fn every(part: &[Vec<f64>], chain: &Chain) -> Vec<Vec<f64>> {
-    let most = chain.repeats.iter().map(|repeat| repeat.count).max().unwrap_or(1);
-    let spread = |slot: &Vec<f64>| if slot.len() == 1 { vec![slot[0]; most] } else { slot.clone() };
-    part.iter().map(spread).collect()
+/// The same with quaternions of unit length.
+fn with_unit_quaternions(mut given: Arrays<f64>, compiled: &Compiled) -> Arrays<f64> {
+    let mut arrays = given.clone();
+    run(&compiled.function(Answer::Normalized).procedure, &mut arrays).expect("it cannot fail");
+    given.arguments.insert(Argument::Coordinates, arrays.result(outputs::COORDINATES));
+    given
 }
 
 fn table() -> String {
     let mut table =
-        "chain           method   function          products and sums apart     fused\n".to_owned();
+        "chain           method   function               products and sums apart     fused\n"
+            .to_owned();
     let counted = chains("operation_counts.chains").into_iter().flat_map(|(chain, findings)| {
         [Method::Riccati, Method::Transfer]
             .map(|method| (Chain { method: Some(method), ..chain.clone() }, findings.clone()))
@@ -156,7 +168,7 @@ fn table() -> String {
             let name = chain.name.to_string();
             writeln!(
                 table,
-                "{name:<15} {method:<8} {function:<16}  {:016x} {:016x}",
+                "{name:<15} {method:<8} {function:<21}  {:016x} {:016x}",
                 apart.0, fused.0
             )
             .expect("text can be written");

@@ -1,10 +1,10 @@
 //! What the generated code of the golden chains costs, kept in a table: a change that moves a count
 //! shows in its diff. `MSTMM_BLESS=1 cargo test -p mstmm-codegen --test operation_counts` accepts.
 
-use mstmm_codegen::compile::programs;
+use mstmm_codegen::compile::{Compiled, compile};
 use mstmm_codegen::diag::Diagnostics;
 use mstmm_codegen::examine::{Findings, examine};
-use mstmm_codegen::model::{self, Layout, Method, Results};
+use mstmm_codegen::model::{self, Answer, Layout, Method, Results};
 use mstmm_codegen::program::Cost;
 use std::fmt::Write;
 use std::path::Path;
@@ -29,16 +29,20 @@ fn chains() -> Vec<(model::Chain, Findings)> {
     chains.into_iter().map(|(chain, _)| tried(chain)).collect()
 }
 
+fn cost(compiled: &Compiled, answer: Answer) -> Cost {
+    compiled.function(answer).procedure.cost()
+}
+
 fn table() -> String {
     let mut table = HEADER.to_owned();
     for (mut chain, findings) in chains() {
         let layout = Layout::of(&chain);
         for (method, name) in [(Method::Riccati, "riccati"), (Method::Transfer, "transfer")] {
             chain.method = Some(method);
-            let programs = programs(&chain, &findings, &layout);
-            let cost = programs.accelerations.cost();
-            let Cost { mul, add, recip, sqrt, trig } = cost;
-            let (total, all) = (cost.arithmetic(), programs.solution.cost().arithmetic());
+            let compiled = compile(&chain, &findings, &layout);
+            let fast = cost(&compiled, Answer::Accelerations);
+            let Cost { mul, add, recip, sqrt, trig } = fast;
+            let (total, all) = (fast.arithmetic(), cost(&compiled, Answer::Solution).arithmetic());
             let with_z = solution_with_z(&chain, &findings, &layout);
             writeln!(
                 table,
@@ -54,7 +58,7 @@ fn table() -> String {
 /// Of a solution that says nothing but z.
 fn solution_with_z(chain: &model::Chain, findings: &Findings, layout: &Layout) -> usize {
     let chain = model::Chain { results: Results { z: true, ..Results::NONE }, ..chain.clone() };
-    programs(&chain, findings, layout).solution.cost().arithmetic()
+    cost(&compile(&chain, findings, layout), Answer::Solution).arithmetic()
 }
 
 #[test]
@@ -117,9 +121,14 @@ fn points_of_bodies_cost_nothing() {
         let mut chains =
             mstmm_codegen::read(text.parse().expect("tokens")).unwrap_or_else(|e| panic!("{e}"));
         let (chain, _) = chains.remove(0);
-        let programs = programs(&chain, &Findings::default(), &Layout::of(&chain));
-        let kept: usize = programs.places.pieces.iter().map(|(count, _)| count).sum();
-        (programs.accelerations.cost(), programs.solution.cost(), programs.setup.cost(), kept)
+        let compiled = compile(&chain, &Findings::default(), &Layout::of(&chain));
+        let kept: usize = compiled.places.pieces.iter().map(|(count, _)| count).sum();
+        (
+            cost(&compiled, Answer::Accelerations),
+            cost(&compiled, Answer::Solution),
+            compiled.setup.procedure.cost(),
+            kept,
+        )
     };
     let (accelerations, solution, setup, kept) = of("");
     let fixed = of("point tip = [1, 0.2, 0.3]; point mark = [CONSTANT, 0, 2 * CONSTANT];");

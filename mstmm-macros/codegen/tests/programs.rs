@@ -3,34 +3,33 @@
 
 mod common;
 
-use common::interpreter::{self, Arguments};
+use common::given::Given;
+use common::interpreter::{Arrays, run};
 use common::{Point, compute, compute_with, difference, drives, read};
-use mstmm_codegen::compile::{self, Place, Programs, Sight, groups};
+use mstmm_codegen::compile::{Compiled, Place, Sight, compile, outputs};
 use mstmm_codegen::equations::Axes;
 use mstmm_codegen::examine::Findings;
 use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
+use mstmm_codegen::function::{Function, Output, Unknowns};
 use mstmm_codegen::math::{Scalar, Structured, Vec3};
-use mstmm_codegen::model::{Dimension, Layout, Method};
-use mstmm_codegen::passes::{Setup, Unknowns, factor, order, schedule};
-use mstmm_codegen::program::Program;
+use mstmm_codegen::model::{Answer, Dimension, Layout, Method};
+use mstmm_codegen::passes::{
+    Setup, early_stores, factor, linearize, list_schedule, lower, reassociate,
+};
+use mstmm_codegen::program::{Argument, ArrayLayout, ArrayRole, OutputId};
 use mstmm_reference::{Random, Recipe, random_mechanism, random_motion};
 
-/// Runs a program without loops; `symbols` by number, `slots` by index.
-fn run(program: &Program, symbols: &[f64], slots: &[f64]) -> Vec<Vec<f64>> {
-    let symbols = symbols.iter().map(|&symbol| vec![symbol]).collect();
-    let arguments = Arguments { symbols, slots: slots.to_vec(), ..Arguments::default() };
-    interpreter::run(program, &arguments).into_iter().map(|group| group.concat()).collect()
-}
-
 /// All points in inertial axes, read off the numbers of a solution as the runtime does.
-fn points(programs: &Programs, dimension: Dimension, full: &[Vec<f64>]) -> Vec<f64> {
+fn points(compiled: &Compiled, dimension: Dimension, full: &Arrays<f64>) -> Vec<f64> {
+    let numbers = full.result(outputs::POINT_NUMBERS);
+    let at_rest = full.result(outputs::AT_REST);
     let (shifts, turns) = (dimension.shifts(), dimension.turns());
     let mut all = Vec::new();
-    for point in &programs.places.points {
+    for point in &compiled.places.points {
         let entries = |place: &Place, count: usize| -> Vec<f64> {
             let Some(first) = place.first.checked_sub(1) else { return vec![0.0; count] };
             assert_eq!(place.count, count);
-            full[groups::NUMBERS][first..first + count].to_vec()
+            numbers[first..first + count].to_vec()
         };
         let inertial = |Sight { axes, vector }: &Sight, along: &[usize]| -> Vec<f64> {
             let vector = entries(vector, along.len());
@@ -53,8 +52,7 @@ fn points(programs: &Programs, dimension: Dimension, full: &[Vec<f64>]) -> Vec<f
                 .into_iter()
         };
         let (velocity, omega) = (next(shifts), next(turns));
-        let felt = next(shifts)
-            .map(|felt| felt.iter().zip(&full[groups::AT_REST]).map(|(a, g)| a - g).collect());
+        let felt = next(shifts).map(|felt| felt.iter().zip(&at_rest).map(|(a, g)| a - g).collect());
         let (turning, moment, force) = (next(turns), next(turns), next(shifts));
         all.extend(entries(&point.position, shifts.len()));
         match &point.orientation {
@@ -100,42 +98,48 @@ fn one_chain(seed: u64) {
     let (state, driven) = random_motion(&mut random, &description);
     for (word, method) in [("riccati", Method::Riccati), ("transfer", Method::Transfer)] {
         let chain = read(&description.to_macro_text(Some(word)));
-        let programs = compile::programs(&chain, &Findings::default(), &Layout::of(&chain));
+        let compiled = compile(&chain, &Findings::default(), &Layout::of(&chain));
         let inputs = drives::inputs(&chain, &driven);
-        let symbols = [&state.q[..], &state.v, &inputs, &[0.0]].concat();
+        let unknowns = [&state.q[..], &state.v, &inputs, &[0.0]].concat();
+        let given = Given::new(&compiled, &unknowns);
+        let run = |answer| given.run(answer).unwrap_or_else(|failed| panic!("{seed}: {failed:?}"));
         let expected =
             compute_with::<f64>(&chain, (method, Axes::Body), (&state.q, &state.v, &inputs));
-        let Programs { accelerations, solution, energy, implicit, correction, .. } = &programs;
-        let fast = run(accelerations, &symbols, &[]);
-        let full = run(solution, &symbols, &[]);
+        let (fast, full) = (run(Answer::Accelerations), run(Answer::Solution));
         let plain = |values: &[Structured<f64>]| values.iter().map(|x| x.value()).collect();
-        let energies = plain(&[expected.energy.kinetic, expected.energy.potential]);
+        let energies: Vec<f64> = plain(&[expected.energy.kinetic, expected.energy.potential]);
         let efforts: Vec<f64> = plain(&expected.report.efforts);
-        let points = points(&programs, chain.dimension, &full);
+        let points = points(&compiled, chain.dimension, &full);
         let expected_points: Vec<f64> = expected
             .report
             .points
             .iter()
             .flat_map(|point| numbers(point, chain.dimension))
             .collect();
+        let off =
+            |arrays: &Arrays<f64>, id, expected: &[f64]| difference(&arrays.result(id), expected);
+        let accelerations = outputs::ACCELERATIONS;
         let mut differences = vec![
-            ("fast accelerations", difference(&fast[0], &expected.accelerations)),
-            ("accelerations", difference(&full[groups::ACCELERATIONS], &expected.accelerations)),
-            ("energies", difference(&full[groups::ENERGIES], &energies)),
-            ("energies alone", difference(&run(energy, &symbols, &[])[0], &energies)),
-            ("efforts", difference(&full[groups::EFFORTS], &efforts)),
+            ("fast accelerations", off(&fast, accelerations, &expected.accelerations)),
+            ("accelerations", off(&full, accelerations, &expected.accelerations)),
+            ("energies", off(&full, outputs::ENERGIES, &energies)),
+            ("energies alone", off(&run(Answer::Energy), outputs::ENERGIES, &energies)),
+            ("efforts", off(&full, outputs::EFFORTS, &efforts)),
             ("points", difference(&points, &expected_points)),
         ];
-        if let Some((implicit, _)) = implicit {
+        if compiled.find(Answer::ImplicitAccelerations).is_some() {
             // A step of no length is an explicit one.
-            let explicit = &run(implicit, &symbols, &[])[0];
-            differences.push(("implicit", difference(explicit, &expected.accelerations)));
+            let explicit = run(Answer::ImplicitAccelerations);
+            differences.push(("implicit", off(&explicit, accelerations, &expected.accelerations)));
         }
-        if let Some(correction) = correction {
-            let corrected = run(correction, &symbols, &[]);
-            differences.push(("closed coordinates", difference(&corrected[0], &state.q)));
-            differences.push(("closed rates", difference(&corrected[1], &state.v)));
-            differences.push(("residual", corrected[2][0]));
+        if compiled.find(Answer::Correction).is_some() {
+            let corrected = run(Answer::Correction);
+            let residual = corrected.result(outputs::RESIDUAL)[0];
+            differences.extend([
+                ("closed coordinates", off(&corrected, outputs::COORDINATES, &state.q)),
+                ("closed rates", off(&corrected, outputs::RATES, &state.v)),
+                ("residual", residual),
+            ]);
         }
         for (what, size) in differences {
             // The same operations but for reordering: condition numbers of a few thousand. The
@@ -164,16 +168,20 @@ fn parameters_are_folded_into_slots_once() {
     };
     let (q, v) = ([0.3, -0.4], [1.0, 2.0]);
     let with = read(&text("1.3 kg + extra"));
-    let programs = compile::programs(&with, &Findings::default(), &Layout::of(&with));
-    let slots = run(&programs.setup, &[0.7], &[]);
-    let symbols = [0.7, q[0], q[1], v[0], v[1]];
-    let computed = run(&programs.accelerations, &symbols, &slots[0]);
+    let compiled = compile(&with, &Findings::default(), &Layout::of(&with));
+    let given = Given::new(&compiled, &[0.7, q[0], q[1], v[0], v[1], 0.0]);
+    let mut arrays = given.arrays.clone();
+    run(&compiled.setup.procedure, &mut arrays).expect("a setup cannot fail");
+    let computed = given.run(Answer::Accelerations).expect("a regular chain");
     let expected =
         compute::<f64>(&read(&text("2 kg")), (Method::Riccati, Axes::Body), &q, &v, &[0.0, 0.0]);
-    assert!(difference(&computed[0], &expected.accelerations) < 1e-14);
-    assert_eq!(slots[1], [2.0, 2.0], "both masses hang on the parameter");
-    let step = programs.accelerations.symbols;
-    assert!(!step.contains(&0), "the step reads the parameter's slots, not the parameter");
+    let off = difference(&computed.result(outputs::ACCELERATIONS), &expected.accelerations);
+    assert!(off < 1e-14);
+    let checked = arrays.result(outputs::CHECKED);
+    assert_eq!(checked, [2.0, 2.0], "both masses hang on the parameter");
+    let read = &compiled.function(Answer::Accelerations).procedure;
+    let parameter = read.array(ArrayRole::Argument(Argument::Parameter(0)));
+    assert!(parameter.is_none(), "the step reads the parameter's slots, not the parameter");
 }
 
 /// Every kind of number may be a parameter: the program with parameters at their defaults computes
@@ -226,14 +234,16 @@ fn parameters_may_stand_anywhere() {
     for method in [Method::Riccati, Method::Transfer] {
         let mut with = with.clone();
         with.method = Some(method);
-        let programs = compile::programs(&with, &Findings::default(), &layout);
-        let symbols: Vec<f64> = defaults.iter().map(|&(_, x)| x).chain(q).chain(v).collect();
-        let slots = run(&programs.setup, &symbols, &[]);
-        let computed = run(&programs.solution, &symbols, &slots[0]);
+        let compiled = compile(&with, &Findings::default(), &layout);
+        let parameters = defaults.iter().map(|&(_, x)| x);
+        let unknowns: Vec<f64> = parameters.chain(q).chain(v).chain([0.0]).collect();
+        let computed =
+            Given::new(&compiled, &unknowns).run(Answer::Solution).expect("a regular chain");
         let expected = compute::<f64>(&without, (method, Axes::Body), &q, &v, &[0.0; 5]);
         let energies = [expected.energy.kinetic, expected.energy.potential].map(|x| x.value());
-        assert!(difference(&computed[0], &expected.accelerations) < 1e-12, "{method:?}");
-        assert!(difference(&computed[5], &energies) < 1e-13, "{method:?}");
+        let off = |id, expected: &[f64]| difference(&computed.result(id), expected);
+        assert!(off(outputs::ACCELERATIONS, &expected.accelerations) < 1e-12, "{method:?}");
+        assert!(off(outputs::ENERGIES, &energies) < 1e-13, "{method:?}");
     }
 }
 
@@ -283,26 +293,46 @@ fn evaluate(graph: &Graph, edge: Edge, unknowns: &[f64]) -> f64 {
 
 #[test]
 fn passes_keep_the_value_of_every_formula() {
+    let result = OutputId::new("formulas");
+    let mut unknowns = Unknowns::default();
+    let names = (0..4).map(|k| format!("x{k}")).collect();
+    unknowns.add(Argument::Coordinates, ArrayLayout::once(4), names);
     for seed in 0..500 {
         let mut random = Random::new(seed);
         let graph = Graph::default();
-        let unknowns: Vec<Expr> = (0..4).map(|k| graph.symbol(k, Stage::State)).collect();
-        let names: Vec<String> = (0..4).map(|k| format!("x{k}")).collect();
+        let symbols: Vec<Expr> = (0..4).map(|k| graph.symbol(k, Stage::State)).collect();
         let values: Vec<f64> = (0..4).map(|_| random.between(-2.0, 2.0)).collect();
         let edges: Vec<Edge> =
-            (0..3).map(|_| graph.edge(formula(&mut random, &unknowns, 5))).collect();
-        let expected: Vec<f64> = edges.iter().map(|&e| evaluate(&graph, e, &values)).collect();
-        let factored = factor(&graph, &edges, &[], &[None; 4]).edges(&edges);
-        let direct: Vec<f64> = factored.iter().map(|&e| evaluate(&graph, e, &values)).collect();
-        let ordered = order(&graph, &factored, &[], &[None; 4]).edges(&factored);
-        let reordered: Vec<f64> = ordered.iter().map(|&e| evaluate(&graph, e, &values)).collect();
-        let unknowns = Unknowns { names: &names, parts: &[None; 4], turns: &[] };
-        let program =
-            schedule(&graph, &unknowns, Stage::State, &[], &[ordered], &mut Setup::default());
-        let scheduled = &run(&program, &values, &[])[0];
+            (0..3).map(|_| graph.edge(formula(&mut random, &symbols, 5))).collect();
+        let output =
+            Output { id: result, layout: ArrayLayout::once(3), values: edges, by_entry: false };
+        let function = Function {
+            graph: &graph,
+            unknowns: &unknowns,
+            stage: Stage::State,
+            sections: Vec::new(),
+            loops: Vec::new(),
+            outputs: vec![output],
+            pivots: Vec::new(),
+        };
+        let evaluated = |function: &Function| -> Vec<f64> {
+            function.results().map(|edge| evaluate(&graph, edge, &values)).collect()
+        };
+        let expected = evaluated(&function);
+        let factored = factor(function);
+        let direct = evaluated(&factored);
+        let ordered = reassociate(factored);
+        let reordered = evaluated(&ordered);
+        let mut setup = Setup::default();
+        let program = list_schedule(linearize(&ordered, &mut setup));
+        let procedure = early_stores(lower(program, &ordered, None, &setup));
+        let mut arrays = Arrays::default();
+        arrays.arguments.insert(Argument::Coordinates, values.clone());
+        run(&procedure, &mut arrays).expect("nothing is tested");
         // Factoring and order round anew: a few dozen operations on numbers that may grow to thousands.
         assert!(difference(&direct, &expected) < 1e-12, "seed {seed}: factor");
-        assert!(difference(&reordered, &direct) < 1e-12, "seed {seed}: order");
-        assert!(difference(scheduled, &reordered) == 0.0, "seed {seed}: schedule");
+        assert!(difference(&reordered, &direct) < 1e-12, "seed {seed}: reassociate");
+        let off = difference(&arrays.result(result), &reordered);
+        assert!(off == 0.0, "seed {seed}: linearize and lower");
     }
 }

@@ -1,7 +1,7 @@
 //! Results at bodies, and the types of bodies with named points.
 
+use super::arrays::usize_literal;
 use super::formula::value_tokens;
-use super::looped::usize_literal;
 use super::workspace::point_type;
 use super::{Plan, places};
 use crate::model::{Body, BodyId, NamedPoint, Value, Written, listed};
@@ -91,7 +91,7 @@ pub fn type_of(plan: &Plan, body: &Body) -> TokenStream {
 pub fn result(plan: &Plan, (body, place): (BodyId, usize), first: &impl ToTokens) -> TokenStream {
     let mstmm = &plan.mstmm;
     let body = &plan.chain.bodies[body];
-    let changing = &plan.programs.places.points[place].changing;
+    let changing = &plan.compiled.places.points[place].changing;
     let mut vectors = body.own_points().zip(changing).map(|(position, place)| match place {
         Some(place) => {
             let place = places::literal(place);

@@ -1,7 +1,7 @@
 //! The rank of a closure, where it is found when parameters are set.
 
 use super::Plan;
-use super::looped::usize_literal;
+use super::arrays::usize_literal;
 use crate::model::ClosureRank;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -30,13 +30,8 @@ pub fn found(plan: &Plan, may_have_changed: bool, chain: TokenStream) -> TokenSt
 
 /// What finds the rank.
 pub fn emit(plan: &Plan) -> TokenStream {
-    let (Some(program), Some(directions)) = (&plan.programs.closure_pivots, directions(plan))
-    else {
-        return TokenStream::new();
-    };
-    let (mstmm, state, steps) = (&plan.mstmm, &plan.names.state, steps(plan));
-    let block = plan.step(program, &[], false);
-    let (statements, pivots) = (block.statements, &block.outputs[0]);
+    let Some(directions) = directions(plan) else { return TokenStream::new() };
+    let (mstmm, steps) = (&plan.mstmm, steps(plan));
     let count = usize_literal(directions);
     quote! {
         /// The chain with the rank of its closure, which frames and axes decide.
@@ -54,13 +49,6 @@ pub fn emit(plan: &Plan) -> TokenStream {
             );
             let (chain_, _) = Self::derive(#mstmm::generated::Sealed::new(parameters_));
             chain_
-        }
-
-        /// How well each direction of the closing hinge is determined, the largest pivot first.
-        #[allow(unused_doc_comments, unused_variables, clippy::all)]
-        fn closure_pivots_(&self, state_: &#state<T>) -> [T; #count] {
-            #statements
-            [#(#pivots),*]
         }
     }
 }

@@ -1,16 +1,19 @@
 //! The chain's type, how it is made and where it starts.
 
 use super::Plan;
+use super::arrays::usize_literal;
 use super::closure;
 use super::docs;
 use super::formula::value_tokens;
-use super::looped::{Target, usize_literal};
+use super::names::helper;
 use super::parameters;
+use super::procedure::Destination;
 use super::sealed;
-use super::spread::Spread;
+use crate::compile::outputs;
+use crate::ids::RepeatId;
 use crate::model::{Must, Requirement, Symbol, Value};
 use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream};
-use quote::{quote, quote_spanned};
+use quote::{ToTokens, quote, quote_spanned};
 
 /// `struct Chain<T>`, `struct ChainParameters<T>` and their constructors.
 pub fn emit(plan: &Plan) -> TokenStream {
@@ -19,7 +22,6 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let parameters = parameters::type_of_all(plan);
     let constructors = constructors(plan);
     let derive = derive(plan);
-    let start = start(plan);
     let rank = closure::emit(plan);
     let setters = plan.chain.parameters.iter().map(|parameter| parameters::setter(plan, parameter));
     let name = &plan.names.chain;
@@ -31,7 +33,6 @@ pub fn emit(plan: &Plan) -> TokenStream {
         impl<T: #mstmm::Scalar> #name<T> {
             #constructors
             #(#setters)*
-            #start
             #derive
             #rank
         }
@@ -111,26 +112,25 @@ fn constructors(plan: &Plan) -> TokenStream {
 /// be checked.
 fn derive(plan: &Plan) -> TokenStream {
     let (mstmm, field) = (&plan.mstmm, sealed::field());
-    let program = &plan.programs.setup;
-    let checked = parameters::checked(plan);
-    let parts = sealed::parts(plan);
-    let own = parts.iter().map(|(part, spread)| (2 + part.index(), spread.clone()));
-    let targets: Vec<Target> = std::iter::once((1, checked.clone()))
-        .chain(own)
-        .map(|(group, spread)| Target::new(group, spread))
-        .collect();
-    let block = plan.setup_block(program, &targets);
-    let (statements, slots, checks) = (&block.statements, &block.arrays[0], &block.arrays[1]);
-    let check_count = usize_literal(checked.total);
-    let arrays = parts.iter().map(|(part, _)| block.arrays[2 + part.index()].clone());
+    let procedure = &plan.compiled.setup.procedure;
+    let of_part = |part: RepeatId| helper(&format!("derived{}", part.index()));
+    let statements = plan.procedure(procedure, |id| {
+        Destination::New(match (id, id.part) {
+            (outputs::CHECKED, _) => helper("checks"),
+            (_, Some(part)) => of_part(part),
+            (_, None) => helper("derived"),
+        })
+    });
+    let check_count = usize_literal(parameters::checked(plan).total);
+    let parts = sealed::parts(plan).into_iter().map(|(part, _)| of_part(part).to_token_stream());
     let constants = plan.surface.constants.iter();
     let evaluate = (!plan.surface.constants.is_empty()).then(|| {
         let count = Literal::usize_unsuffixed(plan.surface.constants.len());
         quote!(let constants_: &[T; #count] = &[#(T::constant(#constants)),*];)
     });
     let parameters = &plan.names.parameters;
-    let doc = format!(" Quantities derived from parameters and constants: {}.", program.cost());
-    let derived = sealed::paired(quote!(derived_), arrays);
+    let doc = format!(" Quantities derived from parameters and constants: {}.", procedure.cost());
+    let derived = sealed::paired(quote!(derived_), parts);
     quote! {
         #[doc = #doc]
         #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
@@ -140,30 +140,7 @@ fn derive(plan: &Plan) -> TokenStream {
             #evaluate
             let parameters_ = sealed_.parameters();
             #statements
-            let (derived_, checks_) = (#slots, #checks);
             (Self { #field: sealed_.with(#derived) }, checks_)
-        }
-    }
-}
-
-fn start(plan: &Plan) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let (state, visibility) = (&plan.names.state, &plan.surface.visibility);
-    let targets = [(0, Spread::coordinates(plan)), (1, Spread::freedoms(plan))];
-    let targets = targets.map(|(group, spread)| Target::new(group, spread));
-    let block = plan.step(&plan.programs.start, &targets, false);
-    let (statements, q, v) = (block.statements, &block.arrays[0], &block.arrays[1]);
-    quote! {
-        /// The state that the description starts from, at time zero.
-        #[must_use]
-        #[allow(unused_doc_comments, clippy::all)]
-        #visibility fn initial_state(&self) -> #state<T> {
-            #statements
-            #state {
-                q: #mstmm::generated::vector(#q),
-                v: #mstmm::generated::vector(#v),
-                t: T::constant(0.0),
-            }
         }
     }
 }

@@ -1,10 +1,9 @@
 //! What the generated docs say of a chain.
 
-use super::spread::Spread;
 use super::{Plan, drawing};
 use crate::examine::Mobility;
-use crate::model::{Element, Method, Parameter, Place, Results, Role, Value, listed};
-use crate::program::{Cost, Headed, Program, by_heading};
+use crate::model::{Answer, Element, Method, Parameter, Place, Results, Role, Value, listed};
+use crate::program::{Cost, Headed, Procedure, by_heading};
 
 /// The chain at a glance: its route, a picture, its elements, its freedoms, its method and costs.
 pub fn chain(plan: &Plan) -> Vec<String> {
@@ -18,7 +17,7 @@ pub fn chain(plan: &Plan) -> Vec<String> {
     lines.push(String::new());
     lines.extend(freedoms(plan));
     lines.push(String::new());
-    let cost = plan.programs.accelerations.cost();
+    let cost = plan.compiled.function(Answer::Accelerations).procedure.cost();
     let each = if plan.chain.repeats.is_empty() {
         ""
     } else {
@@ -30,9 +29,9 @@ pub fn chain(plan: &Plan) -> Vec<String> {
     };
     lines.push(format!(
         " Accelerations by `{}`, {} operations ({cost}); with {whole} {} operations{each}.",
-        method_name(plan.programs.method),
+        method_name(plan.compiled.method),
         cost.arithmetic(),
-        plan.programs.solution.cost().arithmetic(),
+        plan.compiled.function(Answer::Solution).procedure.cost().arithmetic(),
     ));
     lines.extend(precision(plan));
     lines
@@ -45,7 +44,7 @@ const TRANSFER_LOSS: f64 = 100.0;
 /// What `transfer` loses where masses are far apart.
 fn precision(plan: &Plan) -> Vec<String> {
     let Some(ratio) = plan.findings.mass_ratio else { return Vec::new() };
-    if plan.programs.method == Method::Riccati {
+    if plan.compiled.method == Method::Riccati {
         return Vec::new();
     }
     let times = if ratio < 1e3 { format!("{ratio:.0}") } else { format!("{ratio:.1e}") };
@@ -77,8 +76,8 @@ pub fn results(plan: &Plan) -> String {
 
 /// How many freedoms there are, and how a closure holds the chain.
 fn freedoms(plan: &Plan) -> Vec<String> {
-    let count = Spread::freedoms(plan).total;
-    if plan.programs.held.is_none() {
+    let count = plan.rates().total;
+    if plan.layout.closings.is_empty() {
         let freedoms = if count == 1 { "degree of freedom" } else { "degrees of freedom" };
         return vec![format!(" Mobility {count}: {count} {freedoms}.")];
     }
@@ -168,16 +167,20 @@ fn axis(axis: &[Value; 3]) -> Option<String> {
     })
 }
 
-/// The operations of a program by headings.
-pub fn cost(program: &Program) -> Vec<String> {
-    let total = program.cost();
+/// The operations of a procedure by headings.
+pub fn cost(procedure: &Procedure) -> Vec<String> {
+    let total = procedure.cost();
+    if total == Cost::default() {
+        return Vec::new();
+    }
     let mut lines = vec![
+        String::new(),
         format!(" {} operations: {total}.", total.arithmetic()),
         String::new(),
         " | section | equations | mul | add | reciprocal | square root | sin/cos |".into(),
         " |---|---|---|---|---|---|---|".into(),
     ];
-    lines.extend(by_heading(program.sections()).into_iter().map(
+    lines.extend(by_heading(procedure.sections()).into_iter().map(
         |Headed { title, source, cost }| {
             let Cost { mul, add, recip, sqrt, trig } = cost;
             // Brackets would make links of the tags.

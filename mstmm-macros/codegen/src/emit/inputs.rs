@@ -1,13 +1,11 @@
 //! What the caller gives at every step.
 
 use super::Plan;
-use super::looped::{Stream, usize_literal};
-use super::names::helper;
+use super::arrays::usize_literal;
+use crate::ids::InputId;
 use crate::model::{Driven, Group, Hinge, HingeId, Input, View};
-use crate::program::{Loop, Program};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
-use std::collections::HashSet;
 
 /// `struct ChainInputs<T>` and how to get one.
 pub fn emit(plan: &Plan) -> TokenStream {
@@ -63,22 +61,6 @@ pub fn emit(plan: &Plan) -> TokenStream {
 fn times(plan: &Plan, input: &Input) -> Option<Literal> {
     let repeat = plan.chain.repeat_of_input(input.what)?;
     Some(usize_literal(plan.chain.repeats[repeat].count))
-}
-
-/// What a loop reads of the inputs: streams, and statements that take their items apart.
-pub fn streams(plan: &Plan, turn: &Loop) -> (Vec<Stream>, TokenStream) {
-    let first = plan.programs.symbols.inputs().start;
-    let (mut streams, mut taken) = (Vec::new(), TokenStream::new());
-    for input in &plan.layout.inputs {
-        let is_read = input.range.clone().any(|k| plan.read_in(turn, first + k).is_some());
-        if plan.chain.repeat_of_input(input.what) == Some(turn.repeat) && is_read {
-            let name = plan.chain.name_of_input(input.what);
-            let item = helper(&format!("{name}_input"));
-            streams.push((quote!(&#item), quote!(inputs_.#name.iter())));
-            taken.extend(plan.read_input(input, &quote!(#item)));
-        }
-    }
-    (streams, taken)
 }
 
 fn doc_of(plan: &Plan, input: &Input) -> String {
@@ -163,23 +145,9 @@ impl Plan<'_> {
         }
     }
 
-    /// Takes the inputs that a program reads into variables.
-    pub fn read_inputs(&self, program: &Program) -> TokenStream {
-        let first = self.programs.symbols.inputs().start;
-        let needed = self.layout.inputs.iter().filter(|input| {
-            let mut numbers = input.range.clone();
-            numbers.any(|k| program.symbols.binary_search(&((first + k) as u32)).is_ok())
-        });
-        let read = needed.map(|input| {
-            let name = self.chain.name_of_input(input.what);
-            self.read_input(input, &quote!(inputs_.#name))
-        });
-        read.collect()
-    }
-
-    /// Takes an input apart.
-    fn read_input(&self, input: &Input, from: &TokenStream) -> TokenStream {
-        let symbols = self.input_variables(input);
+    /// Takes an input apart into variables for all its numbers.
+    pub fn read_input(&self, input: InputId, from: &TokenStream, symbols: &[Ident]) -> TokenStream {
+        let input = &self.layout.inputs[input];
         match input.what {
             Driven::Motion(hinge) => {
                 let kind = &self.chain.hinges[hinge].kind;
@@ -198,54 +166,9 @@ impl Plan<'_> {
                     #taken
                 }
             }
-            _ => take(&symbols, quote!(#from)),
-        }
-    }
-
-    fn input_variables(&self, input: &Input) -> Vec<Ident> {
-        let first = self.programs.symbols.inputs().start;
-        input.range.clone().map(|k| self.unknowns[first + k].clone()).collect()
-    }
-
-    /// Slices that together hold all numbers of the inputs that stand once, but for inputs all of
-    /// whose numbers are `shown`, and statements before, which look at all others.
-    pub fn input_slices(&self, shown: &HashSet<u32>) -> (TokenStream, Vec<TokenStream>) {
-        let first = self.programs.symbols.inputs().start;
-        let is_shown = |number: usize| shown.contains(&((first + number) as u32));
-        let mstmm = &self.mstmm;
-        let mut before = TokenStream::new();
-        let mut slices = Vec::new();
-        for input in &self.layout.inputs {
-            if input.range.clone().all(is_shown) {
-                continue;
+            Driven::Gravity | Driven::Efforts(_) | Driven::Force(_) | Driven::Torque(_) => {
+                take(symbols, quote!(#from))
             }
-            let name = self.chain.name_of_input(input.what);
-            if times(self, input).is_some() {
-                let (taken, slice) = self.input_slice(input, &quote!(item_));
-                before.extend(quote! {
-                    for &item_ in &inputs_.#name {
-                        #taken
-                        #mstmm::generated::finite::<T>(&[#slice])?;
-                    }
-                });
-            } else {
-                let (taken, slice) = self.input_slice(input, &quote!(inputs_.#name));
-                before.extend(taken);
-                slices.push(slice);
-            }
-        }
-        (before, slices)
-    }
-
-    /// All numbers of an input as a slice, and what it borrows from.
-    fn input_slice(&self, input: &Input, from: &TokenStream) -> (TokenStream, TokenStream) {
-        match input.what {
-            Driven::Motion(_) => {
-                let variables = self.input_variables(input);
-                (self.read_input(input, from), quote!(&[#(#variables),*]))
-            }
-            _ if input.range.len() == 1 => (TokenStream::new(), quote!(&[#from])),
-            _ => (TokenStream::new(), quote!(#from.as_slice())),
         }
     }
 }

@@ -2,11 +2,10 @@
 //! closure.
 
 use super::Plan;
-use super::docs;
-use super::looped::Target;
 use super::quaternions;
-use super::spread::Spread;
-use crate::program::{Operand, Program};
+use crate::compile::{CompiledFunction, outputs};
+use crate::model::Answer;
+use crate::program::{ArrayRole, Operand, Step};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -14,10 +13,8 @@ use quote::quote;
 pub fn integrable(plan: &Plan) -> TokenStream {
     let mstmm = &plan.mstmm;
     let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
-    let rates = map(plan, &plan.programs.coordinate_rates);
-    let normalized = map(plan, &plan.programs.normalized);
-    let step = &plan.unknowns[plan.programs.symbols.step().start];
-    let implicit = plan.programs.implicit.as_ref().map(|_| {
+    let step = plan.step();
+    let implicit = plan.compiled.find(Answer::ImplicitAccelerations).map(|_| {
         quote! {
             #[inline]
             fn implicit_derivative_into(
@@ -35,7 +32,7 @@ pub fn integrable(plan: &Plan) -> TokenStream {
     });
     let checks = quaternions::checks(plan);
     let correction = correction(plan);
-    let (correct, close, assemble) = (&correction.correct, &correction.close, &correction.assemble);
+    let (close, assemble) = (&correction.close, &correction.assemble);
     quote! {
         impl<T: #mstmm::Scalar> #mstmm::Chain for #name<T> {
             type Scalar = T;
@@ -60,13 +57,13 @@ pub fn integrable(plan: &Plan) -> TokenStream {
             #[inline]
             #[allow(unused_doc_comments, unused_variables, clippy::all)]
             fn configuration_rate_into(&self, state_: &#state<T>, rate_: &mut #state<T>) {
-                rate_.q.data.0 = { #rates };
+                self.coordinate_rates_into_(state_, &mut rate_.q);
             }
 
             #[inline]
             #[allow(unused_doc_comments, unused_variables, clippy::all)]
             fn normalize(&self, state_: &mut #state<T>) {
-                state_.q.data.0 = { #normalized };
+                state_.q.data.0 = [self.normalized_(state_)];
             }
 
             #checks
@@ -74,57 +71,32 @@ pub fn integrable(plan: &Plan) -> TokenStream {
             #close
         }
 
-        #correct
         #assemble
     }
 }
 
 /// How a closed chain is put back onto its closure.
 struct Correction {
-    correct: TokenStream,
     close: TokenStream,
     assemble: TokenStream,
 }
 
 fn correction(plan: &Plan) -> Correction {
     let mstmm = &plan.mstmm;
-    let Some(program) = &plan.programs.correction else {
-        let [correct, close, assemble] = [(); 3].map(|()| TokenStream::new());
-        return Correction { correct, close, assemble };
+    let Some(function) = plan.compiled.find(Answer::Correction) else {
+        let [close, assemble] = [(); 2].map(|()| TokenStream::new());
+        return Correction { close, assemble };
     };
     let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
     let visibility = &plan.surface.visibility;
-    let targets = [(0, Spread::coordinates(plan)), (1, Spread::freedoms(plan))];
-    let targets = targets.map(|(group, spread)| Target::new(group, spread));
-    let block = plan.step(program, &targets, false);
     let checked = quaternions::checked(plan);
-    let (statements, q, v, residual) =
-        (block.statements, &block.arrays[0], &block.arrays[1], &block.outputs[2]);
     let closing = plan.layout.closings.first();
     let closing = closing.unwrap_or_else(|| bug!("a chain without a closing hinge is corrected"));
     let hinge = plan.chain.hinges[*closing].name.to_string();
-    let check = (program.outputs[2][1] != Operand::Number(0.0))
-        .then(|| quote!(#mstmm::generated::check_closure(residual_, #hinge)?;));
-    let (cost, errors) = (docs::cost(program), quaternions::error(plan));
+    let check =
+        has_excess(function).then(|| quote!(#mstmm::generated::check_closure(residual_, #hinge)?;));
+    let errors = quaternions::error(plan);
     Correction {
-        correct: quote! {
-            #[allow(dead_code)]
-            impl<T: #mstmm::Scalar> #name<T> {
-                /// Corrects coordinates and rates once by the motion of least kinetic energy that
-                /// closes the chain, and returns how far it was from closed and how much
-                /// redundant directions of the closing hinge held.
-                ///
-                #(#[doc = #cost])*
-                #[allow(unused_doc_comments, unused_variables, clippy::all)]
-                fn correct(&self, state_: &mut #state<T>, inputs_: &#inputs<T>) -> [T; 2] {
-                    #statements
-                    let residual_ = [#(#residual),*];
-                    state_.q.data.0 = [#q];
-                    state_.v.data.0 = [#v];
-                    residual_
-                }
-            }
-        },
         close: quote! {
             #[inline]
             fn close<E: ::core::convert::From<#mstmm::Error>>(
@@ -178,7 +150,7 @@ pub fn generated(plan: &Plan) -> TokenStream {
     let mstmm = &plan.mstmm;
     let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
     let workspace = &plan.names.workspace;
-    let assemble = plan.programs.correction.as_ref().map(|_| {
+    let assemble = plan.compiled.find(Answer::Correction).map(|_| {
         quote! {
             #[inline]
             fn assemble(
@@ -229,10 +201,29 @@ pub fn generated(plan: &Plan) -> TokenStream {
     }
 }
 
-/// A program that maps coordinates, as the only column of a vector.
-fn map(plan: &Plan, program: &Program) -> TokenStream {
-    let target = Target::new(0, Spread::coordinates(plan));
-    let block = plan.step(program, &[target], false);
-    let (statements, results) = (block.statements, &block.arrays[0]);
-    quote!(#statements [#results])
+/// Kinetic and potential energy of a chain some of whose hinges move as told.
+pub fn energy(plan: &Plan) -> Option<TokenStream> {
+    let (mstmm, state, visibility) = (&plan.mstmm, &plan.names.state, &plan.surface.visibility);
+    plan.chain.has_prescribed_hinges().then(|| {
+        quote! {
+            /// Kinetic and potential energy in J, with prescribed motions at rest in the zero position.
+            #[inline]
+            #[must_use]
+            #visibility fn energy(&self, state_: &#state<T>) -> #mstmm::Energy<T> {
+                self.energy_with(state_, &self.no_inputs())
+            }
+        }
+    })
+}
+
+/// Whether redundant directions of the closing hinge may hold anything.
+fn has_excess(correction: &CompiledFunction) -> bool {
+    let arrays = &correction.procedure.arrays;
+    let residual = arrays.position(|it| it.role == ArrayRole::Result(outputs::RESIDUAL));
+    correction.procedure.body.iter().any(|step| match step {
+        Step::Store { to, values } if Some(to.array) == residual => {
+            values[1] != Some(Operand::Number(0.0))
+        }
+        _ => false,
+    })
 }

@@ -1,7 +1,7 @@
 //! All identifiers of the expansion.
 
 use crate::model::Chain;
-use crate::program::{Name, Program};
+use crate::program::{ValueId, ValueNames};
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
@@ -38,14 +38,14 @@ impl Names {
 pub struct Variables(Vec<Ident>);
 
 impl Variables {
-    /// Those of `program`.
-    pub fn of(program: &Program) -> Self {
-        Variables(program.names.all().iter().map(|text| variable(text)).collect())
+    /// Those of values with these names.
+    pub fn of(names: &ValueNames) -> Self {
+        Variables(names.all().iter().map(|text| variable(text)).collect())
     }
 
     /// That of a value.
-    pub fn get(&self, name: Name) -> &Ident {
-        &self.0[name.index()]
+    pub fn get(&self, value: ValueId) -> &Ident {
+        &self.0[value.index()]
     }
 }
 

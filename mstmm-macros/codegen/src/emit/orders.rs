@@ -1,7 +1,7 @@
 //! What the generated docs state of the order of coordinates, rates and connection points.
 
 use super::Plan;
-use super::spread::Spread;
+use crate::program::ArrayLayout;
 use std::ops::Range;
 
 /// The order of the coordinates and rates, with the place of every hinge.
@@ -17,7 +17,7 @@ pub fn of_state(plan: &Plan) -> Vec<String> {
             " for the first repetition, then all of them for the second, and so on.".into(),
         ]);
     }
-    let (q, v) = (Spread::coordinates(plan), Spread::freedoms(plan));
+    let (q, v) = (plan.coordinates(), plan.rates());
     let rows: Vec<String> = plan
         .chain
         .hinges
@@ -45,11 +45,11 @@ pub fn of_state(plan: &Plan) -> Vec<String> {
 }
 
 /// The places of a hinge's numbers in an array.
-fn places(spread: &Spread, range: &Range<usize>) -> Option<String> {
+fn places(spread: &ArrayLayout, range: &Range<usize>) -> Option<String> {
     if range.is_empty() {
         return None;
     }
-    let piece = spread.piece_of(range.start);
+    let piece = spread.segment_of(range.start);
     let first = piece.place + range.start - piece.first;
     let last = first + range.len() - 1;
     let places = if first == last { first.to_string() } else { format!("{first} to {last}") };

@@ -1,12 +1,13 @@
 //! Parameters: the type that holds their values, and their setters.
 
 use super::Plan;
+use super::arrays::usize_literal;
 use super::closure;
 use super::docs;
-use super::looped::usize_literal;
 use super::sealed;
-use super::spread::Spread;
+use crate::compile::layouts;
 use crate::model::{Must, Parameter};
+use crate::program::ArrayLayout;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -67,8 +68,8 @@ fn type_of(parameter: &Parameter) -> TokenStream {
 }
 
 /// How the numbers lie that are checked when a parameter is set.
-pub fn checked(plan: &Plan) -> Spread {
-    Spread::of_parts(plan, plan.programs.checks.iter().map(|check| check.part))
+pub fn checked(plan: &Plan) -> ArrayLayout {
+    layouts::of(plan.chain, plan.compiled.checks.iter().map(|check| (1, check.part)))
 }
 
 /// `set_x`: takes effect only if the chain stays a physical one.
@@ -78,13 +79,13 @@ pub fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
     let set = format_ident!("set_{name}", span = name.span());
     let text = name.to_string();
     let doc = format!(" Sets {}", docs::parameter(parameter).trim_start());
-    let rules = checked(plan).pieces.into_iter().map(|piece| {
-        let rules = plan.programs.checks[piece.first..piece.first + piece.count].iter();
+    let rules = checked(plan).segments.into_iter().map(|piece| {
+        let rules = plan.compiled.checks[piece.first..piece.first + piece.count].iter();
         let rules = rules.map(|check| {
             let (positive, reason) = (check.must == Must::BePositive, &check.reason);
             quote!((#positive, #reason))
         });
-        if piece.times == 1 && piece.place == 0 && piece.count == plan.programs.checks.len() {
+        if piece.repetitions == 1 && piece.place == 0 && piece.count == plan.compiled.checks.len() {
             return quote!(#mstmm::generated::check_numbers(#text, &checks_, &[#(#rules),*])?;);
         }
         let slices = plan.slices(&quote!(checks_), &piece);

@@ -1,8 +1,7 @@
 //! How connection points are read off a workspace.
 
 use super::Plan;
-use super::looped::usize_literal;
-use super::spread::Spread;
+use super::arrays::usize_literal;
 use super::workspace::point_type;
 use crate::compile::{Place, PointPlaces, Sight};
 use crate::model::Dimension;
@@ -16,7 +15,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let dimension = plan.chain.dimension;
     let vectors = if dimension == Dimension::Line { 3 } else { 6 };
     let [axes, vectors] = [dimension.columns(), vectors].map(usize_literal);
-    let points = &plan.programs.places.points;
+    let points = &plan.compiled.places.points;
     let count = usize_literal(points.len());
     let entries = points.iter().map(|places| entry(plan, places));
     let found = found(plan);
@@ -42,7 +41,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
 /// The method that reads a vector of a body, where parameters change some.
 fn vector(plan: &Plan, inline: &TokenStream) -> Option<TokenStream> {
     let mstmm = &plan.mstmm;
-    let mut changing = plan.programs.places.points.iter().flat_map(|places| &places.changing);
+    let mut changing = plan.compiled.places.points.iter().flat_map(|places| &places.changing);
     changing.any(Option::is_some).then(|| {
         let shifts = usize_literal(plan.chain.dimension.shifts().len());
         let found = found(plan);
@@ -67,7 +66,7 @@ pub fn all(plan: &Plan) -> TokenStream {
     if !plan.chain.repeats.is_empty() {
         return quote!(::core::array::from_fn(|index_| self.point_(index_)));
     }
-    let points = (0..plan.programs.places.points.len()).map(usize_literal);
+    let points = (0..plan.compiled.places.points.len()).map(usize_literal);
     quote!([#(self.point_(#points)),*])
 }
 
@@ -77,13 +76,13 @@ fn found(plan: &Plan) -> TokenStream {
         return quote!(let (model_, numbers_) = (index_, &self.numbers[..]););
     }
     let mstmm = &plan.mstmm;
-    let (points, numbers) = (Spread::points(plan), Spread::numbers_of_points(plan));
-    let pieces = points.pieces.iter().zip(&numbers.pieces).map(|(points, numbers)| {
+    let (points, numbers) = (plan.points(), plan.numbers_of_points());
+    let pieces = points.segments.iter().zip(&numbers.segments).map(|(points, numbers)| {
         let entries = [
             points.first,
             points.count,
             points.place,
-            points.count * points.times,
+            points.count * points.repetitions,
             numbers.place,
             numbers.count,
         ];

@@ -1,9 +1,9 @@
 //! The checks of quaternions where a state or a prescribed motion comes from outside.
 
 use super::Plan;
-use super::looped::usize_literal;
-use super::spread::{Piece, Spread};
+use super::arrays::usize_literal;
 use crate::model::{Driven, Form, Hinge, HingeId, HingeKind, Input};
+use crate::program::{ArrayLayout, Segment};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -35,7 +35,7 @@ pub fn checks(plan: &Plan) -> TokenStream {
     let mstmm = &plan.mstmm;
     let (state, inputs) = (&plan.names.state, &plan.names.inputs);
     let mut methods = TokenStream::new();
-    let spread = Spread::coordinates(plan);
+    let spread = plan.coordinates();
     let table: Vec<TokenStream> =
         in_state(plan).into_iter().map(|entry| row(plan, &spread, entry)).collect();
     if !table.is_empty() {
@@ -66,10 +66,10 @@ pub fn checks(plan: &Plan) -> TokenStream {
 }
 
 /// The row of a hinge in the table of quaternions.
-fn row(plan: &Plan, spread: &Spread, (index, place): (HingeId, usize)) -> TokenStream {
+fn row(plan: &Plan, spread: &ArrayLayout, (index, place): (HingeId, usize)) -> TokenStream {
     let mstmm = &plan.mstmm;
     let hinge = plan.chain.hinges[index].name.to_string();
-    let &Piece { first, count, place: start, times, .. } = spread.piece_of(place);
+    let &Segment { first, count, place: start, repetitions: times, .. } = spread.segment_of(place);
     let [first, stride, count] = [start + place - first, count, times].map(usize_literal);
     quote! {
         #mstmm::generated::QuaternionsOf {

@@ -1,13 +1,13 @@
 //! Access by index to the hinges and bodies of repeated parts, and access to all others of such a
 //! chain.
 
-use super::looped::usize_literal;
+use super::arrays::usize_literal;
 use super::names::{accessor_mut, helper};
 use super::quaternions;
-use super::spread::{Piece, Spread};
 use super::workspace::point_type;
 use super::{Plan, body};
 use crate::model::{BodyId, Group, HingeId};
+use crate::program::{ArrayLayout, Segment};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
@@ -15,25 +15,25 @@ use std::ops::Range;
 /// Where the numbers of a hinge that has coordinates lie: the piece of each array, and the numbers'
 /// places in the piece.
 struct Parts {
-    q: (Piece, Range<usize>),
-    v: (Piece, Range<usize>),
+    q: (Segment, Range<usize>),
+    v: (Segment, Range<usize>),
 }
 
 impl Parts {
     fn of(plan: &Plan, hinge: HingeId) -> Self {
-        let within = |spread: Spread, range: &Range<usize>| {
-            let piece = *spread.piece_of(range.start);
+        let within = |spread: ArrayLayout, range: &Range<usize>| {
+            let piece = *spread.segment_of(range.start);
             (piece, range.start - piece.first..range.end - piece.first)
         };
         Parts {
-            q: within(Spread::coordinates(plan), &plan.layout.q[hinge]),
-            v: within(Spread::freedoms(plan), &plan.layout.v[hinge]),
+            q: within(plan.coordinates(), &plan.layout.q[hinge]),
+            v: within(plan.rates(), &plan.layout.v[hinge]),
         }
     }
 
     /// What takes the numbers of one time out of the arrays.
     fn taken(&self, plan: &Plan, at: &TokenStream, change: bool) -> TokenStream {
-        let take = |(piece, range): &(Piece, Range<usize>), letter: &str, array: TokenStream| {
+        let take = |(piece, range): &(Segment, Range<usize>), letter: &str, array: TokenStream| {
             let names = (0..piece.count).map(|k| {
                 if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
             });
@@ -140,7 +140,7 @@ pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str
     let (name_mut, visibility) = (accessor_mut(name), &plan.surface.visibility);
     let (view, view_mut) = (view_name(plan, hinge, ""), view_name(plan, hinge, "Mut"));
     let Parts { q: (q, q_range), v: (v, v_range) } = Parts::of(plan, hinge);
-    let read = |(piece, range): (&Piece, &Range<usize>), letter: &str, array: TokenStream| {
+    let read = |(piece, range): (&Segment, &Range<usize>), letter: &str, array: TokenStream| {
         let [count, place] = [piece.count, piece.place].map(usize_literal);
         let names = (0..piece.count).map(|k| {
             if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
@@ -152,7 +152,7 @@ pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str
     let (read_q, read_v) =
         (read((&q, &q_range), "q", quote!(self.q)), read((&v, &v_range), "v", quote!(self.v)));
     // Counted from the nearer end, so that it stays short behind a long repeated part.
-    let change = |spread: Spread, (piece, range): (&Piece, &Range<usize>), letter, array| {
+    let change = |spread: ArrayLayout, (piece, range): (&Segment, &Range<usize>), letter, array| {
         let names = (0..range.len()).map(|k| variable(letter, k));
         let before = piece.place + range.start;
         let after = spread.total - before - range.len();
@@ -169,8 +169,8 @@ pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str
     let groups = groups(plan, hinge, "");
     let named = quaternions::named(&plan.chain.hinges[hinge]);
     let (change_q, change_v) = (
-        change(Spread::coordinates(plan), (&q, &q_range), "q", quote!(self.q)),
-        change(Spread::freedoms(plan), (&v, &v_range), "v", quote!(self.v)),
+        change(plan.coordinates(), (&q, &q_range), "q", quote!(self.q)),
+        change(plan.rates(), (&v, &v_range), "v", quote!(self.v)),
     );
     quote! {
         #[doc = #doc]
@@ -195,8 +195,8 @@ pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str
 /// Where an element's input point lies among all points: the first time, and how many points on from
 /// there every further time.
 pub fn points_of(plan: &Plan, place: usize) -> (usize, usize) {
-    let spread = Spread::points(plan);
-    let piece = spread.piece_of(place + 1);
+    let spread = plan.points();
+    let piece = spread.segment_of(place + 1);
     (piece.place + place - piece.first, piece.count)
 }
 
@@ -228,11 +228,11 @@ pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> Tok
     let (visibility, point) = (&plan.surface.visibility, point_type(plan));
     let range = &plan.layout.rates[index];
     let ty = plan.numbers_type(range.len());
-    let spread = Spread::rates(plan);
+    let spread = plan.all_rates();
     let of = |field: TokenStream| match range.len() {
         0 => quote!(()),
         _ => {
-            let piece = spread.piece_of(range.start);
+            let piece = spread.segment_of(range.start);
             let slices = plan.slices(&field, piece);
             let names = (0..piece.count).map(|k| {
                 let inside = (piece.first + k >= range.start) && (piece.first + k < range.end);

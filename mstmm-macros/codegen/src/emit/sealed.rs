@@ -4,9 +4,9 @@
 //! therefore inside a type of the runtime. Only generated code replaces that value.
 
 use super::Plan;
-use super::looped::usize_literal;
-use super::spread::Spread;
+use super::arrays::usize_literal;
 use crate::model::RepeatId;
+use crate::program::ArrayLayout;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -18,7 +18,7 @@ pub fn field() -> Ident {
 /// The type of the field: parameters, and an array, in pairs with those of repeated parts.
 pub fn type_of(plan: &Plan) -> TokenStream {
     let (mstmm, parameters) = (&plan.mstmm, &plan.names.parameters);
-    let slots = Literal::usize_unsuffixed(plan.programs.setup.outputs[0].len());
+    let slots = Literal::usize_unsuffixed(plan.slots(None).total);
     let parts = parts(plan).into_iter().map(|(_, spread)| {
         let total = usize_literal(spread.total);
         quote!([T; #total])
@@ -33,8 +33,10 @@ pub fn paired(once: TokenStream, parts: impl Iterator<Item = TokenStream>) -> To
 }
 
 /// Repeated parts of which something is known since setup, and how it lies in its array.
-pub fn parts(plan: &Plan) -> Vec<(RepeatId, Spread)> {
-    let part = |part: RepeatId| Some((part, plan.slots_of_part(part)?));
+pub fn parts(plan: &Plan) -> Vec<(RepeatId, ArrayLayout)> {
+    let part = |part: RepeatId| {
+        Some((part, plan.slots(Some(part)))).filter(|(_, layout)| layout.total > 0)
+    };
     plan.chain.repeats.ids().into_iter().filter_map(part).collect()
 }
 

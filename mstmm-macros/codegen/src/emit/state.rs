@@ -1,8 +1,7 @@
 //! The state with named access, and the inputs.
 
-use super::looped::usize_literal;
+use super::arrays::usize_literal;
 use super::names::{accessor_mut, helper};
-use super::spread::Spread;
 use super::{Plan, orders, quaternions, repeated};
 use crate::model::{Element, Group, HingeId};
 use proc_macro2::{Ident, TokenStream};
@@ -14,8 +13,8 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let mstmm = &plan.mstmm;
     let (name, visibility) = (&plan.names.state, &plan.surface.visibility);
     let doc = format!(" Coordinates and rates of [`{}`] at a time.", plan.names.chain);
-    let coordinates = usize_literal(Spread::coordinates(plan).total);
-    let freedoms = usize_literal(Spread::freedoms(plan).total);
+    let coordinates = usize_literal(plan.coordinates().total);
+    let freedoms = usize_literal(plan.rates().total);
     let accessors = plan.chain.hinges.ids().into_iter().map(|index| accessors(plan, index));
     let rest = rest(plan);
     let order = orders::of_state(plan);
@@ -86,12 +85,12 @@ fn rest(plan: &Plan) -> TokenStream {
     let coordinates = free.flat_map(|hinge| hinge.kind.shape().coordinates);
     let rest: Vec<TokenStream> =
         coordinates.map(|c| if c.rest == 1.0 { quote!(one_) } else { quote!(zero_) }).collect();
-    let spread = Spread::coordinates(plan);
+    let spread = plan.coordinates();
     if plan.chain.repeats.is_empty() {
         return quote!([#(#rest),*]);
     }
     let total = usize_literal(spread.total);
-    let fill = spread.pieces.iter().map(|piece| {
+    let fill = spread.segments.iter().map(|piece| {
         let own = &rest[piece.first..piece.first + piece.count];
         let slices = plan.slices_mut(&quote!(rest_), piece);
         quote! {

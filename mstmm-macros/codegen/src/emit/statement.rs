@@ -5,7 +5,7 @@
 
 use super::Plan;
 use super::names::{Variables, helper};
-use crate::program::{Headed, Name, Operand, Operation, Section, Statement, by_heading};
+use crate::program::{Headed, Operand, Operation, Section, Statement, ValueId, by_heading};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
 /// So many names are declared at once where they are declared before they are computed.
@@ -24,11 +24,6 @@ impl<'a> Writer<'a> {
         Writer { plan, variables, tokens: Vec::new() }
     }
 
-    /// What is there already.
-    pub fn after(plan: &'a Plan<'a>, variables: &'a Variables, tokens: TokenStream) -> Self {
-        Writer { plan, variables, tokens: tokens.into_iter().collect() }
-    }
-
     /// Adds what is written already.
     pub fn add(&mut self, tokens: TokenStream) {
         self.tokens.extend(tokens);
@@ -39,44 +34,33 @@ impl<'a> Writer<'a> {
         self.tokens.into_iter().collect()
     }
 
-    /// The statements of sections with their headings; `flat` if names are declared
-    /// before they are computed.
-    pub fn sections<'s>(&mut self, sections: impl IntoIterator<Item = &'s Section>, flat: bool) {
-        self.sections_with(sections, flat, &mut |_, _| ());
+    /// The headings of sections with their operations, each once.
+    pub fn headings<'s>(&self, sections: &[&'s Section]) -> Vec<Headed<'s>> {
+        by_heading(sections.iter().copied())
     }
 
-    /// The statements of sections, each followed by what `behind` writes.
-    pub fn sections_with<'s>(
-        &mut self,
-        sections: impl IntoIterator<Item = &'s Section>,
-        flat: bool,
-        behind: &mut dyn FnMut(&mut Self, &Statement),
-    ) {
-        let sections: Vec<&Section> = sections.into_iter().collect();
-        let mut headings = by_heading(sections.iter().copied());
-        let mut declared = 0;
-        for (number, section) in sections.iter().enumerate() {
-            if flat && number == declared {
-                declared = self.declare(&sections, declared, &mut headings);
+    /// The heading of a section: in full where it comes first.
+    pub fn heading_of(&mut self, section: &Section, headings: &mut Vec<Headed>) {
+        if !self.heading(section, headings) {
+            self.documentation(&format!(" {}.", section.title));
+        }
+    }
+
+    /// The statements of a section, each of which declares what it computes unless that is declared before.
+    pub fn statements(&mut self, section: &Section, declaring: bool) {
+        for statement in &section.statements {
+            if declaring {
+                self.word("let");
             }
-            if !flat && !self.heading(section, &mut headings) {
-                self.documentation(&format!(" {}.", section.title));
-            }
-            for statement in &section.statements {
-                if !flat {
-                    self.word("let");
-                }
-                self.statement(statement);
-                self.sign(';');
-                behind(self, statement);
-            }
+            self.statement(statement);
+            self.sign(';');
         }
     }
 
     /// Declares the names of some sections, at least [`DECLARED`] of them or all, from the one with this
     /// number on, under their headings, for only declarations can be documented; returns the number of
     /// the first section beyond.
-    fn declare(
+    pub fn declare(
         &mut self,
         sections: &[&Section],
         first: usize,
@@ -144,7 +128,7 @@ impl<'a> Writer<'a> {
     }
 
     /// A pattern of names where there are some.
-    fn names(&mut self, names: &[Option<Name>]) {
+    fn names(&mut self, names: &[Option<ValueId>]) {
         self.group(Delimiter::Bracket, |pattern| {
             pattern.separated(names, |pattern, name| match name {
                 Some(name) => pattern.name(*name),
@@ -200,14 +184,11 @@ impl<'a> Writer<'a> {
     pub fn operand(&mut self, operand: &Operand) {
         match operand {
             Operand::Number(value) => self.number(*value),
-            Operand::Symbol(number) => self.variable(&self.plan.unknowns[*number as usize]),
-            Operand::Named(name) => self.name(*name),
+            Operand::Value(value) => self.name(*value),
             Operand::Minus(inner) => {
                 self.sign('-');
                 self.operand(inner);
             }
-            // It is written by its loop.
-            Operand::Repeated => {}
         }
     }
 
@@ -264,7 +245,7 @@ impl<'a> Writer<'a> {
     }
 
     /// The variable of a value.
-    fn name(&mut self, name: Name) {
+    fn name(&mut self, name: ValueId) {
         self.variable(self.variables.get(name));
     }
 

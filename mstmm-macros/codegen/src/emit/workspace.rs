@@ -1,9 +1,8 @@
 //! Where results are written, with named access to every element's connection points.
 
-use super::looped::usize_literal;
-use super::spread::Spread;
+use super::arrays::usize_literal;
 use super::{Plan, body, docs, orders, places, repeated, solution};
-use crate::compile::groups;
+use crate::compile::outputs;
 use crate::model::{BodyId, Dimension, Element, Hinge, HingeId, Results};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -15,15 +14,15 @@ pub fn emit(plan: &Plan) -> TokenStream {
     let (name, chain) = (&plan.names.workspace, &plan.names.chain);
     let visibility = &plan.surface.visibility;
     let doc = format!(" Results of [`{chain}::solve_into`]: {}.", docs::results(plan));
-    let freedoms = usize_literal(Spread::freedoms(plan).total);
-    let point_count = usize_literal(Spread::points(plan).total);
-    let number_count = usize_literal(Spread::numbers_of_points(plan).total);
+    let freedoms = usize_literal(plan.rates().total);
+    let point_count = usize_literal(plan.points().total);
+    let number_count = usize_literal(plan.numbers_of_points().total);
     let shifts = usize_literal(plan.chain.dimension.shifts().len());
     let places = places::emit(plan);
     let (all_points, order) = (places::all(plan), orders::of_points(plan));
     let [numbers_at_first, at_rest_at_first] =
-        [groups::NUMBERS, groups::AT_REST].map(|group| solution::at_first(plan, group));
-    let rates = usize_literal(Spread::rates(plan).total);
+        [outputs::POINT_NUMBERS, outputs::AT_REST].map(|id| solution::at_first(plan, id));
+    let rates = usize_literal(plan.all_rates().total);
     let point = point_type(plan);
     let if_prescribed = |tokens: TokenStream| plan.chain.has_prescribed_hinges().then_some(tokens);
     let all_rates_field =
@@ -164,14 +163,16 @@ fn energies(plan: &Plan) -> Energies {
         return Energies::default();
     }
     let visibility = &plan.surface.visibility;
+    let [kinetic, potential] =
+        [0, 1].map(|entry| solution::number_at_first(plan, outputs::ENERGIES, entry));
     Energies {
         fields: quote! {
             kinetic_energy: T,
             potential_energy: T,
         },
         zero: quote! {
-            kinetic_energy: zero_,
-            potential_energy: zero_,
+            kinetic_energy: #kinetic,
+            potential_energy: #potential,
         },
         methods: quote! {
             /// Kinetic energy in J.
@@ -204,7 +205,7 @@ struct Closure {
 
 fn closure(plan: &Plan) -> Closure {
     let mstmm = &plan.mstmm;
-    let Some(held) = plan.programs.held else {
+    let Some(held) = solution::count(plan, outputs::UNDETERMINED).map(|count| count / 6) else {
         let [field, zero, method, shown] = [(); 4].map(|()| TokenStream::new());
         return Closure { field, zero, method, shown };
     };
@@ -289,8 +290,8 @@ fn vector(plan: &Plan, range: &Range<usize>, field: &Ident) -> TokenStream {
 /// Some of the numbers of all rates.
 fn numbers(plan: &Plan, range: &Range<usize>, field: &Ident) -> TokenStream {
     let mstmm = &plan.mstmm;
-    let spread = Spread::rates(plan);
-    let piece = spread.piece_of(range.start);
+    let spread = plan.all_rates();
+    let piece = spread.segment_of(range.start);
     let place = piece.place + range.start - piece.first;
     let [count, place] = [range.len(), place].map(usize_literal);
     quote!(#mstmm::generated::piece::<T, #count>(self.#field.as_slice(), #place))

@@ -3,6 +3,7 @@
 //! The model is a graph: every hinge names the two places that it joins. A chain is the simplest
 //! such graph; nothing here but [`Chain::route`] knows that each body has one input and one output.
 
+mod answer;
 mod check;
 mod condition;
 mod hinge;
@@ -20,6 +21,7 @@ mod uses;
 mod value;
 
 pub use crate::ids::{BodyId, HingeId, InputId, LinkId, LoadId, RepeatId};
+pub use answer::Answer;
 pub use condition::{Condition, Must, Requirement};
 pub use hinge::{
     Coordinate, Drive, Effort, Form, Freedoms, Friction, Group, Hinge, HingeKind, Limits, Passive,

@@ -1,18 +1,18 @@
 //! Sines and cosines that can be computed side by side.
 
-use super::{Home, Live, Turns};
+use super::{Live, Region, Regions};
 use crate::expr::{Graph, Node, NodeId, Stage};
 use std::collections::HashMap;
 
 /// Angles by how many sines and cosines deep they lie, and by where they are computed.
-pub(super) type Angles = HashMap<(u32, Home), Vec<NodeId>>;
+pub(super) type Angles = HashMap<(u32, Region), Vec<NodeId>>;
 
-/// The live angles by depth and home, and every live node's depth: how many sines and cosines are
+/// The live angles by depth and region, and every live node's depth: how many sines and cosines are
 /// nested.
 pub(super) fn angles(
     graph: &Graph,
     live: &Live,
-    turns: &Turns,
+    regions: &Regions,
     stage: Stage,
 ) -> (Angles, Vec<u32>) {
     let mut depths = vec![0; graph.len()];
@@ -26,7 +26,7 @@ pub(super) fn angles(
         depths[id as usize] = below;
         if let Node::Sin(angle) | Node::Cos(angle) = node {
             depths[id as usize] = below + 1;
-            let group = angles.entry((below + 1, turns.home(id))).or_default();
+            let group = angles.entry((below + 1, regions.region(id))).or_default();
             if !group.contains(&angle.node()) {
                 group.push(angle.node());
             }

@@ -1,10 +1,10 @@
 //! What a node becomes: a statement, a name, or nothing.
 
-use super::Home;
-use super::schedule::Scheduler;
+use super::Region;
+use super::linearize::Scheduler;
 use crate::expr::{Edge, Node, NodeId};
 use crate::ids::RepeatId;
-use crate::program::{Name, Operand, Operation, Slot, Statement};
+use crate::program::{Operand, Operation, Slot, Statement, ValueId};
 
 impl Scheduler<'_> {
     /// States a node.
@@ -31,10 +31,14 @@ impl Scheduler<'_> {
         self.state(Statement::Let(name, operation));
     }
 
+    /// Names an unknown by its own name. What loops carry has a name already, and loops list what they read
+    /// themselves.
     fn read_symbol(&mut self, number: u32, id: NodeId) {
-        let is_once = matches!(self.turns.home(id), Home::Once(_));
-        if is_once && !self.carried.contains_key(&number) {
-            self.program.symbols.push(number);
+        let Some(unknown) = self.function.unknowns.get(number) else { return };
+        let value = self.program.names.add(unknown.name.clone());
+        self.names.insert(id, value);
+        if matches!(self.regions.region(id), Region::Once(_)) {
+            self.program.unknowns.push((number, value));
         }
     }
 
@@ -49,18 +53,18 @@ impl Scheduler<'_> {
 
     /// The repeated part that a node belongs to.
     fn part_of(&self, id: NodeId) -> Option<RepeatId> {
-        match self.turns.home(id) {
-            Home::Once(_) => None,
-            Home::Turn(turn) => self.turns.all.get(turn).map(|turn| turn.repeat),
+        match self.regions.region(id) {
+            Region::Once(_) => None,
+            Region::Loop(number) => Some(self.regions.loops[number].repeat),
         }
     }
 
     /// The slot of a value that is known since setup, under a name of this program.
     fn slot_of(&mut self, id: NodeId) -> Slot {
-        let (graph, symbols) = (self.graph, self.symbols);
-        let given = match graph.node(id) {
-            Node::Symbol(symbol) => Some(symbols[symbol as usize].clone()),
-            _ => self.names.get(id).map(|name| self.program.names.text(name).to_owned()),
+        let symbol = self.graph.symbol_number(id);
+        let given = match symbol.and_then(|symbol| self.function.unknowns.get(symbol)) {
+            Some(unknown) => Some(unknown.name.clone()),
+            None => self.names.get(id).map(|name| self.program.names.text(name).to_owned()),
         };
         let (part, prefix) = (self.part_of(id), self.prefix().to_owned());
         let (index, name) = self.setup.slot(part, id, given, &prefix);
@@ -98,7 +102,7 @@ impl Scheduler<'_> {
 
     /// Sines and cosines of all angles of one depth, side by side.
     fn compute_angles(&mut self, id: NodeId) {
-        let key = (self.depths[id as usize], self.turns.home(id));
+        let key = (self.depths[id as usize], self.regions.region(id));
         let Some(angles) = self.angles.remove(&key) else { return };
         for &angle in &angles {
             self.require(angle);
@@ -114,11 +118,11 @@ impl Scheduler<'_> {
                 names.push(match node.filter(|&node| self.live.has(node)) {
                     Some(node) => {
                         self.mark(node);
-                        let name = match graph.node(angle) {
-                            Node::Symbol(symbol) if !self.carried.contains_key(&symbol) => {
-                                self.fresh(format!("{prefix}_{}", self.symbols[symbol as usize]))
-                            }
-                            _ => self.numbered(format!("{prefix}_{number}")),
+                        let symbol = graph.symbol_number(angle);
+                        let unknown = symbol.and_then(|it| self.function.unknowns.get(it));
+                        let name = match unknown {
+                            Some(unknown) => self.fresh(format!("{prefix}_{}", unknown.name)),
+                            None => self.numbered(format!("{prefix}_{number}")),
                         };
                         self.names.insert(node, name);
                         Some(name)
@@ -131,7 +135,7 @@ impl Scheduler<'_> {
         self.state(Statement::SinCos { sines, cosines, angles: operands });
     }
 
-    fn name(&mut self, id: NodeId) -> Name {
+    fn name(&mut self, id: NodeId) -> ValueId {
         if let Some(name) = self.names.get(id) {
             return name;
         }
@@ -143,18 +147,19 @@ impl Scheduler<'_> {
 
     pub(super) fn operand(&self, edge: Edge) -> Operand {
         let node = edge.node();
-        let plain = match self.graph.node(node) {
-            Node::Number(bits) => {
-                let value = f64::from_bits(bits);
-                return Operand::Number(if edge.is_negative() { 0.0 - value } else { value });
-            }
-            Node::Symbol(number) if !self.is_slot(node) => match self.carried.get(&number) {
-                Some(&name) => Operand::Named(name),
-                None => Operand::Symbol(number),
-            },
-            // Every node has been stated before its users.
-            _ => self.names.get(node).map_or(Operand::Repeated, Operand::Named),
-        };
+        if let Node::Number(bits) = self.graph.node(node) {
+            let value = f64::from_bits(bits);
+            return Operand::Number(if edge.is_negative() { 0.0 - value } else { value });
+        }
+        let plain = Operand::Value(self.value(node));
         if edge.is_negative() { Operand::Minus(Box::new(plain)) } else { plain }
+    }
+
+    /// The value that a node is.
+    pub(super) fn value(&self, node: NodeId) -> ValueId {
+        match self.names.get(node) {
+            Some(value) => value,
+            None => bug!("a value is used before it is computed"),
+        }
     }
 }

@@ -1,20 +1,16 @@
 //! `a b + a c + … = a (b + c + …)` where no product is used elsewhere: a multiplication less for
 //! each product but the first.
 
-use super::sums::Sums;
-use super::{Images, Turn};
+use super::Images;
+use super::flatten_sums::Sums;
 use crate::expr::{Edge, Expr, Graph, NodeId};
-use crate::ids::RepeatId;
+use crate::function::Function;
 use crate::math::Scalar;
 
-/// Rewrites everything that `results` need.
-pub fn factor(
-    graph: &Graph,
-    results: &[Edge],
-    turns: &[Turn],
-    parts: &[Option<RepeatId>],
-) -> Images {
-    let sums = Sums::of(graph, results, turns, parts);
+/// Takes shared factors out of all sums of a function.
+pub fn factor(function: Function) -> Function {
+    let graph = function.graph;
+    let sums = Sums::of(&function);
     let mut images = Images::new(graph);
     for id in sums.nodes() {
         let image = match sums.terms(id) {
@@ -26,7 +22,7 @@ pub fn factor(
         };
         images.set(id, image, graph);
     }
-    images
+    images.apply(function)
 }
 
 /// A term of a sum.

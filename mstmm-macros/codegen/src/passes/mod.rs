@@ -1,41 +1,47 @@
-//! From formulas to a program, one step a file:
+//! From functions to programs, one step a file. A pass maps a function to a function:
 //!
-//! 1. `live` finds what the results need: the rest is dead.
-//! 2. [`join()`] makes one loop of those over the same part that may run together.
-//! 3. [`factor()`] rewrites sums of products that share a factor.
-//! 4. [`order()`] adds up sums in the order in which their terms are known.
-//! 5. `turns` finds which values belong into loops over repeated parts.
-//! 6. [`schedule()`] puts what is live under the headings of a trace and names it.
-//! 7. [`issue()`] orders the statements so that a processor waits little.
+//! | pass | what it does |
+//! |---|---|
+//! | [`drop_unused_carries`] | leaves out what loops carry for nothing |
+//! | [`factor()`] | takes shared factors out of sums of products |
+//! | [`fuse_loops()`] | makes one loop of neighbours over the same part |
+//! | [`reassociate()`] | adds up sums in the order in which their terms are ready |
+//!
+//! [`linearize()`] orders a function, [`list_schedule()`] reorders its statements for processors, and [`lower()`] adds
+//! reading, tests and writing. `compile` lists the order of all.
 //!
 //! Folding, signs and common subexpressions need no pass: the graph's rules see to them while the
 //! formulas are written down.
 
 mod angles;
-mod arrivals;
 mod compute;
+mod early_stores;
 mod factor;
-mod fuse;
-mod images;
-mod issue;
-mod join;
+mod flatten_sums;
+mod fuse_loops;
 mod latency;
+mod linearize;
+mod list_schedule;
 mod live;
-mod looped;
+mod loops;
+mod lower;
 mod names;
-mod order;
 mod owners;
-mod schedule;
+mod ready_times;
+mod reassociate;
+mod regions;
+mod rewrites;
+mod select_fma;
 mod setup;
-mod sums;
-mod turns;
 
+pub use early_stores::early_stores;
 pub use factor::factor;
-pub use images::Images;
-pub use issue::issue;
-pub use join::join;
+pub use fuse_loops::fuse_loops;
+pub use linearize::linearize;
+pub use list_schedule::list_schedule;
 pub use live::Live;
-pub use order::order;
-pub use schedule::{Heading, Unknowns, schedule};
+pub use lower::{Checks, lower};
+pub use reassociate::reassociate;
+pub use regions::{Region, Regions, drop_unused_carries};
+use rewrites::Images;
 pub use setup::Setup;
-pub use turns::{Carry, Home, Turn, Turns, needed_carries};

@@ -1,10 +1,10 @@
 //! Which values nodes are.
 
 use crate::expr::NodeId;
-use crate::program::Name;
+use crate::program::ValueId;
 
 /// Values by node.
-pub(super) struct NodeNames(Vec<Option<Name>>);
+pub(super) struct NodeNames(Vec<Option<ValueId>>);
 
 impl NodeNames {
     /// No values yet for so many nodes.
@@ -12,11 +12,11 @@ impl NodeNames {
         NodeNames(vec![None; nodes])
     }
 
-    pub(super) fn get(&self, node: NodeId) -> Option<Name> {
+    pub(super) fn get(&self, node: NodeId) -> Option<ValueId> {
         self.0[node as usize]
     }
 
-    pub(super) fn insert(&mut self, node: NodeId, name: Name) {
-        self.0[node as usize] = Some(name);
+    pub(super) fn insert(&mut self, node: NodeId, value: ValueId) {
+        self.0[node as usize] = Some(value);
     }
 }

@@ -1,8 +1,8 @@
 //! Which heading needs a value first. With loops a value may be computed long before the section that needs it:
 //! before the loop, in an earlier loop, or in the repetition before.
 
-use super::{Heading, Turn};
-use crate::expr::{Edge, Graph, NodeId};
+use crate::expr::{Edge, NodeId};
+use crate::function::Function;
 use std::collections::HashMap;
 
 /// The first headings that need nodes, by number.
@@ -14,20 +14,21 @@ pub(super) struct Owners {
 }
 
 impl Owners {
-    /// The owners of all nodes that `headings` need; none where there is no loop.
-    pub(super) fn of(graph: &Graph, headings: &[Heading], turns: &[Turn]) -> Self {
-        if turns.is_empty() {
+    /// The owners of all nodes that the headings of a function need; none where there is no loop.
+    pub(super) fn of(function: &Function) -> Self {
+        let graph = function.graph;
+        if function.loops.is_empty() {
             return Owners { own: Vec::new(), any: Vec::new() };
         }
         let mut handed_on = HashMap::new();
-        for carry in turns.iter().flat_map(|turn| &turn.carries) {
-            for symbol in [carry.entering, carry.leaving] {
-                handed_on.insert(symbol, [carry.first.node(), carry.next.node()]);
+        for carry in function.loops.iter().flat_map(|one| &one.carries) {
+            for symbol in [carry.phi, carry.exit] {
+                handed_on.insert(symbol, [carry.init.node(), carry.next.node()]);
             }
         }
         let [own, any] = [&HashMap::new(), &handed_on].map(|handed_on| {
             let mut owners = vec![None; graph.len()];
-            for (number, heading) in headings.iter().enumerate() {
+            for (number, heading) in function.sections.iter().enumerate() {
                 let mut open: Vec<NodeId> =
                     heading.values.iter().map(|(_, edge)| edge.node()).collect();
                 while let Some(id) = open.pop() {

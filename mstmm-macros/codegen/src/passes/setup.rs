@@ -33,6 +33,11 @@ impl Setup {
         names.iter().map(String::as_str).zip(edges).collect()
     }
 
+    /// How many slots there are, of a repeated part or of all that stands once.
+    pub fn count(&self, part: Option<RepeatId>) -> usize {
+        self.values(part).len()
+    }
+
     /// The slot of `node` and its name. A new one is called `name`, or numbered under the prefix of the section
     /// that needs it first: so a slot that is added renames no slots of other sections.
     pub fn slot(

@@ -1,6 +1,6 @@
 //! How many operations a program takes, in all and under each heading.
 
-use super::{Operation, Program, Section, Statement};
+use super::{Operation, Procedure, Program, Section, Statement};
 
 /// How many operations of each kind a program has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -101,6 +101,13 @@ pub fn by_heading<'a>(sections: impl IntoIterator<Item = &'a Section>) -> Vec<He
 }
 
 impl Program {
+    /// Its operations; those of loops once.
+    pub fn cost(&self) -> Cost {
+        self.sections().map(Section::cost).fold(Cost::default(), |sum, cost| sum + cost)
+    }
+}
+
+impl Procedure {
     /// Its operations; those of loops once.
     pub fn cost(&self) -> Cost {
         self.sections().map(Section::cost).fold(Cost::default(), |sum, cost| sum + cost)

@@ -1,13 +1,24 @@
-//! A straight-line program: named values under headings, computed in order. It knows neither
-//! where the formulas came from nor which language they will be printed in.
+//! Programs: named values under headings, computed in order. They know neither where the formulas came from
+//! nor which language they will be printed in.
+//!
+//! A [`Program`] is the order of a function: what is computed when. A [`Procedure`] is a program with all that it
+//! reads, tests and writes.
 
 mod cost;
+mod finiteness;
+mod layout;
 mod names;
-mod shown;
+mod procedure;
 pub mod text;
 
 pub use cost::{Cost, Headed, by_heading};
-pub use names::{Name, Names};
+pub use finiteness::Shown;
+pub use layout::{ArrayLayout, Segment};
+pub use names::{ValueId, ValueNames};
+pub use procedure::{
+    Argument, Array, ArrayId, ArrayRole, At, Carried, CheckId, Failure, Finish, ForLoop, OutputId,
+    Pivot, PivotTest, Place, Procedure, Step, Witness,
+};
 
 use crate::ids::RepeatId;
 
@@ -15,16 +26,17 @@ use crate::ids::RepeatId;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
     /// What its values are called.
-    pub names: Names,
-    /// Unknowns that it reads, in the order of their numbers.
-    pub symbols: Vec<u32>,
+    pub names: ValueNames,
+    /// Unknowns that it reads once, in the order of their numbers, and the values that they are.
+    pub unknowns: Vec<(u32, ValueId)>,
     /// Values known since setup that it reads, in the order of their slots.
     pub slots: Vec<Slot>,
     /// The statements, in the order in which they run.
     pub blocks: Vec<Block>,
-    /// What it computes, in the groups that were asked for. What a loop computes is
-    /// [`Operand::Repeated`] here.
-    pub outputs: Vec<Vec<Operand>>,
+    /// What it returns, the numbers of all outputs in their order; none for what a loop returns.
+    pub results: Vec<Option<Operand>>,
+    /// Its pivots, and what they are measured by; none for those of a loop.
+    pub pivots: Vec<Option<(Operand, Operand)>>,
 }
 
 /// A part of a program.
@@ -32,44 +44,33 @@ pub struct Program {
 pub enum Block {
     /// Statements that run once, by sections.
     Once(Vec<Section>),
-    /// Statements that run for every time of a repeated part.
+    /// Statements that run in every repetition of a part.
     Loop(Loop),
 }
 
-/// A loop over the times of a repeated part.
+/// A loop over the repetitions of a part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
     /// Which part.
     pub repeat: RepeatId,
-    /// Whether it goes from the last time to the first.
-    pub inwards: bool,
-    /// What it carries: they change from time to time, and keep their last value.
+    /// Whether it goes from the last repetition to the first.
+    pub inward: bool,
+    /// What it carries: they change from repetition to repetition, and keep their last value.
     pub carries: Vec<Carried>,
-    /// Unknowns of a time that it reads, in the order of their numbers.
-    pub symbols: Vec<u32>,
-    /// Values of a time known since setup that it reads.
+    /// Unknowns of a repetition that it reads, in the order of their numbers, and the values that they are.
+    pub unknowns: Vec<(u32, ValueId)>,
+    /// Values of a repetition known since setup that it reads.
     pub slots: Vec<Slot>,
-    /// Values of the same time from earlier loops, by the number of the loop's block.
-    pub loads: Vec<(usize, Vec<Name>)>,
-    /// Values that later loops read at the same time.
-    pub stores: Vec<Name>,
+    /// Values of the same repetition from earlier loops, by the number of the loop's block.
+    pub loads: Vec<(usize, Vec<ValueId>)>,
+    /// Values that later loops read in the same repetition.
+    pub stores: Vec<ValueId>,
     /// The statements by sections.
     pub sections: Vec<Section>,
-    /// What it computes: group, place in the group, and value.
-    pub outputs: Vec<(usize, usize, Operand)>,
-}
-
-/// A number that a loop carries.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Carried {
-    /// Under which name the last value is kept.
-    pub name: Name,
-    /// The value that a time begins with.
-    pub entering: Name,
-    /// What the first time begins with.
-    pub first: Operand,
-    /// What any time hands on.
-    pub next: Operand,
+    /// What it returns: the number of the result, and the value.
+    pub results: Vec<(usize, Operand)>,
+    /// Its pivots by number, and what they are measured by.
+    pub pivots: Vec<(usize, Operand, Operand)>,
 }
 
 /// A value known since setup.
@@ -78,7 +79,7 @@ pub struct Slot {
     /// Where it is kept.
     pub index: usize,
     /// Its name.
-    pub name: Name,
+    pub name: ValueId,
 }
 
 /// Statements under one heading, which may have others elsewhere.
@@ -112,13 +113,13 @@ impl Section {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Statement {
     /// One new value.
-    Let(Name, Operation),
+    Let(ValueId, Operation),
     /// Sines and cosines of several angles at once.
     SinCos {
         /// Names of the sines, where they are used.
-        sines: Vec<Option<Name>>,
+        sines: Vec<Option<ValueId>>,
         /// Names of the cosines, where they are used.
-        cosines: Vec<Option<Name>>,
+        cosines: Vec<Option<ValueId>>,
         /// The angles.
         angles: Vec<Operand>,
     },
@@ -126,7 +127,7 @@ pub enum Statement {
 
 impl Statement {
     /// The values that it computes.
-    pub fn names(&self) -> impl Iterator<Item = Name> {
+    pub fn names(&self) -> impl Iterator<Item = ValueId> {
         let (one, many) = match self {
             Statement::Let(name, _) => (Some(*name), None),
             Statement::SinCos { sines, cosines, .. } => (None, Some(sines.iter().chain(cosines))),
@@ -194,24 +195,25 @@ impl Operation {
 pub enum Operand {
     /// A known number.
     Number(f64),
-    /// An unknown, by its number.
-    Symbol(u32),
-    /// A value computed before, or a slot, by its name.
-    Named(Name),
-    /// The negative of a symbol or a named value.
+    /// A value read or computed before.
+    Value(ValueId),
+    /// The negative of a value.
     Minus(Box<Operand>),
-    /// What a loop computes for every time of a repeated part.
-    Repeated,
 }
 
 impl Operand {
-    /// Its name, or that of the value that it is the negative of.
-    pub fn name(&self) -> Option<Name> {
+    /// The value that it is, or that it is the negative of.
+    pub fn value(&self) -> Option<ValueId> {
         match self {
-            Operand::Named(name) => Some(*name),
-            Operand::Minus(inner) => inner.name(),
-            Operand::Number(_) | Operand::Symbol(_) | Operand::Repeated => None,
+            Operand::Value(value) => Some(*value),
+            Operand::Minus(inner) => inner.value(),
+            Operand::Number(_) => None,
         }
+    }
+
+    /// Whether it is the same in every state.
+    pub fn is_known(&self) -> bool {
+        self.value().is_none()
     }
 }
 

@@ -1,50 +1,46 @@
 //! Values by number, and what they are called.
 
-/// A value of a program, by the number of its name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Name(u32);
+use crate::ids::{Id, declare_id};
 
-impl Name {
-    /// Its number.
-    pub fn index(self) -> usize {
-        self.0 as usize
-    }
+declare_id! {
+    /// A value of a program.
+    ValueId,
 }
 
 /// What the values of a program are called: lists, since looking up every operand in a map takes as long
 /// as all passes do.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Names {
+pub struct ValueNames {
     texts: Vec<String>,
     /// Which of them have a number in place of a name.
     numbered: Vec<bool>,
 }
 
-impl Names {
+impl ValueNames {
     /// A new value with a name.
-    pub fn add(&mut self, text: String) -> Name {
+    pub fn add(&mut self, text: String) -> ValueId {
         self.push(text, false)
     }
 
     /// A new value whose name says nothing but a number.
-    pub fn add_numbered(&mut self, text: String) -> Name {
+    pub fn add_numbered(&mut self, text: String) -> ValueId {
         self.push(text, true)
     }
 
-    fn push(&mut self, text: String, numbered: bool) -> Name {
+    fn push(&mut self, text: String, numbered: bool) -> ValueId {
         self.texts.push(text);
         self.numbered.push(numbered);
-        Name(self.texts.len() as u32 - 1)
+        ValueId::new(self.texts.len() - 1)
     }
 
     /// What a value is called.
-    pub fn text(&self, name: Name) -> &str {
-        &self.texts[name.index()]
+    pub fn text(&self, value: ValueId) -> &str {
+        &self.texts[value.index()]
     }
 
     /// Whether the name of a value says nothing but a number.
-    pub fn is_numbered(&self, name: Name) -> bool {
-        self.numbered[name.index()]
+    pub fn is_numbered(&self, value: ValueId) -> bool {
+        self.numbered[value.index()]
     }
 
     /// What all values are called, by number.

@@ -1,94 +1,286 @@
-//! Runs programs on `f64`, loops included. Its sines, cosines and angles have the same bits on every machine.
+//! Runs procedures, loops included, on any scalar. Sines, cosines and angles of `f64` have the same bits on every
+//! machine.
 
 use mstmm_codegen::math::Scalar;
 use mstmm_codegen::program::{
-    Block, Loop, Name, Operand, Operation, Program, Section, Slot, Statement,
+    Argument, Array, ArrayId, ArrayRole, At, CheckId, Failure, Finish, ForLoop, Operand, Operation,
+    OutputId, Pivot, Place, Procedure, Statement, Step, ValueId, Witness,
 };
+use std::collections::HashMap;
 
-/// What a program reads.
-#[derive(Clone, Debug, Default)]
-pub struct Arguments {
-    /// Unknowns by number: one value each, or one for every repetition.
-    pub symbols: Vec<Vec<f64>>,
-    /// Values known since setup that stand once, by slot.
-    pub slots: Vec<f64>,
-    /// Those of repeated parts, by part and slot, one for every repetition.
-    pub repeated_slots: Vec<Vec<Vec<f64>>>,
-    /// How often each part stands there.
-    pub repetitions: Vec<usize>,
-    /// Whether a product and a sum are rounded once.
-    pub fused: bool,
+/// A scalar that can be judged.
+pub trait Judge: Scalar {
+    /// Whether a pivot is more than rounding leaves of its scale.
+    fn exceeds(self, scale: Self) -> bool;
+    /// Whether it is a number at all.
+    fn is_finite(self) -> bool;
+    /// `a b + c`, rounded once or twice.
+    fn product_sum(a: Self, b: Self, c: Self, fused: bool) -> Self;
+    /// Sine and cosine.
+    fn sine_and_cosine(self) -> (Self, Self) {
+        self.sin_cos()
+    }
+    /// The angle of the point at `self` upwards and `x` to the right.
+    fn angle(self, x: Self) -> Self {
+        self.atan2(x)
+    }
 }
 
-/// What a program computes, by group and place; what a loop computes has a value for every repetition.
-pub type Results = Vec<Vec<Vec<f64>>>;
-
-/// Runs a program.
-pub fn run(program: &Program, arguments: &Arguments) -> Results {
-    let empty = |group: &Vec<Operand>| vec![Vec::new(); group.len()];
-    let mut machine = Machine {
-        program,
-        arguments,
-        values: vec![None; program.names.count()],
-        stored: vec![Vec::new(); program.blocks.len()],
-        results: program.outputs.iter().map(empty).collect(),
-        time: 0,
-    };
-    machine.read_slots(&program.slots, |slot| arguments.slots[slot.index]);
-    for (number, block) in program.blocks.iter().enumerate() {
-        match block {
-            Block::Once(sections) => machine.sections(sections),
-            Block::Loop(turn) => machine.turn(number, turn),
-        }
+impl Judge for f64 {
+    fn exceeds(self, scale: Self) -> bool {
+        self > 8.0 * f64::EPSILON * scale
     }
-    for (group, outputs) in program.outputs.iter().enumerate() {
-        for (place, output) in outputs.iter().enumerate() {
-            if *output != Operand::Repeated {
-                machine.results[group][place] = vec![machine.value(output)];
+    fn is_finite(self) -> bool {
+        f64::is_finite(self)
+    }
+    fn product_sum(a: Self, b: Self, c: Self, fused: bool) -> Self {
+        if fused { libm::fma(a, b, c) } else { a * b + c }
+    }
+    fn sine_and_cosine(self) -> (Self, Self) {
+        (libm::sin(self), libm::cos(self))
+    }
+    fn angle(self, x: Self) -> Self {
+        libm::atan2(self, x)
+    }
+}
+
+/// What a procedure reads and writes, by what arrays are for.
+#[derive(Clone, Debug)]
+pub struct Arrays<S> {
+    /// Arguments.
+    pub arguments: HashMap<Argument, Vec<S>>,
+    /// Results; what is not written has no value.
+    pub results: HashMap<OutputId, Vec<Option<S>>>,
+    /// Whether a product and a sum are rounded once.
+    pub fused: bool,
+    /// Whether results are kept that no test lets pass.
+    pub untested: bool,
+}
+
+/// Why there are no results.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Failed {
+    /// Something is not finite.
+    NotFinite,
+    /// This hinge's pivot vanishes.
+    Singular(String),
+}
+
+impl<S> Default for Arrays<S> {
+    fn default() -> Self {
+        let (arguments, results) = (HashMap::new(), HashMap::new());
+        Arrays { arguments, results, fused: false, untested: false }
+    }
+}
+
+impl<S: Judge> Arrays<S> {
+    /// A result of which every entry has been written.
+    pub fn result(&self, id: OutputId) -> Vec<S> {
+        let entries = self.results.get(&id).unwrap_or_else(|| panic!("no result {id:?}"));
+        let value = |(place, value): (usize, &Option<S>)| {
+            value.unwrap_or_else(|| panic!("entry {place} of {id:?} has not been written"))
+        };
+        entries.iter().enumerate().map(value).collect()
+    }
+
+    /// Whether nothing is left in the results but what they were made with.
+    fn reset(&mut self, procedure: &Procedure) {
+        for array in &procedure.arrays {
+            if let ArrayRole::Result(id) = array.role {
+                self.results.insert(id, initial(array));
             }
         }
     }
-    machine.results
 }
 
-struct Machine<'a> {
-    program: &'a Program,
-    arguments: &'a Arguments,
-    /// Values by number, as far as they are known.
-    values: Vec<Option<f64>>,
-    /// What loops have stored, by block and repetition.
-    stored: Vec<Vec<Vec<f64>>>,
-    results: Results,
+/// What an array is made with.
+fn initial<S: Scalar>(array: &Array) -> Vec<Option<S>> {
+    let mut values = vec![None; array.layout.total];
+    for &(entry, value) in &array.initial {
+        values[entry] = Some(S::number(value));
+    }
+    values
+}
+
+/// Runs a procedure.
+pub fn run<S: Judge>(procedure: &Procedure, arrays: &mut Arrays<S>) -> Result<(), Failed> {
+    let local = |array: &Array| vec![None; array.layout.total];
+    let mut machine = Machine {
+        procedure,
+        values: vec![None; procedure.values.count()],
+        locals: procedure.arrays.iter().map(local).collect(),
+        checks: vec![true; procedure.checks],
+        repetition: 0,
+        arrays: arrays.clone(),
+    };
+    machine.arrays.results.clear();
+    machine.arrays.reset(procedure);
+    let ran = machine.steps(&procedure.body);
+    match (&ran, procedure.failure) {
+        (Ok(()), _) => *arrays = machine.arrays,
+        (Err(_), Failure::Reset) => arrays.reset(procedure),
+        (Err(_), Failure::Untouched) => {}
+    }
+    ran
+}
+
+struct Machine<'a, S> {
+    procedure: &'a Procedure,
+    values: Vec<Option<S>>,
+    /// By array; empty but for those that loops leave.
+    locals: Vec<Vec<Option<S>>>,
+    checks: Vec<bool>,
     /// The repetition that a loop is in.
-    time: usize,
+    repetition: usize,
+    arrays: Arrays<S>,
 }
 
-impl Machine<'_> {
-    fn read_slots(&mut self, slots: &[Slot], value: impl Fn(&Slot) -> f64) {
-        for slot in slots {
-            self.set(slot.name, value(slot));
+impl<S: Judge> Machine<'_, S> {
+    fn steps(&mut self, steps: &[Step]) -> Result<(), Failed> {
+        steps.iter().try_for_each(|step| self.step(step))
+    }
+
+    fn step(&mut self, step: &Step) -> Result<(), Failed> {
+        match step {
+            Step::CheckGiven(arrays) => {
+                let all =
+                    arrays.iter().all(|&array| self.whole(array).iter().all(|x| x.is_finite()));
+                return if all { Ok(()) } else { Err(Failed::NotFinite) };
+            }
+            Step::Load { from, into } => {
+                for (entry, value) in into.iter().enumerate() {
+                    if let Some(value) = value {
+                        self.values[value.index()] = Some(self.read(from, entry));
+                    }
+                }
+            }
+            Step::Compute(section) => section.statements.iter().for_each(|it| self.statement(it)),
+            Step::Store { to, values } => self.store(to, values),
+            Step::Loop(one) => return self.one_loop(one),
+            Step::CheckPivot { check, value, scale } => {
+                let is_there = self.value(value).exceeds(self.value(scale));
+                self.checks[check.index()] &= is_there;
+            }
+            Step::Finish(finish) if !self.arrays.untested => return self.finish(finish),
+            Step::Finish(_) => {}
+        }
+        Ok(())
+    }
+
+    /// Where an entry of a place lies in a repetition.
+    fn at(&self, place: &Place, entry: usize, repetition: usize) -> usize {
+        let array = &self.procedure.arrays[place.array];
+        let segment = &array.layout.segments[place.segment];
+        let number = place.first + entry;
+        assert!(number < segment.count && repetition < segment.repetitions, "outside of a layout");
+        segment.place + repetition * segment.count + number
+    }
+
+    fn read(&self, from: &Place, entry: usize) -> S {
+        let repetition = match from.at {
+            At::Once => 0,
+            At::Repetition => self.repetition,
+            At::Every => panic!("one value is read of many repetitions"),
+        };
+        let at = self.at(from, entry, repetition);
+        match self.procedure.arrays[from.array].role {
+            ArrayRole::Argument(argument) => self.argument(argument)[at],
+            ArrayRole::Local(_) => {
+                self.locals[from.array.index()][at].expect("a loop reads what no loop has left")
+            }
+            ArrayRole::Result(id) => panic!("a result is read: {id:?}"),
         }
     }
 
-    fn set(&mut self, name: Name, value: f64) {
-        self.values[name.index()] = Some(value);
+    fn argument(&self, argument: Argument) -> &[S] {
+        match self.arrays.arguments.get(&argument) {
+            Some(values) => values,
+            None => panic!("nothing is given for {argument:?}"),
+        }
     }
 
-    fn sections(&mut self, sections: &[Section]) {
-        for statement in sections.iter().flat_map(|section| &section.statements) {
-            match statement {
-                Statement::Let(name, operation) => {
-                    let value = self.operation(operation);
-                    self.set(*name, value);
-                }
-                Statement::SinCos { sines, cosines, angles } => {
-                    for (k, angle) in angles.iter().enumerate() {
-                        let angle = self.value(angle);
-                        if let Some(name) = sines[k] {
-                            self.set(name, libm::sin(angle));
-                        }
-                        if let Some(name) = cosines[k] {
-                            self.set(name, libm::cos(angle));
+    fn whole(&self, array: ArrayId) -> Vec<S> {
+        match self.procedure.arrays[array].role {
+            ArrayRole::Argument(argument) => self.argument(argument).to_vec(),
+            ArrayRole::Result(id) => self.arrays.result(id),
+            ArrayRole::Local(_) => panic!("what loops leave is not tested"),
+        }
+    }
+
+    fn store(&mut self, to: &Place, values: &[Option<Operand>]) {
+        let count = self.procedure.arrays[to.array].layout.segments[to.segment].repetitions;
+        let repetitions = match to.at {
+            At::Once => 0..1,
+            At::Repetition => self.repetition..self.repetition + 1,
+            At::Every => 0..count,
+        };
+        for repetition in repetitions {
+            for (entry, value) in values.iter().enumerate() {
+                let Some(value) = value else { continue };
+                let (at, value) = (self.at(to, entry, repetition), self.value(value));
+                let place = match self.procedure.arrays[to.array].role {
+                    ArrayRole::Result(id) => {
+                        &mut self.arrays.results.get_mut(&id).expect("a result")[at]
+                    }
+                    ArrayRole::Local(_) => &mut self.locals[to.array.index()][at],
+                    ArrayRole::Argument(argument) => panic!("an argument is written: {argument:?}"),
+                };
+                assert!(place.is_none(), "entry {at} of {to:?} is written twice");
+                *place = Some(value);
+            }
+        }
+    }
+
+    fn one_loop(&mut self, one: &ForLoop) -> Result<(), Failed> {
+        for carry in &one.carries {
+            let init = self.value(&carry.init);
+            self.values[carry.exit.index()] = Some(init);
+        }
+        let mut repetitions: Vec<usize> = (0..one.repetitions).collect();
+        if one.inward {
+            repetitions.reverse();
+        }
+        for repetition in repetitions {
+            self.repetition = repetition;
+            for carry in &one.carries {
+                self.values[carry.phi.index()] = self.values[carry.exit.index()];
+            }
+            self.steps(&one.body)?;
+            let next: Vec<S> = one.carries.iter().map(|carry| self.value(&carry.next)).collect();
+            for (carry, next) in one.carries.iter().zip(next) {
+                self.values[carry.exit.index()] = Some(next);
+            }
+        }
+        Ok(())
+    }
+
+    fn finish(&self, finish: &Finish) -> Result<(), Failed> {
+        for test in &finish.pivots {
+            let is_there = match &test.pivot {
+                Pivot::Once(value, scale) => self.value(value).exceeds(self.value(scale)),
+                Pivot::Repeated(CheckId(check)) => self.checks[*check],
+            };
+            if !is_there {
+                return Err(Failed::Singular(test.hinge.clone()));
+            }
+        }
+        let is_finite = |witness: &Witness| match witness {
+            Witness::Value(value) => self.value(value).is_finite(),
+            Witness::Entry(array, entry) => self.whole(*array)[*entry].is_finite(),
+            Witness::Array(array) => self.whole(*array).iter().all(|x| x.is_finite()),
+        };
+        if finish.finite.iter().all(is_finite) { Ok(()) } else { Err(Failed::NotFinite) }
+    }
+
+    fn statement(&mut self, statement: &Statement) {
+        match statement {
+            Statement::Let(value, operation) => self.set(*value, self.operation(operation)),
+            Statement::SinCos { sines, cosines, angles } => {
+                for (k, angle) in angles.iter().enumerate() {
+                    let (sin, cos) = self.value(angle).sine_and_cosine();
+                    for (value, result) in [(sines[k], sin), (cosines[k], cos)] {
+                        if let Some(value) = value {
+                            self.set(value, result);
                         }
                     }
                 }
@@ -96,12 +288,13 @@ impl Machine<'_> {
         }
     }
 
-    fn operation(&self, operation: &Operation) -> f64 {
+    fn set(&mut self, value: ValueId, result: S) {
+        self.values[value.index()] = Some(result);
+    }
+
+    fn operation(&self, operation: &Operation) -> S {
         let value = |operand: &Operand| self.value(operand);
-        let product_sum = |a: f64, b: f64, c: f64| match self.arguments.fused {
-            true => libm::fma(a, b, c),
-            false => a * b + c,
-        };
+        let product_sum = |a: S, b: S, c: S| S::product_sum(a, b, c, self.arrays.fused);
         match operation {
             Operation::Sum(a, b) => value(a) + value(b),
             Operation::Difference(a, b) => value(a) - value(b),
@@ -112,74 +305,19 @@ impl Machine<'_> {
             Operation::Recip(a) => value(a).recip(),
             Operation::Sqrt(a) => value(a).sqrt(),
             Operation::CopySign(a, b) => value(a).copysign(value(b)),
-            Operation::Atan2(a, b) => libm::atan2(value(a), value(b)),
+            Operation::Atan2(a, b) => value(a).angle(value(b)),
             Operation::RecipAbove(a, b) => value(a).recip_above(value(b)),
         }
     }
 
-    fn value(&self, operand: &Operand) -> f64 {
+    fn value(&self, operand: &Operand) -> S {
         match operand {
-            Operand::Number(number) => *number,
-            Operand::Symbol(number) => {
-                let values = &self.arguments.symbols[*number as usize];
-                if values.len() == 1 { values[0] } else { values[self.time] }
-            }
-            Operand::Named(name) => {
-                let text = self.program.names.text(*name);
-                self.values[name.index()].unwrap_or_else(|| panic!("`{text}` has no value"))
+            Operand::Number(number) => S::number(*number),
+            Operand::Value(value) => {
+                let text = self.procedure.values.text(*value);
+                self.values[value.index()].unwrap_or_else(|| panic!("`{text}` has no value"))
             }
             Operand::Minus(inner) => -self.value(inner),
-            Operand::Repeated => panic!("it has as many values as there are repetitions"),
-        }
-    }
-
-    fn turn(&mut self, block: usize, turn: &Loop) {
-        let count = self.arguments.repetitions[turn.repeat.index()];
-        self.stored[block] = vec![Vec::new(); count];
-        for (group, place, _) in &turn.outputs {
-            self.results[*group][*place] = vec![f64::NAN; count];
-        }
-        for carry in &turn.carries {
-            let first = self.value(&carry.first);
-            self.set(carry.name, first);
-        }
-        let times: Vec<usize> =
-            if turn.inwards { (0..count).rev().collect() } else { (0..count).collect() };
-        for time in times {
-            self.time = time;
-            self.repetition(block, turn);
-        }
-        self.time = 0;
-    }
-
-    fn repetition(&mut self, block: usize, turn: &Loop) {
-        let (time, arguments) = (self.time, self.arguments);
-        self.read_slots(&turn.slots, |slot| {
-            arguments.repeated_slots[turn.repeat.index()][slot.index][time]
-        });
-        for (from, names) in &turn.loads {
-            let Block::Loop(earlier) = &self.program.blocks[*from] else {
-                panic!("only loops store values")
-            };
-            for name in names {
-                let place = earlier.stores.iter().position(|stored| stored == name);
-                let value = self.stored[*from][time][place.expect("a stored value")];
-                self.set(*name, value);
-            }
-        }
-        for carry in &turn.carries {
-            let value = self.values[carry.name.index()];
-            self.values[carry.entering.index()] = value;
-        }
-        self.sections(&turn.sections);
-        for (group, place, operand) in &turn.outputs {
-            self.results[*group][*place][time] = self.value(operand);
-        }
-        let stores = turn.stores.iter().map(|&name| self.value(&Operand::Named(name)));
-        self.stored[block][time] = stores.collect();
-        let next: Vec<f64> = turn.carries.iter().map(|carry| self.value(&carry.next)).collect();
-        for (carry, next) in turn.carries.iter().zip(next) {
-            self.set(carry.name, next);
         }
     }
 }

@@ -3,6 +3,7 @@
 
 pub mod double_double;
 pub mod drives;
+pub mod given;
 pub mod interpreter;
 pub mod paper;
 

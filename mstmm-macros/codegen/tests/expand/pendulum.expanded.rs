@@ -91,17 +91,6 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         *self = chain_;
         ::core::result::Result::Ok(())
     }
-    /// The state that the description starts from, at time zero.
-    #[must_use]
-    #[allow(unused_doc_comments, clippy::all)]
-    pub fn initial_state(&self) -> PendulumState<T> {
-        let c_ = T::constant;
-        PendulumState {
-            q: ::mstmm::generated::vector([c_(-1.5707963267948966)]),
-            v: ::mstmm::generated::vector([c_(0.0)]),
-            t: T::constant(0.0),
-        }
-    }
     /// Quantities derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
     fn derive(
@@ -112,27 +101,25 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let payload_ = parameters_.payload;
         /// Quantities derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
         let rod_mass_ = payload_ + c_(1.0);
-        let rod_first_moment_x_ = rod_mass_ * c_(0.5);
         let t0_ = rod_mass_ * c_(0.25);
         let rod_inertia_yy_ = t0_ + c_(0.08333333333333333);
+        let joint_d_inverse_ = T::recip(rod_inertia_yy_);
         let t1_ = t0_ + c_(0.07333333333333333);
         let rod_inertia_xx_ = rod_inertia_yy_ - t1_;
-        let joint_d_inverse_ = T::recip(rod_inertia_yy_);
+        let rod_first_moment_x_ = rod_mass_ * c_(0.5);
         let t2_ = rod_inertia_yy_ + rod_inertia_xx_;
-        let joint_d_scale_ = rod_inertia_yy_ + t2_;
         let joint_gain_fy_ = rod_first_moment_x_ * joint_d_inverse_;
-        let (derived_, checks_) = (
-            [
-                rod_mass_,
-                rod_first_moment_x_,
-                rod_inertia_xx_,
-                rod_inertia_yy_,
-                joint_d_inverse_,
-                joint_d_scale_,
-                joint_gain_fy_,
-            ],
-            [rod_mass_],
-        );
+        let joint_d_scale_ = rod_inertia_yy_ + t2_;
+        let derived_ = [
+            rod_mass_,
+            rod_first_moment_x_,
+            rod_inertia_xx_,
+            rod_inertia_yy_,
+            joint_d_inverse_,
+            joint_d_scale_,
+            joint_gain_fy_,
+        ];
+        let checks_ = [rod_mass_];
         (
             Self {
                 changed_by_setters: sealed_.with(derived_),
@@ -173,7 +160,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let c_ = T::constant;
         let [known_rod_mass_, known_rod_first_moment_x_, known_rod_inertia_xx_,
         known_rod_inertia_yy_, known_joint_d_inverse_, known_joint_d_scale_,
-        known_joint_gain_fy_, ..] = *self.changed_by_setters.derived();
+        known_joint_gain_fy_] = *self.changed_by_setters.derived();
         let [[joint_angle_]] = state_.q.data.0;
         let joint_input0_ = inputs_.joint;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
@@ -201,22 +188,6 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         }
         accelerations_.data.0 = [[joint_a_ang_z_]];
         ::core::result::Result::Ok(())
-    }
-    /// The accelerations `v̇` of all hinges by value; see
-    /// [`accelerations_into`](Self::accelerations_into).
-    ///
-    /// # Errors
-    ///
-    /// As [`accelerations_into`](Self::accelerations_into).
-    #[inline]
-    pub fn accelerations(
-        &self,
-        state_: &PendulumState<T>,
-        inputs_: &PendulumInputs<T>,
-    ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, 1>, ::mstmm::Error> {
-        let mut accelerations_ = ::mstmm::generated::vector([T::constant(0.0); 1]);
-        self.accelerations_into(state_, inputs_, &mut accelerations_)?;
-        ::core::result::Result::Ok(accelerations_)
     }
     /// Writes into `at`: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
     ///
@@ -247,7 +218,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let c_ = T::constant;
         let [known_rod_mass_, known_rod_first_moment_x_, known_rod_inertia_xx_,
         known_rod_inertia_yy_, known_joint_d_inverse_, known_joint_d_scale_,
-        known_joint_gain_fy_, ..] = *self.changed_by_setters.derived();
+        known_joint_gain_fy_] = *self.changed_by_setters.derived();
         let [[joint_angle_]] = state_.q.data.0;
         let [[joint_rate_]] = state_.v.data.0;
         let joint_input0_ = inputs_.joint;
@@ -322,7 +293,6 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         /// Load on `joint`.
         let joint_load_fy_ = T::mul_add(known_rod_first_moment_x_, joint_a_ang_z_, t2_);
         *n16_ = joint_load_fy_;
-        ::mstmm::generated::written();
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
@@ -334,8 +304,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// |---|---|---|---|---|---|---|
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
     /// | Results |  | 5 | 0 | 0 | 0 | 0 |
-    #[must_use]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    #[must_use]
     pub fn energy(&self, state_: &PendulumState<T>) -> ::mstmm::Energy<T> {
         let c_ = T::constant;
         let [known_rod_mass_, known_rod_first_moment_x_, _, known_rod_inertia_yy_, ..] = *self
@@ -348,13 +318,63 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         /// Results: 5 mul, 0 add, 0 reciprocal.
         let t0_ = joint_rate_ * joint_rate_;
         let t1_ = known_rod_inertia_yy_ * t0_;
-        let t2_ = c_(0.5) * t1_;
         let t3_ = sin_joint_angle_ * known_rod_first_moment_x_;
+        let t2_ = c_(0.5) * t1_;
         let t4_ = c_(9.8) * t3_;
+        let energies_ = [t2_, t4_];
+        let [kinetic_, potential_] = energies_;
         ::mstmm::Energy {
-            kinetic: t2_,
-            potential: t4_,
+            kinetic: kinetic_,
+            potential: potential_,
         }
+    }
+    /// The time derivatives of the coordinates.
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    #[inline]
+    fn coordinate_rates_into_(
+        &self,
+        state_: &PendulumState<T>,
+        coordinates_: &mut ::mstmm::nalgebra::SVector<T, 1>,
+    ) -> () {
+        let [[joint_rate_]] = state_.v.data.0;
+        (*coordinates_).data.0 = [[joint_rate_]];
+    }
+    /// The coordinates with quaternions of unit length.
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    #[inline]
+    fn normalized_(&self, state_: &PendulumState<T>) -> [T; 1] {
+        let [[joint_angle_]] = state_.q.data.0;
+        let coordinates_ = [joint_angle_];
+        coordinates_
+    }
+    /// The state that the description starts from, at time zero.
+    #[allow(unused_doc_comments, unused_variables, clippy::all)]
+    #[must_use]
+    pub fn initial_state(&self) -> PendulumState<T> {
+        let c_ = T::constant;
+        let coordinates_ = [c_(-1.5707963267948966)];
+        let rates_ = [c_(0.0)];
+        PendulumState {
+            q: ::mstmm::generated::vector(coordinates_),
+            v: ::mstmm::generated::vector(rates_),
+            t: T::constant(0.0),
+        }
+    }
+    /// The accelerations `v̇` of all hinges by value; see
+    /// [`accelerations_into`](Self::accelerations_into).
+    ///
+    /// # Errors
+    ///
+    /// As [`accelerations_into`](Self::accelerations_into).
+    #[inline]
+    pub fn accelerations(
+        &self,
+        state_: &PendulumState<T>,
+        inputs_: &PendulumInputs<T>,
+    ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, 1>, ::mstmm::Error> {
+        let mut accelerations_ = ::mstmm::generated::vector([T::constant(0.0); 1]);
+        self.accelerations_into(state_, inputs_, &mut accelerations_)?;
+        ::core::result::Result::Ok(accelerations_)
     }
 }
 impl<T: ::mstmm::Scalar> ::mstmm::Chain for Pendulum<T> {
@@ -380,18 +400,12 @@ impl<T: ::mstmm::Scalar> ::mstmm::Chain for Pendulum<T> {
         state_: &PendulumState<T>,
         rate_: &mut PendulumState<T>,
     ) {
-        rate_.q.data.0 = {
-            let [[joint_rate_]] = state_.v.data.0;
-            [[joint_rate_]]
-        };
+        self.coordinate_rates_into_(state_, &mut rate_.q);
     }
     #[inline]
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     fn normalize(&self, state_: &mut PendulumState<T>) {
-        state_.q.data.0 = {
-            let [[joint_angle_]] = state_.q.data.0;
-            [[joint_angle_]]
-        };
+        state_.q.data.0 = [self.normalized_(state_)];
     }
 }
 impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Pendulum<T> {
@@ -657,19 +671,16 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         PendulumWorkspace {
             accelerations: ::mstmm::generated::vector([zero_; 1]),
             efforts: ::mstmm::generated::vector([zero_; 1]),
-            kinetic_energy: zero_,
-            potential_energy: zero_,
-            numbers: {
-                let c_ = T::constant;
-                ::mstmm::generated::with_known(
-                    [T::constant(0.0); 27],
-                    &[(1, c_(9.8)), (14, c_(1.0))],
-                )
-            },
-            at_rest: {
-                let c_ = T::constant;
-                ::mstmm::generated::with_known([T::constant(0.0); 3], &[(1, c_(9.8))])
-            },
+            kinetic_energy: T::constant(0f64),
+            potential_energy: T::constant(0f64),
+            numbers: ::mstmm::generated::with_known(
+                [T::constant(0.0); 27],
+                &[(1, T::constant(9.8f64)), (14, T::constant(1f64))],
+            ),
+            at_rest: ::mstmm::generated::with_known(
+                [T::constant(0.0); 3],
+                &[(1, T::constant(9.8f64))],
+            ),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Statements for people: sines and cosines are computed where they are read first.
 
-use crate::program::{Block, Name, Operand, Operation, Section, Statement};
+use crate::program::{Block, Operand, Operation, Section, Statement, ValueId};
 
 /// Items under one heading.
 pub struct ItemSection {
@@ -17,13 +17,13 @@ pub struct ItemSection {
 /// A statement.
 pub enum Item {
     /// A value.
-    Let(Name, Operation),
+    Let(ValueId, Operation),
     /// Sine and cosine of an angle, as far as they are read.
     Angle {
         /// The sine.
-        sine: Option<Name>,
+        sine: Option<ValueId>,
         /// The cosine.
-        cosine: Option<Name>,
+        cosine: Option<ValueId>,
         /// The angle.
         angle: Operand,
     },
@@ -31,7 +31,7 @@ pub enum Item {
 
 impl Item {
     /// The values that it computes.
-    pub fn names(&self) -> [Option<Name>; 2] {
+    pub fn names(&self) -> [Option<ValueId>; 2] {
         match self {
             Item::Let(name, _) => [Some(*name), None],
             Item::Angle { sine, cosine, .. } => [*sine, *cosine],
@@ -47,8 +47,8 @@ impl Item {
         all.into_iter().flatten()
     }
 
-    fn reads_any(&self, names: [Option<Name>; 2]) -> bool {
-        self.operands().filter_map(Operand::name).any(|name| names.contains(&Some(name)))
+    fn reads_any(&self, names: [Option<ValueId>; 2]) -> bool {
+        self.operands().filter_map(Operand::value).any(|name| names.contains(&Some(name)))
     }
 }
 

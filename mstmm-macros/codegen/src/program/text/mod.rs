@@ -11,7 +11,7 @@ mod items;
 mod layout;
 mod uses;
 
-use super::{Block, Carried, Loop, Name, Operand, Program};
+use super::{Block, Carried, Loop, Operand, Program, ValueId};
 use formula::Formula;
 use items::{Item, ItemSection, items};
 use std::collections::HashMap;
@@ -23,15 +23,13 @@ const RESULTS: &str = "Results";
 /// Longer formulas are lines of their own.
 const INLINED: usize = 160;
 
-/// What a program's unknowns, loops and results are called.
+/// What a program's loops and results are called.
 #[derive(Clone, Debug)]
-pub struct Labels<'a> {
-    /// The unknowns by number.
-    pub unknowns: &'a [String],
+pub struct Labels {
     /// The repeated parts: what one repetition is called, and how many there are.
     pub repeats: Vec<(String, usize)>,
-    /// The groups of results.
-    pub groups: Vec<String>,
+    /// The results and how many entries each has.
+    pub outputs: Vec<(String, usize)>,
 }
 
 /// The text of a program.
@@ -65,12 +63,12 @@ pub fn text(function: &str, program: &Program, labels: &Labels) -> String {
 
 struct Printer<'a> {
     program: &'a Program,
-    labels: &'a Labels<'a>,
+    labels: &'a Labels,
     uses: Uses<'a>,
     /// What values are called, as far as that is known, by their numbers.
     names: Vec<Option<String>>,
     /// Values that are written where they are used.
-    inlined: HashMap<Name, Formula>,
+    inlined: HashMap<ValueId, Formula>,
     /// How many values without a name that no other section reads each section has, by its prefix.
     counts: HashMap<String, usize>,
     lines: Vec<String>,
@@ -142,7 +140,7 @@ impl Printer<'_> {
     }
 
     /// Writes a value down, or keeps it for its only user.
-    fn state(&mut self, prefix: &str, name: Name, formula: Formula) {
+    fn state(&mut self, prefix: &str, name: ValueId, formula: Formula) {
         let numbered = self.program.names.is_numbered(name);
         if numbered && self.uses.is_once(name) && formula.text.len() <= INLINED {
             self.inlined.insert(name, formula);
@@ -153,7 +151,7 @@ impl Printer<'_> {
     }
 
     /// What a value is called, with the next number of its section if it has none yet.
-    fn name(&mut self, prefix: &str, name: Name) -> String {
+    fn name(&mut self, prefix: &str, name: ValueId) -> String {
         if let Some(known) = &self.names[name.index()] {
             return known.clone();
         }
@@ -167,23 +165,21 @@ impl Printer<'_> {
     fn operand(&self, operand: &Operand) -> Formula {
         match operand {
             Operand::Number(value) => Formula::number(*value),
-            Operand::Symbol(number) => {
-                Formula::atom(self.labels.unknowns[*number as usize].clone())
-            }
-            Operand::Named(name) => match self.inlined.get(name) {
+            Operand::Value(name) => match self.inlined.get(name) {
                 Some(formula) => formula.clone(),
-                None => Formula::atom(self.names[name.index()].clone().unwrap_or_else(|| {
-                    unreachable!("mstmm bug: a value is read before it is computed")
-                })),
+                None => Formula::atom(
+                    self.names[name.index()]
+                        .clone()
+                        .unwrap_or_else(|| bug!("a value is read before it is computed")),
+                ),
             },
             Operand::Minus(inner) => self.operand(inner).negated(),
-            Operand::Repeated => unreachable!("mstmm bug: a result of a loop is read outside"),
         }
     }
 
     fn one_loop(&mut self, one: &Loop, sections: &[ItemSection]) {
         let (item, count) = &self.labels.repeats[one.repeat.index()];
-        let range = match one.inwards {
+        let range = match one.inward {
             true => format!("(0..{count}).rev()"),
             false => format!("0..{count}"),
         };
@@ -206,33 +202,64 @@ impl Printer<'_> {
         self.heading.clear();
     }
 
-    fn carry(&mut self, Carried { entering, first, next, .. }: &Carried) {
-        let name = self.operand(&Operand::Named(*entering)).text;
-        let [first, next] = [first, next].map(|operand| self.operand(operand).text);
-        self.line(&format!("carry {name} = {first}, then {next};"));
+    fn carry(&mut self, Carried { phi, init, next, .. }: &Carried) {
+        let name = self.operand(&Operand::Value(*phi)).text;
+        let [init, next] = [init, next].map(|operand| self.operand(operand).text);
+        self.line(&format!("carry {name} = {init}, then {next};"));
     }
 
     fn loop_results(&mut self, one: &Loop) {
-        for (group, place, operand) in &one.outputs {
-            let (group, value) = (&self.labels.groups[*group], self.operand(operand).text);
-            self.line(&format!("{group}[{place}] = {value};"));
+        for (number, operand) in &one.results {
+            let value = self.operand(operand).text;
+            let (output, entry) = self.labels.entry(*number);
+            self.line(&format!("{output}[{entry}] = {value};"));
+        }
+        for (number, value, scale) in &one.pivots {
+            self.pivot(*number, value, scale);
         }
     }
 
     fn results(&mut self) {
-        let program = self.program;
-        for (group, operands) in self.labels.groups.iter().zip(&program.outputs) {
-            let all = operands.iter().enumerate();
-            let own = all.filter(|(_, operand)| **operand != Operand::Repeated);
-            let values: Vec<_> = own.map(|(place, one)| (place, self.operand(one).text)).collect();
-            if !values.is_empty() && values.len() == operands.len() {
+        let (program, labels) = (self.program, self.labels);
+        let mut start = 0;
+        for (output, count) in &labels.outputs {
+            let operands = &program.results[start..start + count];
+            start += count;
+            let values = operands.iter().enumerate();
+            let values: Vec<(usize, String)> = values
+                .filter_map(|(entry, one)| Some((entry, self.operand(one.as_ref()?).text)))
+                .collect();
+            if !values.is_empty() && values.len() == *count {
                 let values: Vec<String> = values.into_iter().map(|(_, text)| text).collect();
-                self.line(&format!("{group} = [{}];", values.join(", ")));
+                self.line(&format!("{output} = [{}];", values.join(", ")));
             } else {
-                let lines =
-                    values.iter().map(|(place, value)| format!("{group}[{place}] = {value};"));
-                lines.for_each(|line| self.line(&line));
+                let line = |(entry, value)| format!("{output}[{entry}] = {value};");
+                values.into_iter().map(line).for_each(|line| self.line(&line));
             }
         }
+        for (number, pivot) in program.pivots.iter().enumerate() {
+            if let Some((value, scale)) = pivot {
+                self.pivot(number, value, scale);
+            }
+        }
+    }
+
+    fn pivot(&mut self, number: usize, value: &Operand, scale: &Operand) {
+        let [value, scale] = [value, scale].map(|operand| self.operand(operand).text);
+        self.line(&format!("pivots[{number}] = {value}, of the size of {scale};"));
+    }
+}
+
+impl Labels {
+    /// The result that a number belongs to, and which entry it is.
+    fn entry(&self, number: usize) -> (&str, usize) {
+        let mut start = 0;
+        for (output, count) in &self.outputs {
+            if number < start + count {
+                return (output, number - start);
+            }
+            start += count;
+        }
+        bug!("a result belongs to no output")
     }
 }

@@ -1,7 +1,7 @@
 //! Who reads which value of a program, and what values are called.
 
 use super::items::ItemSection;
-use crate::program::{Block, Carried, Name, Operand, Program};
+use crate::program::{Block, Carried, Operand, Program, ValueId};
 use std::collections::{HashMap, HashSet};
 
 /// The prefix of what is computed for results only.
@@ -41,30 +41,36 @@ impl<'a> Uses<'a> {
             }
             if let Block::Loop(one) = &program.blocks[block] {
                 let at = At { block, prefix: RESULT };
-                one.outputs.iter().for_each(|(_, _, result)| uses.read(result, Some(at)));
-                let carried = one.carries.iter().flat_map(|carry| [&carry.first, &carry.next]);
+                one.results.iter().for_each(|(_, result)| uses.read(result, Some(at)));
+                let tested = one.pivots.iter().flat_map(|(_, value, scale)| [value, scale]);
+                tested.for_each(|operand| uses.read(operand, Some(at)));
+                let carried = one.carries.iter().flat_map(|carry| [&carry.init, &carry.next]);
                 carried.for_each(|operand| uses.read(operand, None));
             }
         }
         let last = At { block: blocks.len().saturating_sub(1), prefix: RESULT };
-        program.outputs.iter().flatten().for_each(|result| uses.read(result, Some(last)));
+        program.results.iter().flatten().for_each(|result| uses.read(result, Some(last)));
+        let tested = program.pivots.iter().flatten().flat_map(|(value, scale)| [value, scale]);
+        tested.for_each(|operand| uses.read(operand, Some(last)));
+        // Unknowns, slots and what loops carry are read by their names.
+
         uses
     }
 
     fn read(&mut self, operand: &Operand, at: Option<At<'a>>) {
-        if let Some(name) = operand.name() {
+        if let Some(name) = operand.value() {
             self.0[name.index()].readers.push(at);
         }
     }
 
     /// Whether a value is read once, where it is computed.
-    pub fn is_once(&self, name: Name) -> bool {
+    pub fn is_once(&self, name: ValueId) -> bool {
         let Use { owner, readers } = &self.0[name.index()];
         readers[..] == [*owner] && owner.is_some()
     }
 
     /// The prefix of the section that computes a value, if other sections read it.
-    fn shared_by(&self, name: Name) -> Option<&'a str> {
+    fn shared_by(&self, name: ValueId) -> Option<&'a str> {
         let Use { owner, readers } = &self.0[name.index()];
         let own = (*owner)?.prefix;
         let is_own = |reader: &Option<At>| reader.is_some_and(|at| at.prefix == own);
@@ -97,16 +103,16 @@ impl<'a> Uses<'a> {
 fn name_carries(program: &Program, names: &mut [Option<String>]) {
     let carries: Vec<&Carried> = program.loops().flat_map(|one| &one.carries).collect();
     let is_carried =
-        |name: &Name| carries.iter().any(|carry| [carry.name, carry.entering].contains(name));
+        |name: &ValueId| carries.iter().any(|carry| [carry.exit, carry.phi].contains(name));
     let mut taken: HashSet<String> = names.iter().flatten().cloned().collect();
     for carry in &carries {
-        let next = carry.next.name().filter(|name| !is_carried(name));
+        let next = carry.next.value().filter(|name| !is_carried(name));
         let next = next.and_then(|name| names[name.index()].clone());
         let base = next.map_or("carried".to_owned(), |next| format!("{next}_carried"));
         let numbered = (2..).map(|number| format!("{base}{number}"));
         let mut free = std::iter::once(base.clone()).chain(numbered);
         let text = free.find(|text| taken.insert(text.clone()));
-        names[carry.entering.index()].clone_from(&text);
-        names[carry.name.index()] = text;
+        names[carry.phi.index()].clone_from(&text);
+        names[carry.exit.index()] = text;
     }
 }

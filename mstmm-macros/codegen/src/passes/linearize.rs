@@ -2,75 +2,40 @@
 //! the equations wrote it down.
 
 use super::angles::{Angles, angles};
-use super::fuse::fused;
 use super::names::NodeNames;
 use super::owners::Owners;
-use super::{Home, Live, Setup, Turn, Turns};
+use super::select_fma::fused;
+use super::{Live, Region, Regions, Setup};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
-use crate::ids::RepeatId;
-use crate::program::{Block, Name, Names, Operand, Program, Section, Slot, Statement};
+use crate::function::{Function, Pivot, Section as Heading};
+use crate::program::{Block, Program, Section, Slot, Statement, ValueId, ValueNames};
 use std::collections::{HashMap, HashSet};
 
-/// Named values under a heading.
-#[derive(Clone, Debug)]
-pub struct Heading {
-    /// What names of values begin with that have none of their own.
-    pub prefix: String,
-    /// What is computed.
-    pub title: String,
-    /// Where the equations are from.
-    pub source: String,
-    /// Names and values.
-    pub values: Vec<(String, Edge)>,
-}
-
-/// The unknowns of a program.
-#[derive(Clone, Copy, Debug)]
-pub struct Unknowns<'a> {
-    /// Their names by number; behind them come those that loops carry.
-    pub names: &'a [String],
-    /// Which of them belong to which repeated part.
-    pub parts: &'a [Option<RepeatId>],
-    /// Loops over repeated parts, in their order, with what they carry.
-    pub turns: &'a [Turn],
-}
-
-/// Orders what `outputs` need. A program of stage [`Stage::State`] reads what is known since setup
-/// from `setup`'s slots; a program of stage [`Stage::Setup`] computes it.
-pub fn schedule(
-    graph: &Graph,
-    unknowns: &Unknowns,
-    stage: Stage,
-    headings: &[Heading],
-    outputs: &[Vec<Edge>],
-    setup: &mut Setup,
-) -> Program {
-    let carried = unknowns.turns.iter().flat_map(|turn| &turn.carries);
-    let carried: Vec<Edge> = carried.flat_map(|carry| [carry.first, carry.next]).collect();
-    let live = Live::of(graph, outputs.iter().flatten().copied().chain(carried));
-    let turns = Turns::of(graph, &live, unknowns.turns.to_vec(), unknowns.parts);
-    let owners = Owners::of(graph, headings, unknowns.turns);
-    let mut scheduler = Scheduler::new(graph, unknowns.names, stage, (live, &turns), owners, setup);
+/// Orders what a function needs. A function of stage [`Stage::State`] reads what is known since setup from
+/// `setup`'s slots; a function of stage [`Stage::Setup`] computes it.
+pub fn linearize(function: &Function, setup: &mut Setup) -> Program {
+    let live = Live::of(function.graph, function.roots());
+    let regions = Regions::of(function, &live);
+    let mut scheduler = Scheduler::new(function, (live, &regions), setup);
     scheduler.name_carries();
-    for (name, edge) in headings.iter().flat_map(|heading| &heading.values) {
+    for (name, edge) in function.sections.iter().flat_map(|section| &section.values) {
         scheduler.christen(name, *edge);
     }
-    for done in 0..=turns.all.len() {
-        scheduler.once(done, headings, outputs);
-        if done < turns.all.len() {
-            scheduler.turn(done, headings, outputs);
+    for done in 0..=regions.loops.len() {
+        scheduler.once(done);
+        if done < regions.loops.len() {
+            scheduler.one_loop(done);
         }
     }
-    scheduler.finish(outputs)
+    scheduler.finish()
 }
 
 pub(super) struct Scheduler<'a> {
+    pub(super) function: &'a Function<'a>,
     pub(super) graph: &'a Graph,
-    pub(super) symbols: &'a [String],
-    stage: Stage,
     pub(super) setup: &'a mut Setup,
     pub(super) live: Live,
-    pub(super) turns: &'a Turns,
+    pub(super) regions: &'a Regions,
     /// Angles by how many sines and cosines deep they lie, and by where they are computed.
     pub(super) angles: Angles,
     pub(super) depths: Vec<u32>,
@@ -78,8 +43,6 @@ pub(super) struct Scheduler<'a> {
     pub(super) fused: Vec<bool>,
     /// Which values nodes are.
     pub(super) names: NodeNames,
-    /// What loops carry, by the number of the unknown.
-    pub(super) carried: HashMap<u32, Name>,
     /// Slots of repeated parts, which their loops read.
     pub(super) slots: HashMap<NodeId, Slot>,
     /// The blocks of the loops that are done.
@@ -90,8 +53,8 @@ pub(super) struct Scheduler<'a> {
     /// For which request every node was last found to be needed.
     found: Vec<u32>,
     requests: u32,
-    owners: Owners,
     sections: Vec<Section>,
+    owners: Owners,
     /// The section that is being written.
     current: usize,
     /// In which section nodes have been stated.
@@ -102,42 +65,39 @@ pub(super) struct Scheduler<'a> {
 
 impl<'a> Scheduler<'a> {
     fn new(
-        graph: &'a Graph,
-        symbols: &'a [String],
-        stage: Stage,
-        (live, turns): (Live, &'a Turns),
-        owners: Owners,
+        function: &'a Function<'a>,
+        (live, regions): (Live, &'a Regions),
         setup: &'a mut Setup,
     ) -> Self {
-        let (angles, depths) = angles(graph, &live, turns, stage);
-        let fused = fused(graph, &live, turns, stage);
+        let graph = function.graph;
+        let (angles, depths) = angles(graph, &live, regions, function.stage);
+        let fused = fused(graph, &live, regions, function.stage);
         Scheduler {
+            function,
             graph,
-            symbols,
-            stage,
             setup,
             live,
-            turns,
+            regions,
             angles,
             depths,
             fused,
             names: NodeNames::new(graph.len()),
-            carried: HashMap::new(),
             blocks: HashMap::new(),
             slots: HashMap::new(),
-            taken: symbols.iter().cloned().collect(),
+            taken: function.unknowns.iter().map(|unknown| unknown.name.clone()).collect(),
             done: vec![false; graph.len()],
             found: vec![0; graph.len()],
             requests: 0,
             program: Program {
-                names: Names::default(),
-                symbols: Vec::new(),
+                names: ValueNames::default(),
+                unknowns: Vec::new(),
                 slots: Vec::new(),
                 blocks: Vec::new(),
-                outputs: Vec::new(),
+                results: Vec::new(),
+                pivots: Vec::new(),
             },
-            owners,
             sections: Vec::new(),
+            owners: Owners::of(function),
             current: 0,
             places: vec![None; graph.len()],
             temporaries: 0,
@@ -156,13 +116,13 @@ impl<'a> Scheduler<'a> {
     }
 
     /// A new value, called so if nothing else is.
-    pub(super) fn fresh(&mut self, wanted: String) -> Name {
+    pub(super) fn fresh(&mut self, wanted: String) -> ValueId {
         let text = self.free(wanted);
         self.program.names.add(text)
     }
 
     /// The same of a value whose name says nothing but a number.
-    pub(super) fn numbered(&mut self, wanted: String) -> Name {
+    pub(super) fn numbered(&mut self, wanted: String) -> ValueId {
         let text = self.free(wanted);
         self.program.names.add_numbered(text)
     }
@@ -174,30 +134,42 @@ impl<'a> Scheduler<'a> {
         }
         let numbered = (2..).map(|number| format!("{wanted}_{number}"));
         let mut free = numbered.filter(|name| self.taken.insert(name.clone()));
-        free.next().unwrap_or_default()
+        free.next().unwrap_or_else(|| bug!("there are no numbers left"))
     }
 
     /// Names what loops carry.
     fn name_carries(&mut self) {
-        for (number, turn) in self.turns.all.iter().enumerate() {
-            for (place, carry) in turn.carries.iter().enumerate() {
-                let name = self.numbered(format!("carry{number}_{place}"));
-                let entering = self.numbered(format!("carry{number}_{place}_before"));
-                self.carried.insert(carry.entering, entering);
-                self.carried.insert(carry.leaving, name);
+        for (number, one) in self.regions.loops.iter().enumerate() {
+            for (place, carry) in one.carries.iter().enumerate() {
+                let exit = self.numbered(format!("carry{number}_{place}"));
+                let phi = self.numbered(format!("carry{number}_{place}_before"));
+                for (symbol, value) in [(carry.phi, phi), (carry.exit, exit)] {
+                    if let Some(node) = self.graph.find(Node::Symbol(symbol)) {
+                        self.names.insert(node, value);
+                    }
+                }
             }
         }
     }
 
-    /// Whether a node is computed at `home`.
-    fn belongs(&self, node: NodeId, home: Home) -> bool {
-        let is_known = self.is_slot(node) && matches!(self.turns.home(node), Home::Once(_));
-        self.live.has(node) && (is_known || self.turns.home(node) == home)
+    /// The value of what a loop carries.
+    pub(super) fn carried(&self, symbol: u32) -> ValueId {
+        match self.graph.find(Node::Symbol(symbol)) {
+            Some(node) => self.value(node),
+            None => bug!("a loop carries what is no unknown"),
+        }
     }
 
-    /// States what lives at `home`, each value under the first heading that needs it; then what no heading needs
-    /// in the same repetition.
-    pub(super) fn state_all(&mut self, home: Home, headings: &[Heading], rest: Vec<NodeId>) {
+    /// Whether a node is computed in `region`.
+    fn belongs(&self, node: NodeId, region: Region) -> bool {
+        let is_known = self.is_slot(node) && matches!(self.regions.region(node), Region::Once(_));
+        self.live.has(node) && (is_known || self.regions.region(node) == region)
+    }
+
+    /// States what belongs to `region`, each value under the first heading that needs it; then what no heading
+    /// needs in the same repetition.
+    pub(super) fn state_all(&mut self, region: Region, rest: Vec<NodeId>) {
+        let headings = &self.function.sections;
         let mut early = vec![Vec::new(); headings.len()];
         for &node in &rest {
             if let Some(number) = self.owners.own(node) {
@@ -205,18 +177,19 @@ impl<'a> Scheduler<'a> {
             }
         }
         for (heading, early) in headings.iter().zip(early) {
-            self.open(&heading.prefix, &heading.title, &heading.source);
+            self.open(heading);
             let values = heading.values.iter().map(|(_, edge)| edge.node());
             for node in values.chain(early) {
-                if self.belongs(node, home) {
+                if self.belongs(node, region) {
                     self.require(node);
                 }
             }
         }
-        self.open("result", "Results", "");
+        let (prefix, title) = ("result".to_owned(), "Results".to_owned());
+        self.open(&Heading { prefix, title, source: String::new(), values: Vec::new() });
         for node in rest {
-            if self.belongs(node, home) && !self.done[node as usize] {
-                self.current = self.place_of(node, home).unwrap_or(headings.len());
+            if self.belongs(node, region) && !self.done[node as usize] {
+                self.current = self.place_of(node, region).unwrap_or(headings.len());
                 self.require(node);
             }
         }
@@ -225,33 +198,32 @@ impl<'a> Scheduler<'a> {
     /// The section of a value that no heading needs in the same repetition: the last one that it reads, or else
     /// the first one that needs it in another repetition. All that it reads must have been stated; angles beside
     /// it in one statement may not be, and then there is none.
-    fn place_of(&self, node: NodeId, home: Home) -> Option<usize> {
-        if self.turns.all.is_empty() {
+    fn place_of(&self, node: NodeId, region: Region) -> Option<usize> {
+        if self.regions.loops.is_empty() {
             return None;
         }
         let beside = match self.graph.node(node) {
-            Node::Sin(_) | Node::Cos(_) => self.angles.get(&(self.depths[node as usize], home)),
+            Node::Sin(_) | Node::Cos(_) => self.angles.get(&(self.depths[node as usize], region)),
             _ => None,
         };
         let beside = || beside.into_iter().flatten().copied();
-        if beside().any(|angle| self.belongs(angle, home) && !self.done[angle as usize]) {
+        if beside().any(|angle| self.belongs(angle, region) && !self.done[angle as usize]) {
             return None;
         }
         let read = self.graph.node(node).operands().map(Edge::node).chain(beside());
-        let here = read.filter(|&id| !self.is_slot(id) && self.turns.home(id) == home);
+        let here = read.filter(|&id| !self.is_slot(id) && self.regions.region(id) == region);
         here.filter_map(|id| self.places[id as usize]).max().or(self.owners.any(node))
     }
 
     /// What is computed once, when so many loops are done.
-    fn once(&mut self, done: usize, headings: &[Heading], outputs: &[Vec<Edge>]) {
-        let home = Home::Once(done);
+    fn once(&mut self, done: usize) {
         // Without loops only the results are needed; what loops read may be anywhere.
-        let rest: Vec<NodeId> = if self.turns.all.is_empty() {
-            outputs.iter().flatten().map(|edge| edge.node()).collect()
+        let rest: Vec<NodeId> = if self.regions.loops.is_empty() {
+            self.function.ends().map(|edge| edge.node()).collect()
         } else {
             self.live.nodes().to_vec()
         };
-        self.state_all(home, headings, rest);
+        self.state_all(Region::Once(done), rest);
         let sections = self.take_sections();
         if !sections.is_empty() {
             self.program.blocks.push(Block::Once(sections));
@@ -264,12 +236,12 @@ impl<'a> Scheduler<'a> {
         sections
     }
 
-    fn open(&mut self, prefix: &str, title: &str, source: &str) {
+    fn open(&mut self, heading: &Heading) {
         self.current = self.sections.len();
         self.sections.push(Section {
-            prefix: prefix.to_owned(),
-            title: title.to_owned(),
-            source: source.to_owned(),
+            prefix: heading.prefix.clone(),
+            title: heading.title.clone(),
+            source: heading.source.clone(),
             statements: Vec::new(),
         });
     }
@@ -280,14 +252,15 @@ impl<'a> Scheduler<'a> {
     }
 
     pub(super) fn state(&mut self, statement: Statement) {
-        if let Some(section) = self.sections.get_mut(self.current) {
-            section.statements.push(statement);
+        match self.sections.get_mut(self.current) {
+            Some(section) => section.statements.push(statement),
+            None => bug!("a statement belongs to no section"),
         }
     }
 
     /// Whether a node is read from a slot.
     pub(super) fn is_slot(&self, node: NodeId) -> bool {
-        self.stage == Stage::State && self.graph.stage(node) == Stage::Setup
+        self.function.stage == Stage::State && self.graph.stage(node) == Stage::Setup
     }
 
     /// States everything that `node` needs and that has not been stated yet.
@@ -330,14 +303,21 @@ impl<'a> Scheduler<'a> {
         }
     }
 
-    fn finish(mut self, outputs: &[Vec<Edge>]) -> Program {
-        let output = |edge: &Edge| match self.turns.home(edge.node()) {
-            Home::Turn(_) => Operand::Repeated,
-            _ => self.operand(*edge),
+    fn finish(mut self) -> Program {
+        let function = self.function;
+        let result = |edge: Edge| match self.regions.region(edge.node()) {
+            Region::Loop(_) => None,
+            Region::Once(_) => Some(self.operand(edge)),
         };
-        let outputs = outputs.iter().map(|group| group.iter().map(output).collect()).collect();
-        self.program.symbols.sort_unstable();
-        self.program.outputs = outputs;
+        let results = function.results().map(result).collect();
+        let pivot =
+            |pivot: &Pivot| match self.regions.together(pivot.value.node(), pivot.scale.node()) {
+                Region::Loop(_) => None,
+                Region::Once(_) => Some((self.operand(pivot.value), self.operand(pivot.scale))),
+            };
+        let pivots = function.pivots.iter().map(pivot).collect();
+        self.program.unknowns.sort_unstable();
+        (self.program.results, self.program.pivots) = (results, pivots);
         self.program
     }
 }

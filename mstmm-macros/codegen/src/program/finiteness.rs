@@ -1,24 +1,25 @@
 //! Which unknowns and results need not be looked at, because other results show what is wrong with them.
 
-use super::{Name, Operand, Operation, Program, Section, Statement};
+use super::{Operand, Operation, Program, Section, Statement, ValueId};
 use std::collections::HashSet;
+use std::ops::Range;
 
 /// What need not be looked at, and what has to be, to find whether anything is infinite or undefined.
 #[derive(Debug, Default)]
 pub struct Shown<'a> {
     /// Unknowns that leave a result infinite or undefined whenever they are so themselves. Those of a repeated
-    /// part do so in results of the same time.
+    /// part do so in results of the same repetition.
     pub unknowns: HashSet<u32>,
     /// Results that are not all finite if any of them is not: what is computed from a result shows it. They come
     /// in the order in which they are known; results of repeated parts are left out.
-    pub telling: Vec<&'a Operand>,
+    pub witnesses: Vec<&'a Operand>,
     /// Which values hand on to a result, by number.
-    values: Vec<Value<'a>>,
+    values: Vec<Status<'a>>,
 }
 
 /// What is known of a value.
 #[derive(Clone, Copy, Debug)]
-enum Value<'a> {
+enum Status<'a> {
     /// Nothing so far.
     Other,
     /// It is this result, and no other shows it so far.
@@ -28,29 +29,34 @@ enum Value<'a> {
 }
 
 impl Program {
-    /// What results of group `group` show.
+    /// What the results of these numbers show.
     ///
     /// Sums, products, roots, sines and cosines hand on what is not finite (IEEE 754: 0 · ∞ and ∞ − ∞ are
     /// undefined, and so is what is computed from that). Not so reciprocals, for 1/∞ is zero, angles of
-    /// points, and signs. What loops carry is not followed: it may end with the last time.
-    pub fn shown(&self, group: usize) -> Shown<'_> {
-        let results = &self.outputs[group];
-        let values = vec![Value::Other; self.names.count()];
+    /// points, and signs. What loops carry is not followed: it may end with the last repetition.
+    pub fn shown(&self, numbers: Range<usize>) -> Shown<'_> {
+        let results: Vec<&Operand> = self.results[numbers.clone()].iter().flatten().collect();
+        let values = vec![Status::Other; self.names.count()];
         let mut shown = Shown { values, ..Shown::default() };
-        for result in results {
-            if let Some(name) = result.name() {
-                shown.values[name.index()] = Value::Result(result);
+        for result in &results {
+            if let Some(value) = result.value() {
+                shown.values[value.index()] = Status::Result(result);
             }
         }
-        let of_loops = self.loops().flat_map(|turn| &turn.outputs);
-        let of_loops = of_loops.filter(|output| output.0 == group).map(|(_, _, result)| result);
-        of_loops.for_each(|result| shown.add(result));
+        let of_loops = self.loops().flat_map(|one| &one.results);
+        let of_loops = of_loops.filter(|(number, _)| numbers.contains(number));
+        of_loops.for_each(|(_, result)| shown.add(result));
         self.backwards().for_each(|statement| shown.follow(statement));
         // What no statement computes: unknowns, and what is known since setup.
-        let others = results.iter().filter(|result| shown.lacks(result)).collect::<Vec<_>>();
+        let others: Vec<&Operand> = results.into_iter().filter(|it| shown.lacks(it)).collect();
         others.iter().for_each(|result| shown.add(result));
-        shown.telling.extend(others);
-        shown.telling.reverse();
+        shown.witnesses.extend(others);
+        shown.witnesses.reverse();
+        let once = self.unknowns.iter();
+        let all = once.chain(self.loops().flat_map(|one| &one.unknowns));
+        let is_shown = |value: ValueId| matches!(shown.values[value.index()], Status::Shown);
+        let unknowns = all.filter(|(_, value)| is_shown(*value)).map(|&(number, _)| number);
+        shown.unknowns = unknowns.collect();
         shown
     }
 
@@ -65,15 +71,15 @@ impl<'a> Shown<'a> {
     /// What a statement makes of it: what it hands on.
     fn follow(&mut self, statement: &'a Statement) {
         match statement {
-            Statement::Let(name, operation) => {
-                if self.meets(*name) {
+            Statement::Let(value, operation) => {
+                if self.meets(*value) {
                     handed_on(operation).into_iter().flatten().for_each(|from| self.add(from));
                 }
             }
             Statement::SinCos { sines, cosines, angles } => {
                 let named = sines.iter().zip(angles).chain(cosines.iter().zip(angles));
-                for (name, angle) in named {
-                    if name.is_some_and(|name| self.meets(name)) {
+                for (value, angle) in named {
+                    if value.is_some_and(|value| self.meets(value)) {
                         self.add(angle);
                     }
                 }
@@ -81,33 +87,27 @@ impl<'a> Shown<'a> {
         }
     }
 
-    /// Whether the value that is computed here is among it. If it is a result that nothing shows, it is telling.
-    fn meets(&mut self, name: Name) -> bool {
-        let value = &mut self.values[name.index()];
-        if let Value::Result(result) = *value {
-            self.telling.push(result);
-            *value = Value::Shown;
+    /// Whether the value that is computed here is among it. If it is a result that nothing shows, it is a
+    /// witness.
+    fn meets(&mut self, value: ValueId) -> bool {
+        let status = &mut self.values[value.index()];
+        if let Status::Result(result) = *status {
+            self.witnesses.push(result);
+            *status = Status::Shown;
         }
-        matches!(value, Value::Shown)
+        matches!(status, Status::Shown)
     }
 
-    fn add(&mut self, operand: &'a Operand) {
-        match operand {
-            Operand::Symbol(number) => _ = self.unknowns.insert(*number),
-            Operand::Named(name) => self.values[name.index()] = Value::Shown,
-            Operand::Minus(operand) => self.add(operand),
-            Operand::Number(_) | Operand::Repeated => (),
+    fn add(&mut self, operand: &Operand) {
+        if let Some(value) = operand.value() {
+            self.values[value.index()] = Status::Shown;
         }
     }
 
     /// Whether an operand that may be infinite is not among it.
     fn lacks(&self, operand: &Operand) -> bool {
-        match operand {
-            Operand::Symbol(number) => !self.unknowns.contains(number),
-            Operand::Named(name) => matches!(self.values[name.index()], Value::Result(_)),
-            Operand::Minus(operand) => self.lacks(operand),
-            Operand::Number(_) | Operand::Repeated => false,
-        }
+        let status = operand.value().map(|value| self.values[value.index()]);
+        matches!(status, Some(Status::Result(_)))
     }
 }
 
@@ -129,37 +129,39 @@ fn handed_on(operation: &Operation) -> [Option<&Operand>; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::{Block, Names};
+    use crate::program::{Block, ValueNames};
 
     #[test]
     fn what_others_show_is_not_telling() {
-        let mut names = Names::default();
-        let [a, b, c, d] = ["a", "b", "c", "d"].map(|name| names.add(name.into()));
+        let mut names = ValueNames::default();
+        let [a, b, c, d, x, y, z] =
+            ["a", "b", "c", "d", "x", "y", "z"].map(|name| names.add(name.into()));
         let statement = Statement::Let;
-        let (x, y) = (Operand::Symbol(0), Operand::Symbol(1));
-        let [read_a, read_b, read_c] = [a, b, c].map(Operand::Named);
-        let minus_y = Operand::Minus(Box::new(y.clone()));
+        let [read_a, read_b, read_c, read_x, read_y, read_z] =
+            [a, b, c, x, y, z].map(Operand::Value);
+        let minus_y = Operand::Minus(Box::new(read_y.clone()));
         let statements = vec![
-            statement(a, Operation::Sum(x.clone(), y)),
+            statement(a, Operation::Sum(read_x.clone(), read_y)),
             statement(b, Operation::Recip(read_a.clone())),
             statement(c, Operation::Product(read_a.clone(), minus_y)),
             statement(d, Operation::Difference(read_c.clone(), read_a.clone())),
         ];
         let section = Section { statements, ..Section::default() };
-        let minus_d = Operand::Minus(Box::new(Operand::Named(d)));
+        let minus_d = Operand::Minus(Box::new(Operand::Value(d)));
         let known = Operand::Number(1.0);
         let all =
-            vec![minus_d.clone(), read_c, read_b.clone(), read_a, Operand::Symbol(2), x, known];
+            vec![minus_d.clone(), read_c, read_b.clone(), read_a, read_z.clone(), read_x, known];
         let program = Program {
             names,
-            symbols: vec![0, 1, 2],
+            unknowns: vec![(0, x), (1, y), (2, z)],
             slots: Vec::new(),
             blocks: vec![Block::Once(vec![section])],
-            outputs: vec![all],
+            results: all.into_iter().map(Some).collect(),
+            pivots: Vec::new(),
         };
         // `d` shows `c`, `a`, and the first two unknowns; `b` may be zero where `a` is infinite.
-        let shown = program.shown(0);
-        assert_eq!(shown.telling, [&Operand::Symbol(2), &read_b, &minus_d]);
+        let shown = program.shown(0..7);
+        assert_eq!(shown.witnesses, [&read_z, &read_b, &minus_d]);
         assert_eq!(shown.unknowns, HashSet::from([0, 1, 2]));
     }
 }

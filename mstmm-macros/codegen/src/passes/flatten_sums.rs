@@ -1,29 +1,25 @@
 //! Sums of many terms: those that are written as sums of sums.
 
-use super::{Home, Live, Turn, Turns};
+use super::{Live, Region, Regions};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
-use crate::ids::RepeatId;
+use crate::function::Function;
 
 /// The sums of formulas, with the sums in them taken apart.
 pub(super) struct Sums<'g> {
     graph: &'g Graph,
     live: Live,
-    turns: Turns,
+    regions: Regions,
     /// The sums that are terms of one other sum and nothing else.
     inner: Vec<bool>,
 }
 
 impl<'g> Sums<'g> {
-    /// Those that `results` need; `parts` says which unknowns belong to which repeated part.
-    pub(super) fn of(
-        graph: &'g Graph,
-        results: &[Edge],
-        turns: &[Turn],
-        parts: &[Option<RepeatId>],
-    ) -> Self {
-        let live = Live::of(graph, results.iter().copied());
-        let turns = Turns::of(graph, &live, turns.to_vec(), parts);
-        let mut sums = Sums { graph, live, turns, inner: vec![false; graph.len()] };
+    /// Those of a function.
+    pub(super) fn of(function: &Function<'g>) -> Self {
+        let graph = function.graph;
+        let live = Live::of(graph, function.roots());
+        let regions = Regions::of(function, &live);
+        let mut sums = Sums { graph, live, regions, inner: vec![false; graph.len()] };
         for at in 0..sums.live.nodes().len() {
             let id = sums.live.nodes()[at];
             let Some(terms) = sums.terms_as_written(id) else { continue };
@@ -41,8 +37,8 @@ impl<'g> Sums<'g> {
     }
 
     /// Where a node is computed.
-    pub(super) fn home(&self, id: NodeId) -> Home {
-        self.turns.home(id)
+    pub(super) fn region(&self, id: NodeId) -> Region {
+        self.regions.region(id)
     }
 
     /// All terms of a sum that is needed and computed in every step.
@@ -80,6 +76,6 @@ impl<'g> Sums<'g> {
     fn is_only_for(&self, node: NodeId, user: NodeId) -> bool {
         self.live.uses(node) == 1
             && self.graph.stage(node) == self.graph.stage(user)
-            && self.turns.home(node) == self.turns.home(user)
+            && self.regions.region(node) == self.regions.region(user)
     }
 }

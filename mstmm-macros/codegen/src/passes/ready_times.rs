@@ -1,59 +1,63 @@
 //! When values are known, on a processor that computes each as soon as it can.
 
-use super::Home;
+use super::Region;
 use super::latency::{MULTIPLICATION, of_node};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
 
 /// When the nodes of a graph are known, in cycles from the beginning of the program, or of the time of a
 /// loop that computes them.
-pub(super) struct Arrivals<'g> {
+pub(super) struct ReadyTimes<'g> {
     graph: &'g Graph,
     /// Of the nodes that matter.
-    all: Vec<Option<(Home, u32)>>,
+    all: Vec<Option<(Region, u32)>>,
 }
 
-impl<'g> Arrivals<'g> {
-    /// Of `nodes`, operands before their users, each of which is computed at its `home`.
-    pub(super) fn of(graph: &'g Graph, nodes: &[NodeId], home: impl Fn(NodeId) -> Home) -> Self {
-        let mut arrivals = Arrivals { graph, all: vec![None; graph.len()] };
+impl<'g> ReadyTimes<'g> {
+    /// Of `nodes`, operands before their users, each of which is computed in its `region`.
+    pub(super) fn of(
+        graph: &'g Graph,
+        nodes: &[NodeId],
+        region: impl Fn(NodeId) -> Region,
+    ) -> Self {
+        let mut times = ReadyTimes { graph, all: vec![None; graph.len()] };
         for &id in nodes {
-            arrivals.add(id, home(id));
+            times.add(id, region(id));
         }
-        arrivals
+        times
     }
 
-    /// When a node is known at `home`: from the beginning, if it is computed elsewhere.
-    pub(super) fn at(&self, home: Home, node: NodeId) -> u32 {
+    /// When a node is known in `region`: from the beginning, if it is computed elsewhere.
+    pub(super) fn at(&self, region: Region, node: NodeId) -> u32 {
         match self.all.get(node as usize) {
-            Some(&Some((own, arrival))) if own == home => arrival,
+            Some(&Some((own, ready))) if own == region => ready,
             _ => 0,
         }
     }
 
     /// Takes down a node, and those that it is computed from, as far as they are new: they are computed
-    /// at `home`.
-    pub(super) fn follow(&mut self, node: NodeId, home: Home) {
+    /// in `region`.
+    pub(super) fn follow(&mut self, node: NodeId, region: Region) {
         if self.all.len() < self.graph.len() {
             self.all.resize(self.graph.len(), None);
         }
         if self.all[node as usize].is_none() {
             for operand in self.graph.node(node).operands() {
-                self.follow(operand.node(), home);
+                self.follow(operand.node(), region);
             }
-            self.add(node, home);
+            self.add(node, region);
         }
     }
 
-    fn add(&mut self, id: NodeId, home: Home) {
-        self.all[id as usize] = Some((home, self.arrival(id, home)));
+    fn add(&mut self, id: NodeId, region: Region) {
+        self.all[id as usize] = Some((region, self.ready(id, region)));
     }
 
-    fn arrival(&self, id: NodeId, home: Home) -> u32 {
+    fn ready(&self, id: NodeId, region: Region) -> u32 {
         let formula = self.graph.node(id);
         if self.graph.stage(id) < Stage::State {
             return 0;
         }
-        let known = |edge: Edge| self.at(home, edge.node());
+        let known = |edge: Edge| self.at(region, edge.node());
         let Node::Sum(a, b) = formula else {
             return formula.operands().map(known).max().unwrap_or(0) + of_node(&formula);
         };

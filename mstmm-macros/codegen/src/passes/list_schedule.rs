@@ -22,7 +22,7 @@ const ENOUGH: f64 = 1.2;
 
 /// The same program with its statements in the order in which they should run: a section that others interrupt
 /// becomes several with the same heading.
-pub fn issue(mut program: Program) -> Program {
+pub fn list_schedule(mut program: Program) -> Program {
     for block in &mut program.blocks {
         if let Block::Once(sections) = block
             && let Some(order) = waiting_order(sections, program.names.count())
@@ -83,7 +83,7 @@ impl Dependencies {
         }
         let mut users = vec![0; statements.len()];
         let makers = statements.iter().map(|statement| {
-            let names = statement.operands().filter_map(Operand::name);
+            let names = statement.operands().filter_map(Operand::value);
             let mut read: Vec<usize> = names.filter_map(|name| maker_of[name.index()]).collect();
             read.sort_unstable();
             read.dedup();
@@ -158,32 +158,33 @@ impl Dependencies {
 #[cfg(test)]
 mod tests {
     use super::{issued, waiting_order};
-    use crate::program::{Name, Names, Operand, Operation, Section, Statement};
+    use crate::program::{Operand, Operation, Section, Statement, ValueId, ValueNames};
 
     fn section(title: &str, statements: Vec<Statement>) -> Section {
         Section { title: title.into(), statements, ..Section::default() }
     }
 
-    fn reciprocal(name: Name, of: Operand) -> Statement {
+    fn reciprocal(name: ValueId, of: Operand) -> Statement {
         Statement::Let(name, Operation::Recip(of))
     }
 
     /// New values, called so with their numbers.
-    fn values<const N: usize>(names: &mut Names, letter: &str) -> [Name; N] {
+    fn values<const N: usize>(names: &mut ValueNames, letter: &str) -> [ValueId; N] {
         std::array::from_fn(|number| names.add(format!("{letter}{number}")))
     }
 
     #[test]
     fn what_is_needed_at_the_end_fills_the_gaps_of_the_longest_path() {
-        let mut names = Names::default();
+        let mut names = ValueNames::default();
         let [a, b] = values(&mut names, "path");
-        let (fill, end): ([Name; 6], [Name; 6]) =
+        let (fill, end): ([ValueId; 6], [ValueId; 6]) =
             (values(&mut names, "f"), values(&mut names, "g"));
-        let unknown = |k: usize| Operand::Symbol(k as u32);
+        let unknowns: [ValueId; 10] = values(&mut names, "x");
+        let unknown = |k: usize| Operand::Value(unknowns[k]);
         let filling = |k: usize| Operation::Sum(unknown(k), unknown(9));
-        let ending = |k: usize| Operation::Sum(Operand::Named(fill[k]), Operand::Named(b));
+        let ending = |k: usize| Operation::Sum(Operand::Value(fill[k]), Operand::Value(b));
         let filling = (0..6).map(|k| Statement::Let(fill[k], filling(k))).collect();
-        let path = vec![reciprocal(a, unknown(0)), reciprocal(b, Operand::Named(a))];
+        let path = vec![reciprocal(a, unknown(0)), reciprocal(b, Operand::Value(a))];
         let ending = (0..6).map(|k| Statement::Let(end[k], ending(k))).collect();
         let given = vec![section("fill", filling), section("path", path), section("end", ending)];
         let order = waiting_order(&given, names.count()).expect("it waits");
@@ -191,20 +192,21 @@ mod tests {
         let titles: Vec<&str> = ordered.iter().map(|section| &section.title[..]).collect();
         assert_eq!(titles, ["path", "fill", "end"]);
         let statements = ordered.iter().flat_map(|section| &section.statements);
-        let made: Vec<Name> = statements.flat_map(Statement::names).collect();
+        let made: Vec<ValueId> = statements.flat_map(Statement::names).collect();
         assert_eq!(made, [&[a, b], &fill[..], &end[..]].concat());
     }
 
     #[test]
     fn where_there_is_work_enough_the_order_stays() {
-        let mut names = Names::default();
-        let sums: [Name; 100] = values(&mut names, "f");
+        let mut names = ValueNames::default();
+        let sums: [ValueId; 100] = values(&mut names, "f");
         let [last] = values(&mut names, "last");
+        let unknowns: [ValueId; 100] = values(&mut names, "x");
         let sum = |k: usize| {
-            let unknown = Operand::Symbol(k as u32);
+            let unknown = Operand::Value(unknowns[k]);
             Statement::Let(sums[k], Operation::Sum(unknown.clone(), unknown))
         };
-        let end = vec![reciprocal(last, Operand::Named(sums[99]))];
+        let end = vec![reciprocal(last, Operand::Value(sums[99]))];
         let sections = vec![section("sums", (0..100).map(sum).collect()), section("end", end)];
         assert_eq!(waiting_order(&sections, names.count()), None);
     }

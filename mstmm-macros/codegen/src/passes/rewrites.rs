@@ -1,12 +1,12 @@
 //! Where nodes go when formulas are rewritten.
 
-use super::{Carry, Turn};
 use crate::expr::{Edge, Expr, Graph, Node, NodeId};
+use crate::function::Function;
 use crate::math::Scalar;
 
-/// What has become of every node that some results need.
+/// What has become of every node that a function needs.
 #[derive(Clone, Debug)]
-pub struct Images(Vec<Option<Edge>>);
+pub(super) struct Images(Vec<Option<Edge>>);
 
 impl Images {
     /// Images of the first nodes of a graph, as many as it has now, none of them known yet.
@@ -19,28 +19,14 @@ impl Images {
     }
 
     /// The same use of what a node has become, if it is still needed.
-    pub fn edge(&self, edge: Edge) -> Option<Edge> {
+    pub(super) fn edge(&self, edge: Edge) -> Option<Edge> {
         let image = self.0.get(edge.node() as usize).copied().flatten()?;
         Some(if edge.is_negative() { image.negated() } else { image })
     }
 
-    /// The same uses, of those that are still needed.
-    pub fn edges(&self, edges: &[Edge]) -> Vec<Edge> {
-        edges.iter().filter_map(|&edge| self.edge(edge)).collect()
-    }
-
-    /// The same loops.
-    pub fn turns(&self, turns: &[Turn]) -> Vec<Turn> {
-        let moved = |carry: &Carry| {
-            let [first, next] =
-                [carry.first, carry.next].map(|edge| self.edge(edge).unwrap_or(edge));
-            Carry { first, next, ..*carry }
-        };
-        let turn = |turn: &Turn| Turn {
-            carries: turn.carries.iter().map(moved).collect(),
-            ..turn.clone()
-        };
-        turns.iter().map(turn).collect()
+    /// The function over what its nodes have become.
+    pub(super) fn apply<'g>(&self, function: Function<'g>) -> Function<'g> {
+        function.map(|edge| self.edge(edge))
     }
 
     /// Where a use leads when its node's image is known, and as before where it is not.

@@ -1,47 +1,43 @@
 //! The order in which the terms of a sum are added up: terms that are known first come first. A processor
 //! that runs several operations at once then waits less for the next term.
 
-use super::arrivals::Arrivals;
-use super::sums::Sums;
-use super::{Home, Images, Turn};
+use super::flatten_sums::Sums;
+use super::ready_times::ReadyTimes;
+use super::{Images, Region};
 use crate::expr::{Edge, Expr, Graph, NodeId};
-use crate::ids::RepeatId;
+use crate::function::Function;
 use crate::math::Scalar;
 
-/// Rewrites everything that `results` need.
-pub fn order(
-    graph: &Graph,
-    results: &[Edge],
-    turns: &[Turn],
-    parts: &[Option<RepeatId>],
-) -> Images {
-    let sums = Sums::of(graph, results, turns, parts);
+/// Orders the terms of all sums of a function.
+pub fn reassociate(function: Function) -> Function {
+    let graph = function.graph;
+    let sums = Sums::of(&function);
     let nodes: Vec<NodeId> = sums.nodes().collect();
-    let arrivals = Arrivals::of(graph, &nodes, |id| sums.home(id));
-    let mut pass = Order { graph, images: Images::new(graph), arrivals };
+    let ready_times = ReadyTimes::of(graph, &nodes, |id| sums.region(id));
+    let mut pass = Reassociation { graph, images: Images::new(graph), ready_times };
     for id in nodes {
         let image = match sums.terms(id) {
             Some(terms) => {
-                let home = sums.home(id);
-                let term = |term: Edge| pass.term(term, sums.factors(term, id), home);
+                let region = sums.region(id);
+                let term = |term: Edge| pass.term(term, sums.factors(term, id), region);
                 let terms = terms.into_iter().map(term);
                 in_order(terms.collect())
             }
             None => pass.images.over_images(graph, id),
         };
         if let Expr::Formula(_, edge) = image {
-            pass.arrivals.follow(edge.node(), sums.home(id));
+            pass.ready_times.follow(edge.node(), sums.region(id));
         }
         pass.images.set(id, image, graph);
     }
-    pass.images
+    pass.images.apply(function)
 }
 
-struct Order<'g> {
+struct Reassociation<'g> {
     graph: &'g Graph,
     images: Images,
     /// Of the new formulas; the old ones are among them.
-    arrivals: Arrivals<'g>,
+    ready_times: ReadyTimes<'g>,
 }
 
 /// A term of a sum.
@@ -58,17 +54,17 @@ struct Due {
     is_product: bool,
 }
 
-impl<'g> Order<'g> {
-    /// A term of a sum at `home`, and the factors that it is computed from for this sum alone.
-    fn term(&self, edge: Edge, factors: Option<[Edge; 2]>, home: Home) -> Term<'g> {
+impl<'g> Reassociation<'g> {
+    /// A term of a sum in `region`, and the factors that it is computed from for this sum alone.
+    fn term(&self, edge: Edge, factors: Option<[Edge; 2]>, region: Region) -> Term<'g> {
         let value = self.images.expr(self.graph, edge);
-        let arrival = |edge: Edge| match self.images.expr(self.graph, edge) {
-            Expr::Formula(_, image) => self.arrivals.at(home, image.node()),
+        let ready_at = |edge: Edge| match self.images.expr(self.graph, edge) {
+            Expr::Formula(_, image) => self.ready_times.at(region, image.node()),
             Expr::Number(_) => 0,
         };
         let ready = match factors {
-            Some([a, b]) => arrival(a).max(arrival(b)),
-            None => arrival(edge),
+            Some([a, b]) => ready_at(a).max(ready_at(b)),
+            None => ready_at(edge),
         };
         Term { value, due: Due { ready, is_product: factors.is_some() } }
     }

@@ -1,0 +1,78 @@
+//! The table of a chain's functions: when there is one, its equations, and what is tested of it.
+
+use super::compiler::{ChainCompiler, Traced};
+use super::outputs;
+use crate::examine::Findings;
+use crate::model::{Answer, Chain, ClosureRank, Layout, Passive};
+use crate::passes::Checks;
+use crate::program::Failure;
+
+/// A function of a chain.
+pub(super) struct Row {
+    /// What it answers.
+    pub answer: Answer,
+    /// Whether a chain has it.
+    pub when: fn(&Chain, &Findings, &Layout) -> bool,
+    /// Runs its equations.
+    pub trace: for<'a> fn(&ChainCompiler<'a>) -> Traced<'a>,
+    /// What is tested of it.
+    pub checks: Option<Checks>,
+}
+
+/// Accelerations must be finite; where they are not, what the caller gave stays as it was.
+const SOLVED: Option<Checks> =
+    Some(Checks { finite: outputs::ACCELERATIONS, failure: Failure::Untouched });
+
+/// All rows, in the order of [`Answer::ALL`].
+pub(super) static ROWS: [Row; 9] = [
+    Row {
+        answer: Answer::Accelerations,
+        when: always,
+        trace: |chain| chain.accelerations(),
+        checks: SOLVED,
+    },
+    Row {
+        answer: Answer::ImplicitAccelerations,
+        when: |chain, _, _| {
+            chain.hinges.iter().flat_map(|hinge| &hinge.passive).any(Passive::has_effort)
+        },
+        trace: |chain| chain.implicit_accelerations(),
+        checks: SOLVED,
+    },
+    Row {
+        answer: Answer::Solution,
+        when: always,
+        trace: |chain| chain.solution(),
+        checks: Some(Checks { finite: outputs::ACCELERATIONS, failure: Failure::Reset }),
+    },
+    Row { answer: Answer::Energy, when: always, trace: |chain| chain.energy(), checks: None },
+    Row {
+        answer: Answer::CoordinateRates,
+        when: always,
+        trace: |chain| chain.coordinate_rates(),
+        checks: None,
+    },
+    Row {
+        answer: Answer::Normalized,
+        when: always,
+        trace: |chain| chain.normalized(),
+        checks: None,
+    },
+    Row {
+        answer: Answer::Correction,
+        when: |_, _, layout| !layout.closings.is_empty(),
+        trace: |chain| chain.correction(),
+        checks: None,
+    },
+    Row {
+        answer: Answer::ClosurePivots,
+        when: |_, findings, _| matches!(findings.closure_rank, ClosureRank::FoundAtRunTime(_)),
+        trace: |chain| chain.closure_pivots(),
+        checks: None,
+    },
+    Row { answer: Answer::Start, when: always, trace: |chain| chain.start(), checks: None },
+];
+
+fn always(_: &Chain, _: &Findings, _: &Layout) -> bool {
+    true
+}

@@ -1,0 +1,353 @@
+//! A chain's equations, run on formulas.
+
+use super::places::{self, Places};
+use super::{layouts, outputs};
+use crate::equations::{self, Axes, Numbers, Situation, Solved, Trace};
+use crate::examine::Findings;
+use crate::expr::{Edge, Expr, Graph, Stage};
+use crate::function::{Function, LoopTracer, Output, Pivot, Section, Unknowns};
+use crate::math::NOISE;
+use crate::model::{Chain, Check, ClosureRank, Hinge, HingeKind, Layout, Method, Value};
+use crate::passes::Setup;
+use crate::program::{Argument, ArrayLayout, OutputId};
+
+/// The axes of the sweeps. In inertial axes `riccati` took 45 % more operations in the best case
+/// measured (thirty balls) and six times as many in the worst (one ball).
+const AXES: Axes = Axes::Body;
+
+/// A function, and what is known of connection points with it.
+pub(super) struct Traced<'g> {
+    /// The function.
+    pub function: Function<'g>,
+    /// Where connection points have their numbers, of the function that computes them.
+    pub places: Option<Places>,
+}
+
+impl<'g> From<Function<'g>> for Traced<'g> {
+    fn from(function: Function<'g>) -> Self {
+        Traced { function, places: None }
+    }
+}
+
+/// A chain in a state of unknowns.
+pub(super) struct ChainCompiler<'a> {
+    chain: &'a Chain,
+    findings: &'a Findings,
+    layout: &'a Layout,
+    /// The layout with welded bodies merged, which has the same hinges in the same places.
+    merged: &'a Layout,
+    unknowns: &'a Unknowns,
+    graph: &'a Graph,
+    numbers: Numbers<Expr<'a>>,
+    q: Vec<Expr<'a>>,
+    v: Vec<Expr<'a>>,
+    inputs: Vec<Expr<'a>>,
+    step: Expr<'a>,
+}
+
+impl<'a> ChainCompiler<'a> {
+    pub(super) fn new(
+        (chain, findings): (&'a Chain, &'a Findings),
+        (layout, merged): (&'a Layout, &'a Layout),
+        unknowns: &'a Unknowns,
+        graph: &'a Graph,
+    ) -> Self {
+        let symbols = |argument, stage| -> Vec<Expr<'a>> {
+            let numbers = unknowns.of(argument);
+            numbers.map(|number| graph.symbol(number as u32, stage)).collect()
+        };
+        let parameters = 0..chain.parameters.len();
+        let inputs = layout.inputs.ids().into_iter();
+        ChainCompiler {
+            chain,
+            findings,
+            layout,
+            merged,
+            unknowns,
+            graph,
+            numbers: Numbers {
+                parameters: parameters
+                    .flat_map(|index| symbols(Argument::Parameter(index), Stage::Setup))
+                    .collect(),
+                constants: symbols(Argument::Constants, Stage::Setup),
+                closure_steps: symbols(Argument::ClosureSteps, Stage::Setup),
+            },
+            q: symbols(Argument::Coordinates, Stage::State),
+            v: symbols(Argument::Rates, Stage::State),
+            inputs: inputs.flat_map(|it| symbols(Argument::Input(it), Stage::State)).collect(),
+            step: symbols(Argument::Step, Stage::State)[0],
+        }
+    }
+
+    fn situation<'b>(&'b self, layout: &'b Layout) -> Situation<'b, Expr<'a>> {
+        self.situation_with(layout, &self.numbers)
+    }
+
+    fn situation_with<'b>(
+        &'b self,
+        layout: &'b Layout,
+        numbers: &'b Numbers<Expr<'a>>,
+    ) -> Situation<'b, Expr<'a>> {
+        let &Findings { held_by_closure, closure_rank, .. } = self.findings;
+        let state = (&self.q[..], &self.v[..], &self.inputs[..]);
+        Situation::new(self.chain, layout, numbers, state).knowing(held_by_closure, closure_rank)
+    }
+
+    /// The unknowns of its functions.
+    pub(super) fn unknowns(&self) -> &'a Unknowns {
+        self.unknowns
+    }
+
+    fn method(&self) -> Method {
+        self.chain.method.unwrap_or(Method::Riccati)
+    }
+
+    /// Runs equations with repeated parts as loops: their result, and a function that has no outputs yet.
+    fn traced<R>(
+        &self,
+        equations: impl Fn(&LoopTracer<'a>, &mut Trace<Expr<'a>>) -> R,
+    ) -> (R, Function<'a>) {
+        let tracer = LoopTracer::new(self.graph, self.unknowns.count());
+        let ((result, trace), loops) = tracer.trace(|tracer| {
+            let mut trace = Trace::new();
+            let result = equations(tracer, &mut trace);
+            (result, trace)
+        });
+        let sections = trace.sections.iter().map(section).collect();
+        (result, Function { loops, sections, ..self.function(Stage::State) })
+    }
+
+    fn function(&self, stage: Stage) -> Function<'a> {
+        Function {
+            graph: self.graph,
+            unknowns: self.unknowns,
+            stage,
+            sections: Vec::new(),
+            loops: Vec::new(),
+            outputs: Vec::new(),
+            pivots: Vec::new(),
+        }
+    }
+
+    fn output(&self, id: OutputId, layout: ArrayLayout, values: &[Expr<'a>]) -> Output {
+        let values = values.iter().map(|&value| self.graph.edge(value)).collect();
+        Output { id, layout, values, by_entry: false }
+    }
+
+    /// Numbers that stand once.
+    fn once(&self, id: OutputId, values: &[Expr<'a>]) -> Output {
+        self.output(id, ArrayLayout::once(values.len()), values)
+    }
+
+    fn coordinates(&self, id: OutputId, values: &[Expr<'a>]) -> Output {
+        let layout = layouts::coordinates(self.chain, self.layout);
+        self.output(id, layout, values)
+    }
+
+    fn rates(&self, id: OutputId, values: &[Expr<'a>]) -> Output {
+        self.output(id, layouts::rates(self.chain, self.layout), values)
+    }
+
+    /// The pivots that are not known to be positive.
+    fn pivots(&self, solved: &Solved<Expr<'a>>) -> Vec<Pivot> {
+        let unsure = solved.pivots.iter().filter(|pivot| !is_positive(pivot));
+        let pivot = |pivot: &equations::Pivot<Expr<'a>>| {
+            let hinge = self.merged.links[pivot.link].hinge;
+            Pivot {
+                hinge: self.chain.hinges[hinge].name.to_string(),
+                value: self.graph.edge(pivot.value),
+                scale: self.graph.edge(pivot.scale),
+            }
+        };
+        unsure.map(pivot).collect()
+    }
+
+    pub(super) fn accelerations(&self) -> Traced<'a> {
+        self.solved(|situation| situation)
+    }
+
+    pub(super) fn implicit_accelerations(&self) -> Traced<'a> {
+        self.solved(|situation| situation.within(self.step))
+    }
+
+    fn solved(
+        &self,
+        set: impl for<'b> Fn(Situation<'b, Expr<'a>>) -> Situation<'b, Expr<'a>>,
+    ) -> Traced<'a> {
+        let (solved, function) = self.traced(|tracer, trace| {
+            let situation = set(self.situation(self.merged)).woven(tracer);
+            equations::accelerations(&situation, self.method(), AXES, trace)
+        });
+        let outputs = vec![self.rates(outputs::ACCELERATIONS, &solved.accelerations)];
+        Function { outputs, pivots: self.pivots(&solved), ..function }.into()
+    }
+
+    pub(super) fn solution(&self) -> Traced<'a> {
+        let results = self.chain.results;
+        let ((solved, report, energy), function) = self.traced(|tracer, trace| {
+            let merged = self.situation(self.merged).woven(tracer);
+            let (solved, swept) = equations::sweep(&merged, self.method(), AXES, trace);
+            let situation = self.situation(self.layout).woven(tracer);
+            let report = equations::report(&situation, (&solved, &swept), trace);
+            let energy = results.energies.then(|| equations::energy(&situation, trace));
+            (solved, report, energy)
+        });
+        let pivots = self.pivots(&solved);
+        let (places, numbers) =
+            places::places(self.chain, self.graph, &report.points, &self.numbers);
+        let all_rates = || layouts::all_rates(self.chain, self.layout);
+        let by_entry = |output: Output| Output { by_entry: true, ..output };
+        let mut outputs = vec![self.rates(outputs::ACCELERATIONS, &solved.accelerations)];
+        if self.chain.has_prescribed_hinges() {
+            let id = outputs::ALL_ACCELERATIONS;
+            outputs.push(self.output(id, all_rates(), &report.accelerations));
+        }
+        outputs.push(self.output(outputs::EFFORTS, all_rates(), &report.efforts));
+        if let Some(energy) = energy {
+            let energies = [energy.kinetic, energy.potential];
+            outputs.push(by_entry(self.once(outputs::ENERGIES, &energies)));
+        }
+        if let Some(reaction) = solved.reaction {
+            let wrenches = reaction.undetermined.into_iter();
+            let numbers = wrenches.flat_map(|w| w.force.0.into_iter().chain(w.moment.0));
+            outputs.push(self.once(outputs::UNDETERMINED, &numbers.collect::<Vec<_>>()));
+        }
+        let layout = layouts::numbers_of_points(self.chain, &places);
+        outputs.push(by_entry(self.output(outputs::POINT_NUMBERS, layout, &numbers)));
+        let felt = |&axis: &usize| if results.z { report.at_rest[axis] } else { Expr::Number(0.0) };
+        let at_rest: Vec<Expr> = self.chain.dimension.shifts().iter().map(felt).collect();
+        outputs.push(by_entry(self.once(outputs::AT_REST, &at_rest)));
+        Traced { function: Function { outputs, pivots, ..function }, places: Some(places) }
+    }
+
+    pub(super) fn energy(&self) -> Traced<'a> {
+        let (energy, function) = self.traced(|tracer, trace| {
+            equations::energy(&self.situation(self.layout).woven(tracer), trace)
+        });
+        let outputs = vec![self.once(outputs::ENERGIES, &[energy.kinetic, energy.potential])];
+        Function { outputs, ..function }.into()
+    }
+
+    pub(super) fn coordinate_rates(&self) -> Traced<'a> {
+        let map = equations::hinge::coordinate_rates;
+        self.of_hinges(outputs::COORDINATE_RATES, map)
+    }
+
+    pub(super) fn normalized(&self) -> Traced<'a> {
+        self.of_hinges(outputs::COORDINATES, |kind, q, _| equations::hinge::normalized(kind, q))
+    }
+
+    /// A function that maps every hinge's coordinates and rates to numbers in the place of its coordinates.
+    fn of_hinges(
+        &self,
+        id: OutputId,
+        map: impl Fn(&HingeKind, &[Expr<'a>], &[Expr<'a>]) -> Vec<Expr<'a>>,
+    ) -> Traced<'a> {
+        let layout = self.layout;
+        let free = self.chain.hinges.enumerate().filter(|(_, hinge)| !hinge.is_prescribed());
+        let values = free.flat_map(|(index, hinge)| {
+            map(&hinge.kind, &self.q[layout.q[index].clone()], &self.v[layout.v[index].clone()])
+        });
+        let outputs = vec![self.coordinates(id, &values.collect::<Vec<_>>())];
+        Function { outputs, ..self.function(Stage::State) }.into()
+    }
+
+    pub(super) fn correction(&self) -> Traced<'a> {
+        let (correction, function) = self.traced(|tracer, trace| {
+            equations::correction(&self.situation(self.merged).woven(tracer), trace)
+        });
+        let Some(correction) = correction else {
+            bug!("a chain that is not closed is to be put back onto its closure")
+        };
+        let q = equations::moved(self.chain, self.layout, &self.q, &correction.coordinates);
+        let v: Vec<Expr> =
+            self.v.iter().zip(correction.rates).map(|(&v, change)| v + change).collect();
+        let residual = [correction.residual, correction.excess];
+        let outputs = vec![
+            self.coordinates(outputs::COORDINATES, &q),
+            self.rates(outputs::RATES, &v),
+            self.once(outputs::RESIDUAL, &residual),
+        ];
+        Function { outputs, ..function }.into()
+    }
+
+    pub(super) fn closure_pivots(&self) -> Traced<'a> {
+        let ClosureRank::FoundAtRunTime(directions) = self.findings.closure_rank else {
+            bug!("the rank of this closure is not found at run time")
+        };
+        let numbers = Numbers { closure_steps: Vec::new(), ..self.numbers.clone() };
+        let (solved, function) = self.traced(|tracer, trace| {
+            let situation = self.situation_with(self.merged, &numbers).woven(tracer);
+            equations::accelerations(&situation, Method::Riccati, AXES, trace)
+        });
+        let Some(reaction) = solved.reaction else {
+            bug!("the rank of a closure is to be found, and nothing closes")
+        };
+        // Directions that are held in no state have none.
+        let mut pivots = reaction.pivots;
+        assert!(pivots.len() <= directions, "mstmm bug: more pivots than directions");
+        pivots.resize(directions, Expr::Number(0.0));
+        let outputs = vec![self.once(outputs::CLOSURE_PIVOTS, &pivots)];
+        Function { outputs, ..function }.into()
+    }
+
+    pub(super) fn start(&self) -> Traced<'a> {
+        let values = |all: fn(&Hinge) -> &Vec<Value>| {
+            let values =
+                self.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed()).flat_map(all);
+            values.map(|value| self.numbers.scalar(value)).collect::<Vec<_>>()
+        };
+        let outputs = vec![
+            self.coordinates(outputs::COORDINATES, &values(|hinge| &hinge.start)),
+            self.rates(outputs::RATES, &values(|hinge| &hinge.start_rate)),
+        ];
+        Function { outputs, ..self.function(Stage::State) }.into()
+    }
+
+    /// The function that derives the slots of all others, and the numbers to be checked.
+    pub(super) fn setup(&self, setup: &Setup, checks: &[Check]) -> Function<'a> {
+        let mut outputs = Vec::new();
+        let mut named = Vec::new();
+        let parts = self.chain.repeats.ids().into_iter().map(Some);
+        for part in std::iter::once(None).chain(parts) {
+            let slots = setup.values(part);
+            let layout = layouts::of(self.chain, [(slots.len(), part)]);
+            let values: Vec<Edge> = slots.iter().map(|(_, edge)| *edge).collect();
+            outputs.push(Output { id: outputs::slots(part), layout, values, by_entry: false });
+            named.extend(slots.into_iter().map(|(name, edge)| (name.to_owned(), edge)));
+        }
+        let checked: Vec<Expr> =
+            checks.iter().map(|check| self.numbers.scalar(&check.value)).collect();
+        let layout = layouts::of(self.chain, checks.iter().map(|check| (1, check.part)));
+        outputs.push(self.output(outputs::CHECKED, layout, &checked));
+        let heading = Section {
+            prefix: "setup".to_owned(),
+            title: "Quantities derived from parameters and constants".to_owned(),
+            source: String::new(),
+            values: named,
+        };
+        Function { outputs, sections: vec![heading], ..self.function(Stage::Setup) }
+    }
+}
+
+/// A section of a trace, over edges; known numbers need no name.
+fn section(section: &equations::Section<Expr>) -> Section {
+    let formula = |(name, expr): &(String, Expr)| match expr {
+        Expr::Formula(_, edge) => Some((name.clone(), *edge)),
+        Expr::Number(_) => None,
+    };
+    Section {
+        prefix: section.prefix.clone(),
+        title: section.title.clone(),
+        source: section.source.to_owned(),
+        values: section.values.iter().filter_map(formula).collect(),
+    }
+}
+
+/// Whether a pivot is known, and known to be positive beyond rounding, so that no step has to look.
+fn is_positive(pivot: &equations::Pivot<Expr>) -> bool {
+    match (pivot.value.known(), pivot.scale.known()) {
+        (Some(value), Some(scale)) => value > NOISE * f64::EPSILON * scale,
+        _ => false,
+    }
+}

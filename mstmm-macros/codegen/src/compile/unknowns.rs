@@ -1,0 +1,106 @@
+//! The unknowns of a chain: their names, and the arrays that they are read from.
+
+use super::layouts;
+use crate::function::Unknowns;
+use crate::model::{Chain, ClosureRank, Driven, Hinge, Input, Layout, Shape};
+use crate::program::{Argument, ArrayLayout};
+use proc_macro2::Ident;
+use std::collections::HashSet;
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// The unknowns of `chain`: parameters, constants, the steps of a closure, coordinates, rates, inputs, and the
+/// length of an implicit step. The closure has this rank.
+pub(super) fn unknowns(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Unknowns {
+    let free = || chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
+    let coordinates = free().flat_map(|hinge| named(hinge, coordinates(hinge.kind.shape())));
+    let rates = free().flat_map(|hinge| named(hinge, hinge.kind.shape().rates.to_vec()));
+    let mut unknowns = Unknowns::new(chain.repeats.iter().map(|repeat| repeat.count).collect());
+    let mut taken = HashSet::new();
+    let mut add = |argument, layout: ArrayLayout, names: Vec<String>| {
+        let names = names.into_iter().map(|name| distinct(name, &mut taken));
+        unknowns.add(argument, layout, names.collect());
+    };
+    for (index, parameter) in chain.parameters.iter().enumerate() {
+        let layout = layouts::parameter(chain, index);
+        add(Argument::Parameter(index), layout, vec![text(&parameter.name)]);
+    }
+    let once = |argument, names: Vec<String>| (argument, ArrayLayout::once(names.len()), names);
+    let numbered = |name: &str, count: usize| -> Vec<String> {
+        (0..count).map(|number| format!("{name}{number}")).collect()
+    };
+    let steps = match rank {
+        ClosureRank::FoundAtRunTime(directions) => directions,
+        ClosureRank::Unknown | ClosureRank::Known { .. } => 0,
+    };
+    let inputs = layout.inputs.enumerate().map(|(index, input)| {
+        let names = input_names(chain, input);
+        (Argument::Input(index), layouts::input(chain, input), names)
+    });
+    let all = [
+        once(Argument::Constants, numbered("constant", chain.constants)),
+        once(Argument::ClosureSteps, numbered("closure_step", steps)),
+        (Argument::Coordinates, layouts::coordinates(chain, layout), coordinates.collect()),
+        (Argument::Rates, layouts::rates(chain, layout), rates.collect()),
+    ];
+    let step = once(Argument::Step, vec!["step".to_owned()]);
+    for (argument, layout, names) in all.into_iter().chain(inputs).chain([step]) {
+        add(argument, layout, names);
+    }
+    unknowns
+}
+
+fn coordinates(shape: &Shape) -> Vec<&'static str> {
+    shape.coordinates.iter().map(|coordinate| coordinate.name).collect()
+}
+
+fn named(hinge: &Hinge, suffixes: Vec<&str>) -> Vec<String> {
+    let name = text(&hinge.name);
+    suffixes.into_iter().map(|suffix| format!("{name}_{suffix}")).collect()
+}
+
+fn input_names(chain: &Chain, input: &Input) -> Vec<String> {
+    let along = |name: &str, axes: &[usize]| -> Vec<String> {
+        axes.iter().map(|&axis| format!("{name}_{}", AXES[axis])).collect()
+    };
+    match input.what {
+        Driven::Gravity => along("gravity", chain.dimension.shifts()),
+        Driven::Force(load) => {
+            along(&format!("{}_force", text(&chain.loads[load].name)), chain.dimension.shifts())
+        }
+        Driven::Torque(load) => {
+            along(&format!("{}_torque", text(&chain.loads[load].name)), chain.dimension.turns())
+        }
+        Driven::Efforts(hinge) => {
+            let name = text(&chain.hinges[hinge].name);
+            (0..input.range.len()).map(|k| format!("{name}_input{k}")).collect()
+        }
+        Driven::Motion(index) => {
+            let hinge = &chain.hinges[index];
+            let shape = hinge.kind.shape();
+            let accelerations: Vec<String> =
+                shape.rates.iter().map(|rate| format!("{rate}_dot")).collect();
+            let mut names = named(hinge, coordinates(shape));
+            names.extend(named(hinge, shape.rates.to_vec()));
+            names.extend(named(hinge, accelerations.iter().map(String::as_str).collect()));
+            names
+        }
+    }
+}
+
+/// Makes a name differ from all before: a parameter `elbow_angle` may stand beside a hinge `elbow`.
+fn distinct(mut name: String, taken: &mut HashSet<String>) -> String {
+    while !taken.insert(name.clone()) {
+        name.push('_');
+    }
+    name
+}
+
+/// A name as a variable is written: an upper-case one could be taken for a constant of the user's.
+///
+/// Rust compares names in normal form C, which letters may have left with their case: it is the compiler
+/// that brings them back.
+fn text(ident: &Ident) -> String {
+    let lower = ident.to_string().to_lowercase();
+    syn::parse_str::<Ident>(&lower).map_or(lower, |normal| normal.to_string())
+}

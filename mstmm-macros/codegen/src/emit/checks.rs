@@ -1,0 +1,161 @@
+//! The tests of a procedure: whether there are results.
+
+use super::Plan;
+use super::arrays::usize_literal;
+use super::loops::flag;
+use super::procedure::Printer;
+use crate::ids::InputId;
+use crate::model::Driven;
+use crate::program::{Argument, ArrayId, ArrayRole, Finish, Operand, Pivot, PivotTest, Witness};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// Fails where something that is given is not finite. These tests stand first: behind others they would be a
+/// branch, over which the compiler moves some statements and not others.
+pub fn given(printer: &Printer, arrays: &[ArrayId]) -> TokenStream {
+    let plan = printer.plan;
+    let mstmm = &plan.mstmm;
+    let (mut taken, mut slices) = (TokenStream::new(), Vec::new());
+    let mut vectors = TokenStream::new();
+    for &array in arrays {
+        match printer.procedure.arrays[array].role {
+            ArrayRole::Argument(Argument::Input(input)) => {
+                let (before, slice) = plan.slice_of_input(input);
+                taken.extend(before);
+                slices.extend(slice);
+            }
+            ArrayRole::Argument(Argument::Coordinates) => {
+                vectors.extend(quote!(#mstmm::generated::all_finite::<T>(state_.q.as_slice())?;));
+            }
+            ArrayRole::Argument(Argument::Rates) => {
+                vectors.extend(quote!(#mstmm::generated::all_finite::<T>(state_.v.as_slice())?;));
+            }
+            _ => bug!("an array is tested before it can be"),
+        }
+    }
+    if !slices.is_empty() {
+        taken.extend(quote!(#mstmm::generated::finite::<T>(&[#(#slices),*])?;));
+    }
+    taken.extend(vectors);
+    failing(printer.on_failure.as_ref(), taken)
+}
+
+/// Statements that may fail, if there are any: where they do, results are made anew if that is asked for.
+pub fn failing(reset: Option<&TokenStream>, statements: TokenStream) -> TokenStream {
+    let Some(reset) = reset.filter(|_| !statements.is_empty()) else { return statements };
+    quote! {
+        let checked_ = (|| {
+            #statements
+            ::core::result::Result::Ok(())
+        })();
+        if let ::core::result::Result::Err(error_) = checked_ {
+            #reset
+            return ::core::result::Result::Err(error_);
+        }
+    }
+}
+
+/// The test at the end.
+pub fn finish(printer: &Printer, finish: &Finish) -> TokenStream {
+    let mstmm = &printer.plan.mstmm;
+    let (mut names, mut values, mut scales) = (Vec::new(), Vec::new(), Vec::new());
+    let mut repeated = TokenStream::new();
+    for PivotTest { hinge, pivot } in &finish.pivots {
+        match pivot {
+            Pivot::Once(value, scale) => {
+                names.push(hinge);
+                values.push(printer.operand(value));
+                scales.push(printer.operand(scale));
+            }
+            Pivot::Repeated(check) => {
+                let flag = flag(*check);
+                repeated.extend(quote!(#mstmm::generated::require(#flag, #hinge)?;));
+            }
+        }
+    }
+    let (mut numbers, mut arrays) = (Vec::new(), TokenStream::new());
+    for witness in &finish.finite {
+        match witness {
+            Witness::Value(value) => numbers.push(printer.operand(value)),
+            Witness::Entry(array, entry) => numbers.push(self::entry(printer, *array, *entry)),
+            // An array of many numbers is not handed over by value.
+            Witness::Array(array) => {
+                let result = printer.written(*array);
+                arrays.extend(quote!(#mstmm::generated::all_finite::<T>(#result.as_slice())?;));
+            }
+        }
+    }
+    let [values, scales] = [values, scales].map(|numbers| quote!([#(#numbers),*]));
+    let error = quote!(#mstmm::generated::irregular::<T, _>(&[#(#names),*], #values, #scales));
+    let fail = match &printer.on_failure {
+        None => quote!(return ::core::result::Result::Err(#error);),
+        Some(reset) => quote! {
+            let error_ = #error;
+            #reset
+            return ::core::result::Result::Err(error_);
+        },
+    };
+    let reset = printer.on_failure.as_ref();
+    let (repeated, arrays) = (failing(reset, repeated), failing(reset, arrays));
+    quote! {
+        #repeated
+        if !#mstmm::generated::regular::<T, _, _>(#values, #scales, [#(#numbers),*]) {
+            #fail
+        }
+        #arrays
+    }
+}
+
+/// An entry of an argument that stands once.
+fn entry(printer: &Printer, array: ArrayId, entry: usize) -> TokenStream {
+    let place = usize_literal(entry);
+    match printer.procedure.arrays[array].role {
+        ArrayRole::Argument(Argument::Time) => quote!(state_.t),
+        ArrayRole::Argument(Argument::Coordinates) => quote!(state_.q.data.0[0][#place]),
+        ArrayRole::Argument(Argument::Rates) => quote!(state_.v.data.0[0][#place]),
+        _ => bug!("an entry of another array is tested"),
+    }
+}
+
+/// What a test reads.
+pub fn operands(finish: &Finish) -> Vec<&Operand> {
+    let pivots = finish.pivots.iter().flat_map(|test| match &test.pivot {
+        Pivot::Once(value, scale) => vec![value, scale],
+        Pivot::Repeated(_) => Vec::new(),
+    });
+    let finite = finish.finite.iter().filter_map(|witness| match witness {
+        Witness::Value(value) => Some(value),
+        Witness::Entry(..) | Witness::Array(_) => None,
+    });
+    pivots.chain(finite).collect()
+}
+
+impl Plan<'_> {
+    /// A slice that holds all numbers of an input that stands once, and statements before, which test an input of a
+    /// repeated part themselves.
+    fn slice_of_input(&self, number: InputId) -> (TokenStream, Option<TokenStream>) {
+        let mstmm = &self.mstmm;
+        let input = &self.layout.inputs[number];
+        let name = self.chain.name_of_input(input.what);
+        let slice = |from: &TokenStream| match input.what {
+            Driven::Motion(_) => {
+                let variables = self.input_variables(number);
+                (self.read_input(number, from, &variables), quote!(&[#(#variables),*]))
+            }
+            _ if input.range.len() == 1 => (TokenStream::new(), quote!(&[#from])),
+            _ => (TokenStream::new(), quote!(#from.as_slice())),
+        };
+        if self.chain.repeat_of_input(input.what).is_none() {
+            let (taken, slice) = slice(&quote!(inputs_.#name));
+            return (taken, Some(slice));
+        }
+        let (taken, slice) = slice(&quote!(item_));
+        let each = quote! {
+            for &item_ in &inputs_.#name {
+                #taken
+                #mstmm::generated::finite::<T>(&[#slice])?;
+            }
+        };
+        (each, None)
+    }
+}

@@ -1,0 +1,131 @@
+//! Where a procedure's arguments are, and how they are read.
+
+use super::closure;
+use super::loops::{Stream, pattern};
+use super::names::helper;
+use super::procedure::Printer;
+use super::{Plan, sealed};
+use crate::ids::InputId;
+use crate::program::{Argument, ArrayRole, Place, ValueId};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+/// Reads what stands once.
+pub fn once(printer: &Printer, from: &Place, into: &[Option<ValueId>]) -> TokenStream {
+    let plan = printer.plan;
+    let array = printer.array(from);
+    let ArrayRole::Argument(argument) = array.role else {
+        bug!("only arguments are read outside of loops")
+    };
+    let layout = &array.layout;
+    let is_whole = layout.segments.len() == 1;
+    let shortened = shortened(printer, into);
+    let of_state = |vector: TokenStream| {
+        if is_whole {
+            return quote!(let [#shortened] = #vector.data.0;);
+        }
+        let (pattern, copy) =
+            (pattern(&names(printer, into)), plan.segment(&vector, &layout.segments[from.segment]));
+        quote!(let #pattern = #copy;)
+    };
+    match argument {
+        Argument::Coordinates => of_state(quote!(state_.q)),
+        Argument::Rates => of_state(quote!(state_.v)),
+        Argument::Parameter(index) => {
+            let field = &plan.chain.parameters[index].name;
+            let names = names(printer, into);
+            quote!(let #(#names)* = parameters_.#field;)
+        }
+        Argument::Constants => quote!(let #shortened = *constants_;),
+        Argument::ClosureSteps => {
+            let field = closure::steps(plan);
+            quote!(let #shortened = parameters_.#field;)
+        }
+        Argument::Input(input) => {
+            let name = plan.chain.name_of_input(plan.layout.inputs[input].what);
+            let variables = input_variables(printer, input, into);
+            plan.read_input(input, &quote!(inputs_.#name), &variables)
+        }
+        Argument::Slots(_) => {
+            let derived = sealed::once(plan, &quote!(self));
+            quote!(let #shortened = #derived;)
+        }
+        // The argument of the function has its name already.
+        Argument::Step => TokenStream::new(),
+        Argument::Time => bug!("no value is read from the time"),
+    }
+}
+
+/// Reads a repetition: what to iterate over, and statements that take an item apart.
+pub fn repeated(
+    printer: &Printer,
+    (argument, from): (Argument, &Place),
+    into: &[Option<ValueId>],
+) -> (Stream, TokenStream) {
+    let plan = printer.plan;
+    let segment = &printer.array(from).layout.segments[from.segment];
+    let names = names(printer, into);
+    let pattern = pattern(&names);
+    let slices = |array: TokenStream| {
+        let slices = plan.slices(&array, segment);
+        ((quote!(&#pattern), quote!(#slices.iter())), TokenStream::new())
+    };
+    match argument {
+        Argument::Coordinates => slices(quote!(state_.q)),
+        Argument::Rates => slices(quote!(state_.v)),
+        Argument::Slots(Some(part)) => slices(sealed::of_part(plan, &quote!(self), part)),
+        Argument::Parameter(index) => {
+            let field = &plan.chain.parameters[index].name;
+            ((quote!(&#(#names)*), quote!(parameters_.#field.iter())), TokenStream::new())
+        }
+        Argument::Input(input) => {
+            let name = plan.chain.name_of_input(plan.layout.inputs[input].what);
+            let item = helper(&format!("{name}_input"));
+            let variables = input_variables(printer, input, into);
+            let taken = plan.read_input(input, &quote!(#item), &variables);
+            ((quote!(&#item), quote!(inputs_.#name.iter())), taken)
+        }
+        Argument::Constants
+        | Argument::ClosureSteps
+        | Argument::Step
+        | Argument::Time
+        | Argument::Slots(None) => bug!("a loop reads what stands once"),
+    }
+}
+
+/// The variables of values.
+fn names(printer: &Printer, into: &[Option<ValueId>]) -> Vec<Option<Ident>> {
+    into.iter().map(|value| value.map(|value| printer.variables.get(value).clone())).collect()
+}
+
+/// A pattern of the first entries of an array, up to the last that is wanted.
+fn shortened(printer: &Printer, into: &[Option<ValueId>]) -> TokenStream {
+    let count = into.iter().rposition(Option::is_some).map_or(0, |last| last + 1);
+    let entries = into[..count].iter().map(|value| match value {
+        Some(value) => {
+            let name = printer.variables.get(*value);
+            quote!(#name)
+        }
+        None => quote!(_),
+    });
+    let rest = (count < into.len()).then(|| quote!(, ..));
+    quote!([#(#entries),* #rest])
+}
+
+/// Variables for all numbers of an input, also those that nothing reads: an input is taken apart as a whole.
+fn input_variables(printer: &Printer, input: InputId, into: &[Option<ValueId>]) -> Vec<Ident> {
+    let own = printer.plan.input_variables(input);
+    let variable = |(value, own): (&Option<ValueId>, Ident)| match value {
+        Some(value) => printer.variables.get(*value).clone(),
+        None => own,
+    };
+    into.iter().zip(own).map(variable).collect()
+}
+
+impl Plan<'_> {
+    /// Variables for all numbers of an input.
+    pub fn input_variables(&self, input: InputId) -> Vec<Ident> {
+        let numbers = self.compiled.unknowns.of(Argument::Input(input));
+        numbers.map(|number| self.unknowns[number].clone()).collect()
+    }
+}

@@ -1,0 +1,195 @@
+//! Loops of a procedure: what they read comes from iterators, which are zipped.
+
+use super::arrays::usize_literal;
+use super::loads;
+use super::names::helper;
+use super::procedure::Printer;
+use crate::ids::IdVec;
+use crate::program::{Array, ArrayId, ArrayRole, CheckId, ForLoop, Operand, Place, Segment, Step};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+/// A pattern and the iterator whose items it takes apart.
+pub type Stream = (TokenStream, TokenStream);
+
+/// What stands before all loops: flags for the tests of pivots, and arrays for what loops leave.
+pub fn opened(printer: &Printer) -> TokenStream {
+    let mstmm = &printer.plan.mstmm;
+    let flags = (0..printer.procedure.checks).map(|number| flag(CheckId(number)));
+    let arrays: &IdVec<ArrayId, Array> = &printer.procedure.arrays;
+    let locals = arrays.enumerate().filter_map(|(id, array)| match array.role {
+        ArrayRole::Local(_) => Some((id, array)),
+        ArrayRole::Argument(_) | ArrayRole::Result(_) => None,
+    });
+    let locals = locals.map(|(id, array)| {
+        let (store, segment) = (local(id), &array.layout.segments[0]);
+        let [count, repetitions] = [segment.count, segment.repetitions].map(usize_literal);
+        quote! {
+            let mut #store =
+                #mstmm::generated::Stored::<[T; #count], #repetitions>::new_const();
+        }
+    });
+    quote! {
+        #(let mut #flags = <T::Mask as #mstmm::Mask>::splat(true);)*
+        #(#locals)*
+    }
+}
+
+/// Whether no repetition of a pivot vanishes.
+pub fn flag(check: CheckId) -> Ident {
+    helper(&format!("regular{}", check.index()))
+}
+
+fn local(array: ArrayId) -> Ident {
+    helper(&format!("store{}", array.index()))
+}
+
+/// A loop.
+pub fn one(printer: &Printer, one: &ForLoop) -> TokenStream {
+    let plan = printer.plan;
+    let mstmm = &plan.mstmm;
+    let (mut streams, mut taken, mut writes) = (Vec::new(), TokenStream::new(), TokenStream::new());
+    for step in &one.body {
+        match step {
+            Step::Load { from, into } => match printer.array(from).role {
+                ArrayRole::Local(_) => streams.push(load_local(printer, from, into)),
+                ArrayRole::Argument(argument) => {
+                    let (stream, statements) = loads::repeated(printer, (argument, from), into);
+                    streams.push(stream);
+                    taken.extend(statements);
+                }
+                ArrayRole::Result(_) => bug!("a loop reads a result"),
+            },
+            Step::Store { to, values } => match printer.array(to).role {
+                ArrayRole::Local(_) => {
+                    let (store, values) =
+                        (local(to.array), values.iter().flatten().map(|it| printer.operand(it)));
+                    writes.extend(quote!(_ = #store.try_push([#(#values),*]);));
+                }
+                _ => {
+                    let (stream, statements) = write(printer, to, values);
+                    streams.push(stream);
+                    writes.extend(statements);
+                }
+            },
+            Step::CheckPivot { check, value, scale } => {
+                let flag = flag(*check);
+                let [value, scale] = [value, scale].map(|operand| printer.operand(operand));
+                writes
+                    .extend(quote!(#flag = #flag & !#mstmm::generated::vanishes(#value, #scale);));
+            }
+            Step::Compute(_) => {}
+            Step::CheckGiven(_) | Step::Loop(_) | Step::Finish(_) => {
+                bug!("a loop has a step that stands outside of loops only")
+            }
+        }
+    }
+    let computed: Vec<Step> =
+        one.body.iter().filter(|step| matches!(step, Step::Compute(_))).cloned().collect();
+    let sections = printer.steps(&computed);
+    let variable = |value| printer.variables.get(value);
+    let exits: Vec<&Ident> = one.carries.iter().map(|carry| variable(carry.exit)).collect();
+    let phis = one.carries.iter().map(|carry| variable(carry.phi));
+    let inits = one.carries.iter().map(|carry| printer.operand(&carry.init));
+    let nexts = one.carries.iter().map(|carry| printer.operand(&carry.next));
+    let (pattern, iterator) = zipped(streams, &usize_literal(one.repetitions), one.inward);
+    quote! {
+        #(let mut #exits = #inits;)*
+        for #pattern in #iterator {
+            #taken
+            #(let #phis = #exits;)*
+            #sections
+            #writes
+            (#(#exits,)*) = (#(#nexts,)*);
+        }
+    }
+}
+
+/// What a loop reads of what an earlier one has left, which has put it there in its own order.
+fn load_local(printer: &Printer, from: &Place, into: &[Option<crate::program::ValueId>]) -> Stream {
+    let wanted = into.iter().map(|value| value.map(|value| printer.variables.get(value).clone()));
+    let (pattern, store) = (pattern(&wanted.collect::<Vec<_>>()), local(from.array));
+    let steps = printer.procedure.body.iter();
+    let mut loops = steps.filter_map(|step| match step {
+        Step::Loop(one) => Some(one),
+        _ => None,
+    });
+    let leaves = |step: &Step| matches!(step, Step::Store { to, .. } if to.array == from.array);
+    let Some(earlier) = loops.find(|one| one.body.iter().any(leaves)) else {
+        bug!("a loop reads what no loop has left")
+    };
+    let times = if earlier.inward {
+        quote!(::core::iter::Iterator::rev(#store.iter()))
+    } else {
+        quote!(#store.iter())
+    };
+    (quote!(&#pattern), times)
+}
+
+/// Writes what a loop has for a segment of a result.
+fn write(printer: &Printer, to: &Place, values: &[Option<Operand>]) -> (Stream, TokenStream) {
+    let array = printer.result(to.array);
+    let segment = segment(printer, to);
+    let (names, writes) = assigned(printer, (to, segment), values);
+    let slices = printer.plan.slices_mut(&array, segment);
+    ((pattern(&names), quote!(#slices.iter_mut())), writes)
+}
+
+/// Writes results of a chain with loops that stand once, or are the same in every repetition.
+pub fn fill(printer: &Printer, to: &Place, values: &[Option<Operand>]) -> TokenStream {
+    let array = printer.result(to.array);
+    let segment = segment(printer, to);
+    let (names, writes) = assigned(printer, (to, segment), values);
+    let (pattern, slices) = (pattern(&names), printer.plan.slices_mut(&array, segment));
+    quote! {
+        for #pattern in #slices {
+            #writes
+        }
+    }
+}
+
+fn segment<'a>(printer: &'a Printer, place: &Place) -> &'a Segment {
+    &printer.array(place).layout.segments[place.segment]
+}
+
+/// Names of places that are written, and what writes them.
+fn assigned(
+    printer: &Printer,
+    (to, segment): (&Place, &Segment),
+    values: &[Option<Operand>],
+) -> (Vec<Option<Ident>>, TokenStream) {
+    let mut writes = TokenStream::new();
+    let mut names = vec![None; segment.count];
+    for (entry, value) in values.iter().enumerate() {
+        let Some(value) = value else { continue };
+        let number = segment.first + to.first + entry;
+        let name = helper(&format!("o{}_{number}", to.array.index()));
+        let value = printer.operand(value);
+        writes.extend(quote!(*#name = #value;));
+        names[to.first + entry] = Some(name);
+    }
+    (names, writes)
+}
+
+/// A pattern of an array's numbers.
+pub fn pattern(names: &[Option<Ident>]) -> TokenStream {
+    let names = names.iter().map(|name| match name {
+        Some(name) => quote!(#name),
+        None => quote!(_),
+    });
+    quote!([#(#names),*])
+}
+
+/// One pattern and one iterator for several.
+fn zipped(streams: Vec<Stream>, times: &Literal, inward: bool) -> Stream {
+    let mut streams = streams.into_iter();
+    let (mut pattern, mut iterator) = streams.next().unwrap_or((quote!(_), quote!((0..#times))));
+    for (next_pattern, next_iterator) in streams {
+        pattern = quote!((#pattern, #next_pattern));
+        iterator = quote!(::core::iter::zip(#iterator, #next_iterator));
+    }
+    if inward {
+        iterator = quote!(::core::iter::Iterator::rev(#iterator));
+    }
+    (pattern, iterator)
+}

@@ -1,0 +1,346 @@
+//! A procedure as Rust statements.
+
+use super::arrays::usize_literal;
+use super::names::{Variables, helper};
+use super::statement::Writer;
+use super::{Plan, checks, loads, loops};
+use crate::program::{
+    Array, ArrayId, ArrayRole, Failure, Operand, OutputId, Place, Procedure, Section, Step,
+};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+/// Procedures of more statements than this declare names, many at once, before they compute them.
+///
+/// Small ones read better with one `let` a line. But every `let` opens a scope inside the one
+/// before, and rustc walks nested scopes recursively where it writes debug information: some
+/// thousands of them overflow its stack.
+const NESTED_SCOPES: usize = 1000;
+
+/// Where a result goes.
+#[derive(Clone, Debug)]
+pub enum Destination {
+    /// An array of the caller's.
+    Array(TokenStream),
+    /// A vector of the caller's.
+    Vector(TokenStream),
+    /// Places of the caller's, one for each number.
+    Fields(Vec<TokenStream>),
+    /// A new array.
+    New(Ident),
+    /// The undetermined reactions of a workspace.
+    Closure,
+}
+
+/// A procedure that is being printed.
+pub struct Printer<'a> {
+    pub plan: &'a Plan<'a>,
+    pub procedure: &'a Procedure,
+    /// What its values are.
+    pub variables: Variables,
+    /// Where its results go, by array.
+    destinations: Vec<Option<Destination>>,
+    /// Where it fails, if it does: what is written before it returns an error.
+    pub on_failure: Option<TokenStream>,
+    /// Whether it has loops.
+    pub looped: bool,
+    /// Whether it has more statements than may open a scope each.
+    pub flat: bool,
+}
+
+impl Plan<'_> {
+    /// All statements of a procedure, whose results go where `destination` says.
+    pub fn procedure(
+        &self,
+        procedure: &Procedure,
+        destination: impl Fn(OutputId) -> Destination,
+    ) -> TokenStream {
+        let of_array = |array: &Array| match array.role {
+            ArrayRole::Result(id) => Some(destination(id)),
+            ArrayRole::Argument(_) | ArrayRole::Local(_) => None,
+        };
+        let mstmm = &self.mstmm;
+        let reset = quote!(#mstmm::generated::take_back(at_, || self.workspace()););
+        let statements = procedure.sections().map(|section| section.statements.len());
+        let printer = Printer {
+            plan: self,
+            procedure,
+            variables: Variables::of(&procedure.values),
+            destinations: procedure.arrays.iter().map(of_array).collect(),
+            on_failure: (procedure.failure == Failure::Reset).then_some(reset),
+            looped: procedure.body.iter().any(|step| matches!(step, Step::Loop(_))),
+            flat: statements.sum::<usize>() > NESTED_SCOPES,
+        };
+        printer.print()
+    }
+}
+
+impl Printer<'_> {
+    fn print(&self) -> TokenStream {
+        let constant = uses_numbers(&self.procedure.body).then(|| {
+            let c = helper("c");
+            quote!(let #c = T::constant;)
+        });
+        let steps = &self.procedure.body;
+        let given = steps.iter().take_while(|step| matches!(step, Step::CheckGiven(_))).count();
+        let (given, steps) = steps.split_at(given);
+        let mut statements: TokenStream = given.iter().map(|step| self.step(step)).collect();
+        statements.extend(self.opened_results());
+        statements.extend(constant);
+        statements.extend(loops::opened(self));
+        statements.extend(self.steps(steps));
+        statements.extend(self.delivered());
+        statements
+    }
+
+    /// Steps that are not in a loop, or the computing ones of a loop.
+    pub fn steps(&self, steps: &[Step]) -> TokenStream {
+        let sections: Vec<&Section> = steps.iter().filter_map(computed).collect();
+        let mut writer = Writer::new(self.plan, &self.variables);
+        let mut headings = writer.headings(&sections);
+        let (mut number, mut declared, mut stored) = (0, 0, false);
+        for step in steps {
+            let Step::Compute(section) = step else {
+                stored = matches!(step, Step::Store { .. } | Step::Finish(_)) && number > 0;
+                writer.add(self.step(step));
+                continue;
+            };
+            if std::mem::take(&mut stored) {
+                // LLVM puts writes off, to make vectors of neighbours, unless it is told that it may not.
+                let mstmm = &self.plan.mstmm;
+                writer.add(quote!(#mstmm::generated::written();));
+            }
+            if self.flat && number == declared {
+                declared = writer.declare(&sections, declared, &mut headings);
+            }
+            let goes_on = number > 0 && sections[number - 1].heading() == section.heading();
+            if !self.flat && !goes_on {
+                writer.heading_of(section, &mut headings);
+            }
+            writer.statements(section, !self.flat);
+            number += 1;
+        }
+        writer.finish()
+    }
+
+    fn step(&self, step: &Step) -> TokenStream {
+        match step {
+            Step::CheckGiven(arrays) => checks::given(self, arrays),
+            Step::Load { from, into } => loads::once(self, from, into),
+            Step::Store { to, values } => self.store(to, values),
+            Step::Loop(one) => loops::one(self, one),
+            Step::Finish(finish) => checks::finish(self, finish),
+            Step::Compute(_) | Step::CheckPivot { .. } => {
+                bug!("statements and tests of a loop are printed with it")
+            }
+        }
+    }
+
+    /// An operand.
+    pub fn operand(&self, operand: &Operand) -> TokenStream {
+        let mut writer = Writer::new(self.plan, &self.variables);
+        writer.operand(operand);
+        writer.finish()
+    }
+
+    /// The array of a place.
+    pub fn array(&self, place: &Place) -> &Array {
+        &self.procedure.arrays[place.array]
+    }
+
+    pub fn destination(&self, array: ArrayId) -> &Destination {
+        let destination = &self.destinations[array.index()];
+        destination.as_ref().unwrap_or_else(|| bug!("an array that is no result is written"))
+    }
+
+    /// The variable of a result that loops write: a new array, or a reference to one.
+    pub fn result(&self, array: ArrayId) -> Ident {
+        match self.destination(array) {
+            Destination::New(name) => name.clone(),
+            _ => helper(&format!("results{}", array.index())),
+        }
+    }
+
+    /// An array of results that has been written.
+    pub fn written(&self, array: ArrayId) -> TokenStream {
+        match self.destination(array) {
+            Destination::Array(place) | Destination::Vector(place) if !self.is_filled(array) => {
+                place.clone()
+            }
+            _ => self.result(array).into_token_stream(),
+        }
+    }
+
+    /// Whether a result lies in an array that is filled piece by piece: because it has numbers of repeated parts, or
+    /// because it is kept back until loops have been tested.
+    fn is_filled(&self, array: ArrayId) -> bool {
+        let is_array = match self.destination(array) {
+            Destination::Array(_) | Destination::Vector(_) | Destination::New(_) => true,
+            Destination::Fields(_) | Destination::Closure => false,
+        };
+        let segments = &self.procedure.arrays[array].layout.segments;
+        let has_repeated = segments.iter().any(|segment| segment.repeat.is_some());
+        is_array && (has_repeated || self.looped && self.is_kept_back())
+    }
+
+    /// Whether a result must not reach the caller before the test at the end.
+    fn is_kept_back(&self) -> bool {
+        let has_finish = self.procedure.body.iter().any(|step| matches!(step, Step::Finish(_)));
+        self.procedure.failure == Failure::Untouched && has_finish
+    }
+
+    fn result_arrays(&self) -> impl Iterator<Item = (ArrayId, &Array)> {
+        let all = self.procedure.arrays.enumerate();
+        all.filter(|(_, array)| matches!(array.role, ArrayRole::Result(_)))
+    }
+
+    /// Makes what results are written through: variables for the arrays that loops fill, and for entries that are
+    /// written one by one.
+    fn opened_results(&self) -> TokenStream {
+        let mut statements = TokenStream::new();
+        for (id, array) in self.result_arrays() {
+            if self.is_filled(id) {
+                let (name, total) = (self.result(id), usize_literal(array.layout.total));
+                statements.extend(match self.destination(id) {
+                    Destination::Array(_) | Destination::Vector(_) if self.is_kept_back() => {
+                        quote!(let mut #name = [T::constant(0.0); #total];)
+                    }
+                    Destination::Array(place) | Destination::Vector(place) => {
+                        quote!(let #name = &mut #place;)
+                    }
+                    _ => quote!(let mut #name = [T::constant(0.0); #total];),
+                });
+            } else if let Destination::Array(place) = self.destination(id)
+                && let Some(pattern) = self.entries(id)
+            {
+                statements.extend(quote!(let #pattern = &mut #place;));
+            }
+        }
+        statements
+    }
+
+    /// A pattern of the entries of an array that are written one by one.
+    fn entries(&self, id: ArrayId) -> Option<TokenStream> {
+        let mut names = vec![quote!(_); self.procedure.arrays[id].layout.entries()];
+        let mut any = false;
+        for step in &self.procedure.body {
+            if let Step::Store { to, values } = step
+                && to.array == id
+                && !self.is_whole(to, values)
+            {
+                let name = entry(to);
+                (names[to.first], any) = (name.to_token_stream(), true);
+            }
+        }
+        any.then(|| quote!([#(#names),*]))
+    }
+
+    /// Whether all numbers of an array are written at once.
+    fn is_whole(&self, to: &Place, values: &[Option<Operand>]) -> bool {
+        values.len() == self.array(to).layout.total
+    }
+
+    fn store(&self, to: &Place, values: &[Option<Operand>]) -> TokenStream {
+        if self.is_filled(to.array) {
+            return loops::fill(self, to, values);
+        }
+        let operand = |value: &Option<Operand>| match value {
+            Some(value) => self.operand(value),
+            None => bug!("a result that stands once is missing"),
+        };
+        let operands: Vec<TokenStream> = values.iter().map(operand).collect();
+        match self.destination(to.array) {
+            Destination::Array(place) if self.is_whole(to, values) => {
+                quote!(#place = [#(#operands),*];)
+            }
+            Destination::Array(_) => {
+                let name = entry(to);
+                quote!(*#name = #(#operands)*;)
+            }
+            Destination::Vector(place) => quote!(#place.data.0 = [[#(#operands),*]];),
+            Destination::Fields(places) => {
+                let places = &places[to.first..to.first + values.len()];
+                quote!(#(#places = #operands;)*)
+            }
+            Destination::New(name) => quote!(let #name = [#(#operands),*];),
+            Destination::Closure => {
+                let mstmm = &self.plan.mstmm;
+                let wrenches = operands.chunks(6).map(|wrench| quote!([#(#wrench),*]));
+                quote!(at_.closure = #mstmm::generated::closure([#(#wrenches),*]);)
+            }
+        }
+    }
+
+    /// Hands over what has been kept back.
+    fn delivered(&self) -> TokenStream {
+        let mut statements = TokenStream::new();
+        for (id, _) in self.result_arrays().filter(|(id, _)| self.is_filled(*id)) {
+            let name = self.result(id);
+            if self.is_kept_back() {
+                statements.extend(match self.destination(id) {
+                    Destination::Vector(place) => quote!(#place.data.0 = [#name];),
+                    Destination::Array(place) => quote!(#place = #name;),
+                    _ => TokenStream::new(),
+                });
+            }
+        }
+        // An array without numbers is written by no step.
+        let written = |id: ArrayId| {
+            self.is_filled(id) || self.procedure.body.iter().any(|step| stores_into(step, id))
+        };
+        for (id, _) in self.result_arrays().filter(|(id, _)| !written(*id)) {
+            if let Destination::New(name) = self.destination(id) {
+                statements.extend(quote!(let #name: [T; 0] = [];));
+            }
+        }
+        statements
+    }
+}
+
+fn stores_into(step: &Step, array: ArrayId) -> bool {
+    matches!(step, Step::Store { to, .. } if to.array == array)
+}
+
+fn computed(step: &Step) -> Option<&Section> {
+    match step {
+        Step::Compute(section) => Some(section),
+        _ => None,
+    }
+}
+
+/// The variable of an entry that is written alone.
+fn entry(to: &Place) -> Ident {
+    helper(&format!("n{}", to.first))
+}
+
+/// The body of a function: statements, and what follows them. As a group it is put into `quote!`
+/// without a copy of every token.
+pub fn body(mut statements: TokenStream, rest: TokenStream) -> Group {
+    statements.extend(rest);
+    Group::new(Delimiter::Brace, statements)
+}
+
+/// Whether a known number stands anywhere in some steps.
+fn uses_numbers(steps: &[Step]) -> bool {
+    let number = |operand: &Operand| operand.is_known();
+    steps.iter().any(|step| match step {
+        Step::CheckGiven(_) | Step::Load { .. } => false,
+        Step::Compute(section) => {
+            section.statements.iter().any(|statement| statement.operands().any(number))
+        }
+        Step::Store { values, .. } => values.iter().flatten().any(number),
+        Step::CheckPivot { value, scale, .. } => number(value) || number(scale),
+        Step::Finish(finish) => checks::operands(finish).into_iter().any(number),
+        Step::Loop(one) => {
+            let carried =
+                one.carries.iter().any(|carry| number(&carry.init) || number(&carry.next));
+            carried || uses_numbers(&one.body)
+        }
+    })
+}
+
+/// A field of a workspace.
+pub fn field(name: &str) -> TokenStream {
+    let name = format_ident!("{name}");
+    quote!(at_.#name)
+}

@@ -1,0 +1,55 @@
+//! What can be asked of a chain: each answer is one function of the generated code.
+
+/// A function of a chain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Answer {
+    /// Accelerations of all hinges.
+    Accelerations,
+    /// Accelerations of a linearly implicit step.
+    ImplicitAccelerations,
+    /// Everything that `results` names.
+    Solution,
+    /// Kinetic and potential energy.
+    Energy,
+    /// Time derivatives of the coordinates.
+    CoordinateRates,
+    /// Coordinates with quaternions of unit length.
+    Normalized,
+    /// Coordinates and rates put back onto the closure.
+    Correction,
+    /// The pivots that tell the rank of the closure.
+    ClosurePivots,
+    /// The state that a simulation starts from.
+    Start,
+}
+
+impl Answer {
+    /// All of them, in the order in which they are computed: new ones go last, so that the text of the others
+    /// stays as it is.
+    pub const ALL: [Answer; 9] = [
+        Answer::Accelerations,
+        Answer::ImplicitAccelerations,
+        Answer::Solution,
+        Answer::Energy,
+        Answer::CoordinateRates,
+        Answer::Normalized,
+        Answer::Correction,
+        Answer::ClosurePivots,
+        Answer::Start,
+    ];
+
+    /// Its name in texts for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Answer::Accelerations => "accelerations",
+            Answer::ImplicitAccelerations => "implicit_accelerations",
+            Answer::Solution => "solution",
+            Answer::Energy => "energy",
+            Answer::CoordinateRates => "coordinate_rates",
+            Answer::Normalized => "normalized",
+            Answer::Correction => "correction",
+            Answer::ClosurePivots => "closure_pivots",
+            Answer::Start => "start",
+        }
+    }
+}

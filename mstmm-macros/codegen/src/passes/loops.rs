@@ -1,0 +1,118 @@
+//! Loops of a program: what each computes in every repetition of a part, what it reads of earlier ones, and
+//! what it leaves.
+
+use super::Region;
+use super::linearize::Scheduler;
+use crate::expr::{Edge, NodeId};
+use crate::function;
+use crate::program::{Block, Carried, Loop, ValueId};
+
+impl<'a> Scheduler<'a> {
+    /// A loop.
+    pub(super) fn one_loop(&mut self, number: usize) {
+        let region = Region::Loop(number);
+        self.state_all(region, self.live.nodes().to_vec());
+        let one = &self.regions.loops[number];
+        let own = |edge: &Edge| self.regions.region(edge.node()) == region;
+        let results: Vec<(usize, Edge)> =
+            self.function.results().enumerate().filter(|(_, edge)| own(edge)).collect();
+        let pivots = self.pivots_in(region);
+        let sections = self.take_sections();
+        // What it computes may be for later loops alone.
+        if results.is_empty() && pivots.is_empty() && one.carries.is_empty() && sections.is_empty()
+        {
+            return;
+        }
+        let mut loads: Vec<(usize, Vec<ValueId>)> = Vec::new();
+        let (mut unknowns, mut slots) = (Vec::new(), Vec::new());
+        for node in self.read_by(region, one, &pivots) {
+            if self.is_slot(node) {
+                slots.extend(self.slots.get(&node).cloned());
+                continue;
+            }
+            let symbol = self.graph.symbol_number(node);
+            let unknown = symbol.filter(|&symbol| self.function.unknowns.get(symbol).is_some());
+            match (unknown, self.regions.region(node)) {
+                (Some(unknown), Region::Loop(_)) => unknowns.push((unknown, self.value(node))),
+                (None, Region::Loop(from)) if from != number => {
+                    self.load(node, self.blocks[&from], &mut loads);
+                }
+                _ => {}
+            }
+        }
+        unknowns.sort_unstable();
+        let carries = one.carries.iter().map(|carry| Carried {
+            exit: self.carried(carry.exit),
+            phi: self.carried(carry.phi),
+            init: self.operand(carry.init),
+            next: self.operand(carry.next),
+        });
+        let carries = carries.collect();
+        let results = results.into_iter().map(|(number, edge)| (number, self.operand(edge)));
+        let results = results.collect();
+        let pivots = pivots
+            .into_iter()
+            .map(|(number, pivot)| (number, self.operand(pivot.value), self.operand(pivot.scale)));
+        let pivots = pivots.collect();
+        let (repeat, inward, stores) = (one.repeat, one.inward, Vec::new());
+        self.blocks.insert(number, self.program.blocks.len());
+        self.program.blocks.push(Block::Loop(Loop {
+            repeat,
+            inward,
+            carries,
+            unknowns,
+            slots,
+            loads,
+            stores,
+            sections,
+            results,
+            pivots,
+        }));
+    }
+
+    /// The pivots that can be tested in a region, by number.
+    fn pivots_in(&self, region: Region) -> Vec<(usize, &'a function::Pivot)> {
+        let is_there = |pivot: &function::Pivot| {
+            self.regions.together(pivot.value.node(), pivot.scale.node()) == region
+        };
+        self.function.pivots.iter().enumerate().filter(|(_, pivot)| is_there(pivot)).collect()
+    }
+
+    /// What a loop reads: operands of what it computes, of what it hands on, and of its results and pivots.
+    fn read_by(
+        &self,
+        region: Region,
+        one: &function::Loop,
+        pivots: &[(usize, &function::Pivot)],
+    ) -> Vec<NodeId> {
+        let own = self.live.nodes().iter().filter(|&&node| self.regions.region(node) == region);
+        let mut read: Vec<NodeId> = Vec::new();
+        for &node in own {
+            read.push(node);
+            if !self.is_slot(node) {
+                read.extend(self.graph.node(node).operands().map(Edge::node));
+            }
+        }
+        read.extend(one.carries.iter().map(|carry| carry.next.node()));
+        let tested = pivots.iter().flat_map(|(_, pivot)| [pivot.value, pivot.scale]);
+        read.extend(tested.map(Edge::node));
+        read.sort_unstable();
+        read.dedup();
+        read
+    }
+
+    /// Lets a loop read what an earlier one has computed in the same repetition.
+    fn load(&mut self, node: NodeId, from: usize, loads: &mut Vec<(usize, Vec<ValueId>)>) {
+        let value = self.value(node);
+        let Some(Block::Loop(earlier)) = self.program.blocks.get_mut(from) else {
+            bug!("a loop reads what no loop has left")
+        };
+        if !earlier.stores.contains(&value) {
+            earlier.stores.push(value);
+        }
+        match loads.iter_mut().find(|(block, _)| *block == from) {
+            Some((_, values)) => values.push(value),
+            None => loads.push((from, vec![value])),
+        }
+    }
+}

@@ -1,0 +1,305 @@
+//! From a program to a procedure: what it reads first, what it tests, and where its results go.
+
+use super::Setup;
+use crate::function::{Function, Output};
+use crate::ids::{IdVec, RepeatId};
+use crate::program::{
+    Argument, Array, ArrayId, ArrayLayout, ArrayRole, At, Block, CheckId, Failure, Finish, ForLoop,
+    Loop, Operand, OutputId, Pivot, PivotTest, Place, Procedure, Program, Segment, Shown, Slot,
+    Step, ValueId, Witness,
+};
+
+/// What is tested of a function.
+#[derive(Clone, Copy, Debug)]
+pub struct Checks {
+    /// The output that has to be finite, and with it all that it depends on.
+    pub finite: OutputId,
+    /// What a failing procedure leaves in its results.
+    pub failure: Failure,
+}
+
+/// Adds to the program of a function all that it reads, tests and writes. `setup` has the slots of all
+/// functions.
+pub fn lower(
+    program: Program,
+    function: &Function,
+    checks: Option<Checks>,
+    setup: &Setup,
+) -> Procedure {
+    let mut lowering = Lowering {
+        program: &program,
+        function,
+        setup,
+        arrays: IdVec::new(),
+        checks: vec![None; function.pivots.len()],
+        check_count: 0,
+    };
+    lowering.number_checks();
+    let mut body = Vec::new();
+    let shown = checks.map(|checks| program.shown(function.numbers_of(checks.finite)));
+    if let Some(shown) = &shown {
+        body.extend(lowering.check_given(shown));
+    }
+    body.extend(lowering.loads(None, &program.unknowns, &program.slots));
+    for (number, block) in program.blocks.iter().enumerate() {
+        match block {
+            Block::Once(sections) => body.extend(sections.iter().cloned().map(Step::Compute)),
+            Block::Loop(one) => {
+                let one = lowering.one_loop(number, one);
+                body.push(Step::Loop(one));
+            }
+        }
+    }
+    let stores = lowering.stores(checks.map(|checks| checks.failure));
+    let finish = checks.zip(shown).map(|(checks, shown)| lowering.finish(checks, &shown));
+    // Where loops write a result, it is looked at as a whole.
+    if program.loops().next().is_some() {
+        body.extend(stores.into_iter().chain(finish));
+    } else {
+        body.extend(finish.into_iter().chain(stores));
+    }
+    let (arrays, checked) = (lowering.arrays, lowering.check_count);
+    let failure = checks.map_or(Failure::Untouched, |checks| checks.failure);
+    Procedure { values: program.names, arrays, checks: checked, failure, body }
+}
+
+struct Lowering<'a> {
+    program: &'a Program,
+    function: &'a Function<'a>,
+    setup: &'a Setup,
+    arrays: IdVec<ArrayId, Array>,
+    /// The tests of pivots in loops, by pivot.
+    checks: Vec<Option<CheckId>>,
+    check_count: usize,
+}
+
+impl Lowering<'_> {
+    /// Numbers the tests that loops make.
+    fn number_checks(&mut self) {
+        for one in self.program.loops() {
+            for (pivot, ..) in &one.pivots {
+                self.checks[*pivot] = Some(CheckId(self.check_count));
+                self.check_count += 1;
+            }
+        }
+    }
+
+    /// The array with a role, which is added if it is not there.
+    fn array(&mut self, role: ArrayRole, layout: impl FnOnce() -> ArrayLayout) -> ArrayId {
+        let known = self.arrays.position(|array| array.role == role);
+        known.unwrap_or_else(|| self.arrays.push(Array::new(role, layout())))
+    }
+
+    fn argument(&mut self, argument: Argument) -> ArrayId {
+        let (unknowns, setup) = (self.function.unknowns, self.setup);
+        self.array(ArrayRole::Argument(argument), || match argument {
+            Argument::Time => ArrayLayout::once(1),
+            Argument::Slots(part) => {
+                let count = setup.count(part);
+                match part {
+                    None => ArrayLayout::once(count),
+                    Some(part) => ArrayLayout::each(count, part, unknowns.repetitions(part)),
+                }
+            }
+            _ => unknowns.layout(argument),
+        })
+    }
+
+    /// What is read of `unknowns` and `slots`, once or in a repetition of a part.
+    fn loads(
+        &mut self,
+        part: Option<RepeatId>,
+        unknowns: &[(u32, ValueId)],
+        slots: &[Slot],
+    ) -> Vec<Step> {
+        let mut steps = Vec::new();
+        if !slots.is_empty() {
+            let array = self.argument(Argument::Slots(part));
+            let values = slots.iter().map(|slot| (slot.index, slot.name));
+            steps.extend(self.load(array, part, &values.collect::<Vec<_>>()));
+        }
+        let all = self.function.unknowns;
+        for (argument, _) in all.arguments() {
+            let own = all.of(argument);
+            let read = unknowns.iter().filter(|(number, _)| own.contains(&(*number as usize)));
+            let values: Vec<(usize, ValueId)> =
+                read.map(|&(number, value)| (number as usize - own.start, value)).collect();
+            if !values.is_empty() {
+                let array = self.argument(argument);
+                steps.extend(self.load(array, part, &values));
+            }
+        }
+        steps
+    }
+
+    /// What is read of an array: entries, and the values that they are.
+    fn load(
+        &self,
+        array: ArrayId,
+        part: Option<RepeatId>,
+        values: &[(usize, ValueId)],
+    ) -> Vec<Step> {
+        let at = if part.is_some() { At::Repetition } else { At::Once };
+        let layout = &self.arrays[array].layout;
+        let of_segment = |(number, segment): (usize, &Segment)| {
+            let mut into = vec![None; segment.count];
+            for (entry, value) in values.iter().filter(|(it, _)| segment.entries().contains(it)) {
+                into[entry - segment.first] = Some(*value);
+            }
+            let from = Place { array, segment: number, first: 0, at };
+            into.iter().any(Option::is_some).then_some(Step::Load { from, into })
+        };
+        layout.segments.iter().enumerate().filter_map(of_segment).collect()
+    }
+
+    /// A loop, and the array for what it leaves to others.
+    fn one_loop(&mut self, block: usize, one: &Loop) -> ForLoop {
+        let repetitions = self.function.unknowns.repetitions(one.repeat);
+        let mut body = self.loads(Some(one.repeat), &one.unknowns, &one.slots);
+        for (from, values) in &one.loads {
+            let Some(Block::Loop(earlier)) = self.program.blocks.get(*from) else {
+                bug!("a loop reads what no loop has left")
+            };
+            let wanted = |value: &ValueId| values.contains(value).then_some(*value);
+            let from = self.local(*from, earlier);
+            let into = earlier.stores.iter().map(wanted).collect();
+            body.push(Step::Load { from, into });
+        }
+        body.extend(one.sections.iter().cloned().map(Step::Compute));
+        if !one.stores.is_empty() {
+            let to = self.local(block, one);
+            let values = one.stores.iter().map(|&value| Some(Operand::Value(value))).collect();
+            body.push(Step::Store { to, values });
+        }
+        for output in &self.function.outputs {
+            body.extend(self.store_of_loop(output, one));
+        }
+        for (pivot, value, scale) in &one.pivots {
+            let Some(check) = self.checks[*pivot] else { bug!("a pivot of a loop has no number") };
+            let (value, scale) = (value.clone(), scale.clone());
+            body.push(Step::CheckPivot { check, value, scale });
+        }
+        let (repeat, inward, carries) = (one.repeat, one.inward, one.carries.clone());
+        ForLoop { repeat, repetitions, inward, carries, body }
+    }
+
+    /// Where a loop leaves its values of a repetition.
+    fn local(&mut self, block: usize, one: &Loop) -> Place {
+        let repetitions = self.function.unknowns.repetitions(one.repeat);
+        let layout = || ArrayLayout::each(one.stores.len(), one.repeat, repetitions);
+        let array = self.array(ArrayRole::Local(block), layout);
+        Place { array, segment: 0, first: 0, at: At::Repetition }
+    }
+
+    fn result(&mut self, output: &Output) -> ArrayId {
+        self.array(ArrayRole::Result(output.id), || output.layout.clone())
+    }
+
+    /// What a loop writes of an output.
+    fn store_of_loop(&mut self, output: &Output, one: &Loop) -> Vec<Step> {
+        let numbers = self.function.numbers_of(output.id);
+        let own = one.results.iter().filter(|(number, _)| numbers.contains(number));
+        let values: Vec<(usize, Operand)> =
+            own.map(|(number, value)| (number - numbers.start, value.clone())).collect();
+        if values.is_empty() {
+            return Vec::new();
+        }
+        let array = self.result(output);
+        let of_segment = |(number, segment): (usize, &Segment)| {
+            let mut stored = vec![None; segment.count];
+            for (entry, value) in values.iter().filter(|(it, _)| segment.entries().contains(it)) {
+                stored[entry - segment.first] = Some(value.clone());
+            }
+            let to = Place { array, segment: number, first: 0, at: At::Repetition };
+            stored.iter().any(Option::is_some).then_some(Step::Store { to, values: stored })
+        };
+        output.layout.segments.iter().enumerate().filter_map(of_segment).collect()
+    }
+
+    /// What is written of results that no loop computes.
+    fn stores(&mut self, failure: Option<Failure>) -> Vec<Step> {
+        let looped = self.program.loops().next().is_some();
+        let mut steps = Vec::new();
+        for output in &self.function.outputs {
+            let array = self.result(output);
+            let results = &self.program.results[self.function.numbers_of(output.id)];
+            let kept = output.by_entry && failure == Some(Failure::Reset) && !looped;
+            for (number, segment) in output.layout.segments.iter().enumerate() {
+                let own = &results[segment.entries()];
+                let at = if segment.repeat.is_some() { At::Every } else { At::Once };
+                let place = |first: usize| Place { array, segment: number, first, at };
+                if !kept {
+                    if own.iter().any(Option::is_some) {
+                        steps.push(Step::Store { to: place(0), values: own.to_vec() });
+                    }
+                    continue;
+                }
+                for (first, value) in own.iter().enumerate() {
+                    match value {
+                        Some(Operand::Number(known)) => {
+                            self.arrays[array].initial.push((segment.first + first, *known));
+                        }
+                        Some(_) => {
+                            let values = vec![value.clone()];
+                            steps.push(Step::Store { to: place(first), values });
+                        }
+                        None => bug!("a result is missing"),
+                    }
+                }
+            }
+        }
+        steps
+    }
+
+    /// Tests the inputs that results do not show; where there are loops coordinates and rates as well.
+    fn check_given(&mut self, shown: &Shown) -> Option<Step> {
+        let unknowns = self.function.unknowns;
+        let looped = self.program.loops().next().is_some();
+        let arguments: Vec<Argument> = unknowns.arguments().map(|(argument, _)| argument).collect();
+        let is_meant = |argument: &Argument| match argument {
+            Argument::Input(_) => true,
+            Argument::Coordinates | Argument::Rates => looped,
+            _ => false,
+        };
+        let is_hidden = |argument: &Argument| {
+            let mut numbers = unknowns.of(*argument);
+            numbers.any(|number| !shown.unknowns.contains(&(number as u32)))
+        };
+        let hidden = arguments.into_iter().filter(is_meant).filter(is_hidden);
+        let arrays: Vec<ArrayId> =
+            hidden.collect::<Vec<_>>().into_iter().map(|it| self.argument(it)).collect();
+        (!arrays.is_empty()).then_some(Step::CheckGiven(arrays))
+    }
+
+    /// The test whether there are results. Of what is given it looks at what results do not show, and of results
+    /// at those that no other shows.
+    fn finish(&mut self, checks: Checks, shown: &Shown) -> Step {
+        let looped = self.program.loops().next().is_some();
+        let mut finite = vec![Witness::Entry(self.argument(Argument::Time), 0)];
+        if looped {
+            let role = ArrayRole::Result(checks.finite);
+            let Some(array) = self.arrays.position(|array| array.role == role) else {
+                bug!("what has to be finite is not computed")
+            };
+            finite.push(Witness::Array(array));
+        } else {
+            for argument in [Argument::Coordinates, Argument::Rates] {
+                let numbers = self.function.unknowns.of(argument);
+                let start = numbers.start;
+                for number in numbers.filter(|&it| !shown.unknowns.contains(&(it as u32))) {
+                    finite.push(Witness::Entry(self.argument(argument), number - start));
+                }
+            }
+            finite.extend(shown.witnesses.iter().map(|&value| Witness::Value(value.clone())));
+        }
+        let pivots = self.function.pivots.iter().enumerate().map(|(number, pivot)| {
+            let found = match (&self.program.pivots[number], self.checks[number]) {
+                (Some((value, scale)), _) => Pivot::Once(value.clone(), scale.clone()),
+                (None, Some(check)) => Pivot::Repeated(check),
+                (None, None) => bug!("a pivot is not tested"),
+            };
+            PivotTest { hinge: pivot.hinge.clone(), pivot: found }
+        });
+        Step::Finish(Finish { pivots: pivots.collect(), finite })
+    }
+}
