@@ -100,6 +100,9 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         mut base: B,
         mut step: impl FnMut(LinkId, B, &mut B) -> R,
     ) -> (PerLink<R>, B) {
+        if own.len() != self.layout.links.len() {
+            bug!("a sweep over {} links starts with {}", self.layout.links.len(), own.len())
+        }
         let mut results = Vec::new();
         for (link, place) in self.layout.links.enumerate().rev() {
             let Some(gathered) = own.pop() else { bug!("a sweep starts without {link:?}") };
@@ -247,5 +250,100 @@ impl<S: Scalar> Flatten<S> for SpatialInertia<S> {
         let linear = self.linear.visit(replace);
         let coupling = self.coupling.visit(replace);
         SpatialInertia { linear, coupling, angular: self.angular.visit(replace) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LinkTree, PerLink, Weave};
+    use crate::model::{Layout, LinkId, RepeatId};
+    use std::cell::RefCell;
+
+    /// Takes down what crosses boundaries: any repetition begins with a hundred more, and the last
+    /// one leaves a thousand more.
+    #[derive(Debug, Default)]
+    struct Loops(RefCell<Vec<(&'static str, bool, f64)>>);
+
+    impl Weave<f64> for Loops {
+        fn enter(&self, _: RepeatId, inwards: bool, first: &[f64]) -> Vec<f64> {
+            self.0.borrow_mut().push(("enter", inwards, first[0]));
+            vec![first[0] + 100.0]
+        }
+        fn leave(&self, _: RepeatId, any: &[f64]) -> Vec<f64> {
+            self.0.borrow_mut().push(("leave", false, any[0]));
+            vec![any[0] + 1000.0]
+        }
+    }
+
+    /// A pin, a repeated part of the link where it begins, a pin and the link where it ends, and a
+    /// pin.
+    fn layout() -> Layout {
+        let text = "chain Rope {
+            body Rod {
+                mass = 1 kg; com = [0, 0, 0] m; output = [1, 0, 0] m;
+                inertia = diag(1, 1, 1) kg*m^2 about com;
+            }
+            ground -> pin a -> Rod b -> repeat 3 { pin c -> Rod d } -> pin e -> Rod f;
+        }";
+        let chains = crate::read(text.parse().expect("tokens")).expect("a good description");
+        Layout::of(&chains[0].0)
+    }
+
+    #[test]
+    fn every_sweep_crosses_every_boundary_once() {
+        let layout = layout();
+        let boundaries: Vec<bool> = layout.links.iter().map(|link| link.seam.is_some()).collect();
+        assert_eq!(boundaries, [false, true, false, true, false]);
+        let crossings = |sweep: &dyn Fn(LinkTree<f64>)| {
+            let loops = Loops::default();
+            sweep(LinkTree::new(&layout).woven(&loops));
+            loops.0.into_inner()
+        };
+        let path: Vec<LinkId> = layout.links.ids().into_iter().collect();
+        let with_nothing: Vec<(LinkId, ())> = path.iter().map(|&link| (link, ())).collect();
+        // Each link counts one. After two of them a repetition begins, after two more it ends.
+        let outwards = [("enter", false, 2.0), ("leave", false, 104.0)];
+        assert_eq!(
+            crossings(&|tree| {
+                let (carried, _) = tree.outward(0.0, |_, parent| (parent + 1.0, ()));
+                assert_eq!(carried.as_slice(), [1.0, 102.0, 103.0, 1104.0, 1105.0]);
+            }),
+            outwards
+        );
+        assert_eq!(
+            crossings(&|tree| assert_eq!(tree.total(0.0, |_, sum| sum + 1.0), 1105.0)),
+            outwards
+        );
+        assert_eq!(
+            crossings(&|tree| {
+                let (last, _) = tree.along(&path, 0.0, |_, sum| (sum + 1.0, ()));
+                assert_eq!(last, 1105.0);
+            }),
+            outwards
+        );
+        // Inwards a boundary is crossed before its link is added.
+        assert_eq!(
+            crossings(&|tree| {
+                let own = PerLink::filled(1.0, path.len());
+                let (_, ground) = tree.inward(own, 0.0, |_, here, parent| *parent += here);
+                assert_eq!(ground, 1105.0);
+            }),
+            [("enter", true, 2.0), ("leave", false, 104.0)]
+        );
+        assert_eq!(
+            crossings(&|tree| {
+                let (ground, _) = tree.back_along(&with_nothing, 0.0, |_, (), sum| (sum + 1.0, ()));
+                assert_eq!(ground, 1105.0);
+            }),
+            [("enter", true, 1.0), ("leave", false, 103.0)]
+        );
+    }
+
+    #[test]
+    fn on_plain_numbers_nothing_happens_at_boundaries() {
+        let layout = layout();
+        let tree: LinkTree<f64> = LinkTree::new(&layout);
+        assert_eq!(tree.total(0.0, |_, sum| sum + 1.0), 5.0);
+        assert_eq!(tree.path_to(LinkId(2)), [LinkId(0), LinkId(1), LinkId(2)]);
     }
 }
