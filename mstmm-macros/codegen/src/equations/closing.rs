@@ -7,6 +7,10 @@
 //! (1)  `Tᵀ (a_c − X a_p − b) = 0`, `F = T λ + W τ`
 //! (2)  `q̈ = Wᵀ (a_c − X a_p − b)`, `Wᵀ S = 1`
 //!
+//! All are at the hinge, on its outboard side, in the work axes of a link that would hang on it; `X`
+//! carries the motion of the inboard link there, `b` is its bias acceleration. `W` are the wrenches
+//! that do work on one rate each.
+//!
 //! A rotor with inertia `I` along a free direction holds that one with an inertia: the direction is
 //! `−I W`, and its `λ` is the acceleration `q̈ = Wᵀ (a_c − X a_p − b)`, so that `F = W (τ − I q̈)`.
 

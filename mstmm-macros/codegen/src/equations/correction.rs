@@ -2,7 +2,9 @@
 //! that closes a chain whose closing hinge has drifted apart; for coordinates and for rates.
 //!
 //! It is the motion that an impulse at the closing hinge makes, so the equations are those of the
-//! accelerations without velocities, efforts and loads.
+//! accelerations without velocities, efforts and loads: `a` are changes of coordinates, or of rates.
+//! The gap and how fast it opens are seen at the closing hinge, in its axes as they arrive from its
+//! inboard side.
 
 use super::closing::{Closing, closing};
 use super::hinge::{coordinate_rates, dot, normalized};

@@ -1,4 +1,10 @@
-//! Kinetic and potential energy.
+//! Kinetic and potential energy, as a running total over the links.
+//!
+//! With velocity `ṙ` of a link's point, `Ω`, mass `m`, first moment `m r_C` and inertia `J` about the
+//! point in work axes, position `r` in inertial ones, strains `s` and inertias `I` of rotors:
+//!
+//! (1)  `T = Σ ½ m ṙᵀ ṙ + ṙᵀ (Ω × m r_C) + ½ Ωᵀ J Ω + ½ I ṡ²`
+//! (2)  `V = −Σ gᵀ (m r + A m r_C) + springs and stops`
 
 use super::closing::closing;
 use super::hinge::Passives;

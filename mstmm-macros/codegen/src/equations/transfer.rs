@@ -10,6 +10,19 @@
 //! A closing hinge adds its reactions to the wrench at the far end. They are those of the Riccati
 //! transfer, whose equations for them are symmetric and show which are redundant; with them the
 //! boundary solve is that of a loaded end.
+//!
+//! # Notation
+//!
+//! All quantities belong to the point of a link, in its work axes. `F` is the wrench on the inboard
+//! side of the link's body, or behind it where a function says so.
+//!
+//! | symbol | in code | meaning |
+//! |---|---|---|
+//! | `a`, `F` | [`Part`] | a column of the product |
+//! | `x` | `unknowns` | what the columns belong to: at the start the six entries of `F` |
+//! | `s`, `τ` | [`Column`], `efforts` | a free direction of the link's hinge, `sᵀ F + I β = τ` |
+//! | `β` | `betas` | the acceleration along `s`, the unknown that joins |
+//! | `v`, `γ`, `w` | [`Reflection`] | how a condition takes an unknown out |
 
 use super::Trace;
 use super::closure::Closure;

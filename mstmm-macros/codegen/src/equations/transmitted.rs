@@ -1,4 +1,10 @@
 //! What every hinge transmits, once it is known how the links move [P, Eqs. (18), (19)].
+//!
+//! With `a` of the link's point, the body's own inertia `M` and load `p`, and wrenches `F_c` of the
+//! children's hinges at their points, all in work axes:
+//!
+//! (1)  `F = M a + p + Σ X_cᵀ F_c`
+//! (2)  `F = Iᴬ a' + pᴬ`, by the relation of the Riccati transfer
 
 use super::Trace;
 use super::problem::{Movement, Problem};
