@@ -77,7 +77,7 @@ pub fn solve<S: Scalar>(
         trace.section(
             format!("{}_transfer", over.name),
             format!("Transfer to `{}`", over.name),
-            "[P, Eqs. (8), (21)] with the conditions [P, Eqs. (25), (35)] of this hinge",
+            "[P, Eqs. (8), (21), (25), (35)]",
         );
         let mut here = match (before, problem.links[link].parent) {
             (Some(before), Some(parent)) => before.across(problem, parent, link),

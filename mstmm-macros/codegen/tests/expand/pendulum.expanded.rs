@@ -142,7 +142,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
-    /// | Riccati transfer over `joint` | F = I a + p of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 1 | 0 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = I a + p, \[P, Eqs. (18), (19), (25), (35)\] | 1 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
     ///
     /// # Errors
@@ -165,7 +165,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let joint_input0_ = inputs_.joint;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
-        /// Riccati transfer over `joint`, F = I a + p of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 1 mul, 0 add, 0 reciprocal.
+        /// Riccati transfer over `joint`, F = I a + p, [P, Eqs. (18), (19), (25), (35)]: 1 mul, 0 add, 0 reciprocal.
         let joint_rest_ = joint_input0_ * known_joint_d_inverse_;
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
         let t0_ = cos_joint_angle_ * known_joint_gain_fy_;
@@ -197,7 +197,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     /// |---|---|---|---|---|---|---|
     /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
     /// | Loads on `rod` | \[P, Eqs. (14), (15), (20)\] | 2 | 0 | 0 | 0 | 0 |
-    /// | Riccati transfer over `joint` | F = I a + p of \[P, Eqs. (18), (19)\] with the conditions \[P, Eqs. (25), (35)\] | 1 | 0 | 0 | 0 | 0 |
+    /// | Riccati transfer over `joint` | F = I a + p, \[P, Eqs. (18), (19), (25), (35)\] | 1 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Results |  | 4 | 0 | 0 | 0 | 0 |
     /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 3 | 2 | 0 | 0 | 0 |
@@ -234,7 +234,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         ::mstmm::generated::written();
         /// Loads on `rod`, [P, Eqs. (14), (15), (20)]: 2 mul, 0 add, 0 reciprocal.
         let t0_ = joint_rate_ * joint_rate_;
-        /// Riccati transfer over `joint`, F = I a + p of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]: 1 mul, 0 add, 0 reciprocal.
+        /// Riccati transfer over `joint`, F = I a + p, [P, Eqs. (18), (19), (25), (35)]: 1 mul, 0 add, 0 reciprocal.
         let joint_rest_ = joint_input0_ * known_joint_d_inverse_;
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 1 add, 0 reciprocal.
         let t1_ = cos_joint_angle_ * known_joint_gain_fy_;

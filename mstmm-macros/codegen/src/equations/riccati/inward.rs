@@ -46,7 +46,7 @@ pub fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<
         trace.section(
             format!("{}_riccati", over.name),
             format!("Riccati transfer over `{}`", over.name),
-            "F = I a + p of [P, Eqs. (18), (19)] with the conditions [P, Eqs. (25), (35)]",
+            "F = I a + p, [P, Eqs. (18), (19), (25), (35)]",
         );
         trace.inertia(&format!("{}_articulated", over.name), here.inertia);
         trace.wrench(&format!("{}_bias", over.name), here.bias);
