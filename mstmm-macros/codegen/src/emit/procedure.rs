@@ -308,9 +308,9 @@ fn computed(step: &Step) -> Option<&Section> {
     }
 }
 
-/// The variable of an entry that is written alone.
+/// The variable of an entry that is written alone; several arrays may have some.
 fn entry(to: &Place) -> Ident {
-    helper(&format!("n{}", to.first))
+    helper(&format!("n{}_{}", to.array.index(), to.first))
 }
 
 /// The body of a function: statements, and what follows them. As a group it is put into `quote!`

@@ -213,8 +213,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         inputs_: &PendulumInputs<T>,
         at_: &mut PendulumWorkspace<T>,
     ) -> ::core::result::Result<(), ::mstmm::Error> {
-        let [_, _, _, _, _, n5_, n6_, n7_, _, n9_, n10_, _, _, _, _, n15_, n16_, _, _, _,
-        n20_, n21_, n22_, _, _, _, n26_] = &mut at_.numbers;
+        let [_, _, _, _, _, n7_5_, n7_6_, n7_7_, _, n7_9_, n7_10_, _, _, _, _, n7_15_,
+        n7_16_, _, _, _, n7_20_, n7_21_, n7_22_, _, _, _, n7_26_] = &mut at_.numbers;
         let c_ = T::constant;
         let [known_rod_mass_, known_rod_first_moment_x_, known_rod_inertia_xx_,
         known_rod_inertia_yy_, known_joint_d_inverse_, known_joint_d_scale_,
@@ -223,14 +223,14 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let [[joint_rate_]] = state_.v.data.0;
         let joint_input0_ = inputs_.joint;
         at_.efforts.data.0 = [[joint_input0_]];
-        *n5_ = -joint_input0_;
-        *n20_ = joint_rate_;
+        *n7_5_ = -joint_input0_;
+        *n7_20_ = joint_rate_;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
-        *n7_ = sin_joint_angle_;
-        *n9_ = -sin_joint_angle_;
-        *n6_ = cos_joint_angle_;
-        *n10_ = cos_joint_angle_;
+        *n7_7_ = sin_joint_angle_;
+        *n7_9_ = -sin_joint_angle_;
+        *n7_6_ = cos_joint_angle_;
+        *n7_10_ = cos_joint_angle_;
         ::mstmm::generated::written();
         /// Loads on `rod`, [P, Eqs. (14), (15), (20)]: 2 mul, 0 add, 0 reciprocal.
         let t0_ = joint_rate_ * joint_rate_;
@@ -239,7 +239,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 1 add, 0 reciprocal.
         let t1_ = cos_joint_angle_ * known_joint_gain_fy_;
         let joint_a_lin_y_ = cos_joint_angle_ * c_(9.8);
-        *n22_ = joint_a_lin_y_;
+        *n7_22_ = joint_a_lin_y_;
         ::mstmm::generated::written();
         /// Loads on `rod`.
         let minus_rod_velocity_load_fx_ = known_rod_first_moment_x_ * t0_;
@@ -247,7 +247,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t3_ = known_rod_inertia_yy_ * t0_;
         /// Acceleration of `joint`.
         let joint_a_lin_x_ = sin_joint_angle_ * c_(9.8);
-        *n21_ = joint_a_lin_x_;
+        *n7_21_ = joint_a_lin_x_;
         ::mstmm::generated::written();
         /// Results.
         let t5_ = sin_joint_angle_ * known_rod_first_moment_x_;
@@ -270,7 +270,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             return ::core::result::Result::Err(error_);
         }
         at_.accelerations.data.0 = [[joint_a_ang_z_]];
-        *n26_ = joint_a_ang_z_;
+        *n7_26_ = joint_a_ang_z_;
         ::mstmm::generated::written();
         /// Load on `joint`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
         let t2_ = known_rod_mass_ * joint_a_lin_y_;
@@ -284,7 +284,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             joint_a_lin_x_,
             minus_rod_velocity_load_fx_,
         );
-        *n15_ = -minus_joint_load_fx_;
+        *n7_15_ = -minus_joint_load_fx_;
         ::mstmm::generated::written();
         /// Results.
         let t6_ = c_(9.8) * t5_;
@@ -292,7 +292,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         ::mstmm::generated::written();
         /// Load on `joint`.
         let joint_load_fy_ = T::mul_add(known_rod_first_moment_x_, joint_a_ang_z_, t2_);
-        *n16_ = joint_load_fy_;
+        *n7_16_ = joint_load_fy_;
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
