@@ -148,12 +148,13 @@ impl<I: Id> IdRange<I> {
 
     /// The first one of a range that is not empty.
     pub fn first(self) -> I {
-        I::new(self.start)
+        self.into_iter().next().unwrap_or_else(|| bug!("a range without an index has no first one"))
     }
 
     /// The last one of a range that is not empty.
     pub fn last(self) -> I {
-        I::new(self.end - 1)
+        let last = self.into_iter().next_back();
+        last.unwrap_or_else(|| bug!("a range without an index has no last one"))
     }
 
     /// Whether an index is among them.

@@ -12,6 +12,8 @@ pub(super) struct Numbers {
     before: Vec<Counts>,
     /// Which stops are moving ends.
     moving: Vec<bool>,
+    /// How many bodies are on the route.
+    on_route: usize,
     /// How many hinges are implied.
     implied: usize,
 }
@@ -40,14 +42,13 @@ impl Numbers {
         }
         let moving = stops.iter().map(|stop| matches!(stop, Stop::Moving { .. })).collect();
         let implied = if properties::floats(stops) { 1 } else { counts.ends };
-        Numbers { before, moving, implied }
+        Numbers { before, moving, on_route: counts.bodies, implied }
     }
 
     /// The body of a stop that is a body or a moving end.
     pub fn body(&self, stop: usize) -> BodyId {
         let Counts { bodies, ends, .. } = self.before[stop];
-        let all = self.before.last().map_or(0, |all| all.bodies);
-        BodyId(if self.moving[stop] { all + ends } else { bodies })
+        BodyId(if self.moving[stop] { self.on_route + ends } else { bodies })
     }
 
     /// The bodies among these stops.
