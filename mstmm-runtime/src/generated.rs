@@ -217,29 +217,73 @@ pub fn require<M: Mask>(regular: M, hinge: &'static str) -> Result<(), Error> {
     if regular.all() { Ok(()) } else { Err(Error::Singular { hinge }) }
 }
 
-/// So many numbers of a slice from a place on; zeros where it ends before.
-#[inline]
-pub fn piece<T: Scalar, const N: usize>(numbers: &[T], place: usize) -> [T; N] {
-    let found = numbers.get(place..).and_then(|rest| rest.first_chunk::<N>());
-    found.copied().unwrap_or([T::constant(0.0); N])
+/// Numbers in a row, of which the compiler knows how many they are.
+pub trait Row {
+    /// What they are.
+    type Number;
+    /// How many they are.
+    const LEN: usize;
+    /// All of them.
+    fn row(&self) -> &[Self::Number];
+    /// All of them, to be written.
+    fn row_mut(&mut self) -> &mut [Self::Number];
 }
 
-/// The numbers of a repeated part in a slice, from a place on, time by time; nothing where it ends before.
-#[inline]
-pub fn times<T, const N: usize>(numbers: &[T], place: usize, times: usize) -> &[[T; N]] {
-    let all = numbers.get(place..).and_then(|rest| rest.as_chunks().0.get(..times));
-    all.unwrap_or_default()
+impl<T, const LEN: usize> Row for [T; LEN] {
+    type Number = T;
+    const LEN: usize = LEN;
+    #[inline(always)]
+    fn row(&self) -> &[T] {
+        self
+    }
+    #[inline(always)]
+    fn row_mut(&mut self) -> &mut [T] {
+        self
+    }
+}
+
+impl<T: Scalar, const LEN: usize> Row for nalgebra::SVector<T, LEN> {
+    type Number = T;
+    const LEN: usize = LEN;
+    #[inline(always)]
+    fn row(&self) -> &[T] {
+        self.as_slice()
+    }
+    #[inline(always)]
+    fn row_mut(&mut self) -> &mut [T] {
+        self.as_mut_slice()
+    }
+}
+
+/// `N` numbers of a row from a place on.
+#[inline(always)]
+pub fn piece<R: Row<Number: Copy>, const N: usize, const PLACE: usize>(row: &R) -> [R::Number; N] {
+    times::<R, N, PLACE, 1>(row)[0]
+}
+
+/// The numbers of a repeated part in a row, from a place on, `N` every time.
+///
+/// ```
+/// mstmm_runtime::generated::times::<_, 2, 0, 2>(&[0.0; 4]);
+/// ```
+/// ```compile_fail
+/// mstmm_runtime::generated::times::<_, 2, 1, 2>(&[0.0; 4]);
+/// ```
+#[inline(always)]
+pub fn times<R: Row, const N: usize, const PLACE: usize, const TIMES: usize>(
+    row: &R,
+) -> &[[R::Number; N]] {
+    const { assert!(PLACE + N * TIMES <= R::LEN, "mstmm bug: numbers beyond the end of their row") };
+    row.row()[PLACE..PLACE + N * TIMES].as_chunks().0
 }
 
 /// As [`times`], to be written.
-#[inline]
-pub fn times_mut<T, const N: usize>(
-    numbers: &mut [T],
-    place: usize,
-    times: usize,
-) -> &mut [[T; N]] {
-    let all = numbers.get_mut(place..).and_then(|rest| rest.as_chunks_mut().0.get_mut(..times));
-    all.unwrap_or_default()
+#[inline(always)]
+pub fn times_mut<R: Row, const N: usize, const PLACE: usize, const TIMES: usize>(
+    row: &mut R,
+) -> &mut [[R::Number; N]] {
+    const { assert!(PLACE + N * TIMES <= R::LEN, "mstmm bug: numbers beyond the end of their row") };
+    row.row_mut()[PLACE..PLACE + N * TIMES].as_chunks_mut().0
 }
 
 /// Numbers with some that are known, each by its place.

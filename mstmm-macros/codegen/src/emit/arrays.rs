@@ -50,7 +50,7 @@ impl Plan<'_> {
     pub fn segment(&self, array: &impl ToTokens, segment: &Segment) -> TokenStream {
         let mstmm = &self.mstmm;
         let [count, place] = [segment.count, segment.place].map(usize_literal);
-        quote!(#mstmm::generated::piece::<T, #count>(#array.as_slice(), #place))
+        quote!(#mstmm::generated::piece::<_, #count, #place>(&#array))
     }
 
     /// The numbers of a segment, repetition by repetition.
@@ -58,7 +58,7 @@ impl Plan<'_> {
         let mstmm = &self.mstmm;
         let [count, place, repetitions] =
             [segment.count, segment.place, segment.repetitions].map(usize_literal);
-        quote!(#mstmm::generated::times::<T, #count>(#array.as_slice(), #place, #repetitions))
+        quote!(#mstmm::generated::times::<_, #count, #place, #repetitions>(&#array))
     }
 
     /// The numbers of a segment, repetition by repetition, to be written.
@@ -67,7 +67,7 @@ impl Plan<'_> {
         let [count, place, repetitions] =
             [segment.count, segment.place, segment.repetitions].map(usize_literal);
         quote! {
-            #mstmm::generated::times_mut::<T, #count>(#array.as_mut_slice(), #place, #repetitions)
+            #mstmm::generated::times_mut::<_, #count, #place, #repetitions>(&mut #array)
         }
     }
 }

@@ -128,7 +128,7 @@ fn load_local(printer: &Printer, from: &Place, into: &[Option<crate::program::Va
 
 /// Writes what a loop has for a segment of a result.
 fn write(printer: &Printer, to: &Place, values: &[Option<Operand>]) -> (Stream, TokenStream) {
-    let array = printer.result(to.array);
+    let array = printer.filled(to.array);
     let segment = segment(printer, to);
     let (names, writes) = assigned(printer, (to, segment), values);
     let slices = printer.plan.slices_mut(&array, segment);
@@ -137,7 +137,7 @@ fn write(printer: &Printer, to: &Place, values: &[Option<Operand>]) -> (Stream, 
 
 /// Writes results of a chain with loops that stand once, or are the same in every repetition.
 pub fn fill(printer: &Printer, to: &Place, values: &[Option<Operand>]) -> TokenStream {
-    let array = printer.result(to.array);
+    let array = printer.filled(to.array);
     let segment = segment(printer, to);
     let (names, writes) = assigned(printer, (to, segment), values);
     let (pattern, slices) = (pattern(&names), printer.plan.slices_mut(&array, segment));

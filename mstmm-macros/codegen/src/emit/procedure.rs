@@ -161,6 +161,17 @@ impl Printer<'_> {
         }
     }
 
+    /// An array of results that is filled piece by piece, to be borrowed.
+    pub fn filled(&self, array: ArrayId) -> TokenStream {
+        let name = self.result(array);
+        match self.destination(array) {
+            Destination::Array(_) | Destination::Vector(_) if !self.is_kept_back() => {
+                quote!((*#name))
+            }
+            _ => quote!(#name),
+        }
+    }
+
     /// An array of results that has been written.
     pub fn written(&self, array: ArrayId) -> TokenStream {
         match self.destination(array) {

@@ -146,7 +146,7 @@ pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str
             if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
         });
         quote! {
-            let [#(#names),*] = #mstmm::generated::piece::<T, #count>(#array.as_slice(), #place);
+            let [#(#names),*] = #mstmm::generated::piece::<_, #count, #place>(&#array);
         }
     };
     let (read_q, read_v) =

@@ -294,5 +294,5 @@ fn numbers(plan: &Plan, range: &Range<usize>, field: &Ident) -> TokenStream {
     let piece = spread.segment_of(range.start);
     let place = piece.place + range.start - piece.first;
     let [count, place] = [range.len(), place].map(usize_literal);
-    quote!(#mstmm::generated::piece::<T, #count>(self.#field.as_slice(), #place))
+    quote!(#mstmm::generated::piece::<_, #count, #place>(&self.#field))
 }

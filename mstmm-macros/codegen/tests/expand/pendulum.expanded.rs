@@ -620,17 +620,11 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
         let (input_, output_) = (self.point_(0), self.point_(1));
         ::mstmm::HingeResult::new(
             {
-                let [value_] = ::mstmm::generated::piece::<
-                    T,
-                    1,
-                >(self.accelerations.as_slice(), 0);
+                let [value_] = ::mstmm::generated::piece::<_, 1, 0>(&self.accelerations);
                 value_
             },
             {
-                let [value_] = ::mstmm::generated::piece::<
-                    T,
-                    1,
-                >(self.efforts.as_slice(), 0);
+                let [value_] = ::mstmm::generated::piece::<_, 1, 0>(&self.efforts);
                 value_
             },
             input_,
