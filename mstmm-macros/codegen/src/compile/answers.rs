@@ -24,7 +24,7 @@ const SOLVED: Option<Checks> =
     Some(Checks { finite: outputs::ACCELERATIONS, failure: Failure::Untouched });
 
 /// All rows, in the order of [`Answer::ALL`].
-pub(super) static ROWS: [Row; 9] = [
+pub(super) static ROWS: [Row; 10] = [
     Row {
         answer: Answer::Accelerations,
         when: always,
@@ -71,6 +71,12 @@ pub(super) static ROWS: [Row; 9] = [
         checks: None,
     },
     Row { answer: Answer::Start, when: always, trace: |chain| chain.start(), checks: None },
+    Row {
+        answer: Answer::BiasEfforts,
+        when: |chain, _, _| chain.answers.contains(&Answer::BiasEfforts),
+        trace: |chain| chain.bias_efforts(),
+        checks: Some(Checks { finite: outputs::BIAS_EFFORTS, failure: Failure::Untouched }),
+    },
 ];
 
 fn always(_: &Chain, _: &Findings, _: &Layout) -> bool {

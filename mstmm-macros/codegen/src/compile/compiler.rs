@@ -304,6 +304,14 @@ impl<'a> ChainCompiler<'a> {
         Function { outputs, ..self.function(Stage::State) }.into()
     }
 
+    pub(super) fn bias_efforts(&self) -> Traced<'a> {
+        let (efforts, function) = self.traced(|tracer, trace| {
+            equations::bias_efforts(&self.situation(self.merged).woven(tracer), AXES, trace)
+        });
+        let outputs = vec![self.rates(outputs::BIAS_EFFORTS, &efforts)];
+        Function { outputs, ..function }.into()
+    }
+
     /// The function that derives the slots of all others, and the numbers to be checked.
     pub(super) fn setup(&self, setup: &Setup, checks: &[Check]) -> Function<'a> {
         let mut outputs = Vec::new();

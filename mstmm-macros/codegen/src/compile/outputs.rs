@@ -27,6 +27,8 @@ pub const RATES: OutputId = OutputId::new("rates");
 pub const RESIDUAL: OutputId = OutputId::new("residual");
 /// Pivots of a closing hinge's directions, the largest first.
 pub const CLOSURE_PIVOTS: OutputId = OutputId::new("closure_pivots");
+/// Efforts of drives at which no rate changes, in the order of `v`.
+pub const BIAS_EFFORTS: OutputId = OutputId::new("bias_efforts");
 /// Numbers that are checked when a parameter is set.
 pub const CHECKED: OutputId = OutputId::new("checks");
 

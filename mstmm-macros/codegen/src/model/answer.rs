@@ -21,12 +21,14 @@ pub enum Answer {
     ClosurePivots,
     /// The state that a simulation starts from.
     Start,
+    /// Efforts that drives must supply so that no rate changes.
+    BiasEfforts,
 }
 
 impl Answer {
     /// All of them, in the order in which they are computed: new ones go last, so that the text of the others
     /// stays as it is.
-    pub const ALL: [Answer; 9] = [
+    pub const ALL: [Answer; 10] = [
         Answer::Accelerations,
         Answer::ImplicitAccelerations,
         Answer::Solution,
@@ -36,6 +38,7 @@ impl Answer {
         Answer::Correction,
         Answer::ClosurePivots,
         Answer::Start,
+        Answer::BiasEfforts,
     ];
 
     /// Its name in texts for people.
@@ -50,6 +53,23 @@ impl Answer {
             Answer::Correction => "correction",
             Answer::ClosurePivots => "closure_pivots",
             Answer::Start => "start",
+            Answer::BiasEfforts => "bias_efforts",
+        }
+    }
+
+    /// The word that asks for it in `answers = […];`; none for what every chain answers that can.
+    pub fn word(self) -> Option<&'static str> {
+        match self {
+            Answer::BiasEfforts => Some(self.name()),
+            Answer::Accelerations
+            | Answer::ImplicitAccelerations
+            | Answer::Solution
+            | Answer::Energy
+            | Answer::CoordinateRates
+            | Answer::Normalized
+            | Answer::Correction
+            | Answer::ClosurePivots
+            | Answer::Start => None,
         }
     }
 }

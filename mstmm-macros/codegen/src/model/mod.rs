@@ -74,6 +74,8 @@ pub struct Chain {
     pub method: Option<Method>,
     /// What its solution says.
     pub results: Results,
+    /// What is answered besides: nothing of it is generated unasked.
+    pub answers: Vec<Answer>,
     /// What must hold of Rust constants: nothing but `rustc` knows.
     pub assertions: Vec<Requirement>,
 }

@@ -27,7 +27,7 @@ const DIMENSIONS: &[(&str, DimensionWord)] = &[
     ("line", DimensionWord::Line),
 ];
 /// The words that a setting begins with.
-pub const SETTINGS: &[&str] = &["gravity", "method", "results"];
+pub const SETTINGS: &[&str] = &["gravity", "method", "results", "answers"];
 
 /// The count of a parameter whose count could not be read: any index of a program is less.
 const UNKNOWN_COUNT: usize = 1000;
@@ -329,7 +329,7 @@ fn unknown(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics
     }
     let near = nearest(&word.to_string(), ITEMS.iter().chain(SETTINGS).copied());
     let hint = near.map_or_else(
-        || "there are `gravity`, `method`, `results`, `param`, `body`, the route, `hinge`, `load` and `spring`".to_owned(),
+        || "there are `gravity`, `method`, `results`, `answers`, `param`, `body`, the route, `hinge`, `load` and `spring`".to_owned(),
         |near| format!("did you mean `{near}`?"),
     );
     let message = format!("unknown item `{word}`; {hint}");

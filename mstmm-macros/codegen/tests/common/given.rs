@@ -2,7 +2,7 @@
 
 use super::interpreter::{Arrays, Failed, Judge, run};
 use mstmm_codegen::compile::{Compiled, outputs};
-use mstmm_codegen::model::Answer;
+use mstmm_codegen::model::{Answer, Chain, Driven, Layout};
 use mstmm_codegen::program::{Argument, ArrayRole};
 
 /// A chain with what its functions are given.
@@ -23,6 +23,48 @@ impl<'a, S: Judge> Given<'a, S> {
         let mut given = Given { compiled, arrays };
         given.set_up();
         given
+    }
+
+    /// All arguments zero.
+    pub fn zeros(compiled: &'a Compiled) -> Self {
+        let mut arrays = Arrays::default();
+        arrays.arguments.insert(Argument::Time, vec![S::zero()]);
+        for (argument, layout) in compiled.unknowns.arguments() {
+            arrays.arguments.insert(argument, vec![S::zero(); layout.total]);
+        }
+        let mut given = Given { compiled, arrays };
+        given.set_up();
+        given
+    }
+
+    /// Sets every number, by its array and its place there, and runs the setup.
+    pub fn fill(&mut self, mut number: impl FnMut(Argument, usize) -> S) {
+        for (argument, layout) in self.compiled.unknowns.arguments() {
+            let values = (0..layout.total).map(|place| number(argument, place)).collect();
+            self.arrays.arguments.insert(argument, values);
+        }
+        self.set_up();
+    }
+
+    /// Gives quaternions unit length.
+    pub fn normalize(&mut self) {
+        let unit = self.run(Answer::Normalized).expect("it cannot fail");
+        self.arrays.arguments.insert(Argument::Coordinates, unit.result(outputs::COORDINATES));
+    }
+
+    /// Lets the motors of all hinges supply these efforts, which are in the order of `v`; every rate has one.
+    pub fn drive(&mut self, chain: &Chain, efforts: &[S]) {
+        let layout = Layout::of(chain);
+        let rates = self.compiled.unknowns.layout(Argument::Rates);
+        for (input, it) in layout.inputs.enumerate() {
+            let Driven::Efforts(hinge) = it.what else { continue };
+            let own = layout.v[hinge].clone();
+            let segment = rates.segment_of(own.start);
+            let first = segment.place + own.start - segment.first;
+            let repetitions = (0..segment.repetitions).map(|k| first + k * segment.count);
+            let values = repetitions.flat_map(|at| efforts[at..at + own.len()].to_vec()).collect();
+            self.arrays.arguments.insert(Argument::Input(input), values);
+        }
     }
 
     /// Runs the setup.

@@ -360,8 +360,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             t: T::constant(0.0),
         }
     }
-    /// The accelerations `v̇` of all hinges by value; see
-    /// [`accelerations_into`](Self::accelerations_into).
+    /// The accelerations `v̇` of all hinges by value; see [`accelerations_into`](Self::accelerations_into).
     ///
     /// # Errors
     ///
@@ -372,9 +371,9 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         state_: &PendulumState<T>,
         inputs_: &PendulumInputs<T>,
     ) -> ::core::result::Result<::mstmm::nalgebra::SVector<T, 1>, ::mstmm::Error> {
-        let mut accelerations_ = ::mstmm::generated::vector([T::constant(0.0); 1]);
-        self.accelerations_into(state_, inputs_, &mut accelerations_)?;
-        ::core::result::Result::Ok(accelerations_)
+        let mut rates_ = ::mstmm::generated::vector([T::constant(0.0); 1]);
+        self.accelerations_into(state_, inputs_, &mut rates_)?;
+        ::core::result::Result::Ok(rates_)
     }
 }
 impl<T: ::mstmm::Scalar> ::mstmm::Chain for Pendulum<T> {

@@ -87,6 +87,7 @@ impl Draft<'_> {
             springs: self.springs.into_iter().map(SpringDraft::finish).collect::<Option<_>>()?,
             method: self.settings.method,
             results: self.settings.results,
+            answers: self.settings.answers,
             assertions: Vec::new(),
         })
     }

@@ -1,10 +1,10 @@
-//! Settings of the whole chain: `gravity = …;`, `method = …;` and `results = …;`.
+//! Settings of the whole chain: `gravity = …;`, `method = …;`, `results = …;` and `answers = …;`.
 
 use super::context::Context;
 use super::dimension::ACCELERATION;
 use super::fields::Fields;
 use crate::diag::{did_you_mean, nearest};
-use crate::model::{Method, Results, Source};
+use crate::model::{Answer, Method, Results, Source};
 use crate::syntax::{ChainDef, Expr, ExprKind, List, SETTINGS, Written};
 use std::fmt::Display;
 
@@ -26,6 +26,8 @@ pub(crate) struct Settings {
     pub method: Option<Method>,
     /// What the solution says: everything unless less is asked for.
     pub results: Results,
+    /// What is answered besides.
+    pub answers: Vec<Answer>,
 }
 
 /// All settings.
@@ -48,10 +50,12 @@ pub(super) fn settings(def: &ChainDef, context: &mut Context) -> Settings {
     });
     let method = given.get("method").and_then(|field| context.field(field, method));
     let results = given.get("results").and_then(|field| context.field(field, results));
+    let answers = given.get("answers").and_then(|field| context.field(field, answers));
     Settings {
         gravity,
         method: method.map(|given| given.value),
         results: results.map_or(Results::ALL, |given| given.value),
+        answers: answers.map_or_else(Vec::new, |given| given.value),
     }
 }
 
@@ -67,44 +71,71 @@ fn method(context: &mut Context, written: &Written) -> Option<Method> {
     known
 }
 
-/// One word, or several in brackets.
 fn results(context: &mut Context, written: &Written) -> Option<Results> {
+    let chosen = chosen(context, written, &Words { known: RESULTS, example: "[z, poses]" })?;
+    let mut results = Results::NONE;
+    chosen.into_iter().for_each(|place| *place(&mut results) = true);
+    Some(results)
+}
+
+fn answers(context: &mut Context, written: &Written) -> Option<Vec<Answer>> {
+    let asked: Vec<(&str, Answer)> =
+        Answer::ALL.into_iter().filter_map(|answer| Some((answer.word()?, answer))).collect();
+    chosen(context, written, &Words { known: &asked, example: "[bias_efforts]" })
+}
+
+/// Words that may be chosen.
+struct Words<'a, T> {
+    known: &'a [(&'a str, T)],
+    /// How several of them are written.
+    example: &'a str,
+}
+
+/// What one word means, or several in brackets, each at most once.
+fn chosen<T: Copy>(context: &mut Context, written: &Written, words: &Words<T>) -> Option<Vec<T>> {
     let entries = match written {
         Written::Number(entry) => std::slice::from_ref(entry),
         Written::Vector(List { unit: Some(unit), .. }) => {
             return context.refuse(unit.extent, "words have no unit");
         }
         Written::Vector(List { entries, extent, .. }) if entries.is_empty() => {
-            return context.refuse(*extent, no_result("nothing"));
+            return context.refuse(*extent, words.missing("nothing"));
         }
         Written::Vector(List { entries, .. }) => entries,
-        _ => return context.refuse(written.extent(), no_result(written.described())),
+        _ => return context.refuse(written.extent(), words.missing(written.described())),
     };
-    let (mut results, mut right) = (Results::NONE, true);
+    let (mut chosen, mut right): (Vec<usize>, bool) = (Vec::new(), true);
     for entry in entries {
-        right &= add_result(context, entry, &mut results).is_some();
+        right &= words.choose(context, entry, &mut chosen).is_some();
     }
-    right.then_some(results)
+    right.then(|| chosen.into_iter().map(|number| words.known[number].1).collect())
 }
 
-fn add_result(context: &mut Context, entry: &Expr, results: &mut Results) -> Option<()> {
-    let ExprKind::Name(word) = &entry.kind else {
-        return context.refuse(entry.extent, no_result("a number"));
-    };
-    let name = word.to_string();
-    let Some((_, place)) = RESULTS.iter().find(|(known, _)| *known == name) else {
-        let hint = did_you_mean(&name, RESULTS.iter().map(|(known, _)| *known));
-        return context.refuse(word, no_result(format!("`{word}`{hint}")));
-    };
-    let given = place(results);
-    if *given {
-        return context.refuse(word, format!("`{word}` is given twice"));
+impl<T> Words<'_, T> {
+    fn choose(&self, context: &mut Context, entry: &Expr, chosen: &mut Vec<usize>) -> Option<()> {
+        let ExprKind::Name(word) = &entry.kind else {
+            return context.refuse(entry.extent, self.missing("a number"));
+        };
+        let name = word.to_string();
+        let Some(number) = self.known.iter().position(|(known, _)| *known == name) else {
+            let hint = did_you_mean(&name, self.known.iter().map(|(known, _)| *known));
+            return context.refuse(word, self.missing(format!("`{word}`{hint}")));
+        };
+        if chosen.contains(&number) {
+            return context.refuse(word, format!("`{word}` is given twice"));
+        }
+        chosen.push(number);
+        Some(())
     }
-    *given = true;
-    Some(())
-}
 
-fn no_result(found: impl Display) -> String {
-    let known: Vec<String> = RESULTS.iter().map(|(word, _)| format!("`{word}`")).collect();
-    format!("expected {} or several of them as in `[z, poses]`, found {found}", known.join(", "))
+    fn missing(&self, found: impl Display) -> String {
+        let known: Vec<String> = self.known.iter().map(|(word, _)| format!("`{word}`")).collect();
+        match &known[..] {
+            [only] => format!("expected {only}, found {found}"),
+            _ => {
+                let (known, example) = (known.join(", "), self.example);
+                format!("expected {known} or several of them as in `{example}`, found {found}")
+            }
+        }
+    }
 }

@@ -6,7 +6,7 @@ const ROD: &str = "body Rod { mass = 1 kg; com = [0.5, 0, 0] m; output = [1, 0, 
                    inertia = diag(0, 1/6, 1/6) kg*m^2 about com; } ";
 
 /// What is said where an item is unknown.
-pub(super) const ITEMS: &str = "; there are `gravity`, `method`, `results`, `param`, `body`, the \
+pub(super) const ITEMS: &str = "; there are `gravity`, `method`, `results`, `answers`, `param`, `body`, the \
                                 route, `hinge`, `load` and `spring`";
 
 /// A chain of rods with this written behind their description.

@@ -1,0 +1,204 @@
+//! Accelerations, everything at once, energy and inverse dynamics.
+
+use super::super::arrays::usize_literal;
+use super::super::procedure::{Destination, field};
+use super::super::{Plan, docs, quaternions};
+use super::{Method, fallible, new, of_state, of_state_and_inputs};
+use crate::compile::outputs;
+use crate::model::Answer;
+use crate::program::OutputId;
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+/// A vector of all rates, which the caller lends.
+fn lent_rates(plan: &Plan, name: &TokenStream) -> TokenStream {
+    let (mstmm, count) = (&plan.mstmm, usize_literal(plan.rates().total));
+    quote!(#name: &mut #mstmm::nalgebra::SVector<T, #count>,)
+}
+
+pub(super) fn accelerations(plan: &Plan) -> Method {
+    let visibility = &plan.surface.visibility;
+    let near_one = quaternions::near_one(plan);
+    let (given, lent) = (of_state_and_inputs(plan), lent_rates(plan, &quote!(accelerations_)));
+    Method {
+        name: quote!(#visibility fn accelerations_into),
+        docs: [
+            quote! {
+                /// The accelerations `v̇` of all hinges, in the order of `v` of the state: the fast path.
+                #(#[doc = #near_one])*
+            },
+            quote! {
+                ///
+                /// # Errors
+                ///
+                /// `Error::Singular` if no inertia is left beyond a
+                /// hinge, `Error::NotFinite` if a number of the state or the
+                /// inputs is not finite. `accelerations` is not touched then.
+            },
+        ],
+        arguments: quote!(#given #lent),
+        returns: fallible(plan, &quote!(())),
+        opening: TokenStream::new(),
+        end: quote!(::core::result::Result::Ok(())),
+        destination: |_, _| Destination::Vector(quote!(accelerations_)),
+    }
+}
+
+pub(super) fn implicit_accelerations(plan: &Plan) -> Method {
+    let step = plan.step();
+    let (given, lent) = (of_state_and_inputs(plan), lent_rates(plan, &quote!(accelerations_)));
+    Method {
+        name: quote!(fn implicit_accelerations_into),
+        docs: [
+            quote! {
+                /// The accelerations of a linearly implicit step of Euler's method.
+            },
+            TokenStream::new(),
+        ],
+        arguments: quote!(#given #step: T, #lent),
+        ..accelerations(plan)
+    }
+}
+
+/// The methods that return a vector of all rates by value, where those are that lend it.
+pub(super) fn by_value(plan: &Plan) -> Vec<TokenStream> {
+    let accelerations = by_value_of(plan, "accelerations", "The accelerations `v̇` of all hinges");
+    let bias = plan.compiled.find(Answer::BiasEfforts);
+    let bias = bias.map(|_| by_value_of(plan, "bias_efforts", "The bias efforts"));
+    std::iter::once(accelerations).chain(bias).collect()
+}
+
+fn by_value_of(plan: &Plan, name: &str, what: &str) -> TokenStream {
+    let mstmm = &plan.mstmm;
+    let visibility = &plan.surface.visibility;
+    let (given, count) = (of_state_and_inputs(plan), usize_literal(plan.rates().total));
+    let (checked, errors) = (quaternions::checked(plan), quaternions::error(plan));
+    let doc = format!(" {what} by value; see [`{name}_into`](Self::{name}_into).");
+    let as_lent = format!(" As [`{name}_into`](Self::{name}_into).");
+    let (name, into) = (format_ident!("{name}"), format_ident!("{name}_into"));
+    quote! {
+        #[doc = #doc]
+        ///
+        /// # Errors
+        ///
+        #[doc = #as_lent]
+        #(#[doc = #errors])*
+        #[inline]
+        #visibility fn #name(
+            &self,
+            #given
+        ) -> ::core::result::Result<#mstmm::nalgebra::SVector<T, #count>, #mstmm::Error> {
+            #checked
+            let mut rates_ = #mstmm::generated::vector([T::constant(0.0); #count]);
+            self.#into(state_, inputs_, &mut rates_)?;
+            ::core::result::Result::Ok(rates_)
+        }
+    }
+}
+
+pub(super) fn solution(plan: &Plan) -> Method {
+    let (workspace, visibility) = (&plan.names.workspace, &plan.surface.visibility);
+    let doc = format!(" Writes into `at`: {}.", docs::results(plan));
+    let (given, errors) = (of_state_and_inputs(plan), quaternions::error(plan));
+    Method {
+        name: quote!(#visibility fn solve_into),
+        docs: [
+            quote!(#[doc = #doc]),
+            quote! {
+                ///
+                /// # Errors
+                ///
+                /// As [`accelerations_into`](Self::accelerations_into); `at` is then as
+                /// [`workspace`](Self::workspace) makes it: results of earlier calls are gone.
+                #(#[doc = #errors])*
+            },
+        ],
+        arguments: quote!(#given at_: &mut #workspace<T>),
+        returns: fallible(plan, &quote!(())),
+        opening: plan.reset_where_it_fails(quaternions::checked(plan)),
+        end: quote!(::core::result::Result::Ok(())),
+        destination: in_workspace,
+    }
+}
+
+/// Where a workspace has its results.
+fn in_workspace(plan: &Plan, id: OutputId) -> Destination {
+    match id {
+        outputs::ACCELERATIONS => Destination::Vector(quote!(at_.accelerations)),
+        outputs::ALL_ACCELERATIONS => {
+            let name = plan.rate_accelerations();
+            Destination::Vector(quote!(at_.#name))
+        }
+        outputs::EFFORTS => Destination::Vector(quote!(at_.efforts)),
+        outputs::ENERGIES => {
+            Destination::Fields(vec![field("kinetic_energy"), field("potential_energy")])
+        }
+        outputs::UNDETERMINED => Destination::Closure,
+        outputs::POINT_NUMBERS => Destination::Array(quote!(at_.numbers)),
+        outputs::AT_REST => Destination::Array(quote!(at_.at_rest)),
+        _ => bug!("a workspace has no place for `{}`", id.name),
+    }
+}
+
+pub(super) fn energy(plan: &Plan) -> Method {
+    let (mstmm, visibility) = (&plan.mstmm, &plan.surface.visibility);
+    let prescribed = plan.chain.has_prescribed_hinges();
+    let name = format_ident!("{}", if prescribed { "energy_with" } else { "energy" });
+    Method {
+        name: quote!(#[must_use] #visibility fn #name),
+        docs: [
+            quote! {
+                /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
+                /// of mass at the inertial origin.
+            },
+            TokenStream::new(),
+        ],
+        arguments: if prescribed { of_state_and_inputs(plan) } else { of_state(plan) },
+        returns: quote!(#mstmm::Energy<T>),
+        opening: TokenStream::new(),
+        end: quote! {
+            let [kinetic_, potential_] = energies_;
+            #mstmm::Energy { kinetic: kinetic_, potential: potential_ }
+        },
+        destination: |_, _| new("energies"),
+    }
+}
+
+pub(super) fn bias_efforts(plan: &Plan) -> Method {
+    let visibility = &plan.surface.visibility;
+    let (given, lent) = (of_state_and_inputs(plan), lent_rates(plan, &quote!(efforts_)));
+    let opened = (!plan.layout.closings.is_empty()).then(|| {
+        quote! {
+            ///
+            /// The chain is the tree of its hinges: the closing hinge is open, and the effort of each
+            /// of its rates is what its own springs, dampers, friction, stops and rotors need.
+        }
+    });
+    Method {
+        name: quote!(#visibility fn bias_efforts_into),
+        docs: [
+            quote! {
+                /// The bias efforts: what the drives of all rates must supply so that no rate changes
+                /// (inverse dynamics at `v̇ = 0`), in the order of `v` of the state, in N m and N.
+                ///
+                /// They hold against gravity, Coriolis and centrifugal terms, springs, dampers, friction,
+                /// stops, loads, moving ends and prescribed motions. What motors supply is no part of
+                /// them: with the mass matrix `M`, rotors included, `M v̇ + bias = τ`, where `τ` are the
+                /// efforts of the motors, inputs and constants alike.
+                #opened
+            },
+            quote! {
+                ///
+                /// # Errors
+                ///
+                /// `Error::NotFinite` if a number of the state or the inputs is not finite.
+                /// `efforts` is not touched then.
+            },
+        ],
+        arguments: quote!(#given #lent),
+        returns: fallible(plan, &quote!(())),
+        opening: TokenStream::new(),
+        end: quote!(::core::result::Result::Ok(())),
+        destination: |_, _| Destination::Vector(quote!((*efforts_))),
+    }
+}

@@ -1,0 +1,113 @@
+//! What states are mapped to: rates of coordinates, unit quaternions, closed chains, and the start.
+
+use super::super::Plan;
+use super::super::arrays::usize_literal;
+use super::super::closure;
+use super::super::procedure::Destination;
+use super::{Method, new, of_state};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+pub(super) fn coordinate_rates(plan: &Plan) -> Method {
+    let (mstmm, count) = (&plan.mstmm, usize_literal(plan.coordinates().total));
+    let given = of_state(plan);
+    Method {
+        name: quote!(#[inline] fn coordinate_rates_into_),
+        docs: [
+            quote! {
+                /// The time derivatives of the coordinates.
+            },
+            TokenStream::new(),
+        ],
+        arguments: quote!(#given coordinates_: &mut #mstmm::nalgebra::SVector<T, #count>),
+        returns: quote!(()),
+        opening: TokenStream::new(),
+        end: TokenStream::new(),
+        destination: |_, _| Destination::Vector(quote!((*coordinates_))),
+    }
+}
+
+pub(super) fn normalized(plan: &Plan) -> Method {
+    let count = usize_literal(plan.coordinates().total);
+    Method {
+        name: quote!(#[inline] fn normalized_),
+        docs: [
+            quote! {
+                /// The coordinates with quaternions of unit length.
+            },
+            TokenStream::new(),
+        ],
+        arguments: of_state(plan),
+        returns: quote!([T; #count]),
+        opening: TokenStream::new(),
+        end: quote!(coordinates_),
+        destination: |_, _| new("coordinates"),
+    }
+}
+
+pub(super) fn correction(plan: &Plan) -> Method {
+    let (state, inputs) = (&plan.names.state, &plan.names.inputs);
+    Method {
+        name: quote!(fn correct),
+        docs: [
+            quote! {
+                /// Corrects coordinates and rates once by the motion of least kinetic energy that
+                /// closes the chain, and returns how far it was from closed and how much
+                /// redundant directions of the closing hinge held.
+            },
+            TokenStream::new(),
+        ],
+        arguments: quote!(state_: &mut #state<T>, inputs_: &#inputs<T>),
+        returns: quote!([T; 2]),
+        opening: TokenStream::new(),
+        end: quote! {
+            state_.q.data.0 = [coordinates_];
+            state_.v.data.0 = [rates_];
+            residual_
+        },
+        destination: |_, id| new(id.name),
+    }
+}
+
+pub(super) fn closure_pivots(plan: &Plan) -> Method {
+    let count = closure::directions(plan).map(usize_literal);
+    Method {
+        name: quote!(fn closure_pivots_),
+        docs: [
+            quote! {
+                /// How well each direction of the closing hinge is determined, the largest pivot first.
+            },
+            TokenStream::new(),
+        ],
+        arguments: of_state(plan),
+        returns: quote!([T; #count]),
+        opening: TokenStream::new(),
+        end: quote!(pivots_),
+        destination: |_, _| new("pivots"),
+    }
+}
+
+pub(super) fn start(plan: &Plan) -> Method {
+    let mstmm = &plan.mstmm;
+    let (state, visibility) = (&plan.names.state, &plan.surface.visibility);
+    Method {
+        name: quote!(#[must_use] #visibility fn initial_state),
+        docs: [
+            quote! {
+                /// The state that the description starts from, at time zero.
+            },
+            TokenStream::new(),
+        ],
+        arguments: TokenStream::new(),
+        returns: quote!(#state<T>),
+        opening: TokenStream::new(),
+        end: quote! {
+            #state {
+                q: #mstmm::generated::vector(coordinates_),
+                v: #mstmm::generated::vector(rates_),
+                t: T::constant(0.0),
+            }
+        },
+        destination: |_, id| new(id.name),
+    }
+}
