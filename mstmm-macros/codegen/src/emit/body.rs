@@ -1,9 +1,9 @@
 //! Results at bodies, and the types of bodies with named points.
 
+use super::Plan;
 use super::arrays::usize_literal;
 use super::formula::value_tokens;
-use super::workspace::point_type;
-use super::{Plan, places};
+use super::places::{self, point_type};
 use crate::model::{Body, BodyId, NamedPoint, Value, Written, listed};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};

@@ -7,7 +7,7 @@ use crate::model::{Dimension, Element, Hinge, HingeKind, Place};
 
 /// The longer side of the picture, and the room around it.
 const SIZE: f64 = 400.0;
-pub(super) const MARGIN: f64 = 36.0;
+const MARGIN: f64 = 36.0;
 /// Names of more elements would cover each other.
 const NAMED: usize = 24;
 

@@ -1,9 +1,7 @@
 //! The arrow of gravity on the picture of a chain.
 
-use super::drawing::MARGIN;
-
 /// The width of the room for the arrow.
-pub const ROOM: f64 = 2.0 * MARGIN - 12.0;
+pub const ROOM: f64 = 60.0;
 /// The length of an arrow that is not foreshortened.
 const LENGTH: f64 = 28.0;
 /// An arrow that is shorter than this part of its length is drawn as if it were seen along it.

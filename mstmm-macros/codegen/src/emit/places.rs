@@ -2,11 +2,27 @@
 
 use super::Plan;
 use super::arrays::usize_literal;
-use super::workspace::point_type;
 use crate::compile::{Place, PointPlaces, Sight};
-use crate::model::Dimension;
+use crate::model::{Dimension, Results};
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
+
+/// The type of a connection point, with what is computed of it unless that is everything.
+pub fn point_type(plan: &Plan) -> TokenStream {
+    let mstmm = &plan.mstmm;
+    let name = match plan.chain.dimension {
+        Dimension::Space => "Point",
+        Dimension::Plane => "PlanePoint",
+        Dimension::Line => "LinePoint",
+    };
+    let name = format_ident!("{name}");
+    match plan.chain.results {
+        Results { poses: true, velocities: true, z: true, .. } => quote!(#mstmm::#name<T>),
+        Results { poses, velocities, z, .. } => {
+            quote!(#mstmm::#name<T, #mstmm::Results<#poses, #velocities, #z>>)
+        }
+    }
+}
 
 /// The table of places, and the methods that read a point and a vector.
 pub fn emit(plan: &Plan) -> TokenStream {

@@ -3,8 +3,8 @@
 
 use super::arrays::usize_literal;
 use super::names::{accessor_mut, helper};
+use super::places::point_type;
 use super::quaternions;
-use super::workspace::point_type;
 use super::{Plan, body};
 use crate::model::{BodyId, Group, HingeId};
 use crate::program::{ArrayLayout, Segment};

@@ -1,9 +1,10 @@
 //! Where results are written, with named access to every element's connection points.
 
 use super::arrays::usize_literal;
+use super::places::point_type;
 use super::{Plan, body, docs, orders, places, repeated, solution};
 use crate::compile::outputs;
-use crate::model::{BodyId, Dimension, Element, Hinge, HingeId, Results};
+use crate::model::{BodyId, Element, Hinge, HingeId};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
@@ -129,23 +130,6 @@ impl Plan<'_> {
     pub fn rate_accelerations(&self) -> Ident {
         let apart = self.chain.has_prescribed_hinges();
         format_ident!("{}", if apart { "rate_accelerations" } else { "accelerations" })
-    }
-}
-
-/// The type of a connection point, with what is computed of it unless that is everything.
-pub fn point_type(plan: &Plan) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let name = match plan.chain.dimension {
-        Dimension::Space => "Point",
-        Dimension::Plane => "PlanePoint",
-        Dimension::Line => "LinePoint",
-    };
-    let name = format_ident!("{name}");
-    match plan.chain.results {
-        Results { poses: true, velocities: true, z: true, .. } => quote!(#mstmm::#name<T>),
-        Results { poses, velocities, z, .. } => {
-            quote!(#mstmm::#name<T, #mstmm::Results<#poses, #velocities, #z>>)
-        }
     }
 }
 
