@@ -113,6 +113,14 @@ impl<S: Scalar> Mul for Mat3<S> {
     }
 }
 
+impl<S: Scalar> Vec3<S> {
+    /// The matrix `r̃` of `r × …`.
+    pub fn skew(self) -> Mat3<S> {
+        let ([x, y, z], o) = (self.0, S::zero());
+        Mat3([[o, -z, y], [z, o, -x], [-y, x, o]])
+    }
+}
+
 impl<S: Scalar> Mul<Vec3<S>> for Mat3<S> {
     type Output = Vec3<S>;
     fn mul(self, vector: Vec3<S>) -> Vec3<S> {

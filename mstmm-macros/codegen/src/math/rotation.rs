@@ -1,13 +1,13 @@
 //! Rotations, and those whose structure is known: a turn about one coordinate axis, then a fixed
 //! rotation.
 
-use super::{Mat3, Scalar, SpatialInertia, Sym3, Vec3};
+use super::{Mat3, Scalar, Sym3, Vec3};
 
 /// A rotation from one set of axes to another.
 #[derive(Clone, Copy, Debug)]
 pub struct Rotation<S> {
     matrix: Mat3<S>,
-    steps: Option<(Turn<S>, Mat3<S>)>,
+    pub(super) steps: Option<(Turn<S>, Mat3<S>)>,
 }
 
 /// How the part of a symmetric tensor in the plane of a turn is turned.
@@ -66,7 +66,7 @@ impl<S: Scalar> Turn<S> {
     }
 
     /// The same of a symmetric tensor, `q = r`.
-    fn of_symmetric(&self, tensor: Sym3<S>) -> Sym3<S> {
+    pub(super) fn of_symmetric(&self, tensor: Sym3<S>) -> Sym3<S> {
         let turned = self.of_tensor(tensor.full());
         Sym3::from_fn(|i, j| turned[i][j])
     }
@@ -79,7 +79,7 @@ impl<S: Scalar> Turn<S> {
     /// ```
     ///
     /// by [`PlaneFormula::ShortestPath`].
-    fn of_plane(&self, tensor: Sym3<S>) -> Sym3<S> {
+    pub(super) fn of_plane(&self, tensor: Sym3<S>) -> Sym3<S> {
         let Turn { axis: k, sin, cos } = *self;
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let (p, q, t) = (tensor.at(i, i), tensor.at(i, j), tensor.at(j, j));
@@ -90,17 +90,6 @@ impl<S: Scalar> Turn<S> {
         (turned.0[i][i], turned.0[j][j]) = (p + t - w, w);
         (turned.0[i][j], turned.0[j][i]) = (across, across);
         Sym3::from_fn(|i, j| turned[i][j])
-    }
-
-    fn of_inertia(&self, inertia: &SpatialInertia<S>, formula: PlaneFormula) -> SpatialInertia<S> {
-        SpatialInertia {
-            linear: match formula {
-                PlaneFormula::FewestOperations => self.of_symmetric(inertia.linear),
-                PlaneFormula::ShortestPath => self.of_plane(inertia.linear),
-            },
-            coupling: self.of_tensor(inertia.coupling),
-            angular: self.of_symmetric(inertia.angular),
-        }
     }
 }
 
@@ -133,19 +122,6 @@ impl<S: Scalar> Rotation<S> {
     /// A vector in the axes that the rotation starts from.
     pub fn back(&self, vector: Vec3<S>) -> Vec3<S> {
         self.matrix.transposed() * vector
-    }
-
-    /// An inertia in the axes that the rotation leads to; the formula is that of the first of two
-    /// steps.
-    pub fn of_inertia(
-        &self,
-        inertia: &SpatialInertia<S>,
-        formula: PlaneFormula,
-    ) -> SpatialInertia<S> {
-        match &self.steps {
-            Some((turn, mount)) => turn.of_inertia(inertia, formula).turned(*mount),
-            None => inertia.turned(self.matrix),
-        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Spatial quantities: what a connection point does, what is transmitted there, and the inertia
 //! that links both.
 
-use super::{Mat3, Rotation, Scalar, Sym3, Vec3};
+use super::{Mat3, PlaneFormula, Rotation, Scalar, Sym3, Turn, Vec3};
 use std::ops::{Add, Sub};
 
 /// `a = [r̈; Ω̇]`, or a rate of the same shape.
@@ -222,6 +222,34 @@ impl<S: Scalar> SpatialInertia<S> {
             linear: self.linear,
             coupling,
             angular: self.angular + Sym3::from_fn(|i, j| moved[i][j] + old[j][i]),
+        }
+    }
+}
+
+impl<S: Scalar> Rotation<S> {
+    /// An inertia in the axes that the rotation leads to; the formula is that of the first of two
+    /// steps.
+    pub fn of_inertia(
+        &self,
+        inertia: &SpatialInertia<S>,
+        formula: PlaneFormula,
+    ) -> SpatialInertia<S> {
+        match &self.steps {
+            Some((turn, mount)) => turn.of_inertia(inertia, formula).turned(*mount),
+            None => inertia.turned(self.matrix()),
+        }
+    }
+}
+
+impl<S: Scalar> Turn<S> {
+    fn of_inertia(&self, inertia: &SpatialInertia<S>, formula: PlaneFormula) -> SpatialInertia<S> {
+        SpatialInertia {
+            linear: match formula {
+                PlaneFormula::FewestOperations => self.of_symmetric(inertia.linear),
+                PlaneFormula::ShortestPath => self.of_plane(inertia.linear),
+            },
+            coupling: self.of_tensor(inertia.coupling),
+            angular: self.of_symmetric(inertia.angular),
         }
     }
 }

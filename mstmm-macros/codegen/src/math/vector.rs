@@ -1,6 +1,6 @@
 //! Vectors with three components.
 
-use super::{Mat3, Scalar};
+use super::Scalar;
 use std::ops::{Add, Index, Mul, Neg, Sub};
 
 /// A vector; the context says in which axes.
@@ -33,12 +33,6 @@ impl<S: Scalar> Vec3<S> {
     pub fn cross(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Vec3([b * z - c * y, c * x - a * z, a * y - b * x])
-    }
-
-    /// The matrix `r̃` of `r × …`.
-    pub fn skew(self) -> Mat3<S> {
-        let ([x, y, z], o) = (self.0, S::zero());
-        Mat3([[o, -z, y], [z, o, -x], [-y, x, o]])
     }
 
     /// `Ω̃ Ω̃ r`, the centripetal acceleration of a point at `self` from a point at rest in a body
