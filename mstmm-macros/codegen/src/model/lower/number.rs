@@ -5,7 +5,6 @@ use proc_macro2::Ident;
 use super::context::{Context, Measure};
 use super::dimension::{ACCELERATION, ANGLE, COMPONENT, Dimension, LENGTH, PITCH, Quantity, RATE};
 use super::unit::{self, Scale};
-use super::vector::and;
 use crate::diag::nearest;
 use crate::model::condition::{Condition, Must};
 use crate::model::{Symbol, Value};
@@ -192,7 +191,8 @@ impl Context<'_> {
             return Some(());
         }
         let expected = terms.iter().map(|term| self.expect(term, expected));
-        expected.fold(Some(()), and)
+        // All are tried.
+        expected.fold(Some(()), Option::and)
     }
 
     /// What numbers of one kind measure: of one dimension, and all with a unit or all without.

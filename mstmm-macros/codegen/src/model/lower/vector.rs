@@ -132,7 +132,8 @@ impl Context<'_> {
         let mut parts: Vec<_> = parts.into_iter().collect::<Option<_>>()?;
         if let Some((unit, known)) = unit {
             let (scale, dimension) = known?;
-            let bare = parts.iter().map(|part| self.expect_no_unit(part)).fold(Some(()), and);
+            let bare =
+                parts.iter().map(|part| self.expect_no_unit(part)).fold(Some(()), Option::and);
             bare?;
             let whole = Measured {
                 value: Value::number(1.0),
@@ -145,7 +146,8 @@ impl Context<'_> {
                 part.value = scale.apply(part.value.clone());
             }
         } else {
-            let fits = parts.iter().map(|part| self.expect(part, expected)).fold(Some(()), and);
+            let fits =
+                parts.iter().map(|part| self.expect(part, expected)).fold(Some(()), Option::and);
             fits?;
             self.common_measure(&parts, "one vector")?;
             for (part, entry) in parts.iter().zip(&list.entries) {
@@ -210,11 +212,6 @@ impl Context<'_> {
     ) -> T {
         self.optional(field, &default, read).unwrap_or_else(default)
     }
-}
-
-/// Both, after both have been tried.
-pub(super) fn and(all: Option<()>, next: Option<()>) -> Option<()> {
-    all.and(next)
 }
 
 /// The unit of a single number that is one, if everyone reads it otherwise than the table.
