@@ -155,12 +155,12 @@ fn only_the_sweeps_loop_over_links() {
 
 #[test]
 fn the_equations_tell_kinds_of_hinges_apart_in_one_place() {
-    let law = source().join("equations/hinge/law.rs");
-    for file in files(&source().join("equations")).into_iter().filter(|file| *file != law) {
+    let kinds = source().join("equations/hinge/kinds.rs");
+    for file in files(&source().join("equations")).into_iter().filter(|file| *file != kinds) {
         let text = fs::read_to_string(&file).expect("a readable file");
         assert!(!code(&text).contains("HingeKind::"), "{} names a kind", file.display());
     }
-    let text = fs::read_to_string(law).expect("a readable file");
+    let text = fs::read_to_string(kinds).expect("a readable file");
     assert_eq!(code(&text).matches("match self").count(), 1, "one match over all kinds");
 }
 

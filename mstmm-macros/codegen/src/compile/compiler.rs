@@ -2,7 +2,7 @@
 
 use super::places::{self, Places};
 use super::{layouts, outputs};
-use crate::equations::{self, Axes, Numbers, Situation, Solved, Trace};
+use crate::equations::{self, AXES, Numbers, Situation, Solved, Trace};
 use crate::examine::Findings;
 use crate::expr::{Edge, Expr, Graph, Stage};
 use crate::function::{Function, LoopTracer, Output, Pivot, Section, Unknowns};
@@ -10,10 +10,6 @@ use crate::math::NOISE;
 use crate::model::{Chain, Check, ClosureRank, Hinge, HingeKind, Layout, Method, Value};
 use crate::passes::Setup;
 use crate::program::{Argument, ArrayLayout, OutputId};
-
-/// The axes of the sweeps. In inertial axes `riccati` took 45 % more operations in the best case
-/// measured (thirty balls) and six times as many in the worst (one ball).
-const AXES: Axes = Axes::Body;
 
 /// A function, and what is known of connection points with it.
 pub(super) struct Traced<'g> {

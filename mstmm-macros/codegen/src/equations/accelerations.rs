@@ -4,7 +4,7 @@ use super::closing::{Closing, closing};
 use super::closure::Closure;
 use super::kinematics::LinkMotion;
 use super::load::loads;
-use super::problem::{Demand, Movement, Problem};
+use super::problem::{Demand, Movement, Pivot, Problem};
 use super::redistribution::redistribute;
 use super::strategy::uses_base_parameters;
 use super::sweep::PerLink;
@@ -12,18 +12,7 @@ use super::transmitted::transmitted;
 use super::{Axes, Situation, Trace, motion, riccati, transfer};
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Wrench};
-use crate::model::{HingeId, LinkId, Method};
-
-/// A number that must be positive if the accelerations are to mean anything.
-#[derive(Clone, Copy, Debug)]
-pub struct Pivot<S> {
-    /// Index of the link that it belongs to.
-    pub link: LinkId,
-    /// The number.
-    pub value: S,
-    /// What it is measured by: rounding leaves a few units in the last place of this number.
-    pub scale: S,
-}
+use crate::model::{HingeId, Method};
 
 /// What the closing hinge exerts.
 #[derive(Clone, Debug)]

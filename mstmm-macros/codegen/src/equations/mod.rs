@@ -48,13 +48,15 @@ mod trace;
 mod transfer;
 mod transmitted;
 
-pub use accelerations::{Behind, Pivot, Reaction, Solved, Swept, accelerations, sweep};
+pub use accelerations::{Behind, Reaction, Solved, Swept, accelerations, sweep};
 pub use correction::{Correction, correction, moved};
 pub use energy::{Energy, energy};
 pub use inverse::bias_efforts;
-pub use kinematics::{Axes, LinkMotion, motion};
+pub use kinematics::{LinkMotion, motion};
 pub use numbers::Numbers;
+pub use problem::Pivot;
 pub use report::{Point, Report, Seen, report};
 pub use situation::Situation;
+pub use strategy::{AXES, Axes};
 pub use sweep::{LinkTree, Weave};
 pub use trace::{Section, Trace};

@@ -10,6 +10,17 @@ use crate::ids::LinkId;
 use crate::math::{Motion, Scalar, SpatialInertia, Wrench};
 use crate::model::{Dimension, Layout};
 
+/// A number that must be positive if the accelerations are to mean anything.
+#[derive(Clone, Copy, Debug)]
+pub struct Pivot<S> {
+    /// Index of the link that it belongs to.
+    pub link: LinkId,
+    /// The number.
+    pub value: S,
+    /// What it is measured by: rounding leaves a few units in the last place of this number.
+    pub scale: S,
+}
+
 /// What the links are to do. `a` may be accelerations, or changes of velocities.
 #[derive(Clone, Debug)]
 pub struct Problem<'a, S> {

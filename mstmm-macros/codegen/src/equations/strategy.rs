@@ -7,9 +7,22 @@
 //! Panda, C7 has seven pins about alternating axes, A10 ten pins in a plane, B3 to B100 that many
 //! balls.
 
-use super::Axes;
 use crate::math::{Mat3, PlaneFormula, Rotation, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
 use crate::model::Method;
+
+/// The axes in which the equations of the links are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axes {
+    /// Axes fixed in each part, aligned with the hinge that it hangs on: inertias stay constant,
+    /// what is transferred turns at every hinge.
+    Body,
+    /// The inertial axes: nothing turns at a hinge, the inertias do.
+    Inertial,
+}
+
+/// The axes of the sweeps. In inertial axes `riccati` took 45 % more operations in the best case
+/// measured (thirty balls) and six times as many in the worst (one ball).
+pub const AXES: Axes = Axes::Body;
 
 /// Over so many bodies at most a transmitted wrench is a sum of what every body takes.
 ///

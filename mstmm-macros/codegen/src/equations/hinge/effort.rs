@@ -1,11 +1,12 @@
 //! What acts along the free directions of a hinge of itself: springs, dampers, friction, stops and
 //! the inertia of rotors, each along one strain.
 
+use super::ball;
 use super::passive::{Acting, Along, along_group};
 use super::strain::{self, Strains};
 use crate::equations::Numbers;
-use crate::math::Scalar;
-use crate::model::{Hinge, Passive};
+use crate::math::{Dual, Scalar};
+use crate::model::{Form, Freedoms, Hinge, HingeKind, Passive};
 
 /// What acts along the free directions.
 #[derive(Clone, Debug)]
@@ -47,7 +48,7 @@ pub fn passives<S: Scalar>(
             *inertia = *inertia + h * (along.damping + step);
         }
     }
-    let drift = strain::drift(&hinge.kind, q, v, &rotors);
+    let drift = drift(&hinge.kind, q, v, &rotors);
     let along = alongs.iter().zip(&rotors).zip(drift);
     let along: Vec<S> =
         along.map(|((along, &rotor), drift)| along.effort - rotor * drift).collect();
@@ -66,7 +67,7 @@ fn acting<S: Scalar>(
         return (rates.iter().map(|_| Along::nothing()).collect(), S::zero());
     }
     let rest: Vec<S> = hinge.rest.iter().map(|value| numbers.scalar(value)).collect();
-    let strains = strain::values(&hinge.kind, &rest, q);
+    let strains = values(&hinge.kind, &rest, q);
     let (mut alongs, mut energy) = (Vec::new(), S::zero());
     for group in hinge.kind.shape().groups {
         let (along, stored) = along_group(&Acting {
@@ -90,4 +91,30 @@ impl<S: Scalar> Passives<S> {
         let taken: Vec<S> = along.iter().zip(&self.rotors).map(|(&a, &i)| a * i).collect();
         strain::returned(&self.strains.rows, &taken)
     }
+}
+
+/// `s`, one for each rate: coordinates less their rest values, rotation vectors from rest.
+fn values<S: Scalar>(kind: &HingeKind, rest: &[S], q: &[S]) -> Vec<S> {
+    let group = |group: &Freedoms| {
+        let (rest, q) = (&rest[group.coordinates.clone()], &q[group.coordinates.clone()]);
+        match group.form {
+            Form::Numbers | Form::Angles => q.iter().zip(rest).map(|(&q, &r)| q - r).collect(),
+            Form::Quaternion => ball::rotation_vector(rest, q).0.to_vec(),
+        }
+    };
+    kind.shape().groups.iter().flat_map(group).collect::<Vec<S>>()
+}
+
+/// `J̇ v`, the strain accelerations that the rates alone make, where a rotor feels them.
+fn drift<S: Scalar>(kind: &HingeKind, q: &[S], v: &[S], rotors: &[S]) -> Vec<S> {
+    let strains = kind.law().strains(q);
+    if strains.is_constant || rotors.iter().all(|rotor| rotor.vanishes()) {
+        return vec![S::zero(); v.len()];
+    }
+    let coordinate_rates = kind.law().coordinate_rates(q, v);
+    let moving: Vec<Dual<S>> =
+        q.iter().zip(coordinate_rates).map(|(&q, rate)| Dual::new(q, rate)).collect();
+    let rates_held: Vec<Dual<S>> = v.iter().map(|&v| Dual::new(v, S::zero())).collect();
+    let moving = kind.law().strains(&moving);
+    strain::rates(&moving.rows, &rates_held).iter().map(|sum| sum.derivative()).collect()
 }

@@ -1,6 +1,7 @@
 //! The directions that a hinge leaves free, as the sweeps use them.
 
 use super::crossing::combine;
+use super::rows::{dot, identity};
 use super::strain::Strains;
 use crate::math::{Motion, Scalar, Wrench};
 
@@ -138,14 +139,6 @@ fn along<S: Scalar>(motions: Vec<Motion<S>>, inverse: Vec<Vec<S>>, armature: &[S
     Freedom { columns, armature: armature.to_vec(), inverse }
 }
 
-/// The identity and its inverse.
-pub fn identity<S: Scalar>(count: usize) -> (Vec<Vec<S>>, Vec<Vec<S>>) {
-    let entry = |on| if on { S::one() } else { S::zero() };
-    let rows: Vec<Vec<S>> =
-        (0..count).map(|i| (0..count).map(|j| entry(i == j)).collect()).collect();
-    (rows.clone(), rows)
-}
-
 impl<S: Scalar> Freedom<S> {
     /// Efforts along the columns, from those that belong to the rates.
     pub fn loads(&self, efforts: &[S]) -> Vec<S> {
@@ -170,9 +163,4 @@ impl<S: Scalar> Freedom<S> {
         };
         Wrench::from_fn(|k| along(k).map_or(wrench.at(k), |column| loads[column]))
     }
-}
-
-/// `Σ a b`
-pub fn dot<S: Scalar>(a: &[S], b: &[S]) -> S {
-    a.iter().zip(b).fold(S::zero(), |sum, (&a, &b)| sum + a * b)
 }

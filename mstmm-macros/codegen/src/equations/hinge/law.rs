@@ -1,13 +1,8 @@
 //! What a kind of hinge is to the equations.
 
-use super::{
-    Geometry, Strains, ball::Ball, cylindrical::Cylindrical, elastic::Elastic, floating::Floating,
-    pin::Pin, planar::Planar, plane_elastic::PlaneElastic, screw::Screw, slider::Slider,
-    universal::Universal, weld::Weld,
-};
+use super::{Geometry, Strains};
 use crate::equations::Numbers;
 use crate::math::{Mat3, Scalar};
-use crate::model::HingeKind;
 
 /// The law of a kind of hinge. Every kind says all of it, in this order.
 pub trait HingeLaw<S: Scalar> {
@@ -21,25 +16,6 @@ pub trait HingeLaw<S: Scalar> {
     fn normalized(&self, q: &[S]) -> Vec<S>;
     /// How rates become strain rates.
     fn strains(&self, q: &[S]) -> Strains<S>;
-}
-
-impl HingeKind {
-    /// The law of this kind.
-    pub fn law<S: Scalar>(&self) -> Box<dyn HingeLaw<S> + '_> {
-        match self {
-            HingeKind::Weld => Box::new(Weld),
-            HingeKind::Pin { axis } => Box::new(Pin { axis }),
-            HingeKind::Slider { axis } => Box::new(Slider { axis }),
-            HingeKind::Screw { axis, pitch } => Box::new(Screw { axis, pitch }),
-            HingeKind::Cylindrical { axis } => Box::new(Cylindrical { axis }),
-            HingeKind::Universal { axes } => Box::new(Universal { axes }),
-            HingeKind::Ball => Box::new(Ball),
-            HingeKind::Planar { normal } => Box::new(Planar { normal: *normal }),
-            HingeKind::Floating => Box::new(Floating),
-            HingeKind::Elastic => Box::new(Elastic),
-            HingeKind::PlaneElastic => Box::new(PlaneElastic),
-        }
-    }
 }
 
 /// The alignment of a hinge whose free directions lie along the axes of its frames.

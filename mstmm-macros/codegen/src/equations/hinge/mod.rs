@@ -18,11 +18,13 @@ mod effort;
 mod elastic;
 mod floating;
 mod freedom;
+mod kinds;
 mod law;
 mod passive;
 mod pin;
 mod planar;
 mod plane_elastic;
+mod rows;
 mod screw;
 mod slider;
 mod strain;
@@ -31,8 +33,9 @@ mod weld;
 
 pub use crossing::{Crossing, WorkAxes, combine, crossing};
 pub use effort::{Passives, passives};
-pub use freedom::{Column, Freedom, dot, freedom, identity, prescribed};
+pub use freedom::{Column, Freedom, freedom, prescribed};
 pub use law::HingeLaw;
+pub use rows::{dot, identity};
 pub use strain::Strains;
 
 use crate::math::{Mat3, Motion, Scalar, Turn, Vec3};

@@ -1,6 +1,6 @@
 //! The laws of springs, dampers, friction and stops.
 
-use super::freedom::dot;
+use super::rows::dot;
 use crate::equations::Numbers;
 use crate::math::Scalar;
 use crate::model::{Form, Freedoms, Friction, Limits, Passive};

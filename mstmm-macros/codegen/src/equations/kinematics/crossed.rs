@@ -2,7 +2,8 @@
 
 use super::super::Situation;
 use super::super::hinge::{self, Freedom, Passives, WorkAxes};
-use super::{Axes, PartMotion};
+use super::super::strategy::Axes;
+use super::PartMotion;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::HingeId;
 

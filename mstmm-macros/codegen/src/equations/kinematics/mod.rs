@@ -20,21 +20,12 @@ mod pose;
 pub use crossed::{Crossed, Drift, cross};
 pub use pose::{Pose, poses};
 
+use super::strategy::Axes;
 use super::sweep::{Flatten, PerLink};
 use super::{Situation, Trace};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
 use crate::model::{Chain, Hinge, Link, Part, Place};
-
-/// The axes in which the equations of the links are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axes {
-    /// Axes fixed in each part, aligned with the hinge that it hangs on: inertias stay constant,
-    /// what is transferred turns at every hinge.
-    Body,
-    /// The inertial axes: nothing turns at a hinge, the inertias do.
-    Inertial,
-}
 
 /// A part in motion, in its link's work axes unless another frame is named.
 #[derive(Clone, Debug)]

@@ -1,43 +1,10 @@
 //! A free direction of a hinge is eliminated: equations (1), (2), (4) and (6).
 
-use super::super::hinge::{Column, dot};
+use super::super::hinge::Column;
 use super::super::strategy;
-use super::inward::Articulated;
+use super::articulated::Articulated;
+use super::eliminated::Eliminated;
 use crate::math::{Scalar, SpatialInertia, Wrench};
-
-/// A free direction that has been eliminated.
-pub struct Eliminated<S> {
-    /// `s`
-    pub column: Column<S>,
-    /// `D`
-    pub pivot: S,
-    /// `1 / D`
-    pub inverse: S,
-    /// `K`
-    pub gain: Wrench<S>,
-    /// `ε / D`
-    pub rest: S,
-    /// `t`
-    pub along: Vec<S>,
-    /// `t / D`
-    pub by_pivot: Vec<S>,
-    /// What the squares of `t` would be if nothing in them cancelled.
-    pub sizes: Vec<S>,
-    /// The axis that it is, if what follows waits for `1 / D`.
-    pub waiting: Option<usize>,
-}
-
-impl<S: Scalar> Eliminated<S> {
-    /// `K` without its entry along the axis, which is one.
-    pub fn gain_beside(&self, axis: usize) -> Wrench<S> {
-        Wrench::from_fn(|k| if k == axis { S::zero() } else { self.gain.at(k) })
-    }
-
-    /// Takes the reactions of a closing hinge into `ε`.
-    pub fn add_reactions(&mut self, reactions: &[S]) {
-        self.rest = self.rest - dot(&self.by_pivot, reactions);
-    }
-}
 
 /// A free direction with its effort and the inertia of its rotor.
 #[derive(Clone, Copy)]
@@ -141,7 +108,7 @@ impl<S: Scalar> Articulated<S> {
 
 #[cfg(test)]
 pub mod tests {
-    use super::super::inward::Articulated;
+    use super::super::articulated::Articulated;
     use super::{Column, Condition, SpatialInertia, Wrench, eliminate};
     use crate::math::{Mat3, Scalar, Structured, Sym3, Vec3};
 

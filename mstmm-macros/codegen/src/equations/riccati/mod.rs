@@ -8,9 +8,9 @@
 //!
 //! | symbol | in code | meaning |
 //! |---|---|---|
-//! | `Iᴬ`, `pᴬ` | [`inward::Articulated`] | articulated inertia and bias, `F = Iᴬ a + pᴬ` |
+//! | `Iᴬ`, `pᴬ` | [`articulated::Articulated`] | articulated inertia and bias, `F = Iᴬ a + pᴬ` |
 //! | `s`, `τ` | [`direction::Condition`] | a free direction of the link's hinge, `sᵀ F = τ` |
-//! | `U`, `D`, `K`, `ε` | [`direction::Eliminated`] | of the elimination of `s`, equation (1) |
+//! | `U`, `D`, `K`, `ε` | [`eliminated::Eliminated`] | of the elimination of `s`, equation (1) |
 //! | `a'` | `carried` | `a` but for the hinge's own rates, from `a` of the parent |
 //! | `v̇` | `amounts` | accelerations along the free directions, `a = a' + Σ s v̇` |
 //! | `T`, `λ` | `closing` | directions that the closing hinge holds, its reactions along them |
@@ -43,7 +43,9 @@
 //!
 //! (6)  `1 / D = a / (a c − b²)`
 
+mod articulated;
 mod direction;
+mod eliminated;
 mod inward;
 mod open_loop;
 mod recover;

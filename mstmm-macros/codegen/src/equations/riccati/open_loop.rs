@@ -5,7 +5,7 @@ use super::super::closure::{self, Closure, Dof, Reactions};
 use super::super::kinematics::{Crossed, Drift};
 use super::super::problem::Problem;
 use super::super::sweep::Flatten;
-use super::direction::Eliminated;
+use super::eliminated::Eliminated;
 use crate::math::{Motion, Scalar, Wrench};
 
 /// The constraints of a closing hinge that is farther out.

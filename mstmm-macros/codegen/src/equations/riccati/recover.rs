@@ -4,7 +4,7 @@ use super::super::Trace;
 use super::super::hinge::Column;
 use super::super::problem::Problem;
 use super::super::sweep::PerLink;
-use super::direction::Eliminated;
+use super::eliminated::Eliminated;
 use crate::ids::LinkId;
 use crate::math::{Motion, Scalar};
 

@@ -1,0 +1,28 @@
+//! All kinds of hinges: which law each has.
+
+use super::{
+    HingeLaw, ball::Ball, cylindrical::Cylindrical, elastic::Elastic, floating::Floating, pin::Pin,
+    planar::Planar, plane_elastic::PlaneElastic, screw::Screw, slider::Slider,
+    universal::Universal, weld::Weld,
+};
+use crate::math::Scalar;
+use crate::model::HingeKind;
+
+impl HingeKind {
+    /// The law of this kind.
+    pub fn law<S: Scalar>(&self) -> Box<dyn HingeLaw<S> + '_> {
+        match self {
+            HingeKind::Weld => Box::new(Weld),
+            HingeKind::Pin { axis } => Box::new(Pin { axis }),
+            HingeKind::Slider { axis } => Box::new(Slider { axis }),
+            HingeKind::Screw { axis, pitch } => Box::new(Screw { axis, pitch }),
+            HingeKind::Cylindrical { axis } => Box::new(Cylindrical { axis }),
+            HingeKind::Universal { axes } => Box::new(Universal { axes }),
+            HingeKind::Ball => Box::new(Ball),
+            HingeKind::Planar { normal } => Box::new(Planar { normal: *normal }),
+            HingeKind::Floating => Box::new(Floating),
+            HingeKind::Elastic => Box::new(Elastic),
+            HingeKind::PlaneElastic => Box::new(PlaneElastic),
+        }
+    }
+}
