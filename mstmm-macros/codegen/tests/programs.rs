@@ -5,8 +5,9 @@ mod common;
 
 use common::given::Given;
 use common::interpreter::{Arrays, run};
+use common::points::points;
 use common::{Point, compute, compute_with, difference, drives, read};
-use mstmm_codegen::compile::{Compiled, Place, Sight, compile, outputs};
+use mstmm_codegen::compile::{compile, outputs};
 use mstmm_codegen::equations::Axes;
 use mstmm_codegen::examine::Findings;
 use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
@@ -19,56 +20,7 @@ use mstmm_codegen::passes::{
 use mstmm_codegen::program::{Argument, ArrayLayout, ArrayRole, OutputId};
 use mstmm_reference::{Random, Recipe, random_mechanism, random_motion};
 
-/// All points in inertial axes, read off the numbers of a solution as the runtime does.
-fn points(compiled: &Compiled, dimension: Dimension, full: &Arrays<f64>) -> Vec<f64> {
-    let numbers = full.result(outputs::POINT_NUMBERS);
-    let at_rest = full.result(outputs::AT_REST);
-    let (shifts, turns) = (dimension.shifts(), dimension.turns());
-    let mut all = Vec::new();
-    for point in &compiled.places.points {
-        let entries = |place: &Place, count: usize| -> Vec<f64> {
-            let Some(first) = place.first.checked_sub(1) else { return vec![0.0; count] };
-            assert_eq!(place.count, count);
-            numbers[first..first + count].to_vec()
-        };
-        let inertial = |Sight { axes, vector }: &Sight, along: &[usize]| -> Vec<f64> {
-            let vector = entries(vector, along.len());
-            match axes.as_deref() {
-                None => vector,
-                Some([cos_sin]) => {
-                    let [c, s] = entries(cos_sin, 2)[..] else { panic!("cosine and sine") };
-                    vec![c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]]
-                }
-                Some(columns) => {
-                    let columns: Vec<Vec<f64>> = columns.iter().map(|x| entries(x, 3)).collect();
-                    (0..3).map(|k| (0..3).map(|j| columns[j][k] * vector[j]).sum()).collect()
-                }
-            }
-        };
-        let mut vectors = point.vectors.iter();
-        let mut next = |along: &[usize]| {
-            (!along.is_empty())
-                .then(|| inertial(vectors.next().expect("a vector"), along))
-                .into_iter()
-        };
-        let (velocity, omega) = (next(shifts), next(turns));
-        let felt = next(shifts).map(|felt| felt.iter().zip(&at_rest).map(|(a, g)| a - g).collect());
-        let (turning, moment, force) = (next(turns), next(turns), next(shifts));
-        all.extend(entries(&point.position, shifts.len()));
-        match &point.orientation {
-            Some(columns) => all.extend(columns.iter().flat_map(|x| entries(x, shifts.len()))),
-            None => {
-                all.extend(UNITS[..dimension.columns()].iter().flat_map(|x| &x[..shifts.len()]))
-            }
-        }
-        all.extend(
-            velocity.chain(omega).chain(felt).chain(turning).chain(moment).chain(force).flatten(),
-        );
-    }
-    all
-}
-
-/// The same of a point in inertial axes.
+/// What is read off a solution of a point, in inertial axes.
 fn numbers(point: &Point<Structured<f64>>, dimension: Dimension) -> Vec<f64> {
     let (shifts, turns) = (dimension.shifts(), dimension.turns());
     let pick = |vector: Vec3<Structured<f64>>, axes: &[usize]| -> Vec<f64> {
@@ -87,8 +39,6 @@ fn numbers(point: &Point<Structured<f64>>, dimension: Dimension) -> Vec<f64> {
     ]
     .concat()
 }
-
-const UNITS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// One random chain in a random state: programs against equations.
 fn one_chain(seed: u64) {
@@ -109,7 +59,7 @@ fn one_chain(seed: u64) {
         let plain = |values: &[Structured<f64>]| values.iter().map(|x| x.value()).collect();
         let energies: Vec<f64> = plain(&[expected.energy.kinetic, expected.energy.potential]);
         let efforts: Vec<f64> = plain(&expected.report.efforts);
-        let points = points(&compiled, chain.dimension, &full);
+        let points = points(&chain, &compiled, &full);
         let expected_points: Vec<f64> = expected
             .report
             .points

@@ -16,6 +16,11 @@ impl<S: Scalar> Dual<S> {
         Dual { value, derivative }
     }
 
+    /// The number.
+    pub fn value(self) -> S {
+        self.value
+    }
+
     /// The derivative.
     pub fn derivative(self) -> S {
         self.derivative

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 
 /// A scalar that can be judged.
 pub trait Judge: Scalar {
-    /// Whether a pivot is more than rounding leaves of its scale.
+    /// Whether a pivot is more than rounding leaves of its scale. NaN is not.
     fn exceeds(self, scale: Self) -> bool;
     /// Whether it is a number at all.
     fn is_finite(self) -> bool;
@@ -24,23 +24,12 @@ pub trait Judge: Scalar {
     fn angle(self, x: Self) -> Self {
         self.atan2(x)
     }
-}
+    /// The nearest plain number.
+    fn plain(self) -> f64;
 
-impl Judge for f64 {
-    fn exceeds(self, scale: Self) -> bool {
-        self > 8.0 * f64::EPSILON * scale
-    }
-    fn is_finite(self) -> bool {
-        f64::is_finite(self)
-    }
-    fn product_sum(a: Self, b: Self, c: Self, fused: bool) -> Self {
-        if fused { libm::fma(a, b, c) } else { a * b + c }
-    }
-    fn sine_and_cosine(self) -> (Self, Self) {
-        (libm::sin(self), libm::cos(self))
-    }
-    fn angle(self, x: Self) -> Self {
-        libm::atan2(self, x)
+    /// Whether a pivot is a number, and no more than rounding leaves of its scale.
+    fn is_lost(self, scale: Self) -> bool {
+        self.is_finite() && scale.is_finite() && !self.exceeds(scale)
     }
 }
 
@@ -158,8 +147,8 @@ impl<S: Judge> Machine<'_, S> {
             Step::Store { to, values } => self.store(to, values),
             Step::Loop(one) => return self.one_loop(one),
             Step::CheckPivot { check, value, scale } => {
-                let is_there = self.value(value).exceeds(self.value(scale));
-                self.checks[check.index()] &= is_there;
+                let is_lost = self.value(value).is_lost(self.value(scale));
+                self.checks[check.index()] &= !is_lost;
             }
             Step::Finish(finish) if !self.arrays.untested => return self.finish(finish),
             Step::Finish(_) => {}
@@ -254,13 +243,19 @@ impl<S: Judge> Machine<'_, S> {
         Ok(())
     }
 
+    /// Pivots come first: too large a state is no fault of a hinge.
     fn finish(&self, finish: &Finish) -> Result<(), Failed> {
+        let mut are_numbers = true;
         for test in &finish.pivots {
-            let is_there = match &test.pivot {
-                Pivot::Once(value, scale) => self.value(value).exceeds(self.value(scale)),
-                Pivot::Repeated(CheckId(check)) => self.checks[*check],
+            let is_lost = match &test.pivot {
+                Pivot::Once(value, scale) => {
+                    let (value, scale) = (self.value(value), self.value(scale));
+                    are_numbers &= value.is_finite() && scale.is_finite();
+                    value.is_lost(scale)
+                }
+                Pivot::Repeated(CheckId(check)) => !self.checks[*check],
             };
-            if !is_there {
+            if is_lost {
                 return Err(Failed::Singular(test.hinge.clone()));
             }
         }
@@ -269,7 +264,8 @@ impl<S: Judge> Machine<'_, S> {
             Witness::Entry(array, entry) => self.whole(*array)[*entry].is_finite(),
             Witness::Array(array) => self.whole(*array).iter().all(|x| x.is_finite()),
         };
-        if finish.finite.iter().all(is_finite) { Ok(()) } else { Err(Failed::NotFinite) }
+        let are_numbers = are_numbers && finish.finite.iter().all(is_finite);
+        if are_numbers { Ok(()) } else { Err(Failed::NotFinite) }
     }
 
     fn statement(&mut self, statement: &Statement) {

@@ -6,6 +6,8 @@ pub mod drives;
 pub mod given;
 pub mod interpreter;
 pub mod paper;
+pub mod points;
+pub mod scalars;
 
 use mstmm_codegen::equations::{self, Axes, Energy, Numbers, Situation, Solved, Trace};
 use mstmm_codegen::math::{Mat3, Motion, Scalar, Structured, Vec3};

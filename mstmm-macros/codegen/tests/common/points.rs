@@ -1,0 +1,96 @@
+//! Connection points, read off the numbers of a solution as the runtime does.
+
+use super::interpreter::{Arrays, Judge};
+use mstmm_codegen::compile::{Compiled, Place, PointPlaces, Sight, layouts, outputs};
+use mstmm_codegen::ids::RepeatId;
+use mstmm_codegen::model::{Chain, Element};
+use mstmm_codegen::program::ArrayLayout;
+
+/// All points in inertial axes, in the order of the chain written out.
+pub fn points<S: Judge>(chain: &Chain, compiled: &Compiled, full: &Arrays<S>) -> Vec<S> {
+    let part = |element: &Element| match *element {
+        Element::Hinge(hinge) => chain.repeat_of_hinge(hinge),
+        Element::Body(body) => chain.repeat_of_body(body),
+    };
+    let parts = std::iter::once(None).chain(chain.route.iter().map(part));
+    let points: Vec<(Option<RepeatId>, &PointPlaces)> =
+        parts.zip(&compiled.places.points).collect();
+    let reader = Reader {
+        chain,
+        layout: layouts::numbers_of_points(chain, &compiled.places),
+        numbers: full.result(outputs::POINT_NUMBERS),
+        at_rest: full.result(outputs::AT_REST),
+    };
+    let mut all = Vec::new();
+    for piece in points.chunk_by(|one, next| one.0 == next.0) {
+        let count = piece[0].0.map_or(1, |part| chain.repeats[part].count);
+        for repetition in 0..count {
+            for (_, point) in piece {
+                all.extend(reader.point(point, repetition));
+            }
+        }
+    }
+    all
+}
+
+struct Reader<'a, S> {
+    chain: &'a Chain,
+    layout: ArrayLayout,
+    numbers: Vec<S>,
+    at_rest: Vec<S>,
+}
+
+impl<S: Judge> Reader<'_, S> {
+    fn point(&self, point: &PointPlaces, repetition: usize) -> Vec<S> {
+        let dimension = self.chain.dimension;
+        let (shifts, turns) = (dimension.shifts(), dimension.turns());
+        let entries = |place: &Place, count: usize| -> Vec<S> {
+            let Some(first) = place.first.checked_sub(1) else { return vec![S::zero(); count] };
+            assert_eq!(place.count, count);
+            (0..count).map(|k| self.number(point.start + first + k, repetition)).collect()
+        };
+        let inertial = |Sight { axes, vector }: &Sight, along: &[usize]| -> Vec<S> {
+            let vector = entries(vector, along.len());
+            match axes.as_deref() {
+                None => vector,
+                Some([cos_sin]) => {
+                    let [c, s] = entries(cos_sin, 2)[..] else { panic!("cosine and sine") };
+                    vec![c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]]
+                }
+                Some(columns) => {
+                    let columns: Vec<Vec<S>> = columns.iter().map(|x| entries(x, 3)).collect();
+                    let sum = |k: usize| (0..3).map(move |j| (j, k));
+                    let product = |(j, k): (usize, usize)| columns[j][k] * vector[j];
+                    (0..3).map(|k| sum(k).map(product).fold(S::zero(), |a, b| a + b)).collect()
+                }
+            }
+        };
+        let mut all = entries(&point.position, shifts.len());
+        match &point.orientation {
+            Some(columns) => all.extend(columns.iter().flat_map(|x| entries(x, shifts.len()))),
+            None => {
+                let unit = |column: usize| {
+                    (0..shifts.len()).map(move |row| if row == column { 1.0 } else { 0.0 })
+                };
+                all.extend((0..dimension.columns()).flat_map(unit).map(S::number));
+            }
+        }
+        // Velocity, `Ω`, `r̈` as felt, `Ω̇`, `m` and `q`.
+        let kinds = [shifts, turns, shifts, turns, turns, shifts];
+        let there = kinds.into_iter().enumerate().filter(|(_, along)| !along.is_empty());
+        for ((kind, along), sight) in there.zip(&point.vectors) {
+            let seen = inertial(sight, along);
+            match kind {
+                2 => all.extend(seen.iter().zip(&self.at_rest).map(|(&a, &g)| a - g)),
+                _ => all.extend(seen),
+            }
+        }
+        all
+    }
+
+    /// An entry in a repetition of its part.
+    fn number(&self, entry: usize, repetition: usize) -> S {
+        let segment = self.layout.segment_of(entry);
+        self.numbers[segment.place + repetition * segment.count + entry - segment.first]
+    }
+}
