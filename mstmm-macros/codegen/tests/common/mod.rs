@@ -3,11 +3,14 @@
 
 pub mod double_double;
 pub mod drives;
+pub mod folded;
 pub mod given;
 pub mod interpreter;
+pub mod lifted;
 pub mod paper;
 pub mod points;
 pub mod scalars;
+pub mod twins;
 
 use mstmm_codegen::equations::{self, Axes, Energy, Numbers, Situation, Solved, Trace};
 use mstmm_codegen::math::{Mat3, Motion, Scalar, Structured, Vec3};

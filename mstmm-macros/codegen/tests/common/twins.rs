@@ -1,0 +1,241 @@
+//! Random chains with repeated parts, each beside the same chain written out.
+
+use super::folded::texts;
+use super::given::slots;
+use super::interpreter::{Arrays, Judge, run};
+use super::lifted::lifted;
+use super::numbers;
+use mstmm_codegen::compile::{Compiled, compile};
+use mstmm_codegen::ids::InputId;
+use mstmm_codegen::model::{Chain, Driven, HingeKind, Layout};
+use mstmm_codegen::program::Argument;
+use mstmm_reference::{Dimension, Ends, Joining, Random, Recipe};
+use std::collections::HashMap;
+
+/// A chain with its functions.
+pub struct Twin {
+    pub chain: Chain,
+    pub compiled: Compiled,
+    layout: Layout,
+}
+
+/// The same chain twice.
+pub struct Twins {
+    pub seed: u64,
+    pub repeated: Twin,
+    pub written: Twin,
+}
+
+/// When numbers become known.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Numbers {
+    /// As written: most while compiling.
+    Written,
+    /// With the parameters.
+    Lifted,
+}
+
+/// Ends from which a repeated part can be run through: the start is held, or neither end is.
+const ENDS: [Ends; 7] = [
+    Ends::HeldFree,
+    Ends::MovingFree,
+    Ends::FreeFree,
+    Ends::HeldHeld,
+    Ends::HeldMoving,
+    Ends::MovingHeld,
+    Ends::MovingMoving,
+];
+
+/// The recipe for the chain of a seed, open but for every fourth.
+pub fn recipe(seed: u64, random: &mut Random) -> Recipe {
+    let dimension = match seed % 5 {
+        0 => Dimension::Plane,
+        1 if seed.is_multiple_of(3) => Dimension::Line,
+        _ => Dimension::Space,
+    };
+    let number = seed as usize / 4;
+    let ends = if seed % 4 == 3 { ENDS[3 + number % 4] } else { ENDS[number % 3] };
+    let rich = Recipe::rich(dimension, 2 + random.below(2), ends, &Joining::ALL);
+    Recipe { loads: 0.4, springs: 0.3, ..rich }
+}
+
+impl Twins {
+    /// Those of a seed, if the language takes both, and they can be compared in any state.
+    pub fn random(seed: u64, numbers: Numbers) -> Option<Twins> {
+        let mut random = Random::new(seed);
+        let recipe = recipe(seed, &mut random);
+        Twins::of(seed, &mut random, &recipe, numbers)
+    }
+
+    /// Those of a recipe.
+    pub fn of(seed: u64, random: &mut Random, recipe: &Recipe, numbers: Numbers) -> Option<Twins> {
+        let texts = texts(random, &format!("Twin{seed}"), recipe);
+        let [repeated, written] = texts.each_ref().map(|text| Twin::new(text, numbers));
+        match (repeated, written) {
+            (Ok(repeated), Ok(written)) => {
+                let twins = Twins { seed, repeated, written };
+                twins.close_alike().then_some(twins)
+            }
+            (Err(_), Err(_)) => None,
+            (repeated, written) => {
+                let [repeated, written] = [repeated.err(), written.err()];
+                panic!("seed {seed}: one is refused, {repeated:?} {written:?}\n{}", texts[0])
+            }
+        }
+    }
+
+    /// Whether both are closed at the same hinge. A weld at the end is gone through first, unless a repeated part
+    /// is in its way; then they are the same in closed states alone.
+    fn close_alike(&self) -> bool {
+        let names = |twin: &Twin| -> Vec<String> {
+            let closings = twin.layout.closings.iter();
+            closings.map(|&hinge| twin.chain.hinges[hinge].name.to_string()).collect()
+        };
+        names(&self.repeated) == names(&self.written)
+    }
+
+    /// What both are given in a random state with random parameters and inputs, closed or not. Their setups have
+    /// been run.
+    pub fn state<S: Judge>(&self, number: u64) -> [Arrays<S>; 2] {
+        let mut random = Random::new(1000 * self.seed + number);
+        let written = self.written.random_arguments::<S>(&mut random);
+        let repeated = self.repeated_arguments(&written);
+        [self.repeated.set_up(repeated), self.written.set_up(written)]
+    }
+
+    /// What the repeated chain is given where the one written out is given this.
+    fn repeated_arguments<S: Judge>(
+        &self,
+        given: &HashMap<Argument, Vec<S>>,
+    ) -> HashMap<Argument, Vec<S>> {
+        let (repeated, written) = (&self.repeated, &self.written);
+        let count = |part| repeated.chain.repeats[part].count;
+        // What is in no part has the same name.
+        let gathered = |times: Option<usize>, name: &str, find: &dyn Fn(&str) -> Argument| {
+            let names: Vec<String> = match times {
+                None => vec![name.to_owned()],
+                Some(times) => (0..times).map(|time| format!("{name}_{time}")).collect(),
+            };
+            names.iter().flat_map(|name| given[&find(name)].clone()).collect::<Vec<S>>()
+        };
+        let of = |argument| match argument {
+            Argument::Parameter(index) => {
+                let parameter = &repeated.chain.parameters[index];
+                gathered(parameter.times, &parameter.name.to_string(), &|name| {
+                    let index = written.chain.parameters.iter().position(|it| it.name == name);
+                    Argument::Parameter(index.expect("the same parameter"))
+                })
+            }
+            Argument::Input(input) => {
+                let what = repeated.layout.inputs[input].what;
+                let times = repeated.chain.repeat_of_input(what).map(count);
+                let (kind, name) = repeated.name_of(input);
+                gathered(times, &name, &|name| {
+                    let mut inputs = written.layout.inputs.ids().into_iter();
+                    let input = inputs.find(|&it| written.name_of(it) == (kind, name.to_owned()));
+                    Argument::Input(input.expect("the same input"))
+                })
+            }
+            same => given[&same].clone(),
+        };
+        let arguments = repeated.compiled.unknowns.arguments().map(|(argument, layout)| {
+            let values = of(argument);
+            assert_eq!(values.len(), layout.total, "seed {}: {argument:?}", self.seed);
+            (argument, values)
+        });
+        let time = (Argument::Time, given[&Argument::Time].clone());
+        arguments.chain([time]).collect()
+    }
+}
+
+impl Twin {
+    /// The only chain of a text, or why it is refused.
+    pub fn new(text: &str, numbers: Numbers) -> Result<Twin, String> {
+        let tokens = text.parse().unwrap_or_else(|error| panic!("{error}\n{text}"));
+        let read = mstmm_codegen::read_and_examine(tokens);
+        let (chain, findings) = read.map_err(|error| error.to_string())?.remove(0);
+        let chain = if numbers == Numbers::Lifted { lifted(chain) } else { chain };
+        let layout = Layout::of(&chain);
+        let compiled = compile(&chain, &findings, &layout);
+        Ok(Twin { chain, compiled, layout })
+    }
+
+    /// What functions are given beside these arguments.
+    pub fn set_up<S: Judge>(&self, arguments: HashMap<Argument, Vec<S>>) -> Arrays<S> {
+        let mut given = Arrays { arguments, ..Arrays::default() };
+        let mut derived = given.clone();
+        run(&self.compiled.setup.procedure, &mut derived).expect("a setup cannot fail");
+        given.arguments.extend(slots(&self.compiled, &derived));
+        given
+    }
+
+    /// What kind of input it is, and the name of what it belongs to.
+    fn name_of(&self, input: InputId) -> (usize, String) {
+        let (hinges, loads) = (&self.chain.hinges, &self.chain.loads);
+        match self.layout.inputs[input].what {
+            Driven::Gravity => (0, String::new()),
+            Driven::Efforts(hinge) => (1, hinges[hinge].name.to_string()),
+            Driven::Motion(hinge) => (2, hinges[hinge].name.to_string()),
+            Driven::Force(load) => (3, loads[load].name.to_string()),
+            Driven::Torque(load) => (4, loads[load].name.to_string()),
+        }
+    }
+
+    /// Random values of all unknowns of a chain without repeated parts. Quaternions are of unit length in the
+    /// scalar's own precision: equations take them for turns.
+    fn random_arguments<S: Judge>(&self, random: &mut Random) -> HashMap<Argument, Vec<S>> {
+        let mut all = HashMap::from([(Argument::Time, vec![S::number(0.3)])]);
+        for (argument, layout) in self.compiled.unknowns.arguments() {
+            let values = (0..layout.total).map(|_| self.random_number(argument, random));
+            let mut values: Vec<f64> = values.collect();
+            let quaternions = self.quaternions(argument);
+            // Not too near to zero.
+            quaternions.iter().for_each(|&at| values[at] += values[at].signum());
+            let mut values: Vec<S> = values.into_iter().map(S::number).collect();
+            quaternions.iter().for_each(|&at| normalise(&mut values[at..at + 4]));
+            all.insert(argument, values);
+        }
+        all
+    }
+
+    fn random_number(&self, argument: Argument, random: &mut Random) -> f64 {
+        match argument {
+            Argument::Parameter(index) => {
+                let parameter = &self.chain.parameters[index];
+                let default = numbers::<f64>(&self.chain).parameters[index].value();
+                let is_lifted = parameter.name.to_string().starts_with("number");
+                if is_lifted { default } else { default * random.between(0.9, 1.1) }
+            }
+            Argument::ClosureSteps => 1.0,
+            Argument::Step => random.between(0.0, 0.01),
+            Argument::Input(_) => random.between(-3.0, 3.0),
+            _ => random.between(-1.0, 1.0),
+        }
+    }
+
+    /// Where quaternions begin.
+    fn quaternions(&self, argument: Argument) -> Vec<usize> {
+        let hinges = &self.chain.hinges;
+        let is_turned = |kind: &HingeKind| kind.coordinates() > kind.freedoms();
+        match argument {
+            Argument::Coordinates => {
+                let free = hinges.enumerate().filter(|(_, hinge)| !hinge.is_prescribed());
+                let turned = free.filter(|(_, hinge)| is_turned(&hinge.kind));
+                turned.map(|(index, _)| self.layout.q[index].end - 4).collect()
+            }
+            Argument::Input(input) => match self.layout.inputs[input].what {
+                Driven::Motion(hinge) if is_turned(&hinges[hinge].kind) => {
+                    vec![hinges[hinge].kind.coordinates() - 4]
+                }
+                _ => Vec::new(),
+            },
+            _ => Vec::new(),
+        }
+    }
+}
+
+fn normalise<S: Judge>(quaternion: &mut [S]) {
+    let square = quaternion.iter().fold(S::zero(), |sum, &x| sum + x * x);
+    let scale = square.sqrt().recip();
+    quaternion.iter_mut().for_each(|x| *x = *x * scale);
+}
