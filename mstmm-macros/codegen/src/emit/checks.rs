@@ -2,8 +2,7 @@
 
 use super::Plan;
 use super::arrays::usize_literal;
-use super::loops::flag;
-use super::procedure::Printer;
+use super::printer::{Printer, flag};
 use crate::ids::InputId;
 use crate::model::Driven;
 use crate::program::{Argument, ArrayId, ArrayRole, Finish, Operand, Pivot, PivotTest, Witness};

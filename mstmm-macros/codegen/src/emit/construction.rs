@@ -7,7 +7,7 @@ use super::docs;
 use super::formula::value_tokens;
 use super::names::helper;
 use super::parameters;
-use super::procedure::Destination;
+use super::printer::Destination;
 use super::sealed;
 use crate::compile::outputs;
 use crate::ids::RepeatId;

@@ -1,9 +1,9 @@
 //! Where a procedure's arguments are, and how they are read.
 
 use super::closure;
-use super::loops::{Stream, pattern};
 use super::names::helper;
-use super::procedure::Printer;
+use super::printer::Printer;
+use super::streams::{Stream, pattern};
 use super::{Plan, sealed};
 use crate::ids::InputId;
 use crate::program::{Argument, ArrayRole, Place, ValueId};

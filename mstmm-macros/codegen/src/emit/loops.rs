@@ -3,14 +3,12 @@
 use super::arrays::usize_literal;
 use super::loads;
 use super::names::helper;
-use super::procedure::Printer;
+use super::printer::{Printer, flag};
+use super::streams::{Stream, pattern, zipped};
 use crate::ids::IdVec;
 use crate::program::{Array, ArrayId, ArrayRole, CheckId, ForLoop, Operand, Place, Segment, Step};
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
-
-/// A pattern and the iterator whose items it takes apart.
-pub type Stream = (TokenStream, TokenStream);
 
 /// What stands before all loops: flags for the tests of pivots, and arrays for what loops leave.
 pub fn opened(printer: &Printer) -> TokenStream {
@@ -33,11 +31,6 @@ pub fn opened(printer: &Printer) -> TokenStream {
         #(let mut #flags = <T::Mask as #mstmm::Mask>::splat(true);)*
         #(#locals)*
     }
-}
-
-/// Whether no repetition of a pivot vanishes.
-pub fn flag(check: CheckId) -> Ident {
-    helper(&format!("regular{}", check.index()))
 }
 
 fn local(array: ArrayId) -> Ident {
@@ -86,7 +79,7 @@ pub fn one(printer: &Printer, one: &ForLoop) -> TokenStream {
     }
     let computed: Vec<Step> =
         one.body.iter().filter(|step| matches!(step, Step::Compute(_))).cloned().collect();
-    let sections = printer.steps(&computed);
+    let sections = printer.steps(&computed, |_| bug!("a loop's sections are printed alone"));
     let variable = |value| printer.variables.get(value);
     let exits: Vec<&Ident> = one.carries.iter().map(|carry| variable(carry.exit)).collect();
     let phis = one.carries.iter().map(|carry| variable(carry.phi));
@@ -169,27 +162,4 @@ fn assigned(
         names[to.first + entry] = Some(name);
     }
     (names, writes)
-}
-
-/// A pattern of an array's numbers.
-pub fn pattern(names: &[Option<Ident>]) -> TokenStream {
-    let names = names.iter().map(|name| match name {
-        Some(name) => quote!(#name),
-        None => quote!(_),
-    });
-    quote!([#(#names),*])
-}
-
-/// One pattern and one iterator for several.
-fn zipped(streams: Vec<Stream>, times: &Literal, inward: bool) -> Stream {
-    let mut streams = streams.into_iter();
-    let (mut pattern, mut iterator) = streams.next().unwrap_or((quote!(_), quote!((0..#times))));
-    for (next_pattern, next_iterator) in streams {
-        pattern = quote!((#pattern, #next_pattern));
-        iterator = quote!(::core::iter::zip(#iterator, #next_iterator));
-    }
-    if inward {
-        iterator = quote!(::core::iter::Iterator::rev(#iterator));
-    }
-    (pattern, iterator)
 }

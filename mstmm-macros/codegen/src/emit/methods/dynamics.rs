@@ -1,7 +1,8 @@
 //! Accelerations, everything at once, energy and inverse dynamics.
 
 use super::super::arrays::usize_literal;
-use super::super::procedure::{Destination, field};
+use super::super::printer::Destination;
+use super::super::procedure::field;
 use super::super::{Plan, docs, quaternions};
 use super::{Method, fallible, new, of_state, of_state_and_inputs};
 use crate::compile::outputs;

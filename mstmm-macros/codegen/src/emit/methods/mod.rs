@@ -4,7 +4,8 @@ mod dynamics;
 mod state;
 
 use super::names::helper;
-use super::procedure::{Destination, body};
+use super::printer::Destination;
+use super::procedure::body;
 use super::{Plan, docs, integrable};
 use crate::compile::CompiledFunction;
 use crate::model::Answer;

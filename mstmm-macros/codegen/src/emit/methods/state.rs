@@ -3,7 +3,7 @@
 use super::super::Plan;
 use super::super::arrays::usize_literal;
 use super::super::closure;
-use super::super::procedure::Destination;
+use super::super::printer::Destination;
 use super::{Method, new, of_state};
 use proc_macro2::TokenStream;
 use quote::quote;

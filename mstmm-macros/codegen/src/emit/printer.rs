@@ -1,0 +1,148 @@
+//! What is known of a procedure while it is printed: its variables, where its results go, and how its
+//! sections are written.
+
+use super::Plan;
+use super::names::{Variables, helper};
+use super::statement::Writer;
+use crate::program::{Array, ArrayId, CheckId, Failure, Operand, Place, Procedure, Section, Step};
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, quote};
+
+/// Where a result goes.
+#[derive(Clone, Debug)]
+pub enum Destination {
+    /// An array of the caller's.
+    Array(TokenStream),
+    /// A vector of the caller's.
+    Vector(TokenStream),
+    /// Places of the caller's, one for each number.
+    Fields(Vec<TokenStream>),
+    /// A new array.
+    New(Ident),
+    /// The undetermined reactions of a workspace.
+    Closure,
+}
+
+/// A procedure that is being printed.
+pub struct Printer<'a> {
+    pub plan: &'a Plan<'a>,
+    pub procedure: &'a Procedure,
+    /// What its values are.
+    pub variables: Variables,
+    /// Where its results go, by array.
+    pub destinations: Vec<Option<Destination>>,
+    /// Where it fails, if it does: what is written before it returns an error.
+    pub on_failure: Option<TokenStream>,
+    /// Whether it has loops.
+    pub looped: bool,
+    /// Whether it has more statements than may open a scope each.
+    pub flat: bool,
+}
+
+impl Printer<'_> {
+    /// Steps in their order: sections under their headings, each of the others as `other` prints it.
+    pub fn steps(&self, steps: &[Step], other: impl Fn(&Step) -> TokenStream) -> TokenStream {
+        let sections: Vec<&Section> = steps.iter().filter_map(computed).collect();
+        let mut writer = Writer::new(self.plan, &self.variables);
+        let mut headings = writer.headings(&sections);
+        let (mut number, mut declared, mut stored) = (0, 0, false);
+        for step in steps {
+            let Step::Compute(section) = step else {
+                stored = matches!(step, Step::Store { .. } | Step::Finish(_)) && number > 0;
+                writer.add(other(step));
+                continue;
+            };
+            if std::mem::take(&mut stored) {
+                // LLVM puts writes off, to make vectors of neighbours, unless it is told that it may not.
+                let mstmm = &self.plan.mstmm;
+                writer.add(quote!(#mstmm::generated::written();));
+            }
+            if self.flat && number == declared {
+                declared = writer.declare(&sections, declared, &mut headings);
+            }
+            let goes_on = number > 0 && sections[number - 1].heading() == section.heading();
+            if !self.flat && !goes_on {
+                writer.heading_of(section, &mut headings);
+            }
+            writer.statements(section, !self.flat);
+            number += 1;
+        }
+        writer.finish()
+    }
+
+    /// An operand.
+    pub fn operand(&self, operand: &Operand) -> TokenStream {
+        let mut writer = Writer::new(self.plan, &self.variables);
+        writer.operand(operand);
+        writer.finish()
+    }
+
+    /// The array of a place.
+    pub fn array(&self, place: &Place) -> &Array {
+        &self.procedure.arrays[place.array]
+    }
+
+    pub fn destination(&self, array: ArrayId) -> &Destination {
+        let destination = &self.destinations[array.index()];
+        destination.as_ref().unwrap_or_else(|| bug!("an array that is no result is written"))
+    }
+
+    /// The variable of a result that loops write: a new array, or a reference to one.
+    pub fn result(&self, array: ArrayId) -> Ident {
+        match self.destination(array) {
+            Destination::New(name) => name.clone(),
+            _ => helper(&format!("results{}", array.index())),
+        }
+    }
+
+    /// An array of results that is filled piece by piece, to be borrowed.
+    pub fn filled(&self, array: ArrayId) -> TokenStream {
+        let name = self.result(array);
+        match self.destination(array) {
+            Destination::Array(_) | Destination::Vector(_) if !self.is_kept_back() => {
+                quote!((*#name))
+            }
+            _ => quote!(#name),
+        }
+    }
+
+    /// An array of results that has been written.
+    pub fn written(&self, array: ArrayId) -> TokenStream {
+        match self.destination(array) {
+            Destination::Array(place) | Destination::Vector(place) if !self.is_filled(array) => {
+                place.clone()
+            }
+            _ => self.result(array).into_token_stream(),
+        }
+    }
+
+    /// Whether a result lies in an array that is filled piece by piece: because it has numbers of repeated parts, or
+    /// because it is kept back until loops have been tested.
+    pub fn is_filled(&self, array: ArrayId) -> bool {
+        let is_array = match self.destination(array) {
+            Destination::Array(_) | Destination::Vector(_) | Destination::New(_) => true,
+            Destination::Fields(_) | Destination::Closure => false,
+        };
+        let segments = &self.procedure.arrays[array].layout.segments;
+        let has_repeated = segments.iter().any(|segment| segment.repeat.is_some());
+        is_array && (has_repeated || self.looped && self.is_kept_back())
+    }
+
+    /// Whether a result must not reach the caller before the test at the end.
+    pub fn is_kept_back(&self) -> bool {
+        let has_finish = self.procedure.body.iter().any(|step| matches!(step, Step::Finish(_)));
+        self.procedure.failure == Failure::Untouched && has_finish
+    }
+}
+
+fn computed(step: &Step) -> Option<&Section> {
+    match step {
+        Step::Compute(section) => Some(section),
+        _ => None,
+    }
+}
+
+/// Whether no repetition of a pivot vanishes.
+pub fn flag(check: CheckId) -> Ident {
+    helper(&format!("regular{}", check.index()))
+}

@@ -1,0 +1,30 @@
+//! What loops go over: patterns and the iterators whose items they take apart.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+/// A pattern and the iterator whose items it takes apart.
+pub type Stream = (TokenStream, TokenStream);
+
+/// A pattern of an array's numbers.
+pub fn pattern(names: &[Option<Ident>]) -> TokenStream {
+    let names = names.iter().map(|name| match name {
+        Some(name) => quote!(#name),
+        None => quote!(_),
+    });
+    quote!([#(#names),*])
+}
+
+/// One pattern and one iterator for several.
+pub fn zipped(streams: Vec<Stream>, times: &Literal, inward: bool) -> Stream {
+    let mut streams = streams.into_iter();
+    let (mut pattern, mut iterator) = streams.next().unwrap_or((quote!(_), quote!((0..#times))));
+    for (next_pattern, next_iterator) in streams {
+        pattern = quote!((#pattern, #next_pattern));
+        iterator = quote!(::core::iter::zip(#iterator, #next_iterator));
+    }
+    if inward {
+        iterator = quote!(::core::iter::Iterator::rev(#iterator));
+    }
+    (pattern, iterator)
+}
