@@ -3,16 +3,13 @@
 use proc_macro2::{Delimiter, Ident, Span};
 use syn::{Error, Result, Visibility};
 
+use super::ahead::ITEMS;
 use super::cursor::Cursor;
 use super::field::Content;
 use super::tree::{Block, BlockWord, ChainDef, DimensionWord, ParameterDef};
-use super::{attribute, branch, field, recover, route};
+use super::{ahead, attribute, branch, field, number, recover, route, stop};
 use crate::diag::{Diagnostics, did_you_mean, nearest};
 
-/// The words that an item can begin with.
-const ITEMS: &[&str] = &["param", "body", "hinge", "load", "spring", "ground", "moving"];
-/// Those of them that may be names too: they begin an item where a name follows.
-const ALSO_NAMES: &[&str] = &["load", "spring", "moving"];
 /// The words that blocks begin with.
 const BLOCKS: &[(&str, BlockWord)] = &[
     ("body", BlockWord::Body),
@@ -31,23 +28,6 @@ pub const SETTINGS: &[&str] = &["gravity", "method", "results", "answers"];
 
 /// The count of a parameter whose count could not be read: any index of a program is less.
 const UNKNOWN_COUNT: usize = 1000;
-
-/// Whether the next word begins an item, so that it is nothing else.
-pub(super) fn begins_item(input: &Cursor) -> bool {
-    begins_block(input) || input.peek_ident().is_some_and(|word| word == "ground")
-}
-
-/// Whether the next word begins an item other than the route: a name or a block stands behind it.
-pub(super) fn begins_block(input: &Cursor) -> bool {
-    let mut ahead = *input;
-    ahead.ident().is_some_and(|word| {
-        let may_be_name = ALSO_NAMES.iter().any(|name| word == name);
-        let block = !may_be_name && ahead.peek_group(Delimiter::Brace);
-        ITEMS.iter().any(|item| word == item)
-            && word != "ground"
-            && (block || ahead.ident().is_some())
-    })
-}
 
 /// One chain; nothing if its head could not be read.
 pub(super) fn chain(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<ChainDef> {
@@ -173,7 +153,7 @@ fn item(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
         }
     } else if let Some(name) = setting(input) {
         def.settings.push(field::field(name, input, diagnostics));
-    } else if route::is_route(input) {
+    } else if ahead::is_route(input) {
         let route = route::route(input, diagnostics);
         match def.route {
             Some(ref mut first) => first.add(start.next_span(), route),
@@ -193,7 +173,7 @@ fn end_block(input: &mut Cursor) -> Option<(Span, &'static str)> {
     } else {
         ahead.word("moving")?;
         ahead.ident()?;
-        route::MOVING_HAS_NO_PLACE
+        stop::MOVING_HAS_NO_PLACE
     };
     ahead.group(Delimiter::Brace)?;
     *input = ahead;
@@ -205,7 +185,7 @@ fn route_setting(input: &mut Cursor) -> Option<(Span, &'static str)> {
     let mut ahead = *input;
     let at = input.next_span();
     ahead.ident().filter(|_| !ahead.peek_pair('=', '>'))?;
-    ahead.punct('=').filter(|_| route::is_route_of_stops(&ahead))?;
+    ahead.punct('=').filter(|_| ahead::is_route_of_stops(&ahead))?;
     *input = ahead;
     Some((at, "the route stands alone: `ground -> …`"))
 }
@@ -269,7 +249,7 @@ fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Parame
         }
         None => None,
         Some((mut inside, _)) => {
-            let times = route::count("the count of a parameter", &mut inside).flatten();
+            let times = number::count("the count of a parameter", &mut inside).flatten();
             let times = times.and_then(|times| inside.check_empty("`]`").map(|()| times));
             Some(times.unwrap_or_else(|error| {
                 diagnostics.push(error);

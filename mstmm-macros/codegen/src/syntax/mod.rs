@@ -23,21 +23,24 @@
 //! unit   := symbol [`^` integer] ((`*` | `/`) symbol [`^` integer])*
 //! ```
 
+mod ahead;
 mod attribute;
 mod branch;
 mod chain;
 mod cursor;
 mod field;
+mod joints;
 mod number;
 mod recover;
 mod route;
+mod stop;
 mod surface;
 mod tree;
 mod unit;
+mod value;
 
 pub use chain::SETTINGS;
-pub use field::FORMS;
-pub use number::FUNCTIONS;
+pub use number::{FORMS, FUNCTIONS};
 pub use surface::{References, Surface};
 pub use tree::*;
 

@@ -4,7 +4,6 @@ use proc_macro2::{Delimiter, Ident, Span, TokenStream};
 use syn::{Error, Lit, Result};
 
 use super::cursor::Cursor;
-use super::field::FORMS;
 use super::tree::{Expr, ExprKind, Extent, Factor, Term, Unit};
 use super::unit;
 
@@ -14,11 +13,17 @@ const MOST_PARTS: usize = 256;
 /// Longer literals take long to read, and say nothing that an `f64` could hold.
 const LONGEST_LITERAL: usize = 100;
 
+/// The largest count of a `repeat`.
+const MOST_TIMES: usize = 10_000_000;
+
 /// What is said of powers as other languages write them.
 const POWERS: &str = "powers are written `^`";
 
 /// What is said of numbers that stand in front of a vector or behind it.
 pub(super) const INSIDE: &str = "signs and factors go inside the brackets";
+
+/// The words that forms begin with.
+pub const FORMS: &[&str] = &["rpy", "quaternion", "diag", "tensor", "matrix"];
 
 /// The functions that numbers can be made with.
 pub const FUNCTIONS: &[&str] = &["sqrt", "sin", "cos"];
@@ -189,6 +194,20 @@ pub(super) fn list(mut inside: Cursor) -> Result<Vec<Expr>> {
         }
     }
     Ok(entries)
+}
+
+/// How many there are of what is asked for: what is no number in its place is an error, a wrong
+/// number only the other one.
+pub(super) fn count(asked: &str, input: &mut Cursor) -> Result<Result<usize>> {
+    let number = || input.unexpected(&format!("{asked}, a number"));
+    let Some(literal) = input.clone().literal() else { return Err(number()) };
+    input.any();
+    let count = literal.to_string().replace('_', "").parse::<usize>();
+    let known = count.ok().filter(|count| (1..=MOST_TIMES).contains(count));
+    Ok(known.ok_or_else(|| {
+        let message = format!("{asked} is a whole number from 1 to {MOST_TIMES}");
+        Error::new(literal.span(), message)
+    }))
 }
 
 fn value(literal: proc_macro2::Literal) -> Result<(Expr, Suffix)> {

@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, Span};
 
 use super::cursor::Cursor;
 use super::tree::{Repeat, Route, Stop};
-use super::{chain, route};
+use super::{ahead, number, stop};
 use crate::diag::{Diagnostics, nearest};
 
 /// Reads what is left of a route behind an error, for the names in it: nothing more is reported.
@@ -13,7 +13,7 @@ pub(super) fn rest(input: &mut Cursor, read: &mut Route) {
     read.whole = false;
     let mut inside = *input;
     input.skip_statement();
-    while !inside.is_empty() && inside.punct(';').is_none() && !chain::begins_block(&inside) {
+    while !inside.is_empty() && inside.punct(';').is_none() && !ahead::begins_block(&inside) {
         match repeated(&mut inside) {
             Some((at, count, mut part)) => {
                 let start = read.stops.len();
@@ -34,7 +34,7 @@ fn repeated<'a>(input: &mut Cursor<'a>) -> Option<(Span, Option<usize>, Cursor<'
     let mut ahead = *input;
     let at = ahead.word("repeat")?;
     let mut number = ahead;
-    let count = route::count("", &mut number).ok().and_then(Result::ok);
+    let count = number::count("", &mut number).ok().and_then(Result::ok);
     while !ahead.is_empty() && !ahead.peek_punct(';') && !ahead.peek_pair('-', '>') {
         let is_part = [Delimiter::Brace, Delimiter::Parenthesis, Delimiter::Bracket];
         if let Some((part, _)) = is_part.into_iter().find_map(|group| ahead.group(group)) {
@@ -49,7 +49,7 @@ fn repeated<'a>(input: &mut Cursor<'a>) -> Option<(Span, Option<usize>, Cursor<'
 /// A stop behind an error, or a token that begins none.
 pub(super) fn doubtful(input: &mut Cursor, read: &mut Route) {
     let mut ahead = *input;
-    match route::stop(&mut ahead, &mut Diagnostics::default()) {
+    match stop::stop(&mut ahead, &mut Diagnostics::default()) {
         Ok(mut stop) => {
             if let Stop::Element { doubtful, .. } = &mut stop {
                 *doubtful = true;

@@ -1,0 +1,82 @@
+//! What begins at the next token, seen without reading it.
+
+use proc_macro2::{Delimiter, Ident};
+
+use super::cursor::Cursor;
+
+/// The words that an item can begin with.
+pub(super) const ITEMS: &[&str] = &["param", "body", "hinge", "load", "spring", "ground", "moving"];
+/// Those of them that may be names too: they begin an item where a name follows.
+const ALSO_NAMES: &[&str] = &["load", "spring", "moving"];
+
+/// Whether the next word begins an item, so that it is nothing else.
+pub(super) fn begins_item(input: &Cursor) -> bool {
+    begins_block(input) || input.peek_ident().is_some_and(|word| word == "ground")
+}
+
+/// Whether the next word begins an item other than the route: a name or a block stands behind it.
+pub(super) fn begins_block(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    ahead.ident().is_some_and(|word| {
+        let may_be_name = ALSO_NAMES.iter().any(|name| word == name);
+        let block = !may_be_name && ahead.peek_group(Delimiter::Brace);
+        ITEMS.iter().any(|item| word == item)
+            && word != "ground"
+            && (block || ahead.ident().is_some())
+    })
+}
+
+/// The name of a point, if one is next: `point name`.
+pub(super) fn point(input: &mut Cursor) -> Option<Ident> {
+    let mut ahead = *input;
+    ahead.word("point")?;
+    let name = ahead.ident()?;
+    *input = ahead;
+    Some(name)
+}
+
+/// Whether `name =` is next, or `point name =`.
+pub(super) fn begins_field(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    point(&mut ahead).or_else(|| ahead.ident()).is_some() && ahead.peek_punct('=')
+}
+
+/// The name of a stop, if it has one.
+pub(super) fn name(input: &mut Cursor) -> Option<Ident> {
+    if begins_block(input) { None } else { input.ident() }
+}
+
+/// Whether a statement that begins here looks like a route rather than like a misspelt item: by its
+/// first word, by an arrow, or by a body that stands alone.
+pub(super) fn is_route(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    let body = ahead.ident().is_some_and(|word| word.to_string().starts_with(char::is_uppercase));
+    let _name = name(&mut ahead);
+    let ends = ahead.peek_punct(';') || ahead.is_empty() || begins_block(&ahead);
+    (body && ends) || is_route_of_stops(input)
+}
+
+/// Whether it begins with a word that only a route begins with, or has an arrow.
+pub(super) fn is_route_of_stops(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    let Some(first) = ahead.ident() else { return false };
+    // Brackets in the wrong place.
+    ahead.group(Delimiter::Brace);
+    first == "ground" || first == "repeat" || has_arrow(ahead)
+}
+
+/// Whether an arrow stands in the rest of a statement.
+pub(super) fn has_arrow(mut rest: Cursor) -> bool {
+    let pairs = [('-', '>'), ('=', '>'), ('<', '-')];
+    let is_arrow = |at: &Cursor| pairs.iter().any(|&(first, second)| at.peek_pair(first, second));
+    while !rest.is_empty() && !rest.peek_punct(';') && !begins_item(&rest) {
+        if is_arrow(&rest) {
+            return true;
+        }
+        if rest.group(Delimiter::Brace).is_some() {
+            return is_arrow(&rest);
+        }
+        rest.any();
+    }
+    false
+}

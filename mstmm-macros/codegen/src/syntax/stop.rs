@@ -1,0 +1,126 @@
+//! The stops of a route: hinges, bodies and ends.
+
+use proc_macro2::{Delimiter, Ident, TokenTree};
+use syn::Result;
+
+use super::ahead::name;
+use super::cursor::Cursor;
+use super::tree::{Arguments, Stop, Written};
+use super::value;
+use crate::diag::Diagnostics;
+
+/// Words that belong in parentheses behind the kind of a hinge.
+const AXES: &[&str] = &["x", "y", "z"];
+
+/// A stop.
+pub(super) fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Stop> {
+    if let Some(at) = input.word("ground") {
+        let position =
+            if input.word("at").is_some() { Some(value::position(input)?.into()) } else { None };
+        return Ok(Stop::Ground { at, position, turned: value::turned(input)?.map(Box::new) });
+    }
+    if let Some(at) = input.word("moving") {
+        let place = |word: &Ident| word == "at" || word == "turned";
+        let name =
+            if input.peek_ident().is_some_and(|word| place(&word)) { None } else { name(input) };
+        no_place(input, diagnostics)?;
+        return Ok(Stop::Moving { at, name });
+    }
+    let word = input.ident().ok_or_else(|| input.unexpected("a hinge, a body or `ground`"))?;
+    let mut arguments = arguments(input)?;
+    if arguments.is_none() && begins_hinge(&word) && is_misplaced(input) {
+        return misplaced(&word, input, diagnostics);
+    }
+    // A place may follow on the name, or on a body that is called by its type or its name only.
+    let place = value::place(input);
+    let name = if place.is_some() { None } else { name(input) };
+    let place = place.or_else(|| value::place(input));
+    if arguments.is_none()
+        && let Some(axis) = name.as_ref().filter(|name| AXES.iter().any(|axis| name == axis))
+        && let Some(own) = self::name(input)
+    {
+        diagnostics.error(axis.span(), format!("write `{word}({axis}) {own}`"));
+        return Ok(Stop::Unread { name: Some(own) });
+    }
+    let written = inside(input);
+    let at = input.next_span();
+    if let (None, Some(name), Some(behind)) = (&arguments, &name, self::arguments(input)?) {
+        diagnostics.error(at, format!("write `{word}({written}) {name}`"));
+        arguments = Some(behind);
+    }
+    Ok(Stop::Element { word, arguments, name, place, doubtful: false })
+}
+
+/// Refuses a place behind a moving end.
+fn no_place(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<()> {
+    let start = *input;
+    let position = input.word("at").map(|_| value::position(input)).transpose()?;
+    let turn = value::turned(input)?;
+    if position.is_some() || turn.is_some() {
+        diagnostics.error(start.next_span(), MOVING_HAS_NO_PLACE);
+    }
+    Ok(())
+}
+
+/// What is said where a moving end gets a place.
+pub(super) const MOVING_HAS_NO_PLACE: &str =
+    "a moving end has no place: its motion is given at each step";
+
+/// What stands in parentheses, if it is there.
+fn arguments(input: &mut Cursor) -> Result<Option<Arguments>> {
+    match input.group(Delimiter::Parenthesis) {
+        None => Ok(None),
+        Some((inside, extent)) => Ok(Some(Arguments { values: values(inside)?, extent })),
+    }
+}
+
+/// Whether this is the word of a hinge by its looks.
+fn begins_hinge(word: &Ident) -> bool {
+    word.to_string().starts_with(char::is_lowercase)
+}
+
+/// Whether what belongs in parentheses stands in other brackets.
+fn is_misplaced(input: &Cursor) -> bool {
+    input.peek_group(Delimiter::Bracket)
+        || input.peek_group(Delimiter::Brace)
+        || input.peek_punct('<')
+}
+
+/// A hinge with other brackets than parentheses: nothing but its name can be read.
+fn misplaced(word: &Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Stop> {
+    let at = input.next_span();
+    let mut written = inside(input);
+    if input.punct('<').is_some() {
+        while !input.is_empty() && !input.peek_punct(';') && input.punct('>').is_none() {
+            written.extend(input.any().map(|token| token.to_string()));
+        }
+    } else {
+        input.any();
+    }
+    let name = name(input);
+    let called = name.as_ref().map_or_else(|| "name".to_owned(), ToString::to_string);
+    diagnostics.error(at, format!("write `{word}({written}) {called}`"));
+    Ok(Stop::Unread { name })
+}
+
+/// What stands in the brackets that are next, for a message.
+fn inside(input: &Cursor) -> String {
+    match input.clone().any() {
+        Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::Brace => {
+            group.stream().to_string()
+        }
+        Some(TokenTree::Group(_)) => "…".into(),
+        _ => String::new(),
+    }
+}
+
+fn values(mut inside: Cursor) -> Result<Vec<Written>> {
+    let mut values = Vec::new();
+    while !inside.is_empty() {
+        values.push(value::written(&mut inside)?);
+        if inside.punct(',').is_none() {
+            inside.check_empty("`,`")?;
+        }
+    }
+    Ok(values)
+}

@@ -1,0 +1,166 @@
+//! Values: numbers, vectors and forms, and what is said about them.
+
+use proc_macro2::{Delimiter, Ident, Span};
+use syn::{Error, Result};
+
+use super::cursor::Cursor;
+use super::tree::{Expr, ExprKind, Extent, Form, List, Turn, Written};
+use super::{number, unit};
+
+/// Anything that can stand behind `=`.
+pub(super) fn written(input: &mut Cursor) -> Result<Written> {
+    if input.is_empty() || input.peek_punct(';') {
+        return Err(input.unexpected("a value"));
+    }
+    if is_form(input) {
+        return form(input).map(Written::Form);
+    }
+    let start = Extent::token(input.next_span());
+    let position = position(input)?;
+    if let Written::Number(Expr { kind: ExprKind::Name(body), .. }) = &position
+        && place(input).is_some()
+    {
+        return Ok(Written::PlaceOn(body.clone(), start.to(input.last())));
+    }
+    if let Some(turn) = turned(input)? {
+        return Ok(Written::Turned(position.into(), turn));
+    }
+    Ok(match (position, about(input)?) {
+        (Written::Number(expr), Some(point)) => Written::About(expr, point),
+        (Written::Vector(list), Some(_)) => {
+            let message = "an inertia is `diag(xx, yy, zz)`, with round parentheses";
+            return Err(Error::new(list.extent.first, message));
+        }
+        (_, Some(point)) => {
+            return Err(Error::new(point.span(), "only an inertia is about a point"));
+        }
+        (position, None) => position,
+    })
+}
+
+/// A vector, or a number in its place.
+pub(super) fn position(input: &mut Cursor) -> Result<Written> {
+    if input.peek_group(Delimiter::Bracket) {
+        return vector(input).map(Written::Vector);
+    }
+    number::number(input).map(Written::Number)
+}
+
+/// `[a, b, c] unit`
+fn vector(input: &mut Cursor) -> Result<List> {
+    let (inside, extent) =
+        input.group(Delimiter::Bracket).ok_or_else(|| input.unexpected("a vector `[x, y, z]`"))?;
+    if inside.peek_group(Delimiter::Bracket) {
+        return Err(Error::new(extent.first, format!("a matrix is written `{MATRIX}`")));
+    }
+    let entries = number::list(inside)?;
+    let list = List { entries, unit: unit::optional(input)?, extent };
+    if ['*', '/', '+'].iter().any(|&sign| input.peek_punct(sign)) {
+        return Err(Error::new(input.next_span(), number::INSIDE));
+    }
+    Ok(list)
+}
+
+/// `turned orientation`, if it is there.
+pub(super) fn turned(input: &mut Cursor) -> Result<Option<Turn>> {
+    if input.word("turned").is_none() {
+        return Ok(None);
+    }
+    if is_form(input) {
+        return form(input).map(Turn::Form).map(Some);
+    }
+    if input.peek_group(Delimiter::Bracket) {
+        return Err(input.unexpected("`rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`"));
+    }
+    number::number(input).map(Turn::Angle).map(Some)
+}
+
+/// A place on what was just named: `.lug`, `at lug` or `at [x, y, z]`. Where it begins.
+pub(super) fn place(input: &mut Cursor) -> Option<Span> {
+    let mut ahead = *input;
+    let at = if ahead.punct('.').is_some() {
+        let at = ahead.next_span();
+        ahead.ident()?;
+        at
+    } else {
+        let at = ahead.word("at")?;
+        if ahead.ident().is_none() {
+            ahead.group(Delimiter::Bracket)?;
+            // All of it is wrong, so that nothing is said of its parts.
+            let _unit = unit::optional(&mut ahead);
+            let _turn = turned(&mut ahead);
+        }
+        at
+    };
+    *input = ahead;
+    Some(at)
+}
+
+/// `about word`, if it is there.
+fn about(input: &mut Cursor) -> Result<Option<Ident>> {
+    match input.word("about") {
+        None => Ok(None),
+        Some(_) => Ok(Some(input.ident().ok_or_else(|| input.unexpected("`input` or `com`"))?)),
+    }
+}
+
+/// How a matrix is written.
+const MATRIX: &str = "matrix([xx, xy, xz], [yx, yy, yz], [zx, zy, zz])";
+
+/// `word(…)`, where the word is no function of numbers, or one of a form in other brackets.
+fn is_form(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    let Some(word) = ahead.ident() else { return false };
+    if number::FORMS.iter().any(|form| word == form) {
+        return ahead.peek_group(Delimiter::Parenthesis) || ahead.peek_group(Delimiter::Bracket);
+    }
+    let is_function = number::FUNCTIONS.iter().any(|function| word == function);
+    let is_group = ahead.group(Delimiter::Parenthesis).is_some();
+    is_group && !is_function && !number::is_operator_next(&ahead)
+}
+
+fn form(input: &mut Cursor) -> Result<Form> {
+    let word = input.ident().ok_or_else(|| input.unexpected("a word"))?;
+    if input.peek_group(Delimiter::Bracket) {
+        let message = format!("write `{word}(…)`, with round parentheses");
+        return Err(Error::new(input.next_span(), message));
+    }
+    let (inside, extent) =
+        input.group(Delimiter::Parenthesis).ok_or_else(|| input.unexpected("`(`"))?;
+    let entries = if word == "matrix" { rows(inside, extent)? } else { number::list(inside)? };
+    let list = List { entries, unit: unit::optional(input)?, extent };
+    if number::is_operator_next(input) {
+        return Err(Error::new(input.next_span(), number::INSIDE));
+    }
+    Ok(Form { word, list, about: about(input)? })
+}
+
+/// The entries of a matrix, row by row.
+fn rows(mut inside: Cursor, extent: Extent) -> Result<Vec<Expr>> {
+    let shape = |at: Extent| Error::new_spanned(at, format!("a matrix is written `{MATRIX}`"));
+    let mut entries = Vec::new();
+    while let Some((row, brackets)) = inside.group(Delimiter::Bracket) {
+        let row = number::list(row)?;
+        if row.len() != 3 {
+            return Err(shape(brackets));
+        }
+        entries.extend(row);
+        if inside.punct(',').is_none() {
+            break;
+        }
+    }
+    if entries.len() != 9 || !inside.is_empty() {
+        return Err(shape(extent));
+    }
+    Ok(entries)
+}
+
+impl Written {
+    /// The single word that it is, such as `input`.
+    pub fn word(&self) -> Option<&Ident> {
+        match self {
+            Written::Number(Expr { kind: ExprKind::Name(word), .. }) => Some(word),
+            _ => None,
+        }
+    }
+}
