@@ -1,5 +1,9 @@
 //! The structure of the compiler: who may know whom, and how long a file may be.
 
+#[path = "architecture/imports.rs"]
+mod imports;
+
+use imports::Imports;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -60,8 +64,7 @@ fn files(path: &Path) -> Vec<PathBuf> {
 
 /// The modules of ours that a text names behind `crate::`.
 fn named(text: &str) -> Vec<&str> {
-    let code = text.split("#[cfg(test)]").next().unwrap_or(text);
-    let lines = code.lines().filter(|line| !line.trim_start().starts_with("//"));
+    let lines = without_tests(text).lines().filter(|line| !line.trim_start().starts_with("//"));
     lines
         .flat_map(|line| line.split("crate::").skip(1))
         .filter_map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next())
@@ -120,10 +123,60 @@ fn tokens_are_known_to_both_ends_of_the_pipeline_only() {
     }
 }
 
+#[test]
+fn no_modules_of_a_folder_know_each_other_in_circles() {
+    let texts = files(&source()).into_iter().map(|file| {
+        let text = fs::read_to_string(&file).expect("a readable file");
+        let name = file.strip_prefix(source()).expect("a part of the source").to_owned();
+        (name.to_string_lossy().into_owned(), code(&text))
+    });
+    let texts: Vec<(String, String)> = texts.collect();
+    let imports = Imports::of(texts.iter().map(|(name, code)| (name.as_str(), code.as_str())));
+    assert_eq!(imports.circles(), Vec::<String>::new());
+}
+
+#[test]
+fn circles_are_seen() {
+    let circles = |files: &[(&str, &str)]| Imports::of(files.iter().copied()).circles();
+    let emit = [
+        ("emit/procedure.rs", "use super::{Plan, checks, loads::{self, once}}; struct Printer;"),
+        ("emit/checks.rs", "use super::procedure::Printer;"),
+        ("emit/loads.rs", "pub fn once() { crate::emit::loops::opened(); }"),
+        ("emit/loops.rs", "pub fn opened() {}"),
+        ("emit/mod.rs", "mod checks; use super::Chain;"),
+    ];
+    assert_eq!(circles(&emit), ["emit/{checks, procedure}"]);
+    let handed_on = [
+        ("math/mod.rs", "pub use matrix::{Mat3, Sym3}; pub use vector::Vec3;"),
+        ("math/matrix.rs", "use super::Vec3;"),
+        ("math/vector.rs", "fn skew() -> super::Mat3 {}"),
+        ("math/scalar.rs", "pub trait Scalar { fn pair(self) -> (Self, Self); }"),
+    ];
+    assert_eq!(circles(&handed_on), ["math/{matrix, vector}"]);
+    let folders = [
+        ("equations/mod.rs", "mod hinge; mod kinematics; mod strategy;"),
+        ("equations/hinge/law.rs", "use super::super::strategy::waits; pub struct Law;"),
+        ("equations/hinge/mod.rs", "mod law; pub use law::Law;"),
+        ("equations/strategy.rs", "use super::kinematics::Axes;"),
+        ("equations/kinematics/mod.rs", "mod crossed; pub enum Axes {}"),
+        ("equations/kinematics/crossed.rs", "use crate::equations::hinge::Law;"),
+    ];
+    assert_eq!(circles(&folders), ["equations/{hinge, kinematics, strategy}"]);
+    assert_eq!(circles(&folders[..5]), [""; 0]);
+}
+
+/// A text without the tests at its end and without the name of a file of tests.
+fn without_tests(text: &str) -> &str {
+    let begins_tests =
+        |at: &usize| text[*at..].lines().nth(1).is_some_and(|line| line.ends_with('{'));
+    let all = text.match_indices("#[cfg(test)]").map(|(at, _)| at);
+    &text[..all.into_iter().find(begins_tests).unwrap_or(text.len())]
+}
+
 /// A text's code without its tests, its comments and its line breaks.
 fn code(text: &str) -> String {
-    let code = text.split("#[cfg(test)]").next().unwrap_or(text);
-    let lines = code.lines().map(|line| line.split("//").next().unwrap_or(line).trim());
+    let lines =
+        without_tests(text).lines().map(|line| line.split("//").next().unwrap_or(line).trim());
     lines.collect::<Vec<_>>().join(" ")
 }
 
