@@ -67,7 +67,7 @@ fn acting<S: Scalar>(
         return (rates.iter().map(|_| Along::nothing()).collect(), S::zero());
     }
     let rest: Vec<S> = hinge.rest.iter().map(|value| numbers.scalar(value)).collect();
-    let strains = values(&hinge.kind, &rest, q);
+    let strains = from_rest(&hinge.kind, &rest, q);
     let (mut alongs, mut energy) = (Vec::new(), S::zero());
     for group in hinge.kind.shape().groups {
         let (along, stored) = along_group(&Acting {
@@ -93,8 +93,8 @@ impl<S: Scalar> Passives<S> {
     }
 }
 
-/// `s`, one for each rate: coordinates less their rest values, rotation vectors from rest.
-fn values<S: Scalar>(kind: &HingeKind, rest: &[S], q: &[S]) -> Vec<S> {
+/// The strains `s`, one for each rate: coordinates less their rest values, rotation vectors from rest.
+fn from_rest<S: Scalar>(kind: &HingeKind, rest: &[S], q: &[S]) -> Vec<S> {
     let group = |group: &Freedoms| {
         let (rest, q) = (&rest[group.coordinates.clone()], &q[group.coordinates.clone()]);
         match group.form {

@@ -1,4 +1,4 @@
-//! Strains: how far a hinge is from rest, in the measures that its springs act on, as they change by its rates.
+//! Strain rates: how the rates of a hinge change the measures that its springs act on.
 
 use super::rows::{dot, identity};
 use crate::math::Scalar;
