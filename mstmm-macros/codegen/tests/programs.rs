@@ -1,5 +1,5 @@
 //! Programs compute what the equations say: an interpreter runs them on `f64` for random chains,
-//! without rustc, and the passes keep the value of random formulas.
+//! without rustc.
 
 mod common;
 
@@ -10,14 +10,9 @@ use common::{Point, compute, compute_with, difference, drives, read};
 use mstmm_codegen::compile::{compile, outputs};
 use mstmm_codegen::equations::Axes;
 use mstmm_codegen::examine::Findings;
-use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
-use mstmm_codegen::function::{Function, Output, Unknowns};
-use mstmm_codegen::math::{Scalar, Structured, Vec3};
+use mstmm_codegen::math::{Structured, Vec3};
 use mstmm_codegen::model::{Answer, Dimension, Layout, Method};
-use mstmm_codegen::passes::{
-    Setup, early_stores, factor, linearize, list_schedule, lower, reassociate,
-};
-use mstmm_codegen::program::{Argument, ArrayLayout, ArrayRole, OutputId};
+use mstmm_codegen::program::{Argument, ArrayRole};
 use mstmm_reference::{Random, Recipe, random_mechanism, random_motion};
 
 /// What is read off a solution of a point, in inertial axes.
@@ -194,95 +189,5 @@ fn parameters_may_stand_anywhere() {
         let off = |id, expected: &[f64]| difference(&computed.result(id), expected);
         assert!(off(outputs::ACCELERATIONS, &expected.accelerations) < 1e-12, "{method:?}");
         assert!(off(outputs::ENERGIES, &energies) < 1e-13, "{method:?}");
-    }
-}
-
-/// A random formula of every kind of node.
-fn formula<'g>(random: &mut Random, unknowns: &[Expr<'g>], depth: usize) -> Expr<'g> {
-    if depth == 0 || random.chance(0.1) {
-        return if random.chance(0.2) {
-            Expr::number(*random.choose(&[0.0, 1.0, -1.0, 2.0, -0.5]))
-        } else {
-            *random.choose(unknowns)
-        };
-    }
-    let a = formula(random, unknowns, depth - 1);
-    let b = formula(random, unknowns, depth - 1);
-    let positive = Expr::number(1.0) + a * a;
-    match random.below(12) {
-        0 | 1 => a + b,
-        2 | 3 => a - b,
-        4 | 5 => a * b,
-        6 => a * b + a * formula(random, unknowns, depth - 1),
-        7 => positive.recip(),
-        8 => positive.sqrt().copysign(b + Expr::number(0.3)),
-        9 => a.atan2(positive),
-        10 => positive.recip_above(b * b),
-        _ => (a + b).sin_cos().0 * b.sin_cos().1,
-    }
-}
-
-/// The value of a formula straight from the graph.
-fn evaluate(graph: &Graph, edge: Edge, unknowns: &[f64]) -> f64 {
-    let go = |edge| evaluate(graph, edge, unknowns);
-    let plain = match graph.node(edge.node()) {
-        Node::Number(bits) => f64::from_bits(bits),
-        Node::Symbol(number) => unknowns[number as usize],
-        Node::Sum(a, b) => go(a) + go(b),
-        Node::Product(a, b) => go(a) * go(b),
-        Node::Recip(a) => go(a).recip(),
-        Node::Sqrt(a) => go(a).sqrt(),
-        Node::Sin(a) => libm::sin(go(a)),
-        Node::Cos(a) => libm::cos(go(a)),
-        Node::CopySign(a, b) => go(a).copysign(go(b)),
-        Node::Atan2(a, b) => libm::atan2(go(a), go(b)),
-        Node::RecipAbove(a, b) => go(a).recip_above(go(b)),
-    };
-    if edge.is_negative() { -plain } else { plain }
-}
-
-#[test]
-fn passes_keep_the_value_of_every_formula() {
-    let result = OutputId::new("formulas");
-    let mut unknowns = Unknowns::default();
-    let names = (0..4).map(|k| format!("x{k}")).collect();
-    unknowns.add(Argument::Coordinates, ArrayLayout::once(4), names);
-    for seed in 0..500 {
-        let mut random = Random::new(seed);
-        let graph = Graph::default();
-        let symbols: Vec<Expr> = (0..4).map(|k| graph.symbol(k, Stage::State)).collect();
-        let values: Vec<f64> = (0..4).map(|_| random.between(-2.0, 2.0)).collect();
-        let edges: Vec<Edge> =
-            (0..3).map(|_| graph.edge(formula(&mut random, &symbols, 5))).collect();
-        let output =
-            Output { id: result, layout: ArrayLayout::once(3), values: edges, by_entry: false };
-        let function = Function {
-            graph: &graph,
-            unknowns: &unknowns,
-            stage: Stage::State,
-            sections: Vec::new(),
-            loops: Vec::new(),
-            outputs: vec![output],
-            pivots: Vec::new(),
-        };
-        let evaluated = |function: &Function| -> Vec<f64> {
-            function.results().map(|edge| evaluate(&graph, edge, &values)).collect()
-        };
-        let expected = evaluated(&function);
-        let factored = factor(function);
-        let direct = evaluated(&factored);
-        let ordered = reassociate(factored);
-        let reordered = evaluated(&ordered);
-        let mut setup = Setup::default();
-        let program = list_schedule(linearize(&ordered, &mut setup));
-        let procedure = early_stores(lower(program, &ordered, None, &setup));
-        let mut arrays = Arrays::default();
-        arrays.arguments.insert(Argument::Coordinates, values.clone());
-        run(&procedure, &mut arrays).expect("nothing is tested");
-        // Factoring and order round anew: a few dozen operations on numbers that may grow to thousands.
-        assert!(difference(&direct, &expected) < 1e-12, "seed {seed}: factor");
-        assert!(difference(&reordered, &direct) < 1e-12, "seed {seed}: reassociate");
-        let off = difference(&arrays.result(result), &reordered);
-        assert!(off == 0.0, "seed {seed}: linearize and lower");
     }
 }

@@ -4,6 +4,7 @@
 pub mod double_double;
 pub mod drives;
 pub mod folded;
+pub mod formulas;
 pub mod given;
 pub mod interpreter;
 pub mod lifted;
