@@ -116,6 +116,7 @@ pub mod integrate;
 pub mod lanes;
 pub mod paper;
 mod point;
+mod primitive;
 mod quaternion;
 mod scalar;
 mod trig;
