@@ -281,7 +281,9 @@ impl<'a> ChainCompiler<'a> {
         };
         // Directions that are held in no state have none.
         let mut pivots = reaction.pivots;
-        assert!(pivots.len() <= directions, "mstmm bug: more pivots than directions");
+        if pivots.len() > directions {
+            bug!("a closure has more pivots than directions")
+        }
         pivots.resize(directions, Expr::Number(0.0));
         let outputs = vec![self.once(outputs::CLOSURE_PIVOTS, &pivots)];
         Function { outputs, ..function }.into()

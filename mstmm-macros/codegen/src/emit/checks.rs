@@ -5,7 +5,7 @@ use super::arrays::usize_literal;
 use super::printer::{Printer, flag};
 use crate::ids::InputId;
 use crate::model::Driven;
-use crate::program::{Argument, ArrayId, ArrayRole, Finish, Operand, Pivot, PivotTest, Witness};
+use crate::program::{Argument, ArrayId, ArrayRole, Finish, Pivot, PivotTest, Witness};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -114,19 +114,6 @@ fn entry(printer: &Printer, array: ArrayId, entry: usize) -> TokenStream {
         ArrayRole::Argument(Argument::Rates) => quote!(state_.v.data.0[0][#place]),
         _ => bug!("an entry of another array is tested"),
     }
-}
-
-/// What a test reads.
-pub fn operands(finish: &Finish) -> Vec<&Operand> {
-    let pivots = finish.pivots.iter().flat_map(|test| match &test.pivot {
-        Pivot::Once(value, scale) => vec![value, scale],
-        Pivot::Repeated(_) => Vec::new(),
-    });
-    let finite = finish.finite.iter().filter_map(|witness| match witness {
-        Witness::Value(value) => Some(value),
-        Witness::Entry(..) | Witness::Array(_) => None,
-    });
-    pivots.chain(finite).collect()
 }
 
 impl Plan<'_> {

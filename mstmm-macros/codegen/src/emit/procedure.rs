@@ -209,7 +209,7 @@ fn uses_numbers(steps: &[Step]) -> bool {
         }
         Step::Store { values, .. } => values.iter().flatten().any(number),
         Step::CheckPivot { value, scale, .. } => number(value) || number(scale),
-        Step::Finish(finish) => checks::operands(finish).into_iter().any(number),
+        Step::Finish(finish) => finish.operands().any(number),
         Step::Loop(one) => {
             let carried =
                 one.carries.iter().any(|carry| number(&carry.init) || number(&carry.next));

@@ -78,7 +78,9 @@ impl<'g> LoopTracer<'g> {
             *self.state.borrow_mut() = State { learned, consistent: true, ..State::default() };
             let result = equations(self);
             let mut state = self.state.borrow_mut();
-            assert!(state.open.is_empty(), "mstmm bug: a sweep has not left a repeated part");
+            if !state.open.is_empty() {
+                bug!("a sweep has not left a repeated part")
+            }
             if state.consistent {
                 return (result, std::mem::take(&mut state.loops));
             }
@@ -158,7 +160,9 @@ impl<'g> Weave<Expr<'g>> for LoopTracer<'g> {
             let visit = &self.state.borrow().visits[number];
             (visit.repeat, visit.way)
         };
-        assert!(own == repeat, "mstmm bug: a sweep leaves another repeated part than it entered");
+        if own != repeat {
+            bug!("a sweep leaves another repeated part than it entered")
+        }
         let exit = match way {
             Way::New { number: of } => self.end(number, of, next),
             Way::ReuseOf { visit } => self.state.borrow_mut().end_like(number, visit, next),

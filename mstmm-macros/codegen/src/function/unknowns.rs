@@ -33,7 +33,9 @@ impl Unknowns {
 
     /// Adds an array with the names of its entries.
     pub fn add(&mut self, argument: Argument, layout: ArrayLayout, names: Vec<String>) {
-        assert_eq!(layout.entries(), names.len(), "mstmm bug: an array of other entries");
+        if layout.entries() != names.len() {
+            bug!("an array has {} entries and {} names", layout.entries(), names.len())
+        }
         let first = self.all.len();
         for (entry, name) in names.into_iter().enumerate() {
             let repeat = layout.segment_of(entry).repeat;

@@ -195,6 +195,21 @@ pub struct Finish {
     pub finite: Vec<Witness>,
 }
 
+impl Finish {
+    /// What it reads.
+    pub fn operands(&self) -> impl Iterator<Item = &Operand> {
+        let pivots = self.pivots.iter().flat_map(|test| match &test.pivot {
+            Pivot::Once(value, scale) => [Some(value), Some(scale)],
+            Pivot::Repeated(_) => [None; 2],
+        });
+        let finite = self.finite.iter().filter_map(|witness| match witness {
+            Witness::Value(value) => Some(value),
+            Witness::Entry(..) | Witness::Array(_) => None,
+        });
+        pivots.flatten().chain(finite)
+    }
+}
+
 /// A pivot and the hinge that it belongs to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PivotTest {
