@@ -6,6 +6,7 @@ mod repeat {
     mod flat;
     mod forces;
     mod kinds;
+    mod known;
     mod motions;
     mod named;
     mod parameters;

@@ -159,6 +159,22 @@ chosen! {
 }
 
 chosen! {
+    in_loops_from_the_ground: space {
+        gravity = [1, -9.8, 2] m/s^2;
+        body Cube {
+            mass = 1 kg;
+            com = [0.5, 0, 0] m;
+            output = [1, 0, 0.2] m turned rpy(20, -30, 50) deg;
+            inertia = diag(1/6, 5/12, 5/12) kg*m^2 about com;
+        }
+        ground -> repeat 3 { pin joint -> Cube link };
+        hinge joint { torque = input; }
+    } |inputs, x| {
+        inputs.joint.copy_from_slice(&x[..3]);
+    }
+}
+
+chosen! {
     in_the_plane: plane {
         gravity = [0, -9.8] m/s^2;
         body Rod {

@@ -18,7 +18,7 @@
 //! | [`function`] | functions as values, and repeated parts as loops | `diag`, `equations`, `expr`, `ids`, `program` |
 //! | [`passes`] | one optimisation a file | `diag`, `expr`, `function`, `ids`, `math`, `program` |
 //! | [`compile`](mod@compile) | from a model to its procedures: the table of functions and the list of passes | `diag`, `equations`, `examine`, `expr`, `function`, `ids`, `math`, `model`, `passes`, `program` |
-//! | [`emit`] | the only `quote!` of items | `compile`, `diag`, `ids`, `model`, `program`, `syntax` |
+//! | [`emit`] | the only `quote!` of items | `compile`, `diag`, `examine`, `ids`, `model`, `program`, `syntax` |
 
 #![deny(missing_docs)]
 

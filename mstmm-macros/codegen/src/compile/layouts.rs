@@ -55,7 +55,7 @@ pub fn points(chain: &Chain) -> ArrayLayout {
     of(chain, std::iter::once((1, None)).chain(outputs))
 }
 
-/// The numbers of all connection points, in as many segments as the points.
+/// The numbers of all connection points; points without numbers make no segment.
 pub fn numbers_of_points(chain: &Chain, places: &Places) -> ArrayLayout {
     of(chain, places.pieces.iter().copied())
 }

@@ -1,4 +1,5 @@
-//! The way of a function from formulas to a procedure: the only list of passes.
+//! The way of a function from formulas to a procedure: the only list of passes. Products are fused and angles put side
+//! by side within `linearize`, since both decide what a statement is.
 
 use crate::function::Function;
 use crate::passes::{

@@ -33,7 +33,7 @@ impl Plan<'_> {
         layouts::points(self.chain)
     }
 
-    /// The numbers of all connection points, in as many segments as the points.
+    /// The numbers of all connection points; points without numbers make no segment.
     pub fn numbers_of_points(&self) -> ArrayLayout {
         layouts::numbers_of_points(self.chain, &self.compiled.places)
     }

@@ -92,15 +92,19 @@ fn found(plan: &Plan) -> TokenStream {
         return quote!(let (model_, numbers_) = (index_, &self.numbers[..]););
     }
     let mstmm = &plan.mstmm;
-    let (points, numbers) = (plan.points(), plan.numbers_of_points());
-    let pieces = points.segments.iter().zip(&numbers.segments).map(|(points, numbers)| {
+    let points = plan.points();
+    let mut place = 0;
+    // Also pieces without numbers count: points of the ground may have none.
+    let pieces = points.segments.iter().zip(&plan.compiled.places.pieces).map(|(points, piece)| {
+        let (count, first) = (piece.0, place);
+        place += count * points.repetitions;
         let entries = [
             points.first,
             points.count,
             points.place,
             points.count * points.repetitions,
-            numbers.place,
-            numbers.count,
+            first,
+            count,
         ];
         let entries = entries.map(usize_literal);
         quote!([#(#entries),*])

@@ -34,7 +34,7 @@ pub fn wrong(chains: &[ChainDef], mistakes: &syn::Error) -> TokenStream {
             if !taken.insert(name.to_string()) {
                 continue;
             }
-            let of_error = format_ident!("{}Of", name);
+            let of_error = format_ident!("{}OfMistakes_", name);
             types.extend(quote! {
                 #[doc(hidden)]
                 #[allow(dead_code, non_snake_case, non_camel_case_types)]

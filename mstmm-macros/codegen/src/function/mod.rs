@@ -1,5 +1,5 @@
-//! A function as a value: edges into the graph of a chain, and what gives them a meaning. Every pass of
-//! `passes` maps a function to a function.
+//! A function as a value: edges into the graph of a chain, and what gives them a meaning. The passes that simplify and
+//! arrange it map a function to a function.
 
 mod tracer;
 mod unknowns;

@@ -63,7 +63,7 @@ impl Unknowns {
     pub fn of(&self, argument: Argument) -> Range<usize> {
         match self.arguments.iter().find(|(other, ..)| *other == argument) {
             Some((_, _, range)) => range.clone(),
-            None => 0..0,
+            None => bug!("no unknown is read from {argument:?}"),
         }
     }
 

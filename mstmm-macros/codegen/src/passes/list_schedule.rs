@@ -5,7 +5,9 @@
 //! put where it finds them. That is list scheduling by critical paths, for a processor that starts five
 //! operations in two cycles, from the end backwards: so values are made no earlier than they have to be,
 //! and fewer are kept. Where there is work enough at any time, the order of the equations stays; and so
-//! it does in loops, each time of which gives the next one work.
+//! it does in loops, each repetition of which gives the next one work.
+//!
+//! Seven crossed pins take 14 % less time by it, three balls 9 %, the Panda 5 % (`benches/README.md`).
 
 use super::latency::of_statement;
 use crate::program::{Block, Operand, Program, Section, Statement};

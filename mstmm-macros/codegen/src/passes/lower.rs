@@ -223,10 +223,11 @@ impl Lowering<'_> {
         for output in &self.function.outputs {
             let array = self.result(output);
             let results = &self.program.results[self.function.numbers_of(output.id)];
-            let kept = output.by_entry && failure == Some(Failure::Reset) && !looped;
+            let by_entry = output.by_entry && failure == Some(Failure::Reset) && !looped;
             for (number, segment) in output.layout.segments.iter().enumerate() {
                 let own = &results[segment.entries()];
                 let at = if segment.repeat.is_some() { At::Every } else { At::Once };
+                let kept = by_entry && segment.repeat.is_none();
                 let place = |first: usize| Place { array, segment: number, first, at };
                 if !kept {
                     if own.iter().any(Option::is_some) {
@@ -237,7 +238,7 @@ impl Lowering<'_> {
                 for (first, value) in own.iter().enumerate() {
                     match value {
                         Some(Operand::Number(known)) => {
-                            self.arrays[array].initial.push((segment.first + first, *known));
+                            self.arrays[array].initial.push((segment.place + first, *known));
                         }
                         Some(_) => {
                             let values = vec![value.clone()];
@@ -251,14 +252,21 @@ impl Lowering<'_> {
         steps
     }
 
-    /// Tests the inputs that results do not show; where there are loops coordinates and rates as well.
+    /// Whether an argument has entries of repeated parts: such an array is tested as a whole.
+    fn has_repeated(&self, argument: Argument) -> bool {
+        let layout = self.function.unknowns.layout(argument);
+        layout.segments.iter().any(|segment| segment.repeat.is_some())
+    }
+
+    /// Tests the inputs that results do not show; coordinates and rates as well, where there are loops or
+    /// repeated parts.
     fn check_given(&mut self, shown: &Shown) -> Option<Step> {
         let unknowns = self.function.unknowns;
         let looped = self.program.loops().next().is_some();
         let arguments: Vec<Argument> = unknowns.arguments().map(|(argument, _)| argument).collect();
         let is_meant = |argument: &Argument| match argument {
             Argument::Input(_) => true,
-            Argument::Coordinates | Argument::Rates => looped,
+            Argument::Coordinates | Argument::Rates => looped || self.has_repeated(*argument),
             _ => false,
         };
         let is_hidden = |argument: &Argument| {
@@ -283,7 +291,11 @@ impl Lowering<'_> {
             };
             finite.push(Witness::Array(array));
         } else {
-            for argument in [Argument::Coordinates, Argument::Rates] {
+            let state = [Argument::Coordinates, Argument::Rates];
+            for argument in state {
+                if self.has_repeated(argument) {
+                    continue;
+                }
                 let numbers = self.function.unknowns.of(argument);
                 let start = numbers.start;
                 for number in numbers.filter(|&it| !shown.unknowns.contains(&(it as u32))) {

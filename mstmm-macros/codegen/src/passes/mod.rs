@@ -7,8 +7,9 @@
 //! | [`fuse_loops()`] | makes one loop of neighbours over the same part |
 //! | [`reassociate()`] | adds up sums in the order in which their terms are ready |
 //!
-//! [`linearize()`] orders a function, [`list_schedule()`] reorders its statements for processors, and [`lower()`] adds
-//! reading, tests and writing. `compile` lists the order of all.
+//! [`linearize()`] orders a function; while it does so, `select_fma` joins products with their sums and `angles` puts
+//! sines and cosines side by side. [`list_schedule()`] reorders the statements for processors, [`lower()`] adds
+//! reading, tests and writing, and [`early_stores()`] moves writes up. `compile` lists the order of all.
 //!
 //! Folding, signs and common subexpressions need no pass: the graph's rules see to them while the
 //! formulas are written down.

@@ -35,8 +35,8 @@ pub struct Array {
     pub role: ArrayRole,
     /// Where its numbers lie.
     pub layout: ArrayLayout,
-    /// Entries that are the same in every state, which are written where the array is made and not by the
-    /// procedure.
+    /// Numbers that are the same in every state, by their places in the array: they are written where the array is
+    /// made and not by the procedure.
     pub initial: Vec<(usize, f64)>,
 }
 

@@ -168,6 +168,7 @@ pub(super) fn energy(plan: &Plan) -> Method {
 pub(super) fn bias_efforts(plan: &Plan) -> Method {
     let visibility = &plan.surface.visibility;
     let (given, lent) = (of_state_and_inputs(plan), lent_rates(plan, &quote!(efforts_)));
+    let near_one = quaternions::near_one(plan);
     let opened = (!plan.layout.closings.is_empty()).then(|| {
         quote! {
             ///
@@ -186,6 +187,7 @@ pub(super) fn bias_efforts(plan: &Plan) -> Method {
                 /// stops, loads, moving ends and prescribed motions. What motors supply is no part of
                 /// them: with the mass matrix `M`, rotors included, `M v̇ + bias = τ`, where `τ` are the
                 /// efforts of the motors, inputs and constants alike.
+                #(#[doc = #near_one])*
                 #opened
             },
             quote! {

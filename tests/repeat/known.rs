@@ -1,0 +1,60 @@
+//! Chains with repeated parts whose accelerations, or poses, are the same in every state: nothing of them needs a
+//! loop.
+
+use mstmm::prelude::*;
+use mstmm::{Error, mstmm_chain};
+
+mstmm_chain! {
+    line chain Carts {
+        body Cart { mass = 1 kg; output = 1 m; }
+        ground -> slider a -> Cart b -> repeat 3 { slider c -> Cart d };
+    }
+    chain Plates {
+        gravity = [0, -9.8, 0] m/s^2;
+        results = poses;
+        body Base { mass = 1 kg; com = [0, 0, 0] m; output = [1, 2, 3] m; inertia = diag(1, 1, 1) kg*m^2 about com; }
+        body Plate { mass = 1 kg; com = [0, 0, 0] m; output = [0, 0, 0] m; inertia = diag(1, 1, 1) kg*m^2 about com; }
+        body Flag { mass = 1 kg; com = [0.5, 0, 0] m; inertia = diag(1, 1, 1) kg*m^2 about com; }
+        ground -> weld a -> Base b -> repeat 3 { weld c -> Plate d } -> pin e -> Flag f;
+    }
+}
+
+/// A number that no acceleration depends on is tested all the same, in every repetition.
+#[test]
+fn what_is_not_finite_is_found_where_nothing_depends_on_it() {
+    let carts = Carts::<f64>::new();
+    let inputs = carts.no_inputs();
+    for place in 0..4 {
+        let mut wrong = [carts.initial_state(), carts.initial_state()];
+        wrong[0].q_mut()[place] = f64::NAN;
+        wrong[1].v_mut()[place] = f64::INFINITY;
+        for state in wrong {
+            assert_eq!(carts.accelerations(&state, &inputs), Err(Error::NotFinite), "{place}");
+            let mut at = carts.workspace();
+            assert_eq!(
+                carts.solve_into(&state, &inputs, &mut at),
+                Err(Error::NotFinite),
+                "{place}"
+            );
+        }
+    }
+    let state = carts.initial_state();
+    assert_eq!(carts.accelerations(&state, &inputs).map(|a| a.norm()), Ok(0.0));
+}
+
+/// Poses that are the same in every state are those of every repetition.
+#[test]
+fn poses_that_never_change_are_those_of_all_repetitions() {
+    let plates = Plates::<f64>::new();
+    let mut at = plates.workspace();
+    let state = plates.initial_state();
+    plates.solve_into(&state, &plates.no_inputs(), &mut at).expect("a regular chain");
+    for index in 0..3 {
+        let plate = at.d(index).expect("three plates");
+        for point in [plate.input(), plate.output()] {
+            assert_eq!(point.position().as_slice(), [1.0, 2.0, 3.0], "{index}");
+        }
+    }
+    assert_eq!(at.f().input().position().as_slice(), [1.0, 2.0, 3.0]);
+    assert_eq!(at.b().input().position().as_slice(), [0.0; 3]);
+}
