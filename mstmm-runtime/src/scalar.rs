@@ -86,6 +86,12 @@ pub trait Scalar:
         addend - self * factor
     }
 
+    /// The negative: `-self`.
+    #[inline(always)]
+    fn minus(self) -> Self {
+        -self
+    }
+
     /// One divided by `self`.
     fn recip(self) -> Self;
 

@@ -186,8 +186,7 @@ impl<'a> Writer<'a> {
             Operand::Number(value) => self.number(*value),
             Operand::Value(value) => self.name(*value),
             Operand::Minus(inner) => {
-                self.sign('-');
-                self.operand(inner);
+                self.call("minus", [inner]);
             }
         }
     }
