@@ -24,12 +24,19 @@ pub struct Trace<S> {
     /// The sections in their order.
     pub sections: Vec<Section<S>>,
     prefixes: HashSet<String>,
+    silent: bool,
 }
 
 impl<S: Scalar> Trace<S> {
     /// An empty trace.
     pub fn new() -> Self {
-        Trace { sections: Vec::new(), prefixes: HashSet::new() }
+        Trace { sections: Vec::new(), prefixes: HashSet::new(), silent: false }
+    }
+
+    /// A trace that keeps nothing, for equations whose working nobody reads: names take half of their
+    /// time.
+    pub fn silent() -> Self {
+        Trace { silent: true, ..Trace::new() }
     }
 
     /// Begins a section. The prefix gets a number if an earlier section has the same one, as the
@@ -40,6 +47,9 @@ impl<S: Scalar> Trace<S> {
         title: impl Into<String>,
         source: &'static str,
     ) {
+        if self.silent {
+            return;
+        }
         let prefix = self.unique(prefix.into());
         self.sections.push(Section { prefix, title: title.into(), source, values: Vec::new() });
     }
@@ -63,32 +73,38 @@ impl<S: Scalar> Trace<S> {
         }
     }
 
+    /// Names an entry, unless it vanishes in every state.
+    fn entry(&mut self, name: &str, entry: &str, value: S) {
+        if !self.silent && !value.vanishes() {
+            self.number(format!("{name}_{entry}"), value);
+        }
+    }
+
     /// Names the components of a vector.
     pub fn vector(&mut self, name: &str, Vec3(values): Vec3<S>) {
         for (axis, value) in ["x", "y", "z"].into_iter().zip(values) {
-            self.number(format!("{name}_{axis}"), value);
+            self.entry(name, axis, value);
         }
     }
 
     /// Names the entries of a matrix.
     pub fn matrix(&mut self, name: &str, Mat3(rows): Mat3<S>) {
-        for (row, values) in ["x", "y", "z"].into_iter().zip(rows) {
-            for (column, value) in ["x", "y", "z"].into_iter().zip(values) {
-                self.number(format!("{name}_{row}{column}"), value);
-            }
+        let names = [["xx", "xy", "xz"], ["yx", "yy", "yz"], ["zx", "zy", "zz"]];
+        for (place, value) in names.into_iter().flatten().zip(rows.into_iter().flatten()) {
+            self.entry(name, place, value);
         }
     }
 
     /// Names the entries of a symmetric matrix.
     pub fn symmetric(&mut self, name: &str, Sym3(values): Sym3<S>) {
         for (place, value) in ["xx", "yy", "zz", "xy", "xz", "yz"].into_iter().zip(values) {
-            self.number(format!("{name}_{place}"), value);
+            self.entry(name, place, value);
         }
     }
 
     /// Names mass, first moment and inertia of a rigid body.
     pub fn rigid_body(&mut self, name: &str, mass: S, first_moment: Vec3<S>, inertia: Sym3<S>) {
-        self.number(format!("{name}_mass"), mass);
+        self.entry(name, "mass", mass);
         self.vector(&format!("{name}_first_moment"), first_moment);
         self.symmetric(&format!("{name}_inertia"), inertia);
     }
@@ -103,7 +119,7 @@ impl<S: Scalar> Trace<S> {
     pub fn wrench(&mut self, name: &str, wrench: Wrench<S>) {
         let entries = wrench.force.0.into_iter().chain(wrench.moment.0);
         for (entry, value) in ["fx", "fy", "fz", "mx", "my", "mz"].into_iter().zip(entries) {
-            self.number(format!("{name}_{entry}"), value);
+            self.entry(name, entry, value);
         }
     }
 

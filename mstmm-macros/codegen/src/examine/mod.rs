@@ -236,7 +236,7 @@ impl Trial {
         let (v, Pose { q, inputs }) = (self.at_rest(), &pose);
         let situation = self.situation(&self.layout, &self.numbers, (q, &v, inputs));
         let (solved, swept) = self.swept(&self.numbers, &pose);
-        let report = equations::report(&situation, (&solved, &swept), &mut Trace::new());
+        let report = equations::report(&situation, (&solved, &swept), &mut Trace::silent());
         let position = |place: Vec3<Number>| place.0.map(Number::value);
         let centre = |(element, point): (&Element, &Point<Number>)| match *element {
             Element::Hinge(_) => position(point.position),

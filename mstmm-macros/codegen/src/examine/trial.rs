@@ -73,13 +73,13 @@ impl Trial {
     pub fn solved(&self, numbers: &Numbers<Number>, pose: &Pose) -> Solved<Number> {
         let (v, Pose { q, inputs }) = (self.at_rest(), pose);
         let situation = self.situation(&self.merged, numbers, (q, &v, inputs));
-        equations::accelerations(&situation, Method::Riccati, Axes::Body, &mut Trace::new())
+        equations::accelerations(&situation, Method::Riccati, Axes::Body, &mut Trace::silent())
     }
 
     pub fn swept(&self, numbers: &Numbers<Number>, pose: &Pose) -> (Solved<Number>, Swept<Number>) {
         let (v, Pose { q, inputs }) = (self.at_rest(), pose);
         let situation = self.situation(&self.merged, numbers, (q, &v, inputs));
-        equations::sweep(&situation, Method::Riccati, Axes::Body, &mut Trace::new())
+        equations::sweep(&situation, Method::Riccati, Axes::Body, &mut Trace::silent())
     }
 
     /// The coordinates put onto the closure; nothing if that leads nowhere.
@@ -88,7 +88,7 @@ impl Trial {
         let (mut nearest, mut stalled) = (f64::INFINITY, 0);
         for _ in 0..CORRECTIONS {
             let situation = self.situation(&self.merged, &self.numbers, (&q, &v, &inputs));
-            let correction = equations::correction(&situation, &mut Trace::new())?;
+            let correction = equations::correction(&situation, &mut Trace::silent())?;
             let residual = correction.residual.value();
             if residual < CLOSED {
                 return Some(Pose { q, inputs });

@@ -78,7 +78,7 @@ pub fn reduced<S: Scalar>(
     problem: &Problem<S>,
     trace: &mut Trace<S>,
 ) -> (Vec<Pivot<S>>, Closure<S>, PerLink<Relation<S>>) {
-    let Reduced { pivots, open, relations, .. } = reduce(problem, &mut Trace::new());
+    let Reduced { pivots, open, relations, .. } = reduce(problem, &mut Trace::silent());
     trace.section(
         "pivots",
         "Inertia beyond the hinges, to be divided by",
