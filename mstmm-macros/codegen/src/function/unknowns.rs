@@ -59,6 +59,11 @@ impl Unknowns {
         self.all.iter()
     }
 
+    /// Whether an array has unknowns.
+    pub fn has(&self, argument: Argument) -> bool {
+        self.arguments.iter().any(|(other, ..)| *other == argument)
+    }
+
     /// The numbers of an array's entries.
     pub fn of(&self, argument: Argument) -> Range<usize> {
         match self.arguments.iter().find(|(other, ..)| *other == argument) {

@@ -254,8 +254,9 @@ impl Lowering<'_> {
 
     /// Whether an argument has entries of repeated parts: such an array is tested as a whole.
     fn has_repeated(&self, argument: Argument) -> bool {
-        let layout = self.function.unknowns.layout(argument);
-        layout.segments.iter().any(|segment| segment.repeat.is_some())
+        let mut arguments = self.function.unknowns.arguments();
+        let layout = arguments.find(|(other, _)| *other == argument).map(|(_, layout)| layout);
+        layout.is_some_and(|it| it.segments.iter().any(|segment| segment.repeat.is_some()))
     }
 
     /// Tests the inputs that results do not show; coordinates and rates as well, where there are loops or
@@ -293,7 +294,8 @@ impl Lowering<'_> {
         } else {
             let state = [Argument::Coordinates, Argument::Rates];
             for argument in state {
-                if self.has_repeated(argument) {
+                let is_there = self.function.unknowns.has(argument);
+                if !is_there || self.has_repeated(argument) {
                     continue;
                 }
                 let numbers = self.function.unknowns.of(argument);
