@@ -35,14 +35,14 @@
 //!
 //! All lanes of `wide` are scalars on all targets, so a chain of `f64x8` compiles everywhere. Without AVX-512 a value
 //! of `f64x8` occupies two or four registers, most values are in memory, and a state costs more time than in
-//! [`NativeF64`]. The optimised build costs the compiler two to 3.3 times the time of native lanes. For a chain of ten
+//! [`NativeF64`]. The optimised build costs the compiler two to four times the time of native lanes. For a chain of ten
 //! bodies of all hinges, without AVX, in seconds of processor time:
 //!
 //! | | `f64x2` | `f64x8` | `f32x4` | `f32x16` |
 //! |---|---|---|---|---|
 //! | `accelerations_into` | 1.3 | 2.8 | 1.3 | 3.1 |
 //! | with `Rk4` | 1.4 | 3.0 | 1.5 | 3.1 |
-//! | with `solve_into`, without `Rk4` | 2.0 | 5.8 | 1.8 | 5.9 |
+//! | with `solve_into`, without `Rk4` | 2.0 | 6.4 | 2.0 | 7.3 |
 //!
 //! Unoptimised code of the longest lanes needs a stack of more than 2 MB.
 
