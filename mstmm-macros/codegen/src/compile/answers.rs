@@ -15,7 +15,7 @@ pub(super) struct Row {
     pub when: fn(&Chain, &Findings, &Layout) -> bool,
     /// Runs its equations.
     pub trace: for<'a> fn(&ChainCompiler<'a>) -> Traced<'a>,
-    /// What is tested of it.
+    /// Which output has to be finite, and what a failure leaves.
     pub checks: Option<Checks>,
 }
 
@@ -81,4 +81,15 @@ pub(super) static ROWS: [Row; 10] = [
 
 fn always(_: &Chain, _: &Findings, _: &Layout) -> bool {
     true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ROWS;
+    use crate::model::Answer;
+
+    #[test]
+    fn every_answer_has_a_row_in_its_place() {
+        assert_eq!(ROWS.each_ref().map(|row| row.answer), Answer::ALL);
+    }
 }

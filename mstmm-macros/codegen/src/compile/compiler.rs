@@ -94,7 +94,8 @@ impl<'a> ChainCompiler<'a> {
         self.unknowns
     }
 
-    fn method(&self) -> Method {
+    /// The method that accelerations are solved with.
+    pub(super) fn method(&self) -> Method {
         self.chain.method.unwrap_or(Method::Riccati)
     }
 

@@ -93,7 +93,7 @@ pub fn compile(chain: &Chain, findings: &Findings, layout: &Layout) -> Compiled 
             functions.map(|(row, ordered)| finish(Some(row.answer), ordered, row.checks));
         Compiled {
             unknowns: compiler.unknowns().clone(),
-            method: chain.method.unwrap_or(Method::Riccati),
+            method: compiler.method(),
             functions: functions.collect(),
             setup: setup_function,
             checks,

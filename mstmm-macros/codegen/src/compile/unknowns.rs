@@ -88,7 +88,7 @@ fn input_names(chain: &Chain, input: &Input) -> Vec<String> {
     }
 }
 
-/// Makes a name differ from all before: a parameter `elbow_angle` may stand beside a hinge `elbow`.
+/// Makes a name unique: a parameter `elbow_angle` may stand beside a hinge `elbow`.
 fn distinct(mut name: String, taken: &mut HashSet<String>) -> String {
     while !taken.insert(name.clone()) {
         name.push('_');

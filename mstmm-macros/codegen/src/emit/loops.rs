@@ -5,17 +5,17 @@ use super::loads;
 use super::names::helper;
 use super::printer::{Printer, flag};
 use super::streams::{Stream, pattern, zipped};
-use crate::ids::IdVec;
-use crate::program::{Array, ArrayId, ArrayRole, CheckId, ForLoop, Operand, Place, Segment, Step};
+use crate::program::{
+    ArrayId, ArrayRole, CheckId, ForLoop, Operand, Place, Segment, Step, ValueId,
+};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-/// What stands before all loops: flags for the tests of pivots, and arrays for what loops leave.
+/// Declares the flags for the tests of pivots and the arrays for what loops leave.
 pub fn opened(printer: &Printer) -> TokenStream {
     let mstmm = &printer.plan.mstmm;
     let flags = (0..printer.procedure.checks).map(|number| flag(CheckId(number)));
-    let arrays: &IdVec<ArrayId, Array> = &printer.procedure.arrays;
-    let locals = arrays.enumerate().filter_map(|(id, array)| match array.role {
+    let locals = printer.procedure.arrays.enumerate().filter_map(|(id, array)| match array.role {
         ArrayRole::Local(_) => Some((id, array)),
         ArrayRole::Argument(_) | ArrayRole::Result(_) => None,
     });
@@ -99,7 +99,7 @@ pub fn one(printer: &Printer, one: &ForLoop) -> TokenStream {
 }
 
 /// What a loop reads of what an earlier one has left, which has put it there in its own order.
-fn load_local(printer: &Printer, from: &Place, into: &[Option<crate::program::ValueId>]) -> Stream {
+fn load_local(printer: &Printer, from: &Place, into: &[Option<ValueId>]) -> Stream {
     let wanted = into.iter().map(|value| value.map(|value| printer.variables.get(value).clone()));
     let (pattern, store) = (pattern(&wanted.collect::<Vec<_>>()), local(from.array));
     let steps = printer.procedure.body.iter();

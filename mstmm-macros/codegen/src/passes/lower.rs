@@ -28,6 +28,7 @@ pub fn lower(
 ) -> Procedure {
     let mut lowering = Lowering {
         program: &program,
+        looped: program.loops().next().is_some(),
         function,
         setup,
         arrays: IdVec::new(),
@@ -53,7 +54,7 @@ pub fn lower(
     let stores = lowering.stores(checks.map(|checks| checks.failure));
     let finish = checks.zip(shown).map(|(checks, shown)| lowering.finish(checks, &shown));
     // Where loops write a result, it is looked at as a whole.
-    if program.loops().next().is_some() {
+    if lowering.looped {
         body.extend(stores.into_iter().chain(finish));
     } else {
         body.extend(finish.into_iter().chain(stores));
@@ -65,6 +66,8 @@ pub fn lower(
 
 struct Lowering<'a> {
     program: &'a Program,
+    /// Whether it has loops.
+    looped: bool,
     function: &'a Function<'a>,
     setup: &'a Setup,
     arrays: IdVec<ArrayId, Array>,
@@ -140,16 +143,9 @@ impl Lowering<'_> {
         values: &[(usize, ValueId)],
     ) -> Vec<Step> {
         let at = if part.is_some() { At::Repetition } else { At::Once };
-        let layout = &self.arrays[array].layout;
-        let of_segment = |(number, segment): (usize, &Segment)| {
-            let mut into = vec![None; segment.count];
-            for (entry, value) in values.iter().filter(|(it, _)| segment.entries().contains(it)) {
-                into[entry - segment.first] = Some(*value);
-            }
-            let from = Place { array, segment: number, first: 0, at };
-            into.iter().any(Option::is_some).then_some(Step::Load { from, into })
-        };
-        layout.segments.iter().enumerate().filter_map(of_segment).collect()
+        let load =
+            |(segment, into)| Step::Load { from: Place { array, segment, first: 0, at }, into };
+        by_segment(&self.arrays[array].layout, values).map(load).collect()
     }
 
     /// A loop, and the array for what it leaves to others.
@@ -205,25 +201,20 @@ impl Lowering<'_> {
             return Vec::new();
         }
         let array = self.result(output);
-        let of_segment = |(number, segment): (usize, &Segment)| {
-            let mut stored = vec![None; segment.count];
-            for (entry, value) in values.iter().filter(|(it, _)| segment.entries().contains(it)) {
-                stored[entry - segment.first] = Some(value.clone());
-            }
-            let to = Place { array, segment: number, first: 0, at: At::Repetition };
-            stored.iter().any(Option::is_some).then_some(Step::Store { to, values: stored })
+        let store = |(segment, values)| Step::Store {
+            to: Place { array, segment, first: 0, at: At::Repetition },
+            values,
         };
-        output.layout.segments.iter().enumerate().filter_map(of_segment).collect()
+        by_segment(&output.layout, &values).map(store).collect()
     }
 
     /// What is written of results that no loop computes.
     fn stores(&mut self, failure: Option<Failure>) -> Vec<Step> {
-        let looped = self.program.loops().next().is_some();
         let mut steps = Vec::new();
         for output in &self.function.outputs {
             let array = self.result(output);
             let results = &self.program.results[self.function.numbers_of(output.id)];
-            let by_entry = output.by_entry && failure == Some(Failure::Reset) && !looped;
+            let by_entry = output.by_entry && failure == Some(Failure::Reset) && !self.looped;
             for (number, segment) in output.layout.segments.iter().enumerate() {
                 let own = &results[segment.entries()];
                 let at = if segment.repeat.is_some() { At::Every } else { At::Once };
@@ -263,11 +254,10 @@ impl Lowering<'_> {
     /// repeated parts.
     fn check_given(&mut self, shown: &Shown) -> Option<Step> {
         let unknowns = self.function.unknowns;
-        let looped = self.program.loops().next().is_some();
         let arguments: Vec<Argument> = unknowns.arguments().map(|(argument, _)| argument).collect();
         let is_meant = |argument: &Argument| match argument {
             Argument::Input(_) => true,
-            Argument::Coordinates | Argument::Rates => looped || self.has_repeated(*argument),
+            Argument::Coordinates | Argument::Rates => self.looped || self.has_repeated(*argument),
             _ => false,
         };
         let is_hidden = |argument: &Argument| {
@@ -283,9 +273,8 @@ impl Lowering<'_> {
     /// The test whether there are results. Of what is given it looks at what results do not show, and of results
     /// at those that no other shows.
     fn finish(&mut self, checks: Checks, shown: &Shown) -> Step {
-        let looped = self.program.loops().next().is_some();
         let mut finite = vec![Witness::Entry(self.argument(Argument::Time), 0)];
-        if looped {
+        if self.looped {
             let role = ArrayRole::Result(checks.finite);
             let Some(array) = self.arrays.position(|array| array.role == role) else {
                 bug!("what has to be finite is not computed")
@@ -316,4 +305,19 @@ impl Lowering<'_> {
         });
         Step::Finish(Finish { pivots: pivots.collect(), finite })
     }
+}
+
+/// Entries of an array by segments: the numbers of those that have any, with one place for each entry of the segment.
+fn by_segment<'a, T: Clone>(
+    layout: &'a ArrayLayout,
+    entries: &'a [(usize, T)],
+) -> impl Iterator<Item = (usize, Vec<Option<T>>)> + 'a {
+    let of_segment = |(number, segment): (usize, &Segment)| {
+        let mut places = vec![None; segment.count];
+        for (entry, value) in entries.iter().filter(|(it, _)| segment.entries().contains(it)) {
+            places[entry - segment.first] = Some(value.clone());
+        }
+        places.iter().any(Option::is_some).then_some((number, places))
+    };
+    layout.segments.iter().enumerate().filter_map(of_segment)
 }
