@@ -2,6 +2,9 @@
 #![no_std]
 #![deny(missing_docs)]
 
+#[doc = include_str!("frames.md")]
+pub mod frames {}
+
 pub mod hinges;
 pub mod tutorial;
 
