@@ -165,7 +165,9 @@ fn energy_and_closure_last() {
     fn run<C: GeneratedChain<Scalar = f64>>(chain: &C, step: f64) -> (f64, C::State) {
         let mut state = closed(chain);
         let before = chain.energy(&state).total();
-        Rk4::new(step).advance(chain, &mut state, 10.0, |_, _| chain.no_inputs()).expect("steps");
+        Rk4::new(step)
+            .advance_to(chain, &mut state, 10.0, |_, _| chain.no_inputs())
+            .expect("steps");
         (difference(&[chain.energy(&state).total()], &[before]), state)
     }
     let (plane, space) = (FourBar::<f64>::new(), FourBarInSpace::<f64>::new());
@@ -295,8 +297,8 @@ fn single_precision_closes_too() {
     let (double, single) = (FourBar::<f64>::new(), FourBar::<f32>::new());
     let (mut state, mut same) = (closed(&double), single.initial_state());
     single.assemble(&mut same, &single.no_inputs()).expect("bars that reach");
-    Rk4::new(1e-3).advance(&double, &mut state, 1.0, |_, _| double.no_inputs()).expect("steps");
-    Rk4::new(1e-3).advance(&single, &mut same, 1.0, |_, _| single.no_inputs()).expect("steps");
+    Rk4::new(1e-3).advance_to(&double, &mut state, 1.0, |_, _| double.no_inputs()).expect("steps");
+    Rk4::new(1e-3).advance_to(&single, &mut same, 1.0, |_, _| single.no_inputs()).expect("steps");
     let found: Vec<f64> = same.q().iter().map(|&q| f64::from(q)).collect();
     let off = difference(&found, state.q());
     println!("off by {off:.1e}");

@@ -65,7 +65,7 @@ fn welds_alone_carry_the_weight() -> Result<(), Error> {
         assert_eq!(chain.energy(&state).kinetic, 0.0);
         assert!((chain.energy(&state).potential - 2.0 * 10.0 * (0.5 + 1.5)).abs() < 1e-13);
         Rk4::new(0.1).step(&chain, &mut state, |_, _| chain.no_inputs())?;
-        Dopri5::new(1e-6, 1e-6).advance(&chain, &mut state, 1.0, |_, _| chain.no_inputs())?;
+        Dopri5::new(1e-6, 1e-6).advance_to(&chain, &mut state, 1.0, |_, _| chain.no_inputs())?;
         assert_eq!(state.t, 1.0);
     } }
     Ok(())
@@ -92,7 +92,7 @@ fn a_single_stone_flies_straight() -> Result<(), Error> {
         assert!(state.stone().orientation().angle_to(&turn) < 1e-15);
         let [place, velocity, _] = com(&state)?;
         let (mut dopri5, before) = (Dopri5::new(1e-12, 1e-12), chain.energy(&state));
-        dopri5.advance(&chain, &mut state, 2.0, |_, _| chain.no_inputs())?;
+        dopri5.advance_to(&chain, &mut state, 2.0, |_, _| chain.no_inputs())?;
         let [then, still, acceleration] = com(&state)?;
         // Some hundred steps of tolerance 1e-12.
         assert!((then - place - velocity * 2.0).norm() < 1e-9);
@@ -136,7 +136,7 @@ fn small_chains_run_in_single_precision() -> Result<(), Error> {
         let (step, tolerance) = (T::constant(0.125), T::constant(1e-4));
         Rk4::new(step).step(&statue, &mut still, |_, _| statue.no_inputs())?;
         let mut dopri5 = Dopri5::new(tolerance, tolerance);
-        dopri5.advance(&stone, &mut flying, step, |_, _| stone.no_inputs())?;
+        dopri5.advance_to(&stone, &mut flying, step, |_, _| stone.no_inputs())?;
         assert_eq!([still.t, flying.t], [step; 2]);
         let mut at = stone.workspace();
         stone.solve_into(&flying, &stone.no_inputs(), &mut at)?;

@@ -116,8 +116,10 @@ where
         first.derivative_into(&one, &first.no_inputs(), &mut a).expect("a regular chain");
         second.derivative_into(&other, &second.no_inputs(), &mut b).expect("a regular chain");
         at_once = at_once.max(difference(a.v(), b.v()));
-        Rk4::new(1e-3).advance(first, &mut one, 1.0, |_, _| first.no_inputs()).expect("steps");
-        Rk4::new(1e-3).advance(second, &mut other, 1.0, |_, _| second.no_inputs()).expect("steps");
+        Rk4::new(1e-3).advance_to(first, &mut one, 1.0, |_, _| first.no_inputs()).expect("steps");
+        Rk4::new(1e-3)
+            .advance_to(second, &mut other, 1.0, |_, _| second.no_inputs())
+            .expect("steps");
         later =
             later.max(difference(&[one.q(), one.v()].concat(), &[other.q(), other.v()].concat()));
         assert!(
@@ -231,8 +233,11 @@ fn masses_and_springs_move_in_their_modes() {
             .collect()
     };
     for (time, exact, exact_at_rest) in EXACT {
-        methods.0.advance(&literal, &mut state, time, |_, _| literal.no_inputs()).expect("steps");
-        methods.1.advance(&at_rest, &mut same, time, |_, _| at_rest.no_inputs()).expect("steps");
+        methods
+            .0
+            .advance_to(&literal, &mut state, time, |_, _| literal.no_inputs())
+            .expect("steps");
+        methods.1.advance_to(&at_rest, &mut same, time, |_, _| at_rest.no_inputs()).expect("steps");
         for (found, modes, exact) in [
             (positions(state.q()), modal(time, 0.0), exact),
             (positions(same.q()), modal(time, 0.1), exact_at_rest),

@@ -71,7 +71,7 @@ fn a_free_pair_keeps_its_momenta_and_its_energy() {
         let before = conserved(&chain, &start);
         let drift = [5e-4, 2.5e-4].map(|step| {
             let mut state = start.clone();
-            Rk4::new(step).advance(&chain, &mut state, 10.0, |_, _| chain.no_inputs()).unwrap();
+            Rk4::new(step).advance_to(&chain, &mut state, 10.0, |_, _| chain.no_inputs()).unwrap();
             let after = conserved(&chain, &state);
             [0, 1].map(|k| difference(&after[k], &before[k]))
         });
@@ -151,7 +151,7 @@ fn one_component_oscillates_at_its_own_frequency() {
         assert!(off < 1e-15, "component {k}: {off:e}");
         let (start, period) = (state.clone(), std::f64::consts::TAU / frequency);
         Dopri5::new(1e-12, 1e-12)
-            .advance(&chain, &mut state, period, |_, _| chain.no_inputs())
+            .advance_to(&chain, &mut state, period, |_, _| chain.no_inputs())
             .unwrap();
         let back = difference(state.q(), start.q());
         println!("component {k}: ω {frequency:.3} rad/s, off by {back:.1e} after a period");
@@ -248,7 +248,7 @@ fn turns_about_zeta_are_counted() {
     let mut dopri5 = Dopri5::new(1e-12, 1e-12);
     for tenth in 1..=10 {
         let time = 0.2 * f64::from(tenth);
-        dopri5.advance(&chain, &mut state, time, |_, _| chain.no_inputs()).unwrap();
+        dopri5.advance_to(&chain, &mut state, time, |_, _| chain.no_inputs()).unwrap();
         let off = state.joint().angles().z - amplitude * (frequency * time).cos();
         assert!(off.abs() < 1e-9 * amplitude, "at {time} s: {off:e}");
     }

@@ -298,7 +298,9 @@ where
         while by_rk4.time() < time - 0.5 * STEP {
             rk4.step(&chain, &mut by_rk4, |_, _| C::Inputs::default()).expect("a step");
         }
-        dopri5.advance(&chain, &mut by_dopri5, time, |_, _| C::Inputs::default()).expect("steps");
+        dopri5
+            .advance_to(&chain, &mut by_dopri5, time, |_, _| C::Inputs::default())
+            .expect("steps");
         for (method, state) in [("Rk4", &by_rk4), ("Dopri5", &by_dopri5)] {
             let off = off(&chain, state, measure, golden);
             let drift = (chain.fast_energy(state).total() - energy).abs();

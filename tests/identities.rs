@@ -300,7 +300,7 @@ macro_rules! keeps_its_momenta {
             };
             let before = now(&chain, &state);
             Dopri5::new(1e-12, 1e-12)
-                .advance(&chain, &mut state, 1.0, |_, _| inputs)
+                .advance_to(&chain, &mut state, 1.0, |_, _| inputs)
                 .expect("steps");
             let off = difference(&now(&chain, &state), &before);
             // About a hundred steps of tolerance 1e-12 each, in units of momentum.

@@ -81,7 +81,7 @@ macro_rules! order {
         let mut start = chain.initial_state();
         GeneratedChain::assemble(chain, &mut start, &$inputs(chain, 0.0)).expect("a closed chain");
         let mut exact = start.clone();
-        Dopri5::new(1e-13, 1e-13).advance(chain, &mut exact, 0.5, inputs).expect("steps");
+        Dopri5::new(1e-13, 1e-13).advance_to(chain, &mut exact, 0.5, inputs).expect("steps");
         let samples = $steps.map(|steps: u32| {
             let step = 0.5 / f64::from(steps);
             let (mut state, mut method) = (start.clone(), $method::new(step));
@@ -146,7 +146,7 @@ fn dopri5_has_order_five() {
     let chain = Sprung::<f64>::new();
     let run = |tolerance: f64| {
         let (mut state, mut dopri5) = (chain.initial_state(), Dopri5::new(tolerance, tolerance));
-        dopri5.advance(&chain, &mut state, 0.5, |_, _| chain.no_inputs()).expect("steps");
+        dopri5.advance_to(&chain, &mut state, 0.5, |_, _| chain.no_inputs()).expect("steps");
         (state, dopri5.statistics().evaluations)
     };
     let (exact, _) = run(1e-13);

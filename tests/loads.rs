@@ -234,7 +234,7 @@ fn a_spring_without_length_is_harmonic_in_all_directions() {
     for quarter in 1..=8 {
         let (sine, cosine) = (f64::from(quarter) * std::f64::consts::FRAC_PI_2).sin_cos();
         let time = f64::from(quarter) * std::f64::consts::FRAC_PI_2 / 3.0;
-        dopri5.advance(&chain, &mut state, time, |_, _| chain.no_inputs()).expect("steps");
+        dopri5.advance_to(&chain, &mut state, time, |_, _| chain.no_inputs()).expect("steps");
         let expected = ground + place * cosine + velocity * (sine / 3.0);
         // Some hundred steps, each within the tolerance.
         let off = (state.drop().position() - expected).norm();
@@ -255,7 +255,7 @@ fn a_spring_at_its_foot_is_finite() {
             assert!(found.iter().all(|a| a.abs() < 10.0), "{found}");
             assert!(chain.energy(&state).total().is_finite());
             Rk4::new(1e-3)
-                .advance(&chain, &mut state, 0.1, |_, _| chain.no_inputs())
+                .advance_to(&chain, &mut state, 0.1, |_, _| chain.no_inputs())
                 .expect("steps that pass");
         };
     }

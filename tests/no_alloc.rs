@@ -46,7 +46,7 @@ fn everything_runs_in_a_crate_without_alloc() -> Result<(), Error> {
     chain.set_payload(0.7)?;
     let mut state = chain.initial_state();
     Rk4::new(1e-3).step(&chain, &mut state, |_, _| chain.no_inputs())?;
-    Dopri5::new(1e-6, 1e-6).advance(&chain, &mut state, 0.1, |_, _| chain.no_inputs())?;
+    Dopri5::new(1e-6, 1e-6).advance_to(&chain, &mut state, 0.1, |_, _| chain.no_inputs())?;
     let mut at = chain.workspace();
     chain.solve_into(&state, &chain.no_inputs(), &mut at)?;
     assert!(

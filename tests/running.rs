@@ -67,7 +67,7 @@ where
 {
     let mut state = chain.start();
     let mut dopri5 = Dopri5::new(1e-13, 1e-13);
-    dopri5.advance(chain, &mut state, end, |_, _| C::Inputs::default()).expect("steps");
+    dopri5.advance_to(chain, &mut state, end, |_, _| C::Inputs::default()).expect("steps");
     state
 }
 
@@ -116,7 +116,7 @@ fn the_error_of_dopri5_follows_its_tolerance() {
         let exact = exact(&chain, 0.5);
         let samples = [1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10].map(|tolerance| {
             let (mut state, mut dopri5) = (chain.start(), Dopri5::new(tolerance, tolerance));
-            dopri5.advance(&chain, &mut state, 0.5, |_, _| C::Inputs::default()).expect("steps");
+            dopri5.advance_to(&chain, &mut state, 0.5, |_, _| C::Inputs::default()).expect("steps");
             (tolerance, apart(&state, &exact))
         });
         let power = slope(&samples);
@@ -180,7 +180,7 @@ fn a_torque_that_depends_on_time_makes_the_motion_asked_for() -> Result<(), Erro
     };
     let mut dopri5 = Dopri5::new(1e-11, 1e-11);
     for time in [0.5, 1.0, 2.0] {
-        dopri5.advance(&chain, &mut state, time, |time, _| torque(time))?;
+        dopri5.advance_to(&chain, &mut state, time, |time, _| torque(time))?;
         // An error in θ grows at most with the rate √(m g l / J) = 4.3 /s, in two seconds 6e3
         // times.
         let off = (state.joint().angle() - time.sin()).abs();
@@ -257,7 +257,7 @@ where
     }
     let tolerance = T::constant(1e-6);
     let mut dopri5 = Dopri5::new(tolerance, tolerance);
-    dopri5.advance(&chain, &mut state, T::constant(0.5), |_, _| chain.no_inputs())?;
+    dopri5.advance_to(&chain, &mut state, T::constant(0.5), |_, _| chain.no_inputs())?;
     let mut at = chain.workspace();
     chain.solve_into(&state, &chain.no_inputs(), &mut at)?;
     Ok(Outcome {

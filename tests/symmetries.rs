@@ -54,7 +54,7 @@ where
     C::Inputs: Default,
 {
     let mut dopri5 = Dopri5::new(1e-12, 1e-12);
-    dopri5.advance(chain, state, 0.5, |_, _| C::Inputs::default()).expect("steps");
+    dopri5.advance_to(chain, state, 0.5, |_, _| C::Inputs::default()).expect("steps");
 }
 
 /// Two chains in states that `same` makes the same: compared at once and half a second later.

@@ -87,7 +87,7 @@ fn a_chain_between_balls_keeps_its_energy() {
     let mut dopri5 = Dopri5::new(1e-11, 1e-11);
     for second in 1..=10 {
         dopri5
-            .advance(&chain, &mut state, f64::from(second), |_, _| chain.no_inputs())
+            .advance_to(&chain, &mut state, f64::from(second), |_, _| chain.no_inputs())
             .expect("steps");
         chain.solve_into(&state, &chain.no_inputs(), &mut at).expect("a regular chain");
         let off = difference(&[chain.energy(&state).total()], &[before]);

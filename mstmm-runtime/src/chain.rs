@@ -101,7 +101,7 @@ pub trait Chain {
     /// [`derivative_into`](Chain::derivative_into). For a state whose quaternions are further from
     /// unit length than rounding, call [`normalize`](Chain::normalize) first.
     ///
-    /// Integrators check the state that they are given once in a call of `step` or `advance`. The
+    /// Integrators check the state that they are given once in a call of `step` or `advance_to`. The
     /// default checks nothing.
     ///
     /// # Errors

@@ -113,7 +113,7 @@ fn the_error_follows_the_tolerance() {
     for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
         let (chain, mut state) = (Top::new(), Top::start());
         let mut integrator = Dopri5::new(tolerance, tolerance);
-        integrator.advance(&chain, &mut state, 10.0, |_, _| ()).unwrap();
+        integrator.advance_to(&chain, &mut state, 10.0, |_, _| ()).unwrap();
         let error = top_error(&state);
         assert_eq!(state.t, 10.0);
         assert!(error < 30.0 * tolerance, "{tolerance:e} {error:e}");
@@ -126,7 +126,7 @@ fn the_error_follows_the_tolerance() {
 fn single_precision_follows_to_its_own_accuracy() {
     let (chain, mut state) = (Top::<f32>::new(), Top::start());
     let mut integrator = Dopri5::new(1e-5, 1e-5);
-    integrator.advance(&chain, &mut state, 4.0, |_, _| ()).unwrap();
+    integrator.advance_to(&chain, &mut state, 4.0, |_, _| ()).unwrap();
     let (q, v) = top_at(4.0);
     let sign = if f64::from(state.q[0]) * q[0] < 0.0 { -1.0 } else { 1.0 };
     assert_eq!(state.t, 4.0);
@@ -147,10 +147,24 @@ fn advance_lands_exactly_forwards_and_backwards() {
     let (chain, mut state) = (Pendulum::<f64>::new(), Pendulum::at(1.0, 0.0));
     let mut integrator = Dopri5::new(1e-10, 1e-10);
     for end in [0.1, 0.1, 1.0 / 3.0, 2.7, 1.3, 0.0] {
-        integrator.advance(&chain, &mut state, end, |_, _| 0.0).unwrap();
+        integrator.advance_to(&chain, &mut state, end, |_, _| 0.0).unwrap();
         assert_eq!(state.t, end);
     }
     assert!((state.q[0] - 1.0).abs() < 1e-8 && state.v[0].abs() < 1e-8, "{state:?}");
+}
+
+#[test]
+fn advance_by_adds_the_duration_to_the_time() {
+    let chain = Pendulum::<f64>::new();
+    let start = || State { t: 0.4, ..Pendulum::at(1.0, 0.0) };
+    let dopri5 = || Dopri5::new(1e-6, 1e-6);
+    for duration in [0.3, -0.15, 0.0] {
+        let (mut to, mut by, mut try_by) = (start(), start(), start());
+        dopri5().advance_to(&chain, &mut to, 0.4 + duration, |t, _| t).unwrap();
+        dopri5().advance_by(&chain, &mut by, duration, |t, _| t).unwrap();
+        dopri5().try_advance_by(&chain, &mut try_by, duration, |t, _| Ok::<_, Error>(t)).unwrap();
+        assert_eq!([&by, &try_by], [&to, &to]);
+    }
 }
 
 /// Output at short intervals must not slow the control down: the step it goes on with is the one it
@@ -159,9 +173,9 @@ fn advance_lands_exactly_forwards_and_backwards() {
 fn short_intervals_do_not_shorten_the_step() {
     let (chain, mut state) = (Top::<f64>::new(), Top::start());
     let mut integrator = Dopri5::new(1e-9, 1e-9);
-    integrator.advance(&chain, &mut state, 2.0, |_, _| ()).unwrap();
+    integrator.advance_to(&chain, &mut state, 2.0, |_, _| ()).unwrap();
     let found = integrator.next_step();
-    integrator.advance(&chain, &mut state, 2.0 + 1e-6, |_, _| ()).unwrap();
+    integrator.advance_to(&chain, &mut state, 2.0 + 1e-6, |_, _| ()).unwrap();
     assert!(integrator.next_step() >= found);
 }
 
@@ -169,7 +183,7 @@ fn short_intervals_do_not_shorten_the_step() {
 fn evaluations_are_counted_and_reused_within_advance() {
     let (chain, mut state) = (Top::<f64>::new(), Top::start());
     let mut integrator = Dopri5::new(1e-9, 1e-9).with_first_step(0.5);
-    integrator.advance(&chain, &mut state, 3.0, |_, _| ()).unwrap();
+    integrator.advance_to(&chain, &mut state, 3.0, |_, _| ()).unwrap();
     let work = integrator.statistics();
     assert!(work.rejected > 0 && work.accepted > 10);
     assert_eq!(work.evaluations, 1 + 6 * (work.accepted + work.rejected));
@@ -179,18 +193,18 @@ fn evaluations_are_counted_and_reused_within_advance() {
     assert_eq!(more.evaluations, work.evaluations + 1 + 6 * tries);
 }
 
-/// Reuse inside `advance` changes no bit: the same steps one by one give the same states.
+/// Reuse inside `advance_to` changes no bit: the same steps one by one give the same states.
 #[test]
 fn advance_is_step_by_step() {
     let (chain, mut together, mut single) = (Top::<f64>::new(), Top::start(), Top::start());
     let mut integrator = Dopri5::new(1e-8, 1e-8);
     let mut times = Vec::new();
-    integrator.advance(&chain, &mut together, 5.0, |t, _| times.push(t)).unwrap();
+    integrator.advance_to(&chain, &mut together, 5.0, |t, _| times.push(t)).unwrap();
     let mut other = Dopri5::new(1e-8, 1e-8);
     while single.t + 2.0 * other.next_step() < 5.0 {
         other.step(&chain, &mut single, |_, _| ()).unwrap();
     }
-    other.advance(&chain, &mut single, 5.0, |_, _| ()).unwrap();
+    other.advance_to(&chain, &mut single, 5.0, |_, _| ()).unwrap();
     assert_eq!(single, together);
     assert_eq!(integrator.statistics().accepted, other.statistics().accepted);
 }
@@ -252,7 +266,10 @@ impl Chain for Runaway {
 fn a_motion_that_ends_is_followed_to_its_end() {
     let mut state = State { q: [1.0], v: [2.0], t: 0.0 };
     let mut integrator = Dopri5::new(1e-6, 1e-6);
-    assert_eq!(integrator.advance(&Runaway, &mut state, 2.0, |_, _| ()), Err(Error::StepTooSmall));
+    assert_eq!(
+        integrator.advance_to(&Runaway, &mut state, 2.0, |_, _| ()),
+        Err(Error::StepTooSmall)
+    );
     assert!((state.t - 1.0).abs() < 1e-3 && state.q[0].is_finite(), "{state:?}");
 }
 
@@ -261,7 +278,7 @@ fn what_is_not_finite_further_on_shortens_the_step_until_it_cannot() {
     let (chain, mut state) = (Pendulum::<f64>::new(), Pendulum::at(0.1, 0.0));
     let broken_from_one_on = |t: f64, _: &State<f64, 1, 1>| if t > 1.0 { f64::NAN } else { 0.0 };
     let mut integrator = Dopri5::new(1e-6, 1e-6);
-    let end = integrator.advance(&chain, &mut state, 2.0, broken_from_one_on);
+    let end = integrator.advance_to(&chain, &mut state, 2.0, broken_from_one_on);
     assert_eq!(end, Err(Error::StepTooSmall));
     assert!(state.t <= 1.0 && state.t > 1.0 - 1e-12, "{}", state.t);
     // At once at the start it is the user's error, not the step's.
@@ -270,7 +287,10 @@ fn what_is_not_finite_further_on_shortens_the_step_until_it_cannot() {
     let mut state = Pendulum::at(0.1, 0.0);
     state.t = f64::INFINITY;
     assert_eq!(integrator.step(&chain, &mut state, |_, _| 0.0), Err(Error::NotFinite));
-    assert_eq!(integrator.advance(&chain, &mut state, f64::NAN, |_, _| 0.0), Err(Error::NotFinite));
+    assert_eq!(
+        integrator.advance_to(&chain, &mut state, f64::NAN, |_, _| 0.0),
+        Err(Error::NotFinite)
+    );
 }
 
 #[test]
@@ -278,7 +298,7 @@ fn a_singular_pose_ahead_is_named() {
     let chain = Pendulum { singular_beyond: 0.5 };
     let mut state = Pendulum::<f64>::at(0.0, 1.0);
     let mut integrator = Dopri5::new(1e-6, 1e-6);
-    let end = integrator.advance(&chain, &mut state, 2.0, |_, _| 0.0);
+    let end = integrator.advance_to(&chain, &mut state, 2.0, |_, _| 0.0);
     assert_eq!(end, Err(Error::Singular { hinge: "pivot" }));
     assert!(state.q[0] <= 0.5 && state.q[0] > 0.49, "{state:?}");
 }
@@ -299,7 +319,7 @@ fn tolerances_must_be_usable() {
 fn at_rest_steps_grow() {
     let (chain, mut state) = (Pendulum::<f64>::new(), Pendulum::at(0.0, 0.0));
     let mut integrator = Dopri5::new(1e-6, 1e-6);
-    integrator.advance(&chain, &mut state, 1e6, |_, _| 0.0).unwrap();
+    integrator.advance_to(&chain, &mut state, 1e6, |_, _| 0.0).unwrap();
     assert!(integrator.statistics().accepted < 50, "{:?}", integrator.statistics());
     assert_eq!(state.time(), 1e6);
 }

@@ -17,7 +17,7 @@ fn steps() -> impl Iterator<Item = f64> {
 /// The pendulum in space after 2 s, to about 1e-13.
 fn hanging_after_two_seconds() -> State<f64, 4, 3> {
     let mut state = Top::start();
-    Rk4::new(1.0 / 2048.0).advance(&Top::hanging(), &mut state, 2.0, |_, _| ()).unwrap();
+    Rk4::new(1.0 / 2048.0).advance_to(&Top::hanging(), &mut state, 2.0, |_, _| ()).unwrap();
     state
 }
 
@@ -28,7 +28,7 @@ macro_rules! order_one {
             let on_a_spring = steps().map(|h| {
                 let mut state = Spring::at(1.0, 0.0);
                 let spring = Spring::new(1.0, 0.0);
-                $method::new(h).advance(&spring, &mut state, 2.0, |_, _| 0.0).unwrap();
+                $method::new(h).advance_to(&spring, &mut state, 2.0, |_, _| 0.0).unwrap();
                 (h, spring_error(&state))
             });
             assert_order(1.0, &on_a_spring.collect::<Vec<_>>());
@@ -36,14 +36,14 @@ macro_rules! order_one {
             let with_inputs = steps().map(|h| {
                 let mut state = Pendulum::at(0.0, 1.0);
                 let driven = |t: f64, _: &State<f64, 1, 1>| swing(t);
-                $method::new(h).advance(&Pendulum::new(), &mut state, 2.0, driven).unwrap();
+                $method::new(h).advance_to(&Pendulum::new(), &mut state, 2.0, driven).unwrap();
                 (h, swing_error(&state))
             });
             assert_order(1.0, &with_inputs.collect::<Vec<_>>());
 
             let with_a_quaternion = steps().map(|h| {
                 let mut state = Top::start();
-                $method::new(h).advance(&Top::new(), &mut state, 2.0, |_, _| ()).unwrap();
+                $method::new(h).advance_to(&Top::new(), &mut state, 2.0, |_, _| ()).unwrap();
                 (h, top_error(&state))
             });
             assert_order(1.0, &with_a_quaternion.collect::<Vec<_>>());
@@ -51,7 +51,7 @@ macro_rules! order_one {
             let truth = hanging_after_two_seconds();
             let in_space = steps().map(|h| {
                 let mut state = Top::start();
-                $method::new(h).advance(&Top::hanging(), &mut state, 2.0, |_, _| ()).unwrap();
+                $method::new(h).advance_to(&Top::hanging(), &mut state, 2.0, |_, _| ()).unwrap();
                 (h, distance(&state, truth.q, truth.v))
             });
             assert_order(1.0, &in_space.collect::<Vec<_>>());
@@ -90,8 +90,8 @@ fn linearly_implicit_is_implicit_on_a_spring() {
 #[test]
 fn linearly_implicit_without_springs_is_semi_implicit() {
     let (chain, mut one, mut other) = (Top::<f64>::hanging(), Top::start(), Top::start());
-    SemiImplicitEuler::new(0.01).advance(&chain, &mut one, 1.0, |_, _| ()).unwrap();
-    LinearlyImplicitEuler::new(0.01).advance(&chain, &mut other, 1.0, |_, _| ()).unwrap();
+    SemiImplicitEuler::new(0.01).advance_to(&chain, &mut one, 1.0, |_, _| ()).unwrap();
+    LinearlyImplicitEuler::new(0.01).advance_to(&chain, &mut other, 1.0, |_, _| ()).unwrap();
     assert_eq!(one, other);
 }
 
@@ -154,10 +154,10 @@ fn stiff_springs_do_not_limit_the_step() {
         assert!(state.v[0].abs() < 1e-12, "{state:?}");
 
         let (mut state, mut rk4) = (start.clone(), Rk4::new(h));
-        let end = rk4.advance(&chain, &mut state, 20.0, |_, _| 0.0);
+        let end = rk4.advance_to(&chain, &mut state, 20.0, |_, _| 0.0);
         assert!(end == Err(Error::NotFinite) || state.v[0].abs() > 1e50, "{end:?} {state:?}");
         let (mut state, mut euler) = (start.clone(), SemiImplicitEuler::new(h));
-        let end = euler.advance(&chain, &mut state, 20.0, |_, _| 0.0);
+        let end = euler.advance_to(&chain, &mut state, 20.0, |_, _| 0.0);
         assert!(end == Err(Error::NotFinite) || state.v[0].abs() > 1e50, "{end:?} {state:?}");
     }
 }

@@ -16,9 +16,24 @@ macro_rules! common_tests {
                 for h in [0.03, -0.03, 100.0] {
                     let (mut state, mut method) = (Pendulum::at(1.0, 0.0), $method::new(h));
                     for end in [0.1, 0.1, 1.0 / 3.0, 2.7, 1.3, 0.0, -1.1] {
-                        method.advance(&chain, &mut state, end, |_, _| 0.0).unwrap();
+                        method.advance_to(&chain, &mut state, end, |_, _| 0.0).unwrap();
                         assert_eq!(state.t, end);
                     }
+                }
+            }
+
+            #[test]
+            fn advance_by_adds_the_duration_to_the_time() {
+                let chain = Pendulum::<f64>::new();
+                let start = || State { t: 0.4, ..Pendulum::at(1.0, 0.0) };
+                for duration in [0.3, -0.15, 0.0] {
+                    let (mut to, mut by, mut try_by) = (start(), start(), start());
+                    let end = 0.4 + duration;
+                    $method::new(0.01).advance_to(&chain, &mut to, end, |t, _| t).unwrap();
+                    $method::new(0.01).advance_by(&chain, &mut by, duration, |t, _| t).unwrap();
+                    let torque = |t, _: &_| Ok::<_, Error>(t);
+                    $method::new(0.01).try_advance_by(&chain, &mut try_by, duration, torque).unwrap();
+                    assert_eq!([&by, &try_by], [&to, &to]);
                 }
             }
 
@@ -29,7 +44,7 @@ macro_rules! common_tests {
                     let (mut state, mut method) = (Pendulum::at(1.0, 0.0), $method::new(h));
                     state.t = start;
                     let mut asked = 0;
-                    method.advance(&Pendulum::new(), &mut state, end, |_, _| {
+                    method.advance_to(&Pendulum::new(), &mut state, end, |_, _| {
                         asked += 1;
                         0.0
                     })
@@ -51,13 +66,13 @@ macro_rules! common_tests {
             #[test]
             fn advance_is_step_by_step() {
                 let (chain, mut together) = (Top::<f64>::hanging(), Top::start());
-                $method::new(0.01).advance(&chain, &mut together, 0.255, |_, _| ()).unwrap();
+                $method::new(0.01).advance_to(&chain, &mut together, 0.255, |_, _| ()).unwrap();
                 let (mut single, mut method) = (Top::start(), $method::new(0.01));
                 for _ in 0..25 {
                     method.step(&chain, &mut single, |_, _| ()).unwrap();
                 }
                 assert!((single.t - 0.25).abs() < 1e-16);
-                method.advance(&chain, &mut single, 0.255, |_, _| ()).unwrap();
+                method.advance_to(&chain, &mut single, 0.255, |_, _| ()).unwrap();
                 assert_eq!(single, together);
             }
 
@@ -67,7 +82,7 @@ macro_rules! common_tests {
                 let mut asked = 0;
                 let mut method = $method::new(1e-3f32);
                 method
-                    .advance(&chain, &mut state, 100.0, |_, _| {
+                    .advance_to(&chain, &mut state, 100.0, |_, _| {
                         asked += 1;
                         0.0
                     })
@@ -81,7 +96,7 @@ macro_rules! common_tests {
                 let start = Pendulum::at(1.0, 0.0);
                 let refused = |h: f64, end: f64| {
                     let (mut state, mut method) = (start.clone(), $method::new(h));
-                    let refused = method.advance(&chain, &mut state, end, |_, _| 0.0);
+                    let refused = method.advance_to(&chain, &mut state, end, |_, _| 0.0);
                     assert_eq!(state, start);
                     refused.unwrap_err()
                 };
@@ -92,10 +107,10 @@ macro_rules! common_tests {
                 assert_eq!(refused(0.0, 1.0), too_small);
                 let (mut late, mut method) = (start.clone(), $method::new(1e-10));
                 late.t = 1e9;
-                let refused = method.advance(&chain, &mut late, 2e9, |_, _| 0.0);
+                let refused = method.advance_to(&chain, &mut late, 2e9, |_, _| 0.0);
                 assert_eq!(refused, Err(too_small));
                 let mut never = State { t: f64::NAN, ..start.clone() };
-                let refused = $method::new(0.1).advance(&chain, &mut never, 1.0, |_, _| 0.0);
+                let refused = $method::new(0.1).advance_to(&chain, &mut never, 1.0, |_, _| 0.0);
                 assert_eq!(refused, Err(Error::NotFinite));
             }
 
@@ -104,7 +119,7 @@ macro_rules! common_tests {
                 let chain = Pendulum::<f64>::new();
                 let (mut state, mut method) = (Pendulum::at(0.0, 1.0), $method::new(0.125));
                 let broken = |t: f64, _: &State<f64, 1, 1>| if t > 0.6 { f64::NAN } else { 0.0 };
-                let end = method.advance(&chain, &mut state, 2.0, broken);
+                let end = method.advance_to(&chain, &mut state, 2.0, broken);
                 assert_eq!(end, Err(Error::NotFinite));
                 assert!(state.t == 0.5 || state.t == 0.625, "{}", state.t);
                 assert!(state.q[0].is_finite() && state.v[0].is_finite());

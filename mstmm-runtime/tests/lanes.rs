@@ -167,7 +167,7 @@ macro_rules! lanes_give_the_bits_of_single_runs {
             for _ in 0..200 {
                 method.step(&chain, &mut both, |_, _| Pair::default()).unwrap();
             }
-            method.advance(&chain, &mut both, 2.555, |_, _| Pair::default()).unwrap();
+            method.advance_to(&chain, &mut both, 2.555, |_, _| Pair::default()).unwrap();
             for (which, mut single) in [
                 ((|x| x.0) as fn(Pair) -> f64, Pendulum::at(0.1, 0.0)),
                 ((|x| x.1) as fn(Pair) -> f64, Pendulum::at(2.9, 3.0)),
@@ -176,7 +176,7 @@ macro_rules! lanes_give_the_bits_of_single_runs {
                 for _ in 0..200 {
                     method.step(&Pendulum::new(), &mut single, |_, _| 0.0).unwrap();
                 }
-                method.advance(&Pendulum::new(), &mut single, 2.555, |_, _| 0.0).unwrap();
+                method.advance_to(&Pendulum::new(), &mut single, 2.555, |_, _| 0.0).unwrap();
                 assert_eq!(lane(&both, which), single);
             }
         })*
@@ -200,12 +200,12 @@ fn angles_in_lanes() {
 fn the_worst_lane_decides_the_step() {
     let (chain, mut both) = (Pendulum::<Pair>::new(), two_pendulums());
     let mut integrator = Dopri5::new(1e-9, 1e-9);
-    integrator.advance(&chain, &mut both, 5.0, |_, _| Pair::default()).unwrap();
+    integrator.advance_to(&chain, &mut both, 5.0, |_, _| Pair::default()).unwrap();
     assert_eq!(both.time(), Pair(5.0, 5.0));
 
     let steps = |start: State<f64, 1, 1>| {
         let (mut state, mut integrator) = (start, Dopri5::new(1e-9, 1e-9));
-        integrator.advance(&Pendulum::new(), &mut state, 5.0, |_, _| 0.0).unwrap();
+        integrator.advance_to(&Pendulum::new(), &mut state, 5.0, |_, _| 0.0).unwrap();
         (integrator.statistics().accepted, state)
     };
     let ((_, easy), (hard_steps, hard)) =

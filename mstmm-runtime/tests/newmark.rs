@@ -22,13 +22,13 @@ fn newmark<C: Chain<Scalar = f64>>(h: f64, (beta, gamma, iterations): Settings) 
 fn errors(settings: Settings) -> [Vec<(f64, f64)>; 4] {
     let mut truth = Top::start();
     let hanging = Top::hanging();
-    Rk4::new(1.0 / 2048.0).advance(&hanging, &mut truth, 2.0, |_, _| ()).unwrap();
+    Rk4::new(1.0 / 2048.0).advance_to(&hanging, &mut truth, 2.0, |_, _| ()).unwrap();
     let steps = || (4..10).map(|i| 2.0 / f64::from(1 << i));
     [
         steps()
             .map(|h| {
                 let (spring, mut state) = (Spring::new(1.0, 0.0), Spring::at(1.0, 0.0));
-                newmark(h, settings).advance(&spring, &mut state, 2.0, |_, _| 0.0).unwrap();
+                newmark(h, settings).advance_to(&spring, &mut state, 2.0, |_, _| 0.0).unwrap();
                 (h, spring_error(&state))
             })
             .collect(),
@@ -36,21 +36,21 @@ fn errors(settings: Settings) -> [Vec<(f64, f64)>; 4] {
             .map(|h| {
                 let (pendulum, mut state) = (Pendulum::new(), Pendulum::at(0.0, 1.0));
                 let mut method = newmark(h, settings);
-                method.advance(&pendulum, &mut state, 2.0, |t, _| swing(t)).unwrap();
+                method.advance_to(&pendulum, &mut state, 2.0, |t, _| swing(t)).unwrap();
                 (h, swing_error(&state))
             })
             .collect(),
         steps()
             .map(|h| {
                 let mut state = Top::start();
-                newmark(h, settings).advance(&Top::new(), &mut state, 2.0, |_, _| ()).unwrap();
+                newmark(h, settings).advance_to(&Top::new(), &mut state, 2.0, |_, _| ()).unwrap();
                 (h, top_error(&state))
             })
             .collect(),
         steps()
             .map(|h| {
                 let mut state = Top::start();
-                newmark(h, settings).advance(&hanging, &mut state, 2.0, |_, _| ()).unwrap();
+                newmark(h, settings).advance_to(&hanging, &mut state, 2.0, |_, _| ()).unwrap();
                 (h, distance(&state, truth.q, truth.v))
             })
             .collect(),

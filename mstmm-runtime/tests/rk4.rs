@@ -44,7 +44,7 @@ fn order_four_with_quaternions() {
 fn order_four_on_a_spring() {
     let samples = halved(|h, _| {
         let (chain, mut state) = (Spring::new(1.0, 0.0), Spring::at(1.0, 0.0));
-        Rk4::new(h).advance(&chain, &mut state, 2.0, |_, _| 0.0).unwrap();
+        Rk4::new(h).advance_to(&chain, &mut state, 2.0, |_, _| 0.0).unwrap();
         spring_error(&state)
     });
     assert_order(4.0, &samples);

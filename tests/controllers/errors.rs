@@ -14,7 +14,7 @@ fn errors_of_the_chain_are_converted<C: Driven, I: Integrator<C>>() {
     state.v_mut()[0] = nan;
     let result = integrator.try_step(&chain, &mut state, fine);
     assert_eq!(result, Err(Fault::Chain(Error::NotFinite)));
-    let result = integrator.try_advance(&chain, &mut chain.start(), nan, fine);
+    let result = integrator.try_advance_to(&chain, &mut chain.start(), nan, fine);
     assert_eq!(result, Err(Fault::Chain(Error::NotFinite)));
 }
 

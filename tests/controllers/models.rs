@@ -145,7 +145,7 @@ pub trait Integrator<C: Chain>: Clone {
         inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
     ) -> Result<(), E>;
 
-    fn try_advance<E: From<Error>>(
+    fn try_advance_to<E: From<Error>>(
         &mut self,
         chain: &C,
         state: &mut C::State,
@@ -193,14 +193,14 @@ macro_rules! integrators {
                 $name::try_step(self, chain, state, inputs)
             }
 
-            fn try_advance<E: From<Error>>(
+            fn try_advance_to<E: From<Error>>(
                 &mut self,
                 chain: &C,
                 state: &mut C::State,
                 end: C::Scalar,
                 inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
             ) -> Result<(), E> {
-                $name::try_advance(self, chain, state, end, inputs)
+                $name::try_advance_to(self, chain, state, end, inputs)
             }
 
             fn plain_step(
@@ -219,7 +219,7 @@ macro_rules! integrators {
                 end: C::Scalar,
                 inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
             ) -> Result<(), Error> {
-                self.advance(chain, state, end, inputs)
+                self.advance_to(chain, state, end, inputs)
             }
 
             fn seen(&self, $chain: &C) -> Vec<String> {

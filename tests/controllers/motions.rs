@@ -51,7 +51,7 @@ fn failed_steps_leave_nothing() {
     on_everything!(a_failed_step_leaves_nothing);
 }
 
-/// `try_advance` keeps all complete steps, and goes on from there as if nothing had happened.
+/// `try_advance_to` keeps all complete steps, and goes on from there as if nothing had happened.
 fn complete_steps_are_kept<C: Driven, I: Integrator<C>>() {
     let chain = C::default();
     // Rounding of this time is what the clock keeps.
@@ -68,7 +68,7 @@ fn complete_steps_are_kept<C: Driven, I: Integrator<C>>() {
         let (mut integrator, mut state) = (I::make(), chain.start());
         let mut asked = 0;
         let result =
-            integrator.try_advance(&chain, &mut state, end, failing(&chain, &mut asked, at));
+            integrator.try_advance_to(&chain, &mut state, end, failing(&chain, &mut asked, at));
         assert_eq!((result, asked), (Err(Fault::Sensor(at)), at));
         assert!(state.time() < end);
         integrator.plain_advance(&chain, &mut state, end, good).expect("the rest");
@@ -94,7 +94,7 @@ fn inputs_in_a_result_are_the_same<C: Driven, I: Integrator<C>>() {
     other.try_step(&chain, &mut same, fine).expect("a step");
     assert_eq!(state, same);
     one.plain_advance(&chain, &mut state, end, good).expect("an interval");
-    other.try_advance(&chain, &mut same, end, fine).expect("an interval");
+    other.try_advance_to(&chain, &mut same, end, fine).expect("an interval");
     assert_eq!(state, same);
     assert!(one.seen(&chain) == other.seen(&chain));
 }

@@ -54,7 +54,7 @@ fn steps<C: Sample<Scalar: Lanes>>(case: &Case<C>) -> Result<Results, Error> {
 
             let (mut state, mut method) = (start.clone(), $method::new(Scalar::constant(STEP)));
             state.set_time(Scalar::constant(0.0));
-            method.advance(chain, &mut state, end, |_, _| inputs.clone())?;
+            method.advance_to(chain, &mut state, end, |_, _| inputs.clone())?;
             results.push((concat!($name, ", to a time"), numbers(&state)));
         )* };
     }

@@ -33,7 +33,7 @@ fn integrated<C: Sample<Scalar: Lanes>>(case: &Case<C>) -> Result<[Vec<f64>; 3],
     let tolerance = Scalar::constant(TOLERANCE);
     let mut dopri5 = Dopri5::new(tolerance, tolerance);
     let end = Scalar::constant(DURATION);
-    dopri5.advance(chain, &mut state, end, |_, _| inputs.clone())?;
+    dopri5.advance_to(chain, &mut state, end, |_, _| inputs.clone())?;
     dopri5.interpolate(chain, Scalar::constant(DURATION - 1e-5), &mut within)?;
     let statistics = dopri5.statistics();
     let work = [statistics.accepted, statistics.rejected, statistics.evaluations];

@@ -144,7 +144,7 @@ pub fn accepted<T: Number>() -> Vec<[T; 4]> {
     [0.9, 0.9001, 0.95, 1.0, 1.05, 1.0999, 1.1].map(of_length).into()
 }
 
-/// The results of `step` and `advance` of all integrators from a state, with the states that they leave.
+/// The results of `step` and `advance_to` of all integrators from a state, with the states that they leave.
 pub fn moved<C: Compared>(
     chain: &C,
     state: &C::State,
@@ -159,13 +159,13 @@ pub fn moved<C: Compared>(
             let result = $integrator.step(chain, &mut moved, |_, _| *inputs);
             found.push((concat!(stringify!($name), "::step"), result, moved));
             let mut moved = state.clone();
-            let result = $integrator.advance(chain, &mut moved, end, |_, _| *inputs);
-            found.push((concat!(stringify!($name), "::advance"), result, moved));
+            let result = $integrator.advance_to(chain, &mut moved, end, |_, _| *inputs);
+            found.push((concat!(stringify!($name), "::advance_to"), result, moved));
             // The state is checked even if no step is needed.
             let mut moved = state.clone();
-            let result = $integrator.advance(chain, &mut moved, state.time(), |_, _| *inputs);
+            let result = $integrator.advance_to(chain, &mut moved, state.time(), |_, _| *inputs);
             if result.is_err() {
-                found.push((concat!(stringify!($name), "::advance"), result, moved));
+                found.push((concat!(stringify!($name), "::advance_to"), result, moved));
             }
         )* };
     }

@@ -58,7 +58,7 @@ const END: f64 = 1.0;
 fn reference(chain: &Cubes<f64>, tolerance: f64) -> Result<CubesState<f64>, Error> {
     let mut state = chain.initial_state();
     let mut dopri5 = Dopri5::new(tolerance, tolerance);
-    dopri5.advance(chain, &mut state, END, |_time, _state| chain.no_inputs())?;
+    dopri5.advance_to(chain, &mut state, END, |_time, _state| chain.no_inputs())?;
     Ok(state)
 }
 

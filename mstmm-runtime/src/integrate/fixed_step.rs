@@ -40,7 +40,7 @@ pub(super) fn step<C: Chain, E: From<Error>>(
 }
 
 /// Whole steps and a shorter one that ends at the time `end`.
-pub(super) fn advance<C: Chain, E: From<Error>>(
+pub(super) fn advance_to<C: Chain, E: From<Error>>(
     method: &mut impl FixedStep<C>,
     chain: &C,
     state: &mut C::State,
@@ -147,16 +147,54 @@ impl<T: Scalar> Clock<T> {
     }
 }
 
-/// `try_step` and `try_advance` of a method.
-macro_rules! fallible_inputs {
+/// The methods of an integrator that follow from its [`FixedStep`]: `advance_to`, `advance_by`, and those with
+/// inputs that may fail.
+macro_rules! advance_methods {
     ($method:ident) => {
         impl<C: Chain> $method<C> {
-            /// Takes `state` one step further, as [`step`](Self::step) does, with `inputs` that may
-            /// fail.
+            /// Integrates `state` to the time `end` in s and ends exactly there.
+            ///
+            /// `end` may be earlier than the time of `state`. All steps have the step size and the sign of the
+            /// direction, except that the last one is as long as the time left. All lanes must have the same
+            /// time and step.
             ///
             /// # Errors
-            /// The first error of `inputs`, unchanged: it ends the step at once. Those of
-            /// [`step`](Self::step), as an `E`. `state` and the integrator are left as they were.
+            /// Those of [`step`](Self::step), [`Error::NotFinite`] if `end` is not finite, and
+            /// [`Error::Parameter`] if the step is too small to change the time. `state` is then the result
+            /// of the last complete step.
+            pub fn advance_to(
+                &mut self,
+                chain: &C,
+                state: &mut C::State,
+                end: $crate::integrate::Real<C>,
+                inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
+            ) -> Result<(), Error> {
+                self.try_advance_to(chain, state, end, always::<C>(inputs))
+            }
+
+            /// Integrates `state` over `duration` in s, as [`advance_to`](Self::advance_to) does to the time
+            /// of `state` plus `duration`.
+            ///
+            /// A negative duration goes back in time. The end time is rounded, so calls in a row add up
+            /// rounding errors; [`advance_to`](Self::advance_to) does not.
+            ///
+            /// # Errors
+            /// Those of [`advance_to`](Self::advance_to).
+            pub fn advance_by(
+                &mut self,
+                chain: &C,
+                state: &mut C::State,
+                duration: $crate::integrate::Real<C>,
+                inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
+            ) -> Result<(), Error> {
+                self.try_advance_by(chain, state, duration, always::<C>(inputs))
+            }
+
+            /// Takes one step as [`step`](Self::step) does, with `inputs` that may fail.
+            ///
+            /// # Errors
+            /// The first error of `inputs`, unchanged, which ends the step at once, and those of
+            /// [`step`](Self::step), converted to `E`. `state` and the integrator are unchanged.
             pub fn try_step<E: From<Error>>(
                 &mut self,
                 chain: &C,
@@ -166,26 +204,42 @@ macro_rules! fallible_inputs {
                 fixed_step::step(self, chain, state, inputs)
             }
 
-            /// Takes `state` to the time `end` in s, as [`advance`](Self::advance) does, with
+            /// Integrates `state` to the time `end` in s as [`advance_to`](Self::advance_to) does, with
             /// `inputs` that may fail.
             ///
             /// # Errors
-            /// The first error of `inputs`, unchanged: it ends the step at once. Those of
-            /// [`advance`](Self::advance), as an `E`. `state` and the integrator are then what the
-            /// last complete step led to.
-            pub fn try_advance<E: From<Error>>(
+            /// The first error of `inputs`, unchanged, which ends the step at once, and those of
+            /// [`advance_to`](Self::advance_to), converted to `E`. `state` and the integrator are then those
+            /// after the last complete step.
+            pub fn try_advance_to<E: From<Error>>(
                 &mut self,
                 chain: &C,
                 state: &mut C::State,
-                end: Real<C>,
+                end: $crate::integrate::Real<C>,
                 inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
             ) -> Result<(), E> {
-                fixed_step::advance(self, chain, state, end, inputs)
+                fixed_step::advance_to(self, chain, state, end, inputs)
+            }
+
+            /// Integrates `state` over `duration` in s as [`advance_by`](Self::advance_by) does, with
+            /// `inputs` that may fail.
+            ///
+            /// # Errors
+            /// Those of [`try_advance_to`](Self::try_advance_to).
+            pub fn try_advance_by<E: From<Error>>(
+                &mut self,
+                chain: &C,
+                state: &mut C::State,
+                duration: $crate::integrate::Real<C>,
+                inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+            ) -> Result<(), E> {
+                let end = $crate::Scalar::worst(state.time()) + duration;
+                self.try_advance_to(chain, state, end, inputs)
             }
         }
     };
 }
-pub(super) use fallible_inputs;
+pub(super) use advance_methods;
 
 /// `Clone` and `Debug` of a method, whose first field is its [`Pace`]. Derived, both would ask the
 /// same of the chain's own type.

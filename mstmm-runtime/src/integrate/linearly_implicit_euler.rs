@@ -1,8 +1,7 @@
 //! Euler's method for stiff springs.
 
-use super::Real;
 use super::ask::{always, ask};
-use super::fixed_step::{self, FixedStep, Pace, Span, clone_and_debug, fallible_inputs};
+use super::fixed_step::{self, FixedStep, Pace, Span, advance_methods, clone_and_debug};
 use super::semi_implicit_euler::follow;
 use crate::{Chain, ChainState, Error};
 
@@ -22,7 +21,7 @@ pub struct LinearlyImplicitEuler<C: Chain> {
     result: C::State,
 }
 
-fallible_inputs!(LinearlyImplicitEuler);
+advance_methods!(LinearlyImplicitEuler);
 
 clone_and_debug!(LinearlyImplicitEuler { rate, result });
 
@@ -57,22 +56,6 @@ impl<C: Chain> LinearlyImplicitEuler<C> {
         inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
         fixed_step::step(self, chain, state, always::<C>(inputs))
-    }
-
-    /// Takes `state` to the time `end` in s as [`Rk4::advance`](super::Rk4::advance) does.
-    ///
-    /// # Errors
-    /// Those of [`step`](LinearlyImplicitEuler::step), [`Error::NotFinite`] if `end` is not finite,
-    /// and [`Error::Parameter`] if the step is too small to move the clock. `state` is then what
-    /// the last step led to.
-    pub fn advance(
-        &mut self,
-        chain: &C,
-        state: &mut C::State,
-        end: Real<C>,
-        inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
-    ) -> Result<(), Error> {
-        fixed_step::advance(self, chain, state, end, always::<C>(inputs))
     }
 }
 

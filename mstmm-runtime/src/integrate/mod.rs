@@ -24,7 +24,7 @@
 //! step; where it jumps, let a step end.
 //!
 //! Inputs that may fail, such as those of a controller that reads sensors, are given to `try_step` and
-//! `try_advance` as a `Result` with an error of any type `E: From<Error>`. The first error ends the
+//! `try_advance_to` as a `Result` with an error of any type `E: From<Error>`. The first error ends the
 //! step at once and reaches the caller unchanged. The state, the clock, and of [`Dopri5`] the size of
 //! the next step and the dense output are then as before that step. Errors of the chain are converted
 //! to `E`.
@@ -59,7 +59,7 @@
 //!
 //! A quaternion of the given state, or of a prescribed motion, whose length is not between 0.9 and 1.1
 //! is refused with [`Error::Quaternion`](crate::Error::Quaternion). The state is checked once in a call
-//! of `step` or `advance`; the states of stages, which an integrator makes itself, are not.
+//! of `step` or `advance_to`; the states of stages, which an integrator makes itself, are not.
 //!
 //! Quaternions are integrated as four numbers, and brought back to unit length after every step by
 //! [`Chain::normalize`]; a chain held at both ends is then brought back onto its closure by

@@ -1,9 +1,8 @@
 //! Newmark's method.
 
-use super::Real;
 use super::ask::{always, ask};
 use super::combine::{add_scaled_coordinates, add_scaled_rates, copy};
-use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug, fallible_inputs};
+use super::fixed_step::{self, FixedStep, Pace, Span, advance_methods, arrive, clone_and_debug};
 use crate::{Chain, ChainState, Error, Scalar};
 
 /// Newmark's method (J. Eng. Mech. Div. ASCE 85, 1959) with a fixed step: order two.
@@ -40,7 +39,7 @@ pub struct Newmark<C: Chain> {
     result: C::State,
 }
 
-fallible_inputs!(Newmark);
+advance_methods!(Newmark);
 
 clone_and_debug!(Newmark { beta, gamma, iterations, first, last, mean, result });
 
@@ -97,22 +96,6 @@ impl<C: Chain> Newmark<C> {
         inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
         fixed_step::step(self, chain, state, always::<C>(inputs))
-    }
-
-    /// Takes `state` to the time `end` in s as [`Rk4::advance`](super::Rk4::advance) does.
-    ///
-    /// # Errors
-    /// Those of [`step`](Newmark::step), [`Error::NotFinite`] if `end` is not finite, and
-    /// [`Error::Parameter`] if the step is too small to move the clock. `state` is then what the
-    /// last step led to.
-    pub fn advance(
-        &mut self,
-        chain: &C,
-        state: &mut C::State,
-        end: Real<C>,
-        inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
-    ) -> Result<(), Error> {
-        fixed_step::advance(self, chain, state, end, always::<C>(inputs))
     }
 
     /// Writes the end of a step from `state` to `self.result`, by the accelerations in `self.first`

@@ -1,9 +1,8 @@
 //! The classical method of order four.
 
-use super::Real;
 use super::ask::{always, ask};
 use super::combine::{add_scaled, copy, start_plus_scaled, sum_scaled, weighted_sum};
-use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug, fallible_inputs};
+use super::fixed_step::{self, FixedStep, Pace, Span, advance_methods, arrive, clone_and_debug};
 use crate::{Chain, ChainState, Error, Scalar};
 
 /// The classical Runge–Kutta method of order four with a fixed step.
@@ -22,7 +21,7 @@ pub struct Rk4<C: Chain> {
     sum: C::State,
 }
 
-fallible_inputs!(Rk4);
+advance_methods!(Rk4);
 
 clone_and_debug!(Rk4 { stage, rate, sum });
 
@@ -64,24 +63,6 @@ impl<C: Chain> Rk4<C> {
         inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
         fixed_step::step(self, chain, state, always::<C>(inputs))
-    }
-
-    /// Takes `state` to the time `end` in s, before or after its own, and lands on it exactly: in
-    /// whole steps, whatever their sign, and a last one that is as long as what is left. Lanes are
-    /// expected to share their time and their step.
-    ///
-    /// # Errors
-    /// Those of [`step`](Rk4::step), [`Error::NotFinite`] if `end` is not finite, and
-    /// [`Error::Parameter`] if the step is too small to move the clock. `state` is then what the
-    /// last step led to.
-    pub fn advance(
-        &mut self,
-        chain: &C,
-        state: &mut C::State,
-        end: Real<C>,
-        inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
-    ) -> Result<(), Error> {
-        fixed_step::advance(self, chain, state, end, always::<C>(inputs))
     }
 }
 

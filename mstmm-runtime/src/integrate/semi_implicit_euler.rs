@@ -1,9 +1,8 @@
 //! Euler's method that takes the coordinates along by the new rates.
 
-use super::Real;
 use super::ask::{always, ask};
 use super::combine::{add_scaled_coordinates, add_scaled_rates, copy};
-use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug, fallible_inputs};
+use super::fixed_step::{self, FixedStep, Pace, Span, advance_methods, arrive, clone_and_debug};
 use crate::{Chain, ChainState, Error};
 
 /// The semi-implicit, or symplectic, method of Euler with a fixed step: order one at one evaluation
@@ -24,7 +23,7 @@ pub struct SemiImplicitEuler<C: Chain> {
     result: C::State,
 }
 
-fallible_inputs!(SemiImplicitEuler);
+advance_methods!(SemiImplicitEuler);
 
 clone_and_debug!(SemiImplicitEuler { rate, result });
 
@@ -59,22 +58,6 @@ impl<C: Chain> SemiImplicitEuler<C> {
         inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
         fixed_step::step(self, chain, state, always::<C>(inputs))
-    }
-
-    /// Takes `state` to the time `end` in s as [`Rk4::advance`](super::Rk4::advance) does.
-    ///
-    /// # Errors
-    /// Those of [`step`](SemiImplicitEuler::step), [`Error::NotFinite`] if `end` is not finite, and
-    /// [`Error::Parameter`] if the step is too small to move the clock. `state` is then what the
-    /// last step led to.
-    pub fn advance(
-        &mut self,
-        chain: &C,
-        state: &mut C::State,
-        end: Real<C>,
-        inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
-    ) -> Result<(), Error> {
-        fixed_step::advance(self, chain, state, end, always::<C>(inputs))
     }
 }
 

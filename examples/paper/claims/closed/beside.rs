@@ -99,7 +99,7 @@ pub fn motion<C: GeneratedChain<Scalar = f64>>(
     let mut rk4 = Rk4::new(STEP);
     let mut all = Generated { records: Vec::new(), energy_drift: 0.0, gap: 0.0 };
     for time in times(RECORDS_PER_SECOND) {
-        rk4.advance(chain, &mut state, time, |_time, _state| chain.no_inputs())?;
+        rk4.advance_to(chain, &mut state, time, |_time, _state| chain.no_inputs())?;
         let (record, gap) = record(time, &state)?;
         all.records.push(record);
         let drift = (chain.energy(&state).total() - energy).abs();

@@ -63,7 +63,7 @@ pub fn outcome(progress: &Progress) -> Result<Outcome, Error> {
 fn own_steps(chain: &Cubes<f64>, exact: &CubesState<f64>) -> Result<Vec<Run>, Error> {
     let run = |tolerance: f64| {
         let (mut state, mut dopri5) = (chain.initial_state(), Dopri5::new(tolerance, tolerance));
-        dopri5.advance(chain, &mut state, END, |_time, _state| chain.no_inputs())?;
+        dopri5.advance_to(chain, &mut state, END, |_time, _state| chain.no_inputs())?;
         let done = dopri5.statistics();
         Ok(Run {
             step: END / done.accepted as f64,

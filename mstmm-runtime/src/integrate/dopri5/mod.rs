@@ -33,7 +33,7 @@ pub struct Statistics {
 /// so no rounding adds up.
 ///
 /// The last evaluation of a step is at its end, with quaternions already brought back to unit
-/// length, and serves as the first one of the next step inside [`advance`](Dopri5::advance): six
+/// length, and serves as the first one of the next step inside [`advance_to`](Dopri5::advance_to): six
 /// evaluations a step. [`step`](Dopri5::step) always evaluates anew, seven times, since chain,
 /// state and inputs may have changed since the last call.
 ///
@@ -189,24 +189,42 @@ impl<C: Chain> Dopri5<C> {
     /// # Errors
     /// Those of [`step`](Dopri5::step), and [`Error::NotFinite`] if `end` is not finite. `state` is
     /// then what the last accepted step led to.
-    pub fn advance(
+    pub fn advance_to(
         &mut self,
         chain: &C,
         state: &mut C::State,
         end: Real<C>,
         inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error> {
-        self.try_advance(chain, state, end, always::<C>(inputs))
+        self.try_advance_to(chain, state, end, always::<C>(inputs))
     }
 
-    /// Takes `state` to the time `end` in s, as [`advance`](Dopri5::advance) does, with `inputs`
+    /// Integrates `state` over `duration` in s, as [`advance_to`](Dopri5::advance_to) does to the time of
+    /// `state` plus `duration`.
+    ///
+    /// A negative duration goes back in time. The end time is rounded, so calls in a row add up rounding
+    /// errors; [`advance_to`](Dopri5::advance_to) does not.
+    ///
+    /// # Errors
+    /// Those of [`advance_to`](Dopri5::advance_to).
+    pub fn advance_by(
+        &mut self,
+        chain: &C,
+        state: &mut C::State,
+        duration: Real<C>,
+        inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
+    ) -> Result<(), Error> {
+        self.try_advance_by(chain, state, duration, always::<C>(inputs))
+    }
+
+    /// Takes `state` to the time `end` in s, as [`advance_to`](Dopri5::advance_to) does, with `inputs`
     /// that may fail.
     ///
     /// # Errors
     /// The first error of `inputs`, unchanged, as of [`try_step`](Dopri5::try_step). Those of
-    /// [`advance`](Dopri5::advance), as an `E`. `state`, the size of the next step and the dense
+    /// [`advance_to`](Dopri5::advance_to), as an `E`. `state`, the size of the next step and the dense
     /// output are then what the last accepted step led to.
-    pub fn try_advance<E: From<Error>>(
+    pub fn try_advance_to<E: From<Error>>(
         &mut self,
         chain: &C,
         state: &mut C::State,
@@ -235,12 +253,28 @@ impl<C: Chain> Dopri5<C> {
         }
     }
 
+    /// Integrates `state` over `duration` in s as [`advance_by`](Dopri5::advance_by) does, with `inputs`
+    /// that may fail.
+    ///
+    /// # Errors
+    /// Those of [`try_advance_to`](Dopri5::try_advance_to).
+    pub fn try_advance_by<E: From<Error>>(
+        &mut self,
+        chain: &C,
+        state: &mut C::State,
+        duration: Real<C>,
+        inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+    ) -> Result<(), E> {
+        let end = state.time().worst() + duration;
+        self.try_advance_to(chain, state, end, inputs)
+    }
+
     /// Writes the state at `time`, in s, within the last accepted step to `out`, to order four and
     /// with unit quaternions.
     ///
     /// # Errors
     /// [`Error::OutsideStep`] if `time` lies outside the last accepted step, or if there was none,
-    /// or if the last call of [`step`](Dopri5::step) or [`advance`](Dopri5::advance) failed for
+    /// or if the last call of [`step`](Dopri5::step) or [`advance_to`](Dopri5::advance_to) failed for
     /// another reason than an error of its inputs or of its arguments. `out` is left as it was.
     pub fn interpolate(&self, chain: &C, time: Real<C>, out: &mut C::State) -> Result<(), Error> {
         let Some(end) = self.accepted else {
