@@ -2,7 +2,7 @@
 
 use super::places::{self, Places};
 use super::{layouts, outputs};
-use crate::equations::{self, AXES, Numbers, Situation, Solved, Trace};
+use crate::equations::{self, AXES, EvalContext, ForwardDynamics, SymbolValues, Trace};
 use crate::examine::Findings;
 use crate::expr::{Edge, Expr, Graph, Stage};
 use crate::function::{Function, LoopTracer, Output, Pivot, Section, Unknowns};
@@ -34,7 +34,7 @@ pub(super) struct ChainCompiler<'a> {
     merged: &'a Layout,
     unknowns: &'a Unknowns,
     graph: &'a Graph,
-    numbers: Numbers<Expr<'a>>,
+    numbers: SymbolValues<Expr<'a>>,
     q: Vec<Expr<'a>>,
     v: Vec<Expr<'a>>,
     inputs: Vec<Expr<'a>>,
@@ -61,7 +61,7 @@ impl<'a> ChainCompiler<'a> {
             merged,
             unknowns,
             graph,
-            numbers: Numbers {
+            numbers: SymbolValues {
                 parameters: parameters
                     .flat_map(|index| symbols(Argument::Parameter(index), Stage::Setup))
                     .collect(),
@@ -75,18 +75,18 @@ impl<'a> ChainCompiler<'a> {
         }
     }
 
-    fn situation<'b>(&'b self, layout: &'b Layout) -> Situation<'b, Expr<'a>> {
+    fn situation<'b>(&'b self, layout: &'b Layout) -> EvalContext<'b, Expr<'a>> {
         self.situation_with(layout, &self.numbers)
     }
 
     fn situation_with<'b>(
         &'b self,
         layout: &'b Layout,
-        numbers: &'b Numbers<Expr<'a>>,
-    ) -> Situation<'b, Expr<'a>> {
+        numbers: &'b SymbolValues<Expr<'a>>,
+    ) -> EvalContext<'b, Expr<'a>> {
         let &Findings { held_by_closure, closure_rank, .. } = self.findings;
         let state = (&self.q[..], &self.v[..], &self.inputs[..]);
-        Situation::new(self.chain, layout, numbers, state).knowing(held_by_closure, closure_rank)
+        EvalContext::new(self.chain, layout, numbers, state).knowing(held_by_closure, closure_rank)
     }
 
     /// The unknowns of its functions.
@@ -146,9 +146,9 @@ impl<'a> ChainCompiler<'a> {
     }
 
     /// The pivots that are not known to be positive.
-    fn pivots(&self, solved: &Solved<Expr<'a>>) -> Vec<Pivot> {
+    fn pivots(&self, solved: &ForwardDynamics<Expr<'a>>) -> Vec<Pivot> {
         let unsure = solved.pivots.iter().filter(|pivot| !is_positive(pivot));
-        let pivot = |pivot: &equations::Pivot<Expr<'a>>| {
+        let pivot = |pivot: &equations::HingePivot<Expr<'a>>| {
             let hinge = self.merged.links[pivot.link].hinge;
             Pivot {
                 hinge: self.chain.hinges[hinge].name.to_string(),
@@ -169,7 +169,7 @@ impl<'a> ChainCompiler<'a> {
 
     fn solved(
         &self,
-        set: impl for<'b> Fn(Situation<'b, Expr<'a>>) -> Situation<'b, Expr<'a>>,
+        set: impl for<'b> Fn(EvalContext<'b, Expr<'a>>) -> EvalContext<'b, Expr<'a>>,
     ) -> Traced<'a> {
         let (solved, function) = self.traced(|tracer, trace| {
             let situation = set(self.situation(self.merged)).woven(tracer);
@@ -272,7 +272,7 @@ impl<'a> ChainCompiler<'a> {
         let ClosureRank::FoundAtRunTime(directions) = self.findings.closure_rank else {
             bug!("the rank of this closure is not found at run time")
         };
-        let numbers = Numbers { closure_steps: Vec::new(), ..self.numbers.clone() };
+        let numbers = SymbolValues { closure_steps: Vec::new(), ..self.numbers.clone() };
         let (solved, function) = self.traced(|tracer, trace| {
             let situation = self.situation_with(self.merged, &numbers).woven(tracer);
             equations::accelerations(&situation, Method::Riccati, AXES, trace)
@@ -338,7 +338,7 @@ impl<'a> ChainCompiler<'a> {
 }
 
 /// A section of a trace, over edges; known numbers need no name.
-fn section(section: &equations::Section<Expr>) -> Section {
+fn section(section: &equations::TraceSection<Expr>) -> Section {
     let formula = |(name, expr): &(String, Expr)| match expr {
         Expr::Formula(_, edge) => Some((name.clone(), *edge)),
         Expr::Number(_) => None,
@@ -352,7 +352,7 @@ fn section(section: &equations::Section<Expr>) -> Section {
 }
 
 /// Whether a pivot is known, and known to be positive beyond rounding, so that no step has to look.
-fn is_positive(pivot: &equations::Pivot<Expr>) -> bool {
+fn is_positive(pivot: &equations::HingePivot<Expr>) -> bool {
     match (pivot.value.known(), pivot.scale.known()) {
         (Some(value), Some(scale)) => value > NOISE * f64::EPSILON * scale,
         _ => false,

@@ -1,6 +1,6 @@
 //! Where the numbers of connection points are stored: every vector once, however many points share it.
 
-use crate::equations::{Numbers, Point, Seen};
+use crate::equations::{FramedVector, PointState, SymbolValues};
 use crate::expr::{Edge, Expr, Graph};
 use crate::model::{Body, Chain, Dimension, Element, RepeatId, Results};
 use std::collections::HashMap;
@@ -54,8 +54,8 @@ pub struct Places {
 pub(super) fn places<'g>(
     chain: &Chain,
     graph: &'g Graph,
-    points: &[Point<Expr<'g>>],
-    numbers: &Numbers<Expr<'g>>,
+    points: &[PointState<Expr<'g>>],
+    numbers: &SymbolValues<Expr<'g>>,
 ) -> (Places, Vec<Expr<'g>>) {
     let mut all = Filling { graph, known: HashMap::new(), start: 0, numbers: Vec::new() };
     let mut places = Places::default();
@@ -109,7 +109,7 @@ impl<'g> Filling<'g> {
     /// The places of what is asked for; of all else those of zeros.
     fn point(
         &mut self,
-        point: &Point<Expr<'g>>,
+        point: &PointState<Expr<'g>>,
         dimension: Dimension,
         results: Results,
     ) -> PointPlaces {
@@ -143,7 +143,7 @@ impl<'g> Filling<'g> {
         &mut self,
         body: &Body,
         chain: &Chain,
-        numbers: &Numbers<Expr<'g>>,
+        numbers: &SymbolValues<Expr<'g>>,
     ) -> Vec<Option<Place>> {
         let shifts = chain.dimension.shifts();
         let all = body.own_points().map(|position| {
@@ -154,7 +154,12 @@ impl<'g> Filling<'g> {
         all.collect()
     }
 
-    fn sight(&mut self, seen: &Seen<Expr<'g>>, along: &[usize], dimension: Dimension) -> Sight {
+    fn sight(
+        &mut self,
+        seen: &FramedVector<Expr<'g>>,
+        along: &[usize],
+        dimension: Dimension,
+    ) -> Sight {
         let vector = self.vector(seen.vector.0, along);
         // Zeros, and a turn in the plane, are the same numbers in all axes.
         let turned = vector != Place::default() && along.len() > 1;

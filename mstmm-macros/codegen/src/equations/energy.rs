@@ -6,13 +6,13 @@
 //! (1)  `T = Σ ½ m ṙᵀ ṙ + ṙᵀ (Ω × m r_C) + ½ Ωᵀ J Ω + ½ I ṡ²`
 //! (2)  `V = −Σ gᵀ (m r + A m r_C) + springs and stops`
 
-use super::closing::closing;
-use super::hinge::Passives;
+use super::base_parameters::redistribute;
+use super::hinge::PassiveElements;
 use super::kinematics::poses;
-use super::load::spring_energy;
-use super::redistribution::redistribute;
+use super::loads::spring_energy;
+use super::loop_hinge::closing;
 use super::sweep::Flatten;
-use super::{Axes, Situation, Trace, motion};
+use super::{Axes, EvalContext, Trace, motion};
 use crate::math::{Scalar, Vec3};
 use crate::model::Source;
 
@@ -35,7 +35,7 @@ pub struct Energy<S> {
 ///
 /// What the turning of a pin leaves in place moves as the parent does, and has its height: given to
 /// that one it has the same energy, for 301 operations of the Panda in place of 392.
-pub fn energy<S: Scalar>(situation: &Situation<S>, trace: &mut Trace<S>) -> Energy<S> {
+pub fn energy<S: Scalar>(situation: &EvalContext<S>, trace: &mut Trace<S>) -> Energy<S> {
     // First moments and inertias are constant in body axes.
     let mut links = motion(situation, Axes::Body, trace);
     redistribute(situation, &mut links, trace);
@@ -74,7 +74,7 @@ impl<S: Scalar> Flatten<S> for Energy<S> {
 
 impl<S: Scalar> Energy<S> {
     /// Adds what a hinge holds.
-    fn add_passives(&mut self, passives: &Passives<S>) {
+    fn add_passives(&mut self, passives: &PassiveElements<S>) {
         self.potential = self.potential + passives.energy;
         for (&inertia, &rate) in passives.rotors.iter().zip(&passives.rates) {
             self.kinetic = self.kinetic + inertia * (rate * rate) * S::number(0.5);

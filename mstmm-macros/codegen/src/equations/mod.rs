@@ -8,8 +8,8 @@
 //! | `a = [r̈; Ω̇]` | [`Motion`](crate::math::Motion) | accelerations at a connection point |
 //! | `F = [q; n]`, `n = −m` | [`Wrench`](crate::math::Wrench) | what a hinge exerts on its child's side |
 //! | `Iᴬ`, `pᴬ` | [`SpatialInertia`](crate::math::SpatialInertia), `Wrench` | Riccati pair, `F = Iᴬ a + pᴬ` |
-//! | `S`, `v` | [`hinge::Geometry`], [`hinge::Freedom`] | free directions of a hinge and its rates |
-//! | `s`, `J` | [`hinge::Strains`] | how far a hinge is from rest, `ṡ = J v` |
+//! | `S`, `v` | [`hinge::HingeGeometry`], [`hinge::SubspaceBasis`] | free directions of a hinge and its rates |
+//! | `s`, `J` | [`hinge::StrainMap`] | how far a hinge is from rest, `ṡ = J v` |
 //! | `T`, `W`, `λ` | `closing` | directions that a closing hinge holds, wrenches that do work on one rate each, reactions |
 //! | `c` | the *point* of a link | where a body hangs on its hinge: its input, or its output if the chain is held at its end |
 //!
@@ -24,39 +24,41 @@
 //! `[P]` X. Rui, D. Bestle, J. Zhang, Q. Zhou: A new version of transfer matrix method for
 //! multibody systems. Multibody System Dynamics 38 (2016).
 
-mod accelerations;
-mod closing;
-mod closure;
-mod correction;
-mod elimination;
+mod constraint_forces;
 mod energy;
+mod forward_dynamics;
 pub mod hinge;
-mod inverse;
+mod inverse_dynamics;
 mod kinematics;
-mod load;
-mod numbers;
+mod loads;
+mod loop_hinge;
+mod projection;
+mod reflection;
+mod symbol_values;
 
-mod problem;
-mod redistribution;
+mod base_parameters;
+mod connection_points;
+mod eval_context;
+mod hinge_wrenches;
+mod motion_problem;
 mod report;
 mod riccati;
-mod situation;
-mod spots;
 mod strategy;
 mod sweep;
 mod trace;
 mod transfer;
-mod transmitted;
 
-pub use accelerations::{Behind, Reaction, Solved, Swept, accelerations, sweep};
-pub use correction::{Correction, correction, moved};
 pub use energy::{Energy, energy};
-pub use inverse::bias_efforts;
-pub use kinematics::{LinkMotion, motion};
-pub use numbers::Numbers;
-pub use problem::Pivot;
-pub use report::{Point, Report, Seen, report};
-pub use situation::Situation;
+pub use eval_context::EvalContext;
+pub use forward_dynamics::{
+    ForwardDynamics, LoopReaction, OutboardState, SweepResult, accelerations, sweep,
+};
+pub use inverse_dynamics::bias_efforts;
+pub use kinematics::{LinkKinematics, motion};
+pub use motion_problem::HingePivot;
+pub use projection::{Projection, correction, moved};
+pub use report::{FramedVector, PointState, Report, report};
 pub use strategy::{AXES, Axes};
-pub use sweep::{LinkTree, Weave};
-pub use trace::{Section, Trace};
+pub use sweep::{LinkTree, LoopHook};
+pub use symbol_values::SymbolValues;
+pub use trace::{Trace, TraceSection};

@@ -4,27 +4,27 @@
 //! Poses are inertial. All else stays in the axes of links, where the sweeps have most of it: a
 //! turn into inertial axes is made where a number is read.
 
-use super::closing::{Closing, closing};
-use super::kinematics::{Crossed, LinkMotion, Pose, link_of, poses};
-use super::load::loads;
-use super::spots::{Spot, spots};
+use super::connection_points::{ConnectionPoint, spots};
+use super::hinge_wrenches::WrenchSum;
+use super::kinematics::{HingeKinematics, LinkKinematics, Pose, link_of, poses};
+use super::loads::loads;
+use super::loop_hinge::{LoopHinge, closing};
 use super::sweep::{Flatten, PerLink};
-use super::transmitted::Summed;
-use super::{Behind, Situation, Solved, Swept, Trace, motion};
+use super::{EvalContext, ForwardDynamics, OutboardState, SweepResult, Trace, motion};
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::{Dimension, HingeId, LinkId};
 
 /// A vector, and the axes that its components are seen in.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen<S> {
+pub struct FramedVector<S> {
     /// From those axes to inertial ones.
     pub axes: Mat3<S>,
     /// The components.
     pub vector: Vec3<S>,
 }
 
-impl<S: Scalar> Seen<S> {
+impl<S: Scalar> FramedVector<S> {
     /// The components in inertial axes.
     pub fn inertial(&self) -> Vec3<S> {
         self.axes * self.vector
@@ -33,23 +33,23 @@ impl<S: Scalar> Seen<S> {
 
 /// A connection point.
 #[derive(Clone, Copy, Debug)]
-pub struct Point<S> {
+pub struct PointState<S> {
     /// Its place, inertial frame.
     pub position: Vec3<S>,
     /// Its frame's axes to inertial ones.
     pub rotation: Mat3<S>,
     /// Its velocity.
-    pub velocity: Seen<S>,
+    pub velocity: FramedVector<S>,
     /// Its frame's angular velocity `Ω`.
-    pub omega: Seen<S>,
+    pub omega: FramedVector<S>,
     /// `r̈`, that of free fall the other way among it.
-    pub felt: Seen<S>,
+    pub felt: FramedVector<S>,
     /// `Ω̇`
-    pub turning: Seen<S>,
+    pub turning: FramedVector<S>,
     /// Internal moment `m`, in the signs of [P, Sect. 2.1].
-    pub moment: Seen<S>,
+    pub moment: FramedVector<S>,
     /// Internal force `q`.
-    pub force: Seen<S>,
+    pub force: FramedVector<S>,
 }
 
 /// Everything but the accelerations themselves.
@@ -57,7 +57,7 @@ pub struct Point<S> {
 pub struct Report<S> {
     /// All connection points in the order written: the first element's input, then every output.
     /// One more than there are elements.
-    pub points: Vec<Point<S>>,
+    pub points: Vec<PointState<S>>,
     /// What a point at rest feels: to be taken from what others feel, inertial frame.
     pub at_rest: Vec3<S>,
     /// Accelerations of all hinges' rates, prescribed ones as well.
@@ -69,8 +69,8 @@ pub struct Report<S> {
 /// The report on a chain with every body a link, from what the sweeps know with welded bodies
 /// merged.
 pub fn report<S: Scalar>(
-    situation: &Situation<S>,
-    (solved, swept): (&Solved<S>, &Swept<S>),
+    situation: &EvalContext<S>,
+    (solved, swept): (&ForwardDynamics<S>, &SweepResult<S>),
     trace: &mut Trace<S>,
 ) -> Report<S> {
     let links = motion(situation, swept.axes, trace);
@@ -84,18 +84,20 @@ pub fn report<S: Scalar>(
         (closing, reaction.wrench.turned(&Rotation::general(attitude * rotation)))
     });
     let wrenches = wrenches(situation, &links, &felt, swept, closed);
-    let mut hinges: IdVec<HingeId, Option<Transmitting<S>>> =
+    let mut hinges: IdVec<HingeId, Option<HingeWrench<S>>> =
         situation.chain.hinges.iter().map(|_| None).collect();
     links.enumerate().for_each(|(index, link)| {
-        let over = Transmitting::over(situation, index, link, wrenches[index]);
+        let over = HingeWrench::over(situation, index, link, wrenches[index]);
         hinges[link.over.hinge] = Some(over);
     });
     if let Some((closing, wrench)) = closed {
-        hinges[closing.over.hinge] = Some(Transmitting::closing(closing, wrench));
+        hinges[closing.over.hinge] = Some(HingeWrench::closing(closing, wrench));
     }
     let accelerations = rate_accelerations(situation, &solved.accelerations);
-    let sheet = Sheet { situation, links: &links, poses: &poses, felt: &felt, hinges: &hinges };
-    let points: Vec<Point<S>> = spots(situation).iter().map(|spot| sheet.point(spot)).collect();
+    let sheet =
+        PointReader { situation, links: &links, poses: &poses, felt: &felt, hinges: &hinges };
+    let points: Vec<PointState<S>> =
+        spots(situation).iter().map(|spot| sheet.point(spot)).collect();
     trace.section("points", "Connection points", "[P, Eqs. (4), (12), (13)]");
     for (number, point) in points.iter().enumerate() {
         trace.vector(&format!("point{number}_velocity"), point.velocity.vector);
@@ -120,7 +122,7 @@ fn record<S: Scalar>(name: &str, pose: &Pose<S>, trace: &mut Trace<S>) {
 }
 
 /// The accelerations of all rates, in the layout's order of all rates.
-fn rate_accelerations<S: Scalar>(situation: &Situation<S>, free: &[S]) -> Vec<S> {
+fn rate_accelerations<S: Scalar>(situation: &EvalContext<S>, free: &[S]) -> Vec<S> {
     let of = |hinge: HingeId| match situation.prescribed_accelerations(hinge) {
         Some(given) => given.to_vec(),
         None => free[situation.layout.v[hinge].clone()].to_vec(),
@@ -130,26 +132,29 @@ fn rate_accelerations<S: Scalar>(situation: &Situation<S>, free: &[S]) -> Vec<S>
 
 /// What is felt at all links' points: of bodies welded to others, by way of those.
 fn felt<S: Scalar>(
-    situation: &Situation<S>,
-    links: &PerLink<LinkMotion<S>>,
-    swept: &Swept<S>,
+    situation: &EvalContext<S>,
+    links: &PerLink<LinkKinematics<S>>,
+    swept: &SweepResult<S>,
 ) -> PerLink<Motion<S>> {
-    let (all, _) = situation.tree.outward(Felt(situation.ground()), |link, &Felt(parent)| {
-        let over = &links[link].over;
-        let felt = match swept.behind[over.hinge] {
-            Some(Behind { felt, .. }) => felt,
-            None => over.carried_with(parent, over.drift),
-        };
-        (Felt(felt), ())
-    });
-    all.into_iter().map(|Felt(felt)| felt).collect()
+    let (all, _) = situation.tree.outward(
+        ProperAcceleration(situation.ground()),
+        |link, &ProperAcceleration(parent)| {
+            let over = &links[link].over;
+            let felt = match swept.behind[over.hinge] {
+                Some(OutboardState { felt, .. }) => felt,
+                None => over.carried_with(parent, over.drift),
+            };
+            (ProperAcceleration(felt), ())
+        },
+    );
+    all.into_iter().map(|ProperAcceleration(felt)| felt).collect()
 }
 
 /// What is felt at a link's point. It crosses no boundary: the sweeps know it there.
 #[derive(Clone, Copy)]
-struct Felt<S>(Motion<S>);
+struct ProperAcceleration<S>(Motion<S>);
 
-impl<S: Scalar> Flatten<S> for Felt<S> {
+impl<S: Scalar> Flatten<S> for ProperAcceleration<S> {
     fn visit(self, _: &mut dyn FnMut(S) -> S) -> Self {
         self
     }
@@ -158,26 +163,27 @@ impl<S: Scalar> Flatten<S> for Felt<S> {
 /// What every link's hinge exerts on it about its point [P, Eqs. (18), (19)]: of welds between
 /// bodies, what everything behind them takes.
 fn wrenches<S: Scalar>(
-    situation: &Situation<S>,
-    links: &PerLink<LinkMotion<S>>,
+    situation: &EvalContext<S>,
+    links: &PerLink<LinkKinematics<S>>,
     felt: &PerLink<Motion<S>>,
-    swept: &Swept<S>,
-    closed: Option<(&Closing<S>, Wrench<S>)>,
+    swept: &SweepResult<S>,
+    closed: Option<(&LoopHinge<S>, Wrench<S>)>,
 ) -> PerLink<Wrench<S>> {
-    let known = |link: &LinkMotion<S>| swept.behind[link.over.hinge].map(|behind| behind.wrench);
+    let known =
+        |link: &LinkKinematics<S>| swept.behind[link.over.hinge].map(|behind| behind.wrench);
     let outer = if links.iter().all(|link| known(link).is_some()) {
         PerLink::new()
     } else {
         loads(situation, links)
     };
-    let own = |(index, link): (LinkId, &LinkMotion<S>)| match known(link) {
-        Some(_) => Summed(None),
+    let own = |(index, link): (LinkId, &LinkKinematics<S>)| match known(link) {
+        Some(_) => WrenchSum(None),
         None => {
             let own = link.rigid().times(felt[index]) + link.velocity_load() - outer[index];
-            Summed(Some(own))
+            WrenchSum(Some(own))
         }
     };
-    let mut all: PerLink<Summed<S>> = links.enumerate().map(own).collect();
+    let mut all: PerLink<WrenchSum<S>> = links.enumerate().map(own).collect();
     if let Some((closing, wrench)) = closed {
         if let Some(parent) = closing.parent {
             all[parent].add(|| wrench.moved_from(closing.over.arm));
@@ -187,19 +193,19 @@ fn wrenches<S: Scalar>(
             all[child].add(|| on_child.reversed());
         }
     }
-    let step = |link: LinkId, Summed(sum): Summed<S>, parent: &mut Summed<S>| {
+    let step = |link: LinkId, WrenchSum(sum): WrenchSum<S>, parent: &mut WrenchSum<S>| {
         let Some(wrench) = sum.or_else(|| known(&links[link])) else {
             bug!("the wrench in a hinge is neither a sum nor known")
         };
         parent.add(|| links[link].over.returned(wrench));
         wrench
     };
-    situation.tree.inward(all, Summed(None), step).0
+    situation.tree.inward(all, WrenchSum(None), step).0
 }
 
 /// A hinge and what it transmits.
-struct Transmitting<S> {
-    over: Crossed<S>,
+struct HingeWrench<S> {
+    over: HingeKinematics<S>,
     /// The link in whose work axes it is; none if those are inertial.
     axes: Option<LinkId>,
     /// Exerted by the inboard on the outboard side, about the outboard side's origin.
@@ -212,12 +218,12 @@ struct Transmitting<S> {
     meets: Option<LinkId>,
 }
 
-impl<S: Scalar> Transmitting<S> {
+impl<S: Scalar> HingeWrench<S> {
     /// Over a link's hinge. On a seam the axes in front are known, those behind are another time's.
     fn over(
-        situation: &Situation<S>,
+        situation: &EvalContext<S>,
         index: LinkId,
-        link: &LinkMotion<S>,
+        link: &LinkKinematics<S>,
         on_child: Wrench<S>,
     ) -> Self {
         let (place, over) = (&situation.layout.links[index], link.over.clone());
@@ -232,27 +238,27 @@ impl<S: Scalar> Transmitting<S> {
             (at_child, at_parent)
         };
         let meets = (place.seam.is_none() && over.keeps_the_point()).then_some(index);
-        Transmitting { over, axes, wrench, at_inboard, on_child, meets }
+        HingeWrench { over, axes, wrench, at_inboard, on_child, meets }
     }
 
     /// Over the hinge that closes the chain: the wrench on its outboard side, in its parent's axes.
-    fn closing(closing: &Closing<S>, wrench: Wrench<S>) -> Self {
+    fn closing(closing: &LoopHinge<S>, wrench: Wrench<S>) -> Self {
         let over = closing.over.clone();
         let at_inboard = wrench.moved_from(over.offset);
         let on_child = wrench.turned_back(&over.to_parent);
-        Transmitting { over, axes: closing.parent, wrench, at_inboard, on_child, meets: None }
+        HingeWrench { over, axes: closing.parent, wrench, at_inboard, on_child, meets: None }
     }
 }
 
 /// What drives every rate: of a prescribed motion `Sᵀ F` and what its rotors take, less what acts
 /// along it of itself.
 fn efforts<S: Scalar>(
-    situation: &Situation<S>,
-    hinges: &IdVec<HingeId, Option<Transmitting<S>>>,
+    situation: &EvalContext<S>,
+    hinges: &IdVec<HingeId, Option<HingeWrench<S>>>,
     accelerations: &[S],
 ) -> Vec<S> {
-    let of = |(index, transmitting): (HingeId, &Option<Transmitting<S>>)| {
-        let (true, Some(Transmitting { over, on_child, .. })) =
+    let of = |(index, transmitting): (HingeId, &Option<HingeWrench<S>>)| {
+        let (true, Some(HingeWrench { over, on_child, .. })) =
             (situation.chain.hinges[index].is_prescribed(), transmitting)
         else {
             return situation.motor(index);
@@ -267,21 +273,21 @@ fn efforts<S: Scalar>(
 }
 
 /// What the connection points are read off.
-struct Sheet<'a, S> {
-    situation: &'a Situation<'a, S>,
-    links: &'a PerLink<LinkMotion<S>>,
+struct PointReader<'a, S> {
+    situation: &'a EvalContext<'a, S>,
+    links: &'a PerLink<LinkKinematics<S>>,
     poses: &'a PerLink<Pose<S>>,
     felt: &'a PerLink<Motion<S>>,
-    hinges: &'a IdVec<HingeId, Option<Transmitting<S>>>,
+    hinges: &'a IdVec<HingeId, Option<HingeWrench<S>>>,
 }
 
-impl<S: Scalar> Sheet<'_, S> {
-    fn point(&self, spot: &Spot) -> Point<S> {
+impl<S: Scalar> PointReader<'_, S> {
+    fn point(&self, spot: &ConnectionPoint) -> PointState<S> {
         let (part, origin, rotation) = self.situation.place(&spot.place);
         let (force, moment) = self.transmitted(spot);
         let Some(index) = link_of(part) else {
             let none = self.seen(None, Vec3::zero());
-            return Point {
+            return PointState {
                 position: origin,
                 rotation,
                 velocity: none,
@@ -295,7 +301,7 @@ impl<S: Scalar> Sheet<'_, S> {
         let (link, pose) = (&self.links[index], &self.poses[index]);
         let arm = link.attitude * (origin - link.point);
         let (velocity, felt) = self.moving(spot, index, arm);
-        Point {
+        PointState {
             position: pose.position + pose.to_inertial * arm,
             rotation: pose.to_inertial * (link.attitude * rotation),
             velocity,
@@ -309,7 +315,12 @@ impl<S: Scalar> Sheet<'_, S> {
 
     /// Velocity and acceleration of a place on a link: where another link's point is there too,
     /// that one's, which are known.
-    fn moving(&self, spot: &Spot, index: LinkId, arm: Vec3<S>) -> (Seen<S>, Seen<S>) {
+    fn moving(
+        &self,
+        spot: &ConnectionPoint,
+        index: LinkId,
+        arm: Vec3<S>,
+    ) -> (FramedVector<S>, FramedVector<S>) {
         let meets = spot.hinge.and_then(|(hinge, _)| self.hinges[hinge].as_ref()?.meets);
         if let Some(other) = meets {
             let (velocity, felt) = (self.poses[other].velocity, self.felt[other].linear);
@@ -323,7 +334,7 @@ impl<S: Scalar> Sheet<'_, S> {
     }
 
     /// `q` and `m` at a place: on a body, `+q` and `−m` at its input, `−q` and `+m` at its output.
-    fn transmitted(&self, spot: &Spot) -> (Seen<S>, Seen<S>) {
+    fn transmitted(&self, spot: &ConnectionPoint) -> (FramedVector<S>, FramedVector<S>) {
         let at = |(index, outboard): (HingeId, bool)| {
             let Some(hinge) = &self.hinges[index] else { bug!("a hinge transmits nothing") };
             (hinge.axes, if outboard { hinge.wrench } else { hinge.at_inboard })
@@ -335,13 +346,13 @@ impl<S: Scalar> Sheet<'_, S> {
 
     /// A vector in the work axes of a link, or in inertial ones. In a plane and along a line it
     /// comes in the axes of the link's frame: work axes may lie across.
-    fn seen(&self, link: Option<LinkId>, vector: Vec3<S>) -> Seen<S> {
-        let Some(index) = link else { return Seen { axes: Mat3::identity(), vector } };
+    fn seen(&self, link: Option<LinkId>, vector: Vec3<S>) -> FramedVector<S> {
+        let Some(index) = link else { return FramedVector { axes: Mat3::identity(), vector } };
         let (axes, attitude) = (self.poses[index].to_inertial, self.links[index].attitude);
         match self.situation.chain.dimension {
-            Dimension::Space => Seen { axes, vector },
+            Dimension::Space => FramedVector { axes, vector },
             Dimension::Plane | Dimension::Line => {
-                Seen { axes: axes * attitude, vector: attitude.transposed() * vector }
+                FramedVector { axes: axes * attitude, vector: attitude.transposed() * vector }
             }
         }
     }

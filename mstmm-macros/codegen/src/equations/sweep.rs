@@ -17,7 +17,7 @@ use std::fmt::Debug;
 pub type PerLink<T> = IdVec<LinkId, T>;
 
 /// Replaces what sweeps carry over the boundaries of repeated parts.
-pub trait Weave<S>: Debug {
+pub trait LoopHook<S>: Debug {
     /// What any repetition begins with, for what the first one does.
     fn enter(&self, repeat: RepeatId, inwards: bool, first: &[S]) -> Vec<S>;
     /// What the last repetition ends with, for what any one does.
@@ -35,11 +35,11 @@ pub trait Flatten<S>: Clone {
 #[derive(Clone, Copy, Debug)]
 pub struct LinkTree<'a, S> {
     layout: &'a Layout,
-    weave: Option<&'a dyn Weave<S>>,
+    weave: Option<&'a dyn LoopHook<S>>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Direction {
+enum SweepDirection {
     Outward,
     Inward,
 }
@@ -51,7 +51,7 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
     }
 
     /// The same with `weave` at the boundaries of repeated parts.
-    pub fn woven(self, weave: &'a dyn Weave<S>) -> Self {
+    pub fn woven(self, weave: &'a dyn LoopHook<S>) -> Self {
         LinkTree { weave: Some(weave), ..self }
     }
 
@@ -85,7 +85,7 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         for (link, place) in self.layout.links.enumerate() {
             let parent = place.parent.map_or(&base, |parent| &carried[parent]);
             let (own, result) = step(link, parent);
-            carried.push(self.cross(link, Direction::Outward, own));
+            carried.push(self.cross(link, SweepDirection::Outward, own));
             results.push(result);
         }
         (carried, results)
@@ -106,7 +106,7 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         let mut results = Vec::new();
         for (link, place) in self.layout.links.enumerate().rev() {
             let Some(gathered) = own.pop() else { bug!("a sweep starts without {link:?}") };
-            let here = self.cross(link, Direction::Inward, gathered);
+            let here = self.cross(link, SweepDirection::Inward, gathered);
             let parent = place.parent.map_or(&mut base, |parent| &mut own[parent]);
             results.push(step(link, here, parent));
         }
@@ -132,7 +132,7 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         let mut results = Vec::new();
         for &link in path {
             let (own, result) = step(link, carried);
-            carried = self.cross(link, Direction::Outward, own);
+            carried = self.cross(link, SweepDirection::Outward, own);
             results.push((link, result));
         }
         (carried, results)
@@ -148,7 +148,8 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         let mut carried = start;
         let mut results = Vec::new();
         for (link, left) in path.iter().rev() {
-            let (own, result) = step(*link, left, self.cross(*link, Direction::Inward, carried));
+            let (own, result) =
+                step(*link, left, self.cross(*link, SweepDirection::Inward, carried));
             carried = own;
             results.push((*link, result));
         }
@@ -158,7 +159,7 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
 
     /// What goes on beyond a link, which differs from what comes to it at the boundary of a
     /// repeated part.
-    fn cross<B: Flatten<S>>(&self, link: LinkId, direction: Direction, carried: B) -> B {
+    fn cross<B: Flatten<S>>(&self, link: LinkId, direction: SweepDirection, carried: B) -> B {
         let (Some(Seam { repeat, at_end }), Some(weave)) =
             (self.layout.links[link].seam, self.weave)
         else {
@@ -173,7 +174,7 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         if numbers.is_empty() {
             return carried;
         }
-        let inwards = direction == Direction::Inward;
+        let inwards = direction == SweepDirection::Inward;
         let replaced = if at_end == inwards {
             weave.enter(repeat, inwards, &numbers)
         } else {
@@ -255,7 +256,7 @@ impl<S: Scalar> Flatten<S> for SpatialInertia<S> {
 
 #[cfg(test)]
 mod tests {
-    use super::{LinkTree, PerLink, Weave};
+    use super::{LinkTree, LoopHook, PerLink};
     use crate::model::{Layout, LinkId, RepeatId};
     use std::cell::RefCell;
 
@@ -264,7 +265,7 @@ mod tests {
     #[derive(Debug, Default)]
     struct Loops(RefCell<Vec<(&'static str, bool, f64)>>);
 
-    impl Weave<f64> for Loops {
+    impl LoopHook<f64> for Loops {
         fn enter(&self, _: RepeatId, inwards: bool, first: &[f64]) -> Vec<f64> {
             self.0.borrow_mut().push(("enter", inwards, first[0]));
             vec![first[0] + 100.0]

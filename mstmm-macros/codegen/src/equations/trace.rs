@@ -6,7 +6,7 @@ use std::collections::HashSet;
 
 /// A headed group of intermediate results.
 #[derive(Clone, Debug)]
-pub struct Section<S> {
+pub struct TraceSection<S> {
     /// A short name, different from that of all other sections of the trace: `elbow_riccati`. The
     /// names of values without a name begin with it.
     pub prefix: String,
@@ -22,7 +22,7 @@ pub struct Section<S> {
 #[derive(Clone, Debug, Default)]
 pub struct Trace<S> {
     /// The sections in their order.
-    pub sections: Vec<Section<S>>,
+    pub sections: Vec<TraceSection<S>>,
     prefixes: HashSet<String>,
     silent: bool,
 }
@@ -51,7 +51,12 @@ impl<S: Scalar> Trace<S> {
             return;
         }
         let prefix = self.unique(prefix.into());
-        self.sections.push(Section { prefix, title: title.into(), source, values: Vec::new() });
+        self.sections.push(TraceSection {
+            prefix,
+            title: title.into(),
+            source,
+            values: Vec::new(),
+        });
     }
 
     /// The prefix itself if it is free, otherwise the prefix with the first number that makes it

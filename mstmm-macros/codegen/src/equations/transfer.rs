@@ -18,46 +18,46 @@
 //!
 //! | symbol | in code | meaning |
 //! |---|---|---|
-//! | `a`, `F` | [`Part`] | a column of the product |
+//! | `a`, `F` | [`StateColumn`] | a column of the product |
 //! | `x` | `unknowns` | what the columns belong to: at the start the six entries of `F` |
-//! | `s`, `τ` | [`Column`], `efforts` | a free direction of the link's hinge, `sᵀ F + I β = τ` |
+//! | `s`, `τ` | [`BasisVector`], `efforts` | a free direction of the link's hinge, `sᵀ F + I β = τ` |
 //! | `β` | `betas` | the acceleration along `s`, the unknown that joins |
 //! | `v`, `γ`, `w` | [`Reflection`] | how a condition takes an unknown out |
 
 use super::Trace;
-use super::closure::Closure;
-use super::elimination::{Mixed, Reflection};
-use super::hinge::Column;
-use super::problem::{Movement, Problem, moved};
+use super::constraint_forces::ConstraintForces;
+use super::hinge::BasisVector;
+use super::motion_problem::{MotionProblem, MotionSolution, moved};
+use super::reflection::{Reflection, VectorSpace};
 use super::sweep::{Flatten, PerLink};
 use crate::ids::LinkId;
 use crate::math::{Motion, Scalar, Wrench};
 
 /// A column of the product: what belongs to one unknown, or the known part.
 #[derive(Clone, Copy, Debug)]
-struct Part<S> {
+struct StateColumn<S> {
     a: Motion<S>,
     f: Wrench<S>,
 }
 
-impl<S: Scalar> Mixed<S> for Part<S> {
+impl<S: Scalar> VectorSpace<S> for StateColumn<S> {
     fn plus_scaled(self, other: Self, factor: S) -> Self {
-        Part { a: self.a + other.a.scaled(factor), f: self.f + other.f.scaled(factor) }
+        StateColumn { a: self.a + other.a.scaled(factor), f: self.f + other.f.scaled(factor) }
     }
     fn scaled(self, factor: S) -> Self {
-        Part { a: self.a.scaled(factor), f: self.f.scaled(factor) }
+        StateColumn { a: self.a.scaled(factor), f: self.f.scaled(factor) }
     }
 }
 
 /// The state vector at a connection point as a function of the unknowns.
 #[derive(Clone)]
-struct Product<S> {
-    known: Part<S>,
-    columns: Vec<Part<S>>,
+struct TransferProduct<S> {
+    known: StateColumn<S>,
+    columns: Vec<StateColumn<S>>,
 }
 
 /// A condition that was used, and what it settled.
-struct Used<S> {
+struct UsedCondition<S> {
     reflection: Reflection<S>,
     settled: S,
 }
@@ -67,26 +67,27 @@ struct Used<S> {
 /// Where nothing with inertia lies beyond a hinge the boundary solve has no answer, but rounding
 /// hides it: whoever calls has to look at the pivots of the Riccati transfer.
 pub fn solve<S: Scalar>(
-    problem: &Problem<S>,
-    closure: Closure<S>,
+    problem: &MotionProblem<S>,
+    closure: ConstraintForces<S>,
     trace: &mut Trace<S>,
-) -> Movement<S> {
+) -> MotionSolution<S> {
     let path = path(problem);
-    let (product, used) = problem.tree.along(&path, None, |link, before: Option<Product<S>>| {
-        let over = &problem.links[link].over;
-        trace.section(
-            format!("{}_transfer", over.name),
-            format!("Transfer to `{}`", over.name),
-            "[P, Eqs. (8), (21), (25), (35)]",
-        );
-        let mut here = match (before, problem.links[link].parent) {
-            (Some(before), Some(parent)) => before.across(problem, parent, link),
-            _ => Product::at_ground(problem, link),
-        };
-        let used = here.cross_hinge(problem, link, trace);
-        here.record(&over.name, trace);
-        (Some(here), used)
-    });
+    let (product, used) =
+        problem.tree.along(&path, None, |link, before: Option<TransferProduct<S>>| {
+            let over = &problem.links[link].over;
+            trace.section(
+                format!("{}_transfer", over.name),
+                format!("Transfer to `{}`", over.name),
+                "[P, Eqs. (8), (21), (25), (35)]",
+            );
+            let mut here = match (before, problem.links[link].parent) {
+                (Some(before), Some(parent)) => before.across(problem, parent, link),
+                _ => TransferProduct::at_ground(problem, link),
+            };
+            let used = here.cross_hinge(problem, link, trace);
+            here.record(&over.name, trace);
+            (Some(here), used)
+        });
     let unknowns = match (&product, path.last()) {
         (Some(product), Some(&last)) => {
             far_end(problem, (product, last), &closure.reactions, trace)
@@ -98,11 +99,11 @@ pub fn solve<S: Scalar>(
         amounts[link] = betas;
     }
     let points = points(problem, &amounts);
-    Movement { amounts, points, relations: PerLink::new(), closure }
+    MotionSolution { amounts, points, relations: PerLink::new(), closure }
 }
 
 /// The links from the ground to the far end; a moving end at the far side is not among them.
-fn path<S: Scalar>(problem: &Problem<S>) -> Vec<LinkId> {
+fn path<S: Scalar>(problem: &MotionProblem<S>) -> Vec<LinkId> {
     let last = match &problem.closing {
         Some(demand) => demand.closing.parent,
         None => problem.links.ids().into_iter().next_back(),
@@ -111,7 +112,7 @@ fn path<S: Scalar>(problem: &Problem<S>) -> Vec<LinkId> {
 }
 
 /// `a` of all points, from the amounts of all columns.
-fn points<S: Scalar>(problem: &Problem<S>, amounts: &PerLink<Vec<S>>) -> PerLink<Motion<S>> {
+fn points<S: Scalar>(problem: &MotionProblem<S>, amounts: &PerLink<Vec<S>>) -> PerLink<Motion<S>> {
     let (points, _) = problem.tree.outward(problem.ground, |link, &parent| {
         let carried = problem.carried(link, parent);
         (carried + moved(&problem.links[link], &amounts[link]), ())
@@ -119,50 +120,52 @@ fn points<S: Scalar>(problem: &Problem<S>, amounts: &PerLink<Vec<S>>) -> PerLink
     points
 }
 
-impl<S: Scalar> Flatten<S> for Part<S> {
+impl<S: Scalar> Flatten<S> for StateColumn<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
         let a = self.a.visit(replace);
-        Part { a, f: self.f.visit(replace) }
+        StateColumn { a, f: self.f.visit(replace) }
     }
 }
 
-impl<S: Scalar> Flatten<S> for Product<S> {
+impl<S: Scalar> Flatten<S> for TransferProduct<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
         let known = self.known.visit(replace);
-        Product { known, columns: self.columns.visit(replace) }
+        TransferProduct { known, columns: self.columns.visit(replace) }
     }
 }
 
-impl<S: Scalar> Product<S> {
+impl<S: Scalar> TransferProduct<S> {
     /// The start of the chain: its acceleration is known, its wrench is the unknown.
-    fn at_ground(problem: &Problem<S>, first: LinkId) -> Self {
-        let unknown = |&k: &usize| Part { a: Motion::zero(), f: Wrench::unit(k) };
-        Product {
-            known: Part { a: problem.carried(first, problem.ground), f: Wrench::zero() },
+    fn at_ground(problem: &MotionProblem<S>, first: LinkId) -> Self {
+        let unknown = |&k: &usize| StateColumn { a: Motion::zero(), f: Wrench::unit(k) };
+        TransferProduct {
+            known: StateColumn { a: problem.carried(first, problem.ground), f: Wrench::zero() },
             columns: problem.dimension.axes().iter().map(unknown).collect(),
         }
     }
 
     /// Over the body at `from` [P, Eqs. (17) to (19)] and into the axes of `to`.
-    fn across(self, problem: &Problem<S>, from: LinkId, to: LinkId) -> Self {
+    fn across(self, problem: &MotionProblem<S>, from: LinkId, to: LinkId) -> Self {
         let over = &problem.links[to].over;
         let beyond = |f: Wrench<S>| f.moved_from(-over.arm).turned_back(&over.to_parent);
-        let Product { known, columns } = self.beyond(problem, from);
-        let cross = |part: Part<S>| Part { a: over.carried(part.a), f: beyond(part.f) };
+        let TransferProduct { known, columns } = self.beyond(problem, from);
+        let cross =
+            |part: StateColumn<S>| StateColumn { a: over.carried(part.a), f: beyond(part.f) };
         let a = over.carried_with(known.a, problem.drift[to]);
-        Product {
-            known: Part { a, f: beyond(known.f) },
+        TransferProduct {
+            known: StateColumn { a, f: beyond(known.f) },
             columns: columns.into_iter().map(cross).collect(),
         }
     }
 
     /// The wrench behind the body at a link, about its point, in place of the one in front of it.
-    fn beyond(&self, problem: &Problem<S>, link: LinkId) -> Self {
+    fn beyond(&self, problem: &MotionProblem<S>, link: LinkId) -> Self {
         let inertia = problem.inertia(link);
-        let taken = |part: &Part<S>| Part { a: part.a, f: part.f - inertia.times(part.a) };
+        let taken =
+            |part: &StateColumn<S>| StateColumn { a: part.a, f: part.f - inertia.times(part.a) };
         let known = taken(&self.known);
-        Product {
-            known: Part { a: known.a, f: known.f - problem.loads[link] },
+        TransferProduct {
+            known: StateColumn { a: known.a, f: known.f - problem.loads[link] },
             columns: self.columns.iter().map(taken).collect(),
         }
     }
@@ -170,10 +173,10 @@ impl<S: Scalar> Product<S> {
     /// Uses all conditions of a hinge.
     fn cross_hinge(
         &mut self,
-        problem: &Problem<S>,
+        problem: &MotionProblem<S>,
         index: LinkId,
         trace: &mut Trace<S>,
-    ) -> Vec<Used<S>> {
+    ) -> Vec<UsedCondition<S>> {
         let over = &problem.links[index].over;
         let conditions = problem.efforts[index].iter().zip(&over.freedom.armature);
         let mut used = Vec::new();
@@ -188,17 +191,17 @@ impl<S: Scalar> Product<S> {
     }
 
     /// Uses the condition `sᵀ F + I β = τ` and lets the direction `s` go, `β` being a new unknown.
-    fn free(&mut self, s: Column<S>, tau: S, armature: S) -> Used<S> {
+    fn free(&mut self, s: BasisVector<S>, tau: S, armature: S) -> UsedCondition<S> {
         let direction = s.motion();
         let mut coefficients: Vec<S> =
             self.columns.iter().map(|part| direction.power(part.f)).collect();
         coefficients.push(armature);
-        self.columns.push(Part { a: direction, f: Wrench::zero() });
+        self.columns.push(StateColumn { a: direction, f: Wrench::zero() });
         let reflection = Reflection::of(&coefficients);
         let settled = reflection.settled(tau - direction.power(self.known.f));
         let leaving = reflection.apply(&mut self.columns);
         self.known = self.known.plus_scaled(leaving, settled);
-        if let (Column::Axis(axis), true) = (s, armature.vanishes()) {
+        if let (BasisVector::Axis(axis), true) = (s, armature.vanishes()) {
             // What the reflection has made zero but for rounding is zero.
             let set =
                 |f: Wrench<S>, value| Wrench::from_fn(|k| if k == axis { value } else { f.at(k) });
@@ -207,7 +210,7 @@ impl<S: Scalar> Product<S> {
                 part.f = set(part.f, S::zero());
             }
         }
-        Used { reflection, settled }
+        UsedCondition { reflection, settled }
     }
 
     fn record(&self, name: &str, trace: &mut Trace<S>) {
@@ -222,8 +225,8 @@ impl<S: Scalar> Product<S> {
 
 /// The boundary conditions outboard of the last body, [P, Eq. (11)].
 fn far_end<S: Scalar>(
-    problem: &Problem<S>,
-    (product, last): (&Product<S>, LinkId),
+    problem: &MotionProblem<S>,
+    (product, last): (&TransferProduct<S>, LinkId),
     reactions: &[S],
     trace: &mut Trace<S>,
 ) -> Vec<S> {
@@ -232,7 +235,7 @@ fn far_end<S: Scalar>(
     let given = problem.closing.as_ref().map_or(Wrench::zero(), |demand| {
         demand.closing.over.returned(demand.closing.wrench(demand.given, reactions))
     });
-    let rows = problem.dimension.axes().iter().map(|&k| Row {
+    let rows = problem.dimension.axes().iter().map(|&k| BoundaryRow {
         coefficients: end.columns.iter().map(|part| part.f.at(k)).collect(),
         value: given.at(k) - end.known.f.at(k),
     });
@@ -244,13 +247,13 @@ fn far_end<S: Scalar>(
 }
 
 /// A condition on the unknowns.
-struct Row<S> {
+struct BoundaryRow<S> {
     coefficients: Vec<S>,
     value: S,
 }
 
 /// Solves all conditions, one after the other.
-fn boundary<S: Scalar>(mut rows: Vec<Row<S>>) -> Vec<S> {
+fn boundary<S: Scalar>(mut rows: Vec<BoundaryRow<S>>) -> Vec<S> {
     let mut used: Vec<(Reflection<S>, S)> = Vec::new();
     for number in 0..rows.len() {
         let reflection = Reflection::of(&rows[number].coefficients);
@@ -268,9 +271,9 @@ fn boundary<S: Scalar>(mut rows: Vec<Row<S>>) -> Vec<S> {
 /// Back through the hinges: each gives up its `β` and gets its eliminated unknown.
 fn recover<S: Scalar>(
     unknowns: Vec<S>,
-    used: &[(LinkId, Vec<Used<S>>)],
+    used: &[(LinkId, Vec<UsedCondition<S>>)],
     trace: &mut Trace<S>,
-    problem: &Problem<S>,
+    problem: &MotionProblem<S>,
 ) -> Vec<(LinkId, Vec<S>)> {
     let (_, amounts) = problem.tree.back_along(used, unknowns, |link, steps, mut unknowns| {
         let name = &problem.links[link].over.name;

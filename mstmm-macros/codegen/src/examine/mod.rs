@@ -1,14 +1,14 @@
 //! What can be said of a chain by trying it out in numbers: whether every hinge moves something that
 //! has inertia, how many freedoms its closure leaves, and where it starts.
 
-mod trial;
+mod dry_run;
 
 use crate::diag::Diagnostics;
-use crate::equations::{self, Numbers, Point, Reaction, Trace};
+use crate::equations::{self, LoopReaction, PointState, SymbolValues, Trace};
 use crate::math::{NOISE, Vec3};
 use crate::model::{Chain, ClosureRank, Drive, Element, Hinge, HingeId, Role, Source};
+use dry_run::{Configuration, DryRun, Number, numbers};
 use proc_macro2::Ident;
-use trial::{Number, Pose, Trial, numbers};
 
 /// States tried besides the start. A hinge that moves nothing with inertia in all of them does so in
 /// every state.
@@ -70,7 +70,7 @@ pub struct Drawing {
 pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     let whole = chain.elements(usize::MAX) <= ELEMENTS;
     let most = if whole { usize::MAX } else { CUT_SHORT };
-    let mut trial = Trial::new(chain.unrolled(most));
+    let mut trial = DryRun::new(chain.unrolled(most));
     if !trial.merged.closings.is_empty() && !trial.idle_hinges().is_empty() {
         // What closes the chain may hold what is loose.
         trial.held_by_closure = true;
@@ -98,7 +98,7 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     Findings { held_by_closure, closure_rank, mobility, mass_ratio, start }
 }
 
-impl Trial {
+impl DryRun {
     /// Hinges that in no state move anything with inertia along one of their freedoms.
     fn idle_hinges(&self) -> Vec<HingeId> {
         let mut idle: Option<Vec<HingeId>> = None;
@@ -137,7 +137,7 @@ impl Trial {
     }
 
     /// Whether Rust constants of these numbers would be right ones.
-    fn fits(&self, numbers: &Numbers<Number>) -> bool {
+    fn fits(&self, numbers: &SymbolValues<Number>) -> bool {
         let mut conditions = self.chain.assertions.iter().flatten();
         conditions.all(|condition| condition.must.holds(numbers.scalar(&condition.value).value()))
     }
@@ -188,13 +188,13 @@ impl Trial {
 
     /// The start and poses next to it, for the start itself may be a special one, all put onto the
     /// closure; none for a chain that is not closed.
-    fn closed_poses(&self) -> Vec<Pose> {
+    fn closed_poses(&self) -> Vec<Configuration> {
         let seeds = if self.merged.closings.is_empty() { 0..0 } else { 0..STATES };
         seeds.filter_map(|seed| self.closed(self.pose(&self.numbers, seed))).collect()
     }
 
     /// How the closure holds the chain in these poses.
-    fn mobility(&self, poses: &[Pose]) -> Option<Mobility> {
+    fn mobility(&self, poses: &[Configuration]) -> Option<Mobility> {
         let closing = *self.merged.closings.first()?;
         let redundant = self.closure_rank(poses).map(|(rank, directions)| directions - rank)?;
         let own = self.merged.v[closing].len();
@@ -220,9 +220,10 @@ impl Trial {
 
     /// How many directions of the closing hinge hold something anywhere in these poses, and how many
     /// there are, those that a rotor holds among them.
-    fn closure_rank(&self, poses: &[Pose]) -> Option<(usize, usize)> {
+    fn closure_rank(&self, poses: &[Configuration]) -> Option<(usize, usize)> {
         let ranks = poses.iter().filter_map(|pose| {
-            let Reaction { pivots, undetermined, .. } = self.solved(&self.numbers, pose).reaction?;
+            let LoopReaction { pivots, undetermined, .. } =
+                self.solved(&self.numbers, pose).reaction?;
             let rank = pivots.iter().filter(|pivot| pivot.value() > INDEPENDENT).count();
             Some((rank, undetermined.len()))
         });
@@ -230,15 +231,15 @@ impl Trial {
     }
 
     /// The start, closed if that goes from there or nearby.
-    fn drawing(&self, poses: Vec<Pose>) -> Drawing {
+    fn drawing(&self, poses: Vec<Configuration>) -> Drawing {
         let near = poses.into_iter().next();
         let pose = near.unwrap_or_else(|| self.pose(&self.numbers, 0));
-        let (v, Pose { q, inputs }) = (self.at_rest(), &pose);
+        let (v, Configuration { q, inputs }) = (self.at_rest(), &pose);
         let situation = self.situation(&self.layout, &self.numbers, (q, &v, inputs));
         let (solved, swept) = self.swept(&self.numbers, &pose);
         let report = equations::report(&situation, (&solved, &swept), &mut Trace::silent());
         let position = |place: Vec3<Number>| place.0.map(Number::value);
-        let centre = |(element, point): (&Element, &Point<Number>)| match *element {
+        let centre = |(element, point): (&Element, &PointState<Number>)| match *element {
             Element::Hinge(_) => position(point.position),
             Element::Body(body) => {
                 let com = self.numbers.vector(&self.chain.bodies[body].com);

@@ -8,7 +8,7 @@
 //! with its unknowns, until it turns out to hand on something else.
 
 use super::{Carry, Loop};
-use crate::equations::Weave;
+use crate::equations::LoopHook;
 use crate::expr::{Expr, Graph, Stage};
 use crate::ids::RepeatId;
 use std::cell::RefCell;
@@ -134,7 +134,7 @@ impl<'g> LoopTracer<'g> {
     }
 }
 
-impl<'g> Weave<Expr<'g>> for LoopTracer<'g> {
+impl<'g> LoopHook<Expr<'g>> for LoopTracer<'g> {
     fn enter(&self, repeat: RepeatId, inward: bool, init: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let (number, earlier) = self.state.borrow_mut().visit((repeat, inward), init);
         let (way, phi) = match earlier {
@@ -225,7 +225,7 @@ impl fmt::Debug for LoopTracer<'_> {
 #[cfg(test)]
 mod tests {
     use super::LoopTracer;
-    use crate::equations::Weave;
+    use crate::equations::LoopHook;
     use crate::expr::{Expr, Graph, Stage};
     use crate::ids::RepeatId;
     use crate::math::Scalar;

@@ -12,7 +12,7 @@ mod vector;
 
 pub use dual::Dual;
 pub use matrix::{Mat3, Sym3};
-pub use rotation::{PlaneFormula, Rotation, Turn};
+pub use rotation::{AxisRotation, PlaneFormula, Rotation};
 pub use scalar::Scalar;
 pub use spatial::{Motion, SpatialInertia, Wrench};
 pub use structured::Structured;

@@ -7,7 +7,7 @@ use super::{Mat3, Scalar, Sym3, Vec3};
 #[derive(Clone, Copy, Debug)]
 pub struct Rotation<S> {
     matrix: Mat3<S>,
-    pub(super) steps: Option<(Turn<S>, Mat3<S>)>,
+    pub(super) steps: Option<(AxisRotation<S>, Mat3<S>)>,
 }
 
 /// How the part of a symmetric tensor in the plane of a turn is turned.
@@ -21,7 +21,7 @@ pub enum PlaneFormula {
 
 /// A turn about a coordinate axis.
 #[derive(Clone, Copy, Debug)]
-pub struct Turn<S> {
+pub struct AxisRotation<S> {
     /// The axis.
     pub axis: usize,
     /// Sine of the angle.
@@ -30,7 +30,7 @@ pub struct Turn<S> {
     pub cos: S,
 }
 
-impl<S: Scalar> Turn<S> {
+impl<S: Scalar> AxisRotation<S> {
     /// The rotation matrix.
     pub fn matrix(&self) -> Mat3<S> {
         Mat3::turn_about(self.axis, (self.sin, self.cos))
@@ -38,7 +38,7 @@ impl<S: Scalar> Turn<S> {
 
     /// The turn by the opposite angle.
     pub fn reversed(self) -> Self {
-        Turn { sin: -self.sin, ..self }
+        AxisRotation { sin: -self.sin, ..self }
     }
 
     /// `R A Rᵀ`. In the plane of the turn, with `w = s (p − t) + c (q + r)`,
@@ -50,7 +50,7 @@ impl<S: Scalar> Turn<S> {
     ///
     /// which takes four products where the two matrix products take sixteen.
     pub fn of_tensor(&self, tensor: Mat3<S>) -> Mat3<S> {
-        let Turn { axis: k, sin, cos } = *self;
+        let AxisRotation { axis: k, sin, cos } = *self;
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let (p, q, r, t) = (tensor[i][i], tensor[i][j], tensor[j][i], tensor[j][j]);
         let w = sin * (p - t) + cos * (q + r);
@@ -80,7 +80,7 @@ impl<S: Scalar> Turn<S> {
     ///
     /// by [`PlaneFormula::ShortestPath`].
     pub(super) fn of_plane(&self, tensor: Sym3<S>) -> Sym3<S> {
-        let Turn { axis: k, sin, cos } = *self;
+        let AxisRotation { axis: k, sin, cos } = *self;
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let (p, q, t) = (tensor.at(i, i), tensor.at(i, j), tensor.at(j, j));
         let (square, product) = (sin * sin, sin * cos);
@@ -100,7 +100,7 @@ impl<S: Scalar> Rotation<S> {
     }
 
     /// `mount · turn`: tensors are turned in these two steps.
-    pub fn stepwise(mount: Mat3<S>, turn: Turn<S>) -> Self {
+    pub fn stepwise(mount: Mat3<S>, turn: AxisRotation<S>) -> Self {
         Rotation { matrix: mount * turn.matrix(), steps: Some((turn, mount)) }
     }
 
@@ -127,14 +127,14 @@ impl<S: Scalar> Rotation<S> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Mat3, Sym3, Turn};
+    use super::{AxisRotation, Mat3, Sym3};
 
     #[test]
     fn a_turned_tensor_is_the_product_of_three_matrices() {
         let tensor = Mat3([[1.0, -2.0, 3.0], [0.5, 4.0, -1.5], [2.5, 0.25, -3.0]]);
         for axis in 0..3 {
             let (sin, cos) = 0.7_f64.sin_cos();
-            let turn = Turn { axis, sin, cos };
+            let turn = AxisRotation { axis, sin, cos };
             let rotation = turn.matrix();
             let (fast, plain) = (turn.of_tensor(tensor), rotation * tensor * rotation.transposed());
             for (a, b) in fast.0.concat().iter().zip(plain.0.concat()) {
@@ -157,7 +157,7 @@ mod tests {
                     0.0
                 }
             });
-            let turn = Turn { axis, sin, cos };
+            let turn = AxisRotation { axis, sin, cos };
             let (one, other) = (turn.of_plane(tensor), turn.of_symmetric(tensor));
             for (a, b) in one.0.iter().zip(other.0) {
                 // Entries up to 8, a dozen roundings.

@@ -1,7 +1,7 @@
 //! Spatial quantities: what a connection point does, what is transmitted there, and the inertia
 //! that links both.
 
-use super::{Mat3, PlaneFormula, Rotation, Scalar, Sym3, Turn, Vec3};
+use super::{AxisRotation, Mat3, PlaneFormula, Rotation, Scalar, Sym3, Vec3};
 use std::ops::{Add, Sub};
 
 /// `a = [r̈; Ω̇]`, or a rate of the same shape.
@@ -241,7 +241,7 @@ impl<S: Scalar> Rotation<S> {
     }
 }
 
-impl<S: Scalar> Turn<S> {
+impl<S: Scalar> AxisRotation<S> {
     fn of_inertia(&self, inertia: &SpatialInertia<S>, formula: PlaneFormula) -> SpatialInertia<S> {
         SpatialInertia {
             linear: match formula {

@@ -13,7 +13,9 @@ pub mod points;
 pub mod scalars;
 pub mod twins;
 
-use mstmm_codegen::equations::{self, Axes, Energy, Numbers, Situation, Solved, Trace};
+use mstmm_codegen::equations::{
+    self, Axes, Energy, EvalContext, ForwardDynamics, SymbolValues, Trace,
+};
 use mstmm_codegen::math::{Mat3, Motion, Scalar, Structured, Vec3};
 use mstmm_codegen::model::{Chain, Layout, Method};
 
@@ -22,7 +24,7 @@ pub struct Computed<S> {
     pub accelerations: Vec<S>,
     pub report: Report<Structured<S>>,
     pub energy: Energy<Structured<S>>,
-    pub solved: Solved<Structured<S>>,
+    pub solved: ForwardDynamics<Structured<S>>,
 }
 
 /// What is reported, in inertial axes.
@@ -45,7 +47,7 @@ pub struct Point<S> {
 
 impl<S: Scalar> Report<S> {
     fn of(report: &equations::Report<S>) -> Self {
-        let point = |point: &equations::Point<S>| Point {
+        let point = |point: &equations::PointState<S>| Point {
             position: point.position,
             rotation: point.rotation,
             velocity: point.velocity.inertial(),
@@ -75,11 +77,11 @@ pub fn variables<S: Scalar>(values: &[f64]) -> Vec<Structured<S>> {
 }
 
 /// The parameters at their defaults.
-pub fn numbers<S: Scalar>(chain: &Chain) -> Numbers<Structured<S>> {
-    let none = Numbers::<S>::default();
+pub fn numbers<S: Scalar>(chain: &Chain) -> SymbolValues<Structured<S>> {
+    let none = SymbolValues::<S>::default();
     let default = |value| Structured::variable(none.scalar(value));
     let defaults = chain.parameters.iter().map(|parameter| default(&parameter.default));
-    Numbers { parameters: defaults.collect(), ..Numbers::default() }
+    SymbolValues { parameters: defaults.collect(), ..SymbolValues::default() }
 }
 
 /// Runs the equations on `S` with the parameters at their defaults; `efforts` are those of all rates.
@@ -103,10 +105,10 @@ pub fn compute_with<S: Scalar>(
     let numbers = numbers(chain);
     let (q, v, inputs) = (variables::<S>(q), variables(v), variables(inputs));
     let mut trace = Trace::new();
-    let situation = Situation::new(chain, &merged, &numbers, (&q, &v, &inputs));
+    let situation = EvalContext::new(chain, &merged, &numbers, (&q, &v, &inputs));
     let fast = equations::accelerations(&situation, method, axes, &mut trace);
     let (solved, swept) = equations::sweep(&situation, method, axes, &mut trace);
-    let situation = Situation::new(chain, &layout, &numbers, (&q, &v, &inputs));
+    let situation = EvalContext::new(chain, &layout, &numbers, (&q, &v, &inputs));
     let report = Report::of(&equations::report(&situation, (&solved, &swept), &mut trace));
     let energy = equations::energy(&situation, &mut trace);
     let accelerations = fast.accelerations.iter().map(|x| x.value()).collect();

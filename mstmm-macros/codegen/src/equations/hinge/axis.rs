@@ -1,7 +1,7 @@
 //! Axes of hinges: frames aligned with them, and turns about them.
 
-use crate::equations::Numbers;
-use crate::math::{Mat3, Scalar, Turn, Vec3};
+use crate::equations::SymbolValues;
+use crate::math::{AxisRotation, Mat3, Scalar, Vec3};
 use crate::model::Value;
 
 /// Axes one of which is a hinge's.
@@ -16,7 +16,7 @@ pub struct Alignment<S> {
 
 impl<S: Scalar> Alignment<S> {
     /// Axes aligned with `axis`; the frame's own where it is one of them.
-    pub fn with(axis: &[Value; 3], numbers: &Numbers<S>) -> Self {
+    pub fn with(axis: &[Value; 3], numbers: &SymbolValues<S>) -> Self {
         let zero = [0, 1, 2].map(|k| axis[k].is_zero());
         if let Some(k) = (0..3).find(|&k| zero[(k + 1) % 3] && zero[(k + 2) % 3])
             && let Some(length) = axis[k].known()
@@ -36,9 +36,9 @@ impl<S: Scalar> Alignment<S> {
     }
 
     /// A turn about the hinge's axis.
-    pub fn turn(&self, angle: S) -> Turn<S> {
+    pub fn turn(&self, angle: S) -> AxisRotation<S> {
         let (sin, cos) = angle.sin_cos();
-        Turn { axis: self.axis, sin: if self.opposite { -sin } else { sin }, cos }
+        AxisRotation { axis: self.axis, sin: if self.opposite { -sin } else { sin }, cos }
     }
 }
 

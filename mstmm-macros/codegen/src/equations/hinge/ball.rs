@@ -4,8 +4,8 @@
 //! Rates: the angular velocity of the outboard frame against the inboard one, outboard axes.
 
 use super::law::{HingeLaw, own_axes};
-use super::{Direction, Geometry, Strains};
-use crate::equations::Numbers;
+use super::{HingeGeometry, StrainMap, SubspaceColumn};
+use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar, Vec3};
 
 /// A ball and socket.
@@ -15,15 +15,15 @@ pub struct Ball;
 impl<S: Scalar> HingeLaw<S> for Ball {
     /// A turn by the quaternion, free about all axes: the moment vanishes, as [P, Eq. (25)] has it
     /// for the next hinge.
-    fn geometry(&self, _: &Numbers<S>, q: &[S]) -> Geometry<S> {
-        Geometry {
+    fn geometry(&self, _: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
+        HingeGeometry {
             rotation: Mat3::from_quaternion([q[0], q[1], q[2], q[3]]),
             directions: turns(),
-            ..Geometry::fixed()
+            ..HingeGeometry::fixed()
         }
     }
 
-    fn alignment(&self, _: &Numbers<S>) -> Mat3<S> {
+    fn alignment(&self, _: &SymbolValues<S>) -> Mat3<S> {
         own_axes()
     }
 
@@ -44,14 +44,14 @@ impl<S: Scalar> HingeLaw<S> for Ball {
         q.iter().map(|&x| x * scale).collect()
     }
 
-    fn strains(&self, _: &[S]) -> Strains<S> {
-        Strains::change_by_rates(3)
+    fn strains(&self, _: &[S]) -> StrainMap<S> {
+        StrainMap::change_by_rates(3)
     }
 }
 
 /// The turns about the three outboard axes.
-pub fn turns<S: Scalar>() -> Vec<Direction<S>> {
-    (0..3).map(|k| Direction::about(Vec3::unit(k)).outboard()).collect()
+pub fn turns<S: Scalar>() -> Vec<SubspaceColumn<S>> {
+    (0..3).map(|k| SubspaceColumn::about(Vec3::unit(k)).outboard()).collect()
 }
 
 /// The rotation vector that leads from the quaternion `rest` to `q`, outboard axes: of the two that

@@ -4,8 +4,8 @@
 
 use super::axis::Alignment;
 use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
-use super::{Direction, Geometry, Strains};
-use crate::equations::Numbers;
+use super::{HingeGeometry, StrainMap, SubspaceColumn};
+use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar};
 use crate::model::Value;
 
@@ -18,17 +18,17 @@ pub struct Cylindrical<'a> {
 
 impl<S: Scalar> HingeLaw<S> for Cylindrical<'_> {
     /// A shift and a turn.
-    fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
+    fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let along = Alignment::with(self.axis, numbers);
         let direction = along.direction();
-        Geometry {
+        HingeGeometry {
             offset: direction * q[0],
-            directions: vec![Direction::along(direction), Direction::about(direction)],
-            ..Geometry::turned(along.turn(q[1]))
+            directions: vec![SubspaceColumn::along(direction), SubspaceColumn::about(direction)],
+            ..HingeGeometry::turned(along.turn(q[1]))
         }
     }
 
-    fn alignment(&self, numbers: &Numbers<S>) -> Mat3<S> {
+    fn alignment(&self, numbers: &SymbolValues<S>) -> Mat3<S> {
         Alignment::with(self.axis, numbers).rotation
     }
 
@@ -40,7 +40,7 @@ impl<S: Scalar> HingeLaw<S> for Cylindrical<'_> {
         free_of_quaternions(q)
     }
 
-    fn strains(&self, _: &[S]) -> Strains<S> {
-        Strains::change_by_rates(2)
+    fn strains(&self, _: &[S]) -> StrainMap<S> {
+        StrainMap::change_by_rates(2)
     }
 }

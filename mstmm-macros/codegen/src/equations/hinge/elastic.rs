@@ -12,8 +12,8 @@
 //! Both reactions act at the outboard origin, and no angular momentum comes from nothing.
 
 use super::law::{HingeLaw, free_of_quaternions, own_axes};
-use super::{Geometry, Strains, floating, strain};
-use crate::equations::Numbers;
+use super::{HingeGeometry, StrainMap, floating, strain};
+use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar, Vec3};
 
 /// An elastic hinge.
@@ -22,17 +22,17 @@ pub struct Elastic;
 
 impl<S: Scalar> HingeLaw<S> for Elastic {
     /// A shift and a turn; everything is free.
-    fn geometry(&self, _: &Numbers<S>, q: &[S]) -> Geometry<S> {
+    fn geometry(&self, _: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let about = |k: usize| Mat3::turn_about(k, q[3 + k].sin_cos());
-        Geometry {
+        HingeGeometry {
             rotation: about(2) * (about(1) * about(0)),
             offset: about(2) * Vec3([q[0], q[1], q[2]]),
             directions: floating::directions(),
-            ..Geometry::fixed()
+            ..HingeGeometry::fixed()
         }
     }
 
-    fn alignment(&self, _: &Numbers<S>) -> Mat3<S> {
+    fn alignment(&self, _: &SymbolValues<S>) -> Mat3<S> {
         own_axes()
     }
 
@@ -49,7 +49,7 @@ impl<S: Scalar> HingeLaw<S> for Elastic {
     ///
     /// `Ω = ξ θ̇₁ + A_xᵀ η θ̇₂ + A_xᵀ A_yᵀ ζ θ̇_r` in outboard axes, and
     /// `ḋ = A_z (Δ̇ + θ̇_r ζ × Δ)`.
-    fn strains(&self, q: &[S]) -> Strains<S> {
+    fn strains(&self, q: &[S]) -> StrainMap<S> {
         let (zero, one) = (S::zero(), S::one());
         let ([s1, s2, s3], [c1, c2, c3]) = sines(q);
         let tangent = s2 * c2.recip();
@@ -70,7 +70,7 @@ impl<S: Scalar> HingeLaw<S> for Elastic {
         let behind = |row: [S; 3]| [zero; 3].into_iter().chain(row).collect::<Vec<S>>();
         to.extend(angles.map(behind));
         back.extend(spins.map(behind));
-        Strains::of(to, back)
+        StrainMap::of(to, back)
     }
 }
 

@@ -5,8 +5,8 @@
 
 use super::ball::{self, Ball};
 use super::law::{HingeLaw, own_axes};
-use super::{Direction, Geometry, Strains};
-use crate::equations::Numbers;
+use super::{HingeGeometry, StrainMap, SubspaceColumn};
+use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar, Vec3};
 
 /// A floating hinge.
@@ -15,15 +15,15 @@ pub struct Floating;
 
 impl<S: Scalar> HingeLaw<S> for Floating {
     /// A shift and a turn, both free: `m = 0` and `q = 0` [P, Eqs. (57), (58)].
-    fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
-        Geometry {
+    fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
+        HingeGeometry {
             offset: Vec3([q[0], q[1], q[2]]),
             directions: directions(),
             ..Ball.geometry(numbers, &q[3..])
         }
     }
 
-    fn alignment(&self, _: &Numbers<S>) -> Mat3<S> {
+    fn alignment(&self, _: &SymbolValues<S>) -> Mat3<S> {
         own_axes()
     }
 
@@ -41,13 +41,13 @@ impl<S: Scalar> HingeLaw<S> for Floating {
         coordinates
     }
 
-    fn strains(&self, _: &[S]) -> Strains<S> {
-        Strains::change_by_rates(6)
+    fn strains(&self, _: &[S]) -> StrainMap<S> {
+        StrainMap::change_by_rates(6)
     }
 }
 
 /// The shifts along the inboard axes, then the turns about the outboard ones.
-pub fn directions<S: Scalar>() -> Vec<Direction<S>> {
-    let shifts = (0..3).map(|k| Direction::along(Vec3::unit(k)));
+pub fn directions<S: Scalar>() -> Vec<SubspaceColumn<S>> {
+    let shifts = (0..3).map(|k| SubspaceColumn::along(Vec3::unit(k)));
     shifts.chain(ball::turns()).collect()
 }

@@ -12,15 +12,13 @@
 
 mod axis;
 mod ball;
-mod crossing;
 mod cylindrical;
-mod effort;
 mod elastic;
 mod floating;
-mod freedom;
+mod force_laws;
 mod kinds;
 mod law;
-mod passive;
+mod passive_elements;
 mod pin;
 mod planar;
 mod plane_elastic;
@@ -28,46 +26,48 @@ mod rows;
 mod screw;
 mod slider;
 mod strain;
+mod subspace_basis;
+mod transform;
 mod universal;
 mod weld;
 
-pub use crossing::{Crossing, WorkAxes, combine, crossing};
-pub use effort::{Passives, passives};
-pub use freedom::{Column, Freedom, freedom, prescribed};
 pub use law::HingeLaw;
+pub use passive_elements::{PassiveElements, passives};
 pub use rows::{dot, identity};
-pub use strain::Strains;
+pub use strain::StrainMap;
+pub use subspace_basis::{BasisVector, SubspaceBasis, freedom, prescribed};
+pub use transform::{HingeTransform, ToWorkAxes, combine, crossing};
 
-use crate::math::{Mat3, Motion, Scalar, Turn, Vec3};
+use crate::math::{AxisRotation, Mat3, Motion, Scalar, Vec3};
 use crate::model::HingeKind;
 
 /// A hinge at given coordinates, in aligned axes.
 #[derive(Clone, Debug)]
-pub struct Geometry<S> {
+pub struct HingeGeometry<S> {
     /// Outboard axes to inboard ones.
     pub rotation: Mat3<S>,
     /// The same, if it is a turn about one of the axes.
-    pub turn: Option<Turn<S>>,
+    pub turn: Option<AxisRotation<S>>,
     /// From the inboard origin to the outboard one, inboard axes.
     pub offset: Vec3<S>,
     /// What each rate does: `S`, column by column.
-    pub directions: Vec<Direction<S>>,
+    pub directions: Vec<SubspaceColumn<S>>,
 }
 
 /// A free direction, constant in the axes of one side: the motion of the outboard origin and frame
 /// against the inboard frame.
 #[derive(Clone, Copy, Debug)]
-pub struct Direction<S> {
+pub struct SubspaceColumn<S> {
     /// Whether it is fixed on the outboard side.
     pub on_outboard: bool,
     /// Its six entries, in aligned axes of that side.
     pub motion: Motion<S>,
 }
 
-impl<S: Scalar> Geometry<S> {
+impl<S: Scalar> HingeGeometry<S> {
     /// Both frames coincide, and nothing is free.
     fn fixed() -> Self {
-        Geometry {
+        HingeGeometry {
             rotation: Mat3::identity(),
             turn: None,
             offset: Vec3::zero(),
@@ -76,30 +76,30 @@ impl<S: Scalar> Geometry<S> {
     }
 
     /// The outboard frame is turned about an axis.
-    fn turned(turn: Turn<S>) -> Self {
-        Geometry { rotation: turn.matrix(), turn: Some(turn), ..Geometry::fixed() }
+    fn turned(turn: AxisRotation<S>) -> Self {
+        HingeGeometry { rotation: turn.matrix(), turn: Some(turn), ..HingeGeometry::fixed() }
     }
 }
 
-impl<S: Scalar> Direction<S> {
+impl<S: Scalar> SubspaceColumn<S> {
     /// Fixed on the inboard side.
     fn inboard(motion: Motion<S>) -> Self {
-        Direction { on_outboard: false, motion }
+        SubspaceColumn { on_outboard: false, motion }
     }
 
     /// A shift along a vector fixed on the inboard side.
     fn along(linear: Vec3<S>) -> Self {
-        Direction::inboard(Motion { linear, angular: Vec3::zero() })
+        SubspaceColumn::inboard(Motion { linear, angular: Vec3::zero() })
     }
 
     /// A turn about a vector fixed on the inboard side.
     fn about(angular: Vec3<S>) -> Self {
-        Direction::inboard(Motion { linear: Vec3::zero(), angular })
+        SubspaceColumn::inboard(Motion { linear: Vec3::zero(), angular })
     }
 
     /// The same entries, but fixed on the outboard side.
     fn outboard(self) -> Self {
-        Direction { on_outboard: true, ..self }
+        SubspaceColumn { on_outboard: true, ..self }
     }
 }
 

@@ -6,8 +6,8 @@
 
 use super::axis::Alignment;
 use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
-use super::{Direction, Geometry, Strains};
-use crate::equations::Numbers;
+use super::{HingeGeometry, StrainMap, SubspaceColumn};
+use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar};
 use crate::model::Value;
 
@@ -20,13 +20,13 @@ pub struct Pin<'a> {
 
 impl<S: Scalar> HingeLaw<S> for Pin<'_> {
     /// A turn about the axis: `Ω_O = Ω_I + A_O ω_r` [P, Eq. (36)].
-    fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
+    fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let along = Alignment::with(self.axis, numbers);
-        let turn = Direction::about(along.direction());
-        Geometry { directions: vec![turn], ..Geometry::turned(along.turn(q[0])) }
+        let turn = SubspaceColumn::about(along.direction());
+        HingeGeometry { directions: vec![turn], ..HingeGeometry::turned(along.turn(q[0])) }
     }
 
-    fn alignment(&self, numbers: &Numbers<S>) -> Mat3<S> {
+    fn alignment(&self, numbers: &SymbolValues<S>) -> Mat3<S> {
         Alignment::with(self.axis, numbers).rotation
     }
 
@@ -38,7 +38,7 @@ impl<S: Scalar> HingeLaw<S> for Pin<'_> {
         free_of_quaternions(q)
     }
 
-    fn strains(&self, _: &[S]) -> Strains<S> {
-        Strains::change_by_rates(1)
+    fn strains(&self, _: &[S]) -> StrainMap<S> {
+        StrainMap::change_by_rates(1)
     }
 }

@@ -4,9 +4,9 @@
 //! normal, and the angle in rad about the normal.
 
 use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions, own_axes};
-use super::{Direction, Geometry, Strains};
-use crate::equations::Numbers;
-use crate::math::{Mat3, Scalar, Turn, Vec3};
+use super::{HingeGeometry, StrainMap, SubspaceColumn};
+use crate::equations::SymbolValues;
+use crate::math::{AxisRotation, Mat3, Scalar, Vec3};
 
 /// A planar hinge.
 #[derive(Clone, Copy, Debug)]
@@ -17,21 +17,21 @@ pub struct Planar {
 
 impl<S: Scalar> HingeLaw<S> for Planar {
     /// Two shifts along inboard axes and a turn.
-    fn geometry(&self, _: &Numbers<S>, q: &[S]) -> Geometry<S> {
+    fn geometry(&self, _: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let [first, second] = [1, 2].map(|k| Vec3::unit((self.normal + k) % 3));
         let (sin, cos) = q[2].sin_cos();
-        Geometry {
+        HingeGeometry {
             offset: first * q[0] + second * q[1],
             directions: vec![
-                Direction::along(first),
-                Direction::along(second),
-                Direction::about(Vec3::unit(self.normal)),
+                SubspaceColumn::along(first),
+                SubspaceColumn::along(second),
+                SubspaceColumn::about(Vec3::unit(self.normal)),
             ],
-            ..Geometry::turned(Turn { axis: self.normal, sin, cos })
+            ..HingeGeometry::turned(AxisRotation { axis: self.normal, sin, cos })
         }
     }
 
-    fn alignment(&self, _: &Numbers<S>) -> Mat3<S> {
+    fn alignment(&self, _: &SymbolValues<S>) -> Mat3<S> {
         own_axes()
     }
 
@@ -43,7 +43,7 @@ impl<S: Scalar> HingeLaw<S> for Planar {
         free_of_quaternions(q)
     }
 
-    fn strains(&self, _: &[S]) -> Strains<S> {
-        Strains::change_by_rates(3)
+    fn strains(&self, _: &[S]) -> StrainMap<S> {
+        StrainMap::change_by_rates(3)
     }
 }

@@ -7,8 +7,8 @@
 
 use super::law::{HingeLaw, free_of_quaternions, own_axes};
 use super::planar::Planar;
-use super::{Geometry, Strains, strain};
-use crate::equations::Numbers;
+use super::{HingeGeometry, StrainMap, strain};
+use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar};
 
 /// An elastic hinge in the plane.
@@ -17,13 +17,13 @@ pub struct PlaneElastic;
 
 impl<S: Scalar> HingeLaw<S> for PlaneElastic {
     /// Two shifts and a turn.
-    fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
+    fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let (sin, cos) = q[2].sin_cos();
         let offset = [cos * q[0] - sin * q[1], sin * q[0] + cos * q[1]];
         Planar { normal: 2 }.geometry(numbers, &[offset[0], offset[1], q[2]])
     }
 
-    fn alignment(&self, _: &Numbers<S>) -> Mat3<S> {
+    fn alignment(&self, _: &SymbolValues<S>) -> Mat3<S> {
         own_axes()
     }
 
@@ -37,7 +37,7 @@ impl<S: Scalar> HingeLaw<S> for PlaneElastic {
     }
 
     /// From rates to the rates of the coordinates, and back.
-    fn strains(&self, q: &[S]) -> Strains<S> {
+    fn strains(&self, q: &[S]) -> StrainMap<S> {
         let (zero, one) = (S::zero(), S::one());
         let (sin, cos) = q[2].sin_cos();
         let turned = [-q[1], q[0]];
@@ -49,6 +49,6 @@ impl<S: Scalar> HingeLaw<S> for PlaneElastic {
             vec![sin, cos, along(sin, cos)],
             vec![zero, zero, one],
         ];
-        Strains::of(to, back)
+        StrainMap::of(to, back)
     }
 }

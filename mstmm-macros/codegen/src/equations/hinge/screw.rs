@@ -4,8 +4,8 @@
 
 use super::axis::Alignment;
 use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
-use super::{Direction, Geometry, Strains};
-use crate::equations::Numbers;
+use super::{HingeGeometry, StrainMap, SubspaceColumn};
+use crate::equations::SymbolValues;
 use crate::math::{Mat3, Motion, Scalar};
 use crate::model::Value;
 
@@ -20,18 +20,18 @@ pub struct Screw<'a> {
 
 impl<S: Scalar> HingeLaw<S> for Screw<'_> {
     /// A turn with its shift, `S = [pitch ζ; ζ]`.
-    fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
+    fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let along = Alignment::with(self.axis, numbers);
         let direction = along.direction();
         let shift = direction * numbers.scalar(self.pitch);
-        Geometry {
+        HingeGeometry {
             offset: shift * q[0],
-            directions: vec![Direction::inboard(Motion { linear: shift, angular: direction })],
-            ..Geometry::turned(along.turn(q[0]))
+            directions: vec![SubspaceColumn::inboard(Motion { linear: shift, angular: direction })],
+            ..HingeGeometry::turned(along.turn(q[0]))
         }
     }
 
-    fn alignment(&self, numbers: &Numbers<S>) -> Mat3<S> {
+    fn alignment(&self, numbers: &SymbolValues<S>) -> Mat3<S> {
         Alignment::with(self.axis, numbers).rotation
     }
 
@@ -43,7 +43,7 @@ impl<S: Scalar> HingeLaw<S> for Screw<'_> {
         free_of_quaternions(q)
     }
 
-    fn strains(&self, _: &[S]) -> Strains<S> {
-        Strains::change_by_rates(1)
+    fn strains(&self, _: &[S]) -> StrainMap<S> {
+        StrainMap::change_by_rates(1)
     }
 }

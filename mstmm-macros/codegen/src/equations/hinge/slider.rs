@@ -4,8 +4,8 @@
 
 use super::axis::Alignment;
 use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
-use super::{Direction, Geometry, Strains};
-use crate::equations::Numbers;
+use super::{HingeGeometry, StrainMap, SubspaceColumn};
+use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar};
 use crate::model::Value;
 
@@ -18,16 +18,16 @@ pub struct Slider<'a> {
 
 impl<S: Scalar> HingeLaw<S> for Slider<'_> {
     /// A shift along the axis.
-    fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
+    fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let along = Alignment::with(self.axis, numbers).direction();
-        Geometry {
+        HingeGeometry {
             offset: along * q[0],
-            directions: vec![Direction::along(along)],
-            ..Geometry::fixed()
+            directions: vec![SubspaceColumn::along(along)],
+            ..HingeGeometry::fixed()
         }
     }
 
-    fn alignment(&self, numbers: &Numbers<S>) -> Mat3<S> {
+    fn alignment(&self, numbers: &SymbolValues<S>) -> Mat3<S> {
         Alignment::with(self.axis, numbers).rotation
     }
 
@@ -39,7 +39,7 @@ impl<S: Scalar> HingeLaw<S> for Slider<'_> {
         free_of_quaternions(q)
     }
 
-    fn strains(&self, _: &[S]) -> Strains<S> {
-        Strains::change_by_rates(1)
+    fn strains(&self, _: &[S]) -> StrainMap<S> {
+        StrainMap::change_by_rates(1)
     }
 }

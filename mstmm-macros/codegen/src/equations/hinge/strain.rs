@@ -5,7 +5,7 @@ use crate::math::Scalar;
 
 /// How rates become strain rates.
 #[derive(Clone, Debug)]
-pub struct Strains<S> {
+pub struct StrainMap<S> {
     /// `J` of `ṡ = J v`, by rows.
     pub rows: Vec<Vec<S>>,
     /// `J⁻¹`, by rows.
@@ -14,16 +14,16 @@ pub struct Strains<S> {
     pub is_constant: bool,
 }
 
-impl<S: Scalar> Strains<S> {
+impl<S: Scalar> StrainMap<S> {
     /// Strains that change by so many rates, `J = 1`.
     pub fn change_by_rates(count: usize) -> Self {
         let (rows, inverse) = identity(count);
-        Strains { rows, inverse, is_constant: true }
+        StrainMap { rows, inverse, is_constant: true }
     }
 
     /// By `J` and `J⁻¹`, which depend on the coordinates.
     pub fn of(rows: Vec<Vec<S>>, inverse: Vec<Vec<S>>) -> Self {
-        Strains { rows, inverse, is_constant: false }
+        StrainMap { rows, inverse, is_constant: false }
     }
 }
 

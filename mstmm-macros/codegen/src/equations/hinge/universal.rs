@@ -6,8 +6,8 @@
 
 use super::axis::{Alignment, turn_about};
 use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
-use super::{Direction, Geometry, Strains};
-use crate::equations::Numbers;
+use super::{HingeGeometry, StrainMap, SubspaceColumn};
+use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar, Vec3};
 use crate::model::Value;
 
@@ -21,21 +21,21 @@ pub struct Universal<'a> {
 impl<S: Scalar> HingeLaw<S> for Universal<'_> {
     /// Two turns, each about an axis fixed on its side; the first carries the second's axis with
     /// it.
-    fn geometry(&self, numbers: &Numbers<S>, q: &[S]) -> Geometry<S> {
+    fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let outboard = Alignment::with(&self.axes[1], numbers);
         let first = inboard_axis(&self.axes[0], &outboard, numbers);
         let rotation = first_turn(first, q[0].sin_cos()) * outboard.turn(q[1]).matrix();
-        Geometry {
+        HingeGeometry {
             rotation,
             directions: vec![
-                Direction::about(first),
-                Direction::about(outboard.direction()).outboard(),
+                SubspaceColumn::about(first),
+                SubspaceColumn::about(outboard.direction()).outboard(),
             ],
-            ..Geometry::fixed()
+            ..HingeGeometry::fixed()
         }
     }
 
-    fn alignment(&self, numbers: &Numbers<S>) -> Mat3<S> {
+    fn alignment(&self, numbers: &SymbolValues<S>) -> Mat3<S> {
         Alignment::with(&self.axes[1], numbers).rotation
     }
 
@@ -47,8 +47,8 @@ impl<S: Scalar> HingeLaw<S> for Universal<'_> {
         free_of_quaternions(q)
     }
 
-    fn strains(&self, _: &[S]) -> Strains<S> {
-        Strains::change_by_rates(2)
+    fn strains(&self, _: &[S]) -> StrainMap<S> {
+        StrainMap::change_by_rates(2)
     }
 }
 
@@ -56,7 +56,7 @@ impl<S: Scalar> HingeLaw<S> for Universal<'_> {
 fn inboard_axis<S: Scalar>(
     axis: &[Value; 3],
     outboard: &Alignment<S>,
-    numbers: &Numbers<S>,
+    numbers: &SymbolValues<S>,
 ) -> Vec3<S> {
     outboard.rotation.transposed() * numbers.unit(axis)
 }

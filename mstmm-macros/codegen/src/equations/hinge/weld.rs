@@ -1,8 +1,8 @@
 //! Weld: joins two frames for good.
 
 use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions, own_axes};
-use super::{Geometry, Strains};
-use crate::equations::Numbers;
+use super::{HingeGeometry, StrainMap};
+use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar};
 
 /// A weld.
@@ -11,11 +11,11 @@ pub struct Weld;
 
 impl<S: Scalar> HingeLaw<S> for Weld {
     /// Both frames coincide, and nothing is free.
-    fn geometry(&self, _: &Numbers<S>, _: &[S]) -> Geometry<S> {
-        Geometry::fixed()
+    fn geometry(&self, _: &SymbolValues<S>, _: &[S]) -> HingeGeometry<S> {
+        HingeGeometry::fixed()
     }
 
-    fn alignment(&self, _: &Numbers<S>) -> Mat3<S> {
+    fn alignment(&self, _: &SymbolValues<S>) -> Mat3<S> {
         own_axes()
     }
 
@@ -27,7 +27,7 @@ impl<S: Scalar> HingeLaw<S> for Weld {
         free_of_quaternions(q)
     }
 
-    fn strains(&self, _: &[S]) -> Strains<S> {
-        Strains::change_by_rates(0)
+    fn strains(&self, _: &[S]) -> StrainMap<S> {
+        StrainMap::change_by_rates(0)
     }
 }

@@ -5,35 +5,35 @@
 //!
 //! | symbol | in code | meaning |
 //! |---|---|---|
-//! | `Ω` | [`LinkMotion::omega`] | angular velocity, work axes |
+//! | `Ω` | [`LinkKinematics::omega`] | angular velocity, work axes |
 //! | `m`, `m r_C`, `J` | `mass`, `moment`, `inertia` | of a part about its point, work axes |
-//! | `S` | [`Crossed::subspace`] | motion of the child against the parent for each rate |
-//! | `b` | [`Drift`] | bias acceleration of the point against the parent's |
+//! | `S` | [`HingeKinematics::subspace`] | motion of the child against the parent for each rate |
+//! | `b` | [`BiasAcceleration`] | bias acceleration of the point against the parent's |
 //!
 //! Frames: the *work axes* of a link are those in which its equations are written ([`Axes`]); its
 //! *attitude* leads from the axes of its part's frame to them, `to_parent` from them to the
 //! parent's.
 
-mod crossed;
+mod hinge_kinematics;
 mod pose;
 
-pub use crossed::{Crossed, Drift, cross};
+pub use hinge_kinematics::{BiasAcceleration, HingeKinematics, cross};
 pub use pose::{Pose, poses};
 
 use super::strategy::Axes;
 use super::sweep::{Flatten, PerLink};
-use super::{Situation, Trace};
+use super::{EvalContext, Trace};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
 use crate::model::{Chain, Hinge, Link, Part, Place};
 
 /// A part in motion, in its link's work axes unless another frame is named.
 #[derive(Clone, Debug)]
-pub struct LinkMotion<S> {
+pub struct LinkKinematics<S> {
     /// The name of the part's first body.
     pub name: String,
     /// The hinge that it hangs on.
-    pub over: Crossed<S>,
+    pub over: HingeKinematics<S>,
     /// Index of the link of the part that it hangs on; none if that is the ground.
     pub parent: Option<LinkId>,
     /// Where its point lies, in its own frame.
@@ -52,7 +52,7 @@ pub struct LinkMotion<S> {
 
 /// What the motion of a part means to what hangs on it.
 #[derive(Clone, Copy, Debug)]
-pub struct PartMotion<S> {
+pub struct PartKinematics<S> {
     /// Axes of the part's frame to work axes.
     pub attitude: Mat3<S>,
     /// Where its point lies, in its own frame.
@@ -61,25 +61,25 @@ pub struct PartMotion<S> {
     pub omega: Vec3<S>,
 }
 
-impl<S: Scalar> PartMotion<S> {
+impl<S: Scalar> PartKinematics<S> {
     /// The ground is at rest.
     pub fn ground() -> Self {
         let (point, omega) = (Vec3::zero(), Vec3::zero());
-        PartMotion { attitude: Mat3::identity(), point, omega }
+        PartKinematics { attitude: Mat3::identity(), point, omega }
     }
 }
 
-impl<S: Scalar> Flatten<S> for PartMotion<S> {
+impl<S: Scalar> Flatten<S> for PartKinematics<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
         let attitude = self.attitude.visit(replace);
-        PartMotion { attitude, omega: self.omega.visit(replace), ..self }
+        PartKinematics { attitude, omega: self.omega.visit(replace), ..self }
     }
 }
 
-impl<S: Scalar> LinkMotion<S> {
+impl<S: Scalar> LinkKinematics<S> {
     /// The motion of its part.
-    pub fn part(&self) -> PartMotion<S> {
-        PartMotion { attitude: self.attitude, point: self.point, omega: self.omega }
+    pub fn part(&self) -> PartKinematics<S> {
+        PartKinematics { attitude: self.attitude, point: self.point, omega: self.omega }
     }
 
     /// The inertia that links `a` and `F` at the point.
@@ -102,11 +102,11 @@ impl<S: Scalar> LinkMotion<S> {
 
 /// All links, from the ground outwards.
 pub fn motion<S: Scalar>(
-    situation: &Situation<S>,
+    situation: &EvalContext<S>,
     axes: Axes,
     trace: &mut Trace<S>,
-) -> PerLink<LinkMotion<S>> {
-    let (parts, links) = situation.tree.outward(PartMotion::ground(), |index, parent| {
+) -> PerLink<LinkKinematics<S>> {
+    let (parts, links) = situation.tree.outward(PartKinematics::ground(), |index, parent| {
         let next = link_motion(situation, axes, &situation.layout.links[index], parent);
         let name = &next.over.name;
         trace.section(
@@ -120,9 +120,9 @@ pub fn motion<S: Scalar>(
         trace.vector(&format!("{name}_centripetal"), next.over.drift.on_parent);
         trace.motion(&format!("{name}_drift"), next.over.drift.in_hinge);
         trace.rigid_body(&next.name, next.mass, next.moment, next.inertia);
-        (PartMotion { attitude: next.attitude, point: next.point, omega: next.omega }, next)
+        (PartKinematics { attitude: next.attitude, point: next.point, omega: next.omega }, next)
     });
-    let beyond = |(link, part): (LinkMotion<S>, PartMotion<S>)| LinkMotion {
+    let beyond = |(link, part): (LinkKinematics<S>, PartKinematics<S>)| LinkKinematics {
         attitude: part.attitude,
         omega: part.omega,
         ..link
@@ -132,11 +132,11 @@ pub fn motion<S: Scalar>(
 
 /// Crosses the hinge of `link` and comes to its part.
 fn link_motion<S: Scalar>(
-    situation: &Situation<S>,
+    situation: &EvalContext<S>,
     axes: Axes,
     link: &Link,
-    parent: &PartMotion<S>,
-) -> LinkMotion<S> {
+    parent: &PartKinematics<S>,
+) -> LinkKinematics<S> {
     let over = cross(situation, axes, (link.hinge, link.reversed), parent);
     let (_, to) = sides(situation.chain, link);
     let (_, point, rotation) = situation.place(to);
@@ -144,7 +144,7 @@ fn link_motion<S: Scalar>(
     let attitude = over.from_child * (rotation * alignment).transposed();
     let carried = over.to_parent.back(parent.omega);
     let rigid = rigid_part(situation, link, to, point);
-    LinkMotion {
+    LinkKinematics {
         name: situation.chain.bodies[link.body].name.to_string(),
         parent: link.parent,
         point,
@@ -158,20 +158,21 @@ fn link_motion<S: Scalar>(
 }
 
 /// Mass, first moment and inertia of a part about a point, in its own axes.
-struct Rigid<S> {
+struct RigidInertia<S> {
     mass: S,
     moment: Vec3<S>,
     inertia: Sym3<S>,
 }
 
 fn rigid_part<S: Scalar>(
-    situation: &Situation<S>,
+    situation: &EvalContext<S>,
     link: &Link,
     to: &Place,
     point: Vec3<S>,
-) -> Rigid<S> {
+) -> RigidInertia<S> {
     let numbers = situation.numbers;
-    let mut all = Rigid { mass: S::zero(), moment: Vec3::zero(), inertia: Sym3([S::zero(); 6]) };
+    let mut all =
+        RigidInertia { mass: S::zero(), moment: Vec3::zero(), inertia: Sym3([S::zero(); 6]) };
     for &member in &link.members {
         let body = &situation.chain.bodies[member];
         let (origin, rotation) = situation.frame(member);

@@ -1,8 +1,8 @@
 //! Where every part is, and how fast its point moves.
 
-use super::super::Situation;
+use super::super::EvalContext;
 use super::super::sweep::{Flatten, PerLink};
-use super::LinkMotion;
+use super::LinkKinematics;
 use crate::math::{Mat3, Scalar, Vec3};
 
 /// Where a link's part is.
@@ -33,8 +33,8 @@ impl<S: Scalar> Flatten<S> for Pose<S> {
 
 /// Where all links are [P, Eq. (12)].
 pub fn poses<S: Scalar>(
-    situation: &Situation<S>,
-    links: &PerLink<LinkMotion<S>>,
+    situation: &EvalContext<S>,
+    links: &PerLink<LinkKinematics<S>>,
 ) -> PerLink<Pose<S>> {
     let (poses, _) = situation.tree.outward(Pose::ground(), |index, from| {
         let over = &links[index].over;

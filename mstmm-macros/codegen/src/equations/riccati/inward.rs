@@ -1,31 +1,31 @@
 //! From the free ends to the ground: equations (1), (2) and (4).
 
-use super::super::kinematics::Crossed;
-use super::super::problem::{Problem, Relation};
+use super::super::kinematics::HingeKinematics;
+use super::super::motion_problem::{AffineWrench, MotionProblem};
 use super::super::sweep::PerLink;
-use super::super::{Pivot, Trace, strategy};
-use super::articulated::Articulated;
-use super::direction::{Condition, eliminate};
-use super::eliminated::Eliminated;
-use super::open_loop::OpenLoop;
+use super::super::{HingePivot, Trace, strategy};
+use super::articulated_body::ArticulatedBody;
+use super::eliminate::{HingeDof, eliminate};
+use super::eliminated_dof::EliminatedDof;
+use super::loop_sums::LoopSums;
 use crate::ids::LinkId;
 use crate::math::{Scalar, SpatialInertia, Wrench};
 
 /// What comes out of the way to the ground.
-pub struct Reduced<S> {
+pub struct InwardSweep<S> {
     /// What each link has eliminated.
-    pub eliminated: PerLink<Vec<Eliminated<S>>>,
+    pub eliminated: PerLink<Vec<EliminatedDof<S>>>,
     /// What is left of `F = Iᴬ a + pᴬ` then.
-    pub relations: PerLink<Relation<S>>,
+    pub relations: PerLink<AffineWrench<S>>,
     /// The open loop as it arrives at the ground.
-    pub open: Option<OpenLoop<S>>,
+    pub open: Option<LoopSums<S>>,
     /// `D` of all directions, the last link first.
-    pub pivots: Vec<Pivot<S>>,
+    pub pivots: Vec<HingePivot<S>>,
 }
 
 /// From the free ends to the ground.
-pub fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<S> {
-    let step = |link: LinkId, mut here: Articulated<S>, parent: &mut Articulated<S>| {
+pub fn reduce<S: Scalar>(problem: &MotionProblem<S>, trace: &mut Trace<S>) -> InwardSweep<S> {
+    let step = |link: LinkId, mut here: ArticulatedBody<S>, parent: &mut ArticulatedBody<S>| {
         let over = &problem.links[link].over;
         trace.section(
             format!("{}_riccati", over.name),
@@ -45,7 +45,7 @@ pub fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<
         }
         let pivots = pivots(link, &here, &conditions, &steps);
         record(trace, &over.name, &steps, &pivots);
-        let relation = Relation { inertia: here.inertia, bias: here.bias };
+        let relation = AffineWrench { inertia: here.inertia, bias: here.bias };
         match problem.links[link].parent {
             Some(_) => here.add_to_parent(problem, link, parent),
             None => parent.hold(here.on_ground(over.carried(problem.ground))),
@@ -53,7 +53,7 @@ pub fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<
         (steps, pivots, relation)
     };
     let nothing = SpatialInertia::from_fn(|_, _| S::zero());
-    let ground = Articulated::with(nothing, Wrench::zero());
+    let ground = ArticulatedBody::with(nothing, Wrench::zero());
     let (records, ground) = problem.tree.inward(own(problem), ground, step);
     let pivots = records.iter().rev().flat_map(|(_, pivots, _)| pivots.iter().copied()).collect();
     let relations = if strategy::keeps_relations(problem.closing.is_some()) {
@@ -62,20 +62,20 @@ pub fn reduce<S: Scalar>(problem: &Problem<S>, trace: &mut Trace<S>) -> Reduced<
         PerLink::new()
     };
     let eliminated = records.into_iter().map(|(steps, ..)| steps).collect();
-    Reduced { eliminated, relations, open: ground.open, pivots }
+    InwardSweep { eliminated, relations, open: ground.open, pivots }
 }
 
 /// What every link has of itself, the closing hinge where it hangs on the link.
-fn own<S: Scalar>(problem: &Problem<S>) -> PerLink<Articulated<S>> {
+fn own<S: Scalar>(problem: &MotionProblem<S>) -> PerLink<ArticulatedBody<S>> {
     let of = |(link, &bias): (LinkId, &Wrench<S>)| {
         let inertia = problem.inertia(link);
-        Articulated { scales: problem.scales(link), ..Articulated::with(inertia, bias) }
+        ArticulatedBody { scales: problem.scales(link), ..ArticulatedBody::with(inertia, bias) }
     };
-    let mut all: PerLink<Articulated<S>> = problem.loads.enumerate().map(of).collect();
+    let mut all: PerLink<ArticulatedBody<S>> = problem.loads.enumerate().map(of).collect();
     if let (Some(demand), Some((link, columns))) = (&problem.closing, problem.pulls()) {
         let over = &demand.closing.over;
         all[link].bias = all[link].bias + over.returned(demand.given);
-        all[link].open = Some(OpenLoop::new(columns.len()));
+        all[link].open = Some(LoopSums::new(columns.len()));
         all[link].columns = columns;
         all[link].reach = over.arm.dot(over.arm);
     }
@@ -83,23 +83,23 @@ fn own<S: Scalar>(problem: &Problem<S>) -> PerLink<Articulated<S>> {
 }
 
 /// The free directions of a hinge with their efforts.
-fn conditions<S: Scalar>(over: &Crossed<S>, efforts: &[S]) -> Vec<Condition<S>> {
+fn conditions<S: Scalar>(over: &HingeKinematics<S>, efforts: &[S]) -> Vec<HingeDof<S>> {
     let given = efforts.iter().zip(&over.freedom.armature);
     let columns = over.freedom.columns.iter().zip(given);
-    columns.map(|(&column, (&effort, &armature))| Condition { column, effort, armature }).collect()
+    columns.map(|(&column, (&effort, &armature))| HingeDof { column, effort, armature }).collect()
 }
 
 /// What a link divides by.
 fn pivots<S: Scalar>(
     link: LinkId,
-    here: &Articulated<S>,
-    conditions: &[Condition<S>],
-    steps: &[Eliminated<S>],
-) -> Vec<Pivot<S>> {
+    here: &ArticulatedBody<S>,
+    conditions: &[HingeDof<S>],
+    steps: &[EliminatedDof<S>],
+) -> Vec<HingePivot<S>> {
     let (mass, moment) = here.scales;
-    let of = |(condition, step): (&Condition<S>, &Eliminated<S>)| {
+    let of = |(condition, step): (&HingeDof<S>, &EliminatedDof<S>)| {
         let scale = condition.column.scale(mass, moment) + condition.armature;
-        Pivot { link, value: step.pivot, scale }
+        HingePivot { link, value: step.pivot, scale }
     };
     conditions.iter().zip(steps).map(of).collect()
 }
@@ -107,8 +107,8 @@ fn pivots<S: Scalar>(
 fn record<S: Scalar>(
     trace: &mut Trace<S>,
     name: &str,
-    steps: &[Eliminated<S>],
-    pivots: &[Pivot<S>],
+    steps: &[EliminatedDof<S>],
+    pivots: &[HingePivot<S>],
 ) {
     for (number, (step, pivot)) in steps.iter().zip(pivots).enumerate() {
         let number = if steps.len() > 1 { number.to_string() } else { String::new() };

@@ -8,13 +8,13 @@
 //!
 //! | symbol | in code | meaning |
 //! |---|---|---|
-//! | `Iᴬ`, `pᴬ` | [`articulated::Articulated`] | articulated inertia and bias, `F = Iᴬ a + pᴬ` |
-//! | `s`, `τ` | [`direction::Condition`] | a free direction of the link's hinge, `sᵀ F = τ` |
-//! | `U`, `D`, `K`, `ε` | [`eliminated::Eliminated`] | of the elimination of `s`, equation (1) |
+//! | `Iᴬ`, `pᴬ` | [`articulated_body::ArticulatedBody`] | articulated inertia and bias, `F = Iᴬ a + pᴬ` |
+//! | `s`, `τ` | [`eliminate::HingeDof`] | a free direction of the link's hinge, `sᵀ F = τ` |
+//! | `U`, `D`, `K`, `ε` | [`eliminated_dof::EliminatedDof`] | of the elimination of `s`, equation (1) |
 //! | `a'` | `carried` | `a` but for the hinge's own rates, from `a` of the parent |
 //! | `v̇` | `amounts` | accelerations along the free directions, `a = a' + Σ s v̇` |
 //! | `T`, `λ` | `closing` | directions that the closing hinge holds, its reactions along them |
-//! | `Tᴬ`, `γ`, `Λ` | [`open_loop::OpenLoop`] | `T` as it acts here, and the sums of equation (5) |
+//! | `Tᴬ`, `γ`, `Λ` | [`loop_sums::LoopSums`] | `T` as it acts here, and the sums of equation (5) |
 //!
 //! # Equations
 //!
@@ -43,42 +43,42 @@
 //!
 //! (6)  `1 / D = a / (a c − b²)`
 
-mod articulated;
-mod direction;
-mod eliminated;
+mod articulated_body;
+mod eliminate;
+mod eliminated_dof;
 mod inward;
-mod open_loop;
-mod recover;
+mod loop_sums;
+mod outward;
 
-use super::closure::Closure;
-use super::problem::{Movement, Problem, Relation};
+use super::constraint_forces::ConstraintForces;
+use super::motion_problem::{AffineWrench, MotionProblem, MotionSolution};
 use super::sweep::PerLink;
-use super::{Pivot, Trace};
+use super::{HingePivot, Trace};
 use crate::math::Scalar;
-use inward::{Reduced, reduce};
-use recover::recover;
+use inward::{InwardSweep, reduce};
+use outward::recover;
 
 /// The movement, and the pivots `D`.
 pub fn solve<S: Scalar>(
-    problem: &Problem<S>,
+    problem: &MotionProblem<S>,
     trace: &mut Trace<S>,
-) -> (Movement<S>, Vec<Pivot<S>>) {
-    let Reduced { mut eliminated, relations, open, pivots } = reduce(problem, trace);
-    let closure = open_loop::close(problem, open, trace);
+) -> (MotionSolution<S>, Vec<HingePivot<S>>) {
+    let InwardSweep { mut eliminated, relations, open, pivots } = reduce(problem, trace);
+    let closure = loop_sums::close(problem, open, trace);
     for step in eliminated.iter_mut().flatten() {
         step.add_reactions(&closure.reactions);
     }
     let (amounts, points) = recover(problem, &eliminated, trace);
-    (Movement { amounts, points, relations, closure }, pivots)
+    (MotionSolution { amounts, points, relations, closure }, pivots)
 }
 
 /// For methods that solve for the movement in another way: pivots, the reactions of a closing
 /// hinge, and what hinges transmit.
 pub fn reduced<S: Scalar>(
-    problem: &Problem<S>,
+    problem: &MotionProblem<S>,
     trace: &mut Trace<S>,
-) -> (Vec<Pivot<S>>, Closure<S>, PerLink<Relation<S>>) {
-    let Reduced { pivots, open, relations, .. } = reduce(problem, &mut Trace::silent());
+) -> (Vec<HingePivot<S>>, ConstraintForces<S>, PerLink<AffineWrench<S>>) {
+    let InwardSweep { pivots, open, relations, .. } = reduce(problem, &mut Trace::silent());
     trace.section(
         "pivots",
         "Inertia beyond the hinges, to be divided by",
@@ -87,6 +87,6 @@ pub fn reduced<S: Scalar>(
     for pivot in &pivots {
         trace.number(format!("{}_d", problem.links[pivot.link].over.name), pivot.value);
     }
-    let closure = open_loop::close(problem, open, trace);
+    let closure = loop_sums::close(problem, open, trace);
     (pivots, closure, relations)
 }

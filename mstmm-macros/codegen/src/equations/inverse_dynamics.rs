@@ -15,13 +15,13 @@
 //! | `F = A a + p + Σ Xᵀ F_c` | what the hinge exerts on its part, from those of its children (2) | work axes of the link |
 //! | `τ = Sᵀ F − τ_passive` | what the drive must supply, `τ_passive` of springs, dampers, friction and stops, less what rates alone demand of rotors (3) | rates |
 
-use super::closing::closing;
-use super::kinematics::LinkMotion;
-use super::load::loads;
-use super::redistribution::redistribute;
+use super::base_parameters::redistribute;
+use super::kinematics::LinkKinematics;
+use super::loads::loads;
+use super::loop_hinge::closing;
 use super::strategy::uses_base_parameters;
 use super::sweep::PerLink;
-use super::{Axes, Situation, Trace, motion};
+use super::{Axes, EvalContext, Trace, motion};
 use crate::math::{Motion, Scalar, Wrench};
 use crate::model::Method;
 
@@ -30,7 +30,7 @@ use crate::model::Method;
 /// ends and prescribed motions. A closed chain is the tree of its hinges, with the closing hinge
 /// open.
 pub fn bias_efforts<S: Scalar>(
-    situation: &Situation<S>,
+    situation: &EvalContext<S>,
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> Vec<S> {
@@ -56,8 +56,8 @@ pub fn bias_efforts<S: Scalar>(
 
 /// `τ` of all free rates at `v̇ = 0`, by links: equations (1) to (3).
 fn efforts<S: Scalar>(
-    situation: &Situation<S>,
-    links: &PerLink<LinkMotion<S>>,
+    situation: &EvalContext<S>,
+    links: &PerLink<LinkKinematics<S>>,
     trace: &mut Trace<S>,
 ) -> PerLink<Vec<S>> {
     let outer = loads(situation, links);

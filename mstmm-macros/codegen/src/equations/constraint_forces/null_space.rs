@@ -1,12 +1,15 @@
 //! Reactions that make no difference to the motion: equation (4) of [`super`].
 
 use super::super::hinge::dot;
-use super::rows::{Left, Pivot};
+use super::factorization::{FactorStep, RemainingRows};
 use super::{plus_scaled, without};
 use crate::math::Scalar;
 
 /// Equation (4): a direction for each row, zero where the pivot of its step is none of rounding.
-pub(super) fn null_directions<S: Scalar>(pivots: &[Pivot<S>], left: Left<S>) -> Vec<Vec<S>> {
+pub(super) fn null_directions<S: Scalar>(
+    pivots: &[FactorStep<S>],
+    left: RemainingRows<S>,
+) -> Vec<Vec<S>> {
     let mut directions = Vec::new();
     for (k, pivot) in pivots.iter().enumerate() {
         let is_rounding = S::one() - pivot.value * pivot.inverse;
@@ -28,7 +31,7 @@ pub(super) fn null_directions<S: Scalar>(pivots: &[Pivot<S>], left: Left<S>) -> 
 }
 
 /// `start` and what it takes along the rows that steps have chosen for `l_kᵀ x = 0`.
-fn null_direction<S: Scalar>(pivots: &[Pivot<S>], start: Vec<S>) -> Vec<S> {
+fn null_direction<S: Scalar>(pivots: &[FactorStep<S>], start: Vec<S>) -> Vec<S> {
     pivots.iter().rev().fold(start, |x, pivot| {
         let step = -dot(&pivot.column, &x);
         plus_scaled(x, &pivot.choice, step)

@@ -5,7 +5,7 @@ use crate::model::{About, Body, Chain, Frame, Place, Symbol, Value};
 
 /// What stands for the symbols of a chain's numbers.
 #[derive(Clone, Debug)]
-pub struct Numbers<S> {
+pub struct SymbolValues<S> {
     /// By [`Symbol::Parameter`].
     pub parameters: Vec<S>,
     /// By [`Symbol::Constant`].
@@ -15,13 +15,13 @@ pub struct Numbers<S> {
     pub closure_steps: Vec<S>,
 }
 
-impl<S> Default for Numbers<S> {
+impl<S> Default for SymbolValues<S> {
     fn default() -> Self {
-        Numbers { parameters: Vec::new(), constants: Vec::new(), closure_steps: Vec::new() }
+        SymbolValues { parameters: Vec::new(), constants: Vec::new(), closure_steps: Vec::new() }
     }
 }
 
-impl<S: Scalar> Numbers<S> {
+impl<S: Scalar> SymbolValues<S> {
     /// The number of a formula.
     pub fn scalar(&self, value: &Value) -> S {
         match value {

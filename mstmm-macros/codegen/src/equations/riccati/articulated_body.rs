@@ -1,16 +1,16 @@
 //! What the way to the ground carries: a link with all that hangs on it.
 
-use super::super::kinematics::Drift;
-use super::super::problem::Problem;
+use super::super::kinematics::BiasAcceleration;
+use super::super::motion_problem::MotionProblem;
 use super::super::strategy;
 use super::super::sweep::Flatten;
-use super::open_loop::OpenLoop;
+use super::loop_sums::LoopSums;
 use crate::ids::LinkId;
 use crate::math::{Motion, Scalar, SpatialInertia, Vec3, Wrench};
 
 /// A link with all that hangs on it.
 #[derive(Clone)]
-pub struct Articulated<S> {
+pub struct ArticulatedBody<S> {
     /// `Iᴬ`
     pub inertia: SpatialInertia<S>,
     /// `pᴬ`
@@ -23,30 +23,30 @@ pub struct Articulated<S> {
     /// leaves of it.
     pub scales: (S, S),
     /// The loop that is open here, its closing hinge being farther out.
-    pub open: Option<OpenLoop<S>>,
+    pub open: Option<LoopSums<S>>,
 }
 
-impl<S: Scalar> Articulated<S> {
+impl<S: Scalar> ArticulatedBody<S> {
     /// On no loop.
     pub fn with(inertia: SpatialInertia<S>, bias: Wrench<S>) -> Self {
         let (reach, scales) = (S::zero(), (S::zero(), S::zero()));
-        Articulated { inertia, bias, columns: Vec::new(), reach, scales, open: None }
+        ArticulatedBody { inertia, bias, columns: Vec::new(), reach, scales, open: None }
     }
 
     /// The open loop at a root, with the acceleration `a` that the root's point has from the
     /// ground.
-    pub fn on_ground(self, a: Motion<S>) -> Option<OpenLoop<S>> {
+    pub fn on_ground(self, a: Motion<S>) -> Option<LoopSums<S>> {
         self.open.map(|open| open.on_ground(a, &self.columns))
     }
 
     /// Over the link's hinge to the point of the parent, in its work axes: `Iᴬ + Xᵀ Iᴬ X`,
     /// `pᴬ + Xᵀ (pᴬ + Iᴬ b)` with the bias acceleration `b` of the hinge, `Tᴬ + Xᵀ Tᴬ`.
-    pub fn add_to_parent(self, problem: &Problem<S>, link: LinkId, parent: &mut Self) {
+    pub fn add_to_parent(self, problem: &MotionProblem<S>, link: LinkId, parent: &mut Self) {
         let over = &problem.links[link].over;
         let mass = self.inertia.linear.trace() + problem.given_mass(link) * S::number(3.0);
         parent.scales.0 = parent.scales.0 + mass;
         parent.scales.1 = parent.scales.1 + mass * over.arm.dot(over.arm);
-        let Drift { on_parent, in_hinge } = problem.drift[link];
+        let BiasAcceleration { on_parent, in_hinge } = problem.drift[link];
         let bias = (self.bias + self.inertia.times(in_hinge)).turned(&over.to_parent);
         let inertia = over
             .to_parent
@@ -62,20 +62,20 @@ impl<S: Scalar> Articulated<S> {
     }
 
     /// Takes over the open loop of a branch, if it has one: a moving end is a branch without.
-    pub fn hold(&mut self, open: Option<OpenLoop<S>>) {
+    pub fn hold(&mut self, open: Option<LoopSums<S>>) {
         if open.is_some() && std::mem::replace(&mut self.open, open).is_some() {
             bug!("two branches hold the same loop open")
         }
     }
 }
 
-impl<S: Scalar> Flatten<S> for Articulated<S> {
+impl<S: Scalar> Flatten<S> for ArticulatedBody<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
         let inertia = self.inertia.visit(replace);
         let bias = self.bias.visit(replace);
         let columns = self.columns.visit(replace);
         let reach = replace(self.reach);
         let scales = self.scales.visit(replace);
-        Articulated { inertia, bias, columns, reach, scales, open: self.open.visit(replace) }
+        ArticulatedBody { inertia, bias, columns, reach, scales, open: self.open.visit(replace) }
     }
 }

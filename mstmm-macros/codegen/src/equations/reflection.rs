@@ -8,7 +8,7 @@
 use crate::math::Scalar;
 
 /// Things that can be mixed by numbers: the columns that belong to unknowns.
-pub trait Mixed<S>: Copy {
+pub trait VectorSpace<S>: Copy {
     /// `self + other · factor`
     fn plus_scaled(self, other: Self, factor: S) -> Self;
     /// `self · factor`
@@ -59,7 +59,7 @@ impl<S: Scalar> Reflection<S> {
     }
 
     /// Rewrites the columns of `x` as those of `y`; returns the one that belongs to `w`.
-    pub fn apply<M: Mixed<S>>(&self, columns: &mut Vec<M>) -> M {
+    pub fn apply<M: VectorSpace<S>>(&self, columns: &mut Vec<M>) -> M {
         if let Some(first) = self.vector.first() {
             let mut along = columns[0].scaled(*first);
             for (&column, &v) in columns.iter().zip(&self.vector).skip(1) {
@@ -93,7 +93,7 @@ impl<S: Scalar> Reflection<S> {
     }
 }
 
-impl<S: Scalar> Mixed<S> for S {
+impl<S: Scalar> VectorSpace<S> for S {
     fn plus_scaled(self, other: Self, factor: S) -> Self {
         self + other * factor
     }

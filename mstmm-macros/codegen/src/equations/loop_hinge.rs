@@ -14,19 +14,19 @@
 //! A rotor with inertia `I` along a free direction holds that one with an inertia: the direction is
 //! `−I W`, and its `λ` is the acceleration `q̈ = Wᵀ (a_c − X a_p − b)`, so that `F = W (τ − I q̈)`.
 
-use super::elimination::{Mixed, Reflection};
-use super::kinematics::{Crossed, LinkMotion, PartMotion, cross, link_of};
+use super::kinematics::{HingeKinematics, LinkKinematics, PartKinematics, cross, link_of};
+use super::reflection::{Reflection, VectorSpace};
 use super::sweep::PerLink;
-use super::{Axes, Situation, hinge};
+use super::{Axes, EvalContext, hinge};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::HingeId;
 
 /// The hinge that closes a chain.
 #[derive(Clone, Debug)]
-pub struct Closing<S> {
+pub struct LoopHinge<S> {
     /// The hinge, crossed from its inboard side.
-    pub over: Crossed<S>,
+    pub over: HingeKinematics<S>,
     /// The link on its inboard side; none if that is the ground.
     pub parent: Option<LinkId>,
     /// The link on its outboard side; none if that is the ground.
@@ -36,14 +36,14 @@ pub struct Closing<S> {
     /// Work axes of the outboard link to those of the hinge.
     child_to_work: Mat3<S>,
     /// The directions that it holds.
-    pub held: Vec<Held<S>>,
+    pub held: Vec<Constraint<S>>,
     /// `W`: wrenches that do work on one rate each.
     pub duals: Vec<Wrench<S>>,
 }
 
 /// A direction that a closing hinge holds.
 #[derive(Clone, Copy, Debug)]
-pub struct Held<S> {
+pub struct Constraint<S> {
     /// The wrench along it, on the outboard side at the hinge, work axes.
     pub wrench: Wrench<S>,
     /// The inertia of the rotor, if that alone holds it; zero otherwise.
@@ -52,10 +52,10 @@ pub struct Held<S> {
 
 /// The closing hinge, if there is one.
 pub fn closing<S: Scalar>(
-    situation: &Situation<S>,
+    situation: &EvalContext<S>,
     axes: Axes,
-    links: &PerLink<LinkMotion<S>>,
-) -> Option<Closing<S>> {
+    links: &PerLink<LinkKinematics<S>>,
+) -> Option<LoopHinge<S>> {
     let index = match situation.layout.closings[..] {
         [] => return None,
         [index] => index,
@@ -65,43 +65,48 @@ pub fn closing<S: Scalar>(
     let (inboard, ..) = situation.place(&hinge.inboard);
     let (outboard, origin, rotation) = situation.place(&hinge.outboard);
     let (parent, child) = (link_of(inboard), link_of(outboard));
-    let part = |link: Option<LinkId>| link.map_or(PartMotion::ground(), |link| links[link].part());
+    let part =
+        |link: Option<LinkId>| link.map_or(PartKinematics::ground(), |link| links[link].part());
     let over = cross(situation, axes, (index, false), &part(parent));
     let alignment = hinge.kind.law().alignment(situation.numbers);
-    let PartMotion { attitude, point, .. } = part(child);
+    let PartKinematics { attitude, point, .. } = part(child);
     let child_to_work = over.from_child * (attitude * (rotation * alignment)).transposed();
     let child_arm = attitude * (origin - point);
     let to_work = Rotation::general(over.from_child);
     let duals: Vec<Wrench<S>> =
         duals(&over.aligned).into_iter().map(|dual| dual.turned(&to_work)).collect();
     let held = held(situation, index, &over, &duals);
-    Some(Closing { over, parent, child, child_arm, child_to_work, held, duals })
+    Some(LoopHinge { over, parent, child, child_arm, child_to_work, held, duals })
 }
 
 fn held<S: Scalar>(
-    situation: &Situation<S>,
+    situation: &EvalContext<S>,
     index: HingeId,
-    over: &Crossed<S>,
+    over: &HingeKinematics<S>,
     duals: &[Wrench<S>],
-) -> Vec<Held<S>> {
+) -> Vec<Constraint<S>> {
     let axes = situation.chain.dimension.axes();
-    let fixed = |wrench| Held { wrench, inertia: S::zero() };
+    let fixed = |wrench| Constraint { wrench, inertia: S::zero() };
     if situation.chain.hinges[index].is_prescribed() {
         return axes.iter().map(|&axis| fixed(Wrench::unit(axis))).collect();
     }
     let to_work = Rotation::general(over.from_child);
     let complement = complement(&over.aligned, axes).into_iter();
-    let mut all: Vec<Held<S>> = complement.map(|held| fixed(held.turned(&to_work))).collect();
+    let mut all: Vec<Constraint<S>> = complement.map(|held| fixed(held.turned(&to_work))).collect();
     let inertias = over.passives.inertias.iter().enumerate();
     for (strain, &inertia) in inertias.filter(|(_, inertia)| !inertia.vanishes()) {
         let wrench = along_strain(over, duals, strain).scaled(-inertia);
-        all.push(Held { wrench, inertia });
+        all.push(Constraint { wrench, inertia });
     }
     all
 }
 
 /// The wrench that does work on one strain rate only.
-fn along_strain<S: Scalar>(over: &Crossed<S>, duals: &[Wrench<S>], strain: usize) -> Wrench<S> {
+fn along_strain<S: Scalar>(
+    over: &HingeKinematics<S>,
+    duals: &[Wrench<S>],
+    strain: usize,
+) -> Wrench<S> {
     let rates = duals.iter().zip(&over.passives.strains.rows[strain]);
     rates.fold(Wrench::zero(), |sum, (&dual, &x)| sum + dual.scaled(x))
 }
@@ -162,7 +167,7 @@ fn inverse_of_products<S: Scalar>(products: &[Vec<S>]) -> Vec<Vec<S>> {
     right
 }
 
-impl<S: Scalar> Mixed<S> for Wrench<S> {
+impl<S: Scalar> VectorSpace<S> for Wrench<S> {
     fn plus_scaled(self, other: Self, factor: S) -> Self {
         self + other.scaled(factor)
     }
@@ -171,7 +176,7 @@ impl<S: Scalar> Mixed<S> for Wrench<S> {
     }
 }
 
-impl<S: Scalar> Closing<S> {
+impl<S: Scalar> LoopHinge<S> {
     /// The motion of its outboard side at the hinge, work axes.
     pub fn of_child(&self, motion: Motion<S>) -> Motion<S> {
         motion.carried_to(self.child_arm).turned(self.child_to_work)
@@ -185,7 +190,7 @@ impl<S: Scalar> Closing<S> {
     }
 
     /// What the turning of the outboard side adds to the acceleration of the hinge, work axes.
-    pub fn child_drift(&self, links: &PerLink<LinkMotion<S>>) -> Motion<S> {
+    pub fn child_drift(&self, links: &PerLink<LinkKinematics<S>>) -> Motion<S> {
         let omega = self.child.map_or(Vec3::zero(), |child| links[child].omega);
         let linear = self.child_to_work * self.child_arm.centripetal(omega);
         Motion { linear, angular: Vec3::zero() }

@@ -1,6 +1,8 @@
 //! A chain in numbers: somewhere around its start, put onto its closure, solved.
 
-use crate::equations::{self, Axes, Numbers, Situation, Solved, Swept, Trace};
+use crate::equations::{
+    self, Axes, EvalContext, ForwardDynamics, SweepResult, SymbolValues, Trace,
+};
 use crate::math::Structured;
 use crate::model::{Chain, ClosureRank, Driven, Layout, Method};
 
@@ -15,10 +17,10 @@ pub(super) type Number = Structured<f64>;
 
 /// The chain's numbers with parameters at their defaults. Rust constants, which are not known, are any
 /// numbers, others for every seed.
-pub(super) fn numbers(chain: &Chain, seed: usize) -> Numbers<Number> {
+pub(super) fn numbers(chain: &Chain, seed: usize) -> SymbolValues<Number> {
     let any = |constant: usize| 0.5 + scattered(constant + 1, seed + 1);
     let constants = (0..chain.constants).map(|constant| Number::variable(any(constant))).collect();
-    let mut numbers = Numbers { constants, ..Numbers::default() };
+    let mut numbers = SymbolValues { constants, ..SymbolValues::default() };
     let defaults = chain.parameters.iter().map(|parameter| {
         // No default uses another parameter.
         Number::variable(numbers.scalar(&parameter.default).value())
@@ -38,60 +40,68 @@ fn around(number: usize, seed: usize) -> f64 {
 }
 
 /// Coordinates, and inputs with motions that are prescribed.
-pub(super) struct Pose {
+pub(super) struct Configuration {
     pub q: Vec<Number>,
     pub inputs: Vec<Number>,
 }
 
 /// A chain without repeated parts and its numbers.
-pub(super) struct Trial {
+pub(super) struct DryRun {
     pub chain: Chain,
     pub layout: Layout,
     /// The layout with welded bodies merged, which has the same hinges in the same places.
     pub merged: Layout,
-    pub numbers: Numbers<Number>,
+    pub numbers: SymbolValues<Number>,
     /// Whether what closes the chain holds what has no inertia otherwise.
     pub held_by_closure: bool,
 }
 
-impl Trial {
+impl DryRun {
     pub fn new(chain: Chain) -> Self {
         let (layout, merged) = (Layout::of(&chain), Layout::merged(&chain));
-        Trial { numbers: numbers(&chain, 0), chain, layout, merged, held_by_closure: false }
+        DryRun { numbers: numbers(&chain, 0), chain, layout, merged, held_by_closure: false }
     }
 
     pub fn situation<'a>(
         &'a self,
         layout: &'a Layout,
-        numbers: &'a Numbers<Number>,
+        numbers: &'a SymbolValues<Number>,
         state: (&'a [Number], &'a [Number], &'a [Number]),
-    ) -> Situation<'a, Number> {
-        let situation = Situation::new(&self.chain, layout, numbers, state);
+    ) -> EvalContext<'a, Number> {
+        let situation = EvalContext::new(&self.chain, layout, numbers, state);
         situation.knowing(self.held_by_closure, ClosureRank::Unknown)
     }
 
-    pub fn solved(&self, numbers: &Numbers<Number>, pose: &Pose) -> Solved<Number> {
-        let (v, Pose { q, inputs }) = (self.at_rest(), pose);
+    pub fn solved(
+        &self,
+        numbers: &SymbolValues<Number>,
+        pose: &Configuration,
+    ) -> ForwardDynamics<Number> {
+        let (v, Configuration { q, inputs }) = (self.at_rest(), pose);
         let situation = self.situation(&self.merged, numbers, (q, &v, inputs));
         equations::accelerations(&situation, Method::Riccati, Axes::Body, &mut Trace::silent())
     }
 
-    pub fn swept(&self, numbers: &Numbers<Number>, pose: &Pose) -> (Solved<Number>, Swept<Number>) {
-        let (v, Pose { q, inputs }) = (self.at_rest(), pose);
+    pub fn swept(
+        &self,
+        numbers: &SymbolValues<Number>,
+        pose: &Configuration,
+    ) -> (ForwardDynamics<Number>, SweepResult<Number>) {
+        let (v, Configuration { q, inputs }) = (self.at_rest(), pose);
         let situation = self.situation(&self.merged, numbers, (q, &v, inputs));
         equations::sweep(&situation, Method::Riccati, Axes::Body, &mut Trace::silent())
     }
 
     /// The coordinates put onto the closure; nothing if that leads nowhere.
-    pub fn closed(&self, pose: Pose) -> Option<Pose> {
-        let (v, Pose { mut q, inputs }) = (self.at_rest(), pose);
+    pub fn closed(&self, pose: Configuration) -> Option<Configuration> {
+        let (v, Configuration { mut q, inputs }) = (self.at_rest(), pose);
         let (mut nearest, mut stalled) = (f64::INFINITY, 0);
         for _ in 0..CORRECTIONS {
             let situation = self.situation(&self.merged, &self.numbers, (&q, &v, &inputs));
             let correction = equations::correction(&situation, &mut Trace::silent())?;
             let residual = correction.residual.value();
             if residual < CLOSED {
-                return Some(Pose { q, inputs });
+                return Some(Configuration { q, inputs });
             }
             // Written so that NaN is no progress.
             stalled = if residual < 0.9 * nearest { 0 } else { stalled + 1 };
@@ -105,12 +115,12 @@ impl Trial {
     }
 
     /// The start with what is prescribed at rest, or somewhere around them.
-    pub fn pose(&self, numbers: &Numbers<Number>, seed: usize) -> Pose {
-        Pose { q: self.coordinates(numbers, seed), inputs: self.inputs(seed) }
+    pub fn pose(&self, numbers: &SymbolValues<Number>, seed: usize) -> Configuration {
+        Configuration { q: self.coordinates(numbers, seed), inputs: self.inputs(seed) }
     }
 
     /// The start, or somewhere around it: every coordinate by up to a half.
-    fn coordinates(&self, numbers: &Numbers<Number>, seed: usize) -> Vec<Number> {
+    fn coordinates(&self, numbers: &SymbolValues<Number>, seed: usize) -> Vec<Number> {
         let mut count = 0;
         let free = self.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
         let coordinates = free.flat_map(|hinge| {

@@ -1,11 +1,11 @@
 //! Rows of a closure, eliminated in the order of what is left of them: equation (1) of [`super`].
 
 use super::super::hinge::dot;
-use super::{Rank, Reactions, plus_scaled};
+use super::{ConstraintSystem, Rank, plus_scaled};
 use crate::math::{REDUNDANT, Scalar};
 
 /// What a step found.
-pub(super) struct Pivot<S> {
+pub(super) struct FactorStep<S> {
     /// `e_i`
     pub(super) choice: Vec<S>,
     /// `l_k`: one in the row of this step, zero in those of earlier steps, and zero where the pivot
@@ -22,20 +22,20 @@ pub(super) struct Pivot<S> {
 /// A row of `J`, twice: the product of two rows is that of the left one's entries with the right
 /// one's.
 #[derive(Clone)]
-struct Row<S> {
+struct JacobianRow<S> {
     left: Vec<S>,
     /// The same, with the part of `Λ` between the rows multiplied in.
     right: Vec<S>,
 }
 
-impl<S: Scalar> Row<S> {
+impl<S: Scalar> JacobianRow<S> {
     fn product(&self, other: &Self) -> S {
         dot(&self.left, &other.right)
     }
 
     fn plus_scaled(self, other: &Self, factor: S) -> Self {
         let left = plus_scaled(self.left, &other.left, factor);
-        Row { left, right: plus_scaled(self.right, &other.right, factor) }
+        JacobianRow { left, right: plus_scaled(self.right, &other.right, factor) }
     }
 
     fn vanishes(&self) -> bool {
@@ -44,8 +44,8 @@ impl<S: Scalar> Row<S> {
 }
 
 /// What earlier steps have left.
-pub(super) struct Left<S> {
-    rows: Vec<Row<S>>,
+pub(super) struct RemainingRows<S> {
+    rows: Vec<JacobianRow<S>>,
     /// One for each row that no step has chosen yet.
     pub(super) open: Vec<S>,
     /// Those that do not vanish in every state; no step chooses another one.
@@ -53,8 +53,10 @@ pub(super) struct Left<S> {
 }
 
 /// Equation (1), step by step.
-pub(super) fn factorised<S: Scalar>(system: &Reactions<S>) -> (Vec<Pivot<S>>, Left<S>) {
-    let mut left = Left::of(system);
+pub(super) fn factorised<S: Scalar>(
+    system: &ConstraintSystem<S>,
+) -> (Vec<FactorStep<S>>, RemainingRows<S>) {
+    let mut left = RemainingRows::of(system);
     let mut pivots = Vec::new();
     let is_regular = system.is_regular(&left);
     for allowed in system.steps(&left) {
@@ -71,8 +73,8 @@ pub(super) fn factorised<S: Scalar>(system: &Reactions<S>) -> (Vec<Pivot<S>>, Le
     (pivots, left)
 }
 
-impl<S: Scalar> Left<S> {
-    fn of(system: &Reactions<S>) -> Self {
+impl<S: Scalar> RemainingRows<S> {
+    fn of(system: &ConstraintSystem<S>) -> Self {
         let count = system.right.len();
         let repeated = |i: usize, j: usize| system.repeated[i.max(j)][i.min(j)];
         let shared: Vec<usize> = (0..count).filter(|&k| !repeated(k, k).vanishes()).collect();
@@ -83,11 +85,11 @@ impl<S: Scalar> Left<S> {
             let unit = shared.iter().map(|&k| if k == i { S::one() } else { S::zero() });
             let between = shared.iter().map(|&k| repeated(i, k));
             let left = own.iter().copied().chain(unit).collect();
-            Row { left, right: own.iter().copied().chain(between).collect() }
+            JacobianRow { left, right: own.iter().copied().chain(between).collect() }
         };
-        let rows: Vec<Row<S>> = (0..count).map(row).collect();
+        let rows: Vec<JacobianRow<S>> = (0..count).map(row).collect();
         let alive = (0..count).filter(|&k| !rows[k].vanishes()).collect();
-        Left { rows, open: vec![S::one(); count], alive }
+        RemainingRows { rows, open: vec![S::one(); count], alive }
     }
 
     /// The row of a step in the order of rows.
@@ -107,7 +109,7 @@ impl<S: Scalar> Left<S> {
     }
 
     /// How much is left of that row.
-    pub(super) fn excess(&self, system: &Reactions<S>) -> S {
+    pub(super) fn excess(&self, system: &ConstraintSystem<S>) -> S {
         largest(&self.scores(&system.sizes)).1
     }
 
@@ -131,36 +133,41 @@ impl<S: Scalar> Left<S> {
         all
     }
 
-    fn eliminate(&mut self, choice: Vec<S>, system: &Reactions<S>, allowed: S) -> Pivot<S> {
+    fn eliminate(
+        &mut self,
+        choice: Vec<S>,
+        system: &ConstraintSystem<S>,
+        allowed: S,
+    ) -> FactorStep<S> {
         let zero = vec![S::zero(); self.rows[0].left.len()];
-        let none = Row { left: zero.clone(), right: zero };
+        let none = JacobianRow { left: zero.clone(), right: zero };
         let weighted = self.rows.iter().zip(&choice);
         let chosen = weighted.fold(none, |sum, (row, &weight)| sum.plus_scaled(row, weight));
         let (value, size) = (chosen.product(&chosen), dot(&choice, &system.sizes));
         let inverse = system.guarded_reciprocal(value, size) * allowed;
-        let along = |(row, &open): (&Row<S>, &S)| row.product(&chosen) * inverse * open;
+        let along = |(row, &open): (&JacobianRow<S>, &S)| row.product(&chosen) * inverse * open;
         let column: Vec<S> = self.rows.iter().zip(&self.open).map(along).collect();
         for (row, &amount) in self.rows.iter_mut().zip(&column) {
             *row = row.clone().plus_scaled(&chosen, -amount);
         }
         self.open = plus_scaled(self.open.clone(), &choice, -S::one());
         let measured = value * size.recip_above(S::zero());
-        Pivot { choice, column, value, measured, inverse }
+        FactorStep { choice, column, value, measured, inverse }
     }
 }
 
-impl<S: Scalar> Reactions<S> {
+impl<S: Scalar> ConstraintSystem<S> {
     /// Whether no row depends on others but in singular poses: then any order of rows will do.
-    pub(super) fn is_regular(&self, left: &Left<S>) -> bool {
+    pub(super) fn is_regular(&self, left: &RemainingRows<S>) -> bool {
         matches!(self.linkage.rank, Rank::Known(rank) if rank >= left.alive.len())
     }
 
     /// A weight for each step that may be taken: one, or zero beyond the rank.
-    pub(super) fn steps(&self, left: &Left<S>) -> Vec<S> {
+    pub(super) fn steps(&self, left: &RemainingRows<S>) -> Vec<S> {
         let most = left.alive.len();
         match &self.linkage.rank {
             Rank::Known(rank) => vec![S::one(); most.min(*rank)],
-            Rank::Given(steps) => steps.iter().copied().take(most).collect(),
+            Rank::AtRunTime(steps) => steps.iter().copied().take(most).collect(),
         }
     }
 

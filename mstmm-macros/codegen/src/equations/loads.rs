@@ -1,7 +1,7 @@
 //! What acts on bodies from outside: `f_C`, `m_C` of [P, Eqs. (14), (15)].
 
-use super::Situation;
-use super::kinematics::{LinkMotion, Pose, link_of, poses};
+use super::EvalContext;
+use super::kinematics::{LinkKinematics, Pose, link_of, poses};
 use super::sweep::PerLink;
 use crate::ids::LinkId;
 use crate::math::{Rotation, Scalar, Vec3, Wrench};
@@ -9,8 +9,8 @@ use crate::model::{BodyId, Driven, Load, LoadAxes, LoadId, Source, Spring};
 
 /// The loads on every link's part about its point, work axes.
 pub fn loads<S: Scalar>(
-    situation: &Situation<S>,
-    links: &PerLink<LinkMotion<S>>,
+    situation: &EvalContext<S>,
+    links: &PerLink<LinkKinematics<S>>,
 ) -> PerLink<Wrench<S>> {
     let chain = situation.chain;
     let mut all = PerLink::filled(Wrench::zero(), links.len());
@@ -34,9 +34,9 @@ pub fn loads<S: Scalar>(
 }
 
 fn load_on<S: Scalar>(
-    situation: &Situation<S>,
+    situation: &EvalContext<S>,
     (index, load): (LoadId, &Load),
-    link: &LinkMotion<S>,
+    link: &LinkKinematics<S>,
     pose: &Pose<S>,
 ) -> Wrench<S> {
     let dimension = situation.chain.dimension;
@@ -55,9 +55,9 @@ fn load_on<S: Scalar>(
 
 /// The pull of a spring with length `l`, `−(k (l − l₀) + c l̇) n`.
 fn spring_on<S: Scalar>(
-    situation: &Situation<S>,
+    situation: &EvalContext<S>,
     spring: &Spring,
-    link: &LinkMotion<S>,
+    link: &LinkKinematics<S>,
     pose: &Pose<S>,
 ) -> Wrench<S> {
     let numbers = situation.numbers;
@@ -75,7 +75,7 @@ fn spring_on<S: Scalar>(
 }
 
 /// Where a spring pulls, frame of the body's part.
-fn spring_point<S: Scalar>(situation: &Situation<S>, spring: &Spring) -> Vec3<S> {
+fn spring_point<S: Scalar>(situation: &EvalContext<S>, spring: &Spring) -> Vec3<S> {
     let (origin, rotation) = situation.frame(spring.body);
     origin + rotation * situation.numbers.vector(&spring.at)
 }
@@ -88,8 +88,8 @@ fn inverse_length<S: Scalar>(way: Vec3<S>) -> S {
 /// The energy of the springs from a link's part to the ground; without a link, of those from what
 /// does not move.
 pub fn spring_energy<S: Scalar>(
-    situation: &Situation<S>,
-    on: Option<(LinkId, &LinkMotion<S>, &Pose<S>)>,
+    situation: &EvalContext<S>,
+    on: Option<(LinkId, &LinkKinematics<S>, &Pose<S>)>,
 ) -> S {
     let own = |spring: &&Spring| {
         link_of(situation.layout.parts[spring.body]) == on.map(|(index, ..)| index)

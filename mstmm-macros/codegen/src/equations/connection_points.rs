@@ -1,20 +1,22 @@
 //! Where the connection points of a chain are.
 
-use super::Situation;
+use super::EvalContext;
 use crate::model::{Element, HingeId, Place};
 
 /// Where a connection point is.
-pub struct Spot {
+pub struct ConnectionPoint {
     pub place: Place,
     /// The hinge there, if there is one, and whether its outboard side is meant.
     pub hinge: Option<(HingeId, bool)>,
 }
 
 /// All connection points, in the order written; those of repeated parts once.
-pub fn spots<S>(situation: &Situation<S>) -> Vec<Spot> {
+pub fn spots<S>(situation: &EvalContext<S>) -> Vec<ConnectionPoint> {
     let chain = situation.chain;
-    let mut spots: Vec<Spot> = Vec::new();
-    let add = |spots: &mut Vec<Spot>, number: usize, spot: Spot| match spots.get_mut(number) {
+    let mut spots: Vec<ConnectionPoint> = Vec::new();
+    let add = |spots: &mut Vec<ConnectionPoint>, number: usize, spot: ConnectionPoint| match spots
+        .get_mut(number)
+    {
         // A body's end, and now the hinge at it; or a hinge's side, and now the body that it is on.
         Some(known) if known.hinge.is_none() => *known = spot,
         Some(_) => {}
@@ -23,10 +25,13 @@ pub fn spots<S>(situation: &Situation<S>) -> Vec<Spot> {
     // On a seam what passes is what the seam's weld passes on.
     let side = |hinge: HingeId, place: &Place, outboard: bool| {
         let weld = chain.seam(place).map(|seam| chain.weld_of(seam));
-        weld.map_or(Spot { place: place.clone(), hinge: Some((hinge, outboard)) }, |weld| Spot {
-            place: chain.hinges[weld].inboard.clone(),
-            hinge: Some((weld, false)),
-        })
+        weld.map_or(
+            ConnectionPoint { place: place.clone(), hinge: Some((hinge, outboard)) },
+            |weld| ConnectionPoint {
+                place: chain.hinges[weld].inboard.clone(),
+                hinge: Some((weld, false)),
+            },
+        )
     };
     for (number, element) in chain.route.iter().enumerate() {
         let (input, output) = match *element {
@@ -40,8 +45,8 @@ pub fn spots<S>(situation: &Situation<S>) -> Vec<Spot> {
                     hinge.inboard == output && chain.seam(&hinge.outboard).is_some()
                 });
                 (
-                    Spot { place: Place::Input(index), hinge: None },
-                    Spot { place: output, hinge: last.map(|weld| (weld, false)) },
+                    ConnectionPoint { place: Place::Input(index), hinge: None },
+                    ConnectionPoint { place: output, hinge: last.map(|weld| (weld, false)) },
                 )
             }
         };

@@ -1,7 +1,7 @@
 //! A chain in a given state: what every set of equations starts from.
 
-use super::closure::{Linkage, Rank};
-use super::{LinkTree, Numbers, Weave};
+use super::constraint_forces::{ConstraintRank, Rank};
+use super::{LinkTree, LoopHook, SymbolValues};
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Scalar, Vec3};
 use crate::model::{
@@ -13,17 +13,17 @@ use crate::model::{
 const ROUNDINGS: f64 = 8.0;
 
 /// Origin and rotation of a frame in another one.
-type Attached<S> = (Vec3<S>, Mat3<S>);
+type Transform<S> = (Vec3<S>, Mat3<S>);
 
 /// A chain in a given state.
 #[derive(Clone, Debug)]
-pub struct Situation<'a, S> {
+pub struct EvalContext<'a, S> {
     /// The chain.
     pub chain: &'a Chain,
     /// Its layout.
     pub layout: &'a Layout,
     /// What stands for its symbols.
-    pub numbers: &'a Numbers<S>,
+    pub numbers: &'a SymbolValues<S>,
     /// Coordinates.
     pub q: &'a [S],
     /// Rates.
@@ -40,18 +40,18 @@ pub struct Situation<'a, S> {
     /// The links, for sweeps.
     pub tree: LinkTree<'a, S>,
     /// Every body's frame in that of its part.
-    frames: IdVec<BodyId, Attached<S>>,
+    frames: IdVec<BodyId, Transform<S>>,
 }
 
-impl<'a, S: Scalar> Situation<'a, S> {
+impl<'a, S: Scalar> EvalContext<'a, S> {
     /// `chain` at coordinates `q` and rates `v`, driven by `inputs`.
     pub fn new(
         chain: &'a Chain,
         layout: &'a Layout,
-        numbers: &'a Numbers<S>,
+        numbers: &'a SymbolValues<S>,
         (q, v, inputs): (&'a [S], &'a [S], &'a [S]),
     ) -> Self {
-        let mut situation = Situation {
+        let mut situation = EvalContext {
             chain,
             layout,
             numbers,
@@ -70,21 +70,21 @@ impl<'a, S: Scalar> Situation<'a, S> {
 
     /// The same with what is known of the chain's closure.
     pub fn knowing(self, held_by_closure: bool, closure_rank: ClosureRank) -> Self {
-        Situation { held_by_closure, closure_rank, ..self }
+        EvalContext { held_by_closure, closure_rank, ..self }
     }
 
     /// The same in a linearly implicit Euler step of length `step`.
     pub fn within(self, step: S) -> Self {
-        Situation { implicit: Some(step), ..self }
+        EvalContext { implicit: Some(step), ..self }
     }
 
     /// The same with `weave` at the seams of repeated parts.
-    pub fn woven(self, weave: &'a dyn Weave<S>) -> Self {
-        Situation { tree: self.tree.woven(weave), ..self }
+    pub fn woven(self, weave: &'a dyn LoopHook<S>) -> Self {
+        EvalContext { tree: self.tree.woven(weave), ..self }
     }
 
     /// The frames of merged bodies, each behind those that it is welded to.
-    fn part_frames(&self) -> IdVec<BodyId, Attached<S>> {
+    fn part_frames(&self) -> IdVec<BodyId, Transform<S>> {
         let mut frames = IdVec::filled(None, self.chain.bodies.len());
         for body in frames.ids() {
             let mut open = vec![body];
@@ -106,8 +106,8 @@ impl<'a, S: Scalar> Situation<'a, S> {
     fn frame_behind(
         &self,
         body: BodyId,
-        known: &IdVec<BodyId, Option<Attached<S>>>,
-    ) -> Result<Attached<S>, BodyId> {
+        known: &IdVec<BodyId, Option<Transform<S>>>,
+    ) -> Result<Transform<S>, BodyId> {
         let identity = (Vec3::zero(), Mat3::identity());
         let Some(Joined { weld, reversed }) = self.layout.joined[body] else { return Ok(identity) };
         let hinge = &self.chain.hinges[weld];
@@ -213,7 +213,7 @@ impl<'a, S: Scalar> Situation<'a, S> {
 
     /// What the solution for the reactions of a closing hinge that holds so many directions has to
     /// know.
-    pub fn linkage(&self, held: usize) -> Linkage<S> {
+    pub fn linkage(&self, held: usize) -> ConstraintRank<S> {
         let rank = match self.closure_rank {
             // In an implicit step springs and dampers hold directions with a separate inertia, each
             // of which is independent of all others.
@@ -221,12 +221,12 @@ impl<'a, S: Scalar> Situation<'a, S> {
             ClosureRank::Unknown | ClosureRank::FoundAtRunTime(_) => {
                 let given = &self.numbers.closure_steps;
                 let ones = std::iter::repeat_n(S::one(), added(held, given.len()));
-                Rank::Given(ones.chain(given.iter().copied()).collect())
+                Rank::AtRunTime(ones.chain(given.iter().copied()).collect())
             }
         };
         let times = |link: &Link| self.chain.times(Element::Hinge(link.hinge));
         let links: usize = self.layout.links.iter().map(times).sum();
-        Linkage { rank, noise: ROUNDINGS * (links + 2) as f64 }
+        ConstraintRank { rank, noise: ROUNDINGS * (links + 2) as f64 }
     }
 
     /// Gravity as an acceleration of the ground: cheaper than a force on every body.

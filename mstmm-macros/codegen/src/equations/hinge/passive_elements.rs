@@ -2,17 +2,17 @@
 //! the inertia of rotors, each along one strain.
 
 use super::ball;
-use super::passive::{Acting, Along, along_group};
-use super::strain::{self, Strains};
-use crate::equations::Numbers;
+use super::force_laws::{GroupState, LinearizedEffort, along_group};
+use super::strain::{self, StrainMap};
+use crate::equations::SymbolValues;
 use crate::math::{Dual, Scalar};
 use crate::model::{Form, Freedoms, Hinge, HingeKind, Passive};
 
 /// What acts along the free directions.
 #[derive(Clone, Debug)]
-pub struct Passives<S> {
+pub struct PassiveElements<S> {
     /// How rates become strain rates.
-    pub strains: Strains<S>,
+    pub strains: StrainMap<S>,
     /// Strain rates.
     pub rates: Vec<S>,
     /// Efforts, one for each of the hinge's rates; what the rates alone demand of rotors is taken
@@ -31,11 +31,11 @@ pub struct Passives<S> {
 /// `σ(s + h ṡ⁺, ṡ⁺) ≈ σ − h k ṡ − (h c + h² k) s̈`: its last part counts as inertia.
 pub fn passives<S: Scalar>(
     hinge: &Hinge,
-    numbers: &Numbers<S>,
+    numbers: &SymbolValues<S>,
     q: &[S],
     v: &[S],
     implicit: Option<S>,
-) -> Passives<S> {
+) -> PassiveElements<S> {
     let strains = hinge.kind.law().strains(q);
     let rates = strain::rates(&strains.rows, v);
     let rotors: Vec<S> = hinge.passive.iter().map(|p| numbers.scalar(&p.armature)).collect();
@@ -53,24 +53,24 @@ pub fn passives<S: Scalar>(
     let along: Vec<S> =
         along.map(|((along, &rotor), drift)| along.effort - rotor * drift).collect();
     let efforts = strain::returned(&strains.rows, &along);
-    Passives { strains, rates, efforts, inertias, rotors, energy }
+    PassiveElements { strains, rates, efforts, inertias, rotors, energy }
 }
 
 /// What acts along each strain, and the energy of it.
 fn acting<S: Scalar>(
     hinge: &Hinge,
-    numbers: &Numbers<S>,
+    numbers: &SymbolValues<S>,
     q: &[S],
     rates: &[S],
-) -> (Vec<Along<S>>, S) {
+) -> (Vec<LinearizedEffort<S>>, S) {
     if !hinge.passive.iter().any(Passive::has_effort) {
-        return (rates.iter().map(|_| Along::nothing()).collect(), S::zero());
+        return (rates.iter().map(|_| LinearizedEffort::nothing()).collect(), S::zero());
     }
     let rest: Vec<S> = hinge.rest.iter().map(|value| numbers.scalar(value)).collect();
     let strains = from_rest(&hinge.kind, &rest, q);
     let (mut alongs, mut energy) = (Vec::new(), S::zero());
     for group in hinge.kind.shape().groups {
-        let (along, stored) = along_group(&Acting {
+        let (along, stored) = along_group(&GroupState {
             group,
             passive: &hinge.passive[group.rates.clone()],
             numbers,
@@ -84,7 +84,7 @@ fn acting<S: Scalar>(
     (alongs, energy)
 }
 
-impl<S: Scalar> Passives<S> {
+impl<S: Scalar> PassiveElements<S> {
     /// What accelerations of the rates take to move the rotors, along the rates.
     pub fn rotor_loads(&self, accelerations: &[S]) -> Vec<S> {
         let along = strain::rates(&self.strains.rows, accelerations);

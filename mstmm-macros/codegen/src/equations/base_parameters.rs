@@ -6,16 +6,16 @@
 //! as before: base parameters. `Iᴬ` of a body is then less by what went to the parent, which comes
 //! in again behind its hinge.
 
-use super::kinematics::LinkMotion;
+use super::kinematics::LinkKinematics;
 use super::strategy;
 use super::sweep::{Flatten, PerLink};
-use super::{Situation, Trace};
+use super::{EvalContext, Trace};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Scalar, SpatialInertia, Sym3, Vec3};
 
 /// What a link had before.
 #[derive(Clone, Copy, Debug)]
-pub struct Given<S> {
+pub struct OriginalInertia<S> {
     /// The mass that it has given to its parent.
     pub mass: S,
     /// Mass and trace of the inertia as written, which pivots are measured by.
@@ -25,14 +25,14 @@ pub struct Given<S> {
 /// Redistributes from the free end to the ground, over every hinge that turns about one axis, but
 /// for those at boundaries of repeated parts; as much as saves [`strategy::operations`].
 pub fn redistribute<S: Scalar>(
-    situation: &Situation<S>,
-    links: &mut PerLink<LinkMotion<S>>,
+    situation: &EvalContext<S>,
+    links: &mut PerLink<LinkKinematics<S>>,
     trace: &mut Trace<S>,
-) -> PerLink<Given<S>> {
-    let scales = |link: &LinkMotion<S>| (link.mass, link.inertia.trace());
+) -> PerLink<OriginalInertia<S>> {
+    let scales = |link: &LinkKinematics<S>| (link.mass, link.inertia.trace());
     let scales: Vec<(S, S)> = links.iter().map(scales).collect();
-    let own: PerLink<Rigid<S>> = links.iter().map(Rigid::of).collect();
-    let step = |index: LinkId, own: Rigid<S>, of_parent: &mut Rigid<S>| {
+    let own: PerLink<RigidInertia<S>> = links.iter().map(RigidInertia::of).collect();
+    let step = |index: LinkId, own: RigidInertia<S>, of_parent: &mut RigidInertia<S>| {
         let link = &links[index];
         let stays = situation.layout.is_at_seam(index) || link.parent.is_none();
         if stays || !link.over.keeps_the_point() {
@@ -42,26 +42,28 @@ pub fn redistribute<S: Scalar>(
         *of_parent = with_rod;
         (left, given)
     };
-    let ground = Rigid { mass: S::zero(), moment: Vec3::zero(), inertia: Sym3([S::zero(); 6]) };
+    let ground =
+        RigidInertia { mass: S::zero(), moment: Vec3::zero(), inertia: Sym3([S::zero(); 6]) };
     let (left, _) = situation.tree.inward(own, ground, step);
-    let (left, masses): (Vec<Rigid<S>>, Vec<S>) = left.into_iter().unzip();
+    let (left, masses): (Vec<RigidInertia<S>>, Vec<S>) = left.into_iter().unzip();
     trace.section("base", "Base parameters", "");
     links.iter_mut().zip(left).for_each(|(link, rigid)| {
         rigid.put_into(link);
         trace.rigid_body(&format!("{}_base", link.name), link.mass, link.moment, link.inertia);
     });
-    let given = |(mass, scales)| Given { mass, scales };
+    let given = |(mass, scales)| OriginalInertia { mass, scales };
     masses.into_iter().zip(scales).map(given).collect()
 }
 
 /// What a link and its parent have with the fewest operations, and the mass that the link gives
 /// away.
 fn lightest<S: Scalar>(
-    link: &LinkMotion<S>,
-    (own, of_parent): (Rigid<S>, Rigid<S>),
-) -> ((Rigid<S>, Rigid<S>), S) {
-    let operations =
-        |(own, of_parent): &(Rigid<S>, Rigid<S>)| own.operations() + of_parent.operations();
+    link: &LinkKinematics<S>,
+    (own, of_parent): (RigidInertia<S>, RigidInertia<S>),
+) -> ((RigidInertia<S>, RigidInertia<S>), S) {
+    let operations = |(own, of_parent): &(RigidInertia<S>, RigidInertia<S>)| {
+        own.operations() + of_parent.operations()
+    };
     let (mut best, mut given) = ((own, of_parent), S::zero());
     for rod in rods(link, own) {
         let to_parent = rod.turned(link.over.to_parent.matrix()).moved_from(link.over.arm);
@@ -75,18 +77,18 @@ fn lightest<S: Scalar>(
 
 /// What of a link that turns about one of its axes may be its parent's: a rod along that, without
 /// and with a moment of inertia.
-fn rods<S: Scalar>(link: &LinkMotion<S>, own: Rigid<S>) -> Vec<Rigid<S>> {
+fn rods<S: Scalar>(link: &LinkKinematics<S>, own: RigidInertia<S>) -> Vec<RigidInertia<S>> {
     let Some(axis) = only_axis(link) else { return Vec::new() };
     let moment = Vec3::from_fn(|k| if k == axis { own.moment[k] } else { S::zero() });
     let across = own.inertia.at((axis + 2) % 3, (axis + 2) % 3);
     let is_across = |i: usize, j: usize| i == j && i != axis;
     let inertia = Sym3::from_fn(|i, j| if is_across(i, j) { across } else { S::zero() });
-    let without = Rigid { mass: own.mass, moment, inertia: Sym3([S::zero(); 6]) };
-    vec![without, Rigid { inertia, ..without }]
+    let without = RigidInertia { mass: own.mass, moment, inertia: Sym3([S::zero(); 6]) };
+    vec![without, RigidInertia { inertia, ..without }]
 }
 
 /// The axis that a link's hinge turns about, if it is one of the link's axes alone.
-fn only_axis<S: Scalar>(link: &LinkMotion<S>) -> Option<usize> {
+fn only_axis<S: Scalar>(link: &LinkKinematics<S>) -> Option<usize> {
     let [motion] = &link.over.subspace[..] else { return None };
     let present = |&k: &usize| !motion.angular[k].vanishes();
     let axes: Vec<usize> = (0..3).filter(present).collect();
@@ -96,24 +98,24 @@ fn only_axis<S: Scalar>(link: &LinkMotion<S>) -> Option<usize> {
 
 /// Inertia about a point.
 #[derive(Clone, Copy)]
-struct Rigid<S> {
+struct RigidInertia<S> {
     mass: S,
     /// `m r_C`
     moment: Vec3<S>,
     inertia: Sym3<S>,
 }
 
-impl<S: Scalar> Rigid<S> {
-    fn of(link: &LinkMotion<S>) -> Self {
-        Rigid { mass: link.mass, moment: link.moment, inertia: link.inertia }
+impl<S: Scalar> RigidInertia<S> {
+    fn of(link: &LinkKinematics<S>) -> Self {
+        RigidInertia { mass: link.mass, moment: link.moment, inertia: link.inertia }
     }
 
-    fn put_into(self, link: &mut LinkMotion<S>) {
+    fn put_into(self, link: &mut LinkKinematics<S>) {
         (link.mass, link.moment, link.inertia) = (self.mass, self.moment, self.inertia);
     }
 
     fn with(self, more: Self) -> Self {
-        Rigid {
+        RigidInertia {
             mass: self.mass + more.mass,
             moment: self.moment + more.moment,
             inertia: self.inertia + more.inertia,
@@ -121,7 +123,7 @@ impl<S: Scalar> Rigid<S> {
     }
 
     fn without(self, less: Self) -> Self {
-        Rigid {
+        RigidInertia {
             mass: self.mass - less.mass,
             moment: self.moment - less.moment,
             inertia: self.inertia - less.inertia,
@@ -139,13 +141,13 @@ impl<S: Scalar> Rigid<S> {
             let even = if i == j { across } else { S::zero() };
             even - across * (direction[i] * direction[j])
         });
-        Rigid { mass: self.mass, moment: rotation * self.moment, inertia }
+        RigidInertia { mass: self.mass, moment: rotation * self.moment, inertia }
     }
 
     /// At `arm`, seen from the origin.
     fn moved_from(self, arm: Vec3<S>) -> Self {
         let there = SpatialInertia::rigid(self.mass, self.moment, self.inertia).moved_from(arm);
-        Rigid { moment: self.moment + arm * self.mass, inertia: there.angular, ..self }
+        RigidInertia { moment: self.moment + arm * self.mass, inertia: there.angular, ..self }
     }
 
     fn operations(&self) -> usize {
@@ -154,7 +156,7 @@ impl<S: Scalar> Rigid<S> {
 }
 
 /// Nothing crosses a boundary.
-impl<S: Scalar> Flatten<S> for Rigid<S> {
+impl<S: Scalar> Flatten<S> for RigidInertia<S> {
     fn visit(self, _: &mut dyn FnMut(S) -> S) -> Self {
         self
     }

@@ -1,10 +1,10 @@
 //! The linear problem that both methods solve: how the links move under given loads, efforts and
 //! velocities, with or without a closing hinge.
 
-use super::closing::Closing;
-use super::closure::{Closure, Linkage};
-use super::kinematics::{Drift, LinkMotion};
-use super::redistribution::Given;
+use super::base_parameters::OriginalInertia;
+use super::constraint_forces::{ConstraintForces, ConstraintRank};
+use super::kinematics::{BiasAcceleration, LinkKinematics};
+use super::loop_hinge::LoopHinge;
 use super::sweep::{LinkTree, PerLink};
 use crate::ids::LinkId;
 use crate::math::{Motion, Scalar, SpatialInertia, Wrench};
@@ -12,7 +12,7 @@ use crate::model::{Dimension, Layout};
 
 /// A number that must be positive if the accelerations are to mean anything.
 #[derive(Clone, Copy, Debug)]
-pub struct Pivot<S> {
+pub struct HingePivot<S> {
     /// Index of the link that it belongs to.
     pub link: LinkId,
     /// The number.
@@ -23,15 +23,15 @@ pub struct Pivot<S> {
 
 /// What the links are to do. `a` may be accelerations, or changes of velocities.
 #[derive(Clone, Debug)]
-pub struct Problem<'a, S> {
+pub struct MotionProblem<'a, S> {
     /// The links.
-    pub links: &'a PerLink<LinkMotion<S>>,
+    pub links: &'a PerLink<LinkKinematics<S>>,
     /// The directions that matter.
     pub dimension: Dimension,
     /// The links, for sweeps.
     pub tree: LinkTree<'a, S>,
     /// What joins `a` at every link on the way from its parent.
-    pub drift: PerLink<Drift<S>>,
+    pub drift: PerLink<BiasAcceleration<S>>,
     /// The part of the wrench at every link's point that does not hang on `a`, of its part alone.
     pub loads: PerLink<Wrench<S>>,
     /// Efforts along the columns of every link.
@@ -39,37 +39,37 @@ pub struct Problem<'a, S> {
     /// `a` of the ground.
     pub ground: Motion<S>,
     /// The hinge that closes the chain, with what it demands, if there is one.
-    pub closing: Option<Demand<'a, S>>,
+    pub closing: Option<LoopConstraints<'a, S>>,
     /// What the links had before their inertias were redistributed, if they were.
-    pub given: Option<PerLink<Given<S>>>,
+    pub given: Option<PerLink<OriginalInertia<S>>>,
     /// Inertia that a link has besides its own, if any.
     pub added: Option<(LinkId, SpatialInertia<S>)>,
 }
 
 /// What a closing hinge demands.
 #[derive(Clone, Debug)]
-pub struct Demand<'a, S> {
+pub struct LoopConstraints<'a, S> {
     /// The hinge.
-    pub closing: &'a Closing<S>,
+    pub closing: &'a LoopHinge<S>,
     /// What `a` of the point reached from the inboard side has to be along each of the closing's
     /// directions: `r_j` of `T_jᵀ a = r_j`.
     pub reached: Vec<S>,
     /// The wrench in the closing hinge that does not hang on its reactions.
     pub given: Wrench<S>,
     /// What there is to know of the linkage.
-    pub linkage: Linkage<S>,
+    pub linkage: ConstraintRank<S>,
 }
 
 /// `F = Iᴬ a' + pᴬ`: what a hinge transmits, with `a'` of the parent carried over.
 #[derive(Clone, Copy, Debug)]
-pub struct Relation<S> {
+pub struct AffineWrench<S> {
     /// `Iᴬ`
     pub inertia: SpatialInertia<S>,
     /// `pᴬ`
     pub bias: Wrench<S>,
 }
 
-impl<S: Scalar> Relation<S> {
+impl<S: Scalar> AffineWrench<S> {
     /// `F` with this `a'`.
     pub fn at(&self, a: Motion<S>) -> Wrench<S> {
         self.inertia.times(a) + self.bias
@@ -78,19 +78,19 @@ impl<S: Scalar> Relation<S> {
 
 /// How the links move.
 #[derive(Clone, Debug)]
-pub struct Movement<S> {
+pub struct MotionSolution<S> {
     /// Amounts of every link's free columns.
     pub amounts: PerLink<Vec<S>>,
     /// `a` of every link's point.
     pub points: PerLink<Motion<S>>,
     /// What every link's hinge transmits, if that is known without what hangs on it: not where
     /// reactions of a closing hinge join.
-    pub relations: PerLink<Relation<S>>,
+    pub relations: PerLink<AffineWrench<S>>,
     /// Reactions along the closing's directions, and what they do not determine.
-    pub closure: Closure<S>,
+    pub closure: ConstraintForces<S>,
 }
 
-impl<S: Scalar> Problem<'_, S> {
+impl<S: Scalar> MotionProblem<'_, S> {
     /// The same with inertia along what the closing hinge holds: `μ p (pᵀ a − r)` of a direction
     /// with `pᵀ a = r` is nothing, but it keeps a body that has no inertia there from being loose
     /// before the chain is closed.
@@ -161,18 +161,18 @@ impl<S: Scalar> Problem<'_, S> {
 
     /// What the closing demands where it hangs on the ground, or on no link at all.
     pub fn at_rest(&self) -> Vec<S> {
-        let Some(Demand { closing, .. }) = &self.closing else { return Vec::new() };
+        let Some(LoopConstraints { closing, .. }) = &self.closing else { return Vec::new() };
         let a = closing.over.carried(self.ground);
         closing.held.iter().map(|held| a.power(held.wrench)).collect()
     }
 }
 
-impl<S: Scalar> Movement<S> {
+impl<S: Scalar> MotionSolution<S> {
     /// Rates of all hinges on links, or their changes, in the layout's order; zero where no link
     /// is.
-    pub fn rates(&self, links: &PerLink<LinkMotion<S>>, layout: &Layout) -> Vec<S> {
+    pub fn rates(&self, links: &PerLink<LinkKinematics<S>>, layout: &Layout) -> Vec<S> {
         let mut rates = vec![S::zero(); layout.freedoms()];
-        links.iter().zip(&self.amounts).for_each(|(LinkMotion { over, .. }, amounts)| {
+        links.iter().zip(&self.amounts).for_each(|(LinkKinematics { over, .. }, amounts)| {
             rates[layout.v[over.hinge].clone()].copy_from_slice(&over.freedom.rates(amounts));
         });
         rates
@@ -180,7 +180,7 @@ impl<S: Scalar> Movement<S> {
 }
 
 /// `Σ motion · amount` of columns.
-pub fn moved<S: Scalar>(link: &LinkMotion<S>, amounts: &[S]) -> Motion<S> {
+pub fn moved<S: Scalar>(link: &LinkKinematics<S>, amounts: &[S]) -> Motion<S> {
     let columns = link.over.freedom.columns.iter().map(|column| column.motion());
     columns.zip(amounts).fold(Motion::zero(), |sum, (motion, &x)| sum + motion.scaled(x))
 }

@@ -25,20 +25,20 @@
 //! bifurcation, as in the straight pose of a parallelogram, a pivot vanishes; the direction then
 //! counts as undetermined.
 
+mod factorization;
 mod null_space;
-mod rows;
 #[cfg(test)]
 mod tests;
 
 use super::Trace;
 use super::hinge::dot;
 use crate::math::Scalar;
+use factorization::{FactorStep, RemainingRows, factorised};
 use null_space::{null_directions, orthonormal};
-use rows::{Left, Pivot, factorised};
 
 /// Reactions and what they do not determine.
 #[derive(Clone, Debug)]
-pub struct Closure<S> {
+pub struct ConstraintForces<S> {
     /// `λ` of least norm.
     pub reactions: Vec<S>,
     /// Unit directions, one for each row, along which `λ` makes no difference; zeros where there is
@@ -50,19 +50,19 @@ pub struct Closure<S> {
     pub excess: S,
 }
 
-impl<S: Scalar> Closure<S> {
+impl<S: Scalar> ConstraintForces<S> {
     /// Of a chain that is not closed.
     pub fn none() -> Self {
         let (reactions, undetermined, pivots) = (Vec::new(), Vec::new(), Vec::new());
-        Closure { reactions, undetermined, pivots, excess: S::zero() }
+        ConstraintForces { reactions, undetermined, pivots, excess: S::zero() }
     }
 }
 
 /// A linear system for the reactions of a closing hinge.
 #[derive(Clone, Debug)]
-pub struct Reactions<S> {
+pub struct ConstraintSystem<S> {
     /// What `Λ` is the sum of, outside of repeated parts.
-    pub dofs: Vec<Dof<S>>,
+    pub dofs: Vec<DelassusTerm<S>>,
     /// The part of `Λ` that repeated parts add, below its diagonal and on it, by rows.
     pub repeated: Vec<Vec<S>>,
     /// `s`
@@ -70,12 +70,12 @@ pub struct Reactions<S> {
     /// `b`
     pub right: Vec<S>,
     /// Rank and rounding of the linkage.
-    pub linkage: Linkage<S>,
+    pub linkage: ConstraintRank<S>,
 }
 
 /// The part of `Λ` that a degree of freedom adds: `t tᵀ / D`.
 #[derive(Clone, Debug)]
-pub struct Dof<S> {
+pub struct DelassusTerm<S> {
     /// `t`
     pub along: Vec<S>,
     /// `1 / D`
@@ -84,7 +84,7 @@ pub struct Dof<S> {
 
 /// Properties of the linkage that the solution for the reactions needs.
 #[derive(Clone, Debug)]
-pub struct Linkage<S> {
+pub struct ConstraintRank<S> {
     /// The rank of its closure.
     pub rank: Rank<S>,
     /// How many units in the last place of `s_i` rounding leaves of the square of a row to which
@@ -98,11 +98,11 @@ pub enum Rank<S> {
     /// So many.
     Known(usize),
     /// As many as there are ones, before zeros.
-    Given(Vec<S>),
+    AtRunTime(Vec<S>),
 }
 
 /// Solves for the reactions.
-pub fn solve<S: Scalar>(system: &Reactions<S>, trace: &mut Trace<S>) -> Closure<S> {
+pub fn solve<S: Scalar>(system: &ConstraintSystem<S>, trace: &mut Trace<S>) -> ConstraintForces<S> {
     let (pivots, left) = factorised(system);
     for (k, pivot) in pivots.iter().enumerate() {
         trace.number(format!("closure_d{k}"), pivot.value);
@@ -121,13 +121,13 @@ pub fn solve<S: Scalar>(system: &Reactions<S>, trace: &mut Trace<S>) -> Closure<
         trace.number(format!("closure_reaction{k}"), reaction);
     }
     let pivots = pivots.iter().map(|pivot| pivot.measured).collect();
-    Closure { reactions, undetermined, pivots, excess }
+    ConstraintForces { reactions, undetermined, pivots, excess }
 }
 
 /// `L⁻ᵀ D⁻¹ L⁻¹ b`, where `L` is square except for the rows of pivots that are rounding.
-fn substituted<S: Scalar>(pivots: &[Pivot<S>], mut right: Vec<S>) -> Vec<S> {
+fn substituted<S: Scalar>(pivots: &[FactorStep<S>], mut right: Vec<S>) -> Vec<S> {
     let mut amounts = Vec::new();
-    for Pivot { choice, column, inverse, .. } in pivots {
+    for FactorStep { choice, column, inverse, .. } in pivots {
         let amount = dot(choice, &right);
         right = plus_scaled(right, column, -amount);
         amounts.push(amount * *inverse);
@@ -140,7 +140,7 @@ fn substituted<S: Scalar>(pivots: &[Pivot<S>], mut right: Vec<S>) -> Vec<S> {
 }
 
 /// Equations (2), by Gram and Schmidt, and (3).
-fn least_norm<S: Scalar>(pivots: &[Pivot<S>], right: &[S]) -> Vec<S> {
+fn least_norm<S: Scalar>(pivots: &[FactorStep<S>], right: &[S]) -> Vec<S> {
     // Columns of Q, and of Σ⁻¹.
     let mut across: Vec<(Vec<S>, S)> = Vec::new();
     // Columns of R above its diagonal, which is one.
@@ -174,7 +174,11 @@ fn least_norm<S: Scalar>(pivots: &[Pivot<S>], right: &[S]) -> Vec<S> {
 }
 
 /// What the first step beyond the rank finds or would find.
-fn excess<S: Scalar>(system: &Reactions<S>, pivots: &[Pivot<S>], left: &Left<S>) -> S {
+fn excess<S: Scalar>(
+    system: &ConstraintSystem<S>,
+    pivots: &[FactorStep<S>],
+    left: &RemainingRows<S>,
+) -> S {
     let steps = system.steps(left);
     let (mut before, mut excess) = (S::one(), S::zero());
     for (pivot, &allowed) in pivots.iter().zip(&steps) {

@@ -1,17 +1,17 @@
 //! The way back, from the ground outwards: equation (3).
 
 use super::super::Trace;
-use super::super::hinge::Column;
-use super::super::problem::Problem;
+use super::super::hinge::BasisVector;
+use super::super::motion_problem::MotionProblem;
 use super::super::sweep::PerLink;
-use super::eliminated::Eliminated;
+use super::eliminated_dof::EliminatedDof;
 use crate::ids::LinkId;
 use crate::math::{Motion, Scalar};
 
 /// The accelerations `v̇` along all free directions and the accelerations of all points.
 pub(super) fn recover<S: Scalar>(
-    problem: &Problem<S>,
-    eliminated: &PerLink<Vec<Eliminated<S>>>,
+    problem: &MotionProblem<S>,
+    eliminated: &PerLink<Vec<EliminatedDof<S>>>,
     trace: &mut Trace<S>,
 ) -> (PerLink<Vec<S>>, PerLink<Motion<S>>) {
     let (points, amounts) = problem.tree.outward(problem.ground, |link, &parent| {
@@ -23,7 +23,7 @@ pub(super) fn recover<S: Scalar>(
         );
         let carried = problem.carried(link, parent);
         let (amounts, acceleration) = match &eliminated[link][..] {
-            [step @ Eliminated { waiting: Some(axis), .. }] => {
+            [step @ EliminatedDof { waiting: Some(axis), .. }] => {
                 advance_early(problem, link, (parent, carried), step, *axis)
             }
             steps => advance(carried, steps, &over.freedom.armature),
@@ -38,7 +38,7 @@ pub(super) fn recover<S: Scalar>(
 /// well.
 fn advance<S: Scalar>(
     mut acceleration: Motion<S>,
-    steps: &[Eliminated<S>],
+    steps: &[EliminatedDof<S>],
     armatures: &[S],
 ) -> (Vec<S>, Motion<S>) {
     let mut rates = Vec::new();
@@ -46,7 +46,7 @@ fn advance<S: Scalar>(
         let before = acceleration;
         let rate = match step.column {
             // The new component follows without the old one, which then matters to `v̇` alone.
-            Column::Axis(axis) if armature.vanishes() => {
+            BasisVector::Axis(axis) if armature.vanishes() => {
                 let new = step.rest - before.power(step.gain_beside(axis));
                 acceleration = before.with(axis, new);
                 new - before.at(axis)
@@ -65,10 +65,10 @@ fn advance<S: Scalar>(
 /// The same for a single axis, with `Kᵀ a'` of equation (3) taken apart: most of it is known before
 /// `a` of the parent is, and need not wait for it.
 fn advance_early<S: Scalar>(
-    problem: &Problem<S>,
+    problem: &MotionProblem<S>,
     link: LinkId,
     (parent, carried): (Motion<S>, Motion<S>),
-    step: &Eliminated<S>,
+    step: &EliminatedDof<S>,
     axis: usize,
 ) -> (Vec<S>, Motion<S>) {
     let gain = step.gain_beside(axis);
@@ -80,9 +80,9 @@ fn advance_early<S: Scalar>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::direction::tests::{articulated, some};
-    use super::super::direction::{Condition, eliminate};
-    use super::{Column, Motion, advance};
+    use super::super::eliminate::tests::{articulated, some};
+    use super::super::eliminate::{HingeDof, eliminate};
+    use super::{BasisVector, Motion, advance};
     use crate::math::{Scalar, Structured, Vec3};
 
     /// `Sᵀ (A (a' + S v̇) + e) + H v̇ = τ` for all directions of a hinge at once.
@@ -93,11 +93,11 @@ mod tests {
             0.0 => Structured::zero(),
             armature => some(armature),
         };
-        let conditions: Vec<Condition<Structured<f64>>> = columns
+        let conditions: Vec<HingeDof<Structured<f64>>> = columns
             .iter()
             .enumerate()
-            .map(|(number, &axis)| Condition {
-                column: Column::Axis(axis),
+            .map(|(number, &axis)| HingeDof {
+                column: BasisVector::Axis(axis),
                 effort: some(0.25 - 0.375 * number as f64),
                 armature: rotor(number),
             })

@@ -1,8 +1,8 @@
 //! The directions that a hinge leaves free, as the sweeps use them.
 
-use super::crossing::combine;
 use super::rows::{dot, identity};
-use super::strain::Strains;
+use super::strain::StrainMap;
+use super::transform::combine;
 use crate::math::{Motion, Scalar, Wrench};
 
 /// The directions that a hinge leaves free, in the work axes of the child.
@@ -10,9 +10,9 @@ use crate::math::{Motion, Scalar, Wrench};
 /// The child moves against the parent by `Σ columns[i] w[i]`, and `v = inverse · w`. The hinge's
 /// condition is `columnsᵀ F = inverseᵀ τ − armature ẇ`.
 #[derive(Clone, Debug)]
-pub struct Freedom<S> {
+pub struct SubspaceBasis<S> {
     /// The free directions; none where the motion is prescribed.
-    pub columns: Vec<Column<S>>,
+    pub columns: Vec<BasisVector<S>>,
     /// Inertia of rotors along each column.
     pub armature: Vec<S>,
     inverse: Vec<Vec<S>>,
@@ -20,7 +20,7 @@ pub struct Freedom<S> {
 
 /// A free direction.
 #[derive(Clone, Copy, Debug)]
-pub enum Column<S> {
+pub enum BasisVector<S> {
     /// Along (0 to 2) or about (3 to 5) one of the work axes: what is eliminated along it can be
     /// set to exactly zero.
     Axis(usize),
@@ -28,30 +28,30 @@ pub enum Column<S> {
     General(Motion<S>),
 }
 
-impl<S: Scalar> Column<S> {
+impl<S: Scalar> BasisVector<S> {
     /// `motion` as a column: an axis where it is one.
     fn of(motion: Motion<S>) -> Self {
         let present: Vec<usize> = (0..6).filter(|&k| !motion.at(k).vanishes()).collect();
         match present[..] {
-            [k] if (motion.at(k) - S::one()).vanishes() => Column::Axis(k),
-            _ => Column::General(motion),
+            [k] if (motion.at(k) - S::one()).vanishes() => BasisVector::Axis(k),
+            _ => BasisVector::General(motion),
         }
     }
 
     /// The direction's six entries.
     pub fn motion(&self) -> Motion<S> {
         match self {
-            Column::Axis(axis) => Motion::unit(*axis),
-            Column::General(motion) => *motion,
+            BasisVector::Axis(axis) => Motion::unit(*axis),
+            BasisVector::General(motion) => *motion,
         }
     }
 
     /// What a pivot along it is measured by, from a mass and a moment of inertia.
     pub fn scale(&self, mass: S, moment: S) -> S {
         match self {
-            Column::Axis(axis) if *axis < 3 => mass,
-            Column::Axis(_) => moment,
-            Column::General(Motion { linear, angular }) => {
+            BasisVector::Axis(axis) if *axis < 3 => mass,
+            BasisVector::Axis(_) => moment,
+            BasisVector::General(Motion { linear, angular }) => {
                 mass * linear.dot(*linear) + moment * angular.dot(*angular)
             }
         }
@@ -62,9 +62,9 @@ impl<S: Scalar> Column<S> {
 /// its passive elements act on and `armature` the inertias of rotors along them.
 pub fn freedom<S: Scalar>(
     subspace: &[Motion<S>],
-    strains: &Strains<S>,
+    strains: &StrainMap<S>,
     armature: &[S],
-) -> Freedom<S> {
+) -> SubspaceBasis<S> {
     if armature.iter().all(|inertia| inertia.vanishes()) {
         let on_axes = axes_of(subspace).and_then(|axes| on_axes(subspace, axes, armature));
         return on_axes
@@ -80,8 +80,8 @@ pub fn freedom<S: Scalar>(
 }
 
 /// Nothing is free.
-pub fn prescribed<S>() -> Freedom<S> {
-    Freedom { columns: Vec::new(), armature: Vec::new(), inverse: Vec::new() }
+pub fn prescribed<S>() -> SubspaceBasis<S> {
+    SubspaceBasis { columns: Vec::new(), armature: Vec::new(), inverse: Vec::new() }
 }
 
 /// The axes that motions have entries along, if there are as many as motions.
@@ -102,7 +102,7 @@ fn on_axes<S: Scalar>(
     subspace: &[Motion<S>],
     axes: Vec<usize>,
     armature: &[S],
-) -> Option<Freedom<S>> {
+) -> Option<SubspaceBasis<S>> {
     let count = axes.len();
     let shifts = axes.iter().filter(|&&axis| axis < 3).count();
     let basis: Vec<Vec<S>> =
@@ -130,16 +130,20 @@ fn on_axes<S: Scalar>(
             };
         }
     }
-    let columns = axes.into_iter().map(Column::Axis).collect();
-    Some(Freedom { columns, armature: armature.to_vec(), inverse })
+    let columns = axes.into_iter().map(BasisVector::Axis).collect();
+    Some(SubspaceBasis { columns, armature: armature.to_vec(), inverse })
 }
 
-fn along<S: Scalar>(motions: Vec<Motion<S>>, inverse: Vec<Vec<S>>, armature: &[S]) -> Freedom<S> {
-    let columns = motions.into_iter().map(Column::of).collect();
-    Freedom { columns, armature: armature.to_vec(), inverse }
+fn along<S: Scalar>(
+    motions: Vec<Motion<S>>,
+    inverse: Vec<Vec<S>>,
+    armature: &[S],
+) -> SubspaceBasis<S> {
+    let columns = motions.into_iter().map(BasisVector::of).collect();
+    SubspaceBasis { columns, armature: armature.to_vec(), inverse }
 }
 
-impl<S: Scalar> Freedom<S> {
+impl<S: Scalar> SubspaceBasis<S> {
     /// Efforts along the columns, from those that belong to the rates.
     pub fn loads(&self, efforts: &[S]) -> Vec<S> {
         (0..self.columns.len())
@@ -158,7 +162,8 @@ impl<S: Scalar> Freedom<S> {
     pub fn released(&self, wrench: Wrench<S>, efforts: &[S]) -> Wrench<S> {
         let loads = self.loads(efforts);
         let along = |k: usize| {
-            let is_axis = |column: &Column<S>| matches!(column, Column::Axis(axis) if *axis == k);
+            let is_axis =
+                |column: &BasisVector<S>| matches!(column, BasisVector::Axis(axis) if *axis == k);
             self.columns.iter().position(is_axis).filter(|&i| self.armature[i].vanishes())
         };
         Wrench::from_fn(|k| along(k).map_or(wrench.at(k), |column| loads[column]))

@@ -1,13 +1,13 @@
 //! The laws of springs, dampers, friction and stops.
 
 use super::rows::dot;
-use crate::equations::Numbers;
+use crate::equations::SymbolValues;
 use crate::math::Scalar;
 use crate::model::{Form, Freedoms, Friction, Limits, Passive};
 
 /// The effort along a strain, and how it falls with the strain and with its rate.
 #[derive(Clone, Copy, Debug)]
-pub struct Along<S> {
+pub struct LinearizedEffort<S> {
     /// The effort.
     pub effort: S,
     /// `−∂σ/∂s`
@@ -17,13 +17,13 @@ pub struct Along<S> {
 }
 
 /// A group of degrees of freedom in a state.
-pub struct Acting<'a, S> {
+pub struct GroupState<'a, S> {
     /// The group.
     pub group: &'a Freedoms,
     /// What acts on each strain.
     pub passive: &'a [Passive],
     /// The numbers of the chain.
-    pub numbers: &'a Numbers<S>,
+    pub numbers: &'a SymbolValues<S>,
     /// The strains.
     pub strains: &'a [S],
     /// Their rates.
@@ -32,13 +32,13 @@ pub struct Acting<'a, S> {
     pub coordinates: &'a [S],
 }
 
-impl<S: Scalar> Along<S> {
+impl<S: Scalar> LinearizedEffort<S> {
     /// Nothing acts.
     pub fn nothing() -> Self {
-        Along { effort: S::zero(), stiffness: S::zero(), damping: S::zero() }
+        LinearizedEffort { effort: S::zero(), stiffness: S::zero(), damping: S::zero() }
     }
 
-    fn add(&mut self, other: Along<S>) {
+    fn add(&mut self, other: LinearizedEffort<S>) {
         self.effort = self.effort + other.effort;
         self.stiffness = self.stiffness + other.stiffness;
         self.damping = self.damping + other.damping;
@@ -46,7 +46,7 @@ impl<S: Scalar> Along<S> {
 }
 
 /// What acts along each strain of a group, and the energy that springs and stops hold.
-pub fn along_group<S: Scalar>(acting: &Acting<S>) -> (Vec<Along<S>>, S) {
+pub fn along_group<S: Scalar>(acting: &GroupState<S>) -> (Vec<LinearizedEffort<S>>, S) {
     let mut energy = S::zero();
     let mut alongs = Vec::new();
     for (k, passive) in acting.passive.iter().enumerate() {
@@ -69,16 +69,24 @@ pub fn along_group<S: Scalar>(acting: &Acting<S>) -> (Vec<Along<S>>, S) {
 }
 
 /// A spring and a damper, `−k s − c ṡ`, and `½ k s²`.
-fn spring<S: Scalar>(acting: &Acting<S>, passive: &Passive, k: usize) -> (Along<S>, S) {
+fn spring<S: Scalar>(
+    acting: &GroupState<S>,
+    passive: &Passive,
+    k: usize,
+) -> (LinearizedEffort<S>, S) {
     let stiffness = acting.numbers.scalar(&passive.stiffness);
     let damping = acting.numbers.scalar(&passive.damping);
     let force = stiffness * acting.strains[k];
     let effort = -force - damping * acting.rates[k];
-    (Along { effort, stiffness, damping }, force * acting.strains[k] * S::number(0.5))
+    (LinearizedEffort { effort, stiffness, damping }, force * acting.strains[k] * S::number(0.5))
 }
 
 /// `−f ṡ / √(ṡ² + v²)`; of a rotation vector the length of its rate counts.
-fn dry_friction<S: Scalar>(acting: &Acting<S>, friction: &Friction, k: usize) -> Along<S> {
+fn dry_friction<S: Scalar>(
+    acting: &GroupState<S>,
+    friction: &Friction,
+    k: usize,
+) -> LinearizedEffort<S> {
     let (effort, speed) =
         (acting.numbers.scalar(&friction.effort), acting.numbers.scalar(&friction.speed));
     let rates = match acting.group.form {
@@ -88,7 +96,7 @@ fn dry_friction<S: Scalar>(acting: &Acting<S>, friction: &Friction, k: usize) ->
     let square = speed * speed;
     let inverse = (dot(rates, rates) + square).sqrt().recip();
     let slope = effort * inverse;
-    Along {
+    LinearizedEffort {
         effort: -(slope * acting.rates[k]),
         stiffness: S::zero(),
         damping: slope * square * (inverse * inverse),
@@ -96,7 +104,7 @@ fn dry_friction<S: Scalar>(acting: &Acting<S>, friction: &Friction, k: usize) ->
 }
 
 /// A spring and a damper that act while a coordinate is beyond its limits, and the spring's energy.
-fn stop<S: Scalar>(acting: &Acting<S>, limits: &Limits, k: usize) -> (Along<S>, S) {
+fn stop<S: Scalar>(acting: &GroupState<S>, limits: &Limits, k: usize) -> (LinearizedEffort<S>, S) {
     let [low, high, stiffness, damping] =
         [&limits.low, &limits.high, &limits.stiffness, &limits.damping]
             .map(|value| acting.numbers.scalar(value));
@@ -107,11 +115,15 @@ fn stop<S: Scalar>(acting: &Acting<S>, limits: &Limits, k: usize) -> (Along<S>, 
     let (stiff, damp) = (stiffness * beyond, damping * beyond);
     let effort = stiffness * (under - over) - damp * acting.rates[k];
     let energy = stiffness * (over * over + under * under) * S::number(0.5);
-    (Along { effort, stiffness: stiff, damping: damp }, energy)
+    (LinearizedEffort { effort, stiffness: stiff, damping: damp }, energy)
 }
 
 /// A stop against turns by more than an angle from rest; returns its energy.
-fn add_cone<S: Scalar>(acting: &Acting<S>, limits: &Limits, alongs: &mut [Along<S>]) -> S {
+fn add_cone<S: Scalar>(
+    acting: &GroupState<S>,
+    limits: &Limits,
+    alongs: &mut [LinearizedEffort<S>],
+) -> S {
     let [high, stiffness, damping] = [&limits.high, &limits.stiffness, &limits.damping]
         .map(|value| acting.numbers.scalar(value));
     // So small that it only keeps 0/0 away where nothing is turned and no stop acts.
@@ -121,7 +133,7 @@ fn add_cone<S: Scalar>(acting: &Acting<S>, limits: &Limits, alongs: &mut [Along<
     let along_axis = stiffness * over * angle.recip();
     for (along, (&strain, &rate)) in alongs.iter_mut().zip(acting.strains.iter().zip(acting.rates))
     {
-        along.add(Along {
+        along.add(LinearizedEffort {
             effort: -(along_axis * strain) - damping * beyond * rate,
             stiffness: stiffness * beyond,
             damping: damping * beyond,

@@ -1,4 +1,4 @@
-use super::{Closure, Dof, Linkage, Rank, Reactions, Trace, solve};
+use super::{ConstraintForces, ConstraintRank, ConstraintSystem, DelassusTerm, Rank, Trace, solve};
 
 /// The same system in three ways: degrees of freedom that are kept, that repeated parts have added
 /// up, and some of both.
@@ -18,20 +18,21 @@ fn solved<const N: usize>(
     keep: fn(usize) -> bool,
     right: Vec<f64>,
     rank: Rank<f64>,
-) -> Closure<f64> {
+) -> ConstraintForces<f64> {
     let of = |kept: bool| {
         let some = vectors.iter().enumerate().filter(move |(number, _)| keep(*number) == kept);
         some.map(|(_, v)| v)
     };
     // Other vectors of the same products.
-    let dof = |v: &[f64; N]| Dof { along: v.iter().map(|x| x * 2.0).collect(), inverse: 0.25 };
+    let dof =
+        |v: &[f64; N]| DelassusTerm { along: v.iter().map(|x| x * 2.0).collect(), inverse: 0.25 };
     let entry = |i: usize, j: usize| of(false).map(|v| v[i] * v[j]).sum();
-    let system = Reactions {
+    let system = ConstraintSystem {
         dofs: of(true).map(dof).collect(),
         repeated: (0..N).map(|i| (0..=i).map(|j| entry(i, j)).collect()).collect(),
         sizes: (0..N).map(|i| vectors.iter().map(|v| v[i].abs().max(1.0)).sum()).collect(),
         right,
-        linkage: Linkage { rank, noise: 64.0 },
+        linkage: ConstraintRank { rank, noise: 64.0 },
     };
     solve(&system, &mut Trace::new())
 }
@@ -40,7 +41,7 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-fn directions(closure: &Closure<f64>) -> Vec<&Vec<f64>> {
+fn directions(closure: &ConstraintForces<f64>) -> Vec<&Vec<f64>> {
     closure.undetermined.iter().filter(|u| u.iter().any(|&x| x != 0.0)).collect()
 }
 
@@ -80,7 +81,8 @@ fn a_regular_system_may_be_singular() {
 #[test]
 fn of_all_solutions_the_shortest_is_found_with_and_without_a_given_rank() {
     let x = combination(&TWO);
-    let ranks = [Rank::Known(2), Rank::Given(vec![1.0, 1.0, 0.0, 0.0]), Rank::Given(vec![1.0; 4])];
+    let ranks =
+        [Rank::Known(2), Rank::AtRunTime(vec![1.0, 1.0, 0.0, 0.0]), Rank::AtRunTime(vec![1.0; 4])];
     for (keep, rank) in KEPT.into_iter().flat_map(|keep| ranks.clone().map(|rank| (keep, rank))) {
         let closure = solved(&TWO, keep, product(&TWO, &x), rank.clone());
         let off = largest_difference(&closure.reactions, &x);

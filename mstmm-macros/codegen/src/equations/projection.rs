@@ -6,19 +6,19 @@
 //! The gap and how fast it opens are seen at the closing hinge, in its axes as they arrive from its
 //! inboard side.
 
-use super::closing::{Closing, closing};
 use super::hinge::{coordinate_rates, dot, normalized};
-use super::kinematics::{Drift, LinkMotion, Pose, poses};
-use super::problem::{Demand, Movement, Problem};
+use super::kinematics::{BiasAcceleration, LinkKinematics, Pose, poses};
+use super::loop_hinge::{LoopHinge, closing};
+use super::motion_problem::{LoopConstraints, MotionProblem, MotionSolution};
 use super::sweep::PerLink;
-use super::{Axes, Situation, Trace, motion, riccati};
+use super::{Axes, EvalContext, Trace, motion, riccati};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::{Chain, Hinge, HingeId, Layout};
 
 /// What brings a chain back onto its closure.
 #[derive(Clone, Debug)]
-pub struct Correction<S> {
+pub struct Projection<S> {
     /// A motion along the rates, to be made by the coordinates.
     pub coordinates: Vec<S>,
     /// What the rates lack.
@@ -33,9 +33,9 @@ pub struct Correction<S> {
 
 /// The correction; nothing for a chain that is not closed.
 pub fn correction<S: Scalar>(
-    situation: &Situation<S>,
+    situation: &EvalContext<S>,
     trace: &mut Trace<S>,
-) -> Option<Correction<S>> {
+) -> Option<Projection<S>> {
     let links = motion(situation, Axes::Body, trace);
     let closing = closing(situation, Axes::Body, &links)?;
     let poses = poses(situation, &links);
@@ -48,7 +48,7 @@ pub fn correction<S: Scalar>(
     };
     let (coordinates, excess) = along(situation, &links, &closing, apart.motion, trace);
     let (rates, _) = along(situation, &links, &closing, parting, trace);
-    Some(Correction {
+    Some(Projection {
         coordinates,
         rates,
         excess,
@@ -72,11 +72,11 @@ pub fn moved<S: Scalar>(chain: &Chain, layout: &Layout, q: &[S], along: &[S]) ->
 
 /// From where the closing hinge arrives to where it should: a shift and a turn.
 fn gap<S: Scalar>(
-    situation: &Situation<S>,
-    links: &PerLink<LinkMotion<S>>,
-    closing: &Closing<S>,
+    situation: &EvalContext<S>,
+    links: &PerLink<LinkKinematics<S>>,
+    closing: &LoopHinge<S>,
     poses: &PerLink<Pose<S>>,
-) -> Gap<S> {
+) -> PositionError<S> {
     let hinge = &situation.chain.hinges[closing.over.hinge];
     let (_, origin, rotation) = situation.place(&hinge.outboard);
     let aligned = rotation * hinge.kind.law().alignment(situation.numbers);
@@ -90,21 +90,21 @@ fn gap<S: Scalar>(
     };
     let wanted = to.position + to.to_inertial * (attitude * (origin - point));
     let turn = axes.matrix().transposed() * (to.to_inertial * (attitude * aligned));
-    Gap {
+    PositionError {
         motion: Motion { linear: axes.back(wanted - reached), angular: turn.rotation_vector() },
         turn,
     }
 }
 
 /// How far apart the sides of a closing hinge are.
-struct Gap<S> {
+struct PositionError<S> {
     /// From where the hinge arrives to where it should, its axes.
     motion: Motion<S>,
     /// The turn of it.
     turn: Mat3<S>,
 }
 
-impl<S: Scalar> Gap<S> {
+impl<S: Scalar> PositionError<S> {
     /// What the rotation vector does not show: half a turn has no direction, but a cosine.
     fn half_turn(&self) -> S {
         let versine = S::one() - self.turn.cosine();
@@ -114,8 +114,8 @@ impl<S: Scalar> Gap<S> {
 
 /// How the closing hinge's outboard side moves against what arrives there, its axes.
 fn parting<S: Scalar>(
-    links: &PerLink<LinkMotion<S>>,
-    closing: &Closing<S>,
+    links: &PerLink<LinkKinematics<S>>,
+    closing: &LoopHinge<S>,
     poses: &PerLink<Pose<S>>,
 ) -> Motion<S> {
     let velocity = |link: Option<LinkId>| match link {
@@ -133,24 +133,24 @@ fn pose_of<S: Scalar>(link: Option<LinkId>, poses: &PerLink<Pose<S>>) -> Pose<S>
 /// The motion of all hinges that moves the closing hinge by `wanted`, and how much redundant
 /// directions hold.
 fn along<S: Scalar>(
-    situation: &Situation<S>,
-    links: &PerLink<LinkMotion<S>>,
-    closing: &Closing<S>,
+    situation: &EvalContext<S>,
+    links: &PerLink<LinkKinematics<S>>,
+    closing: &LoopHinge<S>,
     wanted: Motion<S>,
     trace: &mut Trace<S>,
 ) -> (Vec<S>, S) {
-    let problem = Problem {
+    let problem = MotionProblem {
         links,
         dimension: situation.chain.dimension,
         tree: situation.tree,
-        drift: links.iter().map(|_| Drift::none()).collect(),
+        drift: links.iter().map(|_| BiasAcceleration::none()).collect(),
         loads: links.iter().map(|_| Wrench::zero()).collect(),
         efforts: links
             .iter()
             .map(|link| vec![S::zero(); link.over.freedom.columns.len()])
             .collect(),
         ground: Motion::zero(),
-        closing: Some(Demand {
+        closing: Some(LoopConstraints {
             closing,
             reached: closing.held.iter().map(|held| wanted.power(held.wrench)).collect(),
             given: Wrench::zero(),
@@ -163,7 +163,7 @@ fn along<S: Scalar>(
     let (movement, _) = riccati::solve(&problem, trace);
     let layout = situation.layout;
     let mut rates = movement.rates(links, layout);
-    let Movement { points, closure, .. } = movement;
+    let MotionSolution { points, closure, .. } = movement;
     let arriving = closing.over.carried(closing.parent.map_or(Motion::zero(), |link| points[link]));
     let own = layout.v[closing.over.hinge].clone();
     if !own.is_empty() {

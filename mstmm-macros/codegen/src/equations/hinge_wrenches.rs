@@ -7,7 +7,7 @@
 //! (2)  `F = Iᴬ a' + pᴬ`, by the relation of the Riccati transfer
 
 use super::Trace;
-use super::problem::{Movement, Problem};
+use super::motion_problem::{MotionProblem, MotionSolution};
 use super::strategy::LONGEST_SUM;
 use super::sweep::{Flatten, PerLink};
 use crate::ids::LinkId;
@@ -16,8 +16,8 @@ use crate::math::{Scalar, Wrench};
 /// On the child's side of every link's hinge, about the link's point, in its work axes; where the
 /// hinge frees whole axes that is its effort and nothing else [P, Eqs. (25), (57), (58)].
 pub fn transmitted<S: Scalar>(
-    problem: &Problem<S>,
-    movement: &Movement<S>,
+    problem: &MotionProblem<S>,
+    movement: &MotionSolution<S>,
     trace: &mut Trace<S>,
 ) -> PerLink<Wrench<S>> {
     let mut wrenches = from_the_free_end(problem, movement);
@@ -45,8 +45,8 @@ pub fn transmitted<S: Scalar>(
 /// sum, or one over the repetitions of a part, from what comes over from the parent, with the
 /// relation of the way to the ground.
 fn from_the_free_end<S: Scalar>(
-    problem: &Problem<S>,
-    movement: &Movement<S>,
+    problem: &MotionProblem<S>,
+    movement: &MotionSolution<S>,
 ) -> PerLink<Wrench<S>> {
     let of = |(index, &load): (LinkId, &Wrench<S>)| {
         problem.inertia(index).times(movement.points[index]) + load
@@ -57,9 +57,9 @@ fn from_the_free_end<S: Scalar>(
         wrenches[link] = pulled(given, &pulls, &movement.closure.reactions);
     }
     let by_relation = by_relation(problem, movement);
-    let of = |(wrench, &elsewhere)| Summed(if elsewhere { None } else { Some(wrench) });
+    let of = |(wrench, &elsewhere)| WrenchSum(if elsewhere { None } else { Some(wrench) });
     let own = wrenches.into_iter().zip(&by_relation).map(of).collect();
-    let step = |link: LinkId, Summed(sum): Summed<S>, parent: &mut Summed<S>| {
+    let step = |link: LinkId, WrenchSum(sum): WrenchSum<S>, parent: &mut WrenchSum<S>| {
         let wrench = sum.unwrap_or_else(|| {
             let a = problem.parent(link, &movement.points);
             movement.relations[link].at(problem.carried(link, a))
@@ -69,16 +69,19 @@ fn from_the_free_end<S: Scalar>(
         parent.add(|| over.returned(released));
         wrench
     };
-    problem.tree.inward(own, Summed(None), step).0
+    problem.tree.inward(own, WrenchSum(None), step).0
 }
 
 /// Which hinges are not to be summed up for.
-fn by_relation<S: Scalar>(problem: &Problem<S>, movement: &Movement<S>) -> PerLink<bool> {
+fn by_relation<S: Scalar>(
+    problem: &MotionProblem<S>,
+    movement: &MotionSolution<S>,
+) -> PerLink<bool> {
     if movement.relations.is_empty() {
         return PerLink::filled(false, problem.links.len());
     }
-    let own = PerLink::filled(Bodies(1), problem.links.len());
-    let step = |link: LinkId, Bodies(count): Bodies, parent: &mut Bodies| {
+    let own = PerLink::filled(BodyCount(1), problem.links.len());
+    let step = |link: LinkId, BodyCount(count): BodyCount, parent: &mut BodyCount| {
         let at_boundary = problem.tree.is_boundary(link);
         let is_chosen = at_boundary || count > LONGEST_SUM;
         // What is beyond a boundary is another repetition's, and cannot be added up at all.
@@ -90,15 +93,15 @@ fn by_relation<S: Scalar>(problem: &Problem<S>, movement: &Movement<S>) -> PerLi
         parent.0 = parent.0.max(beyond + 1);
         is_chosen
     };
-    problem.tree.inward(own, Bodies(0), step).0
+    problem.tree.inward(own, BodyCount(0), step).0
 }
 
 /// A wrench as the sum of what a body takes of itself and what its children pass on; nothing where
 /// it is known in another way.
 #[derive(Clone, Copy, Debug)]
-pub struct Summed<S>(pub Option<Wrench<S>>);
+pub struct WrenchSum<S>(pub Option<Wrench<S>>);
 
-impl<S: Scalar> Summed<S> {
+impl<S: Scalar> WrenchSum<S> {
     /// Adds a wrench, if this is a sum.
     pub fn add(&mut self, more: impl FnOnce() -> Wrench<S>) {
         if let Some(sum) = &mut self.0 {
@@ -107,17 +110,17 @@ impl<S: Scalar> Summed<S> {
     }
 }
 
-impl<S: Scalar> Flatten<S> for Summed<S> {
+impl<S: Scalar> Flatten<S> for WrenchSum<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
-        Summed(self.0.visit(replace))
+        WrenchSum(self.0.visit(replace))
     }
 }
 
 /// The longest sum of bodies that hang on a link.
 #[derive(Clone, Copy)]
-struct Bodies(usize);
+struct BodyCount(usize);
 
-impl<S> Flatten<S> for Bodies {
+impl<S> Flatten<S> for BodyCount {
     fn visit(self, _: &mut dyn FnMut(S) -> S) -> Self {
         self
     }

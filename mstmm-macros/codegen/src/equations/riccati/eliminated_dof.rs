@@ -1,12 +1,12 @@
 //! What the elimination of a free direction leaves for the way back.
 
-use super::super::hinge::{Column, dot};
+use super::super::hinge::{BasisVector, dot};
 use crate::math::{Scalar, Wrench};
 
 /// A free direction that has been eliminated.
-pub struct Eliminated<S> {
+pub struct EliminatedDof<S> {
     /// `s`
-    pub column: Column<S>,
+    pub column: BasisVector<S>,
     /// `D`
     pub pivot: S,
     /// `1 / D`
@@ -25,7 +25,7 @@ pub struct Eliminated<S> {
     pub waiting: Option<usize>,
 }
 
-impl<S: Scalar> Eliminated<S> {
+impl<S: Scalar> EliminatedDof<S> {
     /// `K` without its entry along the axis, which is one.
     pub fn gain_beside(&self, axis: usize) -> Wrench<S> {
         Wrench::from_fn(|k| if k == axis { S::zero() } else { self.gain.at(k) })

@@ -1,22 +1,22 @@
 //! Accelerations of all hinges, by either method.
 
-use super::closing::{Closing, closing};
-use super::closure::Closure;
-use super::kinematics::LinkMotion;
-use super::load::loads;
-use super::problem::{Demand, Movement, Pivot, Problem};
-use super::redistribution::redistribute;
+use super::base_parameters::redistribute;
+use super::constraint_forces::ConstraintForces;
+use super::hinge_wrenches::transmitted;
+use super::kinematics::LinkKinematics;
+use super::loads::loads;
+use super::loop_hinge::{LoopHinge, closing};
+use super::motion_problem::{HingePivot, LoopConstraints, MotionProblem, MotionSolution};
 use super::strategy::uses_base_parameters;
 use super::sweep::PerLink;
-use super::transmitted::transmitted;
-use super::{Axes, Situation, Trace, motion, riccati, transfer};
+use super::{Axes, EvalContext, Trace, motion, riccati, transfer};
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Wrench};
 use crate::model::{HingeId, Method};
 
 /// What the closing hinge exerts.
 #[derive(Clone, Debug)]
-pub struct Reaction<S> {
+pub struct LoopReaction<S> {
     /// On its outboard side at the hinge, in axes of its inboard frame.
     pub wrench: Wrench<S>,
     /// Unit wrenches, in the same axes, that could be added without any difference to the motion,
@@ -29,18 +29,18 @@ pub struct Reaction<S> {
 
 /// The result of a method.
 #[derive(Clone, Debug)]
-pub struct Solved<S> {
+pub struct ForwardDynamics<S> {
     /// `v̇` in the layout's order.
     pub accelerations: Vec<S>,
     /// The numbers divided by on the way.
-    pub pivots: Vec<Pivot<S>>,
+    pub pivots: Vec<HingePivot<S>>,
     /// What the closing hinge exerts, if there is one.
-    pub reaction: Option<Reaction<S>>,
+    pub reaction: Option<LoopReaction<S>>,
 }
 
 /// What the sweeps know at the point behind a hinge, in work axes there.
 #[derive(Clone, Copy, Debug)]
-pub struct Behind<S> {
+pub struct OutboardState<S> {
     /// The acceleration of the point, that of free fall the other way among it: what a sensor there
     /// feels.
     pub felt: Motion<S>,
@@ -50,20 +50,20 @@ pub struct Behind<S> {
 
 /// What the sweeps know of all hinges besides their accelerations.
 #[derive(Clone, Debug)]
-pub struct Swept<S> {
+pub struct SweepResult<S> {
     /// The axes that they are in.
     pub axes: Axes,
     /// By hinges; nothing of one that closes the chain, and of a weld between merged bodies.
-    pub behind: IdVec<HingeId, Option<Behind<S>>>,
+    pub behind: IdVec<HingeId, Option<OutboardState<S>>>,
 }
 
 /// Solves for the accelerations of all hinges.
 pub fn accelerations<S: Scalar>(
-    situation: &Situation<S>,
+    situation: &EvalContext<S>,
     method: Method,
     axes: Axes,
     trace: &mut Trace<S>,
-) -> Solved<S> {
+) -> ForwardDynamics<S> {
     let layout = situation.layout;
     let to_parents = uses_base_parameters(method, axes, !layout.closings.is_empty());
     let (solved, ()) = solve(situation, (method, axes, to_parents), trace, |_, _, _| ());
@@ -72,42 +72,42 @@ pub fn accelerations<S: Scalar>(
 
 /// Solves for the accelerations of all hinges and for what passes through them.
 pub fn sweep<S: Scalar>(
-    situation: &Situation<S>,
+    situation: &EvalContext<S>,
     method: Method,
     axes: Axes,
     trace: &mut Trace<S>,
-) -> (Solved<S>, Swept<S>) {
+) -> (ForwardDynamics<S>, SweepResult<S>) {
     // What is given to parents would be missing in the wrenches.
     solve(situation, (method, axes, false), trace, |problem, movement, trace| {
         let wrenches = transmitted(problem, movement, trace);
         let mut behind = IdVec::filled(None, situation.chain.hinges.len());
-        problem.links.enumerate().for_each(|(link, LinkMotion { over, .. })| {
+        problem.links.enumerate().for_each(|(link, LinkKinematics { over, .. })| {
             let (felt, wrench) = (movement.points[link], wrenches[link]);
-            behind[over.hinge] = Some(Behind { felt, wrench });
+            behind[over.hinge] = Some(OutboardState { felt, wrench });
         });
-        Swept { axes, behind }
+        SweepResult { axes, behind }
     })
 }
 
 /// Solves for the accelerations of all hinges, and for what `more` makes of how the links move;
 /// inertias may be redistributed before.
 fn solve<S: Scalar, R>(
-    situation: &Situation<S>,
+    situation: &EvalContext<S>,
     (method, axes, to_parents): (Method, Axes, bool),
     trace: &mut Trace<S>,
-    more: impl FnOnce(&Problem<S>, &Movement<S>, &mut Trace<S>) -> R,
-) -> (Solved<S>, R) {
+    more: impl FnOnce(&MotionProblem<S>, &MotionSolution<S>, &mut Trace<S>) -> R,
+) -> (ForwardDynamics<S>, R) {
     let mut links = motion(situation, axes, trace);
     let closing = closing(situation, axes, &links);
     let given = to_parents.then(|| redistribute(situation, &mut links, trace));
-    let problem = Problem { given, ..forces(situation, &links, closing.as_ref(), trace) };
+    let problem = MotionProblem { given, ..forces(situation, &links, closing.as_ref(), trace) };
     let (movement, pivots) = match method {
         Method::Riccati => riccati::solve(&problem, trace),
         Method::Transfer => {
             let (pivots, closure, relations) = riccati::reduced(&problem, trace);
             // By the sum over all bodies beyond a hinge, rounding would grow with the square of
             // their number.
-            (Movement { relations, ..transfer::solve(&problem, closure, trace) }, pivots)
+            (MotionSolution { relations, ..transfer::solve(&problem, closure, trace) }, pivots)
         }
     };
     let layout = situation.layout;
@@ -125,18 +125,18 @@ fn solve<S: Scalar, R>(
     let reaction =
         problem.closing.as_ref().map(|demand| reaction(situation, demand, &links, &movement));
     let more = more(&problem, &movement, trace);
-    (Solved { accelerations, pivots, reaction }, more)
+    (ForwardDynamics { accelerations, pivots, reaction }, more)
 }
 
 /// Newton's and Euler's laws as a problem: forces, efforts and velocities.
 fn forces<'a, S: Scalar>(
-    situation: &Situation<'a, S>,
-    links: &'a PerLink<LinkMotion<S>>,
-    closing: Option<&'a Closing<S>>,
+    situation: &EvalContext<'a, S>,
+    links: &'a PerLink<LinkKinematics<S>>,
+    closing: Option<&'a LoopHinge<S>>,
     trace: &mut Trace<S>,
-) -> Problem<'a, S> {
+) -> MotionProblem<'a, S> {
     let outer = loads(situation, links);
-    let own = |(link, outer): (&LinkMotion<S>, Wrench<S>)| {
+    let own = |(link, outer): (&LinkKinematics<S>, Wrench<S>)| {
         let name = &link.name;
         let source = "[P, Eqs. (14), (15), (20)]";
         trace.section(format!("{name}_loads"), format!("Loads on `{name}`"), source);
@@ -145,7 +145,7 @@ fn forces<'a, S: Scalar>(
         link.velocity_load() - outer
     };
     let loads = links.iter().zip(outer).map(own).collect();
-    let mut problem = Problem {
+    let mut problem = MotionProblem {
         links,
         dimension: situation.chain.dimension,
         tree: situation.tree,
@@ -163,16 +163,21 @@ fn forces<'a, S: Scalar>(
         let efforts = &closing.over.efforts;
         let reached = closing.held.iter().map(|held| a.power(held.wrench));
         let linkage = situation.linkage(closing.held.len());
-        Demand { closing, reached: reached.collect(), given: closing.given(efforts), linkage }
+        LoopConstraints {
+            closing,
+            reached: reached.collect(),
+            given: closing.given(efforts),
+            linkage,
+        }
     });
     if situation.held_by_closure { problem.with_added_inertia() } else { problem }
 }
 
 /// The acceleration that the outboard side of the closing hinge has of itself.
 fn child<S: Scalar>(
-    closing: &Closing<S>,
-    links: &PerLink<LinkMotion<S>>,
-    problem: &Problem<S>,
+    closing: &LoopHinge<S>,
+    links: &PerLink<LinkKinematics<S>>,
+    problem: &MotionProblem<S>,
 ) -> Motion<S> {
     let own = match closing.child {
         None => problem.ground,
@@ -185,20 +190,20 @@ fn child<S: Scalar>(
 /// The acceleration at the closing hinge that comes over from its inboard side, with what joins on
 /// the way.
 fn reached<S: Scalar>(
-    closing: &Closing<S>,
+    closing: &LoopHinge<S>,
     ground: Motion<S>,
-    movement: &Movement<S>,
+    movement: &MotionSolution<S>,
 ) -> Motion<S> {
     let parent = closing.parent.map_or(ground, |link| movement.points[link]);
     closing.over.carried_with(parent, closing.over.drift)
 }
 
 fn reaction<S: Scalar>(
-    situation: &Situation<S>,
-    demand: &Demand<S>,
-    links: &PerLink<LinkMotion<S>>,
-    movement: &Movement<S>,
-) -> Reaction<S> {
+    situation: &EvalContext<S>,
+    demand: &LoopConstraints<S>,
+    links: &PerLink<LinkKinematics<S>>,
+    movement: &MotionSolution<S>,
+) -> LoopReaction<S> {
     let closing = demand.closing;
     let attitude = closing.parent.map_or(Mat3::identity(), |link| links[link].attitude);
     let hinge = &situation.chain.hinges[closing.over.hinge];
@@ -206,8 +211,8 @@ fn reaction<S: Scalar>(
     let to_hinge = Rotation::general(attitude * rotation);
     let of = |wrench: Wrench<S>| wrench.turned(&closing.over.to_parent).turned_back(&to_hinge);
     let along = |amounts: &Vec<S>| of(closing.wrench(Wrench::zero(), amounts));
-    let Closure { reactions, undetermined, pivots, .. } = &movement.closure;
-    Reaction {
+    let ConstraintForces { reactions, undetermined, pivots, .. } = &movement.closure;
+    LoopReaction {
         wrench: of(closing.wrench(demand.given, reactions)),
         undetermined: undetermined.iter().map(along).collect(),
         pivots: pivots.clone(),

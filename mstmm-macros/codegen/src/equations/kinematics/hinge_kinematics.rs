@@ -1,15 +1,15 @@
 //! Over one hinge, from the parent's side to the child's.
 
-use super::super::Situation;
-use super::super::hinge::{self, Freedom, Passives, WorkAxes};
+use super::super::EvalContext;
+use super::super::hinge::{self, PassiveElements, SubspaceBasis, ToWorkAxes};
 use super::super::strategy::Axes;
-use super::PartMotion;
+use super::PartKinematics;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::HingeId;
 
 /// A hinge that was crossed, in the work axes of its child unless another frame is named.
 #[derive(Clone, Debug)]
-pub struct Crossed<S> {
+pub struct HingeKinematics<S> {
     /// The hinge.
     pub hinge: HingeId,
     /// Its name.
@@ -25,9 +25,9 @@ pub struct Crossed<S> {
     /// The same in aligned child axes of the hinge, where it has most zeros.
     pub aligned: Vec<Motion<S>>,
     /// What the hinge leaves free.
-    pub freedom: Freedom<S>,
+    pub freedom: SubspaceBasis<S>,
     /// What acts along its free directions of itself.
-    pub passives: Passives<S>,
+    pub passives: PassiveElements<S>,
     /// Efforts of motor and passive elements, one for each rate.
     pub efforts: Vec<S>,
     /// Angular velocity of the parent, in the parent's work axes.
@@ -35,7 +35,7 @@ pub struct Crossed<S> {
     /// Motion against the parent, at the point.
     pub relative: Motion<S>,
     /// What joins the acceleration of the point on the way from the parent's.
-    pub drift: Drift<S>,
+    pub drift: BiasAcceleration<S>,
     /// Aligned child axes of the hinge to work axes.
     pub from_child: Mat3<S>,
 }
@@ -43,17 +43,17 @@ pub struct Crossed<S> {
 /// What velocities and prescribed accelerations add to the acceleration of a point on the way from
 /// its parent's [P, Eqs. (13), (36)], each part in the axes in which it has most zeros.
 #[derive(Clone, Copy, Debug)]
-pub struct Drift<S> {
+pub struct BiasAcceleration<S> {
     /// Of the way on the parent to the hinge, `Ω_p × (Ω_p × arm)`; parent's work axes.
     pub on_parent: Vec3<S>,
     /// Of the hinge; work axes of its child.
     pub in_hinge: Motion<S>,
 }
 
-impl<S: Scalar> Drift<S> {
+impl<S: Scalar> BiasAcceleration<S> {
     /// Nothing joins.
     pub fn none() -> Self {
-        Drift { on_parent: Vec3::zero(), in_hinge: Motion::zero() }
+        BiasAcceleration { on_parent: Vec3::zero(), in_hinge: Motion::zero() }
     }
 
     /// Power of a wrench on it, in the hinge's work axes, which `to_parent` leads to those of the
@@ -63,14 +63,14 @@ impl<S: Scalar> Drift<S> {
     }
 }
 
-impl<S: Scalar> Crossed<S> {
+impl<S: Scalar> HingeKinematics<S> {
     /// The part of the parent's motion, or acceleration, that comes over to the point.
     pub fn carried(&self, parent: Motion<S>) -> Motion<S> {
         parent.carried_to(self.arm).turned_back(&self.to_parent)
     }
 
     /// The same with what joins on the way.
-    pub fn carried_with(&self, parent: Motion<S>, drift: Drift<S>) -> Motion<S> {
+    pub fn carried_with(&self, parent: Motion<S>, drift: BiasAcceleration<S>) -> Motion<S> {
         let Motion { linear, angular } = parent.carried_to(self.arm);
         let at_hinge = Motion { linear: linear + drift.on_parent, angular };
         at_hinge.turned_back(&self.to_parent) + drift.in_hinge
@@ -91,11 +91,11 @@ impl<S: Scalar> Crossed<S> {
 
 /// Crosses a hinge from the side of `parent`.
 pub fn cross<S: Scalar>(
-    situation: &Situation<S>,
+    situation: &EvalContext<S>,
     axes: Axes,
     (index, reversed): (HingeId, bool),
-    parent: &PartMotion<S>,
-) -> Crossed<S> {
+    parent: &PartKinematics<S>,
+) -> HingeKinematics<S> {
     let numbers = situation.numbers;
     let hinge = &situation.chain.hinges[index];
     let from = if reversed { &hinge.outboard } else { &hinge.inboard };
@@ -103,15 +103,15 @@ pub fn cross<S: Scalar>(
     let (q, v) = (situation.coordinates(index), situation.rates(index));
     let crossing = hinge::crossing(&hinge.kind, numbers, q, reversed);
     let alignment = hinge.kind.law().alignment(numbers);
-    let &PartMotion { attitude, point, omega } = parent;
+    let &PartKinematics { attitude, point, omega } = parent;
     let from_parent_side = attitude * (from_rotation * alignment);
     let of_child =
-        WorkAxes { from_parent: crossing.rotation.transposed(), from_child: Mat3::identity() };
+        ToWorkAxes { from_parent: crossing.rotation.transposed(), from_child: Mat3::identity() };
     let (to_parent, work) = match axes {
         Axes::Body => (crossing.mounted_on(from_parent_side), of_child),
         Axes::Inertial => (
             Rotation::general(Mat3::identity()),
-            WorkAxes {
+            ToWorkAxes {
                 from_parent: from_parent_side,
                 from_child: from_parent_side * crossing.rotation,
             },
@@ -134,7 +134,7 @@ pub fn cross<S: Scalar>(
     };
     let motor = situation.motor(index);
     let efforts = motor.iter().zip(&passives.efforts).map(|(&motor, &own)| motor + own).collect();
-    Crossed {
+    HingeKinematics {
         hinge: index,
         name: hinge.name.to_string(),
         to_parent,
@@ -147,7 +147,7 @@ pub fn cross<S: Scalar>(
         efforts,
         parent_omega: omega,
         relative,
-        drift: Drift { on_parent, in_hinge },
+        drift: BiasAcceleration { on_parent, in_hinge },
         from_child: work.from_child,
     }
 }

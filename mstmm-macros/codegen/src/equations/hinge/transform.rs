@@ -1,22 +1,22 @@
 //! Over a hinge from the parent's side to the child's, whichever of the two is the inboard one.
 
-use super::{Direction, Geometry};
-use crate::equations::Numbers;
+use super::{HingeGeometry, SubspaceColumn};
+use crate::equations::SymbolValues;
 use crate::equations::strategy::turns_stepwise;
-use crate::math::{Mat3, Motion, Rotation, Scalar, Turn, Vec3};
+use crate::math::{AxisRotation, Mat3, Motion, Rotation, Scalar, Vec3};
 use crate::model::HingeKind;
 
 /// The crossing of a hinge at given coordinates.
 #[derive(Clone, Debug)]
-pub struct Crossing<S> {
+pub struct HingeTransform<S> {
     /// Aligned child axes to aligned parent axes.
     pub rotation: Mat3<S>,
     /// The same, if it is a turn about one of the aligned axes.
-    pub turn: Option<Turn<S>>,
+    pub turn: Option<AxisRotation<S>>,
     /// From the parent's point to the child's, aligned parent axes.
     pub offset: Vec3<S>,
     /// The motions of the child's point and frame against the parent's frame for each rate.
-    directions: Vec<Fixed<S>>,
+    directions: Vec<OrientedColumn<S>>,
     /// From the inboard origin to the outboard one, aligned inboard axes, if the child is the
     /// inboard side.
     inwards: Option<Vec3<S>>,
@@ -24,14 +24,14 @@ pub struct Crossing<S> {
 
 /// A motion whose entries are given in aligned axes of the side that it turns with.
 #[derive(Clone, Copy, Debug)]
-struct Fixed<S> {
+struct OrientedColumn<S> {
     on_child: bool,
     motion: Motion<S>,
 }
 
 /// From aligned axes of a hinge's two sides to the axes that the child's equations are written in.
 #[derive(Clone, Copy, Debug)]
-pub struct WorkAxes<S> {
+pub struct ToWorkAxes<S> {
     /// From aligned parent axes.
     pub from_parent: Mat3<S>,
     /// From aligned child axes.
@@ -41,41 +41,41 @@ pub struct WorkAxes<S> {
 /// Crosses a hinge.
 pub fn crossing<S: Scalar>(
     kind: &HingeKind,
-    numbers: &Numbers<S>,
+    numbers: &SymbolValues<S>,
     q: &[S],
     reversed: bool,
-) -> Crossing<S> {
+) -> HingeTransform<S> {
     let geometry = kind.law().geometry(numbers, q);
     if reversed { inwards(geometry) } else { outwards(geometry) }
 }
 
-fn outwards<S: Scalar>(geometry: Geometry<S>) -> Crossing<S> {
-    let Geometry { rotation, turn, offset, directions } = geometry;
-    let of = |d: Direction<S>| Fixed { on_child: d.on_outboard, motion: d.motion };
+fn outwards<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
+    let HingeGeometry { rotation, turn, offset, directions } = geometry;
+    let of = |d: SubspaceColumn<S>| OrientedColumn { on_child: d.on_outboard, motion: d.motion };
     let directions = directions.into_iter().map(of).collect();
-    Crossing { rotation, turn, offset, directions, inwards: None }
+    HingeTransform { rotation, turn, offset, directions, inwards: None }
 }
 
 /// The inboard frame moves against the outboard one by the opposite of what that does, seen at its
 /// own origin.
-fn inwards<S: Scalar>(geometry: Geometry<S>) -> Crossing<S> {
-    let Geometry { rotation, turn, offset, directions } = geometry;
+fn inwards<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
+    let HingeGeometry { rotation, turn, offset, directions } = geometry;
     let back = rotation.transposed() * offset;
-    let of = |d: Direction<S>| {
+    let of = |d: SubspaceColumn<S>| {
         let to_inboard = if d.on_outboard { -back } else { -offset };
         let motion = d.motion.carried_to(to_inboard).scaled(-S::one());
-        Fixed { on_child: !d.on_outboard, motion }
+        OrientedColumn { on_child: !d.on_outboard, motion }
     };
-    Crossing {
+    HingeTransform {
         rotation: rotation.transposed(),
-        turn: turn.map(Turn::reversed),
+        turn: turn.map(AxisRotation::reversed),
         offset: -back,
         directions: directions.into_iter().map(of).collect(),
         inwards: Some(offset),
     }
 }
 
-impl<S: Scalar> Crossing<S> {
+impl<S: Scalar> HingeTransform<S> {
     /// Its rotation followed by the fixed one of the parent's side.
     pub fn mounted_on(&self, side: Mat3<S>) -> Rotation<S> {
         match self.turn {
@@ -85,8 +85,8 @@ impl<S: Scalar> Crossing<S> {
     }
 
     /// `S`: the motions of the child against the parent for each rate, work axes.
-    pub fn subspace(&self, axes: &WorkAxes<S>) -> Vec<Motion<S>> {
-        let of = |d: &Fixed<S>| {
+    pub fn subspace(&self, axes: &ToWorkAxes<S>) -> Vec<Motion<S>> {
+        let of = |d: &OrientedColumn<S>| {
             d.motion.turned(if d.on_child { axes.from_child } else { axes.from_parent })
         };
         self.directions.iter().map(of).collect()
@@ -97,7 +97,7 @@ impl<S: Scalar> Crossing<S> {
     /// Shifts are fixed on the inboard side; with the turning rates `ω_i`, `ω_o` of directions
     /// fixed on the two sides, outwards it is `[0; ω_i × ω_o]`. Inwards, seen from the outboard
     /// frame, the inboard origin at `−d` has besides `2 ω × ḋ − ω × (ω × d)`.
-    pub fn drift(&self, subspace: &[Motion<S>], rates: &[S], axes: &WorkAxes<S>) -> Motion<S> {
+    pub fn drift(&self, subspace: &[Motion<S>], rates: &[S], axes: &ToWorkAxes<S>) -> Motion<S> {
         let turning = |on_child: bool| {
             let all = subspace.iter().zip(&self.directions).zip(rates);
             let chosen = all.filter(|((_, fixed), _)| fixed.on_child == on_child);

@@ -1,27 +1,27 @@
 //! A free direction of a hinge is eliminated: equations (1), (2), (4) and (6).
 
-use super::super::hinge::Column;
+use super::super::hinge::BasisVector;
 use super::super::strategy;
-use super::articulated::Articulated;
-use super::eliminated::Eliminated;
+use super::articulated_body::ArticulatedBody;
+use super::eliminated_dof::EliminatedDof;
 use crate::math::{Scalar, SpatialInertia, Wrench};
 
 /// A free direction with its effort and the inertia of its rotor.
 #[derive(Clone, Copy)]
-pub struct Condition<S> {
+pub struct HingeDof<S> {
     /// `s`
-    pub column: Column<S>,
+    pub column: BasisVector<S>,
     /// `τ`
     pub effort: S,
     /// Inertia of its rotor.
     pub armature: S,
 }
 
-impl<S: Scalar> Condition<S> {
+impl<S: Scalar> HingeDof<S> {
     /// The axis whose entries become zero; beside a rotor none do.
     fn axis(&self) -> Option<usize> {
         match self.column {
-            Column::Axis(axis) if self.armature.vanishes() => Some(axis),
+            BasisVector::Axis(axis) if self.armature.vanishes() => Some(axis),
             _ => None,
         }
     }
@@ -30,8 +30,8 @@ impl<S: Scalar> Condition<S> {
 /// Equation (6), if both are axes that depend on each other: `1 / D` of the second, from `Iᴬ`
 /// before the first was eliminated.
 fn inverse_after<S: Scalar>(
-    (first, old): &(Condition<S>, SpatialInertia<S>),
-    second: &Condition<S>,
+    (first, old): &(HingeDof<S>, SpatialInertia<S>),
+    second: &HingeDof<S>,
 ) -> Option<S> {
     let (i, j) = (first.axis()?, second.axis()?);
     let (a, b, c) = (old.at(i, i), old.at(i, j), old.at(j, j));
@@ -40,11 +40,11 @@ fn inverse_after<S: Scalar>(
 
 /// All free directions of a hinge, one after the other.
 pub fn eliminate<S: Scalar>(
-    here: &mut Articulated<S>,
-    conditions: &[Condition<S>],
-) -> Vec<Eliminated<S>> {
+    here: &mut ArticulatedBody<S>,
+    conditions: &[HingeDof<S>],
+) -> Vec<EliminatedDof<S>> {
     let mut before = None;
-    let mut one = |(number, condition): (usize, &Condition<S>)| {
+    let mut one = |(number, condition): (usize, &HingeDof<S>)| {
         let is_last = number + 1 == conditions.len();
         let first = before.replace((*condition, here.inertia)).filter(|_| is_last);
         eliminate_one(here, condition, first.as_ref())
@@ -55,11 +55,11 @@ pub fn eliminate<S: Scalar>(
 /// Equations (1), (2) and (4) for one free direction. Equation (6) takes the direction before it,
 /// with `Iᴬ` as it was then, where this is the last.
 fn eliminate_one<S: Scalar>(
-    here: &mut Articulated<S>,
-    condition: &Condition<S>,
-    first: Option<&(Condition<S>, SpatialInertia<S>)>,
-) -> Eliminated<S> {
-    let &Condition { column, effort, armature } = condition;
+    here: &mut ArticulatedBody<S>,
+    condition: &HingeDof<S>,
+    first: Option<&(HingeDof<S>, SpatialInertia<S>)>,
+) -> EliminatedDof<S> {
+    let &HingeDof { column, effort, armature } = condition;
     let s = column.motion();
     let (old, bias) = (here.inertia, here.bias);
     let u = old.times(s);
@@ -83,12 +83,12 @@ fn eliminate_one<S: Scalar>(
     here.bias = Wrench::from_fn(|k| if is_along(k) { effort } else { bias.at(k) + u.at(k) * rest });
     let (along, sizes) = here.eliminate_columns(condition, gain);
     let by_pivot = along.iter().map(|&t| t * inverse).collect();
-    Eliminated { column, pivot, inverse, gain, rest, along, by_pivot, sizes, waiting }
+    EliminatedDof { column, pivot, inverse, gain, rest, along, by_pivot, sizes, waiting }
 }
 
-impl<S: Scalar> Articulated<S> {
+impl<S: Scalar> ArticulatedBody<S> {
     /// Equation (4) for `Tᴬ`: `t`, and what its squares would be if nothing in them cancelled.
-    fn eliminate_columns(&mut self, condition: &Condition<S>, gain: Wrench<S>) -> (Vec<S>, Vec<S>) {
+    fn eliminate_columns(&mut self, condition: &HingeDof<S>, gain: Wrench<S>) -> (Vec<S>, Vec<S>) {
         let (s, axis) = (condition.column.motion(), condition.axis());
         let t: Vec<S> = self.columns.iter().map(|&column| s.power(column)).collect();
         let size = |column: &Wrench<S>| {
@@ -108,8 +108,8 @@ impl<S: Scalar> Articulated<S> {
 
 #[cfg(test)]
 pub mod tests {
-    use super::super::articulated::Articulated;
-    use super::{Column, Condition, SpatialInertia, Wrench, eliminate};
+    use super::super::articulated_body::ArticulatedBody;
+    use super::{BasisVector, HingeDof, SpatialInertia, Wrench, eliminate};
     use crate::math::{Mat3, Scalar, Structured, Sym3, Vec3};
 
     /// A number that is not known while compiling.
@@ -118,7 +118,7 @@ pub mod tests {
     }
 
     /// What a hinge may carry: all entries depend on each other, those about y and z most.
-    pub fn articulated() -> Articulated<Structured<f64>> {
+    pub fn articulated() -> ArticulatedBody<Structured<f64>> {
         let inertia = SpatialInertia {
             linear: Sym3([3.1, 2.7, 4.3, 0.3, -0.2, 0.7].map(some)),
             coupling: Mat3(
@@ -130,7 +130,7 @@ pub mod tests {
             force: Vec3([0.3, -0.7, 1.1].map(some)),
             moment: Vec3([1.3, 0.9, -0.1].map(some)),
         };
-        Articulated { scales: (some(10.0), some(7.0)), ..Articulated::with(inertia, bias) }
+        ArticulatedBody { scales: (some(10.0), some(7.0)), ..ArticulatedBody::with(inertia, bias) }
     }
 
     /// Without exact zeros, rounding leaks back into the angular block of every ball and grows from
@@ -140,10 +140,10 @@ pub mod tests {
         let mut here = articulated();
         let condition = |(k, effort): (usize, f64)| {
             let (effort, armature) = (some(effort), Structured::zero());
-            Condition { column: Column::Axis(3 + k), effort, armature }
+            HingeDof { column: BasisVector::Axis(3 + k), effort, armature }
         };
         let conditions = [0.25, -0.5, 0.125].into_iter().enumerate().map(condition);
-        let conditions: Vec<Condition<Structured<f64>>> = conditions.collect();
+        let conditions: Vec<HingeDof<Structured<f64>>> = conditions.collect();
         let steps = eliminate(&mut here, &conditions);
         assert!(steps.iter().all(|step| step.pivot.value() > 0.0));
         assert!(here.inertia.angular.0.iter().all(|x| x.vanishes()));
