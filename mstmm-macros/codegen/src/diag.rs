@@ -5,7 +5,7 @@ use quote::{ToTokens, TokenStreamExt};
 use std::collections::HashSet;
 use syn::Error;
 
-/// Stops the compiler at a broken invariant: in a macro that is an error message, and a default in its place
+/// Stops the compiler at a broken invariant: in a macro that is an error message, and a default in its position
 /// would be a wrong robot.
 macro_rules! bug {
     ($($what:tt)*) => {
@@ -64,18 +64,18 @@ pub struct Warning {
 /// one of each at most: the first that was found. They are reported in the order of the text.
 #[derive(Debug, Default)]
 pub struct Diagnostics {
-    errors: Vec<(Place, Error)>,
+    errors: Vec<(SourcePosition, Error)>,
     /// Names that are refused.
-    refused: HashSet<NameAt>,
+    refused: HashSet<NameKey>,
     /// Errors at unknown names, and the names that these may be meant to be.
-    unknown: Vec<(Spot, Vec<NameAt>)>,
+    unknown: Vec<(TokenKey, Vec<NameKey>)>,
     /// The first of those beyond the most that are reported, and how many these are.
     beyond: Option<(Span, usize)>,
     /// Where errors are.
-    wrong: HashSet<Spot>,
-    warnings: Vec<(Place, Warning)>,
+    wrong: HashSet<TokenKey>,
+    warnings: Vec<(SourcePosition, Warning)>,
     /// Where warnings are.
-    unclear: HashSet<Spot>,
+    unclear: HashSet<TokenKey>,
 }
 
 impl Diagnostics {
@@ -96,7 +96,7 @@ impl Diagnostics {
 
     /// Adds an error at a name that is refused.
     pub fn name(&mut self, name: &Ident, message: impl std::fmt::Display) {
-        self.refused.insert(name_at(name));
+        self.refused.insert(name_key(name));
         self.error(name.span(), message);
     }
 
@@ -108,36 +108,36 @@ impl Diagnostics {
         message: impl std::fmt::Display,
         meant: impl IntoIterator<Item = &'n Ident>,
     ) {
-        if let Some(spot) = self.note(|| Error::new(name.span(), message)) {
-            self.unknown.push((spot, meant.into_iter().map(name_at).collect()));
+        if let Some(key) = self.note(|| Error::new(name.span(), message)) {
+            self.unknown.push((key, meant.into_iter().map(name_key).collect()));
         }
     }
 
     /// Where an error is that was added; nothing if there was one, or if it is only counted.
-    fn note(&mut self, error: impl FnOnce() -> Error) -> Option<Spot> {
+    fn note(&mut self, error: impl FnOnce() -> Error) -> Option<TokenKey> {
         if let Some((_, count)) = &mut self.beyond {
             *count += 1;
             return None;
         }
         let error = error();
-        let place = Place::of(error.span());
-        let spot = place.spot(&error);
-        if !self.wrong.insert(spot.clone()) {
+        let position = SourcePosition::of(error.span());
+        let key = position.key(&error);
+        if !self.wrong.insert(key.clone()) {
             return None;
         }
         if self.is_full() {
             self.beyond = Some((error.span(), 1));
             return None;
         }
-        self.errors.push((place, error));
-        Some(spot)
+        self.errors.push((position, error));
+        Some(key)
     }
 
     /// Adds a warning at a single token. `rule` is the name of the rule, in capitals.
     pub fn warn(&mut self, at: Span, rule: &'static str, message: impl std::fmt::Display) {
-        let (place, message) = (Place::of(at), message.to_string());
-        if self.warnings.len() < MOST && self.unclear.insert(place.spot(&message)) {
-            self.warnings.push((place, Warning { at, rule, message }));
+        let (position, message) = (SourcePosition::of(at), message.to_string());
+        if self.warnings.len() < MOST && self.unclear.insert(position.key(&message)) {
+            self.warnings.push((position, Warning { at, rule, message }));
         }
     }
 
@@ -161,10 +161,12 @@ impl Diagnostics {
     /// Drops errors at unknown names that may be meant to be refused ones.
     fn drop_what_follows(&mut self) {
         let Diagnostics { errors, refused, unknown, .. } = self;
-        let follows =
-            |(_, meant): &&(Spot, Vec<NameAt>)| meant.iter().any(|name| refused.contains(name));
-        let follow: HashSet<&Spot> = unknown.iter().filter(follows).map(|(spot, _)| spot).collect();
-        errors.retain(|(place, error)| !follow.contains(&place.spot(error)));
+        let follows = |(_, meant): &&(TokenKey, Vec<NameKey>)| {
+            meant.iter().any(|name| refused.contains(name))
+        };
+        let follow: HashSet<&TokenKey> =
+            unknown.iter().filter(follows).map(|(key, _)| key).collect();
+        errors.retain(|(position, error)| !follow.contains(&position.key(error)));
     }
 
     /// Closes a phase: all errors as one, in the order of the text, or none.
@@ -186,27 +188,27 @@ impl Diagnostics {
 
 /// Where a token begins: its file, line and column.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-struct Place(String, usize, usize);
+struct SourcePosition(String, usize, usize);
 
 /// What tells tokens apart. Tokens that another macro has made may all be at the place of its call:
 /// the message tells those apart.
-type Spot = (Place, Option<String>);
+type TokenKey = (SourcePosition, Option<String>);
 
 /// What tells names apart.
-type NameAt = (Place, String);
+type NameKey = (SourcePosition, String);
 
-fn name_at(name: &Ident) -> NameAt {
-    (Place::of(name.span()), name.to_string())
+fn name_key(name: &Ident) -> NameKey {
+    (SourcePosition::of(name.span()), name.to_string())
 }
 
-impl Place {
-    fn of(span: Span) -> Place {
+impl SourcePosition {
+    fn of(span: Span) -> SourcePosition {
         let start = span.start();
-        Place(span.file(), start.line, start.column)
+        SourcePosition(span.file(), start.line, start.column)
     }
 
-    fn spot(&self, message: &impl ToString) -> Spot {
-        let is_of_call = *self == Place::of(Span::call_site());
+    fn key(&self, message: &impl ToString) -> TokenKey {
+        let is_of_call = *self == SourcePosition::of(Span::call_site());
         (self.clone(), is_of_call.then(|| message.to_string()))
     }
 }

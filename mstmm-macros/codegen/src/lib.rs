@@ -73,7 +73,7 @@ pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
     };
     let mut items: TokenStream = match &mistakes {
         None => chains.iter().zip(&findings).map(right).collect(),
-        Some(mistakes) => emit::wrong(&written, mistakes),
+        Some(mistakes) => emit::error_types(&written, mistakes),
     };
     items.extend(warnings.iter().map(emit::warning));
     Expansion { items, mistakes, warnings }

@@ -49,7 +49,7 @@ impl Hash {
             for segment in &array.layout.segments {
                 for entry in 0..segment.count {
                     let repetitions = (0..segment.repetitions)
-                        .map(|it| bits(values[segment.place + it * segment.count + entry]));
+                        .map(|it| bits(values[segment.offset + it * segment.count + entry]));
                     let mut all: Vec<u64> = repetitions.collect();
                     if all.iter().all(|it| *it == all[0]) {
                         all.truncate(1);
@@ -90,7 +90,7 @@ fn arguments(chain: &Chain, unknowns: &Unknowns, random: &mut Random) -> Arrays<
                         Argument::ClosureSteps => 1.0,
                         _ => random.between(-1.0, 1.0),
                     };
-                    values[segment.place + repetition * segment.count + entry] = value;
+                    values[segment.offset + repetition * segment.count + entry] = value;
                 }
             }
         }
@@ -120,7 +120,7 @@ fn hashes(chain: &Chain, findings: &Findings) -> Vec<(String, [Hash; 2])> {
     let compiled = compile(chain, findings, &Layout::of(chain));
     let name = |function: &CompiledFunction| match function.answer {
         Some(answer) => format!("{answer:?}"),
-        None => "Setup".to_owned(),
+        None => "SetupSlots".to_owned(),
     };
     let functions = || std::iter::once(&compiled.setup).chain(&compiled.functions);
     let mut hashes: Vec<_> = functions().map(|it| (name(it), [Hash::EMPTY; 2])).collect();

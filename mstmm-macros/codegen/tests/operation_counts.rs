@@ -122,7 +122,7 @@ fn points_of_bodies_cost_nothing() {
             mstmm_codegen::read(text.parse().expect("tokens")).unwrap_or_else(|e| panic!("{e}"));
         let (chain, _) = chains.remove(0);
         let compiled = compile(&chain, &Findings::default(), &Layout::of(&chain));
-        let kept: usize = compiled.places.pieces.iter().map(|(count, _)| count).sum();
+        let kept: usize = compiled.point_storage.segments.iter().map(|(count, _)| count).sum();
         (
             cost(&compiled, Answer::Accelerations),
             cost(&compiled, Answer::Solution),

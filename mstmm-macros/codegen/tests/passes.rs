@@ -10,8 +10,8 @@ use mstmm_codegen::expr::{Graph, Stage};
 use mstmm_codegen::function::{Function, Output};
 use mstmm_codegen::ids::RepeatId;
 use mstmm_codegen::passes::{
-    Checks, Setup, drop_unused_carries, early_stores, factor, fuse_loops, linearize, list_schedule,
-    lower, reassociate,
+    Checks, SetupSlots, drop_unused_carries, early_stores, factor, fuse_loops, linearize,
+    list_schedule, lower, reassociate,
 };
 use mstmm_codegen::program::{
     Argument, ArrayLayout, ArrayRole, Failure, OutputId, Procedure, Program,
@@ -42,7 +42,7 @@ fn same(one: &Result<Vec<f64>, Failed>, other: &Result<Vec<f64>, Failed>, most: 
 }
 
 /// The function that derives the slots of others.
-fn setup_function<'g>(function: &Function<'g>, setup: &Setup) -> Function<'g> {
+fn setup_function<'g>(function: &Function<'g>, setup: &SetupSlots) -> Function<'g> {
     let parts = [None, Some(RepeatId(0)), Some(RepeatId(1))];
     let output = |part: Option<RepeatId>| {
         let values: Vec<_> = setup.values(part).into_iter().map(|(_, edge)| edge).collect();
@@ -62,14 +62,14 @@ fn setup_function<'g>(function: &Function<'g>, setup: &Setup) -> Function<'g> {
 /// What a procedure returns, its setup's having been run.
 fn computed(
     function: &Function,
-    (procedure, setup): (&Procedure, &Setup),
+    (procedure, setup): (&Procedure, &SetupSlots),
     values: &Values,
 ) -> Result<Vec<f64>, Failed> {
     let mut arrays = Arrays { arguments: values.clone(), ..Arrays::default() };
     arrays.arguments.insert(Argument::Time, vec![0.0]);
     let derive = setup_function(function, setup);
-    let program = linearize(&derive, &mut Setup::default());
-    let derive = lower(program, &derive, None, &Setup::default());
+    let program = linearize(&derive, &mut SetupSlots::default());
+    let derive = lower(program, &derive, None, &SetupSlots::default());
     let mut derived = arrays.clone();
     run(&derive, &mut derived)?;
     for array in &derive.arrays {
@@ -80,7 +80,12 @@ fn computed(
     run(procedure, &mut arrays).map(|()| arrays.result(NUMBERS))
 }
 
-fn lowered(program: Program, function: &Function, setup: &Setup, failure: Failure) -> Procedure {
+fn lowered(
+    program: Program,
+    function: &Function,
+    setup: &SetupSlots,
+    failure: Failure,
+) -> Procedure {
     lower(program, function, Some(Checks { finite: NUMBERS, failure }), setup)
 }
 
@@ -98,7 +103,7 @@ fn one_function(seed: u64, looped: bool) -> bool {
         assert!(same(&after, &before, most), "seed {seed}, {name}: {before:?}, now {after:?}");
         before = after;
     }
-    let mut setup = Setup::default();
+    let mut setup = SetupSlots::default();
     let program = linearize(&function, &mut setup);
     for failure in [Failure::Untouched, Failure::Reset] {
         let check = |name: &str, procedure: &Procedure| {

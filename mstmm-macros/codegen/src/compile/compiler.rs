@@ -1,14 +1,14 @@
 //! A chain's equations, run on formulas.
 
-use super::places::{self, Places};
+use super::point_storage::{self, PointStorage};
 use super::{layouts, outputs};
 use crate::equations::{self, AXES, EvalContext, ForwardDynamics, SymbolValues, Trace};
 use crate::examine::Findings;
 use crate::expr::{Edge, Expr, Graph, Stage};
-use crate::function::{Function, LoopTracer, Output, Pivot, Section, Unknowns};
+use crate::function::{Function, Heading, LoopTracer, NamedPivot, Output, Unknowns};
 use crate::math::NOISE;
 use crate::model::{Chain, Check, ClosureRank, Hinge, HingeKind, Layout, Method, Value};
-use crate::passes::Setup;
+use crate::passes::SetupSlots;
 use crate::program::{Argument, ArrayLayout, OutputId};
 
 /// A function, and what is known of connection points with it.
@@ -16,12 +16,12 @@ pub(super) struct Traced<'g> {
     /// The function.
     pub function: Function<'g>,
     /// Where connection points have their numbers, of the function that computes them.
-    pub places: Option<Places>,
+    pub storage: Option<PointStorage>,
 }
 
 impl<'g> From<Function<'g>> for Traced<'g> {
     fn from(function: Function<'g>) -> Self {
-        Traced { function, places: None }
+        Traced { function, storage: None }
     }
 }
 
@@ -110,8 +110,8 @@ impl<'a> ChainCompiler<'a> {
             let result = equations(tracer, &mut trace);
             (result, trace)
         });
-        let sections = trace.sections.iter().map(section).collect();
-        (result, Function { loops, sections, ..self.function(Stage::State) })
+        let headings = trace.sections.iter().map(heading).collect();
+        (result, Function { loops, headings, ..self.function(Stage::State) })
     }
 
     fn function(&self, stage: Stage) -> Function<'a> {
@@ -119,7 +119,7 @@ impl<'a> ChainCompiler<'a> {
             graph: self.graph,
             unknowns: self.unknowns,
             stage,
-            sections: Vec::new(),
+            headings: Vec::new(),
             loops: Vec::new(),
             outputs: Vec::new(),
             pivots: Vec::new(),
@@ -146,11 +146,11 @@ impl<'a> ChainCompiler<'a> {
     }
 
     /// The pivots that are not known to be positive.
-    fn pivots(&self, solved: &ForwardDynamics<Expr<'a>>) -> Vec<Pivot> {
+    fn pivots(&self, solved: &ForwardDynamics<Expr<'a>>) -> Vec<NamedPivot> {
         let unsure = solved.pivots.iter().filter(|pivot| !is_positive(pivot));
         let pivot = |pivot: &equations::HingePivot<Expr<'a>>| {
             let hinge = self.merged.links[pivot.link].hinge;
-            Pivot {
+            NamedPivot {
                 hinge: self.chain.hinges[hinge].name.to_string(),
                 value: self.graph.edge(pivot.value),
                 scale: self.graph.edge(pivot.scale),
@@ -190,8 +190,8 @@ impl<'a> ChainCompiler<'a> {
             (solved, report, energy)
         });
         let pivots = self.pivots(&solved);
-        let (places, numbers) =
-            places::places(self.chain, self.graph, &report.points, &self.numbers);
+        let (storage, numbers) =
+            point_storage::allocate(self.chain, self.graph, &report.points, &self.numbers);
         let all_rates = || layouts::all_rates(self.chain, self.layout);
         let by_entry = |output: Output| Output { by_entry: true, ..output };
         let mut outputs = vec![self.rates(outputs::ACCELERATIONS, &solved.accelerations)];
@@ -209,12 +209,12 @@ impl<'a> ChainCompiler<'a> {
             let numbers = wrenches.flat_map(|w| w.force.0.into_iter().chain(w.moment.0));
             outputs.push(self.once(outputs::UNDETERMINED, &numbers.collect::<Vec<_>>()));
         }
-        let layout = layouts::numbers_of_points(self.chain, &places);
+        let layout = layouts::numbers_of_points(self.chain, &storage);
         outputs.push(by_entry(self.output(outputs::POINT_NUMBERS, layout, &numbers)));
         let felt = |&axis: &usize| if results.z { report.at_rest[axis] } else { Expr::Number(0.0) };
         let at_rest: Vec<Expr> = self.chain.dimension.shifts().iter().map(felt).collect();
         outputs.push(by_entry(self.once(outputs::AT_REST, &at_rest)));
-        Traced { function: Function { outputs, pivots, ..function }, places: Some(places) }
+        Traced { function: Function { outputs, pivots, ..function }, storage: Some(storage) }
     }
 
     pub(super) fn energy(&self) -> Traced<'a> {
@@ -312,7 +312,7 @@ impl<'a> ChainCompiler<'a> {
     }
 
     /// The function that derives the slots of all others, and the numbers to be checked.
-    pub(super) fn setup(&self, setup: &Setup, checks: &[Check]) -> Function<'a> {
+    pub(super) fn setup(&self, setup: &SetupSlots, checks: &[Check]) -> Function<'a> {
         let mut outputs = Vec::new();
         let mut named = Vec::new();
         let parts = self.chain.repeats.ids().into_iter().map(Some);
@@ -327,23 +327,23 @@ impl<'a> ChainCompiler<'a> {
             checks.iter().map(|check| self.numbers.scalar(&check.value)).collect();
         let layout = layouts::of(self.chain, checks.iter().map(|check| (1, check.part)));
         outputs.push(self.output(outputs::CHECKED, layout, &checked));
-        let heading = Section {
+        let heading = Heading {
             prefix: "setup".to_owned(),
             title: "Quantities derived from parameters and constants".to_owned(),
             source: String::new(),
             values: named,
         };
-        Function { outputs, sections: vec![heading], ..self.function(Stage::Setup) }
+        Function { outputs, headings: vec![heading], ..self.function(Stage::Setup) }
     }
 }
 
 /// A section of a trace, over edges; known numbers need no name.
-fn section(section: &equations::TraceSection<Expr>) -> Section {
+fn heading(section: &equations::TraceSection<Expr>) -> Heading {
     let formula = |(name, expr): &(String, Expr)| match expr {
         Expr::Formula(_, edge) => Some((name.clone(), *edge)),
         Expr::Number(_) => None,
     };
-    Section {
+    Heading {
         prefix: section.prefix.clone(),
         title: section.title.clone(),
         source: section.source.to_owned(),

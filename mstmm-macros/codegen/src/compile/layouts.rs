@@ -1,6 +1,6 @@
 //! How the arrays of a chain are laid out.
 
-use super::Places;
+use super::PointStorage;
 use crate::ids::{HingeId, RepeatId};
 use crate::model::{Chain, Element, Input, Layout};
 use crate::program::ArrayLayout;
@@ -56,6 +56,6 @@ pub fn points(chain: &Chain) -> ArrayLayout {
 }
 
 /// The numbers of all connection points; points without numbers make no segment.
-pub fn numbers_of_points(chain: &Chain, places: &Places) -> ArrayLayout {
-    of(chain, places.pieces.iter().copied())
+pub fn numbers_of_points(chain: &Chain, storage: &PointStorage) -> ArrayLayout {
+    of(chain, storage.segments.iter().copied())
 }

@@ -1,25 +1,25 @@
 //! From a model to its procedures: the equations written down, simplified and ordered.
 
-mod answers;
 mod compiler;
+mod function_table;
 pub mod layouts;
 pub mod outputs;
 mod pipeline;
-mod places;
+mod point_storage;
 mod text;
 mod unknowns;
 
-pub use places::{Place, Places, PointPlaces, Sight};
+pub use point_storage::{PointStorage, StoredFramedVector, StoredPoint, StoredVector};
 pub use text::chain_text;
 
 use crate::examine::Findings;
 use crate::expr::Graph;
 use crate::function::Unknowns;
 use crate::model::{Answer, Chain, Check, Layout, Method};
-use crate::passes::Setup;
+use crate::passes::SetupSlots;
 use crate::program::Procedure;
-use answers::{ROWS, Row};
 use compiler::ChainCompiler;
+use function_table::{FUNCTIONS, FunctionSpec};
 
 /// Everything that is computed for a chain.
 #[derive(Clone, Debug)]
@@ -35,7 +35,7 @@ pub struct Compiled {
     /// Numbers that are known at run time only, and what they must be.
     pub checks: Vec<Check>,
     /// Where connection points have their numbers.
-    pub places: Places,
+    pub point_storage: PointStorage,
 }
 
 /// A function of a chain.
@@ -71,18 +71,18 @@ impl CompiledFunction {
 
 /// Writes down, simplifies and orders all equations of `chain`, of which `findings` are known.
 pub fn compile(chain: &Chain, findings: &Findings, layout: &Layout) -> Compiled {
-    rows(chain, findings, layout, |compiler, rows| {
-        let mut setup = Setup::default();
-        let mut places = Places::default();
+    specs(chain, findings, layout, |compiler, specs| {
+        let mut setup = SetupSlots::default();
+        let mut storage = PointStorage::default();
         let mut ordered = Vec::new();
         // One after the other: which nodes are there already decides the order of operands.
-        for row in rows {
-            let traced = (row.trace)(compiler);
-            places = traced.places.unwrap_or(places);
-            ordered.push((row, pipeline::order(traced.function, &mut setup)));
+        for spec in specs {
+            let traced = (spec.trace)(compiler);
+            storage = traced.storage.unwrap_or(storage);
+            ordered.push((spec, pipeline::order(traced.function, &mut setup)));
         }
         let checks = chain.checks();
-        let of_setup = pipeline::order(compiler.setup(&setup, &checks), &mut Setup::default());
+        let of_setup = pipeline::order(compiler.setup(&setup, &checks), &mut SetupSlots::default());
         let finish = |answer, ordered, tests| CompiledFunction {
             answer,
             procedure: pipeline::finish(ordered, tests, &setup),
@@ -90,28 +90,28 @@ pub fn compile(chain: &Chain, findings: &Findings, layout: &Layout) -> Compiled 
         let setup_function = finish(None, of_setup, None);
         let functions = ordered.into_iter();
         let functions =
-            functions.map(|(row, ordered)| finish(Some(row.answer), ordered, row.checks));
+            functions.map(|(spec, ordered)| finish(Some(spec.answer), ordered, spec.checks));
         Compiled {
             unknowns: compiler.unknowns().clone(),
             method: compiler.method(),
             functions: functions.collect(),
             setup: setup_function,
             checks,
-            places,
+            point_storage: storage,
         }
     })
 }
 
-/// The rows of the functions that a chain has, for `read` to run on its equations.
-fn rows<R>(
+/// The specs of the functions that a chain has, for `read` to run on its equations.
+fn specs<R>(
     chain: &Chain,
     findings: &Findings,
     layout: &Layout,
-    read: impl FnOnce(&ChainCompiler, Vec<&'static Row>) -> R,
+    read: impl FnOnce(&ChainCompiler, Vec<&'static FunctionSpec>) -> R,
 ) -> R {
     let unknowns = unknowns::unknowns(chain, layout, findings.closure_rank);
     let merged = Layout::merged(chain);
     let graph = Graph::default();
     let compiler = ChainCompiler::new((chain, findings), (layout, &merged), &unknowns, &graph);
-    read(&compiler, ROWS.iter().filter(|row| (row.when)(chain, findings, layout)).collect())
+    read(&compiler, FUNCTIONS.iter().filter(|spec| (spec.when)(chain, findings, layout)).collect())
 }

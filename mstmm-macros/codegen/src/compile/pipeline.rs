@@ -3,8 +3,8 @@
 
 use crate::function::Function;
 use crate::passes::{
-    Checks, Setup, drop_unused_carries, early_stores, factor, fuse_loops, linearize, list_schedule,
-    lower, reassociate,
+    Checks, SetupSlots, drop_unused_carries, early_stores, factor, fuse_loops, linearize,
+    list_schedule, lower, reassociate,
 };
 use crate::program::{Procedure, Program};
 
@@ -30,7 +30,7 @@ pub(super) struct Ordered<'g> {
 }
 
 /// Simplifies, arranges and orders a function; `setup` gets the slots that it reads.
-pub(super) fn order<'g>(function: Function<'g>, setup: &mut Setup) -> Ordered<'g> {
+pub(super) fn order<'g>(function: Function<'g>, setup: &mut SetupSlots) -> Ordered<'g> {
     let function = run(run(function, &SIMPLIFY), &ARRANGE);
     let program = list_schedule(linearize(&function, setup));
     Ordered { function, program }
@@ -38,11 +38,11 @@ pub(super) fn order<'g>(function: Function<'g>, setup: &mut Setup) -> Ordered<'g
 
 /// The program of a function in the order of its equations, without what is done for processors; `setup` gets the
 /// slots that it reads.
-pub(super) fn readable(function: Function, setup: &mut Setup) -> Program {
+pub(super) fn readable(function: Function, setup: &mut SetupSlots) -> Program {
     linearize(&run(function, &SIMPLIFY), setup)
 }
 
 /// Adds reading, tests and writing, once all slots are known.
-pub(super) fn finish(ordered: Ordered, checks: Option<Checks>, setup: &Setup) -> Procedure {
+pub(super) fn finish(ordered: Ordered, checks: Option<Checks>, setup: &SetupSlots) -> Procedure {
     early_stores(lower(ordered.program, &ordered.function, checks, setup))
 }

@@ -1,14 +1,14 @@
 //! The functions of a chain as text for people.
 
 use super::pipeline::readable;
-use super::{CompiledFunction, compile, rows};
+use super::{CompiledFunction, compile, specs};
 use crate::examine::Findings;
 use crate::function::Function;
 use crate::ids::RepeatId;
 use crate::model::{Chain, Layout};
-use crate::passes::Setup;
+use crate::passes::SetupSlots;
 use crate::program::text::{Labels, text};
-use crate::program::{Headed, OutputId, Procedure, Program, Section, by_heading};
+use crate::program::{OutputId, Procedure, Program, Section, SectionCost, by_heading};
 
 /// The text of all functions of `chain`, or of one of them, in the order of the equations. Behind each there is a
 /// table of the operations of its final code, by section.
@@ -23,15 +23,15 @@ pub fn chain_text(
 ) -> Result<String, Vec<&'static str>> {
     let layout = Layout::of(chain);
     let compiled = compile(chain, findings, &layout);
-    let mut setup = Setup::default();
-    let written = rows(chain, findings, &layout, |compiler, rows| {
+    let mut setup = SetupSlots::default();
+    let written = specs(chain, findings, &layout, |compiler, specs| {
         let mut all: Vec<(Program, Labels)> = Vec::new();
-        for row in rows {
-            let function = (row.trace)(compiler).function;
+        for spec in rows {
+            let function = (spec.trace)(compiler).function;
             all.push(written(chain, function, &mut setup));
         }
         let function = compiler.setup(&setup, &compiled.checks);
-        all.insert(0, written(chain, function, &mut Setup::default()));
+        all.insert(0, written(chain, function, &mut SetupSlots::default()));
         all
     });
     let functions = std::iter::once(&compiled.setup).chain(&compiled.functions);
@@ -48,7 +48,7 @@ pub fn chain_text(
 }
 
 /// A function in the order of its equations.
-fn written(chain: &Chain, function: Function, setup: &mut Setup) -> (Program, Labels) {
+fn written(chain: &Chain, function: Function, setup: &mut SetupSlots) -> (Program, Labels) {
     let repeats = chain.repeats.iter().map(|repeat| {
         let name = chain.hinges[repeat.hinges.first()].name.to_string();
         (name, repeat.count)
@@ -68,12 +68,12 @@ fn table(procedure: &Procedure, readable: &Program) -> String {
     let order: Vec<(&str, &str)> = readable.sections().map(Section::heading).collect();
     let mut sections = by_heading(procedure.sections());
     sections.sort_by_key(|one| order.iter().position(|other| *other == (one.title, one.source)));
-    let row = |Headed { title, cost, .. }: &Headed| {
+    let row = |SectionCost { title, cost, .. }: &SectionCost| {
         let [mul, add, recip] = [cost.mul, cost.add, cost.recip];
         let [sqrt, trig] = [cost.sqrt, cost.trig];
         format!("{mul:>5} {add:>5} {recip:>6} {sqrt:>5} {trig:>5}   {title}\n")
     };
-    let total = Headed { title: "all", source: "", cost: procedure.cost() };
+    let total = SectionCost { title: "all", source: "", cost: procedure.cost() };
     let head = "  mul   add  recip  sqrt  trig   operations of the final code\n";
     let rows: String = sections.iter().chain([&total]).map(row).collect();
     format!("{head}{rows}")

@@ -1,6 +1,6 @@
 //! Arrays of numbers: how they are laid out, and how segments of them are read and written.
 
-use super::Plan;
+use super::EmitContext;
 use crate::compile::{layouts, outputs};
 use crate::ids::RepeatId;
 use crate::program::{ArrayLayout, ArrayRole, Segment};
@@ -12,7 +12,7 @@ pub fn usize_literal(value: usize) -> Literal {
     Literal::usize_unsuffixed(value)
 }
 
-impl Plan<'_> {
+impl EmitContext<'_> {
     /// The coordinates `q`.
     pub fn coordinates(&self) -> ArrayLayout {
         layouts::coordinates(self.chain, self.layout)
@@ -35,7 +35,7 @@ impl Plan<'_> {
 
     /// The numbers of all connection points; points without numbers make no segment.
     pub fn numbers_of_points(&self) -> ArrayLayout {
-        layouts::numbers_of_points(self.chain, &self.compiled.places)
+        layouts::numbers_of_points(self.chain, &self.compiled.point_storage)
     }
 
     /// What the setup derives for every repetition of a part, or what stands once.
@@ -49,7 +49,7 @@ impl Plan<'_> {
     /// A copy of a segment that stands once.
     pub fn segment(&self, array: &impl ToTokens, segment: &Segment) -> TokenStream {
         let mstmm = &self.mstmm;
-        let [count, place] = [segment.count, segment.place].map(usize_literal);
+        let [count, place] = [segment.count, segment.offset].map(usize_literal);
         quote!(#mstmm::generated::piece::<_, #count, #place>(&#array))
     }
 
@@ -57,7 +57,7 @@ impl Plan<'_> {
     pub fn slices(&self, array: &impl ToTokens, segment: &Segment) -> TokenStream {
         let mstmm = &self.mstmm;
         let [count, place, repetitions] =
-            [segment.count, segment.place, segment.repetitions].map(usize_literal);
+            [segment.count, segment.offset, segment.repetitions].map(usize_literal);
         quote!(#mstmm::generated::times::<_, #count, #place, #repetitions>(&#array))
     }
 
@@ -65,7 +65,7 @@ impl Plan<'_> {
     pub fn slices_mut(&self, array: &impl ToTokens, segment: &Segment) -> TokenStream {
         let mstmm = &self.mstmm;
         let [count, place, repetitions] =
-            [segment.count, segment.place, segment.repetitions].map(usize_literal);
+            [segment.count, segment.offset, segment.repetitions].map(usize_literal);
         quote! {
             #mstmm::generated::times_mut::<_, #count, #place, #repetitions>(&mut #array)
         }

@@ -1,31 +1,31 @@
 //! Results at bodies, and the types of bodies with named points.
 
-use super::Plan;
+use super::EmitContext;
 use super::arrays::usize_literal;
-use super::formula::value_tokens;
-use super::places::{self, point_type};
+use super::const_expr::value_tokens;
+use super::point_access::{self, point_type};
 use crate::model::{Body, BodyId, NamedPoint, Value, Written, listed};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use std::collections::HashSet;
 
 /// The types of results at bodies with named points.
-pub fn types(plan: &Plan) -> TokenStream {
+pub fn types(cx: &EmitContext) -> TokenStream {
     let mut written = HashSet::new();
-    let bodies = plan.chain.bodies.iter().filter(|body| !body.points.is_empty());
-    bodies.filter(|body| written.insert(body.type_name.to_string())).map(|b| own(plan, b)).collect()
+    let bodies = cx.chain.bodies.iter().filter(|body| !body.points.is_empty());
+    bodies.filter(|body| written.insert(body.type_name.to_string())).map(|b| own(cx, b)).collect()
 }
 
 /// The type of results at bodies of one type.
-fn own(plan: &Plan, body: &Body) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let (name, visibility) = (own_name(plan, body), &plan.surface.visibility);
-    let (common, point) = (common(plan, body), point_type(plan));
+fn own(cx: &EmitContext, body: &Body) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let (name, visibility) = (own_name(cx, body), &cx.surface.visibility);
+    let (common, point) = (common(cx, body), point_type(cx));
     let doc = format!(
         " Results at a body `{}` of [`{}`]: its ends, its centre of mass and its named points.",
-        body.type_name, plan.chain.name
+        body.type_name, cx.chain.name
     );
-    let shifts = usize_literal(plan.chain.dimension.shifts().len());
+    let shifts = usize_literal(cx.chain.dimension.shifts().len());
     let (names, fields): (Vec<_>, Vec<_>) =
         body.points.iter().map(|NamedPoint { name, .. }| (name, field(name))).unzip();
     let docs = names.iter().map(|name| format!(" Returns the motion of the point `{name}`."));
@@ -58,8 +58,8 @@ fn own(plan: &Plan, body: &Body) -> TokenStream {
 }
 
 /// The type of results that all bodies have.
-fn common(plan: &Plan, body: &Body) -> TokenStream {
-    let (mstmm, point) = (&plan.mstmm, point_type(plan));
+fn common(cx: &EmitContext, body: &Body) -> TokenStream {
+    let (mstmm, point) = (&cx.mstmm, point_type(cx));
     match body.written {
         Written::ALL => quote!(#mstmm::BodyResult<T, #point>),
         Written { output, com } => {
@@ -68,8 +68,8 @@ fn common(plan: &Plan, body: &Body) -> TokenStream {
     }
 }
 
-fn own_name(plan: &Plan, body: &Body) -> Ident {
-    format_ident!("{}{}Result", plan.chain.name, body.type_name, span = Span::call_site())
+fn own_name(cx: &EmitContext, body: &Body) -> Ident {
+    format_ident!("{}{}Result", cx.chain.name, body.type_name, span = Span::call_site())
 }
 
 /// The field of a named point, which is no field of the template.
@@ -78,42 +78,46 @@ fn field(point: &Ident) -> Ident {
 }
 
 /// The type of the results at a body.
-pub fn type_of(plan: &Plan, body: &Body) -> TokenStream {
+pub fn type_of(cx: &EmitContext, body: &Body) -> TokenStream {
     if body.points.is_empty() {
-        return common(plan, body);
+        return common(cx, body);
     }
-    let name = own_name(plan, body);
+    let name = own_name(cx, body);
     quote!(#name<T>)
 }
 
 /// The results at a body whose connection points are bound to `input_` and `output_`; `first` is the
 /// number of its input among all points.
-pub fn result(plan: &Plan, (body, place): (BodyId, usize), first: &impl ToTokens) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let body = &plan.chain.bodies[body];
-    let changing = &plan.compiled.places.points[place].changing;
+pub fn result(
+    cx: &EmitContext,
+    (body, place): (BodyId, usize),
+    first: &impl ToTokens,
+) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let body = &cx.chain.bodies[body];
+    let changing = &cx.compiled.point_storage.points[place].changing;
     let mut vectors = body.own_points().zip(changing).map(|(position, place)| match place {
         Some(place) => {
-            let place = places::literal(place);
+            let place = point_access::literal(place);
             quote!(self.vector_(#first, #place))
         }
-        None => fixed(plan, position),
+        None => fixed(cx, position),
     });
     let com = vectors.next();
     let common = quote!(#mstmm::BodyResult::new(input_, output_, #com));
     if body.points.is_empty() {
         return common;
     }
-    let (name, fields) = (own_name(plan, body), body.points.iter().map(|point| field(&point.name)));
+    let (name, fields) = (own_name(cx, body), body.points.iter().map(|point| field(&point.name)));
     quote!(#name { common_: #common, #(#fields: #vectors,)* })
 }
 
 /// A vector that no parameter changes; zero where none reads it.
-fn fixed(plan: &Plan, position: &[Value; 3]) -> TokenStream {
-    let entries = plan.chain.dimension.shifts().iter().map(|&axis| match &position[axis] {
+fn fixed(cx: &EmitContext, position: &[Value; 3]) -> TokenStream {
+    let entries = cx.chain.dimension.shifts().iter().map(|&axis| match &position[axis] {
         value if value.changes() => quote!(T::constant(0.0)),
         value => {
-            let value = value_tokens(plan, value);
+            let value = value_tokens(cx, value);
             quote!(T::constant(#value))
         }
     });

@@ -1,25 +1,25 @@
 //! The tests of a procedure: whether there are results.
 
-use super::Plan;
+use super::EmitContext;
 use super::arrays::usize_literal;
 use super::printer::{Printer, flag};
 use crate::ids::InputId;
 use crate::model::Driven;
-use crate::program::{Argument, ArrayId, ArrayRole, Finish, Pivot, PivotTest, Witness};
+use crate::program::{Argument, ArrayId, ArrayRole, Finish, PivotTest, PivotValue, Witness};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// Fails where something that is given is not finite. These tests stand first: behind others they would be a
 /// branch, over which the compiler moves some statements and not others.
 pub fn given(printer: &Printer, arrays: &[ArrayId]) -> TokenStream {
-    let plan = printer.plan;
-    let mstmm = &plan.mstmm;
+    let cx = printer.cx;
+    let mstmm = &cx.mstmm;
     let (mut taken, mut slices) = (TokenStream::new(), Vec::new());
     let mut vectors = TokenStream::new();
     for &array in arrays {
         match printer.procedure.arrays[array].role {
             ArrayRole::Argument(Argument::Input(input)) => {
-                let (before, slice) = plan.slice_of_input(input);
+                let (before, slice) = cx.slice_of_input(input);
                 taken.extend(before);
                 slices.extend(slice);
             }
@@ -56,17 +56,17 @@ pub fn failing(reset: Option<&TokenStream>, statements: TokenStream) -> TokenStr
 
 /// The test at the end.
 pub fn finish(printer: &Printer, finish: &Finish) -> TokenStream {
-    let mstmm = &printer.plan.mstmm;
+    let mstmm = &printer.cx.mstmm;
     let (mut names, mut values, mut scales) = (Vec::new(), Vec::new(), Vec::new());
     let mut repeated = TokenStream::new();
     for PivotTest { hinge, pivot } in &finish.pivots {
         match pivot {
-            Pivot::Once(value, scale) => {
+            PivotValue::Once(value, scale) => {
                 names.push(hinge);
                 values.push(printer.operand(value));
                 scales.push(printer.operand(scale));
             }
-            Pivot::Repeated(check) => {
+            PivotValue::Repeated(check) => {
                 let flag = flag(*check);
                 repeated.extend(quote!(#mstmm::generated::require(#flag, #hinge)?;));
             }
@@ -116,7 +116,7 @@ fn entry(printer: &Printer, array: ArrayId, entry: usize) -> TokenStream {
     }
 }
 
-impl Plan<'_> {
+impl EmitContext<'_> {
     /// A slice that holds all numbers of an input that stands once, and statements before, which test an input of a
     /// repeated part themselves.
     fn slice_of_input(&self, number: InputId) -> (TokenStream, Option<TokenStream>) {

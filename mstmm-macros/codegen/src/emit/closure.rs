@@ -1,37 +1,37 @@
 //! The rank of a closure, where it is found when parameters are set.
 
-use super::Plan;
+use super::EmitContext;
 use super::arrays::usize_literal;
 use crate::model::ClosureRank;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 /// How many directions the closing hinge holds, where their rank is found at run time.
-pub fn directions(plan: &Plan) -> Option<usize> {
-    match plan.findings.closure_rank {
+pub fn directions(cx: &EmitContext) -> Option<usize> {
+    match cx.findings.closure_rank {
         ClosureRank::FoundAtRunTime(directions) => Some(directions),
         ClosureRank::Unknown | ClosureRank::Known { .. } => None,
     }
 }
 
 /// The private field of the parameters' type that keeps the steps: no parameter has its name.
-pub fn steps(plan: &Plan) -> Ident {
+pub fn steps(cx: &EmitContext) -> Ident {
     let mut name = "closure_steps_".to_owned();
-    while plan.chain.parameters.iter().any(|parameter| parameter.name == name) {
+    while cx.chain.parameters.iter().any(|parameter| parameter.name == name) {
         name.push('_');
     }
     format_ident!("{name}")
 }
 
 /// A chain with the rank of its closure, found anew if frames, axes or the start may have changed.
-pub fn found(plan: &Plan, may_have_changed: bool, chain: TokenStream) -> TokenStream {
-    if may_have_changed && directions(plan).is_some() { quote!(#chain.find_rank_()) } else { chain }
+pub fn found(cx: &EmitContext, may_have_changed: bool, chain: TokenStream) -> TokenStream {
+    if may_have_changed && directions(cx).is_some() { quote!(#chain.find_rank_()) } else { chain }
 }
 
 /// What finds the rank.
-pub fn emit(plan: &Plan) -> TokenStream {
-    let Some(directions) = directions(plan) else { return TokenStream::new() };
-    let (mstmm, steps) = (&plan.mstmm, steps(plan));
+pub fn emit(cx: &EmitContext) -> TokenStream {
+    let Some(directions) = directions(cx) else { return TokenStream::new() };
+    let (mstmm, steps) = (&cx.mstmm, steps(cx));
     let count = usize_literal(directions);
     quote! {
         /// The chain with the rank of its closure, which frames and axes decide.

@@ -1,39 +1,36 @@
 //! What the generated docs say of a chain.
 
-use super::{Plan, drawing};
+use super::{EmitContext, drawing};
 use crate::examine::Mobility;
 use crate::model::{Answer, Element, Method, Parameter, Place, Results, Role, Value, listed};
-use crate::program::{Cost, Headed, Procedure, by_heading};
+use crate::program::{Cost, Procedure, SectionCost, by_heading};
 
 /// The chain at a glance: its route, a picture, its elements, its freedoms, its method and costs.
-pub fn chain(plan: &Plan) -> Vec<String> {
+pub fn chain(cx: &EmitContext) -> Vec<String> {
     let mut lines = vec![String::new(), " # The chain".into(), String::new()];
-    lines.push(format!(" `{}`", route(plan)));
-    lines.extend(plan.findings.start.iter().flat_map(drawing::picture));
+    lines.push(format!(" `{}`", route(cx)));
+    lines.extend(cx.findings.start.iter().flat_map(drawing::picture));
     lines.push(String::new());
     lines.push(" | element | what it is | freedoms |".into());
     lines.push(" |---|---|---|".into());
-    lines.extend(plan.chain.route.iter().map(|&element| row(plan, element)));
+    lines.extend(cx.chain.route.iter().map(|&element| row(cx, element)));
     lines.push(String::new());
-    lines.extend(freedoms(plan));
+    lines.extend(freedoms(cx));
     lines.push(String::new());
-    let cost = plan.compiled.function(Answer::Accelerations).procedure.cost();
-    let each = if plan.chain.repeats.is_empty() {
-        ""
-    } else {
-        "; those of repeated parts are counted once"
-    };
-    let whole = match plan.chain.results {
+    let cost = cx.compiled.function(Answer::Accelerations).procedure.cost();
+    let each =
+        if cx.chain.repeats.is_empty() { "" } else { "; those of repeated parts are counted once" };
+    let whole = match cx.chain.results {
         Results::ALL => "everything at every connection point",
         _ => "the results that are asked for",
     };
     lines.push(format!(
         " Accelerations by `{}`, {} operations ({cost}); with {whole} {} operations{each}.",
-        method_name(plan.compiled.method),
+        method_name(cx.compiled.method),
         cost.arithmetic(),
-        plan.compiled.function(Answer::Solution).procedure.cost().arithmetic(),
+        cx.compiled.function(Answer::Solution).procedure.cost().arithmetic(),
     ));
-    lines.extend(precision(plan));
+    lines.extend(precision(cx));
     lines
 }
 
@@ -42,9 +39,9 @@ pub fn chain(plan: &Plan) -> Vec<String> {
 const TRANSFER_LOSS: f64 = 100.0;
 
 /// What `transfer` loses where masses are far apart.
-fn precision(plan: &Plan) -> Vec<String> {
-    let Some(ratio) = plan.findings.mass_ratio else { return Vec::new() };
-    if plan.compiled.method == Method::Riccati {
+fn precision(cx: &EmitContext) -> Vec<String> {
+    let Some(ratio) = cx.findings.mass_ratio else { return Vec::new() };
+    if cx.compiled.method == Method::Riccati {
         return Vec::new();
     }
     let times = if ratio < 1e3 { format!("{ratio:.0}") } else { format!("{ratio:.1e}") };
@@ -61,8 +58,8 @@ fn precision(plan: &Plan) -> Vec<String> {
 }
 
 /// What a solution says.
-pub fn results(plan: &Plan) -> String {
-    let Results { poses, velocities, z, energies } = plan.chain.results;
+pub fn results(cx: &EmitContext) -> String {
+    let Results { poses, velocities, z, energies } = cx.chain.results;
     let chosen = |words: &[(bool, &'static str)]| -> Vec<&'static str> {
         words.iter().filter(|(given, _)| *given).map(|&(_, word)| word).collect()
     };
@@ -75,14 +72,14 @@ pub fn results(plan: &Plan) -> String {
 }
 
 /// How many freedoms there are, and how a closure holds the chain.
-fn freedoms(plan: &Plan) -> Vec<String> {
-    let count = plan.rates().total;
-    if plan.layout.closings.is_empty() {
+fn freedoms(cx: &EmitContext) -> Vec<String> {
+    let count = cx.rates().total;
+    if cx.layout.closings.is_empty() {
         let freedoms = if count == 1 { "degree of freedom" } else { "degrees of freedom" };
         return vec![format!(" Mobility {count}: {count} {freedoms}.")];
     }
     let rates = if count == 1 { "rate" } else { "rates" };
-    let Some(Mobility { freedoms, held, redundant }) = plan.findings.mobility else {
+    let Some(Mobility { freedoms, held, redundant }) = cx.findings.mobility else {
         return vec![format!(" {count} {rates}, closed by the last hinge.")];
     };
     let mut lines = vec![format!(
@@ -101,8 +98,8 @@ fn freedoms(plan: &Plan) -> Vec<String> {
 }
 
 /// The route as written, without arguments.
-fn route(plan: &Plan) -> String {
-    let chain = plan.chain;
+fn route(cx: &EmitContext) -> String {
+    let chain = cx.chain;
     let end = |place: &Place| match place {
         Place::Ground(_) => Some("ground".to_owned()),
         Place::Input(body) | Place::Output(body) => {
@@ -131,17 +128,17 @@ fn route(plan: &Plan) -> String {
     start.into_iter().chain(elements).chain(finish).collect::<Vec<_>>().join(" -> ")
 }
 
-fn row(plan: &Plan, element: Element) -> String {
+fn row(cx: &EmitContext, element: Element) -> String {
     match element {
         Element::Body(index) => {
-            let body = &plan.chain.bodies[index];
-            let floats = plan.chain.hinges.iter().find(|hinge| hinge.name == body.name);
+            let body = &cx.chain.bodies[index];
+            let floats = cx.chain.hinges.iter().find(|hinge| hinge.name == body.name);
             let freedoms = floats.map_or(String::new(), |hinge| hinge.kind.freedoms().to_string());
             let mass = body.mass.known().map_or(String::new(), |mass| format!(", {mass} kg"));
             format!(" | `{}` | body `{}`{mass} | {freedoms} |", body.name, body.type_name)
         }
         Element::Hinge(index) => {
-            let hinge = &plan.chain.hinges[index];
+            let hinge = &cx.chain.hinges[index];
             let kind = hinge.kind.shape().word;
             let told = if hinge.is_prescribed() { ", moves as it is told" } else { "" };
             let axes: Vec<String> = hinge.kind.axes().iter().filter_map(axis).collect();
@@ -181,7 +178,7 @@ pub fn cost(procedure: &Procedure) -> Vec<String> {
         " |---|---|---|---|---|---|---|".into(),
     ];
     lines.extend(by_heading(procedure.sections()).into_iter().map(
-        |Headed { title, source, cost }| {
+        |SectionCost { title, source, cost }| {
             let Cost { mul, add, recip, sqrt, trig } = cost;
             // Brackets would make links of the tags.
             let source = source.replace('[', "\\[").replace(']', "\\]");

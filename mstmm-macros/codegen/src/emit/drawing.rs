@@ -8,23 +8,23 @@ use crate::model::{Dimension, Element, Hinge, HingeKind, Place};
 /// The longer side of the picture, and the room around it.
 const SIZE: f64 = 400.0;
 const MARGIN: f64 = 36.0;
-/// Names of more elements would cover each other.
+/// TypeNames of more elements would cover each other.
 const NAMED: usize = 24;
 
 const BLUE: &str = "#3a87c8";
 
 /// The lines of the picture. Along each axis that shows there is a line, along gravity an arrow.
 pub fn picture(drawing: &Drawing) -> Vec<String> {
-    let view = View::of(drawing);
-    let [mut width, height] = view.size;
-    let names = match drawing.chain.route.len() {
-        ..=NAMED => names(drawing, &view),
+    let projection = Projection::of(drawing);
+    let [mut width, height] = projection.size;
+    let labels = match drawing.chain.route.len() {
+        ..=NAMED => labels(drawing, &projection),
         _ => Vec::new(),
     };
-    let sign = gravity::Sign::of(&view.axes, drawing.gravity);
+    let sign = gravity::Sign::of(&projection.axes, drawing.gravity);
     let arrow = sign.map(|sign| {
         // To the right of everything else.
-        let right = names.iter().map(Name::right).fold(width, f64::max);
+        let right = labels.iter().map(Label::right).fold(width, f64::max);
         width = right + gravity::ROOM;
         sign.drawn([right, MARGIN])
     });
@@ -36,23 +36,25 @@ pub fn picture(drawing: &Drawing) -> Vec<String> {
              font-size=\"12\" stroke-linecap=\"round\" fill=\"currentColor\">"
         ),
     ];
-    lines.extend(triad(drawing.chain.dimension, &view));
+    lines.extend(triad(drawing.chain.dimension, &projection));
     let elements = drawing.chain.route.iter().enumerate();
     let bodies = elements.clone().filter(|(_, element)| matches!(element, Element::Body(_)));
-    lines.extend(bodies.map(|(place, _)| body(drawing, &view, place)));
-    lines.extend(ends(drawing, &view));
+    lines.extend(bodies.map(|(place, _)| body(drawing, &projection, place)));
+    lines.extend(ends(drawing, &projection));
     lines.extend(elements.filter_map(|(place, element)| match element {
-        Element::Hinge(index) => Some(hinge(drawing, &view, place, &drawing.chain.hinges[*index])),
+        Element::Hinge(index) => {
+            Some(hinge(drawing, &projection, place, &drawing.chain.hinges[*index]))
+        }
         Element::Body(_) => None,
     }));
-    lines.extend(names.iter().map(Name::drawn));
+    lines.extend(labels.iter().map(Label::drawn));
     lines.extend(arrow);
     lines.push(" </svg>".into());
     lines
 }
 
 /// How the world is seen: a plane chain from the front, one in space from above a corner.
-struct View {
+struct Projection {
     /// What each axis is on the picture, right and down.
     axes: [[f64; 2]; 3],
     /// Pixels for a metre.
@@ -62,11 +64,12 @@ struct View {
     size: [f64; 2],
 }
 
-impl View {
-    fn of(drawing: &Drawing) -> View {
+impl Projection {
+    fn of(drawing: &Drawing) -> Projection {
         let axes = axes(drawing.chain.dimension, drawing.up);
-        let mut view = View { axes, scale: 1.0, origin: [0.0; 2], size: [0.0; 2] };
-        let seen = drawing.points.iter().chain(&drawing.centres).map(|point| view.place(point));
+        let mut projection = Projection { axes, scale: 1.0, origin: [0.0; 2], size: [0.0; 2] };
+        let seen =
+            drawing.points.iter().chain(&drawing.centres).map(|point| projection.place(point));
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for point in seen {
             for k in 0..2 {
@@ -76,12 +79,12 @@ impl View {
         }
         let extent = [high[0] - low[0], high[1] - low[1]];
         let largest = extent[0].max(extent[1]);
-        view.scale = if largest > 0.0 { SIZE / largest } else { SIZE };
+        projection.scale = if largest > 0.0 { SIZE / largest } else { SIZE };
         for k in 0..2 {
-            view.size[k] = extent[k] * view.scale + 2.0 * MARGIN;
-            view.origin[k] = MARGIN - low[k] * view.scale;
+            projection.size[k] = extent[k] * projection.scale + 2.0 * MARGIN;
+            projection.origin[k] = MARGIN - low[k] * projection.scale;
         }
-        view
+        projection
     }
 
     /// Where a point is on the picture.
@@ -106,10 +109,10 @@ pub(super) fn axes(dimension: Dimension, up: usize) -> [[f64; 2]; 3] {
 }
 
 /// The directions of the inertial axes, in the corner.
-fn triad(dimension: Dimension, view: &View) -> Vec<String> {
-    let [x, y] = [22.0, view.size[1] - 22.0];
+fn triad(dimension: Dimension, projection: &Projection) -> Vec<String> {
+    let [x, y] = [22.0, projection.size[1] - 22.0];
     let arrow = |&axis: &usize| {
-        let [right, down] = view.axes[axis].map(|part| part * 14.0);
+        let [right, down] = projection.axes[axis].map(|part| part * 14.0);
         let name = ["x", "y", "z"][axis];
         format!(
             " <path d=\"M{x:.0} {y:.0}l{right:.1} {down:.1}\" stroke=\"currentColor\" \
@@ -123,9 +126,9 @@ fn triad(dimension: Dimension, view: &View) -> Vec<String> {
 }
 
 /// A body: a bar from its input to its output, and a dot at its centre of mass.
-fn body(drawing: &Drawing, view: &View, place: usize) -> String {
-    let [input, output] = [place, place + 1].map(|end| view.place(&drawing.points[end]));
-    let centre = view.place(&drawing.centres[place]);
+fn body(drawing: &Drawing, projection: &Projection, place: usize) -> String {
+    let [input, output] = [place, place + 1].map(|end| projection.place(&drawing.points[end]));
+    let centre = projection.place(&drawing.centres[place]);
     format!(
         " <path d=\"M{}L{}\" stroke=\"{BLUE}\" stroke-width=\"7\" stroke-opacity=\"0.45\"/>\
          <path d=\"M{}L{}L{}\" fill=\"none\" stroke=\"{BLUE}\" stroke-width=\"1\"/>\
@@ -141,7 +144,7 @@ fn body(drawing: &Drawing, view: &View, place: usize) -> String {
 }
 
 /// What holds the ends: strokes on the ground, dashed where an end moves.
-fn ends(drawing: &Drawing, view: &View) -> Vec<String> {
+fn ends(drawing: &Drawing, projection: &Projection) -> Vec<String> {
     let chain = &drawing.chain;
     let hinge = |element: Option<&Element>| match element {
         Some(Element::Hinge(index)) => Some(&chain.hinges[*index]),
@@ -150,7 +153,7 @@ fn ends(drawing: &Drawing, view: &View) -> Vec<String> {
     let first = hinge(chain.route.first()).map(|hinge| (&hinge.inboard, 0));
     let last = hinge(chain.route.last()).map(|hinge| (&hinge.outboard, chain.route.len()));
     let end = |(place, point): (&Place, usize)| {
-        let [x, y] = view.place(&drawing.points[point]);
+        let [x, y] = projection.place(&drawing.points[point]);
         let dashes = match place {
             Place::Ground(_) => "",
             Place::Input(_) | Place::Output(_) => " stroke-dasharray=\"3 3\"",
@@ -167,8 +170,8 @@ fn ends(drawing: &Drawing, view: &View) -> Vec<String> {
 
 /// A hinge: a line between its sides, and a sign for what it lets free: a ring where it turns about
 /// axes, a disc where it turns in all ways, a box where it shifts, a cross where it is welded.
-fn hinge(drawing: &Drawing, view: &View, place: usize, hinge: &Hinge) -> String {
-    let [inboard, outboard] = [place, place + 1].map(|end| view.place(&drawing.points[end]));
+fn hinge(drawing: &Drawing, projection: &Projection, place: usize, hinge: &Hinge) -> String {
+    let [inboard, outboard] = [place, place + 1].map(|end| projection.place(&drawing.points[end]));
     let [x, y] = inboard;
     let sign = match hinge.kind {
         HingeKind::Weld => format!("<path d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\"", x - 4.0, y - 4.0),
@@ -199,7 +202,7 @@ fn hinge(drawing: &Drawing, view: &View, place: usize, hinge: &Hinge) -> String 
 }
 
 /// The name of an element on the picture.
-struct Name {
+struct Label {
     text: String,
     at: [f64; 2],
     /// Whether it is the name of a body, in the middle over its place.
@@ -209,7 +212,7 @@ struct Name {
 /// About how wide a letter is.
 const LETTER: f64 = 7.0;
 
-impl Name {
+impl Label {
     /// How far it reaches to the right.
     fn right(&self) -> f64 {
         let width = self.text.chars().count() as f64 * LETTER;
@@ -217,23 +220,23 @@ impl Name {
     }
 
     fn drawn(&self) -> String {
-        let Name { text, at: [x, y], is_body } = self;
+        let Label { text, at: [x, y], is_body } = self;
         let style = if *is_body { " text-anchor=\"middle\" font-style=\"italic\"" } else { "" };
         format!(" <text x=\"{x:.1}\" y=\"{y:.1}\"{style}>{text}</text>")
     }
 }
 
-/// The names of bodies beside their middles, those of hinges beside their signs.
-fn names(drawing: &Drawing, view: &View) -> Vec<Name> {
+/// The labels of bodies beside their middles, those of hinges beside their signs.
+fn labels(drawing: &Drawing, projection: &Projection) -> Vec<Label> {
     let name = |(place, element): (usize, &Element)| {
-        let [a, b] = [place, place + 1].map(|end| view.place(&drawing.points[end]));
+        let [a, b] = [place, place + 1].map(|end| projection.place(&drawing.points[end]));
         match *element {
-            Element::Body(index) => Name {
+            Element::Body(index) => Label {
                 text: drawing.chain.bodies[index].name.to_string(),
                 at: [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0 + 20.0],
                 is_body: true,
             },
-            Element::Hinge(index) => Name {
+            Element::Hinge(index) => Label {
                 text: drawing.chain.hinges[index].name.to_string(),
                 at: [a[0] + 8.0, a[1] - 8.0],
                 is_body: false,

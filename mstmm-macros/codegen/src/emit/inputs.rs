@@ -1,6 +1,6 @@
 //! What the caller gives at every step.
 
-use super::Plan;
+use super::EmitContext;
 use super::arrays::usize_literal;
 use crate::ids::InputId;
 use crate::model::{Driven, Group, Hinge, HingeId, Input, View};
@@ -8,21 +8,21 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// `struct ChainInputs<T>` and how to get one.
-pub fn emit(plan: &Plan) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let (name, visibility) = (&plan.names.inputs, &plan.surface.visibility);
-    let chain = &plan.names.chain;
+pub fn emit(cx: &EmitContext) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let (name, visibility) = (&cx.names.inputs, &cx.surface.visibility);
+    let chain = &cx.names.chain;
     let doc = format!(" What drives [`{chain}`] from outside, given at every step.");
-    let inputs = &plan.layout.inputs;
+    let inputs = &cx.layout.inputs;
     let fields = inputs.iter().map(|input| {
         let (name, doc, one) =
-            (plan.chain.name_of_input(input.what), doc_of(plan, input), type_of(plan, input));
-        let ty = times(plan, input).map_or(one.clone(), |times| quote!([#one; #times]));
+            (cx.chain.name_of_input(input.what), doc_of(cx, input), type_of(cx, input));
+        let ty = times(cx, input).map_or(one.clone(), |times| quote!([#one; #times]));
         quote!(#[doc = #doc] #visibility #name: #ty)
     });
     let zeros = inputs.iter().map(|input| {
-        let (name, one) = (plan.chain.name_of_input(input.what), zero_of(plan, input));
-        let zero = times(plan, input).map_or(one.clone(), |times| quote!([#one; #times]));
+        let (name, one) = (cx.chain.name_of_input(input.what), zero_of(cx, input));
+        let zero = times(cx, input).map_or(one.clone(), |times| quote!([#one; #times]));
         quote!(#name: #zero)
     });
     // A struct without fields would not use `T`.
@@ -58,56 +58,56 @@ pub fn emit(plan: &Plan) -> TokenStream {
 }
 
 /// How many there are of an input to a repeated part.
-fn times(plan: &Plan, input: &Input) -> Option<Literal> {
-    let repeat = plan.chain.repeat_of_input(input.what)?;
-    Some(usize_literal(plan.chain.repeats[repeat].count))
+fn times(cx: &EmitContext, input: &Input) -> Option<Literal> {
+    let repeat = cx.chain.repeat_of_input(input.what)?;
+    Some(usize_literal(cx.chain.repeats[repeat].count))
 }
 
-fn doc_of(plan: &Plan, input: &Input) -> String {
+fn doc_of(cx: &EmitContext, input: &Input) -> String {
     match input.what {
         Driven::Gravity => " The acceleration of free fall in m/s², inertial frame.".to_owned(),
         Driven::Efforts(index) => {
-            let Hinge { name, kind, .. } = &plan.chain.hinges[index];
+            let Hinge { name, kind, .. } = &cx.chain.hinges[index];
             let unit = |turns: bool| if turns { "N m" } else { "N" };
             let units: Vec<&str> = kind.shape().groups.iter().map(|g| unit(g.turns)).collect();
             let unit = units.join(", ");
             format!(" Efforts in {unit} that drive `{name}`, in the order of its rates.")
         }
         Driven::Motion(index) => {
-            let Hinge { name, .. } = &plan.chain.hinges[index];
+            let Hinge { name, .. } = &cx.chain.hinges[index];
             format!(" The motion of `{name}`.")
         }
-        Driven::Force(load) => format!(" The force of `{}` in N.", plan.chain.loads[load].name),
+        Driven::Force(load) => format!(" The force of `{}` in N.", cx.chain.loads[load].name),
         Driven::Torque(load) => {
-            format!(" The torque of `{}` in N m.", plan.chain.loads[load].name)
+            format!(" The torque of `{}` in N m.", cx.chain.loads[load].name)
         }
     }
 }
 
-fn type_of(plan: &Plan, input: &Input) -> TokenStream {
-    let mstmm = &plan.mstmm;
+fn type_of(cx: &EmitContext, input: &Input) -> TokenStream {
+    let mstmm = &cx.mstmm;
     match input.what {
         Driven::Motion(hinge) => {
-            let view = view_name(plan, hinge);
-            let acceleration = plan.numbers_type(plan.chain.hinges[hinge].kind.freedoms());
+            let view = view_name(cx, hinge);
+            let acceleration = cx.numbers_type(cx.chain.hinges[hinge].kind.freedoms());
             quote!(#mstmm::HingeMotion<#mstmm::#view<T>, #acceleration>)
         }
         Driven::Gravity | Driven::Efforts(_) | Driven::Force(_) | Driven::Torque(_) => {
-            plan.numbers_type(input.range.len())
+            cx.numbers_type(input.range.len())
         }
     }
 }
 
-fn zero_of(plan: &Plan, input: &Input) -> TokenStream {
-    let mstmm = &plan.mstmm;
+fn zero_of(cx: &EmitContext, input: &Input) -> TokenStream {
+    let mstmm = &cx.mstmm;
     let zero = |count: usize| match count {
         1 => quote!(T::constant(0.0)),
         _ => quote!(#mstmm::generated::vector([T::constant(0.0); #count])),
     };
     match input.what {
         Driven::Motion(hinge) => {
-            let view = view_name(plan, hinge);
-            let acceleration = zero(plan.chain.hinges[hinge].kind.freedoms());
+            let view = view_name(cx, hinge);
+            let acceleration = zero(cx.chain.hinges[hinge].kind.freedoms());
             quote! {
                 #mstmm::HingeMotion {
                     state: <#mstmm::#view<T> as ::core::default::Default>::default(),
@@ -121,11 +121,11 @@ fn zero_of(plan: &Plan, input: &Input) -> TokenStream {
     }
 }
 
-fn view_name(plan: &Plan, hinge: HingeId) -> Ident {
-    format_ident!("{}", plan.view(hinge).name)
+fn view_name(cx: &EmitContext, hinge: HingeId) -> Ident {
+    format_ident!("{}", cx.view(hinge).name)
 }
 
-impl Plan<'_> {
+impl EmitContext<'_> {
     /// The view of a hinge that has coordinates.
     pub fn view(&self, hinge: HingeId) -> &'static View {
         let Hinge { name, kind, .. } = &self.chain.hinges[hinge];

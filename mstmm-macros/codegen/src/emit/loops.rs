@@ -1,19 +1,19 @@
 //! Loops of a procedure: what they read comes from iterators, which are zipped.
 
+use super::arguments;
 use super::arrays::usize_literal;
-use super::loads;
+use super::loop_inputs::{LoopInput, pattern, zipped};
 use super::names::helper;
 use super::printer::{Printer, flag};
-use super::streams::{Stream, pattern, zipped};
 use crate::program::{
-    ArrayId, ArrayRole, CheckId, ForLoop, Operand, Place, Segment, Step, ValueId,
+    ArrayId, ArrayRole, ArraySlice, CheckId, ForLoop, Operand, Segment, Step, ValueId,
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 /// Declares the flags for the tests of pivots and the arrays for what loops leave.
 pub fn opened(printer: &Printer) -> TokenStream {
-    let mstmm = &printer.plan.mstmm;
+    let mstmm = &printer.cx.mstmm;
     let flags = (0..printer.procedure.checks).map(|number| flag(CheckId(number)));
     let locals = printer.procedure.arrays.enumerate().filter_map(|(id, array)| match array.role {
         ArrayRole::Local(_) => Some((id, array)),
@@ -39,16 +39,16 @@ fn local(array: ArrayId) -> Ident {
 
 /// A loop.
 pub fn one(printer: &Printer, one: &ForLoop) -> TokenStream {
-    let plan = printer.plan;
-    let mstmm = &plan.mstmm;
-    let (mut streams, mut taken, mut writes) = (Vec::new(), TokenStream::new(), TokenStream::new());
+    let cx = printer.cx;
+    let mstmm = &cx.mstmm;
+    let (mut inputs, mut taken, mut writes) = (Vec::new(), TokenStream::new(), TokenStream::new());
     for step in &one.body {
         match step {
             Step::Load { from, into } => match printer.array(from).role {
-                ArrayRole::Local(_) => streams.push(load_local(printer, from, into)),
+                ArrayRole::Local(_) => inputs.push(load_local(printer, from, into)),
                 ArrayRole::Argument(argument) => {
-                    let (stream, statements) = loads::repeated(printer, (argument, from), into);
-                    streams.push(stream);
+                    let (input, statements) = arguments::repeated(printer, (argument, from), into);
+                    inputs.push(input);
                     taken.extend(statements);
                 }
                 ArrayRole::Result(_) => bug!("a loop reads a result"),
@@ -60,8 +60,8 @@ pub fn one(printer: &Printer, one: &ForLoop) -> TokenStream {
                     writes.extend(quote!(_ = #store.try_push([#(#values),*]);));
                 }
                 _ => {
-                    let (stream, statements) = write(printer, to, values);
-                    streams.push(stream);
+                    let (input, statements) = write(printer, to, values);
+                    inputs.push(input);
                     writes.extend(statements);
                 }
             },
@@ -85,7 +85,7 @@ pub fn one(printer: &Printer, one: &ForLoop) -> TokenStream {
     let phis = one.carries.iter().map(|carry| variable(carry.phi));
     let inits = one.carries.iter().map(|carry| printer.operand(&carry.init));
     let nexts = one.carries.iter().map(|carry| printer.operand(&carry.next));
-    let (pattern, iterator) = zipped(streams, &usize_literal(one.repetitions), one.inward);
+    let (pattern, iterator) = zipped(inputs, &usize_literal(one.repetitions), one.inward);
     quote! {
         #(let mut #exits = #inits;)*
         for #pattern in #iterator {
@@ -99,7 +99,7 @@ pub fn one(printer: &Printer, one: &ForLoop) -> TokenStream {
 }
 
 /// What a loop reads of what an earlier one has left, which has put it there in its own order.
-fn load_local(printer: &Printer, from: &Place, into: &[Option<ValueId>]) -> Stream {
+fn load_local(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) -> LoopInput {
     let wanted = into.iter().map(|value| value.map(|value| printer.variables.get(value).clone()));
     let (pattern, store) = (pattern(&wanted.collect::<Vec<_>>()), local(from.array));
     let steps = printer.procedure.body.iter();
@@ -120,20 +120,24 @@ fn load_local(printer: &Printer, from: &Place, into: &[Option<ValueId>]) -> Stre
 }
 
 /// Writes what a loop has for a segment of a result.
-fn write(printer: &Printer, to: &Place, values: &[Option<Operand>]) -> (Stream, TokenStream) {
+fn write(
+    printer: &Printer,
+    to: &ArraySlice,
+    values: &[Option<Operand>],
+) -> (LoopInput, TokenStream) {
     let array = printer.filled(to.array);
     let segment = segment(printer, to);
     let (names, writes) = assigned(printer, (to, segment), values);
-    let slices = printer.plan.slices_mut(&array, segment);
+    let slices = printer.cx.slices_mut(&array, segment);
     ((pattern(&names), quote!(#slices.iter_mut())), writes)
 }
 
 /// Writes results of a chain with loops that stand once, or are the same in every repetition.
-pub fn fill(printer: &Printer, to: &Place, values: &[Option<Operand>]) -> TokenStream {
+pub fn fill(printer: &Printer, to: &ArraySlice, values: &[Option<Operand>]) -> TokenStream {
     let array = printer.filled(to.array);
     let segment = segment(printer, to);
     let (names, writes) = assigned(printer, (to, segment), values);
-    let (pattern, slices) = (pattern(&names), printer.plan.slices_mut(&array, segment));
+    let (pattern, slices) = (pattern(&names), printer.cx.slices_mut(&array, segment));
     quote! {
         for #pattern in #slices {
             #writes
@@ -141,14 +145,14 @@ pub fn fill(printer: &Printer, to: &Place, values: &[Option<Operand>]) -> TokenS
     }
 }
 
-fn segment<'a>(printer: &'a Printer, place: &Place) -> &'a Segment {
+fn segment<'a>(printer: &'a Printer, place: &ArraySlice) -> &'a Segment {
     &printer.array(place).layout.segments[place.segment]
 }
 
-/// Names of places that are written, and what writes them.
+/// TypeNames of places that are written, and what writes them.
 fn assigned(
     printer: &Printer,
-    (to, segment): (&Place, &Segment),
+    (to, segment): (&ArraySlice, &Segment),
     values: &[Option<Operand>],
 ) -> (Vec<Option<Ident>>, TokenStream) {
     let mut writes = TokenStream::new();

@@ -1,56 +1,56 @@
 //! From programs to Rust: the only place that writes tokens.
 
+mod arguments;
 mod arrays;
 mod body;
+mod chain_impl;
 mod checks;
 mod closure;
-mod construction;
+mod const_expr;
+mod constructor;
 mod docs;
 mod drawing;
-mod formula;
+mod error_types;
 mod gravity;
+mod ide_links;
+mod indexed_access;
+mod initial_values;
 mod inputs;
-mod integrable;
-mod loads;
+mod loop_inputs;
 mod loops;
 mod methods;
 mod names;
 mod orders;
 mod parameters;
-mod places;
+mod point_access;
 mod printer;
 mod procedure;
 mod quaternions;
-mod references;
-mod repeated;
 mod sealed;
-mod solution;
 mod state;
 mod statement;
-mod streams;
 mod warning;
 mod workspace;
-mod wrong;
 
 use crate::compile::Compiled;
 use crate::examine::Findings;
 use crate::model::{Chain, Layout};
 use crate::program::Argument;
 use crate::syntax::Surface;
-use names::{Names, variable};
+pub use error_types::error_types;
+use names::{TypeNames, variable};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 pub use warning::warning;
-pub use wrong::wrong;
 
 /// All that the parts of the expansion are written from.
-struct Plan<'a> {
+struct EmitContext<'a> {
     chain: &'a Chain,
     surface: &'a Surface,
     layout: &'a Layout,
     compiled: &'a Compiled,
     findings: &'a Findings,
-    names: Names,
+    names: TypeNames,
     /// The variables that unknowns are, by number.
     unknowns: Vec<Ident>,
     /// The path of the crate `mstmm`.
@@ -66,26 +66,26 @@ pub fn expand(
     findings: &Findings,
     mstmm: &TokenStream,
 ) -> TokenStream {
-    let names = Names::of(chain);
+    let names = TypeNames::of(chain);
     let unknowns = compiled.unknowns.iter().map(|unknown| variable(&unknown.name)).collect();
-    let plan = Plan { chain, surface, layout, compiled, findings, names, unknowns, mstmm };
-    let construction = construction::emit(&plan);
-    let methods = methods::emit(&plan);
-    let state = state::emit(&plan);
-    let inputs = inputs::emit(&plan);
-    let workspace = workspace::emit(&plan);
-    let references = references::emit(&plan);
+    let cx = EmitContext { chain, surface, layout, compiled, findings, names, unknowns, mstmm };
+    let constructor = constructor::emit(&cx);
+    let methods = methods::emit(&cx);
+    let state = state::emit(&cx);
+    let inputs = inputs::emit(&cx);
+    let workspace = workspace::emit(&cx);
+    let ide_links = references::emit(&cx);
     quote! {
-        #construction
+        #constructor
         #methods
         #state
         #inputs
         #workspace
-        #references
+        #ide_links
     }
 }
 
-impl Plan<'_> {
+impl EmitContext<'_> {
     /// The variable of the length of an implicit step.
     fn step(&self) -> &Ident {
         &self.unknowns[self.compiled.unknowns.of(Argument::Step).start]

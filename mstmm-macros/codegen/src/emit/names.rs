@@ -5,8 +5,8 @@ use crate::program::{ValueId, ValueNames};
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
-/// Names of the generated types.
-pub struct Names {
+/// TypeNames of the generated types.
+pub struct TypeNames {
     /// The chain's own.
     pub chain: Ident,
     /// Coordinates, rates, time.
@@ -19,11 +19,11 @@ pub struct Names {
     pub workspace: Ident,
 }
 
-impl Names {
+impl TypeNames {
     /// The names of `chain`.
     pub fn of(chain: &Chain) -> Self {
         let named = |suffix: &str| format_ident!("{}{suffix}", chain.name);
-        Names {
+        TypeNames {
             chain: chain.name.clone(),
             state: named("State"),
             inputs: named("Inputs"),

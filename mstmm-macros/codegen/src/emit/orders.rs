@@ -1,41 +1,41 @@
 //! What the generated docs state of the order of coordinates, rates and connection points.
 
-use super::Plan;
+use super::EmitContext;
 use crate::program::ArrayLayout;
 use std::ops::Range;
 
 /// The order of the coordinates and rates, with the place of every hinge.
-pub fn of_state(plan: &Plan) -> Vec<String> {
+pub fn of_state(cx: &EmitContext) -> Vec<String> {
     let mut lines: Vec<String> = vec![
         " The hinges lie one after the other in the order of the route. A body that floats comes"
             .into(),
         " first; a hinge whose motion is prescribed has no place.".into(),
     ];
-    if !plan.chain.repeats.is_empty() {
+    if !cx.chain.repeats.is_empty() {
         lines.extend([
             " A repeated part lies repetition by repetition: all its hinges in the order of the route".into(),
             " for the first repetition, then all of them for the second, and so on.".into(),
         ]);
     }
-    let (q, v) = (plan.coordinates(), plan.rates());
-    let rows: Vec<String> = plan
+    let (q, v) = (cx.coordinates(), cx.rates());
+    let rows: Vec<String> = cx
         .chain
         .hinges
         .ids()
         .into_iter()
         .filter_map(|hinge| {
-            let name = &plan.chain.hinges[hinge].name;
-            let repeat = plan.chain.repeat_of_hinge(hinge);
+            let name = &cx.chain.hinges[hinge].name;
+            let repeat = cx.chain.repeat_of_hinge(hinge);
             let times = repeat.map_or(String::new(), |repeat| {
-                format!(", repetition k of {}", plan.chain.repeats[repeat].count)
+                format!(", repetition k of {}", cx.chain.repeats[repeat].count)
             });
-            let [in_q, in_v] = [(&q, &plan.layout.q[hinge]), (&v, &plan.layout.v[hinge])]
-                .map(|(spread, range)| places(spread, range));
+            let [in_q, in_v] = [(&q, &cx.layout.q[hinge]), (&v, &cx.layout.v[hinge])]
+                .map(|(layout, range)| places(layout, range));
             Some(format!(" | `{name}`{times} | {} | {} |", in_q?, in_v?))
         })
         .collect();
     if !rows.is_empty() {
-        let k = if plan.chain.repeats.is_empty() { "" } else { ", with k from zero" };
+        let k = if cx.chain.repeats.is_empty() { "" } else { ", with k from zero" };
         lines.push(String::new());
         lines.push(format!(" | of | places in `q`{k} | places in `v` |"));
         lines.push(" |---|---|---|".into());
@@ -45,15 +45,15 @@ pub fn of_state(plan: &Plan) -> Vec<String> {
 }
 
 /// The places of a hinge's numbers in an array.
-fn places(spread: &ArrayLayout, range: &Range<usize>) -> Option<String> {
+fn places(layout: &ArrayLayout, range: &Range<usize>) -> Option<String> {
     if range.is_empty() {
         return None;
     }
-    let piece = spread.segment_of(range.start);
-    let first = piece.place + range.start - piece.first;
+    let segment = layout.segment_of(range.start);
+    let first = segment.offset + range.start - segment.first;
     let last = first + range.len() - 1;
     let places = if first == last { first.to_string() } else { format!("{first} to {last}") };
-    Some(match (piece.repeat, piece.count) {
+    Some(match (segment.repeat, segment.count) {
         (None, _) => places,
         (Some(_), 1) => format!("{places} (+ k)"),
         (Some(_), stride) => format!("{places} (+ {stride} k)"),
@@ -61,12 +61,12 @@ fn places(spread: &ArrayLayout, range: &Range<usize>) -> Option<String> {
 }
 
 /// The order of the connection points.
-pub fn of_points(plan: &Plan) -> Vec<String> {
+pub fn of_points(cx: &EmitContext) -> Vec<String> {
     let mut lines = vec![
         " All connection points in the order of the route: the input of the first element, then the".into(),
         " output of every element, which is the input of the next one.".into(),
     ];
-    if !plan.chain.repeats.is_empty() {
+    if !cx.chain.repeats.is_empty() {
         lines.extend([
             " Those of a repeated part come repetition by repetition: the outputs of all its elements".into(),
             " for the first repetition, then those for the second, and so on.".into(),

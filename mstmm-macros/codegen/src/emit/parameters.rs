@@ -1,6 +1,6 @@
 //! Parameters: the type that holds their values, and their setters.
 
-use super::Plan;
+use super::EmitContext;
 use super::arrays::usize_literal;
 use super::closure;
 use super::docs;
@@ -12,15 +12,15 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// `struct ChainParameters<T>`.
-pub fn type_of_all(plan: &Plan) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let (name, visibility) = (&plan.names.parameters, &plan.surface.visibility);
-    let doc = format!(" Numbers of [`{}`] that may change at run time.", plan.names.chain);
-    let fields = plan.chain.parameters.iter().map(|parameter| {
+pub fn type_of_all(cx: &EmitContext) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let (name, visibility) = (&cx.names.parameters, &cx.surface.visibility);
+    let doc = format!(" Numbers of [`{}`] that may change at run time.", cx.names.chain);
+    let fields = cx.chain.parameters.iter().map(|parameter| {
         let (name, ty) = (&parameter.name, type_of(parameter));
         quote!(#name: #ty)
     });
-    let getters = plan.chain.parameters.iter().map(|parameter| {
+    let getters = cx.chain.parameters.iter().map(|parameter| {
         let (name, doc) = (&parameter.name, docs::parameter(parameter));
         let ty = type_of(parameter);
         let (ty, value) = match parameter.times {
@@ -36,12 +36,12 @@ pub fn type_of_all(plan: &Plan) -> TokenStream {
         }
     });
     // Found anew when parameters are set, and kept with them.
-    let steps = closure::directions(plan).map(|count| {
-        let (field, count) = (closure::steps(plan), usize_literal(count));
+    let steps = closure::directions(cx).map(|count| {
+        let (field, count) = (closure::steps(cx), usize_literal(count));
         quote!(#field: [T; #count],)
     });
     // A struct without fields would not use `T`.
-    let is_empty = plan.chain.parameters.is_empty() && steps.is_none();
+    let is_empty = cx.chain.parameters.is_empty() && steps.is_none();
     let marker = is_empty.then(|| quote!(none: ::core::marker::PhantomData<T>));
     quote! {
         #[doc = #doc]
@@ -68,34 +68,37 @@ fn type_of(parameter: &Parameter) -> TokenStream {
 }
 
 /// How the numbers lie that are checked when a parameter is set.
-pub fn checked(plan: &Plan) -> ArrayLayout {
-    layouts::of(plan.chain, plan.compiled.checks.iter().map(|check| (1, check.part)))
+pub fn checked(cx: &EmitContext) -> ArrayLayout {
+    layouts::of(cx.chain, cx.compiled.checks.iter().map(|check| (1, check.part)))
 }
 
 /// `set_x`: takes effect only if the chain stays a physical one.
-pub fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let (name, visibility) = (&parameter.name, &plan.surface.visibility);
+pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let (name, visibility) = (&parameter.name, &cx.surface.visibility);
     let set = format_ident!("set_{name}", span = name.span());
     let text = name.to_string();
     let doc = format!(" Sets {}", docs::parameter(parameter).trim_start());
-    let rules = checked(plan).segments.into_iter().map(|piece| {
-        let rules = plan.compiled.checks[piece.first..piece.first + piece.count].iter();
+    let rules = checked(cx).segments.into_iter().map(|segment| {
+        let rules = cx.compiled.checks[segment.first..segment.first + segment.count].iter();
         let rules = rules.map(|check| {
             let (positive, reason) = (check.must == Must::BePositive, &check.reason);
             quote!((#positive, #reason))
         });
-        if piece.repetitions == 1 && piece.place == 0 && piece.count == plan.compiled.checks.len() {
+        if segment.repetitions == 1
+            && segment.offset == 0
+            && segment.count == cx.compiled.checks.len()
+        {
             return quote!(#mstmm::generated::check_numbers(#text, &checks_, &[#(#rules),*])?;);
         }
-        let slices = plan.slices(&quote!(checks_), &piece);
+        let slices = cx.slices(&quote!(checks_), &segment);
         quote! {
             for numbers_ in #slices {
                 #mstmm::generated::check_numbers(#text, numbers_, &[#(#rules),*])?;
             }
         }
     });
-    let derived = sealed::arrays(plan, &quote!(chain_));
+    let derived = sealed::arrays(cx, &quote!(chain_));
     let (arguments, change, values) = match parameter.times {
         None => (quote!(value_: T), quote!(parameters_.#name = value_;), quote!(&[value_])),
         Some(_) => (
@@ -115,10 +118,10 @@ pub fn setter(plan: &Plan, parameter: &Parameter) -> TokenStream {
             #[doc = #doc]
         }
     });
-    let index = plan.chain.parameters.iter().position(|other| other.name == *name);
-    let is_used = index.is_some_and(|index| plan.chain.closure_uses(index));
-    let chain = closure::found(plan, is_used, quote!(chain_));
-    let cost = (is_used && closure::directions(plan).is_some()).then(|| {
+    let index = cx.chain.parameters.iter().position(|other| other.name == *name);
+    let is_used = index.is_some_and(|index| cx.chain.closure_uses(index));
+    let chain = closure::found(cx, is_used, quote!(chain_));
+    let cost = (is_used && closure::directions(cx).is_some()).then(|| {
         quote! {
             ///
             /// It finds the rank of the closure again, in up to four poses that are assembled around

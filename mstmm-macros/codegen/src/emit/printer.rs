@@ -1,10 +1,12 @@
 //! What is known of a procedure while it is printed: its variables, where its results go, and how its
 //! sections are written.
 
-use super::Plan;
+use super::EmitContext;
 use super::names::{Variables, helper};
 use super::statement::Writer;
-use crate::program::{Array, ArrayId, CheckId, Failure, Operand, Place, Procedure, Section, Step};
+use crate::program::{
+    Array, ArrayId, ArraySlice, CheckId, Failure, Operand, Procedure, Section, Step,
+};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
@@ -25,7 +27,7 @@ pub enum Destination {
 
 /// A procedure that is being printed.
 pub struct Printer<'a> {
-    pub plan: &'a Plan<'a>,
+    pub cx: &'a EmitContext<'a>,
     pub procedure: &'a Procedure,
     /// What its values are.
     pub variables: Variables,
@@ -43,7 +45,7 @@ impl Printer<'_> {
     /// Steps in their order: sections under their headings, each of the others as `other` prints it.
     pub fn steps(&self, steps: &[Step], other: impl Fn(&Step) -> TokenStream) -> TokenStream {
         let sections: Vec<&Section> = steps.iter().filter_map(computed).collect();
-        let mut writer = Writer::new(self.plan, &self.variables);
+        let mut writer = Writer::new(self.cx, &self.variables);
         let mut headings = writer.headings(&sections);
         let (mut number, mut declared, mut stored) = (0, 0, false);
         for step in steps {
@@ -54,7 +56,7 @@ impl Printer<'_> {
             };
             if std::mem::take(&mut stored) {
                 // LLVM puts writes off, to make vectors of neighbours, unless it is told that it may not.
-                let mstmm = &self.plan.mstmm;
+                let mstmm = &self.cx.mstmm;
                 writer.add(quote!(#mstmm::generated::written();));
             }
             if self.flat && number == declared {
@@ -72,13 +74,13 @@ impl Printer<'_> {
 
     /// An operand.
     pub fn operand(&self, operand: &Operand) -> TokenStream {
-        let mut writer = Writer::new(self.plan, &self.variables);
+        let mut writer = Writer::new(self.cx, &self.variables);
         writer.operand(operand);
         writer.finish()
     }
 
     /// The array of a place.
-    pub fn array(&self, place: &Place) -> &Array {
+    pub fn array(&self, place: &ArraySlice) -> &Array {
         &self.procedure.arrays[place.array]
     }
 
@@ -95,7 +97,7 @@ impl Printer<'_> {
         }
     }
 
-    /// An array of results that is filled piece by piece, to be borrowed.
+    /// An array of results that is filled segment by segment, to be borrowed.
     pub fn filled(&self, array: ArrayId) -> TokenStream {
         let name = self.result(array);
         match self.destination(array) {
@@ -116,7 +118,7 @@ impl Printer<'_> {
         }
     }
 
-    /// Whether a result lies in an array that is filled piece by piece: because it has numbers of repeated parts, or
+    /// Whether a result lies in an array that is filled segment by segment: because it has numbers of repeated parts, or
     /// because it is kept back until loops have been tested.
     pub fn is_filled(&self, array: ArrayId) -> bool {
         let is_array = match self.destination(array) {

@@ -3,9 +3,9 @@
 use super::arrays::usize_literal;
 use super::names::{Variables, helper};
 use super::printer::{Destination, Printer};
-use super::{Plan, checks, loads, loops};
+use super::{EmitContext, arguments, checks, loops};
 use crate::program::{
-    Array, ArrayId, ArrayRole, Failure, Operand, OutputId, Place, Procedure, Step,
+    Array, ArrayId, ArrayRole, ArraySlice, Failure, Operand, OutputId, Procedure, Step,
 };
 use proc_macro2::{Delimiter, Group, Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -17,7 +17,7 @@ use quote::{ToTokens, format_ident, quote};
 /// thousands of them overflow its stack.
 const NESTED_SCOPES: usize = 1000;
 
-impl Plan<'_> {
+impl EmitContext<'_> {
     /// All statements of a procedure, whose results go where `destination` says.
     pub fn procedure(
         &self,
@@ -32,7 +32,7 @@ impl Plan<'_> {
         let reset = quote!(#mstmm::generated::take_back(at_, || self.workspace()););
         let statements = procedure.sections().map(|section| section.statements.len());
         let printer = Printer {
-            plan: self,
+            cx: self,
             procedure,
             variables: Variables::of(&procedure.values),
             destinations: procedure.arrays.iter().map(of_array).collect(),
@@ -65,7 +65,7 @@ impl Printer<'_> {
     fn step(&self, step: &Step) -> TokenStream {
         match step {
             Step::CheckGiven(arrays) => checks::given(self, arrays),
-            Step::Load { from, into } => loads::once(self, from, into),
+            Step::Load { from, into } => arguments::once(self, from, into),
             Step::Store { to, values } => self.store(to, values),
             Step::Loop(one) => loops::one(self, one),
             Step::Finish(finish) => checks::finish(self, finish),
@@ -122,11 +122,11 @@ impl Printer<'_> {
     }
 
     /// Whether all numbers of an array are written at once.
-    fn is_whole(&self, to: &Place, values: &[Option<Operand>]) -> bool {
+    fn is_whole(&self, to: &ArraySlice, values: &[Option<Operand>]) -> bool {
         values.len() == self.array(to).layout.total
     }
 
-    fn store(&self, to: &Place, values: &[Option<Operand>]) -> TokenStream {
+    fn store(&self, to: &ArraySlice, values: &[Option<Operand>]) -> TokenStream {
         if self.is_filled(to.array) {
             return loops::fill(self, to, values);
         }
@@ -150,7 +150,7 @@ impl Printer<'_> {
             }
             Destination::New(name) => quote!(let #name = [#(#operands),*];),
             Destination::Closure => {
-                let mstmm = &self.plan.mstmm;
+                let mstmm = &self.cx.mstmm;
                 let wrenches = operands.chunks(6).map(|wrench| quote!([#(#wrench),*]));
                 quote!(at_.closure = #mstmm::generated::closure([#(#wrenches),*]);)
             }
@@ -188,7 +188,7 @@ fn stores_into(step: &Step, array: ArrayId) -> bool {
 }
 
 /// The variable of an entry that is written alone; several arrays may have some.
-fn entry(to: &Place) -> Ident {
+fn entry(to: &ArraySlice) -> Ident {
     helper(&format!("n{}_{}", to.array.index(), to.first))
 }
 

@@ -1,6 +1,6 @@
 //! The checks of quaternions where a state or a prescribed motion comes from outside.
 
-use super::Plan;
+use super::EmitContext;
 use super::arrays::usize_literal;
 use crate::model::{Driven, Form, Hinge, HingeId, HingeKind, Input};
 use crate::program::{ArrayLayout, Segment};
@@ -14,30 +14,30 @@ fn quaternion_of(kind: &HingeKind) -> Option<usize> {
 }
 
 /// The hinges whose quaternion is in the state, each with its place in the model.
-fn in_state(plan: &Plan) -> Vec<(HingeId, usize)> {
-    let hinges = plan.chain.hinges.enumerate();
+fn in_state(cx: &EmitContext) -> Vec<(HingeId, usize)> {
+    let hinges = cx.chain.hinges.enumerate();
     let free = hinges.filter(|(_, hinge)| !hinge.is_prescribed());
     let place =
-        |index: HingeId, kind| quaternion_of(kind).map(|first| plan.layout.q[index].start + first);
+        |index: HingeId, kind| quaternion_of(kind).map(|first| cx.layout.q[index].start + first);
     free.filter_map(|(index, hinge)| Some((index, place(index, &hinge.kind)?))).collect()
 }
 
 /// The prescribed motions with a quaternion.
-fn in_inputs<'a>(plan: &'a Plan) -> impl Iterator<Item = &'a Input> {
-    plan.layout.inputs.iter().filter(|input| match input.what {
-        Driven::Motion(hinge) => quaternion_of(&plan.chain.hinges[hinge].kind).is_some(),
+fn in_inputs<'a>(cx: &'a EmitContext) -> impl Iterator<Item = &'a Input> {
+    cx.layout.inputs.iter().filter(|input| match input.what {
+        Driven::Motion(hinge) => quaternion_of(&cx.chain.hinges[hinge].kind).is_some(),
         _ => false,
     })
 }
 
 /// The methods `check_state` and `check_inputs` of the trait `Chain`, where there are quaternions.
-pub fn checks(plan: &Plan) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let (state, inputs) = (&plan.names.state, &plan.names.inputs);
+pub fn checks(cx: &EmitContext) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let (state, inputs) = (&cx.names.state, &cx.names.inputs);
     let mut methods = TokenStream::new();
-    let spread = plan.coordinates();
+    let layout = cx.coordinates();
     let table: Vec<TokenStream> =
-        in_state(plan).into_iter().map(|entry| row(plan, &spread, entry)).collect();
+        in_state(cx).into_iter().map(|entry| row(cx, &layout, entry)).collect();
     if !table.is_empty() {
         methods.extend(quote! {
             #[inline]
@@ -49,7 +49,7 @@ pub fn checks(plan: &Plan) -> TokenStream {
             }
         });
     }
-    let motions: Vec<TokenStream> = in_inputs(plan).map(|input| motion(plan, input)).collect();
+    let motions: Vec<TokenStream> = in_inputs(cx).map(|input| motion(cx, input)).collect();
     if !motions.is_empty() {
         methods.extend(quote! {
             #[inline]
@@ -66,10 +66,10 @@ pub fn checks(plan: &Plan) -> TokenStream {
 }
 
 /// The row of a hinge in the table of quaternions.
-fn row(plan: &Plan, spread: &ArrayLayout, (index, place): (HingeId, usize)) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let hinge = plan.chain.hinges[index].name.to_string();
-    let &Segment { first, count, place: start, repetitions: times, .. } = spread.segment_of(place);
+fn row(cx: &EmitContext, layout: &ArrayLayout, (index, place): (HingeId, usize)) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let hinge = cx.chain.hinges[index].name.to_string();
+    let &Segment { first, count, offset: start, repetitions: times, .. } = layout.segment_of(place);
     let [first, stride, count] = [start + place - first, count, times].map(usize_literal);
     quote! {
         #mstmm::generated::QuaternionsOf {
@@ -82,12 +82,12 @@ fn row(plan: &Plan, spread: &ArrayLayout, (index, place): (HingeId, usize)) -> T
 }
 
 /// Statements that check a prescribed motion.
-fn motion(plan: &Plan, input: &Input) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let name = plan.chain.name_of_input(input.what);
+fn motion(cx: &EmitContext, input: &Input) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let name = cx.chain.name_of_input(input.what);
     let hinge = name.to_string();
     let check = |motion: TokenStream| quote!(#mstmm::generated::check_quaternion(#hinge, #motion.state.quaternion())?;);
-    if plan.chain.repeat_of_input(input.what).is_some() {
+    if cx.chain.repeat_of_input(input.what).is_some() {
         let one = check(quote!(motion_));
         return quote! {
             for motion_ in &inputs_.#name {
@@ -105,21 +105,21 @@ pub fn named(hinge: &Hinge) -> Option<TokenStream> {
 }
 
 /// Statements that check the state and the inputs of a function.
-pub fn checked(plan: &Plan) -> TokenStream {
-    let mstmm = &plan.mstmm;
+pub fn checked(cx: &EmitContext) -> TokenStream {
+    let mstmm = &cx.mstmm;
     let mut statements = TokenStream::new();
-    if !in_state(plan).is_empty() {
+    if !in_state(cx).is_empty() {
         statements.extend(quote!(#mstmm::Chain::check_state(self, state_)?;));
     }
-    if in_inputs(plan).next().is_some() {
+    if in_inputs(cx).next().is_some() {
         statements.extend(quote!(#mstmm::Chain::check_inputs(self, inputs_)?;));
     }
     statements
 }
 
 /// The documentation of the error of such a function, where there are quaternions.
-pub fn error(plan: &Plan) -> Vec<String> {
-    if checked(plan).is_empty() {
+pub fn error(cx: &EmitContext) -> Vec<String> {
+    if checked(cx).is_empty() {
         return Vec::new();
     }
     let text = " `Error::Quaternion` if the length of a quaternion is not between 0.9 and 1.1.";
@@ -127,8 +127,8 @@ pub fn error(plan: &Plan) -> Vec<String> {
 }
 
 /// What the fast path makes of quaternions whose length is not one.
-pub fn near_one(plan: &Plan) -> Vec<String> {
-    if checked(plan).is_empty() {
+pub fn near_one(cx: &EmitContext) -> Vec<String> {
+    if checked(cx).is_empty() {
         return Vec::new();
     }
     let lines = [

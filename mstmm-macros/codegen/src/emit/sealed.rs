@@ -3,7 +3,7 @@
 //! Private fields of generated types are in reach of all code in the module of the macro call. Both are
 //! therefore inside a type of the runtime. Only generated code replaces that value.
 
-use super::Plan;
+use super::EmitContext;
 use super::arrays::usize_literal;
 use crate::model::RepeatId;
 use crate::program::ArrayLayout;
@@ -16,11 +16,11 @@ pub fn field() -> Ident {
 }
 
 /// The type of the field: parameters, and an array, in pairs with those of repeated parts.
-pub fn type_of(plan: &Plan) -> TokenStream {
-    let (mstmm, parameters) = (&plan.mstmm, &plan.names.parameters);
-    let slots = Literal::usize_unsuffixed(plan.slots(None).total);
-    let parts = parts(plan).into_iter().map(|(_, spread)| {
-        let total = usize_literal(spread.total);
+pub fn type_of(cx: &EmitContext) -> TokenStream {
+    let (mstmm, parameters) = (&cx.mstmm, &cx.names.parameters);
+    let slots = Literal::usize_unsuffixed(cx.slots(None).total);
+    let parts = parts(cx).into_iter().map(|(_, layout)| {
+        let total = usize_literal(layout.total);
         quote!([T; #total])
     });
     let derived = paired(quote!([T; #slots]), parts);
@@ -33,31 +33,30 @@ pub fn paired(once: TokenStream, parts: impl Iterator<Item = TokenStream>) -> To
 }
 
 /// Repeated parts of which something is known since setup, and how it lies in its array.
-pub fn parts(plan: &Plan) -> Vec<(RepeatId, ArrayLayout)> {
-    let part = |part: RepeatId| {
-        Some((part, plan.slots(Some(part)))).filter(|(_, layout)| layout.total > 0)
-    };
-    plan.chain.repeats.ids().into_iter().filter_map(part).collect()
+pub fn parts(cx: &EmitContext) -> Vec<(RepeatId, ArrayLayout)> {
+    let part =
+        |part: RepeatId| Some((part, cx.slots(Some(part)))).filter(|(_, layout)| layout.total > 0);
+    cx.chain.repeats.ids().into_iter().filter_map(part).collect()
 }
 
 /// All arrays of a chain.
-pub fn arrays(plan: &Plan, owner: &TokenStream) -> Vec<TokenStream> {
-    (0..=parts(plan).len()).map(|number| array(plan, owner, number)).collect()
+pub fn arrays(cx: &EmitContext, owner: &TokenStream) -> Vec<TokenStream> {
+    (0..=parts(cx).len()).map(|number| array(cx, owner, number)).collect()
 }
 
 /// The array of what is known since setup and is there once.
-pub fn once(plan: &Plan, owner: &TokenStream) -> TokenStream {
-    array(plan, owner, 0)
+pub fn once(cx: &EmitContext, owner: &TokenStream) -> TokenStream {
+    array(cx, owner, 0)
 }
 
 /// The array of a repeated part that has one.
-pub fn of_part(plan: &Plan, owner: &TokenStream, part: RepeatId) -> TokenStream {
-    let before = parts(plan).iter().filter(|(other, _)| *other < part).count();
-    array(plan, owner, 1 + before)
+pub fn of_part(cx: &EmitContext, owner: &TokenStream, part: RepeatId) -> TokenStream {
+    let before = parts(cx).iter().filter(|(other, _)| *other < part).count();
+    array(cx, owner, 1 + before)
 }
 
-fn array(plan: &Plan, owner: &TokenStream, number: usize) -> TokenStream {
-    let (field, parts) = (field(), parts(plan).len());
+fn array(cx: &EmitContext, owner: &TokenStream, number: usize) -> TokenStream {
+    let (field, parts) = (field(), parts(cx).len());
     if parts == 0 {
         return quote!(*#owner.#field.derived());
     }

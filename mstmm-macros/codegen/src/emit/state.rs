@@ -2,22 +2,22 @@
 
 use super::arrays::usize_literal;
 use super::names::{accessor_mut, helper};
-use super::{Plan, orders, quaternions, repeated};
+use super::{EmitContext, indexed_access, orders, quaternions};
 use crate::model::{Element, Group, HingeId};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
 
 /// `struct ChainState<T>`.
-pub fn emit(plan: &Plan) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let (name, visibility) = (&plan.names.state, &plan.surface.visibility);
-    let doc = format!(" Coordinates and rates of [`{}`] at a time.", plan.names.chain);
-    let coordinates = usize_literal(plan.coordinates().total);
-    let freedoms = usize_literal(plan.rates().total);
-    let accessors = plan.chain.hinges.ids().into_iter().map(|index| accessors(plan, index));
-    let rest = rest(plan);
-    let order = orders::of_state(plan);
+pub fn emit(cx: &EmitContext) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let (name, visibility) = (&cx.names.state, &cx.surface.visibility);
+    let doc = format!(" Coordinates and rates of [`{}`] at a time.", cx.names.chain);
+    let coordinates = usize_literal(cx.coordinates().total);
+    let freedoms = usize_literal(cx.rates().total);
+    let accessors = cx.chain.hinges.ids().into_iter().map(|index| accessors(cx, index));
+    let rest = rest(cx);
+    let order = orders::of_state(cx);
     quote! {
         #[doc = #doc]
         ///
@@ -80,19 +80,19 @@ pub fn emit(plan: &Plan) -> TokenStream {
 }
 
 /// All coordinates with every hinge in its zero position.
-fn rest(plan: &Plan) -> TokenStream {
-    let free = plan.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
+fn rest(cx: &EmitContext) -> TokenStream {
+    let free = cx.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
     let coordinates = free.flat_map(|hinge| hinge.kind.shape().coordinates);
     let rest: Vec<TokenStream> =
         coordinates.map(|c| if c.rest == 1.0 { quote!(one_) } else { quote!(zero_) }).collect();
-    let spread = plan.coordinates();
-    if plan.chain.repeats.is_empty() {
+    let layout = cx.coordinates();
+    if cx.chain.repeats.is_empty() {
         return quote!([#(#rest),*]);
     }
-    let total = usize_literal(spread.total);
-    let fill = spread.segments.iter().map(|piece| {
-        let own = &rest[piece.first..piece.first + piece.count];
-        let slices = plan.slices_mut(&quote!(rest_), piece);
+    let total = usize_literal(layout.total);
+    let fill = layout.segments.iter().map(|segment| {
+        let own = &rest[segment.first..segment.first + segment.count];
+        let slices = cx.slices_mut(&quote!(rest_), segment);
         quote! {
             for part_ in #slices {
                 *part_ = [#(#own),*];
@@ -107,18 +107,18 @@ fn rest(plan: &Plan) -> TokenStream {
 }
 
 /// The views of one hinge's coordinates, for reading and for writing.
-fn accessors(plan: &Plan, index: HingeId) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let hinge = &plan.chain.hinges[index];
+fn accessors(cx: &EmitContext, index: HingeId) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let hinge = &cx.chain.hinges[index];
     if hinge.is_prescribed() {
         return TokenStream::new();
     }
     let (name, name_mut) = (&hinge.name, accessor_mut(&hinge.name));
     let Some(view) = &hinge.kind.shape().view else { return TokenStream::new() };
-    if let Some(repeat) = plan.chain.repeat_of_hinge(index) {
-        return repeated::state_accessors(plan, index, plan.chain.repeats[repeat].count);
+    if let Some(repeat) = cx.chain.repeat_of_hinge(index) {
+        return indexed_access::state_accessors(cx, index, cx.chain.repeats[repeat].count);
     }
-    let (q, v) = (&plan.layout.q[index], &plan.layout.v[index]);
+    let (q, v) = (&cx.layout.q[index], &cx.layout.v[index]);
     let arguments = view.groups.iter().map(|group| {
         let (is_q, range) = match group {
             Group::Coordinates(range) => (true, q.start + range.start..q.start + range.end),
@@ -129,13 +129,13 @@ fn accessors(plan: &Plan, index: HingeId) -> TokenStream {
     });
     let arguments = quote!(#(#arguments),*);
     let (view, view_mut) = (format_ident!("{}", view.name), format_ident!("{}Mut", view.name));
-    let visibility = &plan.surface.visibility;
-    let on_route = plan.chain.route.contains(&Element::Hinge(index));
+    let visibility = &cx.surface.visibility;
+    let on_route = cx.chain.route.contains(&Element::Hinge(index));
     let kind = if on_route { "hinge" } else { "body" };
     let doc = format!(" Coordinates and rates of {kind} `{name}`.");
     let doc_mut = format!(" Coordinates and rates of {kind} `{name}`, to be changed.");
-    if !plan.chain.repeats.is_empty() {
-        return repeated::single_accessors(plan, index, (&doc, &doc_mut));
+    if !cx.chain.repeats.is_empty() {
+        return indexed_access::single_accessors(cx, index, (&doc, &doc_mut));
     }
     let (from_q, from_v) = (pattern((true, q)), pattern((false, v)));
     let named = quaternions::named(hinge);

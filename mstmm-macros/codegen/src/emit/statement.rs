@@ -3,9 +3,9 @@
 //! There are thousands of them, and `quote!` makes a stream of every part of each. In a macro that is
 //! as many calls of rustc; here a stream is made of a whole program, and of what stands in brackets.
 
-use super::Plan;
+use super::EmitContext;
 use super::names::{Variables, helper};
-use crate::program::{Headed, Operand, Operation, Section, Statement, ValueId, by_heading};
+use crate::program::{Operand, Operation, Section, SectionCost, Statement, ValueId, by_heading};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
 /// So many names are declared at once where they are declared before they are computed.
@@ -13,15 +13,15 @@ const DECLARED: usize = 500;
 
 /// Tokens that are being written.
 pub struct Writer<'a> {
-    plan: &'a Plan<'a>,
+    cx: &'a EmitContext<'a>,
     variables: &'a Variables,
     tokens: Vec<TokenTree>,
 }
 
 impl<'a> Writer<'a> {
     /// Nothing yet, of a program with these variables.
-    pub fn new(plan: &'a Plan<'a>, variables: &'a Variables) -> Self {
-        Writer { plan, variables, tokens: Vec::new() }
+    pub fn new(cx: &'a EmitContext<'a>, variables: &'a Variables) -> Self {
+        Writer { cx, variables, tokens: Vec::new() }
     }
 
     /// Adds what is written already.
@@ -35,12 +35,12 @@ impl<'a> Writer<'a> {
     }
 
     /// The headings of sections with their operations, each once.
-    pub fn headings<'s>(&self, sections: &[&'s Section]) -> Vec<Headed<'s>> {
+    pub fn headings<'s>(&self, sections: &[&'s Section]) -> Vec<SectionCost<'s>> {
         by_heading(sections.iter().copied())
     }
 
     /// The heading of a section: in full where it comes first.
-    pub fn heading_of(&mut self, section: &Section, headings: &mut Vec<Headed>) {
+    pub fn heading_of(&mut self, section: &Section, headings: &mut Vec<SectionCost>) {
         if !self.heading(section, headings) {
             self.documentation(&format!(" {}.", section.title));
         }
@@ -64,7 +64,7 @@ impl<'a> Writer<'a> {
         &mut self,
         sections: &[&Section],
         first: usize,
-        headings: &mut Vec<Headed>,
+        headings: &mut Vec<SectionCost>,
     ) -> usize {
         let (mut next, mut count) = (first, 0);
         while next < sections.len() && count < DECLARED {
@@ -85,10 +85,10 @@ impl<'a> Writer<'a> {
     }
 
     /// The heading of a section in full, if it is still among `headings`.
-    fn heading(&mut self, section: &Section, headings: &mut Vec<Headed>) -> bool {
-        let same = |headed: &Headed| (headed.title, headed.source) == section.heading();
+    fn heading(&mut self, section: &Section, headings: &mut Vec<SectionCost>) -> bool {
+        let same = |headed: &SectionCost| (headed.title, headed.source) == section.heading();
         let Some(first) = headings.iter().position(same) else { return false };
-        let Headed { title, source, cost } = headings.remove(first);
+        let SectionCost { title, source, cost } = headings.remove(first);
         let source = if source.is_empty() { String::new() } else { format!(", {source}") };
         self.documentation(&format!(" {title}{source}: {cost}."));
         true
@@ -158,7 +158,7 @@ impl<'a> Writer<'a> {
 
     /// A function that the crate keeps for generated code.
     pub fn generated(&mut self, function: &str) {
-        self.tokens.extend(self.plan.mstmm.clone());
+        self.tokens.extend(self.cx.mstmm.clone());
         self.step_into("generated");
         self.step_into(function);
     }
@@ -233,7 +233,7 @@ impl<'a> Writer<'a> {
 
     /// What stands in brackets.
     pub fn group(&mut self, delimiter: Delimiter, write: impl FnOnce(&mut Self)) {
-        let mut inner = Writer::new(self.plan, self.variables);
+        let mut inner = Writer::new(self.cx, self.variables);
         write(&mut inner);
         self.tokens.push(Group::new(delimiter, inner.finish()).into());
     }

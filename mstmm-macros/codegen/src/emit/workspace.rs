@@ -1,8 +1,8 @@
 //! Where results are written, with named access to every element's connection points.
 
 use super::arrays::usize_literal;
-use super::places::point_type;
-use super::{Plan, body, docs, orders, places, repeated, solution};
+use super::point_access::point_type;
+use super::{EmitContext, body, docs, indexed_access, initial_values, orders, point_access};
 use crate::compile::outputs;
 use crate::model::{BodyId, Element, Hinge, HingeId};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -10,50 +10,50 @@ use quote::{format_ident, quote};
 use std::ops::Range;
 
 /// `struct ChainWorkspace<T>` and how to get one.
-pub fn emit(plan: &Plan) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let (name, chain) = (&plan.names.workspace, &plan.names.chain);
-    let visibility = &plan.surface.visibility;
-    let doc = format!(" Results of [`{chain}::solve_into`]: {}.", docs::results(plan));
-    let freedoms = usize_literal(plan.rates().total);
-    let point_count = usize_literal(plan.points().total);
-    let number_count = usize_literal(plan.numbers_of_points().total);
-    let shifts = usize_literal(plan.chain.dimension.shifts().len());
-    let places = places::emit(plan);
-    let (all_points, order) = (places::all(plan), orders::of_points(plan));
+pub fn emit(cx: &EmitContext) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let (name, chain) = (&cx.names.workspace, &cx.names.chain);
+    let visibility = &cx.surface.visibility;
+    let doc = format!(" Results of [`{chain}::solve_into`]: {}.", docs::results(cx));
+    let freedoms = usize_literal(cx.rates().total);
+    let point_count = usize_literal(cx.points().total);
+    let number_count = usize_literal(cx.numbers_of_points().total);
+    let shifts = usize_literal(cx.chain.dimension.shifts().len());
+    let places = point_access::emit(cx);
+    let (all_points, order) = (point_access::all(cx), orders::of_points(cx));
     let [numbers_at_first, at_rest_at_first] =
-        [outputs::POINT_NUMBERS, outputs::AT_REST].map(|id| solution::at_first(plan, id));
-    let rates = usize_literal(plan.all_rates().total);
-    let point = point_type(plan);
-    let if_prescribed = |tokens: TokenStream| plan.chain.has_prescribed_hinges().then_some(tokens);
+        [outputs::POINT_NUMBERS, outputs::AT_REST].map(|id| initial_values::at_first(cx, id));
+    let rates = usize_literal(cx.all_rates().total);
+    let point = point_type(cx);
+    let if_prescribed = |tokens: TokenStream| cx.chain.has_prescribed_hinges().then_some(tokens);
     let all_rates_field =
         if_prescribed(quote!(rate_accelerations: #mstmm::nalgebra::SVector<T, #rates>,));
     let all_rates_zero =
         if_prescribed(quote!(rate_accelerations: #mstmm::generated::vector([zero_; #rates]),));
     let all_rates_shown =
         if_prescribed(quote!(.field("rate_accelerations", &self.rate_accelerations)));
-    let Energies {
+    let EnergyItems {
         fields: energy_fields,
         zero: energies_zero,
         methods: energy_methods,
         shown: energies_shown,
-    } = energies(plan);
-    let closure = closure(plan);
-    let Closure {
+    } = energies(cx);
+    let closure = closure(cx);
+    let ClosureItems {
         field: closure_field,
         zero: closure_zero,
         method: closure_method,
         shown: closure_shown,
     } = closure;
-    let (text, body_types) = (name.to_string(), body::types(plan));
-    let elements = plan.chain.route.iter().enumerate().map(|(place, element)| match *element {
-        Element::Body(index) => match plan.chain.times(*element) {
-            _ if plan.chain.repeat_of_body(index).is_none() => self::body(plan, index, place),
-            count => repeated::body(plan, (index, place), count),
+    let (text, body_types) = (name.to_string(), body::types(cx));
+    let elements = cx.chain.route.iter().enumerate().map(|(place, element)| match *element {
+        Element::Body(index) => match cx.chain.times(*element) {
+            _ if cx.chain.repeat_of_body(index).is_none() => self::body(cx, index, place),
+            count => indexed_access::body(cx, (index, place), count),
         },
-        Element::Hinge(index) => match plan.chain.times(*element) {
-            _ if plan.chain.repeat_of_hinge(index).is_none() => hinge(plan, index, place),
-            count => repeated::hinge(plan, (index, place), count),
+        Element::Hinge(index) => match cx.chain.times(*element) {
+            _ if cx.chain.repeat_of_hinge(index).is_none() => hinge(cx, index, place),
+            count => indexed_access::hinge(cx, (index, place), count),
         },
     });
     quote! {
@@ -125,7 +125,7 @@ pub fn emit(plan: &Plan) -> TokenStream {
     }
 }
 
-impl Plan<'_> {
+impl EmitContext<'_> {
     /// Where a workspace has the accelerations of all rates: apart only where some are prescribed.
     pub fn rate_accelerations(&self) -> Ident {
         let apart = self.chain.has_prescribed_hinges();
@@ -135,21 +135,21 @@ impl Plan<'_> {
 
 /// What the workspace has of energies.
 #[derive(Default)]
-struct Energies {
+struct EnergyItems {
     fields: TokenStream,
     zero: TokenStream,
     methods: TokenStream,
     shown: TokenStream,
 }
 
-fn energies(plan: &Plan) -> Energies {
-    if !plan.chain.results.energies {
-        return Energies::default();
+fn energies(cx: &EmitContext) -> EnergyItems {
+    if !cx.chain.results.energies {
+        return EnergyItems::default();
     }
-    let visibility = &plan.surface.visibility;
+    let visibility = &cx.surface.visibility;
     let [kinetic, potential] =
-        [0, 1].map(|entry| solution::number_at_first(plan, outputs::ENERGIES, entry));
-    Energies {
+        [0, 1].map(|entry| initial_values::number_at_first(cx, outputs::ENERGIES, entry));
+    EnergyItems {
         fields: quote! {
             kinetic_energy: T,
             potential_energy: T,
@@ -180,21 +180,21 @@ fn energies(plan: &Plan) -> Energies {
 }
 
 /// What the workspace of a closed chain has besides.
-struct Closure {
+struct ClosureItems {
     field: TokenStream,
     zero: TokenStream,
     method: TokenStream,
     shown: TokenStream,
 }
 
-fn closure(plan: &Plan) -> Closure {
-    let mstmm = &plan.mstmm;
-    let Some(held) = solution::count(plan, outputs::UNDETERMINED).map(|count| count / 6) else {
+fn closure(cx: &EmitContext) -> ClosureItems {
+    let mstmm = &cx.mstmm;
+    let Some(held) = initial_values::count(cx, outputs::UNDETERMINED).map(|count| count / 6) else {
         let [field, zero, method, shown] = [(); 4].map(|()| TokenStream::new());
-        return Closure { field, zero, method, shown };
+        return ClosureItems { field, zero, method, shown };
     };
-    let (held, visibility) = (Literal::usize_unsuffixed(held), &plan.surface.visibility);
-    Closure {
+    let (held, visibility) = (Literal::usize_unsuffixed(held), &cx.surface.visibility);
+    ClosureItems {
         field: quote!(closure: #mstmm::Closure<T, #held>,),
         zero: quote!(closure: ::core::default::Default::default(),),
         shown: quote!(.field("closure", &self.closure)),
@@ -209,13 +209,13 @@ fn closure(plan: &Plan) -> Closure {
     }
 }
 
-fn body(plan: &Plan, index: BodyId, place: usize) -> TokenStream {
-    let (body, visibility) = (&plan.chain.bodies[index], &plan.surface.visibility);
+fn body(cx: &EmitContext, index: BodyId, place: usize) -> TokenStream {
+    let (body, visibility) = (&cx.chain.bodies[index], &cx.surface.visibility);
     let name = &body.name;
     let doc = format!(" Results at body `{name}`: {}.", body::contents(body));
-    let (first, _) = repeated::points_of(plan, place);
-    let (ends, ty) = (ends(plan, place), body::type_of(plan, body));
-    let result = body::result(plan, (index, place), &usize_literal(first));
+    let (first, _) = indexed_access::points_of(cx, place);
+    let (ends, ty) = (ends(cx, place), body::type_of(cx, body));
+    let result = body::result(cx, (index, place), &usize_literal(first));
     quote! {
         #[doc = #doc]
         #[inline]
@@ -226,20 +226,20 @@ fn body(plan: &Plan, index: BodyId, place: usize) -> TokenStream {
     }
 }
 
-fn hinge(plan: &Plan, index: HingeId, place: usize) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let Hinge { name, kind, .. } = &plan.chain.hinges[index];
-    let visibility = &plan.surface.visibility;
-    let range = &plan.layout.rates[index];
-    let ty = plan.numbers_type(kind.freedoms());
+fn hinge(cx: &EmitContext, index: HingeId, place: usize) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let Hinge { name, kind, .. } = &cx.chain.hinges[index];
+    let visibility = &cx.surface.visibility;
+    let range = &cx.layout.rates[index];
+    let ty = cx.numbers_type(kind.freedoms());
     let of = |field: &Ident| match range.len() {
         0 => quote!(()),
-        1 => scalar(plan, range, field),
-        _ => vector(plan, range, field),
+        1 => scalar(cx, range, field),
+        _ => vector(cx, range, field),
     };
-    let (acceleration, effort) = (of(&plan.rate_accelerations()), of(&format_ident!("efforts")));
+    let (acceleration, effort) = (of(&cx.rate_accelerations()), of(&format_ident!("efforts")));
     let doc = format!(" Acceleration, effort, input and output of hinge `{name}`.");
-    let (ends, point) = (ends(plan, place), point_type(plan));
+    let (ends, point) = (ends(cx, place), point_type(cx));
     quote! {
         #[doc = #doc]
         #[inline]
@@ -251,32 +251,32 @@ fn hinge(plan: &Plan, index: HingeId, place: usize) -> TokenStream {
 }
 
 /// Binds `input` and `output` of the element at `place` on the route.
-fn ends(plan: &Plan, place: usize) -> TokenStream {
-    let (first, _) = repeated::points_of(plan, place);
+fn ends(cx: &EmitContext, place: usize) -> TokenStream {
+    let (first, _) = indexed_access::points_of(cx, place);
     let [input, output] = [first, first + 1].map(usize_literal);
     quote!(let (input_, output_) = (self.point_(#input), self.point_(#output));)
 }
 
-fn scalar(plan: &Plan, range: &Range<usize>, field: &Ident) -> TokenStream {
-    let numbers = numbers(plan, range, field);
+fn scalar(cx: &EmitContext, range: &Range<usize>, field: &Ident) -> TokenStream {
+    let numbers = numbers(cx, range, field);
     quote!({
         let [value_] = #numbers;
         value_
     })
 }
 
-fn vector(plan: &Plan, range: &Range<usize>, field: &Ident) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let numbers = numbers(plan, range, field);
+fn vector(cx: &EmitContext, range: &Range<usize>, field: &Ident) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let numbers = numbers(cx, range, field);
     quote!(#mstmm::generated::vector(#numbers))
 }
 
 /// Some of the numbers of all rates.
-fn numbers(plan: &Plan, range: &Range<usize>, field: &Ident) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let spread = plan.all_rates();
-    let piece = spread.segment_of(range.start);
-    let place = piece.place + range.start - piece.first;
+fn numbers(cx: &EmitContext, range: &Range<usize>, field: &Ident) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let layout = cx.all_rates();
+    let segment = layout.segment_of(range.start);
+    let place = segment.offset + range.start - segment.first;
     let [count, place] = [range.len(), place].map(usize_literal);
     quote!(#mstmm::generated::piece::<_, #count, #place>(&self.#field))
 }

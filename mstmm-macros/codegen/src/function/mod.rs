@@ -22,18 +22,18 @@ pub struct Function<'g> {
     /// When it is computed. What is known earlier is read from a slot.
     pub stage: Stage,
     /// Headings with the values that they name, in the order of the equations.
-    pub sections: Vec<Section>,
+    pub headings: Vec<Heading>,
     /// Loops over repeated parts, in the order in which they run.
     pub loops: Vec<Loop>,
     /// What it returns.
     pub outputs: Vec<Output>,
     /// Numbers that it divides by and that may vanish.
-    pub pivots: Vec<Pivot>,
+    pub pivots: Vec<NamedPivot>,
 }
 
 /// Named values under a heading.
 #[derive(Clone, Debug)]
-pub struct Section {
+pub struct Heading {
     /// What names within it begin with.
     pub prefix: String,
     /// What is computed.
@@ -84,7 +84,7 @@ pub struct Output {
 
 /// A number that is divided by and that may vanish.
 #[derive(Clone, Debug)]
-pub struct Pivot {
+pub struct NamedPivot {
     /// Name of the hinge that it belongs to.
     pub hinge: String,
     /// The number.
@@ -129,10 +129,10 @@ impl Function<'_> {
             Some(image) => image,
             None => bug!("a root of a function has no image"),
         };
-        for section in &mut self.sections {
-            let values = std::mem::take(&mut section.values);
+        for heading in &mut self.headings {
+            let values = std::mem::take(&mut heading.values);
             let moved = values.into_iter().filter_map(|(name, edge)| Some((name, image(edge)?)));
-            section.values = moved.collect();
+            heading.values = moved.collect();
         }
         for carry in self.loops.iter_mut().flat_map(|one| &mut one.carries) {
             (carry.init, carry.next) = (root(carry.init), root(carry.next));

@@ -1,12 +1,12 @@
 //! What a node becomes: a statement, a name, or nothing.
 
 use super::Region;
-use super::linearize::Scheduler;
+use super::linearize::Linearizer;
 use crate::expr::{Edge, Node, NodeId};
 use crate::ids::RepeatId;
 use crate::program::{Operand, Operation, Slot, Statement, ValueId};
 
-impl Scheduler<'_> {
+impl Linearizer<'_> {
     /// States a node.
     pub(super) fn compute(&mut self, id: NodeId) {
         if self.is_slot(id) {
@@ -28,7 +28,7 @@ impl Scheduler<'_> {
             Node::RecipAbove(a, b) => Operation::RecipAbove(self.operand(a), self.operand(b)),
         };
         let name = self.name(id);
-        self.state(Statement::Let(name, operation));
+        self.push(Statement::Let(name, operation));
     }
 
     /// Names an unknown by its own name. What loops carry has a name already, and loops list what they read
@@ -132,7 +132,7 @@ impl Scheduler<'_> {
             }
             operands.push(self.operand(Edge::to(angle)));
         }
-        self.state(Statement::SinCos { sines, cosines, angles: operands });
+        self.push(Statement::SinCos { sines, cosines, angles: operands });
     }
 
     fn name(&mut self, id: NodeId) -> ValueId {

@@ -72,7 +72,7 @@ mod tests {
             graph,
             unknowns: &unknowns,
             stage: Stage::State,
-            sections: Vec::new(),
+            headings: Vec::new(),
             loops: loops.to_vec(),
             outputs: Vec::new(),
             pivots: Vec::new(),

@@ -2,38 +2,38 @@
 //! the equations wrote it down.
 
 use super::angles::{Angles, angles};
-use super::names::NodeNames;
+use super::node_values::NodeValues;
 use super::owners::Owners;
 use super::select_fma::fused;
-use super::{Live, Region, Regions, Setup};
+use super::{Live, Region, Regions, SetupSlots};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
-use crate::function::{Function, Pivot, Section as Heading};
+use crate::function::{Function, Heading, NamedPivot};
 use crate::program::{Block, Program, Section, Slot, Statement, ValueId, ValueNames};
 use std::collections::{HashMap, HashSet};
 
 /// Orders what a function needs. A function of stage [`Stage::State`] reads what is known since setup from
 /// `setup`'s slots; a function of stage [`Stage::Setup`] computes it.
-pub fn linearize(function: &Function, setup: &mut Setup) -> Program {
+pub fn linearize(function: &Function, setup: &mut SetupSlots) -> Program {
     let live = Live::of(function.graph, function.roots());
     let regions = Regions::of(function, &live);
-    let mut scheduler = Scheduler::new(function, (live, &regions), setup);
-    scheduler.name_carries();
-    for (name, edge) in function.sections.iter().flat_map(|section| &section.values) {
-        scheduler.christen(name, *edge);
+    let mut linearizer = Linearizer::new(function, (live, &regions), setup);
+    linearizer.name_carries();
+    for (name, edge) in function.headings.iter().flat_map(|heading| &heading.values) {
+        linearizer.name_node(name, *edge);
     }
     for done in 0..=regions.loops.len() {
-        scheduler.once(done);
+        linearizer.linearize_straight(done);
         if done < regions.loops.len() {
-            scheduler.one_loop(done);
+            linearizer.linearize_loop(done);
         }
     }
-    scheduler.finish()
+    linearizer.finish()
 }
 
-pub(super) struct Scheduler<'a> {
+pub(super) struct Linearizer<'a> {
     pub(super) function: &'a Function<'a>,
     pub(super) graph: &'a Graph,
-    pub(super) setup: &'a mut Setup,
+    pub(super) setup: &'a mut SetupSlots,
     pub(super) live: Live,
     pub(super) regions: &'a Regions,
     /// Angles by how many sines and cosines deep they lie, and by where they are computed.
@@ -42,7 +42,7 @@ pub(super) struct Scheduler<'a> {
     /// Products that are computed with their sums.
     pub(super) fused: Vec<bool>,
     /// Which values nodes are.
-    pub(super) names: NodeNames,
+    pub(super) names: NodeValues,
     /// Slots of repeated parts, which their loops read.
     pub(super) slots: HashMap<NodeId, Slot>,
     /// The blocks of the loops that are done.
@@ -63,16 +63,16 @@ pub(super) struct Scheduler<'a> {
     pub(super) temporaries: usize,
 }
 
-impl<'a> Scheduler<'a> {
+impl<'a> Linearizer<'a> {
     fn new(
         function: &'a Function<'a>,
         (live, regions): (Live, &'a Regions),
-        setup: &'a mut Setup,
+        setup: &'a mut SetupSlots,
     ) -> Self {
         let graph = function.graph;
         let (angles, depths) = angles(graph, &live, regions, function.stage);
         let fused = fused(graph, &live, regions, function.stage);
-        Scheduler {
+        Linearizer {
             function,
             graph,
             setup,
@@ -81,7 +81,7 @@ impl<'a> Scheduler<'a> {
             angles,
             depths,
             fused,
-            names: NodeNames::new(graph.len()),
+            names: NodeValues::new(graph.len()),
             blocks: HashMap::new(),
             slots: HashMap::new(),
             taken: function.unknowns.iter().map(|unknown| unknown.name.clone()).collect(),
@@ -105,7 +105,7 @@ impl<'a> Scheduler<'a> {
     }
 
     /// Gives a node its first name.
-    fn christen(&mut self, name: &str, edge: Edge) {
+    fn name_node(&mut self, name: &str, edge: Edge) {
         let node = edge.node();
         let computed = !matches!(self.graph.node(node), Node::Number(_) | Node::Symbol(_));
         if computed && self.live.has(node) && self.names.get(node).is_none() {
@@ -168,8 +168,8 @@ impl<'a> Scheduler<'a> {
 
     /// States what belongs to `region`, each value under the first heading that needs it; then what no heading
     /// needs in the same repetition.
-    pub(super) fn state_all(&mut self, region: Region, rest: Vec<NodeId>) {
-        let headings = &self.function.sections;
+    pub(super) fn linearize_region(&mut self, region: Region, rest: Vec<NodeId>) {
+        let headings = &self.function.headings;
         let mut early = vec![Vec::new(); headings.len()];
         for &node in &rest {
             if let Some(number) = self.owners.own(node) {
@@ -216,14 +216,14 @@ impl<'a> Scheduler<'a> {
     }
 
     /// What is computed once, when so many loops are done.
-    fn once(&mut self, done: usize) {
+    fn linearize_straight(&mut self, done: usize) {
         // Without loops only the results are needed; what loops read may be anywhere.
         let rest: Vec<NodeId> = if self.regions.loops.is_empty() {
             self.function.ends().map(|edge| edge.node()).collect()
         } else {
             self.live.nodes().to_vec()
         };
-        self.state_all(Region::Once(done), rest);
+        self.linearize_region(Region::Once(done), rest);
         let sections = self.take_sections();
         if !sections.is_empty() {
             self.program.blocks.push(Block::Once(sections));
@@ -251,7 +251,7 @@ impl<'a> Scheduler<'a> {
         self.sections.get(self.current).map_or("result", |section| &section.prefix)
     }
 
-    pub(super) fn state(&mut self, statement: Statement) {
+    pub(super) fn push(&mut self, statement: Statement) {
         match self.sections.get_mut(self.current) {
             Some(section) => section.statements.push(statement),
             None => bug!("a statement belongs to no section"),
@@ -310,11 +310,13 @@ impl<'a> Scheduler<'a> {
             Region::Once(_) => Some(self.operand(edge)),
         };
         let results = function.results().map(result).collect();
-        let pivot =
-            |pivot: &Pivot| match self.regions.together(pivot.value.node(), pivot.scale.node()) {
-                Region::Loop(_) => None,
-                Region::Once(_) => Some((self.operand(pivot.value), self.operand(pivot.scale))),
-            };
+        let pivot = |pivot: &NamedPivot| match self
+            .regions
+            .together(pivot.value.node(), pivot.scale.node())
+        {
+            Region::Loop(_) => None,
+            Region::Once(_) => Some((self.operand(pivot.value), self.operand(pivot.scale))),
+        };
         let pivots = function.pivots.iter().map(pivot).collect();
         self.program.unknowns.sort_unstable();
         (self.program.results, self.program.pivots) = (results, pivots);

@@ -2,16 +2,16 @@
 //! what it leaves.
 
 use super::Region;
-use super::linearize::Scheduler;
+use super::linearize::Linearizer;
 use crate::expr::{Edge, NodeId};
 use crate::function;
-use crate::program::{Block, Carried, Loop, ValueId};
+use crate::program::{Block, CarriedValue, LoopBlock, ValueId};
 
-impl<'a> Scheduler<'a> {
+impl<'a> Linearizer<'a> {
     /// A loop.
-    pub(super) fn one_loop(&mut self, number: usize) {
+    pub(super) fn linearize_loop(&mut self, number: usize) {
         let region = Region::Loop(number);
-        self.state_all(region, self.live.nodes().to_vec());
+        self.linearize_region(region, self.live.nodes().to_vec());
         let one = &self.regions.loops[number];
         let own = |edge: &Edge| self.regions.region(edge.node()) == region;
         let results: Vec<(usize, Edge)> =
@@ -41,7 +41,7 @@ impl<'a> Scheduler<'a> {
             }
         }
         unknowns.sort_unstable();
-        let carries = one.carries.iter().map(|carry| Carried {
+        let carries = one.carries.iter().map(|carry| CarriedValue {
             exit: self.carried(carry.exit),
             phi: self.carried(carry.phi),
             init: self.operand(carry.init),
@@ -56,7 +56,7 @@ impl<'a> Scheduler<'a> {
         let pivots = pivots.collect();
         let (repeat, inward, stores) = (one.repeat, one.inward, Vec::new());
         self.blocks.insert(number, self.program.blocks.len());
-        self.program.blocks.push(Block::Loop(Loop {
+        self.program.blocks.push(Block::Loop(LoopBlock {
             repeat,
             inward,
             carries,
@@ -71,8 +71,8 @@ impl<'a> Scheduler<'a> {
     }
 
     /// The pivots that can be tested in a region, by number.
-    fn pivots_in(&self, region: Region) -> Vec<(usize, &'a function::Pivot)> {
-        let is_there = |pivot: &function::Pivot| {
+    fn pivots_in(&self, region: Region) -> Vec<(usize, &'a function::NamedPivot)> {
+        let is_there = |pivot: &function::NamedPivot| {
             self.regions.together(pivot.value.node(), pivot.scale.node()) == region
         };
         self.function.pivots.iter().enumerate().filter(|(_, pivot)| is_there(pivot)).collect()
@@ -83,7 +83,7 @@ impl<'a> Scheduler<'a> {
         &self,
         region: Region,
         one: &function::Loop,
-        pivots: &[(usize, &function::Pivot)],
+        pivots: &[(usize, &function::NamedPivot)],
     ) -> Vec<NodeId> {
         let own = self.live.nodes().iter().filter(|&&node| self.regions.region(node) == region);
         let mut read: Vec<NodeId> = Vec::new();

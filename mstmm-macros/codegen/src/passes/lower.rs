@@ -1,12 +1,12 @@
 //! From a program to a procedure: what it reads first, what it tests, and where its results go.
 
-use super::Setup;
+use super::SetupSlots;
 use crate::function::{Function, Output};
 use crate::ids::{IdVec, RepeatId};
 use crate::program::{
-    Argument, Array, ArrayId, ArrayLayout, ArrayRole, At, Block, CheckId, Failure, Finish, ForLoop,
-    Loop, Operand, OutputId, Pivot, PivotTest, Place, Procedure, Program, Segment, Shown, Slot,
-    Step, ValueId, Witness,
+    Argument, Array, ArrayId, ArrayLayout, ArrayRole, ArraySlice, Block, CheckId, Failure, Finish,
+    Finiteness, ForLoop, LoopBlock, Operand, OutputId, PivotTest, PivotValue, Procedure, Program,
+    Repetition, Segment, Slot, Step, ValueId, Witness,
 };
 
 /// What is tested of a function.
@@ -24,7 +24,7 @@ pub fn lower(
     program: Program,
     function: &Function,
     checks: Option<Checks>,
-    setup: &Setup,
+    setup: &SetupSlots,
 ) -> Procedure {
     let mut lowering = Lowering {
         program: &program,
@@ -37,7 +37,7 @@ pub fn lower(
     };
     lowering.number_checks();
     let mut body = Vec::new();
-    let shown = checks.map(|checks| program.shown(function.numbers_of(checks.finite)));
+    let shown = checks.map(|checks| program.finiteness(function.numbers_of(checks.finite)));
     if let Some(shown) = &shown {
         body.extend(lowering.check_given(shown));
     }
@@ -69,7 +69,7 @@ struct Lowering<'a> {
     /// Whether it has loops.
     looped: bool,
     function: &'a Function<'a>,
-    setup: &'a Setup,
+    setup: &'a SetupSlots,
     arrays: IdVec<ArrayId, Array>,
     /// The tests of pivots in loops, by pivot.
     checks: Vec<Option<CheckId>>,
@@ -142,14 +142,16 @@ impl Lowering<'_> {
         part: Option<RepeatId>,
         values: &[(usize, ValueId)],
     ) -> Vec<Step> {
-        let at = if part.is_some() { At::Repetition } else { At::Once };
-        let load =
-            |(segment, into)| Step::Load { from: Place { array, segment, first: 0, at }, into };
+        let repetition = if part.is_some() { Repetition::Current } else { Repetition::Only };
+        let load = |(segment, into)| Step::Load {
+            from: ArraySlice { array, segment, first: 0, repetition },
+            into,
+        };
         by_segment(&self.arrays[array].layout, values).map(load).collect()
     }
 
     /// A loop, and the array for what it leaves to others.
-    fn one_loop(&mut self, block: usize, one: &Loop) -> ForLoop {
+    fn one_loop(&mut self, block: usize, one: &LoopBlock) -> ForLoop {
         let repetitions = self.function.unknowns.repetitions(one.repeat);
         let mut body = self.loads(Some(one.repeat), &one.unknowns, &one.slots);
         for (from, values) in &one.loads {
@@ -180,11 +182,11 @@ impl Lowering<'_> {
     }
 
     /// Where a loop leaves its values of a repetition.
-    fn local(&mut self, block: usize, one: &Loop) -> Place {
+    fn local(&mut self, block: usize, one: &LoopBlock) -> ArraySlice {
         let repetitions = self.function.unknowns.repetitions(one.repeat);
         let layout = || ArrayLayout::each(one.stores.len(), one.repeat, repetitions);
         let array = self.array(ArrayRole::Local(block), layout);
-        Place { array, segment: 0, first: 0, at: At::Repetition }
+        ArraySlice { array, segment: 0, first: 0, repetition: Repetition::Current }
     }
 
     fn result(&mut self, output: &Output) -> ArrayId {
@@ -192,7 +194,7 @@ impl Lowering<'_> {
     }
 
     /// What a loop writes of an output.
-    fn store_of_loop(&mut self, output: &Output, one: &Loop) -> Vec<Step> {
+    fn store_of_loop(&mut self, output: &Output, one: &LoopBlock) -> Vec<Step> {
         let numbers = self.function.numbers_of(output.id);
         let own = one.results.iter().filter(|(number, _)| numbers.contains(number));
         let values: Vec<(usize, Operand)> =
@@ -202,7 +204,7 @@ impl Lowering<'_> {
         }
         let array = self.result(output);
         let store = |(segment, values)| Step::Store {
-            to: Place { array, segment, first: 0, at: At::Repetition },
+            to: ArraySlice { array, segment, first: 0, repetition: Repetition::Current },
             values,
         };
         by_segment(&output.layout, &values).map(store).collect()
@@ -217,9 +219,10 @@ impl Lowering<'_> {
             let by_entry = output.by_entry && failure == Some(Failure::Reset) && !self.looped;
             for (number, segment) in output.layout.segments.iter().enumerate() {
                 let own = &results[segment.entries()];
-                let at = if segment.repeat.is_some() { At::Every } else { At::Once };
+                let repetition =
+                    if segment.repeat.is_some() { Repetition::All } else { Repetition::Only };
                 let kept = by_entry && segment.repeat.is_none();
-                let place = |first: usize| Place { array, segment: number, first, at };
+                let place = |first: usize| ArraySlice { array, segment: number, first, repetition };
                 if !kept {
                     if own.iter().any(Option::is_some) {
                         steps.push(Step::Store { to: place(0), values: own.to_vec() });
@@ -229,7 +232,7 @@ impl Lowering<'_> {
                 for (first, value) in own.iter().enumerate() {
                     match value {
                         Some(Operand::Number(known)) => {
-                            self.arrays[array].initial.push((segment.place + first, *known));
+                            self.arrays[array].initial.push((segment.offset + first, *known));
                         }
                         Some(_) => {
                             let values = vec![value.clone()];
@@ -252,7 +255,7 @@ impl Lowering<'_> {
 
     /// Tests the inputs that results do not show; coordinates and rates as well, where there are loops or
     /// repeated parts.
-    fn check_given(&mut self, shown: &Shown) -> Option<Step> {
+    fn check_given(&mut self, shown: &Finiteness) -> Option<Step> {
         let unknowns = self.function.unknowns;
         let arguments: Vec<Argument> = unknowns.arguments().map(|(argument, _)| argument).collect();
         let is_meant = |argument: &Argument| match argument {
@@ -272,7 +275,7 @@ impl Lowering<'_> {
 
     /// The test whether there are results. Of what is given it looks at what results do not show, and of results
     /// at those that no other shows.
-    fn finish(&mut self, checks: Checks, shown: &Shown) -> Step {
+    fn finish(&mut self, checks: Checks, shown: &Finiteness) -> Step {
         let mut finite = vec![Witness::Entry(self.argument(Argument::Time), 0)];
         if self.looped {
             let role = ArrayRole::Result(checks.finite);
@@ -297,8 +300,8 @@ impl Lowering<'_> {
         }
         let pivots = self.function.pivots.iter().enumerate().map(|(number, pivot)| {
             let found = match (&self.program.pivots[number], self.checks[number]) {
-                (Some((value, scale)), _) => Pivot::Once(value.clone(), scale.clone()),
-                (None, Some(check)) => Pivot::Repeated(check),
+                (Some((value, scale)), _) => PivotValue::Once(value.clone(), scale.clone()),
+                (None, Some(check)) => PivotValue::Repeated(check),
                 (None, None) => bug!("a pivot is not tested"),
             };
             PivotTest { hinge: pivot.hinge.clone(), pivot: found }

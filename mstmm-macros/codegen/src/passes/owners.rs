@@ -28,7 +28,7 @@ impl Owners {
         }
         let [own, any] = [&HashMap::new(), &handed_on].map(|handed_on| {
             let mut owners = vec![None; graph.len()];
-            for (number, heading) in function.sections.iter().enumerate() {
+            for (number, heading) in function.headings.iter().enumerate() {
                 let mut open: Vec<NodeId> =
                     heading.values.iter().map(|(_, edge)| edge.node()).collect();
                 while let Some(id) = open.pop() {

@@ -41,7 +41,7 @@ struct Reassociation<'g> {
 }
 
 /// A term of a sum.
-struct Term<'g> {
+struct TimedTerm<'g> {
     value: Expr<'g>,
     due: Due,
 }
@@ -56,7 +56,7 @@ struct Due {
 
 impl<'g> Reassociation<'g> {
     /// A term of a sum in `region`, and the factors that it is computed from for this sum alone.
-    fn term(&self, edge: Edge, factors: Option<[Edge; 2]>, region: Region) -> Term<'g> {
+    fn term(&self, edge: Edge, factors: Option<[Edge; 2]>, region: Region) -> TimedTerm<'g> {
         let value = self.images.expr(self.graph, edge);
         let ready_at = |edge: Edge| match self.images.expr(self.graph, edge) {
             Expr::Formula(_, image) => self.ready_times.at(region, image.node()),
@@ -66,12 +66,12 @@ impl<'g> Reassociation<'g> {
             Some([a, b]) => ready_at(a).max(ready_at(b)),
             None => ready_at(edge),
         };
-        Term { value, due: Due { ready, is_product: factors.is_some() } }
+        TimedTerm { value, due: Due { ready, is_product: factors.is_some() } }
     }
 }
 
 /// The sum of terms, those that are ready earlier first.
-fn in_order(mut terms: Vec<Term>) -> Expr {
+fn in_order(mut terms: Vec<TimedTerm>) -> Expr {
     terms.sort_by_key(|term| term.due);
     let values = terms.into_iter().map(|term| term.value);
     values.reduce(|sum, value| sum + value).unwrap_or_else(Expr::zero)
@@ -85,7 +85,7 @@ mod tests {
     #[test]
     fn terms_that_are_ready_first_come_first_and_products_after_others() {
         let graph = Graph::default();
-        let term = |number: u32, ready, is_product| Term {
+        let term = |number: u32, ready, is_product| TimedTerm {
             value: graph.symbol(number, Stage::State),
             due: Due { ready, is_product },
         };

@@ -21,7 +21,7 @@ pub struct Regions {
     /// there results go that no other loop has.
     pub loops: Vec<Loop>,
     /// What the nodes depend on; none where there is no loop.
-    needs: Vec<Needs>,
+    needs: Vec<Dependence>,
 }
 
 impl Regions {
@@ -37,15 +37,15 @@ impl Regions {
             return Regions { loops, needs: Vec::new() };
         }
         let graph = function.graph;
-        let carried = Carried::of(&loops, function.unknowns.count());
-        let mut needs = vec![Needs::NOTHING; graph.len()];
+        let carried = CarriedUnknowns::of(&loops, function.unknowns.count());
+        let mut needs = vec![Dependence::NOTHING; graph.len()];
         for &id in live.nodes() {
             needs[id as usize] = match graph.symbol_number(id) {
                 Some(number) => match function.unknowns.get(number) {
-                    Some(unknown) => Needs { repeat: unknown.repeat, earliest: 0 },
+                    Some(unknown) => Dependence { repeat: unknown.repeat, earliest: 0 },
                     None => carried.needs(number),
                 },
-                None => graph.node(id).operands().fold(Needs::NOTHING, |needed, operand| {
+                None => graph.node(id).operands().fold(Dependence::NOTHING, |needed, operand| {
                     needed.and(needs[operand.node() as usize])
                 }),
             };
@@ -64,11 +64,11 @@ impl Regions {
     }
 
     /// What a node depends on: nothing, where there are no loops or the node was added later.
-    fn needs(&self, node: NodeId) -> Needs {
-        self.needs.get(node as usize).copied().unwrap_or(Needs::NOTHING)
+    fn needs(&self, node: NodeId) -> Dependence {
+        self.needs.get(node as usize).copied().unwrap_or(Dependence::NOTHING)
     }
 
-    fn first_for(&self, needs: Needs) -> Region {
+    fn first_for(&self, needs: Dependence) -> Region {
         let Some(repeat) = needs.repeat else { return Region::Once(needs.earliest) };
         let mut later = self.loops.iter().enumerate().skip(needs.earliest);
         match later.find(|(_, one)| one.repeat == repeat) {
@@ -80,45 +80,46 @@ impl Regions {
 
 /// What a value depends on.
 #[derive(Clone, Copy, Debug)]
-struct Needs {
+struct Dependence {
     /// Of which part it depends on a single repetition.
     repeat: Option<RepeatId>,
     /// The loops that come before the first region in which it can be computed.
     earliest: usize,
 }
 
-impl Needs {
-    const NOTHING: Needs = Needs { repeat: None, earliest: 0 };
+impl Dependence {
+    const NOTHING: Dependence = Dependence { repeat: None, earliest: 0 };
 
-    fn and(self, other: Needs) -> Needs {
+    fn and(self, other: Dependence) -> Dependence {
         let earliest = self.earliest.max(other.earliest);
-        Needs { repeat: self.repeat.or(other.repeat), earliest }
+        Dependence { repeat: self.repeat.or(other.repeat), earliest }
     }
 }
 
 /// The unknowns that loops carry, by their numbers beyond the others.
-struct Carried {
+struct CarriedUnknowns {
     first: usize,
-    all: Vec<Needs>,
+    all: Vec<Dependence>,
 }
 
-impl Carried {
+impl CarriedUnknowns {
     fn of(loops: &[Loop], first: usize) -> Self {
         let last = loops.iter().flat_map(|one| &one.carries).map(|carry| carry.exit as usize).max();
-        let mut all = vec![Needs::NOTHING; last.map_or(0, |last| last + 1 - first)];
+        let mut all = vec![Dependence::NOTHING; last.map_or(0, |last| last + 1 - first)];
         for (number, one) in loops.iter().enumerate() {
             for carry in &one.carries {
                 all[carry.phi as usize - first] =
-                    Needs { repeat: Some(one.repeat), earliest: number };
-                all[carry.exit as usize - first] = Needs { repeat: None, earliest: number + 1 };
+                    Dependence { repeat: Some(one.repeat), earliest: number };
+                all[carry.exit as usize - first] =
+                    Dependence { repeat: None, earliest: number + 1 };
             }
         }
-        Carried { first, all }
+        CarriedUnknowns { first, all }
     }
 
     /// What an unknown depends on; one that no loop carries any more is not needed.
-    fn needs(&self, number: u32) -> Needs {
-        self.all.get(number as usize - self.first).copied().unwrap_or(Needs::NOTHING)
+    fn needs(&self, number: u32) -> Dependence {
+        self.all.get(number as usize - self.first).copied().unwrap_or(Dependence::NOTHING)
     }
 }
 

@@ -7,28 +7,28 @@ use std::collections::HashMap;
 /// The values that all programs of a chain share because they are known since setup: those that
 /// stand once, and those of every time of a repeated part.
 #[derive(Clone, Debug, Default)]
-pub struct Setup {
-    once: Slots,
-    parts: HashMap<RepeatId, Slots>,
+pub struct SetupSlots {
+    once: SlotTable,
+    parts: HashMap<RepeatId, SlotTable>,
     /// How many slots without a name each section has, by its prefix.
     unnamed: HashMap<String, usize>,
 }
 
 #[derive(Clone, Debug, Default)]
-struct Slots {
+struct SlotTable {
     nodes: Vec<NodeId>,
     names: Vec<String>,
     index: HashMap<NodeId, usize>,
 }
 
-impl Setup {
+impl SetupSlots {
     /// The values in the order of their slots; `part` is the repeated part whose values are meant.
     pub fn values(&self, part: Option<RepeatId>) -> Vec<(&str, Edge)> {
         let slots = match part {
             None => Some(&self.once),
             Some(part) => self.parts.get(&part),
         };
-        let Some(Slots { nodes, names, .. }) = slots else { return Vec::new() };
+        let Some(SlotTable { nodes, names, .. }) = slots else { return Vec::new() };
         let edges = nodes.iter().map(|&node| Edge::to(node));
         names.iter().map(String::as_str).zip(edges).collect()
     }
@@ -51,7 +51,7 @@ impl Setup {
             None => &mut self.once,
             Some(part) => self.parts.entry(part).or_default(),
         };
-        let Slots { nodes, names, index } = slots;
+        let SlotTable { nodes, names, index } = slots;
         let slot = *index.entry(node).or_insert_with(|| {
             nodes.push(node);
             names.push(name.unwrap_or_else(|| {

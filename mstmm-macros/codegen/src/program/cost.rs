@@ -78,7 +78,7 @@ impl Section {
 
 /// All operations under a heading.
 #[derive(Clone, Copy, Debug)]
-pub struct Headed<'a> {
+pub struct SectionCost<'a> {
     /// What is computed.
     pub title: &'a str,
     /// Where the equations are from.
@@ -88,13 +88,13 @@ pub struct Headed<'a> {
 }
 
 /// The operations of sections by their headings, in the order in which those come first.
-pub fn by_heading<'a>(sections: impl IntoIterator<Item = &'a Section>) -> Vec<Headed<'a>> {
-    let mut all: Vec<Headed> = Vec::new();
+pub fn by_heading<'a>(sections: impl IntoIterator<Item = &'a Section>) -> Vec<SectionCost<'a>> {
+    let mut all: Vec<SectionCost> = Vec::new();
     for section in sections {
         let (title, source, cost) = (&section.title[..], &section.source[..], section.cost());
         match all.iter_mut().find(|other| other.title == title && other.source == source) {
             Some(other) => other.cost = other.cost + cost,
-            None => all.push(Headed { title, source, cost }),
+            None => all.push(SectionCost { title, source, cost }),
         }
     }
     all

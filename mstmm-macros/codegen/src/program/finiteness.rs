@@ -6,7 +6,7 @@ use std::ops::Range;
 
 /// What need not be looked at, and what has to be, to find whether anything is infinite or undefined.
 #[derive(Debug, Default)]
-pub struct Shown<'a> {
+pub struct Finiteness<'a> {
     /// Unknowns that leave a result infinite or undefined whenever they are so themselves. Those of a repeated
     /// part do so in results of the same repetition.
     pub unknowns: HashSet<u32>,
@@ -25,7 +25,7 @@ enum Status<'a> {
     /// It is this result, and no other shows it so far.
     Result(&'a Operand),
     /// A result shows it.
-    Shown,
+    Covered,
 }
 
 impl Program {
@@ -34,10 +34,10 @@ impl Program {
     /// Sums, products, roots, sines and cosines hand on what is not finite (IEEE 754: 0 · ∞ and ∞ − ∞ are
     /// undefined, and so is what is computed from that). Not so reciprocals, for 1/∞ is zero, angles of
     /// points, and signs. What loops carry is not followed: it may end with the last repetition.
-    pub fn shown(&self, numbers: Range<usize>) -> Shown<'_> {
+    pub fn finiteness(&self, numbers: Range<usize>) -> Finiteness<'_> {
         let results: Vec<&Operand> = self.results[numbers.clone()].iter().flatten().collect();
         let values = vec![Status::Other; self.names.count()];
-        let mut shown = Shown { values, ..Shown::default() };
+        let mut shown = Finiteness { values, ..Finiteness::default() };
         for result in &results {
             if let Some(value) = result.value() {
                 shown.values[value.index()] = Status::Result(result);
@@ -54,7 +54,7 @@ impl Program {
         shown.witnesses.reverse();
         let once = self.unknowns.iter();
         let all = once.chain(self.loops().flat_map(|one| &one.unknowns));
-        let is_shown = |value: ValueId| matches!(shown.values[value.index()], Status::Shown);
+        let is_shown = |value: ValueId| matches!(shown.values[value.index()], Status::Covered);
         let unknowns = all.filter(|(_, value)| is_shown(*value)).map(|&(number, _)| number);
         shown.unknowns = unknowns.collect();
         shown
@@ -67,7 +67,7 @@ impl Program {
     }
 }
 
-impl<'a> Shown<'a> {
+impl<'a> Finiteness<'a> {
     /// What a statement makes of it: what it hands on.
     fn follow(&mut self, statement: &'a Statement) {
         match statement {
@@ -93,14 +93,14 @@ impl<'a> Shown<'a> {
         let status = &mut self.values[value.index()];
         if let Status::Result(result) = *status {
             self.witnesses.push(result);
-            *status = Status::Shown;
+            *status = Status::Covered;
         }
-        matches!(status, Status::Shown)
+        matches!(status, Status::Covered)
     }
 
     fn add(&mut self, operand: &Operand) {
         if let Some(value) = operand.value() {
-            self.values[value.index()] = Status::Shown;
+            self.values[value.index()] = Status::Covered;
         }
     }
 
@@ -160,7 +160,7 @@ mod tests {
             pivots: Vec::new(),
         };
         // `d` shows `c`, `a`, and the first two unknowns; `b` may be zero where `a` is infinite.
-        let shown = program.shown(0..7);
+        let shown = program.finiteness(0..7);
         assert_eq!(shown.witnesses, [&read_z, &read_b, &minus_d]);
         assert_eq!(shown.unknowns, HashSet::from([0, 1, 2]));
     }

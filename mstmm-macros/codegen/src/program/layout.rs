@@ -19,7 +19,7 @@ pub struct Segment {
     /// How many entries it has.
     pub count: usize,
     /// Where its numbers begin in the array.
-    pub place: usize,
+    pub offset: usize,
     /// The repeated part that it belongs to.
     pub repeat: Option<RepeatId>,
     /// How often its entries follow on each other in the array.
@@ -31,17 +31,17 @@ impl ArrayLayout {
     /// repeated.
     pub fn of(items: impl IntoIterator<Item = (usize, Option<(RepeatId, usize)>)>) -> Self {
         let mut segments: Vec<Segment> = Vec::new();
-        let (mut first, mut place) = (0, 0);
+        let (mut first, mut offset) = (0, 0);
         for (count, part) in items.into_iter().filter(|(count, _)| *count > 0) {
             let (repeat, repetitions) = (part.map(|(repeat, _)| repeat), part.map_or(1, |it| it.1));
             match segments.last_mut() {
                 Some(last) if last.repeat == repeat => last.count += count,
-                _ => segments.push(Segment { first, count, place, repeat, repetitions }),
+                _ => segments.push(Segment { first, count, offset, repeat, repetitions }),
             }
             first += count;
-            place += count * repetitions;
+            offset += count * repetitions;
         }
-        ArrayLayout { total: place, segments }
+        ArrayLayout { total: offset, segments }
     }
 
     /// So many numbers that stand once.

@@ -11,13 +11,13 @@ mod names;
 mod procedure;
 pub mod text;
 
-pub use cost::{Cost, Headed, by_heading};
-pub use finiteness::Shown;
+pub use cost::{Cost, SectionCost, by_heading};
+pub use finiteness::Finiteness;
 pub use layout::{ArrayLayout, Segment};
 pub use names::{ValueId, ValueNames};
 pub use procedure::{
-    Argument, Array, ArrayId, ArrayRole, At, Carried, CheckId, Failure, Finish, ForLoop, OutputId,
-    Pivot, PivotTest, Place, Procedure, Step, Witness,
+    Argument, Array, ArrayId, ArrayRole, ArraySlice, CarriedValue, CheckId, Failure, Finish,
+    ForLoop, OutputId, PivotTest, PivotValue, Procedure, Repetition, Step, Witness,
 };
 
 use crate::ids::RepeatId;
@@ -45,18 +45,18 @@ pub enum Block {
     /// Statements that run once, by sections.
     Once(Vec<Section>),
     /// Statements that run in every repetition of a part.
-    Loop(Loop),
+    Loop(LoopBlock),
 }
 
 /// A loop over the repetitions of a part.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Loop {
+pub struct LoopBlock {
     /// Which part.
     pub repeat: RepeatId,
     /// Whether it goes from the last repetition to the first.
     pub inward: bool,
     /// What it carries: they change from repetition to repetition, and keep their last value.
-    pub carries: Vec<Carried>,
+    pub carries: Vec<CarriedValue>,
     /// Unknowns of a repetition that it reads, in the order of their numbers, and the values that they are.
     pub unknowns: Vec<(u32, ValueId)>,
     /// Values of a repetition known since setup that it reads.
@@ -222,15 +222,15 @@ impl Program {
     pub fn sections(&self) -> impl Iterator<Item = &Section> {
         self.blocks.iter().flat_map(|block| match block {
             Block::Once(sections) => sections,
-            Block::Loop(turn) => &turn.sections,
+            Block::Loop(block) => &block.sections,
         })
     }
 
     /// Its loops.
-    pub fn loops(&self) -> impl Iterator<Item = &Loop> {
+    pub fn loops(&self) -> impl Iterator<Item = &LoopBlock> {
         self.blocks.iter().filter_map(|block| match block {
             Block::Once(_) => None,
-            Block::Loop(turn) => Some(turn),
+            Block::Loop(block) => Some(block),
         })
     }
 }

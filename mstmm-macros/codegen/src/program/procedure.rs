@@ -100,7 +100,7 @@ impl OutputId {
 
 /// Neighbouring numbers of a segment of an array.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct ArraySlice {
     /// The array.
     pub array: ArrayId,
     /// The number of its segment.
@@ -108,18 +108,18 @@ pub struct Place {
     /// The first entry, counted from that of the segment.
     pub first: usize,
     /// In which repetition.
-    pub at: At,
+    pub repetition: Repetition,
 }
 
 /// Which repetition of a segment is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum At {
+pub enum Repetition {
     /// The only one.
-    Once,
+    Only,
     /// That of the loop around.
-    Repetition,
+    Current,
     /// All of them.
-    Every,
+    All,
 }
 
 /// A step of a procedure.
@@ -130,7 +130,7 @@ pub enum Step {
     /// Reads numbers, as far as they are wanted.
     Load {
         /// Where they are.
-        from: Place,
+        from: ArraySlice,
         /// The values that they are, one for each entry from the first on.
         into: Vec<Option<ValueId>>,
     },
@@ -139,7 +139,7 @@ pub enum Step {
     /// Writes numbers.
     Store {
         /// Where they go.
-        to: Place,
+        to: ArraySlice,
         /// One for each entry from the first on; what has none stays as it is.
         values: Vec<Option<Operand>>,
     },
@@ -168,14 +168,14 @@ pub struct ForLoop {
     /// Whether it goes from the last repetition to the first.
     pub inward: bool,
     /// What it carries from one repetition to the next.
-    pub carries: Vec<Carried>,
+    pub carries: Vec<CarriedValue>,
     /// Its steps: first it loads, then computes, then stores and tests.
     pub body: Vec<Step>,
 }
 
 /// A number that a loop carries.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Carried {
+pub struct CarriedValue {
     /// Under which name the last value is kept.
     pub exit: ValueId,
     /// The value that a repetition begins with.
@@ -199,8 +199,8 @@ impl Finish {
     /// What it reads.
     pub fn operands(&self) -> impl Iterator<Item = &Operand> {
         let pivots = self.pivots.iter().flat_map(|test| match &test.pivot {
-            Pivot::Once(value, scale) => [Some(value), Some(scale)],
-            Pivot::Repeated(_) => [None; 2],
+            PivotValue::Once(value, scale) => [Some(value), Some(scale)],
+            PivotValue::Repeated(_) => [None; 2],
         });
         let finite = self.finite.iter().filter_map(|witness| match witness {
             Witness::Value(value) => Some(value),
@@ -216,12 +216,12 @@ pub struct PivotTest {
     /// The hinge's name.
     pub hinge: String,
     /// The number, or what a loop has found.
-    pub pivot: Pivot,
+    pub pivot: PivotValue,
 }
 
 /// A pivot.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Pivot {
+pub enum PivotValue {
     /// It stands once: the number, and what it is measured by.
     Once(Operand, Operand),
     /// It stands in every repetition.

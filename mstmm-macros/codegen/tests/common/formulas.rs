@@ -2,7 +2,7 @@
 
 use super::interpreter::{Failed, Judge};
 use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
-use mstmm_codegen::function::{Carry, Function, Loop, Output, Pivot, Unknowns};
+use mstmm_codegen::function::{Carry, Function, Loop, NamedPivot, Output, Unknowns};
 use mstmm_codegen::ids::RepeatId;
 use mstmm_codegen::math::Scalar;
 use mstmm_codegen::program::{Argument, ArrayLayout, OutputId};
@@ -107,11 +107,11 @@ pub fn random_function<'g>(
         let value = if random.chance(0.9) { positive } else { a };
         let scale = b * b + Expr::number(1.0);
         let [value, scale] = [value, scale].map(|expr| graph.edge(expr));
-        Pivot { hinge: format!("hinge{number}"), value, scale }
+        NamedPivot { hinge: format!("hinge{number}"), value, scale }
     };
     let pivots = (0..count).map(pivot).collect();
-    let (stage, sections, outputs) = (Stage::State, Vec::new(), vec![output]);
-    Function { graph, unknowns, stage, sections, loops, outputs, pivots }
+    let (stage, headings, outputs) = (Stage::State, Vec::new(), vec![output]);
+    Function { graph, unknowns, stage, headings, loops, outputs, pivots }
 }
 
 /// A random formula of every kind of node.
@@ -234,7 +234,7 @@ impl Direct<'_> {
         let layout = self.function.unknowns.layout(unknown.argument);
         let segment = layout.segment_of(unknown.entry);
         let time = if unknown.repeat.is_some() { repetition } else { 0 };
-        let place = segment.place + time * segment.count + unknown.entry - segment.first;
+        let place = segment.offset + time * segment.count + unknown.entry - segment.first;
         self.values[&unknown.argument][place]
     }
 }

@@ -60,7 +60,7 @@ impl<'a, S: Judge> Given<'a, S> {
             let Driven::Efforts(hinge) = it.what else { continue };
             let own = layout.v[hinge].clone();
             let segment = rates.segment_of(own.start);
-            let first = segment.place + own.start - segment.first;
+            let first = segment.offset + own.start - segment.first;
             let repetitions = (0..segment.repetitions).map(|k| first + k * segment.count);
             let values = repetitions.flat_map(|at| efforts[at..at + own.len()].to_vec()).collect();
             self.arrays.arguments.insert(Argument::Input(input), values);

@@ -3,8 +3,8 @@
 
 use mstmm_codegen::math::Scalar;
 use mstmm_codegen::program::{
-    Argument, Array, ArrayId, ArrayRole, At, CheckId, Failure, Finish, ForLoop, Operand, Operation,
-    OutputId, Pivot, Place, Procedure, Statement, Step, ValueId, Witness,
+    Argument, Array, ArrayId, ArrayRole, ArraySlice, CheckId, Failure, Finish, ForLoop, Operand,
+    Operation, OutputId, PivotValue, Procedure, Repetition, Statement, Step, ValueId, Witness,
 };
 use std::collections::HashMap;
 
@@ -157,19 +157,19 @@ impl<S: Judge> Machine<'_, S> {
     }
 
     /// Where an entry of a place lies in a repetition.
-    fn at(&self, place: &Place, entry: usize, repetition: usize) -> usize {
+    fn at(&self, place: &ArraySlice, entry: usize, repetition: usize) -> usize {
         let array = &self.procedure.arrays[place.array];
         let segment = &array.layout.segments[place.segment];
         let number = place.first + entry;
         assert!(number < segment.count && repetition < segment.repetitions, "outside of a layout");
-        segment.place + repetition * segment.count + number
+        segment.offset + repetition * segment.count + number
     }
 
-    fn read(&self, from: &Place, entry: usize) -> S {
-        let repetition = match from.at {
-            At::Once => 0,
-            At::Repetition => self.repetition,
-            At::Every => panic!("one value is read of many repetitions"),
+    fn read(&self, from: &ArraySlice, entry: usize) -> S {
+        let repetition = match from.repetition {
+            Repetition::Only => 0,
+            Repetition::Current => self.repetition,
+            Repetition::All => panic!("one value is read of many repetitions"),
         };
         let at = self.at(from, entry, repetition);
         match self.procedure.arrays[from.array].role {
@@ -196,12 +196,12 @@ impl<S: Judge> Machine<'_, S> {
         }
     }
 
-    fn store(&mut self, to: &Place, values: &[Option<Operand>]) {
+    fn store(&mut self, to: &ArraySlice, values: &[Option<Operand>]) {
         let count = self.procedure.arrays[to.array].layout.segments[to.segment].repetitions;
-        let repetitions = match to.at {
-            At::Once => 0..1,
-            At::Repetition => self.repetition..self.repetition + 1,
-            At::Every => 0..count,
+        let repetitions = match to.repetition {
+            Repetition::Only => 0..1,
+            Repetition::Current => self.repetition..self.repetition + 1,
+            Repetition::All => 0..count,
         };
         for repetition in repetitions {
             for (entry, value) in values.iter().enumerate() {
@@ -248,12 +248,12 @@ impl<S: Judge> Machine<'_, S> {
         let mut are_numbers = true;
         for test in &finish.pivots {
             let is_lost = match &test.pivot {
-                Pivot::Once(value, scale) => {
+                PivotValue::Once(value, scale) => {
                     let (value, scale) = (self.value(value), self.value(scale));
                     are_numbers &= value.is_finite() && scale.is_finite();
                     value.is_lost(scale)
                 }
-                Pivot::Repeated(CheckId(check)) => !self.checks[*check],
+                PivotValue::Repeated(CheckId(check)) => !self.checks[*check],
             };
             if is_lost {
                 return Err(Failed::Singular(test.hinge.clone()));

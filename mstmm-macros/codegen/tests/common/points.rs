@@ -1,7 +1,9 @@
 //! Connection points, read off the numbers of a solution as the runtime does.
 
 use super::interpreter::{Arrays, Judge};
-use mstmm_codegen::compile::{Compiled, Place, PointPlaces, Sight, layouts, outputs};
+use mstmm_codegen::compile::{
+    Compiled, StoredFramedVector, StoredPoint, StoredVector, layouts, outputs,
+};
 use mstmm_codegen::ids::RepeatId;
 use mstmm_codegen::model::{Chain, Element};
 use mstmm_codegen::program::ArrayLayout;
@@ -13,19 +15,19 @@ pub fn points<S: Judge>(chain: &Chain, compiled: &Compiled, full: &Arrays<S>) ->
         Element::Body(body) => chain.repeat_of_body(body),
     };
     let parts = std::iter::once(None).chain(chain.route.iter().map(part));
-    let points: Vec<(Option<RepeatId>, &PointPlaces)> =
-        parts.zip(&compiled.places.points).collect();
+    let points: Vec<(Option<RepeatId>, &StoredPoint)> =
+        parts.zip(&compiled.point_storage.points).collect();
     let reader = Reader {
         chain,
-        layout: layouts::numbers_of_points(chain, &compiled.places),
+        layout: layouts::numbers_of_points(chain, &compiled.point_storage),
         numbers: full.result(outputs::POINT_NUMBERS),
         at_rest: full.result(outputs::AT_REST),
     };
     let mut all = Vec::new();
-    for piece in points.chunk_by(|one, next| one.0 == next.0) {
-        let count = piece[0].0.map_or(1, |part| chain.repeats[part].count);
+    for segment in points.chunk_by(|one, next| one.0 == next.0) {
+        let count = segment[0].0.map_or(1, |part| chain.repeats[part].count);
         for repetition in 0..count {
-            for (_, point) in piece {
+            for (_, point) in segment {
                 all.extend(reader.point(point, repetition));
             }
         }
@@ -41,30 +43,31 @@ struct Reader<'a, S> {
 }
 
 impl<S: Judge> Reader<'_, S> {
-    fn point(&self, point: &PointPlaces, repetition: usize) -> Vec<S> {
+    fn point(&self, point: &StoredPoint, repetition: usize) -> Vec<S> {
         let dimension = self.chain.dimension;
         let (shifts, turns) = (dimension.shifts(), dimension.turns());
-        let entries = |place: &Place, count: usize| -> Vec<S> {
-            let Some(first) = place.first.checked_sub(1) else { return vec![S::zero(); count] };
-            assert_eq!(place.count, count);
+        let entries = |stored: &StoredVector, count: usize| -> Vec<S> {
+            let Some(first) = stored.first.checked_sub(1) else { return vec![S::zero(); count] };
+            assert_eq!(stored.count, count);
             (0..count).map(|k| self.number(point.start + first + k, repetition)).collect()
         };
-        let inertial = |Sight { axes, vector }: &Sight, along: &[usize]| -> Vec<S> {
-            let vector = entries(vector, along.len());
-            match axes.as_deref() {
-                None => vector,
-                Some([cos_sin]) => {
-                    let [c, s] = entries(cos_sin, 2)[..] else { panic!("cosine and sine") };
-                    vec![c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]]
+        let inertial =
+            |StoredFramedVector { axes, vector }: &StoredFramedVector, along: &[usize]| -> Vec<S> {
+                let vector = entries(vector, along.len());
+                match axes.as_deref() {
+                    None => vector,
+                    Some([cos_sin]) => {
+                        let [c, s] = entries(cos_sin, 2)[..] else { panic!("cosine and sine") };
+                        vec![c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]]
+                    }
+                    Some(columns) => {
+                        let columns: Vec<Vec<S>> = columns.iter().map(|x| entries(x, 3)).collect();
+                        let sum = |k: usize| (0..3).map(move |j| (j, k));
+                        let product = |(j, k): (usize, usize)| columns[j][k] * vector[j];
+                        (0..3).map(|k| sum(k).map(product).fold(S::zero(), |a, b| a + b)).collect()
+                    }
                 }
-                Some(columns) => {
-                    let columns: Vec<Vec<S>> = columns.iter().map(|x| entries(x, 3)).collect();
-                    let sum = |k: usize| (0..3).map(move |j| (j, k));
-                    let product = |(j, k): (usize, usize)| columns[j][k] * vector[j];
-                    (0..3).map(|k| sum(k).map(product).fold(S::zero(), |a, b| a + b)).collect()
-                }
-            }
-        };
+            };
         let mut all = entries(&point.position, shifts.len());
         match &point.orientation {
             Some(columns) => all.extend(columns.iter().flat_map(|x| entries(x, shifts.len()))),
@@ -78,8 +81,8 @@ impl<S: Judge> Reader<'_, S> {
         // Velocity, `Ω`, `r̈` as felt, `Ω̇`, `m` and `q`.
         let kinds = [shifts, turns, shifts, turns, turns, shifts];
         let there = kinds.into_iter().enumerate().filter(|(_, along)| !along.is_empty());
-        for ((kind, along), sight) in there.zip(&point.vectors) {
-            let seen = inertial(sight, along);
+        for ((kind, along), framed) in there.zip(&point.vectors) {
+            let seen = inertial(framed, along);
             match kind {
                 2 => all.extend(seen.iter().zip(&self.at_rest).map(|(&a, &g)| a - g)),
                 _ => all.extend(seen),
@@ -91,6 +94,6 @@ impl<S: Judge> Reader<'_, S> {
     /// An entry in a repetition of its part.
     fn number(&self, entry: usize, repetition: usize) -> S {
         let segment = self.layout.segment_of(entry);
-        self.numbers[segment.place + repetition * segment.count + entry - segment.first]
+        self.numbers[segment.offset + repetition * segment.count + entry - segment.first]
     }
 }

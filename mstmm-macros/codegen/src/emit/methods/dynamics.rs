@@ -3,8 +3,8 @@
 use super::super::arrays::usize_literal;
 use super::super::printer::Destination;
 use super::super::procedure::field;
-use super::super::{Plan, docs, quaternions};
-use super::{Method, fallible, new, of_state, of_state_and_inputs};
+use super::super::{EmitContext, docs, quaternions};
+use super::{MethodTemplate, fallible, new, of_state, of_state_and_inputs};
 use crate::compile::outputs;
 use crate::model::Answer;
 use crate::program::OutputId;
@@ -12,16 +12,16 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// A vector of all rates, which the caller lends.
-fn lent_rates(plan: &Plan, name: &TokenStream) -> TokenStream {
-    let (mstmm, count) = (&plan.mstmm, usize_literal(plan.rates().total));
+fn lent_rates(cx: &EmitContext, name: &TokenStream) -> TokenStream {
+    let (mstmm, count) = (&cx.mstmm, usize_literal(cx.rates().total));
     quote!(#name: &mut #mstmm::nalgebra::SVector<T, #count>,)
 }
 
-pub(super) fn accelerations(plan: &Plan) -> Method {
-    let visibility = &plan.surface.visibility;
-    let near_one = quaternions::near_one(plan);
-    let (given, lent) = (of_state_and_inputs(plan), lent_rates(plan, &quote!(accelerations_)));
-    Method {
+pub(super) fn accelerations(cx: &EmitContext) -> MethodTemplate {
+    let visibility = &cx.surface.visibility;
+    let near_one = quaternions::near_one(cx);
+    let (given, lent) = (of_state_and_inputs(cx), lent_rates(cx, &quote!(accelerations_)));
+    MethodTemplate {
         name: quote!(#visibility fn accelerations_into),
         docs: [
             quote! {
@@ -38,17 +38,17 @@ pub(super) fn accelerations(plan: &Plan) -> Method {
             },
         ],
         arguments: quote!(#given #lent),
-        returns: fallible(plan, &quote!(())),
+        returns: fallible(cx, &quote!(())),
         opening: TokenStream::new(),
         end: quote!(::core::result::Result::Ok(())),
         destination: |_, _| Destination::Vector(quote!(accelerations_)),
     }
 }
 
-pub(super) fn implicit_accelerations(plan: &Plan) -> Method {
-    let step = plan.step();
-    let (given, lent) = (of_state_and_inputs(plan), lent_rates(plan, &quote!(accelerations_)));
-    Method {
+pub(super) fn implicit_accelerations(cx: &EmitContext) -> MethodTemplate {
+    let step = cx.step();
+    let (given, lent) = (of_state_and_inputs(cx), lent_rates(cx, &quote!(accelerations_)));
+    MethodTemplate {
         name: quote!(fn implicit_accelerations_into),
         docs: [
             quote! {
@@ -57,23 +57,23 @@ pub(super) fn implicit_accelerations(plan: &Plan) -> Method {
             TokenStream::new(),
         ],
         arguments: quote!(#given #step: T, #lent),
-        ..accelerations(plan)
+        ..accelerations(cx)
     }
 }
 
 /// The methods that return a vector of all rates by value, where those are that lend it.
-pub(super) fn by_value(plan: &Plan) -> Vec<TokenStream> {
-    let accelerations = by_value_of(plan, "accelerations", "The accelerations `v̇` of all hinges");
-    let bias = plan.compiled.find(Answer::BiasEfforts);
-    let bias = bias.map(|_| by_value_of(plan, "bias_efforts", "The bias efforts"));
+pub(super) fn by_value(cx: &EmitContext) -> Vec<TokenStream> {
+    let accelerations = by_value_of(cx, "accelerations", "The accelerations `v̇` of all hinges");
+    let bias = cx.compiled.find(Answer::BiasEfforts);
+    let bias = bias.map(|_| by_value_of(cx, "bias_efforts", "The bias efforts"));
     std::iter::once(accelerations).chain(bias).collect()
 }
 
-fn by_value_of(plan: &Plan, name: &str, what: &str) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let visibility = &plan.surface.visibility;
-    let (given, count) = (of_state_and_inputs(plan), usize_literal(plan.rates().total));
-    let (checked, errors) = (quaternions::checked(plan), quaternions::error(plan));
+fn by_value_of(cx: &EmitContext, name: &str, what: &str) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let visibility = &cx.surface.visibility;
+    let (given, count) = (of_state_and_inputs(cx), usize_literal(cx.rates().total));
+    let (checked, errors) = (quaternions::checked(cx), quaternions::error(cx));
     let doc = format!(" {what} by value; see [`{name}_into`](Self::{name}_into).");
     let as_lent = format!(" As [`{name}_into`](Self::{name}_into).");
     let (name, into) = (format_ident!("{name}"), format_ident!("{name}_into"));
@@ -97,11 +97,11 @@ fn by_value_of(plan: &Plan, name: &str, what: &str) -> TokenStream {
     }
 }
 
-pub(super) fn solution(plan: &Plan) -> Method {
-    let (workspace, visibility) = (&plan.names.workspace, &plan.surface.visibility);
-    let doc = format!(" Writes into `at`: {}.", docs::results(plan));
-    let (given, errors) = (of_state_and_inputs(plan), quaternions::error(plan));
-    Method {
+pub(super) fn solution(cx: &EmitContext) -> MethodTemplate {
+    let (workspace, visibility) = (&cx.names.workspace, &cx.surface.visibility);
+    let doc = format!(" Writes into `at`: {}.", docs::results(cx));
+    let (given, errors) = (of_state_and_inputs(cx), quaternions::error(cx));
+    MethodTemplate {
         name: quote!(#visibility fn solve_into),
         docs: [
             quote!(#[doc = #doc]),
@@ -115,19 +115,19 @@ pub(super) fn solution(plan: &Plan) -> Method {
             },
         ],
         arguments: quote!(#given at_: &mut #workspace<T>),
-        returns: fallible(plan, &quote!(())),
-        opening: plan.reset_where_it_fails(quaternions::checked(plan)),
+        returns: fallible(cx, &quote!(())),
+        opening: cx.reset_where_it_fails(quaternions::checked(cx)),
         end: quote!(::core::result::Result::Ok(())),
         destination: in_workspace,
     }
 }
 
 /// Where a workspace has its results.
-fn in_workspace(plan: &Plan, id: OutputId) -> Destination {
+fn in_workspace(cx: &EmitContext, id: OutputId) -> Destination {
     match id {
         outputs::ACCELERATIONS => Destination::Vector(quote!(at_.accelerations)),
         outputs::ALL_ACCELERATIONS => {
-            let name = plan.rate_accelerations();
+            let name = cx.rate_accelerations();
             Destination::Vector(quote!(at_.#name))
         }
         outputs::EFFORTS => Destination::Vector(quote!(at_.efforts)),
@@ -141,11 +141,11 @@ fn in_workspace(plan: &Plan, id: OutputId) -> Destination {
     }
 }
 
-pub(super) fn energy(plan: &Plan) -> Method {
-    let (mstmm, visibility) = (&plan.mstmm, &plan.surface.visibility);
-    let prescribed = plan.chain.has_prescribed_hinges();
+pub(super) fn energy(cx: &EmitContext) -> MethodTemplate {
+    let (mstmm, visibility) = (&cx.mstmm, &cx.surface.visibility);
+    let prescribed = cx.chain.has_prescribed_hinges();
     let name = format_ident!("{}", if prescribed { "energy_with" } else { "energy" });
-    Method {
+    MethodTemplate {
         name: quote!(#[must_use] #visibility fn #name),
         docs: [
             quote! {
@@ -154,7 +154,7 @@ pub(super) fn energy(plan: &Plan) -> Method {
             },
             TokenStream::new(),
         ],
-        arguments: if prescribed { of_state_and_inputs(plan) } else { of_state(plan) },
+        arguments: if prescribed { of_state_and_inputs(cx) } else { of_state(cx) },
         returns: quote!(#mstmm::Energy<T>),
         opening: TokenStream::new(),
         end: quote! {
@@ -165,18 +165,18 @@ pub(super) fn energy(plan: &Plan) -> Method {
     }
 }
 
-pub(super) fn bias_efforts(plan: &Plan) -> Method {
-    let visibility = &plan.surface.visibility;
-    let (given, lent) = (of_state_and_inputs(plan), lent_rates(plan, &quote!(efforts_)));
-    let near_one = quaternions::near_one(plan);
-    let opened = (!plan.layout.closings.is_empty()).then(|| {
+pub(super) fn bias_efforts(cx: &EmitContext) -> MethodTemplate {
+    let visibility = &cx.surface.visibility;
+    let (given, lent) = (of_state_and_inputs(cx), lent_rates(cx, &quote!(efforts_)));
+    let near_one = quaternions::near_one(cx);
+    let opened = (!cx.layout.closings.is_empty()).then(|| {
         quote! {
             ///
             /// The chain is the tree of its hinges: the closing hinge is open, and the effort of each
             /// of its rates is what its own springs, dampers, friction, stops and rotors need.
         }
     });
-    Method {
+    MethodTemplate {
         name: quote!(#visibility fn bias_efforts_into),
         docs: [
             quote! {
@@ -199,7 +199,7 @@ pub(super) fn bias_efforts(plan: &Plan) -> Method {
             },
         ],
         arguments: quote!(#given #lent),
-        returns: fallible(plan, &quote!(())),
+        returns: fallible(cx, &quote!(())),
         opening: TokenStream::new(),
         end: quote!(::core::result::Result::Ok(())),
         destination: |_, _| Destination::Vector(quote!((*efforts_))),

@@ -6,7 +6,7 @@ mod state;
 use super::names::helper;
 use super::printer::Destination;
 use super::procedure::body;
-use super::{Plan, docs, integrable};
+use super::{EmitContext, chain_impl, docs};
 use crate::compile::CompiledFunction;
 use crate::model::Answer;
 use crate::program::OutputId;
@@ -14,7 +14,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 /// How a function looks in Rust.
-struct Method {
+struct MethodTemplate {
     /// Its name, with what it may be seen from.
     name: TokenStream,
     /// What its docs say before the table of operations, and behind it.
@@ -28,18 +28,18 @@ struct Method {
     /// What it ends with.
     end: TokenStream,
     /// Where its results go.
-    destination: fn(&Plan, OutputId) -> Destination,
+    destination: fn(&EmitContext, OutputId) -> Destination,
 }
 
 /// The chain's methods and its implementations of traits.
-pub fn emit(plan: &Plan) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let name = &plan.names.chain;
-    let methods = plan.compiled.functions.iter().map(|function| method(plan, function));
-    let by_value = dynamics::by_value(plan);
-    let energy = integrable::energy(plan);
-    let integrable = integrable::integrable(plan);
-    let generated = integrable::generated(plan);
+pub fn emit(cx: &EmitContext) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let name = &cx.names.chain;
+    let methods = cx.compiled.functions.iter().map(|function| method(cx, function));
+    let by_value = dynamics::by_value(cx);
+    let energy = chain_impl::energy(cx);
+    let chain_impl = chain_impl::chain_impl(cx);
+    let generated = chain_impl::generated(cx);
     quote! {
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #name<T> {
@@ -47,19 +47,20 @@ pub fn emit(plan: &Plan) -> TokenStream {
             #(#by_value)*
             #energy
         }
-        #integrable
+        #chain_impl
         #generated
     }
 }
 
 /// The method of a function.
-fn method(plan: &Plan, function: &CompiledFunction) -> TokenStream {
+fn method(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
     let Some(answer) = function.answer else { bug!("the setup is no method") };
-    let Method { name, docs, arguments, returns, opening, end, destination } = row(plan, answer);
+    let MethodTemplate { name, docs, arguments, returns, opening, end, destination } =
+        row(cx, answer);
     let procedure = &function.procedure;
     let [before, behind] = docs;
     let cost = docs::cost(procedure);
-    let statements = plan.procedure(procedure, |id| destination(plan, id));
+    let statements = cx.procedure(procedure, |id| destination(cx, id));
     let body = body(quote!(#opening #statements), end);
     quote! {
         #before
@@ -71,34 +72,34 @@ fn method(plan: &Plan, function: &CompiledFunction) -> TokenStream {
 }
 
 /// How each function looks.
-fn row(plan: &Plan, answer: Answer) -> Method {
+fn row(cx: &EmitContext, answer: Answer) -> MethodTemplate {
     match answer {
-        Answer::Accelerations => dynamics::accelerations(plan),
-        Answer::ImplicitAccelerations => dynamics::implicit_accelerations(plan),
-        Answer::Solution => dynamics::solution(plan),
-        Answer::Energy => dynamics::energy(plan),
-        Answer::CoordinateRates => state::coordinate_rates(plan),
-        Answer::Normalized => state::normalized(plan),
-        Answer::Correction => state::correction(plan),
-        Answer::ClosurePivots => state::closure_pivots(plan),
-        Answer::Start => state::start(plan),
-        Answer::BiasEfforts => dynamics::bias_efforts(plan),
+        Answer::Accelerations => dynamics::accelerations(cx),
+        Answer::ImplicitAccelerations => dynamics::implicit_accelerations(cx),
+        Answer::Solution => dynamics::solution(cx),
+        Answer::Energy => dynamics::energy(cx),
+        Answer::CoordinateRates => state::coordinate_rates(cx),
+        Answer::Normalized => state::normalized(cx),
+        Answer::Correction => state::correction(cx),
+        Answer::ClosurePivots => state::closure_pivots(cx),
+        Answer::Start => state::start(cx),
+        Answer::BiasEfforts => dynamics::bias_efforts(cx),
     }
 }
 
 /// The type of a result, or the error of the chain.
-fn fallible(plan: &Plan, ok: &TokenStream) -> TokenStream {
-    let mstmm = &plan.mstmm;
+fn fallible(cx: &EmitContext, ok: &TokenStream) -> TokenStream {
+    let mstmm = &cx.mstmm;
     quote!(::core::result::Result<#ok, #mstmm::Error>)
 }
 
-fn of_state(plan: &Plan) -> TokenStream {
-    let state = &plan.names.state;
+fn of_state(cx: &EmitContext) -> TokenStream {
+    let state = &cx.names.state;
     quote!(state_: &#state<T>,)
 }
 
-fn of_state_and_inputs(plan: &Plan) -> TokenStream {
-    let (state, inputs) = (of_state(plan), &plan.names.inputs);
+fn of_state_and_inputs(cx: &EmitContext) -> TokenStream {
+    let (state, inputs) = (of_state(cx), &cx.names.inputs);
     quote!(#state inputs_: &#inputs<T>,)
 }
 

@@ -1,17 +1,17 @@
 //! What states are mapped to: rates of coordinates, unit quaternions, closed chains, and the start.
 
-use super::super::Plan;
+use super::super::EmitContext;
 use super::super::arrays::usize_literal;
 use super::super::closure;
 use super::super::printer::Destination;
-use super::{Method, new, of_state};
+use super::{MethodTemplate, new, of_state};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-pub(super) fn coordinate_rates(plan: &Plan) -> Method {
-    let (mstmm, count) = (&plan.mstmm, usize_literal(plan.coordinates().total));
-    let given = of_state(plan);
-    Method {
+pub(super) fn coordinate_rates(cx: &EmitContext) -> MethodTemplate {
+    let (mstmm, count) = (&cx.mstmm, usize_literal(cx.coordinates().total));
+    let given = of_state(cx);
+    MethodTemplate {
         name: quote!(#[inline] fn coordinate_rates_into_),
         docs: [
             quote! {
@@ -27,9 +27,9 @@ pub(super) fn coordinate_rates(plan: &Plan) -> Method {
     }
 }
 
-pub(super) fn normalized(plan: &Plan) -> Method {
-    let count = usize_literal(plan.coordinates().total);
-    Method {
+pub(super) fn normalized(cx: &EmitContext) -> MethodTemplate {
+    let count = usize_literal(cx.coordinates().total);
+    MethodTemplate {
         name: quote!(#[inline] fn normalized_),
         docs: [
             quote! {
@@ -37,7 +37,7 @@ pub(super) fn normalized(plan: &Plan) -> Method {
             },
             TokenStream::new(),
         ],
-        arguments: of_state(plan),
+        arguments: of_state(cx),
         returns: quote!([T; #count]),
         opening: TokenStream::new(),
         end: quote!(coordinates_),
@@ -45,9 +45,9 @@ pub(super) fn normalized(plan: &Plan) -> Method {
     }
 }
 
-pub(super) fn correction(plan: &Plan) -> Method {
-    let (state, inputs) = (&plan.names.state, &plan.names.inputs);
-    Method {
+pub(super) fn correction(cx: &EmitContext) -> MethodTemplate {
+    let (state, inputs) = (&cx.names.state, &cx.names.inputs);
+    MethodTemplate {
         name: quote!(fn correct),
         docs: [
             quote! {
@@ -69,9 +69,9 @@ pub(super) fn correction(plan: &Plan) -> Method {
     }
 }
 
-pub(super) fn closure_pivots(plan: &Plan) -> Method {
-    let count = closure::directions(plan).map(usize_literal);
-    Method {
+pub(super) fn closure_pivots(cx: &EmitContext) -> MethodTemplate {
+    let count = closure::directions(cx).map(usize_literal);
+    MethodTemplate {
         name: quote!(fn closure_pivots_),
         docs: [
             quote! {
@@ -79,7 +79,7 @@ pub(super) fn closure_pivots(plan: &Plan) -> Method {
             },
             TokenStream::new(),
         ],
-        arguments: of_state(plan),
+        arguments: of_state(cx),
         returns: quote!([T; #count]),
         opening: TokenStream::new(),
         end: quote!(pivots_),
@@ -87,10 +87,10 @@ pub(super) fn closure_pivots(plan: &Plan) -> Method {
     }
 }
 
-pub(super) fn start(plan: &Plan) -> Method {
-    let mstmm = &plan.mstmm;
-    let (state, visibility) = (&plan.names.state, &plan.surface.visibility);
-    Method {
+pub(super) fn start(cx: &EmitContext) -> MethodTemplate {
+    let mstmm = &cx.mstmm;
+    let (state, visibility) = (&cx.names.state, &cx.surface.visibility);
+    MethodTemplate {
         name: quote!(#[must_use] #visibility fn initial_state),
         docs: [
             quote! {

@@ -11,7 +11,7 @@ mod items;
 mod layout;
 mod uses;
 
-use super::{Block, Carried, Loop, Operand, Program, ValueId};
+use super::{Block, CarriedValue, LoopBlock, Operand, Program, ValueId};
 use formula::Formula;
 use items::{Item, ItemSection, items};
 use std::collections::HashMap;
@@ -36,7 +36,7 @@ pub struct Labels {
 pub fn text(function: &str, program: &Program, labels: &Labels) -> String {
     let blocks: Vec<Vec<ItemSection>> = program.blocks.iter().map(items).collect();
     let uses = Uses::of(program, &blocks);
-    let mut printer = Printer {
+    let mut printer = TextPrinter {
         program,
         labels,
         names: uses.names(program, &blocks),
@@ -55,13 +55,13 @@ pub fn text(function: &str, program: &Program, labels: &Labels) -> String {
             Block::Loop(one) => printer.one_loop(one, sections),
         }
     }
-    printer.under(RESULTS, "", Printer::results);
+    printer.under(RESULTS, "", TextPrinter::results);
     printer.depth -= 1;
     printer.line("}");
     printer.lines.join("\n") + "\n"
 }
 
-struct Printer<'a> {
+struct TextPrinter<'a> {
     program: &'a Program,
     labels: &'a Labels,
     uses: Uses<'a>,
@@ -77,7 +77,7 @@ struct Printer<'a> {
     depth: usize,
 }
 
-impl Printer<'_> {
+impl TextPrinter<'_> {
     fn line(&mut self, text: &str) {
         self.lines.extend(layout::broken(text, self.depth));
     }
@@ -177,7 +177,7 @@ impl Printer<'_> {
         }
     }
 
-    fn one_loop(&mut self, one: &Loop, sections: &[ItemSection]) {
+    fn one_loop(&mut self, one: &LoopBlock, sections: &[ItemSection]) {
         let (item, count) = &self.labels.repeats[one.repeat.index()];
         let range = match one.inward {
             true => format!("(0..{count}).rev()"),
@@ -202,13 +202,13 @@ impl Printer<'_> {
         self.heading.clear();
     }
 
-    fn carry(&mut self, Carried { phi, init, next, .. }: &Carried) {
+    fn carry(&mut self, CarriedValue { phi, init, next, .. }: &CarriedValue) {
         let name = self.operand(&Operand::Value(*phi)).text;
         let [init, next] = [init, next].map(|operand| self.operand(operand).text);
         self.line(&format!("carry {name} = {init}, then {next};"));
     }
 
-    fn loop_results(&mut self, one: &Loop) {
+    fn loop_results(&mut self, one: &LoopBlock) {
         for (number, operand) in &one.results {
             let value = self.operand(operand).text;
             let (output, entry) = self.labels.entry(*number);

@@ -1,7 +1,7 @@
 //! Who reads which value of a program, and what values are called.
 
 use super::items::ItemSection;
-use crate::program::{Block, Carried, Operand, Program, ValueId};
+use crate::program::{Block, CarriedValue, Operand, Program, ValueId};
 use std::collections::{HashMap, HashSet};
 
 /// The prefix of what is computed for results only.
@@ -9,7 +9,7 @@ pub const RESULT: &str = "result";
 
 /// Where a value is computed or read.
 #[derive(Clone, Copy, PartialEq, Eq)]
-struct At<'a> {
+struct Site<'a> {
     block: usize,
     /// The prefix of the section.
     prefix: &'a str,
@@ -19,8 +19,8 @@ struct At<'a> {
 /// carry.
 #[derive(Clone, Default)]
 struct Use<'a> {
-    owner: Option<At<'a>>,
-    readers: Vec<Option<At<'a>>>,
+    owner: Option<Site<'a>>,
+    readers: Vec<Option<Site<'a>>>,
 }
 
 /// The uses of a program's values, by their numbers.
@@ -32,7 +32,7 @@ impl<'a> Uses<'a> {
         let mut uses = Uses(vec![Use::default(); program.names.count()]);
         for (block, sections) in blocks.iter().enumerate() {
             for section in sections {
-                let at = At { block, prefix: &section.prefix };
+                let at = Site { block, prefix: &section.prefix };
                 for item in &section.items {
                     item.operands().for_each(|operand| uses.read(operand, Some(at)));
                     let names = item.names().into_iter().flatten();
@@ -40,7 +40,7 @@ impl<'a> Uses<'a> {
                 }
             }
             if let Block::Loop(one) = &program.blocks[block] {
-                let at = At { block, prefix: RESULT };
+                let at = Site { block, prefix: RESULT };
                 one.results.iter().for_each(|(_, result)| uses.read(result, Some(at)));
                 let tested = one.pivots.iter().flat_map(|(_, value, scale)| [value, scale]);
                 tested.for_each(|operand| uses.read(operand, Some(at)));
@@ -48,7 +48,7 @@ impl<'a> Uses<'a> {
                 carried.for_each(|operand| uses.read(operand, None));
             }
         }
-        let last = At { block: blocks.len().saturating_sub(1), prefix: RESULT };
+        let last = Site { block: blocks.len().saturating_sub(1), prefix: RESULT };
         program.results.iter().flatten().for_each(|result| uses.read(result, Some(last)));
         let tested = program.pivots.iter().flatten().flat_map(|(value, scale)| [value, scale]);
         tested.for_each(|operand| uses.read(operand, Some(last)));
@@ -57,7 +57,7 @@ impl<'a> Uses<'a> {
         uses
     }
 
-    fn read(&mut self, operand: &Operand, at: Option<At<'a>>) {
+    fn read(&mut self, operand: &Operand, at: Option<Site<'a>>) {
         if let Some(name) = operand.value() {
             self.0[name.index()].readers.push(at);
         }
@@ -73,7 +73,7 @@ impl<'a> Uses<'a> {
     fn shared_by(&self, name: ValueId) -> Option<&'a str> {
         let Use { owner, readers } = &self.0[name.index()];
         let own = (*owner)?.prefix;
-        let is_own = |reader: &Option<At>| reader.is_some_and(|at| at.prefix == own);
+        let is_own = |reader: &Option<Site>| reader.is_some_and(|at| at.prefix == own);
         (!readers.iter().all(is_own)).then_some(own)
     }
 
@@ -101,7 +101,7 @@ impl<'a> Uses<'a> {
 
 /// Calls what loops carry after what they hand on.
 fn name_carries(program: &Program, names: &mut [Option<String>]) {
-    let carries: Vec<&Carried> = program.loops().flat_map(|one| &one.carries).collect();
+    let carries: Vec<&CarriedValue> = program.loops().flat_map(|one| &one.carries).collect();
     let is_carried =
         |name: &ValueId| carries.iter().any(|carry| [carry.exit, carry.phi].contains(name));
     let mut taken: HashSet<String> = names.iter().flatten().cloned().collect();

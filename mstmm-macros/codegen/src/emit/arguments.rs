@@ -1,18 +1,18 @@
 //! Where a procedure's arguments are, and how they are read.
 
 use super::closure;
+use super::loop_inputs::{LoopInput, pattern};
 use super::names::helper;
 use super::printer::Printer;
-use super::streams::{Stream, pattern};
-use super::{Plan, sealed};
+use super::{EmitContext, sealed};
 use crate::ids::InputId;
-use crate::program::{Argument, ArrayRole, Place, ValueId};
+use crate::program::{Argument, ArrayRole, ArraySlice, ValueId};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 /// Reads what stands once.
-pub fn once(printer: &Printer, from: &Place, into: &[Option<ValueId>]) -> TokenStream {
-    let plan = printer.plan;
+pub fn once(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) -> TokenStream {
+    let cx = printer.cx;
     let array = printer.array(from);
     let ArrayRole::Argument(argument) = array.role else {
         bug!("only arguments are read outside of loops")
@@ -25,29 +25,29 @@ pub fn once(printer: &Printer, from: &Place, into: &[Option<ValueId>]) -> TokenS
             return quote!(let [#shortened] = #vector.data.0;);
         }
         let (pattern, copy) =
-            (pattern(&names(printer, into)), plan.segment(&vector, &layout.segments[from.segment]));
+            (pattern(&names(printer, into)), cx.segment(&vector, &layout.segments[from.segment]));
         quote!(let #pattern = #copy;)
     };
     match argument {
         Argument::Coordinates => of_state(quote!(state_.q)),
         Argument::Rates => of_state(quote!(state_.v)),
         Argument::Parameter(index) => {
-            let field = &plan.chain.parameters[index].name;
+            let field = &cx.chain.parameters[index].name;
             let names = names(printer, into);
             quote!(let #(#names)* = parameters_.#field;)
         }
         Argument::Constants => quote!(let #shortened = *constants_;),
         Argument::ClosureSteps => {
-            let field = closure::steps(plan);
+            let field = closure::steps(cx);
             quote!(let #shortened = parameters_.#field;)
         }
         Argument::Input(input) => {
-            let name = plan.chain.name_of_input(plan.layout.inputs[input].what);
+            let name = cx.chain.name_of_input(cx.layout.inputs[input].what);
             let variables = input_variables(printer, input, into);
-            plan.read_input(input, &quote!(inputs_.#name), &variables)
+            cx.read_input(input, &quote!(inputs_.#name), &variables)
         }
         Argument::Slots(_) => {
-            let derived = sealed::once(plan, &quote!(self));
+            let derived = sealed::once(cx, &quote!(self));
             quote!(let #shortened = #derived;)
         }
         // The argument of the function has its name already.
@@ -59,30 +59,30 @@ pub fn once(printer: &Printer, from: &Place, into: &[Option<ValueId>]) -> TokenS
 /// Reads a repetition: what to iterate over, and statements that take an item apart.
 pub fn repeated(
     printer: &Printer,
-    (argument, from): (Argument, &Place),
+    (argument, from): (Argument, &ArraySlice),
     into: &[Option<ValueId>],
-) -> (Stream, TokenStream) {
-    let plan = printer.plan;
+) -> (LoopInput, TokenStream) {
+    let cx = printer.cx;
     let segment = &printer.array(from).layout.segments[from.segment];
     let names = names(printer, into);
     let pattern = pattern(&names);
     let slices = |array: TokenStream| {
-        let slices = plan.slices(&array, segment);
+        let slices = cx.slices(&array, segment);
         ((quote!(&#pattern), quote!(#slices.iter())), TokenStream::new())
     };
     match argument {
         Argument::Coordinates => slices(quote!(state_.q)),
         Argument::Rates => slices(quote!(state_.v)),
-        Argument::Slots(Some(part)) => slices(sealed::of_part(plan, &quote!(self), part)),
+        Argument::Slots(Some(part)) => slices(sealed::of_part(cx, &quote!(self), part)),
         Argument::Parameter(index) => {
-            let field = &plan.chain.parameters[index].name;
+            let field = &cx.chain.parameters[index].name;
             ((quote!(&#(#names)*), quote!(parameters_.#field.iter())), TokenStream::new())
         }
         Argument::Input(input) => {
-            let name = plan.chain.name_of_input(plan.layout.inputs[input].what);
+            let name = cx.chain.name_of_input(cx.layout.inputs[input].what);
             let item = helper(&format!("{name}_input"));
             let variables = input_variables(printer, input, into);
-            let taken = plan.read_input(input, &quote!(#item), &variables);
+            let taken = cx.read_input(input, &quote!(#item), &variables);
             ((quote!(&#item), quote!(inputs_.#name.iter())), taken)
         }
         Argument::Constants
@@ -114,7 +114,7 @@ fn shortened(printer: &Printer, into: &[Option<ValueId>]) -> TokenStream {
 
 /// Variables for all numbers of an input, also those that nothing reads: an input is taken apart as a whole.
 fn input_variables(printer: &Printer, input: InputId, into: &[Option<ValueId>]) -> Vec<Ident> {
-    let own = printer.plan.input_variables(input);
+    let own = printer.cx.input_variables(input);
     let variable = |(value, own): (&Option<ValueId>, Ident)| match value {
         Some(value) => printer.variables.get(*value).clone(),
         None => own,
@@ -122,7 +122,7 @@ fn input_variables(printer: &Printer, input: InputId, into: &[Option<ValueId>]) 
     into.iter().zip(own).map(variable).collect()
 }
 
-impl Plan<'_> {
+impl EmitContext<'_> {
     /// Variables for all numbers of an input.
     pub fn input_variables(&self, input: InputId) -> Vec<Ident> {
         let numbers = self.compiled.unknowns.of(Argument::Input(input));

@@ -3,48 +3,49 @@
 
 use super::arrays::usize_literal;
 use super::names::{accessor_mut, helper};
-use super::places::point_type;
+use super::point_access::point_type;
 use super::quaternions;
-use super::{Plan, body};
+use super::{EmitContext, body};
 use crate::model::{BodyId, Group, HingeId};
 use crate::program::{ArrayLayout, Segment};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
 
-/// Where the numbers of a hinge that has coordinates lie: the piece of each array, and the numbers'
-/// places in the piece.
-struct Parts {
+/// Where the numbers of a hinge that has coordinates lie: the segment of each array, and the numbers'
+/// places in the segment.
+struct HingeSegments {
     q: (Segment, Range<usize>),
     v: (Segment, Range<usize>),
 }
 
-impl Parts {
-    fn of(plan: &Plan, hinge: HingeId) -> Self {
-        let within = |spread: ArrayLayout, range: &Range<usize>| {
-            let piece = *spread.segment_of(range.start);
-            (piece, range.start - piece.first..range.end - piece.first)
+impl HingeSegments {
+    fn of(cx: &EmitContext, hinge: HingeId) -> Self {
+        let within = |layout: ArrayLayout, range: &Range<usize>| {
+            let segment = *layout.segment_of(range.start);
+            (segment, range.start - segment.first..range.end - segment.first)
         };
-        Parts {
-            q: within(plan.coordinates(), &plan.layout.q[hinge]),
-            v: within(plan.rates(), &plan.layout.v[hinge]),
+        HingeSegments {
+            q: within(cx.coordinates(), &cx.layout.q[hinge]),
+            v: within(cx.rates(), &cx.layout.v[hinge]),
         }
     }
 
     /// What takes the numbers of one time out of the arrays.
-    fn taken(&self, plan: &Plan, at: &TokenStream, change: bool) -> TokenStream {
-        let take = |(piece, range): &(Segment, Range<usize>), letter: &str, array: TokenStream| {
-            let names = (0..piece.count).map(|k| {
-                if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
-            });
-            if change {
-                let slices = plan.slices_mut(&array, piece);
-                quote!(let [#(#names),*] = #slices.get_mut(#at)?;)
-            } else {
-                let slices = plan.slices(&array, piece);
-                quote!(let &[#(#names),*] = #slices.get(#at)?;)
-            }
-        };
+    fn taken(&self, cx: &EmitContext, at: &TokenStream, change: bool) -> TokenStream {
+        let take =
+            |(segment, range): &(Segment, Range<usize>), letter: &str, array: TokenStream| {
+                let names = (0..segment.count).map(|k| {
+                    if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
+                });
+                if change {
+                    let slices = cx.slices_mut(&array, segment);
+                    quote!(let [#(#names),*] = #slices.get_mut(#at)?;)
+                } else {
+                    let slices = cx.slices(&array, segment);
+                    quote!(let &[#(#names),*] = #slices.get(#at)?;)
+                }
+            };
         let (q, v) = (take(&self.q, "q", quote!(self.q)), take(&self.v, "v", quote!(self.v)));
         quote!(#q #v)
     }
@@ -56,7 +57,7 @@ fn variable(letter: &str, number: usize) -> TokenStream {
 }
 
 /// The arguments of a view's constructor, group by group, under names that begin with `prefix`.
-fn groups(plan: &Plan, hinge: HingeId, prefix: &str) -> Vec<TokenStream> {
+fn groups(cx: &EmitContext, hinge: HingeId, prefix: &str) -> Vec<TokenStream> {
     let group = |group: &Group| {
         let (letter, range) = match group {
             Group::Coordinates(range) => ("q", range.clone()),
@@ -66,26 +67,26 @@ fn groups(plan: &Plan, hinge: HingeId, prefix: &str) -> Vec<TokenStream> {
         let names: Vec<TokenStream> = range.map(|k| variable(&letter, k)).collect();
         if names.len() == 1 { quote!(#(#names)*) } else { quote!([#(#names),*]) }
     };
-    plan.view(hinge).groups.iter().map(group).collect()
+    cx.view(hinge).groups.iter().map(group).collect()
 }
 
-fn view_name(plan: &Plan, hinge: HingeId, suffix: &str) -> Ident {
-    format_ident!("{}{suffix}", plan.view(hinge).name)
+fn view_name(cx: &EmitContext, hinge: HingeId, suffix: &str) -> Ident {
+    format_ident!("{}{suffix}", cx.view(hinge).name)
 }
 
 /// The views of a repeated hinge.
-pub fn state_accessors(plan: &Plan, hinge: HingeId, count: usize) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let name = &plan.chain.hinges[hinge].name;
+pub fn state_accessors(cx: &EmitContext, hinge: HingeId, count: usize) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let name = &cx.chain.hinges[hinge].name;
     let (name_mut, set_each) = (accessor_mut(name), format_ident!("set_each_{name}"));
-    let visibility = &plan.surface.visibility;
-    let parts = Parts::of(plan, hinge);
+    let visibility = &cx.surface.visibility;
+    let segments = HingeSegments::of(cx, hinge);
     let index = quote!(index_);
-    let (read, change) = (parts.taken(plan, &index, false), parts.taken(plan, &index, true));
-    let (groups, new_groups) = (groups(plan, hinge, ""), groups(plan, hinge, "new_"));
-    let (view, view_mut) = (view_name(plan, hinge, ""), view_name(plan, hinge, "Mut"));
-    let named = quaternions::named(&plan.chain.hinges[hinge]);
-    let kind = &plan.chain.hinges[hinge].kind;
+    let (read, change) = (segments.taken(cx, &index, false), segments.taken(cx, &index, true));
+    let (groups, new_groups) = (groups(cx, hinge, ""), groups(cx, hinge, "new_"));
+    let (view, view_mut) = (view_name(cx, hinge, ""), view_name(cx, hinge, "Mut"));
+    let named = quaternions::named(&cx.chain.hinges[hinge]);
+    let kind = &cx.chain.hinges[hinge].kind;
     let given =
         |letter: &'static str, count: usize| (0..count).map(move |k| format!("{letter}{k}"));
     let all: Vec<String> =
@@ -134,15 +135,19 @@ pub fn state_accessors(plan: &Plan, hinge: HingeId, count: usize) -> TokenStream
 }
 
 /// The views of a hinge that stands once.
-pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str)) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let name = &plan.chain.hinges[hinge].name;
-    let (name_mut, visibility) = (accessor_mut(name), &plan.surface.visibility);
-    let (view, view_mut) = (view_name(plan, hinge, ""), view_name(plan, hinge, "Mut"));
-    let Parts { q: (q, q_range), v: (v, v_range) } = Parts::of(plan, hinge);
-    let read = |(piece, range): (&Segment, &Range<usize>), letter: &str, array: TokenStream| {
-        let [count, place] = [piece.count, piece.place].map(usize_literal);
-        let names = (0..piece.count).map(|k| {
+pub fn single_accessors(
+    cx: &EmitContext,
+    hinge: HingeId,
+    (doc, doc_mut): (&str, &str),
+) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let name = &cx.chain.hinges[hinge].name;
+    let (name_mut, visibility) = (accessor_mut(name), &cx.surface.visibility);
+    let (view, view_mut) = (view_name(cx, hinge, ""), view_name(cx, hinge, "Mut"));
+    let HingeSegments { q: (q, q_range), v: (v, v_range) } = HingeSegments::of(cx, hinge);
+    let read = |(segment, range): (&Segment, &Range<usize>), letter: &str, array: TokenStream| {
+        let [count, place] = [segment.count, segment.offset].map(usize_literal);
+        let names = (0..segment.count).map(|k| {
             if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
         });
         quote! {
@@ -152,25 +157,26 @@ pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str
     let (read_q, read_v) =
         (read((&q, &q_range), "q", quote!(self.q)), read((&v, &v_range), "v", quote!(self.v)));
     // Counted from the nearer end, so that it stays short behind a long repeated part.
-    let change = |spread: ArrayLayout, (piece, range): (&Segment, &Range<usize>), letter, array| {
-        let names = (0..range.len()).map(|k| variable(letter, k));
-        let before = piece.place + range.start;
-        let after = spread.total - before - range.len();
-        let pattern = if before <= after {
-            let skipped = (0..before).map(|_| quote!(_,));
-            quote!([#(#skipped)* #(#names,)* ..])
-        } else {
-            let skipped = (0..after).map(|_| quote!(_,));
-            quote!([.., #(#names,)* #(#skipped)*])
+    let change =
+        |layout: ArrayLayout, (segment, range): (&Segment, &Range<usize>), letter, array| {
+            let names = (0..range.len()).map(|k| variable(letter, k));
+            let before = segment.offset + range.start;
+            let after = layout.total - before - range.len();
+            let pattern = if before <= after {
+                let skipped = (0..before).map(|_| quote!(_,));
+                quote!([#(#skipped)* #(#names,)* ..])
+            } else {
+                let skipped = (0..after).map(|_| quote!(_,));
+                quote!([.., #(#names,)* #(#skipped)*])
+            };
+            let array: TokenStream = array;
+            quote!(let [#pattern] = &mut #array.data.0;)
         };
-        let array: TokenStream = array;
-        quote!(let [#pattern] = &mut #array.data.0;)
-    };
-    let groups = groups(plan, hinge, "");
-    let named = quaternions::named(&plan.chain.hinges[hinge]);
+    let groups = groups(cx, hinge, "");
+    let named = quaternions::named(&cx.chain.hinges[hinge]);
     let (change_q, change_v) = (
-        change(plan.coordinates(), (&q, &q_range), "q", quote!(self.q)),
-        change(plan.rates(), (&v, &v_range), "v", quote!(self.v)),
+        change(cx.coordinates(), (&q, &q_range), "q", quote!(self.q)),
+        change(cx.rates(), (&v, &v_range), "v", quote!(self.v)),
     );
     quote! {
         #[doc = #doc]
@@ -194,20 +200,20 @@ pub fn single_accessors(plan: &Plan, hinge: HingeId, (doc, doc_mut): (&str, &str
 
 /// Where an element's input point lies among all points: the first time, and how many points on from
 /// there every further time.
-pub fn points_of(plan: &Plan, place: usize) -> (usize, usize) {
-    let spread = plan.points();
-    let piece = spread.segment_of(place + 1);
-    (piece.place + place - piece.first, piece.count)
+pub fn points_of(cx: &EmitContext, place: usize) -> (usize, usize) {
+    let layout = cx.points();
+    let segment = layout.segment_of(place + 1);
+    (segment.offset + place - segment.first, segment.count)
 }
 
 /// The result of a repeated body.
-pub fn body(plan: &Plan, (index, place): (BodyId, usize), count: usize) -> TokenStream {
-    let (body, visibility) = (&plan.chain.bodies[index], &plan.surface.visibility);
+pub fn body(cx: &EmitContext, (index, place): (BodyId, usize), count: usize) -> TokenStream {
+    let (body, visibility) = (&cx.chain.bodies[index], &cx.surface.visibility);
     let name = &body.name;
     let contents = body::contents(body);
     let doc = format!(" Results at body `{name}` number `index` of {count}: {contents}.");
-    let (ends, ty) = (ends(plan, place, count), body::type_of(plan, body));
-    let result = body::result(plan, (index, place), &quote!(first_));
+    let (ends, ty) = (ends(cx, place, count), body::type_of(cx, body));
+    let result = body::result(cx, (index, place), &quote!(first_));
     quote! {
         #[doc = #doc]
         #[inline]
@@ -222,21 +228,21 @@ pub fn body(plan: &Plan, (index, place): (BodyId, usize), count: usize) -> Token
 }
 
 /// The result of a repeated hinge.
-pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let name = &plan.chain.hinges[index].name;
-    let (visibility, point) = (&plan.surface.visibility, point_type(plan));
-    let range = &plan.layout.rates[index];
-    let ty = plan.numbers_type(range.len());
-    let spread = plan.all_rates();
+pub fn hinge(cx: &EmitContext, (index, place): (HingeId, usize), count: usize) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let name = &cx.chain.hinges[index].name;
+    let (visibility, point) = (&cx.surface.visibility, point_type(cx));
+    let range = &cx.layout.rates[index];
+    let ty = cx.numbers_type(range.len());
+    let layout = cx.all_rates();
     let of = |field: TokenStream| match range.len() {
         0 => quote!(()),
         _ => {
-            let piece = spread.segment_of(range.start);
-            let slices = plan.slices(&field, piece);
-            let names = (0..piece.count).map(|k| {
-                let inside = (piece.first + k >= range.start) && (piece.first + k < range.end);
-                if inside { variable("x", piece.first + k - range.start) } else { quote!(_) }
+            let segment = layout.segment_of(range.start);
+            let slices = cx.slices(&field, segment);
+            let names = (0..segment.count).map(|k| {
+                let inside = (segment.first + k >= range.start) && (segment.first + k < range.end);
+                if inside { variable("x", segment.first + k - range.start) } else { quote!(_) }
             });
             let own: Vec<TokenStream> = (0..range.len()).map(|k| variable("x", k)).collect();
             let value = match &own[..] {
@@ -249,12 +255,12 @@ pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> Tok
             })
         }
     };
-    let accelerations = plan.rate_accelerations();
+    let accelerations = cx.rate_accelerations();
     let (acceleration, effort) = (of(quote!(self.#accelerations)), of(quote!(self.efforts)));
     let doc = format!(
         " Acceleration, effort, input and output of hinge `{name}` number `index` of {count}."
     );
-    let ends = ends(plan, place, count);
+    let ends = ends(cx, place, count);
     quote! {
         #[doc = #doc]
         #[inline]
@@ -270,8 +276,8 @@ pub fn hinge(plan: &Plan, (index, place): (HingeId, usize), count: usize) -> Tok
 }
 
 /// Binds `input` and `output` of a repeated element.
-fn ends(plan: &Plan, place: usize, count: usize) -> TokenStream {
-    let (first, stride) = points_of(plan, place);
+fn ends(cx: &EmitContext, place: usize, count: usize) -> TokenStream {
+    let (first, stride) = points_of(cx, place);
     let [first, stride, count] = [first, stride, count].map(usize_literal);
     quote! {
         if index_ >= #count {

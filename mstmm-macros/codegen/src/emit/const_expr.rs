@@ -1,20 +1,20 @@
 //! Formulas of constants as Rust expressions.
 
-use super::Plan;
+use super::EmitContext;
 use crate::model::{Symbol, Value};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// A formula of constants as an `f64` expression, with parameters at their defaults.
-pub fn value_tokens(plan: &Plan, value: &Value) -> TokenStream {
-    let go = |value: &Value| value_tokens(plan, value);
+pub fn value_tokens(cx: &EmitContext, value: &Value) -> TokenStream {
+    let go = |value: &Value| value_tokens(cx, value);
     match value {
         Value::Number(number) => {
             let magnitude = Literal::f64_suffixed(number.abs());
             if *number < 0.0 { quote!((-#magnitude)) } else { quote!(#magnitude) }
         }
-        Value::Symbol(Symbol::Constant(index)) => plan.surface.constants[*index].clone(),
-        Value::Symbol(Symbol::Parameter(index)) => go(&plan.chain.parameters[*index].default),
+        Value::Symbol(Symbol::Constant(index)) => cx.surface.constants[*index].clone(),
+        Value::Symbol(Symbol::Parameter(index)) => go(&cx.chain.parameters[*index].default),
         Value::Sum(a, b) => {
             let (a, b) = (go(a), go(b));
             quote!((#a + #b))
@@ -27,15 +27,15 @@ pub fn value_tokens(plan: &Plan, value: &Value) -> TokenStream {
             let (a, b) = (go(a), go(b));
             quote!((#a / #b))
         }
-        Value::Sqrt(a) => function(plan, "sqrt", go(a)),
-        Value::Sin(a) => function(plan, "sin", go(a)),
-        Value::Cos(a) => function(plan, "cos", go(a)),
+        Value::Sqrt(a) => function(cx, "sqrt", go(a)),
+        Value::Sin(a) => function(cx, "sin", go(a)),
+        Value::Cos(a) => function(cx, "cos", go(a)),
     }
 }
 
 /// `core` has no such functions of `f64`; the runtime has.
-fn function(plan: &Plan, name: &str, argument: TokenStream) -> TokenStream {
-    let mstmm = &plan.mstmm;
+fn function(cx: &EmitContext, name: &str, argument: TokenStream) -> TokenStream {
+    let mstmm = &cx.mstmm;
     let name = format_ident!("{name}");
     quote!(#mstmm::generated::#name(#argument))
 }

@@ -1,6 +1,6 @@
 //! What a workspace starts with.
 
-use super::Plan;
+use super::EmitContext;
 use super::arrays::usize_literal;
 use crate::model::Answer;
 use crate::program::{Array, ArrayRole, OutputId};
@@ -8,8 +8,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 /// An array of a solution before anything is computed: zeros, and the numbers that are the same in every state.
-pub fn at_first(plan: &Plan, id: OutputId) -> TokenStream {
-    let array = array(plan, id);
+pub fn at_first(cx: &EmitContext, id: OutputId) -> TokenStream {
+    let array = array(cx, id);
     let count = usize_literal(array.layout.total);
     let zeros = quote!([T::constant(0.0); #count]);
     let known = array.initial.iter().filter(|(_, value)| *value != 0.0).map(|&(entry, value)| {
@@ -21,13 +21,13 @@ pub fn at_first(plan: &Plan, id: OutputId) -> TokenStream {
     if known.is_empty() {
         return zeros;
     }
-    let mstmm = &plan.mstmm;
+    let mstmm = &cx.mstmm;
     quote!(#mstmm::generated::with_known(#zeros, &[#(#known),*]))
 }
 
 /// A number of a solution before anything is computed.
-pub fn number_at_first(plan: &Plan, id: OutputId, entry: usize) -> TokenStream {
-    let known = array(plan, id).initial.iter().find(|(other, _)| *other == entry);
+pub fn number_at_first(cx: &EmitContext, id: OutputId, entry: usize) -> TokenStream {
+    let known = array(cx, id).initial.iter().find(|(other, _)| *other == entry);
     constant(known.map_or(0.0, |(_, value)| *value))
 }
 
@@ -41,15 +41,15 @@ fn constant(value: f64) -> TokenStream {
 }
 
 /// How many numbers a result of a solution has, if there is one.
-pub fn count(plan: &Plan, id: OutputId) -> Option<usize> {
-    find(plan, id).map(|array| array.layout.total)
+pub fn count(cx: &EmitContext, id: OutputId) -> Option<usize> {
+    find(cx, id).map(|array| array.layout.total)
 }
 
-fn array<'a>(plan: &'a Plan, id: OutputId) -> &'a Array {
-    find(plan, id).unwrap_or_else(|| bug!("a solution has no `{}`", id.name))
+fn array<'a>(cx: &'a EmitContext, id: OutputId) -> &'a Array {
+    find(cx, id).unwrap_or_else(|| bug!("a solution has no `{}`", id.name))
 }
 
-fn find<'a>(plan: &'a Plan, id: OutputId) -> Option<&'a Array> {
-    let arrays = &plan.compiled.function(Answer::Solution).procedure.arrays;
+fn find<'a>(cx: &'a EmitContext, id: OutputId) -> Option<&'a Array> {
+    let arrays = &cx.compiled.function(Answer::Solution).procedure.arrays;
     arrays.iter().find(|array| array.role == ArrayRole::Result(id))
 }

@@ -4,12 +4,12 @@ use crate::expr::NodeId;
 use crate::program::ValueId;
 
 /// Values by node.
-pub(super) struct NodeNames(Vec<Option<ValueId>>);
+pub(super) struct NodeValues(Vec<Option<ValueId>>);
 
-impl NodeNames {
+impl NodeValues {
     /// No values yet for so many nodes.
     pub(super) fn new(nodes: usize) -> Self {
-        NodeNames(vec![None; nodes])
+        NodeValues(vec![None; nodes])
     }
 
     pub(super) fn get(&self, node: NodeId) -> Option<ValueId> {

@@ -1,7 +1,7 @@
 //! The chain as integrators and generic code see it, and how a closed one is put back onto its
 //! closure.
 
-use super::Plan;
+use super::EmitContext;
 use super::quaternions;
 use crate::compile::{CompiledFunction, outputs};
 use crate::model::Answer;
@@ -10,11 +10,11 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 /// The chain as integrators see it.
-pub fn integrable(plan: &Plan) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
-    let step = plan.step();
-    let implicit = plan.compiled.find(Answer::ImplicitAccelerations).map(|_| {
+pub fn chain_impl(cx: &EmitContext) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let (name, state, inputs) = (&cx.names.chain, &cx.names.state, &cx.names.inputs);
+    let step = cx.step();
+    let implicit = cx.compiled.find(Answer::ImplicitAccelerations).map(|_| {
         quote! {
             #[inline]
             fn implicit_derivative_into(
@@ -30,8 +30,8 @@ pub fn integrable(plan: &Plan) -> TokenStream {
             }
         }
     });
-    let checks = quaternions::checks(plan);
-    let correction = correction(plan);
+    let checks = quaternions::checks(cx);
+    let correction = correction(cx);
     let (close, assemble) = (&correction.close, &correction.assemble);
     quote! {
         impl<T: #mstmm::Scalar> #mstmm::Chain for #name<T> {
@@ -76,27 +76,27 @@ pub fn integrable(plan: &Plan) -> TokenStream {
 }
 
 /// How a closed chain is put back onto its closure.
-struct Correction {
+struct ClosureMethods {
     close: TokenStream,
     assemble: TokenStream,
 }
 
-fn correction(plan: &Plan) -> Correction {
-    let mstmm = &plan.mstmm;
-    let Some(function) = plan.compiled.find(Answer::Correction) else {
+fn correction(cx: &EmitContext) -> ClosureMethods {
+    let mstmm = &cx.mstmm;
+    let Some(function) = cx.compiled.find(Answer::Correction) else {
         let [close, assemble] = [(); 2].map(|()| TokenStream::new());
-        return Correction { close, assemble };
+        return ClosureMethods { close, assemble };
     };
-    let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
-    let visibility = &plan.surface.visibility;
-    let checked = quaternions::checked(plan);
-    let closing = plan.layout.closings.first();
+    let (name, state, inputs) = (&cx.names.chain, &cx.names.state, &cx.names.inputs);
+    let visibility = &cx.surface.visibility;
+    let checked = quaternions::checked(cx);
+    let closing = cx.layout.closings.first();
     let closing = closing.unwrap_or_else(|| bug!("a chain without a closing hinge is corrected"));
-    let hinge = plan.chain.hinges[*closing].name.to_string();
+    let hinge = cx.chain.hinges[*closing].name.to_string();
     let check =
         has_excess(function).then(|| quote!(#mstmm::generated::check_closure(residual_, #hinge)?;));
-    let errors = quaternions::error(plan);
-    Correction {
+    let errors = quaternions::error(cx);
+    ClosureMethods {
         close: quote! {
             #[inline]
             fn close<E: ::core::convert::From<#mstmm::Error>>(
@@ -146,11 +146,11 @@ fn correction(plan: &Plan) -> Correction {
 }
 
 /// The chain as generic code sees it.
-pub fn generated(plan: &Plan) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let (name, state, inputs) = (&plan.names.chain, &plan.names.state, &plan.names.inputs);
-    let workspace = &plan.names.workspace;
-    let assemble = plan.compiled.find(Answer::Correction).map(|_| {
+pub fn generated(cx: &EmitContext) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let (name, state, inputs) = (&cx.names.chain, &cx.names.state, &cx.names.inputs);
+    let workspace = &cx.names.workspace;
+    let assemble = cx.compiled.find(Answer::Correction).map(|_| {
         quote! {
             #[inline]
             fn assemble(
@@ -202,9 +202,9 @@ pub fn generated(plan: &Plan) -> TokenStream {
 }
 
 /// Kinetic and potential energy of a chain some of whose hinges move as told.
-pub fn energy(plan: &Plan) -> Option<TokenStream> {
-    let (mstmm, state, visibility) = (&plan.mstmm, &plan.names.state, &plan.surface.visibility);
-    plan.chain.has_prescribed_hinges().then(|| {
+pub fn energy(cx: &EmitContext) -> Option<TokenStream> {
+    let (mstmm, state, visibility) = (&cx.mstmm, &cx.names.state, &cx.surface.visibility);
+    cx.chain.has_prescribed_hinges().then(|| {
         quote! {
             /// Kinetic and potential energy in J, with prescribed motions at rest in the zero position.
             #[inline]

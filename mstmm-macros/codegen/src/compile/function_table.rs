@@ -8,7 +8,7 @@ use crate::passes::Checks;
 use crate::program::Failure;
 
 /// A function of a chain.
-pub(super) struct Row {
+pub(super) struct FunctionSpec {
     /// What it answers.
     pub answer: Answer,
     /// Whether a chain has it.
@@ -23,15 +23,15 @@ pub(super) struct Row {
 const SOLVED: Option<Checks> =
     Some(Checks { finite: outputs::ACCELERATIONS, failure: Failure::Untouched });
 
-/// All rows, in the order of [`Answer::ALL`].
-pub(super) static ROWS: [Row; 10] = [
-    Row {
+/// All specs, in the order of [`Answer::ALL`].
+pub(super) static FUNCTIONS: [FunctionSpec; 10] = [
+    FunctionSpec {
         answer: Answer::Accelerations,
         when: always,
         trace: |chain| chain.accelerations(),
         checks: SOLVED,
     },
-    Row {
+    FunctionSpec {
         answer: Answer::ImplicitAccelerations,
         when: |chain, _, _| {
             chain.hinges.iter().flat_map(|hinge| &hinge.passive).any(Passive::has_effort)
@@ -39,39 +39,49 @@ pub(super) static ROWS: [Row; 10] = [
         trace: |chain| chain.implicit_accelerations(),
         checks: SOLVED,
     },
-    Row {
+    FunctionSpec {
         answer: Answer::Solution,
         when: always,
         trace: |chain| chain.solution(),
         checks: Some(Checks { finite: outputs::ACCELERATIONS, failure: Failure::Reset }),
     },
-    Row { answer: Answer::Energy, when: always, trace: |chain| chain.energy(), checks: None },
-    Row {
+    FunctionSpec {
+        answer: Answer::Energy,
+        when: always,
+        trace: |chain| chain.energy(),
+        checks: None,
+    },
+    FunctionSpec {
         answer: Answer::CoordinateRates,
         when: always,
         trace: |chain| chain.coordinate_rates(),
         checks: None,
     },
-    Row {
+    FunctionSpec {
         answer: Answer::Normalized,
         when: always,
         trace: |chain| chain.normalized(),
         checks: None,
     },
-    Row {
+    FunctionSpec {
         answer: Answer::Correction,
         when: |_, _, layout| !layout.closings.is_empty(),
         trace: |chain| chain.correction(),
         checks: None,
     },
-    Row {
+    FunctionSpec {
         answer: Answer::ClosurePivots,
         when: |_, findings, _| matches!(findings.closure_rank, ClosureRank::FoundAtRunTime(_)),
         trace: |chain| chain.closure_pivots(),
         checks: None,
     },
-    Row { answer: Answer::Start, when: always, trace: |chain| chain.start(), checks: None },
-    Row {
+    FunctionSpec {
+        answer: Answer::Start,
+        when: always,
+        trace: |chain| chain.start(),
+        checks: None,
+    },
+    FunctionSpec {
         answer: Answer::BiasEfforts,
         when: |chain, _, _| chain.answers.contains(&Answer::BiasEfforts),
         trace: |chain| chain.bias_efforts(),
@@ -85,11 +95,11 @@ fn always(_: &Chain, _: &Findings, _: &Layout) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::ROWS;
+    use super::FUNCTIONS;
     use crate::model::Answer;
 
     #[test]
     fn every_answer_has_a_row_in_its_place() {
-        assert_eq!(ROWS.each_ref().map(|row| row.answer), Answer::ALL);
+        assert_eq!(FUNCTIONS.each_ref().map(|spec| spec.answer), Answer::ALL);
     }
 }

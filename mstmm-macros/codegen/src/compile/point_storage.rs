@@ -7,8 +7,8 @@ use std::collections::HashMap;
 
 /// A vector among the numbers of all points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Place {
-    /// Where its first number is in its piece, counted from one; zero for a vector of zeros.
+pub struct StoredVector {
+    /// Where its first number is in its segment, counted from one; zero for a vector of zeros.
     pub first: usize,
     /// How many numbers it has.
     pub count: usize,
@@ -17,91 +17,91 @@ pub struct Place {
 /// A vector and the axes that it is seen in: places of what turns into inertial ones, columns of a
 /// matrix in space, cosine and sine in the plane; none if the vector is inertial.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Sight {
+pub struct StoredFramedVector {
     /// The axes.
-    pub axes: Option<Vec<Place>>,
+    pub axes: Option<Vec<StoredVector>>,
     /// The vector.
-    pub vector: Place,
+    pub vector: StoredVector,
 }
 
 /// Where the numbers of a connection point are.
 #[derive(Clone, Debug)]
-pub struct PointPlaces {
-    /// How many numbers of all points lie before their piece.
+pub struct StoredPoint {
+    /// How many numbers of all points lie before their segment.
     pub start: usize,
     /// Its position.
-    pub position: Place,
+    pub position: StoredVector,
     /// Its orientation, as axes are; none in inertial axes.
-    pub orientation: Option<Vec<Place>>,
+    pub orientation: Option<Vec<StoredVector>>,
     /// Velocity, `Ω`, `r̈` as felt, `Ω̇`, `m` and `q`; along a line those that there are.
-    pub vectors: Vec<Sight>,
+    pub vectors: Vec<StoredFramedVector>,
     /// At the input of a body its centre of mass and its named points, body frame; none where no
     /// parameter changes them, so that the workspace need not keep them.
-    pub changing: Vec<Option<Place>>,
+    pub changing: Vec<Option<StoredVector>>,
 }
 
-/// Where the numbers of all connection points are: pieces of those that stand once or belong to one
+/// Where the numbers of all connection points are: segments of those that stand once or belong to one
 /// repeated part.
 #[derive(Clone, Debug, Default)]
-pub struct Places {
-    /// How many numbers each piece has, and its repeated part.
-    pub pieces: Vec<(usize, Option<RepeatId>)>,
+pub struct PointStorage {
+    /// How many numbers each segment has, and its repeated part.
+    pub segments: Vec<(usize, Option<RepeatId>)>,
     /// The points of the model.
-    pub points: Vec<PointPlaces>,
+    pub points: Vec<StoredPoint>,
 }
 
 /// The places of points, each with its repeated part, and the numbers that are to lie there.
-pub(super) fn places<'g>(
+pub(super) fn allocate<'g>(
     chain: &Chain,
     graph: &'g Graph,
     points: &[PointState<Expr<'g>>],
     numbers: &SymbolValues<Expr<'g>>,
-) -> (Places, Vec<Expr<'g>>) {
-    let mut all = Filling { graph, known: HashMap::new(), start: 0, numbers: Vec::new() };
-    let mut places = Places::default();
+) -> (PointStorage, Vec<Expr<'g>>) {
+    let mut all = PointAllocator { graph, known: HashMap::new(), start: 0, numbers: Vec::new() };
+    let mut storage = PointStorage::default();
     let part = |element: &Element| match *element {
         Element::Hinge(hinge) => chain.repeat_of_hinge(hinge),
         Element::Body(body) => chain.repeat_of_body(body),
     };
     let parts = std::iter::once(None).chain(chain.route.iter().map(part));
     for (index, (point, part)) in points.iter().zip(parts).enumerate() {
-        match places.pieces.last() {
+        match storage.segments.last() {
             Some((_, last)) if *last == part => {}
             _ => {
-                all.begin_piece();
-                places.pieces.push((0, part));
+                all.begin_segment();
+                storage.segments.push((0, part));
             }
         }
         let mut own = all.point(point, chain.dimension, chain.results);
         if let Some(Element::Body(body)) = chain.route.get(index) {
             own.changing = all.changing(&chain.bodies[*body], chain, numbers);
         }
-        places.points.push(own);
-        if let Some((count, _)) = places.pieces.last_mut() {
+        storage.points.push(own);
+        if let Some((count, _)) = storage.segments.last_mut() {
             *count = all.count();
         }
     }
-    (places, all.numbers)
+    (storage, all.numbers)
 }
 
 /// Numbers that find their places.
-struct Filling<'g> {
+struct PointAllocator<'g> {
     graph: &'g Graph,
-    /// Where vectors of the piece begin, by their numbers.
+    /// Where vectors of the segment begin, by their numbers.
     known: HashMap<Vec<Edge>, usize>,
-    /// How many numbers lie before the piece.
+    /// How many numbers lie before the segment.
     start: usize,
     /// All numbers.
     numbers: Vec<Expr<'g>>,
 }
 
-impl<'g> Filling<'g> {
-    fn begin_piece(&mut self) {
+impl<'g> PointAllocator<'g> {
+    fn begin_segment(&mut self) {
         self.known.clear();
         self.start = self.numbers.len();
     }
 
-    /// How many numbers the piece has.
+    /// How many numbers the segment has.
     fn count(&self) -> usize {
         self.numbers.len() - self.start
     }
@@ -112,7 +112,7 @@ impl<'g> Filling<'g> {
         point: &PointState<Expr<'g>>,
         dimension: Dimension,
         results: Results,
-    ) -> PointPlaces {
+    ) -> StoredPoint {
         let (shifts, turns) = (dimension.shifts(), dimension.turns());
         let seen = [
             (results.velocities, &point.velocity, shifts),
@@ -126,16 +126,16 @@ impl<'g> Filling<'g> {
             let columns = point.rotation.transposed().0;
             (self.vector(point.position.0, shifts), self.axes(columns, dimension))
         } else {
-            (Place::default(), None)
+            (StoredVector::default(), None)
         };
         let seen = seen.into_iter().filter(|(.., along)| !along.is_empty());
-        let sight = |(wanted, seen, along)| match wanted {
-            true => self.sight(seen, along, dimension),
-            false => Sight { axes: None, vector: Place::default() },
+        let framed = |(wanted, seen, along)| match wanted {
+            true => self.framed(seen, along, dimension),
+            false => StoredFramedVector { axes: None, vector: StoredVector::default() },
         };
-        let vectors = seen.map(sight).collect();
+        let vectors = seen.map(framed).collect();
         let changing = Vec::new();
-        PointPlaces { start: self.start, position, orientation, vectors, changing }
+        StoredPoint { start: self.start, position, orientation, vectors, changing }
     }
 
     /// The places of those of a body's points that parameters change, if they can be read.
@@ -144,7 +144,7 @@ impl<'g> Filling<'g> {
         body: &Body,
         chain: &Chain,
         numbers: &SymbolValues<Expr<'g>>,
-    ) -> Vec<Option<Place>> {
+    ) -> Vec<Option<StoredVector>> {
         let shifts = chain.dimension.shifts();
         let all = body.own_points().map(|position| {
             let changes = shifts.iter().any(|&axis| position[axis].changes());
@@ -154,21 +154,25 @@ impl<'g> Filling<'g> {
         all.collect()
     }
 
-    fn sight(
+    fn framed(
         &mut self,
         seen: &FramedVector<Expr<'g>>,
         along: &[usize],
         dimension: Dimension,
-    ) -> Sight {
+    ) -> StoredFramedVector {
         let vector = self.vector(seen.vector.0, along);
         // Zeros, and a turn in the plane, are the same numbers in all axes.
-        let turned = vector != Place::default() && along.len() > 1;
+        let turned = vector != StoredVector::default() && along.len() > 1;
         let axes = turned.then(|| self.axes(seen.axes.transposed().0, dimension)).flatten();
-        Sight { axes, vector }
+        StoredFramedVector { axes, vector }
     }
 
     /// The places of axes, unless they are inertial.
-    fn axes(&mut self, columns: [[Expr<'g>; 3]; 3], dimension: Dimension) -> Option<Vec<Place>> {
+    fn axes(
+        &mut self,
+        columns: [[Expr<'g>; 3]; 3],
+        dimension: Dimension,
+    ) -> Option<Vec<StoredVector>> {
         let is_unit = |(k, column): (usize, &[Expr<'g>; 3])| {
             let one = |i: usize| if i == k { 1.0 } else { 0.0 };
             column.iter().enumerate().all(|(i, x)| x.known() == Some(one(i)))
@@ -180,18 +184,18 @@ impl<'g> Filling<'g> {
     }
 
     /// The place of a vector's entries along the axes that matter.
-    fn vector(&mut self, vector: [Expr<'g>; 3], along: &[usize]) -> Place {
+    fn vector(&mut self, vector: [Expr<'g>; 3], along: &[usize]) -> StoredVector {
         let edges: Vec<Edge> = along.iter().map(|&k| self.graph.edge(vector[k])).collect();
         if edges.iter().all(|&edge| self.graph.expr(edge).known() == Some(0.0)) {
-            return Place::default();
+            return StoredVector::default();
         }
         let count = edges.len();
         if let Some(&first) = self.known.get(&edges) {
-            return Place { first, count };
+            return StoredVector { first, count };
         }
         let first = self.count() + 1;
         self.numbers.extend(edges.iter().map(|&edge| self.graph.expr(edge)));
         self.known.insert(edges, first);
-        Place { first, count }
+        StoredVector { first, count }
     }
 }

@@ -11,7 +11,7 @@ use std::collections::HashSet;
 /// types. rustc checks nothing that depends on such a type: not which methods and fields it has, of which kind they
 /// are, nor which traits it implements. The other types are structs, so that users can implement their own traits
 /// and methods for them.
-pub fn wrong(chains: &[ChainDef], mistakes: &syn::Error) -> TokenStream {
+pub fn error_types(chains: &[ChainDef], mistakes: &syn::Error) -> TokenStream {
     let errors = mistakes.to_compile_error();
     let Some(first) = chains.first() else { return errors };
     let error = format_ident!("{}Inputs", first.name);

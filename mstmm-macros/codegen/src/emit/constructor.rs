@@ -1,10 +1,10 @@
 //! The chain's type, how it is made and where it starts.
 
-use super::Plan;
+use super::EmitContext;
 use super::arrays::usize_literal;
 use super::closure;
+use super::const_expr::value_tokens;
 use super::docs;
-use super::formula::value_tokens;
 use super::names::helper;
 use super::parameters;
 use super::printer::Destination;
@@ -16,16 +16,16 @@ use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 
 /// `struct Chain<T>`, `struct ChainParameters<T>` and their constructors.
-pub fn emit(plan: &Plan) -> TokenStream {
-    let mstmm = &plan.mstmm;
-    let chain = chain_type(plan);
-    let parameters = parameters::type_of_all(plan);
-    let constructors = constructors(plan);
-    let derive = derive(plan);
-    let rank = closure::emit(plan);
-    let setters = plan.chain.parameters.iter().map(|parameter| parameters::setter(plan, parameter));
-    let name = &plan.names.chain;
-    let assertions = plan.chain.assertions.iter().filter_map(|rule| assertion(plan, rule));
+pub fn emit(cx: &EmitContext) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let chain = chain_type(cx);
+    let parameters = parameters::type_of_all(cx);
+    let constructors = constructors(cx);
+    let derive = derive(cx);
+    let rank = closure::emit(cx);
+    let setters = cx.chain.parameters.iter().map(|parameter| parameters::setter(cx, parameter));
+    let name = &cx.names.chain;
+    let assertions = cx.chain.assertions.iter().filter_map(|rule| assertion(cx, rule));
     quote! {
         #chain
         #parameters
@@ -45,11 +45,11 @@ pub fn emit(plan: &Plan) -> TokenStream {
     }
 }
 
-fn chain_type(plan: &Plan) -> TokenStream {
-    let name = &plan.names.chain;
-    let (visibility, attributes) = (&plan.surface.visibility, &plan.surface.attributes);
-    let description = docs::chain(plan);
-    let (field, sealed) = (sealed::field(), sealed::type_of(plan));
+fn chain_type(cx: &EmitContext) -> TokenStream {
+    let name = &cx.names.chain;
+    let (visibility, attributes) = (&cx.surface.visibility, &cx.surface.attributes);
+    let description = docs::chain(cx);
+    let (field, sealed) = (sealed::field(), sealed::type_of(cx));
     quote! {
         #(#attributes)*
         #(#[doc = #description])*
@@ -62,30 +62,30 @@ fn chain_type(plan: &Plan) -> TokenStream {
 }
 
 /// `new`, `parameters` and the evaluation of constants.
-fn constructors(plan: &Plan) -> TokenStream {
-    let (mstmm, field) = (&plan.mstmm, sealed::field());
-    let (parameters, visibility) = (&plan.names.parameters, &plan.surface.visibility);
-    let values = plan.chain.parameters.iter().map(|parameter| {
-        let (name, value) = (&parameter.name, value_tokens(plan, &parameter.default));
+fn constructors(cx: &EmitContext) -> TokenStream {
+    let (mstmm, field) = (&cx.mstmm, sealed::field());
+    let (parameters, visibility) = (&cx.names.parameters, &cx.surface.visibility);
+    let values = cx.chain.parameters.iter().map(|parameter| {
+        let (name, value) = (&parameter.name, value_tokens(cx, &parameter.default));
         let one = quote!(T::constant(#value));
         match parameter.times.map(usize_literal) {
             None => quote!(#name: #one),
             Some(times) => quote!(#name: [#one; #times]),
         }
     });
-    let steps = closure::directions(plan).map(|count| {
-        let (field, count) = (closure::steps(plan), usize_literal(count));
+    let steps = closure::directions(cx).map(|count| {
+        let (field, count) = (closure::steps(cx), usize_literal(count));
         quote!(#field: [T::constant(1.0); #count],)
     });
-    let is_empty = plan.chain.parameters.is_empty() && steps.is_none();
+    let is_empty = cx.chain.parameters.is_empty() && steps.is_none();
     let marker = is_empty.then(|| quote!(none: ::core::marker::PhantomData));
-    let chain = closure::found(plan, true, quote!(chain_));
-    let doc = if plan.chain.parameters.is_empty() {
+    let chain = closure::found(cx, true, quote!(chain_));
+    let doc = if cx.chain.parameters.is_empty() {
         " The chain as described."
     } else {
         " The chain as described, its parameters at their defaults."
     };
-    let read = match plan.chain.parameters.is_empty() {
+    let read = match cx.chain.parameters.is_empty() {
         true => " The values that may change at run time: there are none.",
         false => " The values that may change at run time. Each has a setter.",
     };
@@ -110,25 +110,25 @@ fn constructors(plan: &Plan) -> TokenStream {
 
 /// The chain with what follows from parameters and constants, once for all steps; and the numbers to
 /// be checked.
-fn derive(plan: &Plan) -> TokenStream {
-    let (mstmm, field) = (&plan.mstmm, sealed::field());
-    let procedure = &plan.compiled.setup.procedure;
+fn derive(cx: &EmitContext) -> TokenStream {
+    let (mstmm, field) = (&cx.mstmm, sealed::field());
+    let procedure = &cx.compiled.setup.procedure;
     let of_part = |part: RepeatId| helper(&format!("derived{}", part.index()));
-    let statements = plan.procedure(procedure, |id| {
+    let statements = cx.procedure(procedure, |id| {
         Destination::New(match (id, id.part) {
             (outputs::CHECKED, _) => helper("checks"),
             (_, Some(part)) => of_part(part),
             (_, None) => helper("derived"),
         })
     });
-    let check_count = usize_literal(parameters::checked(plan).total);
-    let parts = sealed::parts(plan).into_iter().map(|(part, _)| of_part(part).to_token_stream());
-    let constants = plan.surface.constants.iter();
-    let evaluate = (!plan.surface.constants.is_empty()).then(|| {
-        let count = Literal::usize_unsuffixed(plan.surface.constants.len());
+    let check_count = usize_literal(parameters::checked(cx).total);
+    let parts = sealed::parts(cx).into_iter().map(|(part, _)| of_part(part).to_token_stream());
+    let constants = cx.surface.constants.iter();
+    let evaluate = (!cx.surface.constants.is_empty()).then(|| {
+        let count = Literal::usize_unsuffixed(cx.surface.constants.len());
         quote!(let constants_: &[T; #count] = &[#(T::constant(#constants)),*];)
     });
-    let parameters = &plan.names.parameters;
+    let parameters = &cx.names.parameters;
     let doc = format!(" Quantities derived from parameters and constants: {}.", procedure.cost());
     let derived = sealed::paired(quote!(derived_), parts);
     quote! {
@@ -147,10 +147,10 @@ fn derive(plan: &Plan) -> TokenStream {
 
 /// What must hold of Rust constants is checked while the user's crate compiles, with the parameters
 /// at their defaults.
-fn assertion(plan: &Plan, requirement: &Requirement) -> Option<TokenStream> {
-    let conditions = requirement.iter().filter(|condition| is_const(plan, &condition.value));
+fn assertion(cx: &EmitContext, requirement: &Requirement) -> Option<TokenStream> {
+    let conditions = requirement.iter().filter(|condition| is_const(cx, &condition.value));
     let checks = conditions.rev().fold(TokenStream::new(), |rest, condition| {
-        let (value, zero) = (value_tokens(plan, &condition.value), Literal::f64_suffixed(0.0));
+        let (value, zero) = (value_tokens(cx, &condition.value), Literal::f64_suffixed(0.0));
         let holds = match condition.must {
             Must::BeFinite => quote!(<::core::primitive::f64>::is_finite(#value)),
             Must::BePositive => quote!(!(#value <= #zero)),
@@ -179,14 +179,14 @@ fn assertion(plan: &Plan, requirement: &Requirement) -> Option<TokenStream> {
 }
 
 /// Whether a formula can be evaluated in a `const` item.
-fn is_const(plan: &Plan, value: &Value) -> bool {
-    let is_const = |value: &Value| is_const(plan, value);
+fn is_const(cx: &EmitContext, value: &Value) -> bool {
+    let is_const = |value: &Value| is_const(cx, value);
     match value {
         Value::Number(_) | Value::Symbol(Symbol::Constant(_)) => true,
         Value::Sum(a, b) | Value::Product(a, b) | Value::Quotient(a, b) => {
             is_const(a) && is_const(b)
         }
-        Value::Symbol(Symbol::Parameter(index)) => is_const(&plan.chain.parameters[*index].default),
+        Value::Symbol(Symbol::Parameter(index)) => is_const(&cx.chain.parameters[*index].default),
         Value::Sqrt(_) | Value::Sin(_) | Value::Cos(_) => false,
     }
 }

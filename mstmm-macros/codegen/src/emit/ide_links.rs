@@ -1,14 +1,14 @@
-//! Names of a description that stand in it again: an editor follows them to where they were given.
+//! TypeNames of a description that stand in it again: an editor follows them to where they were given.
 
-use super::Plan;
+use super::EmitContext;
 use crate::syntax::References;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// Code that does nothing but name things at the places where the description does.
-pub fn emit(plan: &Plan) -> TokenStream {
-    let (mstmm, workspace) = (plan.mstmm, &plan.names.workspace);
-    let References { elements, types, uses_of_types } = &plan.surface.references;
+pub fn emit(cx: &EmitContext) -> TokenStream {
+    let (mstmm, workspace) = (cx.mstmm, &cx.names.workspace);
+    let References { elements, types, uses_of_types } = &cx.surface.references;
     let elements = (!elements.is_empty()).then(|| {
         quote! {
             const _: () = {

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 /// A pattern and the iterator whose items it takes apart.
-pub type Stream = (TokenStream, TokenStream);
+pub type LoopInput = (TokenStream, TokenStream);
 
 /// A pattern of an array's numbers.
 pub fn pattern(names: &[Option<Ident>]) -> TokenStream {
@@ -16,10 +16,10 @@ pub fn pattern(names: &[Option<Ident>]) -> TokenStream {
 }
 
 /// One pattern and one iterator for several.
-pub fn zipped(streams: Vec<Stream>, times: &Literal, inward: bool) -> Stream {
-    let mut streams = streams.into_iter();
-    let (mut pattern, mut iterator) = streams.next().unwrap_or((quote!(_), quote!((0..#times))));
-    for (next_pattern, next_iterator) in streams {
+pub fn zipped(inputs: Vec<LoopInput>, times: &Literal, inward: bool) -> LoopInput {
+    let mut inputs = inputs.into_iter();
+    let (mut pattern, mut iterator) = inputs.next().unwrap_or((quote!(_), quote!((0..#times))));
+    for (next_pattern, next_iterator) in inputs {
         pattern = quote!((#pattern, #next_pattern));
         iterator = quote!(::core::iter::zip(#iterator, #next_iterator));
     }
