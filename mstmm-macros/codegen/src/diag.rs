@@ -1,12 +1,12 @@
-//! Errors and warnings of a text, collected so that one build reports them all.
+//! Collects the errors and warnings of a text, so that one build reports all of them.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, TokenStreamExt};
 use std::collections::HashSet;
 use syn::Error;
 
-/// Stops the compiler at a broken invariant: in a macro that is an error message, and a default in its position
-/// would be a wrong robot.
+/// Panics at a broken invariant of the compiler. In a macro a panic is an error message; a default value in its place
+/// would generate wrong dynamics.
 macro_rules! bug {
     ($($what:tt)*) => {
         unreachable!(
@@ -16,7 +16,7 @@ macro_rules! bug {
     };
 }
 
-/// From the first to the last token of something written.
+/// The span from a first to a last token.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent {
     /// The first token.
@@ -26,19 +26,19 @@ pub struct Extent {
 }
 
 impl Extent {
-    /// A single token.
+    /// Returns the extent of a single token.
     pub fn token(at: Span) -> Self {
         Extent { first: at, last: at }
     }
 
-    /// From the start of this to the end of another one.
+    /// Returns the extent from the start of this one to the end of another.
     pub fn to(self, end: Extent) -> Self {
         Extent { first: self.first, last: end.last }
     }
 }
 
-/// Two stand-in tokens with the right spans: `syn` builds the span of an error from the first and
-/// the last token, and that way works without joining spans, which not every compiler can.
+/// Writes two placeholder tokens with the spans of the first and the last token. `syn` builds the span of an error from
+/// these two, so that spans need not be joined, which not every compiler can do.
 impl ToTokens for Extent {
     fn to_tokens(&self, tokens: &mut TokenStream) {
         tokens.append(Ident::new("from", self.first));
@@ -46,75 +46,77 @@ impl ToTokens for Extent {
     }
 }
 
-/// As many errors are reported, and as many warnings: more would help nobody.
-const MOST: usize = 100;
+/// The largest number of errors that is reported, and the largest number of warnings.
+const MAX_REPORTED: usize = 100;
 
-/// A warning: the chain is right, and perhaps not what was meant.
+/// A warning: the chain is valid but possibly not what the user intended.
 #[derive(Clone, Debug)]
 pub struct Warning {
-    /// The token that it is about.
+    /// The token that it refers to.
     pub at: Span,
     /// The name of the rule, in capitals.
     pub rule: &'static str,
-    /// The message: it says what is unclear, then what to write instead.
+    /// The message: what is unclear, then what to write instead.
     pub message: String,
 }
 
-/// The errors and the warnings of a text, each on the token that the user has to edit. A token has
-/// one of each at most: the first that was found. They are reported in the order of the text.
+/// The errors and the warnings of a text, each on the token that the user has to edit.
+///
+/// A token has at most one error and one warning: the first that was found. They are reported in the order of the text.
 #[derive(Debug, Default)]
 pub struct Diagnostics {
     errors: Vec<(SourcePosition, Error)>,
-    /// Names that are refused.
+    /// Names that are rejected.
     refused: HashSet<NameKey>,
-    /// Errors at unknown names, and the names that these may be meant to be.
+    /// Errors at unknown names, each with the names that the user may have intended.
     unknown: Vec<(TokenKey, Vec<NameKey>)>,
-    /// The first of those beyond the most that are reported, and how many these are.
+    /// The first error beyond [`MAX_REPORTED`], and the number of these errors.
     beyond: Option<(Span, usize)>,
-    /// Where errors are.
-    wrong: HashSet<TokenKey>,
+    /// The tokens with an error.
+    with_error: HashSet<TokenKey>,
     warnings: Vec<(SourcePosition, Warning)>,
-    /// Where warnings are.
-    unclear: HashSet<TokenKey>,
+    /// The tokens with a warning.
+    with_warning: HashSet<TokenKey>,
 }
 
 impl Diagnostics {
     /// Adds an error at a single token.
     pub fn error(&mut self, at: Span, message: impl std::fmt::Display) {
-        self.note(|| Error::new(at, message));
+        self.add(|| Error::new(at, message));
     }
 
     /// Adds an error that covers all of `at`.
     pub fn error_over(&mut self, at: impl ToTokens, message: impl std::fmt::Display) {
-        self.note(|| Error::new_spanned(at, message));
+        self.add(|| Error::new_spanned(at, message));
     }
 
     /// Adds an error that a parser found.
     pub fn push(&mut self, error: Error) {
-        self.note(|| error);
+        self.add(|| error);
     }
 
-    /// Adds an error at a name that is refused.
+    /// Adds an error at a name that is rejected.
     pub fn name(&mut self, name: &Ident, message: impl std::fmt::Display) {
         self.refused.insert(name_key(name));
         self.error(name.span(), message);
     }
 
-    /// Adds an error at a name that is unknown. It follows from another one, and is not reported, where a name is
-    /// refused that it may be `meant` to be.
+    /// Adds an error at an unknown name. The error is not reported if one of the names that it may be `meant` to be is
+    /// rejected itself, since it then follows from that error.
     pub fn unknown<'n>(
         &mut self,
         name: &Ident,
         message: impl std::fmt::Display,
         meant: impl IntoIterator<Item = &'n Ident>,
     ) {
-        if let Some(key) = self.note(|| Error::new(name.span(), message)) {
+        if let Some(key) = self.add(|| Error::new(name.span(), message)) {
             self.unknown.push((key, meant.into_iter().map(name_key).collect()));
         }
     }
 
-    /// Where an error is that was added; nothing if there was one, or if it is only counted.
-    fn note(&mut self, error: impl FnOnce() -> Error) -> Option<TokenKey> {
+    /// Adds an error and returns the key of its token; none if the token has an error already, or if the error is only
+    /// counted.
+    fn add(&mut self, error: impl FnOnce() -> Error) -> Option<TokenKey> {
         if let Some((_, count)) = &mut self.beyond {
             *count += 1;
             return None;
@@ -122,7 +124,7 @@ impl Diagnostics {
         let error = error();
         let position = SourcePosition::of(error.span());
         let key = position.key(&error);
-        if !self.wrong.insert(key.clone()) {
+        if !self.with_error.insert(key.clone()) {
             return None;
         }
         if self.is_full() {
@@ -133,33 +135,33 @@ impl Diagnostics {
         Some(key)
     }
 
-    /// Adds a warning at a single token. `rule` is the name of the rule, in capitals.
+    /// Adds a warning at a single token; `rule` is the name of the rule, in capitals.
     pub fn warn(&mut self, at: Span, rule: &'static str, message: impl std::fmt::Display) {
         let (position, message) = (SourcePosition::of(at), message.to_string());
-        if self.warnings.len() < MOST && self.unclear.insert(position.key(&message)) {
+        if self.warnings.len() < MAX_REPORTED && self.with_warning.insert(position.key(&message)) {
             self.warnings.push((position, Warning { at, rule, message }));
         }
     }
 
-    /// Whether the next errors will only be counted, so that their words are of no use.
+    /// Returns whether further errors are only counted, so that their messages are not needed.
     pub fn is_full(&self) -> bool {
-        self.errors.len() >= MOST
+        self.errors.len() >= MAX_REPORTED
     }
 
-    /// Whether there is no error so far.
+    /// Returns whether there is no error so far.
     pub fn is_empty(&self) -> bool {
         self.errors.is_empty()
     }
 
-    /// The warnings so far, in the order of the text.
+    /// Returns the warnings so far, in the order of the text.
     pub fn warnings(&self) -> Vec<Warning> {
         let mut warnings = self.warnings.clone();
         warnings.sort_by(|(a, _), (b, _)| a.cmp(b));
         warnings.into_iter().map(|(_, warning)| warning).collect()
     }
 
-    /// Drops errors at unknown names that may be meant to be refused ones.
-    fn drop_what_follows(&mut self) {
+    /// Drops errors at unknown names that may be meant to be rejected names.
+    fn drop_consequences(&mut self) {
         let Diagnostics { errors, refused, unknown, .. } = self;
         let follows = |(_, meant): &&(TokenKey, Vec<NameKey>)| {
             meant.iter().any(|name| refused.contains(name))
@@ -169,9 +171,9 @@ impl Diagnostics {
         errors.retain(|(position, error)| !follow.contains(&position.key(error)));
     }
 
-    /// Closes a phase: all errors as one, in the order of the text, or none.
+    /// Ends a phase: returns all errors as one, in the order of the text.
     pub fn finish(mut self) -> syn::Result<()> {
-        self.drop_what_follows();
+        self.drop_consequences();
         self.errors.sort_by(|(a, _), (b, _)| a.cmp(b));
         let beyond =
             self.beyond.map(|(at, count)| Error::new(at, format!("… and {count} more mistakes")));
@@ -186,15 +188,15 @@ impl Diagnostics {
     }
 }
 
-/// Where a token begins: its file, line and column.
+/// The start of a token: its file, line and column.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 struct SourcePosition(String, usize, usize);
 
-/// What tells tokens apart. Tokens that another macro has made may all be at the place of its call:
-/// the message tells those apart.
+/// Identifies a token. Tokens from another macro may all have the position of that macro's call; the message
+/// distinguishes them.
 type TokenKey = (SourcePosition, Option<String>);
 
-/// What tells names apart.
+/// Identifies an occurrence of a name.
 type NameKey = (SourcePosition, String);
 
 fn name_key(name: &Ident) -> NameKey {
@@ -213,18 +215,18 @@ impl SourcePosition {
     }
 }
 
-/// `; did you mean …?` where one of `known` is close to `word`, else nothing.
+/// Returns `; did you mean …?` if one of `known` is close to `word`, otherwise an empty text.
 pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     nearest(word, known).map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
 }
 
-/// The one of `known` that `word` was most likely meant to be, if any is close.
+/// Returns the closest of `known` to `word`, if any is close.
 pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let letters = letters(word);
     let near = |candidate: &'a str| {
-        // One letter for another is no slip but another name.
+        // A one-letter word with another letter is another name, not a typing error.
         let most = (candidate.len().max(word.len()) / 3).max(1).min(word.len().saturating_sub(1));
-        // The lengths alone tell most of them apart.
+        // Comparing the lengths rules out most candidates.
         if candidate.chars().count().abs_diff(letters.len()) > most {
             return None;
         }
@@ -234,14 +236,14 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     known.into_iter().filter_map(near).min_by_key(|&(distance, _)| distance).map(|(_, near)| near)
 }
 
-/// The letters of a word, case ignored.
+/// Returns the letters of a word in lower case.
 fn letters(word: &str) -> Vec<char> {
     word.chars().flat_map(char::to_lowercase).collect()
 }
 
-/// Edits (insert, delete, replace, swap neighbours) that lead from `a` to `b`.
+/// Returns the number of edits (insert, delete, replace, swap neighbours) that lead from `a` to `b`.
 fn edit_distance(a: &[char], b: &[char]) -> usize {
-    // The rows for the letters of `a` up to the one before, and up to the last but one.
+    // The rows of the table for the previous letter of `a` and for the letter before it.
     let mut before: Vec<usize> = (0..=b.len()).collect();
     let mut last_but_one = before.clone();
     for i in 1..=a.len() {

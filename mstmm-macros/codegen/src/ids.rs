@@ -1,14 +1,14 @@
-//! Indices that cannot be taken for one another, and the lists that they index.
+//! Typed indices, and the lists that they index.
 
 use std::fmt;
 use std::marker::PhantomData;
 use std::ops::{Index, IndexMut, Range};
 
-/// An index into a list of one kind of things.
+/// A typed index: indices of different lists have different types.
 pub trait Id: Copy + Ord {
-    /// The one at this place.
+    /// Returns the id of this index.
     fn new(index: usize) -> Self;
-    /// Its place.
+    /// Returns the index.
     fn index(self) -> usize;
 }
 
@@ -19,7 +19,7 @@ macro_rules! declare_id {
         pub struct $name(pub usize);
 
         impl $name {
-            /// Its place in the list.
+            /// Returns the index into the list.
             pub const fn index(self) -> usize {
                 self.0
             }
@@ -44,17 +44,21 @@ declare_id! {
     BodyId,
     /// A hinge of the model.
     HingeId,
-    /// A link: a rigid part of the chain and the hinge that moves it.
+    /// A link: a rigid part of the chain with its inboard hinge.
     LinkId,
     /// A repeated part of the route.
     RepeatId,
-    /// An input: something that the caller gives at every step.
+    /// An input: a quantity that the caller supplies at every step.
     InputId,
     /// A load.
     LoadId,
+    /// A parameter of the model.
+    ParameterId,
+    /// A symbol of the graph: an unknown of a chain's functions, or a loop-carried value.
+    SymbolId,
 }
 
-/// A list that is indexed by one type of indices only.
+/// A vector that is indexed by one type of id.
 #[derive(Clone, PartialEq, Eq)]
 pub struct IdVec<I, T> {
     values: Vec<T>,
@@ -62,12 +66,12 @@ pub struct IdVec<I, T> {
 }
 
 impl<I: Id, T> IdVec<I, T> {
-    /// An empty list.
+    /// Returns an empty list.
     pub fn new() -> Self {
         IdVec { values: Vec::new(), ids: PhantomData }
     }
 
-    /// A list of `count` equal values.
+    /// Returns a list of `count` copies of a value.
     pub fn filled(value: T, count: usize) -> Self
     where
         T: Clone,
@@ -75,59 +79,59 @@ impl<I: Id, T> IdVec<I, T> {
         vec![value; count].into()
     }
 
-    /// How many values it holds.
+    /// Returns the number of values.
     pub fn len(&self) -> usize {
         self.values.len()
     }
 
-    /// Whether it holds none.
+    /// Returns whether the list is empty.
     pub fn is_empty(&self) -> bool {
         self.values.is_empty()
     }
 
-    /// Appends a value; its index.
+    /// Appends a value and returns its id.
     pub fn push(&mut self, value: T) -> I {
         self.values.push(value);
         I::new(self.values.len() - 1)
     }
 
-    /// Takes out the last value.
+    /// Removes and returns the last value.
     pub fn pop(&mut self) -> Option<T> {
         self.values.pop()
     }
 
-    /// All indices, in their order.
+    /// Returns all ids in order.
     pub fn ids(&self) -> IdRange<I> {
         (0..self.values.len()).into()
     }
 
-    /// All values, in their order.
+    /// Iterates over the values.
     pub fn iter(&self) -> std::slice::Iter<'_, T> {
         self.values.iter()
     }
 
-    /// All values, in their order, to be changed.
+    /// Iterates over mutable references to the values.
     pub fn iter_mut(&mut self) -> std::slice::IterMut<'_, T> {
         self.values.iter_mut()
     }
 
-    /// All values with their indices.
+    /// Iterates over the values with their ids.
     pub fn enumerate(&self) -> impl DoubleEndedIterator<Item = (I, &T)> + Clone {
         self.values.iter().enumerate().map(|(index, value)| (I::new(index), value))
     }
 
-    /// The index of the first value that is meant.
-    pub fn position(&self, is_meant: impl FnMut(&T) -> bool) -> Option<I> {
-        self.values.iter().position(is_meant).map(I::new)
+    /// Returns the id of the first value that satisfies a predicate.
+    pub fn position(&self, predicate: impl FnMut(&T) -> bool) -> Option<I> {
+        self.values.iter().position(predicate).map(I::new)
     }
 
-    /// The values alone.
+    /// Returns the values as a slice.
     pub fn as_slice(&self) -> &[T] {
         &self.values
     }
 }
 
-/// Indices that follow on each other.
+/// A range of consecutive ids.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct IdRange<I> {
     start: usize,
@@ -136,28 +140,33 @@ pub struct IdRange<I> {
 }
 
 impl<I: Id> IdRange<I> {
-    /// How many they are.
+    /// Returns the number of ids.
     pub fn len(self) -> usize {
         self.end - self.start
     }
 
-    /// Whether there is none.
+    /// Returns whether the range is empty.
     pub fn is_empty(self) -> bool {
         self.start >= self.end
     }
 
-    /// The first one of a range that is not empty.
+    /// Returns the first id of a range that is not empty.
     pub fn first(self) -> I {
-        self.into_iter().next().unwrap_or_else(|| bug!("a range without an index has no first one"))
+        self.into_iter().next().unwrap_or_else(|| bug!("an empty range has no first id"))
     }
 
-    /// The last one of a range that is not empty.
+    /// Returns the last id of a range that is not empty.
     pub fn last(self) -> I {
         let last = self.into_iter().next_back();
-        last.unwrap_or_else(|| bug!("a range without an index has no last one"))
+        last.unwrap_or_else(|| bug!("an empty range has no last id"))
     }
 
-    /// Whether an index is among them.
+    /// Returns the range of indices.
+    pub fn indices(self) -> Range<usize> {
+        self.start..self.end
+    }
+
+    /// Returns whether the range contains an id.
     pub fn contains(self, id: I) -> bool {
         (self.start..self.end).contains(&id.index())
     }

@@ -6,19 +6,19 @@
 //!
 //! | module | holds | may use |
 //! |---|---|---|
-//! | [`diag`] | errors and warnings, collected | nothing of ours |
-//! | [`ids`] | types of indices and the lists that they index | nothing of ours |
-//! | [`syntax`] | what was written, with spans | `diag` |
-//! | [`model`] | names resolved, units and constants evaluated, every rule on models | `diag`, `ids`, `math`; `syntax` where it is lowered and checked |
+//! | [`diag`] | collects errors and warnings | nothing of ours |
+//! | [`ids`] | typed indices and the lists that they index | nothing of ours |
+//! | [`syntax`] | the syntax tree, with spans | `diag` |
+//! | [`model`] | the chain with resolved names and evaluated units and constants; the rules on models | `diag`, `ids`, `math`; `syntax` where it is lowered and checked |
 //! | [`math`] | scalars, vectors, spatial blocks | nothing of ours |
-//! | [`equations`] | the paper, generic over [`math::Scalar`] | `ids`, `math`, `model` |
-//! | [`examine`] | a chain tried out in numbers | `diag`, `equations`, `math`, `model` |
-//! | [`expr`] | formulas as a graph without repetitions | `math` |
-//! | [`program`] | programs and procedures, their costs and their text | `diag`, `ids` |
-//! | [`function`] | functions as values, and repeated parts as loops | `diag`, `equations`, `expr`, `ids`, `program` |
-//! | [`passes`] | one optimisation a file | `diag`, `expr`, `function`, `ids`, `math`, `program` |
-//! | [`compile`](mod@compile) | from a model to its procedures: the table of functions and the list of passes | `diag`, `equations`, `examine`, `expr`, `function`, `ids`, `math`, `model`, `passes`, `program` |
-//! | [`emit`] | the only `quote!` of items | `compile`, `diag`, `examine`, `ids`, `model`, `program`, `syntax` |
+//! | [`equations`] | the paper's equations, generic over [`math::Scalar`] | `ids`, `math`, `model` |
+//! | [`examine`] | evaluates a chain numerically | `diag`, `equations`, `math`, `model` |
+//! | [`expr`] | formulas as a hash-consed graph | `ids`, `math` |
+//! | [`program`] | programs and procedures, their operation counts and their text | `diag`, `ids` |
+//! | [`function`] | functions over the graph, with repeated parts as loops | `diag`, `equations`, `expr`, `ids`, `program` |
+//! | [`passes`] | one optimisation per file | `diag`, `expr`, `function`, `ids`, `math`, `program` |
+//! | [`compile`](mod@compile) | compiles a model to procedures: the table of functions and the list of passes | `diag`, `equations`, `examine`, `expr`, `function`, `ids`, `math`, `model`, `passes`, `program` |
+//! | [`emit`] | prints Rust items; the only `quote!` of items | `compile`, `diag`, `examine`, `ids`, `model`, `program`, `syntax` |
 
 #![deny(missing_docs)]
 
@@ -41,19 +41,20 @@ pub mod syntax;
 use diag::Diagnostics;
 use proc_macro2::TokenStream;
 
-/// What stands in place of a macro call.
+/// The result of expanding a macro call.
 #[derive(Debug)]
 pub struct Expansion {
-    /// The types of all chains, with all mistakes as errors where there are any.
+    /// The types of all chains; if the text has errors, they are compile errors in these items.
     pub items: TokenStream,
-    /// All errors of the text in its order, each on the token to edit; the items report them.
+    /// All errors of the text in its order, each on the token to edit; the items report them too.
     pub mistakes: Option<syn::Error>,
-    /// All warnings of the text in its order, each on its token; the items give them.
+    /// All warnings of the text in its order, each on its token; the items report them too.
     pub warnings: Vec<diag::Warning>,
 }
 
-/// Expands the text inside `mstmm_chain!`: the phases in their order. Generated code calls the crate
-/// `mstmm` by this path.
+/// Expands the text inside `mstmm_chain!`, phase by phase.
+///
+/// `mstmm` is the path of the crate `mstmm` in generated code.
 pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
     let mut diagnostics = Diagnostics::default();
     let written = syntax::parse(description, &mut diagnostics);
@@ -65,28 +66,28 @@ pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
     }
     let warnings = diagnostics.warnings();
     let mistakes = diagnostics.finish().err();
-    // From here on no mistake of the user is possible.
-    let right = |((chain, surface), findings): (&Understood, &examine::Findings)| {
+    // The user's errors end here: the phases below cannot fail.
+    let expand_chain = |((chain, surface), findings): (&Understood, &examine::Findings)| {
         let layout = model::Layout::of(chain);
         let compiled = compile::compile(chain, findings, &layout);
         emit::expand(chain, surface, &layout, &compiled, findings, mstmm)
     };
     let mut items: TokenStream = match &mistakes {
-        None => chains.iter().zip(&findings).map(right).collect(),
+        None => chains.iter().zip(&findings).map(expand_chain).collect(),
         Some(mistakes) => emit::error_types(&written, mistakes),
     };
     items.extend(warnings.iter().map(emit::warning));
     Expansion { items, mistakes, warnings }
 }
 
-/// A chain and how it is to look in the user's crate.
+/// A chain, and its visibility, constants and names for the user's crate.
 type Understood = (model::Chain, syntax::Surface);
 
-/// Reads all chains of one macro call: what can be said of a text before anything is computed.
+/// Parses and checks all chains of one macro call, without evaluating them numerically.
 ///
 /// # Errors
 ///
-/// All mistakes of the text, each on the token to edit.
+/// All errors of the text, each on the token to edit.
 pub fn read(description: TokenStream) -> syn::Result<Vec<(model::Chain, syntax::Surface)>> {
     let mut diagnostics = Diagnostics::default();
     let written = syntax::parse(description, &mut diagnostics);
@@ -94,11 +95,11 @@ pub fn read(description: TokenStream) -> syn::Result<Vec<(model::Chain, syntax::
     diagnostics.finish().map(|()| chains)
 }
 
-/// Reads all chains of one macro call and tries them out in numbers, as [`expand`] does.
+/// Parses, checks and numerically evaluates all chains of one macro call, as [`expand`] does.
 ///
 /// # Errors
 ///
-/// As [`read`]; mistakes that the trial finds as well.
+/// The errors of [`read`], or those that the numerical evaluation finds.
 pub fn read_and_examine(
     description: TokenStream,
 ) -> syn::Result<Vec<(model::Chain, examine::Findings)>> {
@@ -112,7 +113,7 @@ pub fn read_and_examine(
     diagnostics.finish().map(|()| examined)
 }
 
-/// All chains; those with mistakes and those after them are missing.
+/// Lowers all chains; chains with errors are missing, and so are the chains after them.
 fn understand(written: &[syntax::ChainDef], diagnostics: &mut Diagnostics) -> Vec<Understood> {
     written.iter().filter_map(|def| model::lower(def, diagnostics)).collect()
 }

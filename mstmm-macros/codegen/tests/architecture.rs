@@ -16,7 +16,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("math", &[]),
     ("equations", &["ids", "math", "model"]),
     ("examine", &["diag", "equations", "math", "model"]),
-    ("expr", &["math"]),
+    ("expr", &["ids", "math"]),
     ("program", &["diag", "ids"]),
     ("function", &["diag", "equations", "expr", "ids", "program"]),
     ("passes", &["diag", "expr", "function", "ids", "math", "program"]),

@@ -83,8 +83,9 @@ fn arguments(chain: &Chain, unknowns: &Unknowns, random: &mut Random) -> Arrays<
             for entry in 0..segment.count {
                 for repetition in 0..segment.repetitions {
                     let value = match argument {
-                        Argument::Parameter(index) => {
-                            let default = constant(chain, &chain.parameters[index].default);
+                        Argument::Parameter(parameter) => {
+                            let default =
+                                constant(chain, &chain.parameters[parameter.index()].default);
                             default * random.between(0.9, 1.1)
                         }
                         Argument::ClosureSteps => 1.0,

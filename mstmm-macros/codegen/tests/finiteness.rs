@@ -145,7 +145,7 @@ fn what_is_wrong_first_is_named() {
             run(procedure, &mut given).err()
         };
         let is_first = |argument: Argument| match procedure.body.first() {
-            Some(Step::CheckGiven(arrays)) => {
+            Some(Step::CheckArguments(arrays)) => {
                 let mut roles = arrays.iter().map(|&array| procedure.arrays[array].role);
                 roles.any(|role| role == ArrayRole::Argument(argument))
             }

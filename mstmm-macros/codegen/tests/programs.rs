@@ -123,9 +123,10 @@ fn parameters_are_folded_into_slots_once() {
     let off = difference(&computed.result(outputs::ACCELERATIONS), &expected.accelerations);
     assert!(off < 1e-14);
     let checked = arrays.result(outputs::CHECKED);
-    assert_eq!(checked, [2.0, 2.0], "both masses hang on the parameter");
+    assert_eq!(checked, [2.0, 2.0], "both masses depend on the parameter");
     let read = &compiled.function(Answer::Accelerations).procedure;
-    let parameter = read.array(ArrayRole::Argument(Argument::Parameter(0)));
+    let parameter =
+        read.array(ArrayRole::Argument(Argument::Parameter(mstmm_codegen::ids::ParameterId(0))));
     assert!(parameter.is_none(), "the step reads the parameter's slots, not the parameter");
 }
 

@@ -6,6 +6,7 @@ use crate::equations::{self, AXES, EvalContext, ForwardDynamics, SymbolValues, T
 use crate::examine::Findings;
 use crate::expr::{Edge, Expr, Graph, Stage};
 use crate::function::{Function, Heading, LoopTracer, NamedPivot, Output, Unknowns};
+use crate::ids::ParameterId;
 use crate::math::NOISE;
 use crate::model::{Chain, Check, ClosureRank, Hinge, HingeKind, Layout, Method, Value};
 use crate::passes::SetupSlots;
@@ -49,10 +50,10 @@ impl<'a> ChainCompiler<'a> {
         graph: &'a Graph,
     ) -> Self {
         let symbols = |argument, stage| -> Vec<Expr<'a>> {
-            let numbers = unknowns.of(argument);
-            numbers.map(|number| graph.symbol(number as u32, stage)).collect()
+            let symbols = unknowns.of(argument).into_iter();
+            symbols.map(|symbol| graph.symbol(symbol, stage)).collect()
         };
-        let parameters = 0..chain.parameters.len();
+        let parameters = (0..chain.parameters.len()).map(ParameterId);
         let inputs = layout.inputs.ids().into_iter();
         ChainCompiler {
             chain,
@@ -63,7 +64,7 @@ impl<'a> ChainCompiler<'a> {
             graph,
             numbers: SymbolValues {
                 parameters: parameters
-                    .flat_map(|index| symbols(Argument::Parameter(index), Stage::Setup))
+                    .flat_map(|parameter| symbols(Argument::Parameter(parameter), Stage::Setup))
                     .collect(),
                 constants: symbols(Argument::Constants, Stage::Setup),
                 closure_steps: symbols(Argument::ClosureSteps, Stage::Setup),

@@ -26,7 +26,7 @@ pub fn chain_text(
     let mut setup = SetupSlots::default();
     let written = specs(chain, findings, &layout, |compiler, specs| {
         let mut all: Vec<(Program, Labels)> = Vec::new();
-        for spec in rows {
+        for spec in specs {
             let function = (spec.trace)(compiler).function;
             all.push(written(chain, function, &mut setup));
         }

@@ -2,6 +2,7 @@
 
 use super::layouts;
 use crate::function::Unknowns;
+use crate::ids::ParameterId;
 use crate::model::{Chain, ClosureRank, Driven, Hinge, Input, Layout, Shape};
 use crate::program::{Argument, ArrayLayout};
 use proc_macro2::Ident;
@@ -23,7 +24,7 @@ pub(super) fn unknowns(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Unk
     };
     for (index, parameter) in chain.parameters.iter().enumerate() {
         let layout = layouts::parameter(chain, index);
-        add(Argument::Parameter(index), layout, vec![text(&parameter.name)]);
+        add(Argument::Parameter(ParameterId(index)), layout, vec![text(&parameter.name)]);
     }
     let once = |argument, names: Vec<String>| (argument, ArrayLayout::once(names.len()), names);
     let numbered = |name: &str, count: usize| -> Vec<String> {

@@ -31,8 +31,8 @@ pub fn once(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) -> T
     match argument {
         Argument::Coordinates => of_state(quote!(state_.q)),
         Argument::Rates => of_state(quote!(state_.v)),
-        Argument::Parameter(index) => {
-            let field = &cx.chain.parameters[index].name;
+        Argument::Parameter(parameter) => {
+            let field = &cx.chain.parameters[parameter.index()].name;
             let names = names(printer, into);
             quote!(let #(#names)* = parameters_.#field;)
         }
@@ -74,8 +74,8 @@ pub fn repeated(
         Argument::Coordinates => slices(quote!(state_.q)),
         Argument::Rates => slices(quote!(state_.v)),
         Argument::Slots(Some(part)) => slices(sealed::of_part(cx, &quote!(self), part)),
-        Argument::Parameter(index) => {
-            let field = &cx.chain.parameters[index].name;
+        Argument::Parameter(parameter) => {
+            let field = &cx.chain.parameters[parameter.index()].name;
             ((quote!(&#(#names)*), quote!(parameters_.#field.iter())), TokenStream::new())
         }
         Argument::Input(input) => {
@@ -125,7 +125,7 @@ fn input_variables(printer: &Printer, input: InputId, into: &[Option<ValueId>]) 
 impl EmitContext<'_> {
     /// Variables for all numbers of an input.
     pub fn input_variables(&self, input: InputId) -> Vec<Ident> {
-        let numbers = self.compiled.unknowns.of(Argument::Input(input));
-        numbers.map(|number| self.unknowns[number].clone()).collect()
+        let symbols = self.compiled.unknowns.of(Argument::Input(input)).into_iter();
+        symbols.map(|symbol| self.unknowns[symbol].clone()).collect()
     }
 }

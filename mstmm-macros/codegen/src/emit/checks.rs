@@ -5,7 +5,7 @@ use super::arrays::usize_literal;
 use super::printer::{Printer, flag};
 use crate::ids::InputId;
 use crate::model::Driven;
-use crate::program::{Argument, ArrayId, ArrayRole, Finish, PivotTest, PivotValue, Witness};
+use crate::program::{Argument, ArrayId, ArrayRole, PivotTest, PivotValue, ResultCheck, Witness};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -55,7 +55,7 @@ pub fn failing(reset: Option<&TokenStream>, statements: TokenStream) -> TokenStr
 }
 
 /// The test at the end.
-pub fn finish(printer: &Printer, finish: &Finish) -> TokenStream {
+pub fn finish(printer: &Printer, finish: &ResultCheck) -> TokenStream {
     let mstmm = &printer.cx.mstmm;
     let (mut names, mut values, mut scales) = (Vec::new(), Vec::new(), Vec::new());
     let mut repeated = TokenStream::new();

@@ -72,7 +72,7 @@ pub fn one(printer: &Printer, one: &ForLoop) -> TokenStream {
                     .extend(quote!(#flag = #flag & !#mstmm::generated::vanishes(#value, #scale);));
             }
             Step::Compute(_) => {}
-            Step::CheckGiven(_) | Step::Loop(_) | Step::Finish(_) => {
+            Step::CheckArguments(_) | Step::Loop(_) | Step::CheckResults(_) => {
                 bug!("a loop has a step that stands outside of loops only")
             }
         }

@@ -34,6 +34,7 @@ mod workspace;
 
 use crate::compile::Compiled;
 use crate::examine::Findings;
+use crate::ids::{IdVec, SymbolId};
 use crate::model::{Chain, Layout};
 use crate::program::Argument;
 use crate::syntax::Surface;
@@ -52,7 +53,7 @@ struct EmitContext<'a> {
     findings: &'a Findings,
     names: TypeNames,
     /// The variables that unknowns are, by number.
-    unknowns: Vec<Ident>,
+    unknowns: IdVec<SymbolId, Ident>,
     /// The path of the crate `mstmm`.
     mstmm: &'a TokenStream,
 }
@@ -74,7 +75,7 @@ pub fn expand(
     let state = state::emit(&cx);
     let inputs = inputs::emit(&cx);
     let workspace = workspace::emit(&cx);
-    let ide_links = references::emit(&cx);
+    let ide_links = ide_links::emit(&cx);
     quote! {
         #constructor
         #methods
@@ -88,7 +89,7 @@ pub fn expand(
 impl EmitContext<'_> {
     /// The variable of the length of an implicit step.
     fn step(&self) -> &Ident {
-        &self.unknowns[self.compiled.unknowns.of(Argument::Step).start]
+        &self.unknowns[self.compiled.unknowns.of(Argument::Step).first()]
     }
 
     /// Statements that may fail and that make a workspace anew where they do.

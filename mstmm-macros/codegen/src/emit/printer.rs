@@ -50,7 +50,7 @@ impl Printer<'_> {
         let (mut number, mut declared, mut stored) = (0, 0, false);
         for step in steps {
             let Step::Compute(section) = step else {
-                stored = matches!(step, Step::Store { .. } | Step::Finish(_)) && number > 0;
+                stored = matches!(step, Step::Store { .. } | Step::CheckResults(_)) && number > 0;
                 writer.add(other(step));
                 continue;
             };
@@ -132,7 +132,8 @@ impl Printer<'_> {
 
     /// Whether a result must not reach the caller before the test at the end.
     pub fn is_kept_back(&self) -> bool {
-        let has_finish = self.procedure.body.iter().any(|step| matches!(step, Step::Finish(_)));
+        let has_finish =
+            self.procedure.body.iter().any(|step| matches!(step, Step::CheckResults(_)));
         self.procedure.failure == Failure::Untouched && has_finish
     }
 }

@@ -51,7 +51,7 @@ impl Printer<'_> {
             quote!(let #c = T::constant;)
         });
         let steps = &self.procedure.body;
-        let given = steps.iter().take_while(|step| matches!(step, Step::CheckGiven(_))).count();
+        let given = steps.iter().take_while(|step| matches!(step, Step::CheckArguments(_))).count();
         let (given, steps) = steps.split_at(given);
         let mut statements: TokenStream = given.iter().map(|step| self.step(step)).collect();
         statements.extend(self.opened_results());
@@ -64,11 +64,11 @@ impl Printer<'_> {
 
     fn step(&self, step: &Step) -> TokenStream {
         match step {
-            Step::CheckGiven(arrays) => checks::given(self, arrays),
+            Step::CheckArguments(arrays) => checks::given(self, arrays),
             Step::Load { from, into } => arguments::once(self, from, into),
             Step::Store { to, values } => self.store(to, values),
             Step::Loop(one) => loops::one(self, one),
-            Step::Finish(finish) => checks::finish(self, finish),
+            Step::CheckResults(finish) => checks::finish(self, finish),
             Step::Compute(_) | Step::CheckPivot { .. } => {
                 bug!("statements and tests of a loop are printed with it")
             }
@@ -203,13 +203,13 @@ pub fn body(mut statements: TokenStream, rest: TokenStream) -> Group {
 fn uses_numbers(steps: &[Step]) -> bool {
     let number = |operand: &Operand| operand.is_known();
     steps.iter().any(|step| match step {
-        Step::CheckGiven(_) | Step::Load { .. } => false,
+        Step::CheckArguments(_) | Step::Load { .. } => false,
         Step::Compute(section) => {
             section.statements.iter().any(|statement| statement.operands().any(number))
         }
         Step::Store { values, .. } => values.iter().flatten().any(number),
         Step::CheckPivot { value, scale, .. } => number(value) || number(scale),
-        Step::Finish(finish) => finish.operands().any(number),
+        Step::CheckResults(finish) => finish.operands().any(number),
         Step::Loop(one) => {
             let carried =
                 one.carries.iter().any(|carry| number(&carry.init) || number(&carry.next));

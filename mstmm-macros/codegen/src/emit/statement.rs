@@ -75,7 +75,7 @@ impl<'a> Writer<'a> {
         self.word("let");
         self.group(Delimiter::Parenthesis, |names| {
             let statements = sections[first..next].iter().flat_map(|section| &section.statements);
-            for name in statements.flat_map(Statement::names) {
+            for name in statements.flat_map(Statement::defined) {
                 names.name(name);
                 names.sign(',');
             }

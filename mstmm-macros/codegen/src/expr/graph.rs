@@ -1,20 +1,21 @@
-//! The graph: a list of nodes without repetitions.
+//! The graph: a list of distinct nodes.
 
 use super::{Edge, Expr, Node, NodeId};
+use crate::ids::SymbolId;
 use std::cell::RefCell;
 
-/// When the value of a formula becomes known.
+/// The time at which the value of a formula becomes known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stage {
-    /// While compiling.
+    /// At compile time.
     Compile,
-    /// When the chain is made or a parameter is set.
+    /// When the chain is constructed or a parameter is set.
     Setup,
-    /// In every step.
+    /// At every evaluation of a state.
     State,
 }
 
-/// Formulas under construction. Handles borrow it, so it hides its list behind a cell.
+/// A hash-consed graph of formulas. Expressions borrow it while it grows, so its list is in a cell.
 #[derive(Debug, Default)]
 pub struct Graph {
     inner: RefCell<Inner>,
@@ -27,51 +28,51 @@ struct Inner {
     index: Index,
 }
 
-/// Where nodes are: a table with open addresses, at most half full. It takes a fraction of the time
-/// of a hash map of the standard library where it is not optimised, as macros are built.
+/// A hash table of nodes with open addressing, at most half full.
+///
+/// Macros are built unoptimised, where it costs a fraction of the standard library's hash map.
 #[derive(Debug, Default)]
 struct Index {
-    /// Numbers of nodes, the next places taken where those of several would be the same; its length
-    /// is a power of two.
-    places: Vec<Option<NodeId>>,
+    /// The buckets, with linear probing; their number is a power of two.
+    buckets: Vec<Option<NodeId>>,
 }
 
 impl Index {
-    const SMALLEST: usize = 1 << 10;
+    const MIN_BUCKETS: usize = 1 << 10;
 
-    /// The place of `node`, which is free if it is not there.
-    fn place(&self, nodes: &[Node], node: Node) -> usize {
-        let last = self.places.len() - 1;
-        let mut place = (node.scattered() >> 32) as usize & last;
-        while let Some(id) = self.places[place] {
+    /// Returns the bucket of `node`, which is empty if the node is not in the table.
+    fn bucket(&self, nodes: &[Node], node: Node) -> usize {
+        let last = self.buckets.len() - 1;
+        let mut bucket = (node.hash() >> 32) as usize & last;
+        while let Some(id) = self.buckets[bucket] {
             if nodes[id as usize] == node {
                 break;
             }
-            place = (place + 1) & last;
+            bucket = (bucket + 1) & last;
         }
-        place
+        bucket
     }
 
-    /// Makes room for one more than `nodes`.
+    /// Makes room for one node more than `nodes`.
     fn reserve(&mut self, nodes: &[Node]) {
-        if 2 * nodes.len() < self.places.len() {
+        if 2 * nodes.len() < self.buckets.len() {
             return;
         }
-        self.places = vec![None; (2 * self.places.len()).max(Self::SMALLEST)];
+        self.buckets = vec![None; (2 * self.buckets.len()).max(Self::MIN_BUCKETS)];
         for (id, &node) in nodes.iter().enumerate() {
-            let place = self.place(nodes, node);
-            self.places[place] = Some(id as NodeId);
+            let bucket = self.bucket(nodes, node);
+            self.buckets[bucket] = Some(id as NodeId);
         }
     }
 }
 
 impl Graph {
-    /// The unknown with this number. The same number is the same unknown.
-    pub fn symbol(&self, number: u32, stage: Stage) -> Expr<'_> {
-        Expr::Formula(self, self.insert(Node::Symbol(number), stage))
+    /// Returns the unknown with this id.
+    pub fn symbol(&self, symbol: SymbolId, stage: Stage) -> Expr<'_> {
+        Expr::Formula(self, self.insert(Node::Symbol(symbol), stage))
     }
 
-    /// The formula of `node`, whose form the rules have made canonical.
+    /// Returns the formula of `node`, which the rules have put into canonical form.
     pub(super) fn formula(&self, node: Node) -> Expr<'_> {
         let mut stage = Stage::Compile;
         for operand in node.operands() {
@@ -80,13 +81,13 @@ impl Graph {
         Expr::Formula(self, self.insert(node, stage))
     }
 
-    /// The edge to a known number.
+    /// Returns the edge to a known number.
     pub fn number(&self, value: f64) -> Edge {
         let edge = self.insert(Node::Number(value.abs().to_bits()), Stage::Compile);
         if value.is_sign_negative() { edge.negated() } else { edge }
     }
 
-    /// The edge to any expression.
+    /// Returns the edge to an expression.
     pub fn edge(&self, expr: Expr) -> Edge {
         match expr {
             Expr::Number(value) => self.number(value),
@@ -94,7 +95,7 @@ impl Graph {
         }
     }
 
-    /// The expression that `edge` leads to.
+    /// Returns the expression that `edge` leads to.
     pub fn expr(&self, edge: Edge) -> Expr<'_> {
         match self.node(edge.node()) {
             Node::Number(bits) => {
@@ -105,36 +106,36 @@ impl Graph {
         }
     }
 
-    /// The node at `id`.
+    /// Returns the node with this id.
     pub fn node(&self, id: NodeId) -> Node {
         self.inner.borrow().nodes[id as usize]
     }
 
-    /// Where `node` is, if it is there.
+    /// Returns the id of `node`, if the graph has it.
     pub fn find(&self, node: Node) -> Option<NodeId> {
         let Inner { nodes, index, .. } = &*self.inner.borrow();
-        if nodes.is_empty() { None } else { index.places[index.place(nodes, node)] }
+        if nodes.is_empty() { None } else { index.buckets[index.bucket(nodes, node)] }
     }
 
-    /// When the value of the node at `id` becomes known.
+    /// Returns the stage at which the value of a node becomes known.
     pub fn stage(&self, id: NodeId) -> Stage {
         self.inner.borrow().stages[id as usize]
     }
 
-    /// The number of the unknown at `id`, if it is one.
-    pub fn symbol_number(&self, id: NodeId) -> Option<u32> {
+    /// Returns the id of the unknown that a node is, if it is one.
+    pub fn symbol_of(&self, id: NodeId) -> Option<SymbolId> {
         match self.node(id) {
-            Node::Symbol(number) => Some(number),
+            Node::Symbol(symbol) => Some(symbol),
             _ => None,
         }
     }
 
-    /// How many nodes there are.
+    /// Returns the number of nodes.
     pub fn len(&self) -> usize {
         self.inner.borrow().nodes.len()
     }
 
-    /// Whether there is no node.
+    /// Returns whether the graph has no nodes.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -142,12 +143,12 @@ impl Graph {
     fn insert(&self, node: Node, stage: Stage) -> Edge {
         let Inner { nodes, stages, index } = &mut *self.inner.borrow_mut();
         index.reserve(nodes);
-        let place = index.place(nodes, node);
-        if let Some(id) = index.places[place] {
+        let bucket = index.bucket(nodes, node);
+        if let Some(id) = index.buckets[bucket] {
             return Edge::to(id);
         }
         let id = nodes.len() as NodeId;
-        index.places[place] = Some(id);
+        index.buckets[bucket] = Some(id);
         nodes.push(node);
         stages.push(stage);
         Edge::to(id)

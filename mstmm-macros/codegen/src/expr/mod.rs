@@ -1,4 +1,4 @@
-//! Formulas: a graph in which equal formulas are one node, and a handle that computes like a number.
+//! Formulas as a hash-consed graph, and a handle that computes like a number.
 
 mod graph;
 mod node;
@@ -11,17 +11,17 @@ use crate::math::Scalar;
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A formula in a [`Graph`], or a known number. Computing with it only writes the formula down.
+/// A formula in a [`Graph`], or a known number. Arithmetic on it adds nodes to the graph.
 #[derive(Clone, Copy)]
 pub enum Expr<'g> {
-    /// A known number; it needs no graph.
+    /// A known number, which needs no graph.
     Number(f64),
     /// A formula.
     Formula(&'g Graph, Edge),
 }
 
 impl<'g> Expr<'g> {
-    /// The known number, if it is one.
+    /// Returns the number, if it is known.
     pub fn known(self) -> Option<f64> {
         match self {
             Expr::Number(value) => Some(value),
@@ -29,7 +29,7 @@ impl<'g> Expr<'g> {
         }
     }
 
-    /// Whether both are the same formula, or the same number.
+    /// Returns whether both are the same formula, or the same number bit by bit.
     pub fn is(&self, other: &Self) -> bool {
         match (self, other) {
             (Expr::Number(one), Expr::Number(other)) => one.to_bits() == other.to_bits(),
@@ -113,7 +113,7 @@ impl Scalar for Expr<'_> {
 }
 
 impl Expr<'_> {
-    /// Negated where `negative`.
+    /// Negates the expression if `negative`.
     fn signed(self, negative: bool) -> Self {
         if negative { -self } else { self }
     }
@@ -131,6 +131,7 @@ impl fmt::Debug for Expr<'_> {
 #[cfg(test)]
 mod tests {
     use super::{Expr, Graph, Stage};
+    use crate::ids::SymbolId;
     use crate::math::Scalar;
 
     fn edge(expr: Expr) -> super::Edge {
@@ -143,7 +144,8 @@ mod tests {
     #[test]
     fn equal_formulas_are_one_node_whatever_the_order_and_the_sign() {
         let graph = Graph::default();
-        let (x, y) = (graph.symbol(0, Stage::State), graph.symbol(1, Stage::State));
+        let (x, y) =
+            (graph.symbol(SymbolId(0), Stage::State), graph.symbol(SymbolId(1), Stage::State));
         assert_eq!(edge(x + y), edge(y + x));
         assert_eq!(edge(x * y), edge(y * x));
         assert_eq!(edge(x - y), edge(-(y - x)));
@@ -155,7 +157,7 @@ mod tests {
     #[test]
     fn zeros_ones_and_numbers_fold() {
         let graph = Graph::default();
-        let x = graph.symbol(0, Stage::State);
+        let x = graph.symbol(SymbolId(0), Stage::State);
         let number = Expr::number;
         assert_eq!((x * number(0.0)).known(), Some(0.0));
         assert_eq!((x - x).known(), Some(0.0));
@@ -165,7 +167,7 @@ mod tests {
         assert_eq!(edge(x + x), edge(number(2.0) * x));
         assert_eq!(edge((x + number(1.0)) + number(2.0)), edge(x + number(3.0)));
         assert_eq!(edge(x.recip().recip()), edge(x));
-        let y = graph.symbol(1, Stage::State);
+        let y = graph.symbol(SymbolId(1), Stage::State);
         assert_eq!(edge((x + y) - y), edge(x));
         assert_eq!(edge(x - (x - y)), edge(y));
         assert_eq!(edge((y - x) + (x - y) + x), edge(x));

@@ -1,36 +1,37 @@
-//! The kinds of formula, and the edges that lead to them.
+//! The nodes of the graph, and the signed edges that lead to them.
 
+use crate::ids::SymbolId;
 use std::fmt;
 
-/// Index of a node in its graph. A node's operands have smaller indices.
+/// The index of a node in its graph. A node's operands have smaller indices.
 pub type NodeId = u32;
 
-/// A use of a node, with a sign: negation is a property of the use, so `x` and `−x` share a node.
+/// A use of a node, with a sign. Negation is a property of the edge, so that `x` and `−x` share a node.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Edge(u32);
 
 impl Edge {
-    /// A use of `node` as it is.
+    /// Returns the positive edge to `node`.
     pub fn to(node: NodeId) -> Self {
         Edge(node << 1)
     }
 
-    /// The node.
+    /// Returns the node.
     pub fn node(self) -> NodeId {
         self.0 >> 1
     }
 
-    /// Whether the node's value is negated.
+    /// Returns whether the node's value is negated.
     pub fn is_negative(self) -> bool {
         self.0 & 1 == 1
     }
 
-    /// The opposite use.
+    /// Returns the edge with the opposite sign.
     pub fn negated(self) -> Self {
         Edge(self.0 ^ 1)
     }
 
-    /// Without the sign.
+    /// Returns the edge with a positive sign.
     pub fn plain(self) -> Self {
         Edge(self.0 & !1)
     }
@@ -42,36 +43,35 @@ impl fmt::Debug for Edge {
     }
 }
 
-/// A formula over edges.
+/// An operation on edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Node {
-    /// A known number by its bits: positive, as the sign is the edge's.
+    /// The bits of a known number, which is positive: the sign belongs to the edge.
     Number(u64),
-    /// An unknown; the graph's user knows what it stands for.
-    Symbol(u32),
-    /// A sum; the first edge is positive and leads to the smaller node.
+    /// An unknown, whose meaning is defined outside the graph.
+    Symbol(SymbolId),
+    /// A sum. The first edge is positive and leads to the smaller node.
     Sum(Edge, Edge),
-    /// A product; both edges are positive, the first leads to the smaller node.
+    /// A product. Both edges are positive; the first leads to the smaller node.
     Product(Edge, Edge),
     /// The reciprocal of a positive edge.
     Recip(Edge),
-    /// The square root.
+    /// The square root of an edge.
     Sqrt(Edge),
     /// The sine of a positive edge.
     Sin(Edge),
     /// The cosine of a positive edge.
     Cos(Edge),
-    /// The magnitude of the first edge, which is positive, with the sign of the second.
+    /// The magnitude of the first edge, which is positive, with the sign of the second edge.
     CopySign(Edge, Edge),
-    /// The angle of the point at the first edge upwards and the second to the right.
+    /// The arctangent `atan2(y, x)` of the first edge `y` and the second edge `x`.
     Atan2(Edge, Edge),
-    /// The reciprocal of the first edge where it exceeds what rounding can leave of the second, zero
-    /// elsewhere.
+    /// The reciprocal of the first edge if it exceeds the rounding error of the second edge, otherwise zero.
     RecipAbove(Edge, Edge),
 }
 
 impl Node {
-    /// The edges that it uses.
+    /// Returns the edges that the node uses.
     pub fn operands(self) -> Operands {
         let (next, last) = match self {
             Node::Number(_) | Node::Symbol(_) => (None, None),
@@ -85,11 +85,11 @@ impl Node {
         Operands { next, last }
     }
 
-    /// A number that differs between most nodes that differ, in its upper bits.
-    pub(super) fn scattered(self) -> u64 {
+    /// Returns a hash, whose upper bits are well distributed.
+    pub(super) fn hash(self) -> u64 {
         let (kind, first, second) = match self {
             Node::Number(bits) => (0, bits, 0),
-            Node::Symbol(number) => (1, number.into(), 0),
+            Node::Symbol(symbol) => (1, symbol.index() as u64, 0),
             Node::Sum(a, b) => (2, a.0.into(), b.0.into()),
             Node::Product(a, b) => (3, a.0.into(), b.0.into()),
             Node::Recip(a) => (4, a.0.into(), 0),
@@ -100,14 +100,15 @@ impl Node {
             Node::Atan2(a, b) => (9, a.0.into(), b.0.into()),
             Node::RecipAbove(a, b) => (10, a.0.into(), b.0.into()),
         };
-        // A prime near the golden ratio of 2^64, as Knuth has it.
+        // Fibonacci hashing, after Knuth: 2^64 divided by the golden ratio.
         let mixed = (first << 4 | kind).wrapping_mul(0x9e37_79b9_7f4a_7c55) ^ second;
         mixed.wrapping_mul(0x9e37_79b9_7f4a_7c55)
     }
 }
 
-/// The edges that a node uses, by hand: unoptimised, as macros are built, it takes a fraction of
-/// what a chain of iterators does.
+/// An iterator over the edges that a node uses.
+///
+/// It is written by hand because macros are built unoptimised, where it costs a fraction of a chain of iterators.
 #[derive(Clone, Debug)]
 pub struct Operands {
     next: Option<Edge>,

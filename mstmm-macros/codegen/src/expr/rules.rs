@@ -1,6 +1,7 @@
-//! The canonical form of every operation: what folds, which order operands take, where signs go.
-//! The rules are those of real numbers. Rounding may differ where known numbers are gathered and
-//! where a sum or a reciprocal is undone, and `0 x` is zero even where `x` is not finite.
+//! The canonical form of every operation: constant folding, the order of operands, and the place of signs.
+//!
+//! The rules are those of real numbers. Rounding may change if known numbers are collected or if a sum or a reciprocal
+//! is undone, and `0 x` is zero even if `x` is not finite.
 
 use super::{Edge, Expr, Graph, Node};
 use Expr::{Formula, Number};
@@ -27,7 +28,7 @@ pub(super) fn sum<'g>(a: Expr<'g>, b: Expr<'g>) -> Expr<'g> {
     }
 }
 
-/// `(x + y) − y = x`: what is left of the sum `a` with its term `−b` taken away.
+/// `(x + y) − y = x`: removes the term `−b` from the sum `a`, if the sum has it.
 fn without(graph: &Graph, a: Edge, b: Edge) -> Option<Edge> {
     let Node::Sum(x, y) = graph.node(a.node()) else { return None };
     let sign = |edge: Edge| if a.is_negative() { edge.negated() } else { edge };
@@ -53,7 +54,7 @@ fn sum_with_number(graph: &Graph, edge: Edge, value: f64) -> Expr<'_> {
     ordered_sum(graph, edge, graph.number(value))
 }
 
-/// The smaller node first and positive: `−a + b = −(a − b)`.
+/// Puts the smaller node first and makes it positive: `−a + b = −(a − b)`.
 fn ordered_sum(graph: &Graph, a: Edge, b: Edge) -> Expr<'_> {
     let (a, b) = if a.node() < b.node() { (a, b) } else { (b, a) };
     if a.is_negative() {
@@ -90,7 +91,7 @@ fn product_with_number(graph: &Graph, edge: Edge, value: f64) -> Expr<'_> {
     ordered_product(graph, edge, graph.number(value))
 }
 
-/// The smaller node first, signs in front.
+/// Puts the smaller node first, and the signs in front of the product.
 fn ordered_product(graph: &Graph, a: Edge, b: Edge) -> Expr<'_> {
     let negative = a.is_negative() != b.is_negative();
     let (a, b) = (a.plain().min(b.plain()), a.plain().max(b.plain()));
@@ -115,7 +116,7 @@ pub(super) fn copysign<'g>(a: Expr<'g>, b: Expr<'g>) -> Expr<'g> {
     }
 }
 
-/// An operation without rules of its own but for known numbers.
+/// An operation whose only rule folds known numbers.
 pub(super) fn binary<'g>(
     a: Expr<'g>,
     b: Expr<'g>,

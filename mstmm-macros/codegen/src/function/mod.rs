@@ -1,5 +1,5 @@
-//! A function as a value: edges into the graph of a chain, and what gives them a meaning. The passes that simplify and
-//! arrange it map a function to a function.
+//! A function of a chain: edges into the chain's graph, with the loops, outputs and names that they belong to. Passes map
+//! a function to a function.
 
 mod tracer;
 mod unknowns;
@@ -8,99 +8,99 @@ pub use tracer::LoopTracer;
 pub use unknowns::{Unknown, Unknowns};
 
 use crate::expr::{Edge, Graph, Stage};
-use crate::ids::RepeatId;
+use crate::ids::{RepeatId, SymbolId};
 use crate::program::{ArrayLayout, OutputId};
 use std::ops::Range;
 
-/// What is to be computed.
+/// A function to be compiled.
 #[derive(Clone, Debug)]
 pub struct Function<'g> {
-    /// The formulas.
+    /// The graph of its formulas.
     pub graph: &'g Graph,
-    /// What they may depend on, besides what loops carry.
+    /// The unknowns that the formulas may depend on, in addition to loop-carried values.
     pub unknowns: &'g Unknowns,
-    /// When it is computed. What is known earlier is read from a slot.
+    /// The stage at which it is evaluated; values that are known earlier are read from slots.
     pub stage: Stage,
-    /// Headings with the values that they name, in the order of the equations.
+    /// The headings with the values that they name, in the order of the equations.
     pub headings: Vec<Heading>,
-    /// Loops over repeated parts, in the order in which they run.
+    /// The loops over repeated parts, in the order in which they run.
     pub loops: Vec<Loop>,
-    /// What it returns.
+    /// The arrays that it returns.
     pub outputs: Vec<Output>,
-    /// Numbers that it divides by and that may vanish.
+    /// The divisors that may vanish.
     pub pivots: Vec<NamedPivot>,
 }
 
 /// Named values under a heading.
 #[derive(Clone, Debug)]
 pub struct Heading {
-    /// What names within it begin with.
+    /// The prefix of the names of unnamed values under it.
     pub prefix: String,
-    /// What is computed.
+    /// The title: what is computed.
     pub title: String,
-    /// Where the equations are from.
+    /// The source of the equations.
     pub source: String,
-    /// Names and values.
+    /// The names, each with its value.
     pub values: Vec<(String, Edge)>,
 }
 
 /// A loop over a repeated part.
 #[derive(Clone, Debug)]
 pub struct Loop {
-    /// Which part.
+    /// The repeated part.
     pub repeat: RepeatId,
-    /// Whether it goes from the last repetition to the first.
+    /// Whether it runs from the last repetition to the first.
     pub inward: bool,
-    /// What it carries.
+    /// The values that it carries from one repetition to the next.
     pub carries: Vec<Carry>,
 }
 
-/// A number that a loop carries from one repetition to the next.
+/// A loop-carried value.
 #[derive(Clone, Copy, Debug)]
 pub struct Carry {
-    /// What the first repetition begins with.
+    /// The value at the start of the first repetition.
     pub init: Edge,
-    /// What any repetition hands on.
+    /// The value at the end of a repetition.
     pub next: Edge,
-    /// Number of the unknown that any repetition begins with.
-    pub phi: u32,
-    /// Number of the unknown that the last repetition leaves.
-    pub exit: u32,
+    /// The unknown for the value at the start of a repetition.
+    pub phi: SymbolId,
+    /// The unknown for the value after the last repetition.
+    pub exit: SymbolId,
 }
 
 /// An array that a function returns.
 #[derive(Clone, Debug)]
 pub struct Output {
-    /// Which one.
+    /// Its id.
     pub id: OutputId,
-    /// Where its numbers lie.
+    /// The layout of the array.
     pub layout: ArrayLayout,
-    /// Its entries; those of a repeated part stand for all repetitions.
+    /// Its entries; an entry of a repeated part is the formula for all repetitions.
     pub values: Vec<Edge>,
-    /// Whether entries are written one by one, as soon as they are known, and those that are the same in every
-    /// state where the array is made.
+    /// Whether each entry is written as soon as it is known, and entries that are the same in every state are written
+    /// when the array is created.
     pub by_entry: bool,
 }
 
-/// A number that is divided by and that may vanish.
+/// A divisor that may vanish, with its hinge.
 #[derive(Clone, Debug)]
 pub struct NamedPivot {
-    /// Name of the hinge that it belongs to.
+    /// The name of the hinge that it belongs to.
     pub hinge: String,
-    /// The number.
+    /// The divisor.
     pub value: Edge,
-    /// What it is measured by: rounding leaves a few units in the last place of this number.
+    /// The scale of its rounding error, which is a few units in the last place of this value.
     pub scale: Edge,
 }
 
 impl Function<'_> {
-    /// All that is returned: the numbers of all outputs in their order.
+    /// Iterates over the entries of all outputs, in order.
     pub fn results(&self) -> impl Iterator<Item = Edge> + '_ {
         self.outputs.iter().flat_map(|output| output.values.iter().copied())
     }
 
-    /// The numbers of an output among [`results`](Self::results).
-    pub fn numbers_of(&self, id: OutputId) -> Range<usize> {
+    /// Returns the range of an output's entries among the [`results`](Self::results).
+    pub fn entries_of(&self, id: OutputId) -> Range<usize> {
         let mut start = 0;
         for output in &self.outputs {
             if output.id == id {
@@ -111,19 +111,19 @@ impl Function<'_> {
         bug!("a function has no output `{}`", id.name)
     }
 
-    /// What is needed in the end: results, pivots and what they are measured by.
+    /// Iterates over what the function returns or tests: results, pivots and their scales.
     pub fn ends(&self) -> impl Iterator<Item = Edge> + '_ {
         let pivots = self.pivots.iter().flat_map(|pivot| [pivot.value, pivot.scale]);
         self.results().chain(pivots)
     }
 
-    /// All that has to be computed: the ends, and what loops carry. Nothing else may list roots.
+    /// Iterates over all roots: the ends and the loop-carried values. Passes must take the roots from here.
     pub fn roots(&self) -> impl Iterator<Item = Edge> + '_ {
         let carries = self.loops.iter().flat_map(|one| &one.carries);
         self.ends().chain(carries.flat_map(|carry| [carry.init, carry.next]))
     }
 
-    /// The same function with other edges: those that a section names are dropped where there is none.
+    /// Replaces every edge by its image. A named value without an image is dropped; a root must have one.
     pub fn map(mut self, image: impl Fn(Edge) -> Option<Edge>) -> Self {
         let root = |edge: Edge| match image(edge) {
             Some(image) => image,
@@ -131,8 +131,8 @@ impl Function<'_> {
         };
         for heading in &mut self.headings {
             let values = std::mem::take(&mut heading.values);
-            let moved = values.into_iter().filter_map(|(name, edge)| Some((name, image(edge)?)));
-            heading.values = moved.collect();
+            let images = values.into_iter().filter_map(|(name, edge)| Some((name, image(edge)?)));
+            heading.values = images.collect();
         }
         for carry in self.loops.iter_mut().flat_map(|one| &mut one.carries) {
             (carry.init, carry.next) = (root(carry.init), root(carry.next));

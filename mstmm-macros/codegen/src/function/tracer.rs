@@ -1,46 +1,48 @@
-//! Sweeps over repeated parts, traced as loops.
+//! Traces sweeps over repeated parts as loops.
 //!
-//! What a loop carries is found by running the equations: at first everything that is known where a loop
-//! begins is taken to be the same in every repetition. Where that turns out wrong the number becomes an
-//! unknown of the loop (a phi), and the equations are run again, until a fixpoint is reached.
+//! The tracer finds the loop-carried values by running the equations. In the first run every number that is known at the
+//! start of a loop is assumed to be the same in every repetition. If a repetition ends with another value, the number
+//! becomes an unknown of the loop (a phi), and the equations run again, until a fixpoint is reached.
 //!
-//! Sweeps that carry the same are one loop: one that begins like an earlier one is taken to be that one,
-//! with its unknowns, until it turns out to hand on something else.
+//! Sweeps that carry the same values share one loop: a sweep that starts like an earlier one is assumed to be the same
+//! loop and gets its unknowns, until it ends with other values.
 
 use super::{Carry, Loop};
 use crate::equations::LoopHook;
 use crate::expr::{Expr, Graph, Stage};
-use crate::ids::RepeatId;
+use crate::ids::{RepeatId, SymbolId};
 use std::cell::RefCell;
 use std::fmt;
 
-/// Runs equations until what their loops carry is consistent.
+/// Runs equations until their loop-carried values are consistent.
 pub struct LoopTracer<'g> {
     graph: &'g Graph,
-    /// The number of the first unknown of its own.
-    base: u32,
-    state: RefCell<State<'g>>,
+    /// The first symbol that is free for loop-carried values.
+    base: usize,
+    run: RefCell<Run<'g>>,
 }
 
+/// The state of one run of the equations.
 #[derive(Default)]
-struct State<'g> {
-    /// What earlier runs have shown of the visits to repeated parts, in the order in which they begin.
+struct Run<'g> {
+    /// What earlier runs have found about the visits to repeated parts, in the order in which they start.
     learned: Vec<Learned>,
-    /// So much of that stands, the rest having gone on from what is wrong.
-    standing: Option<usize>,
+    /// The number of these findings that are still valid: later visits followed from a wrong assumption.
+    valid: Option<usize>,
     visits: Vec<Visit<'g>>,
-    /// The visits begun and not ended.
+    /// The visits that have started and not ended.
     open: Vec<usize>,
     loops: Vec<Loop>,
-    used: u32,
+    /// The number of symbols in use.
+    used: usize,
     consistent: bool,
 }
 
-/// What is known of a visit before it is made.
+/// What earlier runs have found about a visit.
 struct Learned {
-    /// Which numbers change from repetition to repetition.
+    /// Which values change from repetition to repetition.
     changing: Vec<bool>,
-    /// So many earlier loops begin like it and hand on something else.
+    /// The number of earlier loops that start like it and end with other values.
     rejected: usize,
 }
 
@@ -48,74 +50,76 @@ struct Learned {
 struct Visit<'g> {
     repeat: RepeatId,
     inward: bool,
-    /// All that is carried into the part, known numbers as well.
+    /// The values before the first repetition, including known numbers.
     init: Vec<Expr<'g>>,
-    /// What any repetition begins with.
+    /// The values at the start of a repetition.
     phi: Vec<Expr<'g>>,
-    /// Its loop, or the earlier visit that it is taken to be.
-    way: Way,
-    /// What any repetition ends with and what the last one leaves, once that is known.
+    /// Whether it is a new loop or reuses that of an earlier visit.
+    kind: VisitKind,
+    /// The values at the end of a repetition and those after the last one, once the visit has ended.
     end: Option<(Vec<Expr<'g>>, Vec<Expr<'g>>)>,
 }
 
 #[derive(Clone, Copy)]
-enum Way {
-    New { number: usize },
+enum VisitKind {
+    /// A new loop, by its index.
+    New { index: usize },
+    /// The loop of an earlier visit.
     ReuseOf { visit: usize },
 }
 
 impl<'g> LoopTracer<'g> {
-    /// A tracer whose unknowns are numbered from `base` on.
+    /// Returns a tracer whose loop-carried values have the symbols from `base` on.
     pub fn new(graph: &'g Graph, base: usize) -> Self {
-        LoopTracer { graph, base: base as u32, state: RefCell::default() }
+        LoopTracer { graph, base, run: RefCell::default() }
     }
 
-    /// Runs `equations` until what is carried is consistent; their result and the loops.
+    /// Runs `equations` until the loop-carried values are consistent; returns their result and the loops.
     pub fn trace<R>(&self, equations: impl Fn(&Self) -> R) -> (R, Vec<Loop>) {
         loop {
-            let State { mut learned, standing, .. } = self.state.take();
-            learned.truncate(standing.unwrap_or(learned.len()));
-            *self.state.borrow_mut() = State { learned, consistent: true, ..State::default() };
+            let Run { mut learned, valid, .. } = self.run.take();
+            learned.truncate(valid.unwrap_or(learned.len()));
+            *self.run.borrow_mut() = Run { learned, consistent: true, ..Run::default() };
             let result = equations(self);
-            let mut state = self.state.borrow_mut();
-            if !state.open.is_empty() {
-                bug!("a sweep has not left a repeated part")
+            let mut run = self.run.borrow_mut();
+            if !run.open.is_empty() {
+                bug!("a sweep has entered a repeated part and not left it")
             }
-            if state.consistent {
-                return (result, std::mem::take(&mut state.loops));
+            if run.consistent {
+                return (result, std::mem::take(&mut run.loops));
             }
         }
     }
 
-    /// An unknown of its own.
-    fn unknown(&self, number: u32) -> Expr<'g> {
-        self.graph.symbol(number, Stage::State)
+    /// Returns the formula of a loop-carried value.
+    fn unknown(&self, symbol: SymbolId) -> Expr<'g> {
+        self.graph.symbol(symbol, Stage::State)
     }
 
-    /// Begins a loop: what it carries, and what any repetition begins with.
+    /// Starts a loop: returns its carries and the values at the start of a repetition.
     fn begin(&self, number: usize, init: &[Expr<'g>]) -> (Vec<Carry>, Vec<Expr<'g>>) {
-        let State { learned, used, .. } = &mut *self.state.borrow_mut();
+        let Run { learned, used, .. } = &mut *self.run.borrow_mut();
         let mut carries = Vec::new();
         let enter = |(&init, changes): (&Expr<'g>, &mut bool)| {
-            // What is known now may not have been in an earlier run.
+            // A value that was known in an earlier run may be a formula in this one.
             *changes |= init.known().is_none();
             if !*changes {
                 return init;
             }
-            let phi = self.base + *used;
+            let [phi, exit] = [0, 1].map(|next| SymbolId(self.base + *used + next));
             *used += 2;
             let init = self.graph.edge(init);
-            carries.push(Carry { init, next: init, phi, exit: phi + 1 });
+            carries.push(Carry { init, next: init, phi, exit });
             self.unknown(phi)
         };
         let phi = init.iter().zip(&mut learned[number].changing).map(enter).collect();
         (carries, phi)
     }
 
-    /// Ends a loop: what the last repetition leaves.
-    fn end(&self, visit: usize, number: usize, next: &[Expr<'g>]) -> Vec<Expr<'g>> {
-        let State { learned, visits, loops, consistent, .. } = &mut *self.state.borrow_mut();
-        let mut carries = loops[number].carries.iter_mut();
+    /// Ends a loop: returns the values after the last repetition.
+    fn end(&self, visit: usize, index: usize, next: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        let Run { learned, visits, loops, consistent, .. } = &mut *self.run.borrow_mut();
+        let mut carries = loops[index].carries.iter_mut();
         let inits = visits[visit].init.iter();
         let leave = |((&next, &init), changes): ((&Expr<'g>, &Expr<'g>), &mut bool)| {
             if !*changes {
@@ -125,7 +129,7 @@ impl<'g> LoopTracer<'g> {
                 return init;
             }
             let Some(carry) = carries.next() else {
-                bug!("a loop ends with more numbers than it began with")
+                bug!("a loop ends with more values than it started with")
             };
             carry.next = self.graph.edge(next);
             self.unknown(carry.exit)
@@ -136,45 +140,45 @@ impl<'g> LoopTracer<'g> {
 
 impl<'g> LoopHook<Expr<'g>> for LoopTracer<'g> {
     fn enter(&self, repeat: RepeatId, inward: bool, init: &[Expr<'g>]) -> Vec<Expr<'g>> {
-        let (number, earlier) = self.state.borrow_mut().visit((repeat, inward), init);
-        let (way, phi) = match earlier {
-            Some((visit, phi)) => (Way::ReuseOf { visit }, phi),
+        let (number, earlier) = self.run.borrow_mut().visit((repeat, inward), init);
+        let (kind, phi) = match earlier {
+            Some((visit, phi)) => (VisitKind::ReuseOf { visit }, phi),
             None => {
                 let (carries, phi) = self.begin(number, init);
-                let loops = &mut self.state.borrow_mut().loops;
+                let loops = &mut self.run.borrow_mut().loops;
                 loops.push(Loop { repeat, inward, carries });
-                (Way::New { number: loops.len() - 1 }, phi)
+                (VisitKind::New { index: loops.len() - 1 }, phi)
             }
         };
-        let (init, begun) = (init.to_vec(), phi.clone());
-        let visit = Visit { repeat, inward, init, phi: begun, way, end: None };
-        self.state.borrow_mut().visits.push(visit);
+        let (init, start) = (init.to_vec(), phi.clone());
+        let visit = Visit { repeat, inward, init, phi: start, kind, end: None };
+        self.run.borrow_mut().visits.push(visit);
         phi
     }
 
     fn leave(&self, repeat: RepeatId, next: &[Expr<'g>]) -> Vec<Expr<'g>> {
-        let Some(number) = self.state.borrow_mut().open.pop() else {
+        let Some(number) = self.run.borrow_mut().open.pop() else {
             bug!("a sweep leaves a repeated part that it has not entered")
         };
-        let (own, way) = {
-            let visit = &self.state.borrow().visits[number];
-            (visit.repeat, visit.way)
+        let (entered, kind) = {
+            let visit = &self.run.borrow().visits[number];
+            (visit.repeat, visit.kind)
         };
-        if own != repeat {
+        if entered != repeat {
             bug!("a sweep leaves another repeated part than it entered")
         }
-        let exit = match way {
-            Way::New { number: of } => self.end(number, of, next),
-            Way::ReuseOf { visit } => self.state.borrow_mut().end_like(number, visit, next),
+        let exit = match kind {
+            VisitKind::New { index } => self.end(number, index, next),
+            VisitKind::ReuseOf { visit } => self.run.borrow_mut().end_like(number, visit, next),
         };
-        self.state.borrow_mut().visits[number].end = Some((next.to_vec(), exit.clone()));
+        self.run.borrow_mut().visits[number].end = Some((next.to_vec(), exit.clone()));
         exit
     }
 }
 
-impl<'g> State<'g> {
-    /// Begins a visit: its number, and the earlier one that it is taken to be with what a repetition of
-    /// that one begins with.
+impl<'g> Run<'g> {
+    /// Starts a visit: returns its index, and the earlier visit whose loop it reuses, with the values at the start of a
+    /// repetition of that loop.
     fn visit(
         &mut self,
         part: (RepeatId, bool),
@@ -186,24 +190,24 @@ impl<'g> State<'g> {
             self.learned.push(Learned { changing, rejected: 0 });
         }
         self.open.push(number);
-        let begins_so = |visit: &Visit<'g>| {
-            let is_new = matches!(visit.way, Way::New { .. }) && visit.end.is_some();
+        let starts_alike = |visit: &Visit<'g>| {
+            let is_new = matches!(visit.kind, VisitKind::New { .. }) && visit.end.is_some();
             is_new && (visit.repeat, visit.inward) == part && same(&visit.init, init)
         };
-        let earlier = self.visits.iter().enumerate().filter(|(_, visit)| begins_so(visit));
+        let earlier = self.visits.iter().enumerate().filter(|(_, visit)| starts_alike(visit));
         let mut chosen = earlier.map(|(earlier, visit)| (earlier, visit.phi.clone()));
         (number, chosen.nth(self.learned[number].rejected))
     }
 
-    /// Ends a visit that was taken to be an earlier one: what the last repetition leaves.
+    /// Ends a visit that reuses the loop of an earlier one: returns the values after the last repetition.
     fn end_like(&mut self, number: usize, earlier: usize, next: &[Expr<'g>]) -> Vec<Expr<'g>> {
         match &self.visits[earlier].end {
             Some((other, exit)) if same(other, next) => return exit.clone(),
-            // Where something before was wrong this need not be.
+            // If an earlier assumption was wrong, the difference may follow from it.
             _ if !self.consistent => {}
             _ => {
                 self.learned[number].rejected += 1;
-                self.standing = Some(number + 1);
+                self.valid = Some(number + 1);
             }
         }
         self.consistent = false;
@@ -211,7 +215,7 @@ impl<'g> State<'g> {
     }
 }
 
-/// Whether two sweeps carry the same.
+/// Returns whether two lists of values are the same.
 fn same(one: &[Expr], other: &[Expr]) -> bool {
     one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one.is(other))
 }
@@ -227,15 +231,15 @@ mod tests {
     use super::LoopTracer;
     use crate::equations::LoopHook;
     use crate::expr::{Expr, Graph, Stage};
-    use crate::ids::RepeatId;
+    use crate::ids::{RepeatId, SymbolId};
     use crate::math::Scalar;
 
     const PART: RepeatId = RepeatId(0);
 
     #[test]
-    fn sweeps_that_carry_the_same_are_one_loop_and_others_are_not() {
+    fn sweeps_with_the_same_carries_share_a_loop() {
         let graph = Graph::default();
-        let own = graph.symbol(0, Stage::State);
+        let own = graph.symbol(SymbolId(0), Stage::State);
         let (left, loops) = LoopTracer::new(&graph, 1).trace(|tracer| {
             let enter = || tracer.enter(PART, false, &[Expr::number(0.0)])[0];
             let leave = |next| tracer.leave(PART, &[next])[0];
@@ -249,16 +253,16 @@ mod tests {
         assert_eq!([kept, kept_again].map(Expr::known), [Some(0.0); 2]);
         let carries: Vec<_> = loops.iter().flat_map(|one| &one.carries).collect();
         let [of_sum, of_difference] = carries[..] else { panic!("{carries:?}") };
-        let unknown = |number| graph.symbol(number, Stage::State);
+        let unknown = |symbol| graph.symbol(symbol, Stage::State);
         assert_eq!(of_sum.next, graph.edge(unknown(of_sum.phi) + own));
         assert_eq!(of_difference.next, graph.edge(own - unknown(of_difference.phi)));
         assert!(unknown(of_sum.exit).is(&sum) && unknown(of_difference.exit).is(&difference));
     }
 
     #[test]
-    fn other_parts_other_ways_and_other_beginnings_are_other_loops() {
+    fn other_parts_directions_and_initial_values_are_other_loops() {
         let graph = Graph::default();
-        let own = graph.symbol(0, Stage::State);
+        let own = graph.symbol(SymbolId(0), Stage::State);
         let (_, loops) = LoopTracer::new(&graph, 1).trace(|tracer| {
             for (part, inward, init) in
                 [(0, false, 0.0), (1, false, 0.0), (0, true, 0.0), (0, false, 1.0)]

@@ -1,37 +1,36 @@
-//! The unknowns of a chain's functions: their names, and where they are read.
+//! The unknowns of a chain's functions: their names, and the arrays that they are read from.
 
-use crate::ids::RepeatId;
+use crate::ids::{IdRange, IdVec, RepeatId, SymbolId};
 use crate::program::{Argument, ArrayLayout};
-use std::ops::Range;
 
 /// An unknown.
 #[derive(Clone, Debug)]
 pub struct Unknown {
-    /// Its name, which no other has.
+    /// Its name, which is unique.
     pub name: String,
     /// The array that it is read from.
     pub argument: Argument,
-    /// Which entry of the array it is.
+    /// Its entry of the array.
     pub entry: usize,
-    /// The repeated part that it belongs to.
+    /// The repeated part that it belongs to, if any.
     pub repeat: Option<RepeatId>,
 }
 
-/// All unknowns, by the numbers of their symbols in the graph.
+/// The unknowns of a chain, by their symbols in the graph.
 #[derive(Clone, Debug, Default)]
 pub struct Unknowns {
-    all: Vec<Unknown>,
-    repetitions: Vec<usize>,
-    arguments: Vec<(Argument, ArrayLayout, Range<usize>)>,
+    all: IdVec<SymbolId, Unknown>,
+    repetitions: IdVec<RepeatId, usize>,
+    arguments: Vec<(Argument, ArrayLayout, IdRange<SymbolId>)>,
 }
 
 impl Unknowns {
-    /// None yet, of a chain whose parts are repeated so often.
-    pub fn new(repetitions: Vec<usize>) -> Self {
+    /// Returns an empty table for a chain whose parts have these numbers of repetitions.
+    pub fn new(repetitions: IdVec<RepeatId, usize>) -> Self {
         Unknowns { repetitions, ..Unknowns::default() }
     }
 
-    /// Adds an array with the names of its entries.
+    /// Adds the entries of an array, with their names.
     pub fn add(&mut self, argument: Argument, layout: ArrayLayout, names: Vec<String>) {
         if layout.entries() != names.len() {
             bug!("an array has {} entries and {} names", layout.entries(), names.len())
@@ -41,48 +40,48 @@ impl Unknowns {
             let repeat = layout.segment_of(entry).repeat;
             self.all.push(Unknown { name, argument, entry, repeat });
         }
-        self.arguments.push((argument, layout, first..self.all.len()));
+        self.arguments.push((argument, layout, (first..self.all.len()).into()));
     }
 
-    /// How many there are.
+    /// Returns the number of unknowns.
     pub fn count(&self) -> usize {
         self.all.len()
     }
 
-    /// The one with a number; none for what a loop carries.
-    pub fn get(&self, number: u32) -> Option<&Unknown> {
-        self.all.get(number as usize)
+    /// Returns an unknown; none if the symbol is a loop-carried value.
+    pub fn get(&self, symbol: SymbolId) -> Option<&Unknown> {
+        self.all.as_slice().get(symbol.index())
     }
 
-    /// All of them, by number.
+    /// Iterates over the unknowns in the order of their symbols.
     pub fn iter(&self) -> impl Iterator<Item = &Unknown> {
         self.all.iter()
     }
 
-    /// Whether an array has unknowns.
+    /// Returns whether an argument has unknowns.
     pub fn has(&self, argument: Argument) -> bool {
         self.arguments.iter().any(|(other, ..)| *other == argument)
     }
 
-    /// The numbers of an array's entries.
-    pub fn of(&self, argument: Argument) -> Range<usize> {
+    /// Returns the symbols of an argument's entries.
+    pub fn of(&self, argument: Argument) -> IdRange<SymbolId> {
         match self.arguments.iter().find(|(other, ..)| *other == argument) {
-            Some((_, _, range)) => range.clone(),
+            Some((_, _, symbols)) => *symbols,
             None => bug!("no unknown is read from {argument:?}"),
         }
     }
 
-    /// The name of an unknown that is none of those that loops carry.
-    pub fn name(&self, number: u32) -> String {
-        self.all[number as usize].name.clone()
+    /// Returns the name of an unknown, which must not be a loop-carried value.
+    pub fn name(&self, symbol: SymbolId) -> String {
+        self.all[symbol].name.clone()
     }
 
-    /// How often a part is repeated.
+    /// Returns the number of repetitions of a part.
     pub fn repetitions(&self, part: RepeatId) -> usize {
-        self.repetitions[part.index()]
+        self.repetitions[part]
     }
 
-    /// The layout of an array of unknowns.
+    /// Returns the layout of an argument.
     pub fn layout(&self, argument: Argument) -> ArrayLayout {
         match self.arguments.iter().find(|(other, ..)| *other == argument) {
             Some((_, layout, _)) => layout.clone(),
@@ -90,7 +89,7 @@ impl Unknowns {
         }
     }
 
-    /// All arrays with their layouts.
+    /// Iterates over the arguments with their layouts.
     pub fn arguments(&self) -> impl Iterator<Item = (Argument, &ArrayLayout)> {
         self.arguments.iter().map(|(argument, layout, _)| (*argument, layout))
     }

@@ -3,7 +3,7 @@
 use super::Region;
 use super::linearize::Linearizer;
 use crate::expr::{Edge, Node, NodeId};
-use crate::ids::RepeatId;
+use crate::ids::{RepeatId, SymbolId};
 use crate::program::{Operand, Operation, Slot, Statement, ValueId};
 
 impl Linearizer<'_> {
@@ -17,7 +17,7 @@ impl Linearizer<'_> {
         }
         let operation = match self.graph.node(id) {
             Node::Number(_) => return,
-            Node::Symbol(number) => return self.read_symbol(number, id),
+            Node::Symbol(symbol) => return self.read_symbol(symbol, id),
             Node::Sin(_) | Node::Cos(_) => return self.compute_angles(id),
             Node::Sum(a, b) => self.sum(a, b),
             Node::Product(a, b) => Operation::Product(self.operand(a), self.operand(b)),
@@ -33,12 +33,12 @@ impl Linearizer<'_> {
 
     /// Names an unknown by its own name. What loops carry has a name already, and loops list what they read
     /// themselves.
-    fn read_symbol(&mut self, number: u32, id: NodeId) {
-        let Some(unknown) = self.function.unknowns.get(number) else { return };
+    fn read_symbol(&mut self, symbol: SymbolId, id: NodeId) {
+        let Some(unknown) = self.function.unknowns.get(symbol) else { return };
         let value = self.program.names.add(unknown.name.clone());
         self.names.insert(id, value);
-        if matches!(self.regions.region(id), Region::Once(_)) {
-            self.program.unknowns.push((number, value));
+        if matches!(self.regions.region(id), Region::AfterLoops(_)) {
+            self.program.unknowns.push((symbol, value));
         }
     }
 
@@ -54,14 +54,14 @@ impl Linearizer<'_> {
     /// The repeated part that a node belongs to.
     fn part_of(&self, id: NodeId) -> Option<RepeatId> {
         match self.regions.region(id) {
-            Region::Once(_) => None,
-            Region::Loop(number) => Some(self.regions.loops[number].repeat),
+            Region::AfterLoops(_) => None,
+            Region::Loop(id) => Some(self.regions.loops[id].repeat),
         }
     }
 
     /// The slot of a value that is known since setup, under a name of this program.
     fn slot_of(&mut self, id: NodeId) -> Slot {
-        let symbol = self.graph.symbol_number(id);
+        let symbol = self.graph.symbol_of(id);
         let given = match symbol.and_then(|symbol| self.function.unknowns.get(symbol)) {
             Some(unknown) => Some(unknown.name.clone()),
             None => self.names.get(id).map(|name| self.program.names.text(name).to_owned()),
@@ -69,9 +69,9 @@ impl Linearizer<'_> {
         let (part, prefix) = (self.part_of(id), self.prefix().to_owned());
         let (index, name) = self.setup.slot(part, id, given, &prefix);
         let wanted = format!("known_{name}");
-        let name = self.fresh(wanted);
-        self.names.insert(id, name);
-        Slot { index, name }
+        let value = self.fresh(wanted);
+        self.names.insert(id, value);
+        Slot { index, value }
     }
 
     /// `a + b` with the sign of `b`, and a product if it is computed here, in the operation.
@@ -118,7 +118,7 @@ impl Linearizer<'_> {
                 names.push(match node.filter(|&node| self.live.has(node)) {
                     Some(node) => {
                         self.mark(node);
-                        let symbol = graph.symbol_number(angle);
+                        let symbol = graph.symbol_of(angle);
                         let unknown = symbol.and_then(|it| self.function.unknowns.get(it));
                         let name = match unknown {
                             Some(unknown) => self.fresh(format!("{prefix}_{}", unknown.name)),

@@ -51,7 +51,7 @@ impl Waiting {
         let mut computed = vec![false; values];
         for step in body {
             if let Step::Compute(section) = step {
-                let values = section.statements.iter().flat_map(Statement::names);
+                let values = section.statements.iter().flat_map(Statement::defined);
                 values.for_each(|value| computed[value.index()] = true);
             }
         }
@@ -96,7 +96,7 @@ impl Waiting {
 
     fn ready_after(&mut self, statement: &Statement) -> Vec<Step> {
         let mut ready = Vec::new();
-        for value in statement.names() {
+        for value in statement.defined() {
             for number in std::mem::take(&mut self.users[value.index()]) {
                 let (missing, step) = &mut self.steps[number];
                 *missing -= 1;
@@ -113,8 +113,8 @@ impl Waiting {
 fn operands(step: &Step) -> Vec<&Operand> {
     match step {
         Step::Store { values, .. } => values.iter().flatten().collect(),
-        Step::Finish(finish) => finish.operands().collect(),
-        Step::CheckGiven(_)
+        Step::CheckResults(finish) => finish.operands().collect(),
+        Step::CheckArguments(_)
         | Step::Load { .. }
         | Step::Compute(_)
         | Step::Loop(_)

@@ -3,6 +3,7 @@
 
 use crate::expr::{Edge, Graph};
 use crate::function::{Function, Loop};
+use crate::ids::SymbolId;
 use std::collections::HashSet;
 
 /// Fuses each loop with the one before it, if both go the same way over the same part and it needs nothing of
@@ -33,7 +34,7 @@ impl Loop {
 
     /// Whether what `later` begins with or hands on needs what the last repetition of this loop leaves.
     fn leaves_something_for(&self, later: &Loop, graph: &Graph) -> bool {
-        let left: HashSet<u32> = self.carries.iter().map(|carry| carry.exit).collect();
+        let left: HashSet<SymbolId> = self.carries.iter().map(|carry| carry.exit).collect();
         let carries = later.carries.iter();
         let mut open: Vec<Edge> = carries.flat_map(|carry| [carry.init, carry.next]).collect();
         let mut seen = HashSet::new();
@@ -41,7 +42,7 @@ impl Loop {
             if !seen.insert(edge.node()) {
                 continue;
             }
-            if graph.symbol_number(edge.node()).is_some_and(|symbol| left.contains(&symbol)) {
+            if graph.symbol_of(edge.node()).is_some_and(|symbol| left.contains(&symbol)) {
                 return true;
             }
             open.extend(graph.node(edge.node()).operands());
@@ -55,11 +56,11 @@ mod tests {
     use super::fuse_loops;
     use crate::expr::{Expr, Graph, Stage};
     use crate::function::{Carry, Function, Loop, Unknowns};
-    use crate::ids::RepeatId;
+    use crate::ids::{RepeatId, SymbolId};
 
     /// A loop with one number, whose phi and exit are the unknowns of this number and of the next one.
-    fn one(graph: &Graph, inward: bool, number: u32, init: Expr, added: Expr) -> Loop {
-        let (phi, exit) = (number, number + 1);
+    fn one(graph: &Graph, inward: bool, first: usize, init: Expr, added: Expr) -> Loop {
+        let [phi, exit] = [first, first + 1].map(SymbolId);
         let next = graph.symbol(phi, Stage::State) + added;
         let carry = Carry { init: graph.edge(init), next: graph.edge(next), phi, exit };
         Loop { repeat: RepeatId(0), inward, carries: vec![carry] }
@@ -83,7 +84,7 @@ mod tests {
     #[test]
     fn loops_are_fused_unless_they_turn_back_or_wait() {
         let graph = Graph::default();
-        let [start, own, left] = [0, 1, 3].map(|number| graph.symbol(number, Stage::State));
+        let [start, own, left] = [0, 1, 3].map(|k| graph.symbol(SymbolId(k), Stage::State));
         let first = one(&graph, false, 2, start, own);
         let count = |second: Loop| carries(&graph, &[first.clone(), second]).len();
         assert_eq!(count(one(&graph, false, 4, start, own)), 1);
@@ -97,7 +98,7 @@ mod tests {
     #[test]
     fn fused_loops_are_waited_for_as_one() {
         let graph = Graph::default();
-        let [start, own, left] = [0, 1, 5].map(|number| graph.symbol(number, Stage::State));
+        let [start, own, left] = [0, 1, 5].map(|k| graph.symbol(SymbolId(k), Stage::State));
         let first = one(&graph, false, 2, start, own);
         let second = one(&graph, false, 4, start, own);
         let third = one(&graph, false, 6, left, own);

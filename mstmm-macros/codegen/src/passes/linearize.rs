@@ -5,10 +5,11 @@ use super::angles::{Angles, angles};
 use super::node_values::NodeValues;
 use super::owners::Owners;
 use super::select_fma::fused;
-use super::{Live, Region, Regions, SetupSlots};
+use super::{Live, LoopId, Region, Regions, SetupSlots};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
 use crate::function::{Function, Heading, NamedPivot};
-use crate::program::{Block, Program, Section, Slot, Statement, ValueId, ValueNames};
+use crate::ids::{IdVec, SymbolId};
+use crate::program::{Block, BlockId, Program, Section, Slot, Statement, ValueId, ValueNames};
 use std::collections::{HashMap, HashSet};
 
 /// Orders what a function needs. A function of stage [`Stage::State`] reads what is known since setup from
@@ -21,11 +22,10 @@ pub fn linearize(function: &Function, setup: &mut SetupSlots) -> Program {
     for (name, edge) in function.headings.iter().flat_map(|heading| &heading.values) {
         linearizer.name_node(name, *edge);
     }
-    for done in 0..=regions.loops.len() {
-        linearizer.linearize_straight(done);
-        if done < regions.loops.len() {
-            linearizer.linearize_loop(done);
-        }
+    linearizer.linearize_straight(0);
+    for id in regions.loops.ids() {
+        linearizer.linearize_loop(id);
+        linearizer.linearize_straight(id.index() + 1);
     }
     linearizer.finish()
 }
@@ -46,7 +46,7 @@ pub(super) struct Linearizer<'a> {
     /// Slots of repeated parts, which their loops read.
     pub(super) slots: HashMap<NodeId, Slot>,
     /// The blocks of the loops that are done.
-    pub(super) blocks: HashMap<usize, usize>,
+    pub(super) blocks: HashMap<LoopId, BlockId>,
     taken: HashSet<String>,
     /// What has been stated.
     pub(super) done: Vec<bool>,
@@ -92,7 +92,7 @@ impl<'a> Linearizer<'a> {
                 names: ValueNames::default(),
                 unknowns: Vec::new(),
                 slots: Vec::new(),
-                blocks: Vec::new(),
+                blocks: IdVec::new(),
                 results: Vec::new(),
                 pivots: Vec::new(),
             },
@@ -153,7 +153,7 @@ impl<'a> Linearizer<'a> {
     }
 
     /// The value of what a loop carries.
-    pub(super) fn carried(&self, symbol: u32) -> ValueId {
+    pub(super) fn carried(&self, symbol: SymbolId) -> ValueId {
         match self.graph.find(Node::Symbol(symbol)) {
             Some(node) => self.value(node),
             None => bug!("a loop carries what is no unknown"),
@@ -162,7 +162,8 @@ impl<'a> Linearizer<'a> {
 
     /// Whether a node is computed in `region`.
     fn belongs(&self, node: NodeId, region: Region) -> bool {
-        let is_known = self.is_slot(node) && matches!(self.regions.region(node), Region::Once(_));
+        let is_known =
+            self.is_slot(node) && matches!(self.regions.region(node), Region::AfterLoops(_));
         self.live.has(node) && (is_known || self.regions.region(node) == region)
     }
 
@@ -223,7 +224,7 @@ impl<'a> Linearizer<'a> {
         } else {
             self.live.nodes().to_vec()
         };
-        self.linearize_region(Region::Once(done), rest);
+        self.linearize_region(Region::AfterLoops(done), rest);
         let sections = self.take_sections();
         if !sections.is_empty() {
             self.program.blocks.push(Block::Once(sections));
@@ -298,7 +299,7 @@ impl<'a> Linearizer<'a> {
     /// Notes that a node is stated in the section that is being written.
     pub(super) fn mark(&mut self, node: NodeId) {
         self.done[node as usize] = true;
-        if self.graph.symbol_number(node).is_none() {
+        if self.graph.symbol_of(node).is_none() {
             self.places[node as usize] = Some(self.current);
         }
     }
@@ -307,15 +308,15 @@ impl<'a> Linearizer<'a> {
         let function = self.function;
         let result = |edge: Edge| match self.regions.region(edge.node()) {
             Region::Loop(_) => None,
-            Region::Once(_) => Some(self.operand(edge)),
+            Region::AfterLoops(_) => Some(self.operand(edge)),
         };
         let results = function.results().map(result).collect();
         let pivot = |pivot: &NamedPivot| match self
             .regions
-            .together(pivot.value.node(), pivot.scale.node())
+            .common(pivot.value.node(), pivot.scale.node())
         {
             Region::Loop(_) => None,
-            Region::Once(_) => Some((self.operand(pivot.value), self.operand(pivot.scale))),
+            Region::AfterLoops(_) => Some((self.operand(pivot.value), self.operand(pivot.scale))),
         };
         let pivots = function.pivots.iter().map(pivot).collect();
         self.program.unknowns.sort_unstable();

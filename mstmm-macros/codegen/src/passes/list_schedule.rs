@@ -81,7 +81,7 @@ impl Dependencies {
     fn of(statements: &[&Statement], names: usize) -> Self {
         let mut maker_of = vec![None; names];
         for (number, statement) in statements.iter().enumerate() {
-            statement.names().for_each(|name| maker_of[name.index()] = Some(number));
+            statement.defined().for_each(|name| maker_of[name.index()] = Some(number));
         }
         let mut users = vec![0; statements.len()];
         let makers = statements.iter().map(|statement| {
@@ -194,7 +194,7 @@ mod tests {
         let titles: Vec<&str> = ordered.iter().map(|section| &section.title[..]).collect();
         assert_eq!(titles, ["path", "fill", "end"]);
         let statements = ordered.iter().flat_map(|section| &section.statements);
-        let made: Vec<ValueId> = statements.flat_map(Statement::names).collect();
+        let made: Vec<ValueId> = statements.flat_map(Statement::defined).collect();
         assert_eq!(made, [&[a, b], &fill[..], &end[..]].concat());
     }
 

@@ -1,18 +1,18 @@
 //! Loops of a program: what each computes in every repetition of a part, what it reads of earlier ones, and
 //! what it leaves.
 
-use super::Region;
 use super::linearize::Linearizer;
+use super::{LoopId, Region};
 use crate::expr::{Edge, NodeId};
 use crate::function;
-use crate::program::{Block, CarriedValue, LoopBlock, ValueId};
+use crate::program::{Block, BlockId, CarriedValue, LoopBlock, ValueId};
 
 impl<'a> Linearizer<'a> {
     /// A loop.
-    pub(super) fn linearize_loop(&mut self, number: usize) {
-        let region = Region::Loop(number);
+    pub(super) fn linearize_loop(&mut self, id: LoopId) {
+        let region = Region::Loop(id);
         self.linearize_region(region, self.live.nodes().to_vec());
-        let one = &self.regions.loops[number];
+        let one = &self.regions.loops[id];
         let own = |edge: &Edge| self.regions.region(edge.node()) == region;
         let results: Vec<(usize, Edge)> =
             self.function.results().enumerate().filter(|(_, edge)| own(edge)).collect();
@@ -23,18 +23,18 @@ impl<'a> Linearizer<'a> {
         {
             return;
         }
-        let mut loads: Vec<(usize, Vec<ValueId>)> = Vec::new();
+        let mut loads: Vec<(BlockId, Vec<ValueId>)> = Vec::new();
         let (mut unknowns, mut slots) = (Vec::new(), Vec::new());
         for node in self.read_by(region, one, &pivots) {
             if self.is_slot(node) {
                 slots.extend(self.slots.get(&node).cloned());
                 continue;
             }
-            let symbol = self.graph.symbol_number(node);
+            let symbol = self.graph.symbol_of(node);
             let unknown = symbol.filter(|&symbol| self.function.unknowns.get(symbol).is_some());
             match (unknown, self.regions.region(node)) {
                 (Some(unknown), Region::Loop(_)) => unknowns.push((unknown, self.value(node))),
-                (None, Region::Loop(from)) if from != number => {
+                (None, Region::Loop(from)) if from != id => {
                     self.load(node, self.blocks[&from], &mut loads);
                 }
                 _ => {}
@@ -55,8 +55,7 @@ impl<'a> Linearizer<'a> {
             .map(|(number, pivot)| (number, self.operand(pivot.value), self.operand(pivot.scale)));
         let pivots = pivots.collect();
         let (repeat, inward, stores) = (one.repeat, one.inward, Vec::new());
-        self.blocks.insert(number, self.program.blocks.len());
-        self.program.blocks.push(Block::Loop(LoopBlock {
+        let block = self.program.blocks.push(Block::Loop(LoopBlock {
             repeat,
             inward,
             carries,
@@ -68,12 +67,13 @@ impl<'a> Linearizer<'a> {
             results,
             pivots,
         }));
+        self.blocks.insert(id, block);
     }
 
     /// The pivots that can be tested in a region, by number.
     fn pivots_in(&self, region: Region) -> Vec<(usize, &'a function::NamedPivot)> {
         let is_there = |pivot: &function::NamedPivot| {
-            self.regions.together(pivot.value.node(), pivot.scale.node()) == region
+            self.regions.common(pivot.value.node(), pivot.scale.node()) == region
         };
         self.function.pivots.iter().enumerate().filter(|(_, pivot)| is_there(pivot)).collect()
     }
@@ -102,9 +102,9 @@ impl<'a> Linearizer<'a> {
     }
 
     /// Lets a loop read what an earlier one has computed in the same repetition.
-    fn load(&mut self, node: NodeId, from: usize, loads: &mut Vec<(usize, Vec<ValueId>)>) {
+    fn load(&mut self, node: NodeId, from: BlockId, loads: &mut Vec<(BlockId, Vec<ValueId>)>) {
         let value = self.value(node);
-        let Some(Block::Loop(earlier)) = self.program.blocks.get_mut(from) else {
+        let Block::Loop(earlier) = &mut self.program.blocks[from] else {
             bug!("a loop reads what no loop has left")
         };
         if !earlier.stores.contains(&value) {

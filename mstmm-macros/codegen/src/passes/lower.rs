@@ -2,11 +2,11 @@
 
 use super::SetupSlots;
 use crate::function::{Function, Output};
-use crate::ids::{IdVec, RepeatId};
+use crate::ids::{IdVec, RepeatId, SymbolId};
 use crate::program::{
-    Argument, Array, ArrayId, ArrayLayout, ArrayRole, ArraySlice, Block, CheckId, Failure, Finish,
+    Argument, Array, ArrayId, ArrayLayout, ArrayRole, ArraySlice, Block, BlockId, CheckId, Failure,
     Finiteness, ForLoop, LoopBlock, Operand, OutputId, PivotTest, PivotValue, Procedure, Program,
-    Repetition, Segment, Slot, Step, ValueId, Witness,
+    Repetition, ResultCheck, Segment, Slot, Step, ValueId, Witness,
 };
 
 /// What is tested of a function.
@@ -37,12 +37,12 @@ pub fn lower(
     };
     lowering.number_checks();
     let mut body = Vec::new();
-    let shown = checks.map(|checks| program.finiteness(function.numbers_of(checks.finite)));
+    let shown = checks.map(|checks| program.finiteness(function.entries_of(checks.finite)));
     if let Some(shown) = &shown {
-        body.extend(lowering.check_given(shown));
+        body.extend(lowering.check_arguments(shown));
     }
     body.extend(lowering.loads(None, &program.unknowns, &program.slots));
-    for (number, block) in program.blocks.iter().enumerate() {
+    for (number, block) in program.blocks.enumerate() {
         match block {
             Block::Once(sections) => body.extend(sections.iter().cloned().map(Step::Compute)),
             Block::Loop(one) => {
@@ -52,7 +52,7 @@ pub fn lower(
         }
     }
     let stores = lowering.stores(checks.map(|checks| checks.failure));
-    let finish = checks.zip(shown).map(|(checks, shown)| lowering.finish(checks, &shown));
+    let finish = checks.zip(shown).map(|(checks, shown)| lowering.check_results(checks, &shown));
     // Where loops write a result, it is looked at as a whole.
     if lowering.looped {
         body.extend(stores.into_iter().chain(finish));
@@ -112,21 +112,22 @@ impl Lowering<'_> {
     fn loads(
         &mut self,
         part: Option<RepeatId>,
-        unknowns: &[(u32, ValueId)],
+        unknowns: &[(SymbolId, ValueId)],
         slots: &[Slot],
     ) -> Vec<Step> {
         let mut steps = Vec::new();
         if !slots.is_empty() {
             let array = self.argument(Argument::Slots(part));
-            let values = slots.iter().map(|slot| (slot.index, slot.name));
+            let values = slots.iter().map(|slot| (slot.index, slot.value));
             steps.extend(self.load(array, part, &values.collect::<Vec<_>>()));
         }
         let all = self.function.unknowns;
         for (argument, _) in all.arguments() {
             let own = all.of(argument);
-            let read = unknowns.iter().filter(|(number, _)| own.contains(&(*number as usize)));
-            let values: Vec<(usize, ValueId)> =
-                read.map(|&(number, value)| (number as usize - own.start, value)).collect();
+            let read = unknowns.iter().filter(|(symbol, _)| own.contains(*symbol));
+            let values: Vec<(usize, ValueId)> = read
+                .map(|&(symbol, value)| (symbol.index() - own.first().index(), value))
+                .collect();
             if !values.is_empty() {
                 let array = self.argument(argument);
                 steps.extend(self.load(array, part, &values));
@@ -151,11 +152,11 @@ impl Lowering<'_> {
     }
 
     /// A loop, and the array for what it leaves to others.
-    fn one_loop(&mut self, block: usize, one: &LoopBlock) -> ForLoop {
+    fn one_loop(&mut self, block: BlockId, one: &LoopBlock) -> ForLoop {
         let repetitions = self.function.unknowns.repetitions(one.repeat);
         let mut body = self.loads(Some(one.repeat), &one.unknowns, &one.slots);
         for (from, values) in &one.loads {
-            let Some(Block::Loop(earlier)) = self.program.blocks.get(*from) else {
+            let Block::Loop(earlier) = &self.program.blocks[*from] else {
                 bug!("a loop reads what no loop has left")
             };
             let wanted = |value: &ValueId| values.contains(value).then_some(*value);
@@ -182,7 +183,7 @@ impl Lowering<'_> {
     }
 
     /// Where a loop leaves its values of a repetition.
-    fn local(&mut self, block: usize, one: &LoopBlock) -> ArraySlice {
+    fn local(&mut self, block: BlockId, one: &LoopBlock) -> ArraySlice {
         let repetitions = self.function.unknowns.repetitions(one.repeat);
         let layout = || ArrayLayout::each(one.stores.len(), one.repeat, repetitions);
         let array = self.array(ArrayRole::Local(block), layout);
@@ -195,7 +196,7 @@ impl Lowering<'_> {
 
     /// What a loop writes of an output.
     fn store_of_loop(&mut self, output: &Output, one: &LoopBlock) -> Vec<Step> {
-        let numbers = self.function.numbers_of(output.id);
+        let numbers = self.function.entries_of(output.id);
         let own = one.results.iter().filter(|(number, _)| numbers.contains(number));
         let values: Vec<(usize, Operand)> =
             own.map(|(number, value)| (number - numbers.start, value.clone())).collect();
@@ -215,7 +216,7 @@ impl Lowering<'_> {
         let mut steps = Vec::new();
         for output in &self.function.outputs {
             let array = self.result(output);
-            let results = &self.program.results[self.function.numbers_of(output.id)];
+            let results = &self.program.results[self.function.entries_of(output.id)];
             let by_entry = output.by_entry && failure == Some(Failure::Reset) && !self.looped;
             for (number, segment) in output.layout.segments.iter().enumerate() {
                 let own = &results[segment.entries()];
@@ -255,7 +256,7 @@ impl Lowering<'_> {
 
     /// Tests the inputs that results do not show; coordinates and rates as well, where there are loops or
     /// repeated parts.
-    fn check_given(&mut self, shown: &Finiteness) -> Option<Step> {
+    fn check_arguments(&mut self, shown: &Finiteness) -> Option<Step> {
         let unknowns = self.function.unknowns;
         let arguments: Vec<Argument> = unknowns.arguments().map(|(argument, _)| argument).collect();
         let is_meant = |argument: &Argument| match argument {
@@ -264,18 +265,18 @@ impl Lowering<'_> {
             _ => false,
         };
         let is_hidden = |argument: &Argument| {
-            let mut numbers = unknowns.of(*argument);
-            numbers.any(|number| !shown.unknowns.contains(&(number as u32)))
+            let mut symbols = unknowns.of(*argument).into_iter();
+            symbols.any(|symbol| !shown.unknowns.contains(&symbol))
         };
         let hidden = arguments.into_iter().filter(is_meant).filter(is_hidden);
         let arrays: Vec<ArrayId> =
             hidden.collect::<Vec<_>>().into_iter().map(|it| self.argument(it)).collect();
-        (!arrays.is_empty()).then_some(Step::CheckGiven(arrays))
+        (!arrays.is_empty()).then_some(Step::CheckArguments(arrays))
     }
 
     /// The test whether there are results. Of what is given it looks at what results do not show, and of results
     /// at those that no other shows.
-    fn finish(&mut self, checks: Checks, shown: &Finiteness) -> Step {
+    fn check_results(&mut self, checks: Checks, shown: &Finiteness) -> Step {
         let mut finite = vec![Witness::Entry(self.argument(Argument::Time), 0)];
         if self.looped {
             let role = ArrayRole::Result(checks.finite);
@@ -290,10 +291,9 @@ impl Lowering<'_> {
                 if !is_there || self.has_repeated(argument) {
                     continue;
                 }
-                let numbers = self.function.unknowns.of(argument);
-                let start = numbers.start;
-                for number in numbers.filter(|&it| !shown.unknowns.contains(&(it as u32))) {
-                    finite.push(Witness::Entry(self.argument(argument), number - start));
+                let symbols = self.function.unknowns.of(argument).into_iter().enumerate();
+                for (entry, _) in symbols.filter(|(_, it)| !shown.unknowns.contains(it)) {
+                    finite.push(Witness::Entry(self.argument(argument), entry));
                 }
             }
             finite.extend(shown.witnesses.iter().map(|&value| Witness::Value(value.clone())));
@@ -306,7 +306,7 @@ impl Lowering<'_> {
             };
             PivotTest { hinge: pivot.hinge.clone(), pivot: found }
         });
-        Step::Finish(Finish { pivots: pivots.collect(), finite })
+        Step::CheckResults(ResultCheck { pivots: pivots.collect(), finite })
     }
 }
 

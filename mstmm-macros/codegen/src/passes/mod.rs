@@ -43,6 +43,6 @@ pub use list_schedule::list_schedule;
 pub use live::Live;
 pub use lower::{Checks, lower};
 pub use reassociate::reassociate;
-pub use regions::{Region, Regions, drop_unused_carries};
+pub use regions::{LoopId, Region, Regions, drop_unused_carries};
 use rewrites::Images;
 pub use setup::SetupSlots;

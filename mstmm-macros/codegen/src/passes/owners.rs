@@ -37,7 +37,7 @@ impl Owners {
                     }
                     owners[id as usize] = Some(number);
                     open.extend(graph.node(id).operands().map(Edge::node));
-                    let before = graph.symbol_number(id).and_then(|symbol| handed_on.get(&symbol));
+                    let before = graph.symbol_of(id).and_then(|symbol| handed_on.get(&symbol));
                     open.extend(before.into_iter().flatten());
                 }
             }

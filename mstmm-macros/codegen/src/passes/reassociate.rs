@@ -81,16 +81,17 @@ fn in_order(mut terms: Vec<TimedTerm>) -> Expr {
 mod tests {
     use super::*;
     use crate::expr::Stage;
+    use crate::ids::SymbolId;
 
     #[test]
     fn terms_that_are_ready_first_come_first_and_products_after_others() {
         let graph = Graph::default();
-        let term = |number: u32, ready, is_product| TimedTerm {
-            value: graph.symbol(number, Stage::State),
+        let term = |symbol, ready, is_product| TimedTerm {
+            value: graph.symbol(SymbolId(symbol), Stage::State),
             due: Due { ready, is_product },
         };
         let ordered = in_order(vec![term(0, 9, false), term(1, 4, true), term(2, 4, false)]);
-        let [late, product, other] = [0, 1, 2].map(|number| graph.symbol(number, Stage::State));
+        let [late, product, other] = [0, 1, 2].map(|k| graph.symbol(SymbolId(k), Stage::State));
         assert_eq!(graph.edge(ordered), graph.edge(other + product + late));
     }
 }

@@ -1,78 +1,85 @@
-//! Where values are computed: once, or in a loop over the repetitions of a part.
+//! Assigns every value to a region: outside of loops, or a loop over the repetitions of a part.
 
 use super::Live;
 use crate::expr::{Edge, Graph, Node, NodeId};
 use crate::function::{Function, Loop};
-use crate::ids::{IdRange, RepeatId};
+use crate::ids::{IdRange, IdVec, RepeatId, SymbolId, declare_id};
+
+declare_id! {
+    /// A loop of a function, in the order in which the loops run.
+    LoopId,
+}
 
 /// Where a value is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Region {
-    /// Once, when so many loops are done.
-    Once(usize),
-    /// In every repetition of this loop.
-    Loop(usize),
+    /// Outside of loops, after this number of loops.
+    AfterLoops(usize),
+    /// In every repetition of a loop.
+    Loop(LoopId),
 }
 
-/// The regions of a function's values: a value belongs to the first region in which it can be computed.
+/// The regions of a function's values. A value belongs to the first region in which it can be computed.
 #[derive(Clone, Debug)]
 pub struct Regions {
-    /// The loops in the order in which they run, with one more for each repeated part, which carries nothing:
-    /// there results go that no other loop has.
-    pub loops: Vec<Loop>,
-    /// What the nodes depend on; none where there is no loop.
-    needs: Vec<Dependence>,
+    /// The loops in the order in which they run, then one loop without carries for each repeated part, which computes the
+    /// results that no other loop computes.
+    pub loops: IdVec<LoopId, Loop>,
+    /// The dependences of all nodes; empty if there are no loops.
+    dependences: Vec<Dependence>,
 }
 
 impl Regions {
-    /// The regions of all live nodes of a function.
+    /// Finds the regions of all live nodes of a function.
     pub fn of(function: &Function, live: &Live) -> Self {
-        let mut loops = function.loops.clone();
+        let mut loops: IdVec<LoopId, Loop> = function.loops.clone().into();
         let of_unknowns = function.unknowns.iter().filter_map(|unknown| unknown.repeat);
         let last = of_unknowns.chain(loops.iter().map(|one| one.repeat)).max();
         let repeats = IdRange::from(0..last.map_or(0, |last: RepeatId| last.index() + 1));
         let empty = |repeat| Loop { repeat, inward: false, carries: Vec::new() };
         loops.extend(repeats.into_iter().map(empty));
         if loops.is_empty() {
-            return Regions { loops, needs: Vec::new() };
+            return Regions { loops, dependences: Vec::new() };
         }
         let graph = function.graph;
         let carried = CarriedUnknowns::of(&loops, function.unknowns.count());
-        let mut needs = vec![Dependence::NOTHING; graph.len()];
+        let mut dependences = vec![Dependence::NONE; graph.len()];
         for &id in live.nodes() {
-            needs[id as usize] = match graph.symbol_number(id) {
-                Some(number) => match function.unknowns.get(number) {
+            dependences[id as usize] = match graph.symbol_of(id) {
+                Some(symbol) => match function.unknowns.get(symbol) {
                     Some(unknown) => Dependence { repeat: unknown.repeat, earliest: 0 },
-                    None => carried.needs(number),
+                    None => carried.dependence(symbol),
                 },
-                None => graph.node(id).operands().fold(Dependence::NOTHING, |needed, operand| {
-                    needed.and(needs[operand.node() as usize])
+                None => graph.node(id).operands().fold(Dependence::NONE, |sum, operand| {
+                    sum.and(dependences[operand.node() as usize])
                 }),
             };
         }
-        Regions { loops, needs }
+        Regions { loops, dependences }
     }
 
-    /// Where a node is computed.
+    /// Returns the region in which a node is computed.
     pub fn region(&self, node: NodeId) -> Region {
-        self.first_for(self.needs(node))
+        self.first_for(self.dependence(node))
     }
 
-    /// Where two nodes can be used together.
-    pub fn together(&self, one: NodeId, other: NodeId) -> Region {
-        self.first_for(self.needs(one).and(self.needs(other)))
+    /// Returns the first region in which two nodes can be used together.
+    pub fn common(&self, one: NodeId, other: NodeId) -> Region {
+        self.first_for(self.dependence(one).and(self.dependence(other)))
     }
 
-    /// What a node depends on: nothing, where there are no loops or the node was added later.
-    fn needs(&self, node: NodeId) -> Dependence {
-        self.needs.get(node as usize).copied().unwrap_or(Dependence::NOTHING)
+    /// Returns the dependence of a node: none if there are no loops, or if the node was added later.
+    fn dependence(&self, node: NodeId) -> Dependence {
+        self.dependences.get(node as usize).copied().unwrap_or(Dependence::NONE)
     }
 
-    fn first_for(&self, needs: Dependence) -> Region {
-        let Some(repeat) = needs.repeat else { return Region::Once(needs.earliest) };
-        let mut later = self.loops.iter().enumerate().skip(needs.earliest);
+    fn first_for(&self, dependence: Dependence) -> Region {
+        let Some(repeat) = dependence.repeat else {
+            return Region::AfterLoops(dependence.earliest);
+        };
+        let mut later = self.loops.enumerate().skip(dependence.earliest);
         match later.find(|(_, one)| one.repeat == repeat) {
-            Some((number, _)) => Region::Loop(number),
+            Some((id, _)) => Region::Loop(id),
             None => bug!("no loop is left over a repeated part"),
         }
     }
@@ -81,14 +88,14 @@ impl Regions {
 /// What a value depends on.
 #[derive(Clone, Copy, Debug)]
 struct Dependence {
-    /// Of which part it depends on a single repetition.
+    /// The part of which the value depends on a single repetition.
     repeat: Option<RepeatId>,
-    /// The loops that come before the first region in which it can be computed.
+    /// The number of loops that must run before the value can be computed.
     earliest: usize,
 }
 
 impl Dependence {
-    const NOTHING: Dependence = Dependence { repeat: None, earliest: 0 };
+    const NONE: Dependence = Dependence { repeat: None, earliest: 0 };
 
     fn and(self, other: Dependence) -> Dependence {
         let earliest = self.earliest.max(other.earliest);
@@ -96,34 +103,35 @@ impl Dependence {
     }
 }
 
-/// The unknowns that loops carry, by their numbers beyond the others.
+/// The dependences of loop-carried values.
 struct CarriedUnknowns {
+    /// The first symbol of a loop-carried value.
     first: usize,
-    all: Vec<Dependence>,
+    dependences: Vec<Dependence>,
 }
 
 impl CarriedUnknowns {
-    fn of(loops: &[Loop], first: usize) -> Self {
-        let last = loops.iter().flat_map(|one| &one.carries).map(|carry| carry.exit as usize).max();
-        let mut all = vec![Dependence::NOTHING; last.map_or(0, |last| last + 1 - first)];
-        for (number, one) in loops.iter().enumerate() {
+    fn of(loops: &IdVec<LoopId, Loop>, first: usize) -> Self {
+        let last = loops.iter().flat_map(|one| &one.carries).map(|carry| carry.exit.index()).max();
+        let mut dependences = vec![Dependence::NONE; last.map_or(0, |last| last + 1 - first)];
+        for (id, one) in loops.enumerate() {
             for carry in &one.carries {
-                all[carry.phi as usize - first] =
-                    Dependence { repeat: Some(one.repeat), earliest: number };
-                all[carry.exit as usize - first] =
-                    Dependence { repeat: None, earliest: number + 1 };
+                dependences[carry.phi.index() - first] =
+                    Dependence { repeat: Some(one.repeat), earliest: id.index() };
+                dependences[carry.exit.index() - first] =
+                    Dependence { repeat: None, earliest: id.index() + 1 };
             }
         }
-        CarriedUnknowns { first, all }
+        CarriedUnknowns { first, dependences }
     }
 
-    /// What an unknown depends on; one that no loop carries any more is not needed.
-    fn needs(&self, number: u32) -> Dependence {
-        self.all.get(number as usize - self.first).copied().unwrap_or(Dependence::NOTHING)
+    /// Returns the dependence of a loop-carried value; none if no loop carries the symbol any more.
+    fn dependence(&self, symbol: SymbolId) -> Dependence {
+        self.dependences.get(symbol.index() - self.first).copied().unwrap_or(Dependence::NONE)
     }
 }
 
-/// The same function with the carries that its results need, in place of all; loops without any are left out.
+/// Removes the loop-carried values that no result needs, and loops without carries.
 pub fn drop_unused_carries(mut function: Function) -> Function {
     let graph = function.graph;
     let mut needed: Vec<Vec<bool>> =
@@ -131,7 +139,7 @@ pub fn drop_unused_carries(mut function: Function) -> Function {
     let mut roots: Vec<Edge> = function.ends().collect();
     loop {
         let live = Live::of(graph, roots.iter().copied());
-        let is_read = |number: u32| is_live(graph, &live, number);
+        let is_read = |symbol| is_live(graph, &live, symbol);
         let before = roots.len();
         for (one, needed) in function.loops.iter().zip(&mut needed) {
             for (carry, needed) in one.carries.iter().zip(needed) {
@@ -153,6 +161,6 @@ pub fn drop_unused_carries(mut function: Function) -> Function {
     function
 }
 
-fn is_live(graph: &Graph, live: &Live, symbol: u32) -> bool {
+fn is_live(graph: &Graph, live: &Live, symbol: SymbolId) -> bool {
     graph.find(Node::Symbol(symbol)).is_some_and(|node| live.has(node))
 }

@@ -1,6 +1,7 @@
 //! Which unknowns and results need not be looked at, because other results show what is wrong with them.
 
 use super::{Operand, Operation, Program, Section, Statement, ValueId};
+use crate::ids::SymbolId;
 use std::collections::HashSet;
 use std::ops::Range;
 
@@ -9,7 +10,7 @@ use std::ops::Range;
 pub struct Finiteness<'a> {
     /// Unknowns that leave a result infinite or undefined whenever they are so themselves. Those of a repeated
     /// part do so in results of the same repetition.
-    pub unknowns: HashSet<u32>,
+    pub unknowns: HashSet<SymbolId>,
     /// Results that are not all finite if any of them is not: what is computed from a result shows it. They come
     /// in the order in which they are known; results of repeated parts are left out.
     pub witnesses: Vec<&'a Operand>,
@@ -153,15 +154,15 @@ mod tests {
             vec![minus_d.clone(), read_c, read_b.clone(), read_a, read_z.clone(), read_x, known];
         let program = Program {
             names,
-            unknowns: vec![(0, x), (1, y), (2, z)],
+            unknowns: [x, y, z].into_iter().enumerate().map(|(k, it)| (SymbolId(k), it)).collect(),
             slots: Vec::new(),
-            blocks: vec![Block::Once(vec![section])],
+            blocks: vec![Block::Once(vec![section])].into(),
             results: all.into_iter().map(Some).collect(),
             pivots: Vec::new(),
         };
         // `d` shows `c`, `a`, and the first two unknowns; `b` may be zero where `a` is infinite.
         let shown = program.finiteness(0..7);
         assert_eq!(shown.witnesses, [&read_z, &read_b, &minus_d]);
-        assert_eq!(shown.unknowns, HashSet::from([0, 1, 2]));
+        assert_eq!(shown.unknowns, HashSet::from([0, 1, 2].map(SymbolId)));
     }
 }

@@ -1,8 +1,8 @@
-//! Programs: named values under headings, computed in order. They know neither where the formulas came from
-//! nor which language they will be printed in.
+//! Programs: statements under headings, in the order in which they run. They depend neither on the equations nor on the
+//! language that they are printed in.
 //!
-//! A [`Program`] is the order of a function: what is computed when. A [`Procedure`] is a program with all that it
-//! reads, tests and writes.
+//! A [`Program`] is a function whose statements are in order. A [`Procedure`] is a program with its loads, tests and
+//! stores.
 
 mod cost;
 mod finiteness;
@@ -16,94 +16,99 @@ pub use finiteness::Finiteness;
 pub use layout::{ArrayLayout, Segment};
 pub use names::{ValueId, ValueNames};
 pub use procedure::{
-    Argument, Array, ArrayId, ArrayRole, ArraySlice, CarriedValue, CheckId, Failure, Finish,
-    ForLoop, OutputId, PivotTest, PivotValue, Procedure, Repetition, Step, Witness,
+    Argument, Array, ArrayId, ArrayRole, ArraySlice, CarriedValue, CheckId, Failure, ForLoop,
+    OutputId, PivotTest, PivotValue, Procedure, Repetition, ResultCheck, Step, Witness,
 };
 
-use crate::ids::RepeatId;
+use crate::ids::{IdVec, RepeatId, SymbolId, declare_id};
 
-/// A program.
+declare_id! {
+    /// A block of a program.
+    BlockId,
+}
+
+/// The statements of a function, in order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
-    /// What its values are called.
+    /// The names of its values.
     pub names: ValueNames,
-    /// Unknowns that it reads once, in the order of their numbers, and the values that they are.
-    pub unknowns: Vec<(u32, ValueId)>,
-    /// Values known since setup that it reads, in the order of their slots.
+    /// The unknowns that it reads outside of loops, sorted by symbol, each with its value.
+    pub unknowns: Vec<(SymbolId, ValueId)>,
+    /// The slots that it reads outside of loops.
     pub slots: Vec<Slot>,
-    /// The statements, in the order in which they run.
-    pub blocks: Vec<Block>,
-    /// What it returns, the numbers of all outputs in their order; none for what a loop returns.
+    /// The blocks, in the order in which they run.
+    pub blocks: IdVec<BlockId, Block>,
+    /// The entries of all outputs, in order; none for entries that a loop computes.
     pub results: Vec<Option<Operand>>,
-    /// Its pivots, and what they are measured by; none for those of a loop.
+    /// Its pivots, each with its scale; none for the pivots of a loop.
     pub pivots: Vec<Option<(Operand, Operand)>>,
 }
 
-/// A part of a program.
+/// A block of a program.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Block {
-    /// Statements that run once, by sections.
+    /// Sections that run once.
     Once(Vec<Section>),
-    /// Statements that run in every repetition of a part.
+    /// Sections that run in every repetition of a part.
     Loop(LoopBlock),
 }
 
 /// A loop over the repetitions of a part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoopBlock {
-    /// Which part.
+    /// The repeated part.
     pub repeat: RepeatId,
-    /// Whether it goes from the last repetition to the first.
+    /// Whether it runs from the last repetition to the first.
     pub inward: bool,
-    /// What it carries: they change from repetition to repetition, and keep their last value.
+    /// The loop-carried values, which keep their last value after the loop.
     pub carries: Vec<CarriedValue>,
-    /// Unknowns of a repetition that it reads, in the order of their numbers, and the values that they are.
-    pub unknowns: Vec<(u32, ValueId)>,
-    /// Values of a repetition known since setup that it reads.
+    /// The unknowns of a repetition that it reads, sorted by symbol, each with its value.
+    pub unknowns: Vec<(SymbolId, ValueId)>,
+    /// The slots of a repetition that it reads.
     pub slots: Vec<Slot>,
-    /// Values of the same repetition from earlier loops, by the number of the loop's block.
-    pub loads: Vec<(usize, Vec<ValueId>)>,
-    /// Values that later loops read in the same repetition.
+    /// The values of the same repetition that it reads from earlier loops, by the block of the earlier loop.
+    pub loads: Vec<(BlockId, Vec<ValueId>)>,
+    /// The values that later loops read in the same repetition.
     pub stores: Vec<ValueId>,
-    /// The statements by sections.
+    /// The sections.
     pub sections: Vec<Section>,
-    /// What it returns: the number of the result, and the value.
+    /// The results that it computes, each with its index among the results of the program.
     pub results: Vec<(usize, Operand)>,
-    /// Its pivots by number, and what they are measured by.
+    /// Its pivots: index, value and scale.
     pub pivots: Vec<(usize, Operand, Operand)>,
 }
 
-/// A value known since setup.
+/// A value that is known since setup and kept by the chain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slot {
-    /// Where it is kept.
+    /// Its index in the array of slots.
     pub index: usize,
-    /// Its name.
-    pub name: ValueId,
+    /// The value.
+    pub value: ValueId,
 }
 
-/// Statements under one heading, which may have others elsewhere.
+/// Statements under one heading. Several sections may have the same heading.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Section {
-    /// What names of values begin with that have none of their own.
+    /// The prefix of the names of unnamed values.
     pub prefix: String,
-    /// What is computed.
+    /// The title: what is computed.
     pub title: String,
-    /// Where the equations are from.
+    /// The source of the equations.
     pub source: String,
     /// The statements.
     pub statements: Vec<Statement>,
 }
 
 impl Section {
-    /// The heading only.
+    /// Returns a section with the same heading and without statements.
     pub fn without_statements(&self) -> Section {
         let Section { prefix, title, source, .. } = self;
         let [prefix, title, source] = [prefix, title, source].map(String::clone);
         Section { prefix, title, source, statements: Vec::new() }
     }
 
-    /// Title and source.
+    /// Returns title and source.
     pub fn heading(&self) -> (&str, &str) {
         (&self.title, &self.source)
     }
@@ -112,13 +117,13 @@ impl Section {
 /// A statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Statement {
-    /// One new value.
+    /// Defines one value.
     Let(ValueId, Operation),
-    /// Sines and cosines of several angles at once.
+    /// Defines sines and cosines of several angles at once.
     SinCos {
-        /// Names of the sines, where they are used.
+        /// The sines, if they are used.
         sines: Vec<Option<ValueId>>,
-        /// Names of the cosines, where they are used.
+        /// The cosines, if they are used.
         cosines: Vec<Option<ValueId>>,
         /// The angles.
         angles: Vec<Operand>,
@@ -126,8 +131,8 @@ pub enum Statement {
 }
 
 impl Statement {
-    /// The values that it computes.
-    pub fn names(&self) -> impl Iterator<Item = ValueId> {
+    /// Iterates over the values that it defines.
+    pub fn defined(&self) -> impl Iterator<Item = ValueId> {
         let (one, many) = match self {
             Statement::Let(name, _) => (Some(*name), None),
             Statement::SinCos { sines, cosines, .. } => (None, Some(sines.iter().chain(cosines))),
@@ -135,7 +140,7 @@ impl Statement {
         one.into_iter().chain(many.into_iter().flatten().filter_map(|name| *name))
     }
 
-    /// What it reads.
+    /// Iterates over its operands.
     pub fn operands(&self) -> impl Iterator<Item = &Operand> {
         let (some, many) = match self {
             Statement::Let(_, operation) => (operation.operands(), &[][..]),
@@ -145,7 +150,7 @@ impl Statement {
     }
 }
 
-/// What a statement computes.
+/// An arithmetic operation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Operation {
     /// `a + b`
@@ -166,14 +171,14 @@ pub enum Operation {
     Sqrt(Operand),
     /// `|a|` with the sign of `b`
     CopySign(Operand, Operand),
-    /// The angle of the point at `a` upwards and `b` to the right
+    /// `atan2(a, b)`
     Atan2(Operand, Operand),
-    /// `1 / a` where `a` exceeds what rounding can leave of `b`, zero elsewhere
+    /// `1 / a` if `a` exceeds the rounding error of `b`, otherwise zero
     RecipAbove(Operand, Operand),
 }
 
 impl Operation {
-    /// What it works on.
+    /// Returns its operands.
     pub fn operands(&self) -> [Option<&Operand>; 3] {
         match self {
             Operation::Recip(a) | Operation::Sqrt(a) => [Some(a), None, None],
@@ -190,19 +195,19 @@ impl Operation {
     }
 }
 
-/// What an operation works on.
+/// An operand of an operation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Operand {
     /// A known number.
     Number(f64),
-    /// A value read or computed before.
+    /// A value that was read or computed before.
     Value(ValueId),
     /// The negative of a value.
     Minus(Box<Operand>),
 }
 
 impl Operand {
-    /// The value that it is, or that it is the negative of.
+    /// Returns the value that it is or negates.
     pub fn value(&self) -> Option<ValueId> {
         match self {
             Operand::Value(value) => Some(*value),
@@ -211,14 +216,14 @@ impl Operand {
         }
     }
 
-    /// Whether it is the same in every state.
+    /// Returns whether it is a known number.
     pub fn is_known(&self) -> bool {
         self.value().is_none()
     }
 }
 
 impl Program {
-    /// All sections, those of loops once.
+    /// Iterates over all sections; sections of loops count once.
     pub fn sections(&self) -> impl Iterator<Item = &Section> {
         self.blocks.iter().flat_map(|block| match block {
             Block::Once(sections) => sections,
@@ -226,7 +231,7 @@ impl Program {
         })
     }
 
-    /// Its loops.
+    /// Iterates over its loops.
     pub fn loops(&self) -> impl Iterator<Item = &LoopBlock> {
         self.blocks.iter().filter_map(|block| match block {
             Block::Once(_) => None,

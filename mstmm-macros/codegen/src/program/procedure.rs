@@ -1,10 +1,10 @@
-//! A procedure: a function with all that it reads, tests and writes, in the order in which it does so. Printers
-//! write it in a language, an interpreter runs it.
+//! A procedure: a function with its loads, tests and stores, in the order in which they run. Printers write it in a
+//! programming language; the tests have an interpreter.
 //!
-//! Loops do not nest, and there are no branches but those that end the procedure.
+//! Loops do not nest, and the only branches are those that end the procedure.
 
-use super::{ArrayLayout, Operand, Section, ValueId, ValueNames};
-use crate::ids::{IdVec, InputId, RepeatId, declare_id};
+use super::{ArrayLayout, BlockId, Operand, Section, ValueId, ValueNames};
+use crate::ids::{IdVec, InputId, ParameterId, RepeatId, declare_id};
 
 declare_id! {
     /// An array of a procedure.
@@ -16,13 +16,13 @@ declare_id! {
 /// A procedure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Procedure {
-    /// What its values are called.
+    /// The names of its values.
     pub values: ValueNames,
     /// The arrays that it reads and writes.
     pub arrays: IdVec<ArrayId, Array>,
-    /// How many pivots of repeated parts it tests.
+    /// The number of pivots of repeated parts that it tests.
     pub checks: usize,
-    /// What it leaves in its results where it fails.
+    /// The contents of its results after a failure.
     pub failure: Failure,
     /// Its steps.
     pub body: Vec<Step>,
@@ -31,45 +31,45 @@ pub struct Procedure {
 /// An array of numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Array {
-    /// What it is for.
+    /// Its role.
     pub role: ArrayRole,
-    /// Where its numbers lie.
+    /// Its layout.
     pub layout: ArrayLayout,
-    /// Numbers that are the same in every state, by their places in the array: they are written where the array is
-    /// made and not by the procedure.
+    /// Values that are the same in every state, by their index in the array. They are written when the array is created,
+    /// not by the procedure.
     pub initial: Vec<(usize, f64)>,
 }
 
 impl Array {
-    /// An array all of whose entries are computed.
+    /// Returns an array whose entries are all computed.
     pub fn new(role: ArrayRole, layout: ArrayLayout) -> Self {
         Array { role, layout, initial: Vec::new() }
     }
 }
 
-/// What an array is for.
+/// The role of an array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ArrayRole {
-    /// Something given, which is read only.
+    /// An argument, which is only read.
     Argument(Argument),
-    /// A result, which is written only.
+    /// A result, which is only written.
     Result(OutputId),
-    /// What the loop of this block leaves for later ones.
-    Local(usize),
+    /// The values that the loop of this block stores for later loops.
+    Local(BlockId),
 }
 
-/// What a procedure may be given.
+/// An argument of a procedure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Argument {
-    /// A parameter, by its number.
-    Parameter(usize),
-    /// Constants of the user's crate.
+    /// A parameter.
+    Parameter(ParameterId),
+    /// The constants of the user's crate.
     Constants,
-    /// The steps of a closure's elimination that are taken.
+    /// Which steps of the elimination of a loop closure are taken: one or zero each.
     ClosureSteps,
-    /// Coordinates `q`.
+    /// The joint coordinates `q`.
     Coordinates,
-    /// Rates `v`.
+    /// The joint rates `v`.
     Rates,
     /// The time.
     Time,
@@ -77,12 +77,12 @@ pub enum Argument {
     Input(InputId),
     /// The length of a linearly implicit step.
     Step,
-    /// What the setup has derived from parameters and constants, of a repeated part or of all that stands
-    /// once.
+    /// The slots: values that the setup derives from parameters and constants, of one repeated part or of everything
+    /// outside of repeated parts.
     Slots(Option<RepeatId>),
 }
 
-/// A result, by name.
+/// A result of a procedure, by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct OutputId {
     /// The name.
@@ -92,111 +92,111 @@ pub struct OutputId {
 }
 
 impl OutputId {
-    /// A result with this name.
+    /// Returns the result with this name.
     pub const fn new(name: &'static str) -> Self {
         OutputId { name, part: None }
     }
 }
 
-/// Neighbouring numbers of a segment of an array.
+/// A contiguous part of a segment of an array.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArraySlice {
     /// The array.
     pub array: ArrayId,
-    /// The number of its segment.
+    /// The index of its segment.
     pub segment: usize,
-    /// The first entry, counted from that of the segment.
+    /// The first entry, relative to the segment.
     pub first: usize,
-    /// In which repetition.
+    /// The repetition.
     pub repetition: Repetition,
 }
 
-/// Which repetition of a segment is meant.
+/// A repetition of a segment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Repetition {
     /// The only one.
     Only,
-    /// That of the loop around.
+    /// The repetition of the enclosing loop.
     Current,
-    /// All of them.
+    /// All repetitions.
     All,
 }
 
 /// A step of a procedure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
-    /// Fails unless all numbers of these arguments are finite.
-    CheckGiven(Vec<ArrayId>),
-    /// Reads numbers, as far as they are wanted.
+    /// Fails unless all values of these arguments are finite.
+    CheckArguments(Vec<ArrayId>),
+    /// Reads some entries of a slice.
     Load {
-        /// Where they are.
+        /// The slice.
         from: ArraySlice,
-        /// The values that they are, one for each entry from the first on.
+        /// The value for each entry of the slice; none for an entry that is not read.
         into: Vec<Option<ValueId>>,
     },
-    /// Computes.
+    /// Runs the statements of a section.
     Compute(Section),
-    /// Writes numbers.
+    /// Writes some entries of a slice.
     Store {
-        /// Where they go.
+        /// The slice.
         to: ArraySlice,
-        /// One for each entry from the first on; what has none stays as it is.
+        /// The value for each entry of the slice; none for an entry that stays unchanged.
         values: Vec<Option<Operand>>,
     },
     /// A loop.
     Loop(ForLoop),
     /// Tests a pivot in a repetition.
     CheckPivot {
-        /// Under which number the answer is kept.
+        /// The test that collects the answers of all repetitions.
         check: CheckId,
         /// The pivot.
         value: Operand,
-        /// What it is measured by.
+        /// The scale of its rounding error.
         scale: Operand,
     },
-    /// Fails if a pivot vanishes, or if a number is not finite.
-    Finish(Finish),
+    /// Fails if a pivot vanishes, or if a value is not finite.
+    CheckResults(ResultCheck),
 }
 
 /// A loop over the repetitions of a part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForLoop {
-    /// Which part.
+    /// The repeated part.
     pub repeat: RepeatId,
-    /// How often it is repeated.
+    /// The number of repetitions.
     pub repetitions: usize,
-    /// Whether it goes from the last repetition to the first.
+    /// Whether it runs from the last repetition to the first.
     pub inward: bool,
-    /// What it carries from one repetition to the next.
+    /// The loop-carried values.
     pub carries: Vec<CarriedValue>,
-    /// Its steps: first it loads, then computes, then stores and tests.
+    /// Its steps: loads, then sections, then stores and tests.
     pub body: Vec<Step>,
 }
 
-/// A number that a loop carries.
+/// A loop-carried value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CarriedValue {
-    /// Under which name the last value is kept.
+    /// The value after the last repetition.
     pub exit: ValueId,
-    /// The value that a repetition begins with.
+    /// The value at the start of a repetition.
     pub phi: ValueId,
-    /// What the first repetition begins with.
+    /// The value at the start of the first repetition.
     pub init: Operand,
-    /// What a repetition hands on.
+    /// The value at the end of a repetition.
     pub next: Operand,
 }
 
-/// The test whether there are results.
+/// The test whether the results are valid.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Finish {
+pub struct ResultCheck {
     /// The pivots, in the order in which they are tested.
     pub pivots: Vec<PivotTest>,
-    /// What must be finite.
+    /// The values that must be finite.
     pub finite: Vec<Witness>,
 }
 
-impl Finish {
-    /// What it reads.
+impl ResultCheck {
+    /// Iterates over its operands.
     pub fn operands(&self) -> impl Iterator<Item = &Operand> {
         let pivots = self.pivots.iter().flat_map(|test| match &test.pivot {
             PivotValue::Once(value, scale) => [Some(value), Some(scale)],
@@ -213,43 +213,43 @@ impl Finish {
 /// A pivot and the hinge that it belongs to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PivotTest {
-    /// The hinge's name.
+    /// The name of the hinge.
     pub hinge: String,
-    /// The number, or what a loop has found.
+    /// The pivot.
     pub pivot: PivotValue,
 }
 
-/// A pivot.
+/// The value of a pivot.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PivotValue {
-    /// It stands once: the number, and what it is measured by.
+    /// A pivot outside of repeated parts: value and scale.
     Once(Operand, Operand),
-    /// It stands in every repetition.
+    /// A pivot of a repeated part, which a loop tests.
     Repeated(CheckId),
 }
 
-/// What must be finite.
+/// A value or values that must be finite.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Witness {
     /// A value.
     Value(Operand),
-    /// An entry of an argument that stands once.
+    /// An entry of an argument, outside of repeated parts.
     Entry(ArrayId, usize),
     /// A whole array.
     Array(ArrayId),
 }
 
-/// What a failing procedure leaves in its results.
+/// The contents of the results after a failure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Failure {
-    /// What was there before.
+    /// The results keep their previous contents.
     Untouched,
-    /// What they are made with.
+    /// The results are reset to their initial values.
     Reset,
 }
 
 impl Procedure {
-    /// All sections, those of loops once.
+    /// Iterates over all sections; sections of loops count once.
     pub fn sections(&self) -> impl Iterator<Item = &Section> {
         let steps = self.body.iter().flat_map(|step| match step {
             Step::Loop(one) => one.body.iter(),
@@ -261,7 +261,7 @@ impl Procedure {
         })
     }
 
-    /// The array with a role, if the procedure has it.
+    /// Returns the array with a role, if the procedure has it.
     pub fn array(&self, role: ArrayRole) -> Option<ArrayId> {
         self.arrays.position(|array| array.role == role)
     }

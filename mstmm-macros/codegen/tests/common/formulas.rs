@@ -3,7 +3,7 @@
 use super::interpreter::{Failed, Judge};
 use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
 use mstmm_codegen::function::{Carry, Function, Loop, NamedPivot, Output, Unknowns};
-use mstmm_codegen::ids::RepeatId;
+use mstmm_codegen::ids::{ParameterId, RepeatId, SymbolId};
 use mstmm_codegen::math::Scalar;
 use mstmm_codegen::program::{Argument, ArrayLayout, OutputId};
 use mstmm_reference::Random;
@@ -17,11 +17,11 @@ const REPETITIONS: [usize; 2] = [3, 1];
 
 /// Parameters of a setup, and coordinates: some of all, some of every repetition of a part.
 pub fn unknowns(looped: bool) -> Unknowns {
-    let mut unknowns = Unknowns::new(REPETITIONS.to_vec());
+    let mut unknowns = Unknowns::new(REPETITIONS.to_vec().into());
     let part = |part: usize| Some((RepeatId(part), REPETITIONS[part]));
     let names = |letter: &str, count: usize| (0..count).map(|k| format!("{letter}{k}")).collect();
-    let shared = [("p", Argument::Parameter(0), ArrayLayout::once(1))];
-    let of_part = ("r", Argument::Parameter(1), ArrayLayout::of([(1, part(0))]));
+    let shared = [("p", Argument::Parameter(ParameterId(0)), ArrayLayout::once(1))];
+    let of_part = ("r", Argument::Parameter(ParameterId(1)), ArrayLayout::of([(1, part(0))]));
     let segments = [(2, None), (2, part(0)), (1, part(1)), (1, None)];
     let of_all = ("x", Argument::Coordinates, ArrayLayout::of(segments));
     let once = ("x", Argument::Coordinates, ArrayLayout::once(4));
@@ -53,32 +53,32 @@ pub fn random_function<'g>(
     for (number, unknown) in unknowns.iter().enumerate() {
         let is_known = matches!(unknown.argument, Argument::Parameter(_));
         let stage = if is_known { Stage::Setup } else { Stage::State };
-        let symbol = graph.symbol(number as u32, stage);
+        let symbol = graph.symbol(SymbolId(number), stage);
         match unknown.repeat {
             Some(part) => own[part.index()].push(symbol),
             None => once.push(symbol),
         }
     }
     let mut loops = Vec::new();
-    let mut next_symbol = unknowns.count() as u32;
+    let mut next_symbol = unknowns.count();
     let looped = own.iter().any(|own| !own.is_empty());
     for _ in 0..if looped { random.below(6) } else { 0 } {
         let part = random.below(2);
         let count = 1 + random.below(3);
-        let symbol = |number: u32| graph.symbol(number, Stage::State);
-        let phis: Vec<u32> = (0..count).map(|k| next_symbol + 2 * k as u32).collect();
-        next_symbol += 2 * count as u32;
+        let symbol = |symbol: SymbolId| graph.symbol(symbol, Stage::State);
+        let phis: Vec<SymbolId> = (0..count).map(|k| SymbolId(next_symbol + 2 * k)).collect();
+        next_symbol += 2 * count;
         let inits: Vec<Expr> = phis.iter().map(|_| formula(random, &once, 2)).collect();
         own[part].extend(phis.iter().map(|&phi| symbol(phi)));
         let known = [&once[..], &own[part]].concat();
-        let carry = |(&phi, init): (&u32, Expr)| {
+        let carry = |(&phi, init): (&SymbolId, Expr)| {
             // What is handed on must not grow without end.
             let next = formula(random, &known, 3).sin_cos().0 + symbol(phi) * Expr::number(0.5);
             let (init, next) = (graph.edge(init), graph.edge(next));
-            Carry { init, next, phi, exit: phi + 1 }
+            Carry { init, next, phi, exit: exit_of(phi) }
         };
         let carries = phis.iter().zip(inits).map(carry).collect();
-        once.extend(phis.iter().map(|&phi| symbol(phi + 1)));
+        once.extend(phis.iter().map(|&phi| symbol(exit_of(phi))));
         loops.push(Loop { repeat: RepeatId(part), inward: random.chance(0.5), carries });
     }
     let known = [0, 1].map(|part| [&once[..], &own[part]].concat());
@@ -112,6 +112,11 @@ pub fn random_function<'g>(
     let pivots = (0..count).map(pivot).collect();
     let (stage, headings, outputs) = (Stage::State, Vec::new(), vec![output]);
     Function { graph, unknowns, stage, headings, loops, outputs, pivots }
+}
+
+/// The symbol after the last repetition of a value with this symbol in the loop.
+fn exit_of(phi: SymbolId) -> SymbolId {
+    SymbolId(phi.index() + 1)
 }
 
 /// A random formula of every kind of node.
@@ -172,8 +177,8 @@ struct Direct<'a> {
     function: &'a Function<'a>,
     values: &'a HashMap<Argument, Vec<f64>>,
     /// By unknown, with the part and the values of its repetitions.
-    phis: HashMap<u32, (RepeatId, Vec<f64>)>,
-    exits: HashMap<u32, f64>,
+    phis: HashMap<SymbolId, (RepeatId, Vec<f64>)>,
+    exits: HashMap<SymbolId, f64>,
 }
 
 impl Direct<'_> {
@@ -200,9 +205,9 @@ impl Direct<'_> {
     /// The part that a formula depends on.
     fn part(&self, edge: Edge) -> Option<RepeatId> {
         match self.function.graph.node(edge.node()) {
-            Node::Symbol(number) => match self.function.unknowns.get(number) {
+            Node::Symbol(symbol) => match self.function.unknowns.get(symbol) {
                 Some(unknown) => unknown.repeat,
-                None => self.phis.get(&number).map(|(part, _)| *part),
+                None => self.phis.get(&symbol).map(|(part, _)| *part),
             },
             node => node.operands().find_map(|edge| self.part(edge)),
         }
@@ -212,7 +217,7 @@ impl Direct<'_> {
         let go = |edge| self.value(edge, repetition);
         let plain = match self.function.graph.node(edge.node()) {
             Node::Number(bits) => f64::from_bits(bits),
-            Node::Symbol(number) => self.symbol(number, repetition),
+            Node::Symbol(symbol) => self.symbol(symbol, repetition),
             Node::Sum(a, b) => go(a) + go(b),
             Node::Product(a, b) => go(a) * go(b),
             Node::Recip(a) => go(a).recip(),
@@ -226,10 +231,10 @@ impl Direct<'_> {
         if edge.is_negative() { -plain } else { plain }
     }
 
-    fn symbol(&self, number: u32, repetition: usize) -> f64 {
-        let Some(unknown) = self.function.unknowns.get(number) else {
-            let of_loop = self.phis.get(&number).map(|(_, values)| values[repetition]);
-            return of_loop.unwrap_or_else(|| self.exits[&number]);
+    fn symbol(&self, symbol: SymbolId, repetition: usize) -> f64 {
+        let Some(unknown) = self.function.unknowns.get(symbol) else {
+            let of_loop = self.phis.get(&symbol).map(|(_, values)| values[repetition]);
+            return of_loop.unwrap_or_else(|| self.exits[&symbol]);
         };
         let layout = self.function.unknowns.layout(unknown.argument);
         let segment = layout.segment_of(unknown.entry);

@@ -18,7 +18,7 @@ impl<'a, S: Judge> Given<'a, S> {
         arrays.arguments.insert(Argument::Time, vec![S::zero()]);
         for (argument, _) in compiled.unknowns.arguments() {
             let range = compiled.unknowns.of(argument);
-            arrays.arguments.insert(argument, unknowns[range].to_vec());
+            arrays.arguments.insert(argument, unknowns[range.indices()].to_vec());
         }
         let mut given = Given { compiled, arrays };
         given.set_up();

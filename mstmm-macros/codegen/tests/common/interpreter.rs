@@ -3,8 +3,8 @@
 
 use mstmm_codegen::math::Scalar;
 use mstmm_codegen::program::{
-    Argument, Array, ArrayId, ArrayRole, ArraySlice, CheckId, Failure, Finish, ForLoop, Operand,
-    Operation, OutputId, PivotValue, Procedure, Repetition, Statement, Step, ValueId, Witness,
+    Argument, Array, ArrayId, ArrayRole, ArraySlice, CheckId, Failure, ForLoop, Operand, Operation,
+    OutputId, PivotValue, Procedure, Repetition, ResultCheck, Statement, Step, ValueId, Witness,
 };
 use std::collections::HashMap;
 
@@ -131,7 +131,7 @@ impl<S: Judge> Machine<'_, S> {
 
     fn step(&mut self, step: &Step) -> Result<(), Failed> {
         match step {
-            Step::CheckGiven(arrays) => {
+            Step::CheckArguments(arrays) => {
                 let all =
                     arrays.iter().all(|&array| self.whole(array).iter().all(|x| x.is_finite()));
                 return if all { Ok(()) } else { Err(Failed::NotFinite) };
@@ -150,8 +150,8 @@ impl<S: Judge> Machine<'_, S> {
                 let is_lost = self.value(value).is_lost(self.value(scale));
                 self.checks[check.index()] &= !is_lost;
             }
-            Step::Finish(finish) if !self.arrays.untested => return self.finish(finish),
-            Step::Finish(_) => {}
+            Step::CheckResults(finish) if !self.arrays.untested => return self.finish(finish),
+            Step::CheckResults(_) => {}
         }
         Ok(())
     }
@@ -244,7 +244,7 @@ impl<S: Judge> Machine<'_, S> {
     }
 
     /// Pivots come first: too large a state is no fault of a hinge.
-    fn finish(&self, finish: &Finish) -> Result<(), Failed> {
+    fn finish(&self, finish: &ResultCheck) -> Result<(), Failed> {
         let mut are_numbers = true;
         for test in &finish.pivots {
             let is_lost = match &test.pivot {

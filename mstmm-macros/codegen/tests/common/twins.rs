@@ -6,7 +6,7 @@ use super::interpreter::{Arrays, Judge, run};
 use super::lifted::lifted;
 use super::numbers;
 use mstmm_codegen::compile::{Compiled, compile};
-use mstmm_codegen::ids::InputId;
+use mstmm_codegen::ids::{InputId, ParameterId};
 use mstmm_codegen::model::{Chain, Driven, HingeKind, Layout};
 use mstmm_codegen::program::Argument;
 use mstmm_reference::{Dimension, Ends, Joining, Random, Recipe};
@@ -119,11 +119,11 @@ impl Twins {
             names.iter().flat_map(|name| given[&find(name)].clone()).collect::<Vec<S>>()
         };
         let of = |argument| match argument {
-            Argument::Parameter(index) => {
-                let parameter = &repeated.chain.parameters[index];
+            Argument::Parameter(parameter) => {
+                let parameter = &repeated.chain.parameters[parameter.index()];
                 gathered(parameter.times, &parameter.name.to_string(), &|name| {
                     let index = written.chain.parameters.iter().position(|it| it.name == name);
-                    Argument::Parameter(index.expect("the same parameter"))
+                    Argument::Parameter(ParameterId(index.expect("the same parameter")))
                 })
             }
             Argument::Input(input) => {
@@ -200,7 +200,7 @@ impl Twin {
 
     fn random_number(&self, argument: Argument, random: &mut Random) -> f64 {
         match argument {
-            Argument::Parameter(index) => {
+            Argument::Parameter(ParameterId(index)) => {
                 let parameter = &self.chain.parameters[index];
                 let default = numbers::<f64>(&self.chain).parameters[index].value();
                 let is_lifted = parameter.name.to_string().starts_with("number");

@@ -1,7 +1,7 @@
 //! Who reads which value of a program, and what values are called.
 
 use super::items::ItemSection;
-use crate::program::{Block, CarriedValue, Operand, Program, ValueId};
+use crate::program::{Block, BlockId, CarriedValue, Operand, Program, ValueId};
 use std::collections::{HashMap, HashSet};
 
 /// The prefix of what is computed for results only.
@@ -39,7 +39,7 @@ impl<'a> Uses<'a> {
                     names.for_each(|name| uses.0[name.index()].owner = Some(at));
                 }
             }
-            if let Block::Loop(one) = &program.blocks[block] {
+            if let Block::Loop(one) = &program.blocks[BlockId(block)] {
                 let at = Site { block, prefix: RESULT };
                 one.results.iter().for_each(|(_, result)| uses.read(result, Some(at)));
                 let tested = one.pivots.iter().flat_map(|(_, value, scale)| [value, scale]);
