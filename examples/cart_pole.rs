@@ -1,0 +1,69 @@
+//! A cart swings its pole up and balances it.
+//!
+//! `cargo run --release --example cart_pole`
+
+use std::f64::consts::PI;
+
+use mstmm::prelude::*;
+
+mstmm_chain! {
+    /// A cart on a rail and a pole, which hangs down at the angle zero.
+    plane chain CartPole {
+        gravity = [0, -9.81] m/s^2;
+
+        body Cart { mass = 1 kg; com = [0, 0] m; output = [0, 0] m; inertia = 0.01 kg*m^2 about com; }
+        body Pole { mass = 0.2 kg; com = [0, -0.5] m; inertia = 0.2/3 kg*m^2 about input; }
+
+        ground -> slider(x) rail -> Cart cart -> pin pivot -> Pole pole;
+
+        hinge rail { force = input; }
+        hinge pivot { start = 5 deg; }
+    }
+}
+
+/// Returns the force on the cart in N.
+fn control(state: &CartPoleState<f64>) -> CartPoleInputs<f64> {
+    let (x, velocity) = (state.rail().position(), state.rail().velocity());
+    let (angle, rate) = (state.pivot().angle(), state.pivot().rate());
+
+    let tilt = angle.rem_euclid(2.0 * PI) - PI; // from the upright pose
+    let force = if tilt.abs() < 0.4 {
+        // The linear-quadratic regulator for the weights 1, 1, 10 and 1 of the states and 0.1 of the force.
+        3.1623 * x + 5.9539 * velocity - 51.2452 * tilt - 13.0926 * rate
+    } else {
+        // Gives the pole the energy of the upright pose (Åström and Furuta 2000), and keeps the cart near zero.
+        let energy = 0.5 * (0.2 / 3.0) * rate.powi(2) - 0.2 * 9.81 * 0.5 * angle.cos();
+        let missing = 0.2 * 9.81 * 0.5 - energy;
+        (-20.0 * missing * rate * angle.cos()).clamp(-5.0, 5.0) - 2.0 * x - 2.0 * velocity
+    };
+    CartPoleInputs { rail: force }
+}
+
+fn main() -> Result<(), mstmm::Error> {
+    let cart_pole = CartPole::<f64>::new();
+    let mut state = cart_pole.initial_state();
+    let mut rk4 = Rk4::new(1e-3);
+    for step in 0..15_000 {
+        rk4.step(&cart_pole, &mut state, |_time, state| control(state))?;
+        if step % 1000 == 999 {
+            println!(
+                "{:3.0} s   cart at {:6.3} m   pole at {:8.2}°",
+                state.time(),
+                state.rail().position(),
+                state.pivot().angle().to_degrees(),
+            );
+        }
+    }
+
+    // The cart is back, and the pole rests upright with the energy m g l of this pose.
+    let energy = cart_pole.energy(&state);
+    assert!(state.rail().position().abs() < 1e-3);
+    assert!((state.pivot().angle().cos() + 1.0).abs() < 1e-6);
+    assert!((energy.total() - 0.2 * 9.81 * 0.5).abs() < 1e-5);
+    Ok(())
+}
+
+#[test]
+fn pole_is_balanced() -> Result<(), mstmm::Error> {
+    main()
+}
