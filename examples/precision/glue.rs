@@ -1,7 +1,7 @@
 //! What the public traits of a chain do not hand out, as code beside it: its inputs out of numbers,
 //! and what its results are called.
 
-use mstmm_codegen::model::{Chain, Dimension, Driven, Group, Input, Layout};
+use mstmm_codegen::model::{Chain, Dimension, Input, InputKind, Layout, ViewArgument};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -74,16 +74,16 @@ pub fn code(chain: &Chain) -> String {
 
 /// One input out of its numbers `n(0)`, `n(1)`, ….
 fn value(chain: &Chain, input: &Input) -> TokenStream {
-    let Driven::Motion(hinge) = input.what else {
+    let InputKind::Motion(hinge) = input.what else {
         return numbers(0, input.range.len(), true);
     };
     let kind = &chain.hinges[hinge].kind;
-    let (coordinates, freedoms) = (kind.coordinates(), kind.freedoms());
+    let (coordinates, freedoms) = (kind.coordinates(), kind.dof_count());
     let Some(view) = &kind.shape().view else { return TokenStream::new() };
     let name = format_ident!("{}", view.name);
     let groups = view.groups.iter().map(|group| match group {
-        Group::Coordinates(range) => numbers(range.start, range.len(), false),
-        Group::Rates(range) => numbers(coordinates + range.start, range.len(), false),
+        ViewArgument::Coordinates(range) => numbers(range.start, range.len(), false),
+        ViewArgument::Rates(range) => numbers(coordinates + range.start, range.len(), false),
     });
     let acceleration = numbers(coordinates + freedoms, freedoms, true);
     quote! {

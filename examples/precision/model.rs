@@ -1,7 +1,8 @@
 //! What a comparison needs to know of a chain, out of the compiler's model of it.
 
 use mstmm_codegen::model::{
-    Chain, Drive, Driven, Effort, Form, Freedoms, Hinge, HingeId, HingeKind, Layout, Source, Value,
+    Chain, DofGroup, Drive, Effort, Hinge, HingeId, HingeKind, InputKind, Layout, Representation,
+    Source, Value,
 };
 use mstmm_precision as told;
 
@@ -25,17 +26,17 @@ pub fn describe(chain: &Chain, random_inputs: bool) -> told::Description {
     let inputs = layout.inputs.iter().map(|input| {
         let count = input.range.len();
         let what = match input.what {
-            Driven::Gravity => told::Given::Gravity(count),
-            Driven::Force(_) => told::Given::Efforts(vec![false; count]),
-            Driven::Torque(_) => told::Given::Efforts(vec![true; count]),
-            Driven::Efforts(index) => told::Given::Efforts(driven(&chain.hinges[index])),
-            Driven::Motion(index) => told::Given::Motion(hinge(index)),
+            InputKind::Gravity => told::Given::Gravity(count),
+            InputKind::Force(_) => told::Given::Efforts(vec![false; count]),
+            InputKind::Torque(_) => told::Given::Efforts(vec![true; count]),
+            InputKind::Efforts(index) => told::Given::Efforts(driven(&chain.hinges[index])),
+            InputKind::Motion(index) => told::Given::Motion(hinge(index)),
         };
         told::Input { times: times(chain, input.what).unwrap_or(1), what }
     });
     told::Description {
         name: chain.name.to_string(),
-        closed: !layout.closings.is_empty(),
+        closed: !layout.loop_hinges.is_empty(),
         conservative: conservative(chain, random_inputs),
         inputs: inputs.collect(),
         parts,
@@ -43,7 +44,7 @@ pub fn describe(chain: &Chain, random_inputs: bool) -> told::Description {
 }
 
 /// How often an input stands there, if it is one to a repeated part.
-pub fn times(chain: &Chain, what: Driven) -> Option<usize> {
+pub fn times(chain: &Chain, what: InputKind) -> Option<usize> {
     chain.repeat_of_input(what).map(|repeat| chain.repeats[repeat].count)
 }
 
@@ -62,8 +63,8 @@ fn hinge(chain: &Chain, hinge: &Hinge) -> told::Hinge {
         [_] => String::new(),
         rates => rates[rate].to_owned(),
     };
-    let group = |group: &Freedoms| {
-        let quaternion = group.form == Form::Quaternion;
+    let group = |group: &DofGroup| {
+        let quaternion = group.representation == Representation::Quaternion;
         told::Group {
             turns: group.turns,
             quaternion,
@@ -91,7 +92,7 @@ fn conservative(chain: &Chain, random_inputs: bool) -> bool {
     let no_input = !random_inputs;
     let hinge = |hinge: &Hinge| {
         let driven = match &hinge.drive {
-            Drive::Motion => false,
+            Drive::Prescribed => false,
             Drive::Efforts(efforts) => efforts.iter().any(|effort| match effort {
                 Effort::Free => false,
                 Effort::Constant(value) => !value.is_zero(),

@@ -18,28 +18,28 @@ macro_rules! bug {
 
 /// The span from a first to a last token.
 #[derive(Clone, Copy, Debug)]
-pub struct Extent {
+pub struct SpanRange {
     /// The first token.
     pub first: Span,
     /// The last token.
     pub last: Span,
 }
 
-impl Extent {
+impl SpanRange {
     /// Returns the extent of a single token.
     pub fn token(at: Span) -> Self {
-        Extent { first: at, last: at }
+        SpanRange { first: at, last: at }
     }
 
     /// Returns the extent from the start of this one to the end of another.
-    pub fn to(self, end: Extent) -> Self {
-        Extent { first: self.first, last: end.last }
+    pub fn to(self, end: SpanRange) -> Self {
+        SpanRange { first: self.first, last: end.last }
     }
 }
 
 /// Writes two placeholder tokens with the spans of the first and the last token. `syn` builds the span of an error from
 /// these two, so that spans need not be joined, which not every compiler can do.
-impl ToTokens for Extent {
+impl ToTokens for SpanRange {
     fn to_tokens(&self, tokens: &mut TokenStream) {
         tokens.append(Ident::new("from", self.first));
         tokens.append(Ident::new("to", self.last));

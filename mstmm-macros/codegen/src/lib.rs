@@ -67,10 +67,10 @@ pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
     let warnings = diagnostics.warnings();
     let mistakes = diagnostics.finish().err();
     // The user's errors end here: the phases below cannot fail.
-    let expand_chain = |((chain, surface), findings): (&Understood, &examine::Findings)| {
+    let expand_chain = |((chain, passthrough), findings): (&Understood, &examine::Findings)| {
         let layout = model::Layout::of(chain);
         let compiled = compile::compile(chain, findings, &layout);
-        emit::expand(chain, surface, &layout, &compiled, findings, mstmm)
+        emit::expand(chain, passthrough, &layout, &compiled, findings, mstmm)
     };
     let mut items: TokenStream = match &mistakes {
         None => chains.iter().zip(&findings).map(expand_chain).collect(),
@@ -81,14 +81,14 @@ pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
 }
 
 /// A chain, and its visibility, constants and names for the user's crate.
-type Understood = (model::Chain, syntax::Surface);
+type Understood = (model::Chain, syntax::Passthrough);
 
 /// Parses and checks all chains of one macro call, without evaluating them numerically.
 ///
 /// # Errors
 ///
 /// All errors of the text, each on the token to edit.
-pub fn read(description: TokenStream) -> syn::Result<Vec<(model::Chain, syntax::Surface)>> {
+pub fn read(description: TokenStream) -> syn::Result<Vec<(model::Chain, syntax::Passthrough)>> {
     let mut diagnostics = Diagnostics::default();
     let written = syntax::parse(description, &mut diagnostics);
     let chains = understand(&written, &mut diagnostics);
@@ -114,6 +114,6 @@ pub fn read_and_examine(
 }
 
 /// Lowers all chains; chains with errors are missing, and so are the chains after them.
-fn understand(written: &[syntax::ChainDef], diagnostics: &mut Diagnostics) -> Vec<Understood> {
+fn understand(written: &[syntax::ChainSyntax], diagnostics: &mut Diagnostics) -> Vec<Understood> {
     written.iter().filter_map(|def| model::lower(def, diagnostics)).collect()
 }

@@ -8,7 +8,7 @@ use common::interpreter::{Arrays, run};
 use mstmm_codegen::compile::{Compiled, CompiledFunction, compile, outputs};
 use mstmm_codegen::examine::Findings;
 use mstmm_codegen::function::Unknowns;
-use mstmm_codegen::model::{Answer, Chain, Layout, Method, Symbol, Value};
+use mstmm_codegen::model::{Answer, Chain, Layout, SolutionMethod, Symbol, Value};
 use mstmm_codegen::program::{Argument, ArrayRole, Procedure};
 use mstmm_reference::Random;
 use std::fmt::Write;
@@ -157,13 +157,13 @@ fn table() -> String {
         "chain           method   function               products and sums apart     fused\n"
             .to_owned();
     let counted = chains("operation_counts.chains").into_iter().flat_map(|(chain, findings)| {
-        [Method::Riccati, Method::Transfer]
+        [SolutionMethod::Riccati, SolutionMethod::Transfer]
             .map(|method| (Chain { method: Some(method), ..chain.clone() }, findings.clone()))
     });
     for (chain, findings) in counted.chain(chains("bits.chains")) {
         let method = match chain.method {
-            Some(Method::Transfer) => "transfer",
-            Some(Method::Riccati) | None => "riccati",
+            Some(SolutionMethod::Transfer) => "transfer",
+            Some(SolutionMethod::Riccati) | None => "riccati",
         };
         for (function, [apart, fused]) in hashes(&chain, &findings) {
             let name = chain.name.to_string();

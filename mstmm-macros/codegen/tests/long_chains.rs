@@ -7,7 +7,7 @@ use common::double_double::DoubleDouble;
 use common::{Computed, Point, compute, read};
 use mstmm_codegen::equations::Axes;
 use mstmm_codegen::math::{Scalar, Structured, Vec3};
-use mstmm_codegen::model::{Chain, Method};
+use mstmm_codegen::model::{Chain, SolutionMethod};
 use mstmm_reference::Random;
 
 const LENGTHS: [usize; 3] = [3, 30, 300];
@@ -25,7 +25,7 @@ fn chain(count: usize, kind: impl Fn(usize) -> &'static str) -> Chain {
 /// the largest of its kind.
 fn errors<S: Scalar>(
     chain: &Chain,
-    way: (Method, Axes),
+    way: (SolutionMethod, Axes),
     seed: u64,
     number: fn(S) -> f64,
 ) -> [f64; 2] {
@@ -36,7 +36,7 @@ fn errors<S: Scalar>(
     let (mut q, mut v) = (Vec::new(), Vec::new());
     for hinge in &chain.hinges {
         q.extend((0..hinge.kind.coordinates()).map(|_| short(1.0)));
-        v.extend((0..hinge.kind.freedoms()).map(|_| short(2.0)));
+        v.extend((0..hinge.kind.dof_count()).map(|_| short(2.0)));
         if hinge.kind.coordinates() == 4 {
             let quaternion = q.split_off(q.len() - 4);
             let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -44,7 +44,7 @@ fn errors<S: Scalar>(
         }
     }
     let efforts = vec![0.0; v.len()];
-    let truth = compute::<DoubleDouble>(chain, (Method::Riccati, way.1), &q, &v, &efforts);
+    let truth = compute::<DoubleDouble>(chain, (SolutionMethod::Riccati, way.1), &q, &v, &efforts);
     let computed = compute::<S>(chain, way, &q, &v, &efforts);
     let (truth, computed) = (quantities(&truth, |x| x.high), quantities(&computed, number));
     let [accelerations, forces, moments] =
@@ -67,7 +67,7 @@ fn quantities<S: Scalar>(computed: &Computed<S>, number: fn(S) -> f64) -> [Vec<f
 fn check(name: &str, axes: &[Axes], kind: impl Fn(usize) -> &'static str + Copy) {
     for count in LENGTHS {
         let chain = chain(count, kind);
-        for method in [Method::Riccati, Method::Transfer] {
+        for method in [SolutionMethod::Riccati, SolutionMethod::Transfer] {
             for &axes in axes {
                 for seed in 0..3 {
                     let double = errors::<f64>(&chain, (method, axes), seed, |x| x);
@@ -79,7 +79,7 @@ fn check(name: &str, axes: &[Axes], kind: impl Fn(usize) -> &'static str + Copy)
                     assert!(a.0 < 1e-12 && a.1 < 1e-4, "{what}: accelerations");
                     // With `transfer` accelerations of points are sums of those of all hinges before,
                     // whose errors nothing takes back, and wrenches are sums over up to eight bodies.
-                    let summed = if method == Method::Transfer { 50.0 } else { 1.0 };
+                    let summed = if method == SolutionMethod::Transfer { 50.0 } else { 1.0 };
                     let bounds = (summed * 1e-12, summed * 1e-4);
                     assert!(loads.0 < bounds.0 && loads.1 < bounds.1, "{what}: loads");
                 }

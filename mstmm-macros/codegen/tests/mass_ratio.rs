@@ -7,7 +7,7 @@ use common::double_double::DoubleDouble;
 use common::{compute, read};
 use mstmm_codegen::equations::Axes;
 use mstmm_codegen::math::Scalar;
-use mstmm_codegen::model::Method;
+use mstmm_codegen::model::SolutionMethod;
 use mstmm_reference::Random;
 use std::fmt::Write;
 
@@ -53,7 +53,7 @@ fn sample(random: &mut Random, bodies: usize, powers: f64, balls: bool) -> Sampl
     Sample { text: text + &route + "; }", q, v, ratio }
 }
 
-fn accelerations<S: Scalar>(sample: &Sample, method: Method) -> Vec<S> {
+fn accelerations<S: Scalar>(sample: &Sample, method: SolutionMethod) -> Vec<S> {
     let chain = read(&sample.text);
     let efforts = vec![0.0; sample.v.len()];
     compute(&chain, (method, Axes::Body), &sample.q, &sample.v, &efforts).accelerations
@@ -77,9 +77,9 @@ fn transfer_loses_no_more_than_its_docs_say() {
                 [(2, false), (2, true), (5, false), (5, true), (9, false), (9, true)]
             {
                 let sample = sample(&mut random, bodies, powers, balls);
-                let truth = accelerations::<DoubleDouble>(&sample, Method::Riccati);
-                let riccati = error(&accelerations(&sample, Method::Riccati), &truth);
-                let transfer = error(&accelerations(&sample, Method::Transfer), &truth);
+                let truth = accelerations::<DoubleDouble>(&sample, SolutionMethod::Riccati);
+                let riccati = error(&accelerations(&sample, SolutionMethod::Riccati), &truth);
+                let transfer = error(&accelerations(&sample, SolutionMethod::Transfer), &truth);
                 let limit = 100.0 * (10.0 + sample.ratio) * f64::EPSILON;
                 assert!(
                     transfer < limit,

@@ -4,7 +4,7 @@
 use mstmm_codegen::compile::{Compiled, compile};
 use mstmm_codegen::diag::Diagnostics;
 use mstmm_codegen::examine::{Findings, examine};
-use mstmm_codegen::model::{self, Answer, Layout, Method, Results};
+use mstmm_codegen::model::{self, Answer, Layout, Results, SolutionMethod};
 use mstmm_codegen::program::Cost;
 use std::fmt::Write;
 use std::path::Path;
@@ -37,7 +37,9 @@ fn table() -> String {
     let mut table = HEADER.to_owned();
     for (mut chain, findings) in chains() {
         let layout = Layout::of(&chain);
-        for (method, name) in [(Method::Riccati, "riccati"), (Method::Transfer, "transfer")] {
+        for (method, name) in
+            [(SolutionMethod::Riccati, "riccati"), (SolutionMethod::Transfer, "transfer")]
+        {
             chain.method = Some(method);
             let compiled = compile(&chain, &findings, &layout);
             let fast = cost(&compiled, Answer::Accelerations);

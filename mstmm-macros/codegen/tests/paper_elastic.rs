@@ -7,7 +7,7 @@ use common::paper::{Case, Hinges, declared, list, matrix, plain, reported};
 use common::{Point, compute, read};
 use mstmm_codegen::equations::Axes;
 use mstmm_codegen::math::Structured;
-use mstmm_codegen::model::Method;
+use mstmm_codegen::model::SolutionMethod;
 use mstmm_reference::Random;
 use mstmm_runtime::nalgebra::{Matrix3, Vector3};
 use mstmm_runtime::paper::body::{Body, Load, Motion};
@@ -77,7 +77,7 @@ fn elastic_chain(
         q[small] *= turns;
     }
     let v: Vec<f64> = (0..12).map(|_| random.between(-1.0, 1.0)).collect();
-    let way = (Method::Riccati, Axes::Body);
+    let way = (SolutionMethod::Riccati, Axes::Body);
     let computed = compute::<f64>(&read(&text), way, &q, &v, &[0.0; 12]);
     let points = &computed.report.points;
 

@@ -8,7 +8,7 @@ use common::Point;
 use common::double_double::DoubleDouble;
 use common::paper::{Case, Hinges, Moving, reported};
 use mstmm_codegen::math::{Scalar, Structured};
-use mstmm_codegen::model::Method;
+use mstmm_codegen::model::SolutionMethod;
 use mstmm_runtime::Scalar as Number;
 use mstmm_runtime::nalgebra::{DMatrix, SMatrix, Vector3};
 use mstmm_runtime::paper::chain::{self, InputEnd, OutputEnd};
@@ -32,7 +32,7 @@ fn error(found: &[f64], truth: &[f64]) -> f64 {
 /// The error of the compiler's equations in a precision.
 fn compiled<S: Scalar>(
     case: &Case,
-    (seed, method): (u64, Method),
+    (seed, method): (u64, SolutionMethod),
     truth: &[f64],
     number: fn(S) -> f64,
 ) -> f64 {
@@ -72,9 +72,9 @@ fn errors<const N: usize>(hinges: impl Fn(usize) -> Hinges) -> Errors {
     let case = Case::of_cubes(hinges(N / 2), N / 2);
     let mut worst = Errors::default();
     for seed in 0..SEEDS {
-        let truth = case.at_random::<DoubleDouble>(seed, Method::Riccati);
+        let truth = case.at_random::<DoubleDouble>(seed, SolutionMethod::Riccati);
         let truth = accelerations(&truth.computed.report.points, |x| x.high);
-        let moving = case.at_random::<f64>(seed, Method::Riccati);
+        let moving = case.at_random::<f64>(seed, SolutionMethod::Riccati);
         let of_product = if let Hinges::Pins(_) = case.hinges {
             let double = InputEnd::pin(&case.pin(0, &moving).orientation);
             let single = InputEnd::pin(&case.pin(0, &moving).orientation);
@@ -89,7 +89,7 @@ fn errors<const N: usize>(hinges: impl Fn(usize) -> Hinges) -> Errors {
             ]
         };
         worst.product = larger(worst.product, of_product);
-        for method in [Method::Riccati, Method::Transfer] {
+        for method in [SolutionMethod::Riccati, SolutionMethod::Transfer] {
             let double = compiled::<f64>(&case, (seed, method), &truth, |x| x);
             let single = compiled::<f32>(&case, (seed, method), &truth, f64::from);
             worst.compiled = larger(worst.compiled, [double, single]);
@@ -163,7 +163,7 @@ fn the_product_of_oblique_pins_loses_all_digits() {
 fn neighbours(missing: f64) -> (f64, f64) {
     let second = Vector3::new(0.0, missing.cos(), missing.sin());
     let case = Case::of_cubes(Hinges::Pins(vec![Vector3::z(), second]), 2);
-    let moving = case.at::<f64>(Method::Riccati, &[0.3, 0.4], &[1.0, -0.5]);
+    let moving = case.at::<f64>(SolutionMethod::Riccati, &[0.3, 0.4], &[1.0, -0.5]);
     let elements: [_; 4] = case.elements(&moving).try_into().expect("four elements");
     let determinant = case.pin_blocks(0, &moving, &elements[1]).determinant();
     let input = InputEnd::pin(&case.pin(0, &moving).orientation);
@@ -228,11 +228,11 @@ fn equation_45_is_rank_deficient() {
     let (balls, pins) =
         (Case::of_cubes(Hinges::Balls, 3), Case::of_cubes(Hinges::Pins(vec![Vector3::z(); 3]), 3));
     for seed in 0..SEEDS {
-        let moving = balls.at_random(seed, Method::Riccati);
+        let moving = balls.at_random(seed, SolutionMethod::Riccati);
         let found = ranks(&balls, &moving, &InputEnd::behind_ball(), &InputEnd::ball());
         assert_eq!(found, (3, 3));
 
-        let moving = pins.at_random(seed, Method::Riccati);
+        let moving = pins.at_random(seed, SolutionMethod::Riccati);
         let ground = InputEnd::pin(&pins.pin(0, &moving).orientation);
         assert_eq!(ranks(&pins, &moving, &InputEnd::behind_pin(), &ground), (5, 5));
     }

@@ -8,7 +8,7 @@ use common::paper::{Case, Hinges, Moving, apart, axis, matrix, plain, reported};
 use common::{Point, compute, read};
 use mstmm_codegen::equations::Axes;
 use mstmm_codegen::math::Structured;
-use mstmm_codegen::model::Method;
+use mstmm_codegen::model::SolutionMethod;
 use mstmm_reference::Random;
 use mstmm_runtime::nalgebra::{SVector, Vector2, Vector3};
 use mstmm_runtime::paper::chain::{self, InputEnd, OutputEnd};
@@ -43,7 +43,7 @@ fn random_cases(
         let mut random = Random::new(seed);
         let hinges = hinges(&mut random);
         let case = Case::random(&mut random, hinges, BODIES);
-        let moving = case.at_random(seed, Method::Riccati);
+        let moving = case.at_random(seed, SolutionMethod::Riccati);
         (case, moving)
     })
 }
@@ -106,7 +106,7 @@ fn bryan_angles_turn_as_the_printed_matrix() {
              kg*m^2 about com; }} ground turned rpy({:?}, {:?}, {:?}) -> pin j -> B b; }}",
             turn[0], turn[1], turn[2]
         );
-        let way = (Method::Riccati, Axes::Body);
+        let way = (SolutionMethod::Riccati, Axes::Body);
         let computed = compute::<f64>(&read(&text), way, &[0.0], &[0.0], &[0.0]);
         let reported = matrix(computed.report.points[0].rotation);
         assert!((rotation::rotation_matrix(&angles) - reported).amax() < 1e-14);
@@ -136,10 +136,10 @@ fn the_ball_pendulum_of_section_4_1() {
     let aligned = [1.0, 0.0, 0.0, 0.0];
     let mut rates = [0.0; 9];
     rates[7] = 0.1;
-    let start = case.at(Method::Riccati, &[aligned; 3].concat(), &rates);
+    let start = case.at(SolutionMethod::Riccati, &[aligned; 3].concat(), &rates);
     check_chain::<6, 3>(&case, &start, &InputEnd::ball());
     for seed in 0..CASES {
-        let moving = case.at_random(seed, Method::Transfer);
+        let moving = case.at_random(seed, SolutionMethod::Transfer);
         check_chain::<6, 3>(&case, &moving, &InputEnd::ball());
     }
 }
@@ -147,11 +147,11 @@ fn the_ball_pendulum_of_section_4_1() {
 #[test]
 fn the_pinned_arm_of_section_4_2() {
     let case = Case::of_cubes(Hinges::Pins(vec![Vector3::z(); 3]), 3);
-    let start = case.at(Method::Riccati, &[0.0; 3], &[0.0, 1.0, 0.0]);
+    let start = case.at(SolutionMethod::Riccati, &[0.0; 3], &[0.0, 1.0, 0.0]);
     let input = |moving: &Moving<f64>| InputEnd::pin(&case.pin(0, moving).orientation);
     check_chain::<6, 5>(&case, &start, &input(&start));
     for seed in 0..CASES {
-        let moving = case.at_random(seed, Method::Transfer);
+        let moving = case.at_random(seed, SolutionMethod::Transfer);
         check_chain::<6, 5>(&case, &moving, &input(&moving));
     }
 }
@@ -162,7 +162,7 @@ fn oblique_pins_in_a_chain() {
     let axes = axes.map(|axis| Vector3::from(axis).normalize());
     let case = Case::of_cubes(Hinges::Pins(axes.to_vec()), 3);
     for seed in 0..CASES {
-        let moving = case.at_random(seed, Method::Riccati);
+        let moving = case.at_random(seed, SolutionMethod::Riccati);
         let input = InputEnd::pin(&case.pin(0, &moving).orientation);
         check_chain::<6, 5>(&case, &moving, &input);
     }
@@ -195,7 +195,7 @@ fn a_chain_in_the_plane() {
         let count = if hinge == "pin" { 3 } else { 9 };
         let mut numbers = || (0..count).map(|_| random.between(-1.5, 1.5)).collect::<Vec<_>>();
         let (q, v) = (numbers(), numbers());
-        let way = (Method::Riccati, Axes::Body);
+        let way = (SolutionMethod::Riccati, Axes::Body);
         let computed = compute::<f64>(&chain, way, &q, &v, &vec![0.0; count]);
         let points = &computed.report.points;
 
@@ -253,7 +253,7 @@ fn masses_between_springs_of_section_4_4() {
         );
         let mut numbers = |size: f64| [0.0; COUNT].map(|_: f64| random.between(-size, size));
         let (q, v) = (numbers(0.2), numbers(3.0));
-        let way = (Method::Riccati, Axes::Body);
+        let way = (SolutionMethod::Riccati, Axes::Body);
         let computed = compute::<f64>(&read(&text), way, &q, &v, &[0.0; COUNT]);
         let sum = |relative: &[f64], k: usize| relative[..=k].iter().sum::<f64>();
         let masses = std::array::from_fn::<_, COUNT, _>(|k| line::Mass {

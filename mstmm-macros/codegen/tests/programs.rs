@@ -11,7 +11,7 @@ use mstmm_codegen::compile::{compile, outputs};
 use mstmm_codegen::equations::Axes;
 use mstmm_codegen::examine::Findings;
 use mstmm_codegen::math::{Structured, Vec3};
-use mstmm_codegen::model::{Answer, Dimension, Layout, Method};
+use mstmm_codegen::model::{Answer, Dimension, Layout, SolutionMethod};
 use mstmm_codegen::program::{Argument, ArrayRole};
 use mstmm_reference::{Random, Recipe, random_mechanism, random_motion};
 
@@ -41,7 +41,9 @@ fn one_chain(seed: u64) {
     let recipe = Recipe::any(&mut random, 5);
     let description = random_mechanism(&mut random, "Random", &recipe);
     let (state, driven) = random_motion(&mut random, &description);
-    for (word, method) in [("riccati", Method::Riccati), ("transfer", Method::Transfer)] {
+    for (word, method) in
+        [("riccati", SolutionMethod::Riccati), ("transfer", SolutionMethod::Transfer)]
+    {
         let chain = read(&description.to_macro_text(Some(word)));
         let compiled = compile(&chain, &Findings::default(), &Layout::of(&chain));
         let inputs = drives::inputs(&chain, &driven);
@@ -118,8 +120,13 @@ fn parameters_are_folded_into_slots_once() {
     let mut arrays = given.arrays.clone();
     run(&compiled.setup.procedure, &mut arrays).expect("a setup cannot fail");
     let computed = given.run(Answer::Accelerations).expect("a regular chain");
-    let expected =
-        compute::<f64>(&read(&text("2 kg")), (Method::Riccati, Axes::Body), &q, &v, &[0.0, 0.0]);
+    let expected = compute::<f64>(
+        &read(&text("2 kg")),
+        (SolutionMethod::Riccati, Axes::Body),
+        &q,
+        &v,
+        &[0.0, 0.0],
+    );
     let off = difference(&computed.result(outputs::ACCELERATIONS), &expected.accelerations);
     assert!(off < 1e-14);
     let checked = arrays.result(outputs::CHECKED);
@@ -177,7 +184,7 @@ fn parameters_may_stand_anywhere() {
     let q = [0.3, 0.5, -0.5, 0.5, 0.5, -0.8];
     let v = [1.0, -0.5, 0.7, 0.2, 2.0];
     let layout = Layout::of(&with);
-    for method in [Method::Riccati, Method::Transfer] {
+    for method in [SolutionMethod::Riccati, SolutionMethod::Transfer] {
         let mut with = with.clone();
         with.method = Some(method);
         let compiled = compile(&with, &Findings::default(), &layout);

@@ -8,7 +8,7 @@ use crate::expr::{Edge, Expr, Graph, Stage};
 use crate::function::{Function, Heading, LoopTracer, NamedPivot, Output, Unknowns};
 use crate::ids::ParameterId;
 use crate::math::NOISE;
-use crate::model::{Chain, Check, ClosureRank, Hinge, HingeKind, Layout, Method, Value};
+use crate::model::{Chain, Check, ClosureRank, Hinge, HingeKind, Layout, SolutionMethod, Value};
 use crate::passes::SetupSlots;
 use crate::program::{Argument, ArrayLayout, OutputId};
 
@@ -96,8 +96,8 @@ impl<'a> ChainCompiler<'a> {
     }
 
     /// The method that accelerations are solved with.
-    pub(super) fn method(&self) -> Method {
-        self.chain.method.unwrap_or(Method::Riccati)
+    pub(super) fn method(&self) -> SolutionMethod {
+        self.chain.method.unwrap_or(SolutionMethod::Riccati)
     }
 
     /// Runs equations with repeated parts as loops: their result, and a function that has no outputs yet.
@@ -276,7 +276,7 @@ impl<'a> ChainCompiler<'a> {
         let numbers = SymbolValues { closure_steps: Vec::new(), ..self.numbers.clone() };
         let (solved, function) = self.traced(|tracer, trace| {
             let situation = self.situation_with(self.merged, &numbers).woven(tracer);
-            equations::accelerations(&situation, Method::Riccati, AXES, trace)
+            equations::accelerations(&situation, SolutionMethod::Riccati, AXES, trace)
         });
         let Some(reaction) = solved.reaction else {
             bug!("the rank of a closure is to be found, and nothing closes")

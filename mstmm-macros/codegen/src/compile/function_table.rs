@@ -65,7 +65,7 @@ pub(super) static FUNCTIONS: [FunctionSpec; 10] = [
     },
     FunctionSpec {
         answer: Answer::Correction,
-        when: |_, _, layout| !layout.closings.is_empty(),
+        when: |_, _, layout| !layout.loop_hinges.is_empty(),
         trace: |chain| chain.correction(),
         checks: None,
     },

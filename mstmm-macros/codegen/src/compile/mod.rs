@@ -15,7 +15,7 @@ pub use text::chain_text;
 use crate::examine::Findings;
 use crate::expr::Graph;
 use crate::function::Unknowns;
-use crate::model::{Answer, Chain, Check, Layout, Method};
+use crate::model::{Answer, Chain, Check, Layout, SolutionMethod};
 use crate::passes::SetupSlots;
 use crate::program::Procedure;
 use compiler::ChainCompiler;
@@ -27,7 +27,7 @@ pub struct Compiled {
     /// The unknowns that all functions read.
     pub unknowns: Unknowns,
     /// The method that the accelerations are solved with.
-    pub method: Method,
+    pub method: SolutionMethod,
     /// The functions, in the order of [`Answer::ALL`].
     pub functions: Vec<CompiledFunction>,
     /// Parameters and constants to the slots of all functions, and to the numbers of [`Compiled::checks`].

@@ -3,7 +3,7 @@
 use super::layouts;
 use crate::function::Unknowns;
 use crate::ids::ParameterId;
-use crate::model::{Chain, ClosureRank, Driven, Hinge, Input, Layout, Shape};
+use crate::model::{Chain, ClosureRank, Hinge, HingeSpec, Input, InputKind, Layout};
 use crate::program::{Argument, ArrayLayout};
 use proc_macro2::Ident;
 use std::collections::HashSet;
@@ -51,7 +51,7 @@ pub(super) fn unknowns(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Unk
     unknowns
 }
 
-fn coordinates(shape: &Shape) -> Vec<&'static str> {
+fn coordinates(shape: &HingeSpec) -> Vec<&'static str> {
     shape.coordinates.iter().map(|coordinate| coordinate.name).collect()
 }
 
@@ -65,18 +65,18 @@ fn input_names(chain: &Chain, input: &Input) -> Vec<String> {
         axes.iter().map(|&axis| format!("{name}_{}", AXES[axis])).collect()
     };
     match input.what {
-        Driven::Gravity => along("gravity", chain.dimension.shifts()),
-        Driven::Force(load) => {
+        InputKind::Gravity => along("gravity", chain.dimension.shifts()),
+        InputKind::Force(load) => {
             along(&format!("{}_force", text(&chain.loads[load].name)), chain.dimension.shifts())
         }
-        Driven::Torque(load) => {
+        InputKind::Torque(load) => {
             along(&format!("{}_torque", text(&chain.loads[load].name)), chain.dimension.turns())
         }
-        Driven::Efforts(hinge) => {
+        InputKind::Efforts(hinge) => {
             let name = text(&chain.hinges[hinge].name);
             (0..input.range.len()).map(|k| format!("{name}_input{k}")).collect()
         }
-        Driven::Motion(index) => {
+        InputKind::Motion(index) => {
             let hinge = &chain.hinges[index];
             let shape = hinge.kind.shape();
             let accelerations: Vec<String> =

@@ -4,7 +4,7 @@ use super::EmitContext;
 use super::arrays::usize_literal;
 use super::const_expr::value_tokens;
 use super::point_access::{self, point_type};
-use crate::model::{Body, BodyId, NamedPoint, Value, Written, listed};
+use crate::model::{Body, BodyId, NamedPoint, PresentPoints, Value, listed};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use std::collections::HashSet;
@@ -19,7 +19,7 @@ pub fn types(cx: &EmitContext) -> TokenStream {
 /// The type of results at bodies of one type.
 fn own(cx: &EmitContext, body: &Body) -> TokenStream {
     let mstmm = &cx.mstmm;
-    let (name, visibility) = (own_name(cx, body), &cx.surface.visibility);
+    let (name, visibility) = (own_name(cx, body), &cx.passthrough.visibility);
     let (common, point) = (common(cx, body), point_type(cx));
     let doc = format!(
         " Results at a body `{}` of [`{}`]: its ends, its centre of mass and its named points.",
@@ -61,8 +61,8 @@ fn own(cx: &EmitContext, body: &Body) -> TokenStream {
 fn common(cx: &EmitContext, body: &Body) -> TokenStream {
     let (mstmm, point) = (&cx.mstmm, point_type(cx));
     match body.written {
-        Written::ALL => quote!(#mstmm::BodyResult<T, #point>),
-        Written { output, com } => {
+        PresentPoints::ALL => quote!(#mstmm::BodyResult<T, #point>),
+        PresentPoints { output, com } => {
             quote!(#mstmm::BodyResult<T, #point, #mstmm::Written<#output, #com>>)
         }
     }

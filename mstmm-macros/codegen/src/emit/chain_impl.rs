@@ -88,9 +88,9 @@ fn correction(cx: &EmitContext) -> ClosureMethods {
         return ClosureMethods { close, assemble };
     };
     let (name, state, inputs) = (&cx.names.chain, &cx.names.state, &cx.names.inputs);
-    let visibility = &cx.surface.visibility;
+    let visibility = &cx.passthrough.visibility;
     let checked = quaternions::checked(cx);
-    let closing = cx.layout.closings.first();
+    let closing = cx.layout.loop_hinges.first();
     let closing = closing.unwrap_or_else(|| bug!("a chain without a closing hinge is corrected"));
     let hinge = cx.chain.hinges[*closing].name.to_string();
     let check =
@@ -203,7 +203,7 @@ pub fn generated(cx: &EmitContext) -> TokenStream {
 
 /// Kinetic and potential energy of a chain some of whose hinges move as told.
 pub fn energy(cx: &EmitContext) -> Option<TokenStream> {
-    let (mstmm, state, visibility) = (&cx.mstmm, &cx.names.state, &cx.surface.visibility);
+    let (mstmm, state, visibility) = (&cx.mstmm, &cx.names.state, &cx.passthrough.visibility);
     cx.chain.has_prescribed_hinges().then(|| {
         quote! {
             /// Kinetic and potential energy in J, with prescribed motions at rest in the zero position.

@@ -4,7 +4,7 @@ use super::EmitContext;
 use super::arrays::usize_literal;
 use super::printer::{Printer, flag};
 use crate::ids::InputId;
-use crate::model::Driven;
+use crate::model::InputKind;
 use crate::program::{Argument, ArrayId, ArrayRole, PivotTest, PivotValue, ResultCheck, Witness};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -124,7 +124,7 @@ impl EmitContext<'_> {
         let input = &self.layout.inputs[number];
         let name = self.chain.name_of_input(input.what);
         let slice = |from: &TokenStream| match input.what {
-            Driven::Motion(_) => {
+            InputKind::Motion(_) => {
                 let variables = self.input_variables(number);
                 (self.read_input(number, from, &variables), quote!(&[#(#variables),*]))
             }

@@ -13,7 +13,7 @@ pub fn value_tokens(cx: &EmitContext, value: &Value) -> TokenStream {
             let magnitude = Literal::f64_suffixed(number.abs());
             if *number < 0.0 { quote!((-#magnitude)) } else { quote!(#magnitude) }
         }
-        Value::Symbol(Symbol::Constant(index)) => cx.surface.constants[*index].clone(),
+        Value::Symbol(Symbol::Constant(index)) => cx.passthrough.constants[*index].clone(),
         Value::Symbol(Symbol::Parameter(index)) => go(&cx.chain.parameters[*index].default),
         Value::Sum(a, b) => {
             let (a, b) = (go(a), go(b));

@@ -11,7 +11,7 @@ use super::printer::Destination;
 use super::sealed;
 use crate::compile::outputs;
 use crate::ids::RepeatId;
-use crate::model::{Must, Requirement, Symbol, Value};
+use crate::model::{Bound, Requirement, Symbol, Value};
 use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 
@@ -47,7 +47,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
 
 fn chain_type(cx: &EmitContext) -> TokenStream {
     let name = &cx.names.chain;
-    let (visibility, attributes) = (&cx.surface.visibility, &cx.surface.attributes);
+    let (visibility, attributes) = (&cx.passthrough.visibility, &cx.passthrough.attributes);
     let description = docs::chain(cx);
     let (field, sealed) = (sealed::field(), sealed::type_of(cx));
     quote! {
@@ -64,7 +64,7 @@ fn chain_type(cx: &EmitContext) -> TokenStream {
 /// `new`, `parameters` and the evaluation of constants.
 fn constructors(cx: &EmitContext) -> TokenStream {
     let (mstmm, field) = (&cx.mstmm, sealed::field());
-    let (parameters, visibility) = (&cx.names.parameters, &cx.surface.visibility);
+    let (parameters, visibility) = (&cx.names.parameters, &cx.passthrough.visibility);
     let values = cx.chain.parameters.iter().map(|parameter| {
         let (name, value) = (&parameter.name, value_tokens(cx, &parameter.default));
         let one = quote!(T::constant(#value));
@@ -123,9 +123,9 @@ fn derive(cx: &EmitContext) -> TokenStream {
     });
     let check_count = usize_literal(parameters::checked(cx).total);
     let parts = sealed::parts(cx).into_iter().map(|(part, _)| of_part(part).to_token_stream());
-    let constants = cx.surface.constants.iter();
-    let evaluate = (!cx.surface.constants.is_empty()).then(|| {
-        let count = Literal::usize_unsuffixed(cx.surface.constants.len());
+    let constants = cx.passthrough.constants.iter();
+    let evaluate = (!cx.passthrough.constants.is_empty()).then(|| {
+        let count = Literal::usize_unsuffixed(cx.passthrough.constants.len());
         quote!(let constants_: &[T; #count] = &[#(T::constant(#constants)),*];)
     });
     let parameters = &cx.names.parameters;
@@ -152,9 +152,9 @@ fn assertion(cx: &EmitContext, requirement: &Requirement) -> Option<TokenStream>
     let checks = conditions.rev().fold(TokenStream::new(), |rest, condition| {
         let (value, zero) = (value_tokens(cx, &condition.value), Literal::f64_suffixed(0.0));
         let holds = match condition.must {
-            Must::BeFinite => quote!(<::core::primitive::f64>::is_finite(#value)),
-            Must::BePositive => quote!(!(#value <= #zero)),
-            Must::NotBeNegative => quote!(!(#value < #zero)),
+            Bound::BeFinite => quote!(<::core::primitive::f64>::is_finite(#value)),
+            Bound::BePositive => quote!(!(#value <= #zero)),
+            Bound::NotBeNegative => quote!(!(#value < #zero)),
         };
         match &condition.message {
             // It is reported elsewhere.

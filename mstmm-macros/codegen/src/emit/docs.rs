@@ -2,7 +2,9 @@
 
 use super::{EmitContext, drawing};
 use crate::examine::Mobility;
-use crate::model::{Answer, Element, Method, Parameter, Place, Results, Role, Value, listed};
+use crate::model::{
+    Answer, Attachment, Element, Parameter, Results, Role, SolutionMethod, Value, listed,
+};
 use crate::program::{Cost, Procedure, SectionCost, by_heading};
 
 /// The chain at a glance: its route, a picture, its elements, its freedoms, its method and costs.
@@ -41,7 +43,7 @@ const TRANSFER_LOSS: f64 = 100.0;
 /// What `transfer` loses where masses are far apart.
 fn precision(cx: &EmitContext) -> Vec<String> {
     let Some(ratio) = cx.findings.mass_ratio else { return Vec::new() };
-    if cx.compiled.method == Method::Riccati {
+    if cx.compiled.method == SolutionMethod::Riccati {
         return Vec::new();
     }
     let times = if ratio < 1e3 { format!("{ratio:.0}") } else { format!("{ratio:.1e}") };
@@ -74,7 +76,7 @@ pub fn results(cx: &EmitContext) -> String {
 /// How many freedoms there are, and how a closure holds the chain.
 fn freedoms(cx: &EmitContext) -> Vec<String> {
     let count = cx.rates().total;
-    if cx.layout.closings.is_empty() {
+    if cx.layout.loop_hinges.is_empty() {
         let freedoms = if count == 1 { "degree of freedom" } else { "degrees of freedom" };
         return vec![format!(" Mobility {count}: {count} {freedoms}.")];
     }
@@ -100,11 +102,11 @@ fn freedoms(cx: &EmitContext) -> Vec<String> {
 /// The route as written, without arguments.
 fn route(cx: &EmitContext) -> String {
     let chain = cx.chain;
-    let end = |place: &Place| match place {
-        Place::Ground(_) => Some("ground".to_owned()),
-        Place::Input(body) | Place::Output(body) => {
+    let end = |place: &Attachment| match place {
+        Attachment::Ground(_) => Some("ground".to_owned()),
+        Attachment::Input(body) | Attachment::Output(body) => {
             let body = &chain.bodies[*body];
-            (body.role == Role::End).then(|| format!("moving {}", body.name))
+            (body.role == Role::MovingEnd).then(|| format!("moving {}", body.name))
         }
     };
     let hinge = |element: Option<&Element>| match element {
@@ -133,7 +135,7 @@ fn row(cx: &EmitContext, element: Element) -> String {
         Element::Body(index) => {
             let body = &cx.chain.bodies[index];
             let floats = cx.chain.hinges.iter().find(|hinge| hinge.name == body.name);
-            let freedoms = floats.map_or(String::new(), |hinge| hinge.kind.freedoms().to_string());
+            let freedoms = floats.map_or(String::new(), |hinge| hinge.kind.dof_count().to_string());
             let mass = body.mass.known().map_or(String::new(), |mass| format!(", {mass} kg"));
             format!(" | `{}` | body `{}`{mass} | {freedoms} |", body.name, body.type_name)
         }
@@ -146,7 +148,7 @@ fn row(cx: &EmitContext, element: Element) -> String {
                 [] => String::new(),
                 axes => format!("({})", axes.join(", ")),
             };
-            let freedoms = if hinge.is_prescribed() { 0 } else { hinge.kind.freedoms() };
+            let freedoms = if hinge.is_prescribed() { 0 } else { hinge.kind.dof_count() };
             format!(" | `{}` | {kind}{about}{told} | {freedoms} |", hinge.name)
         }
     }
@@ -196,9 +198,9 @@ pub fn parameter(parameter: &Parameter) -> String {
 }
 
 /// The method's name.
-fn method_name(method: Method) -> &'static str {
+fn method_name(method: SolutionMethod) -> &'static str {
     match method {
-        Method::Riccati => "riccati",
-        Method::Transfer => "transfer",
+        SolutionMethod::Riccati => "riccati",
+        SolutionMethod::Transfer => "transfer",
     }
 }

@@ -3,7 +3,7 @@
 
 use super::gravity;
 use crate::examine::Drawing;
-use crate::model::{Dimension, Element, Hinge, HingeKind, Place};
+use crate::model::{Attachment, Dimension, Element, Hinge, HingeKind};
 
 /// The longer side of the picture, and the room around it.
 const SIZE: f64 = 400.0;
@@ -152,11 +152,11 @@ fn ends(drawing: &Drawing, projection: &Projection) -> Vec<String> {
     };
     let first = hinge(chain.route.first()).map(|hinge| (&hinge.inboard, 0));
     let last = hinge(chain.route.last()).map(|hinge| (&hinge.outboard, chain.route.len()));
-    let end = |(place, point): (&Place, usize)| {
+    let end = |(place, point): (&Attachment, usize)| {
         let [x, y] = projection.place(&drawing.points[point]);
         let dashes = match place {
-            Place::Ground(_) => "",
-            Place::Input(_) | Place::Output(_) => " stroke-dasharray=\"3 3\"",
+            Attachment::Ground(_) => "",
+            Attachment::Input(_) | Attachment::Output(_) => " stroke-dasharray=\"3 3\"",
         };
         format!(
             " <path d=\"M{:.1} {:.1}h28m-26 7l5 -7m2 7l5 -7m2 7l5 -7\" fill=\"none\" \

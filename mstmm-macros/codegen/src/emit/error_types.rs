@@ -1,6 +1,6 @@
 //! What chains with mistakes become: types that are errors to rustc, which reports nothing of their use.
 
-use crate::syntax::{ChainDef, Stop};
+use crate::syntax::{ChainSyntax, RouteItemSyntax};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashSet;
@@ -11,7 +11,7 @@ use std::collections::HashSet;
 /// types. rustc checks nothing that depends on such a type: not which methods and fields it has, of which kind they
 /// are, nor which traits it implements. The other types are structs, so that users can implement their own traits
 /// and methods for them.
-pub fn error_types(chains: &[ChainDef], mistakes: &syn::Error) -> TokenStream {
+pub fn error_types(chains: &[ChainSyntax], mistakes: &syn::Error) -> TokenStream {
     let errors = mistakes.to_compile_error();
     let Some(first) = chains.first() else { return errors };
     let error = format_ident!("{}Inputs", first.name);
@@ -53,13 +53,13 @@ pub fn error_types(chains: &[ChainDef], mistakes: &syn::Error) -> TokenStream {
 
 /// The names of all types of a chain but its inputs, whose values users write field by field. Any name of a block or
 /// word of the route may be a type of body, whatever else is wrong with it.
-fn structs(chain: &ChainDef) -> impl Iterator<Item = Ident> {
+fn structs(chain: &ChainSyntax) -> impl Iterator<Item = Ident> {
     let name = &chain.name;
     let of_chain =
         ["State", "Parameters", "Workspace"].map(|suffix| format_ident!("{}{suffix}", name));
     let described = chain.blocks.iter().flat_map(|block| &block.names);
     let used = chain.route.iter().flat_map(|route| &route.stops).filter_map(|stop| match stop {
-        Stop::Element { word, .. } => Some(word),
+        RouteItemSyntax::Element { word, .. } => Some(word),
         _ => None,
     });
     let results = described.chain(used).map(move |body| format_ident!("{}{}Result", name, body));

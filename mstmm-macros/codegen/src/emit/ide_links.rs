@@ -8,7 +8,7 @@ use quote::quote;
 /// Code that does nothing but name things at the places where the description does.
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let (mstmm, workspace) = (cx.mstmm, &cx.names.workspace);
-    let References { elements, types, uses_of_types } = &cx.surface.references;
+    let References { elements, types, uses_of_types } = &cx.passthrough.references;
     let elements = (!elements.is_empty()).then(|| {
         quote! {
             const _: () = {

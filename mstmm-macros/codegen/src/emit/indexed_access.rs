@@ -6,7 +6,7 @@ use super::names::{accessor_mut, helper};
 use super::point_access::point_type;
 use super::quaternions;
 use super::{EmitContext, body};
-use crate::model::{BodyId, Group, HingeId};
+use crate::model::{BodyId, HingeId, ViewArgument};
 use crate::program::{ArrayLayout, Segment};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -58,10 +58,10 @@ fn variable(letter: &str, number: usize) -> TokenStream {
 
 /// The arguments of a view's constructor, group by group, under names that begin with `prefix`.
 fn groups(cx: &EmitContext, hinge: HingeId, prefix: &str) -> Vec<TokenStream> {
-    let group = |group: &Group| {
+    let group = |group: &ViewArgument| {
         let (letter, range) = match group {
-            Group::Coordinates(range) => ("q", range.clone()),
-            Group::Rates(range) => ("v", range.clone()),
+            ViewArgument::Coordinates(range) => ("q", range.clone()),
+            ViewArgument::Rates(range) => ("v", range.clone()),
         };
         let letter = format!("{prefix}{letter}");
         let names: Vec<TokenStream> = range.map(|k| variable(&letter, k)).collect();
@@ -79,7 +79,7 @@ pub fn state_accessors(cx: &EmitContext, hinge: HingeId, count: usize) -> TokenS
     let mstmm = &cx.mstmm;
     let name = &cx.chain.hinges[hinge].name;
     let (name_mut, set_each) = (accessor_mut(name), format_ident!("set_each_{name}"));
-    let visibility = &cx.surface.visibility;
+    let visibility = &cx.passthrough.visibility;
     let segments = HingeSegments::of(cx, hinge);
     let index = quote!(index_);
     let (read, change) = (segments.taken(cx, &index, false), segments.taken(cx, &index, true));
@@ -90,7 +90,7 @@ pub fn state_accessors(cx: &EmitContext, hinge: HingeId, count: usize) -> TokenS
     let given =
         |letter: &'static str, count: usize| (0..count).map(move |k| format!("{letter}{k}"));
     let all: Vec<String> =
-        given("q", kind.coordinates()).chain(given("v", kind.freedoms())).collect();
+        given("q", kind.coordinates()).chain(given("v", kind.dof_count())).collect();
     let new = all.iter().map(|name| helper(&format!("new_{name}")));
     let all = all.iter().map(|name| helper(name));
     let times = usize_literal(count);
@@ -142,7 +142,7 @@ pub fn single_accessors(
 ) -> TokenStream {
     let mstmm = &cx.mstmm;
     let name = &cx.chain.hinges[hinge].name;
-    let (name_mut, visibility) = (accessor_mut(name), &cx.surface.visibility);
+    let (name_mut, visibility) = (accessor_mut(name), &cx.passthrough.visibility);
     let (view, view_mut) = (view_name(cx, hinge, ""), view_name(cx, hinge, "Mut"));
     let HingeSegments { q: (q, q_range), v: (v, v_range) } = HingeSegments::of(cx, hinge);
     let read = |(segment, range): (&Segment, &Range<usize>), letter: &str, array: TokenStream| {
@@ -208,7 +208,7 @@ pub fn points_of(cx: &EmitContext, place: usize) -> (usize, usize) {
 
 /// The result of a repeated body.
 pub fn body(cx: &EmitContext, (index, place): (BodyId, usize), count: usize) -> TokenStream {
-    let (body, visibility) = (&cx.chain.bodies[index], &cx.surface.visibility);
+    let (body, visibility) = (&cx.chain.bodies[index], &cx.passthrough.visibility);
     let name = &body.name;
     let contents = body::contents(body);
     let doc = format!(" Results at body `{name}` number `index` of {count}: {contents}.");
@@ -231,7 +231,7 @@ pub fn body(cx: &EmitContext, (index, place): (BodyId, usize), count: usize) -> 
 pub fn hinge(cx: &EmitContext, (index, place): (HingeId, usize), count: usize) -> TokenStream {
     let mstmm = &cx.mstmm;
     let name = &cx.chain.hinges[index].name;
-    let (visibility, point) = (&cx.surface.visibility, point_type(cx));
+    let (visibility, point) = (&cx.passthrough.visibility, point_type(cx));
     let range = &cx.layout.rates[index];
     let ty = cx.numbers_type(range.len());
     let layout = cx.all_rates();

@@ -3,14 +3,14 @@
 use super::EmitContext;
 use super::arrays::usize_literal;
 use crate::ids::InputId;
-use crate::model::{Driven, Group, Hinge, HingeId, Input, View};
+use crate::model::{Hinge, HingeId, Input, InputKind, StateView, ViewArgument};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// `struct ChainInputs<T>` and how to get one.
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
-    let (name, visibility) = (&cx.names.inputs, &cx.surface.visibility);
+    let (name, visibility) = (&cx.names.inputs, &cx.passthrough.visibility);
     let chain = &cx.names.chain;
     let doc = format!(" What drives [`{chain}`] from outside, given at every step.");
     let inputs = &cx.layout.inputs;
@@ -65,20 +65,20 @@ fn times(cx: &EmitContext, input: &Input) -> Option<Literal> {
 
 fn doc_of(cx: &EmitContext, input: &Input) -> String {
     match input.what {
-        Driven::Gravity => " The acceleration of free fall in m/s², inertial frame.".to_owned(),
-        Driven::Efforts(index) => {
+        InputKind::Gravity => " The acceleration of free fall in m/s², inertial frame.".to_owned(),
+        InputKind::Efforts(index) => {
             let Hinge { name, kind, .. } = &cx.chain.hinges[index];
             let unit = |turns: bool| if turns { "N m" } else { "N" };
             let units: Vec<&str> = kind.shape().groups.iter().map(|g| unit(g.turns)).collect();
             let unit = units.join(", ");
             format!(" Efforts in {unit} that drive `{name}`, in the order of its rates.")
         }
-        Driven::Motion(index) => {
+        InputKind::Motion(index) => {
             let Hinge { name, .. } = &cx.chain.hinges[index];
             format!(" The motion of `{name}`.")
         }
-        Driven::Force(load) => format!(" The force of `{}` in N.", cx.chain.loads[load].name),
-        Driven::Torque(load) => {
+        InputKind::Force(load) => format!(" The force of `{}` in N.", cx.chain.loads[load].name),
+        InputKind::Torque(load) => {
             format!(" The torque of `{}` in N m.", cx.chain.loads[load].name)
         }
     }
@@ -87,12 +87,12 @@ fn doc_of(cx: &EmitContext, input: &Input) -> String {
 fn type_of(cx: &EmitContext, input: &Input) -> TokenStream {
     let mstmm = &cx.mstmm;
     match input.what {
-        Driven::Motion(hinge) => {
+        InputKind::Motion(hinge) => {
             let view = view_name(cx, hinge);
-            let acceleration = cx.numbers_type(cx.chain.hinges[hinge].kind.freedoms());
+            let acceleration = cx.numbers_type(cx.chain.hinges[hinge].kind.dof_count());
             quote!(#mstmm::HingeMotion<#mstmm::#view<T>, #acceleration>)
         }
-        Driven::Gravity | Driven::Efforts(_) | Driven::Force(_) | Driven::Torque(_) => {
+        InputKind::Gravity | InputKind::Efforts(_) | InputKind::Force(_) | InputKind::Torque(_) => {
             cx.numbers_type(input.range.len())
         }
     }
@@ -105,9 +105,9 @@ fn zero_of(cx: &EmitContext, input: &Input) -> TokenStream {
         _ => quote!(#mstmm::generated::vector([T::constant(0.0); #count])),
     };
     match input.what {
-        Driven::Motion(hinge) => {
+        InputKind::Motion(hinge) => {
             let view = view_name(cx, hinge);
-            let acceleration = zero(cx.chain.hinges[hinge].kind.freedoms());
+            let acceleration = zero(cx.chain.hinges[hinge].kind.dof_count());
             quote! {
                 #mstmm::HingeMotion {
                     state: <#mstmm::#view<T> as ::core::default::Default>::default(),
@@ -115,7 +115,7 @@ fn zero_of(cx: &EmitContext, input: &Input) -> TokenStream {
                 }
             }
         }
-        Driven::Gravity | Driven::Efforts(_) | Driven::Force(_) | Driven::Torque(_) => {
+        InputKind::Gravity | InputKind::Efforts(_) | InputKind::Force(_) | InputKind::Torque(_) => {
             zero(input.range.len())
         }
     }
@@ -127,7 +127,7 @@ fn view_name(cx: &EmitContext, hinge: HingeId) -> Ident {
 
 impl EmitContext<'_> {
     /// The view of a hinge that has coordinates.
-    pub fn view(&self, hinge: HingeId) -> &'static View {
+    pub fn view(&self, hinge: HingeId) -> &'static StateView {
         let Hinge { name, kind, .. } = &self.chain.hinges[hinge];
         kind.shape()
             .view
@@ -149,12 +149,12 @@ impl EmitContext<'_> {
     pub fn read_input(&self, input: InputId, from: &TokenStream, symbols: &[Ident]) -> TokenStream {
         let input = &self.layout.inputs[input];
         match input.what {
-            Driven::Motion(hinge) => {
+            InputKind::Motion(hinge) => {
                 let kind = &self.chain.hinges[hinge].kind;
-                let (coordinates, freedoms) = (kind.coordinates(), kind.freedoms());
+                let (coordinates, freedoms) = (kind.coordinates(), kind.dof_count());
                 let groups = self.view(hinge).groups.iter().map(|group| match group {
-                    Group::Coordinates(range) => tuple_or_one(&symbols[range.clone()]),
-                    Group::Rates(range) => {
+                    ViewArgument::Coordinates(range) => tuple_or_one(&symbols[range.clone()]),
+                    ViewArgument::Rates(range) => {
                         let range = coordinates + range.start..coordinates + range.end;
                         tuple_or_one(&symbols[range])
                     }
@@ -166,9 +166,10 @@ impl EmitContext<'_> {
                     #taken
                 }
             }
-            Driven::Gravity | Driven::Efforts(_) | Driven::Force(_) | Driven::Torque(_) => {
-                take(symbols, quote!(#from))
-            }
+            InputKind::Gravity
+            | InputKind::Efforts(_)
+            | InputKind::Force(_)
+            | InputKind::Torque(_) => take(symbols, quote!(#from)),
         }
     }
 }

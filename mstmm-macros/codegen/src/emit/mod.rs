@@ -37,7 +37,7 @@ use crate::examine::Findings;
 use crate::ids::{IdVec, SymbolId};
 use crate::model::{Chain, Layout};
 use crate::program::Argument;
-use crate::syntax::Surface;
+use crate::syntax::Passthrough;
 pub use error_types::error_types;
 use names::{TypeNames, variable};
 use proc_macro2::{Ident, TokenStream};
@@ -47,7 +47,7 @@ pub use warning::warning;
 /// All that the parts of the expansion are written from.
 struct EmitContext<'a> {
     chain: &'a Chain,
-    surface: &'a Surface,
+    passthrough: &'a Passthrough,
     layout: &'a Layout,
     compiled: &'a Compiled,
     findings: &'a Findings,
@@ -61,7 +61,7 @@ struct EmitContext<'a> {
 /// The items that stand for `chain` in the user's crate, which calls `mstmm` by this path.
 pub fn expand(
     chain: &Chain,
-    surface: &Surface,
+    passthrough: &Passthrough,
     layout: &Layout,
     compiled: &Compiled,
     findings: &Findings,
@@ -69,7 +69,7 @@ pub fn expand(
 ) -> TokenStream {
     let names = TypeNames::of(chain);
     let unknowns = compiled.unknowns.iter().map(|unknown| variable(&unknown.name)).collect();
-    let cx = EmitContext { chain, surface, layout, compiled, findings, names, unknowns, mstmm };
+    let cx = EmitContext { chain, passthrough, layout, compiled, findings, names, unknowns, mstmm };
     let constructor = constructor::emit(&cx);
     let methods = methods::emit(&cx);
     let state = state::emit(&cx);

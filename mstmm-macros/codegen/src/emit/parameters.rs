@@ -6,7 +6,7 @@ use super::closure;
 use super::docs;
 use super::sealed;
 use crate::compile::layouts;
-use crate::model::{Must, Parameter};
+use crate::model::{Bound, Parameter};
 use crate::program::ArrayLayout;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -14,7 +14,7 @@ use quote::{format_ident, quote};
 /// `struct ChainParameters<T>`.
 pub fn type_of_all(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
-    let (name, visibility) = (&cx.names.parameters, &cx.surface.visibility);
+    let (name, visibility) = (&cx.names.parameters, &cx.passthrough.visibility);
     let doc = format!(" Numbers of [`{}`] that may change at run time.", cx.names.chain);
     let fields = cx.chain.parameters.iter().map(|parameter| {
         let (name, ty) = (&parameter.name, type_of(parameter));
@@ -75,14 +75,14 @@ pub fn checked(cx: &EmitContext) -> ArrayLayout {
 /// `set_x`: takes effect only if the chain stays a physical one.
 pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
     let mstmm = &cx.mstmm;
-    let (name, visibility) = (&parameter.name, &cx.surface.visibility);
+    let (name, visibility) = (&parameter.name, &cx.passthrough.visibility);
     let set = format_ident!("set_{name}", span = name.span());
     let text = name.to_string();
     let doc = format!(" Sets {}", docs::parameter(parameter).trim_start());
     let rules = checked(cx).segments.into_iter().map(|segment| {
         let rules = cx.compiled.checks[segment.first..segment.first + segment.count].iter();
         let rules = rules.map(|check| {
-            let (positive, reason) = (check.must == Must::BePositive, &check.reason);
+            let (positive, reason) = (check.must == Bound::BePositive, &check.reason);
             quote!((#positive, #reason))
         });
         if segment.repetitions == 1

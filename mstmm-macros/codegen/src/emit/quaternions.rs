@@ -2,14 +2,15 @@
 
 use super::EmitContext;
 use super::arrays::usize_literal;
-use crate::model::{Driven, Form, Hinge, HingeId, HingeKind, Input};
+use crate::model::{Hinge, HingeId, HingeKind, Input, InputKind, Representation};
 use crate::program::{ArrayLayout, Segment};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// Where the quaternion is among the coordinates of a hinge.
 fn quaternion_of(kind: &HingeKind) -> Option<usize> {
-    let group = kind.shape().groups.iter().find(|group| group.form == Form::Quaternion);
+    let group =
+        kind.shape().groups.iter().find(|group| group.representation == Representation::Quaternion);
     group.map(|group| group.coordinates.start)
 }
 
@@ -25,7 +26,7 @@ fn in_state(cx: &EmitContext) -> Vec<(HingeId, usize)> {
 /// The prescribed motions with a quaternion.
 fn in_inputs<'a>(cx: &'a EmitContext) -> impl Iterator<Item = &'a Input> {
     cx.layout.inputs.iter().filter(|input| match input.what {
-        Driven::Motion(hinge) => quaternion_of(&cx.chain.hinges[hinge].kind).is_some(),
+        InputKind::Motion(hinge) => quaternion_of(&cx.chain.hinges[hinge].kind).is_some(),
         _ => false,
     })
 }

@@ -3,7 +3,7 @@
 use super::arrays::usize_literal;
 use super::names::{accessor_mut, helper};
 use super::{EmitContext, indexed_access, orders, quaternions};
-use crate::model::{Element, Group, HingeId};
+use crate::model::{Element, HingeId, ViewArgument};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
@@ -11,7 +11,7 @@ use std::ops::Range;
 /// `struct ChainState<T>`.
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
-    let (name, visibility) = (&cx.names.state, &cx.surface.visibility);
+    let (name, visibility) = (&cx.names.state, &cx.passthrough.visibility);
     let doc = format!(" Coordinates and rates of [`{}`] at a time.", cx.names.chain);
     let coordinates = usize_literal(cx.coordinates().total);
     let freedoms = usize_literal(cx.rates().total);
@@ -121,15 +121,15 @@ fn accessors(cx: &EmitContext, index: HingeId) -> TokenStream {
     let (q, v) = (&cx.layout.q[index], &cx.layout.v[index]);
     let arguments = view.groups.iter().map(|group| {
         let (is_q, range) = match group {
-            Group::Coordinates(range) => (true, q.start + range.start..q.start + range.end),
-            Group::Rates(range) => (false, v.start + range.start..v.start + range.end),
+            ViewArgument::Coordinates(range) => (true, q.start + range.start..q.start + range.end),
+            ViewArgument::Rates(range) => (false, v.start + range.start..v.start + range.end),
         };
         let names = range.clone().map(|number| variable(is_q, number));
         if range.len() == 1 { quote!(#(#names),*) } else { quote!([#(#names),*]) }
     });
     let arguments = quote!(#(#arguments),*);
     let (view, view_mut) = (format_ident!("{}", view.name), format_ident!("{}Mut", view.name));
-    let visibility = &cx.surface.visibility;
+    let visibility = &cx.passthrough.visibility;
     let on_route = cx.chain.route.contains(&Element::Hinge(index));
     let kind = if on_route { "hinge" } else { "body" };
     let doc = format!(" Coordinates and rates of {kind} `{name}`.");

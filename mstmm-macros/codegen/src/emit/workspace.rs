@@ -13,7 +13,7 @@ use std::ops::Range;
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, chain) = (&cx.names.workspace, &cx.names.chain);
-    let visibility = &cx.surface.visibility;
+    let visibility = &cx.passthrough.visibility;
     let doc = format!(" Results of [`{chain}::solve_into`]: {}.", docs::results(cx));
     let freedoms = usize_literal(cx.rates().total);
     let point_count = usize_literal(cx.points().total);
@@ -146,7 +146,7 @@ fn energies(cx: &EmitContext) -> EnergyItems {
     if !cx.chain.results.energies {
         return EnergyItems::default();
     }
-    let visibility = &cx.surface.visibility;
+    let visibility = &cx.passthrough.visibility;
     let [kinetic, potential] =
         [0, 1].map(|entry| initial_values::number_at_first(cx, outputs::ENERGIES, entry));
     EnergyItems {
@@ -193,7 +193,7 @@ fn closure(cx: &EmitContext) -> ClosureItems {
         let [field, zero, method, shown] = [(); 4].map(|()| TokenStream::new());
         return ClosureItems { field, zero, method, shown };
     };
-    let (held, visibility) = (Literal::usize_unsuffixed(held), &cx.surface.visibility);
+    let (held, visibility) = (Literal::usize_unsuffixed(held), &cx.passthrough.visibility);
     ClosureItems {
         field: quote!(closure: #mstmm::Closure<T, #held>,),
         zero: quote!(closure: ::core::default::Default::default(),),
@@ -210,7 +210,7 @@ fn closure(cx: &EmitContext) -> ClosureItems {
 }
 
 fn body(cx: &EmitContext, index: BodyId, place: usize) -> TokenStream {
-    let (body, visibility) = (&cx.chain.bodies[index], &cx.surface.visibility);
+    let (body, visibility) = (&cx.chain.bodies[index], &cx.passthrough.visibility);
     let name = &body.name;
     let doc = format!(" Results at body `{name}`: {}.", body::contents(body));
     let (first, _) = indexed_access::points_of(cx, place);
@@ -229,9 +229,9 @@ fn body(cx: &EmitContext, index: BodyId, place: usize) -> TokenStream {
 fn hinge(cx: &EmitContext, index: HingeId, place: usize) -> TokenStream {
     let mstmm = &cx.mstmm;
     let Hinge { name, kind, .. } = &cx.chain.hinges[index];
-    let visibility = &cx.surface.visibility;
+    let visibility = &cx.passthrough.visibility;
     let range = &cx.layout.rates[index];
-    let ty = cx.numbers_type(kind.freedoms());
+    let ty = cx.numbers_type(kind.dof_count());
     let of = |field: &Ident| match range.len() {
         0 => quote!(()),
         1 => scalar(cx, range, field),

@@ -1,11 +1,11 @@
 //! Where the connection points of a chain are.
 
 use super::EvalContext;
-use crate::model::{Element, HingeId, Place};
+use crate::model::{Attachment, Element, HingeId};
 
 /// Where a connection point is.
 pub struct ConnectionPoint {
-    pub place: Place,
+    pub place: Attachment,
     /// The hinge there, if there is one, and whether its outboard side is meant.
     pub hinge: Option<(HingeId, bool)>,
 }
@@ -23,7 +23,7 @@ pub fn spots<S>(situation: &EvalContext<S>) -> Vec<ConnectionPoint> {
         None => spots.push(spot),
     };
     // On a seam what passes is what the seam's weld passes on.
-    let side = |hinge: HingeId, place: &Place, outboard: bool| {
+    let side = |hinge: HingeId, place: &Attachment, outboard: bool| {
         let weld = chain.seam(place).map(|seam| chain.weld_of(seam));
         weld.map_or(
             ConnectionPoint { place: place.clone(), hinge: Some((hinge, outboard)) },
@@ -40,12 +40,12 @@ pub fn spots<S>(situation: &EvalContext<S>) -> Vec<ConnectionPoint> {
                 (side(index, &hinge.inboard, false), side(index, &hinge.outboard, true))
             }
             Element::Body(index) => {
-                let output = Place::Output(index);
+                let output = Attachment::Output(index);
                 let last = chain.hinges.position(|hinge| {
                     hinge.inboard == output && chain.seam(&hinge.outboard).is_some()
                 });
                 (
-                    ConnectionPoint { place: Place::Input(index), hinge: None },
+                    ConnectionPoint { place: Attachment::Input(index), hinge: None },
                     ConnectionPoint { place: output, hinge: last.map(|weld| (weld, false)) },
                 )
             }

@@ -5,8 +5,8 @@ use super::{LinkTree, LoopHook, SymbolValues};
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Scalar, Vec3};
 use crate::model::{
-    BodyId, Chain, ClosureRank, Drive, Driven, Effort, Element, Frame, HingeId, Joined, Layout,
-    Link, Part, Place, Source,
+    Attachment, BodyId, Chain, ClosureRank, Drive, Effort, Element, Frame, HingeId, InputKind,
+    Layout, Link, MergedWeld, MovesWith, Source,
 };
 
 /// Roundings of a closing hinge's direction on its way over a link, in units in the last place.
@@ -109,7 +109,9 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         known: &IdVec<BodyId, Option<Transform<S>>>,
     ) -> Result<Transform<S>, BodyId> {
         let identity = (Vec3::zero(), Mat3::identity());
-        let Some(Joined { weld, reversed }) = self.layout.joined[body] else { return Ok(identity) };
+        let Some(MergedWeld { weld, reversed }) = self.layout.joined[body] else {
+            return Ok(identity);
+        };
         let hinge = &self.chain.hinges[weld];
         let (from, to) = if reversed {
             (&hinge.outboard, &hinge.inboard)
@@ -128,10 +130,10 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
 
     /// The part that a place belongs to, and origin and rotation there: in the frame of the part,
     /// or in the inertial frame.
-    pub fn place(&self, place: &Place) -> (Part, Vec3<S>, Mat3<S>) {
+    pub fn place(&self, place: &Attachment) -> (MovesWith, Vec3<S>, Mat3<S>) {
         let own = self.numbers.place(self.chain, place);
         match place.body() {
-            None => (Part::Ground, own.0, own.1),
+            None => (MovesWith::Ground, own.0, own.1),
             Some(body) => {
                 let (origin, rotation) = compose(self.frames[body], own);
                 (self.layout.parts[body], origin, rotation)
@@ -161,7 +163,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
     /// The rates of a hinge.
     pub fn rates(&self, hinge: HingeId) -> &'a [S] {
         let kind = &self.chain.hinges[hinge].kind;
-        let (first, count) = (kind.coordinates(), kind.freedoms());
+        let (first, count) = (kind.coordinates(), kind.dof_count());
         match self.prescribed(hinge) {
             Some(given) => &given[first..first + count],
             None => &self.v[self.layout.v[hinge].clone()],
@@ -171,18 +173,18 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
     /// The accelerations of a hinge whose motion is prescribed.
     pub fn prescribed_accelerations(&self, hinge: HingeId) -> Option<&'a [S]> {
         let kind = &self.chain.hinges[hinge].kind;
-        self.prescribed(hinge).map(|given| &given[kind.coordinates() + kind.freedoms()..])
+        self.prescribed(hinge).map(|given| &given[kind.coordinates() + kind.dof_count()..])
     }
 
     fn prescribed(&self, hinge: HingeId) -> Option<&'a [S]> {
         let prescribed = self.chain.hinges[hinge].is_prescribed();
-        prescribed.then(|| &self.inputs[self.layout.input(Driven::Motion(hinge))])
+        prescribed.then(|| &self.inputs[self.layout.input(InputKind::Motion(hinge))])
     }
 
     /// The efforts of a hinge's motor, one for each rate.
     pub fn motor(&self, hinge: HingeId) -> Vec<S> {
         let Drive::Efforts(efforts) = &self.chain.hinges[hinge].drive else {
-            return vec![S::zero(); self.chain.hinges[hinge].kind.freedoms()];
+            return vec![S::zero(); self.chain.hinges[hinge].kind.dof_count()];
         };
         let mut given = 0;
         let one = |effort: &Effort| match effort {
@@ -190,14 +192,14 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
             Effort::Constant(value) => self.numbers.scalar(value),
             Effort::Input => {
                 given += 1;
-                self.inputs[self.layout.input(Driven::Efforts(hinge))][given - 1]
+                self.inputs[self.layout.input(InputKind::Efforts(hinge))][given - 1]
             }
         };
         efforts.iter().map(one).collect()
     }
 
     /// A vector that may be given by the caller, who gives the components along `axes` only.
-    pub fn vector(&self, source: &Source, what: Driven, axes: &[usize]) -> Vec3<S> {
+    pub fn vector(&self, source: &Source, what: InputKind, axes: &[usize]) -> Vec3<S> {
         match source {
             Source::Nothing => Vec3::zero(),
             Source::Constant(values) => self.numbers.vector(values),
@@ -232,7 +234,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
     /// Gravity as an acceleration of the ground: cheaper than a force on every body.
     pub fn ground(&self) -> Motion<S> {
         let Chain { gravity, dimension, .. } = self.chain;
-        let gravity = self.vector(gravity, Driven::Gravity, dimension.shifts());
+        let gravity = self.vector(gravity, InputKind::Gravity, dimension.shifts());
         Motion { linear: -gravity, angular: Vec3::zero() }
     }
 }

@@ -12,7 +12,7 @@ use super::sweep::PerLink;
 use super::{Axes, EvalContext, Trace, motion, riccati, transfer};
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Wrench};
-use crate::model::{HingeId, Method};
+use crate::model::{HingeId, SolutionMethod};
 
 /// What the closing hinge exerts.
 #[derive(Clone, Debug)]
@@ -60,12 +60,12 @@ pub struct SweepResult<S> {
 /// Solves for the accelerations of all hinges.
 pub fn accelerations<S: Scalar>(
     situation: &EvalContext<S>,
-    method: Method,
+    method: SolutionMethod,
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> ForwardDynamics<S> {
     let layout = situation.layout;
-    let to_parents = uses_base_parameters(method, axes, !layout.closings.is_empty());
+    let to_parents = uses_base_parameters(method, axes, !layout.loop_hinges.is_empty());
     let (solved, ()) = solve(situation, (method, axes, to_parents), trace, |_, _, _| ());
     solved
 }
@@ -73,7 +73,7 @@ pub fn accelerations<S: Scalar>(
 /// Solves for the accelerations of all hinges and for what passes through them.
 pub fn sweep<S: Scalar>(
     situation: &EvalContext<S>,
-    method: Method,
+    method: SolutionMethod,
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> (ForwardDynamics<S>, SweepResult<S>) {
@@ -93,7 +93,7 @@ pub fn sweep<S: Scalar>(
 /// inertias may be redistributed before.
 fn solve<S: Scalar, R>(
     situation: &EvalContext<S>,
-    (method, axes, to_parents): (Method, Axes, bool),
+    (method, axes, to_parents): (SolutionMethod, Axes, bool),
     trace: &mut Trace<S>,
     more: impl FnOnce(&MotionProblem<S>, &MotionSolution<S>, &mut Trace<S>) -> R,
 ) -> (ForwardDynamics<S>, R) {
@@ -102,8 +102,8 @@ fn solve<S: Scalar, R>(
     let given = to_parents.then(|| redistribute(situation, &mut links, trace));
     let problem = MotionProblem { given, ..forces(situation, &links, closing.as_ref(), trace) };
     let (movement, pivots) = match method {
-        Method::Riccati => riccati::solve(&problem, trace),
-        Method::Transfer => {
+        SolutionMethod::Riccati => riccati::solve(&problem, trace),
+        SolutionMethod::Transfer => {
             let (pivots, closure, relations) = riccati::reduced(&problem, trace);
             // By the sum over all bodies beyond a hinge, rounding would grow with the square of
             // their number.

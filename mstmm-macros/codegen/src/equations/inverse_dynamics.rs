@@ -23,7 +23,7 @@ use super::strategy::uses_base_parameters;
 use super::sweep::PerLink;
 use super::{Axes, EvalContext, Trace, motion};
 use crate::math::{Motion, Scalar, Wrench};
-use crate::model::Method;
+use crate::model::SolutionMethod;
 
 /// The efforts that the drives of all free rates must supply so that no rate changes, in the
 /// layout's order: against gravity, velocities, springs, dampers, friction, stops, loads, moving
@@ -37,11 +37,11 @@ pub fn bias_efforts<S: Scalar>(
     let layout = situation.layout;
     let mut links = motion(situation, axes, trace);
     let closing = closing(situation, axes, &links);
-    if uses_base_parameters(Method::Riccati, axes, closing.is_some()) {
+    if uses_base_parameters(SolutionMethod::Riccati, axes, closing.is_some()) {
         redistribute(situation, &mut links, trace);
     }
     let along = efforts(situation, &links, trace);
-    let mut efforts = vec![S::zero(); layout.freedoms()];
+    let mut efforts = vec![S::zero(); layout.dof_count()];
     links.iter().zip(along).for_each(|(link, along)| {
         efforts[layout.v[link.over.hinge].clone()].copy_from_slice(&along);
     });

@@ -5,7 +5,7 @@ use super::kinematics::{LinkKinematics, Pose, link_of, poses};
 use super::sweep::PerLink;
 use crate::ids::LinkId;
 use crate::math::{Rotation, Scalar, Vec3, Wrench};
-use crate::model::{BodyId, Driven, Load, LoadAxes, LoadId, Source, Spring};
+use crate::model::{BodyId, InputKind, Load, LoadAxes, LoadId, Source, Spring};
 
 /// The loads on every link's part about its point, work axes.
 pub fn loads<S: Scalar>(
@@ -47,8 +47,8 @@ fn load_on<S: Scalar>(
     };
     let vector = |source: &Source, what, axes| to_work * situation.vector(source, what, axes);
     let wrench = Wrench {
-        force: vector(&load.force, Driven::Force(index), dimension.shifts()),
-        moment: vector(&load.torque, Driven::Torque(index), dimension.turns()),
+        force: vector(&load.force, InputKind::Force(index), dimension.shifts()),
+        moment: vector(&load.torque, InputKind::Torque(index), dimension.turns()),
     };
     wrench.moved_from(link.attitude * (origin - link.point))
 }

@@ -56,7 +56,7 @@ pub fn closing<S: Scalar>(
     axes: Axes,
     links: &PerLink<LinkKinematics<S>>,
 ) -> Option<LoopHinge<S>> {
-    let index = match situation.layout.closings[..] {
+    let index = match situation.layout.loop_hinges[..] {
         [] => return None,
         [index] => index,
         ref all => bug!("{} hinges close a chain", all.len()),

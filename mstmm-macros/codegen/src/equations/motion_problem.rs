@@ -171,7 +171,7 @@ impl<S: Scalar> MotionSolution<S> {
     /// Rates of all hinges on links, or their changes, in the layout's order; zero where no link
     /// is.
     pub fn rates(&self, links: &PerLink<LinkKinematics<S>>, layout: &Layout) -> Vec<S> {
-        let mut rates = vec![S::zero(); layout.freedoms()];
+        let mut rates = vec![S::zero(); layout.dof_count()];
         links.iter().zip(&self.amounts).for_each(|(LinkKinematics { over, .. }, amounts)| {
             rates[layout.v[over.hinge].clone()].copy_from_slice(&over.freedom.rates(amounts));
         });

@@ -8,7 +8,7 @@
 //! balls.
 
 use crate::math::{Mat3, PlaneFormula, Rotation, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
-use crate::model::Method;
+use crate::model::SolutionMethod;
 
 /// The axes in which the equations of the links are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,8 +42,8 @@ pub fn keeps_relations(is_closed: bool) -> bool {
 ///
 /// They take 2 to 5 % less time. In inertial axes inertias turn with the parts, so nothing is
 /// saved. The transfer takes the bodies as they are, and so do constraints.
-pub fn uses_base_parameters(method: Method, axes: Axes, is_closed: bool) -> bool {
-    method == Method::Riccati && axes == Axes::Body && !is_closed
+pub fn uses_base_parameters(method: SolutionMethod, axes: Axes, is_closed: bool) -> bool {
+    method == SolutionMethod::Riccati && axes == Axes::Body && !is_closed
 }
 
 /// About how many operations a rigid body takes in a sweep: to be added to what comes from the

@@ -10,7 +10,7 @@
 
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
-use crate::model::{Layout, LinkId, RepeatId, Seam};
+use crate::model::{Layout, LinkId, RepeatBoundary, RepeatId};
 use std::fmt::Debug;
 
 /// One for each link.
@@ -160,7 +160,7 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
     /// What goes on beyond a link, which differs from what comes to it at the boundary of a
     /// repeated part.
     fn cross<B: Flatten<S>>(&self, link: LinkId, direction: SweepDirection, carried: B) -> B {
-        let (Some(Seam { repeat, at_end }), Some(weave)) =
+        let (Some(RepeatBoundary { repeat, at_end }), Some(weave)) =
             (self.layout.links[link].seam, self.weave)
         else {
             return carried;

@@ -1,7 +1,7 @@
 //! The numbers of a chain as scalars.
 
 use crate::math::{Mat3, Scalar, Sym3, Vec3};
-use crate::model::{About, Body, Chain, Frame, Place, Symbol, Value};
+use crate::model::{About, Attachment, Body, Chain, Frame, Symbol, Value};
 
 /// What stands for the symbols of a chain's numbers.
 #[derive(Clone, Debug)]
@@ -53,11 +53,11 @@ impl<S: Scalar> SymbolValues<S> {
     }
 
     /// Origin and rotation of a place in the frame of its body, or in the inertial frame.
-    pub fn place(&self, chain: &Chain, place: &Place) -> (Vec3<S>, Mat3<S>) {
+    pub fn place(&self, chain: &Chain, place: &Attachment) -> (Vec3<S>, Mat3<S>) {
         match place {
-            Place::Ground(frame) => self.frame(frame),
-            Place::Input(_) => (Vec3::zero(), Mat3::identity()),
-            Place::Output(body) => self.frame(&chain.bodies[*body].output),
+            Attachment::Ground(frame) => self.frame(frame),
+            Attachment::Input(_) => (Vec3::zero(), Mat3::identity()),
+            Attachment::Output(body) => self.frame(&chain.bodies[*body].output),
         }
     }
 

@@ -4,7 +4,7 @@ use crate::equations::{
     self, Axes, EvalContext, ForwardDynamics, SweepResult, SymbolValues, Trace,
 };
 use crate::math::Structured;
-use crate::model::{Chain, ClosureRank, Driven, Layout, Method};
+use crate::model::{Chain, ClosureRank, InputKind, Layout, SolutionMethod};
 
 /// Corrections that put a chain onto its closure; they converge quadratically where they do. After so
 /// many that bring it no nearer it is given up.
@@ -79,7 +79,12 @@ impl DryRun {
     ) -> ForwardDynamics<Number> {
         let (v, Configuration { q, inputs }) = (self.at_rest(), pose);
         let situation = self.situation(&self.merged, numbers, (q, &v, inputs));
-        equations::accelerations(&situation, Method::Riccati, Axes::Body, &mut Trace::silent())
+        equations::accelerations(
+            &situation,
+            SolutionMethod::Riccati,
+            Axes::Body,
+            &mut Trace::silent(),
+        )
     }
 
     pub fn swept(
@@ -89,7 +94,7 @@ impl DryRun {
     ) -> (ForwardDynamics<Number>, SweepResult<Number>) {
         let (v, Configuration { q, inputs }) = (self.at_rest(), pose);
         let situation = self.situation(&self.merged, numbers, (q, &v, inputs));
-        equations::sweep(&situation, Method::Riccati, Axes::Body, &mut Trace::silent())
+        equations::sweep(&situation, SolutionMethod::Riccati, Axes::Body, &mut Trace::silent())
     }
 
     /// The coordinates put onto the closure; nothing if that leads nowhere.
@@ -138,7 +143,7 @@ impl DryRun {
     }
 
     pub fn at_rest(&self) -> Vec<Number> {
-        vec![Number::variable(0.0); self.merged.freedoms()]
+        vec![Number::variable(0.0); self.merged.dof_count()]
     }
 
     /// Prescribed motions at rest in the zero position, or around it, and nothing that drives.
@@ -148,7 +153,7 @@ impl DryRun {
         // Numbered after the coordinates, whose deviations they should not repeat.
         let mut count = self.merged.coordinates();
         for input in &self.merged.inputs {
-            let Driven::Motion(hinge) = input.what else { continue };
+            let InputKind::Motion(hinge) = input.what else { continue };
             let kind = &self.chain.hinges[hinge].kind;
             let near = kind.shape().coordinates.iter().map(|coordinate| {
                 count += 1;

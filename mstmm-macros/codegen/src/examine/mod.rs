@@ -71,7 +71,7 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     let whole = chain.elements(usize::MAX) <= ELEMENTS;
     let most = if whole { usize::MAX } else { CUT_SHORT };
     let mut trial = DryRun::new(chain.unrolled(most));
-    if !trial.merged.closings.is_empty() && !trial.idle_hinges().is_empty() {
+    if !trial.merged.loop_hinges.is_empty() && !trial.idle_hinges().is_empty() {
         // What closes the chain may hold what is loose.
         trial.held_by_closure = true;
     }
@@ -128,7 +128,7 @@ impl DryRun {
 
     /// The largest mass divided by the smallest.
     fn mass_ratio(&self) -> f64 {
-        let bodies = self.chain.bodies.iter().filter(|body| body.role == Role::Matter);
+        let bodies = self.chain.bodies.iter().filter(|body| body.role == Role::Physical);
         let masses = bodies.map(|body| self.numbers.scalar(&body.mass).value());
         let (least, most) = masses.fold((f64::INFINITY, 0.0_f64), |(least, most), mass| {
             (least.min(mass), most.max(mass))
@@ -163,7 +163,7 @@ impl DryRun {
                  give it a moment of inertia there"
             );
         }
-        let turns = match hinge.kind.freedoms() {
+        let turns = match hinge.kind.dof_count() {
             1 => "turns nothing that has inertia about its axis",
             _ => "turns something about an axis about which it has no inertia",
         };
@@ -175,10 +175,10 @@ impl DryRun {
 
     /// A closed chain that cannot move has no dynamics, unless it is moved.
     fn refuse_rigid_chain(&self, diagnostics: &mut Diagnostics) {
-        let closing = self.merged.closings.first().map(|&hinge| &self.chain.hinges[hinge]);
-        let driven = self.chain.hinges.iter().any(|hinge| hinge.drive == Drive::Motion);
+        let closing = self.merged.loop_hinges.first().map(|&hinge| &self.chain.hinges[hinge]);
+        let driven = self.chain.hinges.iter().any(|hinge| hinge.drive == Drive::Prescribed);
         let Some(closing) = closing.filter(|_| !driven) else { return };
-        let freedoms = self.merged.freedoms();
+        let freedoms = self.merged.dof_count();
         let message = format!(
             "held at both ends this chain cannot move: its hinges have {freedoms} freedoms, and \
              closing it here takes as many; free a hinge more, or leave an end free"
@@ -189,17 +189,17 @@ impl DryRun {
     /// The start and poses next to it, for the start itself may be a special one, all put onto the
     /// closure; none for a chain that is not closed.
     fn closed_poses(&self) -> Vec<Configuration> {
-        let seeds = if self.merged.closings.is_empty() { 0..0 } else { 0..STATES };
+        let seeds = if self.merged.loop_hinges.is_empty() { 0..0 } else { 0..STATES };
         seeds.filter_map(|seed| self.closed(self.pose(&self.numbers, seed))).collect()
     }
 
     /// How the closure holds the chain in these poses.
     fn mobility(&self, poses: &[Configuration]) -> Option<Mobility> {
-        let closing = *self.merged.closings.first()?;
+        let closing = *self.merged.loop_hinges.first()?;
         let redundant = self.closure_rank(poses).map(|(rank, directions)| directions - rank)?;
         let own = self.merged.v[closing].len();
         let held = self.chain.dimension.axes().len() - own;
-        let open = self.merged.freedoms() - own;
+        let open = self.merged.dof_count() - own;
         Some(Mobility { freedoms: (open + redundant).checked_sub(held)?, held, redundant })
     }
 

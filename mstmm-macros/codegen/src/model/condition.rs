@@ -2,7 +2,7 @@
 //! on Rust constants is left to `const` assertions of the same words at the same place.
 
 use super::Value;
-use crate::diag::{Diagnostics, Extent};
+use crate::diag::{Diagnostics, SpanRange};
 
 /// Something that must hold of a number.
 #[derive(Clone, Debug)]
@@ -10,9 +10,9 @@ pub struct Condition {
     /// The number.
     pub value: Value,
     /// What it must be.
-    pub must: Must,
+    pub must: Bound,
     /// What to edit where it does not hold.
-    pub at: Extent,
+    pub at: SpanRange,
     /// What to say then; nothing where that is another condition's.
     pub message: Option<String>,
     /// The unit of the number, if that helps who reads the message.
@@ -21,7 +21,7 @@ pub struct Condition {
 
 /// What a number must be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Must {
+pub enum Bound {
     /// Neither infinite nor undefined.
     BeFinite,
     /// Above zero.
@@ -34,25 +34,25 @@ pub enum Must {
 /// that it does.
 pub type Requirement = Vec<Condition>;
 
-impl Must {
+impl Bound {
     /// Whether it holds. That a number is finite is a condition of its own.
     pub fn holds(self, number: f64) -> bool {
         match self {
-            Must::BeFinite => number.is_finite(),
-            Must::BePositive => number > 0.0 || !number.is_finite(),
-            Must::NotBeNegative => number >= 0.0 || !number.is_finite(),
+            Bound::BeFinite => number.is_finite(),
+            Bound::BePositive => number > 0.0 || !number.is_finite(),
+            Bound::NotBeNegative => number >= 0.0 || !number.is_finite(),
         }
     }
 }
 
 impl Condition {
     /// A condition and what to say where it does not hold.
-    pub fn new(value: Value, must: Must, at: Extent, message: impl Into<String>) -> Self {
+    pub fn new(value: Value, must: Bound, at: SpanRange, message: impl Into<String>) -> Self {
         Condition { value, must, at, message: Some(message.into()), shown: None }
     }
 
     /// One that is reported elsewhere.
-    pub fn silent(value: Value, must: Must, at: Extent) -> Self {
+    pub fn silent(value: Value, must: Bound, at: SpanRange) -> Self {
         Condition { value, must, at, message: None, shown: None }
     }
 

@@ -2,8 +2,8 @@
 //! hinge's numbers in the coordinates `q`, the rates `v` and the inputs.
 
 use super::{
-    Body, BodyId, Chain, Drive, Effort, Hinge, HingeId, HingeKind, InputId, LinkId, Load, LoadId,
-    Place, RepeatId, Seam, Source,
+    Attachment, Body, BodyId, Chain, Drive, Effort, Hinge, HingeId, HingeKind, InputId, LinkId,
+    Load, LoadId, RepeatBoundary, RepeatId, Source,
 };
 use crate::ids::IdVec;
 use proc_macro2::Ident;
@@ -25,14 +25,14 @@ pub struct Link {
     /// Whether the part is on the inboard side of its hinge, as in a chain held at its end.
     pub reversed: bool,
     /// Whether it is a place where a repeated part begins or ends.
-    pub seam: Option<Seam>,
+    pub seam: Option<RepeatBoundary>,
     /// Whether the hinge belongs to a repeated part.
     pub repeated: bool,
 }
 
 /// What a body belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum MovesWith {
     /// What does not move.
     Ground,
     /// The part of this link.
@@ -41,7 +41,7 @@ pub enum Part {
 
 /// A weld that was merged away.
 #[derive(Clone, Copy, Debug)]
-pub struct Joined {
+pub struct MergedWeld {
     /// The weld.
     pub weld: HingeId,
     /// Whether the body is on the inboard side of its weld.
@@ -54,11 +54,11 @@ pub struct Layout {
     /// From the ground outwards: each link stands after its parent.
     pub links: IdVec<LinkId, Link>,
     /// Hinges that close loops: both sides move already without them.
-    pub closings: Vec<HingeId>,
+    pub loop_hinges: Vec<HingeId>,
     /// What each body belongs to.
-    pub parts: IdVec<BodyId, Part>,
+    pub parts: IdVec<BodyId, MovesWith>,
     /// The weld by which a body joined its part, unless it is the part's first.
-    pub joined: IdVec<BodyId, Option<Joined>>,
+    pub joined: IdVec<BodyId, Option<MergedWeld>>,
     /// Each hinge's part of `q`; empty where its motion is prescribed.
     pub q: IdVec<HingeId, Range<usize>>,
     /// Each hinge's part of `v`; empty where its motion is prescribed.
@@ -73,14 +73,14 @@ pub struct Layout {
 #[derive(Clone, Debug)]
 pub struct Input {
     /// What it is.
-    pub what: Driven,
+    pub what: InputKind,
     /// Its part of the inputs.
     pub range: Range<usize>,
 }
 
 /// What is given by the caller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Driven {
+pub enum InputKind {
     /// Acceleration of free fall.
     Gravity,
     /// Those efforts of a hinge that are inputs.
@@ -114,15 +114,15 @@ impl Layout {
             hinge.kind == HingeKind::Weld && !at_seam(hinge)
         };
         let free = |hinge: &Hinge, count: usize| if hinge.is_prescribed() { 0 } else { count };
-        let Tree { links, closings, parts, joined } = Tree::of(chain, is_weld, merge);
+        let Tree { links, loop_hinges, parts, joined } = Tree::of(chain, is_weld, merge);
         Layout {
             links,
-            closings,
+            loop_hinges,
             parts,
             joined,
             q: consecutive(chain.hinges.iter().map(|hinge| free(hinge, hinge.kind.coordinates()))),
-            v: consecutive(chain.hinges.iter().map(|hinge| free(hinge, hinge.kind.freedoms()))),
-            rates: consecutive(chain.hinges.iter().map(|hinge| hinge.kind.freedoms())),
+            v: consecutive(chain.hinges.iter().map(|hinge| free(hinge, hinge.kind.dof_count()))),
+            rates: consecutive(chain.hinges.iter().map(|hinge| hinge.kind.dof_count())),
             inputs: inputs(chain),
         }
     }
@@ -139,12 +139,12 @@ impl Layout {
     }
 
     /// Length of `v`: the degrees of freedom, but for those that closures take.
-    pub fn freedoms(&self) -> usize {
+    pub fn dof_count(&self) -> usize {
         self.v.iter().last().map_or(0, |range| range.end)
     }
 
     /// The part of the inputs that gives `what`, which the caller does give.
-    pub fn input(&self, what: Driven) -> Range<usize> {
+    pub fn input(&self, what: InputKind) -> Range<usize> {
         let found = self.inputs.iter().find(|input| input.what == what);
         found.map_or_else(|| bug!("{what:?} is no input"), |input| input.range.clone())
     }
@@ -157,26 +157,26 @@ impl Chain {
     }
 
     /// What the field of the inputs is called that gives `what`.
-    pub fn name_of_input(&self, what: Driven) -> Ident {
+    pub fn name_of_input(&self, what: InputKind) -> Ident {
         let of_load = |load: LoadId, what: &str| {
             let name = &self.loads[load].name;
             format_ident!("{name}_{what}", span = name.span())
         };
         match what {
-            Driven::Gravity => format_ident!("gravity"),
-            Driven::Efforts(hinge) | Driven::Motion(hinge) => self.hinges[hinge].name.clone(),
-            Driven::Force(load) => of_load(load, "force"),
-            Driven::Torque(load) => of_load(load, "torque"),
+            InputKind::Gravity => format_ident!("gravity"),
+            InputKind::Efforts(hinge) | InputKind::Motion(hinge) => self.hinges[hinge].name.clone(),
+            InputKind::Force(load) => of_load(load, "force"),
+            InputKind::Torque(load) => of_load(load, "torque"),
         }
     }
 }
 
-impl Place {
+impl Attachment {
     /// The body that it is on, unless it is on the ground.
     pub fn body(&self) -> Option<BodyId> {
         match self {
-            Place::Ground(_) => None,
-            Place::Input(body) | Place::Output(body) => Some(*body),
+            Attachment::Ground(_) => None,
+            Attachment::Input(body) | Attachment::Output(body) => Some(*body),
         }
     }
 }
@@ -192,26 +192,26 @@ fn consecutive<C: FromIterator<Range<usize>>>(lengths: impl Iterator<Item = usiz
 }
 
 fn inputs(chain: &Chain) -> IdVec<InputId, Input> {
-    let mut given: Vec<(Driven, usize)> = Vec::new();
+    let mut given: Vec<(InputKind, usize)> = Vec::new();
     let (shifts, turns) = (chain.dimension.shifts().len(), chain.dimension.turns().len());
     if chain.gravity == Source::Input {
-        given.push((Driven::Gravity, shifts));
+        given.push((InputKind::Gravity, shifts));
     }
     for (index, hinge) in chain.hinges.enumerate() {
         match &hinge.drive {
-            Drive::Motion => {
-                let count = hinge.kind.coordinates() + 2 * hinge.kind.freedoms();
-                given.push((Driven::Motion(index), count));
+            Drive::Prescribed => {
+                let count = hinge.kind.coordinates() + 2 * hinge.kind.dof_count();
+                given.push((InputKind::Motion(index), count));
             }
             Drive::Efforts(efforts) => {
                 let count = efforts.iter().filter(|effort| **effort == Effort::Input).count();
-                given.push((Driven::Efforts(index), count));
+                given.push((InputKind::Efforts(index), count));
             }
         }
     }
     for (index, Load { force, torque, .. }) in chain.loads.enumerate() {
         for (source, what, count) in
-            [(force, Driven::Force(index), shifts), (torque, Driven::Torque(index), turns)]
+            [(force, InputKind::Force(index), shifts), (torque, InputKind::Torque(index), turns)]
         {
             if *source == Source::Input {
                 given.push((what, count));
@@ -226,9 +226,9 @@ fn inputs(chain: &Chain) -> IdVec<InputId, Input> {
 /// How motion spreads from the ground.
 struct Tree {
     links: IdVec<LinkId, Link>,
-    closings: Vec<HingeId>,
-    parts: IdVec<BodyId, Part>,
-    joined: IdVec<BodyId, Option<Joined>>,
+    loop_hinges: Vec<HingeId>,
+    parts: IdVec<BodyId, MovesWith>,
+    joined: IdVec<BodyId, Option<MergedWeld>>,
 }
 
 impl Tree {
@@ -237,7 +237,7 @@ impl Tree {
     /// lies between its seams is done for each time.
     fn of(chain: &Chain, is_weld: impl Fn(HingeId) -> bool, merge: bool) -> Tree {
         let sides = |hinge: HingeId| {
-            [&chain.hinges[hinge].inboard, &chain.hinges[hinge].outboard].map(Place::body)
+            [&chain.hinges[hinge].inboard, &chain.hinges[hinge].outboard].map(Attachment::body)
         };
         let is_free =
             |hinge: HingeId| !is_weld(hinge) && chain.seam(&chain.hinges[hinge].outboard).is_none();
@@ -252,55 +252,56 @@ impl Tree {
                 }
             }
         }
-        let mut reached: IdVec<BodyId, Option<Part>> = IdVec::filled(None, chain.bodies.len());
-        let (mut links, mut closings) = (IdVec::<LinkId, Link>::new(), Vec::new());
+        let mut reached: IdVec<BodyId, Option<MovesWith>> = IdVec::filled(None, chain.bodies.len());
+        let (mut links, mut loop_hinges) = (IdVec::<LinkId, Link>::new(), Vec::new());
         let mut joined = IdVec::filled(None, chain.bodies.len());
         let mut inside: Option<RepeatId> = None;
         while let Some((_, hinge)) =
             pop(&mut next, |hinge| inside.is_none_or(|repeat| chain.lies_in_repeat(hinge, repeat)))
         {
-            let part = |side: Option<BodyId>| side.map_or(Some(Part::Ground), |body| reached[body]);
+            let part =
+                |side: Option<BodyId>| side.map_or(Some(MovesWith::Ground), |body| reached[body]);
             let [inboard, outboard] = sides(hinge);
             let (body, from, reversed) =
                 match [(inboard, part(inboard)), (outboard, part(outboard))] {
                     [(_, Some(from)), (Some(body), None)] => (body, from, false),
                     [(Some(body), None), (_, Some(from))] => (body, from, true),
                     [(_, Some(_)), (_, Some(_))] => {
-                        closings.push(hinge);
+                        loop_hinges.push(hinge);
                         continue;
                     }
                     _ => bug!("hinge `{}` is reached from no side", chain.hinges[hinge].name),
                 };
             let part = if !(is_weld(hinge) && merge) {
                 let parent = match from {
-                    Part::Ground => None,
-                    Part::Link(link) => Some(link),
+                    MovesWith::Ground => None,
+                    MovesWith::Link(link) => Some(link),
                 };
-                let seam = chain.seam(&Place::Input(body));
+                let seam = chain.seam(&Attachment::Input(body));
                 inside = match seam {
-                    Some(Seam { repeat, at_end: false }) => Some(repeat),
-                    Some(Seam { at_end: true, .. }) => None,
+                    Some(RepeatBoundary { repeat, at_end: false }) => Some(repeat),
+                    Some(RepeatBoundary { at_end: true, .. }) => None,
                     None => inside,
                 };
                 let (members, repeated) = (vec![body], chain.repeat_of_hinge(hinge).is_some());
                 let link = Link { hinge, body, members, parent, reversed, seam, repeated };
-                Part::Link(links.push(link))
+                MovesWith::Link(links.push(link))
             } else {
-                if let Part::Link(link) = from {
+                if let MovesWith::Link(link) = from {
                     links[link].members.push(body);
                 }
-                joined[body] = Some(Joined { weld: hinge, reversed });
+                joined[body] = Some(MergedWeld { weld: hinge, reversed });
                 from
             };
             reached[body] = Some(part);
             let others = touching[body].iter().filter(|&&other| other != hinge);
             next.extend(others.map(|&other| (is_free(other), other)));
         }
-        let part = |(body, part): (&Body, Option<Part>)| {
+        let part = |(body, part): (&Body, Option<MovesWith>)| {
             part.unwrap_or_else(|| bug!("no hinge holds body `{}`", body.name))
         };
         let parts = chain.bodies.iter().zip(reached).map(part).collect();
-        Tree { links, closings, parts, joined }
+        Tree { links, loop_hinges, parts, joined }
     }
 }
 

@@ -11,23 +11,23 @@ mod inertia;
 mod layout;
 mod load;
 mod lower;
+mod parameter_uses;
+mod repeat_boundaries;
 mod results;
 mod rules;
-mod seams;
 #[cfg(test)]
 mod tests;
 mod unrolled;
-mod uses;
 mod value;
 
 pub use crate::ids::{BodyId, HingeId, InputId, LinkId, LoadId, RepeatId};
 pub use answer::Answer;
-pub use condition::{Condition, Must, Requirement};
+pub use condition::{Bound, Condition, Requirement};
 pub use hinge::{
-    Coordinate, Drive, Effort, Form, Freedoms, Friction, Group, Hinge, HingeKind, Limits, Passive,
-    Shape, View,
+    Coordinate, DofGroup, Drive, Effort, Friction, Hinge, HingeKind, HingeSpec, Limits, Passive,
+    Representation, StateView, ViewArgument,
 };
-pub use layout::{Driven, Input, Joined, Layout, Link, Part};
+pub use layout::{Input, InputKind, Layout, Link, MergedWeld, MovesWith};
 pub use load::{Load, LoadAxes, Source, Spring};
 pub(crate) use lower::listed;
 pub use results::Results;
@@ -36,7 +36,7 @@ pub use value::{Symbol, Value};
 
 use crate::diag::Diagnostics;
 use crate::ids::{IdRange, IdVec};
-use crate::syntax::{ChainDef, Surface};
+use crate::syntax::{ChainSyntax, Passthrough};
 use proc_macro2::Ident;
 use std::ops::Range;
 
@@ -71,7 +71,7 @@ pub struct Chain {
     /// and where it ends a massless body is welded in, behind all other bodies and hinges.
     pub repeats: IdVec<RepeatId, Repeat>,
     /// The method that the user asked for, if any.
-    pub method: Option<Method>,
+    pub method: Option<SolutionMethod>,
     /// What its solution says.
     pub results: Results,
     /// What is answered besides: nothing of it is generated unasked.
@@ -82,8 +82,8 @@ pub struct Chain {
 
 /// What was meant by a description, checked; nothing where a mistake has been found, in this description
 /// or before.
-pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Surface)> {
-    let (draft, surface) = lower::draft(def, diagnostics)?;
+pub fn lower(def: &ChainSyntax, diagnostics: &mut Diagnostics) -> Option<(Chain, Passthrough)> {
+    let (draft, passthrough) = lower::draft(def, diagnostics)?;
     let assertions = check::check(&draft, diagnostics);
     if !diagnostics.is_empty() {
         return None;
@@ -92,8 +92,8 @@ pub fn lower(def: &ChainDef, diagnostics: &mut Diagnostics) -> Option<(Chain, Su
         bug!("a part of chain `{}` is missing, and no mistake is reported", def.name)
     };
     let chain = Chain { assertions, ..chain };
-    uses::parameters_of_times_stay_in_their_part(&chain, diagnostics);
-    diagnostics.is_empty().then(|| (seams::with_seams(chain), surface))
+    parameter_uses::parameters_of_times_stay_in_their_part(&chain, diagnostics);
+    diagnostics.is_empty().then(|| (repeat_boundaries::with_seams(chain), passthrough))
 }
 
 /// In how many directions a chain moves. A model is spatial whatever its dimension: in a plane
@@ -171,7 +171,7 @@ pub struct Repeat {
 
 /// How the accelerations are solved for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
+pub enum SolutionMethod {
     /// The forward product of transfer matrices from `z_{1,I}` and a boundary solve.
     Transfer,
     /// The Riccati transfer from the free end to the held one.
@@ -226,7 +226,7 @@ pub struct Body {
     /// Points with a name, in the order written.
     pub points: Vec<NamedPoint>,
     /// Which optional points the description has.
-    pub written: Written,
+    pub written: PresentPoints,
     /// What it stands for.
     pub role: Role,
 }
@@ -249,32 +249,32 @@ pub struct NamedPoint {
 
 /// Which optional points the description of a body has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Written {
+pub struct PresentPoints {
     /// The output.
     pub output: bool,
     /// The centre of mass, which a line chain may omit.
     pub com: bool,
 }
 
-impl Written {
+impl PresentPoints {
     /// All of them.
-    pub const ALL: Written = Written { output: true, com: true };
+    pub const ALL: PresentPoints = PresentPoints { output: true, com: true };
 }
 
 /// What a body of the model stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// A body on the route.
-    Matter,
+    Physical,
     /// A moving end; it has no mass.
-    End,
+    MovingEnd,
     /// A place where a repeated part begins or ends; it has no mass.
-    Seam(Seam),
+    RepeatBoundary(RepeatBoundary),
 }
 
 /// Where a repeated part begins, or where it ends. What lies between is the same every time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Seam {
+pub struct RepeatBoundary {
     /// The part.
     pub repeat: RepeatId,
     /// Whether the part ends there.
@@ -323,7 +323,7 @@ impl Frame {
 #[derive(Clone, Debug, PartialEq)]
 // A chain has two places on the ground at most.
 #[allow(clippy::large_enum_variant)]
-pub enum Place {
+pub enum Attachment {
     /// A frame fixed in the inertial frame.
     Ground(Frame),
     /// The input frame of a body.

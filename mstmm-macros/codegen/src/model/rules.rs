@@ -1,15 +1,15 @@
 //! What must hold of the numbers of bodies, springs and hinges, each rule once: the compiler judges known
 //! numbers by it, `rustc` those that hang on Rust constants, and setters those that hang on parameters.
 
-use super::condition::{Condition, Must};
-use super::lower::Words;
+use super::condition::{Bound, Condition};
+use super::lower::FieldNames;
 use super::{Body, Chain, Hinge, Limits, Passive, RepeatId, Spring, Value};
-use crate::diag::Extent;
+use crate::diag::SpanRange;
 
 /// What must hold of a number.
-pub(super) struct Rule {
+pub(super) struct ValueRule {
     /// What it must be.
-    pub must: Must,
+    pub must: Bound,
     /// What the compiler says where it is not.
     message: &'static str,
     /// The unit that the compiler shows a number with that comes from parameters.
@@ -18,36 +18,36 @@ pub(super) struct Rule {
     called: &'static str,
 }
 
-pub(super) const MASS: Rule =
-    Rule { unit: Some("kg"), ..positive("a mass must be positive", "mass") };
-pub(super) const MOMENT: Rule = Rule {
+pub(super) const MASS: ValueRule =
+    ValueRule { unit: Some("kg"), ..positive("a mass must be positive", "mass") };
+pub(super) const MOMENT: ValueRule = ValueRule {
     unit: Some("kg*m^2"),
     ..not_negative("a moment of inertia cannot be negative", "moments of inertia")
 };
-pub(super) const STIFFNESS: Rule = not_negative("a stiffness cannot be negative", "stiffness");
-pub(super) const DAMPING: Rule = not_negative("a damping cannot be negative", "damping");
-pub(super) const LENGTH: Rule = not_negative("a length cannot be negative", "length");
-pub(super) const WIDTH: Rule = Rule {
+pub(super) const STIFFNESS: ValueRule = not_negative("a stiffness cannot be negative", "stiffness");
+pub(super) const DAMPING: ValueRule = not_negative("a damping cannot be negative", "damping");
+pub(super) const LENGTH: ValueRule = not_negative("a length cannot be negative", "length");
+pub(super) const WIDTH: ValueRule = ValueRule {
     unit: None,
     ..positive("the first limit must be below the second one", "width of the limits")
 };
-pub(super) const LARGEST_ANGLE: Rule =
-    Rule { message: "the largest angle must be positive", ..WIDTH };
+pub(super) const LARGEST_ANGLE: ValueRule =
+    ValueRule { message: "the largest angle must be positive", ..WIDTH };
 
-const fn positive(message: &'static str, called: &'static str) -> Rule {
-    Rule { must: Must::BePositive, message, unit: Some(""), called }
+const fn positive(message: &'static str, called: &'static str) -> ValueRule {
+    ValueRule { must: Bound::BePositive, message, unit: Some(""), called }
 }
 
-const fn not_negative(message: &'static str, called: &'static str) -> Rule {
-    Rule { must: Must::NotBeNegative, message, unit: Some(""), called }
+const fn not_negative(message: &'static str, called: &'static str) -> ValueRule {
+    ValueRule { must: Bound::NotBeNegative, message, unit: Some(""), called }
 }
 
 /// A rule on what acts in a hinge of itself.
 pub(super) struct PassiveRule {
     /// The rule.
-    pub rule: Rule,
+    pub rule: ValueRule,
     /// The field that gives the number.
-    pub field: fn(&Words) -> &'static str,
+    pub field: fn(&FieldNames) -> &'static str,
     /// The number, if there is one.
     pub number: fn(&Passive) -> Option<&Value>,
 }
@@ -99,27 +99,27 @@ pub struct Check {
     /// The number.
     pub value: Value,
     /// What it must be, besides finite.
-    pub must: Must,
+    pub must: Bound,
     /// The same in words.
     pub reason: String,
     /// The repeated part that it belongs to.
     pub part: Option<RepeatId>,
 }
 
-impl Rule {
+impl ValueRule {
     /// The rule for a number at this place of the description.
-    pub fn condition(&self, value: Value, at: Extent) -> Condition {
+    pub fn condition(&self, value: Value, at: SpanRange) -> Condition {
         Condition { shown: self.unit, ..Condition::new(value, self.must, at, self.message) }
     }
 
     /// The rule for a number of an owner, such as a body, that is known at run time only; nothing where the
     /// compiler has judged it.
     fn check(&self, value: &Value, owner: &str) -> Option<Check> {
-        let Rule { must, called, .. } = self;
+        let ValueRule { must, called, .. } = self;
         let adjective = match must {
-            Must::BeFinite => "finite",
-            Must::BePositive => "positive",
-            Must::NotBeNegative => "not negative",
+            Bound::BeFinite => "finite",
+            Bound::BePositive => "positive",
+            Bound::NotBeNegative => "not negative",
         };
         let reason = format!("must leave the {called} of {owner} {adjective}");
         let check = || Check { value: value.clone(), must: *must, reason, part: None };

@@ -1,6 +1,6 @@
 //! A chain with its repeated parts written out.
 
-use super::{Body, BodyId, Chain, Element, Hinge, HingeId, Place, Role};
+use super::{Attachment, Body, BodyId, Chain, Element, Hinge, HingeId, Role};
 use crate::ids::IdVec;
 use std::ops::Range;
 
@@ -15,7 +15,7 @@ impl Chain {
     /// The same chain with its repeated parts written out, up to `most` times each. Nothing acts on
     /// bodies from outside there, and names stand more than once.
     pub fn unrolled(&self, most: usize) -> Chain {
-        let is_end = |&body: &BodyId| self.bodies[body].role == Role::End;
+        let is_end = |&body: &BodyId| self.bodies[body].role == Role::MovingEnd;
         let ends: Vec<BodyId> = self.bodies.ids().into_iter().filter(is_end).collect();
         let implied = self.hinges.len() - self.repeats.len() * 2 - self.hinges_on_route();
         let order = self.order(most);
@@ -26,7 +26,7 @@ impl Chain {
             let number = ends.iter().position(|&end| end == body)?;
             Some(BodyId(bodies_on_route + number))
         };
-        let outer = |place: &Place, on: fn(BodyId) -> Place| match place.body() {
+        let outer = |place: &Attachment, on: fn(BodyId) -> Attachment| match place.body() {
             None => place.clone(),
             Some(body) => {
                 on(end(body).unwrap_or_else(|| bug!("a chain ends at a body on its route")))
@@ -36,7 +36,7 @@ impl Chain {
         for hinge in &mut hinges {
             // Those move the ends, or the first body of a chain that floats.
             let body = hinge.outboard.body().and_then(end);
-            hinge.outboard = Place::Input(body.unwrap_or(BodyId(0)));
+            hinge.outboard = Attachment::Input(body.unwrap_or(BodyId(0)));
         }
         let mut bodies: IdVec<BodyId, Body> = IdVec::new();
         let mut route = Vec::new();
@@ -48,14 +48,14 @@ impl Chain {
                 Element::Hinge(hinge) => {
                     let written = &self.hinges[hinge];
                     let inboard = if place == 0 {
-                        outer(self.before_seam(&written.inboard), Place::Output)
+                        outer(self.before_seam(&written.inboard), Attachment::Output)
                     } else {
-                        Place::Output(bodies.ids().last())
+                        Attachment::Output(bodies.ids().last())
                     };
                     let outboard = if place + 1 == order.len() {
-                        outer(&written.outboard, Place::Input)
+                        outer(&written.outboard, Attachment::Input)
                     } else {
-                        Place::Input(BodyId(bodies.len()))
+                        Attachment::Input(BodyId(bodies.len()))
                     };
                     let hinge = Hinge { inboard, outboard, ..written.clone() };
                     route.push(Element::Hinge(hinges.push(hinge)));
@@ -75,7 +75,7 @@ impl Chain {
     }
 
     /// Where the seam sits that a place is on, or the place.
-    pub fn before_seam<'a>(&'a self, place: &'a Place) -> &'a Place {
+    pub fn before_seam<'a>(&'a self, place: &'a Attachment) -> &'a Attachment {
         self.seam(place).map_or(place, |seam| &self.hinges[self.weld_of(seam)].inboard)
     }
 

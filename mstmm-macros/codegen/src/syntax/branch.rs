@@ -6,9 +6,9 @@ use syn::Result;
 
 use super::ahead::has_arrow;
 use super::cursor::Cursor;
-use super::joints::{BRANCHES, Joints};
-use super::stop::stop;
-use super::tree::{Extent, Route};
+use super::route_item::stop;
+use super::separators::{BRANCHES, Separators};
+use super::tree::{RouteSyntax, SpanRange};
 use crate::diag::Diagnostics;
 
 /// Words that an item for a branch or for a loop may begin with, and what is said of it.
@@ -32,7 +32,7 @@ pub(super) fn item(word: &Ident) -> Option<&'static str> {
 }
 
 /// A group in the place of a stop that holds stops: a branch, or several.
-pub(super) fn group<'a>(input: &mut Cursor<'a>) -> Option<(Cursor<'a>, Extent)> {
+pub(super) fn group<'a>(input: &mut Cursor<'a>) -> Option<(Cursor<'a>, SpanRange)> {
     let groups = [Delimiter::Brace, Delimiter::Bracket, Delimiter::Parenthesis];
     let mut ahead = *input;
     let (inside, extent) = groups.into_iter().find_map(|delimiter| ahead.group(delimiter))?;
@@ -45,16 +45,16 @@ pub(super) fn group<'a>(input: &mut Cursor<'a>) -> Option<(Cursor<'a>, Extent)> 
 
 /// Reports branches and reads the stops on them.
 pub(super) fn branches(
-    (mut inside, extent): (Cursor, Extent),
-    route: &mut Route,
+    (mut inside, extent): (Cursor, SpanRange),
+    route: &mut RouteSyntax,
     diagnostics: &mut Diagnostics,
 ) -> Result<()> {
     diagnostics.error(extent.first, BRANCHES);
     route.whole = false;
-    let mut joints = Joints::reported();
+    let mut separators = Separators::reported();
     while !inside.is_empty() {
         route.stops.push(stop(&mut inside, diagnostics)?);
-        let joined = inside.punct(';').is_some() || joints.read(&mut inside, diagnostics);
+        let joined = inside.punct(';').is_some() || separators.read(&mut inside, diagnostics);
         if !joined {
             inside.check_empty("`->` or `,`")?;
         }

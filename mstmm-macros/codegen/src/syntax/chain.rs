@@ -6,22 +6,22 @@ use syn::{Error, Result, Visibility};
 use super::ahead::ITEMS;
 use super::cursor::Cursor;
 use super::field::Content;
-use super::tree::{Block, BlockWord, ChainDef, DimensionWord, ParameterDef};
-use super::{ahead, attribute, branch, field, number, recover, route, stop};
+use super::tree::{BlockKeyword, BlockSyntax, ChainSyntax, DimensionKeyword, ParameterSyntax};
+use super::{ahead, attribute, branch, field, number, recover, route, route_item};
 use crate::diag::{Diagnostics, did_you_mean, nearest};
 
 /// The words that blocks begin with.
-const BLOCKS: &[(&str, BlockWord)] = &[
-    ("body", BlockWord::Body),
-    ("hinge", BlockWord::Hinge),
-    ("load", BlockWord::Load),
-    ("spring", BlockWord::Spring),
+const BLOCKS: &[(&str, BlockKeyword)] = &[
+    ("body", BlockKeyword::Body),
+    ("hinge", BlockKeyword::Hinge),
+    ("load", BlockKeyword::Load),
+    ("spring", BlockKeyword::Spring),
 ];
 /// The words that may stand before `chain`.
-const DIMENSIONS: &[(&str, DimensionWord)] = &[
-    ("space", DimensionWord::Space),
-    ("plane", DimensionWord::Plane),
-    ("line", DimensionWord::Line),
+const DIMENSIONS: &[(&str, DimensionKeyword)] = &[
+    ("space", DimensionKeyword::Space),
+    ("plane", DimensionKeyword::Plane),
+    ("line", DimensionKeyword::Line),
 ];
 /// The words that a setting begins with.
 pub const SETTINGS: &[&str] = &["gravity", "method", "results", "answers"];
@@ -30,7 +30,7 @@ pub const SETTINGS: &[&str] = &["gravity", "method", "results", "answers"];
 const UNKNOWN_COUNT: usize = 1000;
 
 /// One chain; nothing if its head could not be read.
-pub(super) fn chain(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<ChainDef> {
+pub(super) fn chain(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<ChainSyntax> {
     let (mut def, mut inside) = match head(input, diagnostics) {
         Ok(head) => head,
         Err(error) => {
@@ -53,7 +53,7 @@ pub(super) fn chain(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option
 fn head<'a>(
     input: &mut Cursor<'a>,
     diagnostics: &mut Diagnostics,
-) -> Result<(ChainDef, Cursor<'a>)> {
+) -> Result<(ChainSyntax, Cursor<'a>)> {
     let attributes = attribute::of_chain(input).or_else(|error| {
         diagnostics.push(error);
         Ok::<_, Error>(Vec::new())
@@ -85,7 +85,7 @@ fn head<'a>(
             group
         }
     };
-    let def = ChainDef {
+    let def = ChainSyntax {
         attributes,
         visibility,
         dimension,
@@ -115,7 +115,7 @@ fn slip_of_chain(input: &mut Cursor) -> Option<bool> {
 }
 
 /// The dimension whose word is close to this one.
-fn near_dimension(word: &Ident) -> Option<DimensionWord> {
+fn near_dimension(word: &Ident) -> Option<DimensionKeyword> {
     let near = nearest(&word.to_string(), DIMENSIONS.iter().map(|(known, _)| *known))?;
     DIMENSIONS.iter().find(|(known, _)| *known == near).map(|&(_, dimension)| dimension)
 }
@@ -133,12 +133,12 @@ fn no_chain(input: &Cursor) -> Error {
 }
 
 /// The word before `chain`; none stands for `space`.
-fn dimension(input: &mut Cursor) -> DimensionWord {
+fn dimension(input: &mut Cursor) -> DimensionKeyword {
     let known = DIMENSIONS.iter().find(|(word, _)| input.word(word).is_some());
-    known.map_or(DimensionWord::Space, |&(_, dimension)| dimension)
+    known.map_or(DimensionKeyword::Space, |&(_, dimension)| dimension)
 }
 
-fn item(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
+fn item(input: &mut Cursor, def: &mut ChainSyntax, diagnostics: &mut Diagnostics) {
     let start = *input;
     let refused = end_block(input).or_else(|| route_setting(input));
     if let Some((at, message)) = refused {
@@ -173,7 +173,7 @@ fn end_block(input: &mut Cursor) -> Option<(Span, &'static str)> {
     } else {
         ahead.word("moving")?;
         ahead.ident()?;
-        stop::MOVING_HAS_NO_PLACE
+        route_item::MOVING_HAS_NO_PLACE
     };
     ahead.group(Delimiter::Brace)?;
     *input = ahead;
@@ -191,12 +191,15 @@ fn route_setting(input: &mut Cursor) -> Option<(Span, &'static str)> {
 }
 
 /// The word of a block, if one is next.
-fn block_word(input: &mut Cursor) -> Option<(BlockWord, Span)> {
+fn block_word(input: &mut Cursor) -> Option<(BlockKeyword, Span)> {
     BLOCKS.iter().find_map(|&(word, block)| Some((block, input.word(word)?)))
 }
 
 /// A block whose word is close to one of the language, which is reported.
-fn slip_of_block(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<(BlockWord, Span)> {
+fn slip_of_block(
+    input: &mut Cursor,
+    diagnostics: &mut Diagnostics,
+) -> Option<(BlockKeyword, Span)> {
     let mut ahead = *input;
     let word = ahead.ident()?;
     let words = BLOCKS.iter().map(|&(word, _)| word);
@@ -237,7 +240,7 @@ fn setting(input: &mut Cursor) -> Option<Ident> {
     Some(name)
 }
 
-fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<ParameterDef> {
+fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<ParameterSyntax> {
     let name = input.ident().ok_or_else(|| input.unexpected("the parameter's name"))?;
     let mut behind = *input;
     let times = match input.group(Delimiter::Bracket) {
@@ -257,21 +260,21 @@ fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Parame
             }))
         }
     };
-    Ok(ParameterDef { field: field::field(name, input, diagnostics), times })
+    Ok(ParameterSyntax { field: field::field(name, input, diagnostics), times })
 }
 
 fn block(
-    word: BlockWord,
+    word: BlockKeyword,
     at: Span,
     input: &mut Cursor,
-    def: &mut ChainDef,
+    def: &mut ChainSyntax,
     diagnostics: &mut Diagnostics,
 ) {
     let after_route = def.route.is_some();
     match block_head(input) {
         Ok((names, inside)) => {
             let Content { fields, points, whole } = field::content(inside, diagnostics);
-            def.blocks.push(Block { word, at, names, fields, points, whole, after_route });
+            def.blocks.push(BlockSyntax { word, at, names, fields, points, whole, after_route });
         }
         Err(error) => lose(error, input, def, diagnostics),
     }
@@ -290,7 +293,7 @@ fn block_head<'a>(input: &mut Cursor<'a>) -> Result<(Vec<Ident>, Cursor<'a>)> {
 }
 
 /// An item that begins with no word of the language.
-fn unknown(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
+fn unknown(input: &mut Cursor, def: &mut ChainSyntax, diagnostics: &mut Diagnostics) {
     let start = *input;
     let Some(word) = input.peek_ident() else {
         // What stands here may be the rest of the route.
@@ -317,7 +320,7 @@ fn unknown(input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics
 }
 
 /// Reports an item that could not be read and goes on behind it.
-fn lose(error: Error, input: &mut Cursor, def: &mut ChainDef, diagnostics: &mut Diagnostics) {
+fn lose(error: Error, input: &mut Cursor, def: &mut ChainSyntax, diagnostics: &mut Diagnostics) {
     diagnostics.push(error);
     def.whole = false;
     input.skip_statement();

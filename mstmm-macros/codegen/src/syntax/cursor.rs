@@ -4,7 +4,7 @@
 use proc_macro2::{Delimiter, Ident, Literal, Spacing, Span, TokenTree};
 use syn::{Error, Result, buffer};
 
-use super::tree::Extent;
+use super::tree::SpanRange;
 
 /// Groups within groups up to this depth: expressions are walked by recursion.
 const DEEPEST: usize = 32;
@@ -34,8 +34,8 @@ impl<'a> Cursor<'a> {
     }
 
     /// The token read last.
-    pub fn last(&self) -> Extent {
-        Extent::token(self.last)
+    pub fn last(&self) -> SpanRange {
+        SpanRange::token(self.last)
     }
 
     fn take<T>(&mut self, found: Option<(T, buffer::Cursor<'a>)>) -> Option<T> {
@@ -101,12 +101,12 @@ impl<'a> Cursor<'a> {
     }
 
     /// The next group if it is of this kind: what is in it, and where it stands.
-    pub fn group(&mut self, delimiter: Delimiter) -> Option<(Cursor<'a>, Extent)> {
+    pub fn group(&mut self, delimiter: Delimiter) -> Option<(Cursor<'a>, SpanRange)> {
         let (inside, span, rest) = self.rest.group(delimiter)?;
         self.rest = rest;
         self.last = span.close();
         let inside = Cursor { rest: inside, last: span.open(), depth: self.depth + 1 };
-        Some((inside, Extent { first: span.open(), last: span.close() }))
+        Some((inside, SpanRange { first: span.open(), last: span.close() }))
     }
 
     /// The next token, whatever it is.

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use super::ahead::{begins_field, point};
 use super::cursor::Cursor;
-use super::tree::{Expr, ExprKind, Field, Written};
+use super::tree::{ExprKind, ExprSyntax, FieldSyntax, ValueSyntax};
 use super::value::written;
 use super::{ahead, attribute};
 use crate::diag::{Diagnostics, nearest};
@@ -12,9 +12,9 @@ use crate::diag::{Diagnostics, nearest};
 /// What stands in the braces of a block.
 pub(super) struct Content {
     /// `name = value;`
-    pub fields: Vec<Field>,
+    pub fields: Vec<FieldSyntax>,
     /// `point name = value;`
-    pub points: Vec<Field>,
+    pub points: Vec<FieldSyntax>,
     /// Whether each of them had a name at least.
     pub whole: bool,
 }
@@ -56,7 +56,7 @@ fn slip_of_point(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<Id
 }
 
 /// What stands behind the name of a field, up to and with its `;`.
-pub(super) fn field(name: Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) -> Field {
+pub(super) fn field(name: Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) -> FieldSyntax {
     Ends::default().field(name, input, diagnostics)
 }
 
@@ -72,7 +72,12 @@ struct Ends {
 }
 
 impl Ends {
-    fn field(&mut self, name: Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) -> Field {
+    fn field(
+        &mut self,
+        name: Ident,
+        input: &mut Cursor,
+        diagnostics: &mut Diagnostics,
+    ) -> FieldSyntax {
         let sign = if input.punct('=').is_some() { Ok(()) } else { Err(input.unexpected("`=`")) };
         let colon = sign.is_err() && input.punct(':').is_some();
         let has_sign = sign.is_ok();
@@ -89,14 +94,14 @@ impl Ends {
             Ok(Some(value)) => {
                 let value = self.end(&value, input, diagnostics).then_some(value);
                 self.lost = false;
-                return Field { name, value };
+                return FieldSyntax { name, value };
             }
             Err(error) if has_sign || !self.lost => diagnostics.push(error),
             _ => {}
         }
         self.lost = !has_sign && !self.lost && input.peek_punct(';');
         self.skip(input);
-        Field { name, value: None }
+        FieldSyntax { name, value: None }
     }
 
     fn is_end(&self, input: &Cursor) -> bool {
@@ -105,7 +110,12 @@ impl Ends {
 
     /// Whether the value ends here. Where only the `;` is missing in front of what comes next,
     /// neither is lost.
-    fn end(&mut self, value: &Written, input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
+    fn end(
+        &mut self,
+        value: &ValueSyntax,
+        input: &mut Cursor,
+        diagnostics: &mut Diagnostics,
+    ) -> bool {
         if input.punct(';').is_some() {
             return true;
         }
@@ -158,6 +168,6 @@ impl Ends {
 }
 
 /// Whether this is a number without anything else.
-fn is_literal(value: &Written) -> bool {
-    matches!(value, Written::Number(Expr { kind: ExprKind::Number(_), .. }))
+fn is_literal(value: &ValueSyntax) -> bool {
+    matches!(value, ValueSyntax::Number(ExprSyntax { kind: ExprKind::Number(_), .. }))
 }

@@ -29,19 +29,19 @@ mod branch;
 mod chain;
 mod cursor;
 mod field;
-mod joints;
 mod number;
+mod passthrough;
 mod recover;
 mod route;
-mod stop;
-mod surface;
+mod route_item;
+mod separators;
 mod tree;
 mod unit;
 mod value;
 
 pub use chain::SETTINGS;
 pub use number::{FORMS, FUNCTIONS};
-pub use surface::{References, Surface};
+pub use passthrough::{Passthrough, References};
 pub use tree::*;
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
@@ -51,7 +51,7 @@ use syn::buffer::TokenBuffer;
 use crate::diag::Diagnostics;
 
 /// Reads all chains of one macro call. What could be read comes back, mistakes or not.
-pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<ChainDef> {
+pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<ChainSyntax> {
     if let Some(at) = too_deep(&tokens) {
         diagnostics.error(at, format!("more than {DEEPEST} groups within each other"));
         return Vec::new();
@@ -93,7 +93,7 @@ fn too_deep(tokens: &TokenStream) -> Option<Span> {
 const TYPES: &[&str] = &["", "State", "Inputs", "Parameters", "Workspace"];
 
 /// The types of all chains stand beside each other, so no two may have the same name.
-fn tell_apart(chains: &[ChainDef], diagnostics: &mut Diagnostics) {
+fn tell_apart(chains: &[ChainSyntax], diagnostics: &mut Diagnostics) {
     let mut taken: HashMap<String, Ident> = HashMap::new();
     for chain in chains {
         let types = TYPES.iter().map(|suffix| format!("{}{suffix}", chain.name));
@@ -112,7 +112,7 @@ fn tell_apart(chains: &[ChainDef], diagnostics: &mut Diagnostics) {
 }
 
 /// The types of results at bodies with named points.
-fn types_of_results(chain: &ChainDef) -> impl Iterator<Item = String> {
+fn types_of_results(chain: &ChainSyntax) -> impl Iterator<Item = String> {
     let bodies = chain.blocks.iter().filter(|block| !block.points.is_empty());
     bodies.flat_map(|block| &block.names).map(|name| format!("{}{name}Result", chain.name))
 }

@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Ident, Span, TokenStream};
 use syn::{Error, Lit, Result};
 
 use super::cursor::Cursor;
-use super::tree::{Expr, ExprKind, Extent, Factor, Term, Unit};
+use super::tree::{ExprKind, ExprSyntax, FactorSyntax, SpanRange, TermSyntax, UnitSyntax};
 use super::unit;
 
 /// Terms of one sum or factors of one product up to this many: formulas are walked by recursion.
@@ -29,21 +29,21 @@ pub const FORMS: &[&str] = &["rpy", "quaternion", "diag", "tensor", "matrix"];
 pub const FUNCTIONS: &[&str] = &["sqrt", "sin", "cos"];
 
 /// `a + b - c`
-pub(super) fn number(input: &mut Cursor) -> Result<Expr> {
+pub(super) fn number(input: &mut Cursor) -> Result<ExprSyntax> {
     input.check_depth()?;
     let first = product(input)?;
     let start = first.extent;
     if !is_sign_next(input) {
         return Ok(first);
     }
-    let mut terms = vec![Term { negative: false, expr: first }];
+    let mut terms = vec![TermSyntax { negative: false, expr: first }];
     while is_sign_next(input) {
         let negative = input.peek_punct('-');
         input.any();
-        terms.push(Term { negative, expr: product(input)? });
+        terms.push(TermSyntax { negative, expr: product(input)? });
         check_length(terms.len(), input)?;
     }
-    Ok(Expr { kind: ExprKind::Sum(terms), extent: start.to(input.last()) })
+    Ok(ExprSyntax { kind: ExprKind::Sum(terms), extent: start.to(input.last()) })
 }
 
 /// Whether a formula goes on.
@@ -57,13 +57,13 @@ fn is_sign_next(input: &Cursor) -> bool {
 }
 
 /// `a * b / c unit`
-fn product(input: &mut Cursor) -> Result<Expr> {
+fn product(input: &mut Cursor) -> Result<ExprSyntax> {
     let mut factors = Vec::new();
     let mut divides = false;
-    let start = Extent::token(input.next_span());
+    let start = SpanRange::token(input.next_span());
     let unit = loop {
         let (expr, suffix) = factor(input)?;
-        factors.push(Factor { divides, expr });
+        factors.push(FactorSyntax { divides, expr });
         check_length(factors.len(), input)?;
         let unit = match suffix {
             Some((symbol, at)) => Some(unit::behind(input, symbol, at)?),
@@ -84,20 +84,20 @@ fn product(input: &mut Cursor) -> Result<Expr> {
         last => {
             factors.extend(last);
             let extent = factors_extent(start, &factors);
-            Expr { kind: ExprKind::Product(factors), extent }
+            ExprSyntax { kind: ExprKind::Product(factors), extent }
         }
     };
     let Some(unit) = unit else { return Ok(product) };
     check_closed(input, &unit)?;
-    Ok(Expr { kind: ExprKind::Quantity(product.into(), unit), extent })
+    Ok(ExprSyntax { kind: ExprKind::Quantity(product.into(), unit), extent })
 }
 
-fn factors_extent(start: Extent, factors: &[Factor]) -> Extent {
+fn factors_extent(start: SpanRange, factors: &[FactorSyntax]) -> SpanRange {
     factors.last().map_or(start, |last| start.to(last.expr.extent))
 }
 
 /// A unit closes its product: `2 kg * 3` would read as a unit that is multiplied.
-fn check_closed(input: &Cursor, unit: &Unit) -> Result<()> {
+fn check_closed(input: &Cursor, unit: &UnitSyntax) -> Result<()> {
     if input.peek_pair('*', '*') {
         return Err(Error::new(input.next_span(), POWERS));
     }
@@ -117,8 +117,8 @@ fn check_closed(input: &Cursor, unit: &Unit) -> Result<()> {
 type Suffix = Option<(String, Span)>;
 
 /// `-a ^ 2`
-fn factor(input: &mut Cursor) -> Result<(Expr, Suffix)> {
-    let start = Extent::token(input.next_span());
+fn factor(input: &mut Cursor) -> Result<(ExprSyntax, Suffix)> {
+    let start = SpanRange::token(input.next_span());
     let mut negative = false;
     // A loop, so that no number of signs is too deep.
     while input.punct('-').is_some() {
@@ -128,17 +128,17 @@ fn factor(input: &mut Cursor) -> Result<(Expr, Suffix)> {
     if suffix.is_none() && input.punct('^').is_some() {
         let power = unit::exponent(input)?;
         let extent = expr.extent.to(input.last());
-        expr = Expr { kind: ExprKind::Power(expr.into(), power), extent };
+        expr = ExprSyntax { kind: ExprKind::Power(expr.into(), power), extent };
     }
     let extent = start.to(expr.extent);
     expr = match negative {
-        true => Expr { kind: ExprKind::Negated(expr.into()), extent },
-        false => Expr { extent, ..expr },
+        true => ExprSyntax { kind: ExprKind::Negated(expr.into()), extent },
+        false => ExprSyntax { extent, ..expr },
     };
     Ok((expr, suffix))
 }
 
-fn primary(input: &mut Cursor) -> Result<(Expr, Suffix)> {
+fn primary(input: &mut Cursor) -> Result<(ExprSyntax, Suffix)> {
     // What a `macro_rules!` passes on as one expression comes in a group without brackets.
     for delimiter in [Delimiter::None, Delimiter::Parenthesis] {
         if let Some((mut inside, extent)) = input.group(delimiter) {
@@ -147,7 +147,7 @@ fn primary(input: &mut Cursor) -> Result<(Expr, Suffix)> {
                 return Err(Error::new(extent.first, "vectors are written `[x, y, z]`"));
             }
             inside.check_empty("an operator or `)`")?;
-            return Ok((Expr { extent, ..expr }, None));
+            return Ok((ExprSyntax { extent, ..expr }, None));
         }
     }
     if let Some(literal) = input.literal() {
@@ -172,17 +172,17 @@ fn primary(input: &mut Cursor) -> Result<(Expr, Suffix)> {
             return Err(Error::new(name.span(), INSIDE));
         }
         *input = ahead;
-        let extent = Extent::token(name.span()).to(parentheses);
-        Expr { kind: ExprKind::Call(name, list(inside)?), extent }
+        let extent = SpanRange::token(name.span()).to(parentheses);
+        ExprSyntax { kind: ExprKind::Call(name, list(inside)?), extent }
     } else {
         *input = ahead;
-        Expr { extent: Extent::token(name.span()), kind: ExprKind::Name(name) }
+        ExprSyntax { extent: SpanRange::token(name.span()), kind: ExprKind::Name(name) }
     };
     Ok((expr, None))
 }
 
 /// All numbers in a group, separated by commas.
-pub(super) fn list(mut inside: Cursor) -> Result<Vec<Expr>> {
+pub(super) fn list(mut inside: Cursor) -> Result<Vec<ExprSyntax>> {
     let mut entries = Vec::new();
     while !inside.is_empty() {
         if inside.peek_group(Delimiter::Bracket) {
@@ -210,7 +210,7 @@ pub(super) fn count(asked: &str, input: &mut Cursor) -> Result<Result<usize>> {
     }))
 }
 
-fn value(literal: proc_macro2::Literal) -> Result<(Expr, Suffix)> {
+fn value(literal: proc_macro2::Literal) -> Result<(ExprSyntax, Suffix)> {
     let at = literal.span();
     if literal.to_string().len() > LONGEST_LITERAL {
         let message = format!("a number has no more than {LONGEST_LITERAL} digits");
@@ -226,7 +226,7 @@ fn value(literal: proc_macro2::Literal) -> Result<(Expr, Suffix)> {
     if is_number_type(&suffix) {
         return Err(Error::new(at, "numbers have no type here: leave its suffix away"));
     }
-    let expr = Expr { kind: ExprKind::Number(value), extent: Extent::token(at) };
+    let expr = ExprSyntax { kind: ExprKind::Number(value), extent: SpanRange::token(at) };
     Ok((expr, (!suffix.is_empty()).then_some((suffix, at))))
 }
 
@@ -247,9 +247,9 @@ fn is_number_type(suffix: &str) -> bool {
 }
 
 /// `consts::MASS`: kept unread.
-fn path(input: &mut Cursor) -> Result<Expr> {
+fn path(input: &mut Cursor) -> Result<ExprSyntax> {
     let mut tokens = TokenStream::new();
-    let start = Extent::token(input.next_span());
+    let start = SpanRange::token(input.next_span());
     if let Some(first) = input.peek_ident().filter(|first| first == "Self") {
         return Err(Error::new(first.span(), "`Self` is not known here; name the type itself"));
     }
@@ -270,7 +270,7 @@ fn path(input: &mut Cursor) -> Result<Expr> {
         let message = "functions of Rust cannot be called here; name a `const` instead";
         return Err(Error::new(input.next_span(), message));
     }
-    Ok(Expr { kind: ExprKind::Path(tokens), extent: start.to(input.last()) })
+    Ok(ExprSyntax { kind: ExprKind::Path(tokens), extent: start.to(input.last()) })
 }
 
 fn check_length(parts: usize, input: &Cursor) -> Result<()> {

@@ -4,12 +4,12 @@
 use proc_macro2::{Delimiter, Span};
 
 use super::cursor::Cursor;
-use super::tree::{Repeat, Route, Stop};
-use super::{ahead, number, stop};
+use super::tree::{RepeatSyntax, RouteItemSyntax, RouteSyntax};
+use super::{ahead, number, route_item};
 use crate::diag::{Diagnostics, nearest};
 
 /// Reads what is left of a route behind an error, for the names in it: nothing more is reported.
-pub(super) fn rest(input: &mut Cursor, read: &mut Route) {
+pub(super) fn rest(input: &mut Cursor, read: &mut RouteSyntax) {
     read.whole = false;
     let mut inside = *input;
     input.skip_statement();
@@ -21,7 +21,7 @@ pub(super) fn rest(input: &mut Cursor, read: &mut Route) {
                     doubtful(&mut part, read);
                 }
                 if read.stops.len() > start {
-                    read.repeats.push(Repeat { at, count, stops: start..read.stops.len() });
+                    read.repeats.push(RepeatSyntax { at, count, stops: start..read.stops.len() });
                 }
             }
             None => doubtful(&mut inside, read),
@@ -47,11 +47,11 @@ fn repeated<'a>(input: &mut Cursor<'a>) -> Option<(Span, Option<usize>, Cursor<'
 }
 
 /// A stop behind an error, or a token that begins none.
-pub(super) fn doubtful(input: &mut Cursor, read: &mut Route) {
+pub(super) fn doubtful(input: &mut Cursor, read: &mut RouteSyntax) {
     let mut ahead = *input;
-    match stop::stop(&mut ahead, &mut Diagnostics::default()) {
+    match route_item::stop(&mut ahead, &mut Diagnostics::default()) {
         Ok(mut stop) => {
-            if let Stop::Element { doubtful, .. } = &mut stop {
+            if let RouteItemSyntax::Element { doubtful, .. } = &mut stop {
                 *doubtful = true;
             }
             read.stops.push(stop);

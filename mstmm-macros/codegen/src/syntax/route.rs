@@ -4,24 +4,24 @@ use proc_macro2::{Delimiter, Span};
 use syn::{Error, Result};
 
 use super::cursor::Cursor;
-use super::joints::Joints;
 use super::number::count;
 use super::recover::{self, doubtful};
-use super::stop::stop;
-use super::tree::{Repeat, Route, Stop};
+use super::route_item::stop;
+use super::separators::Separators;
+use super::tree::{RepeatSyntax, RouteItemSyntax, RouteSyntax};
 use super::{ahead, branch};
 use crate::diag::Diagnostics;
 
 /// All stops up to and with the `;`. Behind a mistake it goes on with the next statement.
-pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route {
+pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> RouteSyntax {
     let mut route =
-        Route { stops: Vec::new(), repeats: Vec::new(), whole: true, further: Vec::new() };
-    let mut joints = Joints::default();
+        RouteSyntax { stops: Vec::new(), repeats: Vec::new(), whole: true, further: Vec::new() };
+    let mut separators = Separators::default();
     loop {
         let before = *input;
         let word = input.word("repeat").or_else(|| recover::slip_of_repeat(input, diagnostics));
         let read = if let Some(at) = word {
-            repeat(at, input, &mut route, &mut joints, diagnostics)
+            repeat(at, input, &mut route, &mut separators, diagnostics)
         } else if let Some(group) = branch::group(input) {
             branch::branches(group, &mut route, diagnostics)
         } else {
@@ -41,12 +41,12 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route 
             diagnostics.error(input.last().first, "expected `;` after this");
             return route;
         }
-        let joined = joints.read(input, diagnostics);
-        route.whole &= !joints.branches;
+        let joined = separators.read(input, diagnostics);
+        route.whole &= !separators.branches;
         if !joined {
             diagnostics.push(input.unexpected("`->` or `;`"));
             // The last stop is as likely the mistake as what stands behind it.
-            if let Some(Stop::Element { doubtful, .. }) = route.stops.last_mut() {
+            if let Some(RouteItemSyntax::Element { doubtful, .. }) = route.stops.last_mut() {
                 *doubtful = true;
             }
             recover::rest(input, &mut route);
@@ -60,22 +60,26 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Route 
 fn repeat(
     at: Span,
     input: &mut Cursor,
-    route: &mut Route,
-    joints: &mut Joints,
+    route: &mut RouteSyntax,
+    separators: &mut Separators,
     diagnostics: &mut Diagnostics,
 ) -> Result<()> {
     let count = count("how many times", input)?;
     let (inside, braces) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
     let start = route.stops.len();
     let read = if inside.is_empty() {
-        let message = format!("nothing is repeated here: {}", Repeat::EXAMPLE);
+        let message = format!("nothing is repeated here: {}", RepeatSyntax::EXAMPLE);
         Err(Error::new_spanned(braces, message))
     } else {
-        contents(inside, route, joints, diagnostics)
+        contents(inside, route, separators, diagnostics)
     };
     match (count, read) {
         (Ok(count), Ok(())) => {
-            route.repeats.push(Repeat { at, count: Some(count), stops: start..route.stops.len() });
+            route.repeats.push(RepeatSyntax {
+                at,
+                count: Some(count),
+                stops: start..route.stops.len(),
+            });
         }
         (count, read) => {
             let times = count.as_ref().ok().copied();
@@ -85,7 +89,7 @@ fn repeat(
             route.whole = false;
             let stops = start..route.stops.len();
             if !stops.is_empty() {
-                route.repeats.push(Repeat { at, count: times, stops });
+                route.repeats.push(RepeatSyntax { at, count: times, stops });
             }
         }
     }
@@ -95,8 +99,8 @@ fn repeat(
 /// The stops in the braces of a `repeat`.
 fn contents(
     mut inside: Cursor,
-    route: &mut Route,
-    joints: &mut Joints,
+    route: &mut RouteSyntax,
+    separators: &mut Separators,
     diagnostics: &mut Diagnostics,
 ) -> Result<()> {
     loop {
@@ -107,7 +111,7 @@ fn contents(
         if inside.is_empty() {
             return Ok(());
         }
-        if !joints.read(&mut inside, diagnostics) {
+        if !separators.read(&mut inside, diagnostics) {
             let error = inside.unexpected("`->` or `}`");
             while !inside.is_empty() {
                 doubtful(&mut inside, route);

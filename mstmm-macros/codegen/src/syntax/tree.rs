@@ -1,36 +1,36 @@
 //! The description as written: every part keeps the tokens that a message can point at.
 
-pub use crate::diag::Extent;
+pub use crate::diag::SpanRange;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use std::ops::Range;
 
 /// A chain as written.
 #[derive(Debug)]
-pub struct ChainDef {
+pub struct ChainSyntax {
     /// Doc comments and attributes in front.
     pub attributes: Vec<syn::Attribute>,
     /// Visibility of the generated types.
     pub visibility: syn::Visibility,
     /// In how many directions it moves; nothing if the word for that is unknown.
-    pub dimension: Option<DimensionWord>,
+    pub dimension: Option<DimensionKeyword>,
     /// The chain's name.
     pub name: Ident,
     /// `gravity = …;` and `method = …;`
-    pub settings: Vec<Field>,
+    pub settings: Vec<FieldSyntax>,
     /// `param name = …;` and `param name[times] = …;`
-    pub parameters: Vec<ParameterDef>,
+    pub parameters: Vec<ParameterSyntax>,
     /// `body … { … }`, `hinge … { … }`, `load … { … }` and `spring … { … }`
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<BlockSyntax>,
     /// The route; missing if there is none.
-    pub route: Option<Route>,
+    pub route: Option<RouteSyntax>,
     /// Whether every item could be read. If not, nothing is missed on its account.
     pub whole: bool,
 }
 
 /// Which word stands before `chain`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DimensionWord {
+pub enum DimensionKeyword {
     /// `space`, or none
     Space,
     /// `plane`
@@ -41,25 +41,25 @@ pub enum DimensionWord {
 
 /// `name = value;` or `name[times] = value;`
 #[derive(Debug)]
-pub struct ParameterDef {
+pub struct ParameterSyntax {
     /// Name and value.
-    pub field: Field,
+    pub field: FieldSyntax,
     /// How many there are, if it is one for every time of a repeated part.
     pub times: Option<usize>,
 }
 
 /// `name = value;`
 #[derive(Debug)]
-pub struct Field {
+pub struct FieldSyntax {
     /// What is given.
     pub name: Ident,
     /// Its value; missing where it could not be read, which is reported already.
-    pub value: Option<Written>,
+    pub value: Option<ValueSyntax>,
 }
 
 /// Which word a block begins with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BlockWord {
+pub enum BlockKeyword {
     /// `body`
     Body,
     /// `hinge`
@@ -72,17 +72,17 @@ pub enum BlockWord {
 
 /// `body name { … }`, `hinge name, … { … }`, `load name { … }` or `spring name { … }`
 #[derive(Debug)]
-pub struct Block {
+pub struct BlockSyntax {
     /// What it speaks of.
-    pub word: BlockWord,
+    pub word: BlockKeyword,
     /// Where that word stands.
     pub at: Span,
     /// Whom it speaks of, at least one.
     pub names: Vec<Ident>,
     /// What it says.
-    pub fields: Vec<Field>,
+    pub fields: Vec<FieldSyntax>,
     /// `point name = …;`
-    pub points: Vec<Field>,
+    pub points: Vec<FieldSyntax>,
     /// Whether every field has a name. If not, none is missed on its account.
     pub whole: bool,
     /// Whether it stands behind the route.
@@ -91,27 +91,28 @@ pub struct Block {
 
 /// Stops joined by arrows.
 #[derive(Debug)]
-pub struct Route {
+pub struct RouteSyntax {
     /// In the order written; those that are repeated stand here once.
-    pub stops: Vec<Stop>,
+    pub stops: Vec<RouteItemSyntax>,
     /// The parts of it that are repeated, in the order written.
-    pub repeats: Vec<Repeat>,
+    pub repeats: Vec<RepeatSyntax>,
     /// Whether all of it could be read. If not, nothing is missed on its account.
     pub whole: bool,
     /// Routes that are written after the first one, an error. Their stops are here too, so that the
     /// names on them are known.
-    pub further: Vec<Further>,
+    pub further: Vec<FurtherRoute>,
 }
 
-impl Route {
+impl RouteSyntax {
     /// Adds a route that is written after this one and begins at this token.
-    pub fn add(&mut self, at: Span, other: Route) {
+    pub fn add(&mut self, at: Span, other: RouteSyntax) {
         let start = self.stops.len();
         let moved = |stops: Range<usize>| start + stops.start..start + stops.end;
-        self.further.push(Further { at, start });
+        self.further.push(FurtherRoute { at, start });
         self.stops.extend(other.stops);
         let repeats = other.repeats.into_iter();
-        self.repeats.extend(repeats.map(|repeat| Repeat { stops: moved(repeat.stops), ..repeat }));
+        self.repeats
+            .extend(repeats.map(|repeat| RepeatSyntax { stops: moved(repeat.stops), ..repeat }));
         // The two may be parts of one.
         self.whole = false;
     }
@@ -124,7 +125,7 @@ impl Route {
 
 /// A route that is written after the first one.
 #[derive(Debug)]
-pub struct Further {
+pub struct FurtherRoute {
     /// Its first token.
     pub at: Span,
     /// Its first stop among those of all routes.
@@ -133,7 +134,7 @@ pub struct Further {
 
 /// `repeat count { stop -> … }`
 #[derive(Debug)]
-pub struct Repeat {
+pub struct RepeatSyntax {
     /// Where the word stands.
     pub at: Span,
     /// How many times its stops stand in a row, at least once; missing where it could not be read.
@@ -142,22 +143,22 @@ pub struct Repeat {
     pub stops: Range<usize>,
 }
 
-impl Repeat {
+impl RepeatSyntax {
     /// How one is written, for messages.
     pub const EXAMPLE: &str = "write it as in `repeat 100 { pin joint -> Rod rod }`";
 }
 
 /// A stop of the route.
 #[derive(Debug)]
-pub enum Stop {
+pub enum RouteItemSyntax {
     /// `ground [at position] [turned …]`
     Ground {
         /// The word itself.
         at: Span,
         /// Where the frame on the ground sits.
-        position: Option<Box<Written>>,
+        position: Option<Box<ValueSyntax>>,
         /// How the frame on the ground is turned.
-        turned: Option<Box<Turn>>,
+        turned: Option<Box<OrientationSyntax>>,
     },
     /// `moving name`
     Moving {
@@ -176,7 +177,7 @@ pub enum Stop {
         /// The kind of a hinge or the type of a body.
         word: Ident,
         /// What stands in parentheses behind the word.
-        arguments: Option<Arguments>,
+        arguments: Option<ArgumentsSyntax>,
         /// The name.
         name: Option<Ident>,
         /// Where a place on it is written, as in `crank.lug` or `crank at lug`, an error.
@@ -188,112 +189,114 @@ pub enum Stop {
 
 /// What stands in parentheses behind the kind of a hinge.
 #[derive(Debug)]
-pub struct Arguments {
+pub struct ArgumentsSyntax {
     /// Separated by commas.
-    pub values: Vec<Written>,
+    pub values: Vec<ValueSyntax>,
     /// The parentheses and all in them.
-    pub extent: Extent,
+    pub extent: SpanRange,
 }
 
 /// Anything that can stand behind `=`.
 #[derive(Debug)]
-pub enum Written {
+pub enum ValueSyntax {
     /// A number, with or without a unit, or a single word.
-    Number(Expr),
+    Number(ExprSyntax),
     /// `[a, b, c] unit`
-    Vector(List),
+    Vector(ListSyntax),
     /// `[a, b, c] unit turned orientation`, or with a number in place of the vector
-    Turned(Box<Written>, Turn),
+    Turned(Box<ValueSyntax>, OrientationSyntax),
     /// `word(a, b, …) unit about word`
-    Form(Form),
+    FormSyntax(FormSyntax),
     /// `a unit about word`
-    About(Expr, Ident),
+    About(ExprSyntax, Ident),
     /// `body.point` or `body at point`, an error: the body, and all of it.
-    PlaceOn(Ident, Extent),
+    PlaceOn(Ident, SpanRange),
 }
 
 /// What stands behind `turned`.
 #[derive(Debug)]
-pub enum Turn {
+pub enum OrientationSyntax {
     /// The angle of a turn about an axis that needs not be named.
-    Angle(Expr),
+    Angle(ExprSyntax),
     /// `word(a, b, …) unit`
-    Form(Form),
+    FormSyntax(FormSyntax),
 }
 
-impl Turn {
+impl OrientationSyntax {
     /// From the first to the last token.
-    pub fn extent(&self) -> Extent {
+    pub fn extent(&self) -> SpanRange {
         match self {
-            Turn::Angle(angle) => angle.extent,
-            Turn::Form(form) => form.extent(),
+            OrientationSyntax::Angle(angle) => angle.extent,
+            OrientationSyntax::FormSyntax(form) => form.extent(),
         }
     }
 }
 
-impl Written {
+impl ValueSyntax {
     /// From the first to the last token.
-    pub fn extent(&self) -> Extent {
+    pub fn extent(&self) -> SpanRange {
         match self {
-            Written::Number(expr) => expr.extent,
-            Written::Vector(list) => list.extent,
-            Written::Turned(position, turn) => position.extent().to(turn.extent()),
-            Written::Form(form) => form.extent(),
-            Written::About(expr, point) => expr.extent.to(Extent::token(point.span())),
-            Written::PlaceOn(_, extent) => *extent,
+            ValueSyntax::Number(expr) => expr.extent,
+            ValueSyntax::Vector(list) => list.extent,
+            ValueSyntax::Turned(position, turn) => position.extent().to(turn.extent()),
+            ValueSyntax::FormSyntax(form) => form.extent(),
+            ValueSyntax::About(expr, point) => expr.extent.to(SpanRange::token(point.span())),
+            ValueSyntax::PlaceOn(_, extent) => *extent,
         }
     }
 
     /// What it is, for messages.
     pub fn described(&self) -> String {
         match self {
-            Written::Number(Expr { kind: ExprKind::Name(word), .. }) => format!("`{word}`"),
-            Written::Number(_) => "a number".into(),
-            Written::Vector(_) => "a vector".into(),
-            Written::Turned(..) => "a turned frame".into(),
-            Written::Form(form) => format!("`{}(…)`", form.word),
-            Written::About(..) => "a number about a point".into(),
-            Written::PlaceOn(body, _) => format!("a point of `{body}`"),
+            ValueSyntax::Number(ExprSyntax { kind: ExprKind::Name(word), .. }) => {
+                format!("`{word}`")
+            }
+            ValueSyntax::Number(_) => "a number".into(),
+            ValueSyntax::Vector(_) => "a vector".into(),
+            ValueSyntax::Turned(..) => "a turned frame".into(),
+            ValueSyntax::FormSyntax(form) => format!("`{}(…)`", form.word),
+            ValueSyntax::About(..) => "a number about a point".into(),
+            ValueSyntax::PlaceOn(body, _) => format!("a point of `{body}`"),
         }
     }
 }
 
 /// Numbers with a common unit: `a, b, c` in brackets or parentheses, and the unit behind.
 #[derive(Debug)]
-pub struct List {
+pub struct ListSyntax {
     /// Between the brackets.
-    pub entries: Vec<Expr>,
+    pub entries: Vec<ExprSyntax>,
     /// Behind the brackets.
-    pub unit: Option<Unit>,
+    pub unit: Option<UnitSyntax>,
     /// The brackets with all in them, without the unit.
-    pub extent: Extent,
+    pub extent: SpanRange,
 }
 
 /// `word(a, b, …) unit about word`, such as `rpy(0, 0, 90) deg`.
 #[derive(Debug)]
-pub struct Form {
+pub struct FormSyntax {
     /// In front of the parentheses.
     pub word: Ident,
     /// In the parentheses, with the unit behind them.
-    pub list: List,
+    pub list: ListSyntax,
     /// Behind `about`.
     pub about: Option<Ident>,
 }
 
-impl Form {
+impl FormSyntax {
     /// From the word to the closing parenthesis.
-    pub fn extent(&self) -> Extent {
-        Extent::token(self.word.span()).to(self.list.extent)
+    pub fn extent(&self) -> SpanRange {
+        SpanRange::token(self.word.span()).to(self.list.extent)
     }
 }
 
 /// A number as written.
 #[derive(Debug)]
-pub struct Expr {
+pub struct ExprSyntax {
     /// What it is.
     pub kind: ExprKind,
     /// From the first to the last token.
-    pub extent: Extent,
+    pub extent: SpanRange,
 }
 
 /// What a number is made of.
@@ -306,51 +309,51 @@ pub enum ExprKind {
     /// A Rust path of several segments, unread.
     Path(TokenStream),
     /// `-a`
-    Negated(Box<Expr>),
+    Negated(Box<ExprSyntax>),
     /// `a + b - c`
-    Sum(Vec<Term>),
+    Sum(Vec<TermSyntax>),
     /// `a * b / c`
-    Product(Vec<Factor>),
+    Product(Vec<FactorSyntax>),
     /// `a ^ 2`
-    Power(Box<Expr>, i32),
+    Power(Box<ExprSyntax>, i32),
     /// `a kg`: a product and the unit that closes it.
-    Quantity(Box<Expr>, Unit),
+    Quantity(Box<ExprSyntax>, UnitSyntax),
     /// `sqrt(a)`
-    Call(Ident, Vec<Expr>),
+    Call(Ident, Vec<ExprSyntax>),
 }
 
 /// A term of a sum.
 #[derive(Debug)]
-pub struct Term {
+pub struct TermSyntax {
     /// Whether it is taken away.
     pub negative: bool,
     /// The term.
-    pub expr: Expr,
+    pub expr: ExprSyntax,
 }
 
 /// A factor of a product.
 #[derive(Debug)]
-pub struct Factor {
+pub struct FactorSyntax {
     /// Whether it divides.
     pub divides: bool,
     /// The factor.
-    pub expr: Expr,
+    pub expr: ExprSyntax,
 }
 
 /// A unit as written: `kg*m^2`.
 #[derive(Clone, Debug)]
-pub struct Unit {
+pub struct UnitSyntax {
     /// Its parts, at least one.
-    pub factors: Vec<UnitFactor>,
+    pub factors: Vec<UnitFactorSyntax>,
     /// Parentheses in it, a mistake.
-    pub parentheses: Option<Extent>,
+    pub parentheses: Option<SpanRange>,
     /// From the first to the last token.
-    pub extent: Extent,
+    pub extent: SpanRange,
 }
 
 /// A part of a unit.
 #[derive(Clone, Debug)]
-pub struct UnitFactor {
+pub struct UnitFactorSyntax {
     /// The symbol of the unit with its prefix.
     pub symbol: String,
     /// Where it stands.

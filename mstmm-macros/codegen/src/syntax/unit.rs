@@ -5,7 +5,7 @@ use syn::{Error, Result};
 
 use super::ahead;
 use super::cursor::Cursor;
-use super::tree::{Extent, Unit, UnitFactor};
+use super::tree::{SpanRange, UnitFactorSyntax, UnitSyntax};
 
 /// Words that may stand behind a number without being its unit.
 const NOT_UNITS: &[&str] = &["about", "turned", "at", "point"];
@@ -14,7 +14,7 @@ const NOT_UNITS: &[&str] = &["about", "turned", "at", "point"];
 const HIGHEST_POWER: i32 = 9;
 
 /// A unit, if one is next.
-pub(super) fn optional(input: &mut Cursor) -> Result<Option<Unit>> {
+pub(super) fn optional(input: &mut Cursor) -> Result<Option<UnitSyntax>> {
     if let Some(unit) = in_parentheses(input) {
         return Ok(Some(unit));
     }
@@ -26,27 +26,27 @@ pub(super) fn optional(input: &mut Cursor) -> Result<Option<Unit>> {
 }
 
 /// The rest of a unit whose first symbol is read already.
-pub(super) fn behind(input: &mut Cursor, symbol: String, at: Span) -> Result<Unit> {
-    let mut factors = vec![UnitFactor { symbol, at, power: power(input)? }];
+pub(super) fn behind(input: &mut Cursor, symbol: String, at: Span) -> Result<UnitSyntax> {
+    let mut factors = vec![UnitFactorSyntax { symbol, at, power: power(input)? }];
     let mut parentheses = None;
     while let Some(sign) = sign_before_unit(input) {
         if let Some(inner) = in_parentheses(input) {
             let power = sign * power(input)?;
             let inner_factors = inner.factors.into_iter();
-            factors.extend(inner_factors.map(|f| UnitFactor { power: f.power * power, ..f }));
+            factors.extend(inner_factors.map(|f| UnitFactorSyntax { power: f.power * power, ..f }));
             parentheses = parentheses.or(inner.parentheses);
             continue;
         }
         let (symbol, at) = self::symbol(input)?;
-        factors.push(UnitFactor { symbol, at, power: sign * power(input)? });
+        factors.push(UnitFactorSyntax { symbol, at, power: sign * power(input)? });
     }
-    let unit = Unit { factors, parentheses, extent: Extent::token(at).to(input.last()) };
+    let unit = UnitSyntax { factors, parentheses, extent: SpanRange::token(at).to(input.last()) };
     check_single(input, &unit)?;
     Ok(unit)
 }
 
 /// A unit in parentheses, which units do not have.
-fn in_parentheses(input: &mut Cursor) -> Option<Unit> {
+fn in_parentheses(input: &mut Cursor) -> Option<UnitSyntax> {
     let mut ahead = *input;
     let (mut inside, extent) = ahead.group(Delimiter::Parenthesis)?;
     let unit = optional(&mut inside).ok()??;
@@ -54,11 +54,11 @@ fn in_parentheses(input: &mut Cursor) -> Option<Unit> {
         return None;
     }
     *input = ahead;
-    Some(Unit { parentheses: Some(extent), extent, ..unit })
+    Some(UnitSyntax { parentheses: Some(extent), extent, ..unit })
 }
 
 /// Refuses a second unit behind a unit. A longer word with a capital is the next stop of a route.
-fn check_single(input: &Cursor, unit: &Unit) -> Result<()> {
+fn check_single(input: &Cursor, unit: &UnitSyntax) -> Result<()> {
     let Some(next) = input.peek_ident().filter(|_| is_next(input)) else { return Ok(()) };
     let text = next.to_string();
     if text.starts_with(char::is_uppercase) && text.len() > 2 {
@@ -68,12 +68,12 @@ fn check_single(input: &Cursor, unit: &Unit) -> Result<()> {
     Err(Error::new(next.span(), message))
 }
 
-impl Unit {
+impl UnitSyntax {
     /// As it can be written, what divides at the end.
     pub fn text(&self) -> String {
         let mut text = String::new();
         let (below, above): (Vec<_>, Vec<_>) = self.factors.iter().partition(|f| f.power < 0);
-        for UnitFactor { symbol, power, .. } in above.into_iter().chain(below) {
+        for UnitFactorSyntax { symbol, power, .. } in above.into_iter().chain(below) {
             let sign = match (text.is_empty(), *power < 0) {
                 (true, false) => "",
                 (true, true) => "1/",

@@ -4,30 +4,32 @@ use proc_macro2::{Delimiter, Ident, Span};
 use syn::{Error, Result};
 
 use super::cursor::Cursor;
-use super::tree::{Expr, ExprKind, Extent, Form, List, Turn, Written};
+use super::tree::{
+    ExprKind, ExprSyntax, FormSyntax, ListSyntax, OrientationSyntax, SpanRange, ValueSyntax,
+};
 use super::{number, unit};
 
 /// Anything that can stand behind `=`.
-pub(super) fn written(input: &mut Cursor) -> Result<Written> {
+pub(super) fn written(input: &mut Cursor) -> Result<ValueSyntax> {
     if input.is_empty() || input.peek_punct(';') {
         return Err(input.unexpected("a value"));
     }
     if is_form(input) {
-        return form(input).map(Written::Form);
+        return form(input).map(ValueSyntax::FormSyntax);
     }
-    let start = Extent::token(input.next_span());
+    let start = SpanRange::token(input.next_span());
     let position = position(input)?;
-    if let Written::Number(Expr { kind: ExprKind::Name(body), .. }) = &position
+    if let ValueSyntax::Number(ExprSyntax { kind: ExprKind::Name(body), .. }) = &position
         && place(input).is_some()
     {
-        return Ok(Written::PlaceOn(body.clone(), start.to(input.last())));
+        return Ok(ValueSyntax::PlaceOn(body.clone(), start.to(input.last())));
     }
     if let Some(turn) = turned(input)? {
-        return Ok(Written::Turned(position.into(), turn));
+        return Ok(ValueSyntax::Turned(position.into(), turn));
     }
     Ok(match (position, about(input)?) {
-        (Written::Number(expr), Some(point)) => Written::About(expr, point),
-        (Written::Vector(list), Some(_)) => {
+        (ValueSyntax::Number(expr), Some(point)) => ValueSyntax::About(expr, point),
+        (ValueSyntax::Vector(list), Some(_)) => {
             let message = "an inertia is `diag(xx, yy, zz)`, with round parentheses";
             return Err(Error::new(list.extent.first, message));
         }
@@ -39,22 +41,22 @@ pub(super) fn written(input: &mut Cursor) -> Result<Written> {
 }
 
 /// A vector, or a number in its place.
-pub(super) fn position(input: &mut Cursor) -> Result<Written> {
+pub(super) fn position(input: &mut Cursor) -> Result<ValueSyntax> {
     if input.peek_group(Delimiter::Bracket) {
-        return vector(input).map(Written::Vector);
+        return vector(input).map(ValueSyntax::Vector);
     }
-    number::number(input).map(Written::Number)
+    number::number(input).map(ValueSyntax::Number)
 }
 
 /// `[a, b, c] unit`
-fn vector(input: &mut Cursor) -> Result<List> {
+fn vector(input: &mut Cursor) -> Result<ListSyntax> {
     let (inside, extent) =
         input.group(Delimiter::Bracket).ok_or_else(|| input.unexpected("a vector `[x, y, z]`"))?;
     if inside.peek_group(Delimiter::Bracket) {
         return Err(Error::new(extent.first, format!("a matrix is written `{MATRIX}`")));
     }
     let entries = number::list(inside)?;
-    let list = List { entries, unit: unit::optional(input)?, extent };
+    let list = ListSyntax { entries, unit: unit::optional(input)?, extent };
     if ['*', '/', '+'].iter().any(|&sign| input.peek_punct(sign)) {
         return Err(Error::new(input.next_span(), number::INSIDE));
     }
@@ -62,17 +64,17 @@ fn vector(input: &mut Cursor) -> Result<List> {
 }
 
 /// `turned orientation`, if it is there.
-pub(super) fn turned(input: &mut Cursor) -> Result<Option<Turn>> {
+pub(super) fn turned(input: &mut Cursor) -> Result<Option<OrientationSyntax>> {
     if input.word("turned").is_none() {
         return Ok(None);
     }
     if is_form(input) {
-        return form(input).map(Turn::Form).map(Some);
+        return form(input).map(OrientationSyntax::FormSyntax).map(Some);
     }
     if input.peek_group(Delimiter::Bracket) {
         return Err(input.unexpected("`rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`"));
     }
-    number::number(input).map(Turn::Angle).map(Some)
+    number::number(input).map(OrientationSyntax::Angle).map(Some)
 }
 
 /// A place on what was just named: `.lug`, `at lug` or `at [x, y, z]`. Where it begins.
@@ -119,7 +121,7 @@ fn is_form(input: &Cursor) -> bool {
     is_group && !is_function && !number::is_operator_next(&ahead)
 }
 
-fn form(input: &mut Cursor) -> Result<Form> {
+fn form(input: &mut Cursor) -> Result<FormSyntax> {
     let word = input.ident().ok_or_else(|| input.unexpected("a word"))?;
     if input.peek_group(Delimiter::Bracket) {
         let message = format!("write `{word}(…)`, with round parentheses");
@@ -128,16 +130,16 @@ fn form(input: &mut Cursor) -> Result<Form> {
     let (inside, extent) =
         input.group(Delimiter::Parenthesis).ok_or_else(|| input.unexpected("`(`"))?;
     let entries = if word == "matrix" { rows(inside, extent)? } else { number::list(inside)? };
-    let list = List { entries, unit: unit::optional(input)?, extent };
+    let list = ListSyntax { entries, unit: unit::optional(input)?, extent };
     if number::is_operator_next(input) {
         return Err(Error::new(input.next_span(), number::INSIDE));
     }
-    Ok(Form { word, list, about: about(input)? })
+    Ok(FormSyntax { word, list, about: about(input)? })
 }
 
 /// The entries of a matrix, row by row.
-fn rows(mut inside: Cursor, extent: Extent) -> Result<Vec<Expr>> {
-    let shape = |at: Extent| Error::new_spanned(at, format!("a matrix is written `{MATRIX}`"));
+fn rows(mut inside: Cursor, extent: SpanRange) -> Result<Vec<ExprSyntax>> {
+    let shape = |at: SpanRange| Error::new_spanned(at, format!("a matrix is written `{MATRIX}`"));
     let mut entries = Vec::new();
     while let Some((row, brackets)) = inside.group(Delimiter::Bracket) {
         let row = number::list(row)?;
@@ -155,11 +157,11 @@ fn rows(mut inside: Cursor, extent: Extent) -> Result<Vec<Expr>> {
     Ok(entries)
 }
 
-impl Written {
+impl ValueSyntax {
     /// The single word that it is, such as `input`.
     pub fn word(&self) -> Option<&Ident> {
         match self {
-            Written::Number(Expr { kind: ExprKind::Name(word), .. }) => Some(word),
+            ValueSyntax::Number(ExprSyntax { kind: ExprKind::Name(word), .. }) => Some(word),
             _ => None,
         }
     }

@@ -1,7 +1,7 @@
 //! What drives a chain, from the words of the reference to the inputs of the compiler.
 
 use mstmm_codegen::model::{
-    Chain, Drive, Driven, Effort, Element, HingeId, HingeKind, Input, Layout, Place,
+    Attachment, Chain, Drive, Effort, Element, HingeId, HingeKind, Input, InputKind, Layout,
 };
 use mstmm_reference::{Drives, FrameMotion};
 
@@ -9,7 +9,7 @@ use mstmm_reference::{Drives, FrameMotion};
 pub fn of_motors(chain: &Chain, efforts: &[f64]) -> Vec<f64> {
     let layout = Layout::of(chain);
     let of = |input: &Input| match input.what {
-        Driven::Efforts(hinge) => motor(chain, &layout, hinge, efforts),
+        InputKind::Efforts(hinge) => motor(chain, &layout, hinge, efforts),
         _ => vec![0.0; input.range.len()],
     };
     layout.inputs.iter().flat_map(of).collect()
@@ -22,11 +22,11 @@ pub fn inputs(chain: &Chain, drives: &Drives) -> Vec<f64> {
     let pick = |vector: &[f64; 3], axes: &[usize]| axes.iter().map(|&k| vector[k]).collect();
     let of = |input: &Input| -> Vec<f64> {
         match input.what {
-            Driven::Gravity => pick(&drives.gravity, shifts),
-            Driven::Force(load) => pick(&drives.loads[load.index()].force, shifts),
-            Driven::Torque(load) => pick(&drives.loads[load.index()].torque, turns),
-            Driven::Efforts(hinge) => motor(chain, &layout, hinge, &drives.efforts),
-            Driven::Motion(hinge) => motion(chain, hinge, drives),
+            InputKind::Gravity => pick(&drives.gravity, shifts),
+            InputKind::Force(load) => pick(&drives.loads[load.index()].force, shifts),
+            InputKind::Torque(load) => pick(&drives.loads[load.index()].torque, turns),
+            InputKind::Efforts(hinge) => motor(chain, &layout, hinge, &drives.efforts),
+            InputKind::Motion(hinge) => motion(chain, hinge, drives),
         }
     };
     layout.inputs.iter().flat_map(of).collect()
@@ -53,7 +53,7 @@ fn motion(chain: &Chain, hinge: HingeId, drives: &Drives) -> Vec<f64> {
     let is_start = chain
         .hinges
         .iter()
-        .any(|hinge| matches!(hinge.inboard, Place::Output(at) if Some(at) == body));
+        .any(|hinge| matches!(hinge.inboard, Attachment::Output(at) if Some(at) == body));
     let frame = if is_start { &drives.start } else { &drives.finish };
     frame_motion(&chain.hinges[hinge].kind, frame)
 }

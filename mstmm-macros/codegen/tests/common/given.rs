@@ -2,7 +2,7 @@
 
 use super::interpreter::{Arrays, Failed, Judge, run};
 use mstmm_codegen::compile::{Compiled, outputs};
-use mstmm_codegen::model::{Answer, Chain, Driven, Layout};
+use mstmm_codegen::model::{Answer, Chain, InputKind, Layout};
 use mstmm_codegen::program::{Argument, ArrayRole};
 
 /// A chain with what its functions are given.
@@ -57,7 +57,7 @@ impl<'a, S: Judge> Given<'a, S> {
         let layout = Layout::of(chain);
         let rates = self.compiled.unknowns.layout(Argument::Rates);
         for (input, it) in layout.inputs.enumerate() {
-            let Driven::Efforts(hinge) = it.what else { continue };
+            let InputKind::Efforts(hinge) = it.what else { continue };
             let own = layout.v[hinge].clone();
             let segment = rates.segment_of(own.start);
             let first = segment.offset + own.start - segment.first;

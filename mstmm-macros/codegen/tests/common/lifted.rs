@@ -1,8 +1,8 @@
 //! Chains whose numbers are all parameters: nothing is folded, and nothing rounded, while they are compiled.
 
 use mstmm_codegen::model::{
-    Chain, Drive, Effort, Frame, Friction, Hinge, HingeKind, Limits, Parameter, Passive, Place,
-    Source, Symbol, Value,
+    Attachment, Chain, Drive, Effort, Frame, Friction, Hinge, HingeKind, Limits, Parameter,
+    Passive, Source, Symbol, Value,
 };
 use proc_macro2::{Ident, Span};
 
@@ -140,7 +140,7 @@ impl Lift {
 
     fn hinge(&mut self, hinge: &mut Hinge) {
         for place in [&mut hinge.inboard, &mut hinge.outboard] {
-            if let Place::Ground(frame) = place {
+            if let Attachment::Ground(frame) = place {
                 self.frame(frame);
             }
         }

@@ -17,7 +17,7 @@ use mstmm_codegen::equations::{
     self, Axes, Energy, EvalContext, ForwardDynamics, SymbolValues, Trace,
 };
 use mstmm_codegen::math::{Mat3, Motion, Scalar, Structured, Vec3};
-use mstmm_codegen::model::{Chain, Layout, Method};
+use mstmm_codegen::model::{Chain, Layout, SolutionMethod};
 
 /// All that the equations say of a chain in a state.
 pub struct Computed<S> {
@@ -87,7 +87,7 @@ pub fn numbers<S: Scalar>(chain: &Chain) -> SymbolValues<Structured<S>> {
 /// Runs the equations on `S` with the parameters at their defaults; `efforts` are those of all rates.
 pub fn compute<S: Scalar>(
     chain: &Chain,
-    way: (Method, Axes),
+    way: (SolutionMethod, Axes),
     q: &[f64],
     v: &[f64],
     efforts: &[f64],
@@ -98,7 +98,7 @@ pub fn compute<S: Scalar>(
 /// Runs the equations on `S` with the parameters at their defaults.
 pub fn compute_with<S: Scalar>(
     chain: &Chain,
-    (method, axes): (Method, Axes),
+    (method, axes): (SolutionMethod, Axes),
     (q, v, inputs): (&[f64], &[f64], &[f64]),
 ) -> Computed<S> {
     let (layout, merged) = (Layout::of(chain), Layout::merged(chain));
@@ -116,11 +116,11 @@ pub fn compute_with<S: Scalar>(
 }
 
 /// Every method in all axes.
-pub const WAYS: [(Method, Axes); 4] = [
-    (Method::Riccati, Axes::Body),
-    (Method::Riccati, Axes::Inertial),
-    (Method::Transfer, Axes::Body),
-    (Method::Transfer, Axes::Inertial),
+pub const WAYS: [(SolutionMethod, Axes); 4] = [
+    (SolutionMethod::Riccati, Axes::Body),
+    (SolutionMethod::Riccati, Axes::Inertial),
+    (SolutionMethod::Transfer, Axes::Body),
+    (SolutionMethod::Transfer, Axes::Inertial),
 ];
 
 /// The largest difference of two lists, relative to the largest entry of the second.

@@ -3,7 +3,7 @@
 use super::{Computed, Point, compute, read};
 use mstmm_codegen::equations::Axes;
 use mstmm_codegen::math::{Mat3, Scalar, Structured, Vec3};
-use mstmm_codegen::model::Method;
+use mstmm_codegen::model::SolutionMethod;
 use mstmm_reference::Random;
 use mstmm_runtime::Scalar as Number;
 use mstmm_runtime::nalgebra::{Matrix3, SMatrix, SVector, Vector3};
@@ -125,7 +125,7 @@ impl Case {
     }
 
     /// The compiler's equations at any state.
-    pub fn at_random<S: Scalar>(&self, seed: u64, method: Method) -> Moving<S> {
+    pub fn at_random<S: Scalar>(&self, seed: u64, method: SolutionMethod) -> Moving<S> {
         let mut random = Random::new(seed);
         let chain = read(&self.text());
         // Numbers that `f32` holds exactly, so that all precisions solve the same problem.
@@ -133,7 +133,7 @@ impl Case {
         let (mut q, mut v) = (Vec::new(), Vec::new());
         for hinge in &chain.hinges {
             q.extend((0..hinge.kind.coordinates()).map(|_| short(1.0)));
-            v.extend((0..hinge.kind.freedoms()).map(|_| short(2.0)));
+            v.extend((0..hinge.kind.dof_count()).map(|_| short(2.0)));
             if hinge.kind.coordinates() > 3 {
                 let quaternion = q.split_off(q.len() - 4);
                 let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -144,7 +144,7 @@ impl Case {
     }
 
     /// The compiler's equations at a state.
-    pub fn at<S: Scalar>(&self, method: Method, q: &[f64], v: &[f64]) -> Moving<S> {
+    pub fn at<S: Scalar>(&self, method: SolutionMethod, q: &[f64], v: &[f64]) -> Moving<S> {
         let chain = read(&self.text());
         let computed = compute(&chain, (method, Axes::Body), q, v, &vec![0.0; v.len()]);
         Moving { computed, rates: v.to_vec() }

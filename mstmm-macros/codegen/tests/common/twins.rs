@@ -7,7 +7,7 @@ use super::lifted::lifted;
 use super::numbers;
 use mstmm_codegen::compile::{Compiled, compile};
 use mstmm_codegen::ids::{InputId, ParameterId};
-use mstmm_codegen::model::{Chain, Driven, HingeKind, Layout};
+use mstmm_codegen::model::{Chain, HingeKind, InputKind, Layout};
 use mstmm_codegen::program::Argument;
 use mstmm_reference::{Dimension, Ends, Joining, Random, Recipe};
 use std::collections::HashMap;
@@ -88,8 +88,8 @@ impl Twins {
     /// is in its way; then they are the same in closed states alone.
     fn close_alike(&self) -> bool {
         let names = |twin: &Twin| -> Vec<String> {
-            let closings = twin.layout.closings.iter();
-            closings.map(|&hinge| twin.chain.hinges[hinge].name.to_string()).collect()
+            let loop_hinges = twin.layout.loop_hinges.iter();
+            loop_hinges.map(|&hinge| twin.chain.hinges[hinge].name.to_string()).collect()
         };
         names(&self.repeated) == names(&self.written)
     }
@@ -173,11 +173,11 @@ impl Twin {
     fn name_of(&self, input: InputId) -> (usize, String) {
         let (hinges, loads) = (&self.chain.hinges, &self.chain.loads);
         match self.layout.inputs[input].what {
-            Driven::Gravity => (0, String::new()),
-            Driven::Efforts(hinge) => (1, hinges[hinge].name.to_string()),
-            Driven::Motion(hinge) => (2, hinges[hinge].name.to_string()),
-            Driven::Force(load) => (3, loads[load].name.to_string()),
-            Driven::Torque(load) => (4, loads[load].name.to_string()),
+            InputKind::Gravity => (0, String::new()),
+            InputKind::Efforts(hinge) => (1, hinges[hinge].name.to_string()),
+            InputKind::Motion(hinge) => (2, hinges[hinge].name.to_string()),
+            InputKind::Force(load) => (3, loads[load].name.to_string()),
+            InputKind::Torque(load) => (4, loads[load].name.to_string()),
         }
     }
 
@@ -216,7 +216,7 @@ impl Twin {
     /// Where quaternions begin.
     fn quaternions(&self, argument: Argument) -> Vec<usize> {
         let hinges = &self.chain.hinges;
-        let is_turned = |kind: &HingeKind| kind.coordinates() > kind.freedoms();
+        let is_turned = |kind: &HingeKind| kind.coordinates() > kind.dof_count();
         match argument {
             Argument::Coordinates => {
                 let free = hinges.enumerate().filter(|(_, hinge)| !hinge.is_prescribed());
@@ -224,7 +224,7 @@ impl Twin {
                 turned.map(|(index, _)| self.layout.q[index].end - 4).collect()
             }
             Argument::Input(input) => match self.layout.inputs[input].what {
-                Driven::Motion(hinge) if is_turned(&hinges[hinge].kind) => {
+                InputKind::Motion(hinge) if is_turned(&hinges[hinge].kind) => {
                     vec![hinges[hinge].kind.coordinates() - 4]
                 }
                 _ => Vec::new(),

@@ -18,7 +18,7 @@ fn lent_rates(cx: &EmitContext, name: &TokenStream) -> TokenStream {
 }
 
 pub(super) fn accelerations(cx: &EmitContext) -> MethodTemplate {
-    let visibility = &cx.surface.visibility;
+    let visibility = &cx.passthrough.visibility;
     let near_one = quaternions::near_one(cx);
     let (given, lent) = (of_state_and_inputs(cx), lent_rates(cx, &quote!(accelerations_)));
     MethodTemplate {
@@ -71,7 +71,7 @@ pub(super) fn by_value(cx: &EmitContext) -> Vec<TokenStream> {
 
 fn by_value_of(cx: &EmitContext, name: &str, what: &str) -> TokenStream {
     let mstmm = &cx.mstmm;
-    let visibility = &cx.surface.visibility;
+    let visibility = &cx.passthrough.visibility;
     let (given, count) = (of_state_and_inputs(cx), usize_literal(cx.rates().total));
     let (checked, errors) = (quaternions::checked(cx), quaternions::error(cx));
     let doc = format!(" {what} by value; see [`{name}_into`](Self::{name}_into).");
@@ -98,7 +98,7 @@ fn by_value_of(cx: &EmitContext, name: &str, what: &str) -> TokenStream {
 }
 
 pub(super) fn solution(cx: &EmitContext) -> MethodTemplate {
-    let (workspace, visibility) = (&cx.names.workspace, &cx.surface.visibility);
+    let (workspace, visibility) = (&cx.names.workspace, &cx.passthrough.visibility);
     let doc = format!(" Writes into `at`: {}.", docs::results(cx));
     let (given, errors) = (of_state_and_inputs(cx), quaternions::error(cx));
     MethodTemplate {
@@ -142,7 +142,7 @@ fn in_workspace(cx: &EmitContext, id: OutputId) -> Destination {
 }
 
 pub(super) fn energy(cx: &EmitContext) -> MethodTemplate {
-    let (mstmm, visibility) = (&cx.mstmm, &cx.surface.visibility);
+    let (mstmm, visibility) = (&cx.mstmm, &cx.passthrough.visibility);
     let prescribed = cx.chain.has_prescribed_hinges();
     let name = format_ident!("{}", if prescribed { "energy_with" } else { "energy" });
     MethodTemplate {
@@ -166,10 +166,10 @@ pub(super) fn energy(cx: &EmitContext) -> MethodTemplate {
 }
 
 pub(super) fn bias_efforts(cx: &EmitContext) -> MethodTemplate {
-    let visibility = &cx.surface.visibility;
+    let visibility = &cx.passthrough.visibility;
     let (given, lent) = (of_state_and_inputs(cx), lent_rates(cx, &quote!(efforts_)));
     let near_one = quaternions::near_one(cx);
-    let opened = (!cx.layout.closings.is_empty()).then(|| {
+    let opened = (!cx.layout.loop_hinges.is_empty()).then(|| {
         quote! {
             ///
             /// The chain is the tree of its hinges: the closing hinge is open, and the effort of each

@@ -89,7 +89,7 @@ pub(super) fn closure_pivots(cx: &EmitContext) -> MethodTemplate {
 
 pub(super) fn start(cx: &EmitContext) -> MethodTemplate {
     let mstmm = &cx.mstmm;
-    let (state, visibility) = (&cx.names.state, &cx.surface.visibility);
+    let (state, visibility) = (&cx.names.state, &cx.passthrough.visibility);
     MethodTemplate {
         name: quote!(#[must_use] #visibility fn initial_state),
         docs: [

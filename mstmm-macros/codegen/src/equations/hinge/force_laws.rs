@@ -3,7 +3,7 @@
 use super::rows::dot;
 use crate::equations::SymbolValues;
 use crate::math::Scalar;
-use crate::model::{Form, Freedoms, Friction, Limits, Passive};
+use crate::model::{DofGroup, Friction, Limits, Passive, Representation};
 
 /// The effort along a strain, and how it falls with the strain and with its rate.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +19,7 @@ pub struct LinearizedEffort<S> {
 /// A group of degrees of freedom in a state.
 pub struct GroupState<'a, S> {
     /// The group.
-    pub group: &'a Freedoms,
+    pub group: &'a DofGroup,
     /// What acts on each strain.
     pub passive: &'a [Passive],
     /// The numbers of the chain.
@@ -55,14 +55,18 @@ pub fn along_group<S: Scalar>(acting: &GroupState<S>) -> (Vec<LinearizedEffort<S
         if let Some(friction) = &passive.friction {
             along.add(dry_friction(acting, friction, k));
         }
-        if let (Some(limits), Form::Numbers | Form::Angles) = (&passive.limits, acting.group.form) {
+        if let (Some(limits), Representation::Numbers | Representation::Angles) =
+            (&passive.limits, acting.group.representation)
+        {
             let (stop, stored) = stop(acting, limits, k);
             along.add(stop);
             energy = energy + stored;
         }
         alongs.push(along);
     }
-    if let (Some(limits), Form::Quaternion) = (&acting.passive[0].limits, acting.group.form) {
+    if let (Some(limits), Representation::Quaternion) =
+        (&acting.passive[0].limits, acting.group.representation)
+    {
         energy = energy + add_cone(acting, limits, &mut alongs);
     }
     (alongs, energy)
@@ -89,9 +93,9 @@ fn dry_friction<S: Scalar>(
 ) -> LinearizedEffort<S> {
     let (effort, speed) =
         (acting.numbers.scalar(&friction.effort), acting.numbers.scalar(&friction.speed));
-    let rates = match acting.group.form {
-        Form::Quaternion => acting.rates,
-        Form::Numbers | Form::Angles => &acting.rates[k..=k],
+    let rates = match acting.group.representation {
+        Representation::Quaternion => acting.rates,
+        Representation::Numbers | Representation::Angles => &acting.rates[k..=k],
     };
     let square = speed * speed;
     let inverse = (dot(rates, rates) + square).sqrt().recip();

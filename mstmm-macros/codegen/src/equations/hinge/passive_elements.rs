@@ -6,7 +6,7 @@ use super::force_laws::{GroupState, LinearizedEffort, along_group};
 use super::strain::{self, StrainMap};
 use crate::equations::SymbolValues;
 use crate::math::{Dual, Scalar};
-use crate::model::{Form, Freedoms, Hinge, HingeKind, Passive};
+use crate::model::{DofGroup, Hinge, HingeKind, Passive, Representation};
 
 /// What acts along the free directions.
 #[derive(Clone, Debug)]
@@ -95,11 +95,13 @@ impl<S: Scalar> PassiveElements<S> {
 
 /// The strains `s`, one for each rate: coordinates less their rest values, rotation vectors from rest.
 fn from_rest<S: Scalar>(kind: &HingeKind, rest: &[S], q: &[S]) -> Vec<S> {
-    let group = |group: &Freedoms| {
+    let group = |group: &DofGroup| {
         let (rest, q) = (&rest[group.coordinates.clone()], &q[group.coordinates.clone()]);
-        match group.form {
-            Form::Numbers | Form::Angles => q.iter().zip(rest).map(|(&q, &r)| q - r).collect(),
-            Form::Quaternion => ball::rotation_vector(rest, q).0.to_vec(),
+        match group.representation {
+            Representation::Numbers | Representation::Angles => {
+                q.iter().zip(rest).map(|(&q, &r)| q - r).collect()
+            }
+            Representation::Quaternion => ball::rotation_vector(rest, q).0.to_vec(),
         }
     };
     kind.shape().groups.iter().flat_map(group).collect::<Vec<S>>()

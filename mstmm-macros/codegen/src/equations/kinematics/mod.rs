@@ -25,7 +25,7 @@ use super::sweep::{Flatten, PerLink};
 use super::{EvalContext, Trace};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
-use crate::model::{Chain, Hinge, Link, Part, Place};
+use crate::model::{Attachment, Chain, Hinge, Link, MovesWith};
 
 /// A part in motion, in its link's work axes unless another frame is named.
 #[derive(Clone, Debug)]
@@ -167,7 +167,7 @@ struct RigidInertia<S> {
 fn rigid_part<S: Scalar>(
     situation: &EvalContext<S>,
     link: &Link,
-    to: &Place,
+    to: &Attachment,
     point: Vec3<S>,
 ) -> RigidInertia<S> {
     let numbers = situation.numbers;
@@ -180,7 +180,7 @@ fn rigid_part<S: Scalar>(
         let seen = rotation.transposed() * (point - origin);
         let mass = numbers.scalar(&body.mass);
         let inertia = match to {
-            Place::Input(input) if *input == member => numbers.inertia_about_input(body),
+            Attachment::Input(input) if *input == member => numbers.inertia_about_input(body),
             _ => numbers.inertia_about(body, seen),
         };
         all.mass = all.mass + mass;
@@ -191,15 +191,15 @@ fn rigid_part<S: Scalar>(
 }
 
 /// The places of a link's hinge: the parent's, then the child's.
-pub(super) fn sides<'a>(chain: &'a Chain, link: &Link) -> (&'a Place, &'a Place) {
+pub(super) fn sides<'a>(chain: &'a Chain, link: &Link) -> (&'a Attachment, &'a Attachment) {
     let Hinge { inboard, outboard, .. } = &chain.hinges[link.hinge];
     if link.reversed { (outboard, inboard) } else { (inboard, outboard) }
 }
 
 /// The link that a part moves with; none on the ground.
-pub(super) fn link_of(part: Part) -> Option<LinkId> {
+pub(super) fn link_of(part: MovesWith) -> Option<LinkId> {
     match part {
-        Part::Ground => None,
-        Part::Link(link) => Some(link),
+        MovesWith::Ground => None,
+        MovesWith::Link(link) => Some(link),
     }
 }

@@ -3,15 +3,17 @@
 use super::route::whole_route;
 use crate::diag::Diagnostics;
 use crate::model::condition::Requirement;
-use crate::model::lower::{Draft, POINTS, Stop, listed};
+use crate::model::lower::{Draft, POINTS, RouteItem, listed};
 use crate::model::rules::MASS;
 
 /// A type of body that is on no route is a slip, most likely of the route.
 pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let lost = |stop: &Stop| {
+    let lost = |stop: &RouteItem| {
         matches!(
             stop,
-            Stop::Unknown { .. } | Stop::Again { .. } | Stop::Body { body_type: None, .. }
+            RouteItem::Unknown { .. }
+                | RouteItem::Again { .. }
+                | RouteItem::Body { body_type: None, .. }
         )
     };
     let stops = whole_route(draft);
@@ -19,7 +21,8 @@ pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
         return;
     }
     for body in &draft.types {
-        let uses = |stop: &Stop| matches!(stop, Stop::Body { word, .. } if *word == body.name);
+        let uses =
+            |stop: &RouteItem| matches!(stop, RouteItem::Body { word, .. } if *word == body.name);
         if !draft.stops.iter().any(uses) {
             let message = format!("body `{}` is not on the route", body.name);
             diagnostics.error(body.name.span(), message);
@@ -30,7 +33,7 @@ pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
 /// A type of body has mass, centre of mass and inertia, and an output if something follows it.
 pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
     // A last hinge, which joins nothing, needs no output to be joined to.
-    let is_hinge = |stop: &Stop| matches!(stop, Stop::Hinge { .. });
+    let is_hinge = |stop: &RouteItem| matches!(stop, RouteItem::Hinge { .. });
     let joined = draft.stops.iter().rposition(|stop| !is_hinge(stop)).map_or(0, |last| last + 1);
     let (last, stops) = match draft.stops[..joined].split_last() {
         Some((last, stops)) => (Some(last), stops),
@@ -41,12 +44,11 @@ pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
         repeat.count.is_some_and(|count| count > 1) && repeat.stops.end >= joined
     });
     // In a route with errors nobody knows which bodies are followed by a hinge.
-    let is_again = |stop: &Stop| matches!(stop, Stop::Again { .. });
+    let is_again = |stop: &RouteItem| matches!(stop, RouteItem::Again { .. });
     let is_whole = draft.def.route.as_ref().is_some_and(|route| route.whole)
         && !draft.stops.iter().any(is_again);
     for (index, body) in draft.types.iter().enumerate() {
-        let is_it =
-            |stop: &Stop| matches!(stop, Stop::Body { body_type, .. } if *body_type == Some(index));
+        let is_it = |stop: &RouteItem| matches!(stop, RouteItem::Body { body_type, .. } if *body_type == Some(index));
         let is_followed = stops.iter().any(is_it) || (last_is_followed && last.is_some_and(is_it));
         let missing: Vec<_> =
             body.missing(is_followed && is_whole).iter().map(|name| format!("`{name}`")).collect();

@@ -1,18 +1,17 @@
 //! Routes that are written after the first one: what is meant by them, and the way round.
 
-use crate::model::lower::Stop;
+use crate::model::lower::RouteItem;
 use proc_macro2::Ident;
 
 /// What to say of a route that is written after the first one.
-pub(super) fn of_route(first: &[Stop], further: &[Stop]) -> String {
+pub(super) fn of_route(first: &[RouteItem], further: &[RouteItem]) -> String {
     let is_moving = |name: &Ident| {
-        let is_it =
-            |stop: &Stop| matches!(stop, Stop::Moving { name: Some(end), .. } if *end == name);
+        let is_it = |stop: &RouteItem| matches!(stop, RouteItem::Moving { name: Some(end), .. } if *end == name);
         first.iter().any(is_it)
     };
     // The same moving end may hold several chains.
     let mut again = further.iter().filter_map(|stop| match stop {
-        Stop::Again { name } if !is_moving(name) => Some(*name),
+        RouteItem::Again { name } if !is_moving(name) => Some(*name),
         _ => None,
     });
     let (again, other) = (again.next(), again.next());
@@ -21,10 +20,10 @@ pub(super) fn of_route(first: &[Stop], further: &[Stop]) -> String {
             "a chain closes over the ground or a moving end only, not from `{name}`: \
              hold the two bodies together by two loads with `force = input`"
         ),
-        (Some(name), [Stop::Again { .. }, ..]) if is_last(first, name) => {
+        (Some(name), [RouteItem::Again { .. }, ..]) if is_last(first, name) => {
             format!("a chain has one route: go on with `-> …` in place of the `;` after `{name}`")
         }
-        (Some(name), [Stop::Again { .. }, ..]) if is_first(first, name) => format!(
+        (Some(name), [RouteItem::Again { .. }, ..]) if is_first(first, name) => format!(
             "a chain has no branches, but a route can pass through `{name}`: \
              begin it at the free end of one branch, as in `… -> {name} -> …`"
         ),
@@ -37,7 +36,7 @@ pub(super) fn of_route(first: &[Stop], further: &[Stop]) -> String {
              before this"
                 .into()
         }
-        (None, [Stop::Ground { .. } | Stop::Moving { .. } | Stop::Again { .. }, ..]) => {
+        (None, [RouteItem::Ground { .. } | RouteItem::Moving { .. } | RouteItem::Again { .. }, ..]) => {
             "a chain has one route: write this one as a second chain; a loop over the ground is one \
              route, `ground -> … -> ground at […]`"
                 .into()
@@ -46,24 +45,26 @@ pub(super) fn of_route(first: &[Stop], further: &[Stop]) -> String {
     }
 }
 
-fn is_called(stop: Option<&Stop>, name: &Ident) -> bool {
-    matches!(stop, Some(body @ Stop::Body { .. }) if body.name() == Some(name))
+fn is_called(stop: Option<&RouteItem>, name: &Ident) -> bool {
+    matches!(stop, Some(body @ RouteItem::Body { .. }) if body.name() == Some(name))
 }
 
 /// Whether this body is the last stop.
-fn is_last(stops: &[Stop], name: &Ident) -> bool {
+fn is_last(stops: &[RouteItem], name: &Ident) -> bool {
     is_called(stops.last(), name)
 }
 
 /// Whether this body is the first stop.
-fn is_first(stops: &[Stop], name: &Ident) -> bool {
+fn is_first(stops: &[RouteItem], name: &Ident) -> bool {
     is_called(stops.first(), name)
 }
 
 /// Whether a route may be the rest of the first one: a hinge follows on a body, or a body on a hinge.
-fn is_continued(first: &[Stop], further: &[Stop]) -> bool {
+fn is_continued(first: &[RouteItem], further: &[RouteItem]) -> bool {
     let pair = (first.last(), further.first());
-    let hinge_follows =
-        matches!(pair, (Some(Stop::Body { .. }), Some(Stop::Hinge { .. } | Stop::Unknown { .. })));
-    hinge_follows || matches!(pair, (Some(Stop::Hinge { .. }), Some(Stop::Body { .. })))
+    let hinge_follows = matches!(
+        pair,
+        (Some(RouteItem::Body { .. }), Some(RouteItem::Hinge { .. } | RouteItem::Unknown { .. }))
+    );
+    hinge_follows || matches!(pair, (Some(RouteItem::Hinge { .. }), Some(RouteItem::Body { .. })))
 }

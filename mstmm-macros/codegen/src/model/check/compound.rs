@@ -1,7 +1,7 @@
 //! Hinges in a row, without a body between them.
 
 use crate::math::Vec3;
-use crate::model::lower::{Given, Stop};
+use crate::model::lower::{RouteItem, Spanned};
 use crate::model::{HingeKind, Value};
 
 /// Directions whose sine, or cosine, is less than this are parallel, or at a right angle.
@@ -10,7 +10,7 @@ const ALIKE: f64 = 1e-6;
 type Vector = Vec3<f64>;
 
 /// What to write in place of hinges in a row, as the end of a message.
-pub(super) fn advice(hinges: &[Stop], defaults: &[Option<f64>]) -> String {
+pub(super) fn advice(hinges: &[RouteItem], defaults: &[Option<f64>]) -> String {
     match compound(hinges, defaults) {
         Some(kind) => format!("; one hinge `{kind}` does the same"),
         None => "; put one there, with a mass, however small".into(),
@@ -18,11 +18,11 @@ pub(super) fn advice(hinges: &[Stop], defaults: &[Option<f64>]) -> String {
 }
 
 /// The kind that does what all of these do, if there is one.
-fn compound(hinges: &[Stop], defaults: &[Option<f64>]) -> Option<&'static str> {
+fn compound(hinges: &[RouteItem], defaults: &[Option<f64>]) -> Option<&'static str> {
     let kinds: Option<Vec<&HingeKind>> = hinges
         .iter()
         .map(|stop| match stop {
-            Stop::Hinge { frees: Some(Given { value, .. }), .. } => Some(value),
+            RouteItem::Hinge { frees: Some(Spanned { value, .. }), .. } => Some(value),
             _ => None,
         })
         .collect();

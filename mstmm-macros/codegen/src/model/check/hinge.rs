@@ -1,10 +1,10 @@
 //! Hinges: their axes and what moves them.
 
 use crate::diag::Diagnostics;
-use crate::model::condition::{Condition, Must, Requirement};
-use crate::model::lower::{Draft, Given, Stop, groups};
-use crate::model::{Drive, Form, HingeKind, Value};
-use crate::syntax::{Arguments, Extent, Field, Turn, Written};
+use crate::model::condition::{Bound, Condition, Requirement};
+use crate::model::lower::{Draft, RouteItem, Spanned, groups};
+use crate::model::{Drive, HingeKind, Representation, Value};
+use crate::syntax::{ArgumentsSyntax, FieldSyntax, OrientationSyntax, SpanRange, ValueSyntax};
 use std::f64::consts::FRAC_PI_2;
 
 /// Two axes whose directions differ by less than this, in rad, are one.
@@ -13,26 +13,30 @@ const PARALLEL: f64 = 1e-6;
 /// The hinges that could be read, with what stands in parentheses behind their kinds.
 fn hinges<'d>(
     draft: &'d Draft,
-) -> impl Iterator<Item = (&'d Given<HingeKind>, Option<&'d Arguments>)> {
+) -> impl Iterator<Item = (&'d Spanned<HingeKind>, Option<&'d ArgumentsSyntax>)> {
     draft.stops.iter().filter_map(|stop| match stop {
-        Stop::Hinge { frees: Some(frees), arguments, .. } => Some((frees, *arguments)),
+        RouteItem::Hinge { frees: Some(frees), arguments, .. } => Some((frees, *arguments)),
         _ => None,
     })
 }
 
 /// Where what stands at this place in the parentheses is.
-fn argument(hinge: &Given<HingeKind>, arguments: Option<&Arguments>, index: usize) -> Extent {
+fn argument(
+    hinge: &Spanned<HingeKind>,
+    arguments: Option<&ArgumentsSyntax>,
+    index: usize,
+) -> SpanRange {
     let written = arguments.and_then(|arguments| arguments.values.get(index));
     written.map_or(hinge.at, |written| written.extent())
 }
 
 /// An axis of zeros points nowhere.
 pub(super) fn axes_have_a_direction(draft: &Draft) -> Vec<Requirement> {
-    let direction = |(hinge, arguments): (&Given<HingeKind>, Option<&Arguments>)| {
+    let direction = |(hinge, arguments): (&Spanned<HingeKind>, Option<&ArgumentsSyntax>)| {
         let direction = |(index, axis): (usize, &[Value; 3])| {
             let at = argument(hinge, arguments, index);
             let message = "an axis of zeros has no direction";
-            vec![Condition::new(square(axis), Must::BePositive, at, message)]
+            vec![Condition::new(square(axis), Bound::BePositive, at, message)]
         };
         hinge.value.axes().iter().enumerate().map(direction).collect::<Vec<_>>()
     };
@@ -41,7 +45,7 @@ pub(super) fn axes_have_a_direction(draft: &Draft) -> Vec<Requirement> {
 
 /// Turns about two parallel axes are one turn.
 pub(super) fn universal_axes_are_not_parallel(draft: &Draft) -> Vec<Requirement> {
-    let not_parallel = |(hinge, arguments): (&Given<HingeKind>, Option<&Arguments>)| {
+    let not_parallel = |(hinge, arguments): (&Spanned<HingeKind>, Option<&ArgumentsSyntax>)| {
         let HingeKind::Universal { axes: [a, b] } = &hinge.value else { return None };
         let at = argument(hinge, arguments, 1);
         // |a × b| is |a| |b| times the sine of the angle between them.
@@ -49,9 +53,9 @@ pub(super) fn universal_axes_are_not_parallel(draft: &Draft) -> Vec<Requirement>
         let sine = square(&cross(&scaled(a), &scaled(b))).minus(least);
         let message = "the two axes of a universal hinge must not be parallel";
         Some(vec![
-            Condition::silent(square(a), Must::BePositive, at),
-            Condition::silent(square(b), Must::BePositive, at),
-            Condition::new(sine, Must::BePositive, at, message),
+            Condition::silent(square(a), Bound::BePositive, at),
+            Condition::silent(square(b), Bound::BePositive, at),
+            Condition::new(sine, Bound::BePositive, at, message),
         ])
     };
     hinges(draft).filter_map(not_parallel).collect()
@@ -84,13 +88,15 @@ fn cross([a, b, c]: &[Value; 3], [x, y, z]: &[Value; 3]) -> [Value; 3] {
 
 /// The angles of an elastic hinge say nothing where its pitch is a right angle.
 pub(super) fn elastic_pitches_are_less_than_a_right_angle(draft: &Draft) -> Vec<Requirement> {
-    let mut seen: Vec<&Field> = Vec::new();
+    let mut seen: Vec<&FieldSyntax> = Vec::new();
     let mut requirements = Vec::new();
     for (stop, properties) in draft.stops.iter().zip(&draft.properties) {
-        let (Stop::Hinge { shape, .. }, Some(motion)) = (stop, &properties.motion) else {
+        let (RouteItem::Hinge { shape, .. }, Some(motion)) = (stop, &properties.motion) else {
             continue;
         };
-        let Some(group) = shape.groups.iter().find(|group| group.form == Form::Angles) else {
+        let Some(group) =
+            shape.groups.iter().find(|group| group.representation == Representation::Angles)
+        else {
             continue;
         };
         let pitch = group.coordinates.start + 1;
@@ -105,7 +111,7 @@ pub(super) fn elastic_pitches_are_less_than_a_right_angle(draft: &Draft) -> Vec<
             let right_angle = || Value::number(FRAC_PI_2);
             let margins = [right_angle().minus(angle.clone()), right_angle().plus(angle.clone())];
             let condition =
-                |margin| Condition::new(margin, Must::BePositive, pitch_of(field), message);
+                |margin| Condition::new(margin, Bound::BePositive, pitch_of(field), message);
             requirements.push(margins.map(condition).to_vec());
         }
     }
@@ -113,25 +119,25 @@ pub(super) fn elastic_pitches_are_less_than_a_right_angle(draft: &Draft) -> Vec<
 }
 
 /// Where the second of three angles stands behind `turned`.
-fn pitch_of(field: &Field) -> Extent {
+fn pitch_of(field: &FieldSyntax) -> SpanRange {
     match &field.value {
-        Some(Written::Turned(_, Turn::Form(form))) => {
+        Some(ValueSyntax::Turned(_, OrientationSyntax::FormSyntax(form))) => {
             form.list.entries.get(1).map_or(form.extent(), |entry| entry.extent)
         }
         Some(other) => other.extent(),
-        None => Extent::token(field.name.span()),
+        None => SpanRange::token(field.name.span()),
     }
 }
 
 /// A hinge whose motion is given has no motor beside it, and is no part of the state that has a
 /// start.
 pub(super) fn motions_are_given_alone(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let mut reported: Vec<&Field> = Vec::new();
+    let mut reported: Vec<&FieldSyntax> = Vec::new();
     for (stop, properties) in draft.stops.iter().zip(&draft.properties) {
-        let (Stop::Hinge { shape, .. }, Some(motion)) = (stop, &properties.motion) else {
+        let (RouteItem::Hinge { shape, .. }, Some(motion)) = (stop, &properties.motion) else {
             continue;
         };
-        if motion.drive != Drive::Motion {
+        if motion.drive != Drive::Prescribed {
             continue;
         }
         let names = groups(shape).flat_map(|(_, words)| [words.effort, words.start_rate]);

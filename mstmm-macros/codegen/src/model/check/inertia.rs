@@ -1,7 +1,7 @@
 //! Inertia tensors.
 
-use crate::model::condition::{Condition, Must, Requirement};
-use crate::model::lower::{BodyType, Draft, Given};
+use crate::model::condition::{Bound, Condition, Requirement};
+use crate::model::lower::{BodyType, Draft, Spanned};
 use crate::model::rules::MOMENT;
 use crate::model::{Dimension, Inertia, Value};
 
@@ -24,13 +24,13 @@ pub(super) fn inertias_are_those_of_real_bodies(draft: &Draft) -> Vec<Requiremen
     bodies.filter_map(|body| Some(real(draft.space, body, body.inertia.as_ref()?))).collect()
 }
 
-fn real(space: Dimension, body: &BodyType, inertia: &Given<Inertia>) -> Requirement {
+fn real(space: Dimension, body: &BodyType, inertia: &Spanned<Inertia>) -> Requirement {
     let moments = inertia.value.tensor[..3].iter();
     let silent =
-        |moment: &Value| Condition::silent(moment.clone(), Must::NotBeNegative, inertia.at);
+        |moment: &Value| Condition::silent(moment.clone(), Bound::NotBeNegative, inertia.at);
     let mut conditions: Requirement = moments.map(silent).collect();
     let mut require = |signs: Vec<Value>, message: &str| {
-        let condition = |sign| Condition::new(sign, Must::NotBeNegative, inertia.at, message);
+        let condition = |sign| Condition::new(sign, Bound::NotBeNegative, inertia.at, message);
         conditions.extend(signs.into_iter().map(condition));
     };
     let message = "no body has this inertia: \

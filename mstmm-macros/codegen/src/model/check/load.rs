@@ -3,8 +3,8 @@
 use crate::diag::Diagnostics;
 use crate::model::Value;
 use crate::model::condition::Requirement;
-use crate::model::lower::{Draft, Given, listed};
-use crate::model::rules::{DAMPING, LENGTH, Rule, STIFFNESS};
+use crate::model::lower::{Draft, Spanned, listed};
+use crate::model::rules::{DAMPING, LENGTH, STIFFNESS, ValueRule};
 
 /// A load acts on a body, by a force or a torque.
 pub(super) fn loads_are_complete(draft: &Draft, diagnostics: &mut Diagnostics) {
@@ -37,8 +37,8 @@ pub(super) fn spring_numbers_are_not_negative(draft: &Draft) -> Vec<Requirement>
             (spring.length.as_ref().and_then(Option::as_ref), LENGTH),
         ]
     });
-    let not_negative = |(given, rule): (Option<&Given<Value>>, Rule)| {
-        let Given { value, at } = given?.clone();
+    let not_negative = |(given, rule): (Option<&Spanned<Value>>, ValueRule)| {
+        let Spanned { value, at } = given?.clone();
         Some(vec![rule.condition(value, at)])
     };
     numbers.filter_map(not_negative).collect()

@@ -36,10 +36,10 @@ const NUMBER_RULES: &[NumberRule] = &[
 
 /// A rule: it reports where a chain breaks it. It says nothing where a part is missing on account
 /// of another mistake.
-type Rule = fn(&Draft, &mut Diagnostics);
+type ModelRule = fn(&Draft, &mut Diagnostics);
 
 /// All rules.
-const RULES: &[Rule] = &[
+const RULES: &[ModelRule] = &[
     name::names_are_identifiers,
     name::chains_are_not_called_like_their_numbers,
     name::names_are_used_once,

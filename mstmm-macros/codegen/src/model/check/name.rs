@@ -6,7 +6,7 @@ use syn::ext::IdentExt;
 
 use super::route::repeat_around;
 use crate::diag::Diagnostics;
-use crate::model::lower::{Draft, KINDS, Stop};
+use crate::model::lower::{Draft, KINDS, RouteItem};
 use crate::syntax::FUNCTIONS;
 
 /// Methods of the generated types, which no hinge, body or parameter can be named after.
@@ -59,7 +59,7 @@ const ITEM_WORDS: &[&str] = &["body", "hinge", "param", "ground"];
 const LATER_KEYWORDS: &[&str] = &["gen"];
 
 /// A name of a hinge, a body, a moving end, a parameter, a load or a spring.
-struct Name<'a> {
+struct UsedName<'a> {
     ident: &'a Ident,
     /// Whether it was made from the name of the type.
     made: bool,
@@ -69,16 +69,17 @@ struct Name<'a> {
     twice: &'static str,
 }
 
-fn names<'a>(draft: &'a Draft) -> Vec<Name<'a>> {
+fn names<'a>(draft: &'a Draft) -> Vec<UsedName<'a>> {
     let parameters = draft.def.parameters.iter();
-    let plain = |ident| Name { ident, made: false, also: &[], twice: "" };
+    let plain = |ident| UsedName { ident, made: false, also: &[], twice: "" };
     let parameters = parameters.map(|def| plain(&def.field.name));
     let stops = draft.stops.iter().enumerate().filter_map(|(index, stop)| {
-        let made = matches!(stop, Stop::Body { named: false, .. });
-        let repeated = repeat_around(draft, index).is_some() && matches!(stop, Stop::Hinge { .. });
+        let made = matches!(stop, RouteItem::Body { named: false, .. });
+        let repeated =
+            repeat_around(draft, index).is_some() && matches!(stop, RouteItem::Hinge { .. });
         let also = if repeated { REPEATED } else { CHANGED };
         let twice = if made { "; write a name after the type" } else { twice(draft, index) };
-        Some(Name { ident: stop.name()?, made, also, twice })
+        Some(UsedName { ident: stop.name()?, made, also, twice })
     });
     let acting = acting(draft).map(plain);
     parameters.chain(stops).chain(acting).collect()
@@ -87,17 +88,17 @@ fn names<'a>(draft: &'a Draft) -> Vec<Name<'a>> {
 /// What to say of a stop by the name of one before it, if it may be meant to close a loop there.
 fn twice(draft: &Draft, index: usize) -> &'static str {
     let (before, behind) = draft.stops.split_at(index);
-    let is_same = |other: &Stop| other.name() == behind.first().and_then(Stop::name);
+    let is_same = |other: &RouteItem| other.name() == behind.first().and_then(RouteItem::name);
     match behind {
-        [Stop::Body { word, .. }]
+        [RouteItem::Body { word, .. }]
             // A hinge back to the body that it comes from is no loop.
             if before.iter().rev().skip(2).any(|other| {
-                is_same(other) && matches!(other, Stop::Body { word: same, .. } if same == word)
+                is_same(other) && matches!(other, RouteItem::Body { word: same, .. } if same == word)
             }) =>
         {
             "; a chain closes over the ground or a moving end only"
         }
-        [Stop::Moving { .. }] if before.first().is_some_and(is_same) => {
+        [RouteItem::Moving { .. }] if before.first().is_some_and(is_same) => {
             "; give this end another name, and both ends the same motion"
         }
         _ => "",
@@ -109,7 +110,7 @@ const CHANGED: &[(&str, &str)] = &[("", "_mut")];
 /// Those of a repeated hinge.
 const REPEATED: &[(&str, &str)] = &[("", "_mut"), ("set_each_", "")];
 
-impl Name<'_> {
+impl UsedName<'_> {
     /// The methods that it has beside the one of its name.
     fn methods(&self) -> impl Iterator<Item = String> {
         self.also.iter().map(|(start, end)| format!("{start}{}{end}", self.ident))

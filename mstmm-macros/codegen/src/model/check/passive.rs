@@ -1,14 +1,14 @@
 //! Springs, dampers, friction, limits and rotors of hinges.
 
 use crate::diag::Diagnostics;
-use crate::model::condition::{Must, Requirement};
-use crate::model::lower::{Draft, Fields, Stop, Words, groups};
+use crate::model::condition::{Bound, Requirement};
+use crate::model::lower::{Draft, FieldNames, Fields, RouteItem, groups};
 use crate::model::rules::{LARGEST_ANGLE, PASSIVE, PassiveRule, WIDTH};
-use crate::model::{Form, Passive};
-use crate::syntax::{Extent, Field, Written};
+use crate::model::{Passive, Representation};
+use crate::syntax::{FieldSyntax, SpanRange, ValueSyntax};
 
 /// Fields that say nothing without another one.
-const NEEDED: &[(Name, Name)] = &[
+const NEEDED: &[(FieldName, FieldName)] = &[
     (|words| words.friction, |words| words.friction_speed),
     (|words| words.limits, |words| words.limit_stiffness),
     (|words| words.friction_speed, |words| words.friction),
@@ -16,26 +16,26 @@ const NEEDED: &[(Name, Name)] = &[
     (|words| words.limit_damping, |words| words.limits),
 ];
 
-type Name = fn(&Words) -> &'static str;
+type FieldName = fn(&FieldNames) -> &'static str;
 
 /// What is said of a group of degrees of freedom.
-struct Group<'d> {
+struct PassiveGroup<'d> {
     fields: &'d Fields<'d>,
-    words: &'static Words,
-    form: Form,
+    words: &'static FieldNames,
+    representation: Representation,
     passive: &'d [Passive],
 }
 
 /// All groups of all hinges that could be read.
-fn all_groups<'d>(draft: &'d Draft) -> impl Iterator<Item = Group<'d>> {
+fn all_groups<'d>(draft: &'d Draft) -> impl Iterator<Item = PassiveGroup<'d>> {
     let hinges = draft.stops.iter().zip(&draft.properties).filter_map(|(stop, properties)| {
-        let Stop::Hinge { shape, .. } = stop else { return None };
+        let RouteItem::Hinge { shape, .. } = stop else { return None };
         Some((*shape, &properties.fields, properties.motion.as_ref()?))
     });
     hinges.flat_map(|(shape, fields, motion)| {
         groups(shape).map(move |(group, words)| {
             let passive = &motion.passive[group.rates.clone()];
-            Group { fields, words, form: group.form, passive }
+            PassiveGroup { fields, words, representation: group.representation, passive }
         })
     })
 }
@@ -43,13 +43,14 @@ fn all_groups<'d>(draft: &'d Draft) -> impl Iterator<Item = Group<'d>> {
 /// Mistakes in fields that several hinges may share: each is reported once.
 #[derive(Default)]
 struct Once<'d> {
-    reported: Vec<(&'d Field, usize)>,
+    reported: Vec<(&'d FieldSyntax, usize)>,
 }
 
 impl<'d> Once<'d> {
     /// Whether this is the first mistake in this entry of the field.
-    fn is_new(&mut self, field: &'d Field, entry: usize) -> bool {
-        let same = |(other, at): &(&Field, usize)| std::ptr::eq(*other, field) && *at == entry;
+    fn is_new(&mut self, field: &'d FieldSyntax, entry: usize) -> bool {
+        let same =
+            |(other, at): &(&FieldSyntax, usize)| std::ptr::eq(*other, field) && *at == entry;
         let new = !self.reported.iter().any(same);
         if new {
             self.reported.push((field, entry));
@@ -61,7 +62,7 @@ impl<'d> Once<'d> {
 /// Friction needs the speed that makes it smooth, limits their stiffness; neither is of use alone.
 pub(super) fn friction_and_limits_are_complete(draft: &Draft, diagnostics: &mut Diagnostics) {
     let mut once = Once::default();
-    for Group { fields, words, .. } in all_groups(draft) {
+    for PassiveGroup { fields, words, .. } in all_groups(draft) {
         for (given, needed) in NEEDED {
             let needed = needed(words);
             if let Some(field) = fields.get(given(words))
@@ -77,18 +78,18 @@ pub(super) fn friction_and_limits_are_complete(draft: &Draft, diagnostics: &mut 
 
 /// What is passive gives no energy.
 pub(super) fn passive_numbers_are_not_negative(draft: &Draft) -> Vec<Requirement> {
-    requirements(draft, Must::NotBeNegative)
+    requirements(draft, Bound::NotBeNegative)
 }
 
 /// Speeds of friction and the stiffness of limits are no zeros.
 pub(super) fn speeds_and_limits_are_positive(draft: &Draft) -> Vec<Requirement> {
-    requirements(draft, Must::BePositive)
+    requirements(draft, Bound::BePositive)
 }
 
-fn requirements(draft: &Draft, must: Must) -> Vec<Requirement> {
+fn requirements(draft: &Draft, must: Bound) -> Vec<Requirement> {
     let mut once = Once::default();
     let mut requirements = Vec::new();
-    for Group { fields, words, passive, .. } in all_groups(draft) {
+    for PassiveGroup { fields, words, passive, .. } in all_groups(draft) {
         for PassiveRule { rule, field, number } in PASSIVE.iter().filter(|it| it.rule.must == must)
         {
             let Some(field) = fields.get(field(words)) else { continue };
@@ -106,9 +107,9 @@ fn requirements(draft: &Draft, must: Must) -> Vec<Requirement> {
 }
 
 /// Which number of a field speaks of this strain, and where it stands.
-fn entry(field: &Field, strain: usize) -> Option<(usize, Extent)> {
+fn entry(field: &FieldSyntax, strain: usize) -> Option<(usize, SpanRange)> {
     match field.value.as_ref()? {
-        Written::Vector(list) => Some((strain, list.entries.get(strain)?.extent)),
+        ValueSyntax::Vector(list) => Some((strain, list.entries.get(strain)?.extent)),
         other => Some((0, other.extent())),
     }
 }
@@ -117,15 +118,15 @@ fn entry(field: &Field, strain: usize) -> Option<(usize, Extent)> {
 pub(super) fn limits_are_in_order(draft: &Draft) -> Vec<Requirement> {
     let mut once = Once::default();
     let mut requirements = Vec::new();
-    for Group { fields, words, form, passive } in all_groups(draft) {
+    for PassiveGroup { fields, words, representation, passive } in all_groups(draft) {
         let limits = passive.first().and_then(|passive| passive.limits.as_ref());
         if let (Some(field), Some(limits)) = (fields.get(words.limits), limits)
             && let Some(written) = &field.value
             && once.is_new(field, 0)
         {
-            let rule = match form {
-                Form::Quaternion => LARGEST_ANGLE,
-                Form::Numbers | Form::Angles => WIDTH,
+            let rule = match representation {
+                Representation::Quaternion => LARGEST_ANGLE,
+                Representation::Numbers | Representation::Angles => WIDTH,
             };
             requirements.push(vec![rule.condition(limits.width(), written.extent())]);
         }

@@ -2,11 +2,13 @@
 
 use super::route::{called, whole_route};
 use crate::diag::Diagnostics;
-use crate::model::lower::{Draft, Stop};
-use crate::syntax::Repeat;
+use crate::model::lower::{Draft, RouteItem};
+use crate::syntax::RepeatSyntax;
 
 /// The repeated parts of a route that could be read, each with its stops.
-fn repeats<'d, 'a>(draft: &'d Draft<'a>) -> impl Iterator<Item = (&'d Repeat, &'d [Stop<'a>])> {
+fn repeats<'d, 'a>(
+    draft: &'d Draft<'a>,
+) -> impl Iterator<Item = (&'d RepeatSyntax, &'d [RouteItem<'a>])> {
     let stops = whole_route(draft);
     let written = draft.def.route.iter().flat_map(|route| &route.repeats);
     written.filter_map(|repeat| Some((repeat, stops.get(repeat.stops.clone())?)))
@@ -32,14 +34,14 @@ pub(super) fn repeats_begin_with_a_hinge_and_end_with_a_body(
         let (first, last) = (stops.first(), stops.last());
         let wrong = [
             (
-                first.filter(|stop| matches!(stop, Stop::Body { body_type: Some(_), .. })),
+                first.filter(|stop| matches!(stop, RouteItem::Body { body_type: Some(_), .. })),
                 "begins with a hinge",
             ),
-            (last.filter(|stop| matches!(stop, Stop::Hinge { .. })), "ends with a body"),
+            (last.filter(|stop| matches!(stop, RouteItem::Hinge { .. })), "ends with a body"),
         ];
         for (stop, verdict) in wrong {
             if let Some((at, name)) = stop.and_then(called) {
-                let example = Repeat::EXAMPLE;
+                let example = RepeatSyntax::EXAMPLE;
                 let message = format!("`repeat` {verdict}, not with {name}: {example}");
                 diagnostics.error(at, message);
             }
@@ -51,8 +53,8 @@ pub(super) fn repeats_begin_with_a_hinge_and_end_with_a_body(
 pub(super) fn repeats_hold_no_ends(draft: &Draft, diagnostics: &mut Diagnostics) {
     for stop in repeats(draft).flat_map(|(_, stops)| stops) {
         let (at, word) = match stop {
-            Stop::Ground { at, .. } => (*at, "ground"),
-            Stop::Moving { at, .. } => (*at, "moving"),
+            RouteItem::Ground { at, .. } => (*at, "ground"),
+            RouteItem::Moving { at, .. } => (*at, "moving"),
             _ => continue,
         };
         diagnostics.error(at, format!("`{word}` cannot stand in `repeat`"));
@@ -62,7 +64,10 @@ pub(super) fn repeats_hold_no_ends(draft: &Draft, diagnostics: &mut Diagnostics)
 /// A repeated part is run through from the side that the chain is held at, or floats from: its start.
 pub(super) fn repeats_follow_the_held_end(draft: &Draft, diagnostics: &mut Diagnostics) {
     let stops = whole_route(draft);
-    let [Stop::Body { .. }, .., Stop::Ground { .. } | Stop::Moving { .. }] = stops else { return };
+    let [RouteItem::Body { .. }, .., RouteItem::Ground { .. } | RouteItem::Moving { .. }] = stops
+    else {
+        return;
+    };
     // An end inside a repeated part is reported there.
     for (repeat, _) in repeats(draft).filter(|(repeat, _)| repeat.stops.end < stops.len()) {
         let message = "a chain that is held at its end alone cannot `repeat`: \

@@ -5,43 +5,44 @@ use proc_macro2::Span;
 use super::{branch, compound};
 use crate::diag::Diagnostics;
 use crate::model::Drive;
-use crate::model::lower::{Draft, Properties, Stop, listed};
-use crate::syntax::Repeat;
+use crate::model::lower::{Draft, ItemProperties, RouteItem, listed};
+use crate::syntax::RepeatSyntax;
 
 /// The stops, if all of the route could be read; what is lost cannot be judged. One without a body
 /// is a mistake as a whole.
-pub(super) fn whole_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [Stop<'a>] {
+pub(super) fn whole_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [RouteItem<'a>] {
     let stops = readable_route(draft);
     if has_body(stops) { stops } else { &[] }
 }
 
-fn readable_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [Stop<'a>] {
+fn readable_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [RouteItem<'a>] {
     match &draft.def.route {
         Some(route) if route.whole => &draft.stops,
         _ => &[],
     }
 }
 
-fn has_body(stops: &[Stop]) -> bool {
-    let is_body =
-        |stop: &Stop| matches!(stop, Stop::Body { .. } | Stop::Unknown { .. } | Stop::Again { .. });
+fn has_body(stops: &[RouteItem]) -> bool {
+    let is_body = |stop: &RouteItem| {
+        matches!(stop, RouteItem::Body { .. } | RouteItem::Unknown { .. } | RouteItem::Again { .. })
+    };
     stops.iter().any(is_body)
 }
 
 /// What a message about a stop points at, and how it calls the stop.
-pub(super) fn called(stop: &Stop) -> Option<(Span, String)> {
+pub(super) fn called(stop: &RouteItem) -> Option<(Span, String)> {
     match stop {
-        Stop::Ground { at, .. } => Some((*at, "`ground`".into())),
-        Stop::Moving { at, name } => Some((
+        RouteItem::Ground { at, .. } => Some((*at, "`ground`".into())),
+        RouteItem::Moving { at, name } => Some((
             *at,
             name.map_or_else(|| "`moving`".into(), |name| format!("moving end `{name}`")),
         )),
-        Stop::Hinge { word, name, .. } => Some(match name {
+        RouteItem::Hinge { word, name, .. } => Some(match name {
             Some(name) => (name.span(), format!("hinge `{name}`")),
             None => (word.span(), format!("`{word}`")),
         }),
-        Stop::Body { name, .. } => Some((name.span(), format!("body `{name}`"))),
-        Stop::Unknown { .. } | Stop::Again { .. } => None,
+        RouteItem::Body { name, .. } => Some((name.span(), format!("body `{name}`"))),
+        RouteItem::Unknown { .. } | RouteItem::Again { .. } => None,
     }
 }
 
@@ -69,7 +70,7 @@ pub(super) fn there_is_one_route(draft: &Draft, diagnostics: &mut Diagnostics) {
 }
 
 /// The repeated part that a stop is in.
-pub(super) fn repeat_around<'d>(draft: &'d Draft, stop: usize) -> Option<&'d Repeat> {
+pub(super) fn repeat_around<'d>(draft: &'d Draft, stop: usize) -> Option<&'d RepeatSyntax> {
     let mut repeats = draft.def.route.iter().flat_map(|route| &route.repeats);
     repeats.find(|repeat| repeat.stops.contains(&stop))
 }
@@ -79,8 +80,8 @@ pub(super) fn ground_is_at_the_ends(draft: &Draft, diagnostics: &mut Diagnostics
     let [_, middle @ .., _] = whole_route(draft) else { return };
     for (index, stop) in middle.iter().enumerate() {
         let (at, word) = match stop {
-            Stop::Ground { at, .. } => (*at, "ground"),
-            Stop::Moving { at, .. } => (*at, "moving"),
+            RouteItem::Ground { at, .. } => (*at, "ground"),
+            RouteItem::Moving { at, .. } => (*at, "moving"),
             _ => continue,
         };
         // One in a repeated part is reported there.
@@ -110,23 +111,30 @@ pub(super) fn hinges_and_bodies_alternate(draft: &Draft, diagnostics: &mut Diagn
             continue;
         };
         let message = match (first, second) {
-            (Stop::Hinge { .. }, Stop::Hinge { .. }) => match hinges_in_a_row(stops, index) {
-                Some(hinges) => bodies_are_missing(hinges, &defaults),
-                None => continue,
-            },
-            (Stop::Body { body_type: Some(_), .. }, Stop::Body { body_type: Some(_), .. }) => {
+            (RouteItem::Hinge { .. }, RouteItem::Hinge { .. }) => {
+                match hinges_in_a_row(stops, index) {
+                    Some(hinges) => bodies_are_missing(hinges, &defaults),
+                    None => continue,
+                }
+            }
+            (
+                RouteItem::Body { body_type: Some(_), .. },
+                RouteItem::Body { body_type: Some(_), .. },
+            ) => {
                 let [first, second] =
                     [&first_name, &second_name].map(|name| name.trim_start_matches("body "));
                 format!("bodies {first} and {second} have no hinge between them")
             }
-            (Stop::Ground { .. } | Stop::Moving { .. }, Stop::Body { body_type: Some(_), .. })
-                if at_start =>
-            {
+            (
+                RouteItem::Ground { .. } | RouteItem::Moving { .. },
+                RouteItem::Body { body_type: Some(_), .. },
+            ) if at_start => {
                 format!("{first_name} and {second_name} have no hinge between them")
             }
-            (Stop::Body { body_type: Some(_), .. }, Stop::Ground { .. } | Stop::Moving { .. })
-                if at_end =>
-            {
+            (
+                RouteItem::Body { body_type: Some(_), .. },
+                RouteItem::Ground { .. } | RouteItem::Moving { .. },
+            ) if at_end => {
                 format!("{first_name} and {second_name} have no hinge between them")
             }
             _ => continue,
@@ -136,8 +144,11 @@ pub(super) fn hinges_and_bodies_alternate(draft: &Draft, diagnostics: &mut Diagn
 }
 
 /// The hinges in a row that begin at this stop; nothing if it is not the first of them.
-fn hinges_in_a_row<'d, 'a>(stops: &'d [Stop<'a>], first: usize) -> Option<&'d [Stop<'a>]> {
-    let is_hinge = |stop: &Stop| matches!(stop, Stop::Hinge { .. });
+fn hinges_in_a_row<'d, 'a>(
+    stops: &'d [RouteItem<'a>],
+    first: usize,
+) -> Option<&'d [RouteItem<'a>]> {
+    let is_hinge = |stop: &RouteItem| matches!(stop, RouteItem::Hinge { .. });
     if stops[..first].last().is_some_and(is_hinge) {
         return None;
     }
@@ -145,7 +156,7 @@ fn hinges_in_a_row<'d, 'a>(stops: &'d [Stop<'a>], first: usize) -> Option<&'d [S
     Some(&stops[first..first + count])
 }
 
-fn bodies_are_missing(hinges: &[Stop], defaults: &[Option<f64>]) -> String {
+fn bodies_are_missing(hinges: &[RouteItem], defaults: &[Option<f64>]) -> String {
     let names = hinges.iter().filter_map(called);
     let names: Vec<String> =
         names.map(|(_, name)| name.trim_start_matches("hinge ").to_owned()).collect();
@@ -158,8 +169,8 @@ fn bodies_are_missing(hinges: &[Stop], defaults: &[Option<f64>]) -> String {
 fn seam_is_wrong(draft: &Draft, stop: usize) -> bool {
     let begins = repeat_around(draft, stop + 1).filter(|repeat| repeat.stops.start == stop + 1);
     let ends = repeat_around(draft, stop).filter(|repeat| repeat.stops.end == stop + 1);
-    (begins.is_some() && !matches!(draft.stops[stop + 1], Stop::Hinge { .. }))
-        || (ends.is_some() && !matches!(draft.stops[stop], Stop::Body { .. }))
+    (begins.is_some() && !matches!(draft.stops[stop + 1], RouteItem::Hinge { .. }))
+        || (ends.is_some() && !matches!(draft.stops[stop], RouteItem::Body { .. }))
 }
 
 /// A free end is a body's: a hinge at the end would join it to nothing.
@@ -168,7 +179,7 @@ pub(super) fn hinges_join_something_on_both_sides(draft: &Draft, diagnostics: &m
     let Some(last) = stops.len().checked_sub(1) else { return };
     for (index, verb) in [(0, "begin"), (last, "end")] {
         let stop = &stops[index];
-        if !matches!(stop, Stop::Hinge { .. }) || repeat_around(draft, index).is_some() {
+        if !matches!(stop, RouteItem::Hinge { .. }) || repeat_around(draft, index).is_some() {
             continue;
         }
         let Some((at, name)) = called(stop) else { continue };
@@ -180,23 +191,26 @@ pub(super) fn hinges_join_something_on_both_sides(draft: &Draft, diagnostics: &m
 
 /// Between two ends that are held or moved, something must give way.
 pub(super) fn closed_chains_can_move(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let is_end = |stop: &Stop| matches!(stop, Stop::Ground { .. } | Stop::Moving { .. });
+    let is_end =
+        |stop: &RouteItem| matches!(stop, RouteItem::Ground { .. } | RouteItem::Moving { .. });
     let [first, middle @ .., last] = whole_route(draft) else { return };
     if !(is_end(first) && is_end(last)) {
         return;
     }
     let properties = draft.properties.iter().skip(1);
-    let is_rigid = |(stop, properties): (&Stop, &Properties)| match stop {
-        Stop::Body { .. } => true,
-        Stop::Hinge { shape, .. } => {
+    let is_rigid = |(stop, properties): (&RouteItem, &ItemProperties)| match stop {
+        RouteItem::Body { .. } => true,
+        RouteItem::Hinge { shape, .. } => {
             let motion = properties.motion.as_ref();
-            shape.groups.is_empty() || motion.is_some_and(|motion| motion.drive == Drive::Motion)
+            shape.groups.is_empty()
+                || motion.is_some_and(|motion| motion.drive == Drive::Prescribed)
         }
-        Stop::Ground { .. } | Stop::Moving { .. } | Stop::Unknown { .. } | Stop::Again { .. } => {
-            false
-        }
+        RouteItem::Ground { .. }
+        | RouteItem::Moving { .. }
+        | RouteItem::Unknown { .. }
+        | RouteItem::Again { .. } => false,
     };
-    let has_body = middle.iter().any(|stop| matches!(stop, Stop::Body { .. }));
+    let has_body = middle.iter().any(|stop| matches!(stop, RouteItem::Body { .. }));
     if let Some((at, _)) = called(last)
         && has_body
         && middle.iter().zip(properties).all(is_rigid)

@@ -1,11 +1,14 @@
 //! Ball: a unit quaternion (w, x, y, z), and an angular velocity in rad/s.
 
-use super::{Group, Shape, View, one, quaternion, zero};
+use super::{HingeSpec, StateView, ViewArgument, one, quaternion, zero};
 
-pub(super) const SHAPE: Shape = Shape {
+pub(super) const SHAPE: HingeSpec = HingeSpec {
     word: "ball",
     coordinates: &[one("qw"), zero("qx"), zero("qy"), zero("qz")],
     rates: &["wx", "wy", "wz"],
     groups: &[quaternion(0)],
-    view: Some(View { name: "BallState", groups: &[Group::Coordinates(0..4), Group::Rates(0..3)] }),
+    view: Some(StateView {
+        name: "BallState",
+        groups: &[ViewArgument::Coordinates(0..4), ViewArgument::Rates(0..3)],
+    }),
 };

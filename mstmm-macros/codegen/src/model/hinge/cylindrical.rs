@@ -1,19 +1,19 @@
 //! Cylindrical: a way in m and an angle in rad.
 
-use super::{Group, Shape, View, shifts, turns, zero};
+use super::{HingeSpec, StateView, ViewArgument, shifts, turns, zero};
 
-pub(super) const SHAPE: Shape = Shape {
+pub(super) const SHAPE: HingeSpec = HingeSpec {
     word: "cylindrical",
     coordinates: &[zero("way"), zero("angle")],
     rates: &["velocity", "rate"],
     groups: &[shifts(1), turns(1, 1)],
-    view: Some(View {
+    view: Some(StateView {
         name: "CylindricalState",
         groups: &[
-            Group::Coordinates(0..1),
-            Group::Coordinates(1..2),
-            Group::Rates(0..1),
-            Group::Rates(1..2),
+            ViewArgument::Coordinates(0..1),
+            ViewArgument::Coordinates(1..2),
+            ViewArgument::Rates(0..1),
+            ViewArgument::Rates(1..2),
         ],
     }),
 };

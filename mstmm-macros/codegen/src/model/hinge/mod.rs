@@ -14,7 +14,7 @@ mod slider;
 mod universal;
 mod weld;
 
-use super::{Place, Value};
+use super::{Attachment, Value};
 use proc_macro2::Ident;
 use std::ops::Range;
 
@@ -26,9 +26,9 @@ pub struct Hinge {
     /// What it lets free.
     pub kind: HingeKind,
     /// Where its inboard side sits.
-    pub inboard: Place,
+    pub inboard: Attachment,
     /// Where its outboard side sits.
-    pub outboard: Place,
+    pub outboard: Attachment,
     /// Start coordinates, as many as the kind has: see [`HingeKind`].
     pub start: Vec<Value>,
     /// Start rates, as many as the kind has degrees of freedom.
@@ -103,7 +103,7 @@ pub enum Drive {
     Efforts(Vec<Effort>),
     /// Its coordinates, their rates and accelerations are given by the caller at every step; they
     /// are no part of the state.
-    Motion,
+    Prescribed,
 }
 
 /// The effort that drives a rate: power is effort times rate.
@@ -179,7 +179,7 @@ impl Passive {
 
 /// The numbers of a kind of hinge.
 #[derive(Debug)]
-pub struct Shape {
+pub struct HingeSpec {
     /// The word for it.
     pub word: &'static str,
     /// Its coordinates.
@@ -187,18 +187,18 @@ pub struct Shape {
     /// Names of its rates; as many as it has degrees of freedom.
     pub rates: &'static [&'static str],
     /// Its degrees of freedom by groups: shifts first, then turns. As many strains as rates each.
-    pub groups: &'static [Freedoms],
+    pub groups: &'static [DofGroup],
     /// How its coordinates and rates are handed out, unless it has none.
-    pub view: Option<View>,
+    pub view: Option<StateView>,
 }
 
 /// Degrees of freedom of one sort.
 #[derive(Debug, PartialEq)]
-pub struct Freedoms {
+pub struct DofGroup {
     /// Whether they are turns; shifts otherwise.
     pub turns: bool,
     /// How their coordinates are kept.
-    pub form: Form,
+    pub representation: Representation,
     /// Which of the hinge's coordinates.
     pub coordinates: Range<usize>,
     /// Which of the hinge's rates, efforts and strains.
@@ -207,7 +207,7 @@ pub struct Freedoms {
 
 /// How coordinates are kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+pub enum Representation {
     /// As numbers, each a strain.
     Numbers,
     /// As a unit quaternion.
@@ -228,16 +228,16 @@ pub struct Coordinate {
 /// A type of the runtime that shows coordinates and rates. A second one with `Mut` behind its name
 /// lets them be changed.
 #[derive(Debug)]
-pub struct View {
+pub struct StateView {
     /// Its name.
     pub name: &'static str,
     /// The arguments that it is made from: one number each, or an array.
-    pub groups: &'static [Group],
+    pub groups: &'static [ViewArgument],
 }
 
 /// Numbers that a view takes together.
 #[derive(Debug)]
-pub enum Group {
+pub enum ViewArgument {
     /// Some of the coordinates.
     Coordinates(Range<usize>),
     /// Some of the rates.
@@ -281,7 +281,7 @@ impl HingeKind {
     }
 
     /// The numbers of this kind.
-    pub fn shape(&self) -> &'static Shape {
+    pub fn shape(&self) -> &'static HingeSpec {
         match self {
             HingeKind::Weld => &weld::SHAPE,
             HingeKind::Pin { .. } => &pin::SHAPE,
@@ -303,7 +303,7 @@ impl HingeKind {
     }
 
     /// How many degrees of freedom it has.
-    pub fn freedoms(&self) -> usize {
+    pub fn dof_count(&self) -> usize {
         self.shape().rates.len()
     }
 
@@ -316,7 +316,7 @@ impl HingeKind {
 impl Hinge {
     /// Whether its coordinates are given by the caller, and no part of the state.
     pub fn is_prescribed(&self) -> bool {
-        self.drive == Drive::Motion
+        self.drive == Drive::Prescribed
     }
 }
 
@@ -331,18 +331,33 @@ const fn one(name: &'static str) -> Coordinate {
 }
 
 /// Shifts, each a number: the first coordinates and rates of a hinge.
-const fn shifts(count: usize) -> Freedoms {
-    Freedoms { turns: false, form: Form::Numbers, coordinates: 0..count, rates: 0..count }
+const fn shifts(count: usize) -> DofGroup {
+    DofGroup {
+        turns: false,
+        representation: Representation::Numbers,
+        coordinates: 0..count,
+        rates: 0..count,
+    }
 }
 
 /// Turns behind as many shifts, each kept as a number.
-const fn turns(shifts: usize, count: usize) -> Freedoms {
+const fn turns(shifts: usize, count: usize) -> DofGroup {
     let range = shifts..shifts + count;
-    Freedoms { turns: true, form: Form::Numbers, coordinates: shifts..shifts + count, rates: range }
+    DofGroup {
+        turns: true,
+        representation: Representation::Numbers,
+        coordinates: shifts..shifts + count,
+        rates: range,
+    }
 }
 
 /// All turns behind as many shifts, kept as a quaternion.
-const fn quaternion(shifts: usize) -> Freedoms {
+const fn quaternion(shifts: usize) -> DofGroup {
     let rates = shifts..shifts + 3;
-    Freedoms { turns: true, form: Form::Quaternion, coordinates: shifts..shifts + 4, rates }
+    DofGroup {
+        turns: true,
+        representation: Representation::Quaternion,
+        coordinates: shifts..shifts + 4,
+        rates,
+    }
 }

@@ -1,11 +1,14 @@
 //! Pin: an angle in rad.
 
-use super::{Group, Shape, View, turns, zero};
+use super::{HingeSpec, StateView, ViewArgument, turns, zero};
 
-pub(super) const SHAPE: Shape = Shape {
+pub(super) const SHAPE: HingeSpec = HingeSpec {
     word: "pin",
     coordinates: &[zero("angle")],
     rates: &["rate"],
     groups: &[turns(0, 1)],
-    view: Some(View { name: "PinState", groups: &[Group::Coordinates(0..1), Group::Rates(0..1)] }),
+    view: Some(StateView {
+        name: "PinState",
+        groups: &[ViewArgument::Coordinates(0..1), ViewArgument::Rates(0..1)],
+    }),
 };

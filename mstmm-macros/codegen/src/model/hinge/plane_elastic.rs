@@ -1,20 +1,20 @@
 //! Elastic in the plane: a displacement in m and an angle in rad; a velocity in m/s and an angular
 //! velocity in rad/s.
 
-use super::{Group, Shape, View, shifts, turns, zero};
+use super::{HingeSpec, StateView, ViewArgument, shifts, turns, zero};
 
-pub(super) const SHAPE: Shape = Shape {
+pub(super) const SHAPE: HingeSpec = HingeSpec {
     word: "elastic",
     coordinates: &[zero("x"), zero("y"), zero("angle")],
     rates: &["vx", "vy", "rate"],
     groups: &[shifts(2), turns(2, 1)],
-    view: Some(View {
+    view: Some(StateView {
         name: "PlaneElasticState",
         groups: &[
-            Group::Coordinates(0..2),
-            Group::Coordinates(2..3),
-            Group::Rates(0..2),
-            Group::Rates(2..3),
+            ViewArgument::Coordinates(0..2),
+            ViewArgument::Coordinates(2..3),
+            ViewArgument::Rates(0..2),
+            ViewArgument::Rates(2..3),
         ],
     }),
 };

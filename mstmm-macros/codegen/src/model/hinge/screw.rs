@@ -1,14 +1,14 @@
 //! Screw: an angle in rad.
 
-use super::{Group, Shape, View, turns, zero};
+use super::{HingeSpec, StateView, ViewArgument, turns, zero};
 
-pub(super) const SHAPE: Shape = Shape {
+pub(super) const SHAPE: HingeSpec = HingeSpec {
     word: "screw",
     coordinates: &[zero("angle")],
     rates: &["rate"],
     groups: &[turns(0, 1)],
-    view: Some(View {
+    view: Some(StateView {
         name: "ScrewState",
-        groups: &[Group::Coordinates(0..1), Group::Rates(0..1)],
+        groups: &[ViewArgument::Coordinates(0..1), ViewArgument::Rates(0..1)],
     }),
 };

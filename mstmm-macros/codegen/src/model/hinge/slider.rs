@@ -1,14 +1,14 @@
 //! Slider: a way in m.
 
-use super::{Group, Shape, View, shifts, zero};
+use super::{HingeSpec, StateView, ViewArgument, shifts, zero};
 
-pub(super) const SHAPE: Shape = Shape {
+pub(super) const SHAPE: HingeSpec = HingeSpec {
     word: "slider",
     coordinates: &[zero("way")],
     rates: &["velocity"],
     groups: &[shifts(1)],
-    view: Some(View {
+    view: Some(StateView {
         name: "SliderState",
-        groups: &[Group::Coordinates(0..1), Group::Rates(0..1)],
+        groups: &[ViewArgument::Coordinates(0..1), ViewArgument::Rates(0..1)],
     }),
 };

@@ -1,14 +1,14 @@
 //! Universal: two angles in rad.
 
-use super::{Group, Shape, View, turns, zero};
+use super::{HingeSpec, StateView, ViewArgument, turns, zero};
 
-pub(super) const SHAPE: Shape = Shape {
+pub(super) const SHAPE: HingeSpec = HingeSpec {
     word: "universal",
     coordinates: &[zero("angle1"), zero("angle2")],
     rates: &["rate1", "rate2"],
     groups: &[turns(0, 2)],
-    view: Some(View {
+    view: Some(StateView {
         name: "UniversalState",
-        groups: &[Group::Coordinates(0..2), Group::Rates(0..2)],
+        groups: &[ViewArgument::Coordinates(0..2), ViewArgument::Rates(0..2)],
     }),
 };

@@ -1,6 +1,6 @@
 //! Weld: nothing.
 
-use super::Shape;
+use super::HingeSpec;
 
-pub(super) const SHAPE: Shape =
-    Shape { word: "weld", coordinates: &[], rates: &[], groups: &[], view: None };
+pub(super) const SHAPE: HingeSpec =
+    HingeSpec { word: "weld", coordinates: &[], rates: &[], groups: &[], view: None };

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::context::{Context, KnownParameter, Measure};
 use super::dimension::{ANGLE, Quantity};
 use super::number::Measured;
-use crate::syntax::{Expr, ExprKind};
+use crate::syntax::{ExprKind, ExprSyntax};
 
 /// The name of the warning.
 const RULE: &str = "ANGLE_WITHOUT_UNIT";
@@ -13,7 +13,7 @@ const RULE: &str = "ANGLE_WITHOUT_UNIT";
 impl Context<'_> {
     /// Warns of an angle of more than a turn that has no unit, unless it is written with `PI`. A
     /// parameter that is used as an angle counts with its default, and the warning is on the default.
-    pub fn warn_of_degrees(&mut self, found: &Measured, expr: &Expr, expected: &Quantity) {
+    pub fn warn_of_degrees(&mut self, found: &Measured, expr: &ExprSyntax, expected: &Quantity) {
         if expected.dimension != ANGLE.dimension || found.measure != Measure::Plain {
             return;
         }
@@ -60,7 +60,7 @@ fn shown(number: f64) -> String {
 
 /// The parameter of this name.
 fn parameter<'p, 'a>(
-    expr: &Expr,
+    expr: &ExprSyntax,
     parameters: &'p [KnownParameter<'a>],
 ) -> Option<&'p KnownParameter<'a>> {
     let ExprKind::Name(name) = &expr.kind else { return None };
@@ -68,13 +68,13 @@ fn parameter<'p, 'a>(
 }
 
 /// What to edit of an angle: the default where it is a parameter, else the angle itself.
-fn default_of<'e>(expr: &'e Expr, parameters: &[KnownParameter<'e>]) -> &'e Expr {
+fn default_of<'e>(expr: &'e ExprSyntax, parameters: &[KnownParameter<'e>]) -> &'e ExprSyntax {
     let default = parameter(without_sign(expr), parameters).and_then(|known| known.written);
     default.unwrap_or(expr)
 }
 
 /// The number behind its signs.
-fn without_sign(mut expr: &Expr) -> &Expr {
+fn without_sign(mut expr: &ExprSyntax) -> &ExprSyntax {
     while let ExprKind::Negated(inner) = &expr.kind {
         expr = inner;
     }
@@ -82,8 +82,8 @@ fn without_sign(mut expr: &Expr) -> &Expr {
 }
 
 /// Whether `PI` is part of an expression, or of the default of a parameter in it.
-fn uses_pi(expr: &Expr, parameters: &[KnownParameter]) -> bool {
-    let any = |expr: &Expr| uses_pi(expr, parameters);
+fn uses_pi(expr: &ExprSyntax, parameters: &[KnownParameter]) -> bool {
+    let any = |expr: &ExprSyntax| uses_pi(expr, parameters);
     match &expr.kind {
         ExprKind::Number(_) | ExprKind::Path(_) => false,
         ExprKind::Name(name) if name == "PI" => true,

@@ -2,13 +2,13 @@
 
 use proc_macro2::Ident;
 
-use super::context::{Context, Given};
+use super::context::{Context, Spanned};
 use super::dimension::{LENGTH, MASS};
 use super::fields::{self, Fields};
 use super::inertia;
 use super::vector::zeros;
 use crate::model::{About, Dimension, Frame, Inertia, NamedPoint, Value};
-use crate::syntax::{Block, BlockWord, ChainDef, Extent, Field, Written};
+use crate::syntax::{BlockKeyword, BlockSyntax, ChainSyntax, FieldSyntax, SpanRange, ValueSyntax};
 
 /// The fields of a type of body.
 const FIELDS: &[&str] = &["mass", "com", "inertia", "output"];
@@ -20,28 +20,28 @@ pub(crate) struct BodyType<'a> {
     /// The type's name.
     pub name: &'a Ident,
     /// Mass in kg.
-    pub mass: Option<Given<Value>>,
+    pub mass: Option<Spanned<Value>>,
     /// Centre of mass in m.
-    pub com: Option<Given<[Value; 3]>>,
+    pub com: Option<Spanned<[Value; 3]>>,
     /// Inertia tensor in kg m².
-    pub inertia: Option<Given<Inertia>>,
+    pub inertia: Option<Spanned<Inertia>>,
     /// The output frame.
-    pub output: Option<Given<Frame>>,
+    pub output: Option<Spanned<Frame>>,
     /// Its points that have a name, in m.
-    pub points: Vec<Point<'a>>,
-    block: &'a Block,
+    pub points: Vec<PointDraft<'a>>,
+    block: &'a BlockSyntax,
     space: Dimension,
 }
 
 /// A point that has a name.
-pub(crate) struct Point<'a> {
+pub(crate) struct PointDraft<'a> {
     /// The name.
     pub name: &'a Ident,
     /// Where it is in the body frame, in m.
     pub position: Option<[Value; 3]>,
 }
 
-impl Point<'_> {
+impl PointDraft<'_> {
     /// The point; nothing where its position could not be read.
     pub fn finish(&self) -> Option<NamedPoint> {
         Some(NamedPoint { name: self.name.clone(), position: self.position.clone()? })
@@ -49,23 +49,23 @@ impl Point<'_> {
 }
 
 /// Whether a block describes a type of body.
-pub(super) fn is_type(block: &Block) -> bool {
-    block.word == BlockWord::Body && !block.after_route
+pub(super) fn is_type(block: &BlockSyntax) -> bool {
+    block.word == BlockKeyword::Body && !block.after_route
 }
 
 /// Whether a block says what only a type of body has.
-pub(super) fn describes_type(block: &Block) -> bool {
-    let of_type = |field: &Field| FIELDS.iter().any(|known| field.name == known);
+pub(super) fn describes_type(block: &BlockSyntax) -> bool {
+    let of_type = |field: &FieldSyntax| FIELDS.iter().any(|known| field.name == known);
     !block.points.is_empty() || block.fields.iter().any(of_type)
 }
 
 /// All types of bodies.
-pub(super) fn types<'a>(def: &'a ChainDef, context: &mut Context) -> Vec<BodyType<'a>> {
+pub(super) fn types<'a>(def: &'a ChainSyntax, context: &mut Context) -> Vec<BodyType<'a>> {
     let blocks = def.blocks.iter().filter(|block| is_type(block));
     blocks.filter_map(|block| body_type(block, context)).collect()
 }
 
-fn body_type<'a>(block: &'a Block, context: &mut Context) -> Option<BodyType<'a>> {
+fn body_type<'a>(block: &'a BlockSyntax, context: &mut Context) -> Option<BodyType<'a>> {
     let (name, others) = block.names.split_first()?;
     if let Some(other) = others.first() {
         context.diagnostics.error(other.span(), "a block describes one type of body");
@@ -86,12 +86,12 @@ fn body_type<'a>(block: &'a Block, context: &mut Context) -> Option<BodyType<'a>
         block,
         space: context.space,
     };
-    Some(body_type.with_line_defaults(Extent::token(name.span())))
+    Some(body_type.with_line_defaults(SpanRange::token(name.span())))
 }
 
-fn point<'a>(point: &'a Field, context: &mut Context) -> Point<'a> {
+fn point<'a>(point: &'a FieldSyntax, context: &mut Context) -> PointDraft<'a> {
     let position = context.field(point, |all, it| all.written_vector(it, LENGTH));
-    Point { name: &point.name, position: position.map(|given| given.value) }
+    PointDraft { name: &point.name, position: position.map(|given| given.value) }
 }
 
 fn known(space: Dimension) -> &'static [&'static str] {
@@ -103,12 +103,12 @@ fn known(space: Dimension) -> &'static [&'static str] {
 
 impl BodyType<'_> {
     /// In a line chain nothing turns: there is no inertia, and the centre of mass plays no part.
-    fn with_line_defaults(mut self, at: Extent) -> Self {
+    fn with_line_defaults(mut self, at: SpanRange) -> Self {
         if self.space == Dimension::Line {
             let tensor = [(); 6].map(|()| Value::number(0.0));
-            self.inertia = Some(Given { value: Inertia { tensor, about: About::Com }, at });
+            self.inertia = Some(Spanned { value: Inertia { tensor, about: About::Com }, at });
             if !self.gives("com") {
-                self.com = Some(Given { value: zeros(), at });
+                self.com = Some(Spanned { value: zeros(), at });
             }
         }
         self
@@ -119,7 +119,7 @@ impl BodyType<'_> {
         self.field(name).is_some()
     }
 
-    fn field(&self, name: &str) -> Option<&Field> {
+    fn field(&self, name: &str) -> Option<&FieldSyntax> {
         self.block.fields.iter().find(|field| field.name == name)
     }
 
@@ -144,10 +144,10 @@ impl BodyType<'_> {
     }
 
     /// Where an entry of the inertia tensor stands.
-    pub fn inertia_entry(&self, index: usize) -> Option<Extent> {
+    pub fn inertia_entry(&self, index: usize) -> Option<SpanRange> {
         match self.field("inertia")?.value.as_ref()? {
-            Written::Form(form) => inertia::entry(form, index),
-            Written::Number(expr) | Written::About(expr, _) => Some(expr.extent),
+            ValueSyntax::FormSyntax(form) => inertia::entry(form, index),
+            ValueSyntax::Number(expr) | ValueSyntax::About(expr, _) => Some(expr.extent),
             _ => None,
         }
     }

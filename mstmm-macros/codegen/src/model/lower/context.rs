@@ -3,11 +3,11 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::ToTokens;
 
-use super::dimension::Dimension;
+use super::dimension::PhysicalDimension;
 use crate::diag::{Diagnostics, did_you_mean};
 use crate::model::condition::Requirement;
 use crate::model::{self, Symbol, Value};
-use crate::syntax::{Expr, Extent, Field, Written};
+use crate::syntax::{ExprSyntax, FieldSyntax, SpanRange, ValueSyntax};
 
 /// Names, constants and mistakes.
 pub(super) struct Context<'a> {
@@ -26,9 +26,9 @@ pub(super) struct Context<'a> {
     /// What must hold of numbers that are not known.
     pub requirements: Vec<Requirement>,
     /// Fields that have been read.
-    read: Vec<*const Field>,
+    read: Vec<*const FieldSyntax>,
     /// Fields with a mistake that is reported: several hinges may share one.
-    faulty: Vec<*const Field>,
+    faulty: Vec<*const FieldSyntax>,
 }
 
 /// A parameter that may be used.
@@ -40,7 +40,7 @@ pub(super) struct KnownParameter<'a> {
     /// Its default in SI units, if it is known.
     pub default: Option<f64>,
     /// The default as written, if it could be read.
-    pub written: Option<&'a Expr>,
+    pub written: Option<&'a ExprSyntax>,
 }
 
 /// What is known of a number's unit.
@@ -53,16 +53,16 @@ pub(super) enum Measure {
     /// A Rust path, which may be anything.
     Open,
     /// A dimension.
-    Of(Dimension),
+    Of(PhysicalDimension),
 }
 
 /// Something read, and where it stands.
 #[derive(Clone, Debug)]
-pub(crate) struct Given<T> {
+pub(crate) struct Spanned<T> {
     /// What was read.
     pub value: T,
     /// Where it stands.
-    pub at: Extent,
+    pub at: SpanRange,
 }
 
 impl<'a> Context<'a> {
@@ -109,9 +109,9 @@ impl<'a> Context<'a> {
     /// Reads the value of a field. A mistake in it is reported once, whoever shares the field.
     pub fn field<T>(
         &mut self,
-        field: &Field,
-        read: impl FnOnce(&mut Self, &Written) -> Option<T>,
-    ) -> Option<Given<T>> {
+        field: &FieldSyntax,
+        read: impl FnOnce(&mut Self, &ValueSyntax) -> Option<T>,
+    ) -> Option<Spanned<T>> {
         let written = field.value.as_ref()?;
         if self.faulty.contains(&std::ptr::from_ref(field)) {
             return None;
@@ -125,7 +125,7 @@ impl<'a> Context<'a> {
         if value.is_none() {
             self.faulty.push(field);
         }
-        value.map(|value| Given { value, at: written.extent() })
+        value.map(|value| Spanned { value, at: written.extent() })
     }
 
     /// The value of a Rust path; the same path is the same constant.

@@ -3,7 +3,7 @@
 /// Powers of the base units. The angle is carried for the sake of messages only: it fits a plain
 /// number, as in `N*m*s/rad`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Dimension {
+pub(super) struct PhysicalDimension {
     /// Power of the metre.
     pub length: i32,
     /// Power of the kilogram.
@@ -22,12 +22,12 @@ pub(super) struct Quantity {
     /// Its unit in SI.
     pub unit: &'static str,
     /// Its dimension.
-    pub dimension: Dimension,
+    pub dimension: PhysicalDimension,
 }
 
 const fn quantity(name: &'static str, unit: &'static str, powers: [i32; 4]) -> Quantity {
     let [length, mass, time, angle] = powers;
-    Quantity { name, unit, dimension: Dimension { length, mass, time, angle } }
+    Quantity { name, unit, dimension: PhysicalDimension { length, mass, time, angle } }
 }
 
 /// A number without a unit.
@@ -92,12 +92,12 @@ impl Quantity {
     }
 }
 
-impl Dimension {
+impl PhysicalDimension {
     /// Of a product, where the other factor stands in it to this power.
-    pub fn times(self, other: Dimension, power: i32) -> Dimension {
+    pub fn times(self, other: PhysicalDimension, power: i32) -> PhysicalDimension {
         // Powers of powers soon leave all numbers, and are a mistake long before.
         let add = |a: i32, b: i32| a.saturating_add(b.saturating_mul(power));
-        Dimension {
+        PhysicalDimension {
             length: add(self.length, other.length),
             mass: add(self.mass, other.mass),
             time: add(self.time, other.time),
@@ -106,22 +106,26 @@ impl Dimension {
     }
 
     /// Of the square root, if it has one.
-    pub fn root(self) -> Option<Dimension> {
-        let Dimension { length, mass, time, angle } = self;
+    pub fn root(self) -> Option<PhysicalDimension> {
+        let PhysicalDimension { length, mass, time, angle } = self;
         let even = [length, mass, time, angle].iter().all(|power| power % 2 == 0);
-        let half =
-            Dimension { length: length / 2, mass: mass / 2, time: time / 2, angle: angle / 2 };
+        let half = PhysicalDimension {
+            length: length / 2,
+            mass: mass / 2,
+            time: time / 2,
+            angle: angle / 2,
+        };
         even.then_some(half)
     }
 
     /// Whether the two can be added and compared: an angle is a number.
-    pub fn fits(self, other: Dimension) -> bool {
-        Dimension { angle: 0, ..self } == Dimension { angle: 0, ..other }
+    pub fn fits(self, other: PhysicalDimension) -> bool {
+        PhysicalDimension { angle: 0, ..self } == PhysicalDimension { angle: 0, ..other }
     }
 
     /// Whether it measures nothing: a ratio or an angle.
     pub fn is_number(self) -> bool {
-        self.fits(Dimension::default())
+        self.fits(PhysicalDimension::default())
     }
 
     /// What it measures, in words.
@@ -137,7 +141,7 @@ impl Dimension {
         if let Some(quantity) = self.quantity() {
             return quantity.unit.to_owned();
         }
-        let Dimension { length, mass, time, angle } = self;
+        let PhysicalDimension { length, mass, time, angle } = self;
         let powers = [("kg", mass), ("m", length), ("s", time), ("rad", angle)];
         let part = |(symbol, power): &(&str, i32)| match power.unsigned_abs() {
             1 => (*symbol).to_owned(),
@@ -156,7 +160,7 @@ impl Dimension {
 
 #[cfg(test)]
 mod tests {
-    use super::{Dimension, RATE, TORQUE};
+    use super::{PhysicalDimension, RATE, TORQUE};
 
     #[test]
     fn dimensions_have_names_and_units() {
@@ -164,7 +168,9 @@ mod tests {
         let odd = TORQUE.dimension.times(RATE.dimension, -2);
         assert_eq!(odd.unit(), "kg*m^2/rad^2");
         assert_eq!(odd.name(), "a quantity in kg*m^2/rad^2");
-        assert!(RATE.dimension.fits(Dimension { time: -1, ..Dimension::default() }));
+        assert!(
+            RATE.dimension.fits(PhysicalDimension { time: -1, ..PhysicalDimension::default() })
+        );
         assert!(!RATE.dimension.fits(TORQUE.dimension));
     }
 }

@@ -2,27 +2,27 @@
 
 use proc_macro2::Ident;
 
-use super::body::{BodyType, Point};
-use super::context::Given;
-use super::hinge::{Motion, of_everything};
+use super::body::{BodyType, PointDraft};
+use super::context::Spanned;
+use super::hinge::{HingeProperties, of_everything};
 use super::load::{LoadDraft, SpringDraft};
-use super::numbering::Numbers;
-use super::properties::{self, Properties};
-use super::route::Stop;
+use super::numbering::Numbering;
+use super::properties::{self, ItemProperties};
+use super::route::RouteItem;
 use super::setting::Settings;
 use super::vector::zeros;
 use crate::ids::IdVec;
 use crate::model::condition::Requirement;
 use crate::model::{
-    About, Body, BodyId, Chain, Dimension, Drive, Element, Frame, Hinge, HingeId, HingeKind,
-    Inertia, Parameter, Place, Repeat, RepeatId, Role, Value, Written,
+    About, Attachment, Body, BodyId, Chain, Dimension, Drive, Element, Frame, Hinge, HingeId,
+    HingeKind, Inertia, Parameter, PresentPoints, Repeat, RepeatId, Role, Value,
 };
-use crate::syntax::{self, ChainDef};
+use crate::syntax::{self, ChainSyntax};
 
 /// A chain as far as it could be read.
 pub(crate) struct Draft<'a> {
     /// As written.
-    pub def: &'a ChainDef,
+    pub def: &'a ChainSyntax,
     /// In how many directions it moves.
     pub space: Dimension,
     /// What must hold of its numbers that are not known, as they were read.
@@ -36,9 +36,9 @@ pub(crate) struct Draft<'a> {
     /// All types of bodies.
     pub types: Vec<BodyType<'a>>,
     /// All stops of the route.
-    pub stops: Vec<Stop<'a>>,
+    pub stops: Vec<RouteItem<'a>>,
     /// What is said of the stops, one for each.
-    pub properties: Vec<Properties<'a>>,
+    pub properties: Vec<ItemProperties<'a>>,
     /// All loads.
     pub loads: Vec<LoadDraft<'a>>,
     /// All springs to the ground.
@@ -53,23 +53,23 @@ impl Draft<'_> {
 
     /// The chain; nothing where a part is missing, which is reported then.
     pub fn finish(self) -> Option<Chain> {
-        let numbers = Numbers::of(&self.stops);
+        let numbers = Numbering::of(&self.stops);
         let mut bodies: IdVec<BodyId, Body> = IdVec::new();
         let mut hinges = self.implied_hinges(&numbers)?;
         let mut route = Vec::new();
         for (index, stop) in self.stops.iter().enumerate() {
             match stop {
-                Stop::Ground { .. } | Stop::Moving { .. } => {}
-                Stop::Hinge { .. } => {
+                RouteItem::Ground { .. } | RouteItem::Moving { .. } => {}
+                RouteItem::Hinge { .. } => {
                     route.push(Element::Hinge(hinges.push(self.hinge(index, &numbers)?)));
                 }
-                Stop::Body { .. } => {
+                RouteItem::Body { .. } => {
                     route.push(Element::Body(bodies.push(self.body(stop)?)));
                 }
-                Stop::Unknown { .. } | Stop::Again { .. } => return None,
+                RouteItem::Unknown { .. } | RouteItem::Again { .. } => return None,
             }
         }
-        let ends = self.stops.iter().filter(|stop| matches!(stop, Stop::Moving { .. }));
+        let ends = self.stops.iter().filter(|stop| matches!(stop, RouteItem::Moving { .. }));
         for end in ends {
             bodies.push(end_body(end.name()?));
         }
@@ -94,42 +94,48 @@ impl Draft<'_> {
 
     /// The hinges that are not on the route, all from the ground to the input of a body: that by
     /// which a floating chain is free of it, or those that move the moving ends.
-    fn implied_hinges(&self, numbers: &Numbers) -> Option<IdVec<HingeId, Hinge>> {
+    fn implied_hinges(&self, numbers: &Numbering) -> Option<IdVec<HingeId, Hinge>> {
         let kind = || of_everything(self.space);
-        let implied = |name: &Ident, body: BodyId, motion: Motion| {
-            let inboard = Place::Ground(Frame::identity());
-            hinge(name.clone(), kind(), [inboard, Place::Input(body)], motion)
+        let implied = |name: &Ident, body: BodyId, motion: HingeProperties| {
+            let inboard = Attachment::Ground(Frame::identity());
+            hinge(name.clone(), kind(), [inboard, Attachment::Input(body)], motion)
         };
         if properties::floats(&self.stops) {
             let motion = self.properties.first()?.motion.clone()?;
             return Some(vec![implied(self.stops.first()?.name()?, BodyId(0), motion)].into());
         }
         let ends = self.stops.iter().enumerate();
-        let ends = ends.filter(|(_, stop)| matches!(stop, Stop::Moving { .. }));
-        let end = |(index, stop): (usize, &Stop)| {
-            let motion = Motion { drive: Drive::Motion, ..Motion::none(kind().shape()) };
+        let ends = ends.filter(|(_, stop)| matches!(stop, RouteItem::Moving { .. }));
+        let end = |(index, stop): (usize, &RouteItem)| {
+            let motion = HingeProperties {
+                drive: Drive::Prescribed,
+                ..HingeProperties::none(kind().shape())
+            };
             Some(implied(stop.name()?, numbers.body(index), motion))
         };
         ends.map(end).collect()
     }
 
     /// The hinge at this stop.
-    fn hinge(&self, index: usize, numbers: &Numbers) -> Option<Hinge> {
-        let Stop::Hinge { name, frees, .. } = self.stops.get(index)? else { return None };
-        let Given { value: kind, .. } = frees.clone()?;
+    fn hinge(&self, index: usize, numbers: &Numbering) -> Option<Hinge> {
+        let RouteItem::Hinge { name, frees, .. } = self.stops.get(index)? else { return None };
+        let Spanned { value: kind, .. } = frees.clone()?;
         let motion = self.properties.get(index)?.motion.clone()?;
-        let place = |index: usize, on: fn(BodyId) -> Place| match self.stops.get(index)? {
-            Stop::Ground { frame, .. } => Some(Place::Ground(frame.clone()?)),
+        let place = |index: usize, on: fn(BodyId) -> Attachment| match self.stops.get(index)? {
+            RouteItem::Ground { frame, .. } => Some(Attachment::Ground(frame.clone()?)),
             // A moving end is a body whose output is its input.
-            Stop::Body { .. } | Stop::Moving { .. } => Some(on(numbers.body(index))),
-            Stop::Hinge { .. } | Stop::Unknown { .. } | Stop::Again { .. } => None,
+            RouteItem::Body { .. } | RouteItem::Moving { .. } => Some(on(numbers.body(index))),
+            RouteItem::Hinge { .. } | RouteItem::Unknown { .. } | RouteItem::Again { .. } => None,
         };
-        let sides = [place(index.checked_sub(1)?, Place::Output)?, place(index + 1, Place::Input)?];
+        let sides = [
+            place(index.checked_sub(1)?, Attachment::Output)?,
+            place(index + 1, Attachment::Input)?,
+        ];
         Some(hinge((*name)?.clone(), kind, sides, motion))
     }
 
-    fn body(&self, stop: &Stop) -> Option<Body> {
-        let Stop::Body { name, body_type, .. } = stop else { return None };
+    fn body(&self, stop: &RouteItem) -> Option<Body> {
+        let RouteItem::Body { name, body_type, .. } = stop else { return None };
         let body_type = &self.types[(*body_type)?];
         Some(Body {
             name: name.clone(),
@@ -138,15 +144,18 @@ impl Draft<'_> {
             com: body_type.com.clone()?.value,
             inertia: body_type.inertia.clone()?.value,
             output: body_type.output.clone().map_or_else(Frame::identity, |given| given.value),
-            points: body_type.points.iter().map(Point::finish).collect::<Option<_>>()?,
-            written: Written { output: body_type.gives("output"), com: body_type.gives("com") },
-            role: Role::Matter,
+            points: body_type.points.iter().map(PointDraft::finish).collect::<Option<_>>()?,
+            written: PresentPoints {
+                output: body_type.gives("output"),
+                com: body_type.gives("com"),
+            },
+            role: Role::Physical,
         })
     }
 
-    fn repeats(&self, numbers: &Numbers) -> Option<IdVec<RepeatId, Repeat>> {
+    fn repeats(&self, numbers: &Numbering) -> Option<IdVec<RepeatId, Repeat>> {
         let written = self.def.route.iter().flat_map(|route| &route.repeats);
-        let repeat = |repeat: &syntax::Repeat| {
+        let repeat = |repeat: &syntax::RepeatSyntax| {
             let stops = repeat.stops.clone();
             Some(Repeat {
                 count: repeat.count?,
@@ -159,8 +168,13 @@ impl Draft<'_> {
     }
 }
 
-fn hinge(name: Ident, kind: HingeKind, [inboard, outboard]: [Place; 2], motion: Motion) -> Hinge {
-    let Motion { start, start_rate, rest, drive, passive } = motion;
+fn hinge(
+    name: Ident,
+    kind: HingeKind,
+    [inboard, outboard]: [Attachment; 2],
+    motion: HingeProperties,
+) -> Hinge {
+    let HingeProperties { start, start_rate, rest, drive, passive } = motion;
     Hinge { name, kind, inboard, outboard, start, start_rate, rest, drive, passive }
 }
 
@@ -175,7 +189,7 @@ fn end_body(name: &Ident) -> Body {
         inertia: Inertia { tensor: [(); 6].map(|()| zero()), about: About::Com },
         output: Frame::identity(),
         points: Vec::new(),
-        written: Written::ALL,
-        role: Role::End,
+        written: PresentPoints::ALL,
+        role: Role::MovingEnd,
     }
 }

@@ -4,12 +4,12 @@ use super::context::Context;
 use super::dimension::{INERTIA, LENGTH, MASS, Quantity, STIFFNESS};
 use super::unit;
 use crate::diag::nearest;
-use crate::syntax::{Expr, ExprKind, Field, Written};
+use crate::syntax::{ExprKind, ExprSyntax, FieldSyntax, ValueSyntax};
 
 /// Fields by name, each known and given once.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Fields<'a> {
-    fields: Vec<&'a Field>,
+    fields: Vec<&'a FieldSyntax>,
     refused: bool,
 }
 
@@ -18,7 +18,7 @@ impl<'a> Fields<'a> {
     /// `owner` is whom it speaks of.
     pub(in crate::model::lower) fn add(
         &mut self,
-        field: &'a Field,
+        field: &'a FieldSyntax,
         known: &[&str],
         owner: &str,
         context: &mut Context,
@@ -35,7 +35,7 @@ impl<'a> Fields<'a> {
     }
 
     /// What is wrong with a field.
-    fn fault(&self, field: &Field, known: &[&str], owner: &str) -> Option<String> {
+    fn fault(&self, field: &FieldSyntax, known: &[&str], owner: &str) -> Option<String> {
         let name = field.name.to_string();
         if !known.contains(&name.as_str()) {
             let hint = match meant(&name, known) {
@@ -62,7 +62,7 @@ impl<'a> Fields<'a> {
     }
 
     /// The field of this name.
-    pub fn get(&self, name: &str) -> Option<&'a Field> {
+    pub fn get(&self, name: &str) -> Option<&'a FieldSyntax> {
         self.fields.iter().copied().find(|field| field.name == name)
     }
 }
@@ -121,12 +121,16 @@ pub(crate) fn meant<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
 /// Those of `required` that are missing. A field whose name is close counts as given: it is
 /// reported as unknown, and its correction is the cure. So does one by any other name whose value
 /// could be that of the missing field. One that could not be read may be any.
-pub(super) fn missing<'r>(fields: &[Field], required: &[&'r str], known: &[&str]) -> Vec<&'r str> {
-    let is_known = |field: &Field| known.iter().any(|known| field.name == known);
+pub(super) fn missing<'r>(
+    fields: &[FieldSyntax],
+    required: &[&'r str],
+    known: &[&str],
+) -> Vec<&'r str> {
+    let is_known = |field: &FieldSyntax| known.iter().any(|known| field.name == known);
     if fields.iter().any(|field| field.value.is_none() && !is_known(field)) {
         return Vec::new();
     }
-    let unknown: Vec<(&Field, Option<&str>)> = fields
+    let unknown: Vec<(&FieldSyntax, Option<&str>)> = fields
         .iter()
         .filter(|field| !is_known(field))
         .map(|field| (field, meant(&field.name.to_string(), known)))
@@ -146,24 +150,30 @@ pub(super) fn missing<'r>(fields: &[Field], required: &[&'r str], known: &[&str]
 }
 
 /// Whether a value could be that of a field by its looks.
-fn fits(value: &Written, field: &str) -> bool {
+fn fits(value: &ValueSyntax, field: &str) -> bool {
     let measures = |quantity: &Quantity| match value {
-        Written::Number(Expr { kind: ExprKind::Quantity(_, unit), .. }) => {
+        ValueSyntax::Number(ExprSyntax { kind: ExprKind::Quantity(_, unit), .. }) => {
             unit::resolve(unit).is_ok_and(|(_, dimension)| dimension == quantity.dimension)
         }
         _ => false,
     };
-    let is_plain = !matches!(value, Written::Number(Expr { kind: ExprKind::Quantity(..), .. }));
-    let is_number = matches!(value, Written::Number(_)) && value.word().is_none();
-    let is_place = matches!(value, Written::Vector(_) | Written::Turned(..)) || measures(LENGTH);
+    let is_plain =
+        !matches!(value, ValueSyntax::Number(ExprSyntax { kind: ExprKind::Quantity(..), .. }));
+    let is_number = matches!(value, ValueSyntax::Number(_)) && value.word().is_none();
+    let is_place =
+        matches!(value, ValueSyntax::Vector(_) | ValueSyntax::Turned(..)) || measures(LENGTH);
     match field {
         "mass" => is_number && (is_plain || measures(MASS)),
         "stiffness" => is_number && (is_plain || measures(STIFFNESS)),
         "com" | "output" | "to" => is_place,
-        "inertia" => matches!(value, Written::Form(_) | Written::About(..)) || measures(INERTIA),
+        "inertia" => {
+            matches!(value, ValueSyntax::FormSyntax(_) | ValueSyntax::About(..))
+                || measures(INERTIA)
+        }
         "on" => value.word().is_some_and(|word| word != "input"),
         "force" | "torque" => {
-            matches!(value, Written::Vector(_)) || value.word().is_some_and(|word| word == "input")
+            matches!(value, ValueSyntax::Vector(_))
+                || value.word().is_some_and(|word| word == "input")
         }
         _ => false,
     }

@@ -6,13 +6,13 @@ use super::context::Context;
 use super::dimension::{INERTIA, Quantity};
 use crate::diag::did_you_mean;
 use crate::model::{About, Dimension, Inertia, Value};
-use crate::syntax::{Extent, Form, Written};
+use crate::syntax::{FormSyntax, SpanRange, ValueSyntax};
 
 /// Reads the parentheses of one way to write a tensor: xx, yy, zz, xy, xz, yz.
-type Reader = fn(&mut Context, &Form, &Quantity) -> Option<[Value; 6]>;
+type TensorReader = fn(&mut Context, &FormSyntax, &Quantity) -> Option<[Value; 6]>;
 
 /// The ways to write a tensor.
-const TENSORS: &[(&str, Reader)] = &[("diag", diag), ("tensor", tensor), ("matrix", matrix)];
+const TENSORS: &[(&str, TensorReader)] = &[("diag", diag), ("tensor", tensor), ("matrix", matrix)];
 
 /// Where in a matrix, row by row, the entries of a tensor stand.
 const IN_MATRIX: [usize; 6] = [0, 4, 8, 1, 2, 5];
@@ -23,18 +23,18 @@ const ROUNDING: f64 = 1e-9;
 /// The points that a tensor can be about.
 const POINTS: &[(&str, About)] = &[("input", About::Input), ("com", About::Com)];
 
-fn diag(context: &mut Context, form: &Form, expected: &Quantity) -> Option<[Value; 6]> {
+fn diag(context: &mut Context, form: &FormSyntax, expected: &Quantity) -> Option<[Value; 6]> {
     let [xx, yy, zz] = context.form_numbers(form, ["xx", "yy", "zz"], expected)?;
     let zero = || Value::number(0.0);
     Some([xx, yy, zz, zero(), zero(), zero()])
 }
 
-fn tensor(context: &mut Context, form: &Form, expected: &Quantity) -> Option<[Value; 6]> {
+fn tensor(context: &mut Context, form: &FormSyntax, expected: &Quantity) -> Option<[Value; 6]> {
     context.form_numbers(form, ["xx", "yy", "zz", "xy", "xz", "yz"], expected)
 }
 
 /// The whole tensor, row by row.
-fn matrix(context: &mut Context, form: &Form, expected: &Quantity) -> Option<[Value; 6]> {
+fn matrix(context: &mut Context, form: &FormSyntax, expected: &Quantity) -> Option<[Value; 6]> {
     let names = ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"];
     let entries = context.form_numbers(form, names, expected)?;
     let largest = entries.iter().filter_map(Value::known).fold(0.0, |a: f64, b| a.max(b.abs()));
@@ -56,20 +56,20 @@ fn matrix(context: &mut Context, form: &Form, expected: &Quantity) -> Option<[Va
 }
 
 /// Where an entry of a tensor stands in a form.
-pub(super) fn entry(form: &Form, index: usize) -> Option<Extent> {
+pub(super) fn entry(form: &FormSyntax, index: usize) -> Option<SpanRange> {
     let index = if form.word == "matrix" { *IN_MATRIX.get(index)? } else { index };
     form.list.entries.get(index).map(|entry| entry.extent)
 }
 
 impl Context<'_> {
     /// An inertia tensor behind `=`.
-    pub fn written_inertia(&mut self, written: &Written) -> Option<Inertia> {
+    pub fn written_inertia(&mut self, written: &ValueSyntax) -> Option<Inertia> {
         const EXPECTED: &str =
             "expected `diag(xx, yy, zz)`, `tensor(xx, yy, zz, xy, xz, yz)` or `matrix(…)`";
         if self.space == Dimension::Plane {
             return self.plane_inertia(written);
         }
-        let Written::Form(form) = written else {
+        let ValueSyntax::FormSyntax(form) = written else {
             let message = format!("{EXPECTED}, found {}", written.described());
             return self.refuse(written.extent(), message);
         };
@@ -79,15 +79,15 @@ impl Context<'_> {
             return self.refuse(&form.word, format!("{EXPECTED}, found `{word}`{hint}"));
         };
         let tensor = read(self, form, INERTIA);
-        let about = self.about(Extent::token(form.word.span()), form.about.as_ref());
+        let about = self.about(SpanRange::token(form.word.span()), form.about.as_ref());
         Some(Inertia { tensor: tensor?, about: about? })
     }
 
     /// In a plane only turns about z count.
-    fn plane_inertia(&mut self, written: &Written) -> Option<Inertia> {
+    fn plane_inertia(&mut self, written: &ValueSyntax) -> Option<Inertia> {
         let (expr, point) = match written {
-            Written::Number(expr) => (expr, None),
-            Written::About(expr, point) => (expr, Some(point)),
+            ValueSyntax::Number(expr) => (expr, None),
+            ValueSyntax::About(expr, point) => (expr, Some(point)),
             other => {
                 let found = other.described();
                 let message = format!(
@@ -103,7 +103,7 @@ impl Context<'_> {
         Some(Inertia { tensor, about: about? })
     }
 
-    fn about(&mut self, inertia: Extent, point: Option<&Ident>) -> Option<About> {
+    fn about(&mut self, inertia: SpanRange, point: Option<&Ident>) -> Option<About> {
         let Some(point) = point else {
             let message = "an inertia is about a point: end with `about com` or `about input`";
             return self.refuse(inertia, message);

@@ -3,15 +3,17 @@
 use proc_macro2::Ident;
 
 use super::body::BodyType;
-use super::context::{Context, Given};
+use super::context::{Context, Spanned};
 use super::dimension::{DAMPING, FORCE, LENGTH, STIFFNESS, TORQUE};
 use super::fields::{self, Fields};
 use super::properties::has_duplicates;
-use super::route::Stop;
+use super::route::RouteItem;
 use super::vector::zeros;
 use crate::diag::did_you_mean;
 use crate::model::{BodyId, Dimension, Frame, LoadAxes, Source, Value};
-use crate::syntax::{Block, BlockWord, ChainDef, Extent, Field, List, Written};
+use crate::syntax::{
+    BlockKeyword, BlockSyntax, ChainSyntax, FieldSyntax, ListSyntax, SpanRange, ValueSyntax,
+};
 
 /// The fields of a load.
 const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"];
@@ -27,7 +29,7 @@ const AXES: &[(&str, LoadAxes)] = &[("inertial", LoadAxes::Inertial), ("body", L
 
 /// A load as far as it could be read.
 pub(crate) struct LoadDraft<'a> {
-    block: &'a Block,
+    block: &'a BlockSyntax,
     /// Its name.
     pub name: &'a Ident,
     /// The body that it acts on.
@@ -44,7 +46,7 @@ pub(crate) struct LoadDraft<'a> {
 
 /// A spring to the ground as far as it could be read.
 pub(crate) struct SpringDraft<'a> {
-    block: &'a Block,
+    block: &'a BlockSyntax,
     /// Its name.
     pub name: &'a Ident,
     /// The body that it pulls at.
@@ -54,35 +56,35 @@ pub(crate) struct SpringDraft<'a> {
     /// The point on the ground.
     pub to: Option<[Value; 3]>,
     /// Its stiffness.
-    pub stiffness: Option<Given<Value>>,
+    pub stiffness: Option<Spanned<Value>>,
     /// Its damping; nothing inside where none is given.
-    pub damping: Option<Option<Given<Value>>>,
+    pub damping: Option<Option<Spanned<Value>>>,
     /// Its length; nothing inside where none is given.
-    pub length: Option<Option<Given<Value>>>,
+    pub length: Option<Option<Spanned<Value>>>,
 }
 
 /// The fields of a block of this word.
-fn known_fields(word: BlockWord, space: Dimension) -> &'static [&'static str] {
+fn known_fields(word: BlockKeyword, space: Dimension) -> &'static [&'static str] {
     match (word, space) {
-        (BlockWord::Load, Dimension::Line) => LINE_LOAD_FIELDS,
-        (BlockWord::Load, _) => LOAD_FIELDS,
+        (BlockKeyword::Load, Dimension::Line) => LINE_LOAD_FIELDS,
+        (BlockKeyword::Load, _) => LOAD_FIELDS,
         _ => SPRING_FIELDS,
     }
 }
 
 /// All loads and springs.
 pub(super) fn loads<'a>(
-    def: &'a ChainDef,
-    stops: &[Stop],
+    def: &'a ChainSyntax,
+    stops: &[RouteItem],
     types: &[BodyType],
     context: &mut Context,
 ) -> (Vec<LoadDraft<'a>>, Vec<SpringDraft<'a>>) {
     let (mut loads, mut springs) = (Vec::new(), Vec::new());
     for block in &def.blocks {
         let word = match block.word {
-            BlockWord::Load => "load",
-            BlockWord::Spring => "spring",
-            BlockWord::Body | BlockWord::Hinge => continue,
+            BlockKeyword::Load => "load",
+            BlockKeyword::Spring => "spring",
+            BlockKeyword::Body | BlockKeyword::Hinge => continue,
         };
         if !block.after_route && def.route.is_some() {
             context.diagnostics.error(block.at, format!("{word}s are described after the route"));
@@ -99,9 +101,9 @@ pub(super) fn loads<'a>(
         let on = fields.get("on").and_then(|field| {
             context.field(field, |context, written| on(written, block.word, def, stops, context))
         });
-        let target = Target { stops, types, body: on.map(|on| on.value) };
+        let target = LoadTarget { stops, types, body: on.map(|on| on.value) };
         match block.word {
-            BlockWord::Load => loads.push(load(block, name, &fields, &target, context)),
+            BlockKeyword::Load => loads.push(load(block, name, &fields, &target, context)),
             _ => springs.push(spring(block, name, &fields, &target, context)),
         }
     }
@@ -110,22 +112,22 @@ pub(super) fn loads<'a>(
 
 /// The body that is meant.
 fn on(
-    written: &Written,
-    of: BlockWord,
-    def: &ChainDef,
-    stops: &[Stop],
+    written: &ValueSyntax,
+    of: BlockKeyword,
+    def: &ChainSyntax,
+    stops: &[RouteItem],
     context: &mut Context,
 ) -> Option<BodyId> {
-    let bodies = || stops.iter().filter(|stop| matches!(stop, Stop::Body { .. }));
-    if let Written::PlaceOn(body, extent) = written {
+    let bodies = || stops.iter().filter(|stop| matches!(stop, RouteItem::Body { .. }));
+    if let ValueSyntax::PlaceOn(body, extent) = written {
         let message = format!("a point is a separate field: write `on = {body}; at = …;`");
         return context.refuse(*extent, message);
     }
-    if let Written::Vector(List { entries, .. }) = written
+    if let ValueSyntax::Vector(ListSyntax { entries, .. }) = written
         && let [_, second, ..] = &entries[..]
     {
         let message = match of {
-            BlockWord::Spring => BETWEEN_BODIES,
+            BlockKeyword::Spring => BETWEEN_BODIES,
             _ => "a load acts on one body: write a `load` for each",
         };
         return context.refuse(second.extent, message);
@@ -138,52 +140,52 @@ fn on(
     if let Some(body) = bodies().position(|stop| stop.name() == Some(word)) {
         return Some(BodyId(body));
     }
-    let is_unknown = |stop: &Stop| matches!(stop, Stop::Unknown { name } if name.is_none_or(|name| name == word));
+    let is_unknown = |stop: &RouteItem| matches!(stop, RouteItem::Unknown { name } if name.is_none_or(|name| name == word));
     if !def.route.as_ref().is_some_and(|route| route.whole)
         || stops.iter().any(is_unknown)
-        || has_duplicates(stops, |stop| matches!(stop, Stop::Body { .. }))
+        || has_duplicates(stops, |stop| matches!(stop, RouteItem::Body { .. }))
     {
         return None;
     }
     if stops
         .iter()
-        .any(|stop| matches!(stop, Stop::Hinge { name: Some(name), .. } if *name == word))
+        .any(|stop| matches!(stop, RouteItem::Hinge { name: Some(name), .. } if *name == word))
     {
         return context.refuse(word, format!("`{word}` is a hinge: only a body can be pulled at"));
     }
     if word == "ground" {
         return context.refuse(word, "the ground does not move: name a body on the route");
     }
-    let hint = context.hint(word, bodies().filter_map(Stop::name));
-    let names = bodies().filter_map(Stop::name);
+    let hint = context.hint(word, bodies().filter_map(RouteItem::name));
+    let names = bodies().filter_map(RouteItem::name);
     let message = format!("no body `{word}` on the route{hint}");
     context.diagnostics.unknown(word, message, names);
     None
 }
 
 /// What something acts on.
-struct Target<'t, 'a> {
-    stops: &'t [Stop<'a>],
+struct LoadTarget<'t, 'a> {
+    stops: &'t [RouteItem<'a>],
     types: &'t [BodyType<'a>],
     body: Option<BodyId>,
 }
 
-impl Target<'_, '_> {
+impl LoadTarget<'_, '_> {
     fn body_type(&self) -> Option<&BodyType<'_>> {
         let mut types = self.stops.iter().filter_map(|stop| match stop {
-            Stop::Body { body_type, .. } => Some(*body_type),
+            RouteItem::Body { body_type, .. } => Some(*body_type),
             _ => None,
         });
         self.types.get(types.nth(self.body?.index())??)
     }
 
     /// The point at which something acts: the centre of mass unless something else is said.
-    fn at(&self, field: Option<&Field>, context: &mut Context) -> Option<[Value; 3]> {
+    fn at(&self, field: Option<&FieldSyntax>, context: &mut Context) -> Option<[Value; 3]> {
         let com = || self.body_type()?.com.as_ref().map(|com| com.value.clone());
         match field {
             None => com(),
             Some(field) => {
-                let at = |context: &mut Context, written: &Written| match written.word() {
+                let at = |context: &mut Context, written: &ValueSyntax| match written.word() {
                     Some(word) if word == "com" => Some(com()),
                     Some(word) => self.point(word, written, context),
                     None => context.written_vector(written, LENGTH).map(Some),
@@ -197,7 +199,7 @@ impl Target<'_, '_> {
     fn point(
         &self,
         word: &Ident,
-        written: &Written,
+        written: &ValueSyntax,
         context: &mut Context,
     ) -> Option<Option<[Value; 3]>> {
         if word == "input" {
@@ -232,10 +234,10 @@ impl Target<'_, '_> {
 }
 
 fn load<'a>(
-    block: &'a Block,
+    block: &'a BlockSyntax,
     name: &'a Ident,
     fields: &Fields,
-    target: &Target,
+    target: &LoadTarget,
     context: &mut Context,
 ) -> LoadDraft<'a> {
     LoadDraft {
@@ -250,7 +252,7 @@ fn load<'a>(
     }
 }
 
-fn axes(context: &mut Context, written: &Written) -> Option<LoadAxes> {
+fn axes(context: &mut Context, written: &ValueSyntax) -> Option<LoadAxes> {
     let word = written.word().map_or_else(String::new, ToString::to_string);
     let known = AXES.iter().find(|(name, _)| *name == word).map(|&(_, axes)| axes);
     if known.is_none() {
@@ -262,13 +264,13 @@ fn axes(context: &mut Context, written: &Written) -> Option<LoadAxes> {
 }
 
 fn spring<'a>(
-    block: &'a Block,
+    block: &'a BlockSyntax,
     name: &'a Ident,
     fields: &Fields,
-    target: &Target,
+    target: &LoadTarget,
     context: &mut Context,
 ) -> SpringDraft<'a> {
-    let to = |context: &mut Context, written: &Written| match not_on_ground(written, target) {
+    let to = |context: &mut Context, written: &ValueSyntax| match not_on_ground(written, target) {
         Some((at, message)) => context.refuse(at, message),
         None => context.written_vector(written, LENGTH),
     };
@@ -294,22 +296,23 @@ fn spring<'a>(
 }
 
 /// The token and the message if the end of a spring is not a point on the ground.
-fn not_on_ground(written: &Written, target: &Target) -> Option<(Extent, String)> {
+fn not_on_ground(written: &ValueSyntax, target: &LoadTarget) -> Option<(SpanRange, String)> {
     let word = match written {
-        Written::PlaceOn(body, _) => body,
+        ValueSyntax::PlaceOn(body, _) => body,
         other => other.word()?,
     };
-    let at = Extent::token(word.span());
+    let at = SpanRange::token(word.span());
     if word == "ground" {
         let message = "the ground needs a point: `to = [x, y, z] m`, inertial frame";
         return Some((at, message.into()));
     }
-    let is_it = |stop: &Stop| matches!(stop, Stop::Body { .. }) && stop.name() == Some(word);
+    let is_it =
+        |stop: &RouteItem| matches!(stop, RouteItem::Body { .. }) && stop.name() == Some(word);
     target.stops.iter().any(is_it).then(|| (at, BETWEEN_BODIES.into()))
 }
 
 /// Those of `required` that a block lacks.
-fn missing<'r>(block: &Block, required: &[&'r str]) -> Vec<&'r str> {
+fn missing<'r>(block: &BlockSyntax, required: &[&'r str]) -> Vec<&'r str> {
     if !block.whole {
         return Vec::new();
     }
@@ -353,7 +356,7 @@ impl SpringDraft<'_> {
     /// The spring; nothing where a part is missing, which is reported then.
     pub(super) fn finish(self) -> Option<crate::model::Spring> {
         let number =
-            |given: Option<Given<Value>>| given.map_or(Value::number(0.0), |given| given.value);
+            |given: Option<Spanned<Value>>| given.map_or(Value::number(0.0), |given| given.value);
         Some(crate::model::Spring {
             name: self.name.clone(),
             body: self.body?,

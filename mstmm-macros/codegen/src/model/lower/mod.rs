@@ -24,30 +24,30 @@ mod unit;
 mod vector;
 
 pub(super) use body::BodyType;
-pub(super) use context::Given;
+pub(super) use context::Spanned;
 pub(super) use draft::Draft;
 pub(super) use fields::Fields;
 pub(crate) use fields::listed;
-pub(super) use hinge::{KINDS, Words, groups};
+pub(super) use hinge::{FieldNames, KINDS, groups};
 pub(super) use load::POINTS;
-pub(super) use properties::Properties;
-pub(super) use route::Stop;
+pub(super) use properties::ItemProperties;
+pub(super) use route::RouteItem;
 
 use crate::diag::Diagnostics;
 use crate::model::Dimension;
-use crate::syntax::{ChainDef, DimensionWord, Surface};
+use crate::syntax::{ChainSyntax, DimensionKeyword, Passthrough};
 use context::Context;
 
 /// What was meant by a description, as far as it could be read; mistakes are reported.
 /// Nothing of a chain of an unknown dimension.
 pub(super) fn draft<'a>(
-    def: &'a ChainDef,
+    def: &'a ChainSyntax,
     diagnostics: &mut Diagnostics,
-) -> Option<(Draft<'a>, Surface)> {
+) -> Option<(Draft<'a>, Passthrough)> {
     let space = match def.dimension? {
-        DimensionWord::Space => Dimension::Space,
-        DimensionWord::Plane => Dimension::Plane,
-        DimensionWord::Line => Dimension::Line,
+        DimensionKeyword::Space => Dimension::Space,
+        DimensionKeyword::Plane => Dimension::Plane,
+        DimensionKeyword::Line => Dimension::Line,
     };
     let mut context = Context::new(space, def.whole, diagnostics);
     let parameters = parameter::parameters(def, &mut context);
@@ -57,13 +57,13 @@ pub(super) fn draft<'a>(
     let properties = properties::properties(def, &stops, &mut context);
     let (loads, springs) = load::loads(def, &stops, &types, &mut context);
     let requirements = std::mem::take(&mut context.requirements);
-    let surface = Surface {
+    let passthrough = Passthrough {
         visibility: def.visibility.clone(),
         attributes: def.attributes.clone(),
         constants: context.constants,
         references: references::references(def, &stops),
     };
-    let constants = surface.constants.len();
+    let constants = passthrough.constants.len();
     let draft = Draft {
         def,
         space,
@@ -77,5 +77,5 @@ pub(super) fn draft<'a>(
         loads,
         springs,
     };
-    Some((draft, surface))
+    Some((draft, passthrough))
 }

@@ -3,12 +3,16 @@
 use proc_macro2::Ident;
 
 use super::context::{Context, Measure};
-use super::dimension::{ACCELERATION, ANGLE, COMPONENT, Dimension, LENGTH, PITCH, Quantity, RATE};
+use super::dimension::{
+    ACCELERATION, ANGLE, COMPONENT, LENGTH, PITCH, PhysicalDimension, Quantity, RATE,
+};
 use super::unit::{self, Scale};
 use crate::diag::nearest;
-use crate::model::condition::{Condition, Must};
+use crate::model::condition::{Bound, Condition};
 use crate::model::{Symbol, Value};
-use crate::syntax::{Expr, ExprKind, Extent, FUNCTIONS, Factor, Term, Unit};
+use crate::syntax::{
+    ExprKind, ExprSyntax, FUNCTIONS, FactorSyntax, SpanRange, TermSyntax, UnitSyntax,
+};
 
 /// A power multiplies a formula with itself, and a power of a power does so again.
 const LARGEST_FORMULA: usize = 1000;
@@ -22,13 +26,13 @@ pub(super) struct Measured<'e> {
     /// What is known of its unit.
     pub measure: Measure,
     /// The unit that it owes its dimension to, if there is a single one.
-    pub unit: Option<&'e Unit>,
+    pub unit: Option<&'e UnitSyntax>,
     /// Where a message about its dimension points.
-    pub at: Extent,
+    pub at: SpanRange,
 }
 
 impl<'e> Measured<'e> {
-    fn new(value: Value, measure: Measure, expr: &Expr) -> Self {
+    fn new(value: Value, measure: Measure, expr: &ExprSyntax) -> Self {
         Measured { value, measure, unit: None, at: expr.extent }
     }
 
@@ -39,7 +43,7 @@ impl<'e> Measured<'e> {
 
 impl Context<'_> {
     /// A number of this kind, in SI units.
-    pub fn number(&mut self, expr: &Expr, expected: &Quantity) -> Option<Value> {
+    pub fn number(&mut self, expr: &ExprSyntax, expected: &Quantity) -> Option<Value> {
         let measured = match &expr.kind {
             ExprKind::Sum(terms) => self.sum(terms, expr, Some(expected))?,
             _ => self.measure(expr)?,
@@ -59,7 +63,7 @@ impl Context<'_> {
 
     fn expect_dimension(
         &mut self,
-        dimension: Dimension,
+        dimension: PhysicalDimension,
         found: &Measured,
         expected: &Quantity,
     ) -> Option<()> {
@@ -70,7 +74,7 @@ impl Context<'_> {
             let message = "a pitch is a length for a turn: write `5 mm/rev` or `5 mm/rad`";
             return self.refuse(found.at, message);
         }
-        let is_number = expected.dimension == Dimension::default();
+        let is_number = expected.dimension == PhysicalDimension::default();
         if dimension == expected.dimension || (!is_number && dimension.fits(expected.dimension)) {
             return Some(());
         }
@@ -85,12 +89,12 @@ impl Context<'_> {
     }
 
     /// Refuses what no number stands for, such as a root of a negative one.
-    pub fn finite(&mut self, value: Value, at: Extent) -> Option<Value> {
+    pub fn finite(&mut self, value: Value, at: SpanRange) -> Option<Value> {
         match value.known() {
             Some(number) if !number.is_finite() => self.refuse(at, NOT_FINITE),
             Some(_) => Some(value),
             None => {
-                let condition = Condition::new(value.clone(), Must::BeFinite, at, NOT_FINITE);
+                let condition = Condition::new(value.clone(), Bound::BeFinite, at, NOT_FINITE);
                 self.requirements.push(vec![condition.shown("")]);
                 Some(value)
             }
@@ -98,7 +102,7 @@ impl Context<'_> {
     }
 
     /// Any number.
-    pub fn measure<'e>(&mut self, expr: &'e Expr) -> Option<Measured<'e>> {
+    pub fn measure<'e>(&mut self, expr: &'e ExprSyntax) -> Option<Measured<'e>> {
         match &expr.kind {
             ExprKind::Number(number) => {
                 let measure = if *number == 0.0 { Measure::Zero } else { Measure::Plain };
@@ -164,8 +168,8 @@ impl Context<'_> {
 
     fn sum<'e>(
         &mut self,
-        terms: &'e [Term],
-        expr: &'e Expr,
+        terms: &'e [TermSyntax],
+        expr: &'e ExprSyntax,
         expected: Option<&Quantity>,
     ) -> Option<Measured<'e>> {
         // All terms are read before giving up, so that all mistakes in them are reported.
@@ -227,7 +231,11 @@ impl Context<'_> {
         all_fit
     }
 
-    fn product<'e>(&mut self, factors: &'e [Factor], expr: &'e Expr) -> Option<Measured<'e>> {
+    fn product<'e>(
+        &mut self,
+        factors: &'e [FactorSyntax],
+        expr: &'e ExprSyntax,
+    ) -> Option<Measured<'e>> {
         let parts: Vec<_> = factors.iter().map(|factor| self.measure(&factor.expr)).collect();
         let parts: Vec<_> = parts.into_iter().collect::<Option<_>>()?;
         let mut product = Measured::new(Value::number(1.0), Measure::Plain, expr);
@@ -245,7 +253,12 @@ impl Context<'_> {
         Some(product)
     }
 
-    fn power<'e>(&mut self, base: &'e Expr, power: i32, expr: &'e Expr) -> Option<Measured<'e>> {
+    fn power<'e>(
+        &mut self,
+        base: &'e ExprSyntax,
+        power: i32,
+        expr: &'e ExprSyntax,
+    ) -> Option<Measured<'e>> {
         let base = self.measure(base)?;
         if power < 0 && base.value.is_zero() {
             return self.refuse(expr.extent, "division by zero");
@@ -262,7 +275,11 @@ impl Context<'_> {
         Some(Measured::new(value, measure, expr))
     }
 
-    fn quantity<'e>(&mut self, product: &'e Expr, unit: &'e Unit) -> Option<Measured<'e>> {
+    fn quantity<'e>(
+        &mut self,
+        product: &'e ExprSyntax,
+        unit: &'e UnitSyntax,
+    ) -> Option<Measured<'e>> {
         if matches!(&product.kind, ExprKind::Name(word) if word == "input") {
             return self.refuse(unit.extent, "`input` stands alone");
         }
@@ -276,7 +293,7 @@ impl Context<'_> {
     /// Refuses a second unit on what has one.
     pub fn expect_no_unit(&mut self, number: &Measured) -> Option<()> {
         match number.measure {
-            Measure::Of(dimension) if dimension != Dimension::default() => self.refuse(
+            Measure::Of(dimension) if dimension != PhysicalDimension::default() => self.refuse(
                 number.at,
                 format!(
                     "this is {} already: give every plain number beside it its own unit instead",
@@ -288,7 +305,7 @@ impl Context<'_> {
     }
 
     /// The scale of a unit and what it measures.
-    pub fn unit(&mut self, unit: &Unit) -> Option<(Scale, Dimension)> {
+    pub fn unit(&mut self, unit: &UnitSyntax) -> Option<(Scale, PhysicalDimension)> {
         let unknown = match (unit::resolve(unit), unit.parentheses) {
             (Ok(known), None) => return Some(known),
             (Ok(_), Some(parentheses)) => {
@@ -324,8 +341,8 @@ impl Context<'_> {
     fn call<'e>(
         &mut self,
         function: &Ident,
-        arguments: &'e [Expr],
-        expr: &'e Expr,
+        arguments: &'e [ExprSyntax],
+        expr: &'e ExprSyntax,
     ) -> Option<Measured<'e>> {
         if FUNCTIONS.iter().all(|known| function != known) {
             return self.unknown_function(function);
@@ -369,13 +386,13 @@ fn times(first: Measure, second: Measure, power: i32) -> Measure {
         (Measure::Open, _) | (_, Measure::Open) => Measure::Open,
         (Measure::Of(a), Measure::Of(b)) => Measure::Of(a.times(b, power)),
         (Measure::Of(a), _) => Measure::Of(a),
-        (_, Measure::Of(b)) => Measure::Of(Dimension::default().times(b, power)),
+        (_, Measure::Of(b)) => Measure::Of(PhysicalDimension::default().times(b, power)),
         _ => Measure::Plain,
     }
 }
 
 /// A symbol that everyone reads but the table means otherwise.
-pub(super) fn misread_symbol(unit: &Unit, expected: &Quantity) -> Option<&'static str> {
+pub(super) fn misread_symbol(unit: &UnitSyntax, expected: &Quantity) -> Option<&'static str> {
     let is_gram = matches!(&unit.factors[..], [only] if only.symbol == "g" && only.power == 1);
     let in_hertz = unit.factors.iter().any(|factor| factor.symbol.ends_with("Hz"));
     if is_gram && expected.dimension == ACCELERATION.dimension {

@@ -3,12 +3,12 @@
 use std::ops::Range;
 
 use super::properties;
-use super::route::Stop;
+use super::route::RouteItem;
 use crate::ids::IdRange;
 use crate::model::{BodyId, HingeId};
 
 /// How many bodies, moving ends and hinges stand before each stop, and before the end of the route.
-pub(super) struct Numbers {
+pub(super) struct Numbering {
     before: Vec<Counts>,
     /// Which stops are moving ends.
     moving: Vec<bool>,
@@ -25,24 +25,24 @@ struct Counts {
     hinges: usize,
 }
 
-impl Numbers {
+impl Numbering {
     /// Bodies in the order of the route, then those of the moving ends; implied hinges, then those
     /// of the route.
-    pub fn of(stops: &[Stop]) -> Self {
+    pub fn of(stops: &[RouteItem]) -> Self {
         let mut counts = Counts::default();
         let mut before = vec![counts];
         for stop in stops {
             match stop {
-                Stop::Body { .. } => counts.bodies += 1,
-                Stop::Moving { .. } => counts.ends += 1,
-                Stop::Hinge { .. } => counts.hinges += 1,
-                Stop::Ground { .. } | Stop::Unknown { .. } | Stop::Again { .. } => {}
+                RouteItem::Body { .. } => counts.bodies += 1,
+                RouteItem::Moving { .. } => counts.ends += 1,
+                RouteItem::Hinge { .. } => counts.hinges += 1,
+                RouteItem::Ground { .. } | RouteItem::Unknown { .. } | RouteItem::Again { .. } => {}
             }
             before.push(counts);
         }
-        let moving = stops.iter().map(|stop| matches!(stop, Stop::Moving { .. })).collect();
+        let moving = stops.iter().map(|stop| matches!(stop, RouteItem::Moving { .. })).collect();
         let implied = if properties::floats(stops) { 1 } else { counts.ends };
-        Numbers { before, moving, on_route: counts.bodies, implied }
+        Numbering { before, moving, on_route: counts.bodies, implied }
     }
 
     /// The body of a stop that is a body or a moving end.

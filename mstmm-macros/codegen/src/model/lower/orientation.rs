@@ -4,9 +4,9 @@ use super::context::Context;
 use super::dimension::{ANGLE, COMPONENT, LENGTH};
 use super::vector::zeros;
 use crate::diag::did_you_mean;
-use crate::model::condition::{Condition, Must};
+use crate::model::condition::{Bound, Condition};
 use crate::model::{Dimension, Frame, Value};
-use crate::syntax::{Form, Turn, Written};
+use crate::syntax::{FormSyntax, OrientationSyntax, ValueSyntax};
 
 /// How a frame is turned, in one of the ways to say so.
 pub(super) enum Orientation {
@@ -17,31 +17,31 @@ pub(super) enum Orientation {
 }
 
 /// Reads the parentheses of one way to write an orientation.
-type Reader = fn(&mut Context, &Form) -> Option<Orientation>;
+type OrientationReader = fn(&mut Context, &FormSyntax) -> Option<Orientation>;
 
 /// The ways to write an orientation.
-const ORIENTATIONS: &[(&str, Reader)] = &[("rpy", rpy), ("quaternion", quaternion)];
+const ORIENTATIONS: &[(&str, OrientationReader)] = &[("rpy", rpy), ("quaternion", quaternion)];
 const ZERO_QUATERNION: &str = "a quaternion of zeros turns nothing";
 const EXPECTED: &str = "expected `rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`";
 
-fn rpy(context: &mut Context, form: &Form) -> Option<Orientation> {
+fn rpy(context: &mut Context, form: &FormSyntax) -> Option<Orientation> {
     context.form_numbers(form, ["roll", "pitch", "yaw"], ANGLE).map(Orientation::Rpy)
 }
 
-fn quaternion(context: &mut Context, form: &Form) -> Option<Orientation> {
+fn quaternion(context: &mut Context, form: &FormSyntax) -> Option<Orientation> {
     let entries = context.form_numbers(form, ["w", "x", "y", "z"], COMPONENT)?;
     if entries.iter().all(Value::is_zero) {
         return context.refuse(form.list.extent, ZERO_QUATERNION);
     }
     let (square, at) = (squared_length(&entries), form.list.extent);
-    let condition = Condition::new(square, Must::BePositive, at, ZERO_QUATERNION);
+    let condition = Condition::new(square, Bound::BePositive, at, ZERO_QUATERNION);
     context.requirements.push(vec![condition]);
     Some(Orientation::Quaternion(entries))
 }
 
 impl Context<'_> {
     /// An orientation.
-    pub fn orientation(&mut self, form: &Form) -> Option<Orientation> {
+    pub fn orientation(&mut self, form: &FormSyntax) -> Option<Orientation> {
         let word = form.word.to_string();
         let Some((_, read)) = ORIENTATIONS.iter().find(|(known, _)| *known == word) else {
             let hint = did_you_mean(&word, ORIENTATIONS.iter().map(|(known, _)| *known));
@@ -54,9 +54,9 @@ impl Context<'_> {
     }
 
     /// An orientation behind `=`.
-    pub fn written_orientation(&mut self, written: &Written) -> Option<Orientation> {
+    pub fn written_orientation(&mut self, written: &ValueSyntax) -> Option<Orientation> {
         match written {
-            Written::Form(form) => self.orientation(form),
+            ValueSyntax::FormSyntax(form) => self.orientation(form),
             other => {
                 let message = format!("{EXPECTED}, found {}", other.described());
                 self.refuse(other.extent(), message)
@@ -65,7 +65,7 @@ impl Context<'_> {
     }
 
     /// How something is turned in a chain of this dimension.
-    fn turn(&mut self, turn: &Turn) -> Option<Orientation> {
+    fn turn(&mut self, turn: &OrientationSyntax) -> Option<Orientation> {
         match self.space {
             Dimension::Space => self.turned(turn),
             Dimension::Plane => self.angle(turn).map(Orientation::about_z),
@@ -74,18 +74,20 @@ impl Context<'_> {
     }
 
     /// An orientation behind `turned`.
-    pub fn turned(&mut self, turn: &Turn) -> Option<Orientation> {
+    pub fn turned(&mut self, turn: &OrientationSyntax) -> Option<Orientation> {
         match turn {
-            Turn::Form(form) => self.orientation(form),
-            Turn::Angle(angle) => self.refuse(angle.extent, format!("{EXPECTED}, found a number")),
+            OrientationSyntax::FormSyntax(form) => self.orientation(form),
+            OrientationSyntax::Angle(angle) => {
+                self.refuse(angle.extent, format!("{EXPECTED}, found a number"))
+            }
         }
     }
 
     /// The angle of a turn about an axis that is known.
-    pub fn angle(&mut self, turn: &Turn) -> Option<Value> {
+    pub fn angle(&mut self, turn: &OrientationSyntax) -> Option<Value> {
         match turn {
-            Turn::Angle(angle) => self.number(angle, ANGLE),
-            Turn::Form(form) => {
+            OrientationSyntax::Angle(angle) => self.number(angle, ANGLE),
+            OrientationSyntax::FormSyntax(form) => {
                 let message = format!("expected an angle, found `{}(…)`", form.word);
                 self.refuse(form.extent(), message)
             }
@@ -93,15 +95,19 @@ impl Context<'_> {
     }
 
     /// A frame behind `=`: its position, and how it is turned if it is.
-    pub fn written_frame(&mut self, written: &Written) -> Option<Frame> {
+    pub fn written_frame(&mut self, written: &ValueSyntax) -> Option<Frame> {
         match written {
-            Written::Turned(position, turn) => self.frame(Some(position), Some(turn)),
+            ValueSyntax::Turned(position, turn) => self.frame(Some(position), Some(turn)),
             other => self.frame(Some(other), None),
         }
     }
 
     /// A frame from its position and its orientation, both of which may be left away.
-    pub fn frame(&mut self, position: Option<&Written>, turn: Option<&Turn>) -> Option<Frame> {
+    pub fn frame(
+        &mut self,
+        position: Option<&ValueSyntax>,
+        turn: Option<&OrientationSyntax>,
+    ) -> Option<Frame> {
         let position = match position {
             None => Some(zeros()),
             Some(written) => self.written_vector(written, LENGTH),

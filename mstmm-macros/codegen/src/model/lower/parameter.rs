@@ -2,19 +2,19 @@
 
 use super::context::{Context, KnownParameter, Measure};
 use crate::model::{Parameter, Symbol, Value};
-use crate::syntax::{ChainDef, Field, ParameterDef, Written};
+use crate::syntax::{ChainSyntax, FieldSyntax, ParameterSyntax, ValueSyntax};
 
 /// All parameters. From here on they may be used.
-pub(super) fn parameters<'a>(def: &'a ChainDef, context: &mut Context<'a>) -> Vec<Parameter> {
+pub(super) fn parameters<'a>(def: &'a ChainSyntax, context: &mut Context<'a>) -> Vec<Parameter> {
     context.later_parameters = def.parameters.iter().map(|def| &def.field.name).collect();
     let read: Vec<_> =
         def.parameters.iter().map(|def| (def, parameter(&def.field, context))).collect();
     context.later_parameters.clear();
     let mut parameters = Vec::new();
-    for (index, (ParameterDef { field, times }, read)) in read.into_iter().enumerate() {
-        let Field { name, value, .. } = field;
+    for (index, (ParameterSyntax { field, times }, read)) in read.into_iter().enumerate() {
+        let FieldSyntax { name, value, .. } = field;
         let written = match value {
-            Some(Written::Number(expr)) if read.is_some() => Some(expr),
+            Some(ValueSyntax::Number(expr)) if read.is_some() => Some(expr),
             _ => None,
         };
         // One with a mistake is known all the same, fits anything and has no value to judge: that
@@ -32,9 +32,9 @@ pub(super) fn parameters<'a>(def: &'a ChainDef, context: &mut Context<'a>) -> Ve
     parameters
 }
 
-fn parameter(field: &Field, context: &mut Context) -> Option<(Value, Measure)> {
+fn parameter(field: &FieldSyntax, context: &mut Context) -> Option<(Value, Measure)> {
     let given = context.field(field, |context, written| match written {
-        Written::Number(expr) => {
+        ValueSyntax::Number(expr) => {
             let measured = context.measure(expr)?;
             let value = context.finite(measured.value, expr.extent)?;
             // A default of zero says nothing of what else it may be.

@@ -5,31 +5,31 @@ use proc_macro2::Ident;
 use super::body;
 use super::context::Context;
 use super::fields::Fields;
-use super::hinge::{self, Motion, motion, of_everything};
-use super::route::Stop;
-use crate::syntax::{Block, BlockWord, ChainDef, Route};
+use super::hinge::{self, HingeProperties, motion, of_everything};
+use super::route::RouteItem;
+use crate::syntax::{BlockKeyword, BlockSyntax, ChainSyntax, RouteSyntax};
 use std::collections::HashMap;
 
 /// What is said of a stop.
 #[derive(Clone, Default)]
-pub(crate) struct Properties<'a> {
+pub(crate) struct ItemProperties<'a> {
     /// As written.
     pub fields: Fields<'a>,
     /// How it moves: a hinge itself, the first body of a floating chain by the implied hinge.
-    pub motion: Option<Motion>,
+    pub motion: Option<HingeProperties>,
 }
 
 /// What is said of each stop.
 pub(super) fn properties<'a>(
-    def: &'a ChainDef,
-    stops: &[Stop],
+    def: &'a ChainSyntax,
+    stops: &[RouteItem],
     context: &mut Context,
-) -> Vec<Properties<'a>> {
+) -> Vec<ItemProperties<'a>> {
     let mut fields = vec![Fields::default(); stops.len()];
     let places = places(stops);
     for block in def.blocks.iter().filter(|block| !body::is_type(block)) {
         refuse_points(block, context);
-        if !matches!(block.word, BlockWord::Body | BlockWord::Hinge) {
+        if !matches!(block.word, BlockKeyword::Body | BlockKeyword::Hinge) {
             continue;
         }
         if !block.after_route && def.route.is_some() {
@@ -38,20 +38,22 @@ pub(super) fn properties<'a>(
         assign(block, def, stops, &places, &mut fields, context);
     }
     let floats = floats(stops);
-    let read = |(index, (stop, fields)): (usize, (&Stop, Fields<'a>))| {
+    let read = |(index, (stop, fields)): (usize, (&RouteItem, Fields<'a>))| {
         let shape = match stop {
-            Stop::Hinge { shape, .. } => Some(*shape),
-            Stop::Body { .. } if index == 0 && floats => Some(of_everything(context.space).shape()),
+            RouteItem::Hinge { shape, .. } => Some(*shape),
+            RouteItem::Body { .. } if index == 0 && floats => {
+                Some(of_everything(context.space).shape())
+            }
             _ => None,
         };
         let motion = shape.map(|shape| motion(shape, &fields, context));
-        Properties { fields, motion }
+        ItemProperties { fields, motion }
     };
     stops.iter().zip(fields).enumerate().map(read).collect()
 }
 
 /// Only types of bodies have points.
-fn refuse_points(block: &Block, context: &mut Context) {
+fn refuse_points(block: &BlockSyntax, context: &mut Context) {
     for point in &block.points {
         let message = "points are described with a type of body, before the route";
         context.diagnostics.error(point.name.span(), message);
@@ -59,25 +61,25 @@ fn refuse_points(block: &Block, context: &mut Context) {
 }
 
 /// Where each name stands first.
-fn places(stops: &[Stop]) -> HashMap<String, usize> {
-    let is_end = |stop: &Stop| matches!(stop, Stop::Moving { .. });
+fn places(stops: &[RouteItem]) -> HashMap<String, usize> {
+    let is_end = |stop: &RouteItem| matches!(stop, RouteItem::Moving { .. });
     let mut names: Vec<_> = stops.iter().enumerate().rev().collect();
     // Of two with one name, which is an error, the one that more can be said of.
     names.sort_by_key(|(_, stop)| !is_end(stop));
-    let place = |(index, stop): (usize, &Stop)| Some((stop.name()?.to_string(), index));
+    let place = |(index, stop): (usize, &RouteItem)| Some((stop.name()?.to_string(), index));
     names.into_iter().filter_map(place).collect()
 }
 
 /// Whether no end of the chain is held.
-pub(super) fn floats(stops: &[Stop]) -> bool {
-    matches!(stops, [Stop::Body { .. }, .., Stop::Body { .. }] | [Stop::Body { .. }])
+pub(super) fn floats(stops: &[RouteItem]) -> bool {
+    matches!(stops, [RouteItem::Body { .. }, .., RouteItem::Body { .. }] | [RouteItem::Body { .. }])
 }
 
 /// Hands the fields of a block to the stops that it names.
 fn assign<'a>(
-    block: &'a Block,
-    def: &ChainDef,
-    stops: &[Stop],
+    block: &'a BlockSyntax,
+    def: &ChainSyntax,
+    stops: &[RouteItem],
     places: &HashMap<String, usize>,
     fields: &mut [Fields<'a>],
     context: &mut Context,
@@ -88,8 +90,8 @@ fn assign<'a>(
         let place = places.get(&name.to_string()).copied();
         let Some(index) = target(block, name, place, def, stops, context) else { continue };
         let (known, owner) = match &stops[index] {
-            Stop::Hinge { kind, shape, .. } => (hinge::fields(shape), kind.name.to_owned()),
-            Stop::Body { .. } => {
+            RouteItem::Hinge { kind, shape, .. } => (hinge::fields(shape), kind.name.to_owned()),
+            RouteItem::Body { .. } => {
                 let implied = of_everything(context.space).shape();
                 (hinge::start_fields(implied), format!("body `{name}`"))
             }
@@ -111,11 +113,11 @@ fn assign<'a>(
 
 /// The stop that a block means by a name; nothing where there is none to say something of.
 fn target(
-    block: &Block,
+    block: &BlockSyntax,
     name: &Ident,
     place: Option<usize>,
-    def: &ChainDef,
-    stops: &[Stop],
+    def: &ChainSyntax,
+    stops: &[RouteItem],
     context: &mut Context,
 ) -> Option<usize> {
     let Some(index) = place else {
@@ -123,20 +125,20 @@ fn target(
         return None;
     };
     match (block.word, &stops[index]) {
-        (BlockWord::Body, Stop::Hinge { .. }) => {
+        (BlockKeyword::Body, RouteItem::Hinge { .. }) => {
             context.refuse(name, format!("`{name}` is a hinge: `hinge {name} {{ … }}`"))
         }
-        (_, Stop::Moving { .. }) => {
+        (_, RouteItem::Moving { .. }) => {
             let message =
                 format!("nothing can be said of `{name}`: its motion is given at each step");
             context.refuse(name, message)
         }
         // It may be a hinge whose kind is not known.
-        (BlockWord::Hinge, Stop::Body { body_type: None, .. }) => None,
-        (BlockWord::Hinge, Stop::Body { .. }) => {
+        (BlockKeyword::Hinge, RouteItem::Body { body_type: None, .. }) => None,
+        (BlockKeyword::Hinge, RouteItem::Body { .. }) => {
             context.refuse(name, format!("`{name}` is a body: `body {name} {{ … }}`"))
         }
-        (BlockWord::Body, Stop::Body { .. }) if index > 0 || !floats(stops) => {
+        (BlockKeyword::Body, RouteItem::Body { .. }) if index > 0 || !floats(stops) => {
             // Where the route has a mistake, so has this verdict.
             if !def.route.as_ref().is_some_and(|route| route.whole) {
                 return None;
@@ -152,7 +154,7 @@ fn target(
 }
 
 /// Whether one of these stops has the name of another stop. It may be meant to have a different name.
-pub(super) fn has_duplicates(stops: &[Stop], these: impl Fn(&Stop) -> bool) -> bool {
+pub(super) fn has_duplicates(stops: &[RouteItem], these: impl Fn(&RouteItem) -> bool) -> bool {
     let mut names = HashMap::new();
     stops.iter().filter_map(|stop| Some((stop, stop.name()?))).any(|(stop, name)| {
         let is_of_these = these(stop);
@@ -162,40 +164,42 @@ pub(super) fn has_duplicates(stops: &[Stop], these: impl Fn(&Stop) -> bool) -> b
 }
 
 fn unknown_name(
-    block: &Block,
+    block: &BlockSyntax,
     name: &Ident,
-    def: &ChainDef,
-    stops: &[Stop],
+    def: &ChainSyntax,
+    stops: &[RouteItem],
     context: &mut Context,
 ) {
-    if block.word == BlockWord::Body && body::describes_type(block) {
+    if block.word == BlockKeyword::Body && body::describes_type(block) {
         let message = "a type of body is described before the route";
         context.diagnostics.error(name.span(), message);
         return;
     }
-    let Some(Route { whole: true, .. }) = def.route else { return };
+    let Some(RouteSyntax { whole: true, .. }) = def.route else { return };
     // It may be the name that a hinge on the route lacks.
-    let nameless = |stop: &Stop| {
-        matches!(stop, Stop::Hinge { name: None, .. } | Stop::Unknown { name: None, .. })
+    let nameless = |stop: &RouteItem| {
+        matches!(stop, RouteItem::Hinge { name: None, .. } | RouteItem::Unknown { name: None, .. })
     };
     if stops.iter().any(nameless)
-        || has_duplicates(stops, |stop| !matches!(stop, Stop::Body { .. }))
+        || has_duplicates(stops, |stop| !matches!(stop, RouteItem::Body { .. }))
     {
         return;
     }
-    let is_body = |stop: &Stop| matches!(stop, Stop::Body { word, .. } if *word == name);
+    let is_body = |stop: &RouteItem| matches!(stop, RouteItem::Body { word, .. } if *word == name);
     let has_type =
         def.blocks.iter().any(|other| body::is_type(other) && other.names.contains(name));
-    if block.word == BlockWord::Body && !has_type && stops.iter().any(is_body) {
+    if block.word == BlockKeyword::Body && !has_type && stops.iter().any(is_body) {
         let message = "a type of body is described before the route";
         context.diagnostics.error(name.span(), message);
         return;
     }
-    let (word, stops): (_, Vec<&Stop>) = match block.word {
-        BlockWord::Body => {
-            ("body", stops.iter().filter(|stop| matches!(stop, Stop::Body { .. })).collect())
+    let (word, stops): (_, Vec<&RouteItem>) = match block.word {
+        BlockKeyword::Body => {
+            ("body", stops.iter().filter(|stop| matches!(stop, RouteItem::Body { .. })).collect())
         }
-        _ => ("hinge", stops.iter().filter(|stop| !matches!(stop, Stop::Body { .. })).collect()),
+        _ => {
+            ("hinge", stops.iter().filter(|stop| !matches!(stop, RouteItem::Body { .. })).collect())
+        }
     };
     let hint = context.hint(name, stops.iter().filter_map(|stop| stop.name()));
     let message = format!("no {word} `{name}` on the route{hint}");

@@ -1,28 +1,28 @@
 //! Where a description names what stands elsewhere in it.
 
 use super::body;
-use super::route::Stop;
-use crate::syntax::{Block, BlockWord, ChainDef, References};
+use super::route::RouteItem;
+use crate::syntax::{BlockKeyword, BlockSyntax, ChainSyntax, References};
 
 /// All names of elements in blocks behind the route, and all names of types of bodies.
-pub(super) fn references(def: &ChainDef, stops: &[Stop]) -> References {
+pub(super) fn references(def: &ChainSyntax, stops: &[RouteItem]) -> References {
     let is_element = |name: &&proc_macro2::Ident| {
         stops.iter().any(|stop| match stop {
-            Stop::Hinge { name: own, .. } => own.is_some_and(|own| own == *name),
-            Stop::Body { name: own, .. } => own == *name,
+            RouteItem::Hinge { name: own, .. } => own.is_some_and(|own| own == *name),
+            RouteItem::Body { name: own, .. } => own == *name,
             _ => false,
         })
     };
     let behind = def.blocks.iter().filter(|block| !body::is_type(block));
-    let named = behind.flat_map(|block: &Block| {
+    let named = behind.flat_map(|block: &BlockSyntax| {
         let on = block.fields.iter().find(|field| field.name == "on");
         let on = on.and_then(|field| field.value.as_ref()?.word());
         let names =
-            matches!(block.word, BlockWord::Body | BlockWord::Hinge).then_some(&block.names);
+            matches!(block.word, BlockKeyword::Body | BlockKeyword::Hinge).then_some(&block.names);
         names.into_iter().flatten().chain(on)
     });
     let used = stops.iter().filter_map(|stop| match stop {
-        Stop::Body { word, body_type: Some(_), named: true, .. } => Some((*word).clone()),
+        RouteItem::Body { word, body_type: Some(_), named: true, .. } => Some((*word).clone()),
         _ => None,
     });
     let types = def.blocks.iter().filter(|block| body::is_type(block));

@@ -3,16 +3,16 @@
 use proc_macro2::{Ident, Span};
 
 use super::body::BodyType;
-use super::context::{Context, Given};
+use super::context::{Context, Spanned};
 use super::fields::listed;
 use super::hinge::{KINDS, Kind};
 use crate::diag::nearest;
-use crate::model::{Frame, HingeKind, Shape};
-use crate::syntax::{self, Arguments, ChainDef};
+use crate::model::{Frame, HingeKind, HingeSpec};
+use crate::syntax::{self, ArgumentsSyntax, ChainSyntax};
 use std::collections::HashSet;
 
 /// A stop of the route as far as it could be read.
-pub(crate) enum Stop<'a> {
+pub(crate) enum RouteItem<'a> {
     /// A frame on the ground.
     Ground {
         /// The word.
@@ -36,11 +36,11 @@ pub(crate) enum Stop<'a> {
         /// Its kind.
         kind: &'static Kind,
         /// The numbers of its kind.
-        shape: &'static Shape,
+        shape: &'static HingeSpec,
         /// What stands in parentheses behind its kind.
-        arguments: Option<&'a Arguments>,
+        arguments: Option<&'a ArgumentsSyntax>,
         /// What it lets free.
-        frees: Option<Given<HingeKind>>,
+        frees: Option<Spanned<HingeKind>>,
     },
     /// A body.
     Body {
@@ -65,60 +65,61 @@ pub(crate) enum Stop<'a> {
     },
 }
 
-impl Stop<'_> {
+impl RouteItem<'_> {
     /// Its name on the route.
     pub fn name(&self) -> Option<&Ident> {
         match self {
-            Stop::Ground { .. } | Stop::Again { .. } => None,
-            Stop::Moving { name, .. } | Stop::Hinge { name, .. } | Stop::Unknown { name, .. } => {
-                *name
-            }
-            Stop::Body { name, .. } => Some(name),
+            RouteItem::Ground { .. } | RouteItem::Again { .. } => None,
+            RouteItem::Moving { name, .. }
+            | RouteItem::Hinge { name, .. }
+            | RouteItem::Unknown { name, .. } => *name,
+            RouteItem::Body { name, .. } => Some(name),
         }
     }
 }
 
 /// All stops.
 pub(super) fn stops<'a>(
-    def: &'a ChainDef,
+    def: &'a ChainSyntax,
     types: &[BodyType],
     context: &mut Context,
-) -> Vec<Stop<'a>> {
+) -> Vec<RouteItem<'a>> {
     let Some(route) = &def.route else { return Vec::new() };
     let mut known = HashSet::new();
-    let mut resolve = |(index, stop): (usize, &'a syntax::Stop)| match stop {
-        syntax::Stop::Ground { at, position, turned } => {
-            Stop::Ground { at: *at, frame: context.frame(position.as_deref(), turned.as_deref()) }
-        }
-        syntax::Stop::Moving { name: Some(name), .. }
+    let mut resolve = |(index, stop): (usize, &'a syntax::RouteItemSyntax)| match stop {
+        syntax::RouteItemSyntax::Ground { at, position, turned } => RouteItem::Ground {
+            at: *at,
+            frame: context.frame(position.as_deref(), turned.as_deref()),
+        },
+        syntax::RouteItemSyntax::Moving { name: Some(name), .. }
             if index >= route.first_end() && known.contains(&name.to_string()) =>
         {
-            Stop::Again { name }
+            RouteItem::Again { name }
         }
-        syntax::Stop::Moving { at, name } => {
+        syntax::RouteItemSyntax::Moving { at, name } => {
             known.extend(name.as_ref().map(ToString::to_string));
             if name.is_none() {
                 context.diagnostics.error(*at, "a moving end needs a name: `moving name`");
             }
-            Stop::Moving { at: *at, name: name.as_ref() }
+            RouteItem::Moving { at: *at, name: name.as_ref() }
         }
-        syntax::Stop::Unread { name } => Stop::Unknown { name: name.as_ref() },
-        syntax::Stop::Element { word, arguments, name, place, doubtful } => {
+        syntax::RouteItemSyntax::Unread { name } => RouteItem::Unknown { name: name.as_ref() },
+        syntax::RouteItemSyntax::Element { word, arguments, name, place, doubtful } => {
             let first_end = route.first_end();
             let (arguments, name) = (arguments.as_ref(), name.as_ref());
             let at_end = index == 0 || index + 1 == first_end || index + 1 == route.stops.len();
-            let element = Element { word, arguments, name, at_end };
+            let element = UnresolvedElement { word, arguments, name, at_end };
             let further = route.further.iter().any(|further| further.start == index);
             let again = element.again(&known, types, further);
             let stop = match again {
                 Some(name) if index < first_end && !doubtful => passed_twice(name, context),
-                Some(name) => Stop::Again { name },
+                Some(name) => RouteItem::Again { name },
                 // It is reported that a further route begins here, or that something is wrong before.
                 None if (further || *doubtful) && !element.is_known(types) => {
-                    Stop::Unknown { name: element.name }
+                    RouteItem::Unknown { name: element.name }
                 }
                 None if *doubtful && element.name.is_none() && element.is_kind() => {
-                    Stop::Unknown { name: None }
+                    RouteItem::Unknown { name: None }
                 }
                 None => element.resolve(def, types, context),
             };
@@ -133,23 +134,23 @@ pub(super) fn stops<'a>(
 }
 
 /// Refuses a stop on the route for the second time.
-fn passed_twice<'a>(name: &'a Ident, context: &mut Context) -> Stop<'a> {
+fn passed_twice<'a>(name: &'a Ident, context: &mut Context) -> RouteItem<'a> {
     let message = format!(
         "`{name}` is on the route already, and a chain closes over the ground or a moving end only: \
          end the route before this hinge, and hold the two bodies together by two loads with \
          `force = input`"
     );
     context.diagnostics.error(name.span(), message);
-    Stop::Again { name }
+    RouteItem::Again { name }
 }
 
 /// Refuses a place that is written on the route.
-fn refuse_place(place: Span, stop: &Stop, context: &mut Context) {
+fn refuse_place(place: Span, stop: &RouteItem, context: &mut Context) {
     let message = match stop {
-        Stop::Body { word, .. } => format!(
+        RouteItem::Body { word, .. } => format!(
             "the route goes on at the `output` of a body: give `{word}` an `output` there instead"
         ),
-        Stop::Hinge { .. } => "a hinge is at the `output` of the body before it: \
+        RouteItem::Hinge { .. } => "a hinge is at the `output` of the body before it: \
                                write its place there, or on the ground as in `ground at [x, y, z]`"
             .into(),
         _ => return,
@@ -158,9 +159,9 @@ fn refuse_place(place: Span, stop: &Stop, context: &mut Context) {
 }
 
 /// A hinge or a body as written.
-struct Element<'a> {
+struct UnresolvedElement<'a> {
     word: &'a Ident,
-    arguments: Option<&'a Arguments>,
+    arguments: Option<&'a ArgumentsSyntax>,
     name: Option<&'a Ident>,
     /// Whether it is the first or the last stop.
     at_end: bool,
@@ -187,7 +188,7 @@ const SYNONYMS: &[(&str, &str)] = &[
 /// What the ground is called elsewhere.
 const GROUNDS: &[&str] = &["world", "base", "earth", "inertial", "origin"];
 
-impl<'a> Element<'a> {
+impl<'a> UnresolvedElement<'a> {
     /// The name of a stop before this one that it is called by: without a kind or a type, or with one
     /// where a further route begins.
     fn again(
@@ -213,8 +214,13 @@ impl<'a> Element<'a> {
         KINDS.iter().any(|kind| self.word == kind.word)
     }
 
-    fn resolve(self, def: &ChainDef, types: &[BodyType], context: &mut Context) -> Stop<'a> {
-        let Element { word, name, .. } = self;
+    fn resolve(
+        self,
+        def: &ChainSyntax,
+        types: &[BodyType],
+        context: &mut Context,
+    ) -> RouteItem<'a> {
+        let UnresolvedElement { word, name, .. } = self;
         if let Some(kind) = KINDS.iter().find(|kind| word == kind.word) {
             return self.hinge(kind, context);
         }
@@ -226,7 +232,7 @@ impl<'a> Element<'a> {
             let name = self.name.map_or_else(String::new, ToString::to_string);
             let message = format!("the {what} comes first, then the name: `{name} {word}`");
             context.diagnostics.error(word.span(), message);
-            return Stop::Unknown { name: Some(word) };
+            return RouteItem::Unknown { name: Some(word) };
         }
         if self.is_body(types) {
             self.unknown_type(def, types, context);
@@ -242,7 +248,7 @@ impl<'a> Element<'a> {
             None => format!("unknown kind of hinge `{word}`; there are {}", kinds(context)),
         };
         context.diagnostics.error(word.span(), message);
-        Stop::Unknown { name }
+        RouteItem::Unknown { name }
     }
 
     /// What stands in the place of the name, if word and name are swapped.
@@ -275,22 +281,22 @@ impl<'a> Element<'a> {
         synonym.or_else(|| nearest(&word, kinds.chain(["ground", "moving", "repeat"])))
     }
 
-    fn hinge(self, kind: &'static Kind, context: &mut Context) -> Stop<'a> {
-        let Element { word, arguments, name, .. } = self;
+    fn hinge(self, kind: &'static Kind, context: &mut Context) -> RouteItem<'a> {
+        let UnresolvedElement { word, arguments, name, .. } = self;
         let Some(plain) = kind.plain(context.space) else {
             no_such_hinge(word, context);
-            return Stop::Unknown { name };
+            return RouteItem::Unknown { name };
         };
         if name.is_none() {
             let message = format!("a hinge needs a name: `{word} name`");
             context.diagnostics.error(word.span(), message);
         }
         let frees = kind.read(word, arguments, context);
-        Stop::Hinge { word, name, kind, shape: plain.shape(), arguments, frees }
+        RouteItem::Hinge { word, name, kind, shape: plain.shape(), arguments, frees }
     }
 
-    fn body(self, body_type: Option<usize>, context: &mut Context) -> Stop<'a> {
-        let Element { word, arguments, name, .. } = self;
+    fn body(self, body_type: Option<usize>, context: &mut Context) -> RouteItem<'a> {
+        let UnresolvedElement { word, arguments, name, .. } = self;
         if let Some(arguments) = arguments {
             let message = "a body takes nothing in parentheses";
             context.diagnostics.error_over(arguments.extent, message);
@@ -300,10 +306,10 @@ impl<'a> Element<'a> {
             Ident::new(&snake_case(&plain), word.span())
         };
         let named = name.is_some();
-        Stop::Body { word, name: name.cloned().unwrap_or_else(made), named, body_type }
+        RouteItem::Body { word, name: name.cloned().unwrap_or_else(made), named, body_type }
     }
 
-    fn unknown_type(&self, def: &ChainDef, types: &[BodyType], context: &mut Context) {
+    fn unknown_type(&self, def: &ChainSyntax, types: &[BodyType], context: &mut Context) {
         let word = self.word;
         // One that stands in the wrong place or could not be read is reported there.
         if !def.whole || def.blocks.iter().any(|block| block.names.contains(word)) {

@@ -4,14 +4,15 @@ use super::context::Context;
 use super::dimension::ACCELERATION;
 use super::fields::Fields;
 use crate::diag::{did_you_mean, nearest};
-use crate::model::{Answer, Method, Results, Source};
-use crate::syntax::{ChainDef, Expr, ExprKind, List, SETTINGS, Written};
+use crate::model::{Answer, Results, SolutionMethod, Source};
+use crate::syntax::{ChainSyntax, ExprKind, ExprSyntax, ListSyntax, SETTINGS, ValueSyntax};
 use std::fmt::Display;
 
-const METHODS: &[(&str, Method)] = &[("riccati", Method::Riccati), ("transfer", Method::Transfer)];
+const METHODS: &[(&str, SolutionMethod)] =
+    &[("riccati", SolutionMethod::Riccati), ("transfer", SolutionMethod::Transfer)];
 /// Where it is noted that a result is asked for.
-type Place = fn(&mut Results) -> &mut bool;
-const RESULTS: &[(&str, Place)] = &[
+type ResultFlag = fn(&mut Results) -> &mut bool;
+const RESULTS: &[(&str, ResultFlag)] = &[
     ("poses", |results| &mut results.poses),
     ("velocities", |results| &mut results.velocities),
     ("z", |results| &mut results.z),
@@ -23,7 +24,7 @@ pub(crate) struct Settings {
     /// Acceleration of free fall.
     pub gravity: Option<Source>,
     /// How the accelerations are solved for.
-    pub method: Option<Method>,
+    pub method: Option<SolutionMethod>,
     /// What the solution says: everything unless less is asked for.
     pub results: Results,
     /// What is answered besides.
@@ -31,7 +32,7 @@ pub(crate) struct Settings {
 }
 
 /// All settings.
-pub(super) fn settings(def: &ChainDef, context: &mut Context) -> Settings {
+pub(super) fn settings(def: &ChainSyntax, context: &mut Context) -> Settings {
     let mut given = Fields::default();
     let owner = format!("chain `{}`", def.name);
     for field in &def.settings {
@@ -59,7 +60,7 @@ pub(super) fn settings(def: &ChainDef, context: &mut Context) -> Settings {
     }
 }
 
-fn method(context: &mut Context, written: &Written) -> Option<Method> {
+fn method(context: &mut Context, written: &ValueSyntax) -> Option<SolutionMethod> {
     let word = written.word().map_or_else(String::new, ToString::to_string);
     let known = METHODS.iter().find(|(name, _)| *name == word).map(|&(_, method)| method);
     if known.is_none() {
@@ -71,37 +72,41 @@ fn method(context: &mut Context, written: &Written) -> Option<Method> {
     known
 }
 
-fn results(context: &mut Context, written: &Written) -> Option<Results> {
-    let chosen = chosen(context, written, &Words { known: RESULTS, example: "[z, poses]" })?;
+fn results(context: &mut Context, written: &ValueSyntax) -> Option<Results> {
+    let chosen = chosen(context, written, &Choices { known: RESULTS, example: "[z, poses]" })?;
     let mut results = Results::NONE;
     chosen.into_iter().for_each(|place| *place(&mut results) = true);
     Some(results)
 }
 
-fn answers(context: &mut Context, written: &Written) -> Option<Vec<Answer>> {
+fn answers(context: &mut Context, written: &ValueSyntax) -> Option<Vec<Answer>> {
     let asked: Vec<(&str, Answer)> =
         Answer::ALL.into_iter().filter_map(|answer| Some((answer.word()?, answer))).collect();
-    chosen(context, written, &Words { known: &asked, example: "[bias_efforts]" })
+    chosen(context, written, &Choices { known: &asked, example: "[bias_efforts]" })
 }
 
 /// Words that may be chosen.
-struct Words<'a, T> {
+struct Choices<'a, T> {
     known: &'a [(&'a str, T)],
     /// How several of them are written.
     example: &'a str,
 }
 
 /// What one word means, or several in brackets, each at most once.
-fn chosen<T: Copy>(context: &mut Context, written: &Written, words: &Words<T>) -> Option<Vec<T>> {
+fn chosen<T: Copy>(
+    context: &mut Context,
+    written: &ValueSyntax,
+    words: &Choices<T>,
+) -> Option<Vec<T>> {
     let entries = match written {
-        Written::Number(entry) => std::slice::from_ref(entry),
-        Written::Vector(List { unit: Some(unit), .. }) => {
+        ValueSyntax::Number(entry) => std::slice::from_ref(entry),
+        ValueSyntax::Vector(ListSyntax { unit: Some(unit), .. }) => {
             return context.refuse(unit.extent, "words have no unit");
         }
-        Written::Vector(List { entries, extent, .. }) if entries.is_empty() => {
+        ValueSyntax::Vector(ListSyntax { entries, extent, .. }) if entries.is_empty() => {
             return context.refuse(*extent, words.missing("nothing"));
         }
-        Written::Vector(List { entries, .. }) => entries,
+        ValueSyntax::Vector(ListSyntax { entries, .. }) => entries,
         _ => return context.refuse(written.extent(), words.missing(written.described())),
     };
     let (mut chosen, mut right): (Vec<usize>, bool) = (Vec::new(), true);
@@ -111,8 +116,13 @@ fn chosen<T: Copy>(context: &mut Context, written: &Written, words: &Words<T>) -
     right.then(|| chosen.into_iter().map(|number| words.known[number].1).collect())
 }
 
-impl<T> Words<'_, T> {
-    fn choose(&self, context: &mut Context, entry: &Expr, chosen: &mut Vec<usize>) -> Option<()> {
+impl<T> Choices<'_, T> {
+    fn choose(
+        &self,
+        context: &mut Context,
+        entry: &ExprSyntax,
+        chosen: &mut Vec<usize>,
+    ) -> Option<()> {
         let ExprKind::Name(word) = &entry.kind else {
             return context.refuse(entry.extent, self.missing("a number"));
         };

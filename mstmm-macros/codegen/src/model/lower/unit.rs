@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use super::dimension::Dimension;
+use super::dimension::PhysicalDimension;
 use crate::diag::nearest;
 use crate::model::Value;
-use crate::syntax::{Unit, UnitFactor};
+use crate::syntax::{UnitFactorSyntax, UnitSyntax};
 
 /// A unit in terms of SI: `above · 10^tens / below`. Parts and powers of ten are kept apart because
 /// then `48 mm` is 48/1000, which rounds once and so to the same number as `0.048`.
@@ -17,27 +17,27 @@ pub(super) struct Scale {
 }
 
 /// A row of the table of units.
-struct Symbol {
+struct UnitSymbol {
     symbol: &'static str,
     scale: Scale,
     takes_prefix: bool,
-    dimension: Dimension,
+    dimension: PhysicalDimension,
 }
 
-const fn unit(symbol: &'static str, tens: i32, powers: [i32; 4]) -> Symbol {
+const fn unit(symbol: &'static str, tens: i32, powers: [i32; 4]) -> UnitSymbol {
     let [length, mass, time, angle] = powers;
     let scale = Scale { above: 1.0, below: 1.0, tens };
-    let dimension = Dimension { length, mass, time, angle };
-    Symbol { symbol, scale, takes_prefix: true, dimension }
+    let dimension = PhysicalDimension { length, mass, time, angle };
+    UnitSymbol { symbol, scale, takes_prefix: true, dimension }
 }
 
-const fn fixed(symbol: &'static str, above: f64, below: f64, powers: [i32; 4]) -> Symbol {
+const fn fixed(symbol: &'static str, above: f64, below: f64, powers: [i32; 4]) -> UnitSymbol {
     let unit = unit(symbol, 0, powers);
-    Symbol { scale: Scale { above, below, tens: 0 }, takes_prefix: false, ..unit }
+    UnitSymbol { scale: Scale { above, below, tens: 0 }, takes_prefix: false, ..unit }
 }
 
 /// Powers of metre, kilogram, second, radian.
-const SYMBOLS: &[Symbol] = &[
+const SYMBOLS: &[UnitSymbol] = &[
     unit("m", 0, [1, 0, 0, 0]),
     unit("g", -3, [0, 1, 0, 0]),
     unit("s", 0, [0, 0, 1, 0]),
@@ -81,15 +81,18 @@ impl Scale {
 }
 
 /// The scale and the dimension of a unit, or the part of it that is not known.
-pub(super) fn resolve(unit: &Unit) -> Result<(Scale, Dimension), &UnitFactor> {
+pub(super) fn resolve(unit: &UnitSyntax) -> Result<(Scale, PhysicalDimension), &UnitFactorSyntax> {
     let one = Scale { above: 1.0, below: 1.0, tens: 0 };
-    unit.factors.iter().try_fold((one, Dimension::default()), |(scale, dimension), factor| {
-        let (each, measures) = find(&factor.symbol).ok_or(factor)?;
-        Ok((scale.times(each, factor.power), dimension.times(measures, factor.power)))
-    })
+    unit.factors.iter().try_fold(
+        (one, PhysicalDimension::default()),
+        |(scale, dimension), factor| {
+            let (each, measures) = find(&factor.symbol).ok_or(factor)?;
+            Ok((scale.times(each, factor.power), dimension.times(measures, factor.power)))
+        },
+    )
 }
 
-fn find(symbol: &str) -> Option<(Scale, Dimension)> {
+fn find(symbol: &str) -> Option<(Scale, PhysicalDimension)> {
     let exact = |name: &str| SYMBOLS.iter().find(|unit| unit.symbol == name);
     if let Some(unit) = exact(symbol) {
         return Some((unit.scale, unit.dimension));

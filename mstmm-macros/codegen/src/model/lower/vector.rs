@@ -1,21 +1,23 @@
 //! Several numbers of one kind.
 
-use super::context::{Context, Given, Measure};
+use super::context::{Context, Measure, Spanned};
 use super::dimension::Quantity;
 use super::number::{Measured, misread_symbol};
 use crate::diag::did_you_mean;
 use crate::model::{Source, Value};
-use crate::syntax::{Expr, ExprKind, Extent, FORMS, Field, Form, List, Written};
+use crate::syntax::{
+    ExprKind, ExprSyntax, FORMS, FieldSyntax, FormSyntax, ListSyntax, SpanRange, ValueSyntax,
+};
 
 impl Context<'_> {
     /// A number after `=`.
-    pub fn written_number(&mut self, written: &Written, expected: &Quantity) -> Option<Value> {
+    pub fn written_number(&mut self, written: &ValueSyntax, expected: &Quantity) -> Option<Value> {
         match written {
-            Written::Number(expr) => self.number(expr, expected),
-            Written::Form(form) if FORMS.iter().all(|known| form.word != known) => {
+            ValueSyntax::Number(expr) => self.number(expr, expected),
+            ValueSyntax::FormSyntax(form) if FORMS.iter().all(|known| form.word != known) => {
                 self.unknown_function(&form.word)
             }
-            Written::Vector(list) => {
+            ValueSyntax::Vector(list) => {
                 let message = format!("expected {}: a single number", expected.name);
                 self.refuse(list.extent, message)
             }
@@ -28,7 +30,11 @@ impl Context<'_> {
 
     /// A vector of the chain's dimension after `=`, a number in a line chain: with zeros where the
     /// chain does not move.
-    pub fn written_vector(&mut self, written: &Written, expected: &Quantity) -> Option<[Value; 3]> {
+    pub fn written_vector(
+        &mut self,
+        written: &ValueSyntax,
+        expected: &Quantity,
+    ) -> Option<[Value; 3]> {
         let mut vector = zeros();
         let shifts = self.space.shifts();
         for (&axis, part) in shifts.iter().zip(self.components(written, shifts.len(), expected)?) {
@@ -41,7 +47,7 @@ impl Context<'_> {
     /// in a plane chain.
     pub fn written_turning(
         &mut self,
-        written: &Written,
+        written: &ValueSyntax,
         expected: &Quantity,
     ) -> Option<[Value; 3]> {
         let mut vector = zeros();
@@ -55,7 +61,7 @@ impl Context<'_> {
     /// So many numbers after `=`: a single one without brackets.
     pub fn components(
         &mut self,
-        written: &Written,
+        written: &ValueSyntax,
         count: usize,
         expected: &Quantity,
     ) -> Option<Vec<Value>> {
@@ -63,12 +69,12 @@ impl Context<'_> {
             return self.written_number(written, expected).map(|number| vec![number]);
         }
         match written {
-            Written::Vector(list) => self.vector(list, count, expected),
-            Written::Turned(_, turn) => {
+            ValueSyntax::Vector(list) => self.vector(list, count, expected),
+            ValueSyntax::Turned(_, turn) => {
                 let message = format!("nothing is turned here; `{}` is enough", brackets(count));
                 self.refuse(turn.extent(), message)
             }
-            Written::Form(form) if FORMS.iter().all(|known| form.word != known) => {
+            ValueSyntax::FormSyntax(form) if FORMS.iter().all(|known| form.word != known) => {
                 self.unknown_function(&form.word)
             }
             other => {
@@ -85,18 +91,23 @@ impl Context<'_> {
     /// So many numbers after `=`, or a single one that stands for all of them.
     pub fn each(
         &mut self,
-        written: &Written,
+        written: &ValueSyntax,
         count: usize,
         expected: &Quantity,
     ) -> Option<Vec<Value>> {
         match written {
-            Written::Vector(list) if count > 1 => self.vector(list, count, expected),
+            ValueSyntax::Vector(list) if count > 1 => self.vector(list, count, expected),
             other => self.written_number(other, expected).map(|number| vec![number; count]),
         }
     }
 
     /// So many components.
-    pub fn vector(&mut self, list: &List, count: usize, expected: &Quantity) -> Option<Vec<Value>> {
+    pub fn vector(
+        &mut self,
+        list: &ListSyntax,
+        count: usize,
+        expected: &Quantity,
+    ) -> Option<Vec<Value>> {
         let found = list.entries.len();
         if found != count {
             let message = if count == self.space.shifts().len() {
@@ -113,7 +124,7 @@ impl Context<'_> {
     /// The numbers in the parentheses of a form.
     pub fn form_numbers<const N: usize>(
         &mut self,
-        form: &Form,
+        form: &FormSyntax,
         names: [&str; N],
         expected: &Quantity,
     ) -> Option<[Value; N]> {
@@ -125,7 +136,7 @@ impl Context<'_> {
         self.numbers(&form.list, expected)?.try_into().ok()
     }
 
-    fn numbers(&mut self, list: &List, expected: &Quantity) -> Option<Vec<Value>> {
+    fn numbers(&mut self, list: &ListSyntax, expected: &Quantity) -> Option<Vec<Value>> {
         // All entries are read before giving up, so that all mistakes in them are reported.
         let parts: Vec<_> = list.entries.iter().map(|entry| self.measure(entry)).collect();
         let unit = list.unit.as_ref().map(|unit| (unit, self.unit(unit)));
@@ -163,8 +174,8 @@ impl Context<'_> {
     /// A vector that may be left away or be `input`.
     pub fn source(
         &mut self,
-        field: Option<&Field>,
-        read: impl FnOnce(&mut Self, &Written) -> Option<[Value; 3]>,
+        field: Option<&FieldSyntax>,
+        read: impl FnOnce(&mut Self, &ValueSyntax) -> Option<[Value; 3]>,
     ) -> Option<Source> {
         self.optional(
             field,
@@ -177,7 +188,7 @@ impl Context<'_> {
     }
 
     /// Whether this is the word `input`. A slip of it is refused.
-    pub fn asks_for_input(&mut self, written: &Written) -> Option<bool> {
+    pub fn asks_for_input(&mut self, written: &ValueSyntax) -> Option<bool> {
         let Some(word) = written.word() else { return Some(false) };
         let text = word.to_string();
         let is_parameter = self.parameters.iter().any(|other| other.name == word);
@@ -192,13 +203,13 @@ impl Context<'_> {
     /// A field that may be left away.
     pub fn optional<T>(
         &mut self,
-        field: Option<&Field>,
+        field: Option<&FieldSyntax>,
         default: impl FnOnce() -> T,
-        read: impl FnOnce(&mut Self, &Written) -> Option<T>,
+        read: impl FnOnce(&mut Self, &ValueSyntax) -> Option<T>,
     ) -> Option<T> {
         match field {
             None => Some(default()),
-            Some(field) => self.field(field, read).map(|Given { value, .. }| value),
+            Some(field) => self.field(field, read).map(|Spanned { value, .. }| value),
         }
     }
 
@@ -206,17 +217,17 @@ impl Context<'_> {
     /// away, so that what stands beside it is judged all the same.
     pub fn readable<T>(
         &mut self,
-        field: Option<&Field>,
+        field: Option<&FieldSyntax>,
         default: impl Fn() -> T,
-        read: impl FnOnce(&mut Self, &Written) -> Option<T>,
+        read: impl FnOnce(&mut Self, &ValueSyntax) -> Option<T>,
     ) -> T {
         self.optional(field, &default, read).unwrap_or_else(default)
     }
 }
 
 /// The unit of a single number that is one, if everyone reads it otherwise than the table.
-fn misread_unit(written: &Written, expected: &Quantity) -> Option<(Extent, &'static str)> {
-    let Written::Number(Expr { kind: ExprKind::Quantity(_, unit), .. }) = written else {
+fn misread_unit(written: &ValueSyntax, expected: &Quantity) -> Option<(SpanRange, &'static str)> {
+    let ValueSyntax::Number(ExprSyntax { kind: ExprKind::Quantity(_, unit), .. }) = written else {
         return None;
     };
     Some((unit.extent, misread_symbol(unit, expected)?))

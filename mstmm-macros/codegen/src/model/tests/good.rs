@@ -4,8 +4,8 @@ use super::{PENDULUM, chain, edited};
 use super::{all_known, constants, known};
 use crate::ids::{BodyId, HingeId};
 use crate::model::{
-    About, Dimension, Drive, Effort, Element, Frame, HingeKind, Method, Passive, Place, Results,
-    Source, Symbol, Value,
+    About, Attachment, Dimension, Drive, Effort, Element, Frame, HingeKind, Passive, Results,
+    SolutionMethod, Source, Symbol, Value,
 };
 
 /// A number in the place of the rod's mass.
@@ -20,7 +20,7 @@ fn known_mass(written: &str) -> f64 {
 
 #[test]
 fn the_pendulum_of_the_paper() {
-    let (chain, surface) = chain(
+    let (chain, passthrough) = chain(
         "/// Three unit cubes on ball-and-socket hinges.
         pub(crate) space chain BallPendulum {
             gravity = [0, -9.8, 0] m/s^2;
@@ -37,7 +37,7 @@ fn the_pendulum_of_the_paper() {
         }",
     );
     assert_eq!(chain.name, "BallPendulum");
-    assert_eq!(surface.attributes.len(), 1);
+    assert_eq!(passthrough.attributes.len(), 1);
     assert_eq!(chain.dimension, Dimension::Space);
     assert_eq!(chain.gravity, Source::Constant([0.0, -9.8, 0.0].map(Value::number)));
     let names: Vec<_> = chain.bodies.iter().map(|body| body.name.to_string()).collect();
@@ -51,11 +51,11 @@ fn the_pendulum_of_the_paper() {
     assert_eq!(body.output.rotation, Frame::identity().rotation);
 
     let [shoulder, elbow, wrist] = chain.hinges.as_slice() else { panic!("three hinges") };
-    assert!(matches!(&shoulder.inboard, Place::Ground(frame) if *frame == Frame::identity()));
-    assert!(matches!(shoulder.outboard, Place::Input(BodyId(0))));
+    assert!(matches!(&shoulder.inboard, Attachment::Ground(frame) if *frame == Frame::identity()));
+    assert!(matches!(shoulder.outboard, Attachment::Input(BodyId(0))));
     assert!(matches!(
         (&elbow.inboard, &elbow.outboard),
-        (Place::Output(BodyId(0)), Place::Input(BodyId(1)))
+        (Attachment::Output(BodyId(0)), Attachment::Input(BodyId(1)))
     ));
     assert!(matches!(wrist.kind, HingeKind::Ball));
     assert_eq!(wrist.drive, Drive::Efforts(vec![Effort::Free; 3]));
@@ -91,7 +91,7 @@ fn an_arm_with_a_payload() {
             hinge j2 { start = -90 deg; start_rate = 2 rpm; }
         }",
     );
-    assert_eq!(chain.method, Some(Method::Riccati));
+    assert_eq!(chain.method, Some(SolutionMethod::Riccati));
     assert_eq!(chain.results, Results { z: true, energies: true, ..Results::NONE });
     assert_eq!(chain.bodies[BodyId(0)].name, "l1");
     assert_eq!(known(&chain.bodies[BodyId(0)].com), [0.0, 0.002, -0.048]);
@@ -102,7 +102,9 @@ fn an_arm_with_a_payload() {
     assert_eq!(known(&chain.bodies[BodyId(1)].com), [0.0, 0.0, 0.05]);
     assert_eq!(chain.parameters[0].unit, "kg");
     assert_eq!(chain.parameters[0].default.known(), Some(0.5));
-    let Place::Ground(frame) = &chain.hinges[HingeId(0)].inboard else { panic!("on the ground") };
+    let Attachment::Ground(frame) = &chain.hinges[HingeId(0)].inboard else {
+        panic!("on the ground")
+    };
     assert_eq!(known(&frame.position), [0.0, 0.0, 0.333]);
     let HingeKind::Pin { axis } = &chain.hinges[HingeId(1)].kind else { panic!("a pin") };
     assert_eq!(known(axis), [-1.0, 0.0, 0.0]);
@@ -146,7 +148,7 @@ fn a_floating_chain_has_an_implied_hinge() {
     assert!(matches!(floating.kind, HingeKind::Floating));
     assert!(matches!(
         (&floating.inboard, &floating.outboard),
-        (Place::Ground(_), Place::Input(BodyId(0)))
+        (Attachment::Ground(_), Attachment::Input(BodyId(0)))
     ));
     assert_eq!(all_known(&floating.start), [1.0, 2.0, 3.0, 0.0, 0.0, 0.6, 0.8]);
     let quarter = std::f64::consts::FRAC_PI_2;
@@ -169,8 +171,8 @@ fn a_chain_can_hang_on_its_end() {
     ]));
     assert_eq!(chain.hinges.len(), 2);
     let last = &chain.hinges[HingeId(1)];
-    assert!(matches!(last.inboard, Place::Output(BodyId(1))));
-    let Place::Ground(frame) = &last.outboard else { panic!("on the ground") };
+    assert!(matches!(last.inboard, Attachment::Output(BodyId(1))));
+    let Attachment::Ground(frame) = &last.outboard else { panic!("on the ground") };
     assert_eq!(known(&frame.position), [0.0, 1.0, 0.0]);
     assert_eq!(known(&frame.rotation[0]), [-1.0, 0.0, 0.0]);
     let HingeKind::Pin { axis } = &last.kind else { panic!("a pin") };
@@ -215,9 +217,9 @@ fn paths_and_parameters_stay_formulas() {
     assert_eq!(mass("payload * ratio"), parameter(0).times(parameter(1)));
     assert_eq!(mass("ratio kg"), parameter(1));
     assert_eq!(mass("ratio"), parameter(1));
-    let (chain, surface) = chain(&edited(&[("mass = 1 kg", "mass = a::B + C * a::B")]));
+    let (chain, passthrough) = chain(&edited(&[("mass = 1 kg", "mass = a::B + C * a::B")]));
     assert_eq!(chain.constants, 2);
-    let paths: Vec<_> = surface.constants.iter().map(|path| path.to_string()).collect();
+    let paths: Vec<_> = passthrough.constants.iter().map(|path| path.to_string()).collect();
     assert_eq!(paths, ["a :: B", "C"]);
 }
 

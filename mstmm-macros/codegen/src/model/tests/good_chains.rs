@@ -3,7 +3,8 @@
 use super::{all_known, chain, edited, known};
 use crate::ids::{BodyId, HingeId, LoadId, RepeatId};
 use crate::model::{
-    Chain, Dimension, Drive, Element, HingeKind, LoadAxes, Place, Repeat, Role, Seam, Source, Value,
+    Attachment, Chain, Dimension, Drive, Element, HingeKind, LoadAxes, Repeat, RepeatBoundary,
+    Role, Source, Value,
 };
 
 const ROUTE: &str = "ground -> pin(z) shoulder -> Cube upper -> ball wrist -> Rod rod;";
@@ -27,8 +28,9 @@ fn names(chain: &Chain) -> (Vec<String>, Vec<String>) {
 fn is_moving(chain: &Chain, hinge: usize, body: usize) -> bool {
     let (hinge, body) = (HingeId(hinge), BodyId(body));
     let implied = &chain.hinges[hinge];
-    let body_is_end = chain.bodies[body].role == Role::End && chain.bodies[body].mass.is_zero();
-    body_is_end && implied.is_prescribed() && implied.outboard == Place::Input(body)
+    let body_is_end =
+        chain.bodies[body].role == Role::MovingEnd && chain.bodies[body].mass.is_zero();
+    body_is_end && implied.is_prescribed() && implied.outboard == Attachment::Input(body)
 }
 
 const PLANE: &str = "
@@ -58,7 +60,9 @@ fn a_plane_chain_lies_in_the_plane() {
     assert_eq!(known(&body.inertia.tensor), [0.0, 0.0, 1.0 / 12.0, 0.0, 0.0, 0.0]);
     let quarter = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
     assert_eq!(body.output.rotation.each_ref().map(known), quarter);
-    let Place::Ground(frame) = &chain.hinges[HingeId(0)].inboard else { panic!("on the ground") };
+    let Attachment::Ground(frame) = &chain.hinges[HingeId(0)].inboard else {
+        panic!("on the ground")
+    };
     assert_eq!(known(&frame.position), [1.0, 2.0, 0.0]);
     assert_eq!(frame.rotation.each_ref().map(known), quarter);
     let kinds: Vec<_> = chain.hinges.iter().map(|hinge| hinge.kind.clone()).collect();
@@ -138,9 +142,9 @@ fn both_ends_can_be_held() {
         "ground -> pin a -> Cube upper -> pin b -> Rod rod -> ball c -> ground at [1, 0, 0] m;",
     );
     assert_eq!(chain.hinges.len(), 3);
-    assert_eq!(chain.hinges[HingeId(2)].inboard, Place::Output(BodyId(1)));
+    assert_eq!(chain.hinges[HingeId(2)].inboard, Attachment::Output(BodyId(1)));
     assert!(
-        matches!(&chain.hinges[HingeId(2)].outboard, Place::Ground(frame) if known(&frame.position) == [1.0, 0.0, 0.0])
+        matches!(&chain.hinges[HingeId(2)].outboard, Attachment::Ground(frame) if known(&frame.position) == [1.0, 0.0, 0.0])
     );
 }
 
@@ -155,7 +159,7 @@ fn ends_can_move() {
     assert_eq!(all_known(&chain.hinges[HingeId(0)].start), [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
     assert_eq!(
         (&chain.hinges[HingeId(1)].inboard, &chain.hinges[HingeId(1)].outboard),
-        (&Place::Output(BodyId(2)), &Place::Input(BodyId(0)))
+        (&Attachment::Output(BodyId(2)), &Attachment::Input(BodyId(0)))
     );
     let route = [
         Element::Hinge(HingeId(1)),
@@ -169,7 +173,7 @@ fn ends_can_move() {
     assert_eq!(names(&chain).1, ["hand", "b", "a"]);
     assert_eq!(
         (&chain.hinges[HingeId(2)].inboard, &chain.hinges[HingeId(2)].outboard),
-        (&Place::Output(BodyId(1)), &Place::Input(BodyId(2)))
+        (&Attachment::Output(BodyId(1)), &Attachment::Input(BodyId(2)))
     );
 
     let chain = on_route(
@@ -178,8 +182,8 @@ fn ends_can_move() {
     assert_eq!(names(&chain).0, ["upper", "rod", "left", "right"]);
     assert_eq!(names(&chain).1, ["left", "right", "a", "b", "c"]);
     assert!(is_moving(&chain, 0, 2) && is_moving(&chain, 1, 3));
-    assert_eq!(chain.hinges[HingeId(2)].inboard, Place::Output(BodyId(2)));
-    assert_eq!(chain.hinges[HingeId(4)].outboard, Place::Input(BodyId(3)));
+    assert_eq!(chain.hinges[HingeId(2)].inboard, Attachment::Output(BodyId(2)));
+    assert_eq!(chain.hinges[HingeId(4)].outboard, Attachment::Input(BodyId(3)));
 }
 
 #[test]
@@ -210,7 +214,7 @@ fn loads_act_at_points() {
 }
 
 /// The seam on the inboard side of a hinge, and what that is welded to.
-fn behind_seam(chain: &Chain, hinge: usize) -> (Seam, Place) {
+fn behind_seam(chain: &Chain, hinge: usize) -> (RepeatBoundary, Attachment) {
     let seam = chain.seam(&chain.hinges[HingeId(hinge)].inboard).expect("a seam");
     let weld = chain.weld_of(seam);
     (seam, chain.hinges[weld].inboard.clone())
@@ -232,11 +236,11 @@ fn parts_of_the_route_can_be_repeated() {
     );
     assert_eq!(
         behind_seam(&chain, 1),
-        (Seam { repeat: RepeatId(0), at_end: false }, Place::Output(BodyId(0)))
+        (RepeatBoundary { repeat: RepeatId(0), at_end: false }, Attachment::Output(BodyId(0)))
     );
     assert_eq!(
         behind_seam(&chain, 3),
-        (Seam { repeat: RepeatId(0), at_end: true }, Place::Output(BodyId(2)))
+        (RepeatBoundary { repeat: RepeatId(0), at_end: true }, Attachment::Output(BodyId(2)))
     );
 
     let chain = on_route("ground -> repeat 5 { pin a -> Rod b } -> pin c -> ground; load x { on = b; force = input; }".replace("Rod b }", "Cube u -> pin d -> Rod b }").as_str());
@@ -245,8 +249,8 @@ fn parts_of_the_route_can_be_repeated() {
         [Repeat { count: 5, hinges: (0..2).into(), bodies: (0..2).into(), route: 0..4 }]
     );
     assert_eq!(chain.loads[LoadId(0)].body, BodyId(1));
-    assert!(matches!(behind_seam(&chain, 0).1, Place::Ground(_)));
-    assert_eq!(behind_seam(&chain, 2).1, Place::Output(BodyId(1)));
+    assert!(matches!(behind_seam(&chain, 0).1, Attachment::Ground(_)));
+    assert_eq!(behind_seam(&chain, 2).1, Attachment::Output(BodyId(1)));
     assert_eq!(chain.hinges[HingeId(0)].drive, Drive::Efforts(vec![crate::model::Effort::Free]));
 }
 

@@ -170,7 +170,7 @@ fn an_elastic_hinge_is_turned_by_angles() {
 #[test]
 fn a_motion_can_be_given() {
     let ball = hinge("ball", "motion = input; stiffness = 2; rest = rpy(1, 0, 0);");
-    assert_eq!(ball.drive, Drive::Motion);
+    assert_eq!(ball.drive, Drive::Prescribed);
     assert!(ball.is_prescribed());
     assert_eq!(stiffness(&ball), [2.0; 3]);
 }

@@ -23,7 +23,7 @@ use proc_macro2::Span;
 
 use super::{Chain, Drive, Effort, Value};
 use crate::read;
-use crate::syntax::Surface;
+use crate::syntax::Passthrough;
 
 /// The example of the documentation, from which the wrong ones are made by a single edit each.
 const PENDULUM: &str = "
@@ -51,7 +51,7 @@ const PENDULUM: &str = "
     }";
 
 /// The only chain of a description without mistakes.
-fn chain(source: &str) -> (Chain, Surface) {
+fn chain(source: &str) -> (Chain, Passthrough) {
     let tokens = source.parse().expect("tokens");
     let mut chains = read(tokens).unwrap_or_else(|error| panic!("{error}, in {source}"));
     assert_eq!(chains.len(), 1);

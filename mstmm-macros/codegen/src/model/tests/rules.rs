@@ -1,7 +1,7 @@
 //! What setters ask of numbers that hang on parameters.
 
 use super::chain;
-use crate::model::{Check, Must};
+use crate::model::{Bound, Check};
 
 #[test]
 fn setters_ask_for_what_the_compiler_asks_for() {
@@ -29,7 +29,7 @@ fn setters_ask_for_what_the_compiler_asks_for() {
     let asked: Vec<String> = checks
         .iter()
         .map(|Check { reason, part, must, .. }| {
-            assert_eq!(*must == Must::BePositive, !reason.ends_with("not negative"), "{reason}");
+            assert_eq!(*must == Bound::BePositive, !reason.ends_with("not negative"), "{reason}");
             format!("{}: {reason}", part.map_or("once".into(), |part| part.index().to_string()))
         })
         .collect();

@@ -4,7 +4,7 @@ use crate::model::lower::context::Context;
 use crate::model::lower::dimension::NUMBER;
 use crate::model::lower::vector::zeros;
 use crate::model::{Dimension, Value};
-use crate::syntax::{Expr, ExprKind, Written};
+use crate::syntax::{ExprKind, ExprSyntax, ValueSyntax};
 
 const NAMES: [&str; 3] = ["x", "y", "z"];
 
@@ -18,24 +18,24 @@ pub(super) fn unit(index: usize) -> [Value; 3] {
 }
 
 /// A word for an axis, with its sign.
-fn word(written: &Written) -> Option<(f64, usize)> {
-    let Written::Number(expr) = written else { return None };
+fn word(written: &ValueSyntax) -> Option<(f64, usize)> {
+    let ValueSyntax::Number(expr) = written else { return None };
     let (sign, expr) = match &expr.kind {
         ExprKind::Negated(inner) => (-1.0, &**inner),
         _ => (1.0, expr),
     };
-    let Expr { kind: ExprKind::Name(word), .. } = expr else { return None };
+    let ExprSyntax { kind: ExprKind::Name(word), .. } = expr else { return None };
     Some((sign, NAMES.iter().position(|name| word == name)?))
 }
 
 /// Whether this is an axis, right or wrong.
-pub(super) fn is_axis(written: &Written) -> bool {
-    matches!(written, Written::Vector(_)) || word(written).is_some()
+pub(super) fn is_axis(written: &ValueSyntax) -> bool {
+    matches!(written, ValueSyntax::Vector(_)) || word(written).is_some()
 }
 
 /// An axis: a word or a vector. In a plane chain it lies in the plane.
-pub(super) fn axis(written: &Written, context: &mut Context) -> Option<[Value; 3]> {
-    if let Written::Vector(_) = written {
+pub(super) fn axis(written: &ValueSyntax, context: &mut Context) -> Option<[Value; 3]> {
+    if let ValueSyntax::Vector(_) = written {
         return context.written_vector(written, NUMBER);
     }
     let known = word(written).filter(|(_, index)| context.space.shifts().contains(index));
@@ -52,7 +52,7 @@ pub(super) fn axis(written: &Written, context: &mut Context) -> Option<[Value; 3
 }
 
 /// Which axis a normal is: a word without a sign.
-pub(super) fn normal(written: &Written, context: &mut Context) -> Option<usize> {
+pub(super) fn normal(written: &ValueSyntax, context: &mut Context) -> Option<usize> {
     match word(written) {
         Some((sign, index)) if sign > 0.0 => Some(index),
         _ => context.refuse(written.extent(), "expected a normal: `x`, `y` or `z`"),

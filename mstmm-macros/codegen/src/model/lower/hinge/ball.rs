@@ -1,11 +1,11 @@
 //! `ball name`: turns any way.
 
-use super::{Kind, Takes};
+use super::{ArgumentRule, Kind};
 use crate::model::{Dimension, HingeKind};
 
 pub(super) const KIND: Kind = Kind {
     word: "ball",
     name: "a ball",
     plain: |space| (space == Dimension::Space).then_some(HingeKind::Ball),
-    takes: Takes::Nothing,
+    takes: ArgumentRule::Nothing,
 };

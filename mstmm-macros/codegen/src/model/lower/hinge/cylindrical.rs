@@ -1,19 +1,23 @@
 //! `cylindrical(z) name`: shifts along and turns about the same axis.
 
 use super::axis::{axis, unit};
-use super::{Kind, Takes};
+use super::{ArgumentRule, Kind};
 use crate::model::lower::context::Context;
 use crate::model::{Dimension, HingeKind};
-use crate::syntax::Arguments;
+use crate::syntax::ArgumentsSyntax;
 
-pub(super) const KIND: Kind =
-    Kind { word: "cylindrical", name: "a cylindrical hinge", plain, takes: Takes::Something(read) };
+pub(super) const KIND: Kind = Kind {
+    word: "cylindrical",
+    name: "a cylindrical hinge",
+    plain,
+    takes: ArgumentRule::Something(read),
+};
 
 fn plain(space: Dimension) -> Option<HingeKind> {
     (space == Dimension::Space).then(|| HingeKind::Cylindrical { axis: unit(2) })
 }
 
-fn read(arguments: &Arguments, context: &mut Context) -> Option<HingeKind> {
+fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind> {
     let [written] = &arguments.values[..] else {
         let message = "a cylindrical hinge has one axis, such as `cylindrical(z)`";
         return context.refuse(arguments.extent, message);

@@ -1,7 +1,7 @@
 //! `elastic name`: lets everything free and holds it by springs.
 
 use super::axis::unit;
-use super::{Kind, Takes};
+use super::{ArgumentRule, Kind};
 use crate::model::{Dimension, HingeKind};
 
 pub(super) const KIND: Kind = Kind {
@@ -14,5 +14,5 @@ pub(super) const KIND: Kind = Kind {
             Dimension::Line => HingeKind::Slider { axis: unit(0) },
         })
     },
-    takes: Takes::Nothing,
+    takes: ArgumentRule::Nothing,
 };

@@ -1,14 +1,14 @@
 //! `floating name`: lets everything free that the chain's dimension has.
 
 use super::axis::unit;
-use super::{Kind, Takes};
+use super::{ArgumentRule, Kind};
 use crate::model::{Dimension, HingeKind};
 
 pub(super) const KIND: Kind = Kind {
     word: "floating",
     name: "a floating hinge",
     plain: |space| Some(of_everything(space)),
-    takes: Takes::Nothing,
+    takes: ArgumentRule::Nothing,
 };
 
 /// The hinge that lets everything free in a chain of this dimension.

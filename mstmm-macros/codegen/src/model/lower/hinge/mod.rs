@@ -5,26 +5,26 @@ mod axis;
 mod ball;
 mod cylindrical;
 mod elastic;
+mod field_names;
 mod floating;
-mod motion;
 mod passive;
 mod pin;
 mod planar;
+mod properties;
 mod screw;
 mod slider;
 mod universal;
 mod weld;
-mod words;
 
+pub(crate) use field_names::{FieldNames, fields, groups, start_fields};
 pub(crate) use floating::of_everything;
-pub(crate) use motion::{Motion, motion};
-pub(crate) use words::{Words, fields, groups, start_fields};
+pub(crate) use properties::{HingeProperties, motion};
 
 use proc_macro2::Ident;
 
-use super::context::{Context, Given};
+use super::context::{Context, Spanned};
 use crate::model::{Dimension, HingeKind};
-use crate::syntax::{Arguments, Extent};
+use crate::syntax::{ArgumentsSyntax, SpanRange};
 
 /// A kind of hinge in the language.
 pub(crate) struct Kind {
@@ -36,21 +36,21 @@ pub(crate) struct Kind {
     /// has no such hinge.
     plain: fn(Dimension) -> Option<HingeKind>,
     /// What stands in parentheses behind the word.
-    takes: Takes,
+    takes: ArgumentRule,
 }
 
 /// What stands in parentheses behind a kind of hinge.
-enum Takes {
+enum ArgumentRule {
     /// Nothing.
     Nothing,
     /// Something, or nothing.
-    Something(Reader),
+    Something(ArgumentReader),
     /// Something; an example of how it is written.
-    Needed(Reader, &'static str),
+    Needed(ArgumentReader, &'static str),
 }
 
 /// Reads what stands in parentheses behind a kind of hinge.
-type Reader = fn(&Arguments, &mut Context) -> Option<HingeKind>;
+type ArgumentReader = fn(&ArgumentsSyntax, &mut Context) -> Option<HingeKind>;
 
 /// All kinds.
 pub(crate) const KINDS: &[Kind] = &[
@@ -76,29 +76,29 @@ impl Kind {
     pub(super) fn read(
         &self,
         word: &Ident,
-        arguments: Option<&Arguments>,
+        arguments: Option<&ArgumentsSyntax>,
         context: &mut Context,
-    ) -> Option<Given<HingeKind>> {
-        let at = Extent::token(word.span());
+    ) -> Option<Spanned<HingeKind>> {
+        let at = SpanRange::token(word.span());
         let value = match (&self.takes, arguments) {
-            (Takes::Needed(_, example), None) => {
+            (ArgumentRule::Needed(_, example), None) => {
                 let message = format!("`{word}` needs more: write it as in `{example}`");
                 return context.refuse(word, message);
             }
             (_, None) => self.plain(context.space),
-            (Takes::Something(read) | Takes::Needed(read, _), Some(arguments)) => {
+            (ArgumentRule::Something(read) | ArgumentRule::Needed(read, _), Some(arguments)) => {
                 read(arguments, context)
             }
-            (Takes::Nothing, Some(arguments)) => nothing(word, arguments, context),
+            (ArgumentRule::Nothing, Some(arguments)) => nothing(word, arguments, context),
         };
-        Some(Given { value: value?, at })
+        Some(Spanned { value: value?, at })
     }
 }
 
 /// Refuses parentheses behind a kind that needs none.
 fn nothing<T>(
     word: impl std::fmt::Display,
-    arguments: &Arguments,
+    arguments: &ArgumentsSyntax,
     context: &mut Context,
 ) -> Option<T> {
     let chain = context.of_chain();

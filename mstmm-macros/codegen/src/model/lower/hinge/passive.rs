@@ -1,21 +1,21 @@
 //! Springs, dampers, friction, limits and rotors of a hinge: read by the groups of its degrees of
 //! freedom, the same way for all kinds.
 
-use super::words::{Words, measures};
+use super::field_names::{FieldNames, measures};
 use crate::model::lower::context::Context;
 use crate::model::lower::dimension::Quantity;
 use crate::model::lower::fields::Fields;
-use crate::model::{Form, Freedoms, Friction, Limits, Passive, Value};
-use crate::syntax::Written;
+use crate::model::{DofGroup, Friction, Limits, Passive, Representation, Value};
+use crate::syntax::ValueSyntax;
 
 /// What acts on the strains of a group.
 pub(super) fn passive(
-    group: &Freedoms,
-    words: &Words,
+    group: &DofGroup,
+    words: &FieldNames,
     fields: &Fields,
     context: &mut Context,
 ) -> Vec<Passive> {
-    let mut reader = Reader { group, fields, context };
+    let mut reader = PassiveReader { group, fields, context };
     let measures = measures(group);
     let stiffness = reader.each(words.stiffness, measures.stiffness);
     let damping = reader.each(words.damping, measures.damping);
@@ -35,18 +35,18 @@ pub(super) fn passive(
 
 /// What reads the fields of a group. One that cannot be read, or that is missing beside another one,
 /// is reported, and gets a number that no rule is against, so that the others are judged all the same.
-struct Reader<'r, 'f, 'c> {
-    group: &'r Freedoms,
+struct PassiveReader<'r, 'f, 'c> {
+    group: &'r DofGroup,
     fields: &'r Fields<'f>,
     context: &'r mut Context<'c>,
 }
 
-impl Reader<'_, '_, '_> {
+impl PassiveReader<'_, '_, '_> {
     /// A number for each strain: one that stands for all of them, or several. The strains of a
     /// quaternion have no axes of their own, so they share one.
     fn each(&mut self, name: &str, expected: &Quantity) -> Vec<Value> {
         let count = self.group.rates.len();
-        let shared = self.group.form == Form::Quaternion;
+        let shared = self.group.representation == Representation::Quaternion;
         self.context.readable(
             self.fields.get(name),
             || vec![Value::number(0.0); count],
@@ -72,7 +72,7 @@ impl Reader<'_, '_, '_> {
     }
 
     /// Friction for each strain.
-    fn friction(&mut self, words: &Words) -> Vec<Option<Friction>> {
+    fn friction(&mut self, words: &FieldNames) -> Vec<Option<Friction>> {
         let measures = measures(self.group);
         let efforts = self.each(words.friction, measures.effort);
         let speed = self.number(words.friction_speed, measures.rate, 1.0);
@@ -86,18 +86,20 @@ impl Reader<'_, '_, '_> {
     }
 
     /// Limits of all strains.
-    fn limits(&mut self, words: &Words) -> Option<Limits> {
+    fn limits(&mut self, words: &FieldNames) -> Option<Limits> {
         let measures = measures(self.group);
-        let form = self.group.form;
+        let form = self.group.representation;
         let [low, high] = self.context.readable(
             self.fields.get(words.limits),
             || [-1.0, 1.0].map(Value::number),
             |context, written| match form {
-                Form::Quaternion => {
+                Representation::Quaternion => {
                     let angle = context.written_number(written, measures.strain)?;
                     Some([angle.clone().negated(), angle])
                 }
-                Form::Numbers | Form::Angles => interval(context, written, measures.strain),
+                Representation::Numbers | Representation::Angles => {
+                    interval(context, written, measures.strain)
+                }
             },
         );
         let stiffness = self.number(words.limit_stiffness, measures.stiffness, 1.0);
@@ -107,9 +109,13 @@ impl Reader<'_, '_, '_> {
     }
 }
 
-fn interval(context: &mut Context, written: &Written, expected: &Quantity) -> Option<[Value; 2]> {
+fn interval(
+    context: &mut Context,
+    written: &ValueSyntax,
+    expected: &Quantity,
+) -> Option<[Value; 2]> {
     match written {
-        Written::Vector(list) => context.vector(list, 2, expected)?.try_into().ok(),
+        ValueSyntax::Vector(list) => context.vector(list, 2, expected)?.try_into().ok(),
         other => {
             let message =
                 format!("limits are two: `[lowest, highest]`, found {}", other.described());

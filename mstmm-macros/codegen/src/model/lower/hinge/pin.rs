@@ -1,20 +1,20 @@
 //! `pin(z) name`: turns about an axis.
 
 use super::axis::{axis, unit};
-use super::{Kind, Takes, nothing};
+use super::{ArgumentRule, Kind, nothing};
 use crate::model::lower::context::Context;
 use crate::model::{Dimension, HingeKind};
-use crate::syntax::Arguments;
+use crate::syntax::ArgumentsSyntax;
 
 pub(super) const KIND: Kind =
-    Kind { word: "pin", name: "a pin", plain, takes: Takes::Something(read) };
+    Kind { word: "pin", name: "a pin", plain, takes: ArgumentRule::Something(read) };
 
 /// The paper's pin turns about ζ.
 fn plain(space: Dimension) -> Option<HingeKind> {
     (space != Dimension::Line).then(|| HingeKind::Pin { axis: unit(2) })
 }
 
-fn read(arguments: &Arguments, context: &mut Context) -> Option<HingeKind> {
+fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind> {
     if context.space == Dimension::Plane {
         return nothing("pin", arguments, context);
     }

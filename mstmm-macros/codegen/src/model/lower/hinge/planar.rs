@@ -1,19 +1,19 @@
 //! `planar(z) name`: shifts in a plane and turns about its normal.
 
 use super::axis::normal;
-use super::{Kind, Takes, nothing};
+use super::{ArgumentRule, Kind, nothing};
 use crate::model::lower::context::Context;
 use crate::model::{Dimension, HingeKind};
-use crate::syntax::Arguments;
+use crate::syntax::ArgumentsSyntax;
 
 pub(super) const KIND: Kind = Kind {
     word: "planar",
     name: "a planar hinge",
     plain: |space| (space != Dimension::Line).then_some(HingeKind::Planar { normal: 2 }),
-    takes: Takes::Something(read),
+    takes: ArgumentRule::Something(read),
 };
 
-fn read(arguments: &Arguments, context: &mut Context) -> Option<HingeKind> {
+fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind> {
     if context.space == Dimension::Plane {
         return nothing("planar", arguments, context);
     }

@@ -1,23 +1,23 @@
 //! `screw(z, 5 mm/rev) name`: turns about an axis and shifts along it with the turn.
 
 use super::axis::{axis, is_axis, unit};
-use super::{Kind, Takes};
+use super::{ArgumentRule, Kind};
 use crate::model::lower::context::Context;
 use crate::model::lower::dimension::PITCH;
 use crate::model::{Dimension, HingeKind, Value};
-use crate::syntax::Arguments;
+use crate::syntax::ArgumentsSyntax;
 
 const EXAMPLE: &str = "screw(z, 5 mm/rev)";
 
 pub(super) const KIND: Kind =
-    Kind { word: "screw", name: "a screw", plain, takes: Takes::Needed(read, EXAMPLE) };
+    Kind { word: "screw", name: "a screw", plain, takes: ArgumentRule::Needed(read, EXAMPLE) };
 
 fn plain(space: Dimension) -> Option<HingeKind> {
     let screw = || HingeKind::Screw { axis: unit(2), pitch: Value::number(0.0) };
     (space == Dimension::Space).then(screw)
 }
 
-fn read(arguments: &Arguments, context: &mut Context) -> Option<HingeKind> {
+fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind> {
     let (along, pitch) = match &arguments.values[..] {
         [only] if is_axis(only) => {
             let message = format!("`screw` needs a pitch too: `{EXAMPLE}`");

@@ -1,16 +1,16 @@
 //! `slider(x) name`: shifts along an axis.
 
 use super::axis::{axis, unit};
-use super::{Kind, Takes, nothing};
+use super::{ArgumentRule, Kind, nothing};
 use crate::model::lower::context::Context;
 use crate::model::{Dimension, HingeKind};
-use crate::syntax::Arguments;
+use crate::syntax::ArgumentsSyntax;
 
 pub(super) const KIND: Kind = Kind {
     word: "slider",
     name: "a slider",
     plain: |space| Some(plain(space)),
-    takes: Takes::Something(read),
+    takes: ArgumentRule::Something(read),
 };
 
 /// Along z in space as a pin turns about it, otherwise along x.
@@ -18,7 +18,7 @@ fn plain(space: Dimension) -> HingeKind {
     HingeKind::Slider { axis: unit(if space == Dimension::Space { 2 } else { 0 }) }
 }
 
-fn read(arguments: &Arguments, context: &mut Context) -> Option<HingeKind> {
+fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind> {
     if context.space == Dimension::Line {
         return nothing("slider", arguments, context);
     }

@@ -1,7 +1,11 @@
 //! `weld name`: lets nothing free.
 
-use super::{Kind, Takes};
+use super::{ArgumentRule, Kind};
 use crate::model::HingeKind;
 
-pub(super) const KIND: Kind =
-    Kind { word: "weld", name: "a weld", plain: |_| Some(HingeKind::Weld), takes: Takes::Nothing };
+pub(super) const KIND: Kind = Kind {
+    word: "weld",
+    name: "a weld",
+    plain: |_| Some(HingeKind::Weld),
+    takes: ArgumentRule::Nothing,
+};

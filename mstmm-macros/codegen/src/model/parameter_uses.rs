@@ -1,8 +1,8 @@
 //! Where parameters are used.
 
 use super::{
-    Body, Chain, Drive, Effort, Frame, Friction, Hinge, Limits, Load, Passive, Place, RepeatId,
-    Source, Spring, Value,
+    Attachment, Body, Chain, Drive, Effort, Frame, Friction, Hinge, Limits, Load, Passive,
+    RepeatId, Source, Spring, Value,
 };
 use crate::diag::Diagnostics;
 
@@ -127,7 +127,7 @@ fn of_passive(passive: &Passive) -> Vec<&Value> {
 fn of_places(hinge: &Hinge) -> Vec<&Value> {
     let mut values = Vec::new();
     for place in [&hinge.inboard, &hinge.outboard] {
-        if let Place::Ground(frame) = place {
+        if let Attachment::Ground(frame) = place {
             values.extend(of_frame(frame));
         }
     }

@@ -4,10 +4,10 @@ use crate::model::lower::dimension::{
     ANGLE, DAMPING, FORCE, INERTIA, LENGTH, MASS, Quantity, RATE, STIFFNESS, TORQUE,
     TURNING_DAMPING, TURNING_STIFFNESS, VELOCITY,
 };
-use crate::model::{Freedoms, Shape};
+use crate::model::{DofGroup, HingeSpec};
 
 /// The fields of a group of degrees of freedom.
-pub(crate) struct Words {
+pub(crate) struct FieldNames {
     /// Rates at the start.
     pub start_rate: &'static str,
     /// What a motor gives.
@@ -31,7 +31,7 @@ pub(crate) struct Words {
 }
 
 /// Of shifts.
-const SHIFTS: Words = Words {
+const SHIFTS: FieldNames = FieldNames {
     start_rate: "start_velocity",
     effort: "force",
     stiffness: "stiffness",
@@ -45,10 +45,10 @@ const SHIFTS: Words = Words {
 };
 
 /// Of turns.
-const TURNS: Words = Words { start_rate: "start_rate", effort: "torque", ..SHIFTS };
+const TURNS: FieldNames = FieldNames { start_rate: "start_rate", effort: "torque", ..SHIFTS };
 
 /// Of turns beside shifts.
-const TURNS_BESIDE_SHIFTS: Words = Words {
+const TURNS_BESIDE_SHIFTS: FieldNames = FieldNames {
     stiffness: "turning_stiffness",
     damping: "turning_damping",
     armature: "turning_armature",
@@ -90,8 +90,8 @@ const OF_TURNS: Measures = Measures {
 
 /// The groups of a hinge, each with its fields.
 pub(crate) fn groups(
-    shape: &'static Shape,
-) -> impl Iterator<Item = (&'static Freedoms, &'static Words)> {
+    shape: &'static HingeSpec,
+) -> impl Iterator<Item = (&'static DofGroup, &'static FieldNames)> {
     let beside_shifts = shape.groups.len() > 1;
     shape.groups.iter().map(move |group| match (group.turns, beside_shifts) {
         (false, _) => (group, &SHIFTS),
@@ -101,13 +101,13 @@ pub(crate) fn groups(
 }
 
 /// What the fields of a group measure.
-pub(super) fn measures(group: &Freedoms) -> &'static Measures {
+pub(super) fn measures(group: &DofGroup) -> &'static Measures {
     if group.turns { &OF_TURNS } else { &OF_SHIFTS }
 }
 
 /// The fields of a hinge on the route.
-pub(crate) fn fields(shape: &'static Shape) -> Vec<&'static str> {
-    let of_group = |(_, words): (_, &Words)| {
+pub(crate) fn fields(shape: &'static HingeSpec) -> Vec<&'static str> {
+    let of_group = |(_, words): (_, &FieldNames)| {
         [
             words.stiffness,
             words.damping,
@@ -126,7 +126,7 @@ pub(crate) fn fields(shape: &'static Shape) -> Vec<&'static str> {
 }
 
 /// The fields that say how it starts.
-pub(crate) fn start_fields(shape: &'static Shape) -> Vec<&'static str> {
+pub(crate) fn start_fields(shape: &'static HingeSpec) -> Vec<&'static str> {
     let rates = groups(shape).map(|(_, words)| words.start_rate);
     let any = !shape.groups.is_empty();
     any.then_some("start").into_iter().chain(rates).collect()

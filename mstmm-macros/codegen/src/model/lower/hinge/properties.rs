@@ -1,17 +1,17 @@
 //! How a hinge starts, where it is at rest, and what moves it: read by the groups of its degrees of
 //! freedom, the same way for all kinds.
 
+use super::field_names::{groups, measures};
 use super::passive::passive;
-use super::words::{groups, measures};
 use crate::model::lower::context::Context;
 use crate::model::lower::fields::Fields;
 use crate::model::lower::orientation::Orientation;
-use crate::model::{Drive, Effort, Form, Freedoms, Passive, Shape, Value};
-use crate::syntax::{Field, Turn, Written};
+use crate::model::{DofGroup, Drive, Effort, HingeSpec, Passive, Representation, Value};
+use crate::syntax::{FieldSyntax, OrientationSyntax, ValueSyntax};
 
 /// How a hinge starts and what moves it.
 #[derive(Clone, Debug)]
-pub(crate) struct Motion {
+pub(crate) struct HingeProperties {
     /// Start coordinates.
     pub start: Vec<Value>,
     /// Start rates.
@@ -24,12 +24,12 @@ pub(crate) struct Motion {
     pub passive: Vec<Passive>,
 }
 
-impl Motion {
+impl HingeProperties {
     /// That of a hinge of which nothing is said.
-    pub fn none(shape: &Shape) -> Self {
+    pub fn none(shape: &HingeSpec) -> Self {
         let numbers = |count| vec![Value::number(0.0); count];
         let freedoms = shape.rates.len();
-        Motion {
+        HingeProperties {
             start: zero_position(shape),
             start_rate: numbers(freedoms),
             rest: zero_position(shape),
@@ -39,12 +39,16 @@ impl Motion {
     }
 }
 
-fn zero_position(shape: &Shape) -> Vec<Value> {
+fn zero_position(shape: &HingeSpec) -> Vec<Value> {
     shape.coordinates.iter().map(|coordinate| Value::number(coordinate.rest)).collect()
 }
 
 /// What is said of a hinge.
-pub(crate) fn motion(shape: &'static Shape, fields: &Fields, context: &mut Context) -> Motion {
+pub(crate) fn motion(
+    shape: &'static HingeSpec,
+    fields: &Fields,
+    context: &mut Context,
+) -> HingeProperties {
     let [start, rest] = ["start", "rest"].map(|name| {
         context.readable(
             fields.get(name),
@@ -58,21 +62,25 @@ pub(crate) fn motion(shape: &'static Shape, fields: &Fields, context: &mut Conte
     let drive = drive(shape, fields, context);
     let passives = groups(shape).flat_map(|(group, words)| passive(group, words, fields, context));
     let passive = passives.collect();
-    Motion { start, rest, start_rate, drive, passive }
+    HingeProperties { start, rest, start_rate, drive, passive }
 }
 
 /// The coordinates of a position.
-fn position(shape: &'static Shape, written: &Written, context: &mut Context) -> Option<Vec<Value>> {
-    let shifts = |written, group: &Freedoms, context: &mut Context| {
+fn position(
+    shape: &'static HingeSpec,
+    written: &ValueSyntax,
+    context: &mut Context,
+) -> Option<Vec<Value>> {
+    let shifts = |written, group: &DofGroup, context: &mut Context| {
         context.components(written, group.rates.len(), measures(group).strain)
     };
     match shape.groups {
-        [group] if group.form == Form::Quaternion => {
+        [group] if group.representation == Representation::Quaternion => {
             Some(context.written_orientation(written)?.quaternion().to_vec())
         }
         [group] => shifts(written, group, context),
         [first, second, ..] => match written {
-            Written::Turned(position, turn) => {
+            ValueSyntax::Turned(position, turn) => {
                 let (way, turned) =
                     (shifts(position, first, context), turned(second, turn, context));
                 Some([way?, turned?].concat())
@@ -88,11 +96,11 @@ fn position(shape: &'static Shape, written: &Written, context: &mut Context) -> 
 }
 
 /// The coordinates of turns that stand behind `turned`.
-fn turned(group: &Freedoms, turn: &Turn, context: &mut Context) -> Option<Vec<Value>> {
-    match group.form {
-        Form::Numbers => context.angle(turn).map(|angle| vec![angle]),
-        Form::Quaternion => Some(context.turned(turn)?.quaternion().to_vec()),
-        Form::Angles => match context.turned(turn)? {
+fn turned(group: &DofGroup, turn: &OrientationSyntax, context: &mut Context) -> Option<Vec<Value>> {
+    match group.representation {
+        Representation::Numbers => context.angle(turn).map(|angle| vec![angle]),
+        Representation::Quaternion => Some(context.turned(turn)?.quaternion().to_vec()),
+        Representation::Angles => match context.turned(turn)? {
             Orientation::Rpy(angles) => Some(angles.to_vec()),
             Orientation::Quaternion(_) => {
                 let message = "an elastic hinge is turned by its angles: `rpy(roll, pitch, yaw)`";
@@ -103,7 +111,7 @@ fn turned(group: &Freedoms, turn: &Turn, context: &mut Context) -> Option<Vec<Va
 }
 
 /// The start rates of a group.
-fn rates(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Vec<Value> {
+fn rates(group: &DofGroup, field: Option<&FieldSyntax>, context: &mut Context) -> Vec<Value> {
     let count = group.rates.len();
     context.readable(
         field,
@@ -114,7 +122,7 @@ fn rates(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Vec<
 
 /// What moves it: a motor for each group, or a motion that is given. Together they are a mistake
 /// that a rule reports.
-fn drive(shape: &'static Shape, fields: &Fields, context: &mut Context) -> Drive {
+fn drive(shape: &'static HingeSpec, fields: &Fields, context: &mut Context) -> Drive {
     let efforts: Vec<_> = groups(shape)
         .flat_map(|(group, words)| efforts(group, fields.get(words.effort), context))
         .collect();
@@ -131,11 +139,11 @@ fn drive(shape: &'static Shape, fields: &Fields, context: &mut Context) -> Drive
             }
         },
     );
-    if prescribed { Drive::Motion } else { Drive::Efforts(efforts) }
+    if prescribed { Drive::Prescribed } else { Drive::Efforts(efforts) }
 }
 
 /// The efforts of a group's motor.
-fn efforts(group: &Freedoms, field: Option<&Field>, context: &mut Context) -> Vec<Effort> {
+fn efforts(group: &DofGroup, field: Option<&FieldSyntax>, context: &mut Context) -> Vec<Effort> {
     let count = group.rates.len();
     context.readable(
         field,

@@ -9,7 +9,7 @@ pub(super) const BRANCHES: &str = "a chain has no branches: write a branch as a 
 
 /// What joins stops. Where it is written otherwise all along, that is reported once.
 #[derive(Default)]
-pub(super) struct Joints {
+pub(super) struct Separators {
     reported: bool,
     /// Whether an arrow was read: then what stands in place of one may begin a branch.
     has_arrow: bool,
@@ -17,10 +17,10 @@ pub(super) struct Joints {
     pub branches: bool,
 }
 
-impl Joints {
+impl Separators {
     /// Between stops that are reported as a whole.
     pub fn reported() -> Self {
-        Joints { reported: true, ..Joints::default() }
+        Separators { reported: true, ..Separators::default() }
     }
 
     /// Reads a `->`, or what stands in its place.

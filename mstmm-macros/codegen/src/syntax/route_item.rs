@@ -5,7 +5,7 @@ use syn::Result;
 
 use super::ahead::name;
 use super::cursor::Cursor;
-use super::tree::{Arguments, Stop, Written};
+use super::tree::{ArgumentsSyntax, RouteItemSyntax, ValueSyntax};
 use super::value;
 use crate::diag::Diagnostics;
 
@@ -13,18 +13,22 @@ use crate::diag::Diagnostics;
 const AXES: &[&str] = &["x", "y", "z"];
 
 /// A stop.
-pub(super) fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Stop> {
+pub(super) fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<RouteItemSyntax> {
     if let Some(at) = input.word("ground") {
         let position =
             if input.word("at").is_some() { Some(value::position(input)?.into()) } else { None };
-        return Ok(Stop::Ground { at, position, turned: value::turned(input)?.map(Box::new) });
+        return Ok(RouteItemSyntax::Ground {
+            at,
+            position,
+            turned: value::turned(input)?.map(Box::new),
+        });
     }
     if let Some(at) = input.word("moving") {
         let place = |word: &Ident| word == "at" || word == "turned";
         let name =
             if input.peek_ident().is_some_and(|word| place(&word)) { None } else { name(input) };
         no_place(input, diagnostics)?;
-        return Ok(Stop::Moving { at, name });
+        return Ok(RouteItemSyntax::Moving { at, name });
     }
     let word = input.ident().ok_or_else(|| input.unexpected("a hinge, a body or `ground`"))?;
     let mut arguments = arguments(input)?;
@@ -40,7 +44,7 @@ pub(super) fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<
         && let Some(own) = self::name(input)
     {
         diagnostics.error(axis.span(), format!("write `{word}({axis}) {own}`"));
-        return Ok(Stop::Unread { name: Some(own) });
+        return Ok(RouteItemSyntax::Unread { name: Some(own) });
     }
     let written = inside(input);
     let at = input.next_span();
@@ -48,7 +52,7 @@ pub(super) fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<
         diagnostics.error(at, format!("write `{word}({written}) {name}`"));
         arguments = Some(behind);
     }
-    Ok(Stop::Element { word, arguments, name, place, doubtful: false })
+    Ok(RouteItemSyntax::Element { word, arguments, name, place, doubtful: false })
 }
 
 /// Refuses a place behind a moving end.
@@ -67,10 +71,10 @@ pub(super) const MOVING_HAS_NO_PLACE: &str =
     "a moving end has no place: its motion is given at each step";
 
 /// What stands in parentheses, if it is there.
-fn arguments(input: &mut Cursor) -> Result<Option<Arguments>> {
+fn arguments(input: &mut Cursor) -> Result<Option<ArgumentsSyntax>> {
     match input.group(Delimiter::Parenthesis) {
         None => Ok(None),
-        Some((inside, extent)) => Ok(Some(Arguments { values: values(inside)?, extent })),
+        Some((inside, extent)) => Ok(Some(ArgumentsSyntax { values: values(inside)?, extent })),
     }
 }
 
@@ -87,7 +91,11 @@ fn is_misplaced(input: &Cursor) -> bool {
 }
 
 /// A hinge with other brackets than parentheses: nothing but its name can be read.
-fn misplaced(word: &Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Stop> {
+fn misplaced(
+    word: &Ident,
+    input: &mut Cursor,
+    diagnostics: &mut Diagnostics,
+) -> Result<RouteItemSyntax> {
     let at = input.next_span();
     let mut written = inside(input);
     if input.punct('<').is_some() {
@@ -100,7 +108,7 @@ fn misplaced(word: &Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) ->
     let name = name(input);
     let called = name.as_ref().map_or_else(|| "name".to_owned(), ToString::to_string);
     diagnostics.error(at, format!("write `{word}({written}) {called}`"));
-    Ok(Stop::Unread { name })
+    Ok(RouteItemSyntax::Unread { name })
 }
 
 /// What stands in the brackets that are next, for a message.
@@ -114,7 +122,7 @@ fn inside(input: &Cursor) -> String {
     }
 }
 
-fn values(mut inside: Cursor) -> Result<Vec<Written>> {
+fn values(mut inside: Cursor) -> Result<Vec<ValueSyntax>> {
     let mut values = Vec::new();
     while !inside.is_empty() {
         values.push(value::written(&mut inside)?);

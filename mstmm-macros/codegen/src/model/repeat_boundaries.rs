@@ -2,10 +2,10 @@
 //! shares with what is around it passes through there, so it is the same every time.
 
 use super::{
-    About, Body, BodyId, Chain, Frame, Hinge, HingeId, HingeKind, Inertia, Place, RepeatId, Role,
-    Seam, Value, Written,
+    About, Attachment, Body, BodyId, Chain, Frame, Hinge, HingeId, HingeKind, Inertia,
+    PresentPoints, RepeatBoundary, RepeatId, Role, Value,
 };
-use super::{Drive, Driven, Element};
+use super::{Drive, Element, InputKind};
 use proc_macro2::Span;
 use quote::format_ident;
 
@@ -16,20 +16,20 @@ pub(super) fn with_seams(mut chain: Chain) -> Chain {
         let first = part.hinges.first();
         let last = part.bodies.last();
         let before = chain.hinges[first].inboard.clone();
-        let start = add_seam(&mut chain, Seam { repeat, at_end: false }, before);
-        chain.hinges[first].inboard = Place::Input(start);
-        let behind = Place::Output(last);
+        let start = add_seam(&mut chain, RepeatBoundary { repeat, at_end: false }, before);
+        chain.hinges[first].inboard = Attachment::Input(start);
+        let behind = Attachment::Output(last);
         let next = chain.hinges.position(|hinge| hinge.inboard == behind);
-        let end = add_seam(&mut chain, Seam { repeat, at_end: true }, behind);
+        let end = add_seam(&mut chain, RepeatBoundary { repeat, at_end: true }, behind);
         if let Some(next) = next {
-            chain.hinges[next].inboard = Place::Input(end);
+            chain.hinges[next].inboard = Attachment::Input(end);
         }
     }
     chain
 }
 
 /// Welds a seam to a place.
-fn add_seam(chain: &mut Chain, seam: Seam, at: Place) -> BodyId {
+fn add_seam(chain: &mut Chain, seam: RepeatBoundary, at: Attachment) -> BodyId {
     let word = if seam.at_end { "end" } else { "start" };
     let name = format_ident!("{word}_of_repeat{}", seam.repeat.index(), span = Span::call_site());
     let zero = || Value::number(0.0);
@@ -41,14 +41,14 @@ fn add_seam(chain: &mut Chain, seam: Seam, at: Place) -> BodyId {
         inertia: Inertia { tensor: [(); 6].map(|()| zero()), about: About::Com },
         output: Frame::identity(),
         points: Vec::new(),
-        written: Written::ALL,
-        role: Role::Seam(seam),
+        written: PresentPoints::ALL,
+        role: Role::RepeatBoundary(seam),
     });
     chain.hinges.push(Hinge {
         name,
         kind: HingeKind::Weld,
         inboard: at,
-        outboard: Place::Input(body),
+        outboard: Attachment::Input(body),
         start: Vec::new(),
         start_rate: Vec::new(),
         rest: Vec::new(),
@@ -60,15 +60,15 @@ fn add_seam(chain: &mut Chain, seam: Seam, at: Place) -> BodyId {
 
 impl Chain {
     /// The seam that a place is on.
-    pub fn seam(&self, place: &Place) -> Option<Seam> {
+    pub fn seam(&self, place: &Attachment) -> Option<RepeatBoundary> {
         match self.bodies[place.body()?].role {
-            Role::Seam(seam) => Some(seam),
-            Role::Matter | Role::End => None,
+            Role::RepeatBoundary(seam) => Some(seam),
+            Role::Physical | Role::MovingEnd => None,
         }
     }
 
     /// The weld that joins a seam to what is before it.
-    pub fn weld_of(&self, seam: Seam) -> HingeId {
+    pub fn weld_of(&self, seam: RepeatBoundary) -> HingeId {
         let is_it = |hinge: &Hinge| self.seam(&hinge.outboard) == Some(seam);
         self.hinges.position(is_it).unwrap_or_else(|| bug!("{seam:?} is welded to nothing"))
     }
@@ -81,7 +81,8 @@ impl Chain {
     /// Whether a hinge belongs to a repeated part, or joins its end to it.
     pub fn lies_in_repeat(&self, hinge: HingeId, repeat: RepeatId) -> bool {
         self.repeats[repeat].hinges.contains(hinge)
-            || self.seam(&self.hinges[hinge].outboard) == Some(Seam { repeat, at_end: true })
+            || self.seam(&self.hinges[hinge].outboard)
+                == Some(RepeatBoundary { repeat, at_end: true })
     }
 
     /// The repeated part that a body belongs to.
@@ -90,11 +91,11 @@ impl Chain {
     }
 
     /// The repeated part that an input belongs to.
-    pub fn repeat_of_input(&self, what: Driven) -> Option<RepeatId> {
+    pub fn repeat_of_input(&self, what: InputKind) -> Option<RepeatId> {
         match what {
-            Driven::Gravity => None,
-            Driven::Efforts(hinge) | Driven::Motion(hinge) => self.repeat_of_hinge(hinge),
-            Driven::Force(load) | Driven::Torque(load) => {
+            InputKind::Gravity => None,
+            InputKind::Efforts(hinge) | InputKind::Motion(hinge) => self.repeat_of_hinge(hinge),
+            InputKind::Force(load) | InputKind::Torque(load) => {
                 self.repeat_of_body(self.loads[load].body)
             }
         }

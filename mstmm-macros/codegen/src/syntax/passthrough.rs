@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 
 /// Tokens that pass through the compiler unread.
 #[derive(Debug)]
-pub struct Surface {
+pub struct Passthrough {
     /// Visibility of the generated types.
     pub visibility: syn::Visibility,
     /// Attributes, doc comments among them, of the chain.
