@@ -76,18 +76,19 @@ impl<'a> ChainCompiler<'a> {
         }
     }
 
-    fn situation<'b>(&'b self, layout: &'b Layout) -> EvalContext<'b, Expr<'a>> {
-        self.situation_with(layout, &self.numbers)
+    fn context<'b>(&'b self, layout: &'b Layout) -> EvalContext<'b, Expr<'a>> {
+        self.context_with(layout, &self.numbers)
     }
 
-    fn situation_with<'b>(
+    fn context_with<'b>(
         &'b self,
         layout: &'b Layout,
         numbers: &'b SymbolValues<Expr<'a>>,
     ) -> EvalContext<'b, Expr<'a>> {
         let &Findings { held_by_closure, closure_rank, .. } = self.findings;
         let state = (&self.q[..], &self.v[..], &self.inputs[..]);
-        EvalContext::new(self.chain, layout, numbers, state).knowing(held_by_closure, closure_rank)
+        EvalContext::new(self.chain, layout, numbers, state)
+            .with_closure(held_by_closure, closure_rank)
     }
 
     /// The unknowns of its functions.
@@ -161,11 +162,11 @@ impl<'a> ChainCompiler<'a> {
     }
 
     pub(super) fn accelerations(&self) -> Traced<'a> {
-        self.solved(|situation| situation)
+        self.solved(|context| context)
     }
 
     pub(super) fn implicit_accelerations(&self) -> Traced<'a> {
-        self.solved(|situation| situation.within(self.step))
+        self.solved(|context| context.with_implicit_step(self.step))
     }
 
     fn solved(
@@ -173,8 +174,8 @@ impl<'a> ChainCompiler<'a> {
         set: impl for<'b> Fn(EvalContext<'b, Expr<'a>>) -> EvalContext<'b, Expr<'a>>,
     ) -> Traced<'a> {
         let (solved, function) = self.traced(|tracer, trace| {
-            let situation = set(self.situation(self.merged)).woven(tracer);
-            equations::accelerations(&situation, self.method(), AXES, trace)
+            let context = set(self.context(self.merged)).with_loops(tracer);
+            equations::accelerations(&context, self.method(), AXES, trace)
         });
         let outputs = vec![self.rates(outputs::ACCELERATIONS, &solved.accelerations)];
         Function { outputs, pivots: self.pivots(&solved), ..function }.into()
@@ -183,11 +184,11 @@ impl<'a> ChainCompiler<'a> {
     pub(super) fn solution(&self) -> Traced<'a> {
         let results = self.chain.results;
         let ((solved, report, energy), function) = self.traced(|tracer, trace| {
-            let merged = self.situation(self.merged).woven(tracer);
+            let merged = self.context(self.merged).with_loops(tracer);
             let (solved, swept) = equations::sweep(&merged, self.method(), AXES, trace);
-            let situation = self.situation(self.layout).woven(tracer);
-            let report = equations::report(&situation, (&solved, &swept), trace);
-            let energy = results.energies.then(|| equations::energy(&situation, trace));
+            let context = self.context(self.layout).with_loops(tracer);
+            let report = equations::report(&context, (&solved, &swept), trace);
+            let energy = results.energies.then(|| equations::energy(&context, trace));
             (solved, report, energy)
         });
         let pivots = self.pivots(&solved);
@@ -220,7 +221,7 @@ impl<'a> ChainCompiler<'a> {
 
     pub(super) fn energy(&self) -> Traced<'a> {
         let (energy, function) = self.traced(|tracer, trace| {
-            equations::energy(&self.situation(self.layout).woven(tracer), trace)
+            equations::energy(&self.context(self.layout).with_loops(tracer), trace)
         });
         let outputs = vec![self.once(outputs::ENERGIES, &[energy.kinetic, energy.potential])];
         Function { outputs, ..function }.into()
@@ -252,7 +253,7 @@ impl<'a> ChainCompiler<'a> {
 
     pub(super) fn correction(&self) -> Traced<'a> {
         let (correction, function) = self.traced(|tracer, trace| {
-            equations::correction(&self.situation(self.merged).woven(tracer), trace)
+            equations::correction(&self.context(self.merged).with_loops(tracer), trace)
         });
         let Some(correction) = correction else {
             bug!("a chain that is not closed is to be put back onto its closure")
@@ -275,8 +276,8 @@ impl<'a> ChainCompiler<'a> {
         };
         let numbers = SymbolValues { closure_steps: Vec::new(), ..self.numbers.clone() };
         let (solved, function) = self.traced(|tracer, trace| {
-            let situation = self.situation_with(self.merged, &numbers).woven(tracer);
-            equations::accelerations(&situation, SolutionMethod::Riccati, AXES, trace)
+            let context = self.context_with(self.merged, &numbers).with_loops(tracer);
+            equations::accelerations(&context, SolutionMethod::Riccati, AXES, trace)
         });
         let Some(reaction) = solved.reaction else {
             bug!("the rank of a closure is to be found, and nothing closes")
@@ -306,7 +307,7 @@ impl<'a> ChainCompiler<'a> {
 
     pub(super) fn bias_efforts(&self) -> Traced<'a> {
         let (efforts, function) = self.traced(|tracer, trace| {
-            equations::bias_efforts(&self.situation(self.merged).woven(tracer), AXES, trace)
+            equations::bias_efforts(&self.context(self.merged).with_loops(tracer), AXES, trace)
         });
         let outputs = vec![self.rates(outputs::BIAS_EFFORTS, &efforts)];
         Function { outputs, ..function }.into()

@@ -25,7 +25,7 @@ pub struct OriginalInertia<S> {
 /// Redistributes from the free end to the ground, over every hinge that turns about one axis, but
 /// for those at boundaries of repeated parts; as much as saves [`strategy::operations`].
 pub fn redistribute<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     links: &mut PerLink<LinkKinematics<S>>,
     trace: &mut Trace<S>,
 ) -> PerLink<OriginalInertia<S>> {
@@ -34,8 +34,8 @@ pub fn redistribute<S: Scalar>(
     let own: PerLink<RigidInertia<S>> = links.iter().map(RigidInertia::of).collect();
     let step = |index: LinkId, own: RigidInertia<S>, of_parent: &mut RigidInertia<S>| {
         let link = &links[index];
-        let stays = situation.layout.is_at_seam(index) || link.parent.is_none();
-        if stays || !link.over.keeps_the_point() {
+        let stays = context.layout.is_at_seam(index) || link.parent.is_none();
+        if stays || !link.hinge.is_concentric() {
             return (own, S::zero());
         }
         let ((left, with_rod), given) = lightest(link, (own, *of_parent));
@@ -44,7 +44,7 @@ pub fn redistribute<S: Scalar>(
     };
     let ground =
         RigidInertia { mass: S::zero(), moment: Vec3::zero(), inertia: Sym3([S::zero(); 6]) };
-    let (left, _) = situation.tree.inward(own, ground, step);
+    let (left, _) = context.tree.inward(own, ground, step);
     let (left, masses): (Vec<RigidInertia<S>>, Vec<S>) = left.into_iter().unzip();
     trace.section("base", "Base parameters", "");
     links.iter_mut().zip(left).for_each(|(link, rigid)| {
@@ -66,7 +66,7 @@ fn lightest<S: Scalar>(
     };
     let (mut best, mut given) = ((own, of_parent), S::zero());
     for rod in rods(link, own) {
-        let to_parent = rod.turned(link.over.to_parent.matrix()).moved_from(link.over.arm);
+        let to_parent = rod.rotated(link.hinge.to_parent.matrix()).shifted_from(link.hinge.arm);
         let pair = (own.without(rod), of_parent.with(to_parent));
         if operations(&pair) < operations(&best) {
             (best, given) = (pair, rod.mass);
@@ -89,7 +89,7 @@ fn rods<S: Scalar>(link: &LinkKinematics<S>, own: RigidInertia<S>) -> Vec<RigidI
 
 /// The axis that a link's hinge turns about, if it is one of the link's axes alone.
 fn only_axis<S: Scalar>(link: &LinkKinematics<S>) -> Option<usize> {
-    let [motion] = &link.over.subspace[..] else { return None };
+    let [motion] = &link.hinge.subspace[..] else { return None };
     let present = |&k: &usize| !motion.angular[k].vanishes();
     let axes: Vec<usize> = (0..3).filter(present).collect();
     let [axis] = axes[..] else { return None };
@@ -131,7 +131,7 @@ impl<S: Scalar> RigidInertia<S> {
     }
 
     /// A rod's, in the axes that `rotation` leads to: known, however far its hinge has turned.
-    fn turned(self, rotation: Mat3<S>) -> Self {
+    fn rotated(self, rotation: Mat3<S>) -> Self {
         let Some(axis) = (0..3).find(|&k| self.inertia.at(k, k).vanishes()) else {
             bug!("a rod has a moment of inertia about its axis")
         };
@@ -145,8 +145,8 @@ impl<S: Scalar> RigidInertia<S> {
     }
 
     /// At `arm`, seen from the origin.
-    fn moved_from(self, arm: Vec3<S>) -> Self {
-        let there = SpatialInertia::rigid(self.mass, self.moment, self.inertia).moved_from(arm);
+    fn shifted_from(self, arm: Vec3<S>) -> Self {
+        let there = SpatialInertia::rigid(self.mass, self.moment, self.inertia).shifted_from(arm);
         RigidInertia { moment: self.moment + arm * self.mass, inertia: there.angular, ..self }
     }
 

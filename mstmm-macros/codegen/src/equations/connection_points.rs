@@ -11,8 +11,8 @@ pub struct ConnectionPoint {
 }
 
 /// All connection points, in the order written; those of repeated parts once.
-pub fn spots<S>(situation: &EvalContext<S>) -> Vec<ConnectionPoint> {
-    let chain = situation.chain;
+pub fn spots<S>(context: &EvalContext<S>) -> Vec<ConnectionPoint> {
+    let chain = context.chain;
     let mut spots: Vec<ConnectionPoint> = Vec::new();
     let add = |spots: &mut Vec<ConnectionPoint>, number: usize, spot: ConnectionPoint| match spots
         .get_mut(number)

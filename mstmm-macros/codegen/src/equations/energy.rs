@@ -12,7 +12,7 @@ use super::kinematics::poses;
 use super::loads::spring_energy;
 use super::loop_hinge::closing;
 use super::sweep::Flatten;
-use super::{Axes, EvalContext, Trace, motion};
+use super::{Axes, EvalContext, Trace, kinematics};
 use crate::math::{Scalar, Vec3};
 use crate::model::Source;
 
@@ -35,32 +35,32 @@ pub struct Energy<S> {
 ///
 /// What the turning of a pin leaves in place moves as the parent does, and has its height: given to
 /// that one it has the same energy, for 301 operations of the Panda in place of 392.
-pub fn energy<S: Scalar>(situation: &EvalContext<S>, trace: &mut Trace<S>) -> Energy<S> {
+pub fn energy<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Energy<S> {
     // First moments and inertias are constant in body axes.
-    let mut links = motion(situation, Axes::Body, trace);
-    redistribute(situation, &mut links, trace);
+    let mut links = kinematics(context, Axes::Body, trace);
+    redistribute(context, &mut links, trace);
     trace.section("energy", "Energy", "");
     let half = S::number(0.5);
-    let gravity = match &situation.chain.gravity {
-        Source::Constant(values) => situation.numbers.vector(values),
+    let gravity = match &context.chain.gravity {
+        Source::Constant(values) => context.numbers.vector(values),
         Source::Nothing | Source::Input => Vec3::zero(),
     };
-    let poses = poses(situation, &links);
-    let start = Energy { kinetic: S::zero(), potential: spring_energy(situation, None) };
-    let mut energy = situation.tree.total(start, |index, mut energy| {
+    let poses = poses(context, &links);
+    let start = Energy { kinetic: S::zero(), potential: spring_energy(context, None) };
+    let mut energy = context.tree.total(start, |index, mut energy| {
         let (link, pose) = (&links[index], &poses[index]);
         let beside = link.omega.cross(link.moment);
         let shifting = pose.velocity.dot(pose.velocity * (link.mass * half) + beside);
-        let turning = link.inertia.power(link.omega);
+        let turning = link.inertia.quadratic_form(link.omega);
         energy.kinetic = energy.kinetic + shifting + turning * half;
         let first_moment = pose.position * link.mass + pose.to_inertial * link.moment;
         energy.potential = energy.potential - gravity.dot(first_moment);
-        energy.potential = energy.potential + spring_energy(situation, Some((index, link, pose)));
-        energy.add_passives(&link.over.passives);
+        energy.potential = energy.potential + spring_energy(context, Some((index, link, pose)));
+        energy.add_passives(&link.hinge.passives);
         energy
     });
-    if let Some(closing) = closing(situation, Axes::Body, &links) {
-        energy.add_passives(&closing.over.passives);
+    if let Some(closing) = closing(context, Axes::Body, &links) {
+        energy.add_passives(&closing.hinge.passives);
     }
     energy
 }
@@ -76,7 +76,7 @@ impl<S: Scalar> Energy<S> {
     /// Adds what a hinge holds.
     fn add_passives(&mut self, passives: &PassiveElements<S>) {
         self.potential = self.potential + passives.energy;
-        for (&inertia, &rate) in passives.rotors.iter().zip(&passives.rates) {
+        for (&inertia, &rate) in passives.rotor_inertias.iter().zip(&passives.strain_rates) {
             self.kinetic = self.kinetic + inertia * (rate * rate) * S::number(0.5);
         }
     }

@@ -51,7 +51,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         numbers: &'a SymbolValues<S>,
         (q, v, inputs): (&'a [S], &'a [S], &'a [S]),
     ) -> Self {
-        let mut situation = EvalContext {
+        let mut context = EvalContext {
             chain,
             layout,
             numbers,
@@ -64,32 +64,32 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
             tree: LinkTree::new(layout),
             frames: IdVec::new(),
         };
-        situation.frames = situation.part_frames();
-        situation
+        context.frames = context.body_frames();
+        context
     }
 
     /// The same with what is known of the chain's closure.
-    pub fn knowing(self, held_by_closure: bool, closure_rank: ClosureRank) -> Self {
+    pub fn with_closure(self, held_by_closure: bool, closure_rank: ClosureRank) -> Self {
         EvalContext { held_by_closure, closure_rank, ..self }
     }
 
     /// The same in a linearly implicit Euler step of length `step`.
-    pub fn within(self, step: S) -> Self {
+    pub fn with_implicit_step(self, step: S) -> Self {
         EvalContext { implicit: Some(step), ..self }
     }
 
-    /// The same with `weave` at the seams of repeated parts.
-    pub fn woven(self, weave: &'a dyn LoopHook<S>) -> Self {
-        EvalContext { tree: self.tree.woven(weave), ..self }
+    /// The same with `hook` at the seams of repeated parts.
+    pub fn with_loops(self, hook: &'a dyn LoopHook<S>) -> Self {
+        EvalContext { tree: self.tree.with_loops(hook), ..self }
     }
 
     /// The frames of merged bodies, each behind those that it is welded to.
-    fn part_frames(&self) -> IdVec<BodyId, Transform<S>> {
+    fn body_frames(&self) -> IdVec<BodyId, Transform<S>> {
         let mut frames = IdVec::filled(None, self.chain.bodies.len());
         for body in frames.ids() {
             let mut open = vec![body];
             while let Some(&last) = open.last() {
-                match self.frame_behind(last, &frames) {
+                match self.frame_across_weld(last, &frames) {
                     Ok(frame) => {
                         frames[last] = Some(frame);
                         open.pop();
@@ -103,7 +103,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
     }
 
     /// The frame of a body, or the body whose frame has to be known before.
-    fn frame_behind(
+    fn frame_across_weld(
         &self,
         body: BodyId,
         known: &IdVec<BodyId, Option<Transform<S>>>,
@@ -182,7 +182,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
     }
 
     /// The efforts of a hinge's motor, one for each rate.
-    pub fn motor(&self, hinge: HingeId) -> Vec<S> {
+    pub fn actuator_efforts(&self, hinge: HingeId) -> Vec<S> {
         let Drive::Efforts(efforts) = &self.chain.hinges[hinge].drive else {
             return vec![S::zero(); self.chain.hinges[hinge].kind.dof_count()];
         };
@@ -215,7 +215,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
 
     /// What the solution for the reactions of a closing hinge that holds so many directions has to
     /// know.
-    pub fn linkage(&self, held: usize) -> ConstraintRank<S> {
+    pub fn constraint_rank(&self, held: usize) -> ConstraintRank<S> {
         let rank = match self.closure_rank {
             // In an implicit step springs and dampers hold directions with a separate inertia, each
             // of which is independent of all others.
@@ -232,7 +232,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
     }
 
     /// Gravity as an acceleration of the ground: cheaper than a force on every body.
-    pub fn ground(&self) -> Motion<S> {
+    pub fn base_acceleration(&self) -> Motion<S> {
         let Chain { gravity, dimension, .. } = self.chain;
         let gravity = self.vector(gravity, InputKind::Gravity, dimension.shifts());
         Motion { linear: -gravity, angular: Vec3::zero() }

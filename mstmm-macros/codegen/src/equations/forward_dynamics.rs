@@ -9,7 +9,7 @@ use super::loop_hinge::{LoopHinge, closing};
 use super::motion_problem::{HingePivot, LoopConstraints, MotionProblem, MotionSolution};
 use super::strategy::uses_base_parameters;
 use super::sweep::PerLink;
-use super::{Axes, EvalContext, Trace, motion, riccati, transfer};
+use super::{Axes, EvalContext, Trace, kinematics, riccati, transfer};
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Wrench};
 use crate::model::{HingeId, SolutionMethod};
@@ -59,31 +59,31 @@ pub struct SweepResult<S> {
 
 /// Solves for the accelerations of all hinges.
 pub fn accelerations<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     method: SolutionMethod,
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> ForwardDynamics<S> {
-    let layout = situation.layout;
+    let layout = context.layout;
     let to_parents = uses_base_parameters(method, axes, !layout.loop_hinges.is_empty());
-    let (solved, ()) = solve(situation, (method, axes, to_parents), trace, |_, _, _| ());
+    let (solved, ()) = solve(context, (method, axes, to_parents), trace, |_, _, _| ());
     solved
 }
 
 /// Solves for the accelerations of all hinges and for what passes through them.
 pub fn sweep<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     method: SolutionMethod,
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> (ForwardDynamics<S>, SweepResult<S>) {
     // What is given to parents would be missing in the wrenches.
-    solve(situation, (method, axes, false), trace, |problem, movement, trace| {
+    solve(context, (method, axes, false), trace, |problem, movement, trace| {
         let wrenches = transmitted(problem, movement, trace);
-        let mut behind = IdVec::filled(None, situation.chain.hinges.len());
-        problem.links.enumerate().for_each(|(link, LinkKinematics { over, .. })| {
+        let mut behind = IdVec::filled(None, context.chain.hinges.len());
+        problem.links.enumerate().for_each(|(link, LinkKinematics { hinge, .. })| {
             let (felt, wrench) = (movement.points[link], wrenches[link]);
-            behind[over.hinge] = Some(OutboardState { felt, wrench });
+            behind[hinge.id] = Some(OutboardState { felt, wrench });
         });
         SweepResult { axes, behind }
     })
@@ -92,15 +92,15 @@ pub fn sweep<S: Scalar>(
 /// Solves for the accelerations of all hinges, and for what `more` makes of how the links move;
 /// inertias may be redistributed before.
 fn solve<S: Scalar, R>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     (method, axes, to_parents): (SolutionMethod, Axes, bool),
     trace: &mut Trace<S>,
     more: impl FnOnce(&MotionProblem<S>, &MotionSolution<S>, &mut Trace<S>) -> R,
 ) -> (ForwardDynamics<S>, R) {
-    let mut links = motion(situation, axes, trace);
-    let closing = closing(situation, axes, &links);
-    let given = to_parents.then(|| redistribute(situation, &mut links, trace));
-    let problem = MotionProblem { given, ..forces(situation, &links, closing.as_ref(), trace) };
+    let mut links = kinematics(context, axes, trace);
+    let closing = closing(context, axes, &links);
+    let given = to_parents.then(|| redistribute(context, &mut links, trace));
+    let problem = MotionProblem { given, ..forces(context, &links, closing.as_ref(), trace) };
     let (movement, pivots) = match method {
         SolutionMethod::Riccati => riccati::solve(&problem, trace),
         SolutionMethod::Transfer => {
@@ -110,59 +110,60 @@ fn solve<S: Scalar, R>(
             (MotionSolution { relations, ..transfer::solve(&problem, closure, trace) }, pivots)
         }
     };
-    let layout = situation.layout;
+    let layout = context.layout;
     let mut accelerations = movement.rates(&links, layout);
     if let Some(demand) = &problem.closing {
         let a = reached(demand.closing, problem.ground, &movement);
         let a_child = child(demand.closing, &links, &problem);
         let relative = a_child - a;
-        let range = layout.v[demand.closing.over.hinge].clone();
+        let range = layout.v[demand.closing.hinge.id].clone();
         let rates = demand.closing.rates(relative);
         if !range.is_empty() {
             accelerations[range].copy_from_slice(&rates);
         }
     }
     let reaction =
-        problem.closing.as_ref().map(|demand| reaction(situation, demand, &links, &movement));
+        problem.closing.as_ref().map(|demand| reaction(context, demand, &links, &movement));
     let more = more(&problem, &movement, trace);
     (ForwardDynamics { accelerations, pivots, reaction }, more)
 }
 
 /// Newton's and Euler's laws as a problem: forces, efforts and velocities.
 fn forces<'a, S: Scalar>(
-    situation: &EvalContext<'a, S>,
+    context: &EvalContext<'a, S>,
     links: &'a PerLink<LinkKinematics<S>>,
     closing: Option<&'a LoopHinge<S>>,
     trace: &mut Trace<S>,
 ) -> MotionProblem<'a, S> {
-    let outer = loads(situation, links);
+    let outer = loads(context, links);
     let own = |(link, outer): (&LinkKinematics<S>, Wrench<S>)| {
         let name = &link.name;
         let source = "[P, Eqs. (14), (15), (20)]";
         trace.section(format!("{name}_loads"), format!("Loads on `{name}`"), source);
-        trace.wrench(&format!("{name}_velocity_load"), link.velocity_load());
+        trace.wrench(&format!("{name}_velocity_load"), link.velocity_wrench());
         trace.wrench(&format!("{name}_load"), outer);
-        link.velocity_load() - outer
+        link.velocity_wrench() - outer
     };
     let loads = links.iter().zip(outer).map(own).collect();
     let mut problem = MotionProblem {
         links,
-        dimension: situation.chain.dimension,
-        tree: situation.tree,
-        drift: links.iter().map(|link| link.over.drift).collect(),
+        dimension: context.chain.dimension,
+        tree: context.tree,
+        drift: links.iter().map(|link| link.hinge.bias_acceleration).collect(),
         loads,
-        efforts: links.iter().map(|link| link.over.freedom.loads(&link.over.efforts)).collect(),
-        ground: situation.ground(),
+        efforts: links.iter().map(|link| link.hinge.basis.to_basis(&link.hinge.efforts)).collect(),
+        ground: context.base_acceleration(),
         closing: None,
         given: None,
         added: None,
     };
     problem.closing = closing.map(|closing| {
-        let drift = closing.over.carried_with(Motion::zero(), closing.over.drift);
+        let drift =
+            closing.hinge.acceleration_from_parent(Motion::zero(), closing.hinge.bias_acceleration);
         let a = child(closing, links, &problem) - drift;
-        let efforts = &closing.over.efforts;
+        let efforts = &closing.hinge.efforts;
         let reached = closing.held.iter().map(|held| a.power(held.wrench));
-        let linkage = situation.linkage(closing.held.len());
+        let linkage = context.constraint_rank(closing.held.len());
         LoopConstraints {
             closing,
             reached: reached.collect(),
@@ -170,7 +171,7 @@ fn forces<'a, S: Scalar>(
             linkage,
         }
     });
-    if situation.held_by_closure { problem.with_added_inertia() } else { problem }
+    if context.held_by_closure { problem.with_added_inertia() } else { problem }
 }
 
 /// The acceleration that the outboard side of the closing hinge has of itself.
@@ -182,7 +183,7 @@ fn child<S: Scalar>(
     let own = match closing.child {
         None => problem.ground,
         // A moving end hangs on the ground, its motion prescribed.
-        Some(link) => problem.carried(link, problem.ground),
+        Some(link) => problem.motion_from_parent(link, problem.ground),
     };
     closing.of_child(own) + closing.child_drift(links)
 }
@@ -195,21 +196,21 @@ fn reached<S: Scalar>(
     movement: &MotionSolution<S>,
 ) -> Motion<S> {
     let parent = closing.parent.map_or(ground, |link| movement.points[link]);
-    closing.over.carried_with(parent, closing.over.drift)
+    closing.hinge.acceleration_from_parent(parent, closing.hinge.bias_acceleration)
 }
 
 fn reaction<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     demand: &LoopConstraints<S>,
     links: &PerLink<LinkKinematics<S>>,
     movement: &MotionSolution<S>,
 ) -> LoopReaction<S> {
     let closing = demand.closing;
-    let attitude = closing.parent.map_or(Mat3::identity(), |link| links[link].attitude);
-    let hinge = &situation.chain.hinges[closing.over.hinge];
-    let (_, _, rotation) = situation.place(&hinge.inboard);
-    let to_hinge = Rotation::general(attitude * rotation);
-    let of = |wrench: Wrench<S>| wrench.turned(&closing.over.to_parent).turned_back(&to_hinge);
+    let part_to_work = closing.parent.map_or(Mat3::identity(), |link| links[link].part_to_work);
+    let hinge = &context.chain.hinges[closing.hinge.id];
+    let (_, _, rotation) = context.place(&hinge.inboard);
+    let to_hinge = Rotation::from_matrix(part_to_work * rotation);
+    let of = |wrench: Wrench<S>| wrench.rotated(&closing.hinge.to_parent).rotated_back(&to_hinge);
     let along = |amounts: &Vec<S>| of(closing.wrench(Wrench::zero(), amounts));
     let ConstraintForces { reactions, undetermined, pivots, .. } = &movement.closure;
     LoopReaction {

@@ -28,14 +28,14 @@ pub fn transmitted<S: Scalar>(
         }
     }
     let released = |(index, &wrench): (LinkId, &Wrench<S>)| {
-        let over = &problem.links[index].over;
-        let wrench = over.freedom.released(wrench, &over.efforts);
+        let hinge = &problem.links[index].hinge;
+        let wrench = hinge.basis.with_applied_efforts(wrench, &hinge.efforts);
         trace.section(
-            format!("{}_wrench", over.name),
-            format!("Load on `{}`", over.name),
+            format!("{}_wrench", hinge.name),
+            format!("Load on `{}`", hinge.name),
             "[P, Eqs. (18), (19)]",
         );
-        trace.wrench(&format!("{}_load", over.name), wrench);
+        trace.wrench(&format!("{}_load", hinge.name), wrench);
         wrench
     };
     wrenches.enumerate().map(released).collect()
@@ -53,7 +53,7 @@ fn from_the_free_end<S: Scalar>(
     };
     let mut wrenches: PerLink<Wrench<S>> = problem.loads.enumerate().map(of).collect();
     if let (Some(demand), Some((link, pulls))) = (&problem.closing, problem.pulls()) {
-        let given = wrenches[link] + demand.closing.over.returned(demand.given);
+        let given = wrenches[link] + demand.closing.hinge.wrench_to_parent(demand.given);
         wrenches[link] = pulled(given, &pulls, &movement.closure.reactions);
     }
     let by_relation = by_relation(problem, movement);
@@ -62,11 +62,11 @@ fn from_the_free_end<S: Scalar>(
     let step = |link: LinkId, WrenchSum(sum): WrenchSum<S>, parent: &mut WrenchSum<S>| {
         let wrench = sum.unwrap_or_else(|| {
             let a = problem.parent(link, &movement.points);
-            movement.relations[link].at(problem.carried(link, a))
+            movement.relations[link].at(problem.motion_from_parent(link, a))
         });
-        let over = &problem.links[link].over;
-        let released = over.freedom.released(wrench, &over.efforts);
-        parent.add(|| over.returned(released));
+        let hinge = &problem.links[link].hinge;
+        let released = hinge.basis.with_applied_efforts(wrench, &hinge.efforts);
+        parent.add(|| hinge.wrench_to_parent(released));
         wrench
     };
     problem.tree.inward(own, WrenchSum(None), step).0

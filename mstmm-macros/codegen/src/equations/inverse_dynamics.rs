@@ -21,7 +21,7 @@ use super::loads::loads;
 use super::loop_hinge::closing;
 use super::strategy::uses_base_parameters;
 use super::sweep::PerLink;
-use super::{Axes, EvalContext, Trace, motion};
+use super::{Axes, EvalContext, Trace, kinematics};
 use crate::math::{Motion, Scalar, Wrench};
 use crate::model::SolutionMethod;
 
@@ -30,24 +30,24 @@ use crate::model::SolutionMethod;
 /// ends and prescribed motions. A closed chain is the tree of its hinges, with the closing hinge
 /// open.
 pub fn bias_efforts<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> Vec<S> {
-    let layout = situation.layout;
-    let mut links = motion(situation, axes, trace);
-    let closing = closing(situation, axes, &links);
+    let layout = context.layout;
+    let mut links = kinematics(context, axes, trace);
+    let closing = closing(context, axes, &links);
     if uses_base_parameters(SolutionMethod::Riccati, axes, closing.is_some()) {
-        redistribute(situation, &mut links, trace);
+        redistribute(context, &mut links, trace);
     }
-    let along = efforts(situation, &links, trace);
+    let along = efforts(context, &links, trace);
     let mut efforts = vec![S::zero(); layout.dof_count()];
     links.iter().zip(along).for_each(|(link, along)| {
-        efforts[layout.v[link.over.hinge].clone()].copy_from_slice(&along);
+        efforts[layout.v[link.hinge.id].clone()].copy_from_slice(&along);
     });
     if let Some(closing) = closing {
-        let range = layout.v[closing.over.hinge].clone();
-        for (effort, &passive) in efforts[range].iter_mut().zip(&closing.over.passives.efforts) {
+        let range = layout.v[closing.hinge.id].clone();
+        for (effort, &passive) in efforts[range].iter_mut().zip(&closing.hinge.passives.efforts) {
             *effort = -passive;
         }
     }
@@ -56,39 +56,39 @@ pub fn bias_efforts<S: Scalar>(
 
 /// `τ` of all free rates at `v̇ = 0`, by links: equations (1) to (3).
 fn efforts<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
     trace: &mut Trace<S>,
 ) -> PerLink<Vec<S>> {
-    let outer = loads(situation, links);
-    let (_, accelerations) = situation.tree.outward(situation.ground(), |link, &parent| {
-        let over = &links[link].over;
-        let a: Motion<S> = over.carried_with(parent, over.drift);
+    let outer = loads(context, links);
+    let (_, accelerations) = context.tree.outward(context.base_acceleration(), |link, &parent| {
+        let hinge = &links[link].hinge;
+        let a: Motion<S> = hinge.acceleration_from_parent(parent, hinge.bias_acceleration);
         trace.section(
-            format!("{}_bias", over.name),
-            format!("Acceleration of `{}` without changes of rates", over.name),
+            format!("{}_bias", hinge.name),
+            format!("Acceleration of `{}` without changes of rates", hinge.name),
             "[P, Eqs. (13), (36), (44)]",
         );
-        trace.motion(&format!("{}_bias", over.name), a);
+        trace.motion(&format!("{}_bias", hinge.name), a);
         (a, a)
     });
     let own = links.enumerate().map(|(index, link)| {
-        link.rigid().times(accelerations[index]) + link.velocity_load() - outer[index]
+        link.spatial_inertia().times(accelerations[index]) + link.velocity_wrench() - outer[index]
     });
     let step = |link, wrench: Wrench<S>, parent: &mut Wrench<S>| {
-        let over = &links[link].over;
+        let hinge = &links[link].hinge;
         trace.section(
-            format!("{}_wrench", over.name),
-            format!("Wrench in `{}`", over.name),
+            format!("{}_wrench", hinge.name),
+            format!("Wrench in `{}`", hinge.name),
             "[P, Eqs. (18), (19)]",
         );
-        trace.wrench(&format!("{}_wrench", over.name), wrench);
-        *parent = *parent + over.returned(wrench);
-        if situation.layout.v[over.hinge].is_empty() {
+        trace.wrench(&format!("{}_wrench", hinge.name), wrench);
+        *parent = *parent + hinge.wrench_to_parent(wrench);
+        if context.layout.v[hinge.id].is_empty() {
             return Vec::new();
         }
-        let rates = over.subspace.iter().zip(&over.passives.efforts);
+        let rates = hinge.subspace.iter().zip(&hinge.passives.efforts);
         rates.map(|(column, &passive)| column.power(wrench) - passive).collect()
     };
-    situation.tree.inward(own.collect(), Wrench::zero(), step).0
+    context.tree.inward(own.collect(), Wrench::zero(), step).0
 }

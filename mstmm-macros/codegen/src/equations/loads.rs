@@ -9,61 +9,61 @@ use crate::model::{BodyId, InputKind, Load, LoadAxes, LoadId, Source, Spring};
 
 /// The loads on every link's part about its point, work axes.
 pub fn loads<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
 ) -> PerLink<Wrench<S>> {
-    let chain = situation.chain;
+    let chain = context.chain;
     let mut all = PerLink::filled(Wrench::zero(), links.len());
     if chain.loads.is_empty() && chain.springs.is_empty() {
         return all;
     }
-    let poses = poses(situation, links);
+    let poses = poses(context, links);
     let mut add = |body: BodyId, wrench: &dyn Fn(LinkId) -> Wrench<S>| {
         // What acts on the ground moves nothing.
-        if let Some(link) = link_of(situation.layout.parts[body]) {
+        if let Some(link) = link_of(context.layout.parts[body]) {
             all[link] = all[link] + wrench(link);
         }
     };
     for (index, load) in chain.loads.enumerate() {
-        add(load.body, &|link| load_on(situation, (index, load), &links[link], &poses[link]));
+        add(load.body, &|link| load_on(context, (index, load), &links[link], &poses[link]));
     }
     for spring in &chain.springs {
-        add(spring.body, &|link| spring_on(situation, spring, &links[link], &poses[link]));
+        add(spring.body, &|link| spring_on(context, spring, &links[link], &poses[link]));
     }
     all
 }
 
 fn load_on<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     (index, load): (LoadId, &Load),
     link: &LinkKinematics<S>,
     pose: &Pose<S>,
 ) -> Wrench<S> {
-    let dimension = situation.chain.dimension;
-    let (origin, rotation) = situation.frame_on(load.body, &load.at);
+    let dimension = context.chain.dimension;
+    let (origin, rotation) = context.frame_on(load.body, &load.at);
     let to_work = match load.axes {
-        LoadAxes::Body => link.attitude * rotation,
+        LoadAxes::Body => link.part_to_work * rotation,
         LoadAxes::Inertial => pose.to_inertial.transposed(),
     };
-    let vector = |source: &Source, what, axes| to_work * situation.vector(source, what, axes);
+    let vector = |source: &Source, what, axes| to_work * context.vector(source, what, axes);
     let wrench = Wrench {
         force: vector(&load.force, InputKind::Force(index), dimension.shifts()),
         moment: vector(&load.torque, InputKind::Torque(index), dimension.turns()),
     };
-    wrench.moved_from(link.attitude * (origin - link.point))
+    wrench.shifted_from(link.part_to_work * (origin - link.point))
 }
 
 /// The pull of a spring with length `l`, `−(k (l − l₀) + c l̇) n`.
 fn spring_on<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     spring: &Spring,
     link: &LinkKinematics<S>,
     pose: &Pose<S>,
 ) -> Wrench<S> {
-    let numbers = situation.numbers;
-    let arm = link.attitude * (spring_point(situation, spring) - link.point);
+    let numbers = context.numbers;
+    let arm = link.part_to_work * (spring_point(context, spring) - link.point);
     let inertial = pose.position + pose.to_inertial * arm - numbers.vector(&spring.to);
-    let way = Rotation::general(pose.to_inertial).back(inertial);
+    let way = Rotation::from_matrix(pose.to_inertial).rotate_back(inertial);
     let velocity = pose.velocity + link.omega.cross(arm);
     let [stiffness, damping, length] =
         [&spring.stiffness, &spring.damping, &spring.length].map(|value| numbers.scalar(value));
@@ -71,13 +71,13 @@ fn spring_on<S: Scalar>(
     // c l̇ / l and k (l − l₀) / l, both finite where the spring has no length.
     let damped = damping * way.dot(velocity) * (inverse * inverse);
     let force = -(way * (stiffness - stiffness * length * inverse + damped));
-    Wrench { force, moment: Vec3::zero() }.moved_from(arm)
+    Wrench { force, moment: Vec3::zero() }.shifted_from(arm)
 }
 
 /// Where a spring pulls, frame of the body's part.
-fn spring_point<S: Scalar>(situation: &EvalContext<S>, spring: &Spring) -> Vec3<S> {
-    let (origin, rotation) = situation.frame(spring.body);
-    origin + rotation * situation.numbers.vector(&spring.at)
+fn spring_point<S: Scalar>(context: &EvalContext<S>, spring: &Spring) -> Vec3<S> {
+    let (origin, rotation) = context.frame(spring.body);
+    origin + rotation * context.numbers.vector(&spring.at)
 }
 
 /// `1 / |way|`, kept finite by a length far below any that matters.
@@ -88,18 +88,18 @@ fn inverse_length<S: Scalar>(way: Vec3<S>) -> S {
 /// The energy of the springs from a link's part to the ground; without a link, of those from what
 /// does not move.
 pub fn spring_energy<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     on: Option<(LinkId, &LinkKinematics<S>, &Pose<S>)>,
 ) -> S {
     let own = |spring: &&Spring| {
-        link_of(situation.layout.parts[spring.body]) == on.map(|(index, ..)| index)
+        link_of(context.layout.parts[spring.body]) == on.map(|(index, ..)| index)
     };
     let mut energy = S::zero();
-    for spring in situation.chain.springs.iter().filter(own) {
-        let numbers = situation.numbers;
-        let point = spring_point(situation, spring);
+    for spring in context.chain.springs.iter().filter(own) {
+        let numbers = context.numbers;
+        let point = spring_point(context, spring);
         let position = on.map_or(point, |(_, link, pose)| {
-            pose.position + pose.to_inertial * (link.attitude * (point - link.point))
+            pose.position + pose.to_inertial * (link.part_to_work * (point - link.point))
         });
         let way = position - numbers.vector(&spring.to);
         let stretch = if spring.length.is_zero() {

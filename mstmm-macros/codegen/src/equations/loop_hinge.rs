@@ -14,19 +14,21 @@
 //! A rotor with inertia `I` along a free direction holds that one with an inertia: the direction is
 //! `−I W`, and its `λ` is the acceleration `q̈ = Wᵀ (a_c − X a_p − b)`, so that `F = W (τ − I q̈)`.
 
-use super::kinematics::{HingeKinematics, LinkKinematics, PartKinematics, cross, link_of};
+use super::kinematics::{
+    HingeKinematics, LinkKinematics, PartKinematics, hinge_kinematics, link_of,
+};
 use super::reflection::{Reflection, VectorSpace};
 use super::sweep::PerLink;
 use super::{Axes, EvalContext, hinge};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
-use crate::model::HingeId;
+use crate::model::{Hinge, HingeId};
 
 /// The hinge that closes a chain.
 #[derive(Clone, Debug)]
 pub struct LoopHinge<S> {
     /// The hinge, crossed from its inboard side.
-    pub over: HingeKinematics<S>,
+    pub hinge: HingeKinematics<S>,
     /// The link on its inboard side; none if that is the ground.
     pub parent: Option<LinkId>,
     /// The link on its outboard side; none if that is the ground.
@@ -52,50 +54,51 @@ pub struct Constraint<S> {
 
 /// The closing hinge, if there is one.
 pub fn closing<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     axes: Axes,
     links: &PerLink<LinkKinematics<S>>,
 ) -> Option<LoopHinge<S>> {
-    let index = match situation.layout.loop_hinges[..] {
+    let index = match context.layout.loop_hinges[..] {
         [] => return None,
         [index] => index,
         ref all => bug!("{} hinges close a chain", all.len()),
     };
-    let hinge = &situation.chain.hinges[index];
-    let (inboard, ..) = situation.place(&hinge.inboard);
-    let (outboard, origin, rotation) = situation.place(&hinge.outboard);
+    let Hinge { kind, inboard, outboard, .. } = &context.chain.hinges[index];
+    let (inboard, ..) = context.place(inboard);
+    let (outboard, origin, rotation) = context.place(outboard);
     let (parent, child) = (link_of(inboard), link_of(outboard));
     let part =
         |link: Option<LinkId>| link.map_or(PartKinematics::ground(), |link| links[link].part());
-    let over = cross(situation, axes, (index, false), &part(parent));
-    let alignment = hinge.kind.law().alignment(situation.numbers);
-    let PartKinematics { attitude, point, .. } = part(child);
-    let child_to_work = over.from_child * (attitude * (rotation * alignment)).transposed();
-    let child_arm = attitude * (origin - point);
-    let to_work = Rotation::general(over.from_child);
+    let hinge = hinge_kinematics(context, axes, (index, false), &part(parent));
+    let alignment = kind.law().alignment(context.numbers);
+    let PartKinematics { part_to_work, point, .. } = part(child);
+    let child_to_work = hinge.child_to_work * (part_to_work * (rotation * alignment)).transposed();
+    let child_arm = part_to_work * (origin - point);
+    let to_work = Rotation::from_matrix(hinge.child_to_work);
     let duals: Vec<Wrench<S>> =
-        duals(&over.aligned).into_iter().map(|dual| dual.turned(&to_work)).collect();
-    let held = held(situation, index, &over, &duals);
-    Some(LoopHinge { over, parent, child, child_arm, child_to_work, held, duals })
+        duals(&hinge.aligned_subspace).into_iter().map(|dual| dual.rotated(&to_work)).collect();
+    let held = held(context, index, &hinge, &duals);
+    Some(LoopHinge { hinge, parent, child, child_arm, child_to_work, held, duals })
 }
 
 fn held<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     index: HingeId,
-    over: &HingeKinematics<S>,
+    hinge: &HingeKinematics<S>,
     duals: &[Wrench<S>],
 ) -> Vec<Constraint<S>> {
-    let axes = situation.chain.dimension.axes();
+    let axes = context.chain.dimension.axes();
     let fixed = |wrench| Constraint { wrench, inertia: S::zero() };
-    if situation.chain.hinges[index].is_prescribed() {
+    if context.chain.hinges[index].is_prescribed() {
         return axes.iter().map(|&axis| fixed(Wrench::unit(axis))).collect();
     }
-    let to_work = Rotation::general(over.from_child);
-    let complement = complement(&over.aligned, axes).into_iter();
-    let mut all: Vec<Constraint<S>> = complement.map(|held| fixed(held.turned(&to_work))).collect();
-    let inertias = over.passives.inertias.iter().enumerate();
+    let to_work = Rotation::from_matrix(hinge.child_to_work);
+    let complement = complement(&hinge.aligned_subspace, axes).into_iter();
+    let mut all: Vec<Constraint<S>> =
+        complement.map(|held| fixed(held.rotated(&to_work))).collect();
+    let inertias = hinge.passives.inertias.iter().enumerate();
     for (strain, &inertia) in inertias.filter(|(_, inertia)| !inertia.vanishes()) {
-        let wrench = along_strain(over, duals, strain).scaled(-inertia);
+        let wrench = along_strain(hinge, duals, strain).scaled(-inertia);
         all.push(Constraint { wrench, inertia });
     }
     all
@@ -103,11 +106,11 @@ fn held<S: Scalar>(
 
 /// The wrench that does work on one strain rate only.
 fn along_strain<S: Scalar>(
-    over: &HingeKinematics<S>,
+    hinge: &HingeKinematics<S>,
     duals: &[Wrench<S>],
     strain: usize,
 ) -> Wrench<S> {
-    let rates = duals.iter().zip(&over.passives.strains.rows[strain]);
+    let rates = duals.iter().zip(&hinge.passives.strains.jacobian[strain]);
     rates.fold(Wrench::zero(), |sum, (&dual, &x)| sum + dual.scaled(x))
 }
 
@@ -179,14 +182,14 @@ impl<S: Scalar> VectorSpace<S> for Wrench<S> {
 impl<S: Scalar> LoopHinge<S> {
     /// The motion of its outboard side at the hinge, work axes.
     pub fn of_child(&self, motion: Motion<S>) -> Motion<S> {
-        motion.carried_to(self.child_arm).turned(self.child_to_work)
+        motion.shifted_to(self.child_arm).rotated(self.child_to_work)
     }
 
     /// The wrench on its outboard side, as one about the point of the outboard link in that link's
     /// work axes, and that link.
     pub fn on_child(&self, wrench: Wrench<S>) -> Option<(LinkId, Wrench<S>)> {
-        let back = Rotation::general(self.child_to_work);
-        Some((self.child?, wrench.turned_back(&back).moved_from(self.child_arm)))
+        let back = Rotation::from_matrix(self.child_to_work);
+        Some((self.child?, wrench.rotated_back(&back).shifted_from(self.child_arm)))
     }
 
     /// What the turning of the outboard side adds to the acceleration of the hinge, work axes.
@@ -211,7 +214,7 @@ impl<S: Scalar> LoopHinge<S> {
     }
 
     fn is_prescribed(&self) -> bool {
-        self.over.freedom.columns.is_empty()
+        self.hinge.basis.columns.is_empty()
     }
 
     /// The wrench on its outboard side.

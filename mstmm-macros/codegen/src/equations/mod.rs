@@ -54,7 +54,7 @@ pub use forward_dynamics::{
     ForwardDynamics, LoopReaction, OutboardState, SweepResult, accelerations, sweep,
 };
 pub use inverse_dynamics::bias_efforts;
-pub use kinematics::{LinkKinematics, motion};
+pub use kinematics::{LinkKinematics, kinematics};
 pub use motion_problem::HingePivot;
 pub use projection::{Projection, correction, moved};
 pub use report::{FramedVector, PointState, Report, report};

@@ -100,7 +100,7 @@ impl<S: Scalar> MotionProblem<'_, S> {
         };
         let mass = self.links.iter().fold(S::zero(), |sum, link| sum + link.mass);
         let inertia = self.links.iter().fold(S::zero(), |sum, link| {
-            sum + link.inertia.trace() + link.mass * link.over.arm.dot(link.over.arm)
+            sum + link.inertia.trace() + link.mass * link.hinge.arm.dot(link.hinge.arm)
         });
         let mut added = SpatialInertia::from_fn(|_, _| S::zero());
         let mut load = self.loads[link];
@@ -121,7 +121,7 @@ impl<S: Scalar> MotionProblem<'_, S> {
 
     /// The inertia that links `a` and `F` at a link's point.
     pub fn inertia(&self, link: LinkId) -> SpatialInertia<S> {
-        let own = self.links[link].rigid();
+        let own = self.links[link].spatial_inertia();
         match self.added {
             Some((to, added)) if to == link => own + added,
             _ => own,
@@ -141,8 +141,8 @@ impl<S: Scalar> MotionProblem<'_, S> {
     }
 
     /// `a` of a link's point but for the hinge's own columns, from `a` of its parent's point.
-    pub fn carried(&self, link: LinkId, parent: Motion<S>) -> Motion<S> {
-        self.links[link].over.carried_with(parent, self.drift[link])
+    pub fn motion_from_parent(&self, link: LinkId, parent: Motion<S>) -> Motion<S> {
+        self.links[link].hinge.acceleration_from_parent(parent, self.drift[link])
     }
 
     /// `a` of the point of a link's parent, from those of all links.
@@ -155,14 +155,15 @@ impl<S: Scalar> MotionProblem<'_, S> {
     pub fn pulls(&self) -> Option<(LinkId, Vec<Wrench<S>>)> {
         let closing = self.closing.as_ref()?.closing;
         let parent = closing.parent?;
-        let pulls = closing.held.iter().map(|held| closing.over.returned(held.wrench)).collect();
+        let pulls =
+            closing.held.iter().map(|held| closing.hinge.wrench_to_parent(held.wrench)).collect();
         Some((parent, pulls))
     }
 
     /// What the closing demands where it hangs on the ground, or on no link at all.
     pub fn at_rest(&self) -> Vec<S> {
         let Some(LoopConstraints { closing, .. }) = &self.closing else { return Vec::new() };
-        let a = closing.over.carried(self.ground);
+        let a = closing.hinge.motion_from_parent(self.ground);
         closing.held.iter().map(|held| a.power(held.wrench)).collect()
     }
 }
@@ -172,8 +173,8 @@ impl<S: Scalar> MotionSolution<S> {
     /// is.
     pub fn rates(&self, links: &PerLink<LinkKinematics<S>>, layout: &Layout) -> Vec<S> {
         let mut rates = vec![S::zero(); layout.dof_count()];
-        links.iter().zip(&self.amounts).for_each(|(LinkKinematics { over, .. }, amounts)| {
-            rates[layout.v[over.hinge].clone()].copy_from_slice(&over.freedom.rates(amounts));
+        links.iter().zip(&self.amounts).for_each(|(LinkKinematics { hinge, .. }, amounts)| {
+            rates[layout.v[hinge.id].clone()].copy_from_slice(&hinge.basis.to_rates(amounts));
         });
         rates
     }
@@ -181,6 +182,6 @@ impl<S: Scalar> MotionSolution<S> {
 
 /// `Σ motion · amount` of columns.
 pub fn moved<S: Scalar>(link: &LinkKinematics<S>, amounts: &[S]) -> Motion<S> {
-    let columns = link.over.freedom.columns.iter().map(|column| column.motion());
+    let columns = link.hinge.basis.columns.iter().map(|column| column.motion());
     columns.zip(amounts).fold(Motion::zero(), |sum, (motion, &x)| sum + motion.scaled(x))
 }

@@ -11,7 +11,7 @@ use super::kinematics::{BiasAcceleration, LinkKinematics, Pose, poses};
 use super::loop_hinge::{LoopHinge, closing};
 use super::motion_problem::{LoopConstraints, MotionProblem, MotionSolution};
 use super::sweep::PerLink;
-use super::{Axes, EvalContext, Trace, motion, riccati};
+use super::{Axes, EvalContext, Trace, kinematics, riccati};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::{Chain, Hinge, HingeId, Layout};
@@ -33,21 +33,21 @@ pub struct Projection<S> {
 
 /// The correction; nothing for a chain that is not closed.
 pub fn correction<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     trace: &mut Trace<S>,
 ) -> Option<Projection<S>> {
-    let links = motion(situation, Axes::Body, trace);
-    let closing = closing(situation, Axes::Body, &links)?;
-    let poses = poses(situation, &links);
-    let apart = gap(situation, &links, &closing, &poses);
+    let links = kinematics(context, Axes::Body, trace);
+    let closing = closing(context, Axes::Body, &links)?;
+    let poses = poses(context, &links);
+    let apart = gap(context, &links, &closing, &poses);
     let parting = parting(&links, &closing, &poses);
     let size = |motion: Motion<S>| {
-        let axes = situation.chain.dimension.axes();
+        let axes = context.chain.dimension.axes();
         let entries: Vec<S> = axes.iter().map(|&k| motion.at(k)).collect();
         dot(&entries, &entries)
     };
-    let (coordinates, excess) = along(situation, &links, &closing, apart.motion, trace);
-    let (rates, _) = along(situation, &links, &closing, parting, trace);
+    let (coordinates, excess) = along(context, &links, &closing, apart.motion, trace);
+    let (rates, _) = along(context, &links, &closing, parting, trace);
     Some(Projection {
         coordinates,
         rates,
@@ -72,26 +72,29 @@ pub fn moved<S: Scalar>(chain: &Chain, layout: &Layout, q: &[S], along: &[S]) ->
 
 /// From where the closing hinge arrives to where it should: a shift and a turn.
 fn gap<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
     closing: &LoopHinge<S>,
     poses: &PerLink<Pose<S>>,
 ) -> PositionError<S> {
-    let hinge = &situation.chain.hinges[closing.over.hinge];
-    let (_, origin, rotation) = situation.place(&hinge.outboard);
-    let aligned = rotation * hinge.kind.law().alignment(situation.numbers);
+    let hinge = &context.chain.hinges[closing.hinge.id];
+    let (_, origin, rotation) = context.place(&hinge.outboard);
+    let aligned_subspace = rotation * hinge.kind.law().alignment(context.numbers);
     let from = pose_of(closing.parent, poses);
-    let reached = from.position + from.to_inertial * closing.over.arm;
-    let axes = Rotation::general(from.to_inertial * closing.over.to_parent.matrix());
+    let reached = from.position + from.to_inertial * closing.hinge.arm;
+    let axes = Rotation::from_matrix(from.to_inertial * closing.hinge.to_parent.matrix());
     let to = pose_of(closing.child, poses);
-    let (attitude, point) = match closing.child {
+    let (part_to_work, point) = match closing.child {
         None => (Mat3::identity(), Vec3::zero()),
-        Some(link) => (links[link].attitude, links[link].point),
+        Some(link) => (links[link].part_to_work, links[link].point),
     };
-    let wanted = to.position + to.to_inertial * (attitude * (origin - point));
-    let turn = axes.matrix().transposed() * (to.to_inertial * (attitude * aligned));
+    let wanted = to.position + to.to_inertial * (part_to_work * (origin - point));
+    let turn = axes.matrix().transposed() * (to.to_inertial * (part_to_work * aligned_subspace));
     PositionError {
-        motion: Motion { linear: axes.back(wanted - reached), angular: turn.rotation_vector() },
+        motion: Motion {
+            linear: axes.rotate_back(wanted - reached),
+            angular: turn.rotation_vector(),
+        },
         turn,
     }
 }
@@ -107,7 +110,7 @@ struct PositionError<S> {
 impl<S: Scalar> PositionError<S> {
     /// What the rotation vector does not show: half a turn has no direction, but a cosine.
     fn half_turn(&self) -> S {
-        let versine = S::one() - self.turn.cosine();
+        let versine = S::one() - self.turn.angle_cosine();
         versine * versine
     }
 }
@@ -122,7 +125,8 @@ fn parting<S: Scalar>(
         None => Motion::zero(),
         Some(link) => Motion { linear: poses[link].velocity, angular: links[link].omega },
     };
-    let arriving = closing.over.carried(velocity(closing.parent)) + closing.over.relative;
+    let arriving = closing.hinge.motion_from_parent(velocity(closing.parent))
+        + closing.hinge.relative_velocity;
     closing.of_child(velocity(closing.child)) - arriving
 }
 
@@ -133,7 +137,7 @@ fn pose_of<S: Scalar>(link: Option<LinkId>, poses: &PerLink<Pose<S>>) -> Pose<S>
 /// The motion of all hinges that moves the closing hinge by `wanted`, and how much redundant
 /// directions hold.
 fn along<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
     closing: &LoopHinge<S>,
     wanted: Motion<S>,
@@ -141,31 +145,30 @@ fn along<S: Scalar>(
 ) -> (Vec<S>, S) {
     let problem = MotionProblem {
         links,
-        dimension: situation.chain.dimension,
-        tree: situation.tree,
-        drift: links.iter().map(|_| BiasAcceleration::none()).collect(),
+        dimension: context.chain.dimension,
+        tree: context.tree,
+        drift: links.iter().map(|_| BiasAcceleration::zero()).collect(),
         loads: links.iter().map(|_| Wrench::zero()).collect(),
-        efforts: links
-            .iter()
-            .map(|link| vec![S::zero(); link.over.freedom.columns.len()])
-            .collect(),
+        efforts: links.iter().map(|link| vec![S::zero(); link.hinge.basis.columns.len()]).collect(),
         ground: Motion::zero(),
         closing: Some(LoopConstraints {
             closing,
             reached: closing.held.iter().map(|held| wanted.power(held.wrench)).collect(),
             given: Wrench::zero(),
-            linkage: situation.linkage(closing.held.len()),
+            linkage: context.constraint_rank(closing.held.len()),
         }),
         given: None,
         added: None,
     };
-    let problem = if situation.held_by_closure { problem.with_added_inertia() } else { problem };
+    let problem = if context.held_by_closure { problem.with_added_inertia() } else { problem };
     let (movement, _) = riccati::solve(&problem, trace);
-    let layout = situation.layout;
+    let layout = context.layout;
     let mut rates = movement.rates(links, layout);
     let MotionSolution { points, closure, .. } = movement;
-    let arriving = closing.over.carried(closing.parent.map_or(Motion::zero(), |link| points[link]));
-    let own = layout.v[closing.over.hinge].clone();
+    let arriving = closing
+        .hinge
+        .motion_from_parent(closing.parent.map_or(Motion::zero(), |link| points[link]));
+    let own = layout.v[closing.hinge.id].clone();
     if !own.is_empty() {
         rates[own].copy_from_slice(&closing.rates(wanted - arriving));
     }

@@ -10,7 +10,7 @@ use super::kinematics::{HingeKinematics, LinkKinematics, Pose, link_of, poses};
 use super::loads::loads;
 use super::loop_hinge::{LoopHinge, closing};
 use super::sweep::{Flatten, PerLink};
-use super::{EvalContext, ForwardDynamics, OutboardState, SweepResult, Trace, motion};
+use super::{EvalContext, ForwardDynamics, OutboardState, SweepResult, Trace, kinematics};
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::{Dimension, HingeId, LinkId};
@@ -69,35 +69,33 @@ pub struct Report<S> {
 /// The report on a chain with every body a link, from what the sweeps know with welded bodies
 /// merged.
 pub fn report<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     (solved, swept): (&ForwardDynamics<S>, &SweepResult<S>),
     trace: &mut Trace<S>,
 ) -> Report<S> {
-    let links = motion(situation, swept.axes, trace);
-    let poses = poses(situation, &links);
-    links.iter().zip(&poses).for_each(|(link, pose)| record(&link.over.name, pose, trace));
-    let felt = felt(situation, &links, swept);
-    let closing = closing(situation, swept.axes, &links);
+    let links = kinematics(context, swept.axes, trace);
+    let poses = poses(context, &links);
+    links.iter().zip(&poses).for_each(|(link, pose)| record(&link.hinge.name, pose, trace));
+    let felt = felt(context, &links, swept);
+    let closing = closing(context, swept.axes, &links);
     let closed = closing.as_ref().zip(solved.reaction.as_ref()).map(|(closing, reaction)| {
-        let attitude = closing.parent.map_or(Mat3::identity(), |link| links[link].attitude);
-        let (_, _, rotation) = situation.place(&situation.chain.hinges[closing.over.hinge].inboard);
-        (closing, reaction.wrench.turned(&Rotation::general(attitude * rotation)))
+        let part_to_work = closing.parent.map_or(Mat3::identity(), |link| links[link].part_to_work);
+        let (_, _, rotation) = context.place(&context.chain.hinges[closing.hinge.id].inboard);
+        (closing, reaction.wrench.rotated(&Rotation::from_matrix(part_to_work * rotation)))
     });
-    let wrenches = wrenches(situation, &links, &felt, swept, closed);
+    let wrenches = wrenches(context, &links, &felt, swept, closed);
     let mut hinges: IdVec<HingeId, Option<HingeWrench<S>>> =
-        situation.chain.hinges.iter().map(|_| None).collect();
+        context.chain.hinges.iter().map(|_| None).collect();
     links.enumerate().for_each(|(index, link)| {
-        let over = HingeWrench::over(situation, index, link, wrenches[index]);
-        hinges[link.over.hinge] = Some(over);
+        let hinge = HingeWrench::hinge(context, index, link, wrenches[index]);
+        hinges[link.hinge.id] = Some(hinge);
     });
     if let Some((closing, wrench)) = closed {
-        hinges[closing.over.hinge] = Some(HingeWrench::closing(closing, wrench));
+        hinges[closing.hinge.id] = Some(HingeWrench::closing(closing, wrench));
     }
-    let accelerations = rate_accelerations(situation, &solved.accelerations);
-    let sheet =
-        PointReader { situation, links: &links, poses: &poses, felt: &felt, hinges: &hinges };
-    let points: Vec<PointState<S>> =
-        spots(situation).iter().map(|spot| sheet.point(spot)).collect();
+    let accelerations = rate_accelerations(context, &solved.accelerations);
+    let sheet = PointReader { context, links: &links, poses: &poses, felt: &felt, hinges: &hinges };
+    let points: Vec<PointState<S>> = spots(context).iter().map(|spot| sheet.point(spot)).collect();
     trace.section("points", "Connection points", "[P, Eqs. (4), (12), (13)]");
     for (number, point) in points.iter().enumerate() {
         trace.vector(&format!("point{number}_velocity"), point.velocity.vector);
@@ -107,8 +105,8 @@ pub fn report<S: Scalar>(
     }
     Report {
         points,
-        at_rest: situation.ground().linear,
-        efforts: efforts(situation, &hinges, &accelerations),
+        at_rest: context.base_acceleration().linear,
+        efforts: efforts(context, &hinges, &accelerations),
         accelerations,
     }
 }
@@ -122,27 +120,27 @@ fn record<S: Scalar>(name: &str, pose: &Pose<S>, trace: &mut Trace<S>) {
 }
 
 /// The accelerations of all rates, in the layout's order of all rates.
-fn rate_accelerations<S: Scalar>(situation: &EvalContext<S>, free: &[S]) -> Vec<S> {
-    let of = |hinge: HingeId| match situation.prescribed_accelerations(hinge) {
+fn rate_accelerations<S: Scalar>(context: &EvalContext<S>, free: &[S]) -> Vec<S> {
+    let of = |hinge: HingeId| match context.prescribed_accelerations(hinge) {
         Some(given) => given.to_vec(),
-        None => free[situation.layout.v[hinge].clone()].to_vec(),
+        None => free[context.layout.v[hinge].clone()].to_vec(),
     };
-    situation.chain.hinges.ids().into_iter().flat_map(of).collect()
+    context.chain.hinges.ids().into_iter().flat_map(of).collect()
 }
 
 /// What is felt at all links' points: of bodies welded to others, by way of those.
 fn felt<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
     swept: &SweepResult<S>,
 ) -> PerLink<Motion<S>> {
-    let (all, _) = situation.tree.outward(
-        ProperAcceleration(situation.ground()),
+    let (all, _) = context.tree.outward(
+        ProperAcceleration(context.base_acceleration()),
         |link, &ProperAcceleration(parent)| {
-            let over = &links[link].over;
-            let felt = match swept.behind[over.hinge] {
+            let hinge = &links[link].hinge;
+            let felt = match swept.behind[hinge.id] {
                 Some(OutboardState { felt, .. }) => felt,
-                None => over.carried_with(parent, over.drift),
+                None => hinge.acceleration_from_parent(parent, hinge.bias_acceleration),
             };
             (ProperAcceleration(felt), ())
         },
@@ -163,32 +161,32 @@ impl<S: Scalar> Flatten<S> for ProperAcceleration<S> {
 /// What every link's hinge exerts on it about its point [P, Eqs. (18), (19)]: of welds between
 /// bodies, what everything behind them takes.
 fn wrenches<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
     felt: &PerLink<Motion<S>>,
     swept: &SweepResult<S>,
     closed: Option<(&LoopHinge<S>, Wrench<S>)>,
 ) -> PerLink<Wrench<S>> {
-    let known =
-        |link: &LinkKinematics<S>| swept.behind[link.over.hinge].map(|behind| behind.wrench);
+    let known = |link: &LinkKinematics<S>| swept.behind[link.hinge.id].map(|behind| behind.wrench);
     let outer = if links.iter().all(|link| known(link).is_some()) {
         PerLink::new()
     } else {
-        loads(situation, links)
+        loads(context, links)
     };
     let own = |(index, link): (LinkId, &LinkKinematics<S>)| match known(link) {
         Some(_) => WrenchSum(None),
         None => {
-            let own = link.rigid().times(felt[index]) + link.velocity_load() - outer[index];
+            let own =
+                link.spatial_inertia().times(felt[index]) + link.velocity_wrench() - outer[index];
             WrenchSum(Some(own))
         }
     };
     let mut all: PerLink<WrenchSum<S>> = links.enumerate().map(own).collect();
     if let Some((closing, wrench)) = closed {
         if let Some(parent) = closing.parent {
-            all[parent].add(|| wrench.moved_from(closing.over.arm));
+            all[parent].add(|| wrench.shifted_from(closing.hinge.arm));
         }
-        let outboard = wrench.turned_back(&closing.over.to_parent);
+        let outboard = wrench.rotated_back(&closing.hinge.to_parent);
         if let Some((child, on_child)) = closing.on_child(outboard) {
             all[child].add(|| on_child.reversed());
         }
@@ -197,15 +195,15 @@ fn wrenches<S: Scalar>(
         let Some(wrench) = sum.or_else(|| known(&links[link])) else {
             bug!("the wrench in a hinge is neither a sum nor known")
         };
-        parent.add(|| links[link].over.returned(wrench));
+        parent.add(|| links[link].hinge.wrench_to_parent(wrench));
         wrench
     };
-    situation.tree.inward(all, WrenchSum(None), step).0
+    context.tree.inward(all, WrenchSum(None), step).0
 }
 
 /// A hinge and what it transmits.
 struct HingeWrench<S> {
-    over: HingeKinematics<S>,
+    hinge: HingeKinematics<S>,
     /// The link in whose work axes it is; none if those are inertial.
     axes: Option<LinkId>,
     /// Exerted by the inboard on the outboard side, about the outboard side's origin.
@@ -220,53 +218,53 @@ struct HingeWrench<S> {
 
 impl<S: Scalar> HingeWrench<S> {
     /// Over a link's hinge. On a seam the axes in front are known, those behind are another time's.
-    fn over(
-        situation: &EvalContext<S>,
+    fn hinge(
+        context: &EvalContext<S>,
         index: LinkId,
         link: &LinkKinematics<S>,
         on_child: Wrench<S>,
     ) -> Self {
-        let (place, over) = (&situation.layout.links[index], link.over.clone());
+        let (place, hinge) = (&context.layout.links[index], link.hinge.clone());
         let (axes, at_child, offset) = match place.seam {
-            Some(_) => (link.parent, on_child.turned(&over.to_parent), over.offset),
-            None => (Some(index), on_child, over.to_parent.back(over.offset)),
+            Some(_) => (link.parent, on_child.rotated(&hinge.to_parent), hinge.offset),
+            None => (Some(index), on_child, hinge.to_parent.rotate_back(hinge.offset)),
         };
-        let at_parent = at_child.moved_from(offset);
+        let at_parent = at_child.shifted_from(offset);
         let (wrench, at_inboard) = if place.reversed {
             (at_parent.reversed(), at_child.reversed())
         } else {
             (at_child, at_parent)
         };
-        let meets = (place.seam.is_none() && over.keeps_the_point()).then_some(index);
-        HingeWrench { over, axes, wrench, at_inboard, on_child, meets }
+        let meets = (place.seam.is_none() && hinge.is_concentric()).then_some(index);
+        HingeWrench { hinge, axes, wrench, at_inboard, on_child, meets }
     }
 
     /// Over the hinge that closes the chain: the wrench on its outboard side, in its parent's axes.
     fn closing(closing: &LoopHinge<S>, wrench: Wrench<S>) -> Self {
-        let over = closing.over.clone();
-        let at_inboard = wrench.moved_from(over.offset);
-        let on_child = wrench.turned_back(&over.to_parent);
-        HingeWrench { over, axes: closing.parent, wrench, at_inboard, on_child, meets: None }
+        let hinge = closing.hinge.clone();
+        let at_inboard = wrench.shifted_from(hinge.offset);
+        let on_child = wrench.rotated_back(&hinge.to_parent);
+        HingeWrench { hinge, axes: closing.parent, wrench, at_inboard, on_child, meets: None }
     }
 }
 
 /// What drives every rate: of a prescribed motion `Sᵀ F` and what its rotors take, less what acts
 /// along it of itself.
 fn efforts<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     hinges: &IdVec<HingeId, Option<HingeWrench<S>>>,
     accelerations: &[S],
 ) -> Vec<S> {
     let of = |(index, transmitting): (HingeId, &Option<HingeWrench<S>>)| {
-        let (true, Some(HingeWrench { over, on_child, .. })) =
-            (situation.chain.hinges[index].is_prescribed(), transmitting)
+        let (true, Some(HingeWrench { hinge, on_child, .. })) =
+            (context.chain.hinges[index].is_prescribed(), transmitting)
         else {
-            return situation.motor(index);
+            return context.actuator_efforts(index);
         };
-        let own = &accelerations[situation.layout.rates[index].clone()];
-        let rotors = over.passives.rotor_loads(own);
-        let taken = over.subspace.iter().map(|s| s.power(*on_child));
-        let less = rotors.iter().zip(&over.passives.efforts);
+        let own = &accelerations[context.layout.rates[index].clone()];
+        let rotors = hinge.passives.rotor_efforts(own);
+        let taken = hinge.subspace.iter().map(|s| s.power(*on_child));
+        let less = rotors.iter().zip(&hinge.passives.efforts);
         taken.zip(less).map(|(taken, (&rotor, &passive))| taken + rotor - passive).collect()
     };
     hinges.enumerate().flat_map(of).collect()
@@ -274,7 +272,7 @@ fn efforts<S: Scalar>(
 
 /// What the connection points are read off.
 struct PointReader<'a, S> {
-    situation: &'a EvalContext<'a, S>,
+    context: &'a EvalContext<'a, S>,
     links: &'a PerLink<LinkKinematics<S>>,
     poses: &'a PerLink<Pose<S>>,
     felt: &'a PerLink<Motion<S>>,
@@ -283,7 +281,7 @@ struct PointReader<'a, S> {
 
 impl<S: Scalar> PointReader<'_, S> {
     fn point(&self, spot: &ConnectionPoint) -> PointState<S> {
-        let (part, origin, rotation) = self.situation.place(&spot.place);
+        let (part, origin, rotation) = self.context.place(&spot.place);
         let (force, moment) = self.transmitted(spot);
         let Some(index) = link_of(part) else {
             let none = self.seen(None, Vec3::zero());
@@ -292,18 +290,18 @@ impl<S: Scalar> PointReader<'_, S> {
                 rotation,
                 velocity: none,
                 omega: none,
-                felt: self.seen(None, self.situation.ground().linear),
+                felt: self.seen(None, self.context.base_acceleration().linear),
                 turning: none,
                 moment,
                 force,
             };
         };
         let (link, pose) = (&self.links[index], &self.poses[index]);
-        let arm = link.attitude * (origin - link.point);
+        let arm = link.part_to_work * (origin - link.point);
         let (velocity, felt) = self.moving(spot, index, arm);
         PointState {
             position: pose.position + pose.to_inertial * arm,
-            rotation: pose.to_inertial * (link.attitude * rotation),
+            rotation: pose.to_inertial * (link.part_to_work * rotation),
             velocity,
             omega: self.seen(Some(index), link.omega),
             felt,
@@ -329,7 +327,7 @@ impl<S: Scalar> PointReader<'_, S> {
         let (link, pose) = (&self.links[index], &self.poses[index]);
         let velocity = pose.velocity + link.omega.cross(arm);
         let felt =
-            self.felt[index].carried_to(arm).linear + arm.centripetal_by_products(link.omega);
+            self.felt[index].shifted_to(arm).linear + arm.centripetal_by_products(link.omega);
         (self.seen(Some(index), velocity), self.seen(Some(index), felt))
     }
 
@@ -348,12 +346,13 @@ impl<S: Scalar> PointReader<'_, S> {
     /// comes in the axes of the link's frame: work axes may lie across.
     fn seen(&self, link: Option<LinkId>, vector: Vec3<S>) -> FramedVector<S> {
         let Some(index) = link else { return FramedVector { axes: Mat3::identity(), vector } };
-        let (axes, attitude) = (self.poses[index].to_inertial, self.links[index].attitude);
-        match self.situation.chain.dimension {
+        let (axes, part_to_work) = (self.poses[index].to_inertial, self.links[index].part_to_work);
+        match self.context.chain.dimension {
             Dimension::Space => FramedVector { axes, vector },
-            Dimension::Plane | Dimension::Line => {
-                FramedVector { axes: axes * attitude, vector: attitude.transposed() * vector }
-            }
+            Dimension::Plane | Dimension::Line => FramedVector {
+                axes: axes * part_to_work,
+                vector: part_to_work.transposed() * vector,
+            },
         }
     }
 }

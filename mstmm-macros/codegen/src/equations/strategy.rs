@@ -99,7 +99,7 @@ pub fn plane_formula<S: Scalar>(
 /// Whether tensors are turned about a hinge's axis first and by the fixed `mount` then: only where
 /// that exchanges axes, and so costs nothing: accelerations of the Panda take 1324 operations in
 /// place of 1508.
-pub fn turns_stepwise<S: Scalar>(mount: Mat3<S>) -> bool {
+pub fn rotates_in_steps<S: Scalar>(mount: Mat3<S>) -> bool {
     mount.0.iter().all(|row| row.iter().filter(|entry| entry.vanishes()).count() == 2)
 }
 

@@ -35,7 +35,7 @@ pub trait Flatten<S>: Clone {
 #[derive(Clone, Copy, Debug)]
 pub struct LinkTree<'a, S> {
     layout: &'a Layout,
-    weave: Option<&'a dyn LoopHook<S>>,
+    hook: Option<&'a dyn LoopHook<S>>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -47,12 +47,12 @@ enum SweepDirection {
 impl<'a, S: Scalar> LinkTree<'a, S> {
     /// The links of `layout`, repeated parts written out.
     pub fn new(layout: &'a Layout) -> Self {
-        LinkTree { layout, weave: None }
+        LinkTree { layout, hook: None }
     }
 
-    /// The same with `weave` at the boundaries of repeated parts.
-    pub fn woven(self, weave: &'a dyn LoopHook<S>) -> Self {
-        LinkTree { weave: Some(weave), ..self }
+    /// The same with `hook` at the boundaries of repeated parts.
+    pub fn with_loops(self, hook: &'a dyn LoopHook<S>) -> Self {
+        LinkTree { hook: Some(hook), ..self }
     }
 
     /// Whether a repeated part begins or ends at a link.
@@ -62,7 +62,7 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
 
     /// Whether a link belongs to a repeated part whose equations run once for all repetitions.
     pub fn is_repeated(&self, link: LinkId) -> bool {
-        self.weave.is_some() && self.layout.links[link].repeated
+        self.hook.is_some() && self.layout.links[link].repeated
     }
 
     /// The links from the ground to `last`.
@@ -160,8 +160,8 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
     /// What goes on beyond a link, which differs from what comes to it at the boundary of a
     /// repeated part.
     fn cross<B: Flatten<S>>(&self, link: LinkId, direction: SweepDirection, carried: B) -> B {
-        let (Some(RepeatBoundary { repeat, at_end }), Some(weave)) =
-            (self.layout.links[link].seam, self.weave)
+        let (Some(RepeatBoundary { repeat, at_end }), Some(hook)) =
+            (self.layout.links[link].seam, self.hook)
         else {
             return carried;
         };
@@ -176,9 +176,9 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         }
         let inwards = direction == SweepDirection::Inward;
         let replaced = if at_end == inwards {
-            weave.enter(repeat, inwards, &numbers)
+            hook.enter(repeat, inwards, &numbers)
         } else {
-            weave.leave(repeat, &numbers)
+            hook.leave(repeat, &numbers)
         };
         if replaced.len() != numbers.len() {
             bug!("{} numbers reach a boundary, {} leave it", numbers.len(), replaced.len())
@@ -297,7 +297,7 @@ mod tests {
         assert_eq!(boundaries, [false, true, false, true, false]);
         let crossings = |sweep: &dyn Fn(LinkTree<f64>)| {
             let loops = Loops::default();
-            sweep(LinkTree::new(&layout).woven(&loops));
+            sweep(LinkTree::new(&layout).with_loops(&loops));
             loops.0.into_inner()
         };
         let path: Vec<LinkId> = layout.links.ids().into_iter().collect();

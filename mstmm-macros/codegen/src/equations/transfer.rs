@@ -74,10 +74,10 @@ pub fn solve<S: Scalar>(
     let path = path(problem);
     let (product, used) =
         problem.tree.along(&path, None, |link, before: Option<TransferProduct<S>>| {
-            let over = &problem.links[link].over;
+            let hinge = &problem.links[link].hinge;
             trace.section(
-                format!("{}_transfer", over.name),
-                format!("Transfer to `{}`", over.name),
+                format!("{}_transfer", hinge.name),
+                format!("Transfer to `{}`", hinge.name),
                 "[P, Eqs. (8), (21), (25), (35)]",
             );
             let mut here = match (before, problem.links[link].parent) {
@@ -85,7 +85,7 @@ pub fn solve<S: Scalar>(
                 _ => TransferProduct::at_ground(problem, link),
             };
             let used = here.cross_hinge(problem, link, trace);
-            here.record(&over.name, trace);
+            here.record(&hinge.name, trace);
             (Some(here), used)
         });
     let unknowns = match (&product, path.last()) {
@@ -114,7 +114,7 @@ fn path<S: Scalar>(problem: &MotionProblem<S>) -> Vec<LinkId> {
 /// `a` of all points, from the amounts of all columns.
 fn points<S: Scalar>(problem: &MotionProblem<S>, amounts: &PerLink<Vec<S>>) -> PerLink<Motion<S>> {
     let (points, _) = problem.tree.outward(problem.ground, |link, &parent| {
-        let carried = problem.carried(link, parent);
+        let carried = problem.motion_from_parent(link, parent);
         (carried + moved(&problem.links[link], &amounts[link]), ())
     });
     points
@@ -139,19 +139,24 @@ impl<S: Scalar> TransferProduct<S> {
     fn at_ground(problem: &MotionProblem<S>, first: LinkId) -> Self {
         let unknown = |&k: &usize| StateColumn { a: Motion::zero(), f: Wrench::unit(k) };
         TransferProduct {
-            known: StateColumn { a: problem.carried(first, problem.ground), f: Wrench::zero() },
+            known: StateColumn {
+                a: problem.motion_from_parent(first, problem.ground),
+                f: Wrench::zero(),
+            },
             columns: problem.dimension.axes().iter().map(unknown).collect(),
         }
     }
 
     /// Over the body at `from` [P, Eqs. (17) to (19)] and into the axes of `to`.
     fn across(self, problem: &MotionProblem<S>, from: LinkId, to: LinkId) -> Self {
-        let over = &problem.links[to].over;
-        let beyond = |f: Wrench<S>| f.moved_from(-over.arm).turned_back(&over.to_parent);
+        let hinge = &problem.links[to].hinge;
+        let beyond = |f: Wrench<S>| f.shifted_from(-hinge.arm).rotated_back(&hinge.to_parent);
         let TransferProduct { known, columns } = self.beyond(problem, from);
-        let cross =
-            |part: StateColumn<S>| StateColumn { a: over.carried(part.a), f: beyond(part.f) };
-        let a = over.carried_with(known.a, problem.drift[to]);
+        let cross = |part: StateColumn<S>| StateColumn {
+            a: hinge.motion_from_parent(part.a),
+            f: beyond(part.f),
+        };
+        let a = hinge.acceleration_from_parent(known.a, problem.drift[to]);
         TransferProduct {
             known: StateColumn { a, f: beyond(known.f) },
             columns: columns.into_iter().map(cross).collect(),
@@ -177,13 +182,13 @@ impl<S: Scalar> TransferProduct<S> {
         index: LinkId,
         trace: &mut Trace<S>,
     ) -> Vec<UsedCondition<S>> {
-        let over = &problem.links[index].over;
-        let conditions = problem.efforts[index].iter().zip(&over.freedom.armature);
+        let hinge = &problem.links[index].hinge;
+        let conditions = problem.efforts[index].iter().zip(&hinge.basis.armature);
         let mut used = Vec::new();
-        for (&column, (&effort, &armature)) in over.freedom.columns.iter().zip(conditions) {
+        for (&column, (&effort, &armature)) in hinge.basis.columns.iter().zip(conditions) {
             let step = self.free(column, effort, armature);
             for (number, &v) in step.reflection.vector().iter().enumerate() {
-                trace.number(format!("{}_v{number}", over.name), v);
+                trace.number(format!("{}_v{number}", hinge.name), v);
             }
             used.push(step);
         }
@@ -233,7 +238,7 @@ fn far_end<S: Scalar>(
     trace.section("end", "Boundary solve at the far end", "[P, Eqs. (9) to (11)]");
     let end = product.beyond(problem, last);
     let given = problem.closing.as_ref().map_or(Wrench::zero(), |demand| {
-        demand.closing.over.returned(demand.closing.wrench(demand.given, reactions))
+        demand.closing.hinge.wrench_to_parent(demand.closing.wrench(demand.given, reactions))
     });
     let rows = problem.dimension.axes().iter().map(|&k| BoundaryRow {
         coefficients: end.columns.iter().map(|part| part.f.at(k)).collect(),
@@ -276,7 +281,7 @@ fn recover<S: Scalar>(
     problem: &MotionProblem<S>,
 ) -> Vec<(LinkId, Vec<S>)> {
     let (_, amounts) = problem.tree.back_along(used, unknowns, |link, steps, mut unknowns| {
-        let name = &problem.links[link].over.name;
+        let name = &problem.links[link].hinge.name;
         trace.section(format!("{name}_back"), format!("Back to `{name}`"), "[P, Eqs. (8), (11)]");
         let mut betas = Vec::new();
         for step in steps.iter().rev() {

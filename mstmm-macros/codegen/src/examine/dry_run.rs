@@ -62,14 +62,14 @@ impl DryRun {
         DryRun { numbers: numbers(&chain, 0), chain, layout, merged, held_by_closure: false }
     }
 
-    pub fn situation<'a>(
+    pub fn context<'a>(
         &'a self,
         layout: &'a Layout,
         numbers: &'a SymbolValues<Number>,
         state: (&'a [Number], &'a [Number], &'a [Number]),
     ) -> EvalContext<'a, Number> {
-        let situation = EvalContext::new(&self.chain, layout, numbers, state);
-        situation.knowing(self.held_by_closure, ClosureRank::Unknown)
+        let context = EvalContext::new(&self.chain, layout, numbers, state);
+        context.with_closure(self.held_by_closure, ClosureRank::Unknown)
     }
 
     pub fn solved(
@@ -78,9 +78,9 @@ impl DryRun {
         pose: &Configuration,
     ) -> ForwardDynamics<Number> {
         let (v, Configuration { q, inputs }) = (self.at_rest(), pose);
-        let situation = self.situation(&self.merged, numbers, (q, &v, inputs));
+        let context = self.context(&self.merged, numbers, (q, &v, inputs));
         equations::accelerations(
-            &situation,
+            &context,
             SolutionMethod::Riccati,
             Axes::Body,
             &mut Trace::silent(),
@@ -93,8 +93,8 @@ impl DryRun {
         pose: &Configuration,
     ) -> (ForwardDynamics<Number>, SweepResult<Number>) {
         let (v, Configuration { q, inputs }) = (self.at_rest(), pose);
-        let situation = self.situation(&self.merged, numbers, (q, &v, inputs));
-        equations::sweep(&situation, SolutionMethod::Riccati, Axes::Body, &mut Trace::silent())
+        let context = self.context(&self.merged, numbers, (q, &v, inputs));
+        equations::sweep(&context, SolutionMethod::Riccati, Axes::Body, &mut Trace::silent())
     }
 
     /// The coordinates put onto the closure; nothing if that leads nowhere.
@@ -102,8 +102,8 @@ impl DryRun {
         let (v, Configuration { mut q, inputs }) = (self.at_rest(), pose);
         let (mut nearest, mut stalled) = (f64::INFINITY, 0);
         for _ in 0..CORRECTIONS {
-            let situation = self.situation(&self.merged, &self.numbers, (&q, &v, &inputs));
-            let correction = equations::correction(&situation, &mut Trace::silent())?;
+            let context = self.context(&self.merged, &self.numbers, (&q, &v, &inputs));
+            let correction = equations::correction(&context, &mut Trace::silent())?;
             let residual = correction.residual.value();
             if residual < CLOSED {
                 return Some(Configuration { q, inputs });

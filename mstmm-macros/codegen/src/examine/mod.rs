@@ -235,9 +235,9 @@ impl DryRun {
         let near = poses.into_iter().next();
         let pose = near.unwrap_or_else(|| self.pose(&self.numbers, 0));
         let (v, Configuration { q, inputs }) = (self.at_rest(), &pose);
-        let situation = self.situation(&self.layout, &self.numbers, (q, &v, inputs));
+        let context = self.context(&self.layout, &self.numbers, (q, &v, inputs));
         let (solved, swept) = self.swept(&self.numbers, &pose);
-        let report = equations::report(&situation, (&solved, &swept), &mut Trace::silent());
+        let report = equations::report(&context, (&solved, &swept), &mut Trace::silent());
         let position = |place: Vec3<Number>| place.0.map(Number::value);
         let centre = |(element, point): (&Element, &PointState<Number>)| match *element {
             Element::Hinge(_) => position(point.position),

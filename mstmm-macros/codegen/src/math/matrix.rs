@@ -41,7 +41,7 @@ impl<S: Scalar> Mat3<S> {
     }
 
     /// The turn by an angle with the given sine and cosine about axis `k`.
-    pub fn turn_about(k: usize, (sin, cos): (S, S)) -> Self {
+    pub fn axis_rotation(k: usize, (sin, cos): (S, S)) -> Self {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         Mat3::from_fn(|row, column| match (row, column) {
             (r, c) if r == k && c == k => S::one(),
@@ -67,7 +67,7 @@ impl<S: Scalar> Mat3<S> {
     }
 
     /// Of a rotation, the cosine of its angle.
-    pub fn cosine(self) -> S {
+    pub fn angle_cosine(self) -> S {
         (self[0][0] + self[1][1] + self[2][2] - S::one()) * S::number(0.5)
     }
 
@@ -78,14 +78,14 @@ impl<S: Scalar> Mat3<S> {
         let sine = twice * S::number(0.5);
         // So small that it only keeps 0/0 away: angle and sine shrink alike.
         let length = (sine.dot(sine) + S::number(1e-30)).sqrt();
-        sine * (length.atan2(self.cosine()) * length.recip())
+        sine * (length.atan2(self.angle_cosine()) * length.recip())
     }
 
     /// `self · inner · selfᵀ` of a rotation, which leaves any multiple of the identity as it is: as
     /// much of it is taken out as the last entry of the diagonal is, always that one, since what
     /// integrators make of quaternions is no rotation to the last digit. It leaves the trace as it
     /// is, too, from which the first entry follows without the first row of `self · inner`.
-    pub fn rotated(self, inner: Sym3<S>) -> Sym3<S> {
+    pub fn rotate_tensor(self, inner: Sym3<S>) -> Sym3<S> {
         let even = inner.at(2, 2);
         let along = |i: usize, j: usize| if i == j { even } else { S::zero() };
         let uneven = Sym3::from_fn(|i, j| inner.at(i, j) - along(i, j));
@@ -161,7 +161,7 @@ impl<S: Scalar> Mul<S> for Mat3<S> {
 pub struct Sym3<S>(pub [S; 6]);
 
 /// Where entry (i, j) of a symmetric matrix is kept.
-const PLACE: [[usize; 3]; 3] = [[0, 3, 4], [3, 1, 5], [4, 5, 2]];
+const ENTRY: [[usize; 3]; 3] = [[0, 3, 4], [3, 1, 5], [4, 5, 2]];
 
 impl<S: Scalar> Sym3<S> {
     /// The matrix with `entry(row, column)`, asked for on and above the diagonal only.
@@ -176,7 +176,7 @@ impl<S: Scalar> Sym3<S> {
 
     /// Entry (i, j).
     pub fn at(&self, i: usize, j: usize) -> S {
-        self.0[PLACE[i][j]]
+        self.0[ENTRY[i][j]]
     }
 
     /// All nine entries.
@@ -190,7 +190,7 @@ impl<S: Scalar> Sym3<S> {
     }
 
     /// `Ω · J Ω` of an inertia, twice the energy of turning.
-    pub fn power(self, omega: Vec3<S>) -> S {
+    pub fn quadratic_form(self, omega: Vec3<S>) -> S {
         if self.is_diagonal() {
             let square = |k: usize| self.at(k, k) * (omega[k] * omega[k]);
             return square(0) + square(1) + square(2);
@@ -258,7 +258,7 @@ mod tests {
         let omega = Vec3([0.7, -1.3, 2.1]);
         for inertia in [Sym3::diagonal([0.3, 1.9, 1.1]), Sym3([0.3, 1.9, 1.1, 0.2, -0.4, 0.1])] {
             let spin = inertia.full() * omega;
-            assert_near(inertia.power(omega), omega.dot(spin));
+            assert_near(inertia.quadratic_form(omega), omega.dot(spin));
             let (found, expected) = (inertia.gyroscopic(omega), omega.cross(spin));
             (0..3).for_each(|k| assert_near(found[k], expected[k]));
         }
@@ -271,7 +271,7 @@ mod tests {
         for quaternion in [[0.1, 0.5, 0.7, 0.5], [0.6, 0.0, 0.8, 0.0]] {
             let rotation = Mat3::from_quaternion(quaternion);
             let expected = rotation * tensor.full() * rotation.transposed();
-            let found = rotation.rotated(tensor).full();
+            let found = rotation.rotate_tensor(tensor).full();
             found.0.concat().iter().zip(expected.0.concat()).for_each(|(&a, b)| assert_near(a, b));
         }
     }

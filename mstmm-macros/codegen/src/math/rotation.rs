@@ -33,11 +33,11 @@ pub struct AxisRotation<S> {
 impl<S: Scalar> AxisRotation<S> {
     /// The rotation matrix.
     pub fn matrix(&self) -> Mat3<S> {
-        Mat3::turn_about(self.axis, (self.sin, self.cos))
+        Mat3::axis_rotation(self.axis, (self.sin, self.cos))
     }
 
     /// The turn by the opposite angle.
-    pub fn reversed(self) -> Self {
+    pub fn inverse(self) -> Self {
         AxisRotation { sin: -self.sin, ..self }
     }
 
@@ -49,7 +49,7 @@ impl<S: Scalar> AxisRotation<S> {
     /// ```
     ///
     /// which takes four products where the two matrix products take sixteen.
-    pub fn of_tensor(&self, tensor: Mat3<S>) -> Mat3<S> {
+    pub fn rotate_tensor(&self, tensor: Mat3<S>) -> Mat3<S> {
         let AxisRotation { axis: k, sin, cos } = *self;
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let (p, q, r, t) = (tensor[i][i], tensor[i][j], tensor[j][i], tensor[j][j]);
@@ -66,8 +66,8 @@ impl<S: Scalar> AxisRotation<S> {
     }
 
     /// The same of a symmetric tensor, `q = r`.
-    pub(super) fn of_symmetric(&self, tensor: Sym3<S>) -> Sym3<S> {
-        let turned = self.of_tensor(tensor.full());
+    pub(super) fn rotate_symmetric(&self, tensor: Sym3<S>) -> Sym3<S> {
+        let turned = self.rotate_tensor(tensor.full());
         Sym3::from_fn(|i, j| turned[i][j])
     }
 
@@ -79,7 +79,7 @@ impl<S: Scalar> AxisRotation<S> {
     /// ```
     ///
     /// by [`PlaneFormula::ShortestPath`].
-    pub(super) fn of_plane(&self, tensor: Sym3<S>) -> Sym3<S> {
+    pub(super) fn rotate_in_plane(&self, tensor: Sym3<S>) -> Sym3<S> {
         let AxisRotation { axis: k, sin, cos } = *self;
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let (p, q, t) = (tensor.at(i, i), tensor.at(i, j), tensor.at(j, j));
@@ -95,12 +95,12 @@ impl<S: Scalar> AxisRotation<S> {
 
 impl<S: Scalar> Rotation<S> {
     /// A rotation of which nothing more is known.
-    pub fn general(matrix: Mat3<S>) -> Self {
+    pub fn from_matrix(matrix: Mat3<S>) -> Self {
         Rotation { matrix, steps: None }
     }
 
     /// `mount · turn`: tensors are turned in these two steps.
-    pub fn stepwise(mount: Mat3<S>, turn: AxisRotation<S>) -> Self {
+    pub fn from_steps(mount: Mat3<S>, turn: AxisRotation<S>) -> Self {
         Rotation { matrix: mount * turn.matrix(), steps: Some((turn, mount)) }
     }
 
@@ -115,12 +115,12 @@ impl<S: Scalar> Rotation<S> {
     }
 
     /// A vector in the axes that the rotation leads to.
-    pub fn of_vector(&self, vector: Vec3<S>) -> Vec3<S> {
+    pub fn rotate(&self, vector: Vec3<S>) -> Vec3<S> {
         self.matrix * vector
     }
 
     /// A vector in the axes that the rotation starts from.
-    pub fn back(&self, vector: Vec3<S>) -> Vec3<S> {
+    pub fn rotate_back(&self, vector: Vec3<S>) -> Vec3<S> {
         self.matrix.transposed() * vector
     }
 }
@@ -136,7 +136,8 @@ mod tests {
             let (sin, cos) = 0.7_f64.sin_cos();
             let turn = AxisRotation { axis, sin, cos };
             let rotation = turn.matrix();
-            let (fast, plain) = (turn.of_tensor(tensor), rotation * tensor * rotation.transposed());
+            let (fast, plain) =
+                (turn.rotate_tensor(tensor), rotation * tensor * rotation.transposed());
             for (a, b) in fast.0.concat().iter().zip(plain.0.concat()) {
                 // Entries up to 8, a dozen roundings.
                 assert!((a - b).abs() < 8.0 * 12.0 * f64::EPSILON, "{a} {b}");
@@ -158,7 +159,7 @@ mod tests {
                 }
             });
             let turn = AxisRotation { axis, sin, cos };
-            let (one, other) = (turn.of_plane(tensor), turn.of_symmetric(tensor));
+            let (one, other) = (turn.rotate_in_plane(tensor), turn.rotate_symmetric(tensor));
             for (a, b) in one.0.iter().zip(other.0) {
                 // Entries up to 8, a dozen roundings.
                 assert!((a - b).abs() < 8.0 * 12.0 * f64::EPSILON, "{a} {b}");

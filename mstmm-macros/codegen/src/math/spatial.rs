@@ -43,29 +43,27 @@ impl<S: Scalar> Motion<S> {
         Motion { linear: Vec3::from_fn(&entry), angular: Vec3::from_fn(|k| entry(k + 3)) }
     }
 
-    /// Whether the frame turns.
-    pub fn turns(&self) -> bool {
-        self.angular.0.iter().any(|entry| !entry.vanishes())
-    }
-
     /// The part linear in the motion of the law of rigid bodies: the motion of the point at `r`.
-    pub fn carried_to(self, r: Vec3<S>) -> Self {
+    pub fn shifted_to(self, r: Vec3<S>) -> Self {
         Motion { linear: self.linear + self.angular.cross(r), angular: self.angular }
     }
 
     /// In the axes that `rotation` leads to.
-    pub fn turned(self, rotation: Mat3<S>) -> Self {
+    pub fn rotated(self, rotation: Mat3<S>) -> Self {
         Motion { linear: rotation * self.linear, angular: rotation * self.angular }
     }
 
     /// In the axes from which `rotation` leads here.
-    pub fn turned_back(self, rotation: &Rotation<S>) -> Self {
-        Motion { linear: rotation.back(self.linear), angular: rotation.back(self.angular) }
+    pub fn rotated_back(self, rotation: &Rotation<S>) -> Self {
+        Motion {
+            linear: rotation.rotate_back(self.linear),
+            angular: rotation.rotate_back(self.angular),
+        }
     }
 
     /// With another number at a place.
-    pub fn with(&self, place: usize, number: S) -> Self {
-        Motion::from_fn(|k| if k == place { number } else { self.at(k) })
+    pub fn with_entry(&self, k: usize, value: S) -> Self {
+        Motion::from_fn(|i| if i == k { value } else { self.at(i) })
     }
 
     /// Power of a wrench on this motion.
@@ -101,18 +99,21 @@ impl<S: Scalar> Wrench<S> {
     }
 
     /// The same load that acts at `r`, taken about the origin.
-    pub fn moved_from(self, r: Vec3<S>) -> Self {
+    pub fn shifted_from(self, r: Vec3<S>) -> Self {
         Wrench { force: self.force, moment: self.moment + r.cross(self.force) }
     }
 
     /// In the axes that `rotation` leads to.
-    pub fn turned(self, rotation: &Rotation<S>) -> Self {
-        Wrench { force: rotation.of_vector(self.force), moment: rotation.of_vector(self.moment) }
+    pub fn rotated(self, rotation: &Rotation<S>) -> Self {
+        Wrench { force: rotation.rotate(self.force), moment: rotation.rotate(self.moment) }
     }
 
     /// In the axes from which `rotation` leads here.
-    pub fn turned_back(self, rotation: &Rotation<S>) -> Self {
-        Wrench { force: rotation.back(self.force), moment: rotation.back(self.moment) }
+    pub fn rotated_back(self, rotation: &Rotation<S>) -> Self {
+        Wrench {
+            force: rotation.rotate_back(self.force),
+            moment: rotation.rotate_back(self.moment),
+        }
     }
 
     /// The opposite load.
@@ -205,16 +206,16 @@ impl<S: Scalar> SpatialInertia<S> {
     }
 
     /// In the axes that `rotation` leads to.
-    pub fn turned(&self, rotation: Mat3<S>) -> Self {
+    pub fn rotated(&self, rotation: Mat3<S>) -> Self {
         SpatialInertia {
-            linear: rotation.rotated(self.linear),
+            linear: rotation.rotate_tensor(self.linear),
             coupling: rotation * self.coupling * rotation.transposed(),
-            angular: rotation.rotated(self.angular),
+            angular: rotation.rotate_tensor(self.angular),
         }
     }
 
     /// `Xᵀ A X` with `X = [[1, −r̃], [0, 1]]`: an inertia at `r`, seen from the origin.
-    pub fn moved_from(&self, r: Vec3<S>) -> Self {
+    pub fn shifted_from(&self, r: Vec3<S>) -> Self {
         let skew = r.skew();
         let coupling = self.coupling - self.linear.full() * skew;
         let (moved, old) = (skew * coupling, skew * self.coupling);
@@ -229,27 +230,31 @@ impl<S: Scalar> SpatialInertia<S> {
 impl<S: Scalar> Rotation<S> {
     /// An inertia in the axes that the rotation leads to; the formula is that of the first of two
     /// steps.
-    pub fn of_inertia(
+    pub fn rotate_inertia(
         &self,
         inertia: &SpatialInertia<S>,
         formula: PlaneFormula,
     ) -> SpatialInertia<S> {
         match &self.steps {
-            Some((turn, mount)) => turn.of_inertia(inertia, formula).turned(*mount),
-            None => inertia.turned(self.matrix()),
+            Some((turn, mount)) => turn.rotate_inertia(inertia, formula).rotated(*mount),
+            None => inertia.rotated(self.matrix()),
         }
     }
 }
 
 impl<S: Scalar> AxisRotation<S> {
-    fn of_inertia(&self, inertia: &SpatialInertia<S>, formula: PlaneFormula) -> SpatialInertia<S> {
+    fn rotate_inertia(
+        &self,
+        inertia: &SpatialInertia<S>,
+        formula: PlaneFormula,
+    ) -> SpatialInertia<S> {
         SpatialInertia {
             linear: match formula {
-                PlaneFormula::FewestOperations => self.of_symmetric(inertia.linear),
-                PlaneFormula::ShortestPath => self.of_plane(inertia.linear),
+                PlaneFormula::FewestOperations => self.rotate_symmetric(inertia.linear),
+                PlaneFormula::ShortestPath => self.rotate_in_plane(inertia.linear),
             },
-            coupling: self.of_tensor(inertia.coupling),
-            angular: self.of_symmetric(inertia.angular),
+            coupling: self.rotate_tensor(inertia.coupling),
+            angular: self.rotate_symmetric(inertia.angular),
         }
     }
 }

@@ -105,12 +105,12 @@ pub fn compute_with<S: Scalar>(
     let numbers = numbers(chain);
     let (q, v, inputs) = (variables::<S>(q), variables(v), variables(inputs));
     let mut trace = Trace::new();
-    let situation = EvalContext::new(chain, &merged, &numbers, (&q, &v, &inputs));
-    let fast = equations::accelerations(&situation, method, axes, &mut trace);
-    let (solved, swept) = equations::sweep(&situation, method, axes, &mut trace);
-    let situation = EvalContext::new(chain, &layout, &numbers, (&q, &v, &inputs));
-    let report = Report::of(&equations::report(&situation, (&solved, &swept), &mut trace));
-    let energy = equations::energy(&situation, &mut trace);
+    let context = EvalContext::new(chain, &merged, &numbers, (&q, &v, &inputs));
+    let fast = equations::accelerations(&context, method, axes, &mut trace);
+    let (solved, swept) = equations::sweep(&context, method, axes, &mut trace);
+    let context = EvalContext::new(chain, &layout, &numbers, (&q, &v, &inputs));
+    let report = Report::of(&equations::report(&context, (&solved, &swept), &mut trace));
+    let energy = equations::energy(&context, &mut trace);
     let accelerations = fast.accelerations.iter().map(|x| x.value()).collect();
     Computed { accelerations, report, energy, solved }
 }

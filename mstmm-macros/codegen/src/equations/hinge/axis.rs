@@ -9,7 +9,7 @@ pub struct Alignment<S> {
     /// Which of the aligned axes lies along the hinge's.
     pub axis: usize,
     /// Whether it points the opposite way.
-    pub opposite: bool,
+    pub is_reversed: bool,
     /// Aligned axes to those of the hinge's frames.
     pub rotation: Mat3<S>,
 }
@@ -21,30 +21,30 @@ impl<S: Scalar> Alignment<S> {
         if let Some(k) = (0..3).find(|&k| zero[(k + 1) % 3] && zero[(k + 2) % 3])
             && let Some(length) = axis[k].known()
         {
-            return Alignment { axis: k, opposite: length < 0.0, rotation: Mat3::identity() };
+            return Alignment { axis: k, is_reversed: length < 0.0, rotation: Mat3::identity() };
         }
         // An axis in a coordinate plane: turning the plane leaves most of the matrix zero.
         let k = (0..3).find(|&k| !zero[k] && zero[(k + 2) % 3]).unwrap_or(2);
         let unit = numbers.unit(axis);
-        Alignment { axis: k, opposite: false, rotation: frame_along(k, unit) }
+        Alignment { axis: k, is_reversed: false, rotation: basis_along(k, unit) }
     }
 
     /// The hinge's axis in aligned axes.
     pub fn direction(&self) -> Vec3<S> {
         let unit = Vec3::unit(self.axis);
-        if self.opposite { -unit } else { unit }
+        if self.is_reversed { -unit } else { unit }
     }
 
     /// A turn about the hinge's axis.
-    pub fn turn(&self, angle: S) -> AxisRotation<S> {
+    pub fn rotation_by(&self, angle: S) -> AxisRotation<S> {
         let (sin, cos) = angle.sin_cos();
-        AxisRotation { axis: self.axis, sin: if self.opposite { -sin } else { sin }, cos }
+        AxisRotation { axis: self.axis, sin: if self.is_reversed { -sin } else { sin }, cos }
     }
 }
 
 /// A rotation whose column `k` is `unit`, by a formula without a branch or a singular place:
 /// T. Duff et al., Building an orthonormal basis, revisited, J. Computer Graphics Techniques 2017.
-fn frame_along<S: Scalar>(k: usize, unit: Vec3<S>) -> Mat3<S> {
+fn basis_along<S: Scalar>(k: usize, unit: Vec3<S>) -> Mat3<S> {
     let (i, j) = ((k + 1) % 3, (k + 2) % 3);
     let (x, y, z) = (unit[i], unit[j], unit[k]);
     let sign = S::one().copysign(z);
@@ -66,7 +66,7 @@ fn frame_along<S: Scalar>(k: usize, unit: Vec3<S>) -> Mat3<S> {
 
 /// The turn by an angle with the given sine and cosine about a unit vector:
 /// `cos 1 + sin ẽ + (1 − cos) e eᵀ`.
-pub fn turn_about<S: Scalar>(unit: Vec3<S>, (sin, cos): (S, S)) -> Mat3<S> {
+pub fn rotation_about<S: Scalar>(unit: Vec3<S>, (sin, cos): (S, S)) -> Mat3<S> {
     let scaled = unit * (S::one() - cos);
     let outer = Mat3::from_fn(|i, j| scaled[i] * unit[j]);
     Mat3::identity() * cos + unit.skew() * sin + outer

@@ -3,7 +3,7 @@
 //! Coordinates: the unit quaternion (w, x, y, z) that turns outboard components into inboard ones.
 //! Rates: the angular velocity of the outboard frame against the inboard one, outboard axes.
 
-use super::law::{HingeLaw, own_axes};
+use super::law::{HingeLaw, identity_alignment};
 use super::{HingeGeometry, StrainMap, SubspaceColumn};
 use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar, Vec3};
@@ -18,13 +18,13 @@ impl<S: Scalar> HingeLaw<S> for Ball {
     fn geometry(&self, _: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         HingeGeometry {
             rotation: Mat3::from_quaternion([q[0], q[1], q[2], q[3]]),
-            directions: turns(),
+            columns: rotations(),
             ..HingeGeometry::fixed()
         }
     }
 
     fn alignment(&self, _: &SymbolValues<S>) -> Mat3<S> {
-        own_axes()
+        identity_alignment()
     }
 
     /// `½ (w, x, y, z) ∘ (0, ω)`
@@ -45,13 +45,13 @@ impl<S: Scalar> HingeLaw<S> for Ball {
     }
 
     fn strains(&self, _: &[S]) -> StrainMap<S> {
-        StrainMap::change_by_rates(3)
+        StrainMap::identity(3)
     }
 }
 
 /// The turns about the three outboard axes.
-pub fn turns<S: Scalar>() -> Vec<SubspaceColumn<S>> {
-    (0..3).map(|k| SubspaceColumn::about(Vec3::unit(k)).outboard()).collect()
+pub fn rotations<S: Scalar>() -> Vec<SubspaceColumn<S>> {
+    (0..3).map(|k| SubspaceColumn::rotation(Vec3::unit(k)).outboard()).collect()
 }
 
 /// The rotation vector that leads from the quaternion `rest` to `q`, outboard axes: of the two that
@@ -71,7 +71,7 @@ pub fn rotation_vector<S: Scalar>(rest: &[S], q: &[S]) -> Vec3<S> {
 mod tests {
     use super::rotation_vector;
 
-    fn turned(angle: f64) -> [f64; 4] {
+    fn rotated(angle: f64) -> [f64; 4] {
         let (sin, cos) = (0.5 * angle).sin_cos();
         [cos, 0.6 * sin, 0.0, -0.8 * sin]
     }
@@ -81,8 +81,8 @@ mod tests {
         for angle in [0.0, 1e-20, 1e-9, 0.3, 2.0, 3.1] {
             for rest in [0.0, 0.7, -2.0] {
                 for sign in [1.0, -1.0] {
-                    let q = turned(rest + angle).map(|x| sign * x);
-                    let found = rotation_vector(&turned(rest), &q).0;
+                    let q = rotated(rest + angle).map(|x| sign * x);
+                    let found = rotation_vector(&rotated(rest), &q).0;
                     for (found, axis) in found.into_iter().zip([0.6, 0.0, -0.8]) {
                         // Products of unit quaternions round a dozen times.
                         assert!((found - angle * axis).abs() < 2e-15, "{found} at {angle}");

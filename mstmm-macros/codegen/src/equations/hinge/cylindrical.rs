@@ -3,7 +3,7 @@
 //! Coordinates: the way in m as for a slider, the angle in rad as for a pin.
 
 use super::axis::Alignment;
-use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
+use super::law::{HingeLaw, rates_are_coordinate_rates, without_quaternions};
 use super::{HingeGeometry, StrainMap, SubspaceColumn};
 use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar};
@@ -23,8 +23,11 @@ impl<S: Scalar> HingeLaw<S> for Cylindrical<'_> {
         let direction = along.direction();
         HingeGeometry {
             offset: direction * q[0],
-            directions: vec![SubspaceColumn::along(direction), SubspaceColumn::about(direction)],
-            ..HingeGeometry::turned(along.turn(q[1]))
+            columns: vec![
+                SubspaceColumn::translation(direction),
+                SubspaceColumn::rotation(direction),
+            ],
+            ..HingeGeometry::rotated(along.rotation_by(q[1]))
         }
     }
 
@@ -33,14 +36,14 @@ impl<S: Scalar> HingeLaw<S> for Cylindrical<'_> {
     }
 
     fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {
-        coordinates_change_by(v)
+        rates_are_coordinate_rates(v)
     }
 
     fn normalized(&self, q: &[S]) -> Vec<S> {
-        free_of_quaternions(q)
+        without_quaternions(q)
     }
 
     fn strains(&self, _: &[S]) -> StrainMap<S> {
-        StrainMap::change_by_rates(2)
+        StrainMap::identity(2)
     }
 }

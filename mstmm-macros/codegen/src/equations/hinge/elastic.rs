@@ -11,7 +11,7 @@
 //! `m_x`.
 //! Both reactions act at the outboard origin, and no angular momentum comes from nothing.
 
-use super::law::{HingeLaw, free_of_quaternions, own_axes};
+use super::law::{HingeLaw, identity_alignment, without_quaternions};
 use super::{HingeGeometry, StrainMap, floating, strain};
 use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar, Vec3};
@@ -23,26 +23,26 @@ pub struct Elastic;
 impl<S: Scalar> HingeLaw<S> for Elastic {
     /// A shift and a turn; everything is free.
     fn geometry(&self, _: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
-        let about = |k: usize| Mat3::turn_about(k, q[3 + k].sin_cos());
+        let about = |k: usize| Mat3::axis_rotation(k, q[3 + k].sin_cos());
         HingeGeometry {
             rotation: about(2) * (about(1) * about(0)),
             offset: about(2) * Vec3([q[0], q[1], q[2]]),
-            directions: floating::directions(),
+            columns: floating::columns(),
             ..HingeGeometry::fixed()
         }
     }
 
     fn alignment(&self, _: &SymbolValues<S>) -> Mat3<S> {
-        own_axes()
+        identity_alignment()
     }
 
     /// The strains are the coordinates less their rest values.
     fn coordinate_rates(&self, q: &[S], v: &[S]) -> Vec<S> {
-        strain::rates(&self.strains(q).rows, v)
+        strain::times(&self.strains(q).jacobian, v)
     }
 
     fn normalized(&self, q: &[S]) -> Vec<S> {
-        free_of_quaternions(q)
+        without_quaternions(q)
     }
 
     /// From rates to the rates of the coordinates, and back.
@@ -70,7 +70,7 @@ impl<S: Scalar> HingeLaw<S> for Elastic {
         let behind = |row: [S; 3]| [zero; 3].into_iter().chain(row).collect::<Vec<S>>();
         to.extend(angles.map(behind));
         back.extend(spins.map(behind));
-        StrainMap::of(to, back)
+        StrainMap::new(to, back)
     }
 }
 

@@ -4,7 +4,7 @@
 //! velocity of that origin in inboard axes, then the angular velocity as for a ball.
 
 use super::ball::{self, Ball};
-use super::law::{HingeLaw, own_axes};
+use super::law::{HingeLaw, identity_alignment};
 use super::{HingeGeometry, StrainMap, SubspaceColumn};
 use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar, Vec3};
@@ -18,13 +18,13 @@ impl<S: Scalar> HingeLaw<S> for Floating {
     fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         HingeGeometry {
             offset: Vec3([q[0], q[1], q[2]]),
-            directions: directions(),
+            columns: columns(),
             ..Ball.geometry(numbers, &q[3..])
         }
     }
 
     fn alignment(&self, _: &SymbolValues<S>) -> Mat3<S> {
-        own_axes()
+        identity_alignment()
     }
 
     /// The rates of the origin and of the quaternion.
@@ -42,12 +42,12 @@ impl<S: Scalar> HingeLaw<S> for Floating {
     }
 
     fn strains(&self, _: &[S]) -> StrainMap<S> {
-        StrainMap::change_by_rates(6)
+        StrainMap::identity(6)
     }
 }
 
 /// The shifts along the inboard axes, then the turns about the outboard ones.
-pub fn directions<S: Scalar>() -> Vec<SubspaceColumn<S>> {
-    let shifts = (0..3).map(|k| SubspaceColumn::along(Vec3::unit(k)));
-    shifts.chain(ball::turns()).collect()
+pub fn columns<S: Scalar>() -> Vec<SubspaceColumn<S>> {
+    let shifts = (0..3).map(|k| SubspaceColumn::translation(Vec3::unit(k)));
+    shifts.chain(ball::rotations()).collect()
 }

@@ -19,16 +19,16 @@ pub trait HingeLaw<S: Scalar> {
 }
 
 /// The alignment of a hinge whose free directions lie along the axes of its frames.
-pub fn own_axes<S: Scalar>() -> Mat3<S> {
+pub fn identity_alignment<S: Scalar>() -> Mat3<S> {
     Mat3::identity()
 }
 
 /// The rates of coordinates that change by the hinge's rates, `q̇ = v`.
-pub fn coordinates_change_by<S: Scalar>(v: &[S]) -> Vec<S> {
+pub fn rates_are_coordinate_rates<S: Scalar>(v: &[S]) -> Vec<S> {
     v.to_vec()
 }
 
 /// Coordinates with no quaternion among them, which have no length to keep.
-pub fn free_of_quaternions<S: Scalar>(q: &[S]) -> Vec<S> {
+pub fn without_quaternions<S: Scalar>(q: &[S]) -> Vec<S> {
     q.to_vec()
 }

@@ -32,11 +32,11 @@ mod universal;
 mod weld;
 
 pub use law::HingeLaw;
-pub use passive_elements::{PassiveElements, passives};
+pub use passive_elements::{PassiveElements, passive_elements};
 pub use rows::{dot, identity};
 pub use strain::StrainMap;
-pub use subspace_basis::{BasisVector, SubspaceBasis, freedom, prescribed};
-pub use transform::{HingeTransform, ToWorkAxes, combine, crossing};
+pub use subspace_basis::{BasisVector, SubspaceBasis, empty_basis, subspace_basis};
+pub use transform::{HingeTransform, ToWorkAxes, combine, hinge_transform};
 
 use crate::math::{AxisRotation, Mat3, Motion, Scalar, Vec3};
 use crate::model::HingeKind;
@@ -47,11 +47,11 @@ pub struct HingeGeometry<S> {
     /// Outboard axes to inboard ones.
     pub rotation: Mat3<S>,
     /// The same, if it is a turn about one of the axes.
-    pub turn: Option<AxisRotation<S>>,
+    pub axis_rotation: Option<AxisRotation<S>>,
     /// From the inboard origin to the outboard one, inboard axes.
     pub offset: Vec3<S>,
     /// What each rate does: `S`, column by column.
-    pub directions: Vec<SubspaceColumn<S>>,
+    pub columns: Vec<SubspaceColumn<S>>,
 }
 
 /// A free direction, constant in the axes of one side: the motion of the outboard origin and frame
@@ -69,15 +69,19 @@ impl<S: Scalar> HingeGeometry<S> {
     fn fixed() -> Self {
         HingeGeometry {
             rotation: Mat3::identity(),
-            turn: None,
+            axis_rotation: None,
             offset: Vec3::zero(),
-            directions: Vec::new(),
+            columns: Vec::new(),
         }
     }
 
     /// The outboard frame is turned about an axis.
-    fn turned(turn: AxisRotation<S>) -> Self {
-        HingeGeometry { rotation: turn.matrix(), turn: Some(turn), ..HingeGeometry::fixed() }
+    fn rotated(rotation: AxisRotation<S>) -> Self {
+        HingeGeometry {
+            rotation: rotation.matrix(),
+            axis_rotation: Some(rotation),
+            ..HingeGeometry::fixed()
+        }
     }
 }
 
@@ -88,12 +92,12 @@ impl<S: Scalar> SubspaceColumn<S> {
     }
 
     /// A shift along a vector fixed on the inboard side.
-    fn along(linear: Vec3<S>) -> Self {
+    fn translation(linear: Vec3<S>) -> Self {
         SubspaceColumn::inboard(Motion { linear, angular: Vec3::zero() })
     }
 
     /// A turn about a vector fixed on the inboard side.
-    fn about(angular: Vec3<S>) -> Self {
+    fn rotation(angular: Vec3<S>) -> Self {
         SubspaceColumn::inboard(Motion { linear: Vec3::zero(), angular })
     }
 

@@ -2,7 +2,7 @@
 //! the inertia of rotors, each along one strain.
 
 use super::ball;
-use super::force_laws::{GroupState, LinearizedEffort, along_group};
+use super::force_laws::{GroupState, LinearizedEffort, group_efforts};
 use super::strain::{self, StrainMap};
 use crate::equations::SymbolValues;
 use crate::math::{Dual, Scalar};
@@ -14,14 +14,14 @@ pub struct PassiveElements<S> {
     /// How rates become strain rates.
     pub strains: StrainMap<S>,
     /// Strain rates.
-    pub rates: Vec<S>,
+    pub strain_rates: Vec<S>,
     /// Efforts, one for each of the hinge's rates; what the rates alone demand of rotors is taken
     /// off.
     pub efforts: Vec<S>,
     /// Inertia along each strain: of rotors and, in an implicit step, what the step adds.
     pub inertias: Vec<S>,
     /// Inertia of rotors along each strain.
-    pub rotors: Vec<S>,
+    pub rotor_inertias: Vec<S>,
     /// Energy of springs and stops.
     pub energy: S,
 }
@@ -29,7 +29,7 @@ pub struct PassiveElements<S> {
 /// What acts at coordinates `q` and rates `v`. In a linearly implicit Euler step of length `h` the
 /// effort is the one that the change of strain over the step would make,
 /// `σ(s + h ṡ⁺, ṡ⁺) ≈ σ − h k ṡ − (h c + h² k) s̈`: its last part counts as inertia.
-pub fn passives<S: Scalar>(
+pub fn passive_elements<S: Scalar>(
     hinge: &Hinge,
     numbers: &SymbolValues<S>,
     q: &[S],
@@ -37,40 +37,40 @@ pub fn passives<S: Scalar>(
     implicit: Option<S>,
 ) -> PassiveElements<S> {
     let strains = hinge.kind.law().strains(q);
-    let rates = strain::rates(&strains.rows, v);
-    let rotors: Vec<S> = hinge.passive.iter().map(|p| numbers.scalar(&p.armature)).collect();
-    let mut inertias = rotors.clone();
-    let (mut alongs, energy) = acting(hinge, numbers, q, &rates);
+    let rates = strain::times(&strains.jacobian, v);
+    let rotor_inertias: Vec<S> =
+        hinge.passive.iter().map(|p| numbers.scalar(&p.armature)).collect();
+    let mut inertias = rotor_inertias.clone();
+    let (mut efforts, energy) = linearized_efforts(hinge, numbers, q, &rates);
     if let Some(h) = implicit {
-        for ((along, inertia), &rate) in alongs.iter_mut().zip(&mut inertias).zip(&rates) {
+        for ((along, inertia), &rate) in efforts.iter_mut().zip(&mut inertias).zip(&rates) {
             let step = h * along.stiffness;
             along.effort = along.effort - step * rate;
             *inertia = *inertia + h * (along.damping + step);
         }
     }
-    let drift = drift(&hinge.kind, q, v, &rotors);
-    let along = alongs.iter().zip(&rotors).zip(drift);
-    let along: Vec<S> =
-        along.map(|((along, &rotor), drift)| along.effort - rotor * drift).collect();
-    let efforts = strain::returned(&strains.rows, &along);
-    PassiveElements { strains, rates, efforts, inertias, rotors, energy }
+    let biases = strain_bias(&hinge.kind, q, v, &rotor_inertias);
+    let along = efforts.iter().zip(&rotor_inertias).zip(biases);
+    let along: Vec<S> = along.map(|((along, &rotor), bias)| along.effort - rotor * bias).collect();
+    let efforts = strain::transpose_times(&strains.jacobian, &along);
+    PassiveElements { strains, strain_rates: rates, efforts, inertias, rotor_inertias, energy }
 }
 
 /// What acts along each strain, and the energy of it.
-fn acting<S: Scalar>(
+fn linearized_efforts<S: Scalar>(
     hinge: &Hinge,
     numbers: &SymbolValues<S>,
     q: &[S],
     rates: &[S],
 ) -> (Vec<LinearizedEffort<S>>, S) {
     if !hinge.passive.iter().any(Passive::has_effort) {
-        return (rates.iter().map(|_| LinearizedEffort::nothing()).collect(), S::zero());
+        return (rates.iter().map(|_| LinearizedEffort::zero()).collect(), S::zero());
     }
     let rest: Vec<S> = hinge.rest.iter().map(|value| numbers.scalar(value)).collect();
-    let strains = from_rest(&hinge.kind, &rest, q);
-    let (mut alongs, mut energy) = (Vec::new(), S::zero());
+    let strains = strains_from_rest(&hinge.kind, &rest, q);
+    let (mut efforts, mut energy) = (Vec::new(), S::zero());
     for group in hinge.kind.shape().groups {
-        let (along, stored) = along_group(&GroupState {
+        let (along, stored) = group_efforts(&GroupState {
             group,
             passive: &hinge.passive[group.rates.clone()],
             numbers,
@@ -78,23 +78,23 @@ fn acting<S: Scalar>(
             rates: &rates[group.rates.clone()],
             coordinates: &q[group.coordinates.clone()],
         });
-        alongs.extend(along);
+        efforts.extend(along);
         energy = energy + stored;
     }
-    (alongs, energy)
+    (efforts, energy)
 }
 
 impl<S: Scalar> PassiveElements<S> {
     /// What accelerations of the rates take to move the rotors, along the rates.
-    pub fn rotor_loads(&self, accelerations: &[S]) -> Vec<S> {
-        let along = strain::rates(&self.strains.rows, accelerations);
-        let taken: Vec<S> = along.iter().zip(&self.rotors).map(|(&a, &i)| a * i).collect();
-        strain::returned(&self.strains.rows, &taken)
+    pub fn rotor_efforts(&self, accelerations: &[S]) -> Vec<S> {
+        let along = strain::times(&self.strains.jacobian, accelerations);
+        let taken: Vec<S> = along.iter().zip(&self.rotor_inertias).map(|(&a, &i)| a * i).collect();
+        strain::transpose_times(&self.strains.jacobian, &taken)
     }
 }
 
 /// The strains `s`, one for each rate: coordinates less their rest values, rotation vectors from rest.
-fn from_rest<S: Scalar>(kind: &HingeKind, rest: &[S], q: &[S]) -> Vec<S> {
+fn strains_from_rest<S: Scalar>(kind: &HingeKind, rest: &[S], q: &[S]) -> Vec<S> {
     let group = |group: &DofGroup| {
         let (rest, q) = (&rest[group.coordinates.clone()], &q[group.coordinates.clone()]);
         match group.representation {
@@ -108,9 +108,9 @@ fn from_rest<S: Scalar>(kind: &HingeKind, rest: &[S], q: &[S]) -> Vec<S> {
 }
 
 /// `J̇ v`, the strain accelerations that the rates alone make, where a rotor feels them.
-fn drift<S: Scalar>(kind: &HingeKind, q: &[S], v: &[S], rotors: &[S]) -> Vec<S> {
+fn strain_bias<S: Scalar>(kind: &HingeKind, q: &[S], v: &[S], rotor_inertias: &[S]) -> Vec<S> {
     let strains = kind.law().strains(q);
-    if strains.is_constant || rotors.iter().all(|rotor| rotor.vanishes()) {
+    if strains.is_constant || rotor_inertias.iter().all(|rotor| rotor.vanishes()) {
         return vec![S::zero(); v.len()];
     }
     let coordinate_rates = kind.law().coordinate_rates(q, v);
@@ -118,5 +118,5 @@ fn drift<S: Scalar>(kind: &HingeKind, q: &[S], v: &[S], rotors: &[S]) -> Vec<S> 
         q.iter().zip(coordinate_rates).map(|(&q, rate)| Dual::new(q, rate)).collect();
     let rates_held: Vec<Dual<S>> = v.iter().map(|&v| Dual::new(v, S::zero())).collect();
     let moving = kind.law().strains(&moving);
-    strain::rates(&moving.rows, &rates_held).iter().map(|sum| sum.derivative()).collect()
+    strain::times(&moving.jacobian, &rates_held).iter().map(|sum| sum.derivative()).collect()
 }

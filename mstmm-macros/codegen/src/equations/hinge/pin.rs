@@ -5,7 +5,7 @@
 //! then a single number, `H_2 Aᵀ m = 0` of [P, Eq. (35)].
 
 use super::axis::Alignment;
-use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
+use super::law::{HingeLaw, rates_are_coordinate_rates, without_quaternions};
 use super::{HingeGeometry, StrainMap, SubspaceColumn};
 use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar};
@@ -22,8 +22,8 @@ impl<S: Scalar> HingeLaw<S> for Pin<'_> {
     /// A turn about the axis: `Ω_O = Ω_I + A_O ω_r` [P, Eq. (36)].
     fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let along = Alignment::with(self.axis, numbers);
-        let turn = SubspaceColumn::about(along.direction());
-        HingeGeometry { directions: vec![turn], ..HingeGeometry::turned(along.turn(q[0])) }
+        let turn = SubspaceColumn::rotation(along.direction());
+        HingeGeometry { columns: vec![turn], ..HingeGeometry::rotated(along.rotation_by(q[0])) }
     }
 
     fn alignment(&self, numbers: &SymbolValues<S>) -> Mat3<S> {
@@ -31,14 +31,14 @@ impl<S: Scalar> HingeLaw<S> for Pin<'_> {
     }
 
     fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {
-        coordinates_change_by(v)
+        rates_are_coordinate_rates(v)
     }
 
     fn normalized(&self, q: &[S]) -> Vec<S> {
-        free_of_quaternions(q)
+        without_quaternions(q)
     }
 
     fn strains(&self, _: &[S]) -> StrainMap<S> {
-        StrainMap::change_by_rates(1)
+        StrainMap::identity(1)
     }
 }

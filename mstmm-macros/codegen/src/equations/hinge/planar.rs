@@ -3,7 +3,7 @@
 //! Coordinates: the ways in m of the outboard origin along the two inboard axes that follow the
 //! normal, and the angle in rad about the normal.
 
-use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions, own_axes};
+use super::law::{HingeLaw, identity_alignment, rates_are_coordinate_rates, without_quaternions};
 use super::{HingeGeometry, StrainMap, SubspaceColumn};
 use crate::equations::SymbolValues;
 use crate::math::{AxisRotation, Mat3, Scalar, Vec3};
@@ -22,28 +22,28 @@ impl<S: Scalar> HingeLaw<S> for Planar {
         let (sin, cos) = q[2].sin_cos();
         HingeGeometry {
             offset: first * q[0] + second * q[1],
-            directions: vec![
-                SubspaceColumn::along(first),
-                SubspaceColumn::along(second),
-                SubspaceColumn::about(Vec3::unit(self.normal)),
+            columns: vec![
+                SubspaceColumn::translation(first),
+                SubspaceColumn::translation(second),
+                SubspaceColumn::rotation(Vec3::unit(self.normal)),
             ],
-            ..HingeGeometry::turned(AxisRotation { axis: self.normal, sin, cos })
+            ..HingeGeometry::rotated(AxisRotation { axis: self.normal, sin, cos })
         }
     }
 
     fn alignment(&self, _: &SymbolValues<S>) -> Mat3<S> {
-        own_axes()
+        identity_alignment()
     }
 
     fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {
-        coordinates_change_by(v)
+        rates_are_coordinate_rates(v)
     }
 
     fn normalized(&self, q: &[S]) -> Vec<S> {
-        free_of_quaternions(q)
+        without_quaternions(q)
     }
 
     fn strains(&self, _: &[S]) -> StrainMap<S> {
-        StrainMap::change_by_rates(3)
+        StrainMap::identity(3)
     }
 }

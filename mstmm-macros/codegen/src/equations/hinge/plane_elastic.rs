@@ -5,7 +5,7 @@
 //! in rad. Rates: as for a planar hinge. Efforts act along the rates of the coordinates, as for the
 //! elastic hinge in space.
 
-use super::law::{HingeLaw, free_of_quaternions, own_axes};
+use super::law::{HingeLaw, identity_alignment, without_quaternions};
 use super::planar::Planar;
 use super::{HingeGeometry, StrainMap, strain};
 use crate::equations::SymbolValues;
@@ -24,16 +24,16 @@ impl<S: Scalar> HingeLaw<S> for PlaneElastic {
     }
 
     fn alignment(&self, _: &SymbolValues<S>) -> Mat3<S> {
-        own_axes()
+        identity_alignment()
     }
 
     /// The strains are the coordinates less their rest values.
     fn coordinate_rates(&self, q: &[S], v: &[S]) -> Vec<S> {
-        strain::rates(&self.strains(q).rows, v)
+        strain::times(&self.strains(q).jacobian, v)
     }
 
     fn normalized(&self, q: &[S]) -> Vec<S> {
-        free_of_quaternions(q)
+        without_quaternions(q)
     }
 
     /// From rates to the rates of the coordinates, and back.
@@ -49,6 +49,6 @@ impl<S: Scalar> HingeLaw<S> for PlaneElastic {
             vec![sin, cos, along(sin, cos)],
             vec![zero, zero, one],
         ];
-        StrainMap::of(to, back)
+        StrainMap::new(to, back)
     }
 }

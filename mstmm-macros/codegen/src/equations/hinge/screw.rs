@@ -3,7 +3,7 @@
 //! Coordinate: the angle in rad as for a pin; the outboard origin is shifted by `pitch · angle`.
 
 use super::axis::Alignment;
-use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
+use super::law::{HingeLaw, rates_are_coordinate_rates, without_quaternions};
 use super::{HingeGeometry, StrainMap, SubspaceColumn};
 use crate::equations::SymbolValues;
 use crate::math::{Mat3, Motion, Scalar};
@@ -26,8 +26,8 @@ impl<S: Scalar> HingeLaw<S> for Screw<'_> {
         let shift = direction * numbers.scalar(self.pitch);
         HingeGeometry {
             offset: shift * q[0],
-            directions: vec![SubspaceColumn::inboard(Motion { linear: shift, angular: direction })],
-            ..HingeGeometry::turned(along.turn(q[0]))
+            columns: vec![SubspaceColumn::inboard(Motion { linear: shift, angular: direction })],
+            ..HingeGeometry::rotated(along.rotation_by(q[0]))
         }
     }
 
@@ -36,14 +36,14 @@ impl<S: Scalar> HingeLaw<S> for Screw<'_> {
     }
 
     fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {
-        coordinates_change_by(v)
+        rates_are_coordinate_rates(v)
     }
 
     fn normalized(&self, q: &[S]) -> Vec<S> {
-        free_of_quaternions(q)
+        without_quaternions(q)
     }
 
     fn strains(&self, _: &[S]) -> StrainMap<S> {
-        StrainMap::change_by_rates(1)
+        StrainMap::identity(1)
     }
 }

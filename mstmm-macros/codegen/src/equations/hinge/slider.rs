@@ -3,7 +3,7 @@
 //! Coordinate: the way in m of the outboard origin along the axis.
 
 use super::axis::Alignment;
-use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
+use super::law::{HingeLaw, rates_are_coordinate_rates, without_quaternions};
 use super::{HingeGeometry, StrainMap, SubspaceColumn};
 use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar};
@@ -22,7 +22,7 @@ impl<S: Scalar> HingeLaw<S> for Slider<'_> {
         let along = Alignment::with(self.axis, numbers).direction();
         HingeGeometry {
             offset: along * q[0],
-            directions: vec![SubspaceColumn::along(along)],
+            columns: vec![SubspaceColumn::translation(along)],
             ..HingeGeometry::fixed()
         }
     }
@@ -32,14 +32,14 @@ impl<S: Scalar> HingeLaw<S> for Slider<'_> {
     }
 
     fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {
-        coordinates_change_by(v)
+        rates_are_coordinate_rates(v)
     }
 
     fn normalized(&self, q: &[S]) -> Vec<S> {
-        free_of_quaternions(q)
+        without_quaternions(q)
     }
 
     fn strains(&self, _: &[S]) -> StrainMap<S> {
-        StrainMap::change_by_rates(1)
+        StrainMap::identity(1)
     }
 }

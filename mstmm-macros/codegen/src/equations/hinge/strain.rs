@@ -7,7 +7,7 @@ use crate::math::Scalar;
 #[derive(Clone, Debug)]
 pub struct StrainMap<S> {
     /// `J` of `ṡ = J v`, by rows.
-    pub rows: Vec<Vec<S>>,
+    pub jacobian: Vec<Vec<S>>,
     /// `J⁻¹`, by rows.
     pub inverse: Vec<Vec<S>>,
     /// Whether `J` is the same at all coordinates.
@@ -16,24 +16,24 @@ pub struct StrainMap<S> {
 
 impl<S: Scalar> StrainMap<S> {
     /// Strains that change by so many rates, `J = 1`.
-    pub fn change_by_rates(count: usize) -> Self {
-        let (rows, inverse) = identity(count);
-        StrainMap { rows, inverse, is_constant: true }
+    pub fn identity(count: usize) -> Self {
+        let (jacobian, inverse) = identity(count);
+        StrainMap { jacobian, inverse, is_constant: true }
     }
 
     /// By `J` and `J⁻¹`, which depend on the coordinates.
-    pub fn of(rows: Vec<Vec<S>>, inverse: Vec<Vec<S>>) -> Self {
-        StrainMap { rows, inverse, is_constant: false }
+    pub fn new(jacobian: Vec<Vec<S>>, inverse: Vec<Vec<S>>) -> Self {
+        StrainMap { jacobian, inverse, is_constant: false }
     }
 }
 
 /// `ṡ = J v`
-pub fn rates<S: Scalar>(rows: &[Vec<S>], v: &[S]) -> Vec<S> {
-    rows.iter().map(|row| dot(row, v)).collect()
+pub fn times<S: Scalar>(jacobian: &[Vec<S>], v: &[S]) -> Vec<S> {
+    jacobian.iter().map(|row| dot(row, v)).collect()
 }
 
 /// `Jᵀ σ`: efforts along the rates from those along the strains.
-pub fn returned<S: Scalar>(rows: &[Vec<S>], along: &[S]) -> Vec<S> {
-    let column = |j: usize| rows.iter().map(|row| row[j]).collect::<Vec<S>>();
-    (0..rows.len()).map(|j| dot(&column(j), along)).collect()
+pub fn transpose_times<S: Scalar>(jacobian: &[Vec<S>], along: &[S]) -> Vec<S> {
+    let column = |j: usize| jacobian.iter().map(|row| row[j]).collect::<Vec<S>>();
+    (0..jacobian.len()).map(|j| dot(&column(j), along)).collect()
 }

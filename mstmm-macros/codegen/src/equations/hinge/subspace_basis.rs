@@ -47,7 +47,7 @@ impl<S: Scalar> BasisVector<S> {
     }
 
     /// What a pivot along it is measured by, from a mass and a moment of inertia.
-    pub fn scale(&self, mass: S, moment: S) -> S {
+    pub fn pivot_scale(&self, mass: S, moment: S) -> S {
         match self {
             BasisVector::Axis(axis) if *axis < 3 => mass,
             BasisVector::Axis(_) => moment,
@@ -60,7 +60,7 @@ impl<S: Scalar> BasisVector<S> {
 
 /// The free directions of a hinge that moves by `subspace`, in work axes; `strains` are those that
 /// its passive elements act on and `armature` the inertias of rotors along them.
-pub fn freedom<S: Scalar>(
+pub fn subspace_basis<S: Scalar>(
     subspace: &[Motion<S>],
     strains: &StrainMap<S>,
     armature: &[S],
@@ -80,7 +80,7 @@ pub fn freedom<S: Scalar>(
 }
 
 /// Nothing is free.
-pub fn prescribed<S>() -> SubspaceBasis<S> {
+pub fn empty_basis<S>() -> SubspaceBasis<S> {
     SubspaceBasis { columns: Vec::new(), armature: Vec::new(), inverse: Vec::new() }
 }
 
@@ -145,7 +145,7 @@ fn along<S: Scalar>(
 
 impl<S: Scalar> SubspaceBasis<S> {
     /// Efforts along the columns, from those that belong to the rates.
-    pub fn loads(&self, efforts: &[S]) -> Vec<S> {
+    pub fn to_basis(&self, efforts: &[S]) -> Vec<S> {
         (0..self.columns.len())
             .map(|j| {
                 self.inverse.iter().zip(efforts).fold(S::zero(), |sum, (row, &x)| sum + row[j] * x)
@@ -154,18 +154,18 @@ impl<S: Scalar> SubspaceBasis<S> {
     }
 
     /// The rates, or accelerations, that belong to `amounts` of the columns.
-    pub fn rates(&self, amounts: &[S]) -> Vec<S> {
+    pub fn to_rates(&self, amounts: &[S]) -> Vec<S> {
         self.inverse.iter().map(|row| dot(row, amounts)).collect()
     }
 
     /// A wrench over the hinge, with the efforts put where the free axes leave nothing else.
-    pub fn released(&self, wrench: Wrench<S>, efforts: &[S]) -> Wrench<S> {
-        let loads = self.loads(efforts);
+    pub fn with_applied_efforts(&self, wrench: Wrench<S>, efforts: &[S]) -> Wrench<S> {
+        let basis_efforts = self.to_basis(efforts);
         let along = |k: usize| {
             let is_axis =
                 |column: &BasisVector<S>| matches!(column, BasisVector::Axis(axis) if *axis == k);
             self.columns.iter().position(is_axis).filter(|&i| self.armature[i].vanishes())
         };
-        Wrench::from_fn(|k| along(k).map_or(wrench.at(k), |column| loads[column]))
+        Wrench::from_fn(|k| along(k).map_or(wrench.at(k), |column| basis_efforts[column]))
     }
 }

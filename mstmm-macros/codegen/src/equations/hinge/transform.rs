@@ -2,7 +2,7 @@
 
 use super::{HingeGeometry, SubspaceColumn};
 use crate::equations::SymbolValues;
-use crate::equations::strategy::turns_stepwise;
+use crate::equations::strategy::rotates_in_steps;
 use crate::math::{AxisRotation, Mat3, Motion, Rotation, Scalar, Vec3};
 use crate::model::HingeKind;
 
@@ -12,14 +12,14 @@ pub struct HingeTransform<S> {
     /// Aligned child axes to aligned parent axes.
     pub rotation: Mat3<S>,
     /// The same, if it is a turn about one of the aligned axes.
-    pub turn: Option<AxisRotation<S>>,
+    pub axis_rotation: Option<AxisRotation<S>>,
     /// From the parent's point to the child's, aligned parent axes.
     pub offset: Vec3<S>,
     /// The motions of the child's point and frame against the parent's frame for each rate.
-    directions: Vec<OrientedColumn<S>>,
+    columns: Vec<OrientedColumn<S>>,
     /// From the inboard origin to the outboard one, aligned inboard axes, if the child is the
     /// inboard side.
-    inwards: Option<Vec3<S>>,
+    outboard_offset: Option<Vec3<S>>,
 }
 
 /// A motion whose entries are given in aligned axes of the side that it turns with.
@@ -33,63 +33,63 @@ struct OrientedColumn<S> {
 #[derive(Clone, Copy, Debug)]
 pub struct ToWorkAxes<S> {
     /// From aligned parent axes.
-    pub from_parent: Mat3<S>,
+    pub parent_to_work: Mat3<S>,
     /// From aligned child axes.
-    pub from_child: Mat3<S>,
+    pub child_to_work: Mat3<S>,
 }
 
 /// Crosses a hinge.
-pub fn crossing<S: Scalar>(
+pub fn hinge_transform<S: Scalar>(
     kind: &HingeKind,
     numbers: &SymbolValues<S>,
     q: &[S],
     reversed: bool,
 ) -> HingeTransform<S> {
     let geometry = kind.law().geometry(numbers, q);
-    if reversed { inwards(geometry) } else { outwards(geometry) }
+    if reversed { inward(geometry) } else { outward(geometry) }
 }
 
-fn outwards<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
-    let HingeGeometry { rotation, turn, offset, directions } = geometry;
+fn outward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
+    let HingeGeometry { rotation, axis_rotation, offset, columns } = geometry;
     let of = |d: SubspaceColumn<S>| OrientedColumn { on_child: d.on_outboard, motion: d.motion };
-    let directions = directions.into_iter().map(of).collect();
-    HingeTransform { rotation, turn, offset, directions, inwards: None }
+    let columns = columns.into_iter().map(of).collect();
+    HingeTransform { rotation, axis_rotation, offset, columns, outboard_offset: None }
 }
 
 /// The inboard frame moves against the outboard one by the opposite of what that does, seen at its
 /// own origin.
-fn inwards<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
-    let HingeGeometry { rotation, turn, offset, directions } = geometry;
+fn inward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
+    let HingeGeometry { rotation, axis_rotation, offset, columns } = geometry;
     let back = rotation.transposed() * offset;
     let of = |d: SubspaceColumn<S>| {
         let to_inboard = if d.on_outboard { -back } else { -offset };
-        let motion = d.motion.carried_to(to_inboard).scaled(-S::one());
+        let motion = d.motion.shifted_to(to_inboard).scaled(-S::one());
         OrientedColumn { on_child: !d.on_outboard, motion }
     };
     HingeTransform {
         rotation: rotation.transposed(),
-        turn: turn.map(AxisRotation::reversed),
+        axis_rotation: axis_rotation.map(AxisRotation::inverse),
         offset: -back,
-        directions: directions.into_iter().map(of).collect(),
-        inwards: Some(offset),
+        columns: columns.into_iter().map(of).collect(),
+        outboard_offset: Some(offset),
     }
 }
 
 impl<S: Scalar> HingeTransform<S> {
     /// Its rotation followed by the fixed one of the parent's side.
-    pub fn mounted_on(&self, side: Mat3<S>) -> Rotation<S> {
-        match self.turn {
-            Some(turn) if turns_stepwise(side) => Rotation::stepwise(side, turn),
-            _ => Rotation::general(side * self.rotation),
+    pub fn rotation_to_parent(&self, side: Mat3<S>) -> Rotation<S> {
+        match self.axis_rotation {
+            Some(turn) if rotates_in_steps(side) => Rotation::from_steps(side, turn),
+            _ => Rotation::from_matrix(side * self.rotation),
         }
     }
 
     /// `S`: the motions of the child against the parent for each rate, work axes.
     pub fn subspace(&self, axes: &ToWorkAxes<S>) -> Vec<Motion<S>> {
         let of = |d: &OrientedColumn<S>| {
-            d.motion.turned(if d.on_child { axes.from_child } else { axes.from_parent })
+            d.motion.rotated(if d.on_child { axes.child_to_work } else { axes.parent_to_work })
         };
-        self.directions.iter().map(of).collect()
+        self.columns.iter().map(of).collect()
     }
 
     /// `Ṡ q̇`, the acceleration that the rates alone make, seen from the parent, work axes.
@@ -97,20 +97,25 @@ impl<S: Scalar> HingeTransform<S> {
     /// Shifts are fixed on the inboard side; with the turning rates `ω_i`, `ω_o` of directions
     /// fixed on the two sides, outwards it is `[0; ω_i × ω_o]`. Inwards, seen from the outboard
     /// frame, the inboard origin at `−d` has besides `2 ω × ḋ − ω × (ω × d)`.
-    pub fn drift(&self, subspace: &[Motion<S>], rates: &[S], axes: &ToWorkAxes<S>) -> Motion<S> {
-        let turning = |on_child: bool| {
-            let all = subspace.iter().zip(&self.directions).zip(rates);
+    pub fn bias_acceleration(
+        &self,
+        subspace: &[Motion<S>],
+        rates: &[S],
+        axes: &ToWorkAxes<S>,
+    ) -> Motion<S> {
+        let angular_rate = |on_child: bool| {
+            let all = subspace.iter().zip(&self.columns).zip(rates);
             let chosen = all.filter(|((_, fixed), _)| fixed.on_child == on_child);
             chosen.fold(Vec3::zero(), |sum, ((motion, _), &rate)| sum + motion.angular * rate)
         };
-        let (on_parent, on_child) = (turning(false), turning(true));
-        let Some(offset) = self.inwards else {
+        let (on_parent, on_child) = (angular_rate(false), angular_rate(true));
+        let Some(offset) = self.outboard_offset else {
             return Motion { linear: Vec3::zero(), angular: on_parent.cross(on_child) };
         };
         // The inboard side is the child, and what turns here is it against the outboard one.
         let (inboard, outboard) = (-on_child, -on_parent);
         let (omega, bias) = (inboard + outboard, inboard.cross(outboard));
-        let offset = axes.from_child * offset;
+        let offset = axes.child_to_work * offset;
         let shift = omega.cross(offset) - combine(subspace.iter(), rates).linear;
         let linear =
             bias.cross(offset) + omega.cross(shift) * S::number(2.0) - offset.centripetal(omega);

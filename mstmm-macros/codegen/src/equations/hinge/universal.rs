@@ -4,8 +4,8 @@
 //! Coordinates: both angles in rad; `A = A_a(α) A_b(β)`. Aligned axes have one coordinate axis
 //! along the outboard one.
 
-use super::axis::{Alignment, turn_about};
-use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions};
+use super::axis::{Alignment, rotation_about};
+use super::law::{HingeLaw, rates_are_coordinate_rates, without_quaternions};
 use super::{HingeGeometry, StrainMap, SubspaceColumn};
 use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar, Vec3};
@@ -24,12 +24,12 @@ impl<S: Scalar> HingeLaw<S> for Universal<'_> {
     fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let outboard = Alignment::with(&self.axes[1], numbers);
         let first = inboard_axis(&self.axes[0], &outboard, numbers);
-        let rotation = first_turn(first, q[0].sin_cos()) * outboard.turn(q[1]).matrix();
+        let rotation = first_rotation(first, q[0].sin_cos()) * outboard.rotation_by(q[1]).matrix();
         HingeGeometry {
             rotation,
-            directions: vec![
-                SubspaceColumn::about(first),
-                SubspaceColumn::about(outboard.direction()).outboard(),
+            columns: vec![
+                SubspaceColumn::rotation(first),
+                SubspaceColumn::rotation(outboard.direction()).outboard(),
             ],
             ..HingeGeometry::fixed()
         }
@@ -40,15 +40,15 @@ impl<S: Scalar> HingeLaw<S> for Universal<'_> {
     }
 
     fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {
-        coordinates_change_by(v)
+        rates_are_coordinate_rates(v)
     }
 
     fn normalized(&self, q: &[S]) -> Vec<S> {
-        free_of_quaternions(q)
+        without_quaternions(q)
     }
 
     fn strains(&self, _: &[S]) -> StrainMap<S> {
-        StrainMap::change_by_rates(2)
+        StrainMap::identity(2)
     }
 }
 
@@ -61,11 +61,11 @@ fn inboard_axis<S: Scalar>(
     outboard.rotation.transposed() * numbers.unit(axis)
 }
 
-fn first_turn<S: Scalar>(axis: Vec3<S>, angle: (S, S)) -> Mat3<S> {
+fn first_rotation<S: Scalar>(axis: Vec3<S>, angle: (S, S)) -> Mat3<S> {
     let others = |k: usize| axis[(k + 1) % 3].vanishes() && axis[(k + 2) % 3].vanishes();
     match (0..3).find(|&k| others(k)) {
         // A unit vector along a coordinate axis is plus or minus that axis.
-        Some(k) => Mat3::turn_about(k, (angle.0 * axis[k], angle.1)),
-        None => turn_about(axis, angle),
+        Some(k) => Mat3::axis_rotation(k, (angle.0 * axis[k], angle.1)),
+        None => rotation_about(axis, angle),
     }
 }

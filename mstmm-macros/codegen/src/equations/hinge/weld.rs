@@ -1,6 +1,6 @@
 //! Weld: joins two frames for good.
 
-use super::law::{HingeLaw, coordinates_change_by, free_of_quaternions, own_axes};
+use super::law::{HingeLaw, identity_alignment, rates_are_coordinate_rates, without_quaternions};
 use super::{HingeGeometry, StrainMap};
 use crate::equations::SymbolValues;
 use crate::math::{Mat3, Scalar};
@@ -16,18 +16,18 @@ impl<S: Scalar> HingeLaw<S> for Weld {
     }
 
     fn alignment(&self, _: &SymbolValues<S>) -> Mat3<S> {
-        own_axes()
+        identity_alignment()
     }
 
     fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {
-        coordinates_change_by(v)
+        rates_are_coordinate_rates(v)
     }
 
     fn normalized(&self, q: &[S]) -> Vec<S> {
-        free_of_quaternions(q)
+        without_quaternions(q)
     }
 
     fn strains(&self, _: &[S]) -> StrainMap<S> {
-        StrainMap::change_by_rates(0)
+        StrainMap::identity(0)
     }
 }

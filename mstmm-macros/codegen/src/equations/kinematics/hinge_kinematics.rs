@@ -11,7 +11,7 @@ use crate::model::HingeId;
 #[derive(Clone, Debug)]
 pub struct HingeKinematics<S> {
     /// The hinge.
-    pub hinge: HingeId,
+    pub id: HingeId,
     /// Its name.
     pub name: String,
     /// Work axes to those of the parent.
@@ -23,9 +23,9 @@ pub struct HingeKinematics<S> {
     /// `S`, the motion of the child against the parent for each rate.
     pub subspace: Vec<Motion<S>>,
     /// The same in aligned child axes of the hinge, where it has most zeros.
-    pub aligned: Vec<Motion<S>>,
+    pub aligned_subspace: Vec<Motion<S>>,
     /// What the hinge leaves free.
-    pub freedom: SubspaceBasis<S>,
+    pub basis: SubspaceBasis<S>,
     /// What acts along its free directions of itself.
     pub passives: PassiveElements<S>,
     /// Efforts of motor and passive elements, one for each rate.
@@ -33,11 +33,11 @@ pub struct HingeKinematics<S> {
     /// Angular velocity of the parent, in the parent's work axes.
     pub parent_omega: Vec3<S>,
     /// Motion against the parent, at the point.
-    pub relative: Motion<S>,
+    pub relative_velocity: Motion<S>,
     /// What joins the acceleration of the point on the way from the parent's.
-    pub drift: BiasAcceleration<S>,
+    pub bias_acceleration: BiasAcceleration<S>,
     /// Aligned child axes of the hinge to work axes.
-    pub from_child: Mat3<S>,
+    pub child_to_work: Mat3<S>,
 }
 
 /// What velocities and prescribed accelerations add to the acceleration of a point on the way from
@@ -52,108 +52,115 @@ pub struct BiasAcceleration<S> {
 
 impl<S: Scalar> BiasAcceleration<S> {
     /// Nothing joins.
-    pub fn none() -> Self {
+    pub fn zero() -> Self {
         BiasAcceleration { on_parent: Vec3::zero(), in_hinge: Motion::zero() }
     }
 
     /// Power of a wrench on it, in the hinge's work axes, which `to_parent` leads to those of the
     /// parent.
     pub fn power(self, to_parent: &Rotation<S>, wrench: Wrench<S>) -> S {
-        self.in_hinge.power(wrench) + self.on_parent.dot(to_parent.of_vector(wrench.force))
+        self.in_hinge.power(wrench) + self.on_parent.dot(to_parent.rotate(wrench.force))
     }
 }
 
 impl<S: Scalar> HingeKinematics<S> {
     /// The part of the parent's motion, or acceleration, that comes over to the point.
-    pub fn carried(&self, parent: Motion<S>) -> Motion<S> {
-        parent.carried_to(self.arm).turned_back(&self.to_parent)
+    pub fn motion_from_parent(&self, parent: Motion<S>) -> Motion<S> {
+        parent.shifted_to(self.arm).rotated_back(&self.to_parent)
     }
 
     /// The same with what joins on the way.
-    pub fn carried_with(&self, parent: Motion<S>, drift: BiasAcceleration<S>) -> Motion<S> {
-        let Motion { linear, angular } = parent.carried_to(self.arm);
-        let at_hinge = Motion { linear: linear + drift.on_parent, angular };
-        at_hinge.turned_back(&self.to_parent) + drift.in_hinge
+    pub fn acceleration_from_parent(
+        &self,
+        parent: Motion<S>,
+        bias: BiasAcceleration<S>,
+    ) -> Motion<S> {
+        let Motion { linear, angular } = parent.shifted_to(self.arm);
+        let at_hinge = Motion { linear: linear + bias.on_parent, angular };
+        at_hinge.rotated_back(&self.to_parent) + bias.in_hinge
     }
 
     /// Whether its sides are one point in all that the hinge does.
-    pub fn keeps_the_point(&self) -> bool {
-        let none = |vector: Vec3<S>| vector.0.iter().all(|entry| entry.vanishes());
-        let shifts = self.subspace.iter().any(|motion| !none(motion.linear));
-        !shifts && none(self.offset) && none(self.drift.in_hinge.linear)
+    pub fn is_concentric(&self) -> bool {
+        let vanishes = |vector: Vec3<S>| vector.0.iter().all(|entry| entry.vanishes());
+        let translates = self.subspace.iter().any(|motion| !vanishes(motion.linear));
+        !translates && vanishes(self.offset) && vanishes(self.bias_acceleration.in_hinge.linear)
     }
 
     /// A wrench on the child at the point, as one at the parent's point in its work axes.
-    pub fn returned(&self, wrench: Wrench<S>) -> Wrench<S> {
-        wrench.turned(&self.to_parent).moved_from(self.arm)
+    pub fn wrench_to_parent(&self, wrench: Wrench<S>) -> Wrench<S> {
+        wrench.rotated(&self.to_parent).shifted_from(self.arm)
     }
 }
 
 /// Crosses a hinge from the side of `parent`.
-pub fn cross<S: Scalar>(
-    situation: &EvalContext<S>,
+pub fn hinge_kinematics<S: Scalar>(
+    context: &EvalContext<S>,
     axes: Axes,
     (index, reversed): (HingeId, bool),
     parent: &PartKinematics<S>,
 ) -> HingeKinematics<S> {
-    let numbers = situation.numbers;
-    let hinge = &situation.chain.hinges[index];
+    let numbers = context.numbers;
+    let hinge = &context.chain.hinges[index];
     let from = if reversed { &hinge.outboard } else { &hinge.inboard };
-    let (_, from_origin, from_rotation) = situation.place(from);
-    let (q, v) = (situation.coordinates(index), situation.rates(index));
-    let crossing = hinge::crossing(&hinge.kind, numbers, q, reversed);
+    let (_, from_origin, from_rotation) = context.place(from);
+    let (q, v) = (context.coordinates(index), context.rates(index));
+    let transform = hinge::hinge_transform(&hinge.kind, numbers, q, reversed);
     let alignment = hinge.kind.law().alignment(numbers);
-    let &PartKinematics { attitude, point, omega } = parent;
-    let from_parent_side = attitude * (from_rotation * alignment);
-    let of_child =
-        ToWorkAxes { from_parent: crossing.rotation.transposed(), from_child: Mat3::identity() };
+    let &PartKinematics { part_to_work, point, omega } = parent;
+    let from_parent_side = part_to_work * (from_rotation * alignment);
+    let of_child = ToWorkAxes {
+        parent_to_work: transform.rotation.transposed(),
+        child_to_work: Mat3::identity(),
+    };
     let (to_parent, work) = match axes {
-        Axes::Body => (crossing.mounted_on(from_parent_side), of_child),
+        Axes::Body => (transform.rotation_to_parent(from_parent_side), of_child),
         Axes::Inertial => (
-            Rotation::general(Mat3::identity()),
+            Rotation::from_matrix(Mat3::identity()),
             ToWorkAxes {
-                from_parent: from_parent_side,
-                from_child: from_parent_side * crossing.rotation,
+                parent_to_work: from_parent_side,
+                child_to_work: from_parent_side * transform.rotation,
             },
         ),
     };
-    let offset = from_parent_side * crossing.offset;
-    let arm = attitude * (from_origin - point) + offset;
-    let subspace = crossing.subspace(&work);
-    let relative = hinge::combine(subspace.iter(), v);
-    let own_drift = crossing.drift(&subspace, v, &work);
-    let mut in_hinge = own_drift + hinge_drift(to_parent.back(omega), relative);
+    let offset = from_parent_side * transform.offset;
+    let arm = part_to_work * (from_origin - point) + offset;
+    let subspace = transform.subspace(&work);
+    let relative_velocity = hinge::combine(subspace.iter(), v);
+    let hinge_bias = transform.bias_acceleration(&subspace, v, &work);
+    let mut in_hinge =
+        hinge_bias + coriolis_acceleration(to_parent.rotate_back(omega), relative_velocity);
     let on_parent = arm.centripetal_by_products(omega);
-    let passives = hinge::passives(hinge, numbers, q, v, situation.implicit);
-    let freedom = match situation.prescribed_accelerations(index) {
+    let passives = hinge::passive_elements(hinge, numbers, q, v, context.implicit);
+    let basis = match context.prescribed_accelerations(index) {
         Some(accelerations) => {
             in_hinge = in_hinge + hinge::combine(subspace.iter(), accelerations);
-            hinge::prescribed()
+            hinge::empty_basis()
         }
-        None => hinge::freedom(&subspace, &passives.strains, &passives.inertias),
+        None => hinge::subspace_basis(&subspace, &passives.strains, &passives.inertias),
     };
-    let motor = situation.motor(index);
+    let motor = context.actuator_efforts(index);
     let efforts = motor.iter().zip(&passives.efforts).map(|(&motor, &own)| motor + own).collect();
     HingeKinematics {
-        hinge: index,
+        id: index,
         name: hinge.name.to_string(),
         to_parent,
         arm,
         offset,
         subspace,
-        aligned: crossing.subspace(&of_child),
-        freedom,
+        aligned_subspace: transform.subspace(&of_child),
+        basis,
         passives,
         efforts,
         parent_omega: omega,
-        relative,
-        drift: BiasAcceleration { on_parent, in_hinge },
-        from_child: work.from_child,
+        relative_velocity,
+        bias_acceleration: BiasAcceleration { on_parent, in_hinge },
+        child_to_work: work.child_to_work,
     }
 }
 
 /// `[2 Ω_p × v_rel; Ω_p × ω_rel]`, as in [P, Eqs. (13), (36)].
-fn hinge_drift<S: Scalar>(parent_omega: Vec3<S>, relative: Motion<S>) -> Motion<S> {
+fn coriolis_acceleration<S: Scalar>(parent_omega: Vec3<S>, relative: Motion<S>) -> Motion<S> {
     Motion {
         linear: parent_omega.cross(relative.linear) * S::number(2.0),
         angular: parent_omega.cross(relative.angular),

@@ -17,7 +17,7 @@
 mod hinge_kinematics;
 mod pose;
 
-pub use hinge_kinematics::{BiasAcceleration, HingeKinematics, cross};
+pub use hinge_kinematics::{BiasAcceleration, HingeKinematics, hinge_kinematics};
 pub use pose::{Pose, poses};
 
 use super::strategy::Axes;
@@ -33,13 +33,13 @@ pub struct LinkKinematics<S> {
     /// The name of the part's first body.
     pub name: String,
     /// The hinge that it hangs on.
-    pub over: HingeKinematics<S>,
+    pub hinge: HingeKinematics<S>,
     /// Index of the link of the part that it hangs on; none if that is the ground.
     pub parent: Option<LinkId>,
     /// Where its point lies, in its own frame.
     pub point: Vec3<S>,
     /// Its frame's axes to work axes.
-    pub attitude: Mat3<S>,
+    pub part_to_work: Mat3<S>,
     /// Angular velocity `Ω`.
     pub omega: Vec3<S>,
     /// Mass.
@@ -54,7 +54,7 @@ pub struct LinkKinematics<S> {
 #[derive(Clone, Copy, Debug)]
 pub struct PartKinematics<S> {
     /// Axes of the part's frame to work axes.
-    pub attitude: Mat3<S>,
+    pub part_to_work: Mat3<S>,
     /// Where its point lies, in its own frame.
     pub point: Vec3<S>,
     /// Angular velocity `Ω`, work axes.
@@ -65,65 +65,67 @@ impl<S: Scalar> PartKinematics<S> {
     /// The ground is at rest.
     pub fn ground() -> Self {
         let (point, omega) = (Vec3::zero(), Vec3::zero());
-        PartKinematics { attitude: Mat3::identity(), point, omega }
+        PartKinematics { part_to_work: Mat3::identity(), point, omega }
     }
 }
 
 impl<S: Scalar> Flatten<S> for PartKinematics<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
-        let attitude = self.attitude.visit(replace);
-        PartKinematics { attitude, omega: self.omega.visit(replace), ..self }
+        let part_to_work = self.part_to_work.visit(replace);
+        PartKinematics { part_to_work, omega: self.omega.visit(replace), ..self }
     }
 }
 
 impl<S: Scalar> LinkKinematics<S> {
     /// The motion of its part.
     pub fn part(&self) -> PartKinematics<S> {
-        PartKinematics { attitude: self.attitude, point: self.point, omega: self.omega }
+        PartKinematics { part_to_work: self.part_to_work, point: self.point, omega: self.omega }
     }
 
     /// The inertia that links `a` and `F` at the point.
-    pub fn rigid(&self) -> SpatialInertia<S> {
+    pub fn spatial_inertia(&self) -> SpatialInertia<S> {
         SpatialInertia::rigid(self.mass, self.moment, self.inertia)
     }
 
     /// The load that the velocities take: `[m Ω̃Ω̃ r_C; Ω × J Ω]`, of [P, Eq. (20)] `−E_5` and,
     /// about the point, the gyroscopic part of `E_9`.
-    pub fn velocity_load(&self) -> Wrench<S> {
+    pub fn velocity_wrench(&self) -> Wrench<S> {
         let moment = self.inertia.gyroscopic(self.omega);
         Wrench { force: self.moment.centripetal_by_products(self.omega), moment }
-    }
-
-    /// The moment that turning takes about a point at rest: `J Ω̇ + Ω × J Ω`.
-    pub fn turning_load(&self, acceleration: Vec3<S>) -> Vec3<S> {
-        self.inertia * acceleration + self.inertia.gyroscopic(self.omega)
     }
 }
 
 /// All links, from the ground outwards.
-pub fn motion<S: Scalar>(
-    situation: &EvalContext<S>,
+pub fn kinematics<S: Scalar>(
+    context: &EvalContext<S>,
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> PerLink<LinkKinematics<S>> {
-    let (parts, links) = situation.tree.outward(PartKinematics::ground(), |index, parent| {
-        let next = link_motion(situation, axes, &situation.layout.links[index], parent);
-        let name = &next.over.name;
+    let (parts, links) = context.tree.outward(PartKinematics::ground(), |index, parent| {
+        let next = link_kinematics(context, axes, &context.layout.links[index], parent);
+        let name = &next.hinge.name;
         trace.section(
             format!("{name}_kinematics"),
             format!("Motion across `{name}`"),
             "[P, Eqs. (1), (13), (36)]",
         );
-        trace.matrix(&format!("{name}_turn"), next.over.to_parent.matrix());
-        trace.matrix(&format!("{name}_axes"), next.attitude);
+        trace.matrix(&format!("{name}_turn"), next.hinge.to_parent.matrix());
+        trace.matrix(&format!("{name}_axes"), next.part_to_work);
         trace.vector(&format!("{name}_omega"), next.omega);
-        trace.vector(&format!("{name}_centripetal"), next.over.drift.on_parent);
-        trace.motion(&format!("{name}_drift"), next.over.drift.in_hinge);
+        trace.vector(&format!("{name}_centripetal"), next.hinge.bias_acceleration.on_parent);
+        trace.motion(&format!("{name}_drift"), next.hinge.bias_acceleration.in_hinge);
         trace.rigid_body(&next.name, next.mass, next.moment, next.inertia);
-        (PartKinematics { attitude: next.attitude, point: next.point, omega: next.omega }, next)
+        (
+            PartKinematics {
+                part_to_work: next.part_to_work,
+                point: next.point,
+                omega: next.omega,
+            },
+            next,
+        )
     });
     let beyond = |(link, part): (LinkKinematics<S>, PartKinematics<S>)| LinkKinematics {
-        attitude: part.attitude,
+        part_to_work: part.part_to_work,
         omega: part.omega,
         ..link
     };
@@ -131,29 +133,29 @@ pub fn motion<S: Scalar>(
 }
 
 /// Crosses the hinge of `link` and comes to its part.
-fn link_motion<S: Scalar>(
-    situation: &EvalContext<S>,
+fn link_kinematics<S: Scalar>(
+    context: &EvalContext<S>,
     axes: Axes,
     link: &Link,
     parent: &PartKinematics<S>,
 ) -> LinkKinematics<S> {
-    let over = cross(situation, axes, (link.hinge, link.reversed), parent);
-    let (_, to) = sides(situation.chain, link);
-    let (_, point, rotation) = situation.place(to);
-    let alignment = situation.chain.hinges[link.hinge].kind.law().alignment(situation.numbers);
-    let attitude = over.from_child * (rotation * alignment).transposed();
-    let carried = over.to_parent.back(parent.omega);
-    let rigid = rigid_part(situation, link, to, point);
+    let hinge = hinge_kinematics(context, axes, (link.hinge, link.reversed), parent);
+    let (_, to) = attachments(context.chain, link);
+    let (_, point, rotation) = context.place(to);
+    let alignment = context.chain.hinges[link.hinge].kind.law().alignment(context.numbers);
+    let part_to_work = hinge.child_to_work * (rotation * alignment).transposed();
+    let carried = hinge.to_parent.rotate_back(parent.omega);
+    let rigid = rigid_inertia(context, link, to, point);
     LinkKinematics {
-        name: situation.chain.bodies[link.body].name.to_string(),
+        name: context.chain.bodies[link.body].name.to_string(),
         parent: link.parent,
         point,
-        attitude,
-        omega: carried + over.relative.angular,
+        part_to_work,
+        omega: carried + hinge.relative_velocity.angular,
         mass: rigid.mass,
-        moment: attitude * rigid.moment,
-        inertia: attitude.rotated(rigid.inertia),
-        over,
+        moment: part_to_work * rigid.moment,
+        inertia: part_to_work.rotate_tensor(rigid.inertia),
+        hinge,
     }
 }
 
@@ -164,18 +166,18 @@ struct RigidInertia<S> {
     inertia: Sym3<S>,
 }
 
-fn rigid_part<S: Scalar>(
-    situation: &EvalContext<S>,
+fn rigid_inertia<S: Scalar>(
+    context: &EvalContext<S>,
     link: &Link,
     to: &Attachment,
     point: Vec3<S>,
 ) -> RigidInertia<S> {
-    let numbers = situation.numbers;
+    let numbers = context.numbers;
     let mut all =
         RigidInertia { mass: S::zero(), moment: Vec3::zero(), inertia: Sym3([S::zero(); 6]) };
     for &member in &link.members {
-        let body = &situation.chain.bodies[member];
-        let (origin, rotation) = situation.frame(member);
+        let body = &context.chain.bodies[member];
+        let (origin, rotation) = context.frame(member);
         // The point as seen from the member.
         let seen = rotation.transposed() * (point - origin);
         let mass = numbers.scalar(&body.mass);
@@ -185,13 +187,13 @@ fn rigid_part<S: Scalar>(
         };
         all.mass = all.mass + mass;
         all.moment = all.moment + rotation * ((numbers.vector(&body.com) - seen) * mass);
-        all.inertia = all.inertia + rotation.rotated(inertia);
+        all.inertia = all.inertia + rotation.rotate_tensor(inertia);
     }
     all
 }
 
 /// The places of a link's hinge: the parent's, then the child's.
-pub(super) fn sides<'a>(chain: &'a Chain, link: &Link) -> (&'a Attachment, &'a Attachment) {
+pub(super) fn attachments<'a>(chain: &'a Chain, link: &Link) -> (&'a Attachment, &'a Attachment) {
     let Hinge { inboard, outboard, .. } = &chain.hinges[link.hinge];
     if link.reversed { (outboard, inboard) } else { (inboard, outboard) }
 }

@@ -33,16 +33,16 @@ impl<S: Scalar> Flatten<S> for Pose<S> {
 
 /// Where all links are [P, Eq. (12)].
 pub fn poses<S: Scalar>(
-    situation: &EvalContext<S>,
+    context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
 ) -> PerLink<Pose<S>> {
-    let (poses, _) = situation.tree.outward(Pose::ground(), |index, from| {
-        let over = &links[index].over;
-        let carried = from.velocity + over.parent_omega.cross(over.arm);
+    let (poses, _) = context.tree.outward(Pose::ground(), |index, from| {
+        let hinge = &links[index].hinge;
+        let carried = from.velocity + hinge.parent_omega.cross(hinge.arm);
         let pose = Pose {
-            position: from.position + from.to_inertial * over.arm,
-            to_inertial: from.to_inertial * over.to_parent.matrix(),
-            velocity: over.to_parent.back(carried) + over.relative.linear,
+            position: from.position + from.to_inertial * hinge.arm,
+            to_inertial: from.to_inertial * hinge.to_parent.matrix(),
+            velocity: hinge.to_parent.rotate_back(carried) + hinge.relative_velocity.linear,
         };
         (pose, ())
     });

@@ -42,21 +42,23 @@ impl<S: Scalar> ArticulatedBody<S> {
     /// Over the link's hinge to the point of the parent, in its work axes: `Iᴬ + Xᵀ Iᴬ X`,
     /// `pᴬ + Xᵀ (pᴬ + Iᴬ b)` with the bias acceleration `b` of the hinge, `Tᴬ + Xᵀ Tᴬ`.
     pub fn add_to_parent(self, problem: &MotionProblem<S>, link: LinkId, parent: &mut Self) {
-        let over = &problem.links[link].over;
+        let hinge = &problem.links[link].hinge;
         let mass = self.inertia.linear.trace() + problem.given_mass(link) * S::number(3.0);
         parent.scales.0 = parent.scales.0 + mass;
-        parent.scales.1 = parent.scales.1 + mass * over.arm.dot(over.arm);
+        parent.scales.1 = parent.scales.1 + mass * hinge.arm.dot(hinge.arm);
         let BiasAcceleration { on_parent, in_hinge } = problem.drift[link];
-        let bias = (self.bias + self.inertia.times(in_hinge)).turned(&over.to_parent);
-        let inertia = over
-            .to_parent
-            .of_inertia(&self.inertia, strategy::plane_formula(&over.to_parent, &self.inertia));
+        let bias = (self.bias + self.inertia.times(in_hinge)).rotated(&hinge.to_parent);
+        let inertia = hinge.to_parent.rotate_inertia(
+            &self.inertia,
+            strategy::plane_formula(&hinge.to_parent, &self.inertia),
+        );
         let bias = bias + inertia.times(Motion { linear: on_parent, angular: Vec3::zero() });
-        parent.inertia = parent.inertia + inertia.moved_from(over.arm);
-        parent.bias = parent.bias + bias.moved_from(over.arm);
-        parent.reach = parent.reach + self.reach + over.arm.dot(over.arm);
+        parent.inertia = parent.inertia + inertia.shifted_from(hinge.arm);
+        parent.bias = parent.bias + bias.shifted_from(hinge.arm);
+        parent.reach = parent.reach + self.reach + hinge.arm.dot(hinge.arm);
         if self.open.is_some() {
-            parent.columns = self.columns.iter().map(|&column| over.returned(column)).collect();
+            parent.columns =
+                self.columns.iter().map(|&column| hinge.wrench_to_parent(column)).collect();
         }
         parent.hold(self.open);
     }

@@ -94,7 +94,7 @@ impl<S: Scalar> ArticulatedBody<S> {
         let size = |column: &Wrench<S>| {
             let force = column.force.dot(column.force);
             let moment = column.moment.dot(column.moment) + force * self.reach;
-            condition.column.scale(force, moment)
+            condition.column.pivot_scale(force, moment)
         };
         let sizes = self.columns.iter().map(size).collect();
         for (column, &t) in self.columns.iter_mut().zip(&t) {

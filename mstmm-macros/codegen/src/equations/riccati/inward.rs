@@ -26,29 +26,29 @@ pub struct InwardSweep<S> {
 /// From the free ends to the ground.
 pub fn reduce<S: Scalar>(problem: &MotionProblem<S>, trace: &mut Trace<S>) -> InwardSweep<S> {
     let step = |link: LinkId, mut here: ArticulatedBody<S>, parent: &mut ArticulatedBody<S>| {
-        let over = &problem.links[link].over;
+        let hinge = &problem.links[link].hinge;
         trace.section(
-            format!("{}_riccati", over.name),
-            format!("Riccati transfer over `{}`", over.name),
+            format!("{}_riccati", hinge.name),
+            format!("Riccati transfer over `{}`", hinge.name),
             "F = I a + p, [P, Eqs. (18), (19), (25), (35)]",
         );
-        trace.inertia(&format!("{}_articulated", over.name), here.inertia);
-        trace.wrench(&format!("{}_bias", over.name), here.bias);
+        trace.inertia(&format!("{}_articulated", hinge.name), here.inertia);
+        trace.wrench(&format!("{}_bias", hinge.name), here.bias);
         for (number, &column) in here.columns.iter().enumerate() {
-            trace.wrench(&format!("{}_column{number}", over.name), column);
+            trace.wrench(&format!("{}_column{number}", hinge.name), column);
         }
-        let conditions = conditions(over, &problem.efforts[link]);
+        let conditions = conditions(hinge, &problem.efforts[link]);
         let steps = eliminate(&mut here, &conditions);
         if let Some(open) = &mut here.open {
             open.add_directions(&steps, problem.tree.is_repeated(link));
-            open.add_drift(problem.drift[link], over, &here.columns);
+            open.add_drift(problem.drift[link], hinge, &here.columns);
         }
         let pivots = pivots(link, &here, &conditions, &steps);
-        record(trace, &over.name, &steps, &pivots);
+        record(trace, &hinge.name, &steps, &pivots);
         let relation = AffineWrench { inertia: here.inertia, bias: here.bias };
         match problem.links[link].parent {
             Some(_) => here.add_to_parent(problem, link, parent),
-            None => parent.hold(here.on_ground(over.carried(problem.ground))),
+            None => parent.hold(here.on_ground(hinge.motion_from_parent(problem.ground))),
         }
         (steps, pivots, relation)
     };
@@ -73,19 +73,19 @@ fn own<S: Scalar>(problem: &MotionProblem<S>) -> PerLink<ArticulatedBody<S>> {
     };
     let mut all: PerLink<ArticulatedBody<S>> = problem.loads.enumerate().map(of).collect();
     if let (Some(demand), Some((link, columns))) = (&problem.closing, problem.pulls()) {
-        let over = &demand.closing.over;
-        all[link].bias = all[link].bias + over.returned(demand.given);
+        let hinge = &demand.closing.hinge;
+        all[link].bias = all[link].bias + hinge.wrench_to_parent(demand.given);
         all[link].open = Some(LoopSums::new(columns.len()));
         all[link].columns = columns;
-        all[link].reach = over.arm.dot(over.arm);
+        all[link].reach = hinge.arm.dot(hinge.arm);
     }
     all
 }
 
 /// The free directions of a hinge with their efforts.
-fn conditions<S: Scalar>(over: &HingeKinematics<S>, efforts: &[S]) -> Vec<HingeDof<S>> {
-    let given = efforts.iter().zip(&over.freedom.armature);
-    let columns = over.freedom.columns.iter().zip(given);
+fn conditions<S: Scalar>(hinge: &HingeKinematics<S>, efforts: &[S]) -> Vec<HingeDof<S>> {
+    let given = efforts.iter().zip(&hinge.basis.armature);
+    let columns = hinge.basis.columns.iter().zip(given);
     columns.map(|(&column, (&effort, &armature))| HingeDof { column, effort, armature }).collect()
 }
 
@@ -98,7 +98,7 @@ fn pivots<S: Scalar>(
 ) -> Vec<HingePivot<S>> {
     let (mass, moment) = here.scales;
     let of = |(condition, step): (&HingeDof<S>, &EliminatedDof<S>)| {
-        let scale = condition.column.scale(mass, moment) + condition.armature;
+        let scale = condition.column.pivot_scale(mass, moment) + condition.armature;
         HingePivot { link, value: step.pivot, scale }
     };
     conditions.iter().zip(steps).map(of).collect()

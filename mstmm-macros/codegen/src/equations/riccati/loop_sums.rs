@@ -58,11 +58,11 @@ impl<S: Scalar> LoopSums<S> {
     pub fn add_drift(
         &mut self,
         drift: BiasAcceleration<S>,
-        over: &HingeKinematics<S>,
+        hinge: &HingeKinematics<S>,
         columns: &[Wrench<S>],
     ) {
         for (gamma, column) in self.gamma.iter_mut().zip(columns) {
-            *gamma = *gamma + drift.power(&over.to_parent, *column);
+            *gamma = *gamma + drift.power(&hinge.to_parent, *column);
         }
     }
 

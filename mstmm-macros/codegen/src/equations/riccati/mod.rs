@@ -85,7 +85,7 @@ pub fn reduced<S: Scalar>(
         "the pivots of the Riccati transfer",
     );
     for pivot in &pivots {
-        trace.number(format!("{}_d", problem.links[pivot.link].over.name), pivot.value);
+        trace.number(format!("{}_d", problem.links[pivot.link].hinge.name), pivot.value);
     }
     let closure = loop_sums::close(problem, open, trace);
     (pivots, closure, relations)

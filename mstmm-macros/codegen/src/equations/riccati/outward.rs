@@ -15,20 +15,20 @@ pub(super) fn recover<S: Scalar>(
     trace: &mut Trace<S>,
 ) -> (PerLink<Vec<S>>, PerLink<Motion<S>>) {
     let (points, amounts) = problem.tree.outward(problem.ground, |link, &parent| {
-        let over = &problem.links[link].over;
+        let hinge = &problem.links[link].hinge;
         trace.section(
-            format!("{}_acceleration", over.name),
-            format!("Acceleration of `{}`", over.name),
+            format!("{}_acceleration", hinge.name),
+            format!("Acceleration of `{}`", hinge.name),
             "[P, Eqs. (13), (36), (44)]",
         );
-        let carried = problem.carried(link, parent);
+        let carried = problem.motion_from_parent(link, parent);
         let (amounts, acceleration) = match &eliminated[link][..] {
             [step @ EliminatedDof { waiting: Some(axis), .. }] => {
                 advance_early(problem, link, (parent, carried), step, *axis)
             }
-            steps => advance(carried, steps, &over.freedom.armature),
+            steps => advance(carried, steps, &hinge.basis.armature),
         };
-        trace.motion(&format!("{}_a", over.name), acceleration);
+        trace.motion(&format!("{}_a", hinge.name), acceleration);
         (acceleration, amounts)
     });
     (amounts, points)
@@ -48,7 +48,7 @@ fn advance<S: Scalar>(
             // The new component follows without the old one, which then matters to `v̇` alone.
             BasisVector::Axis(axis) if armature.vanishes() => {
                 let new = step.rest - before.power(step.gain_beside(axis));
-                acceleration = before.with(axis, new);
+                acceleration = before.with_entry(axis, new);
                 new - before.at(axis)
             }
             column => {
@@ -72,10 +72,10 @@ fn advance_early<S: Scalar>(
     axis: usize,
 ) -> (Vec<S>, Motion<S>) {
     let gain = step.gain_beside(axis);
-    let over = &problem.links[link].over;
-    let rest = step.rest - problem.drift[link].power(&over.to_parent, gain);
-    let new = rest - parent.power(over.returned(gain));
-    (vec![new - carried.at(axis)], carried.with(axis, new))
+    let hinge = &problem.links[link].hinge;
+    let rest = step.rest - problem.drift[link].power(&hinge.to_parent, gain);
+    let new = rest - parent.power(hinge.wrench_to_parent(gain));
+    (vec![new - carried.at(axis)], carried.with_entry(axis, new))
 }
 
 #[cfg(test)]
