@@ -11,14 +11,14 @@ use super::{ahead, attribute, branch, field, number, recover, route, route_item}
 use crate::diag::{Diagnostics, did_you_mean, nearest};
 
 /// The words that blocks begin with.
-const BLOCKS: &[(&str, BlockKeyword)] = &[
+pub(super) const BLOCKS: &[(&str, BlockKeyword)] = &[
     ("body", BlockKeyword::Body),
     ("hinge", BlockKeyword::Hinge),
     ("load", BlockKeyword::Load),
     ("spring", BlockKeyword::Spring),
 ];
 /// The words that may stand before `chain`.
-const DIMENSIONS: &[(&str, DimensionKeyword)] = &[
+pub(super) const DIMENSIONS: &[(&str, DimensionKeyword)] = &[
     ("space", DimensionKeyword::Space),
     ("plane", DimensionKeyword::Plane),
     ("line", DimensionKeyword::Line),

@@ -1,27 +1,10 @@
-//! What was written, with spans: parse errors only, no meaning.
+//! Parses a description into a syntax tree with spans. Only the grammar is checked here, not the meaning.
 //!
-//! ```text
-//! chain  := attributes visibility [`space` | `plane` | `line`] `chain` Name `{` item* `}`
-//! item   := `gravity` `=` value `;`  |  `method` `=` word `;`  |  `param` name `=` number `;`
-//!         | (`body` | `hinge` | `load` | `spring`) name,… `{` (field | point)* `}`  |  route `;`
-//! field  := name `=` value `;`
-//! point  := `point` name `=` value `;`
-//! value  := position [`turned` turn] | number `about` word | form
-//! position := number | vector
-//! turn   := number | form
-//! route  := (stop | repeat) (`->` (stop | repeat))*
-//! repeat := `repeat` integer `{` stop (`->` stop)* `}`
-//! stop   := `ground` [`at` position] [`turned` turn] | `moving` name
-//!         | word [`(` value,… `)`] [name]
-//! vector := `[` number,… `]` [unit]
-//! form   := word `(` number,… `)` [unit] [`about` word]
-//!         | `matrix` `(` `[` number,… `]`,… `)` [unit] [`about` word]
-//! number := product ((`+` | `-`) product)*
-//! product := factor ((`*` | `/`) factor)* [unit]
-//! factor := `-`* primary [`^` integer]
-//! primary := literal | name | path | function `(` number,… `)` | `(` number `)`
-//! unit   := symbol [`^` integer] ((`*` | `/`) symbol [`^` integer])*
-//! ```
+//! In this grammar `[…]` is optional, `…*` may be repeated any number of times or omitted, and text in quotes is written
+//! literally. The reference of the language has the same grammar; a test compares the two. The parser reads more than the
+//! grammar has, so that one build reports all errors.
+//!
+#![doc = include_str!("grammar.md")]
 
 mod ahead;
 mod attribute;
@@ -115,4 +98,13 @@ fn tell_apart(chains: &[ChainSyntax], diagnostics: &mut Diagnostics) {
 fn types_of_results(chain: &ChainSyntax) -> impl Iterator<Item = String> {
     let bodies = chain.blocks.iter().filter(|block| !block.points.is_empty());
     bodies.flat_map(|block| &block.names).map(|name| format!("{}{name}Result", chain.name))
+}
+
+/// Returns the keywords of the tables of the parser.
+#[cfg(test)]
+pub(crate) fn keywords() -> Vec<&'static str> {
+    let blocks = chain::BLOCKS.iter().map(|(word, _)| *word);
+    let dimensions = chain::DIMENSIONS.iter().map(|(word, _)| *word);
+    let lists = [ahead::ITEMS, SETTINGS, FORMS, FUNCTIONS, route_item::AXES].concat();
+    blocks.chain(dimensions).chain(lists).collect()
 }

@@ -10,7 +10,7 @@ use super::value;
 use crate::diag::Diagnostics;
 
 /// Words that belong in parentheses behind the kind of a hinge.
-const AXES: &[&str] = &["x", "y", "z"];
+pub(super) const AXES: &[&str] = &["x", "y", "z"];
 
 /// A stop.
 pub(super) fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<RouteItemSyntax> {

@@ -11,7 +11,7 @@ use crate::model::{About, Dimension, Frame, Inertia, NamedPoint, Value};
 use crate::syntax::{BlockKeyword, BlockSyntax, ChainSyntax, FieldSyntax, SpanRange, ValueSyntax};
 
 /// The fields of a type of body.
-const FIELDS: &[&str] = &["mass", "com", "inertia", "output"];
+pub(super) const FIELDS: &[&str] = &["mass", "com", "inertia", "output"];
 /// Its fields in a line chain, where nothing turns.
 const LINE_FIELDS: &[&str] = &["mass", "com", "output"];
 

@@ -16,16 +16,17 @@ use crate::syntax::{
 };
 
 /// The fields of a load.
-const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"];
+pub(super) const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"];
 /// In a line chain nothing turns.
 const LINE_LOAD_FIELDS: &[&str] = &["on", "at", "force"];
-const SPRING_FIELDS: &[&str] = &["on", "at", "to", "stiffness", "damping", "length"];
+pub(super) const SPRING_FIELDS: &[&str] = &["on", "at", "to", "stiffness", "damping", "length"];
 /// The message for a spring between two bodies.
 const BETWEEN_BODIES: &str = "a spring joins a body to the ground: between two bodies write two loads \
                               with `force = input`, and give them opposite forces at each step";
 /// The points that every body has.
 pub(crate) const POINTS: &[&str] = &["input", "output", "com"];
-const AXES: &[(&str, LoadAxes)] = &[("inertial", LoadAxes::Inertial), ("body", LoadAxes::Body)];
+pub(super) const AXES: &[(&str, LoadAxes)] =
+    &[("inertial", LoadAxes::Inertial), ("body", LoadAxes::Body)];
 
 /// A load as far as it could be read.
 pub(crate) struct LoadDraft<'a> {

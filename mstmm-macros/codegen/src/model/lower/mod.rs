@@ -79,3 +79,26 @@ pub(super) fn draft<'a>(
     };
     Some((draft, passthrough))
 }
+
+/// Returns the keywords of all fields and of their values.
+#[cfg(test)]
+pub(super) fn keywords() -> Vec<&'static str> {
+    let fields = [body::FIELDS, load::LOAD_FIELDS, load::SPRING_FIELDS, POINTS].concat();
+    let hinges = KINDS.iter().flat_map(|kind| {
+        let of_hinge = |kind: crate::model::HingeKind| hinge::fields(kind.shape());
+        std::iter::once(kind.word)
+            .chain(kind.plain(Dimension::Space).into_iter().flat_map(of_hinge))
+    });
+    let methods = setting::METHODS.iter().map(|(word, _)| *word);
+    let results = setting::RESULTS.iter().map(|(word, _)| *word);
+    let answers = crate::model::Answer::ALL.into_iter().filter_map(crate::model::Answer::word);
+    let axes = load::AXES.iter().map(|(word, _)| *word);
+    fields
+        .into_iter()
+        .chain(hinges)
+        .chain(methods)
+        .chain(results)
+        .chain(answers)
+        .chain(axes)
+        .collect()
+}

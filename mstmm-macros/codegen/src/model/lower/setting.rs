@@ -8,11 +8,11 @@ use crate::model::{Answer, Results, SolutionMethod, Source};
 use crate::syntax::{ChainSyntax, ExprKind, ExprSyntax, ListSyntax, SETTINGS, ValueSyntax};
 use std::fmt::Display;
 
-const METHODS: &[(&str, SolutionMethod)] =
+pub(super) const METHODS: &[(&str, SolutionMethod)] =
     &[("riccati", SolutionMethod::Riccati), ("transfer", SolutionMethod::Transfer)];
 /// Where it is noted that a result is asked for.
 type ResultFlag = fn(&mut Results) -> &mut bool;
-const RESULTS: &[(&str, ResultFlag)] = &[
+pub(super) const RESULTS: &[(&str, ResultFlag)] = &[
     ("poses", |results| &mut results.poses),
     ("velocities", |results| &mut results.velocities),
     ("z", |results| &mut results.z),

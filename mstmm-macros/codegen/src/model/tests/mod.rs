@@ -9,6 +9,7 @@ mod each_mistake_once;
 mod good;
 mod good_chains;
 mod good_hinges;
+mod grammar;
 mod mistakes_in_chains;
 mod mistakes_in_hinges;
 mod mistakes_in_numbers;
