@@ -121,7 +121,7 @@ fn hashes(chain: &Chain, findings: &Findings) -> Vec<(String, [Hash; 2])> {
     let compiled = compile(chain, findings, &Layout::of(chain));
     let name = |function: &CompiledFunction| match function.answer {
         Some(answer) => format!("{answer:?}"),
-        None => "SetupSlots".to_owned(),
+        None => "Setup".to_owned(),
     };
     let functions = || std::iter::once(&compiled.setup).chain(&compiled.functions);
     let mut hashes: Vec<_> = functions().map(|it| (name(it), [Hash::EMPTY; 2])).collect();

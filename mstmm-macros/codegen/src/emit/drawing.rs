@@ -15,13 +15,13 @@ const BLUE: &str = "#3a87c8";
 
 /// The lines of the picture. Along each axis that shows there is a line, along gravity an arrow.
 pub fn picture(drawing: &Drawing) -> Vec<String> {
-    let projection = Projection::of(drawing);
-    let [mut width, height] = projection.size;
+    let camera = Camera::of(drawing);
+    let [mut width, height] = camera.size;
     let labels = match drawing.chain.route.len() {
-        ..=NAMED => labels(drawing, &projection),
+        ..=NAMED => labels(drawing, &camera),
         _ => Vec::new(),
     };
-    let sign = gravity::Sign::of(&projection.axes, drawing.gravity);
+    let sign = gravity::Sign::of(&camera.axes, drawing.gravity);
     let arrow = sign.map(|sign| {
         // To the right of everything else.
         let right = labels.iter().map(Label::right).fold(width, f64::max);
@@ -36,14 +36,14 @@ pub fn picture(drawing: &Drawing) -> Vec<String> {
              font-size=\"12\" stroke-linecap=\"round\" fill=\"currentColor\">"
         ),
     ];
-    lines.extend(triad(drawing.chain.dimension, &projection));
+    lines.extend(triad(drawing.chain.dimension, &camera));
     let elements = drawing.chain.route.iter().enumerate();
     let bodies = elements.clone().filter(|(_, element)| matches!(element, Element::Body(_)));
-    lines.extend(bodies.map(|(place, _)| body(drawing, &projection, place)));
-    lines.extend(ends(drawing, &projection));
+    lines.extend(bodies.map(|(place, _)| body(drawing, &camera, place)));
+    lines.extend(ends(drawing, &camera));
     lines.extend(elements.filter_map(|(place, element)| match element {
         Element::Hinge(index) => {
-            Some(hinge(drawing, &projection, place, &drawing.chain.hinges[*index]))
+            Some(hinge(drawing, &camera, place, &drawing.chain.hinges[*index]))
         }
         Element::Body(_) => None,
     }));
@@ -54,7 +54,7 @@ pub fn picture(drawing: &Drawing) -> Vec<String> {
 }
 
 /// How the world is seen: a plane chain from the front, one in space from above a corner.
-struct Projection {
+struct Camera {
     /// What each axis is on the picture, right and down.
     axes: [[f64; 2]; 3],
     /// Pixels for a metre.
@@ -64,12 +64,11 @@ struct Projection {
     size: [f64; 2],
 }
 
-impl Projection {
-    fn of(drawing: &Drawing) -> Projection {
+impl Camera {
+    fn of(drawing: &Drawing) -> Camera {
         let axes = axes(drawing.chain.dimension, drawing.up);
-        let mut projection = Projection { axes, scale: 1.0, origin: [0.0; 2], size: [0.0; 2] };
-        let seen =
-            drawing.points.iter().chain(&drawing.centres).map(|point| projection.place(point));
+        let mut camera = Camera { axes, scale: 1.0, origin: [0.0; 2], size: [0.0; 2] };
+        let seen = drawing.points.iter().chain(&drawing.centres).map(|point| camera.place(point));
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for point in seen {
             for k in 0..2 {
@@ -79,12 +78,12 @@ impl Projection {
         }
         let extent = [high[0] - low[0], high[1] - low[1]];
         let largest = extent[0].max(extent[1]);
-        projection.scale = if largest > 0.0 { SIZE / largest } else { SIZE };
+        camera.scale = if largest > 0.0 { SIZE / largest } else { SIZE };
         for k in 0..2 {
-            projection.size[k] = extent[k] * projection.scale + 2.0 * MARGIN;
-            projection.origin[k] = MARGIN - low[k] * projection.scale;
+            camera.size[k] = extent[k] * camera.scale + 2.0 * MARGIN;
+            camera.origin[k] = MARGIN - low[k] * camera.scale;
         }
-        projection
+        camera
     }
 
     /// Where a point is on the picture.
@@ -109,10 +108,10 @@ pub(super) fn axes(dimension: Dimension, up: usize) -> [[f64; 2]; 3] {
 }
 
 /// The directions of the inertial axes, in the corner.
-fn triad(dimension: Dimension, projection: &Projection) -> Vec<String> {
-    let [x, y] = [22.0, projection.size[1] - 22.0];
+fn triad(dimension: Dimension, camera: &Camera) -> Vec<String> {
+    let [x, y] = [22.0, camera.size[1] - 22.0];
     let arrow = |&axis: &usize| {
-        let [right, down] = projection.axes[axis].map(|part| part * 14.0);
+        let [right, down] = camera.axes[axis].map(|part| part * 14.0);
         let name = ["x", "y", "z"][axis];
         format!(
             " <path d=\"M{x:.0} {y:.0}l{right:.1} {down:.1}\" stroke=\"currentColor\" \
@@ -126,9 +125,9 @@ fn triad(dimension: Dimension, projection: &Projection) -> Vec<String> {
 }
 
 /// A body: a bar from its input to its output, and a dot at its centre of mass.
-fn body(drawing: &Drawing, projection: &Projection, place: usize) -> String {
-    let [input, output] = [place, place + 1].map(|end| projection.place(&drawing.points[end]));
-    let centre = projection.place(&drawing.centres[place]);
+fn body(drawing: &Drawing, camera: &Camera, place: usize) -> String {
+    let [input, output] = [place, place + 1].map(|end| camera.place(&drawing.points[end]));
+    let centre = camera.place(&drawing.centres[place]);
     format!(
         " <path d=\"M{}L{}\" stroke=\"{BLUE}\" stroke-width=\"7\" stroke-opacity=\"0.45\"/>\
          <path d=\"M{}L{}L{}\" fill=\"none\" stroke=\"{BLUE}\" stroke-width=\"1\"/>\
@@ -144,7 +143,7 @@ fn body(drawing: &Drawing, projection: &Projection, place: usize) -> String {
 }
 
 /// What holds the ends: strokes on the ground, dashed where an end moves.
-fn ends(drawing: &Drawing, projection: &Projection) -> Vec<String> {
+fn ends(drawing: &Drawing, camera: &Camera) -> Vec<String> {
     let chain = &drawing.chain;
     let hinge = |element: Option<&Element>| match element {
         Some(Element::Hinge(index)) => Some(&chain.hinges[*index]),
@@ -153,7 +152,7 @@ fn ends(drawing: &Drawing, projection: &Projection) -> Vec<String> {
     let first = hinge(chain.route.first()).map(|hinge| (&hinge.inboard, 0));
     let last = hinge(chain.route.last()).map(|hinge| (&hinge.outboard, chain.route.len()));
     let end = |(place, point): (&Attachment, usize)| {
-        let [x, y] = projection.place(&drawing.points[point]);
+        let [x, y] = camera.place(&drawing.points[point]);
         let dashes = match place {
             Attachment::Ground(_) => "",
             Attachment::Input(_) | Attachment::Output(_) => " stroke-dasharray=\"3 3\"",
@@ -170,8 +169,8 @@ fn ends(drawing: &Drawing, projection: &Projection) -> Vec<String> {
 
 /// A hinge: a line between its sides, and a sign for what it lets free: a ring where it turns about
 /// axes, a disc where it turns in all ways, a box where it shifts, a cross where it is welded.
-fn hinge(drawing: &Drawing, projection: &Projection, place: usize, hinge: &Hinge) -> String {
-    let [inboard, outboard] = [place, place + 1].map(|end| projection.place(&drawing.points[end]));
+fn hinge(drawing: &Drawing, camera: &Camera, place: usize, hinge: &Hinge) -> String {
+    let [inboard, outboard] = [place, place + 1].map(|end| camera.place(&drawing.points[end]));
     let [x, y] = inboard;
     let sign = match hinge.kind {
         HingeKind::Weld => format!("<path d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\"", x - 4.0, y - 4.0),
@@ -227,9 +226,9 @@ impl Label {
 }
 
 /// The labels of bodies beside their middles, those of hinges beside their signs.
-fn labels(drawing: &Drawing, projection: &Projection) -> Vec<Label> {
+fn labels(drawing: &Drawing, camera: &Camera) -> Vec<Label> {
     let name = |(place, element): (usize, &Element)| {
-        let [a, b] = [place, place + 1].map(|end| projection.place(&drawing.points[end]));
+        let [a, b] = [place, place + 1].map(|end| camera.place(&drawing.points[end]));
         match *element {
             Element::Body(index) => Label {
                 text: drawing.chain.bodies[index].name.to_string(),

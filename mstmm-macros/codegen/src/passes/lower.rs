@@ -37,9 +37,9 @@ pub fn lower(
     };
     lowering.number_checks();
     let mut body = Vec::new();
-    let shown = checks.map(|checks| program.finiteness(function.entries_of(checks.finite)));
-    if let Some(shown) = &shown {
-        body.extend(lowering.check_arguments(shown));
+    let finiteness = checks.map(|checks| program.finiteness(function.entries_of(checks.finite)));
+    if let Some(finiteness) = &finiteness {
+        body.extend(lowering.check_arguments(finiteness));
     }
     body.extend(lowering.loads(None, &program.unknowns, &program.slots));
     for (number, block) in program.blocks.enumerate() {
@@ -52,7 +52,9 @@ pub fn lower(
         }
     }
     let stores = lowering.stores(checks.map(|checks| checks.failure));
-    let finish = checks.zip(shown).map(|(checks, shown)| lowering.check_results(checks, &shown));
+    let finish = checks
+        .zip(finiteness)
+        .map(|(checks, finiteness)| lowering.check_results(checks, &finiteness));
     // Where loops write a result, it is looked at as a whole.
     if lowering.looped {
         body.extend(stores.into_iter().chain(finish));
@@ -256,7 +258,7 @@ impl Lowering<'_> {
 
     /// Tests the inputs that results do not show; coordinates and rates as well, where there are loops or
     /// repeated parts.
-    fn check_arguments(&mut self, shown: &Finiteness) -> Option<Step> {
+    fn check_arguments(&mut self, finiteness: &Finiteness) -> Option<Step> {
         let unknowns = self.function.unknowns;
         let arguments: Vec<Argument> = unknowns.arguments().map(|(argument, _)| argument).collect();
         let is_meant = |argument: &Argument| match argument {
@@ -266,7 +268,7 @@ impl Lowering<'_> {
         };
         let is_hidden = |argument: &Argument| {
             let mut symbols = unknowns.of(*argument).into_iter();
-            symbols.any(|symbol| !shown.unknowns.contains(&symbol))
+            symbols.any(|symbol| !finiteness.covered.contains(&symbol))
         };
         let hidden = arguments.into_iter().filter(is_meant).filter(is_hidden);
         let arrays: Vec<ArrayId> =
@@ -276,7 +278,7 @@ impl Lowering<'_> {
 
     /// The test whether there are results. Of what is given it looks at what results do not show, and of results
     /// at those that no other shows.
-    fn check_results(&mut self, checks: Checks, shown: &Finiteness) -> Step {
+    fn check_results(&mut self, checks: Checks, finiteness: &Finiteness) -> Step {
         let mut finite = vec![Witness::Entry(self.argument(Argument::Time), 0)];
         if self.looped {
             let role = ArrayRole::Result(checks.finite);
@@ -292,11 +294,11 @@ impl Lowering<'_> {
                     continue;
                 }
                 let symbols = self.function.unknowns.of(argument).into_iter().enumerate();
-                for (entry, _) in symbols.filter(|(_, it)| !shown.unknowns.contains(it)) {
+                for (entry, _) in symbols.filter(|(_, it)| !finiteness.covered.contains(it)) {
                     finite.push(Witness::Entry(self.argument(argument), entry));
                 }
             }
-            finite.extend(shown.witnesses.iter().map(|&value| Witness::Value(value.clone())));
+            finite.extend(finiteness.witnesses.iter().map(|&value| Witness::Value(value.clone())));
         }
         let pivots = self.function.pivots.iter().enumerate().map(|(number, pivot)| {
             let found = match (&self.program.pivots[number], self.checks[number]) {

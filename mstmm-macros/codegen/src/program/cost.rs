@@ -1,8 +1,8 @@
-//! How many operations a program takes, in all and under each heading.
+//! Operation counts of programs, in total and by heading.
 
 use super::{Operation, Procedure, Program, Section, Statement};
 
-/// How many operations of each kind a program has.
+/// The numbers of operations by kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
     /// Multiplications.
@@ -18,7 +18,7 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// Multiplications, additions, reciprocals and square roots together.
+    /// Returns the sum of multiplications, additions, reciprocals and square roots.
     pub fn arithmetic(&self) -> usize {
         self.mul + self.add + self.recip + self.sqrt
     }
@@ -52,9 +52,9 @@ impl std::fmt::Display for Cost {
 }
 
 impl Section {
-    /// Its operations.
+    /// Returns its operation count.
     fn cost(&self) -> Cost {
-        let one = |statement: &Statement| match statement {
+        let of_statement = |statement: &Statement| match statement {
             Statement::SinCos { angles, .. } => Cost { trig: angles.len(), ..Cost::default() },
             Statement::Let(_, operation) => match operation {
                 Operation::Sum(..) | Operation::Difference(..) => {
@@ -72,22 +72,22 @@ impl Section {
                 Operation::CopySign(..) => Cost::default(),
             },
         };
-        self.statements.iter().map(one).fold(Cost::default(), |sum, cost| sum + cost)
+        self.statements.iter().map(of_statement).fold(Cost::default(), |sum, cost| sum + cost)
     }
 }
 
-/// All operations under a heading.
+/// The operation count of all sections with the same heading.
 #[derive(Clone, Copy, Debug)]
 pub struct SectionCost<'a> {
-    /// What is computed.
+    /// The title: what is computed.
     pub title: &'a str,
-    /// Where the equations are from.
+    /// The source of the equations.
     pub source: &'a str,
-    /// The operations.
+    /// The operation count.
     pub cost: Cost,
 }
 
-/// The operations of sections by their headings, in the order in which those come first.
+/// Returns the operation counts by heading, in the order in which the headings first occur.
 pub fn by_heading<'a>(sections: impl IntoIterator<Item = &'a Section>) -> Vec<SectionCost<'a>> {
     let mut all: Vec<SectionCost> = Vec::new();
     for section in sections {
@@ -101,14 +101,14 @@ pub fn by_heading<'a>(sections: impl IntoIterator<Item = &'a Section>) -> Vec<Se
 }
 
 impl Program {
-    /// Its operations; those of loops once.
+    /// Returns its operation count; operations of loops count once.
     pub fn cost(&self) -> Cost {
         self.sections().map(Section::cost).fold(Cost::default(), |sum, cost| sum + cost)
     }
 }
 
 impl Procedure {
-    /// Its operations; those of loops once.
+    /// Returns its operation count; operations of loops count once.
     pub fn cost(&self) -> Cost {
         self.sections().map(Section::cost).fold(Cost::default(), |sum, cost| sum + cost)
     }

@@ -1,67 +1,69 @@
-//! Which unknowns and results need not be looked at, because other results show what is wrong with them.
+//! Finds a small set of results whose finiteness implies that all results and most unknowns are finite.
+//!
+//! A result *covers* a value if the result is not finite whenever the value is not finite.
 
 use super::{Operand, Operation, Program, Section, Statement, ValueId};
 use crate::ids::SymbolId;
 use std::collections::HashSet;
 use std::ops::Range;
 
-/// What need not be looked at, and what has to be, to find whether anything is infinite or undefined.
+/// Which values must be tested to find whether anything is infinite or undefined.
 #[derive(Debug, Default)]
 pub struct Finiteness<'a> {
-    /// Unknowns that leave a result infinite or undefined whenever they are so themselves. Those of a repeated
-    /// part do so in results of the same repetition.
-    pub unknowns: HashSet<SymbolId>,
-    /// Results that are not all finite if any of them is not: what is computed from a result shows it. They come
-    /// in the order in which they are known; results of repeated parts are left out.
+    /// The unknowns that a result covers. An unknown of a repeated part is covered by results of the same repetition.
+    pub covered: HashSet<SymbolId>,
+    /// The results that no other result covers, in the order in which they are computed. Results of repeated parts are
+    /// not among them.
     pub witnesses: Vec<&'a Operand>,
-    /// Which values hand on to a result, by number.
+    /// The status of each value.
     values: Vec<Status<'a>>,
 }
 
-/// What is known of a value.
+/// What is known about a value.
 #[derive(Clone, Copy, Debug)]
 enum Status<'a> {
-    /// Nothing so far.
-    Other,
-    /// It is this result, and no other shows it so far.
+    /// No result covers it.
+    Uncovered,
+    /// It is this result, which no other result covers.
     Result(&'a Operand),
-    /// A result shows it.
+    /// A result covers it.
     Covered,
 }
 
 impl Program {
-    /// What the results of these numbers show.
+    /// Finds which values the results in a range of indices cover.
     ///
-    /// Sums, products, roots, sines and cosines hand on what is not finite (IEEE 754: 0 · ∞ and ∞ − ∞ are
-    /// undefined, and so is what is computed from that). Not so reciprocals, for 1/∞ is zero, angles of
-    /// points, and signs. What loops carry is not followed: it may end with the last repetition.
-    pub fn finiteness(&self, numbers: Range<usize>) -> Finiteness<'_> {
-        let results: Vec<&Operand> = self.results[numbers.clone()].iter().flatten().collect();
-        let values = vec![Status::Other; self.names.count()];
-        let mut shown = Finiteness { values, ..Finiteness::default() };
+    /// Sums, products, roots, sines and cosines propagate values that are not finite (IEEE 754: 0 · ∞ and ∞ − ∞ are
+    /// undefined, and so are all results of undefined operands). Reciprocals do not, since 1/∞ is zero, nor do
+    /// arctangents and the sign of `copysign`. Loop-carried values are not followed, since the chain of repetitions may
+    /// end with the last one.
+    pub fn finiteness(&self, range: Range<usize>) -> Finiteness<'_> {
+        let results: Vec<&Operand> = self.results[range.clone()].iter().flatten().collect();
+        let values = vec![Status::Uncovered; self.names.count()];
+        let mut finiteness = Finiteness { values, ..Finiteness::default() };
         for result in &results {
             if let Some(value) = result.value() {
-                shown.values[value.index()] = Status::Result(result);
+                finiteness.values[value.index()] = Status::Result(result);
             }
         }
-        let of_loops = self.loops().flat_map(|one| &one.results);
-        let of_loops = of_loops.filter(|(number, _)| numbers.contains(number));
-        of_loops.for_each(|(_, result)| shown.add(result));
-        self.backwards().for_each(|statement| shown.follow(statement));
-        // What no statement computes: unknowns, and what is known since setup.
-        let others: Vec<&Operand> = results.into_iter().filter(|it| shown.lacks(it)).collect();
-        others.iter().for_each(|result| shown.add(result));
-        shown.witnesses.extend(others);
-        shown.witnesses.reverse();
-        let once = self.unknowns.iter();
-        let all = once.chain(self.loops().flat_map(|one| &one.unknowns));
-        let is_shown = |value: ValueId| matches!(shown.values[value.index()], Status::Covered);
-        let unknowns = all.filter(|(_, value)| is_shown(*value)).map(|&(number, _)| number);
-        shown.unknowns = unknowns.collect();
-        shown
+        let of_loops = self.loops().flat_map(|block| &block.results);
+        let of_loops = of_loops.filter(|(index, _)| range.contains(index));
+        of_loops.for_each(|(_, result)| finiteness.cover(result));
+        self.backwards().for_each(|statement| finiteness.follow(statement));
+        // Results that no statement computes: unknowns and slots.
+        let uncovered = |result: &&Operand| finiteness.is_uncovered_result(result);
+        let others: Vec<&Operand> = results.into_iter().filter(uncovered).collect();
+        others.iter().for_each(|result| finiteness.cover(result));
+        finiteness.witnesses.extend(others);
+        finiteness.witnesses.reverse();
+        let unknowns = self.unknowns.iter();
+        let unknowns = unknowns.chain(self.loops().flat_map(|block| &block.unknowns));
+        let covered = unknowns.filter(|(_, value)| finiteness.is_covered(*value));
+        finiteness.covered = covered.map(|&(symbol, _)| symbol).collect();
+        finiteness
     }
 
-    /// All statements from the last: before those that they read.
+    /// Iterates over all statements from the last to the first, so that users come before their operands.
     fn backwards(&self) -> impl Iterator<Item = &Statement> {
         let sections: Vec<&Section> = self.sections().collect();
         sections.into_iter().rev().flat_map(|section| section.statements.iter().rev())
@@ -69,51 +71,53 @@ impl Program {
 }
 
 impl<'a> Finiteness<'a> {
-    /// What a statement makes of it: what it hands on.
+    /// Covers the operands of a statement whose value is covered or a result.
     fn follow(&mut self, statement: &'a Statement) {
         match statement {
             Statement::Let(value, operation) => {
-                if self.meets(*value) {
-                    handed_on(operation).into_iter().flatten().for_each(|from| self.add(from));
+                if self.reaches(*value) {
+                    propagating(operation).into_iter().flatten().for_each(|it| self.cover(it));
                 }
             }
             Statement::SinCos { sines, cosines, angles } => {
-                let named = sines.iter().zip(angles).chain(cosines.iter().zip(angles));
-                for (value, angle) in named {
-                    if value.is_some_and(|value| self.meets(value)) {
-                        self.add(angle);
+                let pairs = sines.iter().zip(angles).chain(cosines.iter().zip(angles));
+                for (value, angle) in pairs {
+                    if value.is_some_and(|value| self.reaches(value)) {
+                        self.cover(angle);
                     }
                 }
             }
         }
     }
 
-    /// Whether the value that is computed here is among it. If it is a result that nothing shows, it is a
-    /// witness.
-    fn meets(&mut self, value: ValueId) -> bool {
+    /// Returns whether a value is covered. A result that no other result covers becomes a witness and covers itself.
+    fn reaches(&mut self, value: ValueId) -> bool {
         let status = &mut self.values[value.index()];
         if let Status::Result(result) = *status {
             self.witnesses.push(result);
             *status = Status::Covered;
         }
-        matches!(status, Status::Covered)
+        self.is_covered(value)
     }
 
-    fn add(&mut self, operand: &Operand) {
+    fn cover(&mut self, operand: &Operand) {
         if let Some(value) = operand.value() {
             self.values[value.index()] = Status::Covered;
         }
     }
 
-    /// Whether an operand that may be infinite is not among it.
-    fn lacks(&self, operand: &Operand) -> bool {
+    fn is_covered(&self, value: ValueId) -> bool {
+        matches!(self.values[value.index()], Status::Covered)
+    }
+
+    fn is_uncovered_result(&self, operand: &Operand) -> bool {
         let status = operand.value().map(|value| self.values[value.index()]);
         matches!(status, Some(Status::Result(_)))
     }
 }
 
-/// What an operation does not hide.
-fn handed_on(operation: &Operation) -> [Option<&Operand>; 3] {
+/// Returns the operands whose infinite or undefined values an operation propagates.
+fn propagating(operation: &Operation) -> [Option<&Operand>; 3] {
     match operation {
         Operation::CopySign(a, _) => [Some(a), None, None],
         Operation::Recip(_) | Operation::RecipAbove(..) | Operation::Atan2(..) => [None; 3],
@@ -133,7 +137,7 @@ mod tests {
     use crate::program::{Block, ValueNames};
 
     #[test]
-    fn what_others_show_is_not_telling() {
+    fn results_that_others_cover_are_no_witnesses() {
         let mut names = ValueNames::default();
         let [a, b, c, d, x, y, z] =
             ["a", "b", "c", "d", "x", "y", "z"].map(|name| names.add(name.into()));
@@ -160,9 +164,9 @@ mod tests {
             results: all.into_iter().map(Some).collect(),
             pivots: Vec::new(),
         };
-        // `d` shows `c`, `a`, and the first two unknowns; `b` may be zero where `a` is infinite.
-        let shown = program.finiteness(0..7);
-        assert_eq!(shown.witnesses, [&read_z, &read_b, &minus_d]);
-        assert_eq!(shown.unknowns, HashSet::from([0, 1, 2].map(SymbolId)));
+        // `d` covers `c`, `a`, and the first two unknowns; `b` may be zero if `a` is infinite.
+        let finiteness = program.finiteness(0..7);
+        assert_eq!(finiteness.witnesses, [&read_z, &read_b, &minus_d]);
+        assert_eq!(finiteness.covered, HashSet::from([0, 1, 2].map(SymbolId)));
     }
 }

@@ -1,34 +1,34 @@
-//! Where the numbers of an array lie: those of a repeated part once for every repetition.
+//! The layout of arrays, in which the entries of a repeated part follow one another repetition by repetition.
 
 use crate::ids::RepeatId;
 
-/// How an array is laid out.
+/// The layout of an array.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ArrayLayout {
-    /// How many numbers the array holds.
+    /// The length of the array.
     pub total: usize,
-    /// Its segments, in their order.
+    /// Its segments, in order.
     pub segments: Vec<Segment>,
 }
 
-/// Neighbouring numbers that belong to the same repeated part, or to none.
+/// Consecutive entries that belong to the same repeated part, or to none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
-    /// The number of its first entry; entries count a repeated part once.
+    /// The index of its first entry; entries of a repeated part count once.
     pub first: usize,
-    /// How many entries it has.
+    /// The number of its entries.
     pub count: usize,
-    /// Where its numbers begin in the array.
+    /// The index in the array at which it starts.
     pub offset: usize,
-    /// The repeated part that it belongs to.
+    /// The repeated part that it belongs to, if any.
     pub repeat: Option<RepeatId>,
-    /// How often its entries follow on each other in the array.
+    /// The number of repetitions of its entries in the array.
     pub repetitions: usize,
 }
 
 impl ArrayLayout {
-    /// The layout of items, each with so many numbers, and with its repeated part and how often that is
-    /// repeated.
+    /// Returns the layout of items, each with its number of entries, its repeated part, and the number of repetitions of
+    /// that part.
     pub fn of(items: impl IntoIterator<Item = (usize, Option<(RepeatId, usize)>)>) -> Self {
         let mut segments: Vec<Segment> = Vec::new();
         let (mut first, mut offset) = (0, 0);
@@ -44,22 +44,22 @@ impl ArrayLayout {
         ArrayLayout { total: offset, segments }
     }
 
-    /// So many numbers that stand once.
+    /// Returns the layout of entries outside of repeated parts.
     pub fn once(count: usize) -> Self {
         ArrayLayout::of([(count, None)])
     }
 
-    /// So many numbers for every repetition of one part.
+    /// Returns the layout of entries of one repeated part.
     pub fn each(count: usize, repeat: RepeatId, repetitions: usize) -> Self {
         ArrayLayout::of([(count, Some((repeat, repetitions)))])
     }
 
-    /// How many entries there are.
+    /// Returns the number of entries; entries of repeated parts count once.
     pub fn entries(&self) -> usize {
         self.segments.iter().map(|segment| segment.count).sum()
     }
 
-    /// The segment that an entry belongs to.
+    /// Returns the segment that an entry belongs to.
     pub fn segment_of(&self, entry: usize) -> &Segment {
         let segment = self.segments.iter().find(|segment| segment.entries().contains(&entry));
         segment.unwrap_or_else(|| bug!("entry {entry} of an array is in none of its segments"))
@@ -67,7 +67,7 @@ impl ArrayLayout {
 }
 
 impl Segment {
-    /// The numbers of its entries.
+    /// Returns the range of its entries.
     pub fn entries(&self) -> std::ops::Range<usize> {
         self.first..self.first + self.count
     }

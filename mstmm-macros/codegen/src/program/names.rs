@@ -1,4 +1,4 @@
-//! Values by number, and what they are called.
+//! Ids and names of values.
 
 use crate::ids::{Id, declare_id};
 
@@ -7,22 +7,23 @@ declare_id! {
     ValueId,
 }
 
-/// What the values of a program are called: lists, since looking up every operand in a map takes as long
-/// as all passes do.
+/// The names of a program's values.
+///
+/// They are lists, since looking up every operand in a map would cost as much as all passes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ValueNames {
     texts: Vec<String>,
-    /// Which of them have a number in place of a name.
+    /// Which values have a generated name.
     numbered: Vec<bool>,
 }
 
 impl ValueNames {
-    /// A new value with a name.
+    /// Adds a value with a meaningful name.
     pub fn add(&mut self, text: String) -> ValueId {
         self.push(text, false)
     }
 
-    /// A new value whose name says nothing but a number.
+    /// Adds a value whose name is only a generated number.
     pub fn add_numbered(&mut self, text: String) -> ValueId {
         self.push(text, true)
     }
@@ -33,22 +34,22 @@ impl ValueNames {
         ValueId::new(self.texts.len() - 1)
     }
 
-    /// What a value is called.
+    /// Returns the name of a value.
     pub fn text(&self, value: ValueId) -> &str {
         &self.texts[value.index()]
     }
 
-    /// Whether the name of a value says nothing but a number.
+    /// Returns whether the name of a value is only a generated number.
     pub fn is_numbered(&self, value: ValueId) -> bool {
         self.numbered[value.index()]
     }
 
-    /// What all values are called, by number.
+    /// Returns the names of all values, by id.
     pub fn all(&self) -> &[String] {
         &self.texts
     }
 
-    /// How many there are.
+    /// Returns the number of values.
     pub fn count(&self) -> usize {
         self.texts.len()
     }

@@ -1,4 +1,4 @@
-//! Formulas as text, with brackets where they are needed.
+//! Formulas as text, with parentheses only where they are needed.
 
 use crate::program::{Operand, Operation};
 
@@ -7,12 +7,12 @@ use crate::program::{Operand, Operation};
 pub struct Formula {
     /// The text.
     pub text: String,
-    binding: Binding,
+    precedence: Precedence,
 }
 
-/// How closely a formula holds together, the loosest first.
+/// The precedence of a formula's outermost operation, the lowest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Binding {
+enum Precedence {
     Sum,
     Product,
     Minus,
@@ -20,28 +20,32 @@ enum Binding {
 }
 
 impl Formula {
-    /// A name or a call.
+    /// Returns a name or a call.
     pub fn atom(text: String) -> Self {
-        Formula { text, binding: Binding::Atom }
+        Formula { text, precedence: Precedence::Atom }
     }
 
-    /// A known number.
+    /// Returns a known number.
     pub fn number(value: f64) -> Self {
-        let binding = if value.is_sign_negative() { Binding::Minus } else { Binding::Atom };
-        Formula { text: format!("{value:?}"), binding }
+        let precedence =
+            if value.is_sign_negative() { Precedence::Minus } else { Precedence::Atom };
+        Formula { text: format!("{value:?}"), precedence }
     }
 
-    /// A function of these arguments.
+    /// Returns the call of a function.
     pub fn call(function: &str, arguments: &[&str]) -> Self {
         Formula::atom(format!("{function}({})", arguments.join(", ")))
     }
 
-    /// The negative.
+    /// Returns the negative.
     pub fn negated(&self) -> Self {
-        Formula { text: format!("-{}", self.within(Binding::Atom)), binding: Binding::Minus }
+        Formula {
+            text: format!("-{}", self.within(Precedence::Atom)),
+            precedence: Precedence::Minus,
+        }
     }
 
-    /// What an operation computes, of operands that are written so.
+    /// Returns the formula of an operation; `operand` returns the formula of an operand.
     pub fn of(operation: &Operation, operand: &impl Fn(&Operand) -> Formula) -> Self {
         let call = |function: &str, operands: &[&Operand]| {
             let arguments: Vec<Formula> = operands.iter().map(|one| operand(one)).collect();
@@ -53,9 +57,9 @@ impl Formula {
             Operation::Difference(a, b) => operand(a).minus(&operand(b)),
             Operation::Product(a, b) => operand(a).times(&operand(b)),
             Operation::MulAdd(a, b, c) => {
-                // Which of two products joins the sum is decided by when their factors are ready.
+                // If both terms are products, the ready times of their factors decide which is fused; the text orders them.
                 let (product, other) = (operand(a).times(&operand(b)), operand(c));
-                match other.binding == Binding::Product && product.text < other.text {
+                match other.precedence == Precedence::Product && product.text < other.text {
                     true => product.plus(&other),
                     false => other.plus(&product),
                 }
@@ -71,25 +75,31 @@ impl Formula {
     }
 
     fn plus(&self, other: &Formula) -> Formula {
-        self.joined("+", other, Binding::Sum, Binding::Product)
+        self.joined("+", other, Precedence::Sum, Precedence::Product)
     }
 
     fn minus(&self, other: &Formula) -> Formula {
-        self.joined("-", other, Binding::Sum, Binding::Product)
+        self.joined("-", other, Precedence::Sum, Precedence::Product)
     }
 
     fn times(&self, other: &Formula) -> Formula {
-        self.joined("*", other, Binding::Product, Binding::Minus)
+        self.joined("*", other, Precedence::Product, Precedence::Minus)
     }
 
-    fn joined(&self, sign: &str, other: &Formula, binding: Binding, right: Binding) -> Formula {
-        let text = format!("{} {sign} {}", self.within(binding), other.within(right));
-        Formula { text, binding }
+    fn joined(
+        &self,
+        sign: &str,
+        other: &Formula,
+        precedence: Precedence,
+        right: Precedence,
+    ) -> Formula {
+        let text = format!("{} {sign} {}", self.within(precedence), other.within(right));
+        Formula { text, precedence }
     }
 
-    /// The text where what holds together less closely than `least` needs brackets.
-    fn within(&self, least: Binding) -> String {
-        if self.binding < least { format!("({})", self.text) } else { self.text.clone() }
+    /// Returns the text, in parentheses if its precedence is lower than `least`.
+    fn within(&self, least: Precedence) -> String {
+        if self.precedence < least { format!("({})", self.text) } else { self.text.clone() }
     }
 }
 
@@ -98,7 +108,7 @@ mod tests {
     use super::Formula;
 
     #[test]
-    fn brackets_stand_where_they_are_needed() {
+    fn parentheses_are_written_where_they_are_needed() {
         let [a, b, c] = ["a", "b", "c"].map(|name| Formula::atom(name.to_owned()));
         assert_eq!(a.plus(&b).plus(&c).text, "a + b + c");
         assert_eq!(a.minus(&b.minus(&c)).text, "a - (b - c)");

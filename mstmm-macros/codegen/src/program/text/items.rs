@@ -1,24 +1,24 @@
-//! Statements for people: sines and cosines are computed where they are read first.
+//! The statements of the readable text: each sine and cosine is computed where it is first read.
 
 use crate::program::{Block, Operand, Operation, Section, Statement, ValueId};
 
-/// Items under one heading.
+/// The items under one heading.
 pub struct ItemSection {
-    /// What names of values begin with that have none of their own.
+    /// The prefix of the names of unnamed values.
     pub prefix: String,
-    /// What is computed.
+    /// The title: what is computed.
     pub title: String,
-    /// Where the equations are from.
+    /// The source of the equations.
     pub source: String,
     /// The items.
     pub items: Vec<Item>,
 }
 
-/// A statement.
+/// A statement of the readable text.
 pub enum Item {
-    /// A value.
+    /// Defines one value.
     Let(ValueId, Operation),
-    /// Sine and cosine of an angle, as far as they are read.
+    /// Defines sine and cosine of an angle, if they are used.
     Angle {
         /// The sine.
         sine: Option<ValueId>,
@@ -30,7 +30,7 @@ pub enum Item {
 }
 
 impl Item {
-    /// The values that it computes.
+    /// Returns the values that it defines.
     pub fn names(&self) -> [Option<ValueId>; 2] {
         match self {
             Item::Let(name, _) => [Some(*name), None],
@@ -38,7 +38,7 @@ impl Item {
         }
     }
 
-    /// What it reads.
+    /// Iterates over its operands.
     pub fn operands(&self) -> impl Iterator<Item = &Operand> {
         let all = match self {
             Item::Let(_, operation) => operation.operands(),
@@ -52,7 +52,7 @@ impl Item {
     }
 }
 
-/// The items of a block.
+/// Returns the items of a block, by section.
 pub fn items(block: &Block) -> Vec<ItemSection> {
     let sections = match block {
         Block::Once(sections) => sections,
@@ -77,7 +77,7 @@ pub fn items(block: &Block) -> Vec<ItemSection> {
         }
         all.push(ItemSection { prefix, title, source, items });
     }
-    // The last first: the places of those before stay what they are.
+    // From the last to the first, so that earlier positions stay valid.
     for (section, place, angle) in angles.into_iter().rev() {
         let (section, place) = first_reader(&all, &angle).unwrap_or((section, place));
         all[section].items.insert(place, angle);
@@ -85,7 +85,7 @@ pub fn items(block: &Block) -> Vec<ItemSection> {
     all
 }
 
-/// Section and place of the first item that reads a sine or a cosine.
+/// Returns section and position of the first item that reads a sine or a cosine.
 fn first_reader(sections: &[ItemSection], angle: &Item) -> Option<(usize, usize)> {
     sections.iter().enumerate().find_map(|(number, section)| {
         let reads = |item: &Item| item.reads_any(angle.names());

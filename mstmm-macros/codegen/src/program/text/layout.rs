@@ -1,9 +1,9 @@
-//! Lines of no more than a hundred characters.
+//! Breaks lines at a hundred characters.
 
 const WIDTH: usize = 100;
 const INDENT: &str = "    ";
 
-/// A line at a depth, broken into several where it is too long; those that follow are indented once more.
+/// Breaks a line at an indentation depth into several if it is too long; continuation lines are indented once more.
 pub fn broken(text: &str, depth: usize) -> Vec<String> {
     let comment = text.starts_with("//");
     let (first, next) = (INDENT.repeat(depth), if comment { "// " } else { INDENT });
@@ -20,8 +20,8 @@ pub fn broken(text: &str, depth: usize) -> Vec<String> {
     lines
 }
 
-/// Where a text breaks that has so much room: before a sign or after a comma, in as few brackets as possible
-/// and as late as possible; a comment at any space.
+/// Returns the position at which to break a text that has this much room: before an operator or after a comma, in as few
+/// brackets as possible and as late as possible. A comment breaks at any space.
 fn best_break(text: &str, room: usize, comment: bool) -> Option<usize> {
     let mut depth = 0;
     let mut best: Option<(usize, usize)> = None;
@@ -59,7 +59,7 @@ mod tests {
     use super::broken;
 
     #[test]
-    fn long_lines_break_at_outer_signs_first() {
+    fn long_lines_break_at_outer_operators_first() {
         let long = "a".repeat(40);
         let lines = broken(&format!("let x = b * (c + {long}) + {long};"), 1);
         let expected = [format!("    let x = b * (c + {long})"), format!("        + {long};")];

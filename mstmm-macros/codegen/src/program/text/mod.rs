@@ -1,10 +1,9 @@
-//! A program as text for people, in the order of its equations.
+//! Prints a program as readable text, in the order of its equations.
 //!
-//! Values that are used once are written inside their user. Values without a name are numbered within their
-//! section: `elbow_riccati_t3` if the section alone reads the value, `elbow_riccati_x3` if others do, so that a
-//! value more or less renames nothing in other sections. In a loop, `carry a = b, then c` says that `a` is `b` in
-//! the first repetition and what `c` was in the repetition before in all others; after the loop it is what `c`
-//! was in the last one.
+//! Values that are used once are written inside their user. Values without a name are numbered within their section:
+//! `elbow_riccati_t3` if only the section reads the value, `elbow_riccati_x3` if other sections read it, so that an added
+//! value renames nothing in other sections. In a loop, `carry a = b, then c` means that `a` is `b` in the first repetition
+//! and the previous repetition's `c` in all others; after the loop `a` is the last repetition's `c`.
 
 mod formula;
 mod items;
@@ -20,19 +19,19 @@ use uses::Uses;
 /// The heading of results.
 const RESULTS: &str = "Results";
 
-/// Longer formulas are lines of their own.
-const INLINED: usize = 160;
+/// Longer formulas get a separate line.
+const MAX_INLINED: usize = 160;
 
-/// What a program's loops and results are called.
+/// The names of a program's loops and results.
 #[derive(Clone, Debug)]
 pub struct Labels {
-    /// The repeated parts: what one repetition is called, and how many there are.
+    /// The name of one repetition of each repeated part, and the number of repetitions.
     pub repeats: Vec<(String, usize)>,
-    /// The results and how many entries each has.
+    /// The results, each with its number of entries.
     pub outputs: Vec<(String, usize)>,
 }
 
-/// The text of a program.
+/// Returns the text of a program.
 pub fn text(function: &str, program: &Program, labels: &Labels) -> String {
     let blocks: Vec<Vec<ItemSection>> = program.blocks.iter().map(items).collect();
     let uses = Uses::of(program, &blocks);
@@ -65,14 +64,14 @@ struct TextPrinter<'a> {
     program: &'a Program,
     labels: &'a Labels,
     uses: Uses<'a>,
-    /// What values are called, as far as that is known, by their numbers.
+    /// The names of values, as far as they are assigned, by value.
     names: Vec<Option<String>>,
-    /// Values that are written where they are used.
+    /// The values that are written inside their user.
     inlined: HashMap<ValueId, Formula>,
-    /// How many values without a name that no other section reads each section has, by its prefix.
+    /// For each section, by its prefix: the number of unnamed values that no other section reads.
     counts: HashMap<String, usize>,
     lines: Vec<String>,
-    /// The last heading of the block.
+    /// The last heading that was written in the block.
     heading: String,
     depth: usize,
 }
@@ -82,13 +81,13 @@ impl TextPrinter<'_> {
         self.lines.extend(layout::broken(text, self.depth));
     }
 
-    /// Writes what `write` writes under a heading, if it is anything. Results under that heading follow a section
-    /// of the same name.
+    /// Writes the output of `write` under a heading, if there is any. The heading is not repeated if it is the same as
+    /// the last one.
     fn under(&mut self, title: &str, source: &str, write: impl FnOnce(&mut Self)) {
         let first = self.lines.len();
         write(self);
-        let own = self.lines.split_off(first);
-        if own.is_empty() {
+        let written = self.lines.split_off(first);
+        if written.is_empty() {
             return;
         }
         let source = if source.is_empty() { String::new() } else { format!(", {source}") };
@@ -98,10 +97,10 @@ impl TextPrinter<'_> {
             self.line(&heading);
             self.heading = heading;
         }
-        self.lines.extend(own);
+        self.lines.extend(written);
     }
 
-    /// An empty line, but not at the beginning of a block.
+    /// Writes an empty line, except at the start of a block.
     fn gap(&mut self) {
         if !self.lines.last().is_some_and(|line| line.ends_with('{')) {
             self.lines.push(String::new());
@@ -139,10 +138,10 @@ impl TextPrinter<'_> {
         }
     }
 
-    /// Writes a value down, or keeps it for its only user.
+    /// Writes a value, or keeps its formula for its only user.
     fn state(&mut self, prefix: &str, name: ValueId, formula: Formula) {
         let numbered = self.program.names.is_numbered(name);
-        if numbered && self.uses.is_once(name) && formula.text.len() <= INLINED {
+        if numbered && self.uses.is_once(name) && formula.text.len() <= MAX_INLINED {
             self.inlined.insert(name, formula);
             return;
         }
@@ -150,7 +149,7 @@ impl TextPrinter<'_> {
         self.line(&format!("let {name} = {};", formula.text));
     }
 
-    /// What a value is called, with the next number of its section if it has none yet.
+    /// Returns the name of a value; an unnamed value gets the next number of its section.
     fn name(&mut self, prefix: &str, name: ValueId) -> String {
         if let Some(known) = &self.names[name.index()] {
             return known.clone();
@@ -190,7 +189,7 @@ impl TextPrinter<'_> {
         let before = self.lines.len();
         self.sections(sections);
         self.under(RESULTS, "", |printer| printer.loop_results(one));
-        // What the loop hands on has its name only now.
+        // The loop-carried values have their names only now.
         let body = self.lines.split_off(before);
         one.carries.iter().for_each(|carried| self.carry(carried));
         if !one.carries.is_empty() {
@@ -251,7 +250,7 @@ impl TextPrinter<'_> {
 }
 
 impl Labels {
-    /// The result that a number belongs to, and which entry it is.
+    /// Returns the result that an index belongs to, and the entry of that result.
     fn entry(&self, number: usize) -> (&str, usize) {
         let mut start = 0;
         for (output, count) in &self.outputs {

@@ -1,13 +1,13 @@
-//! Who reads which value of a program, and what values are called.
+//! Finds the readers of values, and names the values.
 
 use super::items::ItemSection;
 use crate::program::{Block, BlockId, CarriedValue, Operand, Program, ValueId};
 use std::collections::{HashMap, HashSet};
 
-/// The prefix of what is computed for results only.
+/// The prefix of values that only results need.
 pub const RESULT: &str = "result";
 
-/// Where a value is computed or read.
+/// A place where a value is computed or read.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Site<'a> {
     block: usize,
@@ -15,19 +15,19 @@ struct Site<'a> {
     prefix: &'a str,
 }
 
-/// Where a value is computed, if a statement does so, and where it is read: nowhere in particular by what loops
-/// carry.
+/// The site where a value is computed, if a statement computes it, and the sites where it is read; a read by a
+/// loop-carried value has no site.
 #[derive(Clone, Default)]
 struct Use<'a> {
     owner: Option<Site<'a>>,
     readers: Vec<Option<Site<'a>>>,
 }
 
-/// The uses of a program's values, by their numbers.
+/// The uses of a program's values, by value.
 pub struct Uses<'a>(Vec<Use<'a>>);
 
 impl<'a> Uses<'a> {
-    /// Those of a program whose blocks have these sections.
+    /// Finds the uses in a program whose blocks have these sections.
     pub fn of(program: &Program, blocks: &'a [Vec<ItemSection>]) -> Self {
         let mut uses = Uses(vec![Use::default(); program.names.count()]);
         for (block, sections) in blocks.iter().enumerate() {
@@ -52,8 +52,6 @@ impl<'a> Uses<'a> {
         program.results.iter().flatten().for_each(|result| uses.read(result, Some(last)));
         let tested = program.pivots.iter().flatten().flat_map(|(value, scale)| [value, scale]);
         tested.for_each(|operand| uses.read(operand, Some(last)));
-        // Unknowns, slots and what loops carry are read by their names.
-
         uses
     }
 
@@ -63,13 +61,13 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// Whether a value is read once, where it is computed.
+    /// Returns whether a value is read once, at the site where it is computed.
     pub fn is_once(&self, name: ValueId) -> bool {
         let Use { owner, readers } = &self.0[name.index()];
         readers[..] == [*owner] && owner.is_some()
     }
 
-    /// The prefix of the section that computes a value, if other sections read it.
+    /// Returns the prefix of the section that computes a value, if other sections read it.
     fn shared_by(&self, name: ValueId) -> Option<&'a str> {
         let Use { owner, readers } = &self.0[name.index()];
         let own = (*owner)?.prefix;
@@ -77,8 +75,8 @@ impl<'a> Uses<'a> {
         (!readers.iter().all(is_own)).then_some(own)
     }
 
-    /// What values are called: their names, or numbers under the prefix of their section if other sections read
-    /// them. All else has its number when it is written down.
+    /// Returns the names of values: their own name, or a number after the prefix of their section if other sections read
+    /// them. Other unnamed values get their number when they are written.
     pub fn names(&self, program: &Program, blocks: &[Vec<ItemSection>]) -> Vec<Option<String>> {
         let all = program.names.all().iter().cloned();
         let mut names: Vec<Option<String>> = all.map(Some).collect();
@@ -99,7 +97,7 @@ impl<'a> Uses<'a> {
     }
 }
 
-/// Calls what loops carry after what they hand on.
+/// Names loop-carried values after their values at the end of a repetition.
 fn name_carries(program: &Program, names: &mut [Option<String>]) {
     let carries: Vec<&CarriedValue> = program.loops().flat_map(|one| &one.carries).collect();
     let is_carried =
