@@ -5,6 +5,9 @@
 #[doc = include_str!("frames.md")]
 pub mod frames {}
 
+#[doc = include_str!("terms.md")]
+pub mod terms {}
+
 pub mod hinges;
 pub mod tutorial;
 
