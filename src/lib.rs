@@ -1,3 +1,5 @@
+// In the documentation the picture's file is not there; the first target of a link counts.
+#![doc = concat!("[crane]: ", include_str!("crane.uri"))]
 #![doc = include_str!("../README.md")]
 #![no_std]
 #![deny(missing_docs)]

@@ -74,33 +74,6 @@ fn counts_are_those_of_the_table() {
     assert!(table == committed, "now:\n{table}\nMSTMM_BLESS=1 accepts it");
 }
 
-/// The README's table, by the chains that its rows stand for.
-#[test]
-fn the_readme_has_the_same_counts() {
-    let rows = [
-        ("section 4.1, three balls", "BallPendulum"),
-        ("section 4.2, three parallel pins", "PinArmA"),
-        ("seven-pin arm, DH geometry, full tensors", "Dh"),
-        ("Franka Emika Panda", "Panda"),
-        ("thirty balls", "ThirtyBalls"),
-    ];
-    let readme = std::fs::read_to_string(file("../../../README.md")).expect("the README");
-    let table = table();
-    let total = |chain: &str, method: &str| {
-        let line = table.lines().find(|line| {
-            let mut words = line.split_whitespace();
-            words.next() == Some(chain) && words.next() == Some(method)
-        });
-        let words: Vec<&str> = line.expect("a row of the table").split_whitespace().collect();
-        words[words.len() - 3].to_owned()
-    };
-    for (label, chain) in rows {
-        let row =
-            format!("| {label} | {} | {} |", total(chain, "riccati"), total(chain, "transfer"));
-        assert!(readme.contains(&row), "the README should say\n{row}");
-    }
-}
-
 /// Points that can be read take no operation where nobody reads them, and are kept only where parameters
 /// change them.
 #[test]

@@ -1,0 +1,91 @@
+//! Each figure in the README's text is one that another test or a manifest holds.
+
+use super::read;
+
+/// Names and quantities with digits that are no results.
+const NAMES: [&str; 10] = [
+    "section 4.1 of the paper",
+    "section 4.2",
+    "Multibody System Dynamics 38 (2016)",
+    "MIT or Apache-2.0",
+    "Dormand–Prince 5(4)",
+    "RK4",
+    "Cortex-M4F",
+    "Cortex-M7",
+    "x86-64",
+    "a C header",
+];
+
+/// The rows of the operation table, by the chains that they stand for.
+fn operations() -> Vec<String> {
+    let rows = [
+        ("three balls (section 4.1 of the paper)", "BallPendulum"),
+        ("three parallel pins (section 4.2)", "PinArmA"),
+        ("seven pins, DH geometry, full tensors", "Dh"),
+        ("Franka Emika Panda", "Panda"),
+        ("thirty balls", "ThirtyBalls"),
+    ];
+    let counts = read("mstmm-macros/codegen/tests/operation_counts.txt");
+    // From the right: everything, with z, accelerations.
+    let count = |chain: &str, method: &str, column: usize| {
+        let mut lines = counts.lines().map(|line| line.split_whitespace().collect::<Vec<_>>());
+        let line = lines.find(|words| words[..2] == [chain, method]).expect("a row of the table");
+        line[line.len() - column].to_owned()
+    };
+    let row = |(label, chain)| {
+        let [accelerations, forces] = [3, 2].map(|column| count(chain, "riccati", column));
+        let transfer = count(chain, "transfer", 3);
+        format!("| {label} | {accelerations} | {forces} | {transfer} |")
+    };
+    rows.into_iter().map(row).collect()
+}
+
+/// The cost of a step of the Panda, from the firmware's table.
+fn firmware() -> Vec<String> {
+    let figures = read("examples/firmware/FIGURES.md");
+    let row = figures.lines().find(|line| line.starts_with("| `arm_f32`, cortex-m4 |"));
+    let cells: Vec<&str> = row.expect("a row of the table").split('|').map(str::trim).collect();
+    let [fewest, most, stack] = [2, 3, 6].map(|cell| cells[cell].parse::<u32>().expect("a figure"));
+    assert_eq!(fewest, most, "the same number of instructions from every state");
+    assert!(stack <= 1024);
+    let grouped = format!("{} {:03} instructions", fewest / 1000, fewest % 1000);
+    vec![grouped, "less than 1 KiB of stack".into()]
+}
+
+/// The tolerance of the random chains, and the oldest Rust.
+fn stated() -> Vec<String> {
+    let after = |file: &str, start: &str| {
+        let text = read(file);
+        let line = text.lines().find_map(|line| line.strip_prefix(start)).expect("a line");
+        line.trim_matches(['"', ';']).to_owned()
+    };
+    let tolerance = after("tests/random.rs", "const TOLERANCE: f64 = ");
+    let rust = after("Cargo.toml", "rust-version = ");
+    vec![format!("to {tolerance} in the"), format!("Rust {rust} or newer")]
+}
+
+/// Without programs, code and targets of links.
+fn prose(readme: &str) -> String {
+    let text = readme.split("```").step_by(2).collect::<String>();
+    let text = text.split('`').step_by(2).collect::<Vec<_>>().join(" ");
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn every_figure_has_a_source() {
+    let mut text = prose(&read("README.md"));
+    for figure in [operations(), firmware(), stated()].concat() {
+        let without = text.replacen(&figure, "", 1);
+        assert!(without != text, "the README should say\n{figure}");
+        text = without;
+    }
+    for name in NAMES {
+        text = text.replace(name, "");
+    }
+    let digits = text.match_indices(|c: char| c.is_ascii_digit());
+    let unknown: Vec<_> = digits
+        .map(|(at, _)| text[..at].chars().rev().take(40).collect::<Vec<_>>())
+        .map(|before| before.into_iter().rev().collect::<String>())
+        .collect();
+    assert!(unknown.is_empty(), "nothing holds the figures after {unknown:#?}");
+}
