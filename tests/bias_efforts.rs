@@ -140,5 +140,5 @@ fn what_is_not_finite_is_refused_and_leaves_the_efforts() {
     }
     let mut zero = state.clone();
     zero.q_mut()[3..].fill(0.0);
-    assert!(matches!(arm.bias_efforts(&zero, &inputs), Err(Error::Quaternion { .. })));
+    assert!(matches!(arm.bias_efforts(&zero, &inputs), Err(Error::InvalidQuaternion { .. })));
 }

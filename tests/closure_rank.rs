@@ -292,7 +292,7 @@ macro_rules! another_rank_is_an_error {
             state
         };
         let mut state = stretched();
-        let error = Err(mstmm::Error::Closure { hinge: "hold" });
+        let error = Err(mstmm::Error::ClosureRank { hinge: "hold" });
         assert_eq!(chain.assemble(&mut state, &inputs), error);
         assert_eq!(state, stretched());
         let stepped = Rk4::new(1e-3).step(&chain, &mut state, |_, _| chain.no_inputs());

@@ -113,7 +113,7 @@ fn a_parameter_that_leaves_nothing_finite_is_refused() {
     let mut chain = Lever::<f64>::new();
     let before = chain.clone();
     for refused in [chain.set_length(0.0), chain.set_slant(0.0), chain.set_length(f64::INFINITY)] {
-        assert!(matches!(refused, Err(Error::Parameter { .. })), "{refused:?}");
+        assert!(matches!(refused, Err(Error::InvalidParameter { .. })), "{refused:?}");
     }
     assert_eq!(chain, before);
     chain.set_slant(-3.0).expect("the axis the other way round");

@@ -86,12 +86,17 @@ fn a_refused_parameter_leaves_the_old_one() {
     let before = chain.clone();
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, -1.5] {
         let refused = chain.set_payload(bad);
-        let Err(Error::Parameter { name, reason }) = refused else { panic!("{bad}: {refused:?}") };
+        let Err(Error::InvalidParameter { name, reason }) = refused else {
+            panic!("{bad}: {refused:?}")
+        };
         assert_eq!(name, "payload");
         assert!(reason.contains(if bad.is_finite() { "hand" } else { "finite" }), "{reason}");
         assert_eq!(chain, before, "{bad}");
     }
-    assert!(matches!(chain.set_length(f64::NAN), Err(Error::Parameter { name: "length", .. })));
+    assert!(matches!(
+        chain.set_length(f64::NAN),
+        Err(Error::InvalidParameter { name: "length", .. })
+    ));
     assert_eq!(chain, before);
     // A mass that is small but there, and a length of any sign, are physical.
     chain.set_payload(-0.999).expect("a mass of a gram");

@@ -105,7 +105,7 @@ pub trait Chain {
     /// default checks nothing.
     ///
     /// # Errors
-    /// [`Error::Quaternion`].
+    /// [`Error::InvalidQuaternion`].
     fn check_state(&self, state: &Self::State) -> Result<(), Error> {
         let _ = state;
         Ok(())
@@ -117,7 +117,7 @@ pub trait Chain {
     /// Integrators check all inputs that they ask for. The default checks nothing.
     ///
     /// # Errors
-    /// [`Error::Quaternion`].
+    /// [`Error::InvalidQuaternion`].
     fn check_inputs(&self, inputs: &Self::Inputs) -> Result<(), Error> {
         let _ = inputs;
         Ok(())
@@ -133,7 +133,7 @@ pub trait Chain {
     /// by chains that need them. Other chains are closed always.
     ///
     /// # Errors
-    /// That of `inputs`, unchanged; `state` is left as it was. [`Error::Closure`] if directions that
+    /// That of `inputs`, unchanged; `state` is left as it was. [`Error::ClosureRank`] if directions that
     /// count as redundant are independent in this pose; `state` is then unspecified.
     fn close<E: From<Error>>(
         &self,
@@ -196,7 +196,7 @@ pub trait GeneratedChain: Chain {
     /// rates among those that make both sides of the closing hinge move alike.
     ///
     /// # Errors
-    /// [`Error::NotAssembled`] if the corrections do not converge, [`Error::Closure`] if they lead to a
+    /// [`Error::NotAssembled`] if the corrections do not converge, [`Error::ClosureRank`] if they lead to a
     /// pose in which the closure has a higher rank than was found, and those of
     /// [`Chain::check_state`] and [`Chain::check_inputs`]; `state` is left as it was.
     fn assemble(&self, state: &mut Self::State, inputs: &Self::Inputs) -> Result<(), Error> {

@@ -23,12 +23,12 @@ pub enum Error {
     NotFinite,
     /// A quaternion of a state or of a prescribed motion is not a rotation: its length is not
     /// between 0.9 and 1.1. Zero, very small and very large quaternions are among these.
-    Quaternion {
+    InvalidQuaternion {
         /// The name of the hinge, of the floating body or of the moving end.
         hinge: &'static str,
     },
     /// A value was refused; the one set before is kept.
-    Parameter {
+    InvalidParameter {
         /// The parameter's name.
         name: &'static str,
         /// What it must be, such as "must be positive".
@@ -45,7 +45,7 @@ pub enum Error {
     ///
     /// The rank is found in poses around the start of the description. It can be too low if the mobility
     /// depends on the pose: write a start in a pose like those of the motion.
-    Closure {
+    ClosureRank {
         /// The hinge's name in the chain's description.
         hinge: &'static str,
     },
@@ -62,7 +62,7 @@ impl fmt::Display for Error {
                      larger inertias; if so, use `f64`, or masses closer together"
                 )
             }
-            Error::Quaternion { hinge } => write!(
+            Error::InvalidQuaternion { hinge } => write!(
                 f,
                 "the quaternion of `{hinge}` is not a rotation: its length must be between 0.9 \
                  and 1.1"
@@ -70,13 +70,13 @@ impl fmt::Display for Error {
             Error::NotFinite => {
                 f.write_str("a coordinate, rate, input or time is not a finite number")
             }
-            Error::Parameter { name, reason } => write!(f, "`{name}` {reason}"),
+            Error::InvalidParameter { name, reason } => write!(f, "`{name}` {reason}"),
             Error::StepTooSmall => {
                 f.write_str("the tolerance cannot be reached: the step became too small")
             }
             Error::OutsideStep => f.write_str("the time lies outside the last step"),
             Error::NotAssembled => f.write_str("the chain cannot be closed from this start"),
-            Error::Closure { hinge } => write!(
+            Error::ClosureRank { hinge } => write!(
                 f,
                 "the closure of hinge `{hinge}` has a higher rank here than around the start of the \
                  description: write a start in a pose like this one"

@@ -149,7 +149,7 @@ pub fn take_back<W>(results: &mut W, new: impl FnOnce() -> W) {
 /// Whether a parameter may be set: to a finite number that leaves everything derived from it finite.
 ///
 /// # Errors
-/// [`Error::Parameter`] with the reason.
+/// [`Error::InvalidParameter`] with the reason.
 #[cold]
 pub fn check_parameter<T: Scalar>(
     name: &'static str,
@@ -158,10 +158,10 @@ pub fn check_parameter<T: Scalar>(
 ) -> Result<(), Error> {
     let finite = |numbers: &[T]| numbers.iter().all(|number| number.finite().all());
     if !finite(values) {
-        return Err(Error::Parameter { name, reason: "must be a finite number" });
+        return Err(Error::InvalidParameter { name, reason: "must be a finite number" });
     }
     if !derived.iter().all(|numbers| finite(numbers)) {
-        return Err(Error::Parameter {
+        return Err(Error::InvalidParameter {
             name,
             reason: "must leave all quantities derived from it finite",
         });
@@ -173,7 +173,7 @@ pub fn check_parameter<T: Scalar>(
 /// not negative elsewhere.
 ///
 /// # Errors
-/// [`Error::Parameter`] with the reason of the first rule that is broken.
+/// [`Error::InvalidParameter`] with the reason of the first rule that is broken.
 #[cold]
 pub fn check_numbers<T: Scalar, const N: usize>(
     name: &'static str,
@@ -184,7 +184,7 @@ pub fn check_numbers<T: Scalar, const N: usize>(
     for (number, &(positive, reason)) in numbers.iter().zip(rules) {
         let holds = if positive { number.greater(zero) } else { !zero.greater(*number) };
         if !(holds & number.finite()).all() {
-            return Err(Error::Parameter { name, reason });
+            return Err(Error::InvalidParameter { name, reason });
         }
     }
     Ok(())

@@ -37,10 +37,10 @@ fn is_refused<T: Scalar>(quaternion: [T; 4]) -> bool {
 /// Fails if the quaternion of `hinge` is finite and its length is not between 0.9 and 1.1.
 ///
 /// # Errors
-/// [`Error::Quaternion`].
+/// [`Error::InvalidQuaternion`].
 #[inline]
 pub fn check_quaternion<T: Scalar>(hinge: &'static str, quaternion: [T; 4]) -> Result<(), Error> {
-    if is_refused(quaternion) { Err(Error::Quaternion { hinge }) } else { Ok(()) }
+    if is_refused(quaternion) { Err(Error::InvalidQuaternion { hinge }) } else { Ok(()) }
 }
 
 /// Where the coordinates have the quaternions of a hinge.
@@ -59,7 +59,7 @@ pub struct QuaternionsOf {
 /// Checks all quaternions in the coordinates `q`.
 ///
 /// # Errors
-/// [`Error::Quaternion`] with the first hinge of the table that fails
+/// [`Error::InvalidQuaternion`] with the first hinge of the table that fails
 /// [`check_quaternion`].
 #[inline]
 pub fn check_quaternions<T: Scalar>(q: &[T], table: &[QuaternionsOf]) -> Result<(), Error> {

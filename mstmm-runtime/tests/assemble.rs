@@ -101,7 +101,7 @@ fn rounding_that_stays_is_accepted() {
 /// Off a closure redundant directions hold about the square of the gap; on it nothing but rounding.
 #[test]
 fn a_redundant_direction_that_holds_on_the_closure_is_an_error() {
-    let error = Err(Error::Closure { hinge: "hook" });
+    let error = Err(Error::ClosureRank { hinge: "hook" });
     assert_eq!(check_closure([1e-3, 1e-2], "hook"), Ok(()));
     assert_eq!(check_closure([1e-12, 1e-11], "hook"), Ok(()));
     assert_eq!(check_closure([1e-12, 1e-3], "hook"), error);

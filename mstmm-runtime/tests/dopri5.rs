@@ -309,7 +309,7 @@ fn tolerances_must_be_usable() {
     for (relative, absolute) in [(0.0, 0.0), (-1e-6, 1e-3), (1e-6, f64::NAN)] {
         let mut state = Pendulum::at(0.1, 0.0);
         let refused = Dopri5::new(relative, absolute).step(&chain, &mut state, |_, _| 0.0);
-        assert!(matches!(refused, Err(Error::Parameter { name: "tolerance", .. })));
+        assert!(matches!(refused, Err(Error::InvalidParameter { name: "tolerance", .. })));
     }
     let mut state = Pendulum::at(0.1, 0.0);
     Dopri5::new(0.0, 1e-6).step(&chain, &mut state, |_, _| 0.0).unwrap();

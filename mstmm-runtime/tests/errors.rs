@@ -13,10 +13,10 @@ fn errors_speak_plainly() {
     );
     assert_eq!(told(Error::NotFinite), "a coordinate, rate, input or time is not a finite number");
     assert_eq!(
-        told(Error::Quaternion { hinge: "wrist" }),
+        told(Error::InvalidQuaternion { hinge: "wrist" }),
         "the quaternion of `wrist` is not a rotation: its length must be between 0.9 and 1.1"
     );
-    let refused = Error::Parameter { name: "payload", reason: "must not be negative" };
+    let refused = Error::InvalidParameter { name: "payload", reason: "must not be negative" };
     assert_eq!(told(refused), "`payload` must not be negative");
     assert_eq!(
         told(Error::StepTooSmall),

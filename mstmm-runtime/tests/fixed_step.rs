@@ -103,7 +103,7 @@ macro_rules! common_tests {
                 assert_eq!(refused(0.1, f64::NAN), Error::NotFinite);
                 assert_eq!(refused(0.1, f64::INFINITY), Error::NotFinite);
                 assert_eq!(refused(f64::NAN, 1.0), Error::NotFinite);
-                let too_small = Error::Parameter { name: "step", reason: "must move the clock" };
+                let too_small = Error::InvalidParameter { name: "step", reason: "must move the clock" };
                 assert_eq!(refused(0.0, 1.0), too_small);
                 let (mut late, mut method) = (start.clone(), $method::new(1e-10));
                 late.t = 1e9;

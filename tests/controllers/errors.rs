@@ -58,7 +58,7 @@ fn the_chains_own_error_can_be_returned() {
     let chain = Loop::<f64>::new();
     let mut state = chain.start();
     let before = state.clone();
-    let refused = Error::Parameter { name: "torque", reason: "must be known" };
+    let refused = Error::InvalidParameter { name: "torque", reason: "must be known" };
     let result = Dopri5::new(1e-6, 1e-6).try_step(&chain, &mut state, |_, _| Err(refused));
     assert_eq!((result, state), (Err(refused), before));
 }

@@ -173,7 +173,8 @@ fn what_one_lane_may_not_have_none_gets() {
         for refused in [-1.5, f64::NAN] {
             let payload = W::from_lanes(|lane| if lane == odd { refused } else { 1.0 });
             let outcome = arm.set_payload(payload);
-            let is_refused = matches!(outcome, Err(Error::Parameter { name: "payload", .. }));
+            let is_refused =
+                matches!(outcome, Err(Error::InvalidParameter { name: "payload", .. }));
             assert!(is_refused, "lane {odd}, {refused}: {outcome:?}");
         }
         assert_eq!(arm.parameters().payload(), W::constant(2.0));

@@ -65,9 +65,9 @@ fn a_parameter_is_as_good_as_its_number() {
 fn a_parameter_that_is_refused_changes_nothing() {
     let mut lift = Lift::<f64>::new();
     let reason = "must leave the mass of body `beam` positive";
-    assert_eq!(lift.set_load(-1.0), Err(Error::Parameter { name: "load", reason }));
+    assert_eq!(lift.set_load(-1.0), Err(Error::InvalidParameter { name: "load", reason }));
     let reason = "must be a finite number";
-    assert_eq!(lift.set_arm(f64::NAN), Err(Error::Parameter { name: "arm", reason }));
+    assert_eq!(lift.set_arm(f64::NAN), Err(Error::InvalidParameter { name: "arm", reason }));
     assert_eq!(lift, Lift::new());
 }
 
@@ -85,9 +85,9 @@ mstmm_chain! {
 fn parameters_leave_moments_and_limits_in_order() {
     let mut door = Door::<f64>::new();
     let reason = "must leave the moments of inertia of body `leaf` not negative";
-    assert_eq!(door.set_inertia(-0.2), Err(Error::Parameter { name: "inertia", reason }));
+    assert_eq!(door.set_inertia(-0.2), Err(Error::InvalidParameter { name: "inertia", reason }));
     let reason = "must leave the width of the limits of hinge `edge` positive";
-    assert_eq!(door.set_widest(-1.0), Err(Error::Parameter { name: "widest", reason }));
+    assert_eq!(door.set_widest(-1.0), Err(Error::InvalidParameter { name: "widest", reason }));
     assert_eq!(door, Door::new());
     door.set_inertia(0.0).expect("a point mass");
     door.set_widest(2.0).expect("a wider door");

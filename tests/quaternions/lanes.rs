@@ -11,9 +11,9 @@ fn check<W: Scalar>(lanes: usize, pack: impl Fn(usize, f64, f64) -> W) {
     let inputs = chain.no_inputs();
     for lane in 0..lanes {
         for (length, expected) in [
-            (0.0, Err(Error::Quaternion { hinge: "b" })),
-            (0.8, Err(Error::Quaternion { hinge: "b" })),
-            (1.2, Err(Error::Quaternion { hinge: "b" })),
+            (0.0, Err(Error::InvalidQuaternion { hinge: "b" })),
+            (0.8, Err(Error::InvalidQuaternion { hinge: "b" })),
+            (1.2, Err(Error::InvalidQuaternion { hinge: "b" })),
             (0.95, Ok(())),
             (f64::NAN, Err(Error::NotFinite)),
         ] {

@@ -193,7 +193,7 @@ pub fn assert_refused<C: Compared>(chain: &C, state: &C::State, inputs: &C::Inpu
     assert!(at != fresh);
     assert_eq!(chain.solve_into(state, inputs, &mut at), Err(error), "{state:?}");
     assert_eq!(at, fresh);
-    if matches!(error, Error::Quaternion { .. }) {
+    if matches!(error, Error::InvalidQuaternion { .. }) {
         let mut assembled = state.clone();
         assert_eq!(chain.assemble(&mut assembled, inputs), Err(error), "{state:?}");
         assert!(format!("{assembled:?}") == format!("{state:?}"));

@@ -31,14 +31,14 @@ macro_rules! check {
         for which in 0..5 {
             for quaternion in refused() {
                 let (inputs, hinge) = with(which, quaternion);
-                assert_refused(&chain, &state, &inputs, Error::Quaternion { hinge });
+                assert_refused(&chain, &state, &inputs, Error::InvalidQuaternion { hinge });
                 let refused = chain.accelerations(&state, &inputs).map(|_| ());
-                assert_eq!(refused, Err(Error::Quaternion { hinge }));
+                assert_eq!(refused, Err(Error::InvalidQuaternion { hinge }));
             }
             for quaternion in accepted() {
                 let (inputs, _) = with(which, quaternion);
                 for (by, result, _) in moved(&chain, &state, &inputs) {
-                    assert!(!matches!(result, Err(Error::Quaternion { .. })), "{by}");
+                    assert!(!matches!(result, Err(Error::InvalidQuaternion { .. })), "{by}");
                 }
             }
             let mut quaternion = of_length(1.0);
@@ -57,7 +57,7 @@ macro_rules! check {
             (result, asked)
         };
         for number in 1..=4 {
-            assert_eq!(at_stage(number), (Err(Error::Quaternion { hinge: "b" }), number));
+            assert_eq!(at_stage(number), (Err(Error::InvalidQuaternion { hinge: "b" }), number));
         }
     }};
 }
@@ -92,7 +92,7 @@ fn closed_chains_refuse_them_when_they_are_assembled_and_closed() {
     GeneratedChain::assemble(&chain, &mut state, &chain.no_inputs()).expect("a loop");
     let mut wrong = chain.no_inputs();
     wrong.deck.state = FloatingState::new([0.0; 3], of_length(1.2), [0.0; 3], [0.0; 3]);
-    let error = Error::Quaternion { hinge: "deck" };
+    let error = Error::InvalidQuaternion { hinge: "deck" };
     assert_refused(&chain, &state, &wrong, error);
     let (mut moved, mut asked) = (state.clone(), 0);
     let result = SemiImplicitEuler::new(1e-3).step(&chain, &mut moved, |_, _| {

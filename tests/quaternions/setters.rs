@@ -18,7 +18,7 @@ fn check<T: Number>() {
                 result
             };
             for quaternion in refused() {
-                assert_eq!(set(quaternion), Err(Error::Quaternion { hinge: $hinge }));
+                assert_eq!(set(quaternion), Err(Error::InvalidQuaternion { hinge: $hinge }));
             }
             for broken in [T::NAN, T::INFINITE] {
                 let mut quaternion = of_length(1.0);
@@ -75,7 +75,7 @@ fn unchecked_unit_quaternions_are_refused_where_the_state_is_used() {
         let unchecked = UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z));
         let mut state = chain.initial_state();
         state.d_mut().set_orientation(unchecked);
-        let error = Error::Quaternion { hinge: "d" };
+        let error = Error::InvalidQuaternion { hinge: "d" };
         assert_refused(&chain, &state, &chain.no_inputs(), error);
     }
     let chain = Repeated::<f64>::new();
@@ -83,6 +83,6 @@ fn unchecked_unit_quaternions_are_refused_where_the_state_is_used() {
     state.set_each_b(|index| {
         mstmm::BallState::new(of_length(if index == 2 { 0.3 } else { 1.0 }), [0.0; 3])
     });
-    let error = Error::Quaternion { hinge: "b" };
+    let error = Error::InvalidQuaternion { hinge: "b" };
     assert_refused(&chain, &state, &chain.no_inputs(), error);
 }

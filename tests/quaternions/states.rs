@@ -15,11 +15,11 @@ fn check<C: Compared>(places: &[(usize, &'static str)]) {
     for &(place, hinge) in places {
         for quaternion in refused() {
             let state = with(place, quaternion);
-            assert_refused(&chain, &state, &inputs, Error::Quaternion { hinge });
+            assert_refused(&chain, &state, &inputs, Error::InvalidQuaternion { hinge });
             // What an integrator asks for at its stages is not checked.
             let mut rate = state.clone();
             let fast = chain.derivative_into(&state, &inputs, &mut rate);
-            assert!(!matches!(fast, Err(Error::Quaternion { .. })), "{fast:?}");
+            assert!(!matches!(fast, Err(Error::InvalidQuaternion { .. })), "{fast:?}");
         }
         for quaternion in accepted() {
             let state = with(place, quaternion);
@@ -45,7 +45,7 @@ fn check<C: Compared>(places: &[(usize, &'static str)]) {
     for &(place, _) in places {
         state.q_mut()[place..place + 4].fill(C::Scalar::default());
     }
-    assert_refused(&chain, &state, &inputs, Error::Quaternion { hinge: places[0].1 });
+    assert_refused(&chain, &state, &inputs, Error::InvalidQuaternion { hinge: places[0].1 });
 }
 
 macro_rules! states {
@@ -74,7 +74,7 @@ fn accelerations_by_value_are_checked() {
     let (mut state, inputs) = (chain.initial_state(), chain.no_inputs());
     assert!(chain.accelerations(&state, &inputs).is_ok());
     state.q[7] = 0.5;
-    assert_eq!(chain.accelerations(&state, &inputs), Err(Error::Quaternion { hinge: "b" }));
+    assert_eq!(chain.accelerations(&state, &inputs), Err(Error::InvalidQuaternion { hinge: "b" }));
     let mut accelerations = chain.accelerations(&chain.initial_state(), &inputs).unwrap();
     assert_eq!(chain.accelerations_into(&state, &inputs, &mut accelerations), Ok(()));
 }

@@ -110,7 +110,7 @@ fn parameters_that_are_refused() {
     chain.set_knot(|index| index as f64).expect("masses that are positive");
     let before = chain.clone();
     let reason = |result| match result {
-        Err(Error::Parameter { name, reason }) => (name, reason),
+        Err(Error::InvalidParameter { name, reason }) => (name, reason),
         other => panic!("{other:?}"),
     };
     for wrong in 0..3 {

@@ -45,7 +45,7 @@ impl From<Result<(), Error>> for Status {
                 let of_name = |name: &&CStr| name.to_bytes() == hinge.as_bytes();
                 Self::singular(HINGES.iter().position(of_name).map_or(-1, |index| index as i32))
             }
-            Err(Error::Parameter { .. }) => Self::PARAMETER,
+            Err(Error::InvalidParameter { .. }) => Self::PARAMETER,
             // None that an open chain and a method with fixed steps have.
             Err(_) => Self::OTHER,
         }

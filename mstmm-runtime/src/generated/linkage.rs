@@ -21,7 +21,7 @@ const MOST_CORRECTIONS: u32 = 50;
 ///
 /// # Errors
 /// [`Error::NotAssembled`] if it is not closed after 50 corrections, or as soon as it is not finite, and
-/// [`Error::Closure`] as [`check_closure`] says; `state` is left as it was.
+/// [`Error::ClosureRank`] as [`check_closure`] says; `state` is left as it was.
 #[cold]
 pub fn assemble<S: ChainState>(
     state: &mut S,
@@ -64,12 +64,12 @@ pub fn assemble<S: ChainState>(
 /// a millimetre, and rounding.
 ///
 /// # Errors
-/// [`Error::Closure`].
+/// [`Error::ClosureRank`].
 #[inline]
 pub fn check_closure<T: Scalar>(residual: [T; 2], hinge: &'static str) -> Result<(), Error> {
     let [gap, excess] = residual;
     let most = (gap * gap).mul_add(T::constant(1e6), independent::<T>());
-    if (!excess.greater(most)).all() { Ok(()) } else { Err(Error::Closure { hinge }) }
+    if (!excess.greater(most)).all() { Ok(()) } else { Err(Error::ClosureRank { hinge }) }
 }
 
 /// Poses that the rank of a closure is looked for in: the start may be a special one.

@@ -87,7 +87,7 @@ impl<'a, T: Scalar> BallStateMut<'a, T> {
     ///
     /// The type says that its length is one, so the components are stored unchanged. Those of a
     /// quaternion made by `new_unchecked` are checked where the state is used, see
-    /// [`Error::Quaternion`]; [`set_quaternion`](Self::set_quaternion) checks at once.
+    /// [`Error::InvalidQuaternion`]; [`set_quaternion`](Self::set_quaternion) checks at once.
     #[inline]
     pub fn set_orientation(&mut self, orientation: UnitQuaternion<T>) -> &mut Self {
         store(&mut self.orientation, to_array(orientation));
@@ -98,7 +98,7 @@ impl<'a, T: Scalar> BallStateMut<'a, T> {
     /// w, x, y, z of a quaternion, which is brought to unit length.
     ///
     /// # Errors
-    /// [`Error::Quaternion`] if the length is not between 0.9 and 1.1, [`Error::NotFinite`] if a
+    /// [`Error::InvalidQuaternion`] if the length is not between 0.9 and 1.1, [`Error::NotFinite`] if a
     /// component is not finite. The orientation set before is kept.
     #[inline]
     pub fn set_quaternion(&mut self, quaternion: [T; 4]) -> Result<&mut Self, Error> {

@@ -54,7 +54,9 @@ pub(super) fn advance_to<C: Chain, E: From<Error>>(
     while state.time().worst() != end {
         let (span, clock) = method.pace().towards(state.time(), end);
         if span.end == state.time() {
-            return Err(Error::Parameter { name: "step", reason: "must move the clock" }.into());
+            return Err(
+                Error::InvalidParameter { name: "step", reason: "must move the clock" }.into()
+            );
         }
         method.take(chain, state, span, &mut inputs)?;
         method.pace().clock = clock;
@@ -160,7 +162,7 @@ macro_rules! advance_methods {
             ///
             /// # Errors
             /// Those of [`step`](Self::step), [`Error::NotFinite`] if `end` is not finite, and
-            /// [`Error::Parameter`] if the step is too small to change the time. `state` is then the result
+            /// [`Error::InvalidParameter`] if the step is too small to change the time. `state` is then the result
             /// of the last complete step.
             pub fn advance_to(
                 &mut self,

@@ -58,7 +58,7 @@
 //! ```
 //!
 //! A quaternion of the given state, or of a prescribed motion, whose length is not between 0.9 and 1.1
-//! is refused with [`Error::Quaternion`](crate::Error::Quaternion). The state is checked once in a call
+//! is refused with [`Error::InvalidQuaternion`](crate::Error::InvalidQuaternion). The state is checked once in a call
 //! of `step` or `advance_to`; the states of stages, which an integrator makes itself, are not.
 //!
 //! Quaternions are integrated as four numbers, and brought back to unit length after every step by

@@ -63,7 +63,7 @@ fn common(cx: &EmitContext, body: &Body) -> TokenStream {
     match body.written {
         PresentPoints::ALL => quote!(#mstmm::BodyResult<T, #point>),
         PresentPoints { output, com } => {
-            quote!(#mstmm::BodyResult<T, #point, #mstmm::Written<#output, #com>>)
+            quote!(#mstmm::BodyResult<T, #point, #mstmm::OptionalPoints<#output, #com>>)
         }
     }
 }

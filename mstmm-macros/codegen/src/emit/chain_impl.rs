@@ -127,7 +127,7 @@ fn correction(cx: &EmitContext) -> ClosureMethods {
                 ///
                 /// # Errors
                 ///
-                /// `Error::NotAssembled` if the corrections do not converge, `Error::Closure` if they lead to
+                /// `Error::NotAssembled` if the corrections do not converge, `Error::ClosureRank` if they lead to
                 /// a pose in which the closure has a higher rank than around the start;
                 /// `state` is left as it was.
                 #(#[doc = #errors])*

@@ -135,7 +135,7 @@ pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
         ///
         /// # Errors
         ///
-        /// `Error::Parameter` if the number is not finite or would
+        /// `Error::InvalidParameter` if the number is not finite or would
         /// leave the chain with a mass that is not positive, a stiffness or damping that is negative
         /// or a quantity that is not finite; the old one is kept then.
         #[allow(unused_variables, clippy::all)]

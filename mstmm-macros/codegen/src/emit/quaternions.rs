@@ -123,7 +123,8 @@ pub fn error(cx: &EmitContext) -> Vec<String> {
     if checked(cx).is_empty() {
         return Vec::new();
     }
-    let text = " `Error::Quaternion` if the length of a quaternion is not between 0.9 and 1.1.";
+    let text =
+        " `Error::InvalidQuaternion` if the length of a quaternion is not between 0.9 and 1.1.";
     vec![String::new(), text.to_owned()]
 }
 

@@ -195,14 +195,14 @@ fn closure(cx: &EmitContext) -> ClosureItems {
     };
     let (held, visibility) = (Literal::usize_unsuffixed(held), &cx.passthrough.visibility);
     ClosureItems {
-        field: quote!(closure: #mstmm::Closure<T, #held>,),
+        field: quote!(closure: #mstmm::LoopClosure<T, #held>,),
         zero: quote!(closure: ::core::default::Default::default(),),
         shown: quote!(.field("closure", &self.closure)),
         method: quote! {
             /// Which reactions of the closing hinge, the last one, the motion does not determine:
             /// wrenches in axes of its inboard frame.
             #[inline]
-            #visibility fn closure(&self) -> &#mstmm::Closure<T, #held> {
+            #visibility fn closure(&self) -> &#mstmm::LoopClosure<T, #held> {
                 &self.closure
             }
         },

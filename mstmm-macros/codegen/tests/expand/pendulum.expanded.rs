@@ -65,7 +65,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// # Errors
     ///
-    /// `Error::Parameter` if the number is not finite or would
+    /// `Error::InvalidParameter` if the number is not finite or would
     /// leave the chain with a mass that is not positive, a stiffness or damping that is negative
     /// or a quantity that is not finite; the old one is kept then.
     #[allow(unused_variables, clippy::all)]
@@ -634,7 +634,7 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
     #[inline]
     pub fn rod(
         &self,
-    ) -> ::mstmm::BodyResult<T, ::mstmm::Point<T>, ::mstmm::Written<false, true>> {
+    ) -> ::mstmm::BodyResult<T, ::mstmm::Point<T>, ::mstmm::OptionalPoints<false, true>> {
         let (input_, output_) = (self.point_(1), self.point_(2));
         ::mstmm::BodyResult::new(
             input_,

@@ -142,7 +142,7 @@ impl<C: Chain> Dopri5<C> {
     /// are of unit length only up to the stage's error.
     ///
     /// # Errors
-    /// - [`Error::Parameter`] if a tolerance is negative or NaN, or both are zero.
+    /// - [`Error::InvalidParameter`] if a tolerance is negative or NaN, or both are zero.
     /// - Those of [`Chain::check_state`], and of [`Chain::derivative_into`] at the start.
     /// - Those of [`Chain::check_inputs`] at any stage.
     /// - [`Error::StepTooSmall`] if no step meets the tolerance, or if all steps give values that are

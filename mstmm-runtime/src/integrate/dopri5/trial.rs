@@ -38,7 +38,7 @@ impl<C: Chain> Dopri5<C> {
         let usable =
             self.relative >= zero && self.absolute >= zero && self.relative + self.absolute > zero;
         if !usable {
-            let error = Error::Parameter { name: "tolerance", reason: "must be positive" };
+            let error = Error::InvalidParameter { name: "tolerance", reason: "must be positive" };
             return Err(error.into());
         }
         let Self { steps: [a, b], end, .. } = self;
