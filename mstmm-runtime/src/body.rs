@@ -10,7 +10,7 @@ use crate::{BodyPoint, ConnectionPoint, Point};
 /// the body has. Named points are methods of a type that is generated for the body, which dereferences
 /// to this one.
 #[derive(Clone, Copy, Debug)]
-pub struct BodyResult<T, P: ConnectionPoint = Point<T>, W = Written<true, true>> {
+pub struct BodyResult<T, P: ConnectionPoint = Point<T>, W = OptionalPoints<true, true>> {
     input: P,
     output: P,
     com: P::Vector,
@@ -59,7 +59,7 @@ where
 
 /// Which points the description of a body has, of those that it may omit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Written<const OUTPUT: bool, const COM: bool>;
+pub struct OptionalPoints<const OUTPUT: bool, const COM: bool>;
 
 /// Bodies with an output in their description.
 #[diagnostic::on_unimplemented(
@@ -69,7 +69,7 @@ pub struct Written<const OUTPUT: bool, const COM: bool>;
 )]
 pub trait HasOutput {}
 
-impl<const COM: bool> HasOutput for Written<true, COM> {}
+impl<const COM: bool> HasOutput for OptionalPoints<true, COM> {}
 
 /// Bodies with a centre of mass in their description.
 #[diagnostic::on_unimplemented(
@@ -79,4 +79,4 @@ impl<const COM: bool> HasOutput for Written<true, COM> {}
 )]
 pub trait HasCom {}
 
-impl<const OUTPUT: bool> HasCom for Written<OUTPUT, true> {}
+impl<const OUTPUT: bool> HasCom for OptionalPoints<OUTPUT, true> {}

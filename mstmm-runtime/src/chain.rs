@@ -135,7 +135,7 @@ pub trait Chain {
     /// # Errors
     /// That of `inputs`, unchanged; `state` is left as it was. [`Error::ClosureRank`] if directions that
     /// count as redundant are independent in this pose; `state` is then unspecified.
-    fn close<E: From<Error>>(
+    fn project<E: From<Error>>(
         &self,
         state: &mut Self::State,
         inputs: impl FnOnce(&Self::State) -> Result<Self::Inputs, E>,

@@ -105,7 +105,6 @@ extern crate std;
 
 mod body;
 mod chain;
-mod closure;
 mod energy;
 mod error;
 #[doc(hidden)]
@@ -114,6 +113,7 @@ pub mod hinge;
 pub mod integrate;
 #[cfg(feature = "wide")]
 pub mod lanes;
+mod loop_closure;
 pub mod paper;
 mod point;
 mod primitive;
@@ -121,9 +121,8 @@ mod quaternion;
 mod scalar;
 mod trig;
 
-pub use body::{BodyResult, HasCom, HasOutput, Written};
+pub use body::{BodyResult, HasCom, HasOutput, OptionalPoints};
 pub use chain::{Chain, ChainState, GeneratedChain};
-pub use closure::Closure;
 pub use energy::Energy;
 pub use error::Error;
 pub use hinge::{
@@ -133,9 +132,10 @@ pub use hinge::{
     SliderState, SliderStateMut, UniversalState, UniversalStateMut,
 };
 pub use integrate::{Dopri5, LinearlyImplicitEuler, Newmark, Rk4, SemiImplicitEuler, Statistics};
+pub use loop_closure::LoopClosure;
 pub use nalgebra;
 pub use point::{
-    BodyPoint, ConnectionPoint, Everything, HasPoses, HasVelocities, HasZ, LinePoint,
+    AllResults, BodyPoint, ConnectionPoint, HasPoses, HasVelocities, HasZ, LinePoint,
     LineStateVector, PlanePoint, PlaneStateVector, Point, Results, StateVector,
 };
 pub use scalar::{Mask, Scalar};

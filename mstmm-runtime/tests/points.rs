@@ -3,7 +3,7 @@
 use mstmm_runtime::generated::{Places, place_of};
 use mstmm_runtime::nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 use mstmm_runtime::{
-    BodyPoint, BodyResult, Closure, HingeResult, LinePoint, LineStateVector, PlanePoint,
+    BodyPoint, BodyResult, HingeResult, LinePoint, LineStateVector, LoopClosure, PlanePoint,
     PlaneStateVector, Point, StateVector,
 };
 
@@ -103,10 +103,10 @@ fn points_on_a_line() {
 
 #[test]
 fn closures_tell_what_is_redundant() {
-    let none = Closure::<f64, 6>::default();
+    let none = LoopClosure::<f64, 6>::default();
     assert_eq!((none.redundant(), none.undetermined()), (0, &[[0.0; 6]; 6]));
     let across = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
-    let loop_in_a_plane = Closure::new([[0.0; 6], across], [0.0, 1.0]);
+    let loop_in_a_plane = LoopClosure::new([[0.0; 6], across], [0.0, 1.0]);
     assert_eq!(loop_in_a_plane.redundant(), 1);
     assert_eq!(loop_in_a_plane.undetermined(), &[[0.0; 6], across]);
 }

@@ -63,19 +63,19 @@ fn the_chains_own_error_can_be_returned() {
     assert_eq!((result, state), (Err(refused), before));
 }
 
-/// `close` itself hands the error on, and leaves the state.
+/// `project` itself hands the error on, and leaves the state.
 #[test]
 fn closing_asks_inputs_that_may_fail() {
     let chain = Loop::<f64>::new();
     let mut state = chain.initial_state();
     let before = state.clone();
-    let result = chain.close(&mut state, |_| Err(Fault::Sensor(7)));
+    let result = chain.project(&mut state, |_| Err(Fault::Sensor(7)));
     assert_eq!((result, &state), (Err(Fault::Sensor(7)), &before));
-    let result = chain.close(&mut state, |_| Ok::<_, Error>(chain.no_inputs()));
+    let result = chain.project(&mut state, |_| Ok::<_, Error>(chain.no_inputs()));
     assert_eq!(result, Ok(()));
     assert_ne!(state, before);
     // Open chains do not ask.
     let chain = Arm::<f64>::new();
-    let asked = chain.close(&mut chain.initial_state(), |_| Err(Fault::Sensor(7)));
+    let asked = chain.project(&mut chain.initial_state(), |_| Err(Fault::Sensor(7)));
     assert_eq!(asked, Ok(()));
 }

@@ -103,7 +103,7 @@ fn state<C: GeneratedChain>(chain: &C, angles: &[f64]) -> C::State {
     }
     state.v_mut().fill(C::Scalar::constant(1.0));
     for _ in 0..3 {
-        chain.close(&mut state, |_| Ok::<_, Error>(chain.no_inputs())).expect("a linkage");
+        chain.project(&mut state, |_| Ok::<_, Error>(chain.no_inputs())).expect("a linkage");
     }
     state
 }

@@ -146,8 +146,8 @@ where
         found.push(("normalized", apart(&long, &twin_long)));
 
         let (mut moved, mut twin_moved) = (state.clone(), twin.clone());
-        regular(a.close(&mut moved, |_| Ok(given)));
-        regular(b.close(&mut twin_moved, |_| Ok(same)));
+        regular(a.project(&mut moved, |_| Ok(given)));
+        regular(b.project(&mut twin_moved, |_| Ok(same)));
         found.push(("closed", apart(&moved, &twin_moved)));
 
         // No method with stages: there quaternions are not quite of unit length, and what a program

@@ -1,12 +1,12 @@
 //! How closed chains are assembled, and how the rank of their closure is found and watched.
 
-use crate::{ChainState, Closure, Error, Mask, Scalar};
+use crate::{ChainState, Error, LoopClosure, Mask, Scalar};
 
 /// The result of a closure from the wrenches that it leaves undetermined, which are zero where there is none.
 #[inline]
-pub fn closure<T: Scalar, const C: usize>(undetermined: [[T; 6]; C]) -> Closure<T, C> {
+pub fn closure<T: Scalar, const C: usize>(undetermined: [[T; 6]; C]) -> LoopClosure<T, C> {
     let square = |wrench: [T; 6]| wrench.into_iter().fold(T::default(), |sum, x| sum + x * x);
-    Closure::new(undetermined, undetermined.map(square))
+    LoopClosure::new(undetermined, undetermined.map(square))
 }
 
 /// Most corrections on the way to a closed chain.

@@ -74,7 +74,7 @@ pub(super) fn arrive<C: Chain, E: From<Error>>(
 ) -> Result<(), E> {
     result.set_time(time);
     chain.normalize(result);
-    chain.close(result, |state| ask(chain, inputs, time, state))?;
+    chain.project(result, |state| ask(chain, inputs, time, state))?;
     if !is_finite(result) {
         return Err(Error::NotFinite.into());
     }

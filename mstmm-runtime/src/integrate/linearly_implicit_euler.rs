@@ -48,7 +48,7 @@ impl<C: Chain> LinearlyImplicitEuler<C> {
     ///
     /// # Errors
     /// Those of [`Chain::check_state`], [`Chain::check_inputs`], [`Chain::implicit_derivative_into`] and
-    /// [`Chain::close`], and [`Error::NotFinite`] if the result is not finite. `state` is left as it was.
+    /// [`Chain::project`], and [`Error::NotFinite`] if the result is not finite. `state` is left as it was.
     pub fn step(
         &mut self,
         chain: &C,

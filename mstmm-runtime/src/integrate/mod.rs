@@ -63,7 +63,7 @@
 //!
 //! Quaternions are integrated as four numbers, and brought back to unit length after every step by
 //! [`Chain::normalize`]; a chain held at both ends is then brought back onto its closure by
-//! [`Chain::close`], which asks for what acts on it once more. That moves the state by no more than
+//! [`Chain::project`], which asks for what acts on it once more. That moves the state by no more than
 //! the error of the step, so a method keeps its order, and unlike any three angles quaternions have
 //! no pose in which they fail. The stages of a step are off the closure by their error. They take the
 //! rank of a redundant closure from the linkage, not from their state; Bennett's linkage keeps its

@@ -49,7 +49,7 @@ impl<C: Chain> SemiImplicitEuler<C> {
     ///
     /// # Errors
     /// Those of [`Chain::check_state`], [`Chain::check_inputs`], [`Chain::derivative_into`] and
-    /// [`Chain::close`], and [`Error::NotFinite`] if the result is not finite.
+    /// [`Chain::project`], and [`Error::NotFinite`] if the result is not finite.
     /// `state` is left as it was.
     pub fn step(
         &mut self,

@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 use nalgebra::SVector;
 
 use super::places::{Places, entries, less};
-use super::results::{Everything, HasPoses, HasVelocities, HasZ, Results, show};
+use super::results::{AllResults, HasPoses, HasVelocities, HasZ, Results, show};
 use crate::Scalar;
 
 /// The method's state vector `[P, Eq. (7)]`, z = [ẍ, q_x, 1] at a connection point of a line chain.
@@ -50,7 +50,7 @@ impl<T: Scalar> LineStateVector<T> {
 /// passes through it, all along x. `R` says what the chain computes of
 /// it: all that the methods read, unless its setting `results` leaves something out.
 #[derive(Clone, Copy, PartialEq)]
-pub struct LinePoint<T, R = Everything> {
+pub struct LinePoint<T, R = AllResults> {
     position: T,
     velocity: T,
     z: LineStateVector<T>,

@@ -12,7 +12,7 @@ pub use line::{LinePoint, LineStateVector};
 #[doc(hidden)]
 pub use places::{Places, entries};
 pub use plane::{PlanePoint, PlaneStateVector};
-pub use results::{Everything, HasPoses, HasVelocities, HasZ, Results};
+pub use results::{AllResults, HasPoses, HasVelocities, HasZ, Results};
 pub use space::{Point, StateVector};
 
 /// A connection point of any kind of chain: [`Point`] in space, [`PlanePoint`] in the plane,

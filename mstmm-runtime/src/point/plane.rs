@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 use nalgebra::{Matrix2, Rotation2, SVector, Vector2};
 
 use super::places::{Places, entries, less};
-use super::results::{Everything, HasPoses, HasVelocities, HasZ, Results, show};
+use super::results::{AllResults, HasPoses, HasVelocities, HasZ, Results, show};
 use crate::Scalar;
 
 /// The method's state vector `[P, Eq. (6)]`, z = [ẍ, ÿ, Ω̇_z, m_z, q_x, q_y, 1] at a connection point of a plane
@@ -72,7 +72,7 @@ impl<T: Scalar> PlaneStateVector<T> {
 /// turns with the element the point belongs to. `R` says what the chain computes of it: all that the
 /// methods read, unless its setting `results` leaves something out.
 #[derive(Clone, Copy, PartialEq)]
-pub struct PlanePoint<T, R = Everything> {
+pub struct PlanePoint<T, R = AllResults> {
     position: [T; 2],
     pub(super) cos_sin: [T; 2],
     velocity: [T; 2],

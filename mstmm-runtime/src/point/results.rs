@@ -4,13 +4,13 @@ use core::fmt;
 
 /// Which results the connection points of a chain have: poses, velocities and the state vector z.
 ///
-/// A chain's setting `results` says so; unless it does they have all of them, [`Everything`]. What was left
+/// A chain's setting `results` says so; unless it does they have all of them, [`AllResults`]. What was left
 /// out is not computed, and a method that reads it does not compile.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Results<const POSES: bool, const VELOCITIES: bool, const Z: bool>;
 
 /// All results.
-pub type Everything = Results<true, true, true>;
+pub type AllResults = Results<true, true, true>;
 
 /// Results with positions and orientations.
 #[diagnostic::on_unimplemented(

@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 use nalgebra::{Matrix3, Rotation3, SVector, Vector3};
 
 use super::places::{Places, entries, less};
-use super::results::{Everything, HasPoses, HasVelocities, HasZ, Results, show};
+use super::results::{AllResults, HasPoses, HasVelocities, HasZ, Results, show};
 use crate::Scalar;
 
 /// The method's state vector z = [r̈, Ω̇, m, q, 1] at a connection point, in the inertial frame.
@@ -81,7 +81,7 @@ impl<T: Scalar> StateVector<T> {
 /// turns with the element the point belongs to. `R` says what the chain computes of it: all that the
 /// methods read, unless its setting `results` leaves something out.
 #[derive(Clone, Copy, PartialEq)]
-pub struct Point<T, R = Everything> {
+pub struct Point<T, R = AllResults> {
     position: [T; 3],
     pub(super) rotation: [[T; 3]; 3],
     velocity: [T; 3],

@@ -37,11 +37,11 @@ impl<K: Subject, C: Subject> Chain for Mixed<'_, K, C> {
         self.kept.normalize(state);
     }
 
-    fn close<E: From<Error>>(
+    fn project<E: From<Error>>(
         &self,
         state: &mut K::State,
         inputs: impl FnOnce(&K::State) -> Result<Self::Inputs, E>,
     ) -> Result<(), E> {
-        self.kept.close(state, |state| inputs(state).map(|(inputs, _)| inputs))
+        self.kept.project(state, |state| inputs(state).map(|(inputs, _)| inputs))
     }
 }

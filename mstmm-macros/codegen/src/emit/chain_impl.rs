@@ -32,7 +32,7 @@ pub fn chain_impl(cx: &EmitContext) -> TokenStream {
     });
     let checks = quaternions::checks(cx);
     let correction = correction(cx);
-    let (close, assemble) = (&correction.close, &correction.assemble);
+    let (project, assemble) = (&correction.project, &correction.assemble);
     quote! {
         impl<T: #mstmm::Scalar> #mstmm::Chain for #name<T> {
             type Scalar = T;
@@ -68,7 +68,7 @@ pub fn chain_impl(cx: &EmitContext) -> TokenStream {
 
             #checks
 
-            #close
+            #project
         }
 
         #assemble
@@ -77,15 +77,15 @@ pub fn chain_impl(cx: &EmitContext) -> TokenStream {
 
 /// How a closed chain is put back onto its closure.
 struct ClosureMethods {
-    close: TokenStream,
+    project: TokenStream,
     assemble: TokenStream,
 }
 
 fn correction(cx: &EmitContext) -> ClosureMethods {
     let mstmm = &cx.mstmm;
     let Some(function) = cx.compiled.find(Answer::Correction) else {
-        let [close, assemble] = [(); 2].map(|()| TokenStream::new());
-        return ClosureMethods { close, assemble };
+        let [project, assemble] = [(); 2].map(|()| TokenStream::new());
+        return ClosureMethods { project, assemble };
     };
     let (name, state, inputs) = (&cx.names.chain, &cx.names.state, &cx.names.inputs);
     let visibility = &cx.passthrough.visibility;
@@ -97,9 +97,9 @@ fn correction(cx: &EmitContext) -> ClosureMethods {
         has_excess(function).then(|| quote!(#mstmm::generated::check_closure(residual_, #hinge)?;));
     let errors = quaternions::error(cx);
     ClosureMethods {
-        close: quote! {
+        project: quote! {
             #[inline]
-            fn close<E: ::core::convert::From<#mstmm::Error>>(
+            fn project<E: ::core::convert::From<#mstmm::Error>>(
                 &self,
                 state_: &mut #state<T>,
                 inputs_: impl ::core::ops::FnOnce(

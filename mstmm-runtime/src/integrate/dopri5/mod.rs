@@ -146,7 +146,7 @@ impl<C: Chain> Dopri5<C> {
     /// - Those of [`Chain::check_state`], and of [`Chain::derivative_into`] at the start.
     /// - Those of [`Chain::check_inputs`] at any stage.
     /// - [`Error::StepTooSmall`] if no step meets the tolerance, or if all steps give values that are
-    ///   not finite; another error of [`Chain::derivative_into`] or [`Chain::close`] if even the
+    ///   not finite; another error of [`Chain::derivative_into`] or [`Chain::project`] if even the
     ///   shortest step fails with it.
     ///
     /// `state` is left as it was.

@@ -178,7 +178,7 @@ impl<C: Chain> Dopri5<C> {
         // starts from. The estimate moves by as little as the state does, which is of higher order.
         chain.normalize(state);
         let time = state.time();
-        chain.close(state, |state| ask(chain, inputs, time, state).map_err(Failure::Inputs))?;
+        chain.project(state, |state| ask(chain, inputs, time, state).map_err(Failure::Inputs))?;
         evaluate(chain, state, inputs, count, k7)?;
         if !is_finite(state) {
             return Err(Error::NotFinite.into());

@@ -10,12 +10,12 @@ use crate::{Mask, Scalar};
 /// smallest ones, in the sense of least squares of forces in N and moments in N m at the closing
 /// hinge, which is the last one of the chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Closure<T, const C: usize> {
+pub struct LoopClosure<T, const C: usize> {
     undetermined: [[T; 6]; C],
     redundant: [T; C],
 }
 
-impl<T: Scalar, const C: usize> Closure<T, C> {
+impl<T: Scalar, const C: usize> LoopClosure<T, C> {
     /// Puts the result together; generated code does.
     ///
     /// `redundant` is positive for the directions that are redundant, and zero for the others, as
@@ -43,7 +43,7 @@ impl<T: Scalar, const C: usize> Closure<T, C> {
 }
 
 /// Nothing redundant.
-impl<T: Scalar, const C: usize> Default for Closure<T, C> {
+impl<T: Scalar, const C: usize> Default for LoopClosure<T, C> {
     fn default() -> Self {
         Self::new([[T::default(); 6]; C], [T::default(); C])
     }
