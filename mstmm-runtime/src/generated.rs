@@ -72,9 +72,9 @@ pub fn regular<T: Scalar, const P: usize, const N: usize>(
         (Some(first), Some(last)) => first + last,
         (first, last) => first.or(last).unwrap_or(T::constant(0.0)),
     };
-    let mut regular = sum.finite();
+    let mut regular = sum.is_finite();
     for (pivot, scale) in pivots.into_iter().zip(scales) {
-        regular = regular & pivot.greater(noise * scale);
+        regular = regular & pivot.simd_gt(noise * scale);
     }
     regular.all()
 }
@@ -98,7 +98,7 @@ pub fn irregular<T: Scalar, const P: usize>(
 /// [`Error::NotFinite`].
 #[inline]
 pub fn finite<T: Scalar>(numbers: &[&[T]]) -> Result<(), Error> {
-    if T::total(numbers).finite().all() { Ok(()) } else { Err(Error::NotFinite) }
+    if T::sum(numbers).is_finite().all() { Ok(()) } else { Err(Error::NotFinite) }
 }
 
 /// Fails if any of the numbers is NaN or infinite, of which there may be many: they are added up
@@ -125,7 +125,7 @@ fn diagnosis<T: Scalar>(hinges: &[&'static str], pivots: &[T], scales: &[T]) -> 
     let noise = T::epsilon() * T::constant(NOISE);
     for ((&hinge, &pivot), &scale) in hinges.iter().zip(pivots).zip(scales) {
         // Too large a state is no fault of the hinge.
-        if (pivot.finite() & scale.finite()).all() && !pivot.greater(noise * scale).all() {
+        if (pivot.is_finite() & scale.is_finite()).all() && !pivot.simd_gt(noise * scale).all() {
             return Error::Singular { hinge };
         }
     }
@@ -156,7 +156,7 @@ pub fn check_parameter<T: Scalar>(
     values: &[T],
     derived: &[&[T]],
 ) -> Result<(), Error> {
-    let finite = |numbers: &[T]| numbers.iter().all(|number| number.finite().all());
+    let finite = |numbers: &[T]| numbers.iter().all(|number| number.is_finite().all());
     if !finite(values) {
         return Err(Error::InvalidParameter { name, reason: "must be a finite number" });
     }
@@ -182,8 +182,8 @@ pub fn check_numbers<T: Scalar, const N: usize>(
 ) -> Result<(), Error> {
     let zero = T::constant(0.0);
     for (number, &(positive, reason)) in numbers.iter().zip(rules) {
-        let holds = if positive { number.greater(zero) } else { !zero.greater(*number) };
-        if !(holds & number.finite()).all() {
+        let holds = if positive { number.simd_gt(zero) } else { !zero.simd_gt(*number) };
+        if !(holds & number.is_finite()).all() {
             return Err(Error::InvalidParameter { name, reason });
         }
     }
@@ -197,7 +197,7 @@ pub const REDUNDANT: f64 = 1024.0;
 /// `1 / value` where it exceeds what rounding can leave of `scale`, zero elsewhere.
 #[inline]
 pub fn recip_above<T: Scalar>(value: T, scale: T) -> T {
-    let above = value.greater(T::epsilon() * T::constant(REDUNDANT) * scale);
+    let above = value.simd_gt(T::epsilon() * T::constant(REDUNDANT) * scale);
     T::select(above, value.recip(), T::constant(0.0))
 }
 
@@ -208,7 +208,7 @@ const TINY: f64 = 1e-30;
 #[inline]
 pub fn vanishes<T: Scalar>(pivot: T, scale: T) -> T::Mask {
     // One comparison, for there may be thousands of them; with NaN it says no.
-    scale.mul_add(T::epsilon() * T::constant(NOISE), T::constant(TINY)).greater(pivot)
+    scale.mul_add(T::epsilon() * T::constant(NOISE), T::constant(TINY)).simd_gt(pivot)
 }
 
 /// Fails with the name of a repeated hinge if a pivot of it is not positive.

@@ -142,7 +142,7 @@ macro_rules! lanes {
             // Not `-self`: `wide` flips the sign in integers. A variable that is written in floating point and read in
             // integers costs LLVM a walk through the block, as a constant does: see `splat`. The bits are the same.
             #[inline]
-            fn minus(self) -> Self {
+            fn negate(self) -> Self {
                 Self::constant(-0.0) - self
             }
 
@@ -183,39 +183,39 @@ macro_rules! lanes {
             }
 
             #[inline(always)]
-            fn greater(self, other: Self) -> Self {
+            fn simd_gt(self, other: Self) -> Self {
                 self.simd_gt(other)
             }
 
             #[inline(always)]
-            fn finite(self) -> Self {
+            fn is_finite(self) -> Self {
                 Self::constant(f64::INFINITY).simd_gt($lanes::abs(self))
             }
 
             // In four sums: a processor has room for fewer instructions on vectors while it waits.
             #[inline(always)]
-            fn total(numbers: &[&[Self]]) -> Self {
+            fn sum(slices: &[&[Self]]) -> Self {
                 let mut sums = [Self::default(); 4];
-                for numbers in numbers {
-                    let (blocks, rest) = numbers.as_chunks::<4>();
+                for values in slices {
+                    let (blocks, rest) = values.as_chunks::<4>();
                     for block in blocks {
-                        sums.iter_mut().zip(block).for_each(|(sum, &number)| *sum += number);
+                        sums.iter_mut().zip(block).for_each(|(sum, &value)| *sum += value);
                     }
-                    sums.iter_mut().zip(rest).for_each(|(sum, &number)| *sum += number);
+                    sums.iter_mut().zip(rest).for_each(|(sum, &value)| *sum += value);
                 }
                 let [a, b, c, d] = sums;
                 (a + b) + (c + d)
             }
 
             #[inline(always)]
-            fn select(mask: Self, yes: Self, no: Self) -> Self {
-                mask.select(yes, no)
+            fn select(mask: Self, if_true: Self, if_false: Self) -> Self {
+                mask.select(if_true, if_false)
             }
 
             #[inline]
-            fn worst(self) -> $real {
-                self.to_array().into_iter().fold($real::NEG_INFINITY, |worst, lane| {
-                    if worst >= lane || worst.is_nan() { worst } else { lane }
+            fn max_lane(self) -> $real {
+                self.to_array().into_iter().fold($real::NEG_INFINITY, |largest, lane| {
+                    if largest >= lane || largest.is_nan() { largest } else { lane }
                 })
             }
 
@@ -272,8 +272,8 @@ mod tests {
             let one = L::constant(1.0);
             for number in [0.0, -0.0, 1.5, -1.5, 1e-40, f64::INFINITY, f64::NEG_INFINITY] {
                 let number = L::constant(number);
-                assert_eq!(number.minus(), -number);
-                assert_eq!(one.copysign(number.minus()), one.copysign(-number));
+                assert_eq!(number.negate(), -number);
+                assert_eq!(one.copysign(number.negate()), one.copysign(-number));
             }
         }
         check::<f64>();

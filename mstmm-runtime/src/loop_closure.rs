@@ -28,7 +28,7 @@ impl<T: Scalar, const C: usize> LoopClosure<T, C> {
     /// How many closing directions are redundant; of several lanes, in at least one of them.
     pub fn redundant(&self) -> usize {
         let zero = T::default();
-        self.redundant.iter().filter(|flag| !(!flag.greater(zero)).all()).count()
+        self.redundant.iter().filter(|flag| !(!flag.simd_gt(zero)).all()).count()
     }
 
     /// For each redundant closing direction a unit wrench, force and then moment, that can be added

@@ -74,22 +74,22 @@ macro_rules! primitive {
             }
 
             #[inline(always)]
-            fn greater(self, other: Self) -> bool {
+            fn simd_gt(self, other: Self) -> bool {
                 self > other
             }
 
             #[inline(always)]
-            fn finite(self) -> bool {
+            fn is_finite(self) -> bool {
                 self.is_finite()
             }
 
             #[inline(always)]
-            fn select(mask: bool, yes: Self, no: Self) -> Self {
-                if mask { yes } else { no }
+            fn select(mask: bool, if_true: Self, if_false: Self) -> Self {
+                if mask { if_true } else { if_false }
             }
 
             #[inline(always)]
-            fn worst(self) -> Self {
+            fn max_lane(self) -> Self {
                 self
             }
 

@@ -18,7 +18,7 @@ fn square<T: Scalar>([w, x, y, z]: [T; 4]) -> T {
 
 /// Whether all components are finite, in every lane.
 fn is_finite<T: Scalar>([w, x, y, z]: [T; 4]) -> T::Mask {
-    w.finite() & x.finite() & y.finite() & z.finite()
+    w.is_finite() & x.is_finite() & y.is_finite() & z.is_finite()
 }
 
 /// Whether the quaternion is finite and its length is not between 0.9 and 1.1, in any lane.
@@ -29,8 +29,8 @@ fn is_refused<T: Scalar>(quaternion: [T; 4]) -> bool {
     let square = square(quaternion);
     let rounding = T::constant(ROUNDING) * T::epsilon();
     // A square that overflows is infinite, one that underflows zero.
-    let short = (T::constant(SHORTEST * SHORTEST) - rounding).greater(square);
-    let long = square.greater(T::constant(LONGEST * LONGEST) + rounding);
+    let short = (T::constant(SHORTEST * SHORTEST) - rounding).simd_gt(square);
+    let long = square.simd_gt(T::constant(LONGEST * LONGEST) + rounding);
     !(!((short | long) & is_finite(quaternion))).all()
 }
 

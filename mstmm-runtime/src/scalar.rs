@@ -86,9 +86,11 @@ pub trait Scalar:
         addend - self * factor
     }
 
-    /// The negative: `-self`.
+    /// Returns `-self`.
+    ///
+    /// A type may have a form of the negative that compiles faster than its operator; the value is the same.
     #[inline(always)]
-    fn minus(self) -> Self {
+    fn negate(self) -> Self {
         -self
     }
 
@@ -120,29 +122,28 @@ pub trait Scalar:
     /// angles of IEEE 754: that of the origin is zero, and ±π if x is −0. NaN gives NaN.
     fn atan2(self, x: Self) -> Self;
 
-    /// Where `self` is greater than `other`; false where either is NaN.
-    fn greater(self, other: Self) -> Self::Mask;
+    /// Returns whether `self` is greater than `other`, for each lane; false where either is NaN.
+    fn simd_gt(self, other: Self) -> Self::Mask;
 
-    /// Where `self` is neither infinite nor NaN.
-    fn finite(self) -> Self::Mask;
+    /// Returns whether `self` is neither infinite nor NaN, for each lane.
+    fn is_finite(self) -> Self::Mask;
 
-    /// The sum of all numbers, in an order of its own.
-    ///
-    /// They are added up one after the other, for whoever does not wait for it; from several sums side
-    /// by side the compiler would make vectors, and compute what the numbers come from out of their
-    /// lanes.
+    /// Returns the sum of all values, in an unspecified order of additions.
+    // One chain of additions: from several partial sums the compiler would build vectors, and then extract the
+    // values that the sum is computed from out of their lanes.
     #[inline(always)]
-    fn total(numbers: &[&[Self]]) -> Self {
-        let all = numbers.iter().copied().flatten().copied();
-        all.reduce(|sum, number| sum + number).unwrap_or(Self::constant(0.0))
+    fn sum(slices: &[&[Self]]) -> Self {
+        let values = slices.iter().copied().flatten().copied();
+        values.reduce(|sum, value| sum + value).unwrap_or(Self::constant(0.0))
     }
 
-    /// `yes` where `mask` is true, `no` elsewhere.
-    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// Returns `if_true` for each lane where `mask` is true, and `if_false` for the others.
+    fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self;
 
-    /// The largest lane, NaN if any lane is NaN. A number without lanes gives its value, a dual
-    /// number its real part.
-    fn worst(self) -> Self::Real;
+    /// Returns the largest lane, or NaN if a lane is NaN.
+    ///
+    /// A scalar without lanes returns its value, a dual number its real part.
+    fn max_lane(self) -> Self::Real;
 
     /// The same number in every lane.
     fn splat(value: Self::Real) -> Self;

@@ -124,11 +124,11 @@ impl Scalar for Pair {
         Pair(Scalar::atan2(self.0, x.0), Scalar::atan2(self.1, x.1))
     }
 
-    fn greater(self, other: Self) -> PairMask {
+    fn simd_gt(self, other: Self) -> PairMask {
         PairMask(self.0 > other.0, self.1 > other.1)
     }
 
-    fn finite(self) -> PairMask {
+    fn is_finite(self) -> PairMask {
         PairMask(self.0.is_finite(), self.1.is_finite())
     }
 
@@ -136,7 +136,7 @@ impl Scalar for Pair {
         Pair(if mask.0 { yes.0 } else { no.0 }, if mask.1 { yes.1 } else { no.1 })
     }
 
-    fn worst(self) -> f64 {
+    fn max_lane(self) -> f64 {
         // `max` would drop a NaN.
         if self.0 >= self.1 || self.0.is_nan() { self.0 } else { self.1 }
     }

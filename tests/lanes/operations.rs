@@ -64,12 +64,12 @@ fn operations<T: Scalar>(a: T, b: T) -> Vec<(&'static str, T)> {
         ("angle", a.atan2(b)),
         ("constant", T::constant(0.1)),
         ("epsilon", T::epsilon()),
-        ("selected", T::select(a.greater(b), a, b)),
-        ("greater", one(a.greater(b))),
-        ("finite", one(a.finite())),
-        ("not greater", one(!a.greater(b))),
-        ("both", one(a.greater(b) & b.finite())),
-        ("either", one(a.greater(b) | b.finite())),
+        ("selected", T::select(a.simd_gt(b), a, b)),
+        ("greater", one(a.simd_gt(b))),
+        ("finite", one(a.is_finite())),
+        ("not greater", one(!a.simd_gt(b))),
+        ("both", one(a.simd_gt(b) & b.is_finite())),
+        ("either", one(a.simd_gt(b) | b.is_finite())),
         ("true", one(T::Mask::splat(true))),
         ("false", one(T::Mask::splat(false) | !T::Mask::splat(true))),
     ]
@@ -103,21 +103,21 @@ fn check_decisions<W: Lanes<Real: Lanes>>(name: &str) {
         let but = |value: f64| {
             W::from_lanes(|lane| number(if lane == odd { value } else { lane as f64 - 2.5 }))
         };
-        let largest: f64 = but(99.0).worst().into();
+        let largest: f64 = but(99.0).max_lane().into();
         assert!(largest == 99.0, "{name}, lane {odd}: {largest}");
-        let nan: f64 = but(f64::NAN).worst().into();
+        let nan: f64 = but(f64::NAN).max_lane().into();
         assert!(nan.is_nan(), "{name}, lane {odd}: {nan}");
-        let infinite: f64 = but(f64::INFINITY).worst().into();
+        let infinite: f64 = but(f64::INFINITY).max_lane().into();
         assert!(infinite == f64::INFINITY, "{name}, lane {odd}: {infinite}");
 
         let hundred = W::constant(100.0);
-        assert!(hundred.greater(but(99.0)).all(), "{name}, lane {odd}");
+        assert!(hundred.simd_gt(but(99.0)).all(), "{name}, lane {odd}");
         for value in [100.0, 101.0, f64::NAN] {
-            assert!(!hundred.greater(but(value)).all(), "{name}, lane {odd}: {value}");
+            assert!(!hundred.simd_gt(but(value)).all(), "{name}, lane {odd}: {value}");
         }
-        assert!(but(99.0).finite().all(), "{name}, lane {odd}");
+        assert!(but(99.0).is_finite().all(), "{name}, lane {odd}");
         for value in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
-            assert!(!but(value).finite().all(), "{name}, lane {odd}: {value}");
+            assert!(!but(value).is_finite().all(), "{name}, lane {odd}: {value}");
         }
     }
     let splat = W::splat(number(0.1));

@@ -44,11 +44,11 @@ impl Scalar for DoubleDouble {
         DoubleDouble::atan2(self, x)
     }
 
-    fn greater(self, other: Self) -> bool {
+    fn simd_gt(self, other: Self) -> bool {
         self > other
     }
 
-    fn finite(self) -> bool {
+    fn is_finite(self) -> bool {
         self.is_finite()
     }
 
@@ -56,7 +56,7 @@ impl Scalar for DoubleDouble {
         if mask { yes } else { no }
     }
 
-    fn worst(self) -> Self {
+    fn max_lane(self) -> Self {
         self
     }
 

@@ -97,16 +97,16 @@ impl Scalar for Dual {
         let cosine = |k: usize| Self::new(cosines[k], -(sines[k] * angles[k].rate));
         (std::array::from_fn(sine), std::array::from_fn(cosine))
     }
-    fn greater(self, other: Self) -> bool {
+    fn simd_gt(self, other: Self) -> bool {
         self.value > other.value
     }
-    fn finite(self) -> bool {
+    fn is_finite(self) -> bool {
         self.value.is_finite() && self.rate.is_finite()
     }
     fn select(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
     }
-    fn worst(self) -> f64 {
+    fn max_lane(self) -> f64 {
         self.value
     }
     fn splat(value: f64) -> Self {

@@ -37,11 +37,11 @@ pub fn assemble<S: ChainState>(
     let mut before = Real::<S>::constant(f64::INFINITY);
     for correction in 0..MOST_CORRECTIONS {
         let residual = correct(state);
-        let left = residual[0].worst();
+        let left = residual[0].max_lane();
         let is_closed = left <= closed || (left <= near && left >= before);
         let is_last = correction + 1 == MOST_CORRECTIONS && left <= near;
-        let numbers = <S::Scalar as Scalar>::total(&[state.q(), state.v()]);
-        if (is_closed || is_last) && numbers.finite().all() {
+        let numbers = <S::Scalar as Scalar>::sum(&[state.q(), state.v()]);
+        if (is_closed || is_last) && numbers.is_finite().all() {
             let checked = check_closure(residual, hinge);
             if checked.is_err() {
                 *state = start;
@@ -49,7 +49,7 @@ pub fn assemble<S: ChainState>(
             return checked;
         }
         before = left;
-        if !left.finite() {
+        if !left.is_finite() {
             break;
         }
     }
@@ -69,7 +69,7 @@ pub fn assemble<S: ChainState>(
 pub fn check_closure<T: Scalar>(residual: [T; 2], hinge: &'static str) -> Result<(), Error> {
     let [gap, excess] = residual;
     let most = (gap * gap).mul_add(T::constant(1e6), independent::<T>());
-    if (!excess.greater(most)).all() { Ok(()) } else { Err(Error::ClosureRank { hinge }) }
+    if (!excess.simd_gt(most)).all() { Ok(()) } else { Err(Error::ClosureRank { hinge }) }
 }
 
 /// Poses that the rank of a closure is looked for in: the start may be a special one.
@@ -103,7 +103,7 @@ pub fn closure_steps<S: ChainState, const N: usize>(
         }
         let found = steps.get_or_insert([constant(0.0); N]);
         for (step, pivot) in found.iter_mut().zip(pivots(&state)) {
-            *step = S::Scalar::select(pivot.greater(rounding), one, *step);
+            *step = S::Scalar::select(pivot.simd_gt(rounding), one, *step);
         }
     }
     steps.unwrap_or([one; N])

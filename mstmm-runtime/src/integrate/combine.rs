@@ -70,13 +70,15 @@ pub(super) fn start_plus_scaled<S: ChainState>(end: &mut S, start: &S, step: S::
 
 /// Whether every coordinate, every rate and the time are finite, in every lane.
 pub(super) fn is_finite<S: ChainState>(state: &S) -> bool {
-    state.time().finite().all() && has_finite_entries(state)
+    state.time().is_finite().all() && has_finite_entries(state)
 }
 
 /// Whether every coordinate and every rate is finite, in every lane; for rates of change, whose
 /// time means nothing.
 pub(super) fn has_finite_entries<S: ChainState>(state: &S) -> bool {
-    entries(state).fold(S::Scalar::default().finite(), |all, value| all & value.finite()).all()
+    entries(state)
+        .fold(S::Scalar::default().is_finite(), |all, value| all & value.is_finite())
+        .all()
 }
 
 /// All coordinates, then all rates.

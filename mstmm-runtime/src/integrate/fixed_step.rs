@@ -47,11 +47,11 @@ pub(super) fn advance_to<C: Chain, E: From<Error>>(
     end: Real<C>,
     mut inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
 ) -> Result<(), E> {
-    if !end.finite() {
+    if !end.is_finite() {
         return Err(Error::NotFinite.into());
     }
     chain.check_state(state)?;
-    while state.time().worst() != end {
+    while state.time().max_lane() != end {
         let (span, clock) = method.pace().towards(state.time(), end);
         if span.end == state.time() {
             return Err(
@@ -110,9 +110,9 @@ impl<T: Scalar> Pace<T> {
     /// The next step towards `end`: a whole one, or what is left if that is shorter, or longer by
     /// no more than rounding of the times. Of several lanes the worst one decides.
     fn towards(&self, now: T, end: T::Real) -> (Span<T>, Clock<T>) {
-        let time = now.worst();
-        let left = (end - time) - self.clock.owed(now).worst();
-        let size = self.step.worst().abs();
+        let time = now.max_lane();
+        let left = (end - time) - self.clock.owed(now).max_lane();
+        let size = self.step.max_lane().abs();
         let latest = if end.abs() > time.abs() { end.abs() } else { time.abs() };
         // Of `end` itself and of the time it is counted from.
         let rounding = T::Real::epsilon() * latest;
@@ -235,7 +235,7 @@ macro_rules! advance_methods {
                 duration: $crate::integrate::Real<C>,
                 inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
             ) -> Result<(), E> {
-                let end = $crate::Scalar::worst(state.time()) + duration;
+                let end = $crate::Scalar::max_lane(state.time()) + duration;
                 self.try_advance_to(chain, state, end, inputs)
             }
         }

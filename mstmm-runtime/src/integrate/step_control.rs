@@ -122,14 +122,14 @@ pub(super) fn norm<S: ChainState>(
     let one = S::Scalar::constant(1.0);
     let (mut total, mut count) = (S::Scalar::default(), S::Scalar::default());
     for ((value, a), b) in entries(value).zip(entries(a)).zip(entries(b)) {
-        let size = S::Scalar::select(a.abs().greater(b.abs()), a.abs(), b.abs());
+        let size = S::Scalar::select(a.abs().simd_gt(b.abs()), a.abs(), b.abs());
         let measured = value * (absolute + relative * size).recip();
         total += measured * measured;
         count += one;
     }
     // A chain without coordinates has no error.
-    let count = S::Scalar::select(count.greater(one), count, one);
-    (total * count.recip()).worst().sqrt()
+    let count = S::Scalar::select(count.simd_gt(one), count, one);
+    (total * count.recip()).max_lane().sqrt()
 }
 
 #[cfg(test)]

@@ -112,7 +112,7 @@ pub(super) fn solve<T: Scalar, const M: usize, const K: usize, const C: usize>(
         // The mirror is at right angles to v = a_k − pivot e_k, and v · v / 2 is `half`.
         let half = square - *pivot * first;
         let zero = T::default();
-        let factor = T::select(half.greater(zero), half.recip(), zero);
+        let factor = T::select(half.simd_gt(zero), half.recip(), zero);
         set(&mut a, (k, k), first - *pivot);
         let mirror = block::<T, M, 1, M, K>(&a, (0, k));
         reflect(&mut a, (k, k + 1), &mirror, factor);

@@ -56,7 +56,7 @@ macro_rules! implementation {
             let magic = T::splat(MAGIC);
             let shifted = angle.mul_add(T::splat(core::$real::consts::FRAC_2_PI), magic);
             let multiple = shifted - magic;
-            let answered = T::splat(MULTIPLE_LIMIT).greater(Scalar::abs(multiple));
+            let answered = T::splat(MULTIPLE_LIMIT).simd_gt(Scalar::abs(multiple));
             // Exact, for the angle and the product are close.
             let left = multiple.mul_neg_add(T::splat(PI_HALF), angle);
             let (x, excess) = less_rest(left, multiple);

@@ -79,10 +79,10 @@ impl<T: Scalar> Chain for Pendulum<T> {
         rate: &mut Self::State,
     ) -> Result<(), Error> {
         let ([angle], [speed]) = (state.q, state.v);
-        if !mstmm_runtime::Mask::all(angle.finite() & speed.finite() & inputs.finite()) {
+        if !mstmm_runtime::Mask::all(angle.is_finite() & speed.is_finite() & inputs.is_finite()) {
             return Err(Error::NotFinite);
         }
-        if mstmm_runtime::Mask::all(angle.greater(self.singular_beyond)) {
+        if mstmm_runtime::Mask::all(angle.simd_gt(self.singular_beyond)) {
             return Err(Error::Singular { hinge: "pivot" });
         }
         let ([sine], _) = T::sin_cos([angle]);

@@ -186,7 +186,7 @@ impl<'a> Writer<'a> {
             Operand::Number(value) => self.number(*value),
             Operand::Value(value) => self.name(*value),
             Operand::Minus(inner) => {
-                self.call("minus", [inner]);
+                self.call("negate", [inner]);
             }
         }
     }

@@ -223,12 +223,12 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let [[joint_rate_]] = state_.v.data.0;
         let joint_input0_ = inputs_.joint;
         at_.efforts.data.0 = [[joint_input0_]];
-        *n7_5_ = T::minus(joint_input0_);
+        *n7_5_ = T::negate(joint_input0_);
         *n7_20_ = joint_rate_;
         /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
         *n7_7_ = sin_joint_angle_;
-        *n7_9_ = T::minus(sin_joint_angle_);
+        *n7_9_ = T::negate(sin_joint_angle_);
         *n7_6_ = cos_joint_angle_;
         *n7_10_ = cos_joint_angle_;
         ::mstmm::generated::written();
@@ -284,7 +284,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             joint_a_lin_x_,
             minus_rod_velocity_load_fx_,
         );
-        *n7_15_ = T::minus(minus_joint_load_fx_);
+        *n7_15_ = T::negate(minus_joint_load_fx_);
         ::mstmm::generated::written();
         /// Results.
         let t6_ = c_(9.8) * t5_;

@@ -231,21 +231,21 @@ impl<C: Chain> Dopri5<C> {
         end: Real<C>,
         mut inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
     ) -> Result<(), E> {
-        if !end.finite() {
+        if !end.is_finite() {
             return Err(Error::NotFinite.into());
         }
         chain.check_state(state)?;
-        if state.time().worst() == end {
+        if state.time().max_lane() == end {
             return Ok(());
         }
         let mut before = self.control;
-        self.begin(chain, state, &mut inputs, end < state.time().worst())
+        self.begin(chain, state, &mut inputs, end < state.time().max_lane())
             .map_err(|failure| self.failed(failure, before))?;
         loop {
             self.take(chain, &mut inputs, Some(end))
                 .map_err(|failure| self.failed(failure, before))?;
             copy(state, &self.end);
-            if state.time().worst() == end {
+            if state.time().max_lane() == end {
                 return Ok(());
             }
             before = self.control;
@@ -265,7 +265,7 @@ impl<C: Chain> Dopri5<C> {
         duration: Real<C>,
         inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
     ) -> Result<(), E> {
-        let end = state.time().worst() + duration;
+        let end = state.time().max_lane() + duration;
         self.try_advance_to(chain, state, end, inputs)
     }
 
@@ -282,7 +282,7 @@ impl<C: Chain> Dopri5<C> {
         };
         let [first, second] = &self.steps;
         let Stages { start: from, rates } = if self.second { first } else { second };
-        let start = from.time().worst();
+        let start = from.time().max_lane();
         if !((start <= time && time <= end) || (end <= time && time <= start)) {
             return Err(Error::OutsideStep);
         }

@@ -86,7 +86,7 @@ impl<C: Chain> Dopri5<C> {
         let Stages { start, rates: [first, ..] } = if self.second { b } else { a };
 
         let (state, rate) = (size(start, start), size(first, start));
-        let known = state > small && rate > small && state.finite() && rate.finite();
+        let known = state > small && rate > small && state.is_finite() && rate.is_finite();
         let step = if known { hundredth * state * rate.recip() } else { Real::<C>::constant(1e-6) };
         let signed = C::Scalar::splat(if backwards { -step } else { step });
         add_scaled(end, signed, first);
@@ -118,7 +118,7 @@ impl<C: Chain> Dopri5<C> {
         limit: Option<Real<C>>,
     ) -> Result<(), Failure<X>> {
         let [a, b] = &self.steps;
-        let start = if self.second { b } else { a }.start.time().worst();
+        let start = if self.second { b } else { a }.start.time().max_lane();
         loop {
             let end = end_of_step(start, self.control.proposal(start), limit);
             if end == start {
@@ -158,7 +158,7 @@ impl<C: Chain> Dopri5<C> {
     ) -> Result<Real<C>, Failure<X>> {
         let Self { steps: [a, b], scratch: k2, end: state, statistics: count, .. } = self;
         let Stages { start, rates: [k1, k3, k4, k5, k6, k7] } = if self.second { b } else { a };
-        let step = C::Scalar::splat(end - start.time().worst());
+        let step = C::Scalar::splat(end - start.time().max_lane());
         let end = C::Scalar::splat(end);
         let time = start.time();
         let [c2, c3, c4, c5] = ABSCISSAE.map(|c| time + step * C::Scalar::constant(c));
