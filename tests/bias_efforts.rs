@@ -54,8 +54,8 @@ fn arm<T: mstmm::Scalar>(random: &mut Random) -> (Arm<T>, ArmState<T>, ArmInputs
     let arm = Arm::<T>::new();
     let mut state = arm.initial_state();
     let mut number = || T::constant(f64::from(random.between(-1.0, 1.0) as f32));
-    state.q_mut().iter_mut().for_each(|q| *q = number());
-    state.v_mut().iter_mut().for_each(|v| *v = number());
+    state.coordinates_mut().iter_mut().for_each(|q| *q = number());
+    state.rates_mut().iter_mut().for_each(|v| *v = number());
     arm.normalize(&mut state);
     let mut inputs = arm.no_inputs();
     inputs.push_force.iter_mut().for_each(|force| *force = number());
@@ -99,8 +99,8 @@ holds! {
 fn a_prescribed_hinge_is_no_rate() {
     let told = Told::<f64>::new();
     let mut state = told.initial_state();
-    state.q_mut().copy_from_slice(&[0.3, 0.2]);
-    state.v_mut().copy_from_slice(&[-1.0, 0.7]);
+    state.coordinates_mut().copy_from_slice(&[0.3, 0.2]);
+    state.rates_mut().copy_from_slice(&[-1.0, 0.7]);
     let mut inputs = told.no_inputs();
     inputs.c = HingeMotion { state: PinState::new(0.5, -2.0), acceleration: 3.0 };
     let efforts = told.bias_efforts(&state, &inputs).expect("finite numbers");
@@ -131,7 +131,7 @@ fn what_is_not_finite_is_refused_and_leaves_the_efforts() {
     let mut efforts = nalgebra::SVector::from([7.0; 6]);
     for number in [f64::NAN, f64::INFINITY] {
         let mut wrong = state.clone();
-        wrong.v_mut()[2] = number;
+        wrong.rates_mut()[2] = number;
         assert_eq!(arm.bias_efforts_into(&wrong, &inputs, &mut efforts), Err(Error::NotFinite));
         let mut pushed = inputs;
         pushed.push_force[1] = number;
@@ -139,6 +139,6 @@ fn what_is_not_finite_is_refused_and_leaves_the_efforts() {
         assert_eq!(efforts, nalgebra::SVector::from([7.0; 6]));
     }
     let mut zero = state.clone();
-    zero.q_mut()[3..].fill(0.0);
+    zero.coordinates_mut()[3..].fill(0.0);
     assert!(matches!(arm.bias_efforts(&zero, &inputs), Err(Error::InvalidQuaternion { .. })));
 }

@@ -75,7 +75,7 @@ fn closed<C: GeneratedChain<Scalar = f64>>(chain: &C) -> C::State {
 fn a_loop_in_space_moves_as_in_the_plane() {
     let (plane, space) = (FourBar::<f64>::new(), FourBarInSpace::<f64>::new());
     let (mut flat, mut spatial) = (closed(&plane), closed(&space));
-    let off = difference(spatial.q(), flat.q());
+    let off = difference(spatial.coordinates(), flat.coordinates());
     assert!(off < 1e-12, "assembled {off:e} apart");
     let (mut at, mut beside) = (plane.workspace(), space.workspace());
     let [mut first, mut second] = [0.0; 2];
@@ -92,7 +92,7 @@ fn a_loop_in_space_moves_as_in_the_plane() {
         on_plane.step(&plane, &mut flat, |_, _| plane.no_inputs()).expect("a step");
         in_space.step(&space, &mut spatial, |_, _| space.no_inputs()).expect("a step");
     }
-    let motion = difference(spatial.q(), flat.q());
+    let motion = difference(spatial.coordinates(), flat.coordinates());
     println!("accelerations off by {first:.1e}, motion by {motion:.1e}, gap {second:.1e}");
     assert!(first < 1e-10 && motion < 1e-10 && second < 1e-12);
 }
@@ -119,7 +119,9 @@ fn assembly_closes_rough_starts() {
     for seed in 0..100 {
         let mut random = Random::new(seed);
         let mut state = chain.initial_state();
-        for (q, start) in state.q_mut().iter_mut().zip(chain.initial_state().q()) {
+        for (q, start) in
+            state.coordinates_mut().iter_mut().zip(chain.initial_state().coordinates())
+        {
             *q = start + random.between(-0.4, 0.4);
         }
         let before = state.clone();
@@ -243,15 +245,15 @@ fn everything_acts_at_a_closing_hinge() {
         let a = crank_torque([angle, rate, acceleration], d);
         let (q, v) = others(angle, rate);
         let mut state = chain.initial_state();
-        state.q_mut().copy_from_slice(&[&[angle], &q[..]].concat());
-        state.v_mut().copy_from_slice(&[&[rate], &v[..]].concat());
+        state.coordinates_mut().copy_from_slice(&[&[angle], &q[..]].concat());
+        state.rates_mut().copy_from_slice(&[&[rate], &v[..]].concat());
         let found = chain.accelerations(&state, &ParallelogramInputs { a, d }).expect("regular");
         let all = [acceleration, -acceleration, acceleration, -acceleration];
         let mut off = difference(found.as_slice(), &all);
 
         let mut state = told.initial_state();
-        state.q_mut().copy_from_slice(&q);
-        state.v_mut().copy_from_slice(&v);
+        state.coordinates_mut().copy_from_slice(&q);
+        state.rates_mut().copy_from_slice(&v);
         let motion = HingeMotion { state: PinState::new(angle, rate), acceleration };
         told.solve_into(&state, &ParallelogramToldInputs { a: motion, d }, &mut at)
             .expect("a regular loop");
@@ -272,8 +274,8 @@ fn folded_flat_nothing_is_nan() {
     for rate in [0.0, 2.0] {
         let (q, v) = others(0.0, rate);
         let mut state = chain.initial_state();
-        state.q_mut().copy_from_slice(&[&[0.0], &q[..]].concat());
-        state.v_mut().copy_from_slice(&[&[rate], &v[..]].concat());
+        state.coordinates_mut().copy_from_slice(&[&[0.0], &q[..]].concat());
+        state.rates_mut().copy_from_slice(&[&[rate], &v[..]].concat());
         let mut at = chain.workspace();
         chain.solve_into(&state, &inputs, &mut at).expect("accelerations that are allowed");
         assert_eq!(at.closure().redundant(), 1);
@@ -299,8 +301,8 @@ fn single_precision_closes_too() {
     single.assemble(&mut same, &single.no_inputs()).expect("bars that reach");
     Rk4::new(1e-3).advance_to(&double, &mut state, 1.0, |_, _| double.no_inputs()).expect("steps");
     Rk4::new(1e-3).advance_to(&single, &mut same, 1.0, |_, _| single.no_inputs()).expect("steps");
-    let found: Vec<f64> = same.q().iter().map(|&q| f64::from(q)).collect();
-    let off = difference(&found, state.q());
+    let found: Vec<f64> = same.coordinates().iter().map(|&q| f64::from(q)).collect();
+    let off = difference(&found, state.coordinates());
     println!("off by {off:.1e}");
     assert!(off < 1e-4, "{off:e}");
     let mut at = single.workspace();

@@ -68,8 +68,8 @@ macro_rules! accelerations_as {
     ($scalar:ty, $chain:expr, $workspace:ty, $state:expr) => {{
         let (chain, from) = ($chain, $state);
         let mut state = chain.initial_state();
-        state.q_mut().copy_from_slice(from.q());
-        state.v_mut().copy_from_slice(from.v());
+        state.coordinates_mut().copy_from_slice(from.coordinates());
+        state.rates_mut().copy_from_slice(from.rates());
         let mut at: $workspace = chain.workspace();
         chain.solve_into(&state, &chain.no_inputs(), &mut at).expect("a regular state");
         let accelerations: Vec<f64> =
@@ -288,7 +288,7 @@ macro_rules! another_rank_is_an_error {
         assert_eq!(at.closure().redundant(), 1);
         let stretched = || {
             let mut state = chain.initial_state();
-            state.q_mut()[..4].copy_from_slice(&[-0.7, 0.0, 0.0, 0.7]);
+            state.coordinates_mut()[..4].copy_from_slice(&[-0.7, 0.0, 0.0, 0.7]);
             state
         };
         let mut state = stretched();
@@ -337,11 +337,11 @@ fn a_prescribed_crank_may_rest_in_a_special_position() {
         let inputs = ParallelogramInputs { a: motion };
         let mut state = chain.initial_state();
         for (q, value) in
-            state.q_mut().iter_mut().zip([-angle, angle + std::f64::consts::PI, -angle])
+            state.coordinates_mut().iter_mut().zip([-angle, angle + std::f64::consts::PI, -angle])
         {
             *q = value;
         }
-        for (v, value) in state.v_mut().iter_mut().zip([-rate, rate, -rate]) {
+        for (v, value) in state.rates_mut().iter_mut().zip([-rate, rate, -rate]) {
             *v = value;
         }
         chain.solve_into(&state, &inputs, &mut at).expect("a regular state");

@@ -108,20 +108,22 @@ where
     for seed in 0..20 {
         let mut random = Random::new(seed);
         let (mut one, mut other) = (first.initial_state(), second.initial_state());
-        one.q_mut().iter_mut().for_each(|q| *q = random.between(-0.5, 0.5));
-        one.v_mut().iter_mut().for_each(|v| *v = random.between(-1.0, 1.0));
-        other.q_mut().copy_from_slice(one.q());
-        other.v_mut().copy_from_slice(one.v());
+        one.coordinates_mut().iter_mut().for_each(|q| *q = random.between(-0.5, 0.5));
+        one.rates_mut().iter_mut().for_each(|v| *v = random.between(-1.0, 1.0));
+        other.coordinates_mut().copy_from_slice(one.coordinates());
+        other.rates_mut().copy_from_slice(one.rates());
         let (mut a, mut b) = (first.initial_state(), second.initial_state());
         first.derivative_into(&one, &first.no_inputs(), &mut a).expect("a regular chain");
         second.derivative_into(&other, &second.no_inputs(), &mut b).expect("a regular chain");
-        at_once = at_once.max(difference(a.v(), b.v()));
+        at_once = at_once.max(difference(a.rates(), b.rates()));
         Rk4::new(1e-3).advance_to(first, &mut one, 1.0, |_, _| first.no_inputs()).expect("steps");
         Rk4::new(1e-3)
             .advance_to(second, &mut other, 1.0, |_, _| second.no_inputs())
             .expect("steps");
-        later =
-            later.max(difference(&[one.q(), one.v()].concat(), &[other.q(), other.v()].concat()));
+        later = later.max(difference(
+            &[one.coordinates(), one.rates()].concat(),
+            &[other.coordinates(), other.rates()].concat(),
+        ));
         assert!(
             at_once < TOLERANCE && later < TOLERANCE,
             "{name}, seed {seed}: {at_once:e} {later:e}"
@@ -239,8 +241,8 @@ fn masses_and_springs_move_in_their_modes() {
             .expect("steps");
         methods.1.advance_to(&at_rest, &mut same, time, |_, _| at_rest.no_inputs()).expect("steps");
         for (found, modes, exact) in [
-            (positions(state.q()), modal(time, 0.0), exact),
-            (positions(same.q()), modal(time, 0.1), exact_at_rest),
+            (positions(state.coordinates()), modal(time, 0.0), exact),
+            (positions(same.coordinates()), modal(time, 0.1), exact_at_rest),
         ] {
             let (off, from_modes) = (difference(&found, &exact), difference(&modes, &exact));
             println!("at {time} s: off by {off:.1e}; modes by {from_modes:.1e}");

@@ -47,8 +47,8 @@ fn random_pair(random: &mut Random) -> PairState<f64> {
     let mut q: Vec<f64> = (0..3).map(|_| random.between(-1.0, 1.0)).collect();
     q.extend(random_quaternion(random));
     q.extend((0..6).map(|_| random.between(-0.2, 0.2)));
-    state.q_mut().copy_from_slice(&q);
-    state.v_mut().fill_with(|| random.between(-1.0, 1.0));
+    state.coordinates_mut().copy_from_slice(&q);
+    state.rates_mut().fill_with(|| random.between(-1.0, 1.0));
     state
 }
 
@@ -97,7 +97,7 @@ fn dampers_take_what_they_should() {
             let rate = energy_rate(&chain, &dual, &state, &chain.no_inputs());
             let mut moving = chain.initial_state();
             chain.configuration_rate_into(&state, &mut moving);
-            let strains = &moving.q()[7..];
+            let strains = &moving.coordinates()[7..];
             let taken: f64 = strains.iter().zip(DAMPING).map(|(s, c)| drag * c * s * s).sum();
             // The terms that cancel are of the size of stiffness times strain times rate.
             let off = (rate + taken).abs() / 300.0;
@@ -143,7 +143,7 @@ fn one_component_oscillates_at_its_own_frequency() {
     for k in 0..6 {
         let frequency = (STIFFNESS[k] / BLOCK[k]).sqrt();
         let mut state = chain.initial_state();
-        state.q_mut()[k] = 0.3;
+        state.coordinates_mut()[k] = 0.3;
         let found = chain.accelerations(&state, &chain.no_inputs()).unwrap();
         let mut expected = [0.0; 6];
         expected[k] = -frequency * frequency * 0.3;
@@ -153,7 +153,7 @@ fn one_component_oscillates_at_its_own_frequency() {
         Dopri5::new(1e-12, 1e-12)
             .advance_to(&chain, &mut state, period, |_, _| chain.no_inputs())
             .unwrap();
-        let back = difference(state.q(), start.q());
+        let back = difference(state.coordinates(), start.coordinates());
         println!("component {k}: ω {frequency:.3} rad/s, off by {back:.1e} after a period");
         // A few hundred steps, each within the tolerance.
         assert!(back < 1e-10, "component {k}: {back:e}");
@@ -193,7 +193,7 @@ fn small_motions_have_the_frequencies_of_mass_and_stiffness_matrix() {
     let column = |k: usize| {
         let at = |strain: f64| {
             let mut state = chain.initial_state();
-            state.q_mut()[k] = strain;
+            state.coordinates_mut()[k] = strain;
             Vector6::from_column_slice(
                 chain.accelerations(&state, &chain.no_inputs()).unwrap().as_slice(),
             )
@@ -307,8 +307,8 @@ fn in_the_plane_it_is_the_elastic_hinge_of_the_plane() {
             let q =
                 if own % 3 == 2 { random.between(-9.0, 9.0) } else { random.between(-0.3, 0.3) };
             let v = random.between(-2.0, 2.0);
-            (flat.q_mut()[own], flat.v_mut()[own]) = (q, v);
-            (spatial.q_mut()[of_space], spatial.v_mut()[of_space]) = (q, v);
+            (flat.coordinates_mut()[own], flat.rates_mut()[own]) = (q, v);
+            (spatial.coordinates_mut()[of_space], spatial.rates_mut()[of_space]) = (q, v);
         }
         let found = plane.accelerations(&flat, &plane.no_inputs()).unwrap();
         let truth = space.accelerations(&spatial, &space.no_inputs()).unwrap();

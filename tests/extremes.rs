@@ -64,12 +64,12 @@ mstmm_chain! {
 /// Every number of a state must be finite, also those that nothing is computed from.
 fn refuses_every_nan<C: GeneratedChain<Scalar = f64>>(chain: &C) {
     let state = chain.initial_state();
-    let (q, v) = (state.q().len(), state.v().len());
+    let (q, v) = (state.coordinates().len(), state.rates().len());
     for place in 0..q + v {
         let mut broken = state.clone();
         match place.checked_sub(q) {
-            None => broken.q_mut()[place] = f64::NAN,
-            Some(place) => broken.v_mut()[place] = f64::NAN,
+            None => broken.coordinates_mut()[place] = f64::NAN,
+            Some(place) => broken.rates_mut()[place] = f64::NAN,
         }
         let found = chain.solve_into(&broken, &chain.no_inputs(), &mut chain.workspace());
         assert_eq!(found, Err(Error::NotFinite), "number {place}");
@@ -128,8 +128,8 @@ fn a_force_is_right_to_rounding_wherever_the_output_lies() {
     for seed in 0..20 {
         let mut random = Random::new(seed);
         let mut state = chain.initial_state();
-        state.q_mut().iter_mut().for_each(|q| *q = random.between(-1.0, 1.0));
-        state.v_mut().iter_mut().for_each(|v| *v = random.between(-2.0, 2.0));
+        state.coordinates_mut().iter_mut().for_each(|q| *q = random.between(-1.0, 1.0));
+        state.rates_mut().iter_mut().for_each(|v| *v = random.between(-2.0, 2.0));
         chain.normalize(&mut state);
         chain.solve_into(&state, &chain.no_inputs(), &mut at).expect("a regular chain");
         let head = at.head();

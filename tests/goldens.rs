@@ -277,7 +277,7 @@ where
     C::Inputs: Default,
 {
     let answer = chain.answer(state, &C::Inputs::default()).expect("a regular chain");
-    let measured = measure(&answer, state.q(), state.v());
+    let measured = measure(&answer, state.coordinates(), state.rates());
     assert_eq!(measured.len(), golden.len());
     let parted = |(a, b): (&f64, &f64)| ((a - b + PI).rem_euclid(TAU) - PI).abs();
     measured.iter().zip(golden).map(parted).fold(0.0, support::worst)

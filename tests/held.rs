@@ -65,20 +65,20 @@ fn thin_is_the_limit_of_thick() {
     let mut random = Random::new(1);
     for seed in 0..20 {
         let mut state = thin.initial_state();
-        state.q_mut().iter_mut().for_each(|q| *q += random.between(-0.3, 0.3));
-        state.v_mut().iter_mut().for_each(|v| *v = random.between(-1.0, 1.0));
+        state.coordinates_mut().iter_mut().for_each(|q| *q += random.between(-0.3, 0.3));
+        state.rates_mut().iter_mut().for_each(|v| *v = random.between(-1.0, 1.0));
         thin.normalize(&mut state);
         thin.assemble(&mut state, &thin.no_inputs()).expect("a pose nearby");
-        let a = results(&thin, state.q(), state.v());
-        let b = results(&ThinByTransfer::<f64>::new(), state.q(), state.v());
+        let a = results(&thin, state.coordinates(), state.rates());
+        let b = results(&ThinByTransfer::<f64>::new(), state.coordinates(), state.rates());
         assert!(difference(&b, &a) < 1e-11, "seed {seed}: {:e}", difference(&b, &a));
-        let b = results(&ThinConstant::<f64>::new(), state.q(), state.v());
+        let b = results(&ThinConstant::<f64>::new(), state.coordinates(), state.rates());
         assert!(difference(&b, &a) < 1e-12, "seed {seed}: {:e}", difference(&b, &a));
-        let c = results(&Thinner::<f64>::new(), state.q(), state.v());
+        let c = results(&Thinner::<f64>::new(), state.coordinates(), state.rates());
         // A millionth of the inertia about the axis makes a difference of some millionths.
         assert!(difference(&c, &a) < 1e-4, "seed {seed}: {:e}", difference(&c, &a));
-        let d = results(&Thick::<f64>::new(), state.q(), state.v());
-        let e = results(&ThickByTransfer::<f64>::new(), state.q(), state.v());
+        let d = results(&Thick::<f64>::new(), state.coordinates(), state.rates());
+        let e = results(&ThickByTransfer::<f64>::new(), state.coordinates(), state.rates());
         assert!(difference(&d, &e) < 1e-11, "seed {seed}: {:e}", difference(&d, &e));
     }
 }
@@ -90,8 +90,8 @@ fn results<C: GeneratedChain<Scalar = f64, State: Default, Workspace: std::fmt::
     v: &[f64],
 ) -> Vec<f64> {
     let mut state = C::State::default();
-    state.q_mut().copy_from_slice(q);
-    state.v_mut().copy_from_slice(v);
+    state.coordinates_mut().copy_from_slice(q);
+    state.rates_mut().copy_from_slice(v);
     let mut at = chain.workspace();
     chain.solve_into(&state, &chain.no_inputs(), &mut at).expect("a regular chain");
     let text = format!("{at:?}");

@@ -300,7 +300,7 @@ fn a_ball_at_rest_rests() {
     assert!(chain.energy(&at_rest).total().abs() < 1e-14);
     // The opposite quaternion is the same orientation.
     let mut opposite = at_rest.clone();
-    opposite.q_mut().iter_mut().for_each(|x| *x = -*x);
+    opposite.coordinates_mut().iter_mut().for_each(|x| *x = -*x);
     let found = chain.accelerations(&opposite, &chain.no_inputs()).expect("a regular chain");
     assert!(found.norm() < 1e-14, "{found}");
 }

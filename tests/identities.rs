@@ -261,7 +261,7 @@ fn fast_ways_say_the_same_as_the_full_solution() {
             let energies = |e: mstmm::Energy<f64>| [e.kinetic, e.potential, e.total()];
             [
                 difference(&chain.fast_accelerations(state, inputs), &answer.accelerations),
-                difference(rate.v(), &answer.accelerations),
+                difference(rate.rates(), &answer.accelerations),
                 difference(&energies(fast), &energies(answer.energy)),
             ]
             .into_iter()
@@ -327,9 +327,9 @@ fn what_is_set_in_a_state_is_read_back() -> Result<(), Error> {
     // nalgebra composes roll, pitch and yaw by itself.
     let expected = UnitQuaternion::from_euler_angles(0.1, -0.2, 0.5);
     assert!(held.elbow().orientation().angle_to(&expected) < 1e-15);
-    assert_eq!(held.v().to_vec(), [-0.7, 1.0, 2.0, 3.0, 0.0]);
-    assert_eq!((held.q()[0], held.q()[5]), (0.3, -4.0));
-    assert_eq!(held.q()[1], expected.w);
+    assert_eq!(held.rates().to_vec(), [-0.7, 1.0, 2.0, 3.0, 0.0]);
+    assert_eq!((held.coordinates()[0], held.coordinates()[5]), (0.3, -4.0));
+    assert_eq!(held.coordinates()[1], expected.w);
 
     let mut adrift = Adrift::<f64>::new().initial_state();
     adrift
@@ -343,8 +343,8 @@ fn what_is_set_in_a_state_is_read_back() -> Result<(), Error> {
     assert_eq!(adrift.hub().velocity(), Vector3::new(4.0, 5.0, 6.0));
     assert_eq!(adrift.hub().rate(), Vector3::new(7.0, 8.0, 9.0));
     let orientation = [expected.w, expected.i, expected.j, expected.k];
-    assert_eq!(adrift.q()[..7].to_vec(), [&[1.0, 2.0, 3.0][..], &orientation].concat());
-    assert_eq!(adrift.v()[..6].to_vec(), [4.0, 5.0, 6.0, 7.0, 8.0, 9.0]);
+    assert_eq!(adrift.coordinates()[..7].to_vec(), [&[1.0, 2.0, 3.0][..], &orientation].concat());
+    assert_eq!(adrift.rates()[..6].to_vec(), [4.0, 5.0, 6.0, 7.0, 8.0, 9.0]);
 
     // What the accessors set is what the chain sees.
     let chain = Adrift::<f64>::new();

@@ -96,7 +96,7 @@ macro_rules! order {
 
 /// The largest difference of any coordinate or rate.
 fn apart<S: ChainState<Scalar = f64>>(a: &S, b: &S) -> f64 {
-    let pairs = a.q().iter().zip(b.q()).chain(a.v().iter().zip(b.v()));
+    let pairs = a.coordinates().iter().zip(b.coordinates()).chain(a.rates().iter().zip(b.rates()));
     pairs.map(|(a, b)| (a - b).abs()).fold(0.0, worst)
 }
 
@@ -239,7 +239,7 @@ fn stiff_springs_do_not_limit_the_linearly_implicit_method() {
         for _ in 0..2000 {
             implicit.step(chain, &mut state, |_, _| chain.no_inputs()).expect("a stable step");
             beside.step(&welded, &mut same, |_, _| welded.no_inputs()).expect("a step");
-            off = worst(off, (state.q()[0] - same.q()[0]).abs());
+            off = worst(off, (state.coordinates()[0] - same.coordinates()[0]).abs());
         }
         println!("{name}: off from welded by {off:.1e}");
         assert!(off < 1e-5, "{name}: {off:e}");
@@ -247,7 +247,7 @@ fn stiff_springs_do_not_limit_the_linearly_implicit_method() {
         let (mut state, mut rk4) = (chain.initial_state(), Rk4::new(1e-3));
         let diverged = (0..200).any(|_| {
             let step = rk4.step(chain, &mut state, |_, _| chain.no_inputs());
-            step == Err(Error::NotFinite) || state.v().iter().any(|v| v.abs() > 1e6)
+            step == Err(Error::NotFinite) || state.rates().iter().any(|v| v.abs() > 1e6)
         });
         assert!(diverged, "{name}: the explicit method should not manage");
     }

@@ -307,11 +307,11 @@ fn gravity_may_be_an_input() {
     for seed in 0..STATES {
         let mut random = Random::new(seed);
         let (mut state, mut same) = (given.initial_state(), constant.initial_state());
-        state.q_mut()[..4].copy_from_slice(&random_quaternion(&mut random));
-        state.q_mut()[4] = random.between(-3.0, 3.0);
-        state.v_mut().iter_mut().for_each(|rate| *rate = random.between(-2.0, 2.0));
-        same.q_mut().copy_from_slice(state.q());
-        same.v_mut().copy_from_slice(state.v());
+        state.coordinates_mut()[..4].copy_from_slice(&random_quaternion(&mut random));
+        state.coordinates_mut()[4] = random.between(-3.0, 3.0);
+        state.rates_mut().iter_mut().for_each(|rate| *rate = random.between(-2.0, 2.0));
+        same.coordinates_mut().copy_from_slice(state.coordinates());
+        same.rates_mut().copy_from_slice(state.rates());
         given.solve_into(&state, &inputs, &mut found).expect("regular");
         constant.solve_into(&same, &constant.no_inputs(), &mut expected).expect("regular");
         let off = difference(found.accelerations().as_slice(), expected.accelerations().as_slice());

@@ -59,7 +59,10 @@ impl Pose {
     fn straight<C: GeneratedChain>(chain: &C, rate: f64) -> Self {
         let number = |x: &C::Scalar| if *x == C::Scalar::default() { 0.0 } else { 1.0 };
         let zero = chain.initial_state();
-        Pose { q: zero.q().iter().map(number).collect(), v: vec![rate; zero.v().len()] }
+        Pose {
+            q: zero.coordinates().iter().map(number).collect(),
+            v: vec![rate; zero.rates().len()],
+        }
     }
 
     /// Of any angles and rates. All numbers are such that `f32` holds them exactly, so all precisions
@@ -81,8 +84,8 @@ impl Pose {
     fn of<C: GeneratedChain>(&self, chain: &C) -> C::State {
         let mut state = chain.initial_state();
         let set = |(to, from): (&mut C::Scalar, &f64)| *to = C::Scalar::constant(*from);
-        state.q_mut().iter_mut().zip(&self.q).for_each(set);
-        state.v_mut().iter_mut().zip(&self.v).for_each(set);
+        state.coordinates_mut().iter_mut().zip(&self.q).for_each(set);
+        state.rates_mut().iter_mut().zip(&self.v).for_each(set);
         state
     }
 
@@ -94,7 +97,7 @@ impl Pose {
         let state = self.of(chain);
         let mut rate = state.clone();
         chain.derivative_into(&state, &chain.no_inputs(), &mut rate).expect("a regular chain");
-        rate.v().iter().map(|&x| number(x)).collect()
+        rate.rates().iter().map(|&x| number(x)).collect()
     }
 }
 

@@ -133,8 +133,8 @@ fn precisions_and_methods_agree() {
             closed += 1;
             let mut same = b.initial_state();
             let set = |(to, &from): (&mut B::Scalar, &f64)| *to = B::Scalar::constant(from);
-            same.q_mut().iter_mut().zip(state.q()).for_each(set);
-            same.v_mut().iter_mut().zip(state.v()).for_each(set);
+            same.coordinates_mut().iter_mut().zip(state.coordinates()).for_each(set);
+            same.rates_mut().iter_mut().zip(state.rates()).for_each(set);
             let (expected, found) = (A::read(&solved(&a, &state)), B::read(&solved(&b, &same)));
             assert_eq!(expected.len(), found.len());
             for (number_of_point, (expected, found)) in expected.iter().zip(&found).enumerate() {

@@ -52,9 +52,9 @@ macro_rules! thirty {
                 let convert = |to: &mut [T], from: &[f64]| {
                     to.iter_mut().zip(from).for_each(|(to, &from)| *to = T::constant(from));
                 };
-                assert!(state.q().len() == q.len() && state.v().len() == v.len());
-                convert(state.q_mut(), q);
-                convert(state.v_mut(), v);
+                assert!(state.coordinates().len() == q.len() && state.rates().len() == v.len());
+                convert(state.coordinates_mut(), q);
+                convert(state.rates_mut(), v);
                 let found = chain.accelerations(&state, &chain.no_inputs())?;
                 Ok(found.as_slice().to_vec())
             }

@@ -37,8 +37,8 @@ fn random_motion(random: &mut Random, singles: usize, quaternion: bool) -> Motio
 fn set(state: &mut impl ChainState<Scalar = f64>, hinges: &[&Motion]) {
     let q: Vec<f64> = hinges.iter().flat_map(|motion| motion.q.clone()).collect();
     let v: Vec<f64> = hinges.iter().flat_map(|motion| motion.v.clone()).collect();
-    state.q_mut().copy_from_slice(&q);
-    state.v_mut().copy_from_slice(&v);
+    state.coordinates_mut().copy_from_slice(&q);
+    state.rates_mut().copy_from_slice(&v);
 }
 
 /// The largest difference of motions, and of loads, at the same points of two chains.

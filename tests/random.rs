@@ -202,15 +202,15 @@ where
         assert!(result.is_ok() || at == generated.workspace(), "{name}");
         generated.solve_into(&good.0, &good.1, &mut at).expect("a regular chain");
         assert!(at == solved, "{name}");
-        result.map(|()| rate.v().to_vec())
+        result.map(|()| rate.rates().to_vec())
     };
     for bad in BAD {
         let entries = motion.q.len() + motion.v.len();
         for place in 0..=entries {
             let mut state = good.0.clone();
             match place.checked_sub(motion.q.len()) {
-                None => state.q_mut()[place] = bad,
-                Some(place) if place < motion.v.len() => state.v_mut()[place] = bad,
+                None => state.coordinates_mut()[place] = bad,
+                Some(place) if place < motion.v.len() => state.rates_mut()[place] = bad,
                 Some(_) => state.set_time(bad),
             }
             let found = answer(&state, &good.1);

@@ -171,7 +171,7 @@ macro_rules! is_loose {
             assert_eq!(stepped, state);
 
             let mut short = single.initial_state();
-            short.q_mut().iter_mut().zip(state.q()).for_each(|(to, &from)| *to = from as f32);
+            short.coordinates_mut().iter_mut().zip(state.coordinates()).for_each(|(to, &from)| *to = from as f32);
             let found = single.accelerations(&short, &single.no_inputs()).map(|_| ());
             assert_eq!(found, expected, "{} in single precision, seed {seed}", stringify!($name));
         }
@@ -250,14 +250,14 @@ macro_rules! refuses_what_is_not_finite {
             assert_eq!(fast, Err(Error::NotFinite), "{}, {what}", stringify!($name));
         };
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            for place in 0..state.q().len() {
+            for place in 0..state.coordinates().len() {
                 let mut broken = state.clone();
-                broken.q_mut()[place] = bad;
+                broken.coordinates_mut()[place] = bad;
                 solve(&broken, &chain.no_inputs(), format!("{bad} in q[{place}]"));
             }
-            for place in 0..state.v().len() {
+            for place in 0..state.rates().len() {
                 let mut broken = state.clone();
-                broken.v_mut()[place] = bad;
+                broken.rates_mut()[place] = bad;
                 solve(&broken, &chain.no_inputs(), format!("{bad} in v[{place}]"));
             }
             let mut broken = state.clone();
@@ -322,7 +322,7 @@ fn what_is_not_finite_is_refused_by_transfer() {
 fn what_overflows_is_not_singular() {
     let chain = Driven::<f64>::new();
     let mut state = chain.initial_state();
-    state.v_mut().iter_mut().for_each(|rate| *rate = 1e300);
+    state.rates_mut().iter_mut().for_each(|rate| *rate = 1e300);
     assert_eq!(chain.accelerations(&state, &chain.no_inputs()), Err(Error::NotFinite));
     // A pivot that does not vanish beside a scale that overflows, and results whose sum does.
     let (pivots, scales) = ([1.0], [f64::INFINITY]);

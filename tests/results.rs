@@ -57,7 +57,7 @@ where
     }
     println!("off by {largest:.1e} at most");
     let mut state: B::State = copied(&random_state::<A>(&mut Random::new(0)));
-    state.v_mut()[0] = f64::NAN;
+    state.rates_mut()[0] = f64::NAN;
     assert_eq!(b.solve_into(&state, &b.no_inputs(), &mut fewer_at), Err(Error::NotFinite));
     assert_eq!(format!("{fewer_at:?}"), format!("{:?}", b.workspace()), "something stays");
 }

@@ -56,7 +56,7 @@ mstmm_chain! {
 
 /// The largest difference of any coordinate or rate.
 fn apart<S: ChainState<Scalar = f64>>(a: &S, b: &S) -> f64 {
-    let pairs = a.q().iter().zip(b.q()).chain(a.v().iter().zip(b.v()));
+    let pairs = a.coordinates().iter().zip(b.coordinates()).chain(a.rates().iter().zip(b.rates()));
     pairs.map(|(a, b)| (a - b).abs()).fold(0.0, worst)
 }
 

@@ -39,16 +39,16 @@ macro_rules! springs {
                 }
                 q.push(random.between(-3.0, 3.0));
                 let mut state = kept.initial_state();
-                state.q_mut().copy_from_slice(&q);
-                state.v_mut().iter_mut().for_each(|rate| *rate = random.between(-2.0, 2.0));
+                state.coordinates_mut().copy_from_slice(&q);
+                state.rates_mut().iter_mut().for_each(|rate| *rate = random.between(-2.0, 2.0));
                 let rate = energy_rate(&kept, &same, &state, &kept.no_inputs());
 
                 let mut damped = lost.initial_state();
-                damped.q_mut().copy_from_slice(state.q());
-                damped.v_mut().copy_from_slice(state.v());
+                damped.coordinates_mut().copy_from_slice(state.coordinates());
+                damped.rates_mut().copy_from_slice(state.rates());
                 let mut moving = lost.initial_state();
                 lost.configuration_rate_into(&damped, &mut moving);
-                let ($q_rate, $v) = (&moving.q()[1..], &damped.v()[1..]);
+                let ($q_rate, $v) = (&moving.coordinates()[1..], &damped.rates()[1..]);
                 let taken: f64 = $power;
                 let loss = energy_rate(&lost, &alike, &damped, &lost.no_inputs());
                 let off = worst(rate.abs(), (loss + taken).abs()) / LARGEST_POWER;

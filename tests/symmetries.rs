@@ -131,8 +131,8 @@ fn a_turned_and_shifted_world_moves_alike() {
         difference(&as_it_is(there), &expected)
     };
     fn same(here: &impl ChainState<Scalar = f64>, there: &mut impl ChainState<Scalar = f64>) {
-        there.q_mut().copy_from_slice(here.q());
-        there.v_mut().copy_from_slice(here.v());
+        there.coordinates_mut().copy_from_slice(here.coordinates());
+        there.rates_mut().copy_from_slice(here.rates());
     }
     move_alike::<Here<f64>, There<f64>>("riccati", same, seen);
     move_alike::<HereByTransfer<f64>, ThereByTransfer<f64>>("transfer", same, seen);
@@ -263,8 +263,8 @@ fn two_halves_welded_move_like_the_whole() {
         difference(&as_it_is(&outside), &as_it_is(whole))
     };
     fn same(whole: &impl ChainState<Scalar = f64>, halves: &mut impl ChainState<Scalar = f64>) {
-        halves.q_mut().copy_from_slice(whole.q());
-        halves.v_mut().copy_from_slice(whole.v());
+        halves.coordinates_mut().copy_from_slice(whole.coordinates());
+        halves.rates_mut().copy_from_slice(whole.rates());
     }
     move_alike::<Whole<f64>, Halves<f64>>("riccati", same, seen);
     move_alike::<WholeByTransfer<f64>, HalvesByTransfer<f64>>("transfer", same, seen);

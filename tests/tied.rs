@@ -134,9 +134,9 @@ arm! { Sprung {
 fn set<C: GeneratedChain<Scalar = f64>>(chain: &C, seed: u64) -> Result<C::State, Error> {
     let mut random = Random::new(seed);
     let mut state = chain.initial_state();
-    state.q_mut()[..4].copy_from_slice(&random_quaternion(&mut random));
-    state.q_mut()[4] = random.between(-3.0, 3.0);
-    state.v_mut()[..4].iter_mut().for_each(|rate| *rate = random.between(-2.0, 2.0));
+    state.coordinates_mut()[..4].copy_from_slice(&random_quaternion(&mut random));
+    state.coordinates_mut()[4] = random.between(-3.0, 3.0);
+    state.rates_mut()[..4].iter_mut().for_each(|rate| *rate = random.between(-2.0, 2.0));
     chain.assemble(&mut state, &chain.no_inputs())?;
     Ok(state)
 }
@@ -156,15 +156,15 @@ fn ends_that_hold_nothing_or_by_springs() {
             let Ok(state) = set(closed, seed) else { continue };
             found += 1;
             let mut same = open.initial_state();
-            let (coordinates, rates) = (same.q().len(), same.v().len());
-            same.q_mut().copy_from_slice(&state.q()[..coordinates]);
-            same.v_mut().copy_from_slice(&state.v()[..rates]);
+            let (coordinates, rates) = (same.coordinates().len(), same.rates().len());
+            same.coordinates_mut().copy_from_slice(&state.coordinates()[..coordinates]);
+            same.rates_mut().copy_from_slice(&state.rates()[..rates]);
             let mut expected = open.initial_state();
             open.derivative_into(&same, &open.no_inputs(), &mut expected).expect("regular");
             let mut rate = closed.initial_state();
             closed.derivative_into(&state, &closed.no_inputs(), &mut rate).expect("regular");
             let energies = [closed.energy(&state).total(), open.energy(&same).total()].map(|e| [e]);
-            let off = difference(&rate.v()[..rates], expected.v());
+            let off = difference(&rate.rates()[..rates], expected.rates());
             let off = worst(off, difference(&energies[0], &energies[1]));
             // The condition of these chains is some hundreds.
             assert!(off < 1e-11, "{name}, seed {seed}: {off:e}");

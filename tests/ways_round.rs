@@ -59,7 +59,8 @@ fn two_loads_are_a_spring_between_two_bodies() {
             .expect("a step");
     }
     // The same numbers but for the order of their sums, in a hundred steps.
-    for (x, y) in a.q().iter().zip(b.q()).chain(a.v().iter().zip(b.v())) {
+    for (x, y) in a.coordinates().iter().zip(b.coordinates()).chain(a.rates().iter().zip(b.rates()))
+    {
         assert!((x - y).abs() < 1e-13, "{x} is not {y}");
     }
 }

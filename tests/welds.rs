@@ -98,8 +98,8 @@ where
     for seed in 0..STATES {
         let state = welded.random_state(&mut Random::new(seed));
         let mut same = merged.start();
-        same.q_mut().copy_from_slice(state.q());
-        same.v_mut().copy_from_slice(state.v());
+        same.coordinates_mut().copy_from_slice(state.coordinates());
+        same.rates_mut().copy_from_slice(state.rates());
         let found = welded.answer(&state, &A::Inputs::default()).expect("a regular chain");
         let expected = merged.answer(&same, &B::Inputs::default()).expect("a regular chain");
         let energies = [found.energy, expected.energy].map(|e| [e.kinetic, e.potential]);

@@ -35,7 +35,7 @@ pub fn samples_from<C: Case>(chain: &C, numbers: &[f64]) -> Vec<(C::State, C::In
 /// How many numbers are in a state: coordinates, rates and torques.
 pub fn numbers_of_state<S: ChainState + Default>() -> usize {
     let state = S::default();
-    state.q().len() + 2 * state.v().len()
+    state.coordinates().len() + 2 * state.rates().len()
 }
 
 /// So many states, one after the other: coordinates, rates and torques of all hinges, which are
@@ -44,7 +44,7 @@ pub fn numbers_of_state<S: ChainState + Default>() -> usize {
 /// Angles go all around and orientations everywhere, so that no branch can be foreseen.
 pub fn random_states<S: ChainState + Default>(count: usize) -> Vec<f64> {
     let state = S::default();
-    let (coordinates, rates) = (state.q().len(), state.v().len());
+    let (coordinates, rates) = (state.coordinates().len(), state.rates().len());
     let mut random = Random(SEED);
     let mut numbers = Vec::with_capacity(count * numbers_of_state::<S>());
     for _ in 0..count {
@@ -71,11 +71,13 @@ pub fn state_from<S: ChainState + Default>(
     mut numbers: impl Iterator<Item = S::Scalar>,
 ) -> (S, Vec<S::Scalar>) {
     let mut state = S::default();
-    let (coordinates, rates) = (state.q().len(), state.v().len());
-    for (place, number) in state.q_mut().iter_mut().zip(numbers.by_ref().take(coordinates)) {
+    let (coordinates, rates) = (state.coordinates().len(), state.rates().len());
+    for (place, number) in
+        state.coordinates_mut().iter_mut().zip(numbers.by_ref().take(coordinates))
+    {
         *place = number;
     }
-    for (place, number) in state.v_mut().iter_mut().zip(numbers.by_ref().take(rates)) {
+    for (place, number) in state.rates_mut().iter_mut().zip(numbers.by_ref().take(rates)) {
         *place = number;
     }
     (state, numbers.collect())

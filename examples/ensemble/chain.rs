@@ -62,7 +62,7 @@ impl Controller {
     pub fn torques<T: Scalar>(&self, state: &PandaState<T>) -> PandaInputs<T> {
         let number = T::constant;
         let torque = |joint: usize| {
-            let (angle, rate) = (state.q()[joint], state.v()[joint]);
+            let (angle, rate) = (state.coordinates()[joint], state.rates()[joint]);
             number(self.hold[joint]) + number(STIFFNESS[joint]) * (number(TARGET[joint]) - angle)
                 - number(DAMPING[joint]) * rate
         };

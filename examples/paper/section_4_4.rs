@@ -158,7 +158,7 @@ impl Reading {
                 }
             }
             motion.times.push(time);
-            motion.generated.push(positions(state.q()));
+            motion.generated.push(positions(state.coordinates()));
             motion.matrices.push(x);
             motion.exact.push(modes.at(time));
             progress.reach(time);

@@ -55,8 +55,8 @@ pub struct Generated<'a, C: GeneratedChain> {
 impl<'a, C: GeneratedChain<Scalar = f64>> Generated<'a, C> {
     pub fn new(chain: &'a C, angles: &[f64], rates: &[f64]) -> Self {
         let mut state = chain.initial_state();
-        state.q_mut().copy_from_slice(angles);
-        state.v_mut().copy_from_slice(rates);
+        state.coordinates_mut().copy_from_slice(angles);
+        state.rates_mut().copy_from_slice(rates);
         Generated { chain, state, rate: C::State::default(), inputs: chain.no_inputs() }
     }
 
@@ -67,7 +67,7 @@ impl<'a, C: GeneratedChain<Scalar = f64>> Generated<'a, C> {
 
     /// Those of the last evaluation.
     pub fn accelerations(&self) -> &[f64] {
-        self.rate.v()
+        self.rate.rates()
     }
 }
 

@@ -2,28 +2,33 @@
 
 use crate::{Energy, Error, Scalar};
 
-/// The state of a simulation: coordinates, rates and the time.
+/// The state of a simulation: coordinates, rates and time.
 ///
-/// The coordinates of all hinges lie one after the other in `q`, their rates in `v`, in the same
-/// order; that of generated chains is documented at [`GeneratedChain`]. `v` is shorter than `q` where an orientation is kept as a quaternion. All states of one
-/// chain have arrays of the same lengths.
+/// The coordinates of all hinges are in one slice, their rates in another, hinge by hinge in the same order; the
+/// order of generated chains is documented at [`GeneratedChain`]. There are fewer rates than coordinates if an
+/// orientation is a quaternion. All states of one chain have slices of the same lengths.
+///
+/// The state of a generated chain has the same values in its public fields `q`, `v` and `t`, as vectors of a fixed
+/// length. The methods of this trait are for code that is generic over the chain.
 pub trait ChainState: Clone {
-    /// The numbers the state is kept in.
+    /// The scalar type of the state.
     type Scalar: Scalar;
 
-    /// The coordinates: rad, m, and the components w, x, y, z of unit quaternions.
-    fn q(&self) -> &[Self::Scalar];
+    /// Returns the coordinates: rad, m, and the components w, x, y, z of unit quaternions.
+    #[doc(alias("q", "qpos", "configuration", "positions", "generalized coordinates", "nq"))]
+    fn coordinates(&self) -> &[Self::Scalar];
 
-    /// The coordinates, to be changed.
-    fn q_mut(&mut self) -> &mut [Self::Scalar];
+    /// Returns the coordinates, to be changed.
+    fn coordinates_mut(&mut self) -> &mut [Self::Scalar];
 
-    /// The rates: rad/s and m/s.
-    fn v(&self) -> &[Self::Scalar];
+    /// Returns the rates: rad/s and m/s.
+    #[doc(alias("v", "qvel", "generalized velocities", "nv", "degrees of freedom"))]
+    fn rates(&self) -> &[Self::Scalar];
 
-    /// The rates, to be changed.
-    fn v_mut(&mut self) -> &mut [Self::Scalar];
+    /// Returns the rates, to be changed.
+    fn rates_mut(&mut self) -> &mut [Self::Scalar];
 
-    /// The time in s.
+    /// Returns the time in s.
     fn time(&self) -> Self::Scalar;
 
     /// Sets the time in s.
@@ -44,7 +49,7 @@ pub trait Chain {
     /// What acts on the chain from outside during a step: torques, forces, prescribed motions.
     type Inputs;
 
-    /// The time derivative of `state`: afterwards `rate.q()` is q̇ and `rate.v()` is v̇. The time
+    /// The time derivative of `state`: afterwards `rate.coordinates()` is q̇ and `rate.rates()` is v̇. The time
     /// of `rate` means nothing.
     ///
     /// The quaternions of `state` may have any length near one, as those of an integrator's stages
@@ -65,11 +70,11 @@ pub trait Chain {
     ) -> Result<(), Error>;
 
     /// The rate of a linearly implicit step of Euler's method of `step` seconds: afterwards
-    /// `rate.v()` is the v̇ of (M + h C + h² K) v̇ = τ − h K v, where M v̇ = τ are the equations of
+    /// `rate.rates()` is the v̇ of (M + h C + h² K) v̇ = τ − h K v, where M v̇ = τ are the equations of
     /// motion, h is the step, and K and C are stiffness and damping of the springs, dampers,
     /// friction and limits in hinges: −∂τ/∂q ∂q̇/∂v and −∂τ/∂v of those alone, where strains are
     /// coordinates. Of the strains s of elastic hinges, and of the turns of balls and floating hinges,
-    /// K is Jᵀ k J and C is Jᵀ c J with ṡ = J v: what is left out vanishes at rest. `rate.q()` is q̇
+    /// K is Jᵀ k J and C is Jᵀ c J with ṡ = J v: what is left out vanishes at rest. `rate.coordinates()` is q̇
     /// of `state`.
     ///
     /// With K and C zero it is [`derivative_into`](Chain::derivative_into), which is the default.
@@ -88,7 +93,7 @@ pub trait Chain {
     }
 
     /// The rates of the coordinates alone, which follow from coordinates and rates without any
-    /// dynamics: afterwards `rate.q()` is q̇, and all else in `rate` is as it was.
+    /// dynamics: afterwards `rate.coordinates()` is q̇, and all else in `rate` is as it was.
     ///
     /// It is linear in the rates. What is not finite gives what is not finite.
     fn configuration_rate_into(&self, state: &Self::State, rate: &mut Self::State);
@@ -151,7 +156,7 @@ pub trait Chain {
 ///
 /// # Orders
 ///
-/// Coordinates [`q`](ChainState::q), rates [`v`](ChainState::v) and accelerations lie hinge by hinge
+/// Coordinates [`q`](ChainState::coordinates), rates [`v`](ChainState::rates) and accelerations lie hinge by hinge
 /// in the order of the route. The body of a chain that floats comes first, and hinges whose motion is
 /// prescribed have no place. A repeated part lies repetition by repetition: all its hinges in the order
 /// of the route for the first repetition, then all of them for the second, and so on. So `repeat 2 { pin

@@ -61,10 +61,10 @@
 //!
 //! impl ChainState for Swing {
 //!     type Scalar = f64;
-//!     fn q(&self) -> &[f64] { &self.q }
-//!     fn q_mut(&mut self) -> &mut [f64] { &mut self.q }
-//!     fn v(&self) -> &[f64] { &self.v }
-//!     fn v_mut(&mut self) -> &mut [f64] { &mut self.v }
+//!     fn coordinates(&self) -> &[f64] { &self.q }
+//!     fn coordinates_mut(&mut self) -> &mut [f64] { &mut self.q }
+//!     fn rates(&self) -> &[f64] { &self.v }
+//!     fn rates_mut(&mut self) -> &mut [f64] { &mut self.v }
 //!     fn time(&self) -> f64 { self.t }
 //!     fn set_time(&mut self, time: f64) { self.t = time }
 //! }

@@ -60,7 +60,7 @@ fn a_chain_that_cannot_be_closed_is_refused_and_left_alone() {
         corrections += 1;
         let [q] = state.q;
         state.q = [q - (q * q + 2.0) / (2.0 * q)];
-        state.q_mut()[0].powi(2) + 2.0
+        state.coordinates_mut()[0].powi(2) + 2.0
     });
     assert_eq!((refused, corrections), (Err(Error::NotAssembled), 50));
     assert_eq!(state, start(1.0));

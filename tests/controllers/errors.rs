@@ -11,7 +11,7 @@ fn errors_of_the_chain_are_converted<C: Driven, I: Integrator<C>>() {
     let fine = |time: C::Scalar, state: &C::State| Ok::<_, Fault>(chain.drive(time, state));
     let nan = mstmm::Scalar::constant(f64::NAN);
     let mut state = chain.start();
-    state.v_mut()[0] = nan;
+    state.rates_mut()[0] = nan;
     let result = integrator.try_step(&chain, &mut state, fine);
     assert_eq!(result, Err(Fault::Chain(Error::NotFinite)));
     let result = integrator.try_advance_to(&chain, &mut chain.start(), nan, fine);

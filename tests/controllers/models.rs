@@ -96,7 +96,7 @@ pub trait Driven:
     /// A start on the closure, in motion.
     fn start(&self) -> Self::State {
         let mut state = self.initial_state();
-        state.v_mut().iter_mut().for_each(|rate| *rate = Scalar::constant(0.25));
+        state.rates_mut().iter_mut().for_each(|rate| *rate = Scalar::constant(0.25));
         GeneratedChain::assemble(self, &mut state, &self.no_inputs()).expect("a closed chain");
         state
     }
@@ -107,7 +107,7 @@ macro_rules! driven {
         impl<T: Number> Driven for $chain<T> {
             fn drive(&self, time: T, state: &Self::State) -> $inputs<T> {
                 let ([sine], _) = T::sin_cos([time * T::constant(8.0)]);
-                let $torque = sine - state.v()[0] * T::constant(0.5);
+                let $torque = sine - state.rates()[0] * T::constant(0.5);
                 let mut $to = self.no_inputs();
                 $set
                 $to

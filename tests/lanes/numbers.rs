@@ -66,11 +66,11 @@ where
     S: ChainState<Scalar = <W::Scalar as Scalar>::Real>,
 {
     let mut packed = W::default();
-    for (index, place) in packed.q_mut().iter_mut().enumerate() {
-        *place = W::Scalar::from_lanes(|lane| states[lane].q()[index]);
+    for (index, place) in packed.coordinates_mut().iter_mut().enumerate() {
+        *place = W::Scalar::from_lanes(|lane| states[lane].coordinates()[index]);
     }
-    for (index, place) in packed.v_mut().iter_mut().enumerate() {
-        *place = W::Scalar::from_lanes(|lane| states[lane].v()[index]);
+    for (index, place) in packed.rates_mut().iter_mut().enumerate() {
+        *place = W::Scalar::from_lanes(|lane| states[lane].rates()[index]);
     }
     packed.set_time(W::Scalar::from_lanes(|lane| states[lane].time()));
     packed

@@ -75,8 +75,8 @@ fn randoms(seed: u64, count: usize) -> Vec<Random> {
 /// A state near the start, closed where the chain is.
 fn state<C: Sample>(chain: &C, inputs: &C::Inputs, draw: Draw<C::Scalar>) -> C::State {
     let mut state = chain.initial_state();
-    state.q_mut().iter_mut().for_each(|q| *q += draw(-FAR, FAR));
-    state.v_mut().iter_mut().for_each(|v| *v += draw(-FAST, FAST));
+    state.coordinates_mut().iter_mut().for_each(|q| *q += draw(-FAR, FAR));
+    state.rates_mut().iter_mut().for_each(|v| *v += draw(-FAST, FAST));
     state.set_time(draw(0.0, 10.0));
     // Once is enough for what a step does to quaternions.
     (0..8).for_each(|_| chain.normalize(&mut state));

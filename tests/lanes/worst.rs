@@ -92,7 +92,7 @@ fn assembling_goes_on_until_all_lanes_are_closed() {
         let mut starts: Vec<S::State> = each.iter().map(|case| case.state.clone()).collect();
         // The first lane is closed, the others less and less.
         for (lane, start) in starts.iter_mut().enumerate() {
-            start.q_mut().iter_mut().for_each(|q| *q += 0.02 * lane as f64);
+            start.coordinates_mut().iter_mut().for_each(|q| *q += 0.02 * lane as f64);
         }
         let mut state: C::State = pack(&starts);
         wide.chain.assemble(&mut state, &wide.inputs).expect("a chain that can be closed");
@@ -104,7 +104,7 @@ fn assembling_goes_on_until_all_lanes_are_closed() {
             assert!(off < 1e-10, "{name}, lane {lane}: {off:e}");
         }
         // One lane that cannot be closed leaves all as they were.
-        state.q_mut()[0] = W::from_lanes(|lane| if lane == 5 { f64::NAN } else { 1.0 });
+        state.coordinates_mut()[0] = W::from_lanes(|lane| if lane == 5 { f64::NAN } else { 1.0 });
         let before = numbers(&state);
         let outcome = wide.chain.assemble(&mut state, &wide.inputs);
         assert_eq!(outcome, Err(Error::NotAssembled), "{name}");
@@ -143,10 +143,10 @@ fn what_is_not_finite_in_one_lane_fails_for_all() {
         };
         for by in [f64::NAN, f64::INFINITY] {
             let (mut case, _) = cases::<Balls<W>, Balls<f64>>(5);
-            spoil(&mut case.state.q_mut()[5], by);
+            spoil(&mut case.state.coordinates_mut()[5], by);
             fails(&case, Error::NotFinite, &format!("coordinate, lane {lane}"));
             let (mut case, _) = cases::<Balls<W>, Balls<f64>>(5);
-            spoil(&mut case.state.v_mut()[8], by);
+            spoil(&mut case.state.rates_mut()[8], by);
             fails(&case, Error::NotFinite, &format!("rate, lane {lane}"));
             let (mut case, _) = cases::<Balls<W>, Balls<f64>>(5);
             spoil(&mut case.inputs.a.y, by);

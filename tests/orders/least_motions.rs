@@ -61,7 +61,7 @@ impl<C: GeneratedChain<Scalar: Number> + Default> Closed for C {}
 fn product<C: Closed>(chain: &C, pose: &C::State, a: &[f64], b: &[f64]) -> f64 {
     let twice_kinetic = |rates: &dyn Fn(usize) -> f64| {
         let mut state = pose.clone();
-        for (k, v) in state.v_mut().iter_mut().enumerate() {
+        for (k, v) in state.rates_mut().iter_mut().enumerate() {
             *v = Scalar::constant(rates(k));
         }
         let energy: f64 = chain.energy(&state).kinetic.into();
@@ -89,7 +89,7 @@ fn differences(a: &[f64], b: &[f64]) -> Vec<f64> {
 /// A closed pose, and rates of a motion that the closure leaves.
 fn closed<C: Closed>(chain: &C, random: &mut Random) -> C::State {
     let mut state = chain.initial_state();
-    for v in state.v_mut() {
+    for v in state.rates_mut() {
         *v = Scalar::constant(random.between(-1.0, 1.0));
     }
     chain.assemble(&mut state, &chain.no_inputs()).expect("a chain that closes");
@@ -104,13 +104,13 @@ fn rates_change_least<C: Closed>(name: &str) {
     for _ in 0..10 {
         let pose = closed(&chain, &mut random);
         let mut state = pose.clone();
-        for v in state.v_mut() {
+        for v in state.rates_mut() {
             *v = Scalar::constant(random.between(-1.0, 1.0));
         }
-        let before = numbers(state.v());
+        let before = numbers(state.rates());
         chain.assemble(&mut state, &chain.no_inputs()).expect("a closed chain");
-        let change = differences(&numbers(state.v()), &before);
-        let motions = [numbers(pose.v()), numbers(state.v())];
+        let change = differences(&numbers(state.rates()), &before);
+        let motions = [numbers(pose.rates()), numbers(state.rates())];
         for motion in motions {
             let cosine = cosine(&chain, &pose, &change, &motion);
             assert!(cosine.abs() < 1e4 * epsilon, "{name}: {cosine:e}");
@@ -118,7 +118,7 @@ fn rates_change_least<C: Closed>(name: &str) {
         // What fits already stays.
         let fitting = state.clone();
         chain.assemble(&mut state, &chain.no_inputs()).expect("a closed chain");
-        let off = differences(&numbers(state.v()), &numbers(fitting.v()));
+        let off = differences(&numbers(state.rates()), &numbers(fitting.rates()));
         assert!(off.iter().all(|off| off.abs() < 1e3 * epsilon), "{name}: {off:?}");
     }
 }
@@ -144,19 +144,19 @@ fn coordinates_move_least<C: Closed>(name: &str, far: f64) {
     for _ in 0..10 {
         let pose = closed(&chain, &mut random);
         let mut state = pose.clone();
-        for q in state.q_mut() {
+        for q in state.coordinates_mut() {
             *q += C::Scalar::constant(random.between(-far, far));
         }
-        let before = numbers(state.q());
+        let before = numbers(state.coordinates());
         chain.assemble(&mut state, &chain.no_inputs()).expect("a chain nearly closed");
-        let way = differences(&numbers(state.q()), &before);
-        let cosine = cosine(&chain, &state, &way, &numbers(state.v()));
+        let way = differences(&numbers(state.coordinates()), &before);
+        let cosine = cosine(&chain, &state, &way, &numbers(state.rates()));
         // The chains' condition is some ten.
         assert!(cosine.abs() < 20.0 * far, "{name}: {cosine:e}");
         // Not all motions would do: that of one hinge alone is not at right angles.
         let mut one = vec![0.0; way.len()];
         one[0] = 1.0;
-        let cosine = self::cosine(&chain, &state, &one, &numbers(state.v()));
+        let cosine = self::cosine(&chain, &state, &one, &numbers(state.rates()));
         assert!(cosine.abs() > 20.0 * far, "{name}: {cosine:e}");
     }
 }

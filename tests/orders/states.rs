@@ -53,13 +53,13 @@ const RATES: usize = 6 + 3 * (1 + 3) + 2 * (2 + 1) + 1;
 /// Numbers that tell their own place; quaternions of unit length.
 fn filled<S: ChainState>(state: &mut S) {
     let number = |k: usize| S::Scalar::constant(0.01 * k as f64);
-    let zero_position = state.q().to_vec();
-    for (k, (q, rest)) in state.q_mut().iter_mut().zip(&zero_position).enumerate() {
+    let zero_position = state.coordinates().to_vec();
+    for (k, (q, rest)) in state.coordinates_mut().iter_mut().zip(&zero_position).enumerate() {
         let zero = S::Scalar::default();
         let in_quaternion = zero_position[k.saturating_sub(3)..=k].iter().any(|&x| x != zero);
         *q = if in_quaternion { *rest } else { number(k) };
     }
-    for (k, v) in state.v_mut().iter_mut().enumerate() {
+    for (k, v) in state.rates_mut().iter_mut().enumerate() {
         *v = number(k);
     }
 }
@@ -155,5 +155,5 @@ fn a_chain_held_at_its_end_keeps_the_order_of_the_route() {
     let mut state = Hanging::<f64>::new().initial_state();
     state.a_mut().set_position(1.0).set_velocity(3.0);
     state.b_mut().set_position(2.0).set_velocity(4.0);
-    assert_eq!((state.q(), state.v()), (&[1.0, 2.0][..], &[3.0, 4.0][..]));
+    assert_eq!((state.coordinates(), state.rates()), (&[1.0, 2.0][..], &[3.0, 4.0][..]));
 }

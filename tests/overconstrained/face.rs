@@ -26,8 +26,8 @@ where
 
     fn state(&self, q: &[Self::Scalar], v: &[Self::Scalar]) -> Self::State {
         let mut state = self.initial_state();
-        state.q_mut().copy_from_slice(q);
-        state.v_mut().copy_from_slice(v);
+        state.coordinates_mut().copy_from_slice(q);
+        state.rates_mut().copy_from_slice(v);
         state
     }
 }

@@ -16,7 +16,7 @@ use mstmm_reference::Random;
 fn started<C: Closed<Scalar = f64>>(chain: &C, linkage: &Linkage, rate: f64) -> C::State {
     let mut state = chain.initial_state();
     let factor = rate / linkage.start_rate[0];
-    state.v_mut().iter_mut().for_each(|v| *v *= factor);
+    state.rates_mut().iter_mut().for_each(|v| *v *= factor);
     state
 }
 
@@ -78,7 +78,7 @@ where
 fn minute<C: Closed<Scalar = f64>>(linkage: &Linkage) {
     let chain = C::default();
     let (end, drift) = by_rk4(&chain, started(&chain, linkage, 8.0), 60);
-    let turns = (end.q()[0] / std::f64::consts::TAU).abs();
+    let turns = (end.coordinates()[0] / std::f64::consts::TAU).abs();
     println!("{}, RK4: drift {drift:.1e} in {turns:.0} turns", linkage.name);
     assert!(drift < 1e-8 && turns > 30.0, "{}: {drift:e}, {turns} turns", linkage.name);
     let (_, drift) = by_dopri5(&chain, started(&chain, linkage, 8.0), 60.0);
@@ -91,7 +91,7 @@ fn seconds<C: Closed<Scalar = f64>>(linkage: &Linkage) {
     let chain = C::default();
     for (rate, bound) in [(1.5, 2e-8), (8.0, 1e-7)] {
         let (end, drift) = by_rk4(&chain, started(&chain, linkage, rate), 3);
-        let gap = linkage.gap(end.q());
+        let gap = linkage.gap(end.coordinates());
         println!("{} at {rate} rad/s: drift {drift:.1e}, gap {gap:.1e}", linkage.name);
         assert!(drift < bound, "{} at {rate} rad/s: energy drifts by {drift:e}", linkage.name);
         assert!(gap < 1e-12, "{} at {rate} rad/s: open by {gap:e}", linkage.name);
@@ -128,18 +128,19 @@ fn rough<C: Closed<Scalar = f64>>(linkage: &Linkage) {
         let mut random = Random::new(seed);
         let mut state = chain.initial_state();
         let mut off = |x: &mut f64| *x += miss * random.between(-1.0, 1.0);
-        state.q_mut().iter_mut().for_each(&mut off);
-        state.v_mut().iter_mut().for_each(&mut off);
+        state.coordinates_mut().iter_mut().for_each(&mut off);
+        state.rates_mut().iter_mut().for_each(&mut off);
         let before = state.clone();
         chain.assemble(&mut state, &chain.no_inputs()).expect("a linkage that closes");
-        let [gap, drift] = [linkage.gap(state.q()), linkage.drift(state.q(), state.v())];
-        let moved = apart(state.q(), before.q()) / (miss / strength);
+        let [gap, drift] =
+            [linkage.gap(state.coordinates()), linkage.drift(state.coordinates(), state.rates())];
+        let moved = apart(state.coordinates(), before.coordinates()) / (miss / strength);
         println!("{}, seed {seed}, {miss:e} off: moved {moved:.1e}, gap {gap:.1e}", linkage.name);
         assert!(gap < 1e-12 && drift < 1e-11, "{}: {gap:e}, {drift:e}", linkage.name);
         assert!(moved < 4.0, "{}, {miss:e} off: moved by {moved:e} of it", linkage.name);
         let answer = chain.answer(&state).expect("a regular linkage");
         assert_eq!(answer.redundant, 6 - linkage.rank, "{}, {miss:e} off", linkage.name);
-        let [kept, start] = [state.v(), &linkage.start_rate].map(norm);
+        let [kept, start] = [state.rates(), &linkage.start_rate].map(norm);
         assert!((kept / start - 1.0).abs() < 0.2, "{}: speed {kept} of {start}", linkage.name);
     }
 }
@@ -153,16 +154,17 @@ fn assembled<C: Closed<Scalar = f64>>(linkage: &Linkage) {
     // The start misses by its last bits, and what that moves the weakest singular value divides.
     let off =
         |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0_f64, |o, (a, b)| o.max((a - b).abs()));
-    let moved = [off(state.q(), before.q()), off(state.v(), before.v())];
+    let moved =
+        [off(state.coordinates(), before.coordinates()), off(state.rates(), before.rates())];
     let mut alone = before.clone();
-    alone.v_mut()[1..].fill(0.0);
+    alone.rates_mut()[1..].fill(0.0);
     chain.assemble(&mut alone, &chain.no_inputs()).expect("a linkage that closes");
-    let drift = linkage.drift(alone.q(), alone.v());
-    let kept = alone.v()[0] / before.v()[0];
+    let drift = linkage.drift(alone.coordinates(), alone.rates());
+    let kept = alone.rates()[0] / before.rates()[0];
     println!("{}: moved {moved:?}, drift {drift:.1e}, kept {kept:.2}", linkage.name);
     assert!(moved.iter().all(|x| *x < 1e-12), "{}: moved by {moved:?}", linkage.name);
     assert!(drift < 1e-12, "{}: the ends drift apart at {drift:e}", linkage.name);
-    let speed = alone.v().iter().fold(0.0_f64, |speed, v| speed.max(v.abs()));
+    let speed = alone.rates().iter().fold(0.0_f64, |speed, v| speed.max(v.abs()));
     assert!(speed > 0.1, "{}: stopped to {speed:e}", linkage.name);
 }
 

@@ -40,23 +40,23 @@ fn check<C: Compared>(places: &[(usize, &'static str)]) {
     for seed in 0..20 {
         let state = random_state::<C>(&mut Random::new(seed));
         let unit = rate(&state);
-        let (unit_q, unit_v) = (numbers(unit.q()), numbers(unit.v()));
+        let (unit_q, unit_v) = (numbers(unit.coordinates()), numbers(unit.rates()));
         let size = unit_v.iter().fold(1.0_f64, |size, x| size.max(x.abs()));
         let epsilon: f64 = <C::Scalar as mstmm::Scalar>::epsilon().into();
         for excess in [-1e-2, 1e-3, 1e-5] {
             let mut scaled = state.clone();
             for &(place, _) in places {
-                for x in &mut scaled.q_mut()[place..place + 4] {
+                for x in &mut scaled.coordinates_mut()[place..place + 4] {
                     *x *= <C::Scalar as mstmm::Scalar>::constant(1.0 + excess);
                 }
             }
             let found = rate(&scaled);
             // The condition of these chains is some tens.
             let near = 100.0 * (excess.abs() + 10.0 * epsilon) * size;
-            for (a, b) in numbers(found.v()).iter().zip(&unit_v) {
+            for (a, b) in numbers(found.rates()).iter().zip(&unit_v) {
                 assert!((a - b).abs() < near, "seed {seed}, {excess}: {a} and {b}");
             }
-            let found_q = numbers(found.q());
+            let found_q = numbers(found.coordinates());
             for &(place, _) in places {
                 for k in place..place + 4 {
                     let off = found_q[k] - (1.0 + excess) * unit_q[k];

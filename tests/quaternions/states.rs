@@ -9,7 +9,7 @@ fn check<C: Compared>(places: &[(usize, &'static str)]) {
     let inputs = chain.no_inputs();
     let with = |place: usize, quaternion: [C::Scalar; 4]| {
         let mut state = chain.initial_state();
-        state.q_mut()[place..place + 4].copy_from_slice(&quaternion);
+        state.coordinates_mut()[place..place + 4].copy_from_slice(&quaternion);
         state
     };
     for &(place, hinge) in places {
@@ -25,7 +25,7 @@ fn check<C: Compared>(places: &[(usize, &'static str)]) {
             let state = with(place, quaternion);
             for (by, result, left) in moved(&chain, &state, &inputs) {
                 assert_eq!(result, Ok(()), "{by} of {state:?}");
-                let moved = &left.q()[place..place + 4];
+                let moved = &left.coordinates()[place..place + 4];
                 let square: f64 = moved.iter().map(|&x| x.into() * x.into()).sum();
                 assert!((square - 1.0).abs() < 1e-6, "{by}: {left:?}");
             }
@@ -43,7 +43,7 @@ fn check<C: Compared>(places: &[(usize, &'static str)]) {
     // The first hinge of several is named.
     let mut state = chain.initial_state();
     for &(place, _) in places {
-        state.q_mut()[place..place + 4].fill(C::Scalar::default());
+        state.coordinates_mut()[place..place + 4].fill(C::Scalar::default());
     }
     assert_refused(&chain, &state, &inputs, Error::InvalidQuaternion { hinge: places[0].1 });
 }

@@ -26,8 +26,8 @@ pub trait Printed: GeneratedChain<Scalar = f64> + Default {
     /// The state with these coordinates and rates.
     fn state(&self, q: &[f64], v: &[f64]) -> Self::State {
         let mut state = self.initial_state();
-        state.q_mut().copy_from_slice(q);
-        state.v_mut().copy_from_slice(v);
+        state.coordinates_mut().copy_from_slice(q);
+        state.rates_mut().copy_from_slice(v);
         state
     }
 }

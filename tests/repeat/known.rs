@@ -26,8 +26,8 @@ fn what_is_not_finite_is_found_where_nothing_depends_on_it() {
     let inputs = carts.no_inputs();
     for place in 0..4 {
         let mut wrong = [carts.initial_state(), carts.initial_state()];
-        wrong[0].q_mut()[place] = f64::NAN;
-        wrong[1].v_mut()[place] = f64::INFINITY;
+        wrong[0].coordinates_mut()[place] = f64::NAN;
+        wrong[1].rates_mut()[place] = f64::INFINITY;
         for state in wrong {
             assert_eq!(carts.accelerations(&state, &inputs), Err(Error::NotFinite), "{place}");
             let mut at = carts.workspace();

@@ -40,9 +40,9 @@ fn states_are_read_and_set_by_index() {
         &quaternion(2),
         &[0.0; 4],
     ];
-    assert_eq!(state.q(), q.concat());
+    assert_eq!(state.coordinates(), q.concat());
     let v = [8.0, 0.5, 0.0, 0.0, 0.0, 1.5, 1.0, 1.0, 1.0, 2.5, 2.0, 2.0, 2.0, 0.0, 0.0, 0.0, 0.0];
-    assert_eq!(state.v(), v);
+    assert_eq!(state.rates(), v);
     for index in 0..3 {
         let number = index as f64;
         assert_eq!(state.a(index), Some(PinState::new(number, 0.5 + number)));
@@ -52,7 +52,7 @@ fn states_are_read_and_set_by_index() {
     state.z_mut(1).expect("there are two").set_angle(3.0).set_position(4.0);
     assert_eq!(state.a(1), Some(PinState::new(-1.0, -2.0)));
     assert_eq!(state.a(0), Some(PinState::new(0.0, 0.5)));
-    assert_eq!(state.q()[16..], [0.0, 0.0, 4.0, 3.0]);
+    assert_eq!(state.coordinates()[16..], [0.0, 0.0, 4.0, 3.0]);
     for index in [3, 4, usize::MAX / 8, usize::MAX] {
         assert!(state.a(index).is_none() && state.a_mut(index).is_none());
         assert!(state.c(index).is_none() && state.c_mut(index).is_none());

@@ -98,10 +98,10 @@ fn bennett(angle: f64) -> [f64; 4] {
 /// The state at these angles with rates that are put onto the closure.
 fn state<C: GeneratedChain>(chain: &C, angles: &[f64]) -> C::State {
     let mut state = chain.initial_state();
-    for (q, &angle) in state.q_mut().iter_mut().zip(angles) {
+    for (q, &angle) in state.coordinates_mut().iter_mut().zip(angles) {
         *q = C::Scalar::constant(angle);
     }
-    state.v_mut().fill(C::Scalar::constant(1.0));
+    state.rates_mut().fill(C::Scalar::constant(1.0));
     for _ in 0..3 {
         chain.project(&mut state, |_| Ok::<_, Error>(chain.no_inputs())).expect("a linkage");
     }
@@ -120,8 +120,8 @@ macro_rules! compare {
         for angle in $list {
             let state = state(&repeated, &$angles(angle));
             let mut twin = written.initial_state();
-            twin.q_mut().copy_from_slice(state.q());
-            twin.v_mut().copy_from_slice(state.v());
+            twin.coordinates_mut().copy_from_slice(state.coordinates());
+            twin.rates_mut().copy_from_slice(state.rates());
             repeated.solve_into(&state, &repeated.no_inputs(), &mut at).expect("a state");
             written.solve_into(&twin, &written.no_inputs(), &mut out).expect("a state");
             let label = format!("{}, {}, {angle:e}", stringify!($repeated), stringify!($module));
@@ -166,7 +166,7 @@ fn redundant_closures_of_repeated_bars_in_single_precision() {
 fn linkages_of_repeated_bars_keep_their_energy() {
     let chain = riccati::Bennett::<f64>::new();
     let mut state = state(&chain, &bennett(0.5));
-    state.v_mut().iter_mut().for_each(|rate| *rate *= 6.0);
+    state.rates_mut().iter_mut().for_each(|rate| *rate *= 6.0);
     let total = |state: &_| chain.energy(state).total();
     let (start, kinetic) = (total(&state), chain.energy(&state).kinetic);
     let mut rk4 = Rk4::new(1e-3);

@@ -122,7 +122,10 @@ where
         a.configuration_rate_into(state, &mut coordinates);
         b.configuration_rate_into(&twin, &mut twin_coordinates);
         found.push(("coordinate rates", apart(&coordinates, &twin_coordinates)));
-        let fast = crate::support::difference(&numbers(&coordinates.q()), &numbers(&rate.q()));
+        let fast = crate::support::difference(
+            &numbers(&coordinates.coordinates()),
+            &numbers(&rate.coordinates()),
+        );
         assert_eq!(fast, 0.0, "{name}: two ways to the rates of coordinates");
 
         regular(a.implicit_derivative_into(state, &given, step, &mut rate));
@@ -140,7 +143,10 @@ where
 
         let (mut long, mut twin_long) = (state.clone(), twin.clone());
         let scale = A::Scalar::constant(1.0 + 1.0 / 64.0);
-        long.q_mut().iter_mut().chain(twin_long.q_mut()).for_each(|q| *q *= scale);
+        long.coordinates_mut()
+            .iter_mut()
+            .chain(twin_long.coordinates_mut())
+            .for_each(|q| *q *= scale);
         a.normalize(&mut long);
         b.normalize(&mut twin_long);
         found.push(("normalized", apart(&long, &twin_long)));

@@ -138,7 +138,7 @@ where
             *to = Dual::new(value, rate);
         }
     };
-    join(moving.q_mut(), state.q(), rate.q());
-    join(moving.v_mut(), state.v(), rate.v());
+    join(moving.coordinates_mut(), state.coordinates(), rate.coordinates());
+    join(moving.rates_mut(), state.rates(), rate.rates());
     moving
 }

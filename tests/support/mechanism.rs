@@ -44,8 +44,8 @@ pub trait Mechanism: Chain<Scalar = f64> + Default {
                 }
             }
         }
-        state.q_mut().copy_from_slice(&q);
-        state.v_mut().iter_mut().for_each(|rate| *rate = random.between(-2.0, 2.0));
+        state.coordinates_mut().copy_from_slice(&q);
+        state.rates_mut().iter_mut().for_each(|rate| *rate = random.between(-2.0, 2.0));
         state
     }
 }

@@ -63,7 +63,7 @@ fn run<C: Case>(arguments: &[&str]) -> Result<(), Box<dyn Error>> {
             };
             // What fills the last lanes is no state.
             let states = numbers.len() / numbers_of_state::<C::State>();
-            run.results.truncate(states * C::State::default().v().len());
+            run.results.truncate(states * C::State::default().rates().len());
             if results != "-" {
                 fs::write(results, to_bytes(&run.results))?;
             }
@@ -89,7 +89,7 @@ fn accelerations<C: Case>(
     let mut results = Vec::new();
     for (state, inputs) in samples {
         chain.accelerations_into(state, inputs, &mut rate)?;
-        push_lanes(&mut results, rate.v());
+        push_lanes(&mut results, rate.rates());
     }
     let times = Times::of(budget, samples, C::Scalar::COUNT, |(state, inputs)| {
         let result = chain.accelerations_into(black_box(state), inputs, black_box(&mut rate));
@@ -127,7 +127,7 @@ fn rk4<C: Case>(
     for sample in samples {
         let mut state = sample.0.clone();
         integrator.step(chain, &mut state, |_, _| sample.1.clone())?;
-        push_lanes(&mut results, state.v());
+        push_lanes(&mut results, state.rates());
     }
     let times = Times::of(budget, samples, C::Scalar::COUNT, |sample| {
         let mut state = black_box(sample).0.clone();

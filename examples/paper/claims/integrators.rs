@@ -64,7 +64,7 @@ fn reference(chain: &Cubes<f64>, tolerance: f64) -> Result<CubesState<f64>, Erro
 
 /// The largest difference of any coordinate or rate.
 fn apart<S: ChainState<Scalar = f64>>(a: &S, b: &S) -> f64 {
-    let pairs = a.q().iter().zip(b.q()).chain(a.v().iter().zip(b.v()));
+    let pairs = a.coordinates().iter().zip(b.coordinates()).chain(a.rates().iter().zip(b.rates()));
     // In this order NaN is the largest of all.
     pairs.map(|(a, b)| (a - b).abs()).max_by(f64::total_cmp).unwrap_or(f64::NAN)
 }

@@ -40,7 +40,7 @@ pub fn assemble<S: ChainState>(
         let left = residual[0].max_lane();
         let is_closed = left <= closed || (left <= near && left >= before);
         let is_last = correction + 1 == MOST_CORRECTIONS && left <= near;
-        let numbers = <S::Scalar as Scalar>::sum(&[state.q(), state.v()]);
+        let numbers = <S::Scalar as Scalar>::sum(&[state.coordinates(), state.rates()]);
         if (is_closed || is_last) && numbers.is_finite().all() {
             let checked = check_closure(residual, hinge);
             if checked.is_err() {
@@ -90,9 +90,9 @@ pub fn closure_steps<S: ChainState, const N: usize>(
     let mut steps = None;
     for pose in 0..POSES {
         let mut state = start.clone();
-        state.v_mut().fill(constant(0.0));
+        state.rates_mut().fill(constant(0.0));
         if pose > 0 {
-            for (number, q) in state.q_mut().iter_mut().enumerate() {
+            for (number, q) in state.coordinates_mut().iter_mut().enumerate() {
                 *q += constant(scattered(number + 1, pose) - 0.5);
             }
             normalize(&mut state);

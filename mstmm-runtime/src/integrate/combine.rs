@@ -6,8 +6,16 @@ use crate::{ChainState, Mask, Scalar};
 /// Changes every coordinate and every rate of `state` by what stands at its place in `other`.
 #[inline(always)]
 fn change<S: ChainState>(state: &mut S, other: &S, change: impl Fn(&mut S::Scalar, S::Scalar)) {
-    state.q_mut().iter_mut().zip(other.q()).for_each(|(entry, &given)| change(entry, given));
-    state.v_mut().iter_mut().zip(other.v()).for_each(|(entry, &given)| change(entry, given));
+    state
+        .coordinates_mut()
+        .iter_mut()
+        .zip(other.coordinates())
+        .for_each(|(entry, &given)| change(entry, given));
+    state
+        .rates_mut()
+        .iter_mut()
+        .zip(other.rates())
+        .for_each(|(entry, &given)| change(entry, given));
 }
 
 /// `to` = `from`, with its time.
@@ -26,23 +34,23 @@ pub(super) fn sum_scaled<S: ChainState>(to: &mut S, from: &S, factor: S::Scalar,
     let sum = |((to, &from), &rate): ((&mut S::Scalar, &S::Scalar), &S::Scalar)| {
         *to = factor.mul_add(rate, from);
     };
-    to.q_mut().iter_mut().zip(from.q()).zip(rate.q()).for_each(sum);
-    to.v_mut().iter_mut().zip(from.v()).zip(rate.v()).for_each(sum);
+    to.coordinates_mut().iter_mut().zip(from.coordinates()).zip(rate.coordinates()).for_each(sum);
+    to.rates_mut().iter_mut().zip(from.rates()).zip(rate.rates()).for_each(sum);
 }
 
 /// The coordinates of `sum` += weight · those of `rate`; all else stays.
 pub(super) fn add_scaled_coordinates<S: ChainState>(sum: &mut S, weight: S::Scalar, rate: &S) {
-    sum.q_mut()
+    sum.coordinates_mut()
         .iter_mut()
-        .zip(rate.q())
+        .zip(rate.coordinates())
         .for_each(|(entry, &given)| *entry = weight.mul_add(given, *entry));
 }
 
 /// The rates of `sum` += weight · those of `rate`; all else stays.
 pub(super) fn add_scaled_rates<S: ChainState>(sum: &mut S, weight: S::Scalar, rate: &S) {
-    sum.v_mut()
+    sum.rates_mut()
         .iter_mut()
-        .zip(rate.v())
+        .zip(rate.rates())
         .for_each(|(entry, &given)| *entry = weight.mul_add(given, *entry));
 }
 
@@ -54,8 +62,8 @@ pub(super) fn weighted_sum<S: ChainState, const N: usize>(
     rates: [&S; N],
 ) {
     let zero = S::Scalar::default();
-    sum.q_mut().iter_mut().for_each(|entry| *entry = zero);
-    sum.v_mut().iter_mut().for_each(|entry| *entry = zero);
+    sum.coordinates_mut().iter_mut().for_each(|entry| *entry = zero);
+    sum.rates_mut().iter_mut().for_each(|entry| *entry = zero);
     for (weight, rate) in weights.into_iter().zip(rates) {
         add_scaled(sum, weight, rate);
     }
@@ -83,5 +91,5 @@ pub(super) fn has_finite_entries<S: ChainState>(state: &S) -> bool {
 
 /// All coordinates, then all rates.
 pub(super) fn entries<S: ChainState>(state: &S) -> impl Iterator<Item = S::Scalar> {
-    state.q().iter().chain(state.v()).copied()
+    state.coordinates().iter().chain(state.rates()).copied()
 }

@@ -45,7 +45,7 @@
 //!
 //! /// A torque against the rate that a sensor measures.
 //! fn control<C: Chain<Scalar = f64, Inputs = f64>>(state: &C::State) -> Result<f64, Fault> {
-//!     let measured = state.v().first().filter(|rate| rate.abs() < 10.0);
+//!     let measured = state.rates().first().filter(|rate| rate.abs() < 10.0);
 //!     Ok(-0.5 * measured.ok_or(Fault::Sensor)?)
 //! }
 //!

@@ -22,19 +22,19 @@ impl<T: Scalar, const Q: usize, const V: usize> Default for State<T, Q, V> {
 impl<T: Scalar, const Q: usize, const V: usize> ChainState for State<T, Q, V> {
     type Scalar = T;
 
-    fn q(&self) -> &[T] {
+    fn coordinates(&self) -> &[T] {
         &self.q
     }
 
-    fn q_mut(&mut self) -> &mut [T] {
+    fn coordinates_mut(&mut self) -> &mut [T] {
         &mut self.q
     }
 
-    fn v(&self) -> &[T] {
+    fn rates(&self) -> &[T] {
         &self.v
     }
 
-    fn v_mut(&mut self) -> &mut [T] {
+    fn rates_mut(&mut self) -> &mut [T] {
         &mut self.v
     }
 

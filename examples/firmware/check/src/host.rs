@@ -47,11 +47,11 @@ impl Visitor for Simulation {
             model.step(&mut rk4, &mut state).expect("the motions are regular everywhere");
             hash.add_state(&state);
         }
-        let numbers = state.q().iter().chain(state.v());
+        let numbers = state.coordinates().iter().chain(state.rates());
         Motion {
             end: numbers.map(|number| number.bits()).collect(),
             hash: hash.value(),
-            shown: format!("q = {:?}, v = {:?}", state.q(), state.v()),
+            shown: format!("q = {:?}, v = {:?}", state.coordinates(), state.rates()),
         }
     }
 }

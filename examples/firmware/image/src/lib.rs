@@ -77,8 +77,8 @@ fn simulate<M: Model>(report: &mut Report) -> Result<(), Error> {
         step(&model, &mut rk4, &mut state)?;
         hash.add_state(&state);
     }
-    report.numbers("q", state.q());
-    report.numbers("v", state.v());
+    report.numbers("q", state.coordinates());
+    report.numbers("v", state.rates());
     report.bits("hash", hash.value());
     Ok(())
 }

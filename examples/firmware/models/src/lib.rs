@@ -42,8 +42,11 @@ pub trait Model: Chain<Scalar: Number> + Sized {
         let mut state = Self::State::default();
         let pi = <Self::Scalar as Scalar>::constant(core::f64::consts::PI);
         let two = <Self::Scalar as Scalar>::constant(2.0);
-        state.q_mut().iter_mut().for_each(|q| *q = pi * random.between_minus_one_and_one());
-        state.v_mut().iter_mut().for_each(|v| *v = two * random.between_minus_one_and_one());
+        state
+            .coordinates_mut()
+            .iter_mut()
+            .for_each(|q| *q = pi * random.between_minus_one_and_one());
+        state.rates_mut().iter_mut().for_each(|v| *v = two * random.between_minus_one_and_one());
         self.normalize(&mut state);
         state
     }
@@ -52,13 +55,13 @@ pub trait Model: Chain<Scalar: Number> + Sized {
     /// [bad](Number::BAD) one.
     fn for_each_bad_state(&self, mut work: impl FnMut(Self::State)) {
         let start = self.start();
-        let coordinates = start.q().len();
-        for place in 0..coordinates + start.v().len() {
+        let coordinates = start.coordinates().len();
+        for place in 0..coordinates + start.rates().len() {
             for bad in Self::Scalar::BAD {
                 let mut state = start.clone();
-                if let Some(number) = state.q_mut().get_mut(place) {
+                if let Some(number) = state.coordinates_mut().get_mut(place) {
                     *number = bad;
-                } else if let Some(number) = state.v_mut().get_mut(place - coordinates) {
+                } else if let Some(number) = state.rates_mut().get_mut(place - coordinates) {
                     *number = bad;
                 }
                 work(state);

@@ -47,7 +47,8 @@ impl Default for Hash {
 impl Hash {
     /// Takes in all coordinates, all rates and the time.
     pub fn add_state<S: ChainState<Scalar: Number>>(&mut self, state: &S) {
-        let numbers = state.q().iter().chain(state.v()).copied().chain([state.time()]);
+        let numbers =
+            state.coordinates().iter().chain(state.rates()).copied().chain([state.time()]);
         self.0 = numbers
             .fold(self.0, |hash, number| (hash ^ number.bits()).wrapping_mul(0x0100_0000_01b3));
     }

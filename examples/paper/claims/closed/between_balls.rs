@@ -52,7 +52,7 @@ pub fn beside(progress: &Progress) -> Result<Beside, Error> {
     let accelerations = [at.b().input().acceleration(), at.c().input().acceleration()];
     progress.begin("closed: links between two balls, Newton–Euler");
     let newton_euler = newton_euler();
-    let state = State { q: start.q().to_vec(), v: start.v().to_vec() };
+    let state = State { q: start.coordinates().to_vec(), v: start.rates().to_vec() };
     let at_start = solved(&newton_euler, &state);
     Ok(Beside {
         name: "links between two balls",

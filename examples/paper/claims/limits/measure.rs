@@ -20,8 +20,8 @@ where
     let mut state = chain.initial_state();
     let (q, v) = pose.coordinates();
     let set = |(to, from): (&mut C::Scalar, &f64)| *to = C::Scalar::constant(*from);
-    state.q_mut().iter_mut().zip(&q).for_each(set);
-    state.v_mut().iter_mut().zip(&v).for_each(set);
+    state.coordinates_mut().iter_mut().zip(&q).for_each(set);
+    state.rates_mut().iter_mut().zip(&v).for_each(set);
     let mut at = Box::new(chain.workspace());
     chain.solve_into(&state, &chain.no_inputs(), &mut at)?;
     let all = C::at_inputs(&at).into_iter().flatten();

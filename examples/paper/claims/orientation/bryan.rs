@@ -38,19 +38,19 @@ impl Angles {
 impl ChainState for Angles {
     type Scalar = f64;
 
-    fn q(&self) -> &[f64] {
+    fn coordinates(&self) -> &[f64] {
         &self.q
     }
 
-    fn q_mut(&mut self) -> &mut [f64] {
+    fn coordinates_mut(&mut self) -> &mut [f64] {
         &mut self.q
     }
 
-    fn v(&self) -> &[f64] {
+    fn rates(&self) -> &[f64] {
         &self.v
     }
 
-    fn v_mut(&mut self) -> &mut [f64] {
+    fn rates_mut(&mut self) -> &mut [f64] {
         &mut self.v
     }
 

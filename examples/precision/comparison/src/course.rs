@@ -125,8 +125,8 @@ where
     let closed = double.assemble(&mut in_double, &D::inputs(inputs));
     Ok(Instant {
         time: 0.0,
-        q: doubles(state.q()),
-        closed: closed.ok().map(|()| doubles(in_double.q())),
+        q: doubles(state.coordinates()),
+        closed: closed.ok().map(|()| doubles(in_double.coordinates())),
         positions,
         energy: D::energy_at(&at),
     })

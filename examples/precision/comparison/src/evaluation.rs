@@ -37,7 +37,7 @@ pub fn evaluate<C: Subject>(
     chain.solve_into(state, &inputs, &mut at)?;
     let points = C::points(&at);
     Ok(Evaluation {
-        accelerations: doubles(rate.v()),
+        accelerations: doubles(rate.rates()),
         positions: points.iter().map(Reading::position).collect(),
         forces: points.iter().map(Reading::force).collect(),
         moments: points.iter().map(Reading::moment).collect(),

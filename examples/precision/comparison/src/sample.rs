@@ -43,8 +43,8 @@ pub struct Sample {
 impl Sample {
     /// Writes coordinates and rates.
     pub fn write(&self, state: &mut impl ChainState<Scalar = f64>) {
-        state.q_mut().copy_from_slice(&self.q);
-        state.v_mut().copy_from_slice(&self.v);
+        state.coordinates_mut().copy_from_slice(&self.q);
+        state.rates_mut().copy_from_slice(&self.v);
     }
 
     /// The same with numbers that single precision has.
@@ -87,7 +87,7 @@ impl Start {
             if closed.is_ok() {
                 break;
             }
-            let mut q = doubles(state.q());
+            let mut q = doubles(state.coordinates());
             let mut place = 0;
             for group in description.groups() {
                 let own = &mut q[place..place + group.coordinates()];
@@ -98,10 +98,10 @@ impl Start {
                     false => {}
                 }
             }
-            state.q_mut().copy_from_slice(&q);
+            state.coordinates_mut().copy_from_slice(&q);
             closed = chain.assemble(&mut state, &inputs);
         }
-        closed.map(|()| Self { q: doubles(state.q()), v: doubles(state.v()), drawn })
+        closed.map(|()| Self { q: doubles(state.coordinates()), v: doubles(state.rates()), drawn })
     }
 }
 
@@ -160,7 +160,7 @@ impl<'a> Sampler<'a> {
             sample.write(&mut state);
             match chain.assemble(&mut state, &C::inputs(&sample.inputs)) {
                 Ok(()) => {
-                    (sample.q, sample.v) = (doubles(state.q()), doubles(state.v()));
+                    (sample.q, sample.v) = (doubles(state.coordinates()), doubles(state.rates()));
                     return Ok(sample);
                 }
                 Err(error) => (failed, self.given_up) = (error, self.given_up + 1),

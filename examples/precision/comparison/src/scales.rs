@@ -38,8 +38,8 @@ impl Scales {
     ) -> Result<Self, Error> {
         let inputs = description.no_inputs();
         let mut state = chain.initial_state();
-        state.q_mut().copy_from_slice(&start.q);
-        state.v_mut().copy_from_slice(&start.v);
+        state.coordinates_mut().copy_from_slice(&start.q);
+        state.rates_mut().copy_from_slice(&start.v);
         let found = evaluate(chain, &state, &inputs)?;
         // What is this much smaller is the rounding of what should be zero.
         let or = |found: f64, otherwise: f64| {

@@ -84,8 +84,8 @@ where
     let write = |to: &mut [B::Scalar], from: &[A::Scalar]| {
         to.iter_mut().zip(from).for_each(|(to, &from)| *to = B::Scalar::constant(from.into()));
     };
-    write(to.q_mut(), from.q());
-    write(to.v_mut(), from.v());
+    write(to.coordinates_mut(), from.coordinates());
+    write(to.rates_mut(), from.rates());
     to.set_time(B::Scalar::constant(from.time().into()));
 }
 

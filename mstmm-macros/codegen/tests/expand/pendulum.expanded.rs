@@ -487,19 +487,19 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumState<T> {
 impl<T: ::mstmm::Scalar> ::mstmm::ChainState for PendulumState<T> {
     type Scalar = T;
     #[inline]
-    fn q(&self) -> &[T] {
+    fn coordinates(&self) -> &[T] {
         self.q.as_slice()
     }
     #[inline]
-    fn q_mut(&mut self) -> &mut [T] {
+    fn coordinates_mut(&mut self) -> &mut [T] {
         self.q.as_mut_slice()
     }
     #[inline]
-    fn v(&self) -> &[T] {
+    fn rates(&self) -> &[T] {
         self.v.as_slice()
     }
     #[inline]
-    fn v_mut(&mut self) -> &mut [T] {
+    fn rates_mut(&mut self) -> &mut [T] {
         self.v.as_mut_slice()
     }
     #[inline]
