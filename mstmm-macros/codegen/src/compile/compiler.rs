@@ -1,4 +1,4 @@
-//! A chain's equations, run on formulas.
+//! Traces a chain's equations: runs them on formulas.
 
 use super::point_storage::{self, PointStorage};
 use super::{layouts, outputs};
@@ -12,11 +12,11 @@ use crate::model::{Chain, Check, ClosureRank, Hinge, HingeKind, Layout, Solution
 use crate::passes::SetupSlots;
 use crate::program::{Argument, ArrayLayout, OutputId};
 
-/// A function, and what is known of connection points with it.
+/// A traced function, and the storage of connection points if the function computes them.
 pub(super) struct Traced<'g> {
     /// The function.
     pub function: Function<'g>,
-    /// Where connection points have their numbers, of the function that computes them.
+    /// The storage of connection points.
     pub storage: Option<PointStorage>,
 }
 
@@ -26,12 +26,12 @@ impl<'g> From<Function<'g>> for Traced<'g> {
     }
 }
 
-/// A chain in a state of unknowns.
+/// A chain with a symbolic state.
 pub(super) struct ChainCompiler<'a> {
     chain: &'a Chain,
     findings: &'a Findings,
     layout: &'a Layout,
-    /// The layout with welded bodies merged, which has the same hinges in the same places.
+    /// The layout with welded bodies merged, whose hinges have the same ids.
     merged: &'a Layout,
     unknowns: &'a Unknowns,
     graph: &'a Graph,
@@ -91,17 +91,17 @@ impl<'a> ChainCompiler<'a> {
             .with_closure(held_by_closure, closure_rank)
     }
 
-    /// The unknowns of its functions.
+    /// Returns the unknowns of the chain's functions.
     pub(super) fn unknowns(&self) -> &'a Unknowns {
         self.unknowns
     }
 
-    /// The method that accelerations are solved with.
+    /// Returns the method for the accelerations.
     pub(super) fn method(&self) -> SolutionMethod {
         self.chain.method.unwrap_or(SolutionMethod::Riccati)
     }
 
-    /// Runs equations with repeated parts as loops: their result, and a function that has no outputs yet.
+    /// Runs equations with repeated parts as loops; returns their result and a function without outputs.
     fn traced<R>(
         &self,
         equations: impl Fn(&LoopTracer<'a>, &mut Trace<Expr<'a>>) -> R,
@@ -133,7 +133,7 @@ impl<'a> ChainCompiler<'a> {
         Output { id, layout, values, by_entry: false }
     }
 
-    /// Numbers that stand once.
+    /// Returns an output outside of repeated parts.
     fn once(&self, id: OutputId, values: &[Expr<'a>]) -> Output {
         self.output(id, ArrayLayout::once(values.len()), values)
     }
@@ -147,7 +147,7 @@ impl<'a> ChainCompiler<'a> {
         self.output(id, layouts::rates(self.chain, self.layout), values)
     }
 
-    /// The pivots that are not known to be positive.
+    /// Returns the pivots that are not known to be positive.
     fn pivots(&self, solved: &ForwardDynamics<Expr<'a>>) -> Vec<NamedPivot> {
         let unsure = solved.pivots.iter().filter(|pivot| !is_positive(pivot));
         let pivot = |pivot: &equations::HingePivot<Expr<'a>>| {
@@ -236,7 +236,7 @@ impl<'a> ChainCompiler<'a> {
         self.of_hinges(outputs::COORDINATES, |kind, q, _| equations::hinge::normalized(kind, q))
     }
 
-    /// A function that maps every hinge's coordinates and rates to numbers in the place of its coordinates.
+    /// Returns the function that maps coordinates and rates of each hinge to values in the layout of the coordinates.
     fn of_hinges(
         &self,
         id: OutputId,
@@ -256,7 +256,7 @@ impl<'a> ChainCompiler<'a> {
             equations::correction(&self.context(self.merged).with_loops(tracer), trace)
         });
         let Some(correction) = correction else {
-            bug!("a chain that is not closed is to be put back onto its closure")
+            bug!("an open chain has no projection onto a loop closure")
         };
         let q = equations::moved(self.chain, self.layout, &self.q, &correction.coordinates);
         let v: Vec<Expr> =
@@ -272,7 +272,7 @@ impl<'a> ChainCompiler<'a> {
 
     pub(super) fn closure_pivots(&self) -> Traced<'a> {
         let ClosureRank::FoundAtRunTime(directions) = self.findings.closure_rank else {
-            bug!("the rank of this closure is not found at run time")
+            bug!("the rank of this loop closure is not found at run time")
         };
         let numbers = SymbolValues { closure_steps: Vec::new(), ..self.numbers.clone() };
         let (solved, function) = self.traced(|tracer, trace| {
@@ -280,12 +280,12 @@ impl<'a> ChainCompiler<'a> {
             equations::accelerations(&context, SolutionMethod::Riccati, AXES, trace)
         });
         let Some(reaction) = solved.reaction else {
-            bug!("the rank of a closure is to be found, and nothing closes")
+            bug!("the rank of a loop closure is to be found, and the chain is open")
         };
-        // Directions that are held in no state have none.
+        // Directions that are unconstrained in every state have no pivot.
         let mut pivots = reaction.pivots;
         if pivots.len() > directions {
-            bug!("a closure has more pivots than directions")
+            bug!("a loop closure has more pivots than directions")
         }
         pivots.resize(directions, Expr::Number(0.0));
         let outputs = vec![self.once(outputs::CLOSURE_PIVOTS, &pivots)];
@@ -313,7 +313,7 @@ impl<'a> ChainCompiler<'a> {
         Function { outputs, ..function }.into()
     }
 
-    /// The function that derives the slots of all others, and the numbers to be checked.
+    /// Returns the function that derives the slots of all other functions and the values to be checked.
     pub(super) fn setup(&self, setup: &SetupSlots, checks: &[Check]) -> Function<'a> {
         let mut outputs = Vec::new();
         let mut named = Vec::new();
@@ -339,7 +339,7 @@ impl<'a> ChainCompiler<'a> {
     }
 }
 
-/// A section of a trace, over edges; known numbers need no name.
+/// Converts a section of a trace to edges; known numbers need no name.
 fn heading(section: &equations::TraceSection<Expr>) -> Heading {
     let formula = |(name, expr): &(String, Expr)| match expr {
         Expr::Formula(_, edge) => Some((name.clone(), *edge)),
@@ -353,7 +353,7 @@ fn heading(section: &equations::TraceSection<Expr>) -> Heading {
     }
 }
 
-/// Whether a pivot is known, and known to be positive beyond rounding, so that no step has to look.
+/// Returns whether a pivot is a known number that is positive beyond rounding, so that it needs no test at run time.
 fn is_positive(pivot: &equations::HingePivot<Expr>) -> bool {
     match (pivot.value.known(), pivot.scale.known()) {
         (Some(value), Some(scale)) => value > NOISE * f64::EPSILON * scale,

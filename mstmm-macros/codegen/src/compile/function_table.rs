@@ -1,4 +1,4 @@
-//! The table of a chain's functions: when there is one, its equations, and what is tested of it.
+//! The table of a chain's functions: condition, equations and tests of each.
 
 use super::compiler::{ChainCompiler, Traced};
 use super::outputs;
@@ -7,23 +7,23 @@ use crate::model::{Answer, Chain, ClosureRank, Layout, Passive};
 use crate::passes::Checks;
 use crate::program::Failure;
 
-/// A function of a chain.
+/// The specification of a function.
 pub(super) struct FunctionSpec {
-    /// What it answers.
+    /// The answer that it computes.
     pub answer: Answer,
-    /// Whether a chain has it.
+    /// Returns whether a chain has the function.
     pub when: fn(&Chain, &Findings, &Layout) -> bool,
-    /// Runs its equations.
+    /// Traces its equations.
     pub trace: for<'a> fn(&ChainCompiler<'a>) -> Traced<'a>,
-    /// Which output has to be finite, and what a failure leaves.
+    /// The output that must be finite, and the contents of the results after a failure.
     pub checks: Option<Checks>,
 }
 
-/// Accelerations must be finite; where they are not, what the caller gave stays as it was.
+/// Accelerations must be finite; after a failure the caller's vector is unchanged.
 const SOLVED: Option<Checks> =
     Some(Checks { finite: outputs::ACCELERATIONS, failure: Failure::Untouched });
 
-/// All specs, in the order of [`Answer::ALL`].
+/// All functions, in the order of [`Answer::ALL`].
 pub(super) static FUNCTIONS: [FunctionSpec; 10] = [
     FunctionSpec {
         answer: Answer::Accelerations,
@@ -99,7 +99,7 @@ mod tests {
     use crate::model::Answer;
 
     #[test]
-    fn every_answer_has_a_row_in_its_place() {
+    fn the_table_is_in_the_order_of_the_answers() {
         assert_eq!(FUNCTIONS.each_ref().map(|spec| spec.answer), Answer::ALL);
     }
 }

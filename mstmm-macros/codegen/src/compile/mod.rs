@@ -1,4 +1,4 @@
-//! From a model to its procedures: the equations written down, simplified and ordered.
+//! Compiles a model to procedures: traces the equations, simplifies the functions and orders their statements.
 
 mod compiler;
 mod function_table;
@@ -21,39 +21,39 @@ use crate::program::Procedure;
 use compiler::ChainCompiler;
 use function_table::{FUNCTIONS, FunctionSpec};
 
-/// Everything that is computed for a chain.
+/// All functions of a chain.
 #[derive(Clone, Debug)]
 pub struct Compiled {
     /// The unknowns that all functions read.
     pub unknowns: Unknowns,
-    /// The method that the accelerations are solved with.
+    /// The method for the accelerations.
     pub method: SolutionMethod,
     /// The functions, in the order of [`Answer::ALL`].
     pub functions: Vec<CompiledFunction>,
-    /// Parameters and constants to the slots of all functions, and to the numbers of [`Compiled::checks`].
+    /// The function from parameters and constants to the slots of all functions and the values of [`Compiled::checks`].
     pub setup: CompiledFunction,
-    /// Numbers that are known at run time only, and what they must be.
+    /// The conditions on values that are known only at run time.
     pub checks: Vec<Check>,
-    /// Where connection points have their numbers.
+    /// The storage of connection points in the workspace.
     pub point_storage: PointStorage,
 }
 
 /// A function of a chain.
 #[derive(Clone, Debug)]
 pub struct CompiledFunction {
-    /// What it answers; the setup answers nothing.
+    /// The answer that it computes; none for the setup.
     pub answer: Option<Answer>,
     /// Its procedure.
     pub procedure: Procedure,
 }
 
 impl Compiled {
-    /// A function that the chain may lack.
+    /// Returns the function for an answer, if the chain has it.
     pub fn find(&self, answer: Answer) -> Option<&CompiledFunction> {
         self.functions.iter().find(|function| function.answer == Some(answer))
     }
 
-    /// A function that every chain has.
+    /// Returns the function for an answer that every chain has.
     pub fn function(&self, answer: Answer) -> &CompiledFunction {
         match self.find(answer) {
             Some(function) => function,
@@ -63,19 +63,19 @@ impl Compiled {
 }
 
 impl CompiledFunction {
-    /// Its name.
+    /// Returns its name.
     pub fn name(&self) -> &'static str {
         self.answer.map_or("setup", Answer::name)
     }
 }
 
-/// Writes down, simplifies and orders all equations of `chain`, of which `findings` are known.
+/// Compiles all functions of a chain.
 pub fn compile(chain: &Chain, findings: &Findings, layout: &Layout) -> Compiled {
     specs(chain, findings, layout, |compiler, specs| {
         let mut setup = SetupSlots::default();
         let mut storage = PointStorage::default();
         let mut ordered = Vec::new();
-        // One after the other: which nodes are there already decides the order of operands.
+        // The order of these calls matters: operands are ordered by the age of their nodes in the shared graph.
         for spec in specs {
             let traced = (spec.trace)(compiler);
             storage = traced.storage.unwrap_or(storage);
@@ -102,7 +102,7 @@ pub fn compile(chain: &Chain, findings: &Findings, layout: &Layout) -> Compiled 
     })
 }
 
-/// The specs of the functions that a chain has, for `read` to run on its equations.
+/// Calls `read` with the compiler of a chain and the specs of the functions that the chain has.
 fn specs<R>(
     chain: &Chain,
     findings: &Findings,

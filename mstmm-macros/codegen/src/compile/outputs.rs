@@ -1,38 +1,38 @@
-//! The results of a chain's functions.
+//! The outputs of a chain's functions.
 
 use crate::ids::RepeatId;
 use crate::program::OutputId;
 
-/// Accelerations that are solved for, in the order of `v`.
+/// The unknown accelerations, in the order of `v`.
 pub const ACCELERATIONS: OutputId = OutputId::new("accelerations");
-/// Accelerations of all rates, those of prescribed hinges as well.
+/// The accelerations of all rates, including those of prescribed hinges.
 pub const ALL_ACCELERATIONS: OutputId = OutputId::new("all_accelerations");
-/// What drives every rate.
+/// The effort at every rate, including the rates of prescribed hinges.
 pub const EFFORTS: OutputId = OutputId::new("efforts");
 /// Kinetic and potential energy.
 pub const ENERGIES: OutputId = OutputId::new("energies");
-/// Undetermined reactions of a closing hinge, six numbers each.
+/// The undetermined constraint wrenches of a closing hinge, six values each.
 pub const UNDETERMINED: OutputId = OutputId::new("undetermined");
-/// What connection points are read off.
+/// The stored values of connection points.
 pub const POINT_NUMBERS: OutputId = OutputId::new("points");
-/// What a point at rest feels.
+/// The proper acceleration of a point at rest: the negative of the acceleration of free fall.
 pub const AT_REST: OutputId = OutputId::new("at_rest");
-/// Time derivatives of coordinates.
+/// The time derivatives of the coordinates.
 pub const COORDINATE_RATES: OutputId = OutputId::new("coordinate_rates");
-/// Coordinates.
+/// The coordinates.
 pub const COORDINATES: OutputId = OutputId::new("coordinates");
-/// Rates.
+/// The rates.
 pub const RATES: OutputId = OutputId::new("rates");
-/// How far from closed a chain was, and how much redundant directions held.
+/// The closure error of a chain, and how much directions that count as redundant constrain it, from zero to one.
 pub const RESIDUAL: OutputId = OutputId::new("residual");
-/// Pivots of a closing hinge's directions, the largest first.
+/// The pivots of a closing hinge's constraint directions, the largest first.
 pub const CLOSURE_PIVOTS: OutputId = OutputId::new("closure_pivots");
-/// Efforts of drives at which no rate changes, in the order of `v`.
+/// The bias efforts: the efforts at which all accelerations vanish, in the order of `v`.
 pub const BIAS_EFFORTS: OutputId = OutputId::new("bias_efforts");
-/// Numbers that are checked when a parameter is set.
+/// The values that are checked when a parameter is set.
 pub const CHECKED: OutputId = OutputId::new("checks");
 
-/// What the setup derives: for every repetition of a part, or what stands once.
+/// Returns the output for the slots of a repeated part, or for the slots outside of repeated parts.
 pub const fn slots(part: Option<RepeatId>) -> OutputId {
     OutputId { name: "slots", part }
 }

@@ -1,5 +1,5 @@
-//! The way of a function from formulas to a procedure: the only list of passes. Products are fused and angles put side
-//! by side within `linearize`, since both decide what a statement is.
+//! The pipeline from a function to a procedure: the only list of passes. `linearize` also fuses products and groups angles,
+//! since both decide what a statement is.
 
 use crate::function::Function;
 use crate::passes::{
@@ -11,38 +11,38 @@ use crate::program::{Procedure, Program};
 /// A pass.
 type Pass = for<'g> fn(Function<'g>) -> Function<'g>;
 
-/// What makes a function shorter. Its text is printed behind them.
+/// The passes that simplify a function. The readable text is printed after them.
 const SIMPLIFY: [Pass; 2] = [drop_unused_carries, factor];
 
-/// What makes it faster on processors that run several operations at once.
+/// The passes that make it faster on processors that run several operations at once.
 const ARRANGE: [Pass; 2] = [fuse_loops, reassociate];
 
 fn run<'g>(function: Function<'g>, passes: &[Pass]) -> Function<'g> {
     passes.iter().fold(function, |function, pass| pass(function))
 }
 
-/// A function whose statements are in order and that waits for its reading and writing.
+/// A function with its ordered statements, still without loads and stores.
 pub(super) struct Ordered<'g> {
     /// The function.
     function: Function<'g>,
-    /// Its program in the order in which it runs.
+    /// Its program.
     program: Program,
 }
 
-/// Simplifies, arranges and orders a function; `setup` gets the slots that it reads.
+/// Simplifies, arranges and orders a function; adds the slots that it reads to `setup`.
 pub(super) fn order<'g>(function: Function<'g>, setup: &mut SetupSlots) -> Ordered<'g> {
     let function = run(run(function, &SIMPLIFY), &ARRANGE);
     let program = list_schedule(linearize(&function, setup));
     Ordered { function, program }
 }
 
-/// The program of a function in the order of its equations, without what is done for processors; `setup` gets the
-/// slots that it reads.
+/// Returns the program of a function in the order of its equations, without the passes for processors; adds the slots that
+/// it reads to `setup`.
 pub(super) fn readable(function: Function, setup: &mut SetupSlots) -> Program {
     linearize(&run(function, &SIMPLIFY), setup)
 }
 
-/// Adds reading, tests and writing, once all slots are known.
+/// Adds loads, tests and stores, once all slots are known.
 pub(super) fn finish(ordered: Ordered, checks: Option<Checks>, setup: &SetupSlots) -> Procedure {
     early_stores(lower(ordered.program, &ordered.function, checks, setup))
 }

@@ -1,63 +1,66 @@
-//! Where the numbers of connection points are stored: every vector once, however many points share it.
+//! Assigns the vectors of connection points to entries of the workspace. Points that share a vector share its entries.
 
 use crate::equations::{FramedVector, PointState, SymbolValues};
 use crate::expr::{Edge, Expr, Graph};
 use crate::model::{Body, Chain, Dimension, Element, RepeatId, Results};
 use std::collections::HashMap;
 
-/// A vector among the numbers of all points.
+/// A vector in the stored values of all points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StoredVector {
-    /// Where its first number is in its segment, counted from one; zero for a vector of zeros.
+    /// One plus the index of its first entry in its segment; zero for a zero vector.
     pub first: usize,
-    /// How many numbers it has.
+    /// The number of its entries.
     pub count: usize,
 }
 
-/// A vector and the axes that it is seen in: places of what turns into inertial ones, columns of a
-/// matrix in space, cosine and sine in the plane; none if the vector is inertial.
+/// A vector and the frame in which it is stored.
+///
+/// The frame is given by the rotation from it to the inertial frame: the columns of the matrix in space, cosine and sine
+/// in the plane. It is none for a vector in inertial axes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StoredFramedVector {
-    /// The axes.
+    /// The rotation to the inertial frame.
     pub axes: Option<Vec<StoredVector>>,
     /// The vector.
     pub vector: StoredVector,
 }
 
-/// Where the numbers of a connection point are.
+/// The stored values of a connection point.
 #[derive(Clone, Debug)]
 pub struct StoredPoint {
-    /// How many numbers of all points lie before their segment.
+    /// The index among all stored values at which its segment starts.
     pub start: usize,
-    /// Its position.
+    /// The position.
     pub position: StoredVector,
-    /// Its orientation, as axes are; none in inertial axes.
+    /// The rotation of its axes to the inertial frame; none for inertial axes.
     pub orientation: Option<Vec<StoredVector>>,
-    /// Velocity, `Ω`, `r̈` as felt, `Ω̇`, `m` and `q`; along a line those that there are.
+    /// Velocity, angular velocity, proper acceleration, angular acceleration, moment and force; on a line only those that
+    /// exist.
     pub vectors: Vec<StoredFramedVector>,
-    /// At the input of a body its centre of mass and its named points, body frame; none where no
-    /// parameter changes them, so that the workspace need not keep them.
+    /// At the input of a body: its centre of mass and its named points, in the body frame. None for a point that no
+    /// parameter changes, which the workspace does not store.
     pub changing: Vec<Option<StoredVector>>,
 }
 
-/// Where the numbers of all connection points are: segments of those that stand once or belong to one
-/// repeated part.
+/// The storage of all connection points, in segments of points that belong to the same repeated part, or to none.
 #[derive(Clone, Debug, Default)]
 pub struct PointStorage {
-    /// How many numbers each segment has, and its repeated part.
+    /// The number of entries of each segment, and its repeated part.
     pub segments: Vec<(usize, Option<RepeatId>)>,
     /// The points of the model.
     pub points: Vec<StoredPoint>,
 }
 
-/// The places of points, each with its repeated part, and the numbers that are to lie there.
+/// Assigns storage to all points of a chain; returns the storage and the values to be stored.
 pub(super) fn allocate<'g>(
     chain: &Chain,
     graph: &'g Graph,
     points: &[PointState<Expr<'g>>],
     numbers: &SymbolValues<Expr<'g>>,
 ) -> (PointStorage, Vec<Expr<'g>>) {
-    let mut all = PointAllocator { graph, known: HashMap::new(), start: 0, numbers: Vec::new() };
+    let mut allocator =
+        PointAllocator { graph, known: HashMap::new(), start: 0, numbers: Vec::new() };
     let mut storage = PointStorage::default();
     let part = |element: &Element| match *element {
         Element::Hinge(hinge) => chain.repeat_of_hinge(hinge),
@@ -68,30 +71,30 @@ pub(super) fn allocate<'g>(
         match storage.segments.last() {
             Some((_, last)) if *last == part => {}
             _ => {
-                all.begin_segment();
+                allocator.begin_segment();
                 storage.segments.push((0, part));
             }
         }
-        let mut own = all.point(point, chain.dimension, chain.results);
+        let mut stored = allocator.point(point, chain.dimension, chain.results);
         if let Some(Element::Body(body)) = chain.route.get(index) {
-            own.changing = all.changing(&chain.bodies[*body], chain, numbers);
+            stored.changing = allocator.changing(&chain.bodies[*body], chain, numbers);
         }
-        storage.points.push(own);
+        storage.points.push(stored);
         if let Some((count, _)) = storage.segments.last_mut() {
-            *count = all.count();
+            *count = allocator.count();
         }
     }
-    (storage, all.numbers)
+    (storage, allocator.numbers)
 }
 
-/// Numbers that find their places.
+/// The storage under construction.
 struct PointAllocator<'g> {
     graph: &'g Graph,
-    /// Where vectors of the segment begin, by their numbers.
+    /// The first entries of the segment's vectors, by their values.
     known: HashMap<Vec<Edge>, usize>,
-    /// How many numbers lie before the segment.
+    /// The number of entries before the segment.
     start: usize,
-    /// All numbers.
+    /// The stored values.
     numbers: Vec<Expr<'g>>,
 }
 
@@ -101,12 +104,12 @@ impl<'g> PointAllocator<'g> {
         self.start = self.numbers.len();
     }
 
-    /// How many numbers the segment has.
+    /// Returns the number of entries of the segment.
     fn count(&self) -> usize {
         self.numbers.len() - self.start
     }
 
-    /// The places of what is asked for; of all else those of zeros.
+    /// Stores the requested vectors of a point; all others are zero vectors.
     fn point(
         &mut self,
         point: &PointState<Expr<'g>>,
@@ -138,7 +141,7 @@ impl<'g> PointAllocator<'g> {
         StoredPoint { start: self.start, position, orientation, vectors, changing }
     }
 
-    /// The places of those of a body's points that parameters change, if they can be read.
+    /// Stores the points of a body that parameters change, if the results include poses.
     fn changing(
         &mut self,
         body: &Body,
@@ -161,13 +164,13 @@ impl<'g> PointAllocator<'g> {
         dimension: Dimension,
     ) -> StoredFramedVector {
         let vector = self.vector(seen.vector.0, along);
-        // Zeros, and a turn in the plane, are the same numbers in all axes.
-        let turned = vector != StoredVector::default() && along.len() > 1;
-        let axes = turned.then(|| self.axes(seen.axes.transposed().0, dimension)).flatten();
+        // A zero vector, and a rotation in the plane, have the same components in all axes.
+        let has_frame = vector != StoredVector::default() && along.len() > 1;
+        let axes = has_frame.then(|| self.axes(seen.axes.transposed().0, dimension)).flatten();
         StoredFramedVector { axes, vector }
     }
 
-    /// The places of axes, unless they are inertial.
+    /// Stores the columns of a rotation, unless it is the identity.
     fn axes(
         &mut self,
         columns: [[Expr<'g>; 3]; 3],
@@ -183,7 +186,7 @@ impl<'g> PointAllocator<'g> {
             .then(|| columns[..count].iter().map(|&column| self.vector(column, shifts)).collect())
     }
 
-    /// The place of a vector's entries along the axes that matter.
+    /// Stores a vector's components along some axes.
     fn vector(&mut self, vector: [Expr<'g>; 3], along: &[usize]) -> StoredVector {
         let edges: Vec<Edge> = along.iter().map(|&k| self.graph.edge(vector[k])).collect();
         if edges.iter().all(|&edge| self.graph.expr(edge).known() == Some(0.0)) {

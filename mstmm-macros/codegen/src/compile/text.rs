@@ -1,4 +1,4 @@
-//! The functions of a chain as text for people.
+//! The functions of a chain as readable text.
 
 use super::pipeline::readable;
 use super::{CompiledFunction, compile, specs};
@@ -10,12 +10,12 @@ use crate::passes::SetupSlots;
 use crate::program::text::{Labels, text};
 use crate::program::{OutputId, Procedure, Program, Section, SectionCost, by_heading};
 
-/// The text of all functions of `chain`, or of one of them, in the order of the equations. Behind each there is a
-/// table of the operations of its final code, by section.
+/// Returns the text of all functions of a chain, or of one function, in the order of the equations. A table of the operation
+/// counts of the final code by section follows each function.
 ///
 /// # Errors
 ///
-/// The names that functions have, if none has this one.
+/// Returns the names of the functions if the chain has no function of this name.
 pub fn chain_text(
     chain: &Chain,
     findings: &Findings,
@@ -47,7 +47,7 @@ pub fn chain_text(
     Ok(texts.join("\n"))
 }
 
-/// A function in the order of its equations.
+/// Returns the program of a function in the order of its equations, and the names for its loops and results.
 fn written(chain: &Chain, function: Function, setup: &mut SetupSlots) -> (Program, Labels) {
     let repeats = chain.repeats.iter().map(|repeat| {
         let name = chain.hinges[repeat.hinges.first()].name.to_string();
@@ -63,7 +63,7 @@ fn written(chain: &Chain, function: Function, setup: &mut SetupSlots) -> (Progra
     (readable(function, setup), labels)
 }
 
-/// The operations of a procedure by section, in the order that `readable` has.
+/// Returns the table of a procedure's operation counts by section, in the order of the readable program.
 fn table(procedure: &Procedure, readable: &Program) -> String {
     let order: Vec<(&str, &str)> = readable.sections().map(Section::heading).collect();
     let mut sections = by_heading(procedure.sections());

@@ -1,4 +1,4 @@
-//! The unknowns of a chain: their names, and the arrays that they are read from.
+//! Names the unknowns of a chain and assigns them to arguments.
 
 use super::layouts;
 use crate::function::Unknowns;
@@ -10,8 +10,8 @@ use std::collections::HashSet;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// The unknowns of `chain`: parameters, constants, the steps of a closure, coordinates, rates, inputs, and the
-/// length of an implicit step. The closure has this rank.
+/// Returns the unknowns of a chain: parameters, constants, the elimination steps of a loop closure of this rank,
+/// coordinates, rates, inputs, and the length of an implicit step.
 pub(super) fn unknowns(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Unknowns {
     let free = || chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
     let coordinates = free().flat_map(|hinge| named(hinge, coordinates(hinge.kind.shape())));
@@ -89,7 +89,7 @@ fn input_names(chain: &Chain, input: &Input) -> Vec<String> {
     }
 }
 
-/// Makes a name unique: a parameter `elbow_angle` may stand beside a hinge `elbow`.
+/// Makes a name unique: a chain may have a parameter `elbow_angle` and a hinge `elbow`.
 fn distinct(mut name: String, taken: &mut HashSet<String>) -> String {
     while !taken.insert(name.clone()) {
         name.push('_');
@@ -97,10 +97,10 @@ fn distinct(mut name: String, taken: &mut HashSet<String>) -> String {
     name
 }
 
-/// A name as a variable is written: an upper-case one could be taken for a constant of the user's.
+/// Returns an identifier in lower case, since rustc could take an upper-case variable for one of the user's constants.
 ///
-/// Rust compares names in normal form C, which letters may have left with their case: it is the compiler
-/// that brings them back.
+/// Rust compares identifiers in Unicode normalization form C. Lower-casing may leave that form; parsing the identifier
+/// restores it.
 fn text(ident: &Ident) -> String {
     let lower = ident.to_string().to_lowercase();
     syn::parse_str::<Ident>(&lower).map_or(lower, |normal| normal.to_string())

@@ -1,14 +1,14 @@
-//! Sines and cosines that can be computed side by side.
+//! Groups sines and cosines that can be computed in one statement.
 
 use super::{Live, Region, Regions};
 use crate::expr::{Graph, Node, NodeId, Stage};
 use std::collections::HashMap;
 
-/// Angles by how many sines and cosines deep they lie, and by where they are computed.
+/// The angles by nesting depth of sines and cosines, and by region.
 pub(super) type Angles = HashMap<(u32, Region), Vec<NodeId>>;
 
-/// The live angles by depth and region, and every live node's depth: how many sines and cosines are
-/// nested.
+/// Returns the live angles by depth and region, and the depth of every live node: the number of sines and cosines that
+/// are nested in it.
 pub(super) fn angles(
     graph: &Graph,
     live: &Live,

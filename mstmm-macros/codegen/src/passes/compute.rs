@@ -1,4 +1,4 @@
-//! What a node becomes: a statement, a name, or nothing.
+//! Turns nodes into statements or names.
 
 use super::Region;
 use super::linearize::Linearizer;
@@ -7,7 +7,7 @@ use crate::ids::{RepeatId, SymbolId};
 use crate::program::{Operand, Operation, Slot, Statement, ValueId};
 
 impl Linearizer<'_> {
-    /// States a node.
+    /// Computes a node, unless it is fused into its user.
     pub(super) fn compute(&mut self, id: NodeId) {
         if self.is_slot(id) {
             return self.read_slot(id);
@@ -31,8 +31,8 @@ impl Linearizer<'_> {
         self.push(Statement::Let(name, operation));
     }
 
-    /// Names an unknown by its own name. What loops carry has a name already, and loops list what they read
-    /// themselves.
+    /// Adds the value of an unknown under the unknown's name. Loop-carried values have a name already, and loops list
+    /// the unknowns that they read themselves.
     fn read_symbol(&mut self, symbol: SymbolId, id: NodeId) {
         let Some(unknown) = self.function.unknowns.get(symbol) else { return };
         let value = self.program.names.add(unknown.name.clone());
@@ -51,7 +51,7 @@ impl Linearizer<'_> {
         }
     }
 
-    /// The repeated part that a node belongs to.
+    /// Returns the repeated part that a node belongs to, if any.
     fn part_of(&self, id: NodeId) -> Option<RepeatId> {
         match self.regions.region(id) {
             Region::AfterLoops(_) => None,
@@ -59,7 +59,7 @@ impl Linearizer<'_> {
         }
     }
 
-    /// The slot of a value that is known since setup, under a name of this program.
+    /// Returns the slot of a node, with a value of this program.
     fn slot_of(&mut self, id: NodeId) -> Slot {
         let symbol = self.graph.symbol_of(id);
         let given = match symbol.and_then(|symbol| self.function.unknowns.get(symbol)) {
@@ -74,7 +74,7 @@ impl Linearizer<'_> {
         Slot { index, value }
     }
 
-    /// `a + b` with the sign of `b`, and a product if it is computed here, in the operation.
+    /// Returns the operation of `a + b`, with the sign of `b` and with a fused product, if there is one.
     fn sum(&self, a: Edge, b: Edge) -> Operation {
         let product = |edge: Edge| match self.graph.node(edge.node()) {
             Node::Product(x, y) if self.fused[edge.node() as usize] => {
@@ -100,7 +100,7 @@ impl Linearizer<'_> {
         }
     }
 
-    /// Sines and cosines of all angles of one depth, side by side.
+    /// Computes the sines and cosines of all angles of the same depth and region in one statement.
     fn compute_angles(&mut self, id: NodeId) {
         let key = (self.depths[id as usize], self.regions.region(id));
         let Some(angles) = self.angles.remove(&key) else { return };
@@ -155,7 +155,7 @@ impl Linearizer<'_> {
         if edge.is_negative() { Operand::Minus(Box::new(plain)) } else { plain }
     }
 
-    /// The value that a node is.
+    /// Returns the value of a node, which must have been computed.
     pub(super) fn value(&self, node: NodeId) -> ValueId {
         match self.names.get(node) {
             Some(value) => value,

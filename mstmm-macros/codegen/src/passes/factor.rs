@@ -1,5 +1,5 @@
-//! `a b + a c + … = a (b + c + …)` where no product is used elsewhere: a multiplication less for
-//! each product but the first.
+//! Factors common factors out of sums: `a b + a c + … = a (b + c + …)`, if no product is used elsewhere. Each product but
+//! the first saves a multiplication.
 
 use super::Images;
 use super::flatten_sums::Sums;
@@ -7,7 +7,7 @@ use crate::expr::{Edge, Expr, Graph, NodeId};
 use crate::function::Function;
 use crate::math::Scalar;
 
-/// Takes shared factors out of all sums of a function.
+/// Factors common factors out of all sums of a function.
 pub fn factor(function: Function) -> Function {
     let graph = function.graph;
     let sums = Sums::of(&function);
@@ -28,8 +28,9 @@ pub fn factor(function: Function) -> Function {
 /// A term of a sum.
 #[derive(Clone, Copy)]
 enum SumTerm {
-    /// The factors of a product that nothing else uses, the sign in the second.
+    /// A product that nothing else uses; the second factor has the sign.
     Product(Edge, Edge),
+    /// Any other term.
     Other(Edge),
 }
 
@@ -51,7 +52,7 @@ impl SumTerm {
         }
     }
 
-    /// Whether it is a product of a factor or of the negative of it.
+    /// Returns whether the term is a product that contains a factor or its negative.
     fn has(self, factor: Edge) -> bool {
         match self {
             SumTerm::Product(a, b) => a.node() == factor.node() || b.node() == factor.node(),
@@ -59,7 +60,7 @@ impl SumTerm {
         }
     }
 
-    /// What is left of a product without a factor, which is one of its own or the negative of one.
+    /// Divides a product by one of its factors or by the negative of one; none if the term is no such product.
     fn without(self, factor: Edge) -> Option<Edge> {
         let SumTerm::Product(a, b) = self else { return None };
         [(a, b), (b, a)].into_iter().find_map(|(one, other)| {
@@ -69,7 +70,7 @@ impl SumTerm {
     }
 }
 
-/// The sum of some terms, the factor that most of them share taken out first.
+/// Adds the terms, after factoring out the factor that most of them share.
 fn sum(graph: &Graph, terms: Vec<SumTerm>) -> Expr<'_> {
     match shared_factor(&terms) {
         Some(factor) => {
@@ -85,7 +86,7 @@ fn sum(graph: &Graph, terms: Vec<SumTerm>) -> Expr<'_> {
     }
 }
 
-/// The factor of most products, the first of several, if any is in more than one.
+/// Returns the factor of most products, the first of several, if any is in more than one product.
 fn shared_factor(terms: &[SumTerm]) -> Option<Edge> {
     let (mut shared, mut most) = (None, 1);
     for term in terms {

@@ -1,20 +1,20 @@
-//! Sums of many terms: those that are written as sums of sums.
+//! Flattens sums of sums into sums of many terms.
 
 use super::{Live, Region, Regions};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
 use crate::function::Function;
 
-/// The sums of formulas, with the sums in them taken apart.
+/// The flattened sums of a function.
 pub(super) struct Sums<'g> {
     graph: &'g Graph,
     live: Live,
     regions: Regions,
-    /// The sums that are terms of one other sum and nothing else.
+    /// Whether a sum is a term of one other sum and used nowhere else.
     inner: Vec<bool>,
 }
 
 impl<'g> Sums<'g> {
-    /// Those of a function.
+    /// Flattens the sums of a function.
     pub(super) fn of(function: &Function<'g>) -> Self {
         let graph = function.graph;
         let live = Live::of(graph, function.roots());
@@ -31,17 +31,17 @@ impl<'g> Sums<'g> {
         sums
     }
 
-    /// The nodes that are needed for themselves, before those that they are needed for.
+    /// Iterates over the live nodes, operands before their users, without the sums that are part of another sum.
     pub(super) fn nodes(&self) -> impl Iterator<Item = NodeId> {
         self.live.nodes().iter().copied().filter(|&id| !self.inner[id as usize])
     }
 
-    /// Where a node is computed.
+    /// Returns the region in which a node is computed.
     pub(super) fn region(&self, id: NodeId) -> Region {
         self.regions.region(id)
     }
 
-    /// All terms of a sum that is needed and computed in every step.
+    /// Returns all terms of a sum that is computed for every state; none for other nodes.
     pub(super) fn terms(&self, id: NodeId) -> Option<Vec<Edge>> {
         let written = self.terms_as_written(id)?;
         let mut terms = Vec::new();
@@ -64,7 +64,7 @@ impl<'g> Sums<'g> {
         }
     }
 
-    /// The factors of a product that is computed for the sum `of` alone.
+    /// Returns the factors of a product that only the sum `of` uses.
     pub(super) fn factors(&self, term: Edge, of: NodeId) -> Option<[Edge; 2]> {
         match self.graph.node(term.node()) {
             Node::Product(a, b) if self.is_only_for(term.node(), of) => Some([a, b]),
@@ -72,7 +72,7 @@ impl<'g> Sums<'g> {
         }
     }
 
-    /// Whether a node is used once, and computed where its user is.
+    /// Returns whether a node is used once, in the same stage and region as its user.
     fn is_only_for(&self, node: NodeId, user: NodeId) -> bool {
         self.live.uses(node) == 1
             && self.graph.stage(node) == self.graph.stage(user)

@@ -1,21 +1,22 @@
-//! Loops that follow each other are one where they may be: what the first computes the second then has at
-//! hand, and a processor works on both at a time.
+//! Fuses consecutive loops: the second loop finds the values of the first in registers, and a processor works on both at
+//! the same time.
 
 use crate::expr::{Edge, Graph};
 use crate::function::{Function, Loop};
 use crate::ids::SymbolId;
 use std::collections::HashSet;
 
-/// Fuses each loop with the one before it, if both go the same way over the same part and it needs nothing of
-/// what that one leaves in the end.
+/// Fuses each loop with the previous one, if both run over the same part in the same direction and the loop does not need
+/// the final values of the previous one.
 ///
-/// Everything of a hundred bodies takes 16 % less time by it, of a hundred pins 8 %.
+/// This saves 16 % of the time of `solve_into` for a hundred bodies, and 8 % for a hundred pins.
 pub fn fuse_loops(mut function: Function) -> Function {
     let mut fused: Vec<Loop> = Vec::new();
     for next in std::mem::take(&mut function.loops) {
         match fused.last_mut() {
             Some(last)
-                if last.goes_like(&next) && !last.leaves_something_for(&next, function.graph) =>
+                if last.is_parallel_to(&next)
+                    && !last.must_finish_before(&next, function.graph) =>
             {
                 last.carries.extend(&next.carries);
             }
@@ -27,14 +28,14 @@ pub fn fuse_loops(mut function: Function) -> Function {
 }
 
 impl Loop {
-    /// Whether both go the same way over the same part.
-    fn goes_like(&self, other: &Loop) -> bool {
+    /// Returns whether both run over the same part in the same direction.
+    fn is_parallel_to(&self, other: &Loop) -> bool {
         (self.repeat, self.inward) == (other.repeat, other.inward)
     }
 
-    /// Whether what `later` begins with or hands on needs what the last repetition of this loop leaves.
-    fn leaves_something_for(&self, later: &Loop, graph: &Graph) -> bool {
-        let left: HashSet<SymbolId> = self.carries.iter().map(|carry| carry.exit).collect();
+    /// Returns whether the carries of `later` need the final values of this loop.
+    fn must_finish_before(&self, later: &Loop, graph: &Graph) -> bool {
+        let exits: HashSet<SymbolId> = self.carries.iter().map(|carry| carry.exit).collect();
         let carries = later.carries.iter();
         let mut open: Vec<Edge> = carries.flat_map(|carry| [carry.init, carry.next]).collect();
         let mut seen = HashSet::new();
@@ -42,7 +43,7 @@ impl Loop {
             if !seen.insert(edge.node()) {
                 continue;
             }
-            if graph.symbol_of(edge.node()).is_some_and(|symbol| left.contains(&symbol)) {
+            if graph.symbol_of(edge.node()).is_some_and(|symbol| exits.contains(&symbol)) {
                 return true;
             }
             open.extend(graph.node(edge.node()).operands());
@@ -58,7 +59,7 @@ mod tests {
     use crate::function::{Carry, Function, Loop, Unknowns};
     use crate::ids::{RepeatId, SymbolId};
 
-    /// A loop with one number, whose phi and exit are the unknowns of this number and of the next one.
+    /// Returns a loop with one carry, whose phi and exit have this symbol and the next one.
     fn one(graph: &Graph, inward: bool, first: usize, init: Expr, added: Expr) -> Loop {
         let [phi, exit] = [first, first + 1].map(SymbolId);
         let next = graph.symbol(phi, Stage::State) + added;
@@ -66,7 +67,7 @@ mod tests {
         Loop { repeat: RepeatId(0), inward, carries: vec![carry] }
     }
 
-    /// How many numbers the loops carry once they are fused.
+    /// Returns the numbers of carries of the loops after fusion.
     fn carries(graph: &Graph, loops: &[Loop]) -> Vec<usize> {
         let unknowns = Unknowns::default();
         let function = Function {
@@ -82,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn loops_are_fused_unless_they_turn_back_or_wait() {
+    fn loops_are_fused_unless_directions_differ_or_one_waits() {
         let graph = Graph::default();
         let [start, own, left] = [0, 1, 3].map(|k| graph.symbol(SymbolId(k), Stage::State));
         let first = one(&graph, false, 2, start, own);

@@ -1,18 +1,18 @@
-//! How many cycles a processor takes until a result is there: what desktop processors of the 2020s
-//! take in double precision, about. Only their proportions matter.
+//! Latencies of operations in cycles, approximately those of desktop processors of the 2020s in double precision. Only
+//! their ratios matter.
 
 use crate::expr::Node;
 use crate::program::{Operation, Statement};
 
 pub(super) const ADDITION: u32 = 3;
-/// Also with an addition in one operation.
+/// The latency of a product, also if it is fused with an addition.
 pub(super) const MULTIPLICATION: u32 = 4;
 const DIVISION: u32 = 14;
 const ROOT: u32 = 19;
-/// Of sines and cosines side by side, and of an arctangent.
+/// The latency of a group of sines and cosines, and of an arctangent.
 const ANGLE: u32 = 60;
 
-/// Of a node, computed in an operation of its own.
+/// Returns the latency of a node that is computed in a separate operation.
 pub(super) fn of_node(node: &Node) -> u32 {
     match node {
         Node::Number(_) | Node::Symbol(_) => 0,
@@ -24,7 +24,7 @@ pub(super) fn of_node(node: &Node) -> u32 {
     }
 }
 
-/// Of a statement.
+/// Returns the latency of a statement.
 pub(super) fn of_statement(statement: &Statement) -> u32 {
     match statement {
         Statement::SinCos { .. } => ANGLE,

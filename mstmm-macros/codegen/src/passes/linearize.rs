@@ -1,5 +1,5 @@
-//! The order of a program: under each heading, what its live values need, in the order in which
-//! the equations wrote it down.
+//! Orders a function: under each heading the live values that its named values need, in the order in which the equations
+//! created them.
 
 use super::angles::{Angles, angles};
 use super::node_values::NodeValues;
@@ -12,8 +12,8 @@ use crate::ids::{IdVec, SymbolId};
 use crate::program::{Block, BlockId, Program, Section, Slot, Statement, ValueId, ValueNames};
 use std::collections::{HashMap, HashSet};
 
-/// Orders what a function needs. A function of stage [`Stage::State`] reads what is known since setup from
-/// `setup`'s slots; a function of stage [`Stage::Setup`] computes it.
+/// Returns the program of a function. A function of stage [`Stage::State`] reads values that are known since setup from
+/// slots, which are added to `setup`; a function of stage [`Stage::Setup`] computes them.
 pub fn linearize(function: &Function, setup: &mut SetupSlots) -> Program {
     let live = Live::of(function.graph, function.roots());
     let regions = Regions::of(function, &live);
@@ -30,35 +30,37 @@ pub fn linearize(function: &Function, setup: &mut SetupSlots) -> Program {
     linearizer.finish()
 }
 
+/// The program of a function under construction.
 pub(super) struct Linearizer<'a> {
     pub(super) function: &'a Function<'a>,
     pub(super) graph: &'a Graph,
     pub(super) setup: &'a mut SetupSlots,
     pub(super) live: Live,
     pub(super) regions: &'a Regions,
-    /// Angles by how many sines and cosines deep they lie, and by where they are computed.
+    /// The angles by nesting depth of sines and cosines, and by region.
     pub(super) angles: Angles,
     pub(super) depths: Vec<u32>,
-    /// Products that are computed with their sums.
+    /// The products that are fused with their sum.
     pub(super) fused: Vec<bool>,
-    /// Which values nodes are.
+    /// The values of nodes.
     pub(super) names: NodeValues,
-    /// Slots of repeated parts, which their loops read.
+    /// The slots of repeated parts, which loops read.
     pub(super) slots: HashMap<NodeId, Slot>,
-    /// The blocks of the loops that are done.
+    /// The blocks of the finished loops.
     pub(super) blocks: HashMap<LoopId, BlockId>,
+    /// The names in use.
     taken: HashSet<String>,
-    /// What has been stated.
+    /// Whether a node has been computed.
     pub(super) done: Vec<bool>,
-    /// For which request every node was last found to be needed.
-    found: Vec<u32>,
+    /// The last request that reached a node.
+    reached_by: Vec<u32>,
     requests: u32,
     sections: Vec<Section>,
     owners: Owners,
-    /// The section that is being written.
+    /// The current section.
     current: usize,
-    /// In which section nodes have been stated.
-    places: Vec<Option<usize>>,
+    /// The sections in which nodes have been computed.
+    section_of: Vec<Option<usize>>,
     pub(super) program: Program,
     pub(super) temporaries: usize,
 }
@@ -86,7 +88,7 @@ impl<'a> Linearizer<'a> {
             slots: HashMap::new(),
             taken: function.unknowns.iter().map(|unknown| unknown.name.clone()).collect(),
             done: vec![false; graph.len()],
-            found: vec![0; graph.len()],
+            reached_by: vec![0; graph.len()],
             requests: 0,
             program: Program {
                 names: ValueNames::default(),
@@ -99,12 +101,12 @@ impl<'a> Linearizer<'a> {
             sections: Vec::new(),
             owners: Owners::of(function),
             current: 0,
-            places: vec![None; graph.len()],
+            section_of: vec![None; graph.len()],
             temporaries: 0,
         }
     }
 
-    /// Gives a node its first name.
+    /// Names a node, if it is computed here and has no name yet.
     fn name_node(&mut self, name: &str, edge: Edge) {
         let node = edge.node();
         let computed = !matches!(self.graph.node(node), Node::Number(_) | Node::Symbol(_));
@@ -115,19 +117,19 @@ impl<'a> Linearizer<'a> {
         }
     }
 
-    /// A new value, called so if nothing else is.
+    /// Adds a value with a meaningful name, made unique by a number if it is in use.
     pub(super) fn fresh(&mut self, wanted: String) -> ValueId {
         let text = self.free(wanted);
         self.program.names.add(text)
     }
 
-    /// The same of a value whose name says nothing but a number.
+    /// Adds a value with a generated name, made unique in the same way.
     pub(super) fn numbered(&mut self, wanted: String) -> ValueId {
         let text = self.free(wanted);
         self.program.names.add_numbered(text)
     }
 
-    /// A name that no other value has.
+    /// Returns an unused name.
     fn free(&mut self, wanted: String) -> String {
         if self.taken.insert(wanted.clone()) {
             return wanted;
@@ -137,7 +139,7 @@ impl<'a> Linearizer<'a> {
         free.next().unwrap_or_else(|| bug!("there are no numbers left"))
     }
 
-    /// Names what loops carry.
+    /// Names the loop-carried values.
     fn name_carries(&mut self) {
         for (number, one) in self.regions.loops.iter().enumerate() {
             for (place, carry) in one.carries.iter().enumerate() {
@@ -152,28 +154,28 @@ impl<'a> Linearizer<'a> {
         }
     }
 
-    /// The value of what a loop carries.
+    /// Returns the value of a loop-carried symbol.
     pub(super) fn carried(&self, symbol: SymbolId) -> ValueId {
         match self.graph.find(Node::Symbol(symbol)) {
             Some(node) => self.value(node),
-            None => bug!("a loop carries what is no unknown"),
+            None => bug!("a loop carries a symbol that is not in the graph"),
         }
     }
 
-    /// Whether a node is computed in `region`.
+    /// Returns whether a node is live and computed in `region`.
     fn belongs(&self, node: NodeId, region: Region) -> bool {
         let is_known =
             self.is_slot(node) && matches!(self.regions.region(node), Region::AfterLoops(_));
         self.live.has(node) && (is_known || self.regions.region(node) == region)
     }
 
-    /// States what belongs to `region`, each value under the first heading that needs it; then what no heading
-    /// needs in the same repetition.
+    /// Computes the values of `region`, each under the first heading that needs it, then the values that no heading needs in
+    /// the same repetition.
     pub(super) fn linearize_region(&mut self, region: Region, rest: Vec<NodeId>) {
         let headings = &self.function.headings;
         let mut early = vec![Vec::new(); headings.len()];
         for &node in &rest {
-            if let Some(number) = self.owners.own(node) {
+            if let Some(number) = self.owners.same(node) {
                 early[number].push(node);
             }
         }
@@ -190,16 +192,16 @@ impl<'a> Linearizer<'a> {
         self.open(&Heading { prefix, title, source: String::new(), values: Vec::new() });
         for node in rest {
             if self.belongs(node, region) && !self.done[node as usize] {
-                self.current = self.place_of(node, region).unwrap_or(headings.len());
+                self.current = self.section_for(node, region).unwrap_or(headings.len());
                 self.require(node);
             }
         }
     }
 
-    /// The section of a value that no heading needs in the same repetition: the last one that it reads, or else
-    /// the first one that needs it in another repetition. All that it reads must have been stated; angles beside
-    /// it in one statement may not be, and then there is none.
-    fn place_of(&self, node: NodeId, region: Region) -> Option<usize> {
+    /// Returns the section of a value that no heading needs in the same repetition: the last section that it reads, or else
+    /// the first that needs it in another repetition. Its operands must have been computed; if an angle of the same
+    /// `SinCos` statement has not been computed, there is no section.
+    fn section_for(&self, node: NodeId, region: Region) -> Option<usize> {
         if self.regions.loops.is_empty() {
             return None;
         }
@@ -213,12 +215,12 @@ impl<'a> Linearizer<'a> {
         }
         let read = self.graph.node(node).operands().map(Edge::node).chain(beside());
         let here = read.filter(|&id| !self.is_slot(id) && self.regions.region(id) == region);
-        here.filter_map(|id| self.places[id as usize]).max().or(self.owners.any(node))
+        here.filter_map(|id| self.section_of[id as usize]).max().or(self.owners.any(node))
     }
 
-    /// What is computed once, when so many loops are done.
+    /// Computes what runs outside of loops after this number of loops.
     fn linearize_straight(&mut self, done: usize) {
-        // Without loops only the results are needed; what loops read may be anywhere.
+        // Without loops the ends reach every node that is needed; values that loops read may be any node.
         let rest: Vec<NodeId> = if self.regions.loops.is_empty() {
             self.function.ends().map(|edge| edge.node()).collect()
         } else {
@@ -247,7 +249,7 @@ impl<'a> Linearizer<'a> {
         });
     }
 
-    /// What names of values begin with in the section that is open.
+    /// Returns the prefix of names in the current section.
     pub(super) fn prefix(&self) -> &str {
         self.sections.get(self.current).map_or("result", |section| &section.prefix)
     }
@@ -259,12 +261,12 @@ impl<'a> Linearizer<'a> {
         }
     }
 
-    /// Whether a node is read from a slot.
+    /// Returns whether a node is read from a slot.
     pub(super) fn is_slot(&self, node: NodeId) -> bool {
         self.function.stage == Stage::State && self.graph.stage(node) == Stage::Setup
     }
 
-    /// States everything that `node` needs and that has not been stated yet.
+    /// Computes a node with all nodes that it needs and that have not been computed.
     pub(super) fn require(&mut self, node: NodeId) {
         if self.done[node as usize] {
             return;
@@ -273,11 +275,11 @@ impl<'a> Linearizer<'a> {
         let mut needed = Vec::new();
         let mut open = vec![node];
         while let Some(id) = open.pop() {
-            let found = &mut self.found[id as usize];
-            if self.done[id as usize] || *found == self.requests {
+            let reached_by = &mut self.reached_by[id as usize];
+            if self.done[id as usize] || *reached_by == self.requests {
                 continue;
             }
-            *found = self.requests;
+            *reached_by = self.requests;
             needed.push(id);
             if !self.is_slot(id) {
                 for operand in self.graph.node(id).operands() {
@@ -285,10 +287,10 @@ impl<'a> Linearizer<'a> {
                 }
             }
         }
-        // Operands have smaller numbers than their users.
+        // Operands have smaller ids than their users.
         needed.sort_unstable();
         for id in needed {
-            // A group of angles may have stated some of them meanwhile.
+            // A `SinCos` statement may have computed some of them meanwhile.
             if !self.done[id as usize] {
                 self.mark(id);
                 self.compute(id);
@@ -296,11 +298,11 @@ impl<'a> Linearizer<'a> {
         }
     }
 
-    /// Notes that a node is stated in the section that is being written.
+    /// Records that a node is computed in the current section.
     pub(super) fn mark(&mut self, node: NodeId) {
         self.done[node as usize] = true;
         if self.graph.symbol_of(node).is_none() {
-            self.places[node as usize] = Some(self.current);
+            self.section_of[node as usize] = Some(self.current);
         }
     }
 

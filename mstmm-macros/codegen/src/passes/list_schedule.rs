@@ -1,43 +1,42 @@
-//! The order in which statements run: each as late as those that wait for it allow.
+//! List scheduling by critical paths: runs each statement as late as its users allow.
 //!
-//! A recursion over a chain is one long path on which every operation waits for the one before. A
-//! processor looks a few hundred instructions ahead for others that it may do meanwhile; here they are
-//! put where it finds them. That is list scheduling by critical paths, for a processor that starts five
-//! operations in two cycles, from the end backwards: so values are made no earlier than they have to be,
-//! and fewer are kept. Where there is work enough at any time, the order of the equations stays; and so
-//! it does in loops, each repetition of which gives the next one work.
+//! A recursion over a chain is one long dependency path. A processor looks a few hundred instructions ahead for
+//! independent operations; this pass moves such operations into that window. It schedules backwards from the end, for a
+//! processor that starts five operations in two cycles, so that values are computed no earlier than necessary and
+//! register pressure stays low. The order of the equations is kept if there is enough independent work at all times, and
+//! in loops, where consecutive repetitions overlap.
 //!
-//! Seven crossed pins take 14 % less time by it, three balls 9 %, the Panda 5 % (`benches/README.md`).
+//! It saves 14 % of the time for seven crossed pins, 9 % for three balls and 5 % for the Panda (`benches/README.md`).
 
 use super::latency::of_statement;
 use crate::program::{Block, Operand, Program, Section, Statement};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// So many operations are started in [`CYCLES`], for multiplications have two units and additions others
-/// beside. Orders for more need more registers than there are.
+/// The number of operations that start in [`CYCLES`] cycles: multiplications have two units, additions have others.
+/// Schedules for more operations need more registers than there are.
 const OPERATIONS: u32 = 5;
 const CYCLES: u32 = 2;
 
-/// There is work enough if all operations take so many times as long as the longest path.
+/// There is enough independent work if all operations together take this many times as long as the longest path.
 const ENOUGH: f64 = 1.2;
 
-/// The same program with its statements in the order in which they should run: a section that others interrupt
-/// becomes several with the same heading.
+/// Reorders the statements of a program. A section whose statements are separated becomes several sections with the same
+/// heading.
 pub fn list_schedule(mut program: Program) -> Program {
     for block in &mut program.blocks {
         if let Block::Once(sections) = block
-            && let Some(order) = waiting_order(sections, program.names.count())
+            && let Some(order) = new_order(sections, program.names.count())
         {
-            *sections = issued(std::mem::take(sections), &order);
+            *sections = reordered(std::mem::take(sections), &order);
         }
     }
     program
 }
 
-/// The numbers of the statements of a block in the order in which they should run, if they wait for one
-/// another; of the program's values there are so many.
-fn waiting_order(sections: &[Section], names: usize) -> Option<Vec<usize>> {
+/// Returns the indices of a block's statements in their new order, if there is too little independent work; `names` is the
+/// number of the program's values.
+fn new_order(sections: &[Section], names: usize) -> Option<Vec<usize>> {
     let statements: Vec<&Statement> =
         sections.iter().flat_map(|section| &section.statements).collect();
     let dependencies = Dependencies::of(&statements, names);
@@ -45,8 +44,8 @@ fn waiting_order(sections: &[Section], names: usize) -> Option<Vec<usize>> {
     dependencies.wait(&depths).then(|| dependencies.order(&depths))
 }
 
-/// The sections of a block in this order.
-fn issued(sections: Vec<Section>, order: &[usize]) -> Vec<Section> {
+/// Returns the sections of a block in this order of statements.
+fn reordered(sections: Vec<Section>, order: &[usize]) -> Vec<Section> {
     let owners = sections.iter().enumerate();
     let owners =
         owners.flat_map(|(number, section)| section.statements.iter().map(move |_| number));
@@ -68,11 +67,11 @@ fn issued(sections: Vec<Section>, order: &[usize]) -> Vec<Section> {
     ordered
 }
 
-/// Which statements wait for which, by their numbers.
+/// The dependencies between statements, by index.
 struct Dependencies {
-    /// What a statement waits for.
+    /// The statements that compute its operands.
     makers: Vec<Vec<usize>>,
-    /// How many others wait for it.
+    /// The number of statements that use its values.
     users: Vec<usize>,
     latencies: Vec<u32>,
 }
@@ -97,10 +96,10 @@ impl Dependencies {
         Dependencies { makers, users, latencies }
     }
 
-    /// How many cycles the longest path takes that leads to a statement.
+    /// Returns, for each statement, the latency of the longest path that leads to it, in cycles.
     fn depths(&self) -> Vec<u32> {
         let mut depths: Vec<u32> = Vec::with_capacity(self.latencies.len());
-        // Statements stand before their users.
+        // Statements come before their users.
         for makers in &self.makers {
             let end = |&maker: &usize| depths[maker] + self.latencies[maker];
             let depth = makers.iter().map(end).max();
@@ -109,7 +108,7 @@ impl Dependencies {
         depths
     }
 
-    /// Whether statements of these depths wait for one another, with too little work meanwhile.
+    /// Returns whether there is too little independent work for statements of these depths.
     fn wait(&self, depths: &[u32]) -> bool {
         let ends = depths.iter().zip(&self.latencies).map(|(depth, latency)| depth + latency);
         let longest = ends.max().unwrap_or(0);
@@ -117,13 +116,13 @@ impl Dependencies {
         depths.len() as f64 <= ENOUGH * room
     }
 
-    /// The numbers of the statements in the order in which they should run.
+    /// Returns the indices of the statements in their new order.
     fn order(mut self, depths: &[u32]) -> Vec<usize> {
         let count = depths.len();
         let (mut order, mut done_before) = (Vec::with_capacity(count), vec![0; count]);
-        // What may run at some time from the end, its users having begun, and what may run now; of two of
-        // the same depth the one that stands last runs last. Time is in parts of cycles, of which an
-        // operation takes `CYCLES` and a cycle has `OPERATIONS`.
+        // Time runs backwards from the end. `coming` has the statements whose users have all started, by the time at which
+        // they may run; `ready` has those that may run now. Of two statements of the same depth the later one in the
+        // original order runs last. The unit of time is a cycle divided by `OPERATIONS`; an operation takes `CYCLES` units.
         let mut coming: BinaryHeap<(Reverse<u32>, usize)> = BinaryHeap::new();
         let mut ready: BinaryHeap<(u32, usize)> = BinaryHeap::new();
         let parts = |latency: u32| OPERATIONS * latency;
@@ -159,7 +158,7 @@ impl Dependencies {
 
 #[cfg(test)]
 mod tests {
-    use super::{issued, waiting_order};
+    use super::{new_order, reordered};
     use crate::program::{Operand, Operation, Section, Statement, ValueId, ValueNames};
 
     fn section(title: &str, statements: Vec<Statement>) -> Section {
@@ -170,13 +169,13 @@ mod tests {
         Statement::Let(name, Operation::Recip(of))
     }
 
-    /// New values, called so with their numbers.
+    /// Adds values with numbered names.
     fn values<const N: usize>(names: &mut ValueNames, letter: &str) -> [ValueId; N] {
         std::array::from_fn(|number| names.add(format!("{letter}{number}")))
     }
 
     #[test]
-    fn what_is_needed_at_the_end_fills_the_gaps_of_the_longest_path() {
+    fn independent_work_fills_the_gaps_of_the_longest_path() {
         let mut names = ValueNames::default();
         let [a, b] = values(&mut names, "path");
         let (fill, end): ([ValueId; 6], [ValueId; 6]) =
@@ -189,8 +188,8 @@ mod tests {
         let path = vec![reciprocal(a, unknown(0)), reciprocal(b, Operand::Value(a))];
         let ending = (0..6).map(|k| Statement::Let(end[k], ending(k))).collect();
         let given = vec![section("fill", filling), section("path", path), section("end", ending)];
-        let order = waiting_order(&given, names.count()).expect("it waits");
-        let ordered = issued(given, &order);
+        let order = new_order(&given, names.count()).expect("it waits");
+        let ordered = reordered(given, &order);
         let titles: Vec<&str> = ordered.iter().map(|section| &section.title[..]).collect();
         assert_eq!(titles, ["path", "fill", "end"]);
         let statements = ordered.iter().flat_map(|section| &section.statements);
@@ -199,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn where_there_is_work_enough_the_order_stays() {
+    fn the_order_is_kept_if_there_is_enough_work() {
         let mut names = ValueNames::default();
         let sums: [ValueId; 100] = values(&mut names, "f");
         let [last] = values(&mut names, "last");
@@ -210,6 +209,6 @@ mod tests {
         };
         let end = vec![reciprocal(last, Operand::Value(sums[99]))];
         let sections = vec![section("sums", (0..100).map(sum).collect()), section("end", end)];
-        assert_eq!(waiting_order(&sections, names.count()), None);
+        assert_eq!(new_order(&sections, names.count()), None);
     }
 }

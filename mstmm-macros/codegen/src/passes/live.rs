@@ -1,21 +1,21 @@
-//! What the results need.
+//! Liveness: the nodes that the results need.
 
 use crate::expr::{Edge, Graph, NodeId};
 
-/// How often every node of a graph is used on the way to some results.
+/// The nodes that some results need, and the number of uses of each.
 #[derive(Clone, Debug)]
 pub struct Live {
     uses: Vec<u32>,
-    /// Those that are used, operands before their users.
+    /// The live nodes, operands before their users.
     nodes: Vec<NodeId>,
 }
 
 impl Live {
-    /// Counts from `results`.
+    /// Finds the nodes that `results` need.
     pub fn of(graph: &Graph, results: impl IntoIterator<Item = Edge>) -> Self {
         let mut uses = vec![0; graph.len()];
         let mut nodes = Vec::new();
-        // Of the nodes that are used, so many are still to come.
+        // The number of live nodes that the walk has not reached.
         let mut open = 0;
         let mut next = 0;
         for edge in results {
@@ -24,7 +24,7 @@ impl Live {
             uses[node] += 1;
             next = next.max(node + 1);
         }
-        // Operands stand before their users, so one walk towards the start sees every use.
+        // Operands come before their users, so one walk towards the start sees every use.
         while open > 0 {
             next -= 1;
             if uses[next] == 0 {
@@ -42,12 +42,12 @@ impl Live {
         Live { uses, nodes }
     }
 
-    /// The nodes that are used, operands before their users.
+    /// Returns the live nodes, operands before their users.
     pub fn nodes(&self) -> &[NodeId] {
         &self.nodes
     }
 
-    /// How often `node` is used.
+    /// Returns the number of uses of `node`.
     pub fn uses(&self, node: NodeId) -> u32 {
         match self.uses.get(node as usize) {
             Some(uses) => *uses,
@@ -55,7 +55,7 @@ impl Live {
         }
     }
 
-    /// Whether `node` is used at all.
+    /// Returns whether `node` is live.
     pub fn has(&self, node: NodeId) -> bool {
         self.uses(node) > 0
     }

@@ -1,5 +1,5 @@
-//! Loops of a program: what each computes in every repetition of a part, what it reads of earlier ones, and
-//! what it leaves.
+//! Linearizes the loops of a function: what each computes in every repetition, what it loads from earlier loops, and what
+//! it stores for later ones.
 
 use super::linearize::Linearizer;
 use super::{LoopId, Region};
@@ -8,7 +8,7 @@ use crate::function;
 use crate::program::{Block, BlockId, CarriedValue, LoopBlock, ValueId};
 
 impl<'a> Linearizer<'a> {
-    /// A loop.
+    /// Adds a loop to the program, unless it computes nothing.
     pub(super) fn linearize_loop(&mut self, id: LoopId) {
         let region = Region::Loop(id);
         self.linearize_region(region, self.live.nodes().to_vec());
@@ -18,7 +18,7 @@ impl<'a> Linearizer<'a> {
             self.function.results().enumerate().filter(|(_, edge)| own(edge)).collect();
         let pivots = self.pivots_in(region);
         let sections = self.take_sections();
-        // What it computes may be for later loops alone.
+        // A loop may compute values that only later loops read.
         if results.is_empty() && pivots.is_empty() && one.carries.is_empty() && sections.is_empty()
         {
             return;
@@ -70,7 +70,7 @@ impl<'a> Linearizer<'a> {
         self.blocks.insert(id, block);
     }
 
-    /// The pivots that can be tested in a region, by number.
+    /// Returns the pivots that are tested in a region, with their indices.
     fn pivots_in(&self, region: Region) -> Vec<(usize, &'a function::NamedPivot)> {
         let is_there = |pivot: &function::NamedPivot| {
             self.regions.common(pivot.value.node(), pivot.scale.node()) == region
@@ -78,7 +78,7 @@ impl<'a> Linearizer<'a> {
         self.function.pivots.iter().enumerate().filter(|(_, pivot)| is_there(pivot)).collect()
     }
 
-    /// What a loop reads: operands of what it computes, of what it hands on, and of its results and pivots.
+    /// Returns the nodes that a loop reads: operands of its values, carries, results and pivots.
     fn read_by(
         &self,
         region: Region,
@@ -101,11 +101,11 @@ impl<'a> Linearizer<'a> {
         read
     }
 
-    /// Lets a loop read what an earlier one has computed in the same repetition.
+    /// Loads a value that an earlier loop has computed in the same repetition.
     fn load(&mut self, node: NodeId, from: BlockId, loads: &mut Vec<(BlockId, Vec<ValueId>)>) {
         let value = self.value(node);
         let Block::Loop(earlier) = &mut self.program.blocks[from] else {
-            bug!("a loop reads what no loop has left")
+            bug!("a loop loads a value that no loop has stored")
         };
         if !earlier.stores.contains(&value) {
             earlier.stores.push(value);

@@ -1,4 +1,4 @@
-//! From a program to a procedure: what it reads first, what it tests, and where its results go.
+//! Lowers a program to a procedure: adds loads, tests and stores.
 
 use super::SetupSlots;
 use crate::function::{Function, Output};
@@ -9,17 +9,16 @@ use crate::program::{
     Repetition, ResultCheck, Segment, Slot, Step, ValueId, Witness,
 };
 
-/// What is tested of a function.
+/// The tests of a function.
 #[derive(Clone, Copy, Debug)]
 pub struct Checks {
-    /// The output that has to be finite, and with it all that it depends on.
+    /// The output that must be finite, together with all values that it depends on.
     pub finite: OutputId,
-    /// What a failing procedure leaves in its results.
+    /// The contents of the results after a failure.
     pub failure: Failure,
 }
 
-/// Adds to the program of a function all that it reads, tests and writes. `setup` has the slots of all
-/// functions.
+/// Adds loads, tests and stores to the program of a function. `setup` has the slots of all functions.
 pub fn lower(
     program: Program,
     function: &Function,
@@ -55,7 +54,7 @@ pub fn lower(
     let finish = checks
         .zip(finiteness)
         .map(|(checks, finiteness)| lowering.check_results(checks, &finiteness));
-    // Where loops write a result, it is looked at as a whole.
+    // With loops the result array is checked as a whole, after it has been written.
     if lowering.looped {
         body.extend(stores.into_iter().chain(finish));
     } else {
@@ -68,18 +67,18 @@ pub fn lower(
 
 struct Lowering<'a> {
     program: &'a Program,
-    /// Whether it has loops.
+    /// Whether the program has loops.
     looped: bool,
     function: &'a Function<'a>,
     setup: &'a SetupSlots,
     arrays: IdVec<ArrayId, Array>,
-    /// The tests of pivots in loops, by pivot.
+    /// The tests of pivots in loops, by the pivot's index.
     checks: Vec<Option<CheckId>>,
     check_count: usize,
 }
 
 impl Lowering<'_> {
-    /// Numbers the tests that loops make.
+    /// Assigns ids to the tests of pivots in loops.
     fn number_checks(&mut self) {
         for one in self.program.loops() {
             for (pivot, ..) in &one.pivots {
@@ -89,7 +88,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The array with a role, which is added if it is not there.
+    /// Returns the array with a role, which is added if it is missing.
     fn array(&mut self, role: ArrayRole, layout: impl FnOnce() -> ArrayLayout) -> ArrayId {
         let known = self.arrays.position(|array| array.role == role);
         known.unwrap_or_else(|| self.arrays.push(Array::new(role, layout())))
@@ -110,7 +109,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// What is read of `unknowns` and `slots`, once or in a repetition of a part.
+    /// Loads unknowns and slots, outside of loops or in a repetition of a part.
     fn loads(
         &mut self,
         part: Option<RepeatId>,
@@ -138,7 +137,7 @@ impl Lowering<'_> {
         steps
     }
 
-    /// What is read of an array: entries, and the values that they are.
+    /// Loads entries of an array into values.
     fn load(
         &self,
         array: ArrayId,
@@ -153,13 +152,13 @@ impl Lowering<'_> {
         by_segment(&self.arrays[array].layout, values).map(load).collect()
     }
 
-    /// A loop, and the array for what it leaves to others.
+    /// Lowers a loop.
     fn one_loop(&mut self, block: BlockId, one: &LoopBlock) -> ForLoop {
         let repetitions = self.function.unknowns.repetitions(one.repeat);
         let mut body = self.loads(Some(one.repeat), &one.unknowns, &one.slots);
         for (from, values) in &one.loads {
             let Block::Loop(earlier) = &self.program.blocks[*from] else {
-                bug!("a loop reads what no loop has left")
+                bug!("a loop loads values of a block that is no loop")
             };
             let wanted = |value: &ValueId| values.contains(value).then_some(*value);
             let from = self.local(*from, earlier);
@@ -176,7 +175,7 @@ impl Lowering<'_> {
             body.extend(self.store_of_loop(output, one));
         }
         for (pivot, value, scale) in &one.pivots {
-            let Some(check) = self.checks[*pivot] else { bug!("a pivot of a loop has no number") };
+            let Some(check) = self.checks[*pivot] else { bug!("a pivot of a loop has no test") };
             let (value, scale) = (value.clone(), scale.clone());
             body.push(Step::CheckPivot { check, value, scale });
         }
@@ -184,7 +183,7 @@ impl Lowering<'_> {
         ForLoop { repeat, repetitions, inward, carries, body }
     }
 
-    /// Where a loop leaves its values of a repetition.
+    /// Returns the slice of the array in which a loop stores values for later loops.
     fn local(&mut self, block: BlockId, one: &LoopBlock) -> ArraySlice {
         let repetitions = self.function.unknowns.repetitions(one.repeat);
         let layout = || ArrayLayout::each(one.stores.len(), one.repeat, repetitions);
@@ -196,7 +195,7 @@ impl Lowering<'_> {
         self.array(ArrayRole::Result(output.id), || output.layout.clone())
     }
 
-    /// What a loop writes of an output.
+    /// Stores the entries of an output that a loop computes.
     fn store_of_loop(&mut self, output: &Output, one: &LoopBlock) -> Vec<Step> {
         let numbers = self.function.entries_of(output.id);
         let own = one.results.iter().filter(|(number, _)| numbers.contains(number));
@@ -213,7 +212,7 @@ impl Lowering<'_> {
         by_segment(&output.layout, &values).map(store).collect()
     }
 
-    /// What is written of results that no loop computes.
+    /// Stores the results that no loop computes.
     fn stores(&mut self, failure: Option<Failure>) -> Vec<Step> {
         let mut steps = Vec::new();
         for output in &self.function.outputs {
@@ -249,41 +248,40 @@ impl Lowering<'_> {
         steps
     }
 
-    /// Whether an argument has entries of repeated parts: such an array is tested as a whole.
+    /// Returns whether an argument has entries of repeated parts. Such an array is tested as a whole.
     fn has_repeated(&self, argument: Argument) -> bool {
         let mut arguments = self.function.unknowns.arguments();
         let layout = arguments.find(|(other, _)| *other == argument).map(|(_, layout)| layout);
         layout.is_some_and(|it| it.segments.iter().any(|segment| segment.repeat.is_some()))
     }
 
-    /// Tests the inputs that results do not show; coordinates and rates as well, where there are loops or
-    /// repeated parts.
+    /// Tests the inputs that no result covers, and also the coordinates and rates if there are loops or repeated parts.
     fn check_arguments(&mut self, finiteness: &Finiteness) -> Option<Step> {
         let unknowns = self.function.unknowns;
         let arguments: Vec<Argument> = unknowns.arguments().map(|(argument, _)| argument).collect();
-        let is_meant = |argument: &Argument| match argument {
+        let is_tested = |argument: &Argument| match argument {
             Argument::Input(_) => true,
             Argument::Coordinates | Argument::Rates => self.looped || self.has_repeated(*argument),
             _ => false,
         };
-        let is_hidden = |argument: &Argument| {
+        let is_uncovered = |argument: &Argument| {
             let mut symbols = unknowns.of(*argument).into_iter();
             symbols.any(|symbol| !finiteness.covered.contains(&symbol))
         };
-        let hidden = arguments.into_iter().filter(is_meant).filter(is_hidden);
+        let uncovered = arguments.into_iter().filter(is_tested).filter(is_uncovered);
         let arrays: Vec<ArrayId> =
-            hidden.collect::<Vec<_>>().into_iter().map(|it| self.argument(it)).collect();
+            uncovered.collect::<Vec<_>>().into_iter().map(|it| self.argument(it)).collect();
         (!arrays.is_empty()).then_some(Step::CheckArguments(arrays))
     }
 
-    /// The test whether there are results. Of what is given it looks at what results do not show, and of results
-    /// at those that no other shows.
+    /// Returns the check of the results: the pivots, the time, the arguments that no result covers, and the results that
+    /// no other result covers.
     fn check_results(&mut self, checks: Checks, finiteness: &Finiteness) -> Step {
         let mut finite = vec![Witness::Entry(self.argument(Argument::Time), 0)];
         if self.looped {
             let role = ArrayRole::Result(checks.finite);
             let Some(array) = self.arrays.position(|array| array.role == role) else {
-                bug!("what has to be finite is not computed")
+                bug!("the output that must be finite is not computed")
             };
             finite.push(Witness::Array(array));
         } else {
@@ -312,7 +310,8 @@ impl Lowering<'_> {
     }
 }
 
-/// Entries of an array by segments: the numbers of those that have any, with one place for each entry of the segment.
+/// Groups entries of an array by segment. Returns the segments with any entries, each with one value per entry of the
+/// segment, or none.
 fn by_segment<'a, T: Clone>(
     layout: &'a ArrayLayout,
     entries: &'a [(usize, T)],

@@ -1,18 +1,17 @@
-//! From functions to programs, one step a file. A pass maps a function to a function:
+//! The passes from functions to programs, one per file. A pass maps a function to a function:
 //!
 //! | pass | what it does |
 //! |---|---|
-//! | [`drop_unused_carries`] | leaves out what loops carry for nothing |
-//! | [`factor()`] | takes shared factors out of sums of products |
-//! | [`fuse_loops()`] | makes one loop of neighbours over the same part |
-//! | [`reassociate()`] | adds up sums in the order in which their terms are ready |
+//! | [`drop_unused_carries`] | removes loop-carried values that no result needs |
+//! | [`factor()`] | factors common factors out of sums of products |
+//! | [`fuse_loops()`] | fuses consecutive loops over the same part |
+//! | [`reassociate()`] | adds the terms of sums in the order in which they are ready |
 //!
-//! [`linearize()`] orders a function; while it does so, `select_fma` joins products with their sums and `angles` puts
-//! sines and cosines side by side. [`list_schedule()`] reorders the statements for processors, [`lower()`] adds
-//! reading, tests and writing, and [`early_stores()`] moves writes up. `compile` lists the order of all.
+//! [`linearize()`] orders a function into a program; `select_fma` chooses the products that it fuses with their sums, and
+//! `angles` groups its sines and cosines. [`list_schedule()`] reorders the statements for processors, [`lower()`] adds
+//! loads, tests and stores, and [`early_stores()`] moves the stores up. The module `compile` lists the order of the passes.
 //!
-//! Folding, signs and common subexpressions need no pass: the graph's rules see to them while the
-//! formulas are written down.
+//! Constant folding, signs and common subexpressions need no pass: the graph's rules apply when formulas are created.
 
 mod angles;
 mod compute;

@@ -1,13 +1,13 @@
-//! Which values nodes are.
+//! The values of nodes.
 
 use crate::expr::NodeId;
 use crate::program::ValueId;
 
-/// Values by node.
+/// The values of a program, by node.
 pub(super) struct NodeValues(Vec<Option<ValueId>>);
 
 impl NodeValues {
-    /// No values yet for so many nodes.
+    /// Returns an empty table for this number of nodes.
     pub(super) fn new(nodes: usize) -> Self {
         NodeValues(vec![None; nodes])
     }

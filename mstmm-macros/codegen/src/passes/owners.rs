@@ -1,32 +1,32 @@
-//! Which heading needs a value first. With loops a value may be computed long before the section that needs it:
-//! before the loop, in an earlier loop, or in the repetition before.
+//! Finds the first heading that needs a value. With loops a value may be computed long before the section that needs it:
+//! before the loop, in an earlier loop, or in the previous repetition.
 
 use crate::expr::{Edge, NodeId};
 use crate::function::Function;
 use std::collections::HashMap;
 
-/// The first headings that need nodes, by number.
+/// For each node, the index of the first heading that needs it.
 pub(super) struct Owners {
-    /// In the same repetition.
-    own: Vec<Option<usize>>,
-    /// In any repetition.
+    /// The first heading that needs it in the same repetition.
+    same: Vec<Option<usize>>,
+    /// The first heading that needs it in any repetition.
     any: Vec<Option<usize>>,
 }
 
 impl Owners {
-    /// The owners of all nodes that the headings of a function need; none where there is no loop.
+    /// Finds the owners of all nodes that the headings of a function need; none if there is no loop.
     pub(super) fn of(function: &Function) -> Self {
         let graph = function.graph;
         if function.loops.is_empty() {
-            return Owners { own: Vec::new(), any: Vec::new() };
+            return Owners { same: Vec::new(), any: Vec::new() };
         }
-        let mut handed_on = HashMap::new();
+        let mut carried = HashMap::new();
         for carry in function.loops.iter().flat_map(|one| &one.carries) {
             for symbol in [carry.phi, carry.exit] {
-                handed_on.insert(symbol, [carry.init.node(), carry.next.node()]);
+                carried.insert(symbol, [carry.init.node(), carry.next.node()]);
             }
         }
-        let [own, any] = [&HashMap::new(), &handed_on].map(|handed_on| {
+        let [same, any] = [&HashMap::new(), &carried].map(|carried| {
             let mut owners = vec![None; graph.len()];
             for (number, heading) in function.headings.iter().enumerate() {
                 let mut open: Vec<NodeId> =
@@ -37,21 +37,21 @@ impl Owners {
                     }
                     owners[id as usize] = Some(number);
                     open.extend(graph.node(id).operands().map(Edge::node));
-                    let before = graph.symbol_of(id).and_then(|symbol| handed_on.get(&symbol));
+                    let before = graph.symbol_of(id).and_then(|symbol| carried.get(&symbol));
                     open.extend(before.into_iter().flatten());
                 }
             }
             owners
         });
-        Owners { own, any }
+        Owners { same, any }
     }
 
-    /// The first heading that needs a node in the same repetition.
-    pub(super) fn own(&self, node: NodeId) -> Option<usize> {
-        *self.own.get(node as usize)?
+    /// Returns the first heading that needs a node in the same repetition.
+    pub(super) fn same(&self, node: NodeId) -> Option<usize> {
+        *self.same.get(node as usize)?
     }
 
-    /// The first heading that needs a node in any repetition.
+    /// Returns the first heading that needs a node in any repetition.
     pub(super) fn any(&self, node: NodeId) -> Option<usize> {
         *self.any.get(node as usize)?
     }

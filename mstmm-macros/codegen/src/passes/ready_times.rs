@@ -1,46 +1,45 @@
-//! When values are known, on a processor that computes each as soon as it can.
+//! The times at which values are ready on a processor with unlimited parallelism.
 
 use super::Region;
 use super::latency::{MULTIPLICATION, of_node};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
 
-/// When the nodes of a graph are known, in cycles from the beginning of the program, or of the time of a
-/// loop that computes them.
+/// The times at which nodes are ready, in cycles from the start of the program, or of the repetition of the loop that
+/// computes them.
 pub(super) struct ReadyTimes<'g> {
     graph: &'g Graph,
-    /// Of the nodes that matter.
-    all: Vec<Option<(Region, u32)>>,
+    /// Region and time of each node; none for nodes that were not added.
+    times: Vec<Option<(Region, u32)>>,
 }
 
 impl<'g> ReadyTimes<'g> {
-    /// Of `nodes`, operands before their users, each of which is computed in its `region`.
+    /// Returns the ready times of `nodes`, which are sorted with operands before their users.
     pub(super) fn of(
         graph: &'g Graph,
         nodes: &[NodeId],
         region: impl Fn(NodeId) -> Region,
     ) -> Self {
-        let mut times = ReadyTimes { graph, all: vec![None; graph.len()] };
+        let mut times = ReadyTimes { graph, times: vec![None; graph.len()] };
         for &id in nodes {
             times.add(id, region(id));
         }
         times
     }
 
-    /// When a node is known in `region`: from the beginning, if it is computed elsewhere.
+    /// Returns the time at which a node is ready in `region`: zero if it is computed in another region.
     pub(super) fn at(&self, region: Region, node: NodeId) -> u32 {
-        match self.all.get(node as usize) {
+        match self.times.get(node as usize) {
             Some(&Some((own, ready))) if own == region => ready,
             _ => 0,
         }
     }
 
-    /// Takes down a node, and those that it is computed from, as far as they are new: they are computed
-    /// in `region`.
+    /// Adds a node and its operands, as far as they are new; they are computed in `region`.
     pub(super) fn follow(&mut self, node: NodeId, region: Region) {
-        if self.all.len() < self.graph.len() {
-            self.all.resize(self.graph.len(), None);
+        if self.times.len() < self.graph.len() {
+            self.times.resize(self.graph.len(), None);
         }
-        if self.all[node as usize].is_none() {
+        if self.times[node as usize].is_none() {
             for operand in self.graph.node(node).operands() {
                 self.follow(operand.node(), region);
             }
@@ -49,7 +48,7 @@ impl<'g> ReadyTimes<'g> {
     }
 
     fn add(&mut self, id: NodeId, region: Region) {
-        self.all[id as usize] = Some((region, self.ready(id, region)));
+        self.times[id as usize] = Some((region, self.ready(id, region)));
     }
 
     fn ready(&self, id: NodeId, region: Region) -> u32 {
@@ -61,15 +60,15 @@ impl<'g> ReadyTimes<'g> {
         let Node::Sum(a, b) = formula else {
             return formula.operands().map(known).max().unwrap_or(0) + of_node(&formula);
         };
-        let apart = known(a).max(known(b)) + of_node(&formula);
-        // The factors of one product are known earlier than it would be.
-        let together = |product: Edge, other: Edge| {
+        let separate = known(a).max(known(b)) + of_node(&formula);
+        // A fused product waits for its factors only.
+        let fused = |product: Edge, other: Edge| {
             matches!(self.graph.node(product.node()), Node::Product(..)).then(|| {
                 let factors = known(product).saturating_sub(MULTIPLICATION);
                 known(other).max(factors) + MULTIPLICATION
             })
         };
-        let earliest = together(a, b).into_iter().chain(together(b, a)).min();
-        earliest.unwrap_or(apart)
+        let earliest = fused(a, b).into_iter().chain(fused(b, a)).min();
+        earliest.unwrap_or(separate)
     }
 }

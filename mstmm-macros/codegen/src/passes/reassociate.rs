@@ -1,5 +1,5 @@
-//! The order in which the terms of a sum are added up: terms that are known first come first. A processor
-//! that runs several operations at once then waits less for the next term.
+//! Orders the terms of sums by the time at which they are ready, so that a processor that runs several operations at once
+//! waits less for the next term.
 
 use super::flatten_sums::Sums;
 use super::ready_times::ReadyTimes;
@@ -36,7 +36,7 @@ pub fn reassociate(function: Function) -> Function {
 struct Reassociation<'g> {
     graph: &'g Graph,
     images: Images,
-    /// Of the new formulas; the old ones are among them.
+    /// The ready times of old and new formulas.
     ready_times: ReadyTimes<'g>,
 }
 
@@ -46,8 +46,8 @@ struct TimedTerm<'g> {
     due: Due,
 }
 
-/// When a term can be added. A product is added in one operation with its multiplication, so that it is
-/// due when its factors are ready; at the same time what is no product comes first.
+/// The time at which a term can be added. A product is fused with the addition, so that it is due when its factors are
+/// ready. Of terms that are due at the same time, products come last.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Due {
     ready: u32,
@@ -55,7 +55,7 @@ struct Due {
 }
 
 impl<'g> Reassociation<'g> {
-    /// A term of a sum in `region`, and the factors that it is computed from for this sum alone.
+    /// Returns a term of a sum in `region`; `factors` are those of a product that only this sum uses.
     fn term(&self, edge: Edge, factors: Option<[Edge; 2]>, region: Region) -> TimedTerm<'g> {
         let value = self.images.expr(self.graph, edge);
         let ready_at = |edge: Edge| match self.images.expr(self.graph, edge) {
@@ -70,7 +70,7 @@ impl<'g> Reassociation<'g> {
     }
 }
 
-/// The sum of terms, those that are ready earlier first.
+/// Adds the terms, the earliest ready first.
 fn in_order(mut terms: Vec<TimedTerm>) -> Expr {
     terms.sort_by_key(|term| term.due);
     let values = terms.into_iter().map(|term| term.value);
@@ -84,7 +84,7 @@ mod tests {
     use crate::ids::SymbolId;
 
     #[test]
-    fn terms_that_are_ready_first_come_first_and_products_after_others() {
+    fn terms_are_added_by_ready_time_products_last() {
         let graph = Graph::default();
         let term = |symbol, ready, is_product| TimedTerm {
             value: graph.symbol(SymbolId(symbol), Stage::State),

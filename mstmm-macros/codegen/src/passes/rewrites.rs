@@ -1,15 +1,15 @@
-//! Where nodes go when formulas are rewritten.
+//! The images of nodes when formulas are rewritten.
 
 use crate::expr::{Edge, Expr, Graph, Node, NodeId};
 use crate::function::Function;
 use crate::math::Scalar;
 
-/// What has become of every node that a function needs.
+/// The image of every node that a function needs.
 #[derive(Clone, Debug)]
 pub(super) struct Images(Vec<Option<Edge>>);
 
 impl Images {
-    /// Images of the first nodes of a graph, as many as it has now, none of them known yet.
+    /// Returns an empty table for the current nodes of a graph.
     pub(super) fn new(graph: &Graph) -> Self {
         Images(vec![None; graph.len()])
     }
@@ -18,23 +18,23 @@ impl Images {
         self.0[node as usize] = Some(graph.edge(image));
     }
 
-    /// The same use of what a node has become, if it is still needed.
+    /// Returns the image of an edge, if its node has one.
     pub(super) fn edge(&self, edge: Edge) -> Option<Edge> {
         let image = self.0.get(edge.node() as usize).copied().flatten()?;
         Some(if edge.is_negative() { image.negated() } else { image })
     }
 
-    /// The function over what its nodes have become.
+    /// Replaces all edges of a function by their images.
     pub(super) fn apply<'g>(&self, function: Function<'g>) -> Function<'g> {
         function.map(|edge| self.edge(edge))
     }
 
-    /// Where a use leads when its node's image is known, and as before where it is not.
+    /// Returns the image of an edge, or the edge itself if its node has no image.
     pub(super) fn expr<'g>(&self, graph: &'g Graph, edge: Edge) -> Expr<'g> {
         graph.expr(self.edge(edge).unwrap_or(edge))
     }
 
-    /// A node over the images of its operands.
+    /// Applies the operation of a node to the images of its operands.
     pub(super) fn over_images<'g>(&self, graph: &'g Graph, id: NodeId) -> Expr<'g> {
         let go = |edge: Edge| self.expr(graph, edge);
         match graph.node(id) {

@@ -1,12 +1,13 @@
-//! Products that are computed in one operation with the sum that they are a term of.
+//! Selects the products that are fused with the sum that they are a term of.
 
 use super::ready_times::ReadyTimes;
 use super::{Live, Regions};
 use crate::expr::{Edge, Graph, Node, Stage};
 
-/// Which products are taken into the sum that alone uses them: one for every sum that has any, of two
-/// the one whose factors are known later. Both must be computed at the same place; what is known earlier than `stage`
-/// is no product but a number.
+/// Returns, for each node, whether it is a product that is fused with the only sum that uses it.
+///
+/// Each sum is fused with at most one product: of two, the product that is ready later. Sum and product must be in the same
+/// region. A product that is known before `stage` is read from a slot and not fused.
 pub(super) fn fused(graph: &Graph, live: &Live, regions: &Regions, stage: Stage) -> Vec<bool> {
     let mut fused = vec![false; graph.len()];
     let times = ReadyTimes::of(graph, live.nodes(), |id| regions.region(id));

@@ -1,16 +1,15 @@
-//! Values that are known since setup.
+//! The slots of a chain: values that are known since setup.
 
 use crate::expr::{Edge, NodeId};
 use crate::ids::RepeatId;
 use std::collections::HashMap;
 
-/// The values that all programs of a chain share because they are known since setup: those that
-/// stand once, and those of every time of a repeated part.
+/// The slots that all programs of a chain share: those of repeated parts, and those outside of repeated parts.
 #[derive(Clone, Debug, Default)]
 pub struct SetupSlots {
     once: SlotTable,
     parts: HashMap<RepeatId, SlotTable>,
-    /// How many slots without a name each section has, by its prefix.
+    /// The number of unnamed slots of each section, by its prefix.
     unnamed: HashMap<String, usize>,
 }
 
@@ -22,7 +21,7 @@ struct SlotTable {
 }
 
 impl SetupSlots {
-    /// The values in the order of their slots; `part` is the repeated part whose values are meant.
+    /// Returns names and values of the slots of a repeated part, or of those outside of repeated parts.
     pub fn values(&self, part: Option<RepeatId>) -> Vec<(&str, Edge)> {
         let slots = match part {
             None => Some(&self.once),
@@ -33,13 +32,14 @@ impl SetupSlots {
         names.iter().map(String::as_str).zip(edges).collect()
     }
 
-    /// How many slots there are, of a repeated part or of all that stands once.
+    /// Returns the number of slots of a repeated part, or of those outside of repeated parts.
     pub fn count(&self, part: Option<RepeatId>) -> usize {
         self.values(part).len()
     }
 
-    /// The slot of `node` and its name. A new one is called `name`, or numbered under the prefix of the section
-    /// that needs it first: so a slot that is added renames no slots of other sections.
+    /// Returns index and name of the slot of `node`, which is added if it is new. A new slot gets this `name`, or else a
+    /// number after the prefix of the section that needs it first, so that an added slot does not rename the slots of other
+    /// sections.
     pub fn slot(
         &mut self,
         part: Option<RepeatId>,
