@@ -326,29 +326,29 @@ fn what_overflows_is_not_singular() {
     assert_eq!(chain.accelerations(&state, &chain.no_inputs()), Err(Error::NotFinite));
     // A pivot that does not vanish beside a scale that overflows, and results whose sum does.
     let (pivots, scales) = ([1.0], [f64::INFINITY]);
-    assert!(!mstmm::generated::regular(pivots, scales, [0.0]));
-    assert_eq!(mstmm::generated::irregular(&["hinge"], pivots, scales), Error::NotFinite);
-    assert!(!mstmm::generated::regular([1.0], [1.0], [f64::MAX, f64::MAX]));
-    assert_eq!(mstmm::generated::irregular(&["hinge"], [1.0], [1.0]), Error::NotFinite);
-    assert!(mstmm::generated::regular([1.0], [1.0], [f64::MAX, 0.0]));
+    assert!(!mstmm::generated::pivots_ok(pivots, scales, [0.0]));
+    assert_eq!(mstmm::generated::pivot_error(&["hinge"], pivots, scales), Error::NotFinite);
+    assert!(!mstmm::generated::pivots_ok([1.0], [1.0], [f64::MAX, f64::MAX]));
+    assert_eq!(mstmm::generated::pivot_error(&["hinge"], [1.0], [1.0]), Error::NotFinite);
+    assert!(mstmm::generated::pivots_ok([1.0], [1.0], [f64::MAX, 0.0]));
     // One that does.
     let (pivots, scales) = ([f64::EPSILON], [1.0]);
-    assert!(!mstmm::generated::regular(pivots, scales, [0.0]));
+    assert!(!mstmm::generated::pivots_ok(pivots, scales, [0.0]));
     let singular = Error::Singular { hinge: "hinge" };
-    assert_eq!(mstmm::generated::irregular(&["hinge"], pivots, scales), singular);
+    assert_eq!(mstmm::generated::pivot_error(&["hinge"], pivots, scales), singular);
 }
 
 /// Whichever of the numbers it is that is not finite, and however many there are.
 #[test]
 fn all_numbers_are_looked_at() {
     fn looks_at_all<const N: usize>() {
-        assert!(mstmm::generated::regular([1.0; 0], [], [1.0; N]), "{N}");
+        assert!(mstmm::generated::pivots_ok([1.0; 0], [], [1.0; N]), "{N}");
         for place in 0..N {
             for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
                 let mut numbers = [1.0; N];
                 numbers[place] = bad;
                 assert!(
-                    !mstmm::generated::regular([1.0; 0], [], numbers),
+                    !mstmm::generated::pivots_ok([1.0; 0], [], numbers),
                     "{bad} at {place} of {N}"
                 );
             }

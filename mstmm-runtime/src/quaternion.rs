@@ -1,29 +1,29 @@
-//! Which quaternions are accepted where a state or a prescribed motion is given.
+//! Checks of the quaternions of states and prescribed motions.
 
 use crate::{Error, Mask, Scalar};
 
-/// The shortest length of a quaternion that is accepted.
+/// The smallest accepted length of a quaternion.
 const SHORTEST: f64 = 0.9;
 
-/// The longest length of a quaternion that is accepted.
+/// The largest accepted length of a quaternion.
 const LONGEST: f64 = 1.1;
 
-/// How many units in the last place of one the square of a length may be off by rounding.
+/// The rounding error of the square of a length, in units in the last place of one.
 const ROUNDING: f64 = 8.0;
 
-/// The sum of the squares of the components.
+/// Returns the sum of the squares of the components.
 fn square<T: Scalar>([w, x, y, z]: [T; 4]) -> T {
     (w * w + x * x) + (y * y + z * z)
 }
 
-/// Whether all components are finite, in every lane.
+/// Returns whether all components are finite, for each lane.
 fn is_finite<T: Scalar>([w, x, y, z]: [T; 4]) -> T::Mask {
     w.is_finite() & x.is_finite() & y.is_finite() & z.is_finite()
 }
 
-/// Whether the quaternion is finite and its length is not between 0.9 and 1.1, in any lane.
+/// Returns whether the quaternion of any lane is finite and has a length that is not between 0.9 and 1.1.
 ///
-/// A quaternion that is not finite is left to the checks for [`Error::NotFinite`].
+/// A quaternion that is not finite is found by the checks for [`Error::NotFinite`].
 #[inline]
 fn is_refused<T: Scalar>(quaternion: [T; 4]) -> bool {
     let square = square(quaternion);
@@ -43,14 +43,14 @@ pub fn check_quaternion<T: Scalar>(hinge: &'static str, quaternion: [T; 4]) -> R
     if is_refused(quaternion) { Err(Error::InvalidQuaternion { hinge }) } else { Ok(()) }
 }
 
-/// Where the coordinates have the quaternions of a hinge.
+/// The indices of the quaternions of a hinge in the coordinates.
 #[derive(Clone, Copy, Debug)]
-pub struct QuaternionsOf {
+pub struct HingeQuaternions {
     /// The hinge's name.
     pub hinge: &'static str,
-    /// The place of the first component of the first quaternion.
+    /// The index of the first component of the first quaternion.
     pub first: usize,
-    /// The distance from one repetition to the next.
+    /// The number of coordinates from one repetition to the next.
     pub stride: usize,
     /// The number of repetitions; one for a hinge that is not repeated.
     pub count: usize,
@@ -59,13 +59,12 @@ pub struct QuaternionsOf {
 /// Checks all quaternions in the coordinates `q`.
 ///
 /// # Errors
-/// [`Error::InvalidQuaternion`] with the first hinge of the table that fails
-/// [`check_quaternion`].
+/// [`Error::InvalidQuaternion`] with the first hinge of the table that fails [`check_quaternion`].
 #[inline]
-pub fn check_quaternions<T: Scalar>(q: &[T], table: &[QuaternionsOf]) -> Result<(), Error> {
-    for &QuaternionsOf { hinge, first, stride, count } in table {
-        let own = q.get(first..).unwrap_or_default();
-        for repetition in own.chunks(stride.max(1)).take(count) {
+pub fn check_quaternions<T: Scalar>(q: &[T], table: &[HingeQuaternions]) -> Result<(), Error> {
+    for &HingeQuaternions { hinge, first, stride, count } in table {
+        let coordinates = q.get(first..).unwrap_or_default();
+        for repetition in coordinates.chunks(stride.max(1)).take(count) {
             if let Some(&quaternion) = repetition.first_chunk::<4>() {
                 check_quaternion(hinge, quaternion)?;
             }
@@ -74,7 +73,7 @@ pub fn check_quaternions<T: Scalar>(q: &[T], table: &[QuaternionsOf]) -> Result<
     Ok(())
 }
 
-/// The quaternion brought to unit length.
+/// Returns the quaternion, normalised to unit length.
 ///
 /// # Errors
 /// [`Error::NotFinite`] if a component is not finite, and those of [`check_quaternion`].

@@ -3,7 +3,7 @@
 mod common;
 
 use common::State;
-use mstmm_runtime::generated::{self, check_closure, closure_steps};
+use mstmm_runtime::generated::{self, check_rank, rank_steps};
 use mstmm_runtime::{ChainState, Error, Scalar};
 
 type Start<T> = State<T, 1, 1>;
@@ -102,11 +102,11 @@ fn rounding_that_stays_is_accepted() {
 #[test]
 fn a_redundant_direction_that_holds_on_the_closure_is_an_error() {
     let error = Err(Error::ClosureRank { hinge: "hook" });
-    assert_eq!(check_closure([1e-3, 1e-2], "hook"), Ok(()));
-    assert_eq!(check_closure([1e-12, 1e-11], "hook"), Ok(()));
-    assert_eq!(check_closure([1e-12, 1e-3], "hook"), error);
-    assert_eq!(check_closure([1e-6_f32, 1e-5], "hook"), Ok(()));
-    assert_eq!(check_closure([1e-6_f32, 1e-2], "hook"), error);
+    assert_eq!(check_rank([1e-3, 1e-2], "hook"), Ok(()));
+    assert_eq!(check_rank([1e-12, 1e-11], "hook"), Ok(()));
+    assert_eq!(check_rank([1e-12, 1e-3], "hook"), error);
+    assert_eq!(check_rank([1e-6_f32, 1e-5], "hook"), Ok(()));
+    assert_eq!(check_rank([1e-6_f32, 1e-2], "hook"), error);
     let mut state = start(1.0);
     let refused =
         generated::assemble(&mut state, "hook", |state| [toward_the_root_of_two(state), 0.1]);
@@ -117,7 +117,7 @@ fn a_redundant_direction_that_holds_on_the_closure_is_an_error() {
 #[test]
 fn the_rank_of_a_closure_is_the_largest_around_the_start() {
     let pivots = |state: &Start<f64>| [1.0, (state.q[0] - 1.0).powi(2), 1e-20];
-    let steps = |gap: f64| closure_steps(&start(1.0), |_| {}, |_| [gap, 0.0], pivots);
+    let steps = |gap: f64| rank_steps(&start(1.0), |_| {}, |_| [gap, 0.0], pivots);
     assert_eq!(steps(0.0), [1.0, 1.0, 0.0]);
     // What cannot be assembled says nothing: then no direction counts as redundant.
     assert_eq!(steps(1.0), [1.0; 3]);

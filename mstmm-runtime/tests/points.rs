@@ -1,6 +1,6 @@
 //! Connection points and results: what goes in comes out, in the documented frames and orders.
 
-use mstmm_runtime::generated::{Places, place_of};
+use mstmm_runtime::generated::{PointSlots, locate_point};
 use mstmm_runtime::nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 use mstmm_runtime::{
     BodyPoint, BodyResult, HingeResult, LinePoint, LineStateVector, LoopClosure, PlanePoint,
@@ -119,7 +119,7 @@ fn points_are_read_off_shared_numbers() {
         -3.0,
     ];
     let turned = [4, 7, 10];
-    let places = Places::new(
+    let places = PointSlots::new(
         1,
         turned,
         [(turned, 13), ([0; 3], 16), ([0; 3], 13), (turned, 0), (turned, 16), ([0; 3], 1)],
@@ -139,7 +139,7 @@ fn points_are_read_off_shared_numbers() {
     let (turned, straight) = ([4], [0]);
     let vectors =
         [(turned, 13), (straight, 15), (straight, 16), (straight, 14), (straight, 18), (turned, 1)];
-    let flat = Places::new(1, turned, vectors);
+    let flat = PointSlots::new(1, turned, vectors);
     let point = PlanePoint::<f64>::read(&numbers, Some(&flat), [1.0, 2.0]);
     assert_eq!(point.cos_sin(), (0.0, 1.0));
     assert_eq!(point.velocity(), Vector2::new(-5.0, 4.0));
@@ -147,7 +147,7 @@ fn points_are_read_off_shared_numbers() {
     assert_eq!(point.acceleration(), Vector2::new(-2.0, -4.0));
     assert_eq!((point.moment(), point.force()), (-3.0, Vector2::new(-0.2, 0.1)));
 
-    let line = Places::new(2, [], [([], 13), ([], 14), ([], 18)]);
+    let line = PointSlots::new(2, [], [([], 13), ([], 14), ([], 18)]);
     let point = LinePoint::<f64>::read(&numbers, Some(&line), [1.0]);
     assert_eq!((point.position(), point.velocity()), (0.2, 4.0));
     assert_eq!((point.acceleration(), point.force()), (4.0, -3.0));
@@ -159,10 +159,10 @@ fn points_of_repeated_parts_have_their_numbers_time_by_time() {
     let pieces = [[0, 2, 0, 2, 0, 5], [2, 3, 2, 6, 5, 7], [5, 1, 8, 1, 19, 2]];
     let numbers: Vec<usize> = (0..21).collect();
     let found: Vec<(usize, usize)> = (0..9)
-        .map(|index| place_of(&numbers, &pieces, index))
+        .map(|index| locate_point(&numbers, &pieces, index))
         .map(|(model, rest)| (model, rest[0]))
         .collect();
     let expected = [(0, 0), (1, 0), (2, 5), (3, 5), (4, 5), (2, 12), (3, 12), (4, 12), (5, 19)];
     assert_eq!(found, expected);
-    assert!(place_of(&numbers, &pieces, 9).1.is_empty());
+    assert!(locate_point(&numbers, &pieces, 9).1.is_empty());
 }

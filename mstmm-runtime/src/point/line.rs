@@ -5,8 +5,8 @@ use core::marker::PhantomData;
 
 use nalgebra::SVector;
 
-use super::places::{Places, entries, less};
 use super::results::{AllResults, HasPoses, HasVelocities, HasZ, Results, show};
+use super::slots::{PointSlots, difference, vector_at};
 use crate::Scalar;
 
 /// The method's state vector `[P, Eq. (7)]`, z = [ẍ, q_x, 1] at a connection point of a line chain.
@@ -145,14 +145,16 @@ impl<T: fmt::Debug, const POSES: bool, const VELOCITIES: bool, const Z: bool> fm
 #[doc(hidden)]
 #[allow(missing_docs)]
 impl<T: Scalar, R> LinePoint<T, R> {
-    /// Reads a point off the numbers of a workspace; without places it is the default.
+    /// Reads a point from the values of a workspace; without slots it is the default.
     #[inline(always)]
-    pub fn read(numbers: &[T], places: Option<&Places<0, 3>>, at_rest: [T; 1]) -> Self {
-        let Some(&Places { position, vectors, .. }) = places else { return Self::resting() };
-        let [(_, velocity), (_, felt), (_, force)] = vectors;
-        let ([velocity], [force]) = (entries(numbers, velocity), entries(numbers, force));
-        let ([position], [acceleration]) =
-            (entries(numbers, position), less(entries(numbers, felt), at_rest));
+    pub fn read(values: &[T], slots: Option<&PointSlots<0, 3>>, base_acceleration: [T; 1]) -> Self {
+        let Some(&PointSlots { position, vectors, .. }) = slots else { return Self::resting() };
+        let [(_, velocity), (_, proper_acceleration), (_, force)] = vectors;
+        let ([velocity], [force]) = (vector_at(values, velocity), vector_at(values, force));
+        let ([position], [acceleration]) = (
+            vector_at(values, position),
+            difference(vector_at(values, proper_acceleration), base_acceleration),
+        );
         Self {
             position,
             velocity,

@@ -2,17 +2,17 @@
 
 mod body_point;
 mod line;
-mod places;
 mod plane;
 mod results;
+mod slots;
 mod space;
 
 pub use body_point::BodyPoint;
 pub use line::{LinePoint, LineStateVector};
-#[doc(hidden)]
-pub use places::{Places, entries};
 pub use plane::{PlanePoint, PlaneStateVector};
 pub use results::{AllResults, HasPoses, HasVelocities, HasZ, Results};
+#[doc(hidden)]
+pub use slots::{PointSlots, vector_at};
 pub use space::{Point, StateVector};
 
 /// A connection point of any kind of chain: [`Point`] in space, [`PlanePoint`] in the plane,

@@ -5,8 +5,8 @@ use core::marker::PhantomData;
 
 use nalgebra::{Matrix2, Rotation2, SVector, Vector2};
 
-use super::places::{Places, entries, less};
 use super::results::{AllResults, HasPoses, HasVelocities, HasZ, Results, show};
+use super::slots::{PointSlots, difference, vector_at};
 use crate::Scalar;
 
 /// The method's state vector `[P, Eq. (6)]`, z = [ẍ, ÿ, Ω̇_z, m_z, q_x, q_y, 1] at a connection point of a plane
@@ -239,26 +239,41 @@ impl<T: fmt::Debug, const POSES: bool, const VELOCITIES: bool, const Z: bool> fm
 #[doc(hidden)]
 #[allow(missing_docs)]
 impl<T: Scalar, R> PlanePoint<T, R> {
-    /// Reads a point off the numbers of a workspace; without places it is the default.
+    /// Reads a point from the values of a workspace; without slots it is the default.
     #[inline(always)]
-    pub fn read(numbers: &[T], places: Option<&Places<1, 6>>, at_rest: [T; 2]) -> Self {
-        let Some(&Places { position, orientation, vectors }) = places else {
+    pub fn read(values: &[T], slots: Option<&PointSlots<1, 6>>, base_acceleration: [T; 2]) -> Self {
+        let Some(&PointSlots { position, orientation, vectors }) = slots else {
             return Self::resting();
         };
-        let [velocity, (_, omega), felt, (_, turning), (_, moment), force] = vectors;
-        let ([omega], [turning], [moment]) =
-            (entries(numbers, omega), entries(numbers, turning), entries(numbers, moment));
-        let acceleration = less(seen(numbers, felt), at_rest);
-        let z = PlaneStateVector::new(acceleration, turning, moment, seen(numbers, force));
-        let cos_sin = match cos_sin(numbers, orientation) {
+        let [
+            velocity,
+            (_, angular_velocity),
+            proper_acceleration,
+            (_, angular_acceleration),
+            (_, moment),
+            force,
+        ] = vectors;
+        let ([angular_velocity], [angular_acceleration], [moment]) = (
+            vector_at(values, angular_velocity),
+            vector_at(values, angular_acceleration),
+            vector_at(values, moment),
+        );
+        let acceleration = difference(to_inertial(values, proper_acceleration), base_acceleration);
+        let z = PlaneStateVector::new(
+            acceleration,
+            angular_acceleration,
+            moment,
+            to_inertial(values, force),
+        );
+        let cos_sin = match cos_sin(values, orientation) {
             Some(cos_sin) => cos_sin,
             None => [T::constant(1.0), T::constant(0.0)],
         };
         Self {
-            position: entries(numbers, position),
+            position: vector_at(values, position),
             cos_sin,
-            velocity: seen(numbers, velocity),
-            angular_velocity: omega,
+            velocity: to_inertial(values, velocity),
+            angular_velocity,
             z,
             results: PhantomData,
         }
@@ -267,22 +282,22 @@ impl<T: Scalar, R> PlanePoint<T, R> {
 
 /// A vector in inertial axes, from its place and that of the axes that it is seen in.
 #[inline(always)]
-fn seen<T: Scalar>(numbers: &[T], (axes, vector): ([u32; 1], u32)) -> [T; 2] {
-    let vector = entries(numbers, vector);
-    match cos_sin(numbers, axes) {
-        Some(cos_sin) => turned(cos_sin, vector),
+fn to_inertial<T: Scalar>(values: &[T], (axes, vector): ([u32; 1], u32)) -> [T; 2] {
+    let vector = vector_at(values, vector);
+    match cos_sin(values, axes) {
+        Some(cos_sin) => rotated(cos_sin, vector),
         None => vector,
     }
 }
 
 /// Cosine and sine of an angle; nothing of zero.
 #[inline(always)]
-fn cos_sin<T: Scalar>(numbers: &[T], [place]: [u32; 1]) -> Option<[T; 2]> {
-    if place == 0 { None } else { Some(entries(numbers, place)) }
+fn cos_sin<T: Scalar>(values: &[T], [slot]: [u32; 1]) -> Option<[T; 2]> {
+    if slot == 0 { None } else { Some(vector_at(values, slot)) }
 }
 
 /// A vector turned by an angle.
 #[inline(always)]
-fn turned<T: Scalar>([cosine, sine]: [T; 2], [x, y]: [T; 2]) -> [T; 2] {
+fn rotated<T: Scalar>([cosine, sine]: [T; 2], [x, y]: [T; 2]) -> [T; 2] {
     [cosine.mul_add(x, -(sine * y)), sine.mul_add(x, cosine * y)]
 }

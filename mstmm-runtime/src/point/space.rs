@@ -5,8 +5,8 @@ use core::marker::PhantomData;
 
 use nalgebra::{Matrix3, Rotation3, SVector, Vector3};
 
-use super::places::{Places, entries, less};
 use super::results::{AllResults, HasPoses, HasVelocities, HasZ, Results, show};
+use super::slots::{PointSlots, difference, vector_at};
 use crate::Scalar;
 
 /// The method's state vector z = [r̈, Ω̇, m, q, 1] at a connection point, in the inertial frame.
@@ -235,20 +235,21 @@ impl<T: fmt::Debug, const POSES: bool, const VELOCITIES: bool, const Z: bool> fm
 #[doc(hidden)]
 #[allow(missing_docs)]
 impl<T: Scalar, R> Point<T, R> {
-    /// Reads a point off the numbers of a workspace; without places it is the default.
+    /// Reads a point from the values of a workspace; without slots it is the default.
     #[inline(always)]
-    pub fn read(numbers: &[T], places: Option<&Places<3, 6>>, at_rest: [T; 3]) -> Self {
-        let Some(&Places { position, orientation, vectors }) = places else {
+    pub fn read(values: &[T], slots: Option<&PointSlots<3, 6>>, base_acceleration: [T; 3]) -> Self {
+        let Some(&PointSlots { position, orientation, vectors }) = slots else {
             return Self::resting();
         };
-        let [velocity, omega, felt, turning, moment, force] = vectors;
+        let [velocity, angular_velocity, proper_acceleration, angular_acceleration, moment, force] =
+            vectors;
         let z = StateVector::new(
-            less(seen(numbers, felt), at_rest),
-            seen(numbers, turning),
-            seen(numbers, moment),
-            seen(numbers, force),
+            difference(to_inertial(values, proper_acceleration), base_acceleration),
+            to_inertial(values, angular_acceleration),
+            to_inertial(values, moment),
+            to_inertial(values, force),
         );
-        let [[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]] = match columns(numbers, orientation) {
+        let [[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]] = match columns(values, orientation) {
             Some(columns) => columns,
             None => {
                 let (zero, one) = (T::constant(0.0), T::constant(1.0));
@@ -257,10 +258,10 @@ impl<T: Scalar, R> Point<T, R> {
         };
         let rotation = [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]];
         Self {
-            position: entries(numbers, position),
+            position: vector_at(values, position),
             rotation,
-            velocity: seen(numbers, velocity),
-            angular_velocity: seen(numbers, omega),
+            velocity: to_inertial(values, velocity),
+            angular_velocity: to_inertial(values, angular_velocity),
             z,
             results: PhantomData,
         }
@@ -269,26 +270,26 @@ impl<T: Scalar, R> Point<T, R> {
 
 /// A vector in inertial axes, from its place and those of the axes that it is seen in.
 #[inline(always)]
-fn seen<T: Scalar>(numbers: &[T], (axes, vector): ([u32; 3], u32)) -> [T; 3] {
-    let vector = entries(numbers, vector);
-    match columns(numbers, axes) {
-        Some(columns) => turned(columns, vector),
+fn to_inertial<T: Scalar>(values: &[T], (axes, vector): ([u32; 3], u32)) -> [T; 3] {
+    let vector = vector_at(values, vector);
+    match columns(values, axes) {
+        Some(columns) => rotated(columns, vector),
         None => vector,
     }
 }
 
 /// The columns of a matrix; nothing of the identity.
 #[inline(always)]
-fn columns<T: Scalar>(numbers: &[T], [x, y, z]: [u32; 3]) -> Option<[[T; 3]; 3]> {
+fn columns<T: Scalar>(values: &[T], [x, y, z]: [u32; 3]) -> Option<[[T; 3]; 3]> {
     if let (0, 0, 0) = (x, y, z) {
         return None;
     }
-    Some([entries(numbers, x), entries(numbers, y), entries(numbers, z)])
+    Some([vector_at(values, x), vector_at(values, y), vector_at(values, z)])
 }
 
 /// A vector in the axes that the matrix with these columns leads to.
 #[inline(always)]
-fn turned<T: Scalar>([x, y, z]: [[T; 3]; 3], [a, b, c]: [T; 3]) -> [T; 3] {
+fn rotated<T: Scalar>([x, y, z]: [[T; 3]; 3], [a, b, c]: [T; 3]) -> [T; 3] {
     let ([xx, yx, zx], [xy, yy, zy], [xz, yz, zz]) = (x, y, z);
     [
         xx.mul_add(a, xy.mul_add(b, xz * c)),

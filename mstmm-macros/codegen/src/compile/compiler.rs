@@ -7,7 +7,7 @@ use crate::examine::Findings;
 use crate::expr::{Edge, Expr, Graph, Stage};
 use crate::function::{Function, Heading, LoopTracer, NamedPivot, Output, Unknowns};
 use crate::ids::ParameterId;
-use crate::math::NOISE;
+use crate::math::PIVOT_ULPS;
 use crate::model::{Chain, Check, ClosureRank, Hinge, HingeKind, Layout, SolutionMethod, Value};
 use crate::passes::SetupSlots;
 use crate::program::{Argument, ArrayLayout, OutputId};
@@ -356,7 +356,7 @@ fn heading(section: &equations::TraceSection<Expr>) -> Heading {
 /// Returns whether a pivot is a known number that is positive beyond rounding, so that it needs no test at run time.
 fn is_positive(pivot: &equations::HingePivot<Expr>) -> bool {
     match (pivot.value.known(), pivot.scale.known()) {
-        (Some(value), Some(scale)) => value > NOISE * f64::EPSILON * scale,
+        (Some(value), Some(scale)) => value > PIVOT_ULPS * f64::EPSILON * scale,
         _ => false,
     }
 }

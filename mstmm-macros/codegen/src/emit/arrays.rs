@@ -50,7 +50,7 @@ impl EmitContext<'_> {
     pub fn segment(&self, array: &impl ToTokens, segment: &Segment) -> TokenStream {
         let mstmm = &self.mstmm;
         let [count, place] = [segment.count, segment.offset].map(usize_literal);
-        quote!(#mstmm::generated::piece::<_, #count, #place>(&#array))
+        quote!(#mstmm::generated::segment::<_, #count, #place>(&#array))
     }
 
     /// The numbers of a segment, repetition by repetition.
@@ -58,7 +58,7 @@ impl EmitContext<'_> {
         let mstmm = &self.mstmm;
         let [count, place, repetitions] =
             [segment.count, segment.offset, segment.repetitions].map(usize_literal);
-        quote!(#mstmm::generated::times::<_, #count, #place, #repetitions>(&#array))
+        quote!(#mstmm::generated::chunks::<_, #count, #place, #repetitions>(&#array))
     }
 
     /// The numbers of a segment, repetition by repetition, to be written.
@@ -67,7 +67,7 @@ impl EmitContext<'_> {
         let [count, place, repetitions] =
             [segment.count, segment.offset, segment.repetitions].map(usize_literal);
         quote! {
-            #mstmm::generated::times_mut::<_, #count, #place, #repetitions>(&mut #array)
+            #mstmm::generated::chunks_mut::<_, #count, #place, #repetitions>(&mut #array)
         }
     }
 }

@@ -94,7 +94,7 @@ fn correction(cx: &EmitContext) -> ClosureMethods {
     let closing = closing.unwrap_or_else(|| bug!("a chain without a closing hinge is corrected"));
     let hinge = cx.chain.hinges[*closing].name.to_string();
     let check =
-        has_excess(function).then(|| quote!(#mstmm::generated::check_closure(residual_, #hinge)?;));
+        has_excess(function).then(|| quote!(#mstmm::generated::check_rank(residual_, #hinge)?;));
     let errors = quaternions::error(cx);
     ClosureMethods {
         project: quote! {

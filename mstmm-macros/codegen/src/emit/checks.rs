@@ -24,16 +24,20 @@ pub fn given(printer: &Printer, arrays: &[ArrayId]) -> TokenStream {
                 slices.extend(slice);
             }
             ArrayRole::Argument(Argument::Coordinates) => {
-                vectors.extend(quote!(#mstmm::generated::all_finite::<T>(state_.q.as_slice())?;));
+                vectors.extend(
+                    quote!(#mstmm::generated::check_finite_slice::<T>(state_.q.as_slice())?;),
+                );
             }
             ArrayRole::Argument(Argument::Rates) => {
-                vectors.extend(quote!(#mstmm::generated::all_finite::<T>(state_.v.as_slice())?;));
+                vectors.extend(
+                    quote!(#mstmm::generated::check_finite_slice::<T>(state_.v.as_slice())?;),
+                );
             }
             _ => bug!("an array is tested before it can be"),
         }
     }
     if !slices.is_empty() {
-        taken.extend(quote!(#mstmm::generated::finite::<T>(&[#(#slices),*])?;));
+        taken.extend(quote!(#mstmm::generated::check_finite::<T>(&[#(#slices),*])?;));
     }
     taken.extend(vectors);
     failing(printer.on_failure.as_ref(), taken)
@@ -68,7 +72,7 @@ pub fn finish(printer: &Printer, finish: &ResultCheck) -> TokenStream {
             }
             PivotValue::Repeated(check) => {
                 let flag = flag(*check);
-                repeated.extend(quote!(#mstmm::generated::require(#flag, #hinge)?;));
+                repeated.extend(quote!(#mstmm::generated::check_pivot(#flag, #hinge)?;));
             }
         }
     }
@@ -80,12 +84,14 @@ pub fn finish(printer: &Printer, finish: &ResultCheck) -> TokenStream {
             // An array of many numbers is not handed over by value.
             Witness::Array(array) => {
                 let result = printer.written(*array);
-                arrays.extend(quote!(#mstmm::generated::all_finite::<T>(#result.as_slice())?;));
+                arrays.extend(
+                    quote!(#mstmm::generated::check_finite_slice::<T>(#result.as_slice())?;),
+                );
             }
         }
     }
     let [values, scales] = [values, scales].map(|numbers| quote!([#(#numbers),*]));
-    let error = quote!(#mstmm::generated::irregular::<T, _>(&[#(#names),*], #values, #scales));
+    let error = quote!(#mstmm::generated::pivot_error::<T, _>(&[#(#names),*], #values, #scales));
     let fail = match &printer.on_failure {
         None => quote!(return ::core::result::Result::Err(#error);),
         Some(reset) => quote! {
@@ -98,7 +104,7 @@ pub fn finish(printer: &Printer, finish: &ResultCheck) -> TokenStream {
     let (repeated, arrays) = (failing(reset, repeated), failing(reset, arrays));
     quote! {
         #repeated
-        if !#mstmm::generated::regular::<T, _, _>(#values, #scales, [#(#numbers),*]) {
+        if !#mstmm::generated::pivots_ok::<T, _, _>(#values, #scales, [#(#numbers),*]) {
             #fail
         }
         #arrays
@@ -139,7 +145,7 @@ impl EmitContext<'_> {
         let each = quote! {
             for &item_ in &inputs_.#name {
                 #taken
-                #mstmm::generated::finite::<T>(&[#slice])?;
+                #mstmm::generated::check_finite::<T>(&[#slice])?;
             }
         };
         (each, None)

@@ -41,7 +41,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             parameters_.#steps = [T::constant(1.0); #count];
             let (free_, _) = Self::derive(#mstmm::generated::Sealed::new(parameters_));
             let inputs_ = free_.no_inputs();
-            parameters_.#steps = #mstmm::generated::closure_steps(
+            parameters_.#steps = #mstmm::generated::rank_steps(
                 &free_.initial_state(),
                 |state_| #mstmm::Chain::normalize(&free_, state_),
                 |state_| free_.correct(state_, &inputs_),

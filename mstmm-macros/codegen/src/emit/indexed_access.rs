@@ -151,7 +151,7 @@ pub fn single_accessors(
             if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
         });
         quote! {
-            let [#(#names),*] = #mstmm::generated::piece::<_, #count, #place>(&#array);
+            let [#(#names),*] = #mstmm::generated::segment::<_, #count, #place>(&#array);
         }
     };
     let (read_q, read_v) =

@@ -22,7 +22,7 @@ pub fn at_first(cx: &EmitContext, id: OutputId) -> TokenStream {
         return zeros;
     }
     let mstmm = &cx.mstmm;
-    quote!(#mstmm::generated::with_known(#zeros, &[#(#known),*]))
+    quote!(#mstmm::generated::with_constants(#zeros, &[#(#known),*]))
 }
 
 /// A number of a solution before anything is computed.

@@ -24,7 +24,7 @@ pub fn opened(printer: &Printer) -> TokenStream {
         let [count, repetitions] = [segment.count, segment.repetitions].map(usize_literal);
         quote! {
             let mut #store =
-                #mstmm::generated::Stored::<[T; #count], #repetitions>::new_const();
+                #mstmm::generated::LoopStore::<[T; #count], #repetitions>::new_const();
         }
     });
     quote! {
@@ -68,8 +68,9 @@ pub fn one(printer: &Printer, one: &ForLoop) -> TokenStream {
             Step::CheckPivot { check, value, scale } => {
                 let flag = flag(*check);
                 let [value, scale] = [value, scale].map(|operand| printer.operand(operand));
-                writes
-                    .extend(quote!(#flag = #flag & !#mstmm::generated::vanishes(#value, #scale);));
+                writes.extend(
+                    quote!(#flag = #flag & !#mstmm::generated::pivot_vanishes(#value, #scale);),
+                );
             }
             Step::Compute(_) => {}
             Step::CheckArguments(_) | Step::Loop(_) | Step::CheckResults(_) => {

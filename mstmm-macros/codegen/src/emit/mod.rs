@@ -95,7 +95,7 @@ impl EmitContext<'_> {
     /// Statements that may fail and that make a workspace anew where they do.
     fn reset_where_it_fails(&self, statements: TokenStream) -> TokenStream {
         let mstmm = &self.mstmm;
-        let reset = quote!(#mstmm::generated::take_back(at_, || self.workspace()););
+        let reset = quote!(#mstmm::generated::reset(at_, || self.workspace()););
         checks::failing(Some(&reset), statements)
     }
 }

@@ -89,12 +89,12 @@ pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
             && segment.offset == 0
             && segment.count == cx.compiled.checks.len()
         {
-            return quote!(#mstmm::generated::check_numbers(#text, &checks_, &[#(#rules),*])?;);
+            return quote!(#mstmm::generated::check_rules(#text, &checks_, &[#(#rules),*])?;);
         }
         let slices = cx.slices(&quote!(checks_), &segment);
         quote! {
             for numbers_ in #slices {
-                #mstmm::generated::check_numbers(#text, numbers_, &[#(#rules),*])?;
+                #mstmm::generated::check_rules(#text, numbers_, &[#(#rules),*])?;
             }
         }
     });

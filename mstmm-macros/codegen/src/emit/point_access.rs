@@ -40,7 +40,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let vector = vector(cx, &inline);
     quote! {
         /// Where every point of the model has its numbers.
-        const PLACES_: [#mstmm::generated::Places<#axes, #vectors>; #count] = [#(#entries),*];
+        const PLACES_: [#mstmm::generated::PointSlots<#axes, #vectors>; #count] = [#(#entries),*];
 
         /// Connection point number `index`.
         #[#inline]
@@ -70,7 +70,7 @@ fn vector(cx: &EmitContext, inline: &TokenStream) -> Option<TokenStream> {
                 place_: ::core::primitive::u32,
             ) -> [T; #shifts] {
                 #found
-                #mstmm::generated::entries(numbers_, place_)
+                #mstmm::generated::vector_at(numbers_, place_)
             }
         }
     })
@@ -110,7 +110,7 @@ fn found(cx: &EmitContext) -> TokenStream {
             quote!([#(#entries),*])
         });
     quote! {
-        let (model_, numbers_) = #mstmm::generated::place_of(&self.numbers, &[#(#segments),*], index_);
+        let (model_, numbers_) = #mstmm::generated::locate_point(&self.numbers, &[#(#segments),*], index_);
     }
 }
 
@@ -130,7 +130,7 @@ fn entry(cx: &EmitContext, point: &StoredPoint) -> TokenStream {
         let (axes, vector) = (axes(&framed.axes), literal(&framed.vector));
         quote!((#axes, #vector))
     });
-    quote!(#mstmm::generated::Places::new(#position, #orientation, [#(#vectors),*]))
+    quote!(#mstmm::generated::PointSlots::new(#position, #orientation, [#(#vectors),*]))
 }
 
 /// A place as the runtime has it.

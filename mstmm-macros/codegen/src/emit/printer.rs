@@ -57,7 +57,7 @@ impl Printer<'_> {
             if std::mem::take(&mut stored) {
                 // LLVM puts writes off, to make vectors of neighbours, unless it is told that it may not.
                 let mstmm = &self.cx.mstmm;
-                writer.add(quote!(#mstmm::generated::written();));
+                writer.add(quote!(#mstmm::generated::store_fence();));
             }
             if self.flat && number == declared {
                 declared = writer.declare(&sections, declared, &mut headings);

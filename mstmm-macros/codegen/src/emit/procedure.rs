@@ -29,7 +29,7 @@ impl EmitContext<'_> {
             ArrayRole::Argument(_) | ArrayRole::Local(_) => None,
         };
         let mstmm = &self.mstmm;
-        let reset = quote!(#mstmm::generated::take_back(at_, || self.workspace()););
+        let reset = quote!(#mstmm::generated::reset(at_, || self.workspace()););
         let statements = procedure.sections().map(|section| section.statements.len());
         let printer = Printer {
             cx: self,
@@ -152,7 +152,7 @@ impl Printer<'_> {
             Destination::Closure => {
                 let mstmm = &self.cx.mstmm;
                 let wrenches = operands.chunks(6).map(|wrench| quote!([#(#wrench),*]));
-                quote!(at_.closure = #mstmm::generated::closure([#(#wrenches),*]);)
+                quote!(at_.closure = #mstmm::generated::loop_closure([#(#wrenches),*]);)
             }
         }
     }

@@ -73,7 +73,7 @@ fn row(cx: &EmitContext, layout: &ArrayLayout, (index, place): (HingeId, usize))
     let &Segment { first, count, offset: start, repetitions: times, .. } = layout.segment_of(place);
     let [first, stride, count] = [start + place - first, count, times].map(usize_literal);
     quote! {
-        #mstmm::generated::QuaternionsOf {
+        #mstmm::generated::HingeQuaternions {
             hinge: #hinge,
             first: #first,
             stride: #stride,

@@ -278,5 +278,5 @@ fn numbers(cx: &EmitContext, range: &Range<usize>, field: &Ident) -> TokenStream
     let segment = layout.segment_of(range.start);
     let place = segment.offset + range.start - segment.first;
     let [count, place] = [range.len(), place].map(usize_literal);
-    quote!(#mstmm::generated::piece::<_, #count, #place>(&self.#field))
+    quote!(#mstmm::generated::segment::<_, #count, #place>(&self.#field))
 }

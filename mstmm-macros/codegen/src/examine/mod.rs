@@ -5,7 +5,7 @@ mod dry_run;
 
 use crate::diag::Diagnostics;
 use crate::equations::{self, LoopReaction, PointState, SymbolValues, Trace};
-use crate::math::{NOISE, Vec3};
+use crate::math::{PIVOT_ULPS, Vec3};
 use crate::model::{Chain, ClosureRank, Drive, Element, Hinge, HingeId, Role, Source};
 use dry_run::{Configuration, DryRun, Number, numbers};
 use proc_macro2::Ident;
@@ -110,7 +110,7 @@ impl DryRun {
             let solved = self.solved(&numbers, &self.pose(&numbers, seed));
             let vanishing = solved.pivots.iter().filter(|pivot| {
                 let (value, scale) = (pivot.value.value(), pivot.scale.value());
-                value.abs() <= NOISE * f64::EPSILON * scale
+                value.abs() <= PIVOT_ULPS * f64::EPSILON * scale
             });
             let now: Vec<HingeId> =
                 vanishing.map(|pivot| self.merged.links[pivot.link].hinge).collect();

@@ -1,6 +1,6 @@
 //! What the equations need of a number.
 
-use super::REDUNDANT;
+use super::RANK_ULPS;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// A number or a formula. There is no ordering: equations cannot branch on values.
@@ -85,7 +85,7 @@ macro_rules! plain_number {
                 <$float>::atan2(self, x)
             }
             fn recip_above(self, scale: Self) -> Self {
-                let vanishes = self <= REDUNDANT as $float * <$float>::EPSILON * scale;
+                let vanishes = self <= RANK_ULPS as $float * <$float>::EPSILON * scale;
                 if vanishes { 0.0 } else { <$float>::recip(self) }
             }
             fn vanishes(self) -> bool {

@@ -3,11 +3,11 @@
 
 /// A pivot: one that should vanish is the difference of a few rounded products of the size of its
 /// scale.
-pub const NOISE: f64 = 8.0;
+pub const PIVOT_ULPS: f64 = 8.0;
 
 /// A number of which equations ask with [`Scalar::recip_above`](super::Scalar::recip_above): rows
 /// of a closure that hang on others leave the rounding of many operations.
-pub const REDUNDANT: f64 = 1024.0;
+pub const RANK_ULPS: f64 = 1024.0;
 
 #[cfg(test)]
 mod tests {
@@ -15,6 +15,9 @@ mod tests {
 
     #[test]
     fn the_runtime_judges_by_the_same_numbers() {
-        assert_eq!((super::NOISE, super::REDUNDANT), (generated::NOISE, generated::REDUNDANT));
+        assert_eq!(
+            (super::PIVOT_ULPS, super::RANK_ULPS),
+            (generated::PIVOT_ULPS, generated::RANK_ULPS)
+        );
     }
 }

@@ -2,11 +2,11 @@
 
 use super::double_double::DoubleDouble;
 use super::interpreter::Judge;
-use mstmm_codegen::math::{Dual, NOISE};
+use mstmm_codegen::math::{Dual, PIVOT_ULPS};
 
 impl Judge for f64 {
     fn exceeds(self, scale: Self) -> bool {
-        self > NOISE * f64::EPSILON * scale
+        self > PIVOT_ULPS * f64::EPSILON * scale
     }
     fn is_finite(self) -> bool {
         f64::is_finite(self)
@@ -27,7 +27,7 @@ impl Judge for f64 {
 
 impl Judge for f32 {
     fn exceeds(self, scale: Self) -> bool {
-        self > NOISE as f32 * f32::EPSILON * scale
+        self > PIVOT_ULPS as f32 * f32::EPSILON * scale
     }
     fn is_finite(self) -> bool {
         f32::is_finite(self)
@@ -43,7 +43,7 @@ impl Judge for f32 {
 /// Nothing is rounded once that would not be in a product and a sum.
 impl Judge for DoubleDouble {
     fn exceeds(self, scale: Self) -> bool {
-        self > Self::new(NOISE) * Self::EPSILON * scale
+        self > Self::new(PIVOT_ULPS) * Self::EPSILON * scale
     }
     fn is_finite(self) -> bool {
         DoubleDouble::is_finite(self)

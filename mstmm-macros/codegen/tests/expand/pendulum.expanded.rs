@@ -83,7 +83,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             values_,
             &[&*chain_.changed_by_setters.derived()],
         )?;
-        ::mstmm::generated::check_numbers(
+        ::mstmm::generated::check_rules(
             "payload",
             &checks_,
             &[(true, "must leave the mass of body `rod` positive")],
@@ -170,7 +170,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
         let t0_ = cos_joint_angle_ * known_joint_gain_fy_;
         let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t0_, joint_rest_);
-        if !::mstmm::generated::regular::<
+        if !::mstmm::generated::pivots_ok::<
             T,
             _,
             _,
@@ -180,7 +180,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             [state_.t, state_.v.data.0[0][0], joint_a_ang_z_],
         ) {
             return ::core::result::Result::Err(
-                ::mstmm::generated::irregular::<
+                ::mstmm::generated::pivot_error::<
                     T,
                     _,
                 >(&["joint"], [known_rod_inertia_yy_], [known_joint_d_scale_]),
@@ -231,7 +231,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         *n7_9_ = T::negate(sin_joint_angle_);
         *n7_6_ = cos_joint_angle_;
         *n7_10_ = cos_joint_angle_;
-        ::mstmm::generated::written();
+        ::mstmm::generated::store_fence();
         /// Loads on `rod`, [P, Eqs. (14), (15), (20)]: 2 mul, 0 add, 0 reciprocal.
         let t0_ = joint_rate_ * joint_rate_;
         /// Riccati transfer over `joint`, F = I a + p, [P, Eqs. (18), (19), (25), (35)]: 1 mul, 0 add, 0 reciprocal.
@@ -240,7 +240,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t1_ = cos_joint_angle_ * known_joint_gain_fy_;
         let joint_a_lin_y_ = cos_joint_angle_ * c_(9.8);
         *n7_22_ = joint_a_lin_y_;
-        ::mstmm::generated::written();
+        ::mstmm::generated::store_fence();
         /// Loads on `rod`.
         let minus_rod_velocity_load_fx_ = known_rod_first_moment_x_ * t0_;
         /// Results: 4 mul, 0 add, 0 reciprocal.
@@ -248,12 +248,12 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         /// Acceleration of `joint`.
         let joint_a_lin_x_ = sin_joint_angle_ * c_(9.8);
         *n7_21_ = joint_a_lin_x_;
-        ::mstmm::generated::written();
+        ::mstmm::generated::store_fence();
         /// Results.
         let t5_ = sin_joint_angle_ * known_rod_first_moment_x_;
         /// Acceleration of `joint`.
         let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t1_, joint_rest_);
-        if !::mstmm::generated::regular::<
+        if !::mstmm::generated::pivots_ok::<
             T,
             _,
             _,
@@ -262,22 +262,22 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             [known_joint_d_scale_],
             [state_.t, state_.v.data.0[0][0], joint_a_ang_z_],
         ) {
-            let error_ = ::mstmm::generated::irregular::<
+            let error_ = ::mstmm::generated::pivot_error::<
                 T,
                 _,
             >(&["joint"], [known_rod_inertia_yy_], [known_joint_d_scale_]);
-            ::mstmm::generated::take_back(at_, || self.workspace());
+            ::mstmm::generated::reset(at_, || self.workspace());
             return ::core::result::Result::Err(error_);
         }
         at_.accelerations.data.0 = [[joint_a_ang_z_]];
         *n7_26_ = joint_a_ang_z_;
-        ::mstmm::generated::written();
+        ::mstmm::generated::store_fence();
         /// Load on `joint`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
         let t2_ = known_rod_mass_ * joint_a_lin_y_;
         /// Results.
         let t4_ = c_(0.5) * t3_;
         at_.kinetic_energy = t4_;
-        ::mstmm::generated::written();
+        ::mstmm::generated::store_fence();
         /// Load on `joint`.
         let minus_joint_load_fx_ = T::mul_neg_add(
             known_rod_mass_,
@@ -285,11 +285,11 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             minus_rod_velocity_load_fx_,
         );
         *n7_15_ = T::negate(minus_joint_load_fx_);
-        ::mstmm::generated::written();
+        ::mstmm::generated::store_fence();
         /// Results.
         let t6_ = c_(9.8) * t5_;
         at_.potential_energy = t6_;
-        ::mstmm::generated::written();
+        ::mstmm::generated::store_fence();
         /// Load on `joint`.
         let joint_load_fy_ = T::mul_add(known_rod_first_moment_x_, joint_a_ang_z_, t2_);
         *n7_16_ = joint_load_fy_;
@@ -569,8 +569,8 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
         [self.point_(0), self.point_(1), self.point_(2)]
     }
     /// Where every point of the model has its numbers.
-    const PLACES_: [::mstmm::generated::Places<3, 6>; 3] = [
-        ::mstmm::generated::Places::new(
+    const PLACES_: [::mstmm::generated::PointSlots<3, 6>; 3] = [
+        ::mstmm::generated::PointSlots::new(
             0,
             [0, 0, 0],
             [
@@ -582,7 +582,7 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
                 ([7, 10, 13], 16),
             ],
         ),
-        ::mstmm::generated::Places::new(
+        ::mstmm::generated::PointSlots::new(
             0,
             [7, 10, 13],
             [
@@ -594,7 +594,7 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
                 ([7, 10, 13], 16),
             ],
         ),
-        ::mstmm::generated::Places::new(
+        ::mstmm::generated::PointSlots::new(
             0,
             [7, 10, 13],
             [
@@ -619,11 +619,15 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
         let (input_, output_) = (self.point_(0), self.point_(1));
         ::mstmm::HingeResult::new(
             {
-                let [value_] = ::mstmm::generated::piece::<_, 1, 0>(&self.accelerations);
+                let [value_] = ::mstmm::generated::segment::<
+                    _,
+                    1,
+                    0,
+                >(&self.accelerations);
                 value_
             },
             {
-                let [value_] = ::mstmm::generated::piece::<_, 1, 0>(&self.efforts);
+                let [value_] = ::mstmm::generated::segment::<_, 1, 0>(&self.efforts);
                 value_
             },
             input_,
@@ -634,7 +638,11 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
     #[inline]
     pub fn rod(
         &self,
-    ) -> ::mstmm::BodyResult<T, ::mstmm::Point<T>, ::mstmm::OptionalPoints<false, true>> {
+    ) -> ::mstmm::BodyResult<
+        T,
+        ::mstmm::Point<T>,
+        ::mstmm::OptionalPoints<false, true>,
+    > {
         let (input_, output_) = (self.point_(1), self.point_(2));
         ::mstmm::BodyResult::new(
             input_,
@@ -666,11 +674,11 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             efforts: ::mstmm::generated::vector([zero_; 1]),
             kinetic_energy: T::constant(0f64),
             potential_energy: T::constant(0f64),
-            numbers: ::mstmm::generated::with_known(
+            numbers: ::mstmm::generated::with_constants(
                 [T::constant(0.0); 27],
                 &[(1, T::constant(9.8f64)), (14, T::constant(1f64))],
             ),
-            at_rest: ::mstmm::generated::with_known(
+            at_rest: ::mstmm::generated::with_constants(
                 [T::constant(0.0); 3],
                 &[(1, T::constant(9.8f64))],
             ),

@@ -2,7 +2,7 @@
 
 use super::super::hinge::dot;
 use super::{ConstraintSystem, Rank, plus_scaled};
-use crate::math::{REDUNDANT, Scalar};
+use crate::math::{RANK_ULPS, Scalar};
 
 /// What a step found.
 pub(super) struct FactorStep<S> {
@@ -177,7 +177,7 @@ impl<S: Scalar> ConstraintSystem<S> {
     fn guarded_reciprocal(&self, square: S, size: S) -> S {
         let is_kept = self.repeated.iter().flatten().all(|x| x.vanishes());
         let units = if is_kept { 1.0 } else { self.linkage.noise };
-        square.recip_above(size * S::number(units / REDUNDANT))
+        square.recip_above(size * S::number(units / RANK_ULPS))
     }
 }
 
