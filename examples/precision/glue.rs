@@ -79,7 +79,7 @@ fn value(chain: &Chain, input: &Input) -> TokenStream {
     };
     let kind = &chain.hinges[hinge].kind;
     let (coordinates, freedoms) = (kind.coordinates(), kind.dof_count());
-    let Some(view) = &kind.shape().view else { return TokenStream::new() };
+    let Some(view) = &kind.spec().view else { return TokenStream::new() };
     let name = format_ident!("{}", view.name);
     let groups = view.groups.iter().map(|group| match group {
         ViewArgument::Coordinates(range) => numbers(range.start, range.len(), false),

@@ -51,14 +51,14 @@ pub fn times(chain: &Chain, what: InputKind) -> Option<usize> {
 /// For each effort that is an input whether it is a torque.
 fn driven(hinge: &Hinge) -> Vec<bool> {
     let Drive::Efforts(efforts) = &hinge.drive else { return Vec::new() };
-    let groups = hinge.kind.shape().groups.iter();
+    let groups = hinge.kind.spec().groups.iter();
     let turns = groups.flat_map(|group| group.rates.clone().map(|_| group.turns));
     let inputs = efforts.iter().zip(turns).filter(|(effort, _)| **effort == Effort::Input);
     inputs.map(|(_, turns)| turns).collect()
 }
 
 fn hinge(chain: &Chain, hinge: &Hinge) -> told::Hinge {
-    let shape = hinge.kind.shape();
+    let shape = hinge.kind.spec();
     let name = |rate: usize| match shape.rates {
         [_] => String::new(),
         rates => rates[rate].to_owned(),

@@ -38,8 +38,8 @@ fn time(name: &str, description: &TokenStream) -> Result<(), Box<dyn Error>> {
         let (description, start) = (description.clone(), Instant::now());
         let expansion = mstmm_codegen::expand(description, &quote!(::mstmm));
         milliseconds.push(start.elapsed().as_secs_f64() * 1e3);
-        if let Some(mistakes) = expansion.mistakes {
-            return Err(mistakes.into());
+        if let Some(errors) = expansion.errors {
+            return Err(errors.into());
         }
     }
     milliseconds.sort_by(f64::total_cmp);

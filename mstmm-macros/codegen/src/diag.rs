@@ -176,7 +176,7 @@ impl Diagnostics {
         self.drop_consequences();
         self.errors.sort_by(|(a, _), (b, _)| a.cmp(b));
         let beyond =
-            self.beyond.map(|(at, count)| Error::new(at, format!("… and {count} more mistakes")));
+            self.beyond.map(|(at, count)| Error::new(at, format!("… and {count} more errors")));
         let errors = self.errors.into_iter().map(|(_, error)| error).chain(beyond);
         match errors.reduce(|mut all, next| {
             all.combine(next);
@@ -267,15 +267,15 @@ mod tests {
     use proc_macro2::Span;
 
     #[test]
-    fn more_mistakes_than_help_are_counted() {
+    fn more_errors_than_help_are_counted() {
         let mut diagnostics = Diagnostics::default();
         for number in 0..1000 {
             diagnostics.error(Span::call_site(), number);
         }
-        let mistakes = diagnostics.finish().expect_err("mistakes");
-        let mistakes: Vec<_> = mistakes.into_iter().map(|error| error.to_string()).collect();
-        assert_eq!(mistakes.len(), 101);
-        assert_eq!(mistakes[99..], ["99", "… and 900 more mistakes"]);
+        let errors = diagnostics.finish().expect_err("mistakes");
+        let errors: Vec<_> = errors.into_iter().map(|error| error.to_string()).collect();
+        assert_eq!(errors.len(), 101);
+        assert_eq!(errors[99..], ["99", "… and 900 more errors"]);
     }
 
     #[test]

@@ -47,7 +47,7 @@ pub struct Expansion {
     /// The types of all chains; if the text has errors, they are compile errors in these items.
     pub items: TokenStream,
     /// All errors of the text in its order, each on the token to edit; the items report them too.
-    pub mistakes: Option<syn::Error>,
+    pub errors: Option<syn::Error>,
     /// All warnings of the text in its order, each on its token; the items report them too.
     pub warnings: Vec<diag::Warning>,
 }
@@ -65,19 +65,19 @@ pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
         findings.extend(chains.iter().map(examine));
     }
     let warnings = diagnostics.warnings();
-    let mistakes = diagnostics.finish().err();
+    let errors = diagnostics.finish().err();
     // The user's errors end here: the phases below cannot fail.
     let expand_chain = |((chain, passthrough), findings): (&Understood, &examine::Findings)| {
         let layout = model::Layout::of(chain);
         let compiled = compile::compile(chain, findings, &layout);
         emit::expand(chain, passthrough, &layout, &compiled, findings, mstmm)
     };
-    let mut items: TokenStream = match &mistakes {
+    let mut items: TokenStream = match &errors {
         None => chains.iter().zip(&findings).map(expand_chain).collect(),
-        Some(mistakes) => emit::error_types(&written, mistakes),
+        Some(errors) => emit::error_types(&written, errors),
     };
     items.extend(warnings.iter().map(emit::warning));
-    Expansion { items, mistakes, warnings }
+    Expansion { items, errors, warnings }
 }
 
 /// A chain, and its visibility, constants and names for the user's crate.

@@ -13,7 +13,7 @@ fn folder() -> PathBuf {
 fn compile(text: &str) -> TokenStream {
     let tokens = text.parse().expect("tokens");
     let expansion = mstmm_codegen::expand(tokens, &quote!(::mstmm));
-    assert!(expansion.mistakes.is_none(), "{:?}", expansion.mistakes);
+    assert!(expansion.errors.is_none(), "{:?}", expansion.errors);
     expansion.items
 }
 

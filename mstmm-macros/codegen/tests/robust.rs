@@ -68,17 +68,17 @@ fn mutated(seed: u64) -> TokenStream {
 }
 
 #[test]
-fn every_text_ends_in_code_or_in_mistakes() {
-    let (mut code, mut mistakes) = (0, 0);
+fn every_text_ends_in_code_or_in_errors() {
+    let (mut code, mut errors) = (0, 0);
     for seed in 0..CHAINS {
         let tokens = mutated(seed);
         let expansion = mstmm_codegen::expand(tokens.clone(), &quote!(::mstmm));
         let parsed = syn::parse2::<syn::File>(expansion.items);
         assert!(parsed.is_ok(), "seed {seed}: the code of\n{tokens}\ndoes not parse");
-        match expansion.mistakes {
+        match expansion.errors {
             None => code += 1,
-            Some(_) => mistakes += 1,
+            Some(_) => errors += 1,
         }
     }
-    assert!(code > CHAINS / 10 && mistakes > CHAINS / 10, "{code} in code, {mistakes} in mistakes");
+    assert!(code > CHAINS / 10 && errors > CHAINS / 10, "{code} in code, {errors} in errors");
 }

@@ -36,7 +36,7 @@ pub fn all_rates(chain: &Chain, layout: &Layout) -> ArrayLayout {
 
 /// Returns the layout of a parameter.
 pub fn parameter(chain: &Chain, index: usize) -> ArrayLayout {
-    let is_repeated = chain.parameters[index].times.is_some();
+    let is_repeated = chain.parameters[index].repetitions.is_some();
     let repeat = is_repeated.then(|| chain.repeat_of_parameter(index)).flatten();
     of(chain, [(1, repeat)])
 }

@@ -14,8 +14,8 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 /// coordinates, rates, inputs, and the length of an implicit step.
 pub(super) fn unknowns(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Unknowns {
     let free = || chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
-    let coordinates = free().flat_map(|hinge| named(hinge, coordinates(hinge.kind.shape())));
-    let rates = free().flat_map(|hinge| named(hinge, hinge.kind.shape().rates.to_vec()));
+    let coordinates = free().flat_map(|hinge| named(hinge, coordinates(hinge.kind.spec())));
+    let rates = free().flat_map(|hinge| named(hinge, hinge.kind.spec().rates.to_vec()));
     let mut unknowns = Unknowns::new(chain.repeats.iter().map(|repeat| repeat.count).collect());
     let mut taken = HashSet::new();
     let mut add = |argument, layout: ArrayLayout, names: Vec<String>| {
@@ -78,7 +78,7 @@ fn input_names(chain: &Chain, input: &Input) -> Vec<String> {
         }
         InputKind::Motion(index) => {
             let hinge = &chain.hinges[index];
-            let shape = hinge.kind.shape();
+            let shape = hinge.kind.spec();
             let accelerations: Vec<String> =
                 shape.rates.iter().map(|rate| format!("{rate}_dot")).collect();
             let mut names = named(hinge, coordinates(shape));

@@ -68,7 +68,7 @@ fn constructors(cx: &EmitContext) -> TokenStream {
     let values = cx.chain.parameters.iter().map(|parameter| {
         let (name, value) = (&parameter.name, value_tokens(cx, &parameter.default));
         let one = quote!(T::constant(#value));
-        match parameter.times.map(usize_literal) {
+        match parameter.repetitions.map(usize_literal) {
             None => quote!(#name: #one),
             Some(times) => quote!(#name: [#one; #times]),
         }

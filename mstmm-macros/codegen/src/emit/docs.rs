@@ -113,13 +113,14 @@ fn route(cx: &EmitContext) -> String {
         Some(Element::Hinge(index)) => Some(&chain.hinges[*index]),
         Some(Element::Body(_)) | None => None,
     };
-    let start = hinge(chain.route.first()).and_then(|hinge| end(chain.before_seam(&hinge.inboard)));
+    let start =
+        hinge(chain.route.first()).and_then(|hinge| end(chain.before_boundary(&hinge.inboard)));
     let finish = hinge(chain.route.last()).and_then(|hinge| end(&hinge.outboard));
     let elements = chain.route.iter().enumerate().map(|(place, element)| {
         let name = match *element {
             Element::Body(index) => chain.bodies[index].name.to_string(),
             Element::Hinge(index) => {
-                format!("{} {}", chain.hinges[index].kind.shape().word, chain.hinges[index].name)
+                format!("{} {}", chain.hinges[index].kind.spec().word, chain.hinges[index].name)
             }
         };
         let begins = chain.repeats.iter().find(|repeat| repeat.route.start == place);
@@ -141,7 +142,7 @@ fn row(cx: &EmitContext, element: Element) -> String {
         }
         Element::Hinge(index) => {
             let hinge = &cx.chain.hinges[index];
-            let kind = hinge.kind.shape().word;
+            let kind = hinge.kind.spec().word;
             let told = if hinge.is_prescribed() { ", moves as it is told" } else { "" };
             let axes: Vec<String> = hinge.kind.axes().iter().filter_map(axis).collect();
             let about = match &axes[..] {

@@ -11,8 +11,8 @@ use std::collections::HashSet;
 /// types. rustc checks nothing that depends on such a type: not which methods and fields it has, of which kind they
 /// are, nor which traits it implements. The other types are structs, so that users can implement their own traits
 /// and methods for them.
-pub fn error_types(chains: &[ChainSyntax], mistakes: &syn::Error) -> TokenStream {
-    let errors = mistakes.to_compile_error();
+pub fn error_types(chains: &[ChainSyntax], errors: &syn::Error) -> TokenStream {
+    let errors = errors.to_compile_error();
     let Some(first) = chains.first() else { return errors };
     let error = format_ident!("{}Inputs", first.name);
     let visibility = &first.visibility;
@@ -58,7 +58,7 @@ fn structs(chain: &ChainSyntax) -> impl Iterator<Item = Ident> {
     let of_chain =
         ["State", "Parameters", "Workspace"].map(|suffix| format_ident!("{}{suffix}", name));
     let described = chain.blocks.iter().flat_map(|block| &block.names);
-    let used = chain.route.iter().flat_map(|route| &route.stops).filter_map(|stop| match stop {
+    let used = chain.route.iter().flat_map(|route| &route.items).filter_map(|stop| match stop {
         RouteItemSyntax::Element { word, .. } => Some(word),
         _ => None,
     });

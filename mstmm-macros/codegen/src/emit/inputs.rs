@@ -69,7 +69,7 @@ fn doc_of(cx: &EmitContext, input: &Input) -> String {
         InputKind::Efforts(index) => {
             let Hinge { name, kind, .. } = &cx.chain.hinges[index];
             let unit = |turns: bool| if turns { "N m" } else { "N" };
-            let units: Vec<&str> = kind.shape().groups.iter().map(|g| unit(g.turns)).collect();
+            let units: Vec<&str> = kind.spec().groups.iter().map(|g| unit(g.turns)).collect();
             let unit = units.join(", ");
             format!(" Efforts in {unit} that drive `{name}`, in the order of its rates.")
         }
@@ -129,7 +129,7 @@ impl EmitContext<'_> {
     /// The view of a hinge that has coordinates.
     pub fn view(&self, hinge: HingeId) -> &'static StateView {
         let Hinge { name, kind, .. } = &self.chain.hinges[hinge];
-        kind.shape()
+        kind.spec()
             .view
             .as_ref()
             .unwrap_or_else(|| bug!("hinge `{name}` has no coordinates to view"))

@@ -23,7 +23,7 @@ pub fn type_of_all(cx: &EmitContext) -> TokenStream {
     let getters = cx.chain.parameters.iter().map(|parameter| {
         let (name, doc) = (&parameter.name, docs::parameter(parameter));
         let ty = type_of(parameter);
-        let (ty, value) = match parameter.times {
+        let (ty, value) = match parameter.repetitions {
             None => (ty, quote!(self.#name)),
             Some(_) => (quote!(&#ty), quote!(&self.#name)),
         };
@@ -61,7 +61,7 @@ pub fn type_of_all(cx: &EmitContext) -> TokenStream {
 
 /// The type of a parameter.
 fn type_of(parameter: &Parameter) -> TokenStream {
-    match parameter.times.map(usize_literal) {
+    match parameter.repetitions.map(usize_literal) {
         None => quote!(T),
         Some(times) => quote!([T; #times]),
     }
@@ -99,7 +99,7 @@ pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
         }
     });
     let derived = sealed::arrays(cx, &quote!(chain_));
-    let (arguments, change, values) = match parameter.times {
+    let (arguments, change, values) = match parameter.repetitions {
         None => (quote!(value_: T), quote!(parameters_.#name = value_;), quote!(&[value_])),
         Some(_) => (
             quote!(mut value_: impl ::core::ops::FnMut(::core::primitive::usize) -> T),
@@ -111,7 +111,7 @@ pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
             quote!(&parameters_.#name),
         ),
     };
-    let each = parameter.times.map(|times| {
+    let each = parameter.repetitions.map(|times| {
         let doc = format!(" One number for each of {times} times, from `value` by index.");
         quote! {
             ///

@@ -10,7 +10,7 @@ use quote::quote;
 /// Where the quaternion is among the coordinates of a hinge.
 fn quaternion_of(kind: &HingeKind) -> Option<usize> {
     let group =
-        kind.shape().groups.iter().find(|group| group.representation == Representation::Quaternion);
+        kind.spec().groups.iter().find(|group| group.representation == Representation::Quaternion);
     group.map(|group| group.coordinates.start)
 }
 

@@ -82,7 +82,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
 /// All coordinates with every hinge in its zero position.
 fn rest(cx: &EmitContext) -> TokenStream {
     let free = cx.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
-    let coordinates = free.flat_map(|hinge| hinge.kind.shape().coordinates);
+    let coordinates = free.flat_map(|hinge| hinge.kind.spec().coordinates);
     let rest: Vec<TokenStream> =
         coordinates.map(|c| if c.rest == 1.0 { quote!(one_) } else { quote!(zero_) }).collect();
     let layout = cx.coordinates();
@@ -114,7 +114,7 @@ fn accessors(cx: &EmitContext, index: HingeId) -> TokenStream {
         return TokenStream::new();
     }
     let (name, name_mut) = (&hinge.name, accessor_mut(&hinge.name));
-    let Some(view) = &hinge.kind.shape().view else { return TokenStream::new() };
+    let Some(view) = &hinge.kind.spec().view else { return TokenStream::new() };
     if let Some(repeat) = cx.chain.repeat_of_hinge(index) {
         return indexed_access::state_accessors(cx, index, cx.chain.repeats[repeat].count);
     }

@@ -47,11 +47,11 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     } = closure;
     let (text, body_types) = (name.to_string(), body::types(cx));
     let elements = cx.chain.route.iter().enumerate().map(|(place, element)| match *element {
-        Element::Body(index) => match cx.chain.times(*element) {
+        Element::Body(index) => match cx.chain.repetitions(*element) {
             _ if cx.chain.repeat_of_body(index).is_none() => self::body(cx, index, place),
             count => indexed_access::body(cx, (index, place), count),
         },
-        Element::Hinge(index) => match cx.chain.times(*element) {
+        Element::Hinge(index) => match cx.chain.repetitions(*element) {
             _ if cx.chain.repeat_of_hinge(index).is_none() => hinge(cx, index, place),
             count => indexed_access::hinge(cx, (index, place), count),
         },

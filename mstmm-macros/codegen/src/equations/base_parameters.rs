@@ -34,7 +34,7 @@ pub fn redistribute<S: Scalar>(
     let own: PerLink<RigidInertia<S>> = links.iter().map(RigidInertia::of).collect();
     let step = |index: LinkId, own: RigidInertia<S>, of_parent: &mut RigidInertia<S>| {
         let link = &links[index];
-        let stays = context.layout.is_at_seam(index) || link.parent.is_none();
+        let stays = context.layout.is_at_repeat_boundary(index) || link.parent.is_none();
         if stays || !link.hinge.is_concentric() {
             return (own, S::zero());
         }

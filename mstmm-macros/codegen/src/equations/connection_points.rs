@@ -24,7 +24,7 @@ pub fn spots<S>(context: &EvalContext<S>) -> Vec<ConnectionPoint> {
     };
     // On a seam what passes is what the seam's weld passes on.
     let side = |hinge: HingeId, place: &Attachment, outboard: bool| {
-        let weld = chain.seam(place).map(|seam| chain.weld_of(seam));
+        let weld = chain.repeat_boundary(place).map(|seam| chain.weld_of(seam));
         weld.map_or(
             ConnectionPoint { place: place.clone(), hinge: Some((hinge, outboard)) },
             |weld| ConnectionPoint {
@@ -42,7 +42,7 @@ pub fn spots<S>(context: &EvalContext<S>) -> Vec<ConnectionPoint> {
             Element::Body(index) => {
                 let output = Attachment::Output(index);
                 let last = chain.hinges.position(|hinge| {
-                    hinge.inboard == output && chain.seam(&hinge.outboard).is_some()
+                    hinge.inboard == output && chain.repeat_boundary(&hinge.outboard).is_some()
                 });
                 (
                     ConnectionPoint { place: Attachment::Input(index), hinge: None },

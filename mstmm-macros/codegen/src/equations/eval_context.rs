@@ -226,7 +226,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
                 Rank::AtRunTime(ones.chain(given.iter().copied()).collect())
             }
         };
-        let times = |link: &Link| self.chain.times(Element::Hinge(link.hinge));
+        let times = |link: &Link| self.chain.repetitions(Element::Hinge(link.hinge));
         let links: usize = self.layout.links.iter().map(times).sum();
         ConstraintRank { rank, noise: ROUNDINGS * (links + 2) as f64 }
     }

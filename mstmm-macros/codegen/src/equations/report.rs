@@ -225,7 +225,7 @@ impl<S: Scalar> HingeWrench<S> {
         on_child: Wrench<S>,
     ) -> Self {
         let (place, hinge) = (&context.layout.links[index], link.hinge.clone());
-        let (axes, at_child, offset) = match place.seam {
+        let (axes, at_child, offset) = match place.boundary {
             Some(_) => (link.parent, on_child.rotated(&hinge.to_parent), hinge.offset),
             None => (Some(index), on_child, hinge.to_parent.rotate_back(hinge.offset)),
         };
@@ -235,7 +235,7 @@ impl<S: Scalar> HingeWrench<S> {
         } else {
             (at_child, at_parent)
         };
-        let meets = (place.seam.is_none() && hinge.is_concentric()).then_some(index);
+        let meets = (place.boundary.is_none() && hinge.is_concentric()).then_some(index);
         HingeWrench { hinge, axes, wrench, at_inboard, on_child, meets }
     }
 

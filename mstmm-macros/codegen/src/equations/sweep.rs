@@ -57,7 +57,7 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
 
     /// Whether a repeated part begins or ends at a link.
     pub fn is_boundary(&self, link: LinkId) -> bool {
-        self.layout.links[link].seam.is_some()
+        self.layout.links[link].boundary.is_some()
     }
 
     /// Whether a link belongs to a repeated part whose equations run once for all repetitions.
@@ -161,7 +161,7 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
     /// repeated part.
     fn cross<B: Flatten<S>>(&self, link: LinkId, direction: SweepDirection, carried: B) -> B {
         let (Some(RepeatBoundary { repeat, at_end }), Some(hook)) =
-            (self.layout.links[link].seam, self.hook)
+            (self.layout.links[link].boundary, self.hook)
         else {
             return carried;
         };
@@ -293,7 +293,8 @@ mod tests {
     #[test]
     fn every_sweep_crosses_every_boundary_once() {
         let layout = layout();
-        let boundaries: Vec<bool> = layout.links.iter().map(|link| link.seam.is_some()).collect();
+        let boundaries: Vec<bool> =
+            layout.links.iter().map(|link| link.boundary.is_some()).collect();
         assert_eq!(boundaries, [false, true, false, true, false]);
         let crossings = |sweep: &dyn Fn(LinkTree<f64>)| {
             let loops = Loops::default();

@@ -155,7 +155,7 @@ impl DryRun {
         for input in &self.merged.inputs {
             let InputKind::Motion(hinge) = input.what else { continue };
             let kind = &self.chain.hinges[hinge].kind;
-            let near = kind.shape().coordinates.iter().map(|coordinate| {
+            let near = kind.spec().coordinates.iter().map(|coordinate| {
                 count += 1;
                 Number::variable(coordinate.rest + around(count, seed))
             });

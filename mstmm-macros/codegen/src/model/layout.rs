@@ -25,7 +25,7 @@ pub struct Link {
     /// Whether the part is on the inboard side of its hinge, as in a chain held at its end.
     pub reversed: bool,
     /// Whether it is a place where a repeated part begins or ends.
-    pub seam: Option<RepeatBoundary>,
+    pub boundary: Option<RepeatBoundary>,
     /// Whether the hinge belongs to a repeated part.
     pub repeated: bool,
 }
@@ -106,12 +106,15 @@ impl Layout {
 
     fn new(chain: &Chain, merge: bool) -> Self {
         // What is on a seam is no part of what lies on its other side.
-        let at_seam = |hinge: &Hinge| {
-            chain.seam(&hinge.inboard).or_else(|| chain.seam(&hinge.outboard)).is_some()
+        let at_boundary = |hinge: &Hinge| {
+            chain
+                .repeat_boundary(&hinge.inboard)
+                .or_else(|| chain.repeat_boundary(&hinge.outboard))
+                .is_some()
         };
         let is_weld = |index: HingeId| {
             let hinge = &chain.hinges[index];
-            hinge.kind == HingeKind::Weld && !at_seam(hinge)
+            hinge.kind == HingeKind::Weld && !at_boundary(hinge)
         };
         let free = |hinge: &Hinge, count: usize| if hinge.is_prescribed() { 0 } else { count };
         let Tree { links, loop_hinges, parts, joined } = Tree::of(chain, is_weld, merge);
@@ -128,9 +131,9 @@ impl Layout {
     }
 
     /// Whether a link's hinge, or its parent's, is on a seam.
-    pub fn is_at_seam(&self, link: LinkId) -> bool {
-        let is_seam = |link: LinkId| self.links[link].seam.is_some();
-        is_seam(link) || self.links[link].parent.is_some_and(is_seam)
+    pub fn is_at_repeat_boundary(&self, link: LinkId) -> bool {
+        let is_boundary = |link: LinkId| self.links[link].boundary.is_some();
+        is_boundary(link) || self.links[link].parent.is_some_and(is_boundary)
     }
 
     /// Length of `q`.
@@ -239,8 +242,9 @@ impl Tree {
         let sides = |hinge: HingeId| {
             [&chain.hinges[hinge].inboard, &chain.hinges[hinge].outboard].map(Attachment::body)
         };
-        let is_free =
-            |hinge: HingeId| !is_weld(hinge) && chain.seam(&chain.hinges[hinge].outboard).is_none();
+        let is_free = |hinge: HingeId| {
+            !is_weld(hinge) && chain.repeat_boundary(&chain.hinges[hinge].outboard).is_none()
+        };
         let mut touching: IdVec<BodyId, Vec<HingeId>> =
             IdVec::filled(Vec::new(), chain.bodies.len());
         let mut next: BTreeSet<(bool, HingeId)> = BTreeSet::new();
@@ -277,14 +281,14 @@ impl Tree {
                     MovesWith::Ground => None,
                     MovesWith::Link(link) => Some(link),
                 };
-                let seam = chain.seam(&Attachment::Input(body));
-                inside = match seam {
+                let boundary = chain.repeat_boundary(&Attachment::Input(body));
+                inside = match boundary {
                     Some(RepeatBoundary { repeat, at_end: false }) => Some(repeat),
                     Some(RepeatBoundary { at_end: true, .. }) => None,
                     None => inside,
                 };
                 let (members, repeated) = (vec![body], chain.repeat_of_hinge(hinge).is_some());
-                let link = Link { hinge, body, members, parent, reversed, seam, repeated };
+                let link = Link { hinge, body, members, parent, reversed, boundary, repeated };
                 MovesWith::Link(links.push(link))
             } else {
                 if let MovesWith::Link(link) = from {

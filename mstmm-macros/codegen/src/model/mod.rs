@@ -92,8 +92,8 @@ pub fn lower(def: &ChainSyntax, diagnostics: &mut Diagnostics) -> Option<(Chain,
         bug!("a part of chain `{}` is missing, and no mistake is reported", def.name)
     };
     let chain = Chain { assertions, ..chain };
-    parameter_uses::parameters_of_times_stay_in_their_part(&chain, diagnostics);
-    diagnostics.is_empty().then(|| (repeat_boundaries::with_seams(chain), passthrough))
+    parameter_uses::repeated_parameters_stay_in_their_part(&chain, diagnostics);
+    diagnostics.is_empty().then(|| (repeat_boundaries::with_repeat_boundaries(chain), passthrough))
 }
 
 /// In how many directions a chain moves. A model is spatial whatever its dimension: in a plane
@@ -205,7 +205,7 @@ pub struct Parameter {
     /// Its SI unit as text, for the docs; empty for a plain number.
     pub unit: String,
     /// How many there are, if it is one for every time of a repeated part.
-    pub times: Option<usize>,
+    pub repetitions: Option<usize>,
 }
 
 /// A rigid body. Its frame has its origin at the input point `I`.

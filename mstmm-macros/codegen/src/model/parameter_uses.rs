@@ -7,9 +7,9 @@ use super::{
 use crate::diag::Diagnostics;
 
 /// A parameter with one number for every time of a repeated part is used in one such part alone.
-pub(super) fn parameters_of_times_stay_in_their_part(chain: &Chain, diagnostics: &mut Diagnostics) {
+pub(super) fn repeated_parameters_stay_in_their_part(chain: &Chain, diagnostics: &mut Diagnostics) {
     for (index, parameter) in chain.parameters.iter().enumerate() {
-        let Some(times) = parameter.times else { continue };
+        let Some(times) = parameter.repetitions else { continue };
         let name = &parameter.name;
         let mut parts = chain.parts_that_use(index);
         parts.dedup();
@@ -34,7 +34,7 @@ pub(super) fn parameters_of_times_stay_in_their_part(chain: &Chain, diagnostics:
 impl Chain {
     /// The repeated part that a parameter belongs to.
     pub fn repeat_of_parameter(&self, parameter: usize) -> Option<RepeatId> {
-        self.parameters[parameter].times?;
+        self.parameters[parameter].repetitions?;
         self.parts_that_use(parameter).into_iter().flatten().next()
     }
 

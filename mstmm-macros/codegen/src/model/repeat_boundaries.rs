@@ -10,17 +10,17 @@ use proc_macro2::Span;
 use quote::format_ident;
 
 /// The chain with its seams.
-pub(super) fn with_seams(mut chain: Chain) -> Chain {
+pub(super) fn with_repeat_boundaries(mut chain: Chain) -> Chain {
     for repeat in chain.repeats.ids() {
         let part = chain.repeats[repeat].clone();
         let first = part.hinges.first();
         let last = part.bodies.last();
         let before = chain.hinges[first].inboard.clone();
-        let start = add_seam(&mut chain, RepeatBoundary { repeat, at_end: false }, before);
+        let start = add_boundary(&mut chain, RepeatBoundary { repeat, at_end: false }, before);
         chain.hinges[first].inboard = Attachment::Input(start);
         let behind = Attachment::Output(last);
         let next = chain.hinges.position(|hinge| hinge.inboard == behind);
-        let end = add_seam(&mut chain, RepeatBoundary { repeat, at_end: true }, behind);
+        let end = add_boundary(&mut chain, RepeatBoundary { repeat, at_end: true }, behind);
         if let Some(next) = next {
             chain.hinges[next].inboard = Attachment::Input(end);
         }
@@ -29,9 +29,10 @@ pub(super) fn with_seams(mut chain: Chain) -> Chain {
 }
 
 /// Welds a seam to a place.
-fn add_seam(chain: &mut Chain, seam: RepeatBoundary, at: Attachment) -> BodyId {
-    let word = if seam.at_end { "end" } else { "start" };
-    let name = format_ident!("{word}_of_repeat{}", seam.repeat.index(), span = Span::call_site());
+fn add_boundary(chain: &mut Chain, boundary: RepeatBoundary, at: Attachment) -> BodyId {
+    let word = if boundary.at_end { "end" } else { "start" };
+    let name =
+        format_ident!("{word}_of_repeat{}", boundary.repeat.index(), span = Span::call_site());
     let zero = || Value::number(0.0);
     let body = chain.bodies.push(Body {
         name: name.clone(),
@@ -42,7 +43,7 @@ fn add_seam(chain: &mut Chain, seam: RepeatBoundary, at: Attachment) -> BodyId {
         output: Frame::identity(),
         points: Vec::new(),
         written: PresentPoints::ALL,
-        role: Role::RepeatBoundary(seam),
+        role: Role::RepeatBoundary(boundary),
     });
     chain.hinges.push(Hinge {
         name,
@@ -60,17 +61,17 @@ fn add_seam(chain: &mut Chain, seam: RepeatBoundary, at: Attachment) -> BodyId {
 
 impl Chain {
     /// The seam that a place is on.
-    pub fn seam(&self, place: &Attachment) -> Option<RepeatBoundary> {
+    pub fn repeat_boundary(&self, place: &Attachment) -> Option<RepeatBoundary> {
         match self.bodies[place.body()?].role {
-            Role::RepeatBoundary(seam) => Some(seam),
+            Role::RepeatBoundary(boundary) => Some(boundary),
             Role::Physical | Role::MovingEnd => None,
         }
     }
 
     /// The weld that joins a seam to what is before it.
-    pub fn weld_of(&self, seam: RepeatBoundary) -> HingeId {
-        let is_it = |hinge: &Hinge| self.seam(&hinge.outboard) == Some(seam);
-        self.hinges.position(is_it).unwrap_or_else(|| bug!("{seam:?} is welded to nothing"))
+    pub fn weld_of(&self, boundary: RepeatBoundary) -> HingeId {
+        let is_it = |hinge: &Hinge| self.repeat_boundary(&hinge.outboard) == Some(boundary);
+        self.hinges.position(is_it).unwrap_or_else(|| bug!("{boundary:?} is welded to nothing"))
     }
 
     /// The repeated part that a hinge belongs to.
@@ -81,7 +82,7 @@ impl Chain {
     /// Whether a hinge belongs to a repeated part, or joins its end to it.
     pub fn lies_in_repeat(&self, hinge: HingeId, repeat: RepeatId) -> bool {
         self.repeats[repeat].hinges.contains(hinge)
-            || self.seam(&self.hinges[hinge].outboard)
+            || self.repeat_boundary(&self.hinges[hinge].outboard)
                 == Some(RepeatBoundary { repeat, at_end: true })
     }
 
@@ -102,7 +103,7 @@ impl Chain {
     }
 
     /// How often an element stands in the chain.
-    pub fn times(&self, element: Element) -> usize {
+    pub fn repetitions(&self, element: Element) -> usize {
         let repeat = match element {
             Element::Hinge(hinge) => self.repeat_of_hinge(hinge),
             Element::Body(body) => self.repeat_of_body(body),

@@ -56,39 +56,39 @@ pub(super) struct PassiveRule {
 pub(super) const PASSIVE: &[PassiveRule] = &[
     PassiveRule {
         rule: STIFFNESS,
-        field: |words| words.stiffness,
+        field: |names| names.stiffness,
         number: |passive| Some(&passive.stiffness),
     },
     PassiveRule {
         rule: DAMPING,
-        field: |words| words.damping,
+        field: |names| names.damping,
         number: |passive| Some(&passive.damping),
     },
     PassiveRule {
         rule: not_negative("an armature cannot be negative", "armature"),
-        field: |words| words.armature,
+        field: |names| names.armature,
         number: |passive| Some(&passive.armature),
     },
     PassiveRule {
         rule: not_negative("friction cannot be negative", "friction"),
-        field: |words| words.friction,
+        field: |names| names.friction,
         number: |passive| Some(&passive.friction.as_ref()?.effort),
     },
     PassiveRule {
         // By a speed of zero friction would divide by zero.
         rule: positive("the speed of friction must be positive", "friction speed"),
-        field: |words| words.friction_speed,
+        field: |names| names.friction_speed,
         number: |passive| Some(&passive.friction.as_ref()?.speed),
     },
     PassiveRule {
         // Limits without stiffness are none.
         rule: positive("the stiffness of limits must be positive", "limit stiffness"),
-        field: |words| words.limit_stiffness,
+        field: |names| names.limit_stiffness,
         number: |passive| Some(&passive.limits.as_ref()?.stiffness),
     },
     PassiveRule {
         rule: not_negative("a damping cannot be negative", "limit damping"),
-        field: |words| words.limit_damping,
+        field: |names| names.limit_damping,
         number: |passive| Some(&passive.limits.as_ref()?.damping),
     },
 ];

@@ -48,7 +48,7 @@ impl Chain {
                 Element::Hinge(hinge) => {
                     let written = &self.hinges[hinge];
                     let inboard = if place == 0 {
-                        outer(self.before_seam(&written.inboard), Attachment::Output)
+                        outer(self.before_boundary(&written.inboard), Attachment::Output)
                     } else {
                         Attachment::Output(bodies.ids().last())
                     };
@@ -75,8 +75,9 @@ impl Chain {
     }
 
     /// Where the seam sits that a place is on, or the place.
-    pub fn before_seam<'a>(&'a self, place: &'a Attachment) -> &'a Attachment {
-        self.seam(place).map_or(place, |seam| &self.hinges[self.weld_of(seam)].inboard)
+    pub fn before_boundary<'a>(&'a self, place: &'a Attachment) -> &'a Attachment {
+        self.repeat_boundary(place)
+            .map_or(place, |boundary| &self.hinges[self.weld_of(boundary)].inboard)
     }
 
     fn hinges_on_route(&self) -> usize {

@@ -4,8 +4,8 @@ use proc_macro2::{Delimiter, TokenStream};
 use syn::parse::Parser;
 use syn::{Attribute, Error, Result, Visibility};
 
-use super::ahead;
 use super::cursor::Cursor;
+use super::lookahead;
 
 /// Doc comments and attributes.
 fn attributes(input: &mut Cursor) -> Result<Vec<Attribute>> {
@@ -32,7 +32,7 @@ pub(super) fn docs(input: &mut Cursor) -> Result<()> {
 
 /// Reads on to what may be the end of a comment that begins with `#`.
 fn skip_comment(input: &mut Cursor) {
-    while !input.is_empty() && !ahead::begins_item(input) && !ahead::begins_field(input) {
+    while !input.is_empty() && !lookahead::begins_item(input) && !lookahead::begins_field(input) {
         if input.punct(';').is_some() {
             return;
         }

@@ -4,9 +4,9 @@
 use proc_macro2::{Delimiter, Ident};
 use syn::Result;
 
-use super::ahead::has_arrow;
 use super::cursor::Cursor;
-use super::route_item::stop;
+use super::lookahead::has_arrow;
+use super::route_item::route_item;
 use super::separators::{BRANCHES, Separators};
 use super::tree::{RouteSyntax, SpanRange};
 use crate::diag::Diagnostics;
@@ -50,10 +50,10 @@ pub(super) fn branches(
     diagnostics: &mut Diagnostics,
 ) -> Result<()> {
     diagnostics.error(extent.first, BRANCHES);
-    route.whole = false;
+    route.complete = false;
     let mut separators = Separators::reported();
     while !inside.is_empty() {
-        route.stops.push(stop(&mut inside, diagnostics)?);
+        route.items.push(route_item(&mut inside, diagnostics)?);
         let joined = inside.punct(';').is_some() || separators.read(&mut inside, diagnostics);
         if !joined {
             inside.check_empty("`->` or `,`")?;

@@ -3,11 +3,11 @@
 use proc_macro2::{Delimiter, Ident, Span};
 use syn::{Error, Result, Visibility};
 
-use super::ahead::ITEMS;
 use super::cursor::Cursor;
 use super::field::Content;
+use super::lookahead::ITEMS;
 use super::tree::{BlockKeyword, BlockSyntax, ChainSyntax, DimensionKeyword, ParameterSyntax};
-use super::{ahead, attribute, branch, field, number, recover, route, route_item};
+use super::{attribute, branch, field, lookahead, number, recover, route, route_item};
 use crate::diag::{Diagnostics, did_you_mean, nearest};
 
 /// The words that blocks begin with.
@@ -66,7 +66,7 @@ fn head<'a>(
     if input.word("chain").is_none() {
         let error = no_chain(input);
         let word = input.peek_ident();
-        let Some(of_chain) = slip_of_chain(input) else { return Err(error) };
+        let Some(of_chain) = misspelt_chain(input) else { return Err(error) };
         if !of_chain {
             dimension = word.and_then(|word| near_dimension(&word));
         }
@@ -94,14 +94,14 @@ fn head<'a>(
         parameters: Vec::new(),
         blocks: Vec::new(),
         route: None,
-        whole: true,
+        complete: true,
     };
     Ok((def, inside))
 }
 
 /// Reads over a wrong word, if it is all that is wrong in the head of a chain: whether it is written instead of
 /// `chain`, not before it.
-fn slip_of_chain(input: &mut Cursor) -> Option<bool> {
+fn misspelt_chain(input: &mut Cursor) -> Option<bool> {
     let mut ahead = *input;
     ahead.any();
     let of_chain = ahead.word("chain").is_none();
@@ -143,17 +143,18 @@ fn item(input: &mut Cursor, def: &mut ChainSyntax, diagnostics: &mut Diagnostics
     let refused = end_block(input).or_else(|| route_setting(input));
     if let Some((at, message)) = refused {
         diagnostics.error(at, message);
-    } else if let Some((word, at)) = block_word(input).or_else(|| slip_of_block(input, diagnostics))
+    } else if let Some((word, at)) =
+        block_word(input).or_else(|| misspelt_block(input, diagnostics))
     {
         block(word, at, input, def, diagnostics);
-    } else if input.word("param").is_some() || slip_of_parameter(input, diagnostics) {
+    } else if input.word("param").is_some() || misspelt_parameter(input, diagnostics) {
         match parameter(input, diagnostics) {
             Ok(parameter) => def.parameters.push(parameter),
-            Err(error) => lose(error, input, def, diagnostics),
+            Err(error) => report_and_skip(error, input, def, diagnostics),
         }
     } else if let Some(name) = setting(input) {
         def.settings.push(field::field(name, input, diagnostics));
-    } else if ahead::is_route(input) {
+    } else if lookahead::is_route(input) {
         let route = route::route(input, diagnostics);
         match def.route {
             Some(ref mut first) => first.add(start.next_span(), route),
@@ -185,7 +186,7 @@ fn route_setting(input: &mut Cursor) -> Option<(Span, &'static str)> {
     let mut ahead = *input;
     let at = input.next_span();
     ahead.ident().filter(|_| !ahead.peek_pair('=', '>'))?;
-    ahead.punct('=').filter(|_| ahead::is_route_of_stops(&ahead))?;
+    ahead.punct('=').filter(|_| lookahead::is_clearly_route(&ahead))?;
     *input = ahead;
     Some((at, "the route stands alone: `ground -> …`"))
 }
@@ -196,7 +197,7 @@ fn block_word(input: &mut Cursor) -> Option<(BlockKeyword, Span)> {
 }
 
 /// A block whose word is close to one of the language, which is reported.
-fn slip_of_block(
+fn misspelt_block(
     input: &mut Cursor,
     diagnostics: &mut Diagnostics,
 ) -> Option<(BlockKeyword, Span)> {
@@ -213,7 +214,7 @@ fn slip_of_block(
 }
 
 /// Whether a parameter is next behind a word that is close to `param`, which is reported.
-fn slip_of_parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
+fn misspelt_parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
     let mut ahead = *input;
     let Some(word) = ahead.ident() else { return false };
     let mut value = ahead;
@@ -243,7 +244,7 @@ fn setting(input: &mut Cursor) -> Option<Ident> {
 fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<ParameterSyntax> {
     let name = input.ident().ok_or_else(|| input.unexpected("the parameter's name"))?;
     let mut behind = *input;
-    let times = match input.group(Delimiter::Bracket) {
+    let repetitions = match input.group(Delimiter::Bracket) {
         // Other brackets, which are reported where the value is missed.
         None if behind.group(Delimiter::Parenthesis).is_some() && behind.peek_punct('=') => {
             diagnostics.push(input.unexpected("`=`"));
@@ -260,7 +261,7 @@ fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Parame
             }))
         }
     };
-    Ok(ParameterSyntax { field: field::field(name, input, diagnostics), times })
+    Ok(ParameterSyntax { field: field::field(name, input, diagnostics), repetitions })
 }
 
 fn block(
@@ -273,10 +274,10 @@ fn block(
     let after_route = def.route.is_some();
     match block_head(input) {
         Ok((names, inside)) => {
-            let Content { fields, points, whole } = field::content(inside, diagnostics);
-            def.blocks.push(BlockSyntax { word, at, names, fields, points, whole, after_route });
+            let Content { fields, points, complete } = field::content(inside, diagnostics);
+            def.blocks.push(BlockSyntax { word, at, names, fields, points, complete, after_route });
         }
-        Err(error) => lose(error, input, def, diagnostics),
+        Err(error) => report_and_skip(error, input, def, diagnostics),
     }
 }
 
@@ -303,12 +304,12 @@ fn unknown(input: &mut Cursor, def: &mut ChainSyntax, diagnostics: &mut Diagnost
                 diagnostics.push(input.unexpected("an item"));
                 return recover::rest(input, route);
             }
-            route.whole = false;
+            route.complete = false;
         }
-        return lose(input.unexpected("an item"), input, def, diagnostics);
+        return report_and_skip(input.unexpected("an item"), input, def, diagnostics);
     };
     if let Some(message) = branch::item(&word) {
-        return lose(Error::new(word.span(), message), input, def, diagnostics);
+        return report_and_skip(Error::new(word.span(), message), input, def, diagnostics);
     }
     let near = nearest(&word.to_string(), ITEMS.iter().chain(SETTINGS).copied());
     let hint = near.map_or_else(
@@ -316,12 +317,17 @@ fn unknown(input: &mut Cursor, def: &mut ChainSyntax, diagnostics: &mut Diagnost
         |near| format!("did you mean `{near}`?"),
     );
     let message = format!("unknown item `{word}`; {hint}");
-    lose(Error::new(word.span(), message), input, def, diagnostics);
+    report_and_skip(Error::new(word.span(), message), input, def, diagnostics);
 }
 
 /// Reports an item that could not be read and goes on behind it.
-fn lose(error: Error, input: &mut Cursor, def: &mut ChainSyntax, diagnostics: &mut Diagnostics) {
+fn report_and_skip(
+    error: Error,
+    input: &mut Cursor,
+    def: &mut ChainSyntax,
+    diagnostics: &mut Diagnostics,
+) {
     diagnostics.push(error);
-    def.whole = false;
+    def.complete = false;
     input.skip_statement();
 }

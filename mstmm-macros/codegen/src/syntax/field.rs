@@ -2,11 +2,11 @@
 
 use proc_macro2::Ident;
 
-use super::ahead::{begins_field, point};
 use super::cursor::Cursor;
+use super::lookahead::{begins_field, point};
 use super::tree::{ExprKind, ExprSyntax, FieldSyntax, ValueSyntax};
 use super::value::written;
-use super::{ahead, attribute};
+use super::{attribute, lookahead};
 use crate::diag::{Diagnostics, nearest};
 
 /// What stands in the braces of a block.
@@ -16,18 +16,18 @@ pub(super) struct Content {
     /// `point name = value;`
     pub points: Vec<FieldSyntax>,
     /// Whether each of them had a name at least.
-    pub whole: bool,
+    pub complete: bool,
 }
 
 /// All that stands in a block. Behind a mistake it goes on with the next field.
 pub(super) fn content(mut inside: Cursor, diagnostics: &mut Diagnostics) -> Content {
-    let mut content = Content { fields: Vec::new(), points: Vec::new(), whole: true };
+    let mut content = Content { fields: Vec::new(), points: Vec::new(), complete: true };
     let mut ends = Ends::default();
     while !inside.is_empty() {
         if let Err(error) = attribute::docs(&mut inside) {
             diagnostics.push(error);
         }
-        let name = point(&mut inside).or_else(|| slip_of_point(&mut inside, diagnostics));
+        let name = point(&mut inside).or_else(|| misspelt_point(&mut inside, diagnostics));
         if let Some(name) = name {
             content.points.push(ends.field(name, &mut inside, diagnostics));
         } else if let Some(name) = inside.ident() {
@@ -37,15 +37,15 @@ pub(super) fn content(mut inside: Cursor, diagnostics: &mut Diagnostics) -> Cont
                 diagnostics.push(inside.unexpected("a field"));
             }
             inside.skip_statement();
-            content.whole = false;
+            content.complete = false;
         }
     }
-    content.whole &= !ends.skipped;
+    content.complete &= !ends.skipped;
     content
 }
 
 /// The name of a point behind a word that is close to `point`, which is reported.
-fn slip_of_point(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<Ident> {
+fn misspelt_point(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<Ident> {
     let mut ahead = *input;
     let word = ahead.ident()?;
     nearest(&word.to_string(), ["point"])?;
@@ -119,7 +119,7 @@ impl Ends {
         if input.punct(';').is_some() {
             return true;
         }
-        let item = ahead::begins_item(input) || ahead::is_route_of_stops(input);
+        let item = lookahead::begins_item(input) || lookahead::is_clearly_route(input);
         if begins_field(input) || input.is_empty() || item {
             if !self.reported {
                 diagnostics.error(input.last().first, "expected `;` after this");
@@ -150,7 +150,7 @@ impl Ends {
     /// Reads on to the end of a field in which a mistake was found: behind its `;`, or to the next
     /// field or item.
     fn skip(&mut self, input: &mut Cursor) {
-        while !input.is_empty() && !begins_field(input) && !ahead::begins_item(input) {
+        while !input.is_empty() && !begins_field(input) && !lookahead::begins_item(input) {
             if input.punct(';').is_some() {
                 return;
             }

@@ -6,12 +6,12 @@
 //!
 #![doc = include_str!("grammar.md")]
 
-mod ahead;
 mod attribute;
 mod branch;
 mod chain;
 mod cursor;
 mod field;
+mod lookahead;
 mod number;
 mod passthrough;
 mod recover;
@@ -48,7 +48,7 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<ChainSyn
     while !input.is_empty() {
         chains.extend(chain::chain(&mut input, diagnostics));
     }
-    tell_apart(&chains, diagnostics);
+    check_unique_types(&chains, diagnostics);
     chains
 }
 
@@ -76,11 +76,11 @@ fn too_deep(tokens: &TokenStream) -> Option<Span> {
 const TYPES: &[&str] = &["", "State", "Inputs", "Parameters", "Workspace"];
 
 /// The types of all chains stand beside each other, so no two may have the same name.
-fn tell_apart(chains: &[ChainSyntax], diagnostics: &mut Diagnostics) {
+fn check_unique_types(chains: &[ChainSyntax], diagnostics: &mut Diagnostics) {
     let mut taken: HashMap<String, Ident> = HashMap::new();
     for chain in chains {
         let types = TYPES.iter().map(|suffix| format!("{}{suffix}", chain.name));
-        let types: Vec<String> = types.chain(types_of_results(chain)).collect();
+        let types: Vec<String> = types.chain(result_types(chain)).collect();
         let clash = types.iter().find_map(|name| Some((name, taken.get(name)?)));
         if let Some((name, other)) = clash {
             let message = match *other == chain.name {
@@ -95,7 +95,7 @@ fn tell_apart(chains: &[ChainSyntax], diagnostics: &mut Diagnostics) {
 }
 
 /// The types of results at bodies with named points.
-fn types_of_results(chain: &ChainSyntax) -> impl Iterator<Item = String> {
+fn result_types(chain: &ChainSyntax) -> impl Iterator<Item = String> {
     let bodies = chain.blocks.iter().filter(|block| !block.points.is_empty());
     bodies.flat_map(|block| &block.names).map(|name| format!("{}{name}Result", chain.name))
 }
@@ -105,6 +105,6 @@ fn types_of_results(chain: &ChainSyntax) -> impl Iterator<Item = String> {
 pub(crate) fn keywords() -> Vec<&'static str> {
     let blocks = chain::BLOCKS.iter().map(|(word, _)| *word);
     let dimensions = chain::DIMENSIONS.iter().map(|(word, _)| *word);
-    let lists = [ahead::ITEMS, SETTINGS, FORMS, FUNCTIONS, route_item::AXES].concat();
+    let lists = [lookahead::ITEMS, SETTINGS, FORMS, FUNCTIONS, route_item::AXES].concat();
     blocks.chain(dimensions).chain(lists).collect()
 }

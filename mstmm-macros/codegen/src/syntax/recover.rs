@@ -5,26 +5,26 @@ use proc_macro2::{Delimiter, Span};
 
 use super::cursor::Cursor;
 use super::tree::{RepeatSyntax, RouteItemSyntax, RouteSyntax};
-use super::{ahead, number, route_item};
+use super::{lookahead, number, route_item};
 use crate::diag::{Diagnostics, nearest};
 
 /// Reads what is left of a route behind an error, for the names in it: nothing more is reported.
 pub(super) fn rest(input: &mut Cursor, read: &mut RouteSyntax) {
-    read.whole = false;
+    read.complete = false;
     let mut inside = *input;
     input.skip_statement();
-    while !inside.is_empty() && inside.punct(';').is_none() && !ahead::begins_block(&inside) {
+    while !inside.is_empty() && inside.punct(';').is_none() && !lookahead::begins_block(&inside) {
         match repeated(&mut inside) {
             Some((at, count, mut part)) => {
-                let start = read.stops.len();
+                let start = read.items.len();
                 while !part.is_empty() {
-                    doubtful(&mut part, read);
+                    after_error(&mut part, read);
                 }
-                if read.stops.len() > start {
-                    read.repeats.push(RepeatSyntax { at, count, stops: start..read.stops.len() });
+                if read.items.len() > start {
+                    read.repeats.push(RepeatSyntax { at, count, items: start..read.items.len() });
                 }
             }
-            None => doubtful(&mut inside, read),
+            None => after_error(&mut inside, read),
         }
     }
 }
@@ -47,14 +47,14 @@ fn repeated<'a>(input: &mut Cursor<'a>) -> Option<(Span, Option<usize>, Cursor<'
 }
 
 /// A stop behind an error, or a token that begins none.
-pub(super) fn doubtful(input: &mut Cursor, read: &mut RouteSyntax) {
+pub(super) fn after_error(input: &mut Cursor, read: &mut RouteSyntax) {
     let mut ahead = *input;
-    match route_item::stop(&mut ahead, &mut Diagnostics::default()) {
-        Ok(mut stop) => {
-            if let RouteItemSyntax::Element { doubtful, .. } = &mut stop {
-                *doubtful = true;
+    match route_item::route_item(&mut ahead, &mut Diagnostics::default()) {
+        Ok(mut item) => {
+            if let RouteItemSyntax::Element { after_error, .. } = &mut item {
+                *after_error = true;
             }
-            read.stops.push(stop);
+            read.items.push(item);
             *input = ahead;
         }
         Err(_) => _ = input.any(),
@@ -62,7 +62,7 @@ pub(super) fn doubtful(input: &mut Cursor, read: &mut RouteSyntax) {
 }
 
 /// A word that is close to `repeat` with a count and braces behind it, which is reported.
-pub(super) fn slip_of_repeat(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<Span> {
+pub(super) fn misspelt_repeat(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<Span> {
     let mut ahead = *input;
     let word = ahead.ident()?;
     nearest(&word.to_string(), ["repeat"])?;

@@ -5,27 +5,27 @@ use syn::{Error, Result};
 
 use super::cursor::Cursor;
 use super::number::count;
-use super::recover::{self, doubtful};
-use super::route_item::stop;
+use super::recover::{self, after_error};
+use super::route_item::route_item;
 use super::separators::Separators;
 use super::tree::{RepeatSyntax, RouteItemSyntax, RouteSyntax};
-use super::{ahead, branch};
+use super::{branch, lookahead};
 use crate::diag::Diagnostics;
 
 /// All stops up to and with the `;`. Behind a mistake it goes on with the next statement.
 pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> RouteSyntax {
     let mut route =
-        RouteSyntax { stops: Vec::new(), repeats: Vec::new(), whole: true, further: Vec::new() };
+        RouteSyntax { items: Vec::new(), repeats: Vec::new(), complete: true, further: Vec::new() };
     let mut separators = Separators::default();
     loop {
         let before = *input;
-        let word = input.word("repeat").or_else(|| recover::slip_of_repeat(input, diagnostics));
+        let word = input.word("repeat").or_else(|| recover::misspelt_repeat(input, diagnostics));
         let read = if let Some(at) = word {
             repeat(at, input, &mut route, &mut separators, diagnostics)
         } else if let Some(group) = branch::group(input) {
             branch::branches(group, &mut route, diagnostics)
         } else {
-            stop(input, diagnostics).map(|stop| route.stops.push(stop))
+            route_item(input, diagnostics).map(|item| route.items.push(item))
         };
         if let Err(error) = read {
             diagnostics.push(error);
@@ -37,17 +37,17 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> RouteS
         if input.punct(';').is_some() {
             return route;
         }
-        if ahead::begins_item(input) || input.is_empty() {
+        if lookahead::begins_item(input) || input.is_empty() {
             diagnostics.error(input.last().first, "expected `;` after this");
             return route;
         }
         let joined = separators.read(input, diagnostics);
-        route.whole &= !separators.branches;
+        route.complete &= !separators.branches;
         if !joined {
             diagnostics.push(input.unexpected("`->` or `;`"));
             // The last stop is as likely the mistake as what stands behind it.
-            if let Some(RouteItemSyntax::Element { doubtful, .. }) = route.stops.last_mut() {
-                *doubtful = true;
+            if let Some(RouteItemSyntax::Element { after_error, .. }) = route.items.last_mut() {
+                *after_error = true;
             }
             recover::rest(input, &mut route);
             return route;
@@ -66,7 +66,7 @@ fn repeat(
 ) -> Result<()> {
     let count = count("how many times", input)?;
     let (inside, braces) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
-    let start = route.stops.len();
+    let start = route.items.len();
     let read = if inside.is_empty() {
         let message = format!("nothing is repeated here: {}", RepeatSyntax::EXAMPLE);
         Err(Error::new_spanned(braces, message))
@@ -78,7 +78,7 @@ fn repeat(
             route.repeats.push(RepeatSyntax {
                 at,
                 count: Some(count),
-                stops: start..route.stops.len(),
+                items: start..route.items.len(),
             });
         }
         (count, read) => {
@@ -86,10 +86,10 @@ fn repeat(
             for error in [count.err(), read.err()].into_iter().flatten() {
                 diagnostics.push(error);
             }
-            route.whole = false;
-            let stops = start..route.stops.len();
-            if !stops.is_empty() {
-                route.repeats.push(RepeatSyntax { at, count: times, stops });
+            route.complete = false;
+            let items = start..route.items.len();
+            if !items.is_empty() {
+                route.repeats.push(RepeatSyntax { at, count: times, items });
             }
         }
     }
@@ -107,14 +107,14 @@ fn contents(
         if let Some(at) = inside.word("repeat") {
             return Err(Error::new(at, "`repeat` cannot stand within `repeat`"));
         }
-        route.stops.push(stop(&mut inside, diagnostics)?);
+        route.items.push(route_item(&mut inside, diagnostics)?);
         if inside.is_empty() {
             return Ok(());
         }
         if !separators.read(&mut inside, diagnostics) {
             let error = inside.unexpected("`->` or `}`");
             while !inside.is_empty() {
-                doubtful(&mut inside, route);
+                after_error(&mut inside, route);
             }
             return Err(error);
         }

@@ -3,8 +3,8 @@
 use proc_macro2::{Delimiter, Ident, TokenTree};
 use syn::Result;
 
-use super::ahead::name;
 use super::cursor::Cursor;
+use super::lookahead::name;
 use super::tree::{ArgumentsSyntax, RouteItemSyntax, ValueSyntax};
 use super::value;
 use crate::diag::Diagnostics;
@@ -13,7 +13,10 @@ use crate::diag::Diagnostics;
 pub(super) const AXES: &[&str] = &["x", "y", "z"];
 
 /// A stop.
-pub(super) fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<RouteItemSyntax> {
+pub(super) fn route_item(
+    input: &mut Cursor,
+    diagnostics: &mut Diagnostics,
+) -> Result<RouteItemSyntax> {
     if let Some(at) = input.word("ground") {
         let position =
             if input.word("at").is_some() { Some(value::position(input)?.into()) } else { None };
@@ -52,7 +55,7 @@ pub(super) fn stop(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<
         diagnostics.error(at, format!("write `{word}({written}) {name}`"));
         arguments = Some(behind);
     }
-    Ok(RouteItemSyntax::Element { word, arguments, name, place, doubtful: false })
+    Ok(RouteItemSyntax::Element { word, arguments, name, place, after_error: false })
 }
 
 /// Refuses a place behind a moving end.

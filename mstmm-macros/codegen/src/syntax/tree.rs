@@ -25,7 +25,7 @@ pub struct ChainSyntax {
     /// The route; missing if there is none.
     pub route: Option<RouteSyntax>,
     /// Whether every item could be read. If not, nothing is missed on its account.
-    pub whole: bool,
+    pub complete: bool,
 }
 
 /// Which word stands before `chain`.
@@ -45,7 +45,7 @@ pub struct ParameterSyntax {
     /// Name and value.
     pub field: FieldSyntax,
     /// How many there are, if it is one for every time of a repeated part.
-    pub times: Option<usize>,
+    pub repetitions: Option<usize>,
 }
 
 /// `name = value;`
@@ -84,7 +84,7 @@ pub struct BlockSyntax {
     /// `point name = …;`
     pub points: Vec<FieldSyntax>,
     /// Whether every field has a name. If not, none is missed on its account.
-    pub whole: bool,
+    pub complete: bool,
     /// Whether it stands behind the route.
     pub after_route: bool,
 }
@@ -93,11 +93,11 @@ pub struct BlockSyntax {
 #[derive(Debug)]
 pub struct RouteSyntax {
     /// In the order written; those that are repeated stand here once.
-    pub stops: Vec<RouteItemSyntax>,
+    pub items: Vec<RouteItemSyntax>,
     /// The parts of it that are repeated, in the order written.
     pub repeats: Vec<RepeatSyntax>,
     /// Whether all of it could be read. If not, nothing is missed on its account.
-    pub whole: bool,
+    pub complete: bool,
     /// Routes that are written after the first one, an error. Their stops are here too, so that the
     /// names on them are known.
     pub further: Vec<FurtherRoute>,
@@ -106,20 +106,20 @@ pub struct RouteSyntax {
 impl RouteSyntax {
     /// Adds a route that is written after this one and begins at this token.
     pub fn add(&mut self, at: Span, other: RouteSyntax) {
-        let start = self.stops.len();
-        let moved = |stops: Range<usize>| start + stops.start..start + stops.end;
+        let start = self.items.len();
+        let moved = |items: Range<usize>| start + items.start..start + items.end;
         self.further.push(FurtherRoute { at, start });
-        self.stops.extend(other.stops);
+        self.items.extend(other.items);
         let repeats = other.repeats.into_iter();
         self.repeats
-            .extend(repeats.map(|repeat| RepeatSyntax { stops: moved(repeat.stops), ..repeat }));
+            .extend(repeats.map(|repeat| RepeatSyntax { items: moved(repeat.items), ..repeat }));
         // The two may be parts of one.
-        self.whole = false;
+        self.complete = false;
     }
 
     /// How many stops the first route has.
     pub fn first_end(&self) -> usize {
-        self.further.first().map_or(self.stops.len(), |further| further.start)
+        self.further.first().map_or(self.items.len(), |further| further.start)
     }
 }
 
@@ -132,7 +132,7 @@ pub struct FurtherRoute {
     pub start: usize,
 }
 
-/// `repeat count { stop -> … }`
+/// `repeat count { item -> … }`
 #[derive(Debug)]
 pub struct RepeatSyntax {
     /// Where the word stands.
@@ -140,7 +140,7 @@ pub struct RepeatSyntax {
     /// How many times its stops stand in a row, at least once; missing where it could not be read.
     pub count: Option<usize>,
     /// Its stops, at least one, among those of the route.
-    pub stops: Range<usize>,
+    pub items: Range<usize>,
 }
 
 impl RepeatSyntax {
@@ -183,7 +183,7 @@ pub enum RouteItemSyntax {
         /// Where a place on it is written, as in `crank.lug` or `crank at lug`, an error.
         place: Option<Span>,
         /// Whether it follows on an error, so that no word of it is judged.
-        doubtful: bool,
+        after_error: bool,
     },
 }
 

@@ -3,8 +3,8 @@
 use proc_macro2::{Delimiter, Span};
 use syn::{Error, Result};
 
-use super::ahead;
 use super::cursor::Cursor;
+use super::lookahead;
 use super::tree::{SpanRange, UnitFactorSyntax, UnitSyntax};
 
 /// Words that may stand behind a number without being its unit.
@@ -110,7 +110,7 @@ fn sign_before_unit(input: &mut Cursor) -> Option<i32> {
 /// Whether the next word is a unit by its place: known or not, it is no field, path or call.
 fn is_next(input: &Cursor) -> bool {
     let mut ahead = *input;
-    !ahead::begins_item(input)
+    !lookahead::begins_item(input)
         && ahead.ident().is_some_and(|word| !NOT_UNITS.iter().any(|other| word == other))
         && !ahead.peek_punct('=')
         && !ahead.peek_pair(':', ':')

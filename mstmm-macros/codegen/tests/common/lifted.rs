@@ -59,7 +59,7 @@ impl Lift {
         let is_it = |it: &Parameter| it.name == name;
         let index = self.parameters.iter().position(is_it).unwrap_or_else(|| {
             let (default, unit) = (Value::Number(number), String::new());
-            self.parameters.push(Parameter { name, default, unit, times: None });
+            self.parameters.push(Parameter { name, default, unit, repetitions: None });
             self.parameters.len() - 1
         });
         Value::Symbol(Symbol::Parameter(index))

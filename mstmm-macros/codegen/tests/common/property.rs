@@ -9,15 +9,15 @@ use quote::quote;
 /// has no tokens.
 pub fn check(text: &str) -> Option<bool> {
     let tokens = without_brackets(text.parse().ok()?);
-    let Expansion { items, mistakes, .. } = mstmm_codegen::expand(tokens, &quote!(::mstmm));
+    let Expansion { items, errors, .. } = mstmm_codegen::expand(tokens, &quote!(::mstmm));
     let parsed = syn::parse2::<syn::File>(items);
     let file = parsed.unwrap_or_else(|error| panic!("the code does not parse: {error}"));
-    let Some(mistakes) = mistakes else {
-        assert!(!file.items.is_empty(), "neither code nor mistakes");
+    let Some(errors) = errors else {
+        assert!(!file.items.is_empty(), "neither code nor errors");
         return Some(true);
     };
-    let messages: Vec<String> = mistakes.into_iter().map(|error| error.to_string()).collect();
-    assert!(!messages.is_empty(), "mistakes without a message");
+    let messages: Vec<String> = errors.into_iter().map(|error| error.to_string()).collect();
+    assert!(!messages.is_empty(), "errors without a message");
     assert!(messages.iter().all(|message| !message.trim().is_empty()), "{messages:?}");
     Some(false)
 }

@@ -121,7 +121,7 @@ impl Twins {
         let of = |argument| match argument {
             Argument::Parameter(parameter) => {
                 let parameter = &repeated.chain.parameters[parameter.index()];
-                gathered(parameter.times, &parameter.name.to_string(), &|name| {
+                gathered(parameter.repetitions, &parameter.name.to_string(), &|name| {
                     let index = written.chain.parameters.iter().position(|it| it.name == name);
                     Argument::Parameter(ParameterId(index.expect("the same parameter")))
                 })

@@ -69,7 +69,7 @@ fn linearized_efforts<S: Scalar>(
     let rest: Vec<S> = hinge.rest.iter().map(|value| numbers.scalar(value)).collect();
     let strains = strains_from_rest(&hinge.kind, &rest, q);
     let (mut efforts, mut energy) = (Vec::new(), S::zero());
-    for group in hinge.kind.shape().groups {
+    for group in hinge.kind.spec().groups {
         let (along, stored) = group_efforts(&GroupState {
             group,
             passive: &hinge.passive[group.rates.clone()],
@@ -104,7 +104,7 @@ fn strains_from_rest<S: Scalar>(kind: &HingeKind, rest: &[S], q: &[S]) -> Vec<S>
             Representation::Quaternion => ball::rotation_vector(rest, q).0.to_vec(),
         }
     };
-    kind.shape().groups.iter().flat_map(group).collect::<Vec<S>>()
+    kind.spec().groups.iter().flat_map(group).collect::<Vec<S>>()
 }
 
 /// `J̇ v`, the strain accelerations that the rates alone make, where a rotor feels them.

@@ -8,22 +8,22 @@ use crate::model::rules::MASS;
 
 /// A type of body that is on no route is a slip, most likely of the route.
 pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let lost = |stop: &RouteItem| {
+    let lost = |item: &RouteItem| {
         matches!(
-            stop,
+            item,
             RouteItem::Unknown { .. }
-                | RouteItem::Again { .. }
+                | RouteItem::Duplicate { .. }
                 | RouteItem::Body { body_type: None, .. }
         )
     };
-    let stops = whole_route(draft);
-    if stops.is_empty() || stops.iter().any(lost) {
+    let items = whole_route(draft);
+    if items.is_empty() || items.iter().any(lost) {
         return;
     }
     for body in &draft.types {
         let uses =
-            |stop: &RouteItem| matches!(stop, RouteItem::Body { word, .. } if *word == body.name);
-        if !draft.stops.iter().any(uses) {
+            |item: &RouteItem| matches!(item, RouteItem::Body { word, .. } if *word == body.name);
+        if !draft.items.iter().any(uses) {
             let message = format!("body `{}` is not on the route", body.name);
             diagnostics.error(body.name.span(), message);
         }
@@ -33,23 +33,23 @@ pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
 /// A type of body has mass, centre of mass and inertia, and an output if something follows it.
 pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
     // A last hinge, which joins nothing, needs no output to be joined to.
-    let is_hinge = |stop: &RouteItem| matches!(stop, RouteItem::Hinge { .. });
-    let joined = draft.stops.iter().rposition(|stop| !is_hinge(stop)).map_or(0, |last| last + 1);
-    let (last, stops) = match draft.stops[..joined].split_last() {
-        Some((last, stops)) => (Some(last), stops),
-        None => (None, &draft.stops[..]),
+    let is_hinge = |item: &RouteItem| matches!(item, RouteItem::Hinge { .. });
+    let joined = draft.items.iter().rposition(|item| !is_hinge(item)).map_or(0, |last| last + 1);
+    let (last, items) = match draft.items[..joined].split_last() {
+        Some((last, items)) => (Some(last), items),
+        None => (None, &draft.items[..]),
     };
     let last_is_followed = draft.def.route.iter().flat_map(|route| &route.repeats).any(|repeat| {
         // By its own hinge, but for the last time.
-        repeat.count.is_some_and(|count| count > 1) && repeat.stops.end >= joined
+        repeat.count.is_some_and(|count| count > 1) && repeat.items.end >= joined
     });
     // In a route with errors nobody knows which bodies are followed by a hinge.
-    let is_again = |stop: &RouteItem| matches!(stop, RouteItem::Again { .. });
-    let is_whole = draft.def.route.as_ref().is_some_and(|route| route.whole)
-        && !draft.stops.iter().any(is_again);
+    let is_again = |item: &RouteItem| matches!(item, RouteItem::Duplicate { .. });
+    let is_whole = draft.def.route.as_ref().is_some_and(|route| route.complete)
+        && !draft.items.iter().any(is_again);
     for (index, body) in draft.types.iter().enumerate() {
-        let is_it = |stop: &RouteItem| matches!(stop, RouteItem::Body { body_type, .. } if *body_type == Some(index));
-        let is_followed = stops.iter().any(is_it) || (last_is_followed && last.is_some_and(is_it));
+        let is_it = |item: &RouteItem| matches!(item, RouteItem::Body { body_type, .. } if *body_type == Some(index));
+        let is_followed = items.iter().any(is_it) || (last_is_followed && last.is_some_and(is_it));
         let missing: Vec<_> =
             body.missing(is_followed && is_whole).iter().map(|name| format!("`{name}`")).collect();
         if !missing.is_empty() {

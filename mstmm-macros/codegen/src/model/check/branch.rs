@@ -6,12 +6,12 @@ use proc_macro2::Ident;
 /// What to say of a route that is written after the first one.
 pub(super) fn of_route(first: &[RouteItem], further: &[RouteItem]) -> String {
     let is_moving = |name: &Ident| {
-        let is_it = |stop: &RouteItem| matches!(stop, RouteItem::Moving { name: Some(end), .. } if *end == name);
+        let is_it = |item: &RouteItem| matches!(item, RouteItem::Moving { name: Some(end), .. } if *end == name);
         first.iter().any(is_it)
     };
     // The same moving end may hold several chains.
-    let mut again = further.iter().filter_map(|stop| match stop {
-        RouteItem::Again { name } if !is_moving(name) => Some(*name),
+    let mut again = further.iter().filter_map(|item| match item {
+        RouteItem::Duplicate { name } if !is_moving(name) => Some(*name),
         _ => None,
     });
     let (again, other) = (again.next(), again.next());
@@ -20,10 +20,10 @@ pub(super) fn of_route(first: &[RouteItem], further: &[RouteItem]) -> String {
             "a chain closes over the ground or a moving end only, not from `{name}`: \
              hold the two bodies together by two loads with `force = input`"
         ),
-        (Some(name), [RouteItem::Again { .. }, ..]) if is_last(first, name) => {
+        (Some(name), [RouteItem::Duplicate { .. }, ..]) if is_last(first, name) => {
             format!("a chain has one route: go on with `-> …` in place of the `;` after `{name}`")
         }
-        (Some(name), [RouteItem::Again { .. }, ..]) if is_first(first, name) => format!(
+        (Some(name), [RouteItem::Duplicate { .. }, ..]) if is_first(first, name) => format!(
             "a chain has no branches, but a route can pass through `{name}`: \
              begin it at the free end of one branch, as in `… -> {name} -> …`"
         ),
@@ -36,7 +36,7 @@ pub(super) fn of_route(first: &[RouteItem], further: &[RouteItem]) -> String {
              before this"
                 .into()
         }
-        (None, [RouteItem::Ground { .. } | RouteItem::Moving { .. } | RouteItem::Again { .. }, ..]) => {
+        (None, [RouteItem::Ground { .. } | RouteItem::Moving { .. } | RouteItem::Duplicate { .. }, ..]) => {
             "a chain has one route: write this one as a second chain; a loop over the ground is one \
              route, `ground -> … -> ground at […]`"
                 .into()
@@ -45,18 +45,18 @@ pub(super) fn of_route(first: &[RouteItem], further: &[RouteItem]) -> String {
     }
 }
 
-fn is_called(stop: Option<&RouteItem>, name: &Ident) -> bool {
-    matches!(stop, Some(body @ RouteItem::Body { .. }) if body.name() == Some(name))
+fn is_called(item: Option<&RouteItem>, name: &Ident) -> bool {
+    matches!(item, Some(body @ RouteItem::Body { .. }) if body.name() == Some(name))
 }
 
 /// Whether this body is the last stop.
-fn is_last(stops: &[RouteItem], name: &Ident) -> bool {
-    is_called(stops.last(), name)
+fn is_last(items: &[RouteItem], name: &Ident) -> bool {
+    is_called(items.last(), name)
 }
 
 /// Whether this body is the first stop.
-fn is_first(stops: &[RouteItem], name: &Ident) -> bool {
-    is_called(stops.first(), name)
+fn is_first(items: &[RouteItem], name: &Ident) -> bool {
+    is_called(items.first(), name)
 }
 
 /// Whether a route may be the rest of the first one: a hinge follows on a body, or a body on a hinge.

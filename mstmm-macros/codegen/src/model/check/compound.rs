@@ -21,8 +21,8 @@ pub(super) fn advice(hinges: &[RouteItem], defaults: &[Option<f64>]) -> String {
 fn compound(hinges: &[RouteItem], defaults: &[Option<f64>]) -> Option<&'static str> {
     let kinds: Option<Vec<&HingeKind>> = hinges
         .iter()
-        .map(|stop| match stop {
-            RouteItem::Hinge { frees: Some(Spanned { value, .. }), .. } => Some(value),
+        .map(|item| match item {
+            RouteItem::Hinge { hinge_kind: Some(Spanned { value, .. }), .. } => Some(value),
             _ => None,
         })
         .collect();

@@ -14,8 +14,10 @@ const PARALLEL: f64 = 1e-6;
 fn hinges<'d>(
     draft: &'d Draft,
 ) -> impl Iterator<Item = (&'d Spanned<HingeKind>, Option<&'d ArgumentsSyntax>)> {
-    draft.stops.iter().filter_map(|stop| match stop {
-        RouteItem::Hinge { frees: Some(frees), arguments, .. } => Some((frees, *arguments)),
+    draft.items.iter().filter_map(|item| match item {
+        RouteItem::Hinge { hinge_kind: Some(hinge_kind), arguments, .. } => {
+            Some((hinge_kind, *arguments))
+        }
         _ => None,
     })
 }
@@ -90,12 +92,12 @@ fn cross([a, b, c]: &[Value; 3], [x, y, z]: &[Value; 3]) -> [Value; 3] {
 pub(super) fn elastic_pitches_are_less_than_a_right_angle(draft: &Draft) -> Vec<Requirement> {
     let mut seen: Vec<&FieldSyntax> = Vec::new();
     let mut requirements = Vec::new();
-    for (stop, properties) in draft.stops.iter().zip(&draft.properties) {
-        let (RouteItem::Hinge { shape, .. }, Some(motion)) = (stop, &properties.motion) else {
+    for (item, properties) in draft.items.iter().zip(&draft.properties) {
+        let (RouteItem::Hinge { spec, .. }, Some(motion)) = (item, &properties.motion) else {
             continue;
         };
         let Some(group) =
-            shape.groups.iter().find(|group| group.representation == Representation::Angles)
+            spec.groups.iter().find(|group| group.representation == Representation::Angles)
         else {
             continue;
         };
@@ -133,14 +135,14 @@ fn pitch_of(field: &FieldSyntax) -> SpanRange {
 /// start.
 pub(super) fn motions_are_given_alone(draft: &Draft, diagnostics: &mut Diagnostics) {
     let mut reported: Vec<&FieldSyntax> = Vec::new();
-    for (stop, properties) in draft.stops.iter().zip(&draft.properties) {
-        let (RouteItem::Hinge { shape, .. }, Some(motion)) = (stop, &properties.motion) else {
+    for (item, properties) in draft.items.iter().zip(&draft.properties) {
+        let (RouteItem::Hinge { spec, .. }, Some(motion)) = (item, &properties.motion) else {
             continue;
         };
         if motion.drive != Drive::Prescribed {
             continue;
         }
-        let names = groups(shape).flat_map(|(_, words)| [words.effort, words.start_rate]);
+        let names = groups(spec).flat_map(|(_, words)| [words.effort, words.start_rate]);
         let fields = names.chain(["start"]).filter_map(|name| properties.fields.get(name));
         for field in fields {
             if reported.iter().any(|other| std::ptr::eq(*other, field)) {

@@ -73,21 +73,21 @@ fn names<'a>(draft: &'a Draft) -> Vec<UsedName<'a>> {
     let parameters = draft.def.parameters.iter();
     let plain = |ident| UsedName { ident, made: false, also: &[], twice: "" };
     let parameters = parameters.map(|def| plain(&def.field.name));
-    let stops = draft.stops.iter().enumerate().filter_map(|(index, stop)| {
-        let made = matches!(stop, RouteItem::Body { named: false, .. });
+    let items = draft.items.iter().enumerate().filter_map(|(index, item)| {
+        let made = matches!(item, RouteItem::Body { named: false, .. });
         let repeated =
-            repeat_around(draft, index).is_some() && matches!(stop, RouteItem::Hinge { .. });
+            repeat_around(draft, index).is_some() && matches!(item, RouteItem::Hinge { .. });
         let also = if repeated { REPEATED } else { CHANGED };
         let twice = if made { "; write a name after the type" } else { twice(draft, index) };
-        Some(UsedName { ident: stop.name()?, made, also, twice })
+        Some(UsedName { ident: item.name()?, made, also, twice })
     });
     let acting = acting(draft).map(plain);
-    parameters.chain(stops).chain(acting).collect()
+    parameters.chain(items).chain(acting).collect()
 }
 
 /// What to say of a stop by the name of one before it, if it may be meant to close a loop there.
 fn twice(draft: &Draft, index: usize) -> &'static str {
-    let (before, behind) = draft.stops.split_at(index);
+    let (before, behind) = draft.items.split_at(index);
     let is_same = |other: &RouteItem| other.name() == behind.first().and_then(RouteItem::name);
     match behind {
         [RouteItem::Body { word, .. }]

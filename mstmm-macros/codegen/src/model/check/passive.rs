@@ -9,11 +9,11 @@ use crate::syntax::{FieldSyntax, SpanRange, ValueSyntax};
 
 /// Fields that say nothing without another one.
 const NEEDED: &[(FieldName, FieldName)] = &[
-    (|words| words.friction, |words| words.friction_speed),
-    (|words| words.limits, |words| words.limit_stiffness),
-    (|words| words.friction_speed, |words| words.friction),
-    (|words| words.limit_stiffness, |words| words.limits),
-    (|words| words.limit_damping, |words| words.limits),
+    (|names| names.friction, |names| names.friction_speed),
+    (|names| names.limits, |names| names.limit_stiffness),
+    (|names| names.friction_speed, |names| names.friction),
+    (|names| names.limit_stiffness, |names| names.limits),
+    (|names| names.limit_damping, |names| names.limits),
 ];
 
 type FieldName = fn(&FieldNames) -> &'static str;
@@ -21,21 +21,21 @@ type FieldName = fn(&FieldNames) -> &'static str;
 /// What is said of a group of degrees of freedom.
 struct PassiveGroup<'d> {
     fields: &'d Fields<'d>,
-    words: &'static FieldNames,
+    names: &'static FieldNames,
     representation: Representation,
     passive: &'d [Passive],
 }
 
 /// All groups of all hinges that could be read.
 fn all_groups<'d>(draft: &'d Draft) -> impl Iterator<Item = PassiveGroup<'d>> {
-    let hinges = draft.stops.iter().zip(&draft.properties).filter_map(|(stop, properties)| {
-        let RouteItem::Hinge { shape, .. } = stop else { return None };
-        Some((*shape, &properties.fields, properties.motion.as_ref()?))
+    let hinges = draft.items.iter().zip(&draft.properties).filter_map(|(item, properties)| {
+        let RouteItem::Hinge { spec, .. } = item else { return None };
+        Some((*spec, &properties.fields, properties.motion.as_ref()?))
     });
-    hinges.flat_map(|(shape, fields, motion)| {
-        groups(shape).map(move |(group, words)| {
+    hinges.flat_map(|(spec, fields, motion)| {
+        groups(spec).map(move |(group, names)| {
             let passive = &motion.passive[group.rates.clone()];
-            PassiveGroup { fields, words, representation: group.representation, passive }
+            PassiveGroup { fields, names, representation: group.representation, passive }
         })
     })
 }
@@ -62,10 +62,10 @@ impl<'d> Once<'d> {
 /// Friction needs the speed that makes it smooth, limits their stiffness; neither is of use alone.
 pub(super) fn friction_and_limits_are_complete(draft: &Draft, diagnostics: &mut Diagnostics) {
     let mut once = Once::default();
-    for PassiveGroup { fields, words, .. } in all_groups(draft) {
+    for PassiveGroup { fields, names, .. } in all_groups(draft) {
         for (given, needed) in NEEDED {
-            let needed = needed(words);
-            if let Some(field) = fields.get(given(words))
+            let needed = needed(names);
+            if let Some(field) = fields.get(given(names))
                 && fields.lacks(needed)
                 && once.is_new(field, 0)
             {
@@ -89,10 +89,10 @@ pub(super) fn speeds_and_limits_are_positive(draft: &Draft) -> Vec<Requirement> 
 fn requirements(draft: &Draft, must: Bound) -> Vec<Requirement> {
     let mut once = Once::default();
     let mut requirements = Vec::new();
-    for PassiveGroup { fields, words, passive, .. } in all_groups(draft) {
+    for PassiveGroup { fields, names, passive, .. } in all_groups(draft) {
         for PassiveRule { rule, field, number } in PASSIVE.iter().filter(|it| it.rule.must == must)
         {
-            let Some(field) = fields.get(field(words)) else { continue };
+            let Some(field) = fields.get(field(names)) else { continue };
             for (index, passive) in passive.iter().enumerate() {
                 if let Some(value) = number(passive)
                     && let Some((entry, at)) = entry(field, index)
@@ -118,9 +118,9 @@ fn entry(field: &FieldSyntax, strain: usize) -> Option<(usize, SpanRange)> {
 pub(super) fn limits_are_in_order(draft: &Draft) -> Vec<Requirement> {
     let mut once = Once::default();
     let mut requirements = Vec::new();
-    for PassiveGroup { fields, words, representation, passive } in all_groups(draft) {
+    for PassiveGroup { fields, names, representation, passive } in all_groups(draft) {
         let limits = passive.first().and_then(|passive| passive.limits.as_ref());
-        if let (Some(field), Some(limits)) = (fields.get(words.limits), limits)
+        if let (Some(field), Some(limits)) = (fields.get(names.limits), limits)
             && let Some(written) = &field.value
             && once.is_new(field, 0)
         {

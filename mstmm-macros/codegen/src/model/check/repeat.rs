@@ -9,15 +9,15 @@ use crate::syntax::RepeatSyntax;
 fn repeats<'d, 'a>(
     draft: &'d Draft<'a>,
 ) -> impl Iterator<Item = (&'d RepeatSyntax, &'d [RouteItem<'a>])> {
-    let stops = whole_route(draft);
+    let items = whole_route(draft);
     let written = draft.def.route.iter().flat_map(|route| &route.repeats);
-    written.filter_map(|repeat| Some((repeat, stops.get(repeat.stops.clone())?)))
+    written.filter_map(|repeat| Some((repeat, items.get(repeat.items.clone())?)))
 }
 
 /// The first hinge of a repeated part joins it to what stands before.
 pub(super) fn repeats_follow_something(draft: &Draft, diagnostics: &mut Diagnostics) {
     for (repeat, _) in repeats(draft) {
-        if repeat.stops.start == 0 {
+        if repeat.items.start == 0 {
             let message = "a route cannot begin with `repeat`: \
                            begin it with a body, with `ground` or with `moving`";
             diagnostics.error(repeat.at, message);
@@ -30,17 +30,17 @@ pub(super) fn repeats_begin_with_a_hinge_and_end_with_a_body(
     draft: &Draft,
     diagnostics: &mut Diagnostics,
 ) {
-    for (_, stops) in repeats(draft) {
-        let (first, last) = (stops.first(), stops.last());
+    for (_, items) in repeats(draft) {
+        let (first, last) = (items.first(), items.last());
         let wrong = [
             (
-                first.filter(|stop| matches!(stop, RouteItem::Body { body_type: Some(_), .. })),
+                first.filter(|item| matches!(item, RouteItem::Body { body_type: Some(_), .. })),
                 "begins with a hinge",
             ),
-            (last.filter(|stop| matches!(stop, RouteItem::Hinge { .. })), "ends with a body"),
+            (last.filter(|item| matches!(item, RouteItem::Hinge { .. })), "ends with a body"),
         ];
-        for (stop, verdict) in wrong {
-            if let Some((at, name)) = stop.and_then(called) {
+        for (item, verdict) in wrong {
+            if let Some((at, name)) = item.and_then(called) {
                 let example = RepeatSyntax::EXAMPLE;
                 let message = format!("`repeat` {verdict}, not with {name}: {example}");
                 diagnostics.error(at, message);
@@ -51,8 +51,8 @@ pub(super) fn repeats_begin_with_a_hinge_and_end_with_a_body(
 
 /// An end of the chain is there once.
 pub(super) fn repeats_hold_no_ends(draft: &Draft, diagnostics: &mut Diagnostics) {
-    for stop in repeats(draft).flat_map(|(_, stops)| stops) {
-        let (at, word) = match stop {
+    for item in repeats(draft).flat_map(|(_, items)| items) {
+        let (at, word) = match item {
             RouteItem::Ground { at, .. } => (*at, "ground"),
             RouteItem::Moving { at, .. } => (*at, "moving"),
             _ => continue,
@@ -63,13 +63,13 @@ pub(super) fn repeats_hold_no_ends(draft: &Draft, diagnostics: &mut Diagnostics)
 
 /// A repeated part is run through from the side that the chain is held at, or floats from: its start.
 pub(super) fn repeats_follow_the_held_end(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let stops = whole_route(draft);
-    let [RouteItem::Body { .. }, .., RouteItem::Ground { .. } | RouteItem::Moving { .. }] = stops
+    let items = whole_route(draft);
+    let [RouteItem::Body { .. }, .., RouteItem::Ground { .. } | RouteItem::Moving { .. }] = items
     else {
         return;
     };
     // An end inside a repeated part is reported there.
-    for (repeat, _) in repeats(draft).filter(|(repeat, _)| repeat.stops.end < stops.len()) {
+    for (repeat, _) in repeats(draft).filter(|(repeat, _)| repeat.items.end < items.len()) {
         let message = "a chain that is held at its end alone cannot `repeat`: \
                        write it the other way round, from there on";
         diagnostics.error(repeat.at, message);

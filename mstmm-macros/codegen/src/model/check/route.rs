@@ -11,27 +11,30 @@ use crate::syntax::RepeatSyntax;
 /// The stops, if all of the route could be read; what is lost cannot be judged. One without a body
 /// is a mistake as a whole.
 pub(super) fn whole_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [RouteItem<'a>] {
-    let stops = readable_route(draft);
-    if has_body(stops) { stops } else { &[] }
+    let items = readable_route(draft);
+    if has_body(items) { items } else { &[] }
 }
 
 fn readable_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [RouteItem<'a>] {
     match &draft.def.route {
-        Some(route) if route.whole => &draft.stops,
+        Some(route) if route.complete => &draft.items,
         _ => &[],
     }
 }
 
-fn has_body(stops: &[RouteItem]) -> bool {
-    let is_body = |stop: &RouteItem| {
-        matches!(stop, RouteItem::Body { .. } | RouteItem::Unknown { .. } | RouteItem::Again { .. })
+fn has_body(items: &[RouteItem]) -> bool {
+    let is_body = |item: &RouteItem| {
+        matches!(
+            item,
+            RouteItem::Body { .. } | RouteItem::Unknown { .. } | RouteItem::Duplicate { .. }
+        )
     };
-    stops.iter().any(is_body)
+    items.iter().any(is_body)
 }
 
 /// What a message about a stop points at, and how it calls the stop.
-pub(super) fn called(stop: &RouteItem) -> Option<(Span, String)> {
-    match stop {
+pub(super) fn called(item: &RouteItem) -> Option<(Span, String)> {
+    match item {
         RouteItem::Ground { at, .. } => Some((*at, "`ground`".into())),
         RouteItem::Moving { at, name } => Some((
             *at,
@@ -42,18 +45,18 @@ pub(super) fn called(stop: &RouteItem) -> Option<(Span, String)> {
             None => (word.span(), format!("`{word}`")),
         }),
         RouteItem::Body { name, .. } => Some((name.span(), format!("body `{name}`"))),
-        RouteItem::Unknown { .. } | RouteItem::Again { .. } => None,
+        RouteItem::Unknown { .. } | RouteItem::Duplicate { .. } => None,
     }
 }
 
 /// A chain has one route, and at least one body on it.
 pub(super) fn there_is_a_route_with_a_body(draft: &Draft, diagnostics: &mut Diagnostics) {
     let name = &draft.def.name;
-    if draft.def.route.is_none() && draft.def.whole {
+    if draft.def.route.is_none() && draft.def.complete {
         diagnostics.error(name.span(), format!("chain `{name}` has no route"));
     }
-    let stops = readable_route(draft);
-    if let (Some((at, _)), false) = (stops.first().and_then(called), has_body(stops)) {
+    let items = readable_route(draft);
+    if let (Some((at, _)), false) = (items.first().and_then(called), has_body(items)) {
         diagnostics.error(at, "there is no body on the route");
     }
 }
@@ -62,24 +65,24 @@ pub(super) fn there_is_a_route_with_a_body(draft: &Draft, diagnostics: &mut Diag
 pub(super) fn there_is_one_route(draft: &Draft, diagnostics: &mut Diagnostics) {
     let Some(route) = &draft.def.route else { return };
     let ends = route.further.iter().skip(1).map(|further| further.start);
-    for (further, end) in route.further.iter().zip(ends.chain([draft.stops.len()])) {
-        let stops = &draft.stops[further.start..end];
-        let message = branch::of_route(&draft.stops[..route.first_end()], stops);
+    for (further, end) in route.further.iter().zip(ends.chain([draft.items.len()])) {
+        let items = &draft.items[further.start..end];
+        let message = branch::of_route(&draft.items[..route.first_end()], items);
         diagnostics.error(further.at, message);
     }
 }
 
 /// The repeated part that a stop is in.
-pub(super) fn repeat_around<'d>(draft: &'d Draft, stop: usize) -> Option<&'d RepeatSyntax> {
+pub(super) fn repeat_around<'d>(draft: &'d Draft, item: usize) -> Option<&'d RepeatSyntax> {
     let mut repeats = draft.def.route.iter().flat_map(|route| &route.repeats);
-    repeats.find(|repeat| repeat.stops.contains(&stop))
+    repeats.find(|repeat| repeat.items.contains(&item))
 }
 
 /// Only the ends of the chain are held or moved.
 pub(super) fn ground_is_at_the_ends(draft: &Draft, diagnostics: &mut Diagnostics) {
     let [_, middle @ .., _] = whole_route(draft) else { return };
-    for (index, stop) in middle.iter().enumerate() {
-        let (at, word) = match stop {
+    for (index, item) in middle.iter().enumerate() {
+        let (at, word) = match item {
             RouteItem::Ground { at, .. } => (*at, "ground"),
             RouteItem::Moving { at, .. } => (*at, "moving"),
             _ => continue,
@@ -97,22 +100,22 @@ pub(super) fn ground_is_at_the_ends(draft: &Draft, diagnostics: &mut Diagnostics
 
 /// Between two bodies, and between an end and a body, there is one hinge.
 pub(super) fn hinges_and_bodies_alternate(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let stops = whole_route(draft);
+    let items = whole_route(draft);
     let defaults = draft.defaults();
-    for (index, pair) in stops.windows(2).enumerate() {
+    for (index, pair) in items.windows(2).enumerate() {
         let [first, second] = pair else { continue };
-        if seam_is_wrong(draft, index) {
+        if boundary_is_wrong(draft, index) {
             continue;
         }
         let at_start = index == 0;
-        let at_end = index + 2 == stops.len();
+        let at_end = index + 2 == items.len();
         let (Some((_, first_name)), Some((at, second_name))) = (called(first), called(second))
         else {
             continue;
         };
         let message = match (first, second) {
             (RouteItem::Hinge { .. }, RouteItem::Hinge { .. }) => {
-                match hinges_in_a_row(stops, index) {
+                match hinges_in_a_row(items, index) {
                     Some(hinges) => bodies_are_missing(hinges, &defaults),
                     None => continue,
                 }
@@ -145,15 +148,15 @@ pub(super) fn hinges_and_bodies_alternate(draft: &Draft, diagnostics: &mut Diagn
 
 /// The hinges in a row that begin at this stop; nothing if it is not the first of them.
 fn hinges_in_a_row<'d, 'a>(
-    stops: &'d [RouteItem<'a>],
+    items: &'d [RouteItem<'a>],
     first: usize,
 ) -> Option<&'d [RouteItem<'a>]> {
-    let is_hinge = |stop: &RouteItem| matches!(stop, RouteItem::Hinge { .. });
-    if stops[..first].last().is_some_and(is_hinge) {
+    let is_hinge = |item: &RouteItem| matches!(item, RouteItem::Hinge { .. });
+    if items[..first].last().is_some_and(is_hinge) {
         return None;
     }
-    let count = stops[first..].iter().take_while(|stop| is_hinge(stop)).count();
-    Some(&stops[first..first + count])
+    let count = items[first..].iter().take_while(|item| is_hinge(item)).count();
+    Some(&items[first..first + count])
 }
 
 fn bodies_are_missing(hinges: &[RouteItem], defaults: &[Option<f64>]) -> String {
@@ -166,23 +169,23 @@ fn bodies_are_missing(hinges: &[RouteItem], defaults: &[Option<f64>]) -> String 
 
 /// Whether a repeated part begins or ends between this stop and the next one and does so with the
 /// wrong stop, which is reported there.
-fn seam_is_wrong(draft: &Draft, stop: usize) -> bool {
-    let begins = repeat_around(draft, stop + 1).filter(|repeat| repeat.stops.start == stop + 1);
-    let ends = repeat_around(draft, stop).filter(|repeat| repeat.stops.end == stop + 1);
-    (begins.is_some() && !matches!(draft.stops[stop + 1], RouteItem::Hinge { .. }))
-        || (ends.is_some() && !matches!(draft.stops[stop], RouteItem::Body { .. }))
+fn boundary_is_wrong(draft: &Draft, item: usize) -> bool {
+    let begins = repeat_around(draft, item + 1).filter(|repeat| repeat.items.start == item + 1);
+    let ends = repeat_around(draft, item).filter(|repeat| repeat.items.end == item + 1);
+    (begins.is_some() && !matches!(draft.items[item + 1], RouteItem::Hinge { .. }))
+        || (ends.is_some() && !matches!(draft.items[item], RouteItem::Body { .. }))
 }
 
 /// A free end is a body's: a hinge at the end would join it to nothing.
 pub(super) fn hinges_join_something_on_both_sides(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let stops = whole_route(draft);
-    let Some(last) = stops.len().checked_sub(1) else { return };
+    let items = whole_route(draft);
+    let Some(last) = items.len().checked_sub(1) else { return };
     for (index, verb) in [(0, "begin"), (last, "end")] {
-        let stop = &stops[index];
-        if !matches!(stop, RouteItem::Hinge { .. }) || repeat_around(draft, index).is_some() {
+        let item = &items[index];
+        if !matches!(item, RouteItem::Hinge { .. }) || repeat_around(draft, index).is_some() {
             continue;
         }
-        let Some((at, name)) = called(stop) else { continue };
+        let Some((at, name)) = called(item) else { continue };
         let message =
             format!("{name} joins nothing: {verb} the route with a body or with `ground`");
         diagnostics.error(at, message);
@@ -192,25 +195,24 @@ pub(super) fn hinges_join_something_on_both_sides(draft: &Draft, diagnostics: &m
 /// Between two ends that are held or moved, something must give way.
 pub(super) fn closed_chains_can_move(draft: &Draft, diagnostics: &mut Diagnostics) {
     let is_end =
-        |stop: &RouteItem| matches!(stop, RouteItem::Ground { .. } | RouteItem::Moving { .. });
+        |item: &RouteItem| matches!(item, RouteItem::Ground { .. } | RouteItem::Moving { .. });
     let [first, middle @ .., last] = whole_route(draft) else { return };
     if !(is_end(first) && is_end(last)) {
         return;
     }
     let properties = draft.properties.iter().skip(1);
-    let is_rigid = |(stop, properties): (&RouteItem, &ItemProperties)| match stop {
+    let is_rigid = |(item, properties): (&RouteItem, &ItemProperties)| match item {
         RouteItem::Body { .. } => true,
-        RouteItem::Hinge { shape, .. } => {
+        RouteItem::Hinge { spec, .. } => {
             let motion = properties.motion.as_ref();
-            shape.groups.is_empty()
-                || motion.is_some_and(|motion| motion.drive == Drive::Prescribed)
+            spec.groups.is_empty() || motion.is_some_and(|motion| motion.drive == Drive::Prescribed)
         }
         RouteItem::Ground { .. }
         | RouteItem::Moving { .. }
         | RouteItem::Unknown { .. }
-        | RouteItem::Again { .. } => false,
+        | RouteItem::Duplicate { .. } => false,
     };
-    let has_body = middle.iter().any(|stop| matches!(stop, RouteItem::Body { .. }));
+    let has_body = middle.iter().any(|item| matches!(item, RouteItem::Body { .. }));
     if let Some((at, _)) = called(last)
         && has_body
         && middle.iter().zip(properties).all(is_rigid)

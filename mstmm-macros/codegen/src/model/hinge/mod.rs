@@ -281,7 +281,7 @@ impl HingeKind {
     }
 
     /// The numbers of this kind.
-    pub fn shape(&self) -> &'static HingeSpec {
+    pub fn spec(&self) -> &'static HingeSpec {
         match self {
             HingeKind::Weld => &weld::SHAPE,
             HingeKind::Pin { .. } => &pin::SHAPE,
@@ -299,17 +299,17 @@ impl HingeKind {
 
     /// How many coordinates it has.
     pub fn coordinates(&self) -> usize {
-        self.shape().coordinates.len()
+        self.spec().coordinates.len()
     }
 
     /// How many degrees of freedom it has.
     pub fn dof_count(&self) -> usize {
-        self.shape().rates.len()
+        self.spec().rates.len()
     }
 
     /// Its coordinates in the zero position.
     pub fn zero_position(&self) -> Vec<Value> {
-        self.shape().coordinates.iter().map(|c| Value::number(c.rest)).collect()
+        self.spec().coordinates.iter().map(|c| Value::number(c.rest)).collect()
     }
 }
 

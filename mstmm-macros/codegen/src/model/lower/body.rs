@@ -131,7 +131,7 @@ impl BodyType<'_> {
 
     /// The fields that it lacks; it needs an output where something follows on the route.
     pub fn missing(&self, output_is_used: bool) -> Vec<&'static str> {
-        if !self.block.whole {
+        if !self.block.complete {
             return Vec::new();
         }
         let may_miss = |field: &&str| {

@@ -22,7 +22,7 @@ pub(super) struct Context<'a> {
     /// The mistakes of all phases.
     pub diagnostics: &'a mut Diagnostics,
     /// Whether every item could be read. If not, an unknown name may have been in the lost one.
-    pub whole: bool,
+    pub complete: bool,
     /// What must hold of numbers that are not known.
     pub requirements: Vec<Requirement>,
     /// Fields that have been read.
@@ -67,14 +67,14 @@ pub(crate) struct Spanned<T> {
 
 impl<'a> Context<'a> {
     /// Knows nothing yet.
-    pub fn new(space: model::Dimension, whole: bool, diagnostics: &'a mut Diagnostics) -> Self {
+    pub fn new(space: model::Dimension, complete: bool, diagnostics: &'a mut Diagnostics) -> Self {
         Context {
             space,
             parameters: Vec::new(),
             later_parameters: Vec::new(),
             constants: Vec::new(),
             diagnostics,
-            whole,
+            complete,
             requirements: Vec::new(),
             read: Vec::new(),
             faulty: Vec::new(),

@@ -36,7 +36,7 @@ pub(crate) struct Draft<'a> {
     /// All types of bodies.
     pub types: Vec<BodyType<'a>>,
     /// All stops of the route.
-    pub stops: Vec<RouteItem<'a>>,
+    pub items: Vec<RouteItem<'a>>,
     /// What is said of the stops, one for each.
     pub properties: Vec<ItemProperties<'a>>,
     /// All loads.
@@ -53,23 +53,23 @@ impl Draft<'_> {
 
     /// The chain; nothing where a part is missing, which is reported then.
     pub fn finish(self) -> Option<Chain> {
-        let numbers = Numbering::of(&self.stops);
+        let numbers = Numbering::of(&self.items);
         let mut bodies: IdVec<BodyId, Body> = IdVec::new();
         let mut hinges = self.implied_hinges(&numbers)?;
         let mut route = Vec::new();
-        for (index, stop) in self.stops.iter().enumerate() {
-            match stop {
+        for (index, item) in self.items.iter().enumerate() {
+            match item {
                 RouteItem::Ground { .. } | RouteItem::Moving { .. } => {}
                 RouteItem::Hinge { .. } => {
                     route.push(Element::Hinge(hinges.push(self.hinge(index, &numbers)?)));
                 }
                 RouteItem::Body { .. } => {
-                    route.push(Element::Body(bodies.push(self.body(stop)?)));
+                    route.push(Element::Body(bodies.push(self.body(item)?)));
                 }
-                RouteItem::Unknown { .. } | RouteItem::Again { .. } => return None,
+                RouteItem::Unknown { .. } | RouteItem::Duplicate { .. } => return None,
             }
         }
-        let ends = self.stops.iter().filter(|stop| matches!(stop, RouteItem::Moving { .. }));
+        let ends = self.items.iter().filter(|item| matches!(item, RouteItem::Moving { .. }));
         for end in ends {
             bodies.push(end_body(end.name()?));
         }
@@ -100,32 +100,34 @@ impl Draft<'_> {
             let inboard = Attachment::Ground(Frame::identity());
             hinge(name.clone(), kind(), [inboard, Attachment::Input(body)], motion)
         };
-        if properties::floats(&self.stops) {
+        if properties::floats(&self.items) {
             let motion = self.properties.first()?.motion.clone()?;
-            return Some(vec![implied(self.stops.first()?.name()?, BodyId(0), motion)].into());
+            return Some(vec![implied(self.items.first()?.name()?, BodyId(0), motion)].into());
         }
-        let ends = self.stops.iter().enumerate();
-        let ends = ends.filter(|(_, stop)| matches!(stop, RouteItem::Moving { .. }));
-        let end = |(index, stop): (usize, &RouteItem)| {
+        let ends = self.items.iter().enumerate();
+        let ends = ends.filter(|(_, item)| matches!(item, RouteItem::Moving { .. }));
+        let end = |(index, item): (usize, &RouteItem)| {
             let motion = HingeProperties {
                 drive: Drive::Prescribed,
-                ..HingeProperties::none(kind().shape())
+                ..HingeProperties::none(kind().spec())
             };
-            Some(implied(stop.name()?, numbers.body(index), motion))
+            Some(implied(item.name()?, numbers.body(index), motion))
         };
         ends.map(end).collect()
     }
 
     /// The hinge at this stop.
     fn hinge(&self, index: usize, numbers: &Numbering) -> Option<Hinge> {
-        let RouteItem::Hinge { name, frees, .. } = self.stops.get(index)? else { return None };
-        let Spanned { value: kind, .. } = frees.clone()?;
+        let RouteItem::Hinge { name, hinge_kind, .. } = self.items.get(index)? else { return None };
+        let Spanned { value: kind, .. } = hinge_kind.clone()?;
         let motion = self.properties.get(index)?.motion.clone()?;
-        let place = |index: usize, on: fn(BodyId) -> Attachment| match self.stops.get(index)? {
+        let place = |index: usize, on: fn(BodyId) -> Attachment| match self.items.get(index)? {
             RouteItem::Ground { frame, .. } => Some(Attachment::Ground(frame.clone()?)),
             // A moving end is a body whose output is its input.
             RouteItem::Body { .. } | RouteItem::Moving { .. } => Some(on(numbers.body(index))),
-            RouteItem::Hinge { .. } | RouteItem::Unknown { .. } | RouteItem::Again { .. } => None,
+            RouteItem::Hinge { .. } | RouteItem::Unknown { .. } | RouteItem::Duplicate { .. } => {
+                None
+            }
         };
         let sides = [
             place(index.checked_sub(1)?, Attachment::Output)?,
@@ -134,8 +136,8 @@ impl Draft<'_> {
         Some(hinge((*name)?.clone(), kind, sides, motion))
     }
 
-    fn body(&self, stop: &RouteItem) -> Option<Body> {
-        let RouteItem::Body { name, body_type, .. } = stop else { return None };
+    fn body(&self, item: &RouteItem) -> Option<Body> {
+        let RouteItem::Body { name, body_type, .. } = item else { return None };
         let body_type = &self.types[(*body_type)?];
         Some(Body {
             name: name.clone(),
@@ -156,12 +158,12 @@ impl Draft<'_> {
     fn repeats(&self, numbers: &Numbering) -> Option<IdVec<RepeatId, Repeat>> {
         let written = self.def.route.iter().flat_map(|route| &route.repeats);
         let repeat = |repeat: &syntax::RepeatSyntax| {
-            let stops = repeat.stops.clone();
+            let items = repeat.items.clone();
             Some(Repeat {
                 count: repeat.count?,
-                hinges: numbers.hinges(stops.clone()),
-                bodies: numbers.bodies(stops.clone()),
-                route: numbers.elements(stops),
+                hinges: numbers.hinges(items.clone()),
+                bodies: numbers.bodies(items.clone()),
+                route: numbers.elements(items),
             })
         };
         written.map(repeat).collect()

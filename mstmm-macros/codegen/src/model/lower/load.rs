@@ -76,7 +76,7 @@ fn known_fields(word: BlockKeyword, space: Dimension) -> &'static [&'static str]
 /// All loads and springs.
 pub(super) fn loads<'a>(
     def: &'a ChainSyntax,
-    stops: &[RouteItem],
+    items: &[RouteItem],
     types: &[BodyType],
     context: &mut Context,
 ) -> (Vec<LoadDraft<'a>>, Vec<SpringDraft<'a>>) {
@@ -100,9 +100,9 @@ pub(super) fn loads<'a>(
             fields.add(field, known_fields(block.word, context.space), &owner, context);
         }
         let on = fields.get("on").and_then(|field| {
-            context.field(field, |context, written| on(written, block.word, def, stops, context))
+            context.field(field, |context, written| on(written, block.word, def, items, context))
         });
-        let target = LoadTarget { stops, types, body: on.map(|on| on.value) };
+        let target = LoadTarget { items, types, body: on.map(|on| on.value) };
         match block.word {
             BlockKeyword::Load => loads.push(load(block, name, &fields, &target, context)),
             _ => springs.push(spring(block, name, &fields, &target, context)),
@@ -116,10 +116,10 @@ fn on(
     written: &ValueSyntax,
     of: BlockKeyword,
     def: &ChainSyntax,
-    stops: &[RouteItem],
+    items: &[RouteItem],
     context: &mut Context,
 ) -> Option<BodyId> {
-    let bodies = || stops.iter().filter(|stop| matches!(stop, RouteItem::Body { .. }));
+    let bodies = || items.iter().filter(|item| matches!(item, RouteItem::Body { .. }));
     if let ValueSyntax::PlaceOn(body, extent) = written {
         let message = format!("a point is a separate field: write `on = {body}; at = …;`");
         return context.refuse(*extent, message);
@@ -138,19 +138,19 @@ fn on(
         let message = format!("expected the name of a body on the route, found {found}");
         return context.refuse(written.extent(), message);
     };
-    if let Some(body) = bodies().position(|stop| stop.name() == Some(word)) {
+    if let Some(body) = bodies().position(|item| item.name() == Some(word)) {
         return Some(BodyId(body));
     }
-    let is_unknown = |stop: &RouteItem| matches!(stop, RouteItem::Unknown { name } if name.is_none_or(|name| name == word));
-    if !def.route.as_ref().is_some_and(|route| route.whole)
-        || stops.iter().any(is_unknown)
-        || has_duplicates(stops, |stop| matches!(stop, RouteItem::Body { .. }))
+    let is_unknown = |item: &RouteItem| matches!(item, RouteItem::Unknown { name } if name.is_none_or(|name| name == word));
+    if !def.route.as_ref().is_some_and(|route| route.complete)
+        || items.iter().any(is_unknown)
+        || has_duplicates(items, |item| matches!(item, RouteItem::Body { .. }))
     {
         return None;
     }
-    if stops
+    if items
         .iter()
-        .any(|stop| matches!(stop, RouteItem::Hinge { name: Some(name), .. } if *name == word))
+        .any(|item| matches!(item, RouteItem::Hinge { name: Some(name), .. } if *name == word))
     {
         return context.refuse(word, format!("`{word}` is a hinge: only a body can be pulled at"));
     }
@@ -166,14 +166,14 @@ fn on(
 
 /// What something acts on.
 struct LoadTarget<'t, 'a> {
-    stops: &'t [RouteItem<'a>],
+    items: &'t [RouteItem<'a>],
     types: &'t [BodyType<'a>],
     body: Option<BodyId>,
 }
 
 impl LoadTarget<'_, '_> {
     fn body_type(&self) -> Option<&BodyType<'_>> {
-        let mut types = self.stops.iter().filter_map(|stop| match stop {
+        let mut types = self.items.iter().filter_map(|item| match item {
             RouteItem::Body { body_type, .. } => Some(*body_type),
             _ => None,
         });
@@ -308,13 +308,13 @@ fn not_on_ground(written: &ValueSyntax, target: &LoadTarget) -> Option<(SpanRang
         return Some((at, message.into()));
     }
     let is_it =
-        |stop: &RouteItem| matches!(stop, RouteItem::Body { .. }) && stop.name() == Some(word);
-    target.stops.iter().any(is_it).then(|| (at, BETWEEN_BODIES.into()))
+        |item: &RouteItem| matches!(item, RouteItem::Body { .. }) && item.name() == Some(word);
+    target.items.iter().any(is_it).then(|| (at, BETWEEN_BODIES.into()))
 }
 
 /// Those of `required` that a block lacks.
 fn missing<'r>(block: &BlockSyntax, required: &[&'r str]) -> Vec<&'r str> {
-    if !block.whole {
+    if !block.complete {
         return Vec::new();
     }
     fields::missing(&block.fields, required, known_fields(block.word, Dimension::Space))

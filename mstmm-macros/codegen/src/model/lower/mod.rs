@@ -49,19 +49,19 @@ pub(super) fn draft<'a>(
         DimensionKeyword::Plane => Dimension::Plane,
         DimensionKeyword::Line => Dimension::Line,
     };
-    let mut context = Context::new(space, def.whole, diagnostics);
+    let mut context = Context::new(space, def.complete, diagnostics);
     let parameters = parameter::parameters(def, &mut context);
     let settings = setting::settings(def, &mut context);
     let types = body::types(def, &mut context);
-    let stops = route::stops(def, &types, &mut context);
-    let properties = properties::properties(def, &stops, &mut context);
-    let (loads, springs) = load::loads(def, &stops, &types, &mut context);
+    let items = route::items(def, &types, &mut context);
+    let properties = properties::properties(def, &items, &mut context);
+    let (loads, springs) = load::loads(def, &items, &types, &mut context);
     let requirements = std::mem::take(&mut context.requirements);
     let passthrough = Passthrough {
         visibility: def.visibility.clone(),
         attributes: def.attributes.clone(),
         constants: context.constants,
-        references: references::references(def, &stops),
+        references: references::references(def, &items),
     };
     let constants = passthrough.constants.len();
     let draft = Draft {
@@ -72,7 +72,7 @@ pub(super) fn draft<'a>(
         parameters,
         constants,
         types,
-        stops,
+        items,
         properties,
         loads,
         springs,
@@ -85,7 +85,7 @@ pub(super) fn draft<'a>(
 pub(super) fn keywords() -> Vec<&'static str> {
     let fields = [body::FIELDS, load::LOAD_FIELDS, load::SPRING_FIELDS, POINTS].concat();
     let hinges = KINDS.iter().flat_map(|kind| {
-        let of_hinge = |kind: crate::model::HingeKind| hinge::fields(kind.shape());
+        let of_hinge = |kind: crate::model::HingeKind| hinge::fields(kind.spec());
         std::iter::once(kind.word)
             .chain(kind.plain(Dimension::Space).into_iter().flat_map(of_hinge))
     });

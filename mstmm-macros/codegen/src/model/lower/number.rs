@@ -155,7 +155,7 @@ impl Context<'_> {
         if unit::is_symbol(&text) {
             return self.refuse(name, format!("`{text}` is a unit and stands after a number"));
         }
-        if !self.whole {
+        if !self.complete {
             return None;
         }
         let known = self.parameters.iter().map(|other| other.name.to_string());

@@ -28,43 +28,45 @@ struct Counts {
 impl Numbering {
     /// Bodies in the order of the route, then those of the moving ends; implied hinges, then those
     /// of the route.
-    pub fn of(stops: &[RouteItem]) -> Self {
+    pub fn of(items: &[RouteItem]) -> Self {
         let mut counts = Counts::default();
         let mut before = vec![counts];
-        for stop in stops {
-            match stop {
+        for item in items {
+            match item {
                 RouteItem::Body { .. } => counts.bodies += 1,
                 RouteItem::Moving { .. } => counts.ends += 1,
                 RouteItem::Hinge { .. } => counts.hinges += 1,
-                RouteItem::Ground { .. } | RouteItem::Unknown { .. } | RouteItem::Again { .. } => {}
+                RouteItem::Ground { .. }
+                | RouteItem::Unknown { .. }
+                | RouteItem::Duplicate { .. } => {}
             }
             before.push(counts);
         }
-        let moving = stops.iter().map(|stop| matches!(stop, RouteItem::Moving { .. })).collect();
-        let implied = if properties::floats(stops) { 1 } else { counts.ends };
+        let moving = items.iter().map(|item| matches!(item, RouteItem::Moving { .. })).collect();
+        let implied = if properties::floats(items) { 1 } else { counts.ends };
         Numbering { before, moving, on_route: counts.bodies, implied }
     }
 
     /// The body of a stop that is a body or a moving end.
-    pub fn body(&self, stop: usize) -> BodyId {
-        let Counts { bodies, ends, .. } = self.before[stop];
-        BodyId(if self.moving[stop] { self.on_route + ends } else { bodies })
+    pub fn body(&self, item: usize) -> BodyId {
+        let Counts { bodies, ends, .. } = self.before[item];
+        BodyId(if self.moving[item] { self.on_route + ends } else { bodies })
     }
 
     /// The bodies among these stops.
-    pub fn bodies(&self, stops: Range<usize>) -> IdRange<BodyId> {
-        (self.before[stops.start].bodies..self.before[stops.end].bodies).into()
+    pub fn bodies(&self, items: Range<usize>) -> IdRange<BodyId> {
+        (self.before[items.start].bodies..self.before[items.end].bodies).into()
     }
 
     /// The hinges among these stops.
-    pub fn hinges(&self, stops: Range<usize>) -> IdRange<HingeId> {
-        let hinge = |stop: usize| self.implied + self.before[stop].hinges;
-        (hinge(stops.start)..hinge(stops.end)).into()
+    pub fn hinges(&self, items: Range<usize>) -> IdRange<HingeId> {
+        let hinge = |item: usize| self.implied + self.before[item].hinges;
+        (hinge(items.start)..hinge(items.end)).into()
     }
 
     /// The elements among these stops, as the route counts them.
-    pub fn elements(&self, stops: Range<usize>) -> Range<usize> {
-        let element = |stop: usize| self.before[stop].bodies + self.before[stop].hinges;
-        element(stops.start)..element(stops.end)
+    pub fn elements(&self, items: Range<usize>) -> Range<usize> {
+        let element = |item: usize| self.before[item].bodies + self.before[item].hinges;
+        element(items.start)..element(items.end)
     }
 }

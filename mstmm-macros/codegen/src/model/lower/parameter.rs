@@ -11,7 +11,7 @@ pub(super) fn parameters<'a>(def: &'a ChainSyntax, context: &mut Context<'a>) ->
         def.parameters.iter().map(|def| (def, parameter(&def.field, context))).collect();
     context.later_parameters.clear();
     let mut parameters = Vec::new();
-    for (index, (ParameterSyntax { field, times }, read)) in read.into_iter().enumerate() {
+    for (index, (ParameterSyntax { field, repetitions }, read)) in read.into_iter().enumerate() {
         let FieldSyntax { name, value, .. } = field;
         let written = match value {
             Some(ValueSyntax::Number(expr)) if read.is_some() => Some(expr),
@@ -27,7 +27,7 @@ pub(super) fn parameters<'a>(def: &'a ChainSyntax, context: &mut Context<'a>) ->
         };
         let known = KnownParameter { name, measure, default: default.known(), written };
         context.parameters.push(known);
-        parameters.push(Parameter { name: name.clone(), default, unit, times: *times });
+        parameters.push(Parameter { name: name.clone(), default, unit, repetitions: *repetitions });
     }
     parameters
 }

@@ -22,11 +22,11 @@ pub(crate) struct ItemProperties<'a> {
 /// What is said of each stop.
 pub(super) fn properties<'a>(
     def: &'a ChainSyntax,
-    stops: &[RouteItem],
+    items: &[RouteItem],
     context: &mut Context,
 ) -> Vec<ItemProperties<'a>> {
-    let mut fields = vec![Fields::default(); stops.len()];
-    let places = places(stops);
+    let mut fields = vec![Fields::default(); items.len()];
+    let places = places(items);
     for block in def.blocks.iter().filter(|block| !body::is_type(block)) {
         refuse_points(block, context);
         if !matches!(block.word, BlockKeyword::Body | BlockKeyword::Hinge) {
@@ -35,21 +35,21 @@ pub(super) fn properties<'a>(
         if !block.after_route && def.route.is_some() {
             context.diagnostics.error(block.at, "hinges are described after the route");
         }
-        assign(block, def, stops, &places, &mut fields, context);
+        assign(block, def, items, &places, &mut fields, context);
     }
-    let floats = floats(stops);
-    let read = |(index, (stop, fields)): (usize, (&RouteItem, Fields<'a>))| {
-        let shape = match stop {
-            RouteItem::Hinge { shape, .. } => Some(*shape),
+    let floats = floats(items);
+    let read = |(index, (item, fields)): (usize, (&RouteItem, Fields<'a>))| {
+        let spec = match item {
+            RouteItem::Hinge { spec, .. } => Some(*spec),
             RouteItem::Body { .. } if index == 0 && floats => {
-                Some(of_everything(context.space).shape())
+                Some(of_everything(context.space).spec())
             }
             _ => None,
         };
-        let motion = shape.map(|shape| motion(shape, &fields, context));
+        let motion = spec.map(|spec| motion(spec, &fields, context));
         ItemProperties { fields, motion }
     };
-    stops.iter().zip(fields).enumerate().map(read).collect()
+    items.iter().zip(fields).enumerate().map(read).collect()
 }
 
 /// Only types of bodies have points.
@@ -61,25 +61,25 @@ fn refuse_points(block: &BlockSyntax, context: &mut Context) {
 }
 
 /// Where each name stands first.
-fn places(stops: &[RouteItem]) -> HashMap<String, usize> {
-    let is_end = |stop: &RouteItem| matches!(stop, RouteItem::Moving { .. });
-    let mut names: Vec<_> = stops.iter().enumerate().rev().collect();
+fn places(items: &[RouteItem]) -> HashMap<String, usize> {
+    let is_end = |item: &RouteItem| matches!(item, RouteItem::Moving { .. });
+    let mut names: Vec<_> = items.iter().enumerate().rev().collect();
     // Of two with one name, which is an error, the one that more can be said of.
-    names.sort_by_key(|(_, stop)| !is_end(stop));
-    let place = |(index, stop): (usize, &RouteItem)| Some((stop.name()?.to_string(), index));
+    names.sort_by_key(|(_, item)| !is_end(item));
+    let place = |(index, item): (usize, &RouteItem)| Some((item.name()?.to_string(), index));
     names.into_iter().filter_map(place).collect()
 }
 
 /// Whether no end of the chain is held.
-pub(super) fn floats(stops: &[RouteItem]) -> bool {
-    matches!(stops, [RouteItem::Body { .. }, .., RouteItem::Body { .. }] | [RouteItem::Body { .. }])
+pub(super) fn floats(items: &[RouteItem]) -> bool {
+    matches!(items, [RouteItem::Body { .. }, .., RouteItem::Body { .. }] | [RouteItem::Body { .. }])
 }
 
 /// Hands the fields of a block to the stops that it names.
 fn assign<'a>(
     block: &'a BlockSyntax,
     def: &ChainSyntax,
-    stops: &[RouteItem],
+    items: &[RouteItem],
     places: &HashMap<String, usize>,
     fields: &mut [Fields<'a>],
     context: &mut Context,
@@ -88,17 +88,17 @@ fn assign<'a>(
     let mut refused = Vec::new();
     for name in &block.names {
         let place = places.get(&name.to_string()).copied();
-        let Some(index) = target(block, name, place, def, stops, context) else { continue };
-        let (known, owner) = match &stops[index] {
-            RouteItem::Hinge { kind, shape, .. } => (hinge::fields(shape), kind.name.to_owned()),
+        let Some(index) = target(block, name, place, def, items, context) else { continue };
+        let (known, owner) = match &items[index] {
+            RouteItem::Hinge { kind, spec, .. } => (hinge::fields(spec), kind.name.to_owned()),
             RouteItem::Body { .. } => {
-                let implied = of_everything(context.space).shape();
+                let implied = of_everything(context.space).spec();
                 (hinge::start_fields(implied), format!("body `{name}`"))
             }
             _ => continue,
         };
         let fields = &mut fields[index];
-        if !block.whole {
+        if !block.complete {
             fields.refuse();
         }
         for (at, field) in block.fields.iter().enumerate() {
@@ -117,14 +117,14 @@ fn target(
     name: &Ident,
     place: Option<usize>,
     def: &ChainSyntax,
-    stops: &[RouteItem],
+    items: &[RouteItem],
     context: &mut Context,
 ) -> Option<usize> {
     let Some(index) = place else {
-        unknown_name(block, name, def, stops, context);
+        unknown_name(block, name, def, items, context);
         return None;
     };
-    match (block.word, &stops[index]) {
+    match (block.word, &items[index]) {
         (BlockKeyword::Body, RouteItem::Hinge { .. }) => {
             context.refuse(name, format!("`{name}` is a hinge: `hinge {name} {{ … }}`"))
         }
@@ -138,9 +138,9 @@ fn target(
         (BlockKeyword::Hinge, RouteItem::Body { .. }) => {
             context.refuse(name, format!("`{name}` is a body: `body {name} {{ … }}`"))
         }
-        (BlockKeyword::Body, RouteItem::Body { .. }) if index > 0 || !floats(stops) => {
+        (BlockKeyword::Body, RouteItem::Body { .. }) if index > 0 || !floats(items) => {
             // Where the route has a mistake, so has this verdict.
-            if !def.route.as_ref().is_some_and(|route| route.whole) {
+            if !def.route.as_ref().is_some_and(|route| route.complete) {
                 return None;
             }
             let message = format!(
@@ -154,10 +154,10 @@ fn target(
 }
 
 /// Whether one of these stops has the name of another stop. It may be meant to have a different name.
-pub(super) fn has_duplicates(stops: &[RouteItem], these: impl Fn(&RouteItem) -> bool) -> bool {
+pub(super) fn has_duplicates(items: &[RouteItem], these: impl Fn(&RouteItem) -> bool) -> bool {
     let mut names = HashMap::new();
-    stops.iter().filter_map(|stop| Some((stop, stop.name()?))).any(|(stop, name)| {
-        let is_of_these = these(stop);
+    items.iter().filter_map(|item| Some((item, item.name()?))).any(|(item, name)| {
+        let is_of_these = these(item);
         let before = names.insert(name.to_string(), is_of_these);
         before.is_some_and(|before| before || is_of_these)
     })
@@ -167,7 +167,7 @@ fn unknown_name(
     block: &BlockSyntax,
     name: &Ident,
     def: &ChainSyntax,
-    stops: &[RouteItem],
+    items: &[RouteItem],
     context: &mut Context,
 ) {
     if block.word == BlockKeyword::Body && body::describes_type(block) {
@@ -175,34 +175,34 @@ fn unknown_name(
         context.diagnostics.error(name.span(), message);
         return;
     }
-    let Some(RouteSyntax { whole: true, .. }) = def.route else { return };
+    let Some(RouteSyntax { complete: true, .. }) = def.route else { return };
     // It may be the name that a hinge on the route lacks.
-    let nameless = |stop: &RouteItem| {
-        matches!(stop, RouteItem::Hinge { name: None, .. } | RouteItem::Unknown { name: None, .. })
+    let nameless = |item: &RouteItem| {
+        matches!(item, RouteItem::Hinge { name: None, .. } | RouteItem::Unknown { name: None, .. })
     };
-    if stops.iter().any(nameless)
-        || has_duplicates(stops, |stop| !matches!(stop, RouteItem::Body { .. }))
+    if items.iter().any(nameless)
+        || has_duplicates(items, |item| !matches!(item, RouteItem::Body { .. }))
     {
         return;
     }
-    let is_body = |stop: &RouteItem| matches!(stop, RouteItem::Body { word, .. } if *word == name);
+    let is_body = |item: &RouteItem| matches!(item, RouteItem::Body { word, .. } if *word == name);
     let has_type =
         def.blocks.iter().any(|other| body::is_type(other) && other.names.contains(name));
-    if block.word == BlockKeyword::Body && !has_type && stops.iter().any(is_body) {
+    if block.word == BlockKeyword::Body && !has_type && items.iter().any(is_body) {
         let message = "a type of body is described before the route";
         context.diagnostics.error(name.span(), message);
         return;
     }
-    let (word, stops): (_, Vec<&RouteItem>) = match block.word {
+    let (word, items): (_, Vec<&RouteItem>) = match block.word {
         BlockKeyword::Body => {
-            ("body", stops.iter().filter(|stop| matches!(stop, RouteItem::Body { .. })).collect())
+            ("body", items.iter().filter(|item| matches!(item, RouteItem::Body { .. })).collect())
         }
         _ => {
-            ("hinge", stops.iter().filter(|stop| !matches!(stop, RouteItem::Body { .. })).collect())
+            ("hinge", items.iter().filter(|item| !matches!(item, RouteItem::Body { .. })).collect())
         }
     };
-    let hint = context.hint(name, stops.iter().filter_map(|stop| stop.name()));
+    let hint = context.hint(name, items.iter().filter_map(|item| item.name()));
     let message = format!("no {word} `{name}` on the route{hint}");
-    let names = stops.iter().filter_map(|stop| stop.name());
+    let names = items.iter().filter_map(|item| item.name());
     context.diagnostics.unknown(name, message, names);
 }

@@ -5,9 +5,9 @@ use super::route::RouteItem;
 use crate::syntax::{BlockKeyword, BlockSyntax, ChainSyntax, References};
 
 /// All names of elements in blocks behind the route, and all names of types of bodies.
-pub(super) fn references(def: &ChainSyntax, stops: &[RouteItem]) -> References {
+pub(super) fn references(def: &ChainSyntax, items: &[RouteItem]) -> References {
     let is_element = |name: &&proc_macro2::Ident| {
-        stops.iter().any(|stop| match stop {
+        items.iter().any(|item| match item {
             RouteItem::Hinge { name: own, .. } => own.is_some_and(|own| own == *name),
             RouteItem::Body { name: own, .. } => own == *name,
             _ => false,
@@ -21,7 +21,7 @@ pub(super) fn references(def: &ChainSyntax, stops: &[RouteItem]) -> References {
             matches!(block.word, BlockKeyword::Body | BlockKeyword::Hinge).then_some(&block.names);
         names.into_iter().flatten().chain(on)
     });
-    let used = stops.iter().filter_map(|stop| match stop {
+    let used = items.iter().filter_map(|item| match item {
         RouteItem::Body { word, body_type: Some(_), named: true, .. } => Some((*word).clone()),
         _ => None,
     });

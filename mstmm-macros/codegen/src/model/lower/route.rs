@@ -36,11 +36,11 @@ pub(crate) enum RouteItem<'a> {
         /// Its kind.
         kind: &'static Kind,
         /// The numbers of its kind.
-        shape: &'static HingeSpec,
+        spec: &'static HingeSpec,
         /// What stands in parentheses behind its kind.
         arguments: Option<&'a ArgumentsSyntax>,
         /// What it lets free.
-        frees: Option<Spanned<HingeKind>>,
+        hinge_kind: Option<Spanned<HingeKind>>,
     },
     /// A body.
     Body {
@@ -59,7 +59,7 @@ pub(crate) enum RouteItem<'a> {
         name: Option<&'a Ident>,
     },
     /// A stop by the name of one before it, which is reported already.
-    Again {
+    Duplicate {
         /// The name.
         name: &'a Ident,
     },
@@ -69,7 +69,7 @@ impl RouteItem<'_> {
     /// Its name on the route.
     pub fn name(&self) -> Option<&Ident> {
         match self {
-            RouteItem::Ground { .. } | RouteItem::Again { .. } => None,
+            RouteItem::Ground { .. } | RouteItem::Duplicate { .. } => None,
             RouteItem::Moving { name, .. }
             | RouteItem::Hinge { name, .. }
             | RouteItem::Unknown { name, .. } => *name,
@@ -79,14 +79,14 @@ impl RouteItem<'_> {
 }
 
 /// All stops.
-pub(super) fn stops<'a>(
+pub(super) fn items<'a>(
     def: &'a ChainSyntax,
     types: &[BodyType],
     context: &mut Context,
 ) -> Vec<RouteItem<'a>> {
     let Some(route) = &def.route else { return Vec::new() };
     let mut known = HashSet::new();
-    let mut resolve = |(index, stop): (usize, &'a syntax::RouteItemSyntax)| match stop {
+    let mut resolve = |(index, item): (usize, &'a syntax::RouteItemSyntax)| match item {
         syntax::RouteItemSyntax::Ground { at, position, turned } => RouteItem::Ground {
             at: *at,
             frame: context.frame(position.as_deref(), turned.as_deref()),
@@ -94,7 +94,7 @@ pub(super) fn stops<'a>(
         syntax::RouteItemSyntax::Moving { name: Some(name), .. }
             if index >= route.first_end() && known.contains(&name.to_string()) =>
         {
-            RouteItem::Again { name }
+            RouteItem::Duplicate { name }
         }
         syntax::RouteItemSyntax::Moving { at, name } => {
             known.extend(name.as_ref().map(ToString::to_string));
@@ -104,33 +104,33 @@ pub(super) fn stops<'a>(
             RouteItem::Moving { at: *at, name: name.as_ref() }
         }
         syntax::RouteItemSyntax::Unread { name } => RouteItem::Unknown { name: name.as_ref() },
-        syntax::RouteItemSyntax::Element { word, arguments, name, place, doubtful } => {
+        syntax::RouteItemSyntax::Element { word, arguments, name, place, after_error } => {
             let first_end = route.first_end();
             let (arguments, name) = (arguments.as_ref(), name.as_ref());
-            let at_end = index == 0 || index + 1 == first_end || index + 1 == route.stops.len();
+            let at_end = index == 0 || index + 1 == first_end || index + 1 == route.items.len();
             let element = UnresolvedElement { word, arguments, name, at_end };
             let further = route.further.iter().any(|further| further.start == index);
             let again = element.again(&known, types, further);
-            let stop = match again {
-                Some(name) if index < first_end && !doubtful => passed_twice(name, context),
-                Some(name) => RouteItem::Again { name },
+            let item = match again {
+                Some(name) if index < first_end && !after_error => passed_twice(name, context),
+                Some(name) => RouteItem::Duplicate { name },
                 // It is reported that a further route begins here, or that something is wrong before.
-                None if (further || *doubtful) && !element.is_known(types) => {
+                None if (further || *after_error) && !element.is_known(types) => {
                     RouteItem::Unknown { name: element.name }
                 }
-                None if *doubtful && element.name.is_none() && element.is_kind() => {
+                None if *after_error && element.name.is_none() && element.is_kind() => {
                     RouteItem::Unknown { name: None }
                 }
                 None => element.resolve(def, types, context),
             };
             if let (Some(place), None) = (place, again) {
-                refuse_place(*place, &stop, context);
+                refuse_place(*place, &item, context);
             }
-            known.extend(stop.name().map(ToString::to_string));
-            stop
+            known.extend(item.name().map(ToString::to_string));
+            item
         }
     };
-    route.stops.iter().enumerate().map(&mut resolve).collect()
+    route.items.iter().enumerate().map(&mut resolve).collect()
 }
 
 /// Refuses a stop on the route for the second time.
@@ -141,12 +141,12 @@ fn passed_twice<'a>(name: &'a Ident, context: &mut Context) -> RouteItem<'a> {
          `force = input`"
     );
     context.diagnostics.error(name.span(), message);
-    RouteItem::Again { name }
+    RouteItem::Duplicate { name }
 }
 
 /// Refuses a place that is written on the route.
-fn refuse_place(place: Span, stop: &RouteItem, context: &mut Context) {
-    let message = match stop {
+fn refuse_place(place: Span, item: &RouteItem, context: &mut Context) {
+    let message = match item {
         RouteItem::Body { word, .. } => format!(
             "the route goes on at the `output` of a body: give `{word}` an `output` there instead"
         ),
@@ -291,8 +291,8 @@ impl<'a> UnresolvedElement<'a> {
             let message = format!("a hinge needs a name: `{word} name`");
             context.diagnostics.error(word.span(), message);
         }
-        let frees = kind.read(word, arguments, context);
-        RouteItem::Hinge { word, name, kind, shape: plain.shape(), arguments, frees }
+        let hinge_kind = kind.read(word, arguments, context);
+        RouteItem::Hinge { word, name, kind, spec: plain.spec(), arguments, hinge_kind }
     }
 
     fn body(self, body_type: Option<usize>, context: &mut Context) -> RouteItem<'a> {
@@ -312,7 +312,7 @@ impl<'a> UnresolvedElement<'a> {
     fn unknown_type(&self, def: &ChainSyntax, types: &[BodyType], context: &mut Context) {
         let word = self.word;
         // One that stands in the wrong place or could not be read is reported there.
-        if !def.whole || def.blocks.iter().any(|block| block.names.contains(word)) {
+        if !def.complete || def.blocks.iter().any(|block| block.names.contains(word)) {
             return;
         }
         let hint = context.hint(word, types.iter().map(|known| known.name));

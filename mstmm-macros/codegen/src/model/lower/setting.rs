@@ -41,7 +41,7 @@ pub(super) fn settings(def: &ChainSyntax, context: &mut Context) -> Settings {
             let message = format!("unknown setting `{name}`; a number is `param {name} = …`");
             context.diagnostics.error(field.name.span(), message);
             // The number may be used further on.
-            context.whole = false;
+            context.complete = false;
             continue;
         }
         given.add(field, SETTINGS, &owner, context);

@@ -146,13 +146,13 @@ impl Context<'_> {
             let bare =
                 parts.iter().map(|part| self.expect_no_unit(part)).fold(Some(()), Option::and);
             bare?;
-            let whole = Measured {
+            let complete = Measured {
                 value: Value::number(1.0),
                 measure: Measure::Of(dimension),
                 unit: Some(unit),
                 at: unit.extent,
             };
-            self.expect(&whole, expected)?;
+            self.expect(&complete, expected)?;
             for part in &mut parts {
                 part.value = scale.apply(part.value.clone());
             }

@@ -1,4 +1,4 @@
-//! Whatever is written, the answer is a chain or a list of mistakes, never a panic.
+//! Whatever is written, the answer is a chain or a list of errors, never a panic.
 
 use super::{PENDULUM, read};
 use crate::model::Chain;
@@ -95,7 +95,7 @@ fn replace_each(source: &str) {
             if !place.is_multiple_of(3) {
                 return;
             }
-            // A chain, or mistakes with a message each.
+            // A chain, or errors with a message each.
             match read(wrong) {
                 Ok(chains) => assert!(chains.iter().all(|(chain, _)| is_closed(chain))),
                 Err(errors) => {
@@ -120,8 +120,8 @@ fn deep_groups_are_refused() {
             inside = TokenTree::Group(Group::new(Delimiter::Parenthesis, inside)).into();
         }
         let right: TokenStream = PENDULUM.parse().expect("tokens");
-        let mistakes = read(right.into_iter().chain(inside).collect()).expect_err("far too deep");
-        let messages: Vec<_> = mistakes.into_iter().map(|error| error.to_string()).collect();
+        let errors = read(right.into_iter().chain(inside).collect()).expect_err("far too deep");
+        let messages: Vec<_> = errors.into_iter().map(|error| error.to_string()).collect();
         assert_eq!(messages, [message], "{depth} groups");
     }
 }

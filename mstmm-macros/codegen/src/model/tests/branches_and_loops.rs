@@ -1,7 +1,7 @@
 //! Messages for branches, loops and springs between bodies. They name alternatives, which
 //! `tests/ways_round.rs` tries.
 
-use super::each_mistake_once::expect_rods;
+use super::each_error_once::expect_rods;
 
 const BRANCHES: &str = "a chain has no branches: …";
 

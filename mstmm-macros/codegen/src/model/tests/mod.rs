@@ -5,19 +5,19 @@
 
 mod any_tokens;
 mod branches_and_loops;
-mod each_mistake_once;
-mod good;
-mod good_chains;
-mod good_hinges;
+mod each_error_once;
+mod errors_in_chains;
+mod errors_in_hinges;
+mod errors_in_numbers;
+mod errors_in_parts;
+mod errors_in_routes;
+mod errors_in_words;
 mod grammar;
-mod mistakes_in_chains;
-mod mistakes_in_hinges;
-mod mistakes_in_numbers;
-mod mistakes_in_parts;
-mod mistakes_in_routes;
-mod mistakes_in_words;
-mod no_followers;
+mod no_follow_up_errors;
 mod rules;
+mod valid;
+mod valid_chains;
+mod valid_hinges;
 mod warnings;
 
 use proc_macro2::Span;
@@ -51,7 +51,7 @@ const PENDULUM: &str = "
         hinge shoulder { start = 30 deg; torque = input; }
     }";
 
-/// The only chain of a description without mistakes.
+/// The only chain of a description without errors.
 fn chain(source: &str) -> (Chain, Passthrough) {
     let tokens = source.parse().expect("tokens");
     let mut chains = read(tokens).unwrap_or_else(|error| panic!("{error}, in {source}"));
@@ -85,21 +85,21 @@ fn edited(edits: &[(&str, &str)]) -> String {
     })
 }
 
-/// Makes one edit and expects exactly these mistakes: the text that each points at, the message.
+/// Makes one edit and expects exactly these errors: the text that each points at, the message.
 #[track_caller]
-fn expect(from: &str, to: &str, mistakes: &[(&str, &str)]) {
-    expect_all(&edited(&[(from, to)]), mistakes);
+fn expect(from: &str, to: &str, errors: &[(&str, &str)]) {
+    expect_all(&edited(&[(from, to)]), errors);
 }
 
-/// Expects exactly these mistakes: the text that each points at, and the message.
+/// Expects exactly these errors: the text that each points at, and the message.
 #[track_caller]
-fn expect_all(source: &str, mistakes: &[(&str, &str)]) {
-    let found = mistakes_in(source);
+fn expect_all(source: &str, errors: &[(&str, &str)]) {
+    let found = errors_in(source);
     let as_expected = |((at, message), expected): (&(String, String), &(&str, &str))| {
         at == expected.0 && says(message, expected.1)
     };
-    let all = found.len() == mistakes.len() && found.iter().zip(mistakes).all(as_expected);
-    assert!(all, "found {found:#?}\nexpected {mistakes:#?}\nin {source}");
+    let all = found.len() == errors.len() && found.iter().zip(errors).all(as_expected);
+    assert!(all, "found {found:#?}\nexpected {errors:#?}\nin {source}");
 }
 
 /// Whether a message is the expected one, in which `…` stands for any words.
@@ -111,8 +111,8 @@ fn says(message: &str, expected: &str) -> bool {
     })
 }
 
-/// All mistakes: the text that each points at, and the message.
-fn mistakes_in(source: &str) -> Vec<(String, String)> {
+/// All errors: the text that each points at, and the message.
+fn errors_in(source: &str) -> Vec<(String, String)> {
     match read(source.parse().expect("tokens")) {
         Ok(_) => Vec::new(),
         Err(errors) => errors

@@ -8,7 +8,7 @@ use crate::diag::Warning;
 /// All warnings of a right chain: the text that each is on, and the message.
 fn warnings_in(source: &str) -> Vec<(String, String)> {
     let expansion = crate::expand(source.parse().expect("tokens"), &quote!(::mstmm));
-    assert!(expansion.mistakes.is_none(), "{:?}, in {source}", expansion.mistakes);
+    assert!(expansion.errors.is_none(), "{:?}, in {source}", expansion.errors);
     let items = expansion.items.to_string();
     assert_eq!(items.matches("deprecated").count(), expansion.warnings.len(), "in {source}");
     let shown = |Warning { at, message, .. }: Warning| (text(source, at), message);

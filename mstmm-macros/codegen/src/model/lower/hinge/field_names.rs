@@ -90,10 +90,10 @@ const OF_TURNS: Measures = Measures {
 
 /// The groups of a hinge, each with its fields.
 pub(crate) fn groups(
-    shape: &'static HingeSpec,
+    spec: &'static HingeSpec,
 ) -> impl Iterator<Item = (&'static DofGroup, &'static FieldNames)> {
-    let beside_shifts = shape.groups.len() > 1;
-    shape.groups.iter().map(move |group| match (group.turns, beside_shifts) {
+    let beside_shifts = spec.groups.len() > 1;
+    spec.groups.iter().map(move |group| match (group.turns, beside_shifts) {
         (false, _) => (group, &SHIFTS),
         (true, false) => (group, &TURNS),
         (true, true) => (group, &TURNS_BESIDE_SHIFTS),
@@ -106,28 +106,28 @@ pub(super) fn measures(group: &DofGroup) -> &'static Measures {
 }
 
 /// The fields of a hinge on the route.
-pub(crate) fn fields(shape: &'static HingeSpec) -> Vec<&'static str> {
-    let of_group = |(_, words): (_, &FieldNames)| {
+pub(crate) fn fields(spec: &'static HingeSpec) -> Vec<&'static str> {
+    let of_group = |(_, names): (_, &FieldNames)| {
         [
-            words.stiffness,
-            words.damping,
-            words.armature,
-            words.friction,
-            words.friction_speed,
-            words.limits,
-            words.limit_stiffness,
-            words.limit_damping,
-            words.effort,
+            names.stiffness,
+            names.damping,
+            names.armature,
+            names.friction,
+            names.friction_speed,
+            names.limits,
+            names.limit_stiffness,
+            names.limit_damping,
+            names.effort,
         ]
     };
-    let more = groups(shape).flat_map(of_group).chain(["rest", "motion"]);
-    let any = !shape.groups.is_empty();
-    start_fields(shape).into_iter().chain(more.filter(|_| any)).collect()
+    let more = groups(spec).flat_map(of_group).chain(["rest", "motion"]);
+    let any = !spec.groups.is_empty();
+    start_fields(spec).into_iter().chain(more.filter(|_| any)).collect()
 }
 
 /// The fields that say how it starts.
-pub(crate) fn start_fields(shape: &'static HingeSpec) -> Vec<&'static str> {
-    let rates = groups(shape).map(|(_, words)| words.start_rate);
-    let any = !shape.groups.is_empty();
+pub(crate) fn start_fields(spec: &'static HingeSpec) -> Vec<&'static str> {
+    let rates = groups(spec).map(|(_, names)| names.start_rate);
+    let any = !spec.groups.is_empty();
     any.then_some("start").into_iter().chain(rates).collect()
 }

@@ -11,17 +11,17 @@ use crate::syntax::ValueSyntax;
 /// What acts on the strains of a group.
 pub(super) fn passive(
     group: &DofGroup,
-    words: &FieldNames,
+    names: &FieldNames,
     fields: &Fields,
     context: &mut Context,
 ) -> Vec<Passive> {
     let mut reader = PassiveReader { group, fields, context };
     let measures = measures(group);
-    let stiffness = reader.each(words.stiffness, measures.stiffness);
-    let damping = reader.each(words.damping, measures.damping);
-    let armature = reader.each(words.armature, measures.inertia);
-    let friction = reader.friction(words);
-    let limits = reader.limits(words);
+    let stiffness = reader.each(names.stiffness, measures.stiffness);
+    let damping = reader.each(names.damping, measures.damping);
+    let armature = reader.each(names.armature, measures.inertia);
+    let friction = reader.friction(names);
+    let limits = reader.limits(names);
     let parts = stiffness.into_iter().zip(damping).zip(armature).zip(friction);
     let passive = |(((stiffness, damping), armature), friction)| Passive {
         stiffness,
@@ -72,12 +72,12 @@ impl PassiveReader<'_, '_, '_> {
     }
 
     /// Friction for each strain.
-    fn friction(&mut self, words: &FieldNames) -> Vec<Option<Friction>> {
+    fn friction(&mut self, names: &FieldNames) -> Vec<Option<Friction>> {
         let measures = measures(self.group);
-        let efforts = self.each(words.friction, measures.effort);
-        let speed = self.number(words.friction_speed, measures.rate, 1.0);
+        let efforts = self.each(names.friction, measures.effort);
+        let speed = self.number(names.friction_speed, measures.rate, 1.0);
         // Without friction its speed is still judged.
-        let alone = self.gives(&[words.friction_speed]) && !self.gives(&[words.friction]);
+        let alone = self.gives(&[names.friction_speed]) && !self.gives(&[names.friction]);
         let friction = |effort: Value| {
             let acts = alone || !effort.is_zero();
             acts.then(|| Friction { effort, speed: speed.clone() })
@@ -86,11 +86,11 @@ impl PassiveReader<'_, '_, '_> {
     }
 
     /// Limits of all strains.
-    fn limits(&mut self, words: &FieldNames) -> Option<Limits> {
+    fn limits(&mut self, names: &FieldNames) -> Option<Limits> {
         let measures = measures(self.group);
         let form = self.group.representation;
         let [low, high] = self.context.readable(
-            self.fields.get(words.limits),
+            self.fields.get(names.limits),
             || [-1.0, 1.0].map(Value::number),
             |context, written| match form {
                 Representation::Quaternion => {
@@ -102,9 +102,9 @@ impl PassiveReader<'_, '_, '_> {
                 }
             },
         );
-        let stiffness = self.number(words.limit_stiffness, measures.stiffness, 1.0);
-        let damping = self.number(words.limit_damping, measures.damping, 0.0);
-        let given = self.gives(&[words.limits, words.limit_stiffness, words.limit_damping]);
+        let stiffness = self.number(names.limit_stiffness, measures.stiffness, 1.0);
+        let damping = self.number(names.limit_damping, measures.damping, 0.0);
+        let given = self.gives(&[names.limits, names.limit_stiffness, names.limit_damping]);
         given.then_some(Limits { low, high, stiffness, damping })
     }
 }

@@ -26,55 +26,55 @@ pub(crate) struct HingeProperties {
 
 impl HingeProperties {
     /// That of a hinge of which nothing is said.
-    pub fn none(shape: &HingeSpec) -> Self {
+    pub fn none(spec: &HingeSpec) -> Self {
         let numbers = |count| vec![Value::number(0.0); count];
-        let freedoms = shape.rates.len();
+        let freedoms = spec.rates.len();
         HingeProperties {
-            start: zero_position(shape),
+            start: zero_position(spec),
             start_rate: numbers(freedoms),
-            rest: zero_position(shape),
+            rest: zero_position(spec),
             drive: Drive::Efforts(vec![Effort::Free; freedoms]),
             passive: vec![Passive::none(); freedoms],
         }
     }
 }
 
-fn zero_position(shape: &HingeSpec) -> Vec<Value> {
-    shape.coordinates.iter().map(|coordinate| Value::number(coordinate.rest)).collect()
+fn zero_position(spec: &HingeSpec) -> Vec<Value> {
+    spec.coordinates.iter().map(|coordinate| Value::number(coordinate.rest)).collect()
 }
 
 /// What is said of a hinge.
 pub(crate) fn motion(
-    shape: &'static HingeSpec,
+    spec: &'static HingeSpec,
     fields: &Fields,
     context: &mut Context,
 ) -> HingeProperties {
     let [start, rest] = ["start", "rest"].map(|name| {
         context.readable(
             fields.get(name),
-            || zero_position(shape),
-            |context, written| position(shape, written, context),
+            || zero_position(spec),
+            |context, written| position(spec, written, context),
         )
     });
-    let rates = groups(shape)
-        .flat_map(|(group, words)| rates(group, fields.get(words.start_rate), context));
+    let rates =
+        groups(spec).flat_map(|(group, names)| rates(group, fields.get(names.start_rate), context));
     let start_rate = rates.collect();
-    let drive = drive(shape, fields, context);
-    let passives = groups(shape).flat_map(|(group, words)| passive(group, words, fields, context));
+    let drive = drive(spec, fields, context);
+    let passives = groups(spec).flat_map(|(group, names)| passive(group, names, fields, context));
     let passive = passives.collect();
     HingeProperties { start, rest, start_rate, drive, passive }
 }
 
 /// The coordinates of a position.
 fn position(
-    shape: &'static HingeSpec,
+    spec: &'static HingeSpec,
     written: &ValueSyntax,
     context: &mut Context,
 ) -> Option<Vec<Value>> {
     let shifts = |written, group: &DofGroup, context: &mut Context| {
         context.components(written, group.rates.len(), measures(group).strain)
     };
-    match shape.groups {
+    match spec.groups {
         [group] if group.representation == Representation::Quaternion => {
             Some(context.written_orientation(written)?.quaternion().to_vec())
         }
@@ -86,7 +86,7 @@ fn position(
                 Some([way?, turned?].concat())
             }
             other => {
-                let mut coordinates = zero_position(shape);
+                let mut coordinates = zero_position(spec);
                 coordinates.splice(first.coordinates.clone(), shifts(other, first, context)?);
                 Some(coordinates)
             }
@@ -122,9 +122,9 @@ fn rates(group: &DofGroup, field: Option<&FieldSyntax>, context: &mut Context) -
 
 /// What moves it: a motor for each group, or a motion that is given. Together they are a mistake
 /// that a rule reports.
-fn drive(shape: &'static HingeSpec, fields: &Fields, context: &mut Context) -> Drive {
-    let efforts: Vec<_> = groups(shape)
-        .flat_map(|(group, words)| efforts(group, fields.get(words.effort), context))
+fn drive(spec: &'static HingeSpec, fields: &Fields, context: &mut Context) -> Drive {
+    let efforts: Vec<_> = groups(spec)
+        .flat_map(|(group, names)| efforts(group, fields.get(names.effort), context))
         .collect();
     let prescribed = context.readable(
         fields.get("motion"),

@@ -1,6 +1,6 @@
 //! Mistakes in names, settings and items.
 
-use super::each_mistake_once::expect_rods;
+use super::each_error_once::expect_rods;
 use super::{PENDULUM, edited, expect, expect_all};
 
 #[test]
@@ -60,7 +60,7 @@ fn dimensions_are_known() {
 }
 
 #[test]
-fn all_mistakes_of_all_phases_are_reported() {
+fn all_errors_of_all_phases_are_reported() {
     let source = "chain A {
         gravity = [0, 1, 0] kg;
         body B { mass = -1 kg; com = [0 0, 0] m; inertia = diag(1, 1, 3) about com; }
@@ -87,9 +87,9 @@ fn all_mistakes_of_all_phases_are_reported() {
 fn words_that_items_begin_with_are_no_names() {
     for word in ["hinge", "body", "param", "ground"] {
         let message = format!("`{word}` is a word of this language and cannot be a name");
-        let mistakes = &[(word, message.as_str())];
-        expect_rods(&format!("ground -> pin {word} -> Rod rod;"), mistakes);
-        expect_rods(&format!("ground -> pin j -> Rod {word}; hinge j {{ start = 1; }}"), mistakes);
-        expect_rods(&format!("param {word} = 1; ground -> pin j -> Rod rod;"), mistakes);
+        let errors = &[(word, message.as_str())];
+        expect_rods(&format!("ground -> pin {word} -> Rod rod;"), errors);
+        expect_rods(&format!("ground -> pin j -> Rod {word}; hinge j {{ start = 1; }}"), errors);
+        expect_rods(&format!("param {word} = 1; ground -> pin j -> Rod rod;"), errors);
     }
 }

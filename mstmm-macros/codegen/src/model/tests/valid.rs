@@ -1,4 +1,4 @@
-//! Descriptions without mistakes.
+//! Descriptions without errors.
 
 use super::{PENDULUM, chain, edited};
 use super::{all_known, constants, known};

@@ -4,8 +4,8 @@ use super::expect;
 
 /// A mass that is wrong.
 #[track_caller]
-fn expect_mass(written: &str, mistakes: &[(&str, &str)]) {
-    expect("mass = 2 kg", &format!("mass = {written}"), mistakes);
+fn expect_mass(written: &str, errors: &[(&str, &str)]) {
+    expect("mass = 2 kg", &format!("mass = {written}"), errors);
 }
 
 #[test]
@@ -98,7 +98,7 @@ fn parentheses_hold_one_number() {
 }
 
 #[test]
-fn mistakes_beside_each_other_are_all_reported() {
+fn errors_beside_each_other_are_all_reported() {
     expect_mass(
         "(1 mm + paylod) * MASS + 2 KG",
         &[
@@ -120,9 +120,9 @@ fn depth_and_length_have_limits() {
     let too_deep = "more than 32 groups within each other";
     expect_mass(&nested(150), &[("(", too_deep)]);
     expect_mass(&format!("{} 1", "-".repeat(10_000)), &[]);
-    let mistake = "more than 256 parts in one sum or product";
-    expect_mass(&vec!["MASS"; 257].join(" + "), &[("MASS", mistake)]);
-    expect_mass(&vec!["MASS"; 257].join(" * "), &[("MASS", mistake)]);
+    let error = "more than 256 parts in one sum or product";
+    expect_mass(&vec!["MASS"; 257].join(" + "), &[("MASS", error)]);
+    expect_mass(&vec!["MASS"; 257].join(" * "), &[("MASS", error)]);
 }
 
 /// Powers of powers would grow beyond all bounds.
@@ -130,10 +130,10 @@ fn depth_and_length_have_limits() {
 fn powers_have_limits() {
     let tower = |base: &str| (0..20).fold(base.to_owned(), |base, _| format!("({base}^9)"));
     expect_mass(&tower("1"), &[]);
-    let found = super::mistakes_in(&super::edited(&[("2 kg", &tower("MASS"))]));
+    let found = super::errors_in(&super::edited(&[("2 kg", &tower("MASS"))]));
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].1, "this formula is too long; give a part of it as a `const`");
-    let found = super::mistakes_in(&super::edited(&[("2 kg", &tower("(1 m)"))]));
+    let found = super::errors_in(&super::edited(&[("2 kg", &tower("(1 m)"))]));
     assert_eq!(found.len(), 1);
 }
 

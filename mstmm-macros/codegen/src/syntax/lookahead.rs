@@ -53,11 +53,11 @@ pub(super) fn is_route(input: &Cursor) -> bool {
     let body = ahead.ident().is_some_and(|word| word.to_string().starts_with(char::is_uppercase));
     let _name = name(&mut ahead);
     let ends = ahead.peek_punct(';') || ahead.is_empty() || begins_block(&ahead);
-    (body && ends) || is_route_of_stops(input)
+    (body && ends) || is_clearly_route(input)
 }
 
 /// Whether it begins with a word that only a route begins with, or has an arrow.
-pub(super) fn is_route_of_stops(input: &Cursor) -> bool {
+pub(super) fn is_clearly_route(input: &Cursor) -> bool {
     let mut ahead = *input;
     let Some(first) = ahead.ident() else { return false };
     // Brackets in the wrong place.

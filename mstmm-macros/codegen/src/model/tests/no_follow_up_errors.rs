@@ -1,13 +1,13 @@
 //! Nothing is reported that only follows from another error; a token has one error, and errors are in
 //! the order of the text. What `rustc` would say of code that uses wrong chains, `tests/ui/quiet` shows.
 
-use super::each_mistake_once::expect_rods;
+use super::each_error_once::expect_rods;
 use super::expect_all;
 
 /// A chain with one type of body that has these fields.
-fn expect_body(fields: &str, mistakes: &[(&str, &str)]) {
+fn expect_body(fields: &str, errors: &[(&str, &str)]) {
     let source = format!("chain A {{ body Rod {{ {fields} }} ground -> pin j -> Rod rod; }}");
-    expect_all(&source, mistakes);
+    expect_all(&source, errors);
 }
 
 const REST: &str = "com = [1, 0, 0] m; inertia = diag(1, 1, 1) kg*m^2 about com;";
@@ -122,8 +122,8 @@ fn a_hinge_that_joins_nothing_needs_no_output() {
         )
     };
     let nothing = ("k", "hinge `k` joins nothing: end the route with a body or with `ground`");
-    let expect = |output: &str, route: &str, mistakes: &[(&str, &str)]| {
-        expect_all(&format!("chain A {{ {} {route} }}", body(output)), mistakes);
+    let expect = |output: &str, route: &str, errors: &[(&str, &str)]| {
+        expect_all(&format!("chain A {{ {} {route} }}", body(output)), errors);
     };
     expect("", "ground -> pin j -> Bar bar -> pin k;", &[nothing]);
     expect("output = [1, 0, 0];", "ground -> pin j -> Bar bar -> pin k;", &[nothing]);

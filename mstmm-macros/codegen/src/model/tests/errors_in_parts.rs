@@ -1,6 +1,6 @@
 //! Mistakes in bodies and in the properties of hinges.
 
-use super::{each_mistake_once, expect};
+use super::{each_error_once, expect};
 
 #[test]
 fn fields_that_are_missing_are_listed_together() {
@@ -30,7 +30,7 @@ fn a_missing_semicolon_costs_no_field() {
     expect("mass = 2 kg;", "mass = 2 kg", &[("kg", "expected `;` after this")]);
     expect("mass = 2 kg;", "mass = 2", &[("2", "expected `;` after this")]);
     let floats = "gravity = [0, 0, 0] m/s^2 Rod first -> pin j -> Rod last;";
-    each_mistake_once::expect_rods(floats, &[("2", "expected `;` after this")]);
+    each_error_once::expect_rods(floats, &[("2", "expected `;` after this")]);
     expect("0.1, 0] rad/s;", "0.1, 0] rad/s", &[("s", "expected `;` after this")]);
 }
 

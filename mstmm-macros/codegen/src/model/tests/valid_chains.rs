@@ -1,4 +1,4 @@
-//! Chains without mistakes: dimensions, ends, loads and repeated parts.
+//! Chains without errors: dimensions, ends, loads and repeated parts.
 
 use super::{all_known, chain, edited, known};
 use crate::ids::{BodyId, HingeId, LoadId, RepeatId};
@@ -213,11 +213,12 @@ fn loads_act_at_points() {
     assert_eq!(load("at = [1, 2, 3] mm;"), [0.001, 0.002, 0.003]);
 }
 
-/// The seam on the inboard side of a hinge, and what that is welded to.
+/// The boundary on the inboard side of a hinge, and what that is welded to.
 fn behind_seam(chain: &Chain, hinge: usize) -> (RepeatBoundary, Attachment) {
-    let seam = chain.seam(&chain.hinges[HingeId(hinge)].inboard).expect("a seam");
-    let weld = chain.weld_of(seam);
-    (seam, chain.hinges[weld].inboard.clone())
+    let boundary =
+        chain.repeat_boundary(&chain.hinges[HingeId(hinge)].inboard).expect("a boundary");
+    let weld = chain.weld_of(boundary);
+    (boundary, chain.hinges[weld].inboard.clone())
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Mistakes in the route.
 
-use super::each_mistake_once::{ITEMS, expect_rods};
+use super::each_error_once::{ITEMS, expect_rods};
 use super::{expect, expect_all};
 
 const BODY_BETWEEN: &str = "; put one there, with a mass, however small";

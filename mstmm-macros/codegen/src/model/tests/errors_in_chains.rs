@@ -11,9 +11,9 @@ const PLANE: &str = "
     }";
 
 #[track_caller]
-fn expect_plane(from: &str, to: &str, mistakes: &[(&str, &str)]) {
+fn expect_plane(from: &str, to: &str, errors: &[(&str, &str)]) {
     assert_eq!(PLANE.matches(from).count(), 1, "`{from}` must stand once in {PLANE}");
-    expect_all(&PLANE.replace(from, to), mistakes);
+    expect_all(&PLANE.replace(from, to), errors);
 }
 
 #[test]
@@ -114,8 +114,8 @@ fn ends_are_at_the_ends() {
 
 /// A load on the example's rod.
 #[track_caller]
-fn expect_load(written: &str, mistakes: &[(&str, &str)]) {
-    expect_all(&edited(&[("hinge wrist", &format!("{written} hinge wrist"))]), mistakes);
+fn expect_load(written: &str, errors: &[(&str, &str)]) {
+    expect_all(&edited(&[("hinge wrist", &format!("{written} hinge wrist"))]), errors);
 }
 
 #[test]
@@ -269,7 +269,7 @@ fn repeats_are_well_formed() {
 
 #[test]
 fn parameters_with_many_numbers_belong_to_one_repeated_part() {
-    let expect_rope = |count: u32, base: &str, link: &str, mistakes: &[(&str, &str)]| {
+    let expect_rope = |count: u32, base: &str, link: &str, errors: &[(&str, &str)]| {
         let rest = "com = [0, 0, 0]; output = [1, 0, 0]; inertia = diag(1, 1, 1) about com;";
         let source = format!(
             "chain Rope {{
@@ -279,7 +279,7 @@ fn parameters_with_many_numbers_belong_to_one_repeated_part() {
                 ground -> pin a -> Base base -> repeat {count} {{ pin b -> Link link }};
             }}"
         );
-        expect_all(&source, mistakes);
+        expect_all(&source, errors);
     };
     expect_rope(3, "1 kg", "m", &[]);
     let count = "`m` has 3 numbers for a part that is repeated 2 times";

@@ -4,12 +4,12 @@ use super::{expect, expect_all};
 
 /// Another kind of hinge with other properties in the place of the example's ball.
 #[track_caller]
-fn expect_hinge(kind: &str, properties: &str, mistakes: &[(&str, &str)]) {
+fn expect_hinge(kind: &str, properties: &str, errors: &[(&str, &str)]) {
     let source = super::edited(&[
         ("ball wrist", &format!("{kind} wrist")),
         ("start_rate = [0, 0.1, 0] rad/s;", properties),
     ]);
-    expect_all(&source, mistakes);
+    expect_all(&source, errors);
 }
 
 #[test]

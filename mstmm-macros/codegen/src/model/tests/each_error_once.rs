@@ -1,6 +1,6 @@
-//! A mistake is reported once, and hides no other one.
+//! A error is reported once, and hides no other one.
 
-use super::{expect_all, mistakes_in};
+use super::{errors_in, expect_all};
 
 const ROD: &str = "body Rod { mass = 1 kg; com = [0.5, 0, 0] m; output = [1, 0, 0] m; \
                    inertia = diag(0, 1/6, 1/6) kg*m^2 about com; } ";
@@ -11,24 +11,21 @@ pub(super) const ITEMS: &str = "; there are `gravity`, `method`, `results`, `ans
 
 /// A chain of rods with this written behind their description.
 #[track_caller]
-pub(super) fn expect_rods(written: &str, mistakes: &[(&str, &str)]) {
-    expect_all(&format!("chain A {{ {ROD} {written} }}"), mistakes);
+pub(super) fn expect_rods(written: &str, errors: &[(&str, &str)]) {
+    expect_all(&format!("chain A {{ {ROD} {written} }}"), errors);
 }
 
 /// A rod on a hinge of this kind, with this said of the hinge.
 #[track_caller]
-pub(super) fn expect_hinge(kind: &str, fields: &str, mistakes: &[(&str, &str)]) {
-    expect_rods(&format!("ground -> {kind} j -> Rod rod; hinge j {{ {fields} }}"), mistakes);
+pub(super) fn expect_hinge(kind: &str, fields: &str, errors: &[(&str, &str)]) {
+    expect_rods(&format!("ground -> {kind} j -> Rod rod; hinge j {{ {fields} }}"), errors);
 }
 
 /// The parameter `p` as the mass of a body.
 #[track_caller]
-fn expect_parameter(written: &str, mistakes: &[(&str, &str)]) {
+fn expect_parameter(written: &str, errors: &[(&str, &str)]) {
     let body = "body Bar { mass = p; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; }";
-    expect_all(
-        &format!("chain A {{ param p{written}; {body} ground -> pin j -> Bar; }}"),
-        mistakes,
-    );
+    expect_all(&format!("chain A {{ param p{written}; {body} ground -> pin j -> Bar; }}"), errors);
 }
 
 #[test]
@@ -95,7 +92,7 @@ fn a_parameter_without_a_default_is_not_judged() {
 }
 
 #[test]
-fn a_route_without_a_body_is_one_mistake() {
+fn a_route_without_a_body_is_one_error() {
     let message = "there is no body on the route";
     expect_rods("ground;", &[("ground", message)]);
     expect_rods("ground -> pin(z) j;", &[("ground", message)]);
@@ -131,11 +128,11 @@ fn methods_have_names_of_their_own() {
 }
 
 #[test]
-fn many_mistakes_are_counted() {
+fn many_errors_are_counted() {
     let bodies: String = (0..1000).map(|k| format!(" -> pin h{k} -> Rod r{k}")).collect();
     let blocks: String = (0..1000).map(|k| format!(" hinge k{k} {{ start = 1; }}")).collect();
-    let found = mistakes_in(&format!("chain A {{ {ROD} ground {bodies}; {blocks} }}"));
+    let found = errors_in(&format!("chain A {{ {ROD} ground {bodies}; {blocks} }}"));
     assert_eq!(found.len(), 101);
     assert_eq!(found[99].1, "no hinge `k99` on the route; did you mean `h99`?");
-    assert_eq!(found[100].1, "… and 900 more mistakes");
+    assert_eq!(found[100].1, "… and 900 more errors");
 }
