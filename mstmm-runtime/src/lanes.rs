@@ -35,14 +35,14 @@
 //!
 //! All lanes of `wide` are scalars on all targets, so a chain of `f64x8` compiles everywhere. Without AVX-512 a value
 //! of `f64x8` occupies two or four registers, most values are in memory, and a state costs more time than in
-//! [`NativeF64`]. The optimised build costs the compiler two to four times the time of native lanes. For a chain of ten
+//! [`NativeF64`]. The optimised build costs the compiler two to three times the time of native lanes. For a chain of ten
 //! bodies of all hinges, without AVX, in seconds of processor time:
 //!
 //! | | `f64x2` | `f64x8` | `f32x4` | `f32x16` |
 //! |---|---|---|---|---|
-//! | `accelerations_into` | 1.3 | 2.8 | 1.3 | 3.1 |
-//! | with `Rk4` | 1.4 | 3.0 | 1.5 | 3.1 |
-//! | with `solve_into`, without `Rk4` | 2.0 | 6.4 | 2.0 | 7.3 |
+//! | `accelerations_into` | 1.1 | 2.4 | 1.3 | 2.9 |
+//! | with `Rk4` | 1.4 | 2.9 | 1.4 | 2.8 |
+//! | with `solve_into`, without `Rk4` | 1.3 | 3.5 | 1.2 | 3.5 |
 //!
 //! Unoptimised code of the longest lanes needs a stack of more than 2 MB.
 
@@ -68,6 +68,21 @@ pub type NativeF64 = WidestF64;
 ///
 /// [`NativeF32::LANES`](Scalar::LANES) is their number.
 pub type NativeF32 = WidestF32;
+
+/// Whether lanes fit one register of the target.
+const fn fits_register<L>() -> bool {
+    size_of::<L>() <= size_of::<WidestF64>()
+}
+
+/// Calls a function that is not inlined.
+///
+/// LLVM orders the instructions between two calls, and assigns registers to them, in more than linear time. Lanes of
+/// several registers have several times the instructions of native lanes. Calls for the long operations divide a block
+/// into short parts and keep the operations out of it. The bits are the same.
+#[inline(never)]
+fn called<L, R>(lanes: L, function: impl Fn(L) -> R) -> R {
+    function(lanes)
+}
 
 /// Implements [`Scalar`] for lanes of a primitive. Operations are those of IEEE 754, lane by lane.
 macro_rules! lanes {
@@ -148,7 +163,8 @@ macro_rules! lanes {
 
             #[inline(always)]
             fn recip(self) -> Self {
-                Self::constant(1.0) / self
+                let recip = |divisor| Self::constant(1.0) / divisor;
+                if fits_register::<Self>() { recip(self) } else { called(self, recip) }
             }
 
             #[inline(always)]
@@ -170,7 +186,11 @@ macro_rules! lanes {
             fn sin_cos<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 let (mut sines, mut cosines) = ([Self::default(); N], [Self::default(); N]);
                 for ((&angle, sine), cosine) in angles.iter().zip(&mut sines).zip(&mut cosines) {
-                    (*sine, *cosine) = sin_cos::$precision::one(angle);
+                    (*sine, *cosine) = if fits_register::<Self>() {
+                        sin_cos::$precision::one(angle)
+                    } else {
+                        called(angle, sin_cos::$precision::one)
+                    };
                 }
                 (sines, cosines)
             }
