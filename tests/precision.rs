@@ -93,7 +93,7 @@ fn reference(kind: impl Fn(usize) -> HingeKind) -> Chain {
 fn random_state(random: &mut Random, reference: &Chain) -> State {
     let mut q = Vec::new();
     let mut short = |limit: f64| f64::from(random.between(-limit, limit) as f32);
-    let v = (0..reference.freedoms()).map(|_| short(2.0)).collect();
+    let v = (0..reference.dof_count()).map(|_| short(2.0)).collect();
     for hinge in reference.hinges() {
         match hinge.kind {
             HingeKind::Ball => q.extend(random_quaternion(random)),

@@ -16,7 +16,7 @@ mod support;
 
 use mstmm::{ChainState, Error};
 use mstmm_reference::{
-    Chain, Dimension, Drives, End, Ends, Gravity, HingeKind, HingeMotion, Joining, Random, Recipe,
+    Chain, Dimension, Drives, End, Ends, Gravity, HingeKind, HingeMotion, HingeChoice, Random, Recipe,
     Solution, Source, random_mechanism, random_motion,
 };
 use random::chains;
@@ -41,10 +41,10 @@ fn chain(seed: u64) -> Chain {
     };
     let bodies = if seed == FLAT { 4 } else { 1 + (seed as usize * 3 + 1) % 4 };
     let recipe = if seed == FLAT {
-        let kinds = [Joining::Pin, Joining::Slider];
+        let kinds = [HingeChoice::Pin, HingeChoice::Slider];
         Recipe { flat: true, ..Recipe::rich(dimension, bodies, ends, &kinds) }
     } else {
-        let recipe = Recipe::rich(dimension, bodies, ends, &Joining::ALL);
+        let recipe = Recipe::rich(dimension, bodies, ends, &HingeChoice::ALL);
         Recipe { prescribed: 0.25, springs: 0.4, ..recipe }
     };
     let name = format!("Random{seed}");
@@ -57,7 +57,7 @@ fn chain(seed: u64) -> Chain {
 fn moves(chain: &Chain) -> bool {
     let driven = chain.hinges().any(|hinge| hinge.prescribed)
         || [&chain.start, &chain.finish].iter().any(|end| matches!(end, End::Moving { .. }));
-    let freedoms: usize = chain.hinges().map(|hinge| hinge.freedoms()).sum();
+    let freedoms: usize = chain.hinges().map(|hinge| hinge.dof_count()).sum();
     let directions = match chain.dimension {
         Dimension::Space => 6,
         Dimension::Plane => 3,

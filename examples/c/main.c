@@ -27,7 +27,7 @@ static void print(const char *name, const mstmm_real *numbers, int count)
 {
     printf("%-22s", name);
     for (int i = 0; i < count; ++i) {
-        printf(" %.9g", (double)numbers[i]); /* with nine digits a float is told exactly */
+        printf(" %.9g", (double)numbers[i]); /* nine digits identify a float */
     }
     printf("\n");
 }

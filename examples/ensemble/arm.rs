@@ -1,4 +1,4 @@
-//! What differs from arm to arm, and where one ends.
+//! The random properties of an arm, and its final position.
 
 use mstmm::Error;
 use mstmm_reference::Random;
@@ -6,21 +6,21 @@ use mstmm_reference::Random;
 use crate::chain::{Panda, PandaState, TARGET};
 use crate::lanes::Lanes;
 
-/// The payload, a box of even density, and how far from the target the joints start, at rest.
+/// The payload, a box of uniform density, and the start of the joints relative to the target, at rest.
 #[derive(Clone, Copy, Debug)]
 pub struct Arm {
-    /// In kg.
+    /// Mass of the payload in kg.
     mass: f64,
-    /// Of the box from the middle of the flange, in m.
+    /// Centre of the box from the middle of the flange, in m.
     centre: [f64; 3],
-    /// Of the box, in m.
+    /// Edge lengths of the box in m.
     edges: [f64; 3],
-    /// In rad.
+    /// Start angles relative to the target in rad.
     start: [f64; 7],
 }
 
 impl Arm {
-    /// So many arms, the same in every run.
+    /// Returns `count` random arms, which depend only on the seed.
     pub fn random(seed: u64, count: usize) -> Vec<Self> {
         let first = Random::new(seed).bits();
         let arm = |index| {
@@ -36,8 +36,8 @@ impl Arm {
         (0..count as u64).map(arm).collect()
     }
 
-    /// As many arms as there are lanes as one chain, and where it starts. Where they are too few, the
-    /// last one fills the other lanes.
+    /// Returns a chain with one arm per lane, and its start. If there are fewer arms than lanes, the last
+    /// arm fills the other lanes.
     pub fn chain<T: Lanes>(arms: &[Self]) -> Result<(Panda<T>, PandaState<T>), Error> {
         let lanes = |number: &dyn Fn(&Self) -> f64| {
             T::from_lanes(|lane| number(&arms[lane.min(arms.len() - 1)]))
@@ -60,17 +60,17 @@ impl Arm {
     }
 }
 
-/// Where an arm is at the end.
+/// The final position of an arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
-    /// Of the joints, in rad.
+    /// Angles of the joints in rad.
     pub angles: [f64; 7],
-    /// Of the flange from where it should be, in m.
+    /// Position of the flange relative to its target, in m.
     pub offset: [f64; 3],
 }
 
 impl End {
-    /// Of each lane in this state.
+    /// Returns the final position of the arm in each lane.
     pub fn of_lanes<T: Lanes>(
         chain: &Panda<T>,
         state: &PandaState<T>,
@@ -89,12 +89,12 @@ impl End {
         Ok((0..T::LANES).map(of_lane))
     }
 
-    /// Of the flange from where it should be, in m.
+    /// Returns the distance of the flange from its target, in m.
     pub fn distance(&self) -> f64 {
         norm(self.offset)
     }
 
-    /// Of two flanges, in m.
+    /// Returns the distance between two flanges, in m.
     pub fn apart(&self, other: &Self) -> f64 {
         norm(std::array::from_fn(|axis| self.offset[axis] - other.offset[axis]))
     }

@@ -33,16 +33,16 @@ panda! {
     }
 }
 
-/// The pose that the controller brings the arm to, in rad: the one Franka's own examples start from.
+/// The target of the controller in rad: the start pose of Franka's examples.
 pub const TARGET: [f64; 7] = [0.0, -FRAC_PI_4, 0.0, -3.0 * FRAC_PI_4, 0.0, FRAC_PI_2, FRAC_PI_4];
 
-/// What stiffness and damping the controller gives the joints, in N m/rad and N m s/rad: that of
-/// Franka's example of joint impedance.
+/// Stiffness and damping of the controller, in N m/rad and N m s/rad, from Franka's example of joint
+/// impedance control.
 const STIFFNESS: [f64; 7] = [600.0, 600.0, 600.0, 600.0, 250.0, 150.0, 50.0];
 const DAMPING: [f64; 7] = [50.0, 50.0, 50.0, 50.0, 30.0, 25.0, 15.0];
 
-/// Springs and dampers to the target, and what holds the arm there with the payload that the
-/// controller believes in: the one of the description.
+/// A PD controller with the torques that hold the arm at the target with the nominal payload, the
+/// payload of the description.
 pub struct Controller {
     hold: [f64; 7],
 }

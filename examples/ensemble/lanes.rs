@@ -1,14 +1,14 @@
-//! Numbers by how many arms they are computed for at a time.
+//! Scalars of one lane or of several lanes.
 
 use mstmm::Scalar;
 use mstmm::wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
-/// A number of one lane or of several.
+/// A scalar of one lane or of several lanes.
 pub trait Lanes: Scalar {
-    /// From the number of each lane.
+    /// Returns the scalar with the given value in each lane.
     fn from_lanes(lane: impl FnMut(usize) -> f64) -> Self;
 
-    /// The number of a lane.
+    /// Returns the value of a lane.
     fn lane(self, index: usize) -> f64;
 }
 

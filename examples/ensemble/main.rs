@@ -1,7 +1,7 @@
-//! Many robot arms with random payloads under the same controller, simulated in lanes of SIMD registers
-//! on all cores, and for comparison one by one: what that brings, and how far off they stop.
+//! Simulates many robot arms with random payloads under the same controller, in SIMD lanes on all cores,
+//! compares the speed with that of single arms, and reports the final position errors.
 //!
-//! `cargo run --release --example ensemble -- --help` tells what it takes.
+//! `cargo run --release --example ensemble -- --help` lists the options.
 
 mod arm;
 mod chain;
@@ -19,49 +19,49 @@ use arm::{Arm, End};
 use run::{DOUBLE, ONE_BY_ONE, Progress, Run, SINGLE, Settings};
 use statistics::Spread;
 
-/// So many arms are also simulated one by one, and in shorter steps, to be compared with.
+/// The number of arms that are also simulated one by one, and in shorter steps, for comparison.
 const SAMPLE: usize = 64;
 
-/// To know its pace, a way simulates this part of the arms on one core, one by one on all cores.
+/// The fraction of the arms that is simulated to measure the speed of a scalar type.
 const TRIED: usize = 40;
 const ALONE: usize = 10;
 
-/// Simulates Franka Emika Pandas with random payloads and starts, whose controller brings them to the
-/// same pose, and says how far from it they stop.
+/// Simulates Franka Emika Pandas with random payloads and starts, whose controller moves them to the
+/// same pose, and reports how far from this pose they stop.
 ///
-/// Does so in lanes, as many arms side by side as a register holds, and for a part of them in lanes
-/// of other widths and one by one, and says how many steps a second each way takes.
-/// `RUSTFLAGS="-C target-cpu=native"` makes use of the widest registers. Fails if an arm in lanes does
-/// not have the bits that it has alone.
+/// Each SIMD register holds several arms. A fraction of the arms is simulated in lanes of other widths
+/// and one by one, and the steps per second of each are reported.
+/// `RUSTFLAGS="-C target-cpu=native"` uses the widest registers. Fails if the results of an arm in
+/// lanes and alone differ in any bit.
 #[derive(Parser)]
 #[command(name = "ensemble")]
 struct Arguments {
-    /// How many arms
+    /// Number of arms
     #[arg(long, default_value_t = 100_000, value_parser = clap::value_parser!(u32).range(1..))]
     arms: u32,
 
-    /// For how long, in s
+    /// Simulated time in s
     #[arg(long, value_name = "SECONDS", default_value_t = 1.0)]
     time: f64,
 
-    /// The step of the classical Runge-Kutta method, in s
+    /// Step of the classical Runge-Kutta method in s
     #[arg(long, value_name = "SECONDS", default_value_t = 4e-3)]
     step: f64,
 
-    /// Payloads and starts follow from it
+    /// Seed of the random payloads and starts
     #[arg(long, default_value_t = 1)]
     seed: u64,
 
-    /// Simulate all arms in single precision too
+    /// Also simulate all arms in single precision
     #[arg(long)]
     single: bool,
 
-    /// Print all numbers as one JSON document, and nothing else, on standard output
+    /// Print all results as one JSON document on standard output
     #[arg(long)]
     json: bool,
 }
 
-/// What came out.
+/// The results.
 #[derive(serde::Serialize)]
 struct Outcome {
     arms: usize,
@@ -69,14 +69,14 @@ struct Outcome {
     seed: u64,
     cores: usize,
     runs: Vec<Run>,
-    /// How far the flange stops from the pose asked for, and how far above it, in m.
+    /// Distance of the flange from its target, and its height above the target, in m.
     distance: Spread,
     height: Spread,
-    /// What steps of half the length change of that distance at most, in m.
+    /// The largest change of this distance with steps of half the length, in m.
     step_error: f64,
-    /// What single precision changes of it at most, in m.
+    /// The largest change of this distance in single precision, in m.
     single_error: Option<f64>,
-    /// How many arms were held against themselves alone.
+    /// The number of arms that were compared with the same arm simulated alone.
     compared: usize,
 }
 
@@ -94,7 +94,7 @@ fn main() -> ExitCode {
 fn compute(arguments: &Arguments) -> Result<Outcome, Box<dyn Error>> {
     let settings = Settings::new(arguments.time, arguments.step)?;
     let arms = Arm::random(arguments.seed, arguments.arms as usize);
-    // A part is enough to know the pace.
+    // A fraction is enough to measure the speed.
     let part = |of: usize| &arms[..arms.len().div_ceil(of)];
     let cores = std::thread::available_parallelism()?.get();
     let precisions = if arguments.single { [DOUBLE, SINGLE].as_slice() } else { &[DOUBLE] };
@@ -140,7 +140,7 @@ fn compute(arguments: &Arguments) -> Result<Outcome, Box<dyn Error>> {
     })
 }
 
-/// The largest way between where the same flanges end, in m.
+/// Returns the largest distance between the final positions of the same flange, in m.
 fn largest(ends: &[End], others: &[End]) -> f64 {
     ends.iter().zip(others).map(|(end, other)| end.apart(other)).fold(0.0, f64::max)
 }

@@ -1,4 +1,4 @@
-//! The results, for people and for machines.
+//! Output of the results, as text and as JSON.
 
 use std::error::Error;
 
@@ -39,11 +39,11 @@ fn print_paces(runs: &[Run]) {
             "{way:36}{arms:9}{seconds:7.1} s  {millions:.3} million, {times:.2} times the first"
         );
     }
-    println!("A step takes four evaluations of all accelerations, and of the controller.");
+    println!("A step evaluates all accelerations and the controller four times.");
 }
 
 fn print_spreads(outcome: &Outcome) {
-    println!("Where the flange stops, in mm");
+    println!("Final position of the flange, in mm");
     println!("{:36}{:>20}{:>20}{:>9}", "", "mean", "95 % of the arms", "largest");
     let row = |name: &str, spread: &Spread| {
         let Spread { mean, mean_error, low, high, largest } = spread.in_millimetres();
@@ -51,7 +51,7 @@ fn print_spreads(outcome: &Outcome) {
             (format!("{mean:.3} ± {mean_error:.3}"), format!("{low:.2} to {high:.2}"));
         println!("{name:36}{mean:>20}{range:>20}{largest:9.2}");
     };
-    row("from where it should", &outcome.distance);
+    row("distance from its target", &outcome.distance);
     row("above it", &outcome.height);
     println!(
         "Half the step changes that by {:.1e} mm at most. The first {} have the same bits in\n\

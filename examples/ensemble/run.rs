@@ -1,4 +1,4 @@
-//! Simulating arms, and timing it.
+//! Simulation of arms, with timing.
 
 use std::error::Error;
 use std::io::{IsTerminal, stderr};
@@ -15,13 +15,13 @@ use crate::arm::{Arm, End};
 use crate::chain::Controller;
 use crate::lanes::Lanes;
 
-/// How many arms a core takes at a time.
+/// The number of arms that a core simulates at a time.
 const ARMS: usize = 64;
 
-/// How long each arm is simulated.
+/// The simulated time of each arm.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Settings {
-    /// In s.
+    /// The step in s.
     pub step: f64,
     pub steps: u32,
 }
@@ -35,7 +35,7 @@ impl Settings {
         Ok(Self { step, steps: steps as u32 })
     }
 
-    /// The same time in steps of half the length.
+    /// Returns the same time in steps of half the length.
     pub fn finer(&self) -> Self {
         Self { step: 0.5 * self.step, steps: 2 * self.steps }
     }
@@ -45,7 +45,7 @@ impl Settings {
     }
 }
 
-/// A type of numbers to simulate with.
+/// A scalar type to simulate with.
 #[derive(Clone, Copy)]
 pub struct Way {
     name: &'static str,
@@ -66,7 +66,7 @@ macro_rules! ways {
 /// One by one.
 pub const ONE_BY_ONE: &[Way] = ways!(f64);
 
-/// In lanes. Lanes that are wider than the registers leave fewer registers for each value.
+/// In lanes. Lanes that are wider than the registers need several registers for each value.
 pub const DOUBLE: Precision =
     Precision { ways: ways!(f64x2 f64x4 f64x8), native: NativeF64::LANES };
 pub const SINGLE: Precision =
@@ -76,18 +76,18 @@ pub const SINGLE: Precision =
 #[derive(Clone, Copy)]
 pub struct Precision {
     pub ways: &'static [Way],
-    /// The number of lanes that fit a register.
+    /// Returns the number of lanes that fit into a register.
     native: usize,
 }
 
 impl Precision {
-    /// The type whose lanes fit a register.
+    /// Returns the type whose lanes fit into a register.
     pub fn native(self) -> Option<Way> {
         self.ways.iter().find(|way| way.lanes == self.native).copied()
     }
 }
 
-/// Simulates arms one after the other, as many at a time as there are lanes.
+/// Simulates arms one after the other, one per lane at a time.
 fn simulate<T: Lanes>(arms: &[Arm], settings: &Settings) -> Result<Vec<End>, mstmm::Error> {
     let controller = Controller::new();
     let mut ends = Vec::with_capacity(arms.len());
@@ -102,7 +102,7 @@ fn simulate<T: Lanes>(arms: &[Arm], settings: &Settings) -> Result<Vec<End>, mst
     Ok(ends)
 }
 
-/// What a way took.
+/// The duration of the simulations with one scalar type.
 #[derive(Serialize)]
 pub struct Run {
     pub number: &'static str,
@@ -115,7 +115,7 @@ pub struct Run {
 }
 
 impl Way {
-    /// Simulates arms on so many cores and takes the time.
+    /// Simulates arms on a number of cores and measures the time.
     pub fn run(
         self,
         arms: &[Arm],
@@ -141,19 +141,19 @@ impl Way {
         Ok((Run { number, lanes, cores, arms, seconds, steps_per_second }, ends))
     }
 
-    /// Where arms end, without more ado.
+    /// Returns the final positions of arms, without timing.
     pub fn ends(self, arms: &[Arm], settings: &Settings) -> Result<Vec<End>, mstmm::Error> {
         (self.simulate)(arms, settings)
     }
 }
 
-/// A number of things.
+/// Returns a number with its noun in the singular or plural.
 pub fn count(number: usize, thing: &str) -> String {
     format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
 }
 
-/// How far all runs have come: a bar on a terminal, plain lines elsewhere. All of it goes to standard
-/// error, so that standard output holds results only.
+/// The progress of all runs: a bar on a terminal, plain lines elsewhere. It is written to standard
+/// error, so that standard output contains only results.
 pub struct Progress(Option<ProgressBar>);
 
 impl Progress {
@@ -178,7 +178,7 @@ impl Progress {
         }
     }
 
-    /// The bar makes way for the results.
+    /// Removes the bar before the results are printed.
     pub fn finish(&self) {
         if let Some(bar) = &self.0 {
             bar.finish_and_clear();

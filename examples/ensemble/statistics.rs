@@ -1,17 +1,17 @@
-//! How a quantity spreads over all arms.
+//! The distribution of a quantity over all arms.
 
 use serde::Serialize;
 
-/// Of normally distributed means 95 % are so many standard errors from the true one at most.
+/// Half the width of the 95 % interval of a normal distribution, in standard errors.
 const NORMAL_95: f64 = 1.96;
 
-/// A mean and where nearly all are.
+/// The mean and the range of 95 % of the values.
 #[derive(Debug, Serialize)]
 pub struct Spread {
     pub mean: f64,
-    /// How far off the mean is at most, at a level of 95 %, for the arms being a sample of all.
+    /// Half the width of the 95 % confidence interval of the mean.
     pub mean_error: f64,
-    /// 2.5 % are below, as many above.
+    /// The 2.5 % and 97.5 % quantiles.
     pub low: f64,
     pub high: f64,
     pub largest: f64,
@@ -31,7 +31,7 @@ impl Spread {
         Ok(Self { mean, mean_error: NORMAL_95 * deviation / count.sqrt(), low, high, largest })
     }
 
-    /// From m.
+    /// Converts m to mm.
     pub fn in_millimetres(&self) -> Self {
         let [mean, mean_error, low, high, largest] =
             [self.mean, self.mean_error, self.low, self.high, self.largest].map(|way| 1e3 * way);

@@ -42,7 +42,7 @@ impl NewtonEuler {
     }
 
     fn no_efforts(&self) -> Vec<f64> {
-        vec![0.0; self.chain.freedoms()]
+        vec![0.0; self.chain.dof_count()]
     }
 }
 

@@ -1,5 +1,5 @@
-//! What the public traits of a chain do not hand out, as code beside it: its inputs out of numbers,
-//! and what its results are called.
+//! Code next to a chain for what its public traits do not provide: inputs from a list of numbers, and
+//! access to its results by name.
 
 use mstmm_codegen::model::{Chain, Dimension, Input, InputKind, Layout, ViewArgument};
 use proc_macro2::TokenStream;
@@ -7,11 +7,11 @@ use quote::{format_ident, quote};
 
 use crate::model::times;
 
-/// What the program is to find in the library. Traits are seen from everywhere, wherever the chain
-/// stands and whoever may see it.
+/// The type that the program finds in the library. Its traits are visible everywhere, in whichever
+/// module the chain is and whatever its visibility is.
 pub const ANCHOR: &str = "pub struct MstmmPrecision;\n";
 
-/// The code that stands behind a chain, on one line.
+/// Returns the code that follows a chain, on one line.
 pub fn code(chain: &Chain) -> String {
     let (name, workspace) = (&chain.name, format_ident!("{}Workspace", chain.name));
     let point = match chain.dimension {
@@ -72,7 +72,7 @@ pub fn code(chain: &Chain) -> String {
     code.to_string().replace('\n', " ")
 }
 
-/// One input out of its numbers `n(0)`, `n(1)`, ….
+/// Returns one input from its numbers `n(0)`, `n(1)`, ….
 fn value(chain: &Chain, input: &Input) -> TokenStream {
     let InputKind::Motion(hinge) = input.what else {
         return numbers(0, input.range.len(), true);
@@ -94,7 +94,7 @@ fn value(chain: &Chain, input: &Input) -> TokenStream {
     }
 }
 
-/// A number, or several in an array or a vector.
+/// Returns a number, or several numbers in an array or a vector.
 fn numbers(first: usize, count: usize, vector: bool) -> TokenStream {
     let all = first..first + count;
     match (count, vector) {

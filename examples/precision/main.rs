@@ -1,10 +1,10 @@
-//! What single precision loses beside double precision for a chain from a file: accelerations and
-//! forces over random states, and a motion.
+//! Compares single with double precision for a chain from a file: accelerations and forces at random
+//! states, and a motion.
 //!
-//! A chain becomes code while a crate compiles. So this writes a small package into cargo's target
-//! folder that holds the chain, builds it and runs it; what it runs is `comparison/`.
+//! A chain becomes code while a crate compiles. So this program writes a small package with the chain
+//! into cargo's target folder, builds it and runs it; the package runs `comparison/`.
 //!
-//! `cargo run --release --example precision -- --help` tells what it takes.
+//! `cargo run --release --example precision -- --help` lists the options.
 
 mod glue;
 mod model;
@@ -19,56 +19,56 @@ use std::process::ExitCode;
 use clap::{Parser, ValueEnum};
 use mstmm_precision::{Settings, Task};
 
-/// Compares a chain in f32 with itself in f64: accelerations, forces and moments over random
-/// states, and a motion from its start by the classical Runge-Kutta method; says how many digits
-/// f32 keeps, what takes them, and below which step it gets no better.
+/// Compares a chain in f32 with the same chain in f64: accelerations, forces and moments at random
+/// states, and a motion from its start by the classical Runge-Kutta method. Reports how many digits
+/// f32 keeps, why the others are lost, and below which step the motion gets no better.
 #[derive(Parser)]
 #[command(name = "precision")]
 struct Arguments {
-    /// The text of chains, as it stands inside `mstmm_chain! { … }`, or a file of Rust (`.rs`) with
-    /// such calls in it, which is compiled as a whole
+    /// A file with chains, as inside `mstmm_chain! { … }`, or a Rust file (`.rs`) with calls of this
+    /// macro, which is compiled as a whole
     file: PathBuf,
 
-    /// Which chain, if there are several
+    /// Name of the chain, if there are several
     #[arg(long, value_name = "NAME")]
     chain: Option<String>,
 
-    /// How long the motion is, in s
+    /// Duration of the motion in s
     #[arg(long, value_name = "SECONDS", default_value_t = 10.0, value_parser = positive)]
     time: f64,
 
-    /// The step, in s
+    /// Step in s
     #[arg(long, value_name = "SECONDS", default_value_t = 1e-3, value_parser = positive)]
     step: f64,
 
-    /// How many random states
+    /// Number of random states
     #[arg(long, default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..))]
     states: u32,
 
-    /// Random states and inputs follow from it
+    /// Seed of the random states and inputs
     #[arg(long, default_value_t = 1)]
     seed: u64,
 
-    /// What the chain takes from outside: motors, loads, gravity, motions that are told
+    /// Inputs of the chain: motors, loads, gravity, prescribed motions
     #[arg(long, value_enum, default_value_t = Inputs::Zero)]
     inputs: Inputs,
 
-    /// Print all numbers as one JSON document, and nothing else, on standard output
+    /// Print all results as one JSON document on standard output
     #[arg(long)]
     json: bool,
 }
 
-/// States and motions of longer chains would take more memory than there may be.
+/// The largest number of hinges: states and motions of longer chains need too much memory.
 const MOST: usize = 20_000;
 
-/// What a chain takes from outside.
+/// The inputs of a chain.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Inputs {
-    /// Nothing, and motions at rest in the zero position
+    /// Zero, with prescribed motions at rest in the zero position
     Zero,
-    /// At random: efforts up to the largest inside the chain at its start, gravity up to 9.81 m/s²
-    /// along each axis, motions as those of free hinges; constant during the motion, where motions
-    /// told are at rest
+    /// Random: efforts up to the largest internal force and moment at the start, gravity up to 9.81 m/s²
+    /// along each axis, motions like those of free hinges. During the motion inputs are constant
+    /// and prescribed motions are at rest
     Random,
 }
 
@@ -90,7 +90,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// What is to be printed, or what is wrong.
+/// Returns the text to print, or an error message.
 fn run(arguments: &Arguments) -> Result<String, String> {
     let file = &arguments.file;
     let text = std::fs::read_to_string(file)

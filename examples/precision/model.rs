@@ -1,22 +1,22 @@
-//! What a comparison needs to know of a chain, out of the compiler's model of it.
+//! The description of a chain for the comparison, from the compiler's model.
 
 use mstmm_codegen::model::{
     Chain, DofGroup, Drive, Effort, Hinge, HingeId, HingeKind, InputKind, Layout, Representation,
     Source, Value,
 };
-use mstmm_precision as told;
+use mstmm_precision as comparison;
 
-/// Tells of a chain.
-pub fn describe(chain: &Chain, random_inputs: bool) -> told::Description {
+/// Returns the description of a chain.
+pub fn describe(chain: &Chain, random_inputs: bool) -> comparison::Description {
     let layout = Layout::of(chain);
     let hinge = |index: HingeId| hinge(chain, &chain.hinges[index]);
-    let mut parts: Vec<told::Part> = Vec::new();
+    let mut parts: Vec<comparison::Part> = Vec::new();
     let mut last = None;
     for index in chain.hinges.ids().into_iter().filter(|&index| !layout.q[index].is_empty()) {
         let repeat = chain.repeat_of_hinge(index);
         match parts.last_mut() {
             Some(part) if last == Some(repeat) => part.hinges.push(hinge(index)),
-            _ => parts.push(told::Part {
+            _ => parts.push(comparison::Part {
                 times: repeat.map(|repeat| chain.repeats[repeat].count),
                 hinges: vec![hinge(index)],
             }),
@@ -26,15 +26,15 @@ pub fn describe(chain: &Chain, random_inputs: bool) -> told::Description {
     let inputs = layout.inputs.iter().map(|input| {
         let count = input.range.len();
         let what = match input.what {
-            InputKind::Gravity => told::Given::Gravity(count),
-            InputKind::Force(_) => told::Given::Efforts(vec![false; count]),
-            InputKind::Torque(_) => told::Given::Efforts(vec![true; count]),
-            InputKind::Efforts(index) => told::Given::Efforts(driven(&chain.hinges[index])),
-            InputKind::Motion(index) => told::Given::Motion(hinge(index)),
+            InputKind::Gravity => comparison::InputKind::Gravity(count),
+            InputKind::Force(_) => comparison::InputKind::Efforts(vec![false; count]),
+            InputKind::Torque(_) => comparison::InputKind::Efforts(vec![true; count]),
+            InputKind::Efforts(index) => comparison::InputKind::Efforts(driven(&chain.hinges[index])),
+            InputKind::Motion(index) => comparison::InputKind::Motion(hinge(index)),
         };
-        told::Input { times: times(chain, input.what).unwrap_or(1), what }
+        comparison::Input { times: times(chain, input.what).unwrap_or(1), what }
     });
-    told::Description {
+    comparison::Description {
         name: chain.name.to_string(),
         closed: !layout.loop_hinges.is_empty(),
         conservative: conservative(chain, random_inputs),
@@ -43,12 +43,12 @@ pub fn describe(chain: &Chain, random_inputs: bool) -> told::Description {
     }
 }
 
-/// How often an input stands there, if it is one to a repeated part.
+/// Returns the number of repetitions of an input, if it belongs to a repeated part.
 pub fn times(chain: &Chain, what: InputKind) -> Option<usize> {
     chain.repeat_of_input(what).map(|repeat| chain.repeats[repeat].count)
 }
 
-/// For each effort that is an input whether it is a torque.
+/// Returns for each effort that is an input whether it is a torque.
 fn driven(hinge: &Hinge) -> Vec<bool> {
     let Drive::Efforts(efforts) = &hinge.drive else { return Vec::new() };
     let groups = hinge.kind.spec().groups.iter();
@@ -57,7 +57,7 @@ fn driven(hinge: &Hinge) -> Vec<bool> {
     inputs.map(|(_, turns)| turns).collect()
 }
 
-fn hinge(chain: &Chain, hinge: &Hinge) -> told::Hinge {
+fn hinge(chain: &Chain, hinge: &Hinge) -> comparison::Hinge {
     let shape = hinge.kind.spec();
     let name = |rate: usize| match shape.rates {
         [_] => String::new(),
@@ -65,21 +65,21 @@ fn hinge(chain: &Chain, hinge: &Hinge) -> told::Hinge {
     };
     let group = |group: &DofGroup| {
         let quaternion = group.representation == Representation::Quaternion;
-        told::Group {
+        comparison::Group {
             turns: group.turns,
             quaternion,
             rates: group.rates.clone().map(name).collect(),
             limits: group.rates.clone().map(|strain| limits(chain, hinge, strain)).collect(),
         }
     };
-    told::Hinge {
+    comparison::Hinge {
         name: hinge.name.to_string(),
         elastic: matches!(hinge.kind, HingeKind::Elastic | HingeKind::PlaneElastic),
         groups: shape.groups.iter().map(group).collect(),
     }
 }
 
-/// The limits of a coordinate with parameters at their defaults, where those are known.
+/// Returns the limits of a coordinate for the defaults of parameters, if they are known.
 fn limits(chain: &Chain, hinge: &Hinge, strain: usize) -> Option<[f64; 2]> {
     let defaults: Vec<Option<f64>> =
         chain.parameters.iter().map(|parameter| parameter.default.known()).collect();
@@ -87,7 +87,7 @@ fn limits(chain: &Chain, hinge: &Hinge, strain: usize) -> Option<[f64; 2]> {
     Some([limits.low.at(&defaults)?, limits.high.at(&defaults)?])
 }
 
-/// Whether nothing acts but what has a potential.
+/// Returns whether all efforts and loads have a potential.
 fn conservative(chain: &Chain, random_inputs: bool) -> bool {
     let no_input = !random_inputs;
     let hinge = |hinge: &Hinge| {

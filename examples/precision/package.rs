@@ -1,4 +1,4 @@
-//! The package that holds a chain: written, built and run.
+//! The package with a chain: writes, builds and runs it.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::{self, IsTerminal};
@@ -9,7 +9,7 @@ use std::{env, fs};
 use mstmm_precision::Task;
 use serde_json::Value;
 
-/// Where the library lies in its package, as the compiler names it.
+/// The path of the library in its package, as in the compiler's messages.
 const LIBRARY: &str = "src/subject.rs";
 
 const PROGRAM: &str = "fn main() -> mstmm_precision::ExitCode {
@@ -17,12 +17,12 @@ const PROGRAM: &str = "fn main() -> mstmm_precision::ExitCode {
 }
 ";
 
-/// Builds the program around this library, which has its places from `file`, and says where it is.
+/// Builds the program with this library, whose positions are those of `file`, and returns its path.
 pub fn build(file: &Path, library: &str) -> Result<PathBuf, String> {
     let name = package_name(file);
     let (target, package) = write(&name, library).map_err(|error| format!("error: {error}"))?;
     let colours = if io::stderr().is_terminal() { "-diagnostic-rendered-ansi" } else { "" };
-    // What the user's crate denies is no matter here.
+    // Lints that the user's crate denies are ignored here.
     let flags = env::var("RUSTFLAGS").unwrap_or_default() + " --cap-lints=warn";
     let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let built = Command::new(cargo)
@@ -37,11 +37,11 @@ pub fn build(file: &Path, library: &str) -> Result<PathBuf, String> {
         .map_err(|error| format!("error: cargo cannot be run: {error}"))?;
     let messages = String::from_utf8_lossy(&built.stdout);
     let messages = messages.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
-    let (mut mistakes, mut executable) = (String::new(), None);
+    let (mut errors, mut executable) = (String::new(), None);
     for message in messages {
         if message["message"]["level"] == "error" {
             let rendered = message["message"]["rendered"].as_str().unwrap_or_default();
-            mistakes += &rendered.replace(LIBRARY, &file.display().to_string());
+            errors += &rendered.replace(LIBRARY, &file.display().to_string());
         }
         if let Some(path) = message["executable"].as_str() {
             executable = Some(PathBuf::from(path));
@@ -49,12 +49,12 @@ pub fn build(file: &Path, library: &str) -> Result<PathBuf, String> {
     }
     match executable {
         Some(executable) if built.status.success() => Ok(executable),
-        _ if mistakes.is_empty() => Err("error: the chain cannot be built".to_owned()),
-        _ => Err(mistakes.trim_end().to_owned()),
+        _ if errors.is_empty() => Err("error: the chain cannot be built".to_owned()),
+        _ => Err(errors.trim_end().to_owned()),
     }
 }
 
-/// Runs the program, and hands on what it prints.
+/// Runs the program and returns its output.
 pub fn run(executable: &Path, task: &Task) -> Result<String, String> {
     let task = serde_json::to_string(task).map_err(|error| format!("error: {error}"))?;
     let run = Command::new(executable).arg(task).output();
@@ -67,7 +67,7 @@ pub fn run(executable: &Path, task: &Task) -> Result<String, String> {
     }
 }
 
-/// A name for this file that no other one has.
+/// Returns a unique name for this file.
 fn package_name(file: &Path) -> String {
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
@@ -77,7 +77,7 @@ fn package_name(file: &Path) -> String {
     format!("precision-{}-{place:08x}", stem.chars().map(plain).collect::<String>())
 }
 
-/// Writes the package; the folder that all packages are built in, and its own.
+/// Writes the package; returns the folder in which all packages are built, and the package's folder.
 fn write(name: &str, library: &str) -> io::Result<(PathBuf, PathBuf)> {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR"));
     let workspace = examples.parent().unwrap_or(examples);
@@ -103,12 +103,12 @@ fn write(name: &str, library: &str) -> io::Result<(PathBuf, PathBuf)> {
         [("Cargo.toml", manifest.as_str()), (LIBRARY, library), ("src/main.rs", PROGRAM)]
     {
         let path = package.join(path);
-        // What is as it was need not be built again.
+        // An unchanged file is not written, so that cargo does not build it again.
         if !fs::read_to_string(&path).is_ok_and(|before| before == text) {
             fs::write(path, text)?;
         }
     }
-    // The versions that everything here is tried with.
+    // The versions with which the workspace is tested.
     let (locked, lock) = (workspace.join("Cargo.lock"), package.join("Cargo.lock"));
     if locked.exists() && !lock.exists() {
         fs::copy(locked, lock)?;

@@ -1,5 +1,5 @@
-//! Chains in a file, and the file as the library that is compiled: what belongs to the comparison
-//! stands behind the chain on its own line, so that every place is where the user has it.
+//! Chains in a file, and the library made from the file. The code of the comparison follows the chain on
+//! the same line, so that all line numbers are those of the user's file.
 
 use std::ops::Range;
 
@@ -14,11 +14,11 @@ use crate::glue;
 pub struct Source {
     /// The library.
     pub code: String,
-    /// None where a mistake leaves nothing to be chosen from: the compiler has the words for it.
+    /// None if the file has an error and no chain can be chosen: the compiler reports the error.
     pub chain: Option<Chain>,
 }
 
-/// The text of chains alone.
+/// Reads a file that contains only chains.
 pub fn chains(text: &str, name: Option<&str>) -> Result<Source, String> {
     let text = &with_all_results(text);
     let called = format!("mstmm::mstmm_chain! {{ {text}\n}}");
@@ -32,7 +32,7 @@ pub fn chains(text: &str, name: Option<&str>) -> Result<Source, String> {
     })
 }
 
-/// A whole file of Rust.
+/// Reads a Rust file.
 pub fn rust(text: &str, name: Option<&str>) -> Result<Source, String> {
     let text = &with_all_results(text);
     let unread = || Source { code: text.to_owned(), chain: None };
@@ -44,7 +44,7 @@ pub fn rust(text: &str, name: Option<&str>) -> Result<Source, String> {
     Ok(match choose(calls.0, name)? {
         None => unread(),
         Some((chain, end)) => {
-            // The semicolon of a call in parentheses belongs to it.
+            // The semicolon after a call in parentheses is part of the call.
             let rest = &text[end..];
             let blank = rest.len() - rest.trim_start().len();
             let end = if rest.trim_start().starts_with(';') { end + blank + 1 } else { end };
@@ -54,14 +54,14 @@ pub fn rust(text: &str, name: Option<&str>) -> Result<Source, String> {
     })
 }
 
-/// The text with blanks in place of all settings `results`: everything is compared.
+/// Returns the text with blanks in place of all settings `results`, since all results are compared.
 fn with_all_results(text: &str) -> String {
     let mut settings = Vec::new();
     if let Ok(tokens) = text.parse() {
         find_results(tokens, false, &mut settings);
     }
     let mut text = text.to_owned();
-    // From the end, so that places before stay.
+    // From the end, so that earlier positions stay valid.
     for setting in settings.into_iter().rev() {
         let blanks = text[setting.clone()].replace(|c: char| c != '\n', " ");
         text.replace_range(setting, &blanks);
@@ -69,7 +69,7 @@ fn with_all_results(text: &str) -> String {
     text
 }
 
-/// Where `results = …;` stands among the items of chains, in bytes.
+/// Returns the byte ranges of `results = …;` among the items of chains.
 fn find_results(tokens: TokenStream, of_chain: bool, found: &mut Vec<Range<usize>>) {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let is = |at: usize, text: &str| tokens.get(at).is_some_and(|token| token.to_string() == text);
@@ -91,11 +91,11 @@ fn find_results(tokens: TokenStream, of_chain: bool, found: &mut Vec<Range<usize
 /// A call of the macro.
 struct Call {
     description: TokenStream,
-    /// Where it ends in the text, in bytes.
+    /// The byte offset of its end in the text.
     end: usize,
 }
 
-/// All calls in a file but for those inside other macros.
+/// All calls in a file except those inside other macros.
 struct Calls(Vec<Call>);
 
 impl Visit<'_> for Calls {
@@ -107,10 +107,11 @@ impl Visit<'_> for Calls {
     }
 }
 
-/// The chain of this name, or the only one, and where its call ends; none if a call has mistakes.
+/// Returns the chain of this name, or the only chain, and the end of its call; none if a call has
+/// errors.
 fn choose(calls: Vec<Call>, name: Option<&str>) -> Result<Option<(Chain, usize)>, String> {
     if calls.is_empty() {
-        return Err("there is no chain in it; a call inside another macro is not seen".to_owned());
+        return Err("there is no chain in it; calls inside other macros are not found".to_owned());
     }
     let mut chains = Vec::new();
     for Call { description, end } in calls {
@@ -124,9 +125,9 @@ fn choose(calls: Vec<Call>, name: Option<&str>) -> Result<Option<(Chain, usize)>
         .collect::<Vec<_>>();
     match (fitting.pop(), fitting.is_empty(), name) {
         (Some(chain), true, _) => Ok(Some(chain)),
-        (_, _, None) => Err(format!("say which chain with `--chain`: {}", names.join(", "))),
+        (_, _, None) => Err(format!("choose a chain with `--chain`: {}", names.join(", "))),
         (None, _, Some(name)) => {
-            Err(format!("there is no chain `{name}` in it, but {}", names.join(", ")))
+            Err(format!("there is no chain `{name}` in it; it has {}", names.join(", ")))
         }
         (_, _, Some(name)) => Err(format!("there are several chains `{name}` in it")),
     }

@@ -1,4 +1,4 @@
-//! The command as a whole, on chains written here.
+//! Tests of the whole command.
 
 use std::path::PathBuf;
 
@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::{Arguments, run};
 
-/// A rod that swings, let go at 60°.
+/// A rod that swings, released at 60°.
 const PENDULUM: &str = "plane chain Pendulum {
     gravity = [0, -9.81] m/s^2;
     body Rod { mass = 2 kg; com = [0, -0.5] m; inertia = 1/6 kg*m^2 about com; output = [0, -1] m; }
@@ -16,8 +16,8 @@ const PENDULUM: &str = "plane chain Pendulum {
 }
 ";
 
-/// All kinds of inputs, repeated ones too, and less than all results, in modules that others do not see, beside a chain that is
-/// closed, with a start from which that is not possible; and a `main` and a lint of its own.
+/// All kinds of inputs, also repeated ones, and not all results, in private modules; a closed chain that
+/// cannot be closed from its start; and a file with its own `main` and lint.
 const FILE: &str = "#![deny(warnings)]
 use mstmm::prelude::*;
 mod matter { pub const MASS: f64 = 2.0; }
@@ -26,10 +26,10 @@ mod inner { mod deeper { mstmm::mstmm_chain!(
         results = z; /* ± */ gravity = input;
         param stiffness[3] = 5 N/m;
         body Rod { mass = crate::matter::MASS; com = [0.5, 0]; output = [1, 0]; inertia = 0.1 about com; }
-        moving hand -> repeat 3 { elastic a -> Rod b -> pin c -> Rod d } -> slider told -> Rod last;
+        moving hand -> repeat 3 { elastic a -> Rod b -> pin c -> Rod d } -> slider drive -> Rod last;
         hinge a { stiffness = stiffness; turning_stiffness = 3; }
         hinge c { torque = input; limits = [-90, 90] deg; limit_stiffness = 100; }
-        hinge told { motion = input; }
+        hinge drive { motion = input; }
         load push { on = b; force = input; torque = input; axes = body; }
     }
 ) ; } }
@@ -45,8 +45,8 @@ fn main() {
 }
 ";
 
-/// A file with this text and what the command says of it. Every test has a file of its own.
-fn told(name: &str, text: &str, arguments: &[&str]) -> Result<String, String> {
+/// Writes a file with this text and returns the output of the command. Every test has a separate file.
+fn run_on(name: &str, text: &str, arguments: &[&str]) -> Result<String, String> {
     let folder = std::env::temp_dir().join("mstmm-precision-tests");
     let file: PathBuf = folder.join(name);
     std::fs::create_dir_all(&folder).expect("a folder for files");
@@ -63,63 +63,63 @@ fn json(text: &str) -> Value {
 #[test]
 fn a_pendulum_is_as_accurate_as_its_operations_allow() {
     let short = ["--json", "--time", "1", "--step", "1e-3"];
-    let told = |arguments: &[&str]| {
-        told("pendulum.chain", PENDULUM, &[&short, arguments].concat()).expect("a comparison")
+    let compare = |arguments: &[&str]| {
+        run_on("pendulum.chain", PENDULUM, &[&short, arguments].concat()).expect("a comparison")
     };
-    let text = told(&[]);
+    let text = compare(&[]);
     let report = json(&text);
     let unit = f64::from(f32::EPSILON) / 2.0;
 
-    // m g l sin θ / J: at most five numbers and three products are rounded, and the sine is off by
-    // one unit in the last place, which is two roundings. Nothing is added, so nothing is amplified.
+    // m g l sin θ / J: at most five numbers and three products are rounded, and the sine has an error
+    // of one unit in the last place, which is two roundings. There are no sums, so no error is amplified.
     let worst = report["errors"]["accelerations"]["worst"].as_f64().expect("a number");
     assert!(worst > 0.0 && worst < 10.0 * unit, "{worst:e}");
 
-    // A step rounds angle θ and rate ω by their last places, 1.05 rad and 3.84 rad/s at most, and the
-    // acceleration k sin θ, k = 3 g / 2 l, is off as above. With ω/√k for ω, so that both are turned
-    // into each other, differences grow by √k (1 − cos θ)/2 ≤ 0.96 1/s.
+    // A step rounds angle θ and rate ω, 1.05 rad and 3.84 rad/s at most, in their last places, and the
+    // acceleration k sin θ, k = 3 g / 2 l, has the error above. In the variables θ and ω/√k, differences
+    // grow at the rate √k (1 − cos θ)/2 ≤ 0.96 1/s.
     let (steps, rate, growth) = (1008.0, f64::sqrt(1.5 * 9.81), f64::exp(0.97));
     let rounded = steps * unit * (1.05 + 3.84 / rate) + 10.0 * unit * rate;
     let last = report["motion"]["differences"].as_array().and_then(|rows| rows.last());
     let turn = last.and_then(|row| row["turn"].as_f64()).expect("a number");
     assert!(turn > 0.0 && turn < growth * rounded, "{turn:e} beside {:e}", growth * rounded);
 
-    // The truncation of RK4 falls as the fourth power of the step.
+    // The truncation error of RK4 is proportional to the fourth power of the step.
     let truncation = |number: usize| report["motion"]["steps"][number]["truncation"].as_f64();
     let (long, short) = (truncation(0).expect("a number"), truncation(1).expect("a number"));
     assert!((long / short).log2() > 3.9 && (long / short).log2() < 4.1, "{}", long / short);
 
-    assert_eq!(told(&["--seed", "1"]), text);
-    assert_ne!(told(&["--seed", "2"]), text);
+    assert_eq!(compare(&["--seed", "1"]), text);
+    assert_ne!(compare(&["--seed", "2"]), text);
 }
 
 #[test]
 fn every_kind_of_chain_in_a_file_of_rust_is_compared() {
-    let told = |arguments: &[&str]| {
+    let compare = |arguments: &[&str]| {
         let arguments = [&["--time", "0.1", "--states", "20"], arguments].concat();
-        told("chains.rs", FILE, &arguments)
+        run_on("chains.rs", FILE, &arguments)
     };
-    let several = told(&[]).expect_err("two chains");
-    assert!(several.ends_with("say which chain with `--chain`: Rope, Loop"), "{several}");
+    let several = compare(&[]).expect_err("two chains");
+    assert!(several.ends_with("choose a chain with `--chain`: Rope, Loop"), "{several}");
 
-    let rope = told(&["--chain", "Rope", "--inputs", "random"]).expect("a comparison");
-    for line in ["Rope: f32 beside f64, 20 random states, seed 1, inputs random", "Verdict"] {
+    let rope = compare(&["--chain", "Rope", "--inputs", "random"]).expect("a comparison");
+    for line in ["Rope: f32 compared with f64, 20 random states, seed 1, inputs random", "Verdict"] {
         assert!(rope.lines().any(|found| found == line), "{rope}");
     }
-    let report = json(&told(&["--chain", "Loop", "--json"]).expect("a comparison"));
+    let report = json(&compare(&["--chain", "Loop", "--json"]).expect("a comparison"));
     assert_eq!(report["errors"]["states"], 20);
     let opened = |which: &str| report["motion"][which].as_f64().expect("a number");
     assert!(opened("opened_double") < 1e-9 && opened("opened_single") < 1e-4);
 }
 
 #[test]
-fn mistakes_are_told_where_they_are() {
+fn errors_are_reported_at_their_places() {
     let wrong = PENDULUM.replace("mass = 2 kg", "mass = 2 m");
-    let error = told("wrong.chain", &wrong, &[]).expect_err("a mistake");
+    let error = run_on("wrong.chain", &wrong, &[]).expect_err("an error");
     assert!(error.contains("expected a mass, found a length"), "{error}");
     assert!(error.contains("wrong.chain:3:25"), "{error}");
-    let error = told("unclosed.chain", &PENDULUM.replace("]", ""), &[]).expect_err("a mistake");
+    let error = run_on("unclosed.chain", &PENDULUM.replace("]", ""), &[]).expect_err("an error");
     assert!(error.contains("unclosed.chain:2:"), "{error}");
-    let error = told("empty.rs", "fn main() {}\n", &[]).expect_err("no chain");
+    let error = run_on("empty.rs", "fn main() {}\n", &[]).expect_err("no chain");
     assert!(error.contains("there is no chain in it"), "{error}");
 }

@@ -73,7 +73,7 @@ fn inputs(chain: &Chain) -> Vec<String> {
 fn motors(chain: &Chain) -> Vec<String> {
     let mut fields = Vec::new();
     let mut first = Drives::none(chain).efforts.len();
-    first -= chain.hinges().map(Hinge::freedoms).sum::<usize>();
+    first -= chain.hinges().map(Hinge::dof_count).sum::<usize>();
     for hinge in chain.hinges() {
         let given = hinge.groups().into_iter().filter(|(group, _)| group.motor == Source::Input);
         let places: Vec<usize> =
@@ -83,7 +83,7 @@ fn motors(chain: &Chain) -> Vec<String> {
             [one] => fields.push(format!("{}: drives.efforts[{one}]", hinge.name)),
             _ => fields.push(format!("{}: vector(&drives.efforts, {places:?})", hinge.name)),
         }
-        first += hinge.freedoms();
+        first += hinge.dof_count();
     }
     fields
 }

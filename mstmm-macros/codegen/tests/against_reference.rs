@@ -36,7 +36,7 @@ fn one_chain(seed: u64) -> f64 {
     let mut random = Random::new(seed);
     let recipe = Recipe::any(&mut random, BODIES);
     let truth = random_mechanism(&mut random, "Random", &recipe);
-    if truth.closed() && truth.hinges().all(|hinge| hinge.freedoms() == 0) {
+    if truth.closed() && truth.hinges().all(|hinge| hinge.dof_count() == 0) {
         // Nothing can move, which the language refuses.
         return 0.0;
     }

@@ -11,7 +11,7 @@ use mstmm_codegen::compile::outputs;
 use mstmm_codegen::math::Dual;
 use mstmm_codegen::model::Answer;
 use mstmm_codegen::program::{Argument, ArrayRole, Procedure};
-use mstmm_reference::{Ends, Joining, Random, Recipe};
+use mstmm_reference::{Ends, HingeChoice, Random, Recipe};
 use std::collections::HashMap;
 
 type Arguments<S> = HashMap<Argument, Vec<S>>;
@@ -119,7 +119,7 @@ fn energy_changes_by_the_power_of_motors() {
     for seed in 0..40 {
         let mut random = Random::new(seed);
         let ends = [Ends::HeldFree, Ends::FreeFree][seed as usize % 2];
-        let recipe = Recipe::plain(3, ends, &Joining::ALL);
+        let recipe = Recipe::plain(3, ends, &HingeChoice::ALL);
         let Some(twins) = Twins::of(seed, &mut random, &recipe, Numbers::Written) else { continue };
         let [given, _] = twins.state::<f64>(0);
         let (power, rate) = (power(&twins.repeated, &given), energy_rate(&twins.repeated, &given));

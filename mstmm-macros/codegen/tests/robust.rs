@@ -1,7 +1,7 @@
 //! No text makes the compiler panic: right chains with one number replaced by an extreme one, or
 //! one token left out, end in code that parses or in mistakes.
 
-use mstmm_reference::{Ends, Joining, Random, random_chain};
+use mstmm_reference::{Ends, HingeChoice, Random, random_chain};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 
@@ -50,7 +50,7 @@ fn mutated(seed: u64) -> TokenStream {
     let mut random = Random::new(seed);
     let ends = *random.choose(&[Ends::HeldFree, Ends::FreeFree, Ends::FreeHeld]);
     let bodies = 1 + random.below(3);
-    let kinds = [Joining::Pin, Joining::Ball, Joining::Weld];
+    let kinds = [HingeChoice::Pin, HingeChoice::Ball, HingeChoice::Weld];
     let chain = random_chain(&mut random, "Random", bodies, ends, &kinds);
     let text = chain.to_macro_text(*random.choose(&[None, Some("transfer")]));
     let tokens: TokenStream = text.parse().expect("tokens");

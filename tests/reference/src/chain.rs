@@ -5,18 +5,18 @@ use crate::load::{Load, Spring};
 
 /// A chain of rigid bodies and hinges.
 ///
-/// The elements alternate between hinges and bodies. At an end that is [`End::Free`] stands a body,
-/// at any other end a hinge. Both ends may be attached: the chain is closed then, and its last hinge
-/// has coordinates and rates of its own that have to agree with those of the others.
+/// The elements alternate between hinges and bodies. An end that is [`End::Free`] is a body, any
+/// other end is a hinge. A chain with both ends attached is closed: its last hinge has coordinates
+/// and rates, too, which have to agree with those of the other hinges.
 ///
-/// In a chain of the plane all vectors have a z component of zero and all turns are about z; of an
-/// inertia only the entry zz counts. In a chain along a line all vectors lie along x, nothing turns,
-/// and inertias do not count.
+/// In a plane chain all vectors have a z component of zero, all rotations are about z, and only the
+/// entry zz of an inertia is used. In a line chain all vectors are along x, nothing rotates, and
+/// inertias are ignored.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chain {
     /// The CamelCase name of the chain in the description language.
     pub name: String,
-    /// Where the chain moves.
+    /// The space in which the chain moves.
     pub dimension: Dimension,
     /// The acceleration of free fall.
     pub gravity: Gravity,
@@ -26,27 +26,27 @@ pub struct Chain {
     pub finish: End,
     /// The hinges and bodies in written order.
     pub elements: Vec<Element>,
-    /// The loads from outside on bodies.
+    /// The external loads on bodies.
     pub loads: Vec<Load>,
     /// The springs between bodies and the ground.
     pub springs: Vec<Spring>,
 }
 
-/// Where a chain moves.
+/// The space in which a chain moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
     /// Anywhere.
     Space,
-    /// In the plane of x and y, turning about z.
+    /// In the plane of x and y, with rotations about z.
     Plane,
-    /// Along x, without turning.
+    /// Along x, without rotations.
     Line,
 }
 
 /// The acceleration of free fall in m/s², in inertial axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gravity {
-    /// Always the same.
+    /// Constant.
     Constant([f64; 3]),
     /// Given at every instant, [`crate::Drives::gravity`]; it has no potential.
     Input,
@@ -59,7 +59,7 @@ pub enum End {
     Free,
     /// The end is a hinge to this frame, which is fixed in the inertial frame.
     Held(Frame),
-    /// The end is a hinge to a frame that moves as it is told, [`crate::Drives::start`] or
+    /// The end is a hinge to a frame with a prescribed motion, [`crate::Drives::start`] or
     /// [`crate::Drives::finish`].
     Moving {
         /// The snake_case name of the frame.
@@ -67,12 +67,12 @@ pub enum End {
     },
 }
 
-/// A place: a position together with an orientation.
+/// A position and an orientation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     /// The position of the origin in m, in the axes of the frame this one is given in.
     pub position: [f64; 3],
-    /// Roll, pitch and yaw in degrees. The matrix `Az(yaw) * Ay(pitch) * Ax(roll)` turns
+    /// Roll, pitch and yaw in degrees. The matrix `Az(yaw) * Ay(pitch) * Ax(roll)` transforms
     /// components in this frame into components in the frame it is given in.
     pub rpy_degrees: [f64; 3],
 }
@@ -116,18 +116,18 @@ pub enum About {
 
 /// The coordinates and rates of a chain.
 ///
-/// A floating chain (both ends free) comes first with the pose of its first body: position of the
-/// input point (m, inertial), then the quaternion (w, x, y, z) from body to inertial components.
-/// Its rates are the velocity of the input point (m/s, inertial axes), then the angular velocity
-/// (rad/s, body axes). In the plane these are x, y and the angle, and their derivatives; along a
-/// line x and its derivative. The hinges follow in written order, also when the chain is held only
-/// at its finish; hinges with prescribed motions have no entries. Quaternions need not be
-/// normalised exactly.
+/// The pose of the first body comes first if the chain floats (both ends are free): the position of
+/// its input point (m, inertial axes), then the quaternion (w, x, y, z) from body to inertial
+/// components. Its rates are the velocity of the input point (m/s, inertial axes), then the angular
+/// velocity (rad/s, body axes). In the plane these are x, y and the angle, and their derivatives;
+/// along a line they are x and its derivative. The hinges follow in written order, also if the chain
+/// is held only at its finish. Hinges with prescribed motions have no entries. Quaternions need not
+/// be normalised exactly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// The coordinates, [`Chain::coordinates`] of them.
     pub q: Vec<f64>,
-    /// The rates, [`Chain::freedoms`] of them.
+    /// The rates, [`Chain::dof_count`] of them.
     pub v: Vec<f64>,
 }
 
@@ -147,18 +147,18 @@ impl Chain {
         }
     }
 
-    /// Returns how many coordinates a state of this chain has.
+    /// Returns the number of coordinates in a state of this chain.
     pub fn coordinates(&self) -> usize {
         self.base_coordinates() + self.hinges().map(Hinge::coordinates).sum::<usize>()
     }
 
-    /// Returns how many rates a state of this chain has. It is the number of its freedoms where the
+    /// Returns the number of rates in a state of this chain: the number of degrees of freedom if the
     /// chain is not closed.
-    pub fn freedoms(&self) -> usize {
-        self.base_freedoms() + self.hinges().map(Hinge::freedoms).sum::<usize>()
+    pub fn dof_count(&self) -> usize {
+        self.base_dof_count() + self.hinges().map(Hinge::dof_count).sum::<usize>()
     }
 
-    /// Returns how many coordinates come before those of the hinges: some where the chain floats.
+    /// Returns the number of coordinates of the floating base, 0 if the chain does not float.
     pub fn base_coordinates(&self) -> usize {
         match self.dimension {
             _ if !self.floats() => 0,
@@ -168,8 +168,8 @@ impl Chain {
         }
     }
 
-    /// Returns how many rates come before those of the hinges: some where the chain floats.
-    pub fn base_freedoms(&self) -> usize {
+    /// Returns the number of rates of the floating base, 0 if the chain does not float.
+    pub fn base_dof_count(&self) -> usize {
         if self.floats() { self.dimension.directions().len() } else { 0 }
     }
 
@@ -201,8 +201,8 @@ impl Chain {
 }
 
 impl Dimension {
-    /// Returns which components of velocities and angular velocities (x, y, z, about x, about y,
-    /// about z) can be other than zero.
+    /// Returns the components of velocities and angular velocities (x, y, z, about x, about y,
+    /// about z) that can differ from zero.
     pub(crate) fn directions(self) -> &'static [usize] {
         match self {
             Dimension::Space => &[0, 1, 2, 3, 4, 5],
@@ -222,13 +222,13 @@ impl Frame {
     /// The frame that coincides with the one it is given in.
     pub const IDENTITY: Frame = Frame { position: [0.0; 3], rpy_degrees: [0.0; 3] };
 
-    /// Returns the frame at a position in m, not turned.
+    /// Returns the frame at a position in m, without a rotation.
     pub fn at(position: [f64; 3]) -> Frame {
         Frame { position, rpy_degrees: [0.0; 3] }
     }
 
-    /// Returns the matrix that turns components in this frame into components in the frame it is
-    /// given in, row by row.
+    /// Returns the matrix that transforms components in this frame into components in the frame it
+    /// is given in, row by row.
     pub fn rotation(&self) -> [[f64; 3]; 3] {
         crate::rotation::rows(&crate::rotation::from_rpy_degrees(&self.rpy_degrees))
     }

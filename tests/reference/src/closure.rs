@@ -1,45 +1,45 @@
-//! States in which closed chains close.
+//! States of closed chains that fulfil the loop constraint.
 
 use crate::chain::{Chain, State};
 use crate::drives::Drives;
-use crate::mechanism::{Mechanism, Place, Side};
+use crate::mechanism::{FrameState, Mechanism, Side};
 use crate::moved::moved_coordinates;
 use crate::relative::{Twist, to_inertial, twist};
 use crate::rotation::{self, Vec3};
 use nalgebra::{DMatrix, DVector, Dyn, Matrix6xX, SVD};
 
-/// The steps of Newton's method that are tried.
+/// The largest number of steps of Newton's method.
 const STEPS: usize = 60;
-/// How far, in m and rad, a closed chain may be from closing.
+/// The largest position error of the loop constraint, in m and rad.
 const GAP: f64 = 1e-12;
 /// The longest step in the hinges' coordinates.
 const LONGEST_STEP: f64 = 0.5;
-/// Singular values of the closure below this, relative to the greatest, count as zero.
+/// Singular values of the constraint Jacobian below this count as zero, relative to the largest.
 const RANK_TOLERANCE: f64 = 1e-8;
 
-/// How a closed chain misses the frame at its finish, and how the hinges change that.
+/// The error of the loop constraint at the finish of a closed chain, and its Jacobian.
 struct Closure {
-    /// The displacement of the end of the chain from the frame: a shift and a rotation vector in
-    /// inertial axes, of these the directions that the dimension has.
+    /// The displacement of the end of the chain from the frame: a translation and a rotation vector
+    /// in inertial axes, reduced to the directions that the dimension has.
     gap: DVector<f64>,
     /// The velocity of the end of the chain relative to the frame, in the same way.
     gap_rate: DVector<f64>,
-    /// The latter for every rate of the state alone, in columns.
+    /// The derivative of `gap_rate` by the rates of the state, one column per rate.
     jacobian: DMatrix<f64>,
-    /// The jacobian's decomposition, if there are any rates.
+    /// The singular value decomposition of the Jacobian, if there are any rates.
     decomposed: Option<SVD<f64, Dyn, Dyn>>,
 }
 
 impl Chain {
-    /// Changes a state of a closed chain such that it closes, first the coordinates and then the
-    /// rates, each by little. Returns `None` where that does not succeed.
+    /// Returns a state close to `guess` in which the closed chain closes, or `None` if Newton's method
+    /// does not converge. Coordinates are corrected first, then rates.
     pub fn close(&self, guess: &State, drives: &Drives) -> Option<State> {
         self.check_lengths(guess, drives);
         let mechanism = Mechanism::new(self, drives);
         let mut state = guess.clone();
         let mut closure = Closure::new(&mechanism, &state);
         for _ in 0..STEPS {
-            // One step more than needed, as far as rounding lets it help.
+            // One more step after convergence reduces the error to rounding.
             let close_enough = closure.gap.amax() < GAP;
             let mut step = closure.least(&-&closure.gap);
             step *= (LONGEST_STEP / step.norm()).min(1.0);
@@ -56,9 +56,8 @@ impl Chain {
         closes.then_some(state)
     }
 
-    /// Returns how firmly the closure of a closed chain determines the motion, in the given state:
-    /// the least singular value of how rates move the end of the chain, of those that are not zero;
-    /// and how many there are.
+    /// Returns the smallest nonzero singular value of the constraint Jacobian of a closed chain in the
+    /// given state, and the number of nonzero singular values.
     pub fn closure_strength(&self, state: &State, drives: &Drives) -> (f64, usize) {
         let mechanism = Mechanism::new(self, drives);
         let decomposed = Closure::new(&mechanism, state).decomposed;
@@ -72,7 +71,7 @@ impl Chain {
 
 impl Closure {
     fn new(mechanism: &Mechanism, state: &State) -> Closure {
-        let finish = mechanism.place(&Side::Finish, &[]);
+        let finish = mechanism.frame_motion(&Side::Finish, &[]);
         let (end, turned) = reached(mechanism, state);
         let mut columns: Vec<Twist> = Vec::new();
         for (origin, directions) in turned {
@@ -93,8 +92,8 @@ impl Closure {
         Closure { gap: select(gap), gap_rate: select(gap_rate), jacobian, decomposed }
     }
 
-    /// Returns the least change of the rates by which the end of the chain moves as wanted, as far
-    /// as it can.
+    /// Returns the least-squares change of the rates, of minimum norm, that moves the end of the chain
+    /// as wanted.
     fn least(&self, wanted: &DVector<f64>) -> DVector<f64> {
         let change = self.decomposed.as_ref().map(|decomposed| {
             let tolerance = RANK_TOLERANCE * decomposed.singular_values.max();
@@ -104,20 +103,20 @@ impl Closure {
     }
 }
 
-/// Returns the end of a closed chain that its hinges lead to from the start.
-pub(crate) fn end_of_chain(mechanism: &Mechanism, state: &State) -> Place {
+/// Returns the end of a closed chain, computed from its start over all hinges.
+pub(crate) fn end_of_chain(mechanism: &Mechanism, state: &State) -> FrameState {
     reached(mechanism, state).0
 }
 
-/// Returns the end of the chain that its hinges lead to, and for every hinge that is not prescribed
-/// the outboard origin with the twists of its rates, in inertial axes.
-fn reached(mechanism: &Mechanism, state: &State) -> (Place, Vec<(Vec3, Matrix6xX<f64>)>) {
+/// Returns the end of the chain, computed from its start, and for every hinge that is not prescribed
+/// the outboard origin and the twists of its rates, in inertial axes.
+fn reached(mechanism: &Mechanism, state: &State) -> (FrameState, Vec<(Vec3, Matrix6xX<f64>)>) {
     let motions = mechanism.motions(state);
-    let mut end = Place::at_rest(Vec3::zeros(), rotation::from_vector(&Vec3::zeros()));
+    let mut end = FrameState::at_rest(Vec3::zeros(), rotation::from_vector(&Vec3::zeros()));
     let mut moving = Vec::new();
     for joint in &mechanism.joints {
-        let inboard = mechanism.place(&joint.inboard, &motions);
-        end = joint.outboard_place(state, &inboard);
+        let inboard = mechanism.frame_motion(&joint.inboard, &motions);
+        end = joint.outboard_motion(state, &inboard);
         if joint.prescribed.is_none() {
             let relative = joint.kind().relative(joint.q(state), joint.v(state));
             let directions = to_inertial(&inboard.rotation) * relative.directions;
@@ -131,7 +130,7 @@ fn reached(mechanism: &Mechanism, state: &State) -> (Place, Vec<(Vec3, Matrix6xX
 fn stepped(mechanism: &Mechanism, state: &State, step: &DVector<f64>) -> Vec<f64> {
     let free = mechanism.joints.iter().filter(|joint| joint.prescribed.is_none());
     let own = free.map(|joint| {
-        let step = step.rows(joint.first_rate, joint.kind().freedoms());
+        let step = step.rows(joint.first_rate, joint.kind().dof_count());
         let still = vec![0.0; step.len()];
         moved_coordinates(joint.hinge, joint.q(state), [step.into_owned().as_slice(), &still], 1.0)
     });

@@ -1,14 +1,14 @@
-//! What is given to a chain at one instant besides its state.
+//! The inputs of a chain at one instant.
 
 use crate::chain::{Chain, End, Gravity, State};
 use crate::hinge::Source;
 
-/// Everything a chain is driven by at one instant. What the chain does not ask for does not count.
+/// The inputs of a chain at one instant. Inputs that the chain does not have are ignored.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drives {
-    /// One effort to every rate of the state. Those of hinges are applied, whether or not the chain
-    /// declares an input there, except where it declares a constant, which acts in their place. Those
-    /// of a floating chain's base are ignored.
+    /// One effort for every rate of the state. Efforts of hinges are applied even if the chain declares
+    /// no input there; if it declares a constant, the constant acts instead. Efforts of a floating base
+    /// are ignored.
     pub efforts: Vec<f64>,
     /// The motion of every prescribed hinge, in written order.
     pub motions: Vec<HingeMotion>,
@@ -60,18 +60,18 @@ pub struct LoadInput {
 }
 
 impl Drives {
-    /// Drives a chain by nothing: no efforts, no loads, no gravity by input, prescribed hinges at
-    /// rest in their zero positions, and moving frames at rest at the inertial frame.
+    /// Returns inputs that are all zero: no efforts, loads or gravity, prescribed hinges at rest in
+    /// their zero positions, and moving frames at rest at the inertial frame.
     pub fn none(chain: &Chain) -> Drives {
         let prescribed = chain.hinges().filter(|hinge| hinge.prescribed);
         let at_rest = |freedoms: usize| vec![0.0; freedoms];
         Drives {
-            efforts: at_rest(chain.freedoms()),
+            efforts: at_rest(chain.dof_count()),
             motions: prescribed
                 .map(|hinge| HingeMotion {
                     q: hinge.kind.zero_position(),
-                    v: at_rest(hinge.kind.freedoms()),
-                    a: at_rest(hinge.kind.freedoms()),
+                    v: at_rest(hinge.kind.dof_count()),
+                    a: at_rest(hinge.kind.dof_count()),
                 })
                 .collect(),
             start: FrameMotion::AT_REST,
@@ -83,7 +83,7 @@ impl Drives {
 }
 
 impl FrameMotion {
-    /// The frame that is always the inertial one.
+    /// The frame that coincides with the inertial frame at all times.
     pub const AT_REST: FrameMotion = FrameMotion {
         position: [0.0; 3],
         orientation: [1.0, 0.0, 0.0, 0.0],
@@ -95,8 +95,8 @@ impl FrameMotion {
 }
 
 impl Chain {
-    /// Returns whether anything has to be given at an instant besides the state and the efforts: a
-    /// moving frame, a prescribed motion, a load or gravity.
+    /// Returns whether the chain has inputs in addition to efforts: a moving frame, a prescribed
+    /// motion, a load or gravity.
     pub fn needs_drives(&self) -> bool {
         let moving = |end: &End| matches!(end, End::Moving { .. });
         moving(&self.start)
@@ -108,14 +108,14 @@ impl Chain {
 
     pub(crate) fn check_lengths(&self, state: &State, drives: &Drives) {
         assert_eq!(state.q.len(), self.coordinates(), "chain {}: coordinates", self.name);
-        assert_eq!(state.v.len(), self.freedoms(), "chain {}: rates", self.name);
-        assert_eq!(drives.efforts.len(), self.freedoms(), "chain {}: efforts", self.name);
+        assert_eq!(state.v.len(), self.dof_count(), "chain {}: rates", self.name);
+        assert_eq!(drives.efforts.len(), self.dof_count(), "chain {}: efforts", self.name);
         assert_eq!(drives.loads.len(), self.loads.len(), "chain {}: loads", self.name);
         let prescribed: Vec<_> = self.hinges().filter(|hinge| hinge.prescribed).collect();
         assert_eq!(drives.motions.len(), prescribed.len(), "chain {}: motions", self.name);
         for (hinge, motion) in prescribed.iter().zip(&drives.motions) {
             let found = [motion.q.len(), motion.v.len(), motion.a.len()];
-            let (coordinates, rates) = (hinge.kind.coordinates(), hinge.kind.freedoms());
+            let (coordinates, rates) = (hinge.kind.coordinates(), hinge.kind.dof_count());
             assert_eq!(found, [coordinates, rates, rates], "chain {}: {}", self.name, hinge.name);
         }
     }

@@ -1,21 +1,21 @@
-//! Newton's and Euler's equations of all bodies, together with all that the hinges say.
+//! Newton's and Euler's equations of all bodies, with the constraints of all hinges.
 //!
-//! The unknowns are the bodies' accelerations (six to a body: centre of mass, then angular, inertial
-//! axes) and the derivatives of the hinges' own rates `v`; the multipliers are the wrenches of the
+//! The unknowns are the accelerations of the bodies (six per body: centre of mass, then angular,
+//! inertial axes) and the derivatives of the hinges' rates `v`. The multipliers are the wrenches of the
 //! hinges on their outboard sides (force, then moment about the outboard origin, inertial axes).
-//! With the directions `S` of a hinge, the system is
+//! With the motion subspace `S` of a hinge, the system is
 //!
 //! ```text
-//! M x  - Aᵀ F      = loads           one row to every freedom of a body left alone
-//! I v̇  + Sᵀ F      = efforts         one row to every rate of a hinge, I being that of its rotors
-//! A x  - S v̇       = demands         six rows to every hinge: the relative acceleration
+//! M x  - Aᵀ F      = loads           six rows per body
+//! I v̇  + Sᵀ F      = efforts         one row per rate of a hinge; I is the inertia of its rotors
+//! A x  - S v̇       = demands         six rows per hinge: the relative acceleration
 //! ```
 //!
-//! A prescribed hinge has no unknowns of its own, but further demands. In the plane and along a line
-//! the rows and columns of directions in which nothing moves are left out.
+//! A prescribed hinge adds demands and no unknowns. In the plane and along a line, the rows and
+//! columns of directions without motion are omitted.
 
 use crate::chain::State;
-use crate::mechanism::{Joint, Mechanism, Motion, Place};
+use crate::mechanism::{FrameState, Joint, Mechanism, Motion};
 use crate::passive::Passive;
 use crate::placement::{relative_pose, relative_twist};
 use crate::relative::{Relative, Twist, to_inertial, twist};
@@ -29,22 +29,22 @@ pub(crate) struct Equations<'a> {
     motions: &'a [Motion],
     pub(crate) contacts: Vec<Contact<'a>>,
     pub(crate) saddle: Saddle,
-    /// Which of the unknowns can be other than zero.
+    /// The unknowns that can differ from zero.
     columns: Vec<usize>,
-    /// Which of the demands can be other than zero.
+    /// The demands that can differ from zero.
     rows: Vec<usize>,
 }
 
 /// A hinge at one instant.
 pub(crate) struct Contact<'a> {
     joint: &'a Joint<'a>,
-    pub(crate) inboard: Place,
-    pub(crate) outboard: Place,
+    pub(crate) inboard: FrameState,
+    pub(crate) outboard: FrameState,
     relative: Relative,
     pub(crate) passive: Passive,
-    /// The rates, given or not.
+    /// The rates, prescribed or not.
     v: Vec<f64>,
-    /// The first unknown that belongs to the hinge, if it is not prescribed.
+    /// The index of the hinge's first unknown, if the hinge is not prescribed.
     first_unknown: usize,
 }
 
@@ -58,7 +58,7 @@ pub(crate) struct Dynamics {
     pub(crate) hinge_accelerations: Vec<Vec<f64>>,
     /// The wrench of every hinge on its outboard side about the outboard origin, motors included.
     pub(crate) wrenches: Vec<Twist>,
-    /// The effort of every hinge's motor, or what drives the hinge where it is prescribed.
+    /// The effort of every hinge's motor, or of the drive if the hinge is prescribed.
     pub(crate) efforts: Vec<Vec<f64>>,
 }
 
@@ -108,9 +108,8 @@ impl<'a> Equations<'a> {
         }
     }
 
-    /// Returns the smallest change of the bodies' velocities, measured by kinetic energy, that
-    /// changes the relative motions at the hinges by what is asked for but for motions that the
-    /// hinges allow. There are six entries to a body.
+    /// Returns the change of the bodies' velocities, six entries per body, that has the least kinetic
+    /// energy and changes the constrained relative motions at the hinges by the given amounts.
     pub(crate) fn correction(&self, wanted: impl Fn(&Contact) -> Twist) -> DVector<f64> {
         let demands = self.stacked(wanted);
         self.solve(&DVector::zeros(self.unknowns()), &demands).0
@@ -146,9 +145,9 @@ impl<'a> Equations<'a> {
             loads.fixed_rows_mut::<3>(6 * body).copy_from(&weight);
             loads.fixed_rows_mut::<3>(6 * body + 3).copy_from(&gyroscopic);
         }
-        for outside in &self.mechanism.outside {
-            let [force, moment] = outside.wrench(self.motions);
-            let mut on_body = loads.fixed_rows_mut::<6>(6 * outside.body);
+        for load in &self.mechanism.external_loads {
+            let [force, moment] = load.wrench(self.motions);
+            let mut on_body = loads.fixed_rows_mut::<6>(6 * load.body);
             on_body += twist(force, moment);
         }
         for contact in self.contacts.iter().filter(|contact| contact.unknowns() > 0) {
@@ -159,7 +158,7 @@ impl<'a> Equations<'a> {
         loads
     }
 
-    /// Puts together what is asked of every hinge.
+    /// Returns the right-hand sides of the constraints of all hinges.
     fn stacked(&self, of_hinge: impl Fn(&Contact) -> Twist) -> DVector<f64> {
         let mut all = DVector::zeros(6 * self.contacts.len());
         for (k, contact) in self.contacts.iter().enumerate() {
@@ -170,12 +169,12 @@ impl<'a> Equations<'a> {
 }
 
 impl Contact<'_> {
-    /// Returns how many unknowns belong to the hinge.
+    /// Returns the number of the hinge's unknowns.
     fn unknowns(&self) -> usize {
-        self.joint.hinge.freedoms()
+        self.joint.hinge.dof_count()
     }
 
-    /// Returns the directions of the hinge in inertial axes.
+    /// Returns the motion subspace of the hinge in inertial axes.
     fn directions(&self) -> Matrix6xX<f64> {
         to_inertial(&self.inboard.rotation) * &self.relative.directions
     }
@@ -188,8 +187,8 @@ impl Contact<'_> {
         }
     }
 
-    /// Returns what has to be put in along the rates, besides springs, dampers, friction and limits,
-    /// for the hinge to pass on a wrench.
+    /// Returns the motor efforts along the rates with which the hinge transmits a wrench; springs,
+    /// dampers, friction and limits supply the rest.
     fn effort(&self, wrench: &Twist, accelerations: &[f64]) -> Vec<f64> {
         if self.joint.prescribed.is_none() {
             return self.joint.motor.clone();
@@ -200,8 +199,8 @@ impl Contact<'_> {
         (passed_on + of_rotors - &self.passive.efforts).iter().copied().collect()
     }
 
-    /// Returns the relative acceleration that the hinge's rates and their prescribed derivatives
-    /// make up, without what the two sides have by themselves; inertial axes.
+    /// Returns the relative acceleration due to the hinge's rates and their prescribed derivatives, in
+    /// inertial axes, without the accelerations of the two sides.
     fn demand(&self) -> Twist {
         let Contact { inboard, outboard, relative, .. } = self;
         let mut own = relative.bias;
@@ -211,7 +210,7 @@ impl Contact<'_> {
         let moving = to_inertial(&inboard.rotation) * relative.twist(&self.v);
         let (velocity, spin) = (moving.fixed_rows::<3>(0), moving.fixed_rows::<3>(3));
         let between = outboard.position - inboard.position;
-        // Coriolis and centripetal: the inboard axes, in which the rates are counted, turn.
+        // Coriolis and centripetal terms: the rates have components in the rotating inboard axes.
         let of_turning = twist(
             inboard.spin.cross(&(velocity * 2.0 + inboard.spin.cross(&between))),
             inboard.spin.cross(&spin),
@@ -225,14 +224,14 @@ impl Contact<'_> {
         to_inertial(&inboard.rotation) * own + of_turning - known
     }
 
-    /// Returns the motion at the hinge that it does not allow, in inertial axes.
+    /// Returns the constrained part of the relative motion at the hinge, in inertial axes.
     pub(crate) fn velocity_violation(&self) -> Twist {
         let found = relative_twist(&self.inboard, &self.outboard);
         to_inertial(&self.inboard.rotation) * (found - self.relative.twist(&self.v))
     }
 
-    /// Returns the displacement at the hinge that it does not allow, in inertial axes: a shift, and a
-    /// rotation vector.
+    /// Returns the constrained part of the displacement at the hinge, in inertial axes: a translation
+    /// and a rotation vector.
     pub(crate) fn pose_violation(&self) -> Twist {
         let (rotation, offset) = relative_pose(&self.inboard, &self.outboard);
         let turn = rotation::to_vector(&(rotation * self.relative.rotation.transpose()));
@@ -250,8 +249,8 @@ fn contacts_of<'a>(
         let (q, v) = (joint.q(state), joint.v(state));
         let contact = Contact {
             joint,
-            inboard: mechanism.place(&joint.inboard, motions),
-            outboard: mechanism.place(&joint.outboard, motions),
+            inboard: mechanism.frame_motion(&joint.inboard, motions),
+            outboard: mechanism.frame_motion(&joint.outboard, motions),
             relative: joint.kind().relative(q, v),
             passive: Passive::new(joint.hinge, q, v),
             v: v.to_vec(),
@@ -283,9 +282,9 @@ fn inertia_matrix(
     matrix
 }
 
-/// Returns how the unknowns contribute to the relative accelerations of the hinges: those of the
-/// outboard origin less those of the point of the inboard side that is there, less those that the
-/// hinge's own rates account for.
+/// Returns the matrix from the unknowns to the relative accelerations of the hinges: the acceleration
+/// of the outboard origin, minus that of the coincident point of the inboard side, minus that due to
+/// the hinge's rates.
 fn constraint_matrix(contacts: &[Contact], unknowns: usize) -> DMatrix<f64> {
     let mut matrix = DMatrix::zeros(6 * contacts.len(), unknowns);
     for (k, contact) in contacts.iter().enumerate() {

@@ -1,15 +1,15 @@
 //! An integrator of order twelve: the modified midpoint rule, extrapolated to a step of zero.
 //!
-//! It was chosen for needing no table of coefficients that could hide a slip, while being accurate
-//! enough for the motion of pendulums that amplify every error.
+//! The method needs no table of coefficients, in which an error could hide, and is accurate enough for
+//! pendulums that amplify every error.
 
 use nalgebra::DVector;
 
-/// The numbers of substeps the rule is tried with; each adds two orders.
+/// The numbers of substeps of the midpoint rule; each adds two orders.
 const SUBSTEPS: [usize; 6] = [2, 4, 6, 8, 10, 12];
 
-/// Returns the values of `y' = rate(y)` after `step`, and an estimate of their largest error, which
-/// counts relative to values above one and is infinite after a step far too long.
+/// Returns the values of `y' = rate(y)` after `step`, and an estimate of their largest error. The error
+/// is relative for values above one, and infinite if the step is far too long.
 pub(crate) fn extrapolated_step(
     rate: &impl Fn(&DVector<f64>) -> DVector<f64>,
     start: &DVector<f64>,
@@ -36,13 +36,13 @@ pub(crate) fn extrapolated_step(
     (best.clone(), error)
 }
 
-/// Returns the factor by which the next step should be longer to just meet `tolerance`.
+/// Returns the factor for the next step with which its error meets `tolerance`.
 pub(crate) fn step_factor(error: f64, tolerance: f64) -> f64 {
     let exponent = 1.0 / (2 * SUBSTEPS.len() - 1) as f64;
     (0.9 * (tolerance / error).powf(exponent)).clamp(0.2, 2.0)
 }
 
-/// Leaps from one substep over the next; the error has only even powers of the step.
+/// Applies the modified midpoint rule, whose error has only even powers of the step.
 fn midpoint_rule(
     rate: &impl Fn(&DVector<f64>) -> DVector<f64>,
     start: &DVector<f64>,

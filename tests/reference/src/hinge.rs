@@ -1,4 +1,4 @@
-//! The description of a hinge: what it lets free, and what acts along that.
+//! The description of a hinge: its degrees of freedom, and the springs, dampers and motors in it.
 
 use std::ops::Range;
 
@@ -9,85 +9,85 @@ use std::ops::Range;
 pub struct Hinge {
     /// The snake_case name of the hinge.
     pub name: String,
-    /// Which relative motion the hinge allows.
+    /// The kind, which defines the relative motion that the hinge allows.
     pub kind: HingeKind,
-    /// The coordinates at which springs carry nothing, empty where they are those of the zero
-    /// position. Quaternions need not be normalised.
+    /// The coordinates at which springs carry no load; empty for the zero position. Quaternions need
+    /// not be normalised.
     pub rest: Vec<f64>,
-    /// What acts along the rates of [`HingeKind::linear`].
+    /// The springs, dampers and so on along the rates of [`HingeKind::linear`].
     pub linear: Group,
-    /// What acts along the rates of [`HingeKind::turning`].
+    /// The springs, dampers and so on along the rates of [`HingeKind::turning`].
     pub turning: Group,
     /// Whether the motion is prescribed, see [`crate::Drives::motions`]. The hinge has no entries in
     /// the state then.
     pub prescribed: bool,
 }
 
-/// The relative motion a hinge allows.
+/// The relative motion that a hinge allows.
 ///
-/// The rotation R turns outboard components into inboard ones; d is the outboard origin seen from
-/// the inboard one, in inboard axes. Lengths are in m, angles in rad, and so on in SI units. Axes
-/// have any length but zero; their components are the same on both sides unless said otherwise.
+/// The rotation R transforms outboard components into inboard components; d is the vector from the
+/// inboard to the outboard origin, in inboard axes. Units are SI units, angles are in rad. Axes have
+/// any length except zero; their components are the same on both sides unless stated otherwise.
 #[derive(Clone, Debug, PartialEq)]
 pub enum HingeKind {
     /// No motion at all: the two frames are the same.
     Weld,
-    /// A turn about an axis. The coordinate is the angle, right-handed, the rate its derivative,
-    /// the effort a torque in N·m that acts positively on the outboard side.
+    /// A rotation about an axis. The coordinate is the angle, right-handed, the rate is its
+    /// derivative, and the effort is a torque in N·m that acts positively on the outboard side.
     Pin {
         /// The direction of the axis.
         axis: [f64; 3],
     },
-    /// A shift along an axis; the effort is a force in N.
+    /// A translation along an axis; the effort is a force in N.
     Slider {
         /// The direction of the axis.
         axis: [f64; 3],
     },
-    /// A turn about an axis, and a shift along it in proportion. The coordinate is the angle.
+    /// A rotation about an axis with a proportional translation along it. The coordinate is the angle.
     Screw {
         /// The direction of the axis.
         axis: [f64; 3],
-        /// The shift for each turn, in m/rad.
+        /// The translation per angle, in m/rad.
         pitch: f64,
     },
-    /// A shift along an axis, and a turn about it. The shift comes first.
+    /// A translation along an axis and a rotation about it. The translation comes first.
     Cylindrical {
         /// The direction of the axis.
         axis: [f64; 3],
     },
-    /// A turn about a first axis, then a turn about a second one that the first carries along.
+    /// A rotation about a first axis, then a rotation about a second axis that moves with the first.
     Universal {
         /// The first axis, in inboard components.
         first: [f64; 3],
         /// The second axis, in outboard components; not parallel to the first.
         second: [f64; 3],
     },
-    /// Any turn. The coordinates are a quaternion (w, x, y, z) that turns outboard components into
-    /// inboard ones. The rates are the angular velocity in rad/s of the outboard side relative to
-    /// the inboard one, and the efforts a torque in N·m on the outboard side, both in
-    /// outboard-frame components.
+    /// Any rotation. The coordinates are a quaternion (w, x, y, z) that transforms outboard
+    /// components into inboard components. The rates are the angular velocity in rad/s of the
+    /// outboard side relative to the inboard side, and the efforts are a torque in N·m on the
+    /// outboard side, both in outboard components.
     Ball,
-    /// Shifts along the two inboard axes that follow the normal cyclically, then the turn about
-    /// the normal.
+    /// Translations along the two inboard axes that follow the normal cyclically, then the rotation
+    /// about the normal.
     Planar {
         /// The normal of the plane.
         normal: Axis,
     },
-    /// Any motion. The coordinates are d and the quaternion of R; the rates the derivative of d
-    /// (inboard axes) and the angular velocity (outboard axes); the efforts a force in N (inboard
+    /// Any motion. The coordinates are d and the quaternion of R. The rates are the derivative of d
+    /// (inboard axes) and the angular velocity (outboard axes). The efforts are a force in N (inboard
     /// axes, at the outboard origin) and a torque in N·m (outboard axes).
     Floating,
-    /// Any motion that turns little but about z, with R = Az(θ3) Ay(θ2) Ax(θ1), d = Az(θ3) Δ. The
+    /// Any motion with small rotations about x and y: R = Az(θ3) Ay(θ2) Ax(θ1), d = Az(θ3) Δ. The
     /// coordinates are Δ, θ1, θ2, θ3; rates and efforts are those of [`HingeKind::Floating`].
     Elastic,
-    /// The word `floating` of a chain in the plane: the same as planar.
+    /// The keyword `floating` in a plane chain: the same as planar.
     PlaneFloating,
-    /// The word `elastic` of a chain in the plane: d = Az(θ) Δ. The coordinates are Δx, Δy, θ; the
-    /// rates the derivatives of d (inboard axes) and of θ.
+    /// The keyword `elastic` in a plane chain: d = Az(θ) Δ. The coordinates are Δx, Δy, θ; the
+    /// rates are the derivatives of d (inboard axes) and of θ.
     PlaneElastic,
-    /// The word `floating` of a chain along a line: the same as a slider along x.
+    /// The keyword `floating` in a line chain: the same as a slider along x.
     LineFloating,
-    /// The word `elastic` of a chain along a line: the same as a slider along x.
+    /// The keyword `elastic` in a line chain: the same as a slider along x.
     LineElastic,
 }
 
@@ -102,11 +102,11 @@ pub enum Axis {
     Z,
 }
 
-/// What acts along one group of a hinge's rates: along shifts in N, kg and so on, along turns in
-/// N·m, kg·m² and so on.
+/// The springs, dampers, rotors, friction, limits and motors of one group of a hinge's rates, for
+/// translations in N, kg and so on, for rotations in N·m, kg·m² and so on.
 ///
-/// A list is empty for nothing, holds one number for all strains of the group, or one for each. For
-/// the three turns of a ball or of a floating hinge there is only ever one number.
+/// A list is empty for nothing, or holds one number for all strains of the group, or one number for
+/// each. The three rotations of a ball or of a floating hinge always share one number.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Group {
     /// The stiffnesses against strains.
@@ -115,7 +115,7 @@ pub struct Group {
     pub damping: Vec<f64>,
     /// The inertias of rotors that move with the strains.
     pub armature: Vec<f64>,
-    /// The friction at great speed.
+    /// The friction at high speed.
     pub friction: Vec<f64>,
     /// The speed at which friction has about 0.7 of its full value.
     pub friction_speed: f64,
@@ -125,32 +125,32 @@ pub struct Group {
     pub motor: Source<Vec<f64>>,
 }
 
-/// Stops beyond which a further spring and a further damper act.
+/// Limits beyond which an additional spring and an additional damper act.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limits {
-    /// The lowest and the highest coordinate without them. For the turns of a ball or of a floating
-    /// hinge the second is the greatest angle from rest, and the first does not count.
+    /// The lowest and the highest coordinate at which they do not act. For the rotations of a ball or
+    /// of a floating hinge, the second is the largest angle from rest, and the first is ignored.
     pub range: [f64; 2],
-    /// The stiffness against what is beyond.
+    /// The stiffness beyond the limits.
     pub stiffness: f64,
-    /// The damping constant while beyond.
+    /// The damping constant beyond the limits.
     pub damping: f64,
 }
 
-/// Something that may be given once and for all or at every instant.
+/// A value that is constant or an input.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Source<T> {
-    /// There is none.
+    /// No value.
     #[default]
     None,
-    /// Always the same.
+    /// Constant.
     Constant(T),
     /// Given at every instant, see [`crate::Drives`].
     Input,
 }
 
 impl Hinge {
-    /// A hinge along which nothing acts.
+    /// Returns a hinge without springs, dampers or motors.
     pub fn new(name: &str, kind: HingeKind) -> Hinge {
         Hinge {
             name: name.to_owned(),
@@ -162,14 +162,14 @@ impl Hinge {
         }
     }
 
-    /// Returns how many coordinates the hinge has in a state.
+    /// Returns the number of the hinge's coordinates in a state.
     pub fn coordinates(&self) -> usize {
         if self.prescribed { 0 } else { self.kind.coordinates() }
     }
 
-    /// Returns how many rates the hinge has in a state.
-    pub fn freedoms(&self) -> usize {
-        if self.prescribed { 0 } else { self.kind.freedoms() }
+    /// Returns the number of the hinge's rates in a state.
+    pub fn dof_count(&self) -> usize {
+        if self.prescribed { 0 } else { self.kind.dof_count() }
     }
 
     /// Returns the two groups with the rates they act along.
@@ -177,35 +177,35 @@ impl Hinge {
         [(&self.linear, self.kind.linear()), (&self.turning, self.kind.turning())]
     }
 
-    /// Returns the coordinates at rest, with those of the zero position where none are given.
+    /// Returns the coordinates at rest; the zero position if none are specified.
     pub fn rest_coordinates(&self) -> Vec<f64> {
         if self.rest.is_empty() { self.kind.zero_position() } else { self.rest.clone() }
     }
 }
 
 impl HingeKind {
-    /// Returns how many coordinates a hinge of this kind has.
+    /// Returns the number of coordinates of a hinge of this kind.
     pub fn coordinates(&self) -> usize {
-        self.freedoms() + usize::from(self.has_quaternion())
+        self.dof_count() + usize::from(self.has_quaternion())
     }
 
-    /// Returns how many rates, and efforts, a hinge of this kind has.
-    pub fn freedoms(&self) -> usize {
+    /// Returns the number of rates, and of efforts, of a hinge of this kind.
+    pub fn dof_count(&self) -> usize {
         let (linear, turning) = self.group_sizes();
         linear + turning
     }
 
-    /// Returns which of the rates are shifts.
+    /// Returns the rates that are translational.
     pub fn linear(&self) -> Range<usize> {
         0..self.group_sizes().0
     }
 
-    /// Returns which of the rates are turns.
+    /// Returns the rates that are rotational.
     pub fn turning(&self) -> Range<usize> {
-        self.group_sizes().0..self.freedoms()
+        self.group_sizes().0..self.dof_count()
     }
 
-    /// Returns whether the turns have a quaternion for their coordinates.
+    /// Returns whether the coordinates of the rotations are a quaternion.
     pub fn has_quaternion(&self) -> bool {
         matches!(self, HingeKind::Ball | HingeKind::Floating)
     }
@@ -245,7 +245,7 @@ impl Axis {
 }
 
 impl Group {
-    /// Returns whether nothing acts along the group.
+    /// Returns whether the group has no springs, dampers, motors and so on.
     pub fn is_empty(&self) -> bool {
         *self == Group::default()
     }

@@ -1,9 +1,9 @@
 //! Inverse dynamics: the efforts that the drives of all free rates must supply for given
 //! accelerations.
 //!
-//! Every hinge of the chain is prescribed, a floating base included, and the solver of
-//! maximal coordinates then gives the efforts of the drives. A closed chain is opened at its last
-//! hinge that is not a weld.
+//! All hinges of the chain and a floating base are prescribed; the solver in maximal coordinates
+//! then computes the efforts of the drives. A closed chain is opened at its last hinge that is not
+//! a weld.
 
 use crate::chain::{Chain, Element, End, Frame, State};
 use crate::drives::{Drives, HingeMotion};
@@ -23,17 +23,17 @@ impl Chain {
     /// a floating base are a force on its input point in N (inertial axes), then a torque in N·m
     /// (body axes).
     ///
-    /// Everything that acts besides the drives of free rates is part of `bias`: gravity, Coriolis
-    /// and centrifugal terms, springs, dampers, friction, limits, loads, moving ends and prescribed
-    /// motions. The efforts of motors are not, neither inputs nor constant ones: they are
-    /// what `τ` counts, so [`Drives::efforts`] are ignored. In an open chain `τ` therefore equals
-    /// the efforts of the motors, with zeros for a floating base, if `v̇` are the accelerations of
+    /// `bias` contains everything that acts except the drives of free rates: gravity, Coriolis and
+    /// centrifugal terms, springs, dampers, friction, limits, loads, moving ends and prescribed
+    /// motions. It does not contain the efforts of motors, neither inputs nor constants: they are
+    /// part of `τ`, so [`Drives::efforts`] are ignored. In an open chain `τ` therefore equals the
+    /// efforts of the motors, with zeros for a floating base, if `v̇` are the accelerations of
     /// [`Chain::solve_driven`].
     ///
-    /// A closed chain is the tree that remains without its closing hinge, the last one that is not a
-    /// weld. That hinge transmits nothing; its own rates see what acts along them, which is its
-    /// rotors, springs, dampers, friction and limits. Bodies that welds join to the finish take no
-    /// part. With the reactions `λ` of the closure `J v̇ = d` the equations are
+    /// A closed chain is the tree that remains without its closing hinge, the last hinge that is not a
+    /// weld. The closing hinge transmits nothing; the efforts of its rates are those of its rotors,
+    /// springs, dampers, friction and limits. Bodies that welds join to the finish are ignored. With
+    /// the reactions `λ` of the loop constraint `J v̇ = d` the equations are
     ///
     /// ```text
     /// M(q) v̇ + bias = τ + Jᵀ λ
@@ -52,7 +52,7 @@ impl Chain {
         accelerations: &[f64],
     ) -> Vec<f64> {
         self.check_lengths(state, drives);
-        assert_eq!(accelerations.len(), self.freedoms(), "chain {}: accelerations", self.name);
+        assert_eq!(accelerations.len(), self.dof_count(), "chain {}: accelerations", self.name);
         let mut opened = Opened::new(self, state, drives, accelerations);
         if self.closed() {
             opened.remove_closing_hinge();
@@ -60,18 +60,18 @@ impl Chain {
         opened.efforts()
     }
 
-    /// Returns the `bias` of [`Chain::inverse_dynamics`]: the efforts of the drives of all free
-    /// rates at which no rate changes.
+    /// Returns the `bias` of [`Chain::inverse_dynamics`]: the efforts of the drives at zero
+    /// accelerations.
     ///
     /// # Panics
     ///
     /// Panics like [`Chain::inverse_dynamics`].
     pub fn bias_efforts(&self, state: &State, drives: &Drives) -> Vec<f64> {
-        self.inverse_dynamics(state, drives, &vec![0.0; self.freedoms()])
+        self.inverse_dynamics(state, drives, &vec![0.0; self.dof_count()])
     }
 
-    /// Returns the mass matrix `M` of [`Chain::inverse_dynamics`] row by row, inertias of rotors
-    /// included.
+    /// Returns the mass matrix `M` of [`Chain::inverse_dynamics`] row by row, including the inertias
+    /// of rotors.
     ///
     /// # Panics
     ///
@@ -134,7 +134,7 @@ impl Opened {
         opened
     }
 
-    /// Removes the closing hinge, and all that is attached to the finish alone then.
+    /// Removes the closing hinge and everything that is then attached only to the finish.
     fn remove_closing_hinge(&mut self) {
         let moves = |element: &Element| matches!(element, Element::Hinge(hinge) if hinge.kind != HingeKind::Weld);
         let place = self.chain.elements.iter().rposition(moves).unwrap_or(0);
@@ -176,7 +176,7 @@ impl Opened {
     }
 }
 
-/// The entries of a state and of its accelerations that no hinge has taken yet.
+/// The entries of a state and of its accelerations that are not assigned to a hinge yet.
 struct Own<'a> {
     q: &'a [f64],
     v: &'a [f64],
@@ -184,7 +184,7 @@ struct Own<'a> {
 }
 
 impl Own<'_> {
-    /// Takes the motion of the next hinge.
+    /// Returns the motion of the next hinge.
     fn motion(&mut self, hinge: &Hinge) -> HingeMotion {
         let take = |from: &mut &[f64], count: usize| {
             let (own, rest) = from.split_at(count);
@@ -193,8 +193,8 @@ impl Own<'_> {
         };
         HingeMotion {
             q: take(&mut self.q, hinge.kind.coordinates()),
-            v: take(&mut self.v, hinge.kind.freedoms()),
-            a: take(&mut self.a, hinge.kind.freedoms()),
+            v: take(&mut self.v, hinge.kind.dof_count()),
+            a: take(&mut self.a, hinge.kind.dof_count()),
         }
     }
 }

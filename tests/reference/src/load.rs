@@ -1,4 +1,4 @@
-//! Loads from outside, and springs between a body and the ground.
+//! External loads, and springs between a body and the ground.
 
 use crate::hinge::Source;
 
@@ -10,7 +10,7 @@ pub struct Load {
     /// The name of the body it acts on.
     pub body: String,
     /// The point the force acts at.
-    pub at: Spot,
+    pub at: BodyPoint,
     /// The force in N.
     pub force: Source<[f64; 3]>,
     /// The couple in N·m.
@@ -24,15 +24,15 @@ pub struct Load {
 pub struct Spring {
     /// The snake_case name of the spring.
     pub name: String,
-    /// The name of the body it pulls at.
+    /// The name of the body it acts on.
     pub body: String,
     /// The point of the body.
-    pub at: Spot,
+    pub at: BodyPoint,
     /// The point of the ground in m, inertial.
     pub to: [f64; 3],
     /// The stiffness in N/m.
     pub stiffness: f64,
-    /// The damping constant in N·s/m, against the change of length.
+    /// The damping constant in N·s/m, along the spring.
     pub damping: f64,
     /// The length without force in m.
     pub length: f64,
@@ -40,20 +40,20 @@ pub struct Spring {
 
 /// A point of a body.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Spot {
+pub enum BodyPoint {
     /// The centre of mass.
     Com,
     /// The input.
     Input,
     /// The output.
     Output,
-    /// A place in m, in the body frame.
+    /// A position in m, in the body frame.
     At([f64; 3]),
-    /// A place that the body's type gives a name to.
+    /// A named point of the body's type.
     Named {
         /// The snake_case name.
         name: String,
-        /// The place in m, in the body frame.
+        /// The position in m, in the body frame.
         position: [f64; 3],
     },
 }

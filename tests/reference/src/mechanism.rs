@@ -1,10 +1,10 @@
-//! A chain made ready for computing: bodies about their centres of mass, and hinges that know
-//! their two sides.
+//! A chain prepared for computing: bodies about their centres of mass, and hinges with their two
+//! sides.
 
 use crate::chain::{About, Body, Chain, Element, End, Frame, Gravity, State};
 use crate::drives::{Drives, FrameMotion, HingeMotion};
+use crate::external_load::ExternalLoad;
 use crate::hinge::{Group, Hinge, HingeKind, Source};
-use crate::outside::Outside;
 use crate::rotation::{self, Mat3, Vec3};
 use std::ops::Range;
 
@@ -14,13 +14,13 @@ pub(crate) struct Mechanism<'a> {
     pub(crate) gravity: Vec3,
     pub(crate) bodies: Vec<Rigid>,
     pub(crate) joints: Vec<Joint<'a>>,
-    pub(crate) outside: Vec<Outside>,
+    pub(crate) external_loads: Vec<ExternalLoad>,
     /// The frames that the start and the finish are attached to.
-    pub(crate) start: Option<Place>,
-    pub(crate) finish: Option<Place>,
+    pub(crate) start: Option<FrameState>,
+    pub(crate) finish: Option<FrameState>,
 }
 
-/// A body, with everything counted from its centre of mass in body axes.
+/// A body; all vectors start at its centre of mass and have components in body axes.
 pub(crate) struct Rigid {
     pub(crate) mass: f64,
     pub(crate) inertia: Mat3,
@@ -38,7 +38,7 @@ pub(crate) struct Motion {
     pub(crate) spin: Vec3,
 }
 
-/// A hinge, and where its entries are in coordinates and rates.
+/// A hinge, and the indices of its coordinates and rates.
 pub(crate) struct Joint<'a> {
     pub(crate) hinge: &'a Hinge,
     pub(crate) inboard: Side,
@@ -47,7 +47,7 @@ pub(crate) struct Joint<'a> {
     pub(crate) prescribed: Option<&'a HingeMotion>,
     first_coordinate: usize,
     pub(crate) first_rate: usize,
-    /// The motor's efforts, one to every rate.
+    /// The motor's efforts, one for every rate.
     pub(crate) motor: Vec<f64>,
 }
 
@@ -62,28 +62,29 @@ pub(crate) enum Side {
 
 /// The motion of a [`Side`] in inertial axes.
 #[derive(Clone)]
-pub(crate) struct Place {
-    /// The body the place is fixed to, if any.
+pub(crate) struct FrameState {
+    /// The body that the frame is fixed to, if any.
     pub(crate) body: Option<usize>,
-    /// From the body's centre of mass to the place.
+    /// The vector from the body's centre of mass to the frame's origin.
     pub(crate) arm: Vec3,
     pub(crate) position: Vec3,
     pub(crate) rotation: Mat3,
     pub(crate) velocity: Vec3,
     pub(crate) spin: Vec3,
-    /// The acceleration without what the body's acceleration and angular acceleration contribute.
+    /// The acceleration without the contributions of the body's acceleration and angular
+    /// acceleration.
     pub(crate) known_acceleration: Vec3,
     /// The angular acceleration without that of the body.
     pub(crate) known_angular: Vec3,
 }
 
 impl<'a> Mechanism<'a> {
-    /// Reads a chain.
+    /// Prepares a chain.
     ///
     /// # Panics
     ///
-    /// Panics when hinges and bodies do not alternate as the ends of the chain demand, and when a
-    /// load or a spring names a body that there is not.
+    /// Panics if hinges and bodies do not alternate as the ends of the chain require, or if the body
+    /// of a load or a spring does not exist.
     pub(crate) fn new(chain: &'a Chain, drives: &'a Drives) -> Mechanism<'a> {
         let gravity = match chain.gravity {
             Gravity::Constant(acceleration) => acceleration,
@@ -94,23 +95,23 @@ impl<'a> Mechanism<'a> {
             gravity: Vec3::from(gravity),
             bodies: chain.bodies().map(Rigid::new).collect(),
             joints: joints_of(chain, drives),
-            outside: Outside::all(chain, drives),
+            external_loads: ExternalLoad::all(chain, drives),
             start: attached(&chain.start, &drives.start),
             finish: attached(&chain.finish, &drives.finish),
         }
     }
 
-    /// Returns how a place moves when the bodies move as given.
-    pub(crate) fn place(&self, side: &Side, motions: &[Motion]) -> Place {
+    /// Returns the motion of a frame for given motions of the bodies.
+    pub(crate) fn frame_motion(&self, side: &Side, motions: &[Motion]) -> FrameState {
         match *side {
             Side::Start => self.start.clone().expect("a start that is attached"),
             Side::Finish => self.finish.clone().expect("a finish that is attached"),
             Side::Input(body) => {
-                Place::on(body, &motions[body], &self.bodies[body].input, &Mat3::identity())
+                FrameState::on(body, &motions[body], &self.bodies[body].input, &Mat3::identity())
             }
             Side::Output(body) => {
                 let rigid = &self.bodies[body];
-                Place::on(body, &motions[body], &rigid.output, &rigid.output_turn)
+                FrameState::on(body, &motions[body], &rigid.output, &rigid.output_turn)
             }
         }
     }
@@ -133,8 +134,8 @@ impl<'a> Mechanism<'a> {
         self.bodies.iter().zip(motions).map(of_body).sum()
     }
 
-    /// Returns the potential energy in J of constant gravity, zero with every centre of mass at the
-    /// inertial origin, and of the springs to the ground.
+    /// Returns the potential energy in J of constant gravity (zero with every centre of mass at the
+    /// inertial origin) and of the springs to the ground.
     pub(crate) fn potential_energy(&self, motions: &[Motion]) -> f64 {
         let gravity = match self.chain.gravity {
             Gravity::Constant(_) => self.gravity,
@@ -143,7 +144,7 @@ impl<'a> Mechanism<'a> {
         let of_body =
             |(rigid, motion): (&Rigid, &Motion)| -rigid.mass * gravity.dot(&motion.position);
         let of_bodies: f64 = self.bodies.iter().zip(motions).map(of_body).sum();
-        of_bodies + self.outside.iter().map(|outside| outside.energy(motions)).sum::<f64>()
+        of_bodies + self.external_loads.iter().map(|load| load.energy(motions)).sum::<f64>()
     }
 }
 
@@ -164,17 +165,17 @@ impl Joint<'_> {
     pub(crate) fn v<'b>(&'b self, state: &'b State) -> &'b [f64] {
         match self.prescribed {
             Some(motion) => &motion.v,
-            None => &state.v[self.first_rate..][..self.kind().freedoms()],
+            None => &state.v[self.first_rate..][..self.kind().dof_count()],
         }
     }
 }
 
-/// Pairs every hinge with the places it joins.
+/// Pairs every hinge with the frames that it joins.
 fn joints_of<'a>(chain: &'a Chain, drives: &'a Drives) -> Vec<Joint<'a>> {
     let misplaced = |name: &str| -> ! {
         panic!("chain {}: {name} is not where hinges and bodies alternate", chain.name)
     };
-    let (mut coordinate, mut rate) = (chain.base_coordinates(), chain.base_freedoms());
+    let (mut coordinate, mut rate) = (chain.base_coordinates(), chain.base_dof_count());
     let mut motions = drives.motions.iter();
     let mut joints: Vec<Joint> = Vec::new();
     let mut reached = (chain.start != End::Free).then_some(Side::Start);
@@ -190,7 +191,7 @@ fn joints_of<'a>(chain: &'a Chain, drives: &'a Drives) -> Vec<Joint<'a>> {
             motor: motor_efforts(hinge, &drives.efforts[rate..]),
         });
         coordinate += hinge.coordinates();
-        rate += hinge.freedoms();
+        rate += hinge.dof_count();
     };
     let mut bodies = 0;
     for element in &chain.elements {
@@ -217,7 +218,7 @@ fn joints_of<'a>(chain: &'a Chain, drives: &'a Drives) -> Vec<Joint<'a>> {
     joints
 }
 
-/// Returns the efforts of a hinge's motors, given those of its rates and all later ones.
+/// Returns the efforts of a hinge's motors from the efforts of its rates and of all later rates.
 fn motor_efforts(hinge: &Hinge, given: &[f64]) -> Vec<f64> {
     let of_group = |(group, rates): (&Group, Range<usize>)| match &group.motor {
         Source::Constant(efforts) => efforts.clone(),
@@ -227,15 +228,15 @@ fn motor_efforts(hinge: &Hinge, given: &[f64]) -> Vec<f64> {
     hinge.groups().map(of_group).concat()
 }
 
-/// Returns the frame that an end is attached to, if it is.
-fn attached(end: &End, motion: &FrameMotion) -> Option<Place> {
+/// Returns the frame that an end is attached to, if any.
+fn attached(end: &End, motion: &FrameMotion) -> Option<FrameState> {
     match end {
         End::Free => None,
         End::Held(Frame { position, rpy_degrees }) => {
             let rotation = rotation::from_rpy_degrees(rpy_degrees);
-            Some(Place::at_rest(Vec3::from(*position), rotation))
+            Some(FrameState::at_rest(Vec3::from(*position), rotation))
         }
-        End::Moving { .. } => Some(Place::moving(motion)),
+        End::Moving { .. } => Some(FrameState::moving(motion)),
     }
 }
 
@@ -247,7 +248,7 @@ impl Rigid {
         let offset = rotation::cross_matrix(&com);
         let inertia = match body.about {
             About::Com => given,
-            // Steiner: about the input point the inertia is greater by -m [c×]².
+            // Steiner: the inertia about the input point is larger by −m [c×]².
             About::Input => given + body.mass * offset * offset,
         };
         Rigid {
@@ -260,10 +261,10 @@ impl Rigid {
     }
 }
 
-impl Place {
-    pub(crate) fn at_rest(position: Vec3, rotation: Mat3) -> Place {
+impl FrameState {
+    pub(crate) fn at_rest(position: Vec3, rotation: Mat3) -> FrameState {
         let rest = Vec3::zeros();
-        Place {
+        FrameState {
             body: None,
             arm: rest,
             position,
@@ -275,23 +276,23 @@ impl Place {
         }
     }
 
-    /// A frame that moves as it is told.
-    fn moving(motion: &FrameMotion) -> Place {
+    /// Returns a frame with a prescribed motion.
+    fn moving(motion: &FrameMotion) -> FrameState {
         let rotation = rotation::from_quaternion(&motion.orientation);
-        Place {
+        FrameState {
             velocity: Vec3::from(motion.velocity),
             spin: rotation * Vec3::from(motion.rate),
             known_acceleration: Vec3::from(motion.acceleration),
-            // The derivative seen from the frame itself is that seen from outside: they differ by
-            // the product of the angular velocity with itself.
+            // The derivatives in the moving and in the inertial frame are equal: they differ by the
+            // cross product of the angular velocity with itself.
             known_angular: rotation * Vec3::from(motion.rate_derivative),
-            ..Place::at_rest(Vec3::from(motion.position), rotation)
+            ..FrameState::at_rest(Vec3::from(motion.position), rotation)
         }
     }
 
-    fn on(body: usize, motion: &Motion, arm: &Vec3, turn: &Mat3) -> Place {
+    fn on(body: usize, motion: &Motion, arm: &Vec3, turn: &Mat3) -> FrameState {
         let arm = motion.rotation * arm;
-        Place {
+        FrameState {
             body: Some(body),
             arm,
             position: motion.position + arm,

@@ -1,4 +1,4 @@
-//! States and drives a moment later.
+//! States and drives a short time later.
 
 use crate::chain::{Chain, State};
 use crate::drives::Drives;
@@ -22,7 +22,7 @@ pub(crate) fn moved_coordinates(hinge: &Hinge, q: &[f64], [v, a]: [&[f64]; 2], t
     }
 }
 
-/// Turns a quaternion (w, x, y, z) on by a rotation vector in the frame it turns from.
+/// Rotates a quaternion (w, x, y, z) further by a rotation vector in outboard components.
 pub(crate) fn turned(wxyz: &[f64], by: &[f64]) -> [f64; 4] {
     let quaternion = Quaternion::new(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
     let on = quaternion * Quaternion::new(0.0, 0.5 * by[0], 0.5 * by[1], 0.5 * by[2]).exp();
@@ -34,12 +34,12 @@ impl Chain {
     pub fn moved(&self, state: &State, accelerations: &[f64], t: f64) -> State {
         let (mut q, mut rate) = (Vec::new(), 0);
         let mut add = |hinge: &Hinge| {
-            let own = rate..rate + hinge.kind.freedoms();
+            let own = rate..rate + hinge.kind.dof_count();
             let (from, motion) =
                 (&state.q[q.len()..], [&state.v[own.clone()], &accelerations[own]]);
             let moved = moved_coordinates(hinge, &from[..hinge.kind.coordinates()], motion, t);
             q.extend(moved);
-            rate += hinge.kind.freedoms();
+            rate += hinge.kind.dof_count();
         };
         if self.floats() {
             add(&Hinge::new("base", HingeKind::of_base(self.dimension)));
@@ -51,8 +51,8 @@ impl Chain {
 }
 
 impl Drives {
-    /// Returns the drives a time `t` later, to second order where motions are given. All else stays
-    /// the same.
+    /// Returns the drives a time `t` later, with prescribed motions to second order. All other drives
+    /// are constant.
     pub fn moved(&self, chain: &Chain, t: f64) -> Drives {
         let mut moved = self.clone();
         let prescribed = chain.hinges().filter(|hinge| hinge.prescribed);

@@ -1,17 +1,16 @@
-//! What acts along the freedoms of a hinge without a motor: springs, dampers, friction, limits and
-//! the inertia of rotors.
+//! Passive efforts of a hinge: springs, dampers, friction, limits and the inertia of rotors.
 
 use crate::hinge::{Group, Hinge};
 use crate::strain::Strains;
 use nalgebra::{DMatrix, DVector};
 
-/// What a hinge does along its freedoms at one instant.
+/// The passive efforts and inertias along the rates of a hinge at one instant.
 pub(crate) struct Passive {
     /// The efforts of springs, dampers, friction and limits, conjugate to the hinge's rates.
     pub(crate) efforts: DVector<f64>,
-    /// The rotors' inertia against the derivatives of the hinge's rates.
+    /// The rotors' inertia for the derivatives of the hinge's rates.
     pub(crate) inertia: DMatrix<f64>,
-    /// The efforts that the rotors take while the rates do not change.
+    /// The efforts that the rotors need at constant rates.
     pub(crate) inertia_bias: DVector<f64>,
     /// The energy of springs and limits in J.
     pub(crate) potential_energy: f64,
@@ -20,16 +19,16 @@ pub(crate) struct Passive {
 }
 
 /// The efforts conjugate to strain rates, and the energy of the springs.
-struct Acting {
+struct StrainEfforts {
     efforts: DVector<f64>,
     energy: f64,
 }
 
 impl Passive {
-    /// Returns what acts along a hinge with the given coordinates and rates.
+    /// Returns the passive efforts of a hinge with the given coordinates and rates.
     pub(crate) fn new(hinge: &Hinge, q: &[f64], v: &[f64]) -> Passive {
         let strains = Strains::new(hinge, q, v);
-        let mut acting = Acting { efforts: DVector::zeros(v.len()), energy: 0.0 };
+        let mut acting = StrainEfforts { efforts: DVector::zeros(v.len()), energy: 0.0 };
         let mut armature = DVector::zeros(v.len());
         for ((group, strained), turning) in hinge.groups().into_iter().zip([false, true]) {
             for k in strained.clone() {
@@ -55,8 +54,8 @@ impl Passive {
     }
 }
 
-impl Acting {
-    /// Adds what acts on a strain that is a coordinate of its own; `member` counts in the group.
+impl StrainEfforts {
+    /// Adds the efforts on a strain that is a single coordinate; `member` is its index in the group.
     fn on_coordinate(&mut self, group: &Group, k: usize, member: usize, strains: &Strains) {
         let (strain, rate) = (strains.relative[k], strains.rates[k]);
         let entry = |list: &[f64]| Group::entry(list, member);
@@ -78,7 +77,7 @@ impl Acting {
         self.efforts[k] += effort;
     }
 
-    /// Adds what acts on three turns that have a quaternion for their coordinates.
+    /// Adds the efforts on three rotations whose coordinates are a quaternion.
     fn on_turn(&mut self, group: &Group, first: usize, strains: &Strains) {
         let strain = DVector::from_column_slice(&strains.relative[first..first + 3]);
         let rate = strains.rates.rows(first, 3).into_owned();

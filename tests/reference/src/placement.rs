@@ -1,75 +1,77 @@
-//! From hinge coordinates to the motions of the bodies, and back.
+//! Conversion from hinge coordinates to the motions of the bodies, and back.
 
 use crate::chain::{End, State};
 use crate::hinge::HingeKind;
-use crate::mechanism::{Joint, Mechanism, Motion, Place, Rigid, Side};
+use crate::mechanism::{FrameState, Joint, Mechanism, Motion, Rigid, Side};
 use crate::relative::{Relative, Twist, twist};
 use crate::rotation::{Mat3, Vec3};
 
 impl Mechanism<'_> {
-    /// Places every body according to the coordinates and rates of the chain.
+    /// Returns the motions of all bodies for the coordinates and rates of the chain.
     pub(crate) fn motions(&self, state: &State) -> Vec<Motion> {
         if self.chain.floats() {
             let kind = HingeKind::of_base(self.chain.dimension);
-            let (q, v) = (&state.q[..kind.coordinates()], &state.v[..kind.freedoms()]);
+            let (q, v) = (&state.q[..kind.coordinates()], &state.v[..kind.dof_count()]);
             let first = outboard(&kind.relative(q, v), v, &inertial());
             self.motions_onwards(state, self.bodies[0].motion_from_input(&first))
         } else if self.chain.start == End::Free {
             self.motions_backwards(state)
         } else {
-            let start = self.place(&Side::Start, &[]);
-            let first = self.joints[0].outboard_place(state, &start);
+            let start = self.frame_motion(&Side::Start, &[]);
+            let first = self.joints[0].outboard_motion(state, &start);
             self.motions_onwards(state, self.bodies[0].motion_from_input(&first))
         }
     }
 
-    /// Places the bodies one after the other, given the motion of the first.
+    /// Returns the motions of the bodies one after the other, from the motion of the first.
     fn motions_onwards(&self, state: &State, first: Motion) -> Vec<Motion> {
         let mut motions = vec![first];
         for joint in &self.joints {
             if let (Side::Output(_), Side::Input(body)) = (joint.inboard, joint.outboard) {
-                let inboard = self.place(&joint.inboard, &motions);
-                let input = joint.outboard_place(state, &inboard);
+                let inboard = self.frame_motion(&joint.inboard, &motions);
+                let input = joint.outboard_motion(state, &inboard);
                 motions.push(self.bodies[body].motion_from_input(&input));
             }
         }
         motions
     }
 
-    /// Places the bodies from the last to the first, starting at the frame after the last hinge.
+    /// Returns the motions of the bodies from the last to the first, from the frame after the last
+    /// hinge.
     fn motions_backwards(&self, state: &State) -> Vec<Motion> {
         let mut motions: Vec<Motion> = Vec::new();
-        let mut outboard = self.place(&Side::Finish, &[]);
+        let mut outboard = self.frame_motion(&Side::Finish, &[]);
         for (joint, rigid) in self.joints.iter().zip(&self.bodies).rev() {
-            let motion = rigid.motion_from_output(&joint.inboard_place(state, &outboard));
-            outboard = rigid.input_place(&motion);
+            let motion = rigid.motion_from_output(&joint.inboard_motion(state, &outboard));
+            outboard = rigid.input_motion(&motion);
             motions.push(motion);
         }
         motions.reverse();
         motions
     }
 
-    /// Measures the coordinates and rates of moving bodies.
+    /// Returns the coordinates and rates of moving bodies.
     ///
-    /// Angles are given without jumps and quaternions without changes of sign: of all values that
-    /// say the same, the ones nearest to the coordinates of `near` are taken.
+    /// Of all equivalent angles and quaternions, those nearest to the coordinates of `near` are
+    /// returned, so angles do not jump and quaternions do not change their sign.
     pub(crate) fn measure(&self, motions: &[Motion], near: &State) -> State {
         let mut state = State { q: Vec::new(), v: Vec::new() };
-        let mut add = |kind: &HingeKind, inboard: &Place, outboard: &Place, near: &[f64]| {
-            let (rotation, offset) = relative_pose(inboard, outboard);
-            let q = kind.measure(&rotation, &offset, near);
-            // The twist is linear in the rates, so any will do to find its directions.
-            let relative = kind.relative(&q, &vec![0.0; kind.freedoms()]);
-            state.v.extend(relative.rates(&relative_twist(inboard, outboard)));
-            state.q.extend(q);
-        };
+        let mut add =
+            |kind: &HingeKind, inboard: &FrameState, outboard: &FrameState, near: &[f64]| {
+                let (rotation, offset) = relative_pose(inboard, outboard);
+                let q = kind.measure(&rotation, &offset, near);
+                // The twist is linear in the rates, so any rates will do to find its directions.
+                let relative = kind.relative(&q, &vec![0.0; kind.dof_count()]);
+                state.v.extend(relative.rates(&relative_twist(inboard, outboard)));
+                state.q.extend(q);
+            };
         if self.chain.floats() {
             let kind = HingeKind::of_base(self.chain.dimension);
-            add(&kind, &inertial(), &self.place(&Side::Input(0), motions), &near.q);
+            add(&kind, &inertial(), &self.frame_motion(&Side::Input(0), motions), &near.q);
         }
         for joint in self.joints.iter().filter(|joint| joint.prescribed.is_none()) {
-            let inboard = self.place(&joint.inboard, motions);
-            let outboard = self.place(&joint.outboard, motions);
+            let inboard = self.frame_motion(&joint.inboard, motions);
+            let outboard = self.frame_motion(&joint.outboard, motions);
             add(joint.kind(), &inboard, &outboard, joint.q(near));
         }
         state
@@ -77,18 +79,19 @@ impl Mechanism<'_> {
 }
 
 /// The inertial frame.
-fn inertial() -> Place {
-    Place::at_rest(Vec3::zeros(), Mat3::identity())
+fn inertial() -> FrameState {
+    FrameState::at_rest(Vec3::zeros(), Mat3::identity())
 }
 
-/// Returns the rotation and the offset of one place seen from another, in the axes of the latter.
-pub(crate) fn relative_pose(inboard: &Place, outboard: &Place) -> (Mat3, Vec3) {
+/// Returns the rotation and the offset of the outboard frame relative to the inboard frame, in
+/// inboard axes.
+pub(crate) fn relative_pose(inboard: &FrameState, outboard: &FrameState) -> (Mat3, Vec3) {
     let back = inboard.rotation.transpose();
     (back * outboard.rotation, back * (outboard.position - inboard.position))
 }
 
-/// Returns how one place moves seen from another, in the axes of the latter.
-pub(crate) fn relative_twist(inboard: &Place, outboard: &Place) -> Twist {
+/// Returns the twist of the outboard frame relative to the inboard frame, in inboard axes.
+pub(crate) fn relative_twist(inboard: &FrameState, outboard: &FrameState) -> Twist {
     let back = inboard.rotation.transpose();
     let carried = inboard.spin.cross(&(outboard.position - inboard.position));
     let velocity = outboard.velocity - inboard.velocity - carried;
@@ -96,66 +99,66 @@ pub(crate) fn relative_twist(inboard: &Place, outboard: &Place) -> Twist {
 }
 
 /// Returns the outboard side of a hinge, given its inboard side.
-fn outboard(relative: &Relative, v: &[f64], inboard: &Place) -> Place {
+fn outboard(relative: &Relative, v: &[f64], inboard: &FrameState) -> FrameState {
     let moving = relative.twist(v);
     let offset = inboard.rotation * relative.offset;
     let velocity = inboard.rotation * moving.fixed_rows::<3>(0);
-    Place {
+    FrameState {
         velocity: inboard.velocity + inboard.spin.cross(&offset) + velocity,
         spin: inboard.spin + inboard.rotation * moving.fixed_rows::<3>(3),
-        ..Place::at_rest(inboard.position + offset, inboard.rotation * relative.rotation)
+        ..FrameState::at_rest(inboard.position + offset, inboard.rotation * relative.rotation)
     }
 }
 
 impl Joint<'_> {
-    /// Returns the outboard side of the hinge, given its inboard side. Accelerations are left out.
-    pub(crate) fn outboard_place(&self, state: &State, inboard: &Place) -> Place {
+    /// Returns the outboard side of the hinge, given its inboard side, without accelerations.
+    pub(crate) fn outboard_motion(&self, state: &State, inboard: &FrameState) -> FrameState {
         let v = self.v(state);
         outboard(&self.kind().relative(self.q(state), v), v, inboard)
     }
 
-    /// Returns the inboard side of the hinge, given its outboard side. Accelerations are left out.
-    fn inboard_place(&self, state: &State, outboard: &Place) -> Place {
+    /// Returns the inboard side of the hinge, given its outboard side, without accelerations.
+    fn inboard_motion(&self, state: &State, outboard: &FrameState) -> FrameState {
         let v = self.v(state);
         let relative = self.kind().relative(self.q(state), v);
         let moving = relative.twist(v);
         let rotation = outboard.rotation * relative.rotation.transpose();
         let offset = rotation * relative.offset;
         let spin = outboard.spin - rotation * moving.fixed_rows::<3>(3);
-        Place {
+        FrameState {
             velocity: outboard.velocity
                 - spin.cross(&offset)
                 - rotation * moving.fixed_rows::<3>(0),
             spin,
-            ..Place::at_rest(outboard.position - offset, rotation)
+            ..FrameState::at_rest(outboard.position - offset, rotation)
         }
     }
 }
 
 impl Rigid {
-    fn motion_from_input(&self, input: &Place) -> Motion {
+    fn motion_from_input(&self, input: &FrameState) -> Motion {
         Motion::from_point(input, &input.rotation, &self.input)
     }
 
-    fn motion_from_output(&self, output: &Place) -> Motion {
+    fn motion_from_output(&self, output: &FrameState) -> Motion {
         let rotation = output.rotation * self.output_turn.transpose();
         Motion::from_point(output, &rotation, &self.output)
     }
 
-    fn input_place(&self, motion: &Motion) -> Place {
+    fn input_motion(&self, motion: &Motion) -> FrameState {
         let arm = motion.rotation * self.input;
-        Place {
+        FrameState {
             velocity: motion.velocity + motion.spin.cross(&arm),
             spin: motion.spin,
-            ..Place::at_rest(motion.position + arm, motion.rotation)
+            ..FrameState::at_rest(motion.position + arm, motion.rotation)
         }
     }
 }
 
 impl Motion {
-    /// Returns the motion of a body turned by `rotation` that has `point` at `place` of its frame,
-    /// counted from its centre of mass.
-    fn from_point(point: &Place, rotation: &Mat3, place: &Vec3) -> Motion {
+    /// Returns the motion of a body with the orientation `rotation` whose point at `place`, counted
+    /// from its centre of mass in body axes, moves like `point`.
+    fn from_point(point: &FrameState, rotation: &Mat3, place: &Vec3) -> Motion {
         let arm = rotation * place;
         Motion {
             position: point.position - arm,

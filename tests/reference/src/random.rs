@@ -1,14 +1,14 @@
 //! A small generator of repeatable random numbers.
 
-/// A seeded generator (SplitMix64). The same seed gives the same numbers everywhere and for ever,
-/// so a failing test can name the seed that made it fail.
+/// A seeded generator (SplitMix64). The same seed always gives the same numbers, so a failing test
+/// can name its seed.
 #[derive(Clone, Debug)]
 pub struct Random {
     state: u64,
 }
 
 impl Random {
-    /// Starts a generator from a seed.
+    /// Returns a generator with the given seed.
     pub fn new(seed: u64) -> Random {
         Random { state: seed }
     }
@@ -28,8 +28,8 @@ impl Random {
         low + (high - low) * fraction
     }
 
-    /// Returns a number like [`Random::between`], rounded to so many decimals that it is short to
-    /// print. It is never a negative zero.
+    /// Returns a number like [`Random::between`], rounded to the given number of decimals and never a
+    /// negative zero.
     pub fn rounded(&mut self, low: f64, high: f64, decimals: i32) -> f64 {
         round_to(self.between(low, high), decimals)
     }
@@ -41,7 +41,7 @@ impl Random {
 
     /// Returns a number below `count`, which must not be zero.
     pub fn below(&mut self, count: usize) -> usize {
-        // The bias for counts this small against 2⁶⁴ is beyond notice.
+        // The bias is negligible, since counts are small compared with 2⁶⁴.
         (self.bits() % count as u64) as usize
     }
 
@@ -51,7 +51,7 @@ impl Random {
     }
 }
 
-/// Rounds to a number of decimals and turns a negative zero into zero.
+/// Rounds to a number of decimals and replaces a negative zero by zero.
 pub(crate) fn round_to(value: f64, decimals: i32) -> f64 {
     let scale = 10_f64.powi(decimals);
     (value * scale).round() / scale + 0.0

@@ -1,22 +1,22 @@
 //! Random chains that are physically possible, with many special cases among their data.
 //!
-//! Code that leaves out what is zero or one by construction has to be tested where there is
-//! something to leave out. So offsets are often zero or along an axis, frames often untouched or
-//! turned by quarter turns, and axes of hinges often those of frames, one way or the other.
+//! Code that omits values which are zero or one by construction has to be tested with such values. So
+//! offsets are often zero or along an axis, frames often not rotated or rotated by right angles, and
+//! axes of hinges often those of frames, in either direction.
 
 use crate::chain::{About, Body, Chain, Dimension, Element, End, Frame, Gravity};
 use crate::hinge::{Axis, Hinge, HingeKind};
 use crate::random::{Random, round_to};
-use crate::random_acting::{add_acting, add_motors};
+use crate::random_forces::{add_forces, add_motors};
 use crate::random_state::{closing_frame, has_states, random_quaternion};
-use crate::recipe::{Ends, Joining, Recipe};
+use crate::recipe::{Ends, HingeChoice, Recipe};
 use crate::rotation::{self, Mat3, Vec3};
 
-/// Chains that are tried before giving up.
+/// The largest number of chains that are tried.
 const TRIES: usize = 1000;
 
-/// Makes a chain in space of `bodies` bodies, joined by hinges of the given kinds, with nothing
-/// acting but gravity and the motors.
+/// Returns a chain in space of `bodies` bodies, joined by hinges of the given kinds, with gravity
+/// and motors only.
 ///
 /// All numbers are short decimals. Bodies are called `b1`, `b2`, … and hinges `j1`, `j2`, ….
 ///
@@ -28,20 +28,20 @@ pub fn random_chain(
     name: &str,
     bodies: usize,
     ends: Ends,
-    kinds: &[Joining],
+    kinds: &[HingeChoice],
 ) -> Chain {
     random_mechanism(random, name, &Recipe::plain(bodies, ends, kinds))
 }
 
-/// Makes a chain by a recipe. Loads are called `l1`, …, springs `s1`, …, named points `p1`, …, and
-/// the moving frames at the ends `base` and `tip`.
+/// Returns a chain made by a recipe. Loads are called `l1`, …, springs `s1`, …, named points `p1`, …,
+/// and the moving frames at the ends `base` and `tip`.
 ///
-/// A closed chain has states in which it closes and in which its hinges decide about that firmly.
+/// A closed chain has states in which it closes and in which its constraint is well-conditioned.
 ///
 /// # Panics
 ///
-/// Panics when there are no bodies or no kinds to choose from, and when no chain is found
-/// that has states, as with too few freedoms in a closed one.
+/// Panics if there are no bodies or no kinds to choose from, or if no chain with states is found, as
+/// with too few degrees of freedom in a closed chain.
 pub fn random_mechanism(random: &mut Random, name: &str, recipe: &Recipe) -> Chain {
     let mut recipe = recipe.clone();
     let layout = recipe.layout();
@@ -49,7 +49,7 @@ pub fn random_mechanism(random: &mut Random, name: &str, recipe: &Recipe) -> Cha
     assert!(recipe.bodies > 0 && !recipe.kinds.is_empty(), "a chain needs bodies and hinges");
     for _ in 0..TRIES {
         let mut chain = bare_chain(random, name, &recipe);
-        add_acting(random, &mut chain, &recipe);
+        add_forces(random, &mut chain, &recipe);
         if recipe.flat {
             chain = chain.in_space();
         }
@@ -67,19 +67,20 @@ pub fn random_mechanism(random: &mut Random, name: &str, recipe: &Recipe) -> Cha
 }
 
 impl Recipe {
-    /// Returns the dimension in which everything lies.
+    /// Returns the dimension that contains the whole chain.
     fn layout(&self) -> Dimension {
         if self.flat { Dimension::Plane } else { self.dimension }
     }
 }
 
 impl Chain {
-    /// Returns a chain of the plane or of a line as one in space: hinges with the same freedoms
-    /// leave it in its plane or on its line.
+    /// Returns a plane or line chain as a chain in space: hinges with the same degrees of freedom keep
+    /// it in its plane or on its line.
     ///
     /// # Panics
     ///
-    /// Panics at an elastic hinge of the plane, since the elastic hinge in space has more freedoms.
+    /// Panics at an elastic hinge of a plane chain, since the elastic hinge in space has more degrees
+    /// of freedom.
     pub fn in_space(&self) -> Chain {
         let mut chain = Chain { dimension: Dimension::Space, ..self.clone() };
         for element in &mut chain.elements {
@@ -97,8 +98,8 @@ impl Chain {
     }
 }
 
-/// Makes a chain with motors, and gravity. A finish that is held is at the inertial frame still
-/// where the chain is closed.
+/// Returns a chain with motors and gravity. A held finish of a closed chain is still at the inertial
+/// frame.
 fn bare_chain(random: &mut Random, name: &str, recipe: &Recipe) -> Chain {
     let layout = recipe.layout();
     let mut elements = Vec::new();
@@ -141,36 +142,36 @@ fn random_ends(random: &mut Random, recipe: &Recipe) -> (End, End) {
 fn random_hinge(random: &mut Random, name: String, recipe: &Recipe) -> Hinge {
     let layout = recipe.layout();
     let kind = match (random.choose(&recipe.kinds), layout) {
-        (Joining::Weld, _) => HingeKind::Weld,
-        (Joining::Pin, Dimension::Plane) => HingeKind::Pin { axis: [0.0, 0.0, 1.0] },
-        (Joining::Pin, _) => HingeKind::Pin { axis: random_axis(random) },
-        (Joining::Ball, _) => HingeKind::Ball,
-        (Joining::Slider, Dimension::Line) => HingeKind::Slider { axis: [1.0, 0.0, 0.0] },
-        (Joining::Slider, _) => HingeKind::Slider { axis: random_axis_in(random, layout) },
-        (Joining::Screw, _) => {
+        (HingeChoice::Weld, _) => HingeKind::Weld,
+        (HingeChoice::Pin, Dimension::Plane) => HingeKind::Pin { axis: [0.0, 0.0, 1.0] },
+        (HingeChoice::Pin, _) => HingeKind::Pin { axis: random_axis(random) },
+        (HingeChoice::Ball, _) => HingeKind::Ball,
+        (HingeChoice::Slider, Dimension::Line) => HingeKind::Slider { axis: [1.0, 0.0, 0.0] },
+        (HingeChoice::Slider, _) => HingeKind::Slider { axis: random_axis_in(random, layout) },
+        (HingeChoice::Screw, _) => {
             let pitch = random.rounded(0.05, 0.6, 2);
             let axis = random_axis(random);
             HingeKind::Screw { axis, pitch: if random.chance(0.7) { pitch } else { -pitch } }
         }
-        (Joining::Cylindrical, _) => HingeKind::Cylindrical { axis: random_axis(random) },
-        (Joining::Universal, _) => random_universal(random),
-        (Joining::Planar, Dimension::Plane) => HingeKind::Planar { normal: Axis::Z },
-        (Joining::Planar, _) => {
+        (HingeChoice::Cylindrical, _) => HingeKind::Cylindrical { axis: random_axis(random) },
+        (HingeChoice::Universal, _) => random_universal(random),
+        (HingeChoice::Planar, Dimension::Plane) => HingeKind::Planar { normal: Axis::Z },
+        (HingeChoice::Planar, _) => {
             HingeKind::Planar { normal: *random.choose(&[Axis::X, Axis::Y, Axis::Z]) }
         }
-        (Joining::Floating, Dimension::Space) => HingeKind::Floating,
-        (Joining::Floating, Dimension::Plane) => HingeKind::PlaneFloating,
-        (Joining::Floating, Dimension::Line) => HingeKind::LineFloating,
-        (Joining::Elastic, Dimension::Space) => HingeKind::Elastic,
-        (Joining::Elastic, Dimension::Plane) => HingeKind::PlaneElastic,
-        (Joining::Elastic, Dimension::Line) => HingeKind::LineElastic,
+        (HingeChoice::Floating, Dimension::Space) => HingeKind::Floating,
+        (HingeChoice::Floating, Dimension::Plane) => HingeKind::PlaneFloating,
+        (HingeChoice::Floating, Dimension::Line) => HingeKind::LineFloating,
+        (HingeChoice::Elastic, Dimension::Space) => HingeKind::Elastic,
+        (HingeChoice::Elastic, Dimension::Plane) => HingeKind::PlaneElastic,
+        (HingeChoice::Elastic, Dimension::Line) => HingeKind::LineElastic,
     };
     let mut hinge = Hinge { name, ..Hinge::new("", kind) };
     add_motors(random, &mut hinge, recipe);
     hinge
 }
 
-/// Makes the direction of an axis: along one of the frame, in a plane of two, or askew.
+/// Returns the direction of an axis: along an axis of the frame, in a plane of two axes, or oblique.
 fn random_axis(random: &mut Random) -> [f64; 3] {
     let mut axis = [0.0; 3];
     if random.chance(0.6) {
@@ -186,7 +187,7 @@ fn random_axis(random: &mut Random) -> [f64; 3] {
     axis
 }
 
-/// Makes the direction of an axis in the plane, where the chain is one of the plane.
+/// Returns the direction of an axis, in the plane if the chain is a plane chain.
 fn random_axis_in(random: &mut Random, dimension: Dimension) -> [f64; 3] {
     loop {
         let [x, y, z] = random_axis(random);
@@ -198,7 +199,7 @@ fn random_axis_in(random: &mut Random, dimension: Dimension) -> [f64; 3] {
     }
 }
 
-/// Makes a universal hinge whose axes are at least 30 degrees apart.
+/// Returns a universal hinge whose axes are at least 30 degrees apart.
 fn random_universal(random: &mut Random) -> HingeKind {
     loop {
         let (first, second) = (random_axis(random), random_axis(random));
@@ -219,7 +220,7 @@ fn random_body(random: &mut Random, name: String, dimension: Dimension) -> Body 
     Body { name, mass, com, output, inertia, about }
 }
 
-/// Makes an offset in m: none, along an axis, or askew.
+/// Returns an offset in m: zero, along an axis, or oblique.
 pub(crate) fn random_offset(random: &mut Random, size: f64, dimension: Dimension) -> [f64; 3] {
     let mut offset = [0.0; 3];
     if random.chance(0.15) {
@@ -233,7 +234,7 @@ pub(crate) fn random_offset(random: &mut Random, size: f64, dimension: Dimension
     flattened(offset.map(|_: f64| random.rounded(-size, size, 2)), dimension)
 }
 
-/// Returns a vector without what the dimension does not have.
+/// Returns a vector without the components that the dimension does not have.
 pub(crate) fn flattened([x, y, z]: [f64; 3], dimension: Dimension) -> [f64; 3] {
     match dimension {
         Dimension::Space => [x, y, z],
@@ -242,7 +243,7 @@ pub(crate) fn flattened([x, y, z]: [f64; 3], dimension: Dimension) -> [f64; 3] {
     }
 }
 
-/// Makes roll, pitch and yaw in degrees: none, quarter turns, or any.
+/// Returns roll, pitch and yaw in degrees: zero, right angles, or any angles.
 fn random_turn(random: &mut Random, dimension: Dimension) -> [f64; 3] {
     let mut turn = [0.0; 3];
     if random.chance(0.4) {
@@ -262,9 +263,9 @@ fn random_turn(random: &mut Random, dimension: Dimension) -> [f64; 3] {
     }
 }
 
-/// Makes the inertia of a solid box, along the body axes or askew, about the point asked for.
+/// Returns the inertia of a solid box, along the body axes or oblique, about the given point.
 ///
-/// The sides keep within a factor of ten, so that rounding cannot make the tensor impossible.
+/// The ratio of the sides is at most ten, so that rounding cannot make the tensor impossible.
 fn random_inertia(random: &mut Random, mass: f64, com: [f64; 3], about: About) -> [f64; 6] {
     let squares = Vec3::from_fn(|_, _| random.between(0.1, 1.0).powi(2));
     let moments = Vec3::repeat(squares.sum()) - squares;

@@ -10,26 +10,25 @@ use crate::random_chain::flattened;
 use crate::rotation::{self, Mat3, Vec3};
 use std::f64::consts::PI;
 
-/// States that are tried before giving up.
+/// The largest number of states that are tried.
 const TRIES: usize = 3000;
-/// States that are tried to see whether a chain has any.
+/// The largest number of states that are tried to find out whether a chain has any.
 const TRIAL: usize = 20;
-/// The least strength of a closure, see [`Chain::closure_strength`]: weaker ones magnify errors.
+/// The lower bound of [`Chain::closure_strength`]: weaker loop constraints magnify errors.
 const STRENGTH: f64 = 0.1;
-/// The fastest rate of a closed chain; where the closure is weak, rates can be great.
+/// The highest rate of a closed chain; with a weak loop constraint, rates can be high.
 const FASTEST: f64 = 10.0;
-/// The greatest of the small angles of an elastic hinge, in rad.
+/// The largest of the small angles of an elastic hinge, in rad.
 const SMALL_ANGLE: f64 = 0.6;
-/// How near, in m or rad, coordinates may come to limits, where efforts can jump.
+/// The smallest distance of coordinates from limits, where efforts can jump, in m or rad.
 const MARGIN: f64 = 1e-3;
-/// How near, in rad, turns with a spring may come to half a turn, where the spring's torque jumps.
+/// The smallest distance of rotations with a spring from half a turn, where its torque jumps, in rad.
 const FROM_HALF_A_TURN: f64 = 0.15;
 /// The shortest spring to the ground in m: the direction of a shorter one is ill-determined.
 const SHORTEST_SPRING: f64 = 0.05;
 
-/// Makes a state of the chain: any orientations and angles, rates up to two either way, and a
-/// floating base within two metres of the origin. Moving ends and prescribed hinges are taken to be
-/// where [`Drives::none`] puts them.
+/// Returns a random state of the chain: any orientations and angles, rates in ±2, and a floating base
+/// within two metres of the origin. Moving ends and prescribed hinges are as in [`Drives::none`].
 ///
 /// # Panics
 ///
@@ -45,8 +44,8 @@ pub fn random_state(random: &mut Random, chain: &Chain) -> State {
     panic!("chain {}: no state has been found", chain.name)
 }
 
-/// Makes drives of the chain, and a state that agrees with them: in which a closed chain closes with
-/// its prescribed motions and moving ends.
+/// Returns random drives of the chain and a consistent state: a closed chain closes with its
+/// prescribed motions and moving ends.
 ///
 /// # Panics
 ///
@@ -56,9 +55,9 @@ pub fn random_motion(random: &mut Random, chain: &Chain) -> (State, Drives) {
     found.unwrap_or_else(|| panic!("chain {}: no motion has been found", chain.name))
 }
 
-/// Makes efforts up to five either way (N, N·m) at the motors that take inputs and zero elsewhere.
+/// Returns random efforts in ±5 (N, N·m) for motors with inputs and zero for all other rates.
 pub fn random_efforts(random: &mut Random, chain: &Chain) -> Vec<f64> {
-    let mut efforts = vec![0.0; chain.base_freedoms()];
+    let mut efforts = vec![0.0; chain.base_dof_count()];
     for hinge in chain.hinges().filter(|hinge| !hinge.prescribed) {
         for (group, rates) in hinge.groups() {
             let input = group.motor == Source::Input;
@@ -68,12 +67,12 @@ pub fn random_efforts(random: &mut Random, chain: &Chain) -> Vec<f64> {
     efforts
 }
 
-/// Returns whether a chain has states, in which it closes firmly if it is closed.
+/// Returns whether a chain has states, and, if closed, states with a well-conditioned constraint.
 pub(crate) fn has_states(random: &mut Random, chain: &Chain) -> bool {
     (0..TRIAL).any(|_| motion(random, chain).is_some())
 }
 
-/// Returns where the finish of a closed chain can be held, in short decimals.
+/// Returns a frame at which the finish of a closed chain can be held, in short decimals.
 pub(crate) fn closing_frame(random: &mut Random, chain: &Chain) -> Frame {
     let drives = random_drives(random, chain);
     let guess = random_guess(random, chain);
@@ -87,7 +86,7 @@ pub(crate) fn closing_frame(random: &mut Random, chain: &Chain) -> Frame {
     }
 }
 
-/// Makes coordinates of a hinge.
+/// Returns random coordinates of a hinge.
 pub(crate) fn random_coordinates(random: &mut Random, kind: &HingeKind) -> Vec<f64> {
     let mut q = Vec::new();
     let mut shifts = |random: &mut Random, size: f64| {
@@ -111,19 +110,19 @@ pub(crate) fn random_coordinates(random: &mut Random, kind: &HingeKind) -> Vec<f
     q
 }
 
-/// Makes a unit quaternion (w, x, y, z), all orientations being equally likely.
+/// Returns a uniformly distributed unit quaternion (w, x, y, z).
 pub(crate) fn random_quaternion(random: &mut Random) -> [f64; 4] {
     loop {
         let candidate = [0.0; 4].map(|_: f64| random.between(-1.0, 1.0));
         let length = candidate.iter().map(|component| component * component).sum::<f64>().sqrt();
-        // What is left of the cube is a ball, without the middle where dividing loses digits.
+        // Rejection leaves a ball, without its centre, where the division loses digits.
         if (0.1..=1.0).contains(&length) {
             return candidate.map(|component| component / length);
         }
     }
 }
 
-/// Makes coordinates and rates without regard to a closure.
+/// Returns coordinates and rates without regard to a loop constraint.
 fn random_guess(random: &mut Random, chain: &Chain) -> State {
     let mut q: Vec<f64> = Vec::new();
     if chain.floats() {
@@ -138,17 +137,17 @@ fn random_guess(random: &mut Random, chain: &Chain) -> State {
     for hinge in chain.hinges().filter(|hinge| !hinge.prescribed) {
         q.extend(random_coordinates(random, &hinge.kind));
     }
-    let v = (0..chain.freedoms()).map(|_| random.between(-2.0, 2.0)).collect();
+    let v = (0..chain.dof_count()).map(|_| random.between(-2.0, 2.0)).collect();
     State { q, v }
 }
 
-/// Makes drives without regard to a closure.
+/// Returns drives without regard to a loop constraint.
 fn random_drives(random: &mut Random, chain: &Chain) -> Drives {
     let dimension = chain.dimension;
     let mut drives = Drives { efforts: random_efforts(random, chain), ..Drives::none(chain) };
     let prescribed = chain.hinges().filter(|hinge| hinge.prescribed);
     for (hinge, motion) in prescribed.zip(&mut drives.motions) {
-        let freedoms = hinge.kind.freedoms();
+        let freedoms = hinge.kind.dof_count();
         *motion = HingeMotion {
             q: random_coordinates(random, &hinge.kind),
             v: (0..freedoms).map(|_| random.between(-1.5, 1.5)).collect(),
@@ -193,7 +192,7 @@ fn random_vector(random: &mut Random, size: f64, dimension: Dimension) -> [f64; 
     flattened([0.0; 3].map(|_: f64| random.between(-size, size)), dimension)
 }
 
-/// Makes a vector that something turns about.
+/// Returns a random vector about which something rotates.
 fn random_turning(random: &mut Random, size: f64, dimension: Dimension) -> [f64; 3] {
     let [x, y, z] = [0.0; 3].map(|_: f64| random.between(-size, size));
     match dimension {
@@ -203,7 +202,7 @@ fn random_turning(random: &mut Random, size: f64, dimension: Dimension) -> [f64;
     }
 }
 
-/// Tries to make drives and a state that agrees with them.
+/// Tries to find drives and a state that agrees with them.
 fn motion(random: &mut Random, chain: &Chain) -> Option<(State, Drives)> {
     let mut drives = random_drives(random, chain);
     let guess = random_guess(random, chain);
@@ -213,7 +212,7 @@ fn motion(random: &mut Random, chain: &Chain) -> Option<(State, Drives)> {
     accepted(chain, &drives, guess).map(|state| (state, drives))
 }
 
-/// Puts a moving end of a closed chain where the chain closes with the given coordinates.
+/// Moves a moving end of a closed chain to where the chain closes with the given coordinates.
 fn meet(chain: &Chain, guess: &State, drives: &mut Drives) {
     let moving = |end: &End| matches!(end, End::Moving { .. });
     if moving(&chain.finish) {
@@ -223,7 +222,7 @@ fn meet(chain: &Chain, guess: &State, drives: &mut Drives) {
         put(&mut drives.start, Vec3::zeros(), Mat3::identity());
         let mechanism = Mechanism::new(chain, drives);
         let end = end_of_chain(&mechanism, guess);
-        let finish = mechanism.place(&Side::Finish, &[]);
+        let finish = mechanism.frame_motion(&Side::Finish, &[]);
         let rotation = finish.rotation * end.rotation.transpose();
         put(&mut drives.start, finish.position - rotation * end.position, rotation);
     }
@@ -234,8 +233,7 @@ fn put(frame: &mut FrameMotion, position: Vec3, rotation: Mat3) {
     frame.orientation = rotation::to_quaternion(&rotation, &[1.0, 0.0, 0.0, 0.0]);
 }
 
-/// Returns the state near a guess that agrees with the drives, if there is one and everything about
-/// it is well-determined.
+/// Returns the state near a guess that agrees with the drives, if it exists and is well-conditioned.
 fn accepted(chain: &Chain, drives: &Drives, guess: State) -> Option<State> {
     let state = if chain.closed() { chain.close(&guess, drives)? } else { guess };
     if chain.closed() {
@@ -246,12 +244,12 @@ fn accepted(chain: &Chain, drives: &Drives, guess: State) -> Option<State> {
     }
     let mechanism = Mechanism::new(chain, drives);
     let motions = mechanism.motions(&state);
-    let mut springs = mechanism.outside.iter().filter_map(|outside| outside.length(&motions));
+    let mut springs = mechanism.external_loads.iter().filter_map(|load| load.length(&motions));
     let hinges_fit = mechanism.joints.iter().all(|joint| fits(joint.hinge, joint.q(&state)));
     (hinges_fit && springs.all(|length| length > SHORTEST_SPRING)).then_some(state)
 }
 
-/// Returns whether the coordinates of a hinge are far from where efforts jump.
+/// Returns whether the coordinates of a hinge are far from jumps of its efforts.
 fn fits(hinge: &Hinge, q: &[f64]) -> bool {
     let small = hinge.kind != HingeKind::Elastic || q[3].abs().max(q[4].abs()) <= SMALL_ANGLE;
     small

@@ -1,9 +1,9 @@
-//! What a random chain is to be like.
+//! The properties of a random chain.
 
 use crate::chain::Dimension;
 use crate::random::Random;
 
-/// How the two ends of a random chain are attached: the start first, then the finish.
+/// The ends of a random chain: the start first, then the finish.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ends {
     /// The start is held and the finish free.
@@ -14,21 +14,21 @@ pub enum Ends {
     FreeHeld,
     /// Both ends are held: the chain is closed.
     HeldHeld,
-    /// The start moves as it is told and the finish is free.
+    /// The motion of the start is prescribed and the finish is free.
     MovingFree,
-    /// The start is free and the finish moves as it is told.
+    /// The start is free and the motion of the finish is prescribed.
     FreeMoving,
-    /// The start is held and the finish moves as it is told: the chain is closed.
+    /// The start is held and the motion of the finish is prescribed: the chain is closed.
     HeldMoving,
-    /// The start moves as it is told and the finish is held: the chain is closed.
+    /// The motion of the start is prescribed and the finish is held: the chain is closed.
     MovingHeld,
-    /// Both ends move as they are told: the chain is closed.
+    /// The motions of both ends are prescribed: the chain is closed.
     MovingMoving,
 }
 
 /// The kinds of hinges a random chain may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Joining {
+pub enum HingeChoice {
     /// Bodies welded together.
     Weld,
     /// Pins about axes of all directions.
@@ -45,27 +45,27 @@ pub enum Joining {
     Universal,
     /// Planar hinges.
     Planar,
-    /// Hinges that constrain nothing.
+    /// Floating hinges, without constraints.
     Floating,
     /// Elastic hinges.
     Elastic,
 }
 
-/// What a random chain is to be like. The probabilities are for each hinge or body.
+/// The properties of a random chain. The probabilities are for each hinge or body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recipe {
-    /// Where the chain moves.
+    /// The space in which the chain moves.
     pub dimension: Dimension,
-    /// Whether a chain in space has everything in the plane of x and y. Where it is closed, its
-    /// hinges are redundant then. It must not have elastic hinges, nor moving ends, which would
-    /// leave the plane.
+    /// Whether a chain in space lies in the plane of x and y. If the chain is closed, its loop
+    /// constraints are then redundant. It must have neither elastic hinges nor moving ends, which
+    /// would leave the plane.
     pub flat: bool,
     /// The number of bodies.
     pub bodies: usize,
     /// How the ends are attached.
     pub ends: Ends,
-    /// The kinds of hinges to choose from. Those that the dimension does not know are left out.
-    pub kinds: Vec<Joining>,
+    /// The kinds of hinges to choose from. Kinds that the dimension does not have are ignored.
+    pub kinds: Vec<HingeChoice>,
     /// The probability of a motor.
     pub motors: f64,
     /// The probability that a motor's effort is constant instead of an input.
@@ -96,11 +96,11 @@ impl Ends {
         Ends::MovingMoving,
     ];
 
-    /// Those of chains that are not closed.
+    /// The ends of chains that are not closed.
     pub const OPEN: [Ends; 5] =
         [Ends::HeldFree, Ends::FreeFree, Ends::FreeHeld, Ends::MovingFree, Ends::FreeMoving];
 
-    /// Those of closed chains.
+    /// The ends of closed chains.
     pub const CLOSED: [Ends; 4] =
         [Ends::HeldHeld, Ends::HeldMoving, Ends::MovingHeld, Ends::MovingMoving];
 
@@ -118,24 +118,24 @@ impl Ends {
     }
 }
 
-impl Joining {
+impl HingeChoice {
     /// All of them.
-    pub const ALL: [Joining; 10] = [
-        Joining::Weld,
-        Joining::Pin,
-        Joining::Ball,
-        Joining::Slider,
-        Joining::Screw,
-        Joining::Cylindrical,
-        Joining::Universal,
-        Joining::Planar,
-        Joining::Floating,
-        Joining::Elastic,
+    pub const ALL: [HingeChoice; 10] = [
+        HingeChoice::Weld,
+        HingeChoice::Pin,
+        HingeChoice::Ball,
+        HingeChoice::Slider,
+        HingeChoice::Screw,
+        HingeChoice::Cylindrical,
+        HingeChoice::Universal,
+        HingeChoice::Planar,
+        HingeChoice::Floating,
+        HingeChoice::Elastic,
     ];
 
     /// Returns whether a dimension has hinges of this kind.
     pub fn exists_in(self, dimension: Dimension) -> bool {
-        use Joining::{Elastic, Floating, Pin, Planar, Slider, Weld};
+        use HingeChoice::{Elastic, Floating, Pin, Planar, Slider, Weld};
         match dimension {
             Dimension::Space => true,
             Dimension::Plane => matches!(self, Weld | Pin | Slider | Planar | Floating | Elastic),
@@ -145,9 +145,8 @@ impl Joining {
 }
 
 impl Recipe {
-    /// A chain in space with motors by input in half of its hinges, and with nothing else that acts
-    /// but constant gravity.
-    pub fn plain(bodies: usize, ends: Ends, kinds: &[Joining]) -> Recipe {
+    /// A chain in space with input motors in half of its hinges and constant gravity.
+    pub fn plain(bodies: usize, ends: Ends, kinds: &[HingeChoice]) -> Recipe {
         Recipe {
             dimension: Dimension::Space,
             flat: false,
@@ -164,8 +163,8 @@ impl Recipe {
         }
     }
 
-    /// A chain with a chance of everything.
-    pub fn rich(dimension: Dimension, bodies: usize, ends: Ends, kinds: &[Joining]) -> Recipe {
+    /// A chain in which everything may occur.
+    pub fn rich(dimension: Dimension, bodies: usize, ends: Ends, kinds: &[HingeChoice]) -> Recipe {
         Recipe {
             dimension,
             constant_motors: 0.3,
@@ -178,7 +177,7 @@ impl Recipe {
         }
     }
 
-    /// Any chain of up to `bodies` bodies, with a chance of everything.
+    /// Any chain of up to `bodies` bodies, in which everything may occur.
     pub fn any(random: &mut Random, bodies: usize) -> Recipe {
         let dimensions = [
             Dimension::Space,
@@ -190,6 +189,6 @@ impl Recipe {
         let dimension = *random.choose(&dimensions);
         let bodies = 1 + random.below(bodies);
         let ends = *random.choose(&Ends::ALL);
-        Recipe::rich(dimension, bodies, ends, &Joining::ALL)
+        Recipe::rich(dimension, bodies, ends, &HingeChoice::ALL)
     }
 }

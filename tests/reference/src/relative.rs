@@ -1,4 +1,4 @@
-//! How the outboard frame of a hinge lies and moves relative to the inboard one.
+//! The pose and the motion of the outboard frame of a hinge relative to the inboard frame.
 
 use crate::chain::Dimension;
 use crate::hinge::{Axis, HingeKind};
@@ -6,24 +6,23 @@ use crate::rotation::{self, Mat3, Vec3};
 use nalgebra::{DVector, Matrix6, Matrix6xX, Vector6};
 use std::f64::consts::TAU;
 
-/// A velocity of the outboard origin, then an angular velocity of the outboard frame.
+/// The velocity of the outboard origin, then the angular velocity of the outboard frame.
 pub(crate) type Twist = Vector6<f64>;
 
 /// The outboard frame of a hinge seen from the inboard frame, in inboard axes.
 pub(crate) struct Relative {
-    /// Turns outboard components into inboard ones.
+    /// The rotation matrix from outboard to inboard components.
     pub(crate) rotation: Mat3,
     /// The outboard origin.
     pub(crate) offset: Vec3,
-    /// One column to every rate: the twist if that rate is one and the others are zero.
+    /// One column for every rate: the twist if that rate is 1 and all others are 0.
     pub(crate) directions: Matrix6xX<f64>,
-    /// What the twist's derivative is while the rates do not change.
+    /// The derivative of the twist at constant rates.
     pub(crate) bias: Twist,
 }
 
 impl HingeKind {
-    /// The motion that the coordinates and rates before those of the hinges stand for, as a hinge
-    /// from the inertial frame to the first body of a floating chain.
+    /// Returns the floating base as a hinge from the inertial frame to the first body.
     pub(crate) fn of_base(dimension: Dimension) -> HingeKind {
         match dimension {
             Dimension::Space => HingeKind::Floating,
@@ -32,7 +31,7 @@ impl HingeKind {
         }
     }
 
-    /// Returns where the outboard frame is with the given coordinates, and how it can move.
+    /// Returns the pose of the outboard frame for the given coordinates, and its motion subspace.
     pub(crate) fn relative(&self, q: &[f64], v: &[f64]) -> Relative {
         let (rotation, offset) = self.pose(q);
         let none = Vec3::zeros();
@@ -50,7 +49,7 @@ impl HingeKind {
             HingeKind::Universal { first, second } => {
                 let (first, second) = (unit(first), unit(second));
                 let carried = rotation::about_axis(&first, q[0]) * second;
-                // The first turn carries the second axis along.
+                // The second axis rotates with the first angle.
                 bias = turn(first.cross(&carried) * (v[0] * v[1]));
                 vec![turn(first), turn(carried)]
             }
@@ -103,9 +102,9 @@ impl HingeKind {
         }
     }
 
-    /// Reads the coordinates off the pose of the outboard frame, which must be one that the hinge
-    /// allows but for a small error. Of all coordinates that say the same, those nearest to `near`
-    /// are taken, so angles do not jump and quaternions do not change their sign.
+    /// Returns the coordinates for a pose of the outboard frame, which the hinge must allow up to a
+    /// small error. Of all equivalent coordinates, those nearest to `near` are returned, so angles
+    /// do not jump and quaternions do not change their sign.
     pub(crate) fn measure(&self, rotation: &Mat3, offset: &Vec3, near: &[f64]) -> Vec<f64> {
         let about = |axis: &Vec3, near: f64| {
             let angle = rotation::angle_about(axis, rotation);
@@ -144,12 +143,12 @@ impl HingeKind {
 }
 
 impl Relative {
-    /// Returns how the outboard frame moves with the given rates.
+    /// Returns the twist of the outboard frame for the given rates.
     pub(crate) fn twist(&self, v: &[f64]) -> Twist {
         &self.directions * DVector::from_column_slice(v)
     }
 
-    /// Returns the rates that come nearest to a twist.
+    /// Returns the rates with the twist closest to the given one (least squares).
     pub(crate) fn rates(&self, twist: &Twist) -> Vec<f64> {
         if self.directions.ncols() == 0 {
             return Vec::new();
@@ -161,7 +160,7 @@ impl Relative {
     }
 }
 
-/// Returns an axis at length one.
+/// Returns the unit vector along an axis.
 pub(crate) fn unit(axis: &[f64; 3]) -> Vec3 {
     Vec3::from(*axis).normalize()
 }
@@ -171,7 +170,7 @@ pub(crate) fn twist(velocity: Vec3, spin: Vec3) -> Twist {
     Twist::new(velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z)
 }
 
-/// Returns the matrix that turns both parts of a twist from a frame's axes into inertial ones.
+/// Returns the matrix that transforms both parts of a twist from a frame's axes to inertial axes.
 pub(crate) fn to_inertial(rotation: &Mat3) -> Matrix6<f64> {
     let mut both = Matrix6::zeros();
     both.fixed_view_mut::<3, 3>(0, 0).copy_from(rotation);
@@ -200,7 +199,7 @@ fn planar_pose(normal: Axis, q: &[f64]) -> (Mat3, Vec3) {
 /// Returns the two angles of a universal hinge.
 fn universal_angles(first: &Vec3, second: &Vec3, rotation: &Mat3, near: &[f64]) -> Vec<f64> {
     let on = |angle: f64, near: f64| angle + TAU * ((near - angle) / TAU).round();
-    // Only the first turn moves the second axis.
+    // The second axis depends only on the first angle.
     let carried = rotation * second;
     let across = second - first * first.dot(second);
     let first_angle = first.cross(&across).dot(&carried).atan2(across.dot(&carried));

@@ -16,8 +16,8 @@ pub(crate) fn from_rpy_degrees(rpy: &[f64; 3]) -> Mat3 {
     about_z * about_y * about_x
 }
 
-/// Returns the cosine and sine of an angle in degrees, exact at quarter turns, which in radians
-/// cannot even be written down.
+/// Returns the cosine and sine of an angle in degrees, exact for multiples of 90°, which have no
+/// exact value in radians.
 fn cos_sin_degrees(angle: f64) -> (f64, f64) {
     let quarters = (angle / 90.0).rem_euclid(4.0);
     if quarters == 0.0 {
@@ -39,7 +39,7 @@ pub(crate) fn about_axis(axis: &Vec3, angle: f64) -> Mat3 {
     Rotation3::from_axis_angle(&Unit::new_unchecked(*axis), angle).into_inner()
 }
 
-/// Returns the rotation a quaternion (w, x, y, z) of any length but zero stands for.
+/// Returns the rotation of a quaternion (w, x, y, z) of any length except zero.
 pub(crate) fn from_quaternion(wxyz: &[f64]) -> Mat3 {
     let quaternion = Quaternion::new(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
     UnitQuaternion::from_quaternion(quaternion).to_rotation_matrix().into_inner()
@@ -50,15 +50,15 @@ pub(crate) fn from_vector(vector: &Vec3) -> Mat3 {
     Rotation3::from_scaled_axis(*vector).into_inner()
 }
 
-/// Returns the rotation vector of a rotation, at most half a turn long.
+/// Returns the rotation vector of a rotation, of length π at most.
 pub(crate) fn to_vector(rotation: &Mat3) -> Vec3 {
     let identity = [1.0, 0.0, 0.0, 0.0];
     vector_between(&identity, &to_quaternion(rotation, &identity))
 }
 
-/// Returns the rotation vector, at most half a turn long, that leads from the orientation `from` to
-/// the orientation `to`, both quaternions (w, x, y, z) of any length but zero. Its components are
-/// those in the frame turned by either.
+/// Returns the rotation vector, of length π at most, from the orientation `from` to the orientation
+/// `to`, both quaternions (w, x, y, z) of any length except zero. It has the same components in both
+/// rotated frames.
 pub(crate) fn vector_between(from: &[f64], to: &[f64]) -> Vec3 {
     let quaternion = |wxyz: &[f64]| Quaternion::new(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
     let turn = quaternion(from).conjugate() * quaternion(to);
@@ -68,7 +68,7 @@ pub(crate) fn vector_between(from: &[f64], to: &[f64]) -> Vec3 {
     if sine == 0.0 { Vec3::zeros() } else { sines * (2.0 * sine.atan2(cosine) / sine) }
 }
 
-/// Returns the quaternion (w, x, y, z) of a rotation; of the two, the one nearer to `near`.
+/// Returns the quaternion (w, x, y, z) of a rotation; of the two signs, the one nearer to `near`.
 pub(crate) fn to_quaternion(rotation: &Mat3, near: &[f64]) -> [f64; 4] {
     let unit = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(*rotation));
     let found = [unit.w, unit.i, unit.j, unit.k];
@@ -81,7 +81,7 @@ pub(crate) fn cross_matrix(a: &Vec3) -> Mat3 {
     a.cross_matrix()
 }
 
-/// Returns the sine of the turn times its axis: for a small turn, the rotation vector.
+/// Returns the sine of the angle times the axis: the rotation vector of a small rotation.
 pub(crate) fn sine_vector(rotation: &Mat3) -> Vec3 {
     0.5 * Vec3::new(
         rotation[(2, 1)] - rotation[(1, 2)],

@@ -1,4 +1,4 @@
-//! Dense saddle-point systems, redundant constraints included.
+//! Dense saddle-point systems, also with redundant constraints.
 //!
 //! ```text
 //! H x - Cᵀ λ = loads
@@ -7,24 +7,23 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 
-/// Singular values of the constraints below this, relative to the greatest, count as zero.
+/// Singular values of the constraints below this count as zero, relative to the largest.
 const RANK_TOLERANCE: f64 = 1e-9;
-/// How far, relative to their size, demands may miss what redundant constraints can meet.
+/// The largest relative inconsistency of demands on redundant constraints.
 const CONTRADICTION: f64 = 1e-6;
 
-/// The system matrix, ready to be solved for any right-hand sides.
+/// The factorised system matrix, for any right-hand sides.
 pub(crate) struct Saddle {
     matrix: DMatrix<f64>,
     factors: LU<f64, Dyn, Dyn>,
     unknowns: usize,
-    /// An orthonormal basis, in columns, of all that the constraints can demand, where they are
-    /// redundant.
+    /// An orthonormal basis, in columns, of the range of the constraints, if they are redundant.
     basis: Option<DMatrix<f64>>,
 }
 
 impl Saddle {
-    /// Factorises a system. Only with `may_be_redundant` are the constraints searched for rows that
-    /// say nothing new; of the multipliers, those of least norm are found then.
+    /// Factorises a system. With `may_be_redundant`, dependent rows of the constraints are found, and
+    /// the solution has the multipliers of least norm.
     pub(crate) fn new(
         inertia: &DMatrix<f64>,
         constraints: &DMatrix<f64>,
@@ -53,7 +52,7 @@ impl Saddle {
     ///
     /// # Panics
     ///
-    /// Panics when the system is singular, or redundant constraints contradict each other.
+    /// Panics if the system is singular, or if redundant constraints contradict each other.
     pub(crate) fn solve(
         &self,
         loads: &DVector<f64>,
@@ -74,7 +73,7 @@ impl Saddle {
         right.rows_mut(0, unknowns).copy_from(loads);
         right.rows_mut(unknowns, rows).copy_from(&independent);
         let mut solution = self.back_substitute(&right);
-        // One step of refinement takes back what elimination without scaling has lost.
+        // One step of iterative refinement recovers the digits that elimination without scaling loses.
         let residual = &right - &self.matrix * &solution;
         solution += self.back_substitute(&residual);
         let multipliers = solution.rows(unknowns, rows).into_owned();
@@ -91,8 +90,7 @@ impl Saddle {
     }
 }
 
-/// Returns an orthonormal basis of all that the constraints can demand, if their rows are not
-/// independent.
+/// Returns an orthonormal basis of the range of the constraints, if their rows are dependent.
 fn basis_of_redundant(constraints: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let decomposed = constraints.clone().svd(true, false);
     let greatest = decomposed.singular_values.max();

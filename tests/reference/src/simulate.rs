@@ -1,4 +1,4 @@
-//! The motion of a chain in time, in the coordinates of its bodies.
+//! Simulation of a chain in the coordinates of its bodies.
 
 use crate::chain::{Chain, Dimension, State};
 use crate::drives::Drives;
@@ -11,27 +11,27 @@ use crate::rotation::{self, Vec3};
 use crate::strain::Strains;
 use nalgebra::DVector;
 
-/// The error allowed in one step, far below what the comparisons look at.
+/// The error tolerance of one step, far below the tolerances of the comparisons.
 const TOLERANCE: f64 = 1e-12;
-/// The longest step in s, short enough to follow every turn of a pin.
+/// The longest step in s, short enough to count the turns of a pin.
 const LONGEST_STEP: f64 = 0.1;
-/// A step in s that is accepted whatever its error, since rounding is then all that is left of it.
+/// A step in s that is accepted with any error, since the error is then only rounding.
 const SHORTEST_STEP: f64 = 1e-6;
 /// Entries of one body in the integrated vector: position, quaternion, velocity, angular velocity.
 const ENTRIES: usize = 13;
 
-/// A chain at one requested time.
+/// The motion of a chain at one requested time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
     /// The time in s since the start.
     pub time: f64,
     /// The motion of every body in written order.
     pub bodies: Vec<BodySample>,
-    /// One entry to every hinge in written order: the angle of a pin in rad, counted on through
+    /// One entry for every hinge in written order: the angle of a pin in rad, continuous over
     /// full turns, and nothing for other hinges.
     pub pin_angles: Vec<Option<f64>>,
-    /// The same motion as coordinates and rates of the chain, measured on the bodies. Angles are
-    /// counted on through full turns and quaternions do not change their sign.
+    /// The same motion as coordinates and rates of the chain, computed from the bodies. Angles are
+    /// continuous over full turns and quaternions do not change their sign.
     pub state: State,
     /// The kinetic energy in J.
     pub kinetic_energy: f64,
@@ -44,7 +44,7 @@ pub struct Sample {
 pub struct BodySample {
     /// The position of the centre of mass in m.
     pub position: [f64; 3],
-    /// The matrix that turns body components into inertial ones, row by row.
+    /// The rotation matrix from body to inertial components, row by row.
     pub rotation: [[f64; 3]; 3],
     /// The velocity of the centre of mass in m/s.
     pub velocity: [f64; 3],
@@ -52,8 +52,8 @@ pub struct BodySample {
     pub angular_velocity: [f64; 3],
 }
 
-/// Moves a chain from `start` at time zero and reports it at every one of `times`, which must not
-/// decrease and are in s.
+/// Simulates a chain from `start` at time zero and returns its motion at each of `times`, which must
+/// not decrease and are in s.
 ///
 /// `efforts` are as in [`Chain::solve`] and stay constant.
 ///
@@ -71,16 +71,16 @@ pub fn simulate(
     simulate_driven(chain, start, &drives, times, report);
 }
 
-/// Moves a chain like [`simulate`], with constant drives. Hinges with prescribed motions and moving
-/// ends have to be at rest.
+/// Simulates a chain like [`simulate`], with constant drives. Hinges with prescribed motions and
+/// moving ends have to be at rest.
 ///
-/// What is integrated are the positions, quaternions, velocities and angular velocities of all
-/// bodies, and the hinges' coordinates only to count turns. After every step the bodies are moved
-/// back to what the hinges allow, so the hinges do not drift apart however long the motion.
+/// The positions, quaternions, velocities and angular velocities of all bodies are integrated; the
+/// hinges' coordinates are integrated only to count turns. After every step the bodies are projected
+/// onto the constraints of the hinges, so the hinges do not drift apart.
 ///
 /// # Panics
 ///
-/// Panics like [`Chain::solve_driven`], and when the motion stops being finite.
+/// Panics like [`Chain::solve_driven`], and if the motion is no longer finite.
 pub fn simulate_driven(
     chain: &Chain,
     start: &State,
@@ -97,14 +97,14 @@ pub fn simulate_driven(
     }
 }
 
-/// A motion under way.
+/// A running simulation.
 struct Run<'a> {
     mechanism: &'a Mechanism<'a>,
     time: f64,
     /// The step to try next.
     step: f64,
     motions: Vec<Motion>,
-    /// The coordinates and rates the motions amount to.
+    /// The coordinates and rates of the motions.
     state: State,
 }
 
@@ -115,10 +115,10 @@ impl<'a> Run<'a> {
         Run { mechanism, time: 0.0, step: 0.01, motions, state }
     }
 
-    /// Goes on until `time`.
+    /// Continues until `time`.
     fn advance(&mut self, time: f64) {
         while self.time < time {
-            // Two equal steps rather than a long one and a remainder that is almost nothing.
+            // Two equal steps avoid a tiny last step.
             let left = time - self.time;
             let step = if left <= self.step { left } else { self.step.min(0.5 * left) };
             let rate = |packed: &DVector<f64>| self.rate(packed);
@@ -130,7 +130,7 @@ impl<'a> Run<'a> {
                 assert!(packed.iter().all(|value| value.is_finite()), "the motion is not finite");
                 self.accept(&packed);
                 self.time = if step == left { time } else { self.time + step };
-                // A step cut short by `time` says little about the next one, unless it must shrink.
+                // After a step shortened by `time`, the next step is not limited, unless it must shrink.
                 self.step = if step < self.step { longer.max(self.step) } else { longer };
             } else {
                 self.step = longer;
@@ -139,14 +139,14 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Takes over new motions after a step.
+    /// Accepts the motions after a step.
     fn accept(&mut self, packed: &DVector<f64>) {
         let (motions, state) = self.unpack(packed);
         self.motions = closed(self.mechanism, motions, &state);
         self.state = self.mechanism.measure(&self.motions, &state);
     }
 
-    /// Returns the motions in an integrated vector, and the state they amount to.
+    /// Returns the motions in an integrated vector, and their state.
     fn unpack(&self, packed: &DVector<f64>) -> (Vec<Motion>, State) {
         let (of_bodies, q) = packed.as_slice().split_at(ENTRIES * self.motions.len());
         let motions = motions_from(of_bodies);
@@ -158,7 +158,7 @@ impl<'a> Run<'a> {
     /// Returns the derivative of the integrated vector.
     fn rate(&self, packed: &DVector<f64>) -> DVector<f64> {
         if packed.iter().any(|value| !value.is_finite()) {
-            // The step is far too long and will be refused.
+            // The step is far too long and will be rejected.
             return DVector::repeat(packed.len(), f64::NAN);
         }
         let (motions, state) = self.unpack(packed);
@@ -175,12 +175,12 @@ impl<'a> Run<'a> {
         }
         let mut place = ENTRIES * motions.len();
         if let Dimension::Plane | Dimension::Line = self.mechanism.chain.dimension {
-            let base = self.mechanism.chain.base_freedoms();
+            let base = self.mechanism.chain.base_dof_count();
             rate.rows_mut(place, base).copy_from_slice(&state.v[..base]);
         }
         place += self.mechanism.chain.base_coordinates();
         for joint in self.mechanism.joints.iter().filter(|joint| joint.prescribed.is_none()) {
-            // Quaternions know no turns: only signs, which the last state tells.
+            // Quaternions do not count turns; the last state determines their sign.
             if !joint.kind().has_quaternion() {
                 let strains = Strains::new(joint.hinge, joint.q(&state), joint.v(&state));
                 rate.rows_mut(place, strains.rates.len()).copy_from(&strains.rates);
@@ -224,7 +224,7 @@ impl BodySample {
     }
 }
 
-/// Moves the bodies back to poses, and then to velocities, that the hinges allow.
+/// Projects poses and then velocities of the bodies onto the constraints of the hinges.
 fn closed(mechanism: &Mechanism, mut motions: Vec<Motion>, state: &State) -> Vec<Motion> {
     let moves =
         Equations::new(mechanism, &motions, state).correction(|contact| -contact.pose_violation());
@@ -252,7 +252,7 @@ fn quaternion_rate(spin: &Vec3, quaternion: &[f64]) -> [f64; 4] {
     [scalar_rate, vector_rate.x, vector_rate.y, vector_rate.z]
 }
 
-/// Puts together the vector that is integrated: the motions of the bodies, then the coordinates.
+/// Returns the integrated vector: the motions of the bodies, then the coordinates.
 fn pack(motions: &[Motion], q: &[f64]) -> DVector<f64> {
     let mut packed: Vec<f64> = Vec::with_capacity(ENTRIES * motions.len() + q.len());
     for motion in motions {
@@ -265,7 +265,7 @@ fn pack(motions: &[Motion], q: &[f64]) -> DVector<f64> {
     DVector::from_vec(packed)
 }
 
-/// Reads back the motions of [`pack`], normalising the quaternions.
+/// Returns the motions in a vector of [`pack`], with normalised quaternions.
 fn motions_from(packed: &[f64]) -> Vec<Motion> {
     let motion = |entries: &[f64]| Motion {
         position: Vec3::from_column_slice(&entries[0..3]),

@@ -3,32 +3,31 @@
 use crate::chain::{Chain, State};
 use crate::drives::Drives;
 use crate::equations::{Dynamics, Equations};
-use crate::mechanism::{Mechanism, Motion, Place, Side};
+use crate::mechanism::{FrameState, Mechanism, Motion, Side};
 use crate::relative::{Twist, twist};
 use crate::rotation::{self, Vec3};
 
-/// How far, in m and rad, m/s and rad/s, a state may be from closing a closed chain.
+/// The largest error of the loop constraint, in m and rad, m/s and rad/s.
 const GAP: f64 = 1e-6;
 
-/// Everything about a chain at one instant.
+/// All results for a chain at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     /// The derivatives of the rates, in the order and the axes of [`State::v`], in m/s² and rad/s².
     pub accelerations: Vec<f64>,
-    /// The efforts of every hinge in written order, one to every rate of its kind: those of its
-    /// motor, or what its drive has to supply where its motion is prescribed.
+    /// The efforts of every hinge in written order, one for every rate of its kind: the efforts of
+    /// its motor, or of its drive if its motion is prescribed.
     pub efforts: Vec<Vec<f64>>,
     /// The connection points in written order: the input of the first element, then the output of
     /// every element.
     pub points: Vec<Point>,
-    /// The kinetic energy in J, that of rotors included.
+    /// The kinetic energy in J, including rotors.
     pub kinetic_energy: f64,
     /// The potential energy in J: of constant gravity, −Σ m g·r, which is zero with every centre of
     /// mass at the inertial origin, and of springs and limits.
     pub potential_energy: f64,
-    /// Whether the internal loads are determined by the equations. Where they are not, as in a
-    /// planar loop in space, those of least norm are given, and only the accelerations can be
-    /// compared.
+    /// Whether the equations determine the internal loads. If they do not, as in a planar loop in
+    /// space, the loads have least norm, and only the accelerations can be compared.
     pub reactions_unique: bool,
 }
 
@@ -38,16 +37,16 @@ pub struct Solution {
 /// frame. The frame at a hinge's output is the frame of the body after it, or the frame that the
 /// end of the chain is attached to.
 ///
-/// The signs of the loads are those of the method: the point's force acts as it stands on the body
-/// whose input is here and reversed on the body whose output is here; its moment acts reversed on
-/// the body whose input is here and as it stands on the body whose output is here. A hinge passes
-/// on both, so its two points carry the same, but for the moment of the force where they are apart;
-/// a free end carries none.
+/// The signs of the loads are those of the method. On the body whose input is this point act the
+/// force and minus the moment; on the body whose output is this point act minus the force and the
+/// moment. A hinge transmits both, so its two points have the same force, and moments that differ by
+/// the moment of the force over the offset. The loads at a free end are zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     /// The position in m.
     pub position: [f64; 3],
-    /// The matrix that turns components in the frame of the point into inertial ones, row by row.
+    /// The rotation matrix from components in the frame of the point to inertial components, row by
+    /// row.
     pub rotation: [[f64; 3]; 3],
     /// The velocity in m/s.
     pub velocity: [f64; 3],
@@ -64,7 +63,7 @@ pub struct Point {
 }
 
 impl Chain {
-    /// Solves the equations of motion in the given state, with nothing given but efforts.
+    /// Solves the equations of motion in the given state, with efforts as the only inputs.
     ///
     /// `efforts` are those of [`Drives`].
     ///
@@ -80,8 +79,8 @@ impl Chain {
     ///
     /// # Panics
     ///
-    /// Panics when the elements do not alternate, when the state or the drives have the wrong
-    /// length, and when a closed chain does not close in this state.
+    /// Panics if the elements do not alternate, if the state or the drives have the wrong length, or
+    /// if a closed chain does not close in this state.
     pub fn solve_driven(&self, state: &State, drives: &Drives) -> Solution {
         self.check_lengths(state, drives);
         let mechanism = Mechanism::new(self, drives);
@@ -111,10 +110,11 @@ impl Chain {
 fn chain_accelerations(mechanism: &Mechanism, motions: &[Motion], dynamics: &Dynamics) -> Vec<f64> {
     let mut accelerations: Vec<f64> = Vec::new();
     if mechanism.chain.floats() {
-        let input = mechanism.place(&Side::Input(0), motions);
+        let input = mechanism.frame_motion(&Side::Input(0), motions);
         let (acceleration, angular) = accelerations_at(&input, dynamics);
-        // In body axes: a vector's derivative and its derivative seen from the body differ by its
-        // product with the angular velocity, which for the angular velocity itself is nothing.
+        // In body axes: the inertial derivative of a vector and its derivative in the body frame
+        // differ by the cross product with the angular velocity, which is zero for the angular
+        // velocity itself.
         let angular = input.rotation.transpose() * angular;
         let all = twist(acceleration, angular);
         let directions = mechanism.chain.dimension.directions();
@@ -128,8 +128,8 @@ fn chain_accelerations(mechanism: &Mechanism, motions: &[Motion], dynamics: &Dyn
     accelerations
 }
 
-/// Returns the acceleration and the angular acceleration of a place.
-fn accelerations_at(place: &Place, dynamics: &Dynamics) -> (Vec3, Vec3) {
+/// Returns the acceleration and the angular acceleration of a frame.
+fn accelerations_at(place: &FrameState, dynamics: &Dynamics) -> (Vec3, Vec3) {
     let known = (place.known_acceleration, place.known_angular);
     let Some(body) = place.body else { return known };
     let angular = dynamics.angular[body];
@@ -137,7 +137,7 @@ fn accelerations_at(place: &Place, dynamics: &Dynamics) -> (Vec3, Vec3) {
 }
 
 fn point_at(mechanism: &Mechanism, motions: &[Motion], dynamics: &Dynamics, side: &Side) -> Point {
-    let place = mechanism.place(side, motions);
+    let place = mechanism.frame_motion(side, motions);
     let (acceleration, angular_acceleration) = accelerations_at(&place, dynamics);
     let (force, moment) = internal_loads(mechanism, motions, dynamics, side);
     Point {
@@ -167,8 +167,8 @@ fn internal_loads(
             return (force, -moment);
         }
         if joint.inboard == *side {
-            let outboard = mechanism.place(&joint.outboard, motions).position;
-            let arm = outboard - mechanism.place(side, motions).position;
+            let outboard = mechanism.frame_motion(&joint.outboard, motions).position;
+            let arm = outboard - mechanism.frame_motion(side, motions).position;
             return (force, -(moment + arm.cross(&force)));
         }
     }

@@ -1,20 +1,20 @@
-//! The strains that springs, dampers and rotors of a hinge see, and how they change.
+//! The strains of the springs, dampers and rotors of a hinge, and their rates.
 
 use crate::hinge::{Hinge, HingeKind};
 use crate::rotation::{self, Mat3, Vec3};
 use nalgebra::{DMatrix, DVector};
 
-/// The strains of a hinge, as many as it has rates.
+/// The strains of a hinge, one per rate.
 pub(crate) struct Strains {
-    /// The strains relative to rest. Those of turns with a quaternion are a rotation vector.
+    /// The strains relative to rest; a rotation vector for rotations with a quaternion.
     pub(crate) relative: Vec<f64>,
-    /// What limits are compared with: the coordinates themselves.
+    /// The coordinates, which are compared with limits.
     pub(crate) coordinates: Vec<f64>,
     /// The strain rates.
     pub(crate) rates: DVector<f64>,
-    /// The strain rates for every rate of the hinge alone, in columns.
+    /// The derivative of the strain rates by the rates of the hinge, one column per rate.
     pub(crate) jacobian: DMatrix<f64>,
-    /// The derivatives of the strain rates while the rates of the hinge do not change.
+    /// The derivatives of the strain rates at constant rates of the hinge.
     pub(crate) bias: DVector<f64>,
 }
 
@@ -44,13 +44,13 @@ impl Strains {
 
 /// Returns the Jacobian and the bias of the strain rates of an elastic hinge.
 ///
-/// It is easier to say how the hinge's rates follow from the strain rates, `v = K(q) q̇`. So
-/// `q̇ = K⁻¹ v`, and `q̈ = K⁻¹ (v̇ - K̇ q̇)`.
+/// The rates of the hinge follow from the strain rates by `v = K(q) q̇`. So `q̇ = K⁻¹ v`, and
+/// `q̈ = K⁻¹ (v̇ - K̇ q̇)`.
 fn elastic(q: &[f64], v: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
     let (x, y, z) = (Vec3::x(), Vec3::y(), Vec3::z());
     let carried = Vec3::from_column_slice(&q[..3]);
     let about_z = rotation::about_axis(&z, q[5]);
-    // Components of the frames after the turns about z and y, in the outboard frame.
+    // Components of the frames after the rotations about z and y, in the outboard frame.
     let back_x = rotation::about_axis(&x, -q[3]);
     let back_y = rotation::about_axis(&y, -q[4]);
     let (y_out, z_out) = (back_x * y, back_x * (back_y * z));
@@ -75,8 +75,8 @@ fn elastic(q: &[f64], v: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
     (jacobian, bias)
 }
 
-/// Returns the Jacobian and the bias of an elastic hinge in the plane: one in space that does not
-/// leave the plane.
+/// Returns the Jacobian and the bias of an elastic hinge in a plane chain: an elastic hinge in space
+/// that stays in the plane.
 fn plane_elastic(q: &[f64], v: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
     let in_space = |all: &[f64]| [all[0], all[1], 0.0, 0.0, 0.0, all[2]];
     let (jacobian, bias) = elastic(&in_space(q), &in_space(v));

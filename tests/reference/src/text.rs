@@ -2,15 +2,14 @@
 
 use crate::chain::{About, Body, Chain, Dimension, Element, End, Frame, Gravity};
 use crate::hinge::Source;
-use crate::load::{Axes, Load, Spot, Spring};
+use crate::load::{Axes, BodyPoint, Load, Spring};
 use crate::text_hinge;
 
 impl Chain {
-    /// Writes the chain in the description language, with every number such that reading it gives
-    /// the same number again.
+    /// Returns the chain in the description language; all numbers are parsed to the same values.
     ///
-    /// `method` is the name after `method =`; without one the line is left out. Every body has a
-    /// type of its own, named like the body in CamelCase.
+    /// `method` is the name after `method =`; the line is omitted if there is none. Every body has a
+    /// separate type, named like the body in CamelCase.
     pub fn to_macro_text(&self, method: Option<&str>) -> String {
         let word = match self.dimension {
             Dimension::Space => "",
@@ -47,7 +46,7 @@ impl Chain {
         start.chain(elements).chain(finish).collect::<Vec<_>>().join(" -> ")
     }
 
-    /// Returns how an end is written: nothing where it is free.
+    /// Returns the text of an end, nothing for a free end.
     fn end(&self, end: &End) -> Option<String> {
         match end {
             End::Free => None,
@@ -67,7 +66,7 @@ impl Chain {
         let spots = self.loads.iter().map(|load| (&load.body, &load.at));
         let spots = spots.chain(self.springs.iter().map(|spring| (&spring.body, &spring.at)));
         for (on, spot) in spots {
-            if let Spot::Named { name, position } = spot {
+            if let BodyPoint::Named { name, position } = spot {
                 let point = format!("point {name} = {} m", self.vector(position));
                 if *on == body.name && !fields.contains(&point) {
                     fields.push(point);
@@ -95,7 +94,7 @@ impl Chain {
 
     fn load_section(&self, load: &Load) -> String {
         let mut fields = vec![format!("on = {}", load.body)];
-        if load.at != Spot::Com {
+        if load.at != BodyPoint::Com {
             fields.push(self.spot(&load.at));
         }
         fields.extend(source("force", &load.force, |force| format!("{} N", self.vector(force))));
@@ -126,13 +125,13 @@ impl Chain {
     }
 
     /// Returns the field for a point of a body.
-    fn spot(&self, spot: &Spot) -> String {
+    fn spot(&self, spot: &BodyPoint) -> String {
         let spot = match spot {
-            Spot::Com => "com".to_owned(),
-            Spot::Input => "input".to_owned(),
-            Spot::Output => "output".to_owned(),
-            Spot::At(position) => format!("{} m", self.vector(position)),
-            Spot::Named { name, .. } => name.clone(),
+            BodyPoint::Com => "com".to_owned(),
+            BodyPoint::Input => "input".to_owned(),
+            BodyPoint::Output => "output".to_owned(),
+            BodyPoint::At(position) => format!("{} m", self.vector(position)),
+            BodyPoint::Named { name, .. } => name.clone(),
         };
         format!("at = {spot}")
     }
@@ -147,7 +146,7 @@ impl Chain {
         }
     }
 
-    /// Returns as many of the components as the chain's dimension has.
+    /// Returns the components that the chain's dimension has.
     fn vector(&self, components: &[f64; 3]) -> String {
         match self.dimension {
             Dimension::Space => format!("{components:?}"),
@@ -157,13 +156,13 @@ impl Chain {
     }
 }
 
-/// Returns what is said of something that has a name.
+/// Returns the block of something that has a name.
 pub(crate) fn section(word: &str, name: &str, fields: &[String]) -> String {
     let fields: Vec<String> = fields.iter().map(|field| format!("{field};")).collect();
     format!("    {word} {name} {{ {} }}", fields.join(" "))
 }
 
-/// Returns the field for something that may be constant or an input.
+/// Returns the field of a value that is constant or an input.
 pub(crate) fn source<T>(
     field: &str,
     source: &Source<T>,

@@ -4,7 +4,7 @@ use crate::chain::Dimension;
 use crate::hinge::{Axis, Group, Hinge, HingeKind};
 use crate::text::{section, source};
 
-/// Returns the word and the arguments for a kind of hinge.
+/// Returns the keyword and the arguments for a kind of hinge.
 pub(crate) fn word(kind: &HingeKind, dimension: Dimension) -> String {
     let flat = dimension == Dimension::Plane;
     match kind {
@@ -39,7 +39,7 @@ pub(crate) fn word(kind: &HingeKind, dimension: Dimension) -> String {
     }
 }
 
-/// Returns what is said of a hinge, if anything.
+/// Returns the block of a hinge, if it has properties.
 pub(crate) fn section_of(hinge: &Hinge) -> Option<String> {
     let mut fields: Vec<String> = Vec::new();
     if !hinge.rest.is_empty() {
@@ -55,7 +55,7 @@ pub(crate) fn section_of(hinge: &Hinge) -> Option<String> {
     (!fields.is_empty()).then(|| section("hinge", &hinge.name, &fields))
 }
 
-/// The words and units of a group of coordinates.
+/// The keywords and units of a group of coordinates.
 struct Units {
     coordinate: &'static str,
     rate: &'static str,
@@ -103,7 +103,7 @@ fn group(group: &Group, prefix: &str, units: &Units, by_angle: bool) -> Vec<Stri
         fields.push(format!("{prefix}friction_speed = {speed:?} {}", units.rate));
     }
     if let Some(limits) = &group.limits {
-        // Turns with a quaternion are limited by one angle.
+        // Rotations with a quaternion are limited by one angle.
         let range = if by_angle { &limits.range[1..] } else { &limits.range };
         fields.push(format!("{prefix}limits = {} {}", numbers(range), units.coordinate));
         let Units { stiffness, damping, .. } = units;

@@ -118,13 +118,13 @@ fn newton_euler() -> Chain {
 }
 
 fn solved(chain: &Chain, state: &State) -> Solution {
-    chain.solve(state, &vec![0.0; chain.freedoms()])
+    chain.solve(state, &vec![0.0; chain.dof_count()])
 }
 
 /// The rival's motion.
 fn moved(chain: &Chain, start: &State, progress: &Progress) -> Vec<Record> {
     let mut records = Vec::new();
-    simulate(chain, start, &vec![0.0; chain.freedoms()], &mark_times(), |sample: &Sample| {
+    simulate(chain, start, &vec![0.0; chain.dof_count()], &mark_times(), |sample: &Sample| {
         let centres = sample.bodies.iter().flat_map(|body| body.position);
         records.push(Record {
             time: sample.time,

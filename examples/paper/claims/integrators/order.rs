@@ -88,7 +88,7 @@ fn apart_from_newton_euler(chain: &Cubes<f64>, exact: &CubesState<f64>) -> f64 {
     let start = chain.initial_state();
     let start = State { q: start.coordinates().to_vec(), v: start.rates().to_vec() };
     let mut largest = f64::NAN;
-    simulate(&cubes, &start, &vec![0.0; cubes.freedoms()], &[END], |sample| {
+    simulate(&cubes, &start, &vec![0.0; cubes.dof_count()], &[END], |sample| {
         let found = sample.state.q.iter().chain(&sample.state.v);
         let pairs = found.zip(exact.coordinates().iter().chain(exact.rates()));
         largest = pairs.map(|(a, b)| (a - b).abs()).max_by(f64::total_cmp).unwrap_or(f64::NAN);

@@ -1,4 +1,4 @@
-//! A motion, sampled at instants.
+//! A motion, sampled at discrete times.
 
 use mstmm::{ChainState, Energy, Error, Rk4, Scalar};
 
@@ -8,67 +8,67 @@ use crate::sample::product;
 use crate::statistics::{distance, largest};
 use crate::subject::{Reading, Subject, convert, doubles};
 
-/// So many instants at most are kept of a motion.
+/// The largest number of samples of a motion.
 const INSTANTS: usize = 64;
 
-/// The longest step by the one asked for.
+/// The ratio of the longest step to the specified step.
 pub const COARSEST: usize = 4;
 
-/// What was at one instant.
+/// A sample of the motion.
 pub struct Instant {
     pub time: f64,
     pub q: Vec<f64>,
-    /// The coordinates nearby with which a closed chain is closed; none if there are none.
+    /// The nearby coordinates with which a closed chain closes, if there are any.
     pub closed: Option<Vec<f64>>,
     pub positions: Vec<[f64; 3]>,
     /// In double precision.
     pub energy: Energy<f64>,
 }
 
-/// A motion, as far as it went.
+/// A motion up to its end or to an error.
 pub struct Course {
     pub instants: Vec<Instant>,
     pub stopped: Option<Error>,
 }
 
-/// Steps and the instants that are kept.
+/// The steps and the times of the samples.
 #[derive(Clone, Copy)]
 pub struct Plan {
-    /// The step asked for, in s: a number of single precision, so that both take the same.
+    /// The specified step in s, exact in single precision, so that both precisions use the same step.
     pub step: f64,
-    /// How many of the longest steps lie between two instants.
+    /// The number of longest steps between two samples.
     between: usize,
-    /// How many instants there are behind the start.
+    /// The number of samples after the start.
     pub instants: usize,
 }
 
 impl Plan {
-    /// For a motion of about `time` seconds.
+    /// Returns the schedule of a motion of about `time` seconds.
     pub fn new(time: f64, step: f64) -> Self {
         let coarse = ((time / (step * COARSEST as f64)).round() as usize).max(1);
         let between = coarse.div_ceil(INSTANTS);
         Self { step, between, instants: coarse.div_ceil(between) }
     }
 
-    /// How long it is, in s.
+    /// Returns the duration in s.
     pub fn time(&self) -> f64 {
         self.instant(self.instants)
     }
 
-    /// When an instant is, in s.
+    /// Returns the time of a sample in s.
     fn instant(&self, number: usize) -> f64 {
         (number * self.between * COARSEST) as f64 * self.step
     }
 
-    /// The same up to one of its instants.
+    /// Returns the schedule up to one of its samples.
     pub fn until(self, instants: usize) -> Self {
         Self { instants, ..self }
     }
 }
 
-/// Moves a chain from `start`, with constant inputs, its state kept in the numbers of `kept`, its
-/// rates computed in those of `computed`, in steps that are `part` of the one asked for: a power of
-/// two, 1/4 at least.
+/// Simulates a chain from `start` with constant inputs. The state has the precision of `kept`, the
+/// rates are computed in the precision of `computed`. The step is the specified step times `part`, a
+/// power of two of at least 1/4.
 pub fn course<K, C, D>(
     (kept, computed, double): (&K, &C, &D),
     (start, inputs): (&D::State, &[f64]),
@@ -132,27 +132,27 @@ where
     })
 }
 
-/// How far apart two motions are at an instant.
+/// The difference of two motions at one time.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Apart {
-    /// In rad.
+pub struct MotionError {
+    /// Of angles, in rad.
     pub turn: f64,
-    /// In m.
+    /// Of translations, in m.
     pub shift: f64,
     /// Of connection points, in m.
     pub point: f64,
-    /// Of the last one, in m.
+    /// Of the last connection point, in m.
     pub tip: f64,
 }
 
-impl Apart {
+impl MotionError {
     pub fn of(a: &Instant, b: &Instant, description: &Description) -> Self {
         let ways = || a.positions.iter().zip(&b.positions).map(|(&a, &b)| distance(a, b));
         let (point, tip) = (largest(ways()), ways().next_back().unwrap_or(0.0));
         Self { point, tip, ..Self::of_coordinates(&a.q, &b.q, description) }
     }
 
-    /// With coordinates alone.
+    /// Returns the difference of coordinates only.
     pub fn of_coordinates(a: &[f64], b: &[f64], description: &Description) -> Self {
         let mut apart = Self::default();
         let mut place = 0;
@@ -171,7 +171,7 @@ impl Apart {
         apart
     }
 
-    /// The larger of both.
+    /// Returns the larger values of both.
     pub fn or(self, other: Self) -> Self {
         let larger = |of: fn(&Self) -> f64| largest([of(&self), of(&other)]);
         Self {
@@ -182,13 +182,13 @@ impl Apart {
         }
     }
 
-    /// The larger one of turns in rad and shifts by the chain's size.
+    /// Returns the larger of the rotation in rad and the translation relative to the chain's size.
     pub fn scaled(&self, size: f64) -> f64 {
         largest([self.turn, self.shift / size])
     }
 }
 
-/// The angle of the turn from one orientation to another, whatever the length of their quaternions.
+/// Returns the angle between two orientations, for quaternions of any length.
 fn angle_between([w, x, y, z]: [f64; 4], b: [f64; 4]) -> f64 {
     let [w, x, y, z] = product([w, -x, -y, -z], b);
     2.0 * (x * x + y * y + z * z).sqrt().atan2(w.abs())
@@ -202,7 +202,7 @@ mod tests {
     fn turns_are_measured_by_their_angle() {
         let turned = |angle: f64| [(angle / 2.0).cos(), 0.0, (angle / 2.0).sin(), 0.0];
         for angle in [0.0, 1e-9, 0.5, 3.0] {
-            // A quaternion and its opposite are the same orientation, of whatever length.
+            // A quaternion and its negative are the same orientation, for any length.
             let other = turned(1.0 + angle).map(|entry| -1.001 * entry);
             assert!((angle_between(turned(1.0), other) - angle).abs() < 1e-12);
         }

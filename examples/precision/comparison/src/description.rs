@@ -1,30 +1,30 @@
-//! What a comparison needs to know of a chain besides its traits, read from its text.
+//! The description of a chain and of a comparison, in addition to the chain's traits.
 
 use serde::{Deserialize, Serialize};
 
-/// What to do.
+/// The task of a program.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Task {
     /// The chain.
     pub description: Description,
-    /// How it is compared.
+    /// The settings of the comparison.
     pub settings: Settings,
 }
 
-/// How a chain is compared.
+/// The settings of a comparison.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Settings {
-    /// How long the motion is, in s.
+    /// The duration of the motion in s.
     pub time: f64,
     /// The step in s.
     pub step: f64,
-    /// How many random states.
+    /// The number of random states.
     pub states: usize,
-    /// They follow from it.
+    /// The seed of the random states and inputs.
     pub seed: u64,
-    /// Whether what the chain takes from outside is random, and zero otherwise.
+    /// Whether inputs are random; otherwise they are zero.
     pub random_inputs: bool,
-    /// Whether all numbers are printed as JSON.
+    /// Whether the results are printed as JSON.
     pub json: bool,
 }
 
@@ -35,20 +35,20 @@ pub struct Description {
     pub name: String,
     /// Whether it is held at both ends.
     pub closed: bool,
-    /// Whether nothing that acts gives or takes energy but what has a potential.
+    /// Whether all efforts and loads have a potential.
     pub conservative: bool,
     /// The hinges with coordinates, in the order of the state.
     pub parts: Vec<Part>,
-    /// What is given at every step, in the order of [`Subject::inputs`](crate::Subject::inputs).
+    /// The inputs, in the order of [`Subject::inputs`](crate::Subject::inputs).
     pub inputs: Vec<Input>,
 }
 
-/// Hinges that follow on each other so many times.
+/// A sequence of hinges, possibly repeated.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Part {
-    /// How many times; none for hinges that are not repeated.
+    /// The number of repetitions; none for hinges that are not repeated.
     pub times: Option<usize>,
-    /// Them all, once.
+    /// The hinges of one repetition.
     pub hinges: Vec<Hinge>,
 }
 
@@ -57,47 +57,47 @@ pub struct Part {
 pub struct Hinge {
     /// Its name.
     pub name: String,
-    /// Whether it is one for springs, which moves little.
+    /// Whether it is an elastic hinge, with small motions.
     pub elastic: bool,
-    /// Its freedoms, shifts first.
+    /// Its degrees of freedom, translations first.
     pub groups: Vec<Group>,
 }
 
-/// Freedoms of one sort.
+/// Translational or rotational degrees of freedom of a hinge.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Group {
-    /// Whether they are turns; shifts otherwise.
+    /// Whether they are rotations; otherwise they are translations.
     pub turns: bool,
-    /// Whether they are kept as a quaternion, and as a number each otherwise.
+    /// Whether the coordinates are a quaternion; otherwise there is one coordinate for each.
     pub quaternion: bool,
-    /// The names of their rates; empty for the only one of a hinge.
+    /// The names of their rates; empty for a hinge with a single rate.
     pub rates: Vec<String>,
-    /// The lowest and the highest coordinate, where they are limited and that is known.
+    /// The lowest and the highest coordinate, if there are limits and their values are known.
     pub limits: Vec<Option<[f64; 2]>>,
 }
 
-/// Something given at every step.
+/// An input of the chain.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Input {
-    /// How many times it stands there.
+    /// The number of repetitions, if it belongs to a repeated part.
     pub times: usize,
-    /// What it is.
-    pub what: Given,
+    /// Its kind.
+    pub what: InputKind,
 }
 
-/// What is given.
+/// The kind of an input.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub enum Given {
-    /// So many components of the acceleration of free fall.
+pub enum InputKind {
+    /// The acceleration of free fall, with this number of components.
     Gravity(usize),
-    /// Forces, and torques where true.
+    /// Forces (false) and torques (true).
     Efforts(Vec<bool>),
     /// The motion of a hinge: coordinates, rates, accelerations.
     Motion(Hinge),
 }
 
 impl Description {
-    /// All hinges with coordinates, and which time it is of repeated ones.
+    /// Returns all hinges with coordinates, with the index of the repetition for repeated hinges.
     pub fn hinges(&self) -> impl Iterator<Item = (Option<usize>, &Hinge)> {
         self.parts.iter().flat_map(|part| {
             let each = move |time| part.hinges.iter().map(move |hinge| (time, hinge));
@@ -105,17 +105,17 @@ impl Description {
         })
     }
 
-    /// All groups of freedoms, in the order of the state.
+    /// Returns all groups of degrees of freedom, in the order of the state.
     pub fn groups(&self) -> impl Iterator<Item = &Group> {
         self.hinges().flat_map(|(_, hinge)| &hinge.groups)
     }
 
-    /// For each rate whether it is that of a turn.
+    /// Returns for each rate whether it is rotational.
     pub fn turning(&self) -> Vec<bool> {
         self.groups().flat_map(|group| group.rates.iter().map(|_| group.turns)).collect()
     }
 
-    /// What a rate is called: the first one that `is` it.
+    /// Returns the name of the first rate for which `is` returns true.
     pub fn rate_name(&self, number: usize) -> String {
         let names = self.hinges().flat_map(|(time, hinge)| {
             let place = time.map_or(String::new(), |time| format!("[{time}]"));
@@ -129,7 +129,7 @@ impl Description {
 }
 
 impl Group {
-    /// How many coordinates it has.
+    /// Returns the number of coordinates.
     pub fn coordinates(&self) -> usize {
         if self.quaternion { 4 } else { self.rates.len() }
     }

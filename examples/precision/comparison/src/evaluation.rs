@@ -1,4 +1,4 @@
-//! What single precision loses in one evaluation: accelerations, forces and moments, at the same
+//! The errors of single precision in one evaluation: accelerations, forces and moments at the same
 //! random states.
 
 use mstmm::{ChainState, Error};
@@ -10,13 +10,13 @@ use crate::scales::Scales;
 use crate::statistics::{Spread, distance, largest, length, relative};
 use crate::subject::{Reading, Subject, convert, doubles};
 
-/// So many states are drawn for one that can be evaluated at most.
+/// The largest number of states drawn for one state that can be evaluated.
 const SINGULAR: usize = 10;
 
-/// An acceleration this small beside others is zero but for the rounding of double precision.
+/// Accelerations below this, relative to others, are rounding errors of double precision.
 pub const NOTHING: f64 = 1e-12;
 
-/// All that a chain computes at one instant.
+/// All results of a chain in one state.
 pub struct Evaluation {
     pub accelerations: Vec<f64>,
     pub positions: Vec<[f64; 3]>,
@@ -24,7 +24,7 @@ pub struct Evaluation {
     pub moments: Vec<[f64; 3]>,
 }
 
-/// Evaluates a chain: accelerations by the fast path, as integrators do.
+/// Evaluates a chain; accelerations by `derivative_into`, as integrators do.
 pub fn evaluate<C: Subject>(
     chain: &C,
     state: &C::State,
@@ -44,28 +44,28 @@ pub fn evaluate<C: Subject>(
     })
 }
 
-/// Relative errors over random states.
+/// Relative errors at random states.
 #[derive(Debug, Serialize)]
 pub struct Errors {
-    /// So many states were compared.
+    /// The number of states that were compared.
     pub states: usize,
-    /// So many more could not be closed, and so many were singular in double precision.
+    /// The numbers of states that could not be closed, and that were singular in double precision.
     pub not_closed: usize,
     pub singular: usize,
-    /// So many were refused in single precision only.
+    /// The number of states that failed only in single precision.
     pub refused: usize,
-    /// Of the accelerations of a state the largest error by the largest acceleration, each for
-    /// turns and shifts.
+    /// The largest error of a state's accelerations, relative to the largest acceleration, rotational
+    /// and translational ones separately.
     pub accelerations: Option<Spread>,
-    /// Of each acceleration by itself, but for those that are zero.
+    /// The relative error of each acceleration, except those that are zero.
     pub each_acceleration: Option<Spread>,
-    /// The worst of these.
+    /// The name of the acceleration with the largest error.
     pub worst_acceleration: Option<String>,
-    /// Of the forces and moments at connection points, by the largest of them.
+    /// The errors of the forces and moments at connection points, relative to the largest.
     pub forces: Option<Spread>,
     pub moments: Option<Spread>,
-    /// What rounding the state alone changes of the accelerations in double precision, by the
-    /// largest of them.
+    /// The change of the accelerations in double precision if only the state is rounded, relative to
+    /// the largest acceleration.
     pub state: Option<Spread>,
 }
 
@@ -128,7 +128,7 @@ where
             }
         }
     }
-    // Nothing accelerates where all motions are told.
+    // There are no accelerations if all motions are prescribed.
     let moves = !turning.is_empty();
     let of_moving = |errors| if moves { Spread::of(errors) } else { None };
     Ok(Errors {
@@ -145,28 +145,28 @@ where
     })
 }
 
-/// The largest error by the largest acceleration, of turns and of shifts.
+/// Returns the largest error relative to the largest acceleration, of rotations and of translations.
 fn of_accelerations(found: &[f64], truth: &[f64], turning: &[bool], sizes: [f64; 2]) -> f64 {
     let errors: Vec<f64> = found.iter().zip(truth).map(|(found, truth)| found - truth).collect();
     let of_kind = |turns| relative(largest_of(&errors, turning, turns), sizes[usize::from(turns)]);
     largest([true, false].map(of_kind))
 }
 
-/// The largest acceleration among shifts, and among turns. Where those of one kind are zero but for
-/// rounding, as in a closed chain that cannot turn, it follows from the other by the chain's size.
+/// Returns the largest translational and the largest rotational acceleration. If one kind is zero up to
+/// rounding, as in a closed chain that cannot rotate, it follows from the other by the chain's size.
 fn sizes(truth: &[f64], turning: &[bool], length: f64) -> [f64; 2] {
     let [shift, turn] = [false, true].map(|turns| largest_of(truth, turning, turns));
     let or = |own: f64, other: f64| if own <= NOTHING * other { other } else { own };
     [or(shift, turn * length), or(turn, shift / length)]
 }
 
-/// The largest of one kind.
+/// Returns the largest acceleration of one kind.
 fn largest_of(numbers: &[f64], turning: &[bool], turns: bool) -> f64 {
     let of_kind = numbers.iter().zip(turning).filter(|&(_, &turning)| turning == turns);
     largest(of_kind.map(|(number, _)| number.abs()))
 }
 
-/// The largest error by the largest vector; none if all are zero as they must be.
+/// Returns the largest error relative to the largest vector; none if all vectors are zero.
 fn of_vectors(found: &[[f64; 3]], truth: &[[f64; 3]]) -> Option<f64> {
     let error = largest(found.iter().zip(truth).map(|(&found, &truth)| distance(found, truth)));
     let size = largest(truth.iter().copied().map(length));

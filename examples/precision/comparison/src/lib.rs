@@ -1,14 +1,14 @@
-//! What single precision loses beside double precision, for any chain made by `mstmm_chain!`: the
-//! command `precision` of the examples writes a program that calls [`compare`] with a chain.
+//! Compares single with double precision for any chain made by `mstmm_chain!`. The command `precision`
+//! of the examples writes a program that calls [`compare`] with a chain.
 //!
 //! | module | holds |
 //! |---|---|
-//! | `description` | what there is to know of a chain besides its traits |
+//! | `description` | the description of a chain and the settings |
 //! | `subject` | a chain in either precision |
-//! | `scales`, `sample` | how large and fast it is; random states and inputs that suit it |
+//! | `scales`, `sample` | characteristic length and rate; random states and inputs |
 //! | `evaluation` | errors of single evaluations |
-//! | `mixed`, `course`, `motion` | errors of a motion, and what they come from |
-//! | `verdict`, `output` | what that means; tables, or JSON |
+//! | `mixed`, `course`, `motion` | errors of a motion, and their causes |
+//! | `verdict`, `output` | the verdict; tables or JSON |
 #![deny(missing_docs)]
 
 mod course;
@@ -25,7 +25,7 @@ mod verdict;
 
 pub use std::process::ExitCode;
 
-pub use description::{Description, Given, Group, Hinge, Input, Part, Settings, Task};
+pub use description::{Description, InputKind, Group, Hinge, Input, Part, Settings, Task};
 pub use subject::{Number, Reading, Subject};
 
 use evaluation::Errors;
@@ -34,33 +34,33 @@ use sample::Start;
 use scales::Scales;
 use serde::Serialize;
 
-/// Chains keep numbers of every body on the stack, and there may be many.
+/// The stack size: long chains keep values of every body on the stack.
 const STACK: usize = 1 << 30;
 
 /// The chain that a program compares.
 pub trait Chosen {
-    /// Does as the first argument says, a [`Task`] as JSON.
+    /// Runs the task in the first argument, a [`Task`] as JSON.
     fn compare() -> ExitCode;
 }
 
-/// What came out.
+/// The results.
 #[derive(Debug, Serialize)]
 struct Report {
     chain: String,
     states_asked: usize,
     seed: u64,
     random_inputs: bool,
-    /// Whether the chain cannot be closed from its start, so that another one was drawn.
+    /// Whether the chain cannot be closed from its start and a random start was used instead.
     start_drawn: bool,
     scales: Scales,
     errors: Errors,
-    /// None where nothing moves by itself.
+    /// None if all motions are prescribed.
     motion: Option<Motion>,
     verdict: Vec<String>,
 }
 
-/// Compares a chain with itself in the other precision, as the program's first argument says, a
-/// [`Task`] as JSON, and prints what came out.
+/// Compares a chain in both precisions by the task in the program's first argument, a [`Task`] as
+/// JSON, and prints the results.
 pub fn compare<D, S>() -> ExitCode
 where
     D: Subject<Scalar = f64>,

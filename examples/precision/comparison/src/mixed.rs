@@ -1,11 +1,11 @@
-//! A chain whose state is kept in one precision and whose rates are computed in another: what
-//! rounding in the step brings is told apart from what rounding in the model brings.
+//! A chain whose state has one precision and whose rates are computed in another, which separates the
+//! rounding errors of the step from those of the model.
 
 use mstmm::{Chain, Error};
 
 use crate::subject::{Subject, convert};
 
-/// Kept as `kept` keeps its state, computed as `computed` computes.
+/// A chain with the state of `kept` and the equations of `computed`.
 pub struct Mixed<'a, K, C> {
     pub kept: &'a K,
     pub computed: &'a C,

@@ -1,61 +1,61 @@
-//! What single precision loses in a motion, and how that splits: the motion is computed with the
-//! state in either precision and the rates in either precision, in several steps.
+//! The errors of single precision in a motion, and their causes: the motion is computed with the state
+//! in either precision and the rates in either precision, with several step sizes.
 
 use mstmm::{Energy, Error};
 use serde::Serialize;
 
-use crate::course::{Apart, COARSEST, Course, Instant, Plan, course};
+use crate::course::{MotionError, COARSEST, Course, Instant, Plan, course};
 use crate::description::{Description, Settings};
 use crate::sample::{Sampler, Start, single};
 use crate::scales::Scales;
 use crate::statistics::largest;
 use crate::subject::Subject;
 
-/// Where both precisions are this far apart, in rad or of the chain's size, they are taken for two
-/// motions: differences are no longer the sum of their causes.
+/// Beyond this difference, in rad or relative to the chain's size, the two motions have diverged:
+/// differences are no longer the sum of their causes.
 const PARTED: f64 = 1e-2;
 
-/// Steps by the one asked for.
+/// Step sizes relative to the specified step.
 const PARTS: [f64; 5] = [COARSEST as f64, 2.0, 1.0, 0.5, 0.25];
 
-/// So many rows tell how a difference grows.
+/// The number of rows in the table of differences.
 const ROWS: usize = 5;
 
-/// RK4 is of order four: half the step leaves a sixteenth of the error.
+/// RK4 has order four: with half the step, a sixteenth of the error remains.
 const HALVED: f64 = 16.0;
 
-/// What came out of a motion.
+/// The results of a motion.
 #[derive(Debug, Serialize)]
 pub struct Motion {
-    /// In s.
+    /// The duration in s.
     pub time: f64,
-    /// In s, rounded to single precision.
+    /// The step in s, rounded to single precision.
     pub step: f64,
     /// The largest differences so far, at a few times.
     pub differences: Vec<Difference>,
-    /// The largest way of the energy from that at the start, in J, reckoned in double precision.
+    /// The largest change of the energy since the start, in J, computed in double precision.
     pub energy_double: f64,
     pub energy_single: f64,
     /// The largest kinetic energy in J.
     pub kinetic: f64,
-    /// How far a closed chain opens: by how much closing it moves coordinates, in rad or of the
-    /// chain's size.
+    /// The position error of a closed chain: the change of its coordinates by `assemble`, in rad or
+    /// relative to the chain's size.
     pub opened_double: Option<f64>,
     pub opened_single: Option<f64>,
-    /// When both precisions part, in s.
+    /// The time at which the motions diverge, in s.
     pub parted: Option<f64>,
-    /// When double and when single precision stopped, in s, and why.
+    /// The time at which double and single precision stopped, in s, and the reason.
     pub stopped_double: Option<Stop>,
     pub stopped_single: Option<Stop>,
-    /// Errors in several steps, as long as the precisions have not parted.
+    /// Errors with several step sizes, until the motions diverge.
     pub steps: Vec<Step>,
-    /// Up to when, in s.
+    /// The end of this comparison, in s.
     pub steps_until: f64,
-    /// The step at which truncation and rounding are alike, in s.
+    /// The step at which truncation and rounding errors are equal, in s.
     pub balance: Option<Balance>,
 }
 
-/// A motion that could not go on.
+/// A motion that stopped with an error.
 #[derive(Debug, Serialize)]
 pub struct Stop {
     pub after: f64,
@@ -67,38 +67,38 @@ pub struct Stop {
 pub struct Difference {
     /// In s.
     pub time: f64,
-    /// Of angles in rad, of shifts in m, of any connection point and of the last one in m.
+    /// Of angles in rad, of translations in m, of any connection point and of the last one in m.
     pub turn: f64,
     pub shift: f64,
     pub point: f64,
     pub tip: f64,
 }
 
-/// Errors with one step, in rad or of the chain's size; none where a motion stops.
+/// Errors with one step size, in rad or relative to the chain's size; none if a motion stops.
 #[derive(Debug, Serialize)]
 pub struct Step {
     /// In s.
     pub step: f64,
-    /// What the step is too long, in double precision.
+    /// The truncation error in double precision.
     pub truncation: Option<f64>,
-    /// What single precision changes: in all, with the state alone, with the rates alone.
+    /// The error of single precision: of state and rates, of only the state, of only the rates.
     pub rounding: Option<f64>,
     pub of_state: Option<f64>,
     pub of_rates: Option<f64>,
-    /// Single precision from double precision with the shortest step.
+    /// The difference of single precision from double precision with the shortest step.
     pub single: Option<f64>,
 }
 
-/// Where truncation and rounding are alike.
+/// The step at which truncation and rounding errors are equal.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Balance {
     /// The step in s.
     pub step: f64,
-    /// Whether it lies outside of the steps tried, with truncation as the fourth power of the step.
+    /// Whether it is extrapolated from the steps tried, by the fourth power of the step.
     pub extrapolated: bool,
 }
 
-/// Moves both from the start.
+/// Simulates the chain in both precisions from the start.
 pub fn motion<D, S>(
     (double, in_single): (&D, &S),
     (description, start): (&Description, &Start),
@@ -114,10 +114,10 @@ where
     first.write(&mut state);
     let from = (&state, first.inputs.as_slice());
     let plan = Plan::new(settings.time, single(settings.step));
-    let apart = |a: &Course, b: &Course| -> Vec<Apart> {
+    let apart = |a: &Course, b: &Course| -> Vec<MotionError> {
         let each = a.instants.iter().zip(&b.instants);
-        let so_far = each.scan(Apart::default(), |so_far, (a, b)| {
-            *so_far = so_far.or(Apart::of(a, b, description));
+        let so_far = each.scan(MotionError::default(), |so_far, (a, b)| {
+            *so_far = so_far.or(MotionError::of(a, b, description));
             Some(*so_far)
         });
         so_far.collect()
@@ -186,35 +186,35 @@ fn stop(course: &Course) -> Option<Stop> {
     course.stopped.as_ref().map(|error| Stop { after, why: error.to_string() })
 }
 
-/// A few of the differences, each time about twice the one before.
-fn rows(course: &Course, differences: &[Apart]) -> Vec<Difference> {
+/// Returns a few of the differences, at times that about double.
+fn rows(course: &Course, differences: &[MotionError]) -> Vec<Difference> {
     let last = differences.len().saturating_sub(1);
     let mut numbers: Vec<usize> = (0..ROWS).map(|halved| last >> halved).collect();
     numbers.dedup();
     let row = |number: usize| {
-        let Apart { turn, shift, point, tip } = differences[number];
+        let MotionError { turn, shift, point, tip } = differences[number];
         Difference { time: course.instants[number].time, turn, shift, point, tip }
     };
     numbers.into_iter().rev().filter(|&number| number > 0).map(row).collect()
 }
 
-/// The largest way of the energy from that at the start.
+/// Returns the largest change of the energy since the start.
 fn drift(course: &Course) -> f64 {
     let total = |energy: &Energy<f64>| energy.total();
     let first = course.instants.first().map_or(0.0, |instant| total(&instant.energy));
     largest(course.instants.iter().map(|instant| (total(&instant.energy) - first).abs()))
 }
 
-/// How far closing a chain moves its coordinates.
+/// Returns the change of the coordinates by closing a chain.
 fn opened(course: &Course, description: &Description, size: f64) -> f64 {
     let way = |instant: &Instant| match &instant.closed {
-        Some(closed) => Apart::of_coordinates(&instant.q, closed, description).scaled(size),
+        Some(closed) => MotionError::of_coordinates(&instant.q, closed, description).scaled(size),
         None => f64::INFINITY,
     };
     largest(course.instants.iter().map(way))
 }
 
-/// Where truncation, which grows with the step, meets rounding.
+/// Returns the step at which the truncation error, which grows with the step, equals the rounding error.
 fn balance(steps: &[Step]) -> Option<Balance> {
     let known: Vec<(f64, f64, f64)> = steps
         .iter()
@@ -232,9 +232,9 @@ fn balance(steps: &[Step]) -> Option<Balance> {
         extrapolated: true,
     };
     let (first, last) = (known.first()?, known.last()?);
-    // What is lost in the rounding of double precision says nothing of truncation.
-    let told = |&(_, truncation, rounding): &(f64, f64, f64)| truncation > 1e-6 * rounding;
-    met.or_else(|| (first.1 < first.2 && told(first)).then(|| from(first)))
+    // Differences at the level of rounding in double precision are not truncation errors.
+    let significant = |&(_, truncation, rounding): &(f64, f64, f64)| truncation > 1e-6 * rounding;
+    met.or_else(|| (first.1 < first.2 && significant(first)).then(|| from(first)))
         .or_else(|| (last.1 >= last.2).then(|| from(last)))
 }
 
@@ -242,7 +242,7 @@ fn balance(steps: &[Step]) -> Option<Balance> {
 mod tests {
     use super::{Step, balance};
 
-    /// Steps with a truncation of so many times their fourth power, and this rounding.
+    /// Returns the balance of steps whose truncation error is `truncation` times their fourth power.
     fn balanced(truncation: f64, rounding: f64) -> Option<(f64, bool)> {
         let step = |step: f64| Step {
             step,

@@ -1,4 +1,4 @@
-//! The tables.
+//! The tables of results.
 
 use std::fmt::{Display, Write};
 
@@ -9,22 +9,22 @@ use crate::motion::Motion;
 use crate::sample::DISTRIBUTION;
 use crate::statistics::Spread;
 
-/// For people.
+/// Returns the results as text.
 pub fn text(report: &Report, description: &Description) -> String {
     let mut text = Text::default();
     let Report { chain, seed, scales, .. } = report;
     let inputs = if report.random_inputs { "random" } else { "zero" };
     text.line(format_args!(
-        "{chain}: f32 beside f64, {} random states, seed {seed}, inputs {inputs}",
+        "{chain}: f32 compared with f64, {} random states, seed {seed}, inputs {inputs}",
         report.states_asked
     ));
     text.line("");
     text.line(format_args!(
-        "Its size is {:.3e} m, its pace {:.3e} rad/s, forces inside are {:.1e} N, moments {:.1e} N m.",
+        "Characteristic length {:.3e} m, rate {:.3e} rad/s, internal force {:.1e} N, moment {:.1e} N m.",
         scales.length, scales.rate, scales.force, scales.moment
     ));
     if report.start_drawn {
-        text.line("It cannot be closed from the start described, so one is taken that was drawn.");
+        text.line("The chain cannot be closed from its start; a random start is used instead.");
     }
     text.line(DISTRIBUTION[usize::from(description.closed)]);
     text.errors(&report.errors);
@@ -44,16 +44,16 @@ pub fn text(report: &Report, description: &Description) -> String {
 #[derive(Default)]
 struct Text(String);
 
-/// How long lines are.
+/// The width of a line.
 const WIDTH: usize = 98;
 
 impl Text {
     fn line(&mut self, line: impl Display) {
-        // A string takes everything.
+        // Writing to a string cannot fail.
         let _ = writeln!(self.0, "{line}");
     }
 
-    /// A sentence behind a dash.
+    /// Adds a sentence after a dash.
     fn wrapped(&mut self, sentence: &str) {
         let mut line = String::from("-");
         for word in sentence.split(' ') {
@@ -77,26 +77,26 @@ impl Text {
             "worst"
         ));
         for (what, spread) in [
-            ("accelerations, by the largest", errors.accelerations),
-            ("accelerations, each by itself", errors.each_acceleration),
-            ("forces at connection points, by the largest", errors.forces),
-            ("moments at connection points, by the largest", errors.moments),
-            ("accelerations in f64, but the state rounded to f32", errors.state),
+            ("accelerations, relative to the largest", errors.accelerations),
+            ("accelerations, each relative to itself", errors.each_acceleration),
+            ("forces, relative to the largest", errors.forces),
+            ("moments, relative to the largest", errors.moments),
+            ("accelerations in f64, state rounded to f32", errors.state),
         ] {
             if let Some(Spread { median, most, worst }) = spread {
                 self.line(format_args!("{what:58}{median:10.1e}{most:10.1e}{worst:10.1e}"));
             }
         }
         if let Some(name) = &errors.worst_acceleration {
-            self.line(format_args!("The worst single acceleration is that of {name}."));
+            self.line(format_args!("The acceleration with the largest relative error is that of {name}."));
         }
         for (count, what) in [
-            (errors.not_closed, "could not be closed, so others were drawn"),
-            (errors.singular, "are singular in f64, so others were drawn"),
-            (errors.refused, "are refused by f32 alone"),
+            (errors.not_closed, "could not be closed and were replaced"),
+            (errors.singular, "are singular in f64 and were replaced"),
+            (errors.refused, "fail only in f32"),
         ] {
             if count > 0 {
-                self.line(format_args!("Of the states {count} {what}."));
+                self.line(format_args!("{count} states {what}."));
             }
         }
     }
@@ -123,18 +123,18 @@ impl Text {
                 shown(has(true), row.turn, "rad"),
                 shown(has(false), row.shift, "m"),
                 row.point,
-                // That of a closed chain is on the ground.
+                // The last point of a closed chain is on the ground.
                 shown(!description.closed, row.tip, "m"),
             ));
         }
-        let what = if description.conservative { "drift" } else { "change by what acts" };
+        let what = if description.conservative { "drift" } else { "change by efforts and loads" };
         self.line(format_args!(
             "energy {what}: f64 {:.1e} J, f32 {:.1e} J; largest kinetic energy {:.1e} J",
             motion.energy_double, motion.energy_single, motion.kinetic
         ));
         if let (Some(double), Some(single)) = (motion.opened_double, motion.opened_single) {
             self.line(format_args!(
-                "open by: f64 {double:.1e}, f32 {single:.1e}, in rad or of the chain's size"
+                "position error of the loop: f64 {double:.1e}, f32 {single:.1e}, in rad or relative to the size"
             ));
         }
     }
@@ -149,8 +149,8 @@ impl Text {
             format!("Until {:.3} s", motion.steps_until),
             "truncation",
             "rounding",
-            "of state alone",
-            "of rates alone",
+            "of the state",
+            "of the rates",
             "error of f32"
         ));
         let number = |number: Option<f64>| match number {
@@ -168,6 +168,6 @@ impl Text {
                 number(step.single),
             ));
         }
-        self.line("In rad, or of the chain's size.");
+        self.line("In rad, or relative to the chain's size.");
     }
 }

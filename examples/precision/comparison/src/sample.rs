@@ -5,34 +5,35 @@ use std::f64::consts::{PI, TAU};
 use mstmm::{ChainState, Error};
 use mstmm_reference::Random;
 
-use crate::description::{Description, Given, Group, Hinge, Settings};
+use crate::description::{Description, InputKind, Group, Hinge, Settings};
 use crate::scales::Scales;
 use crate::subject::{Subject, doubles};
 
-/// How far closed chains are drawn from their start, and elastic hinges, in rad.
+/// The largest rotation of closed chains from their start, and of elastic hinges, in rad.
 const CLOSED: f64 = 0.5;
 const ELASTIC: f64 = 0.3;
 
-/// What part of the chain's size their shifts are drawn from.
+/// The largest translation of both, relative to the chain's size.
 const NEAR: f64 = 0.1;
 
 /// Components of an acceleration of free fall, in m/s².
 const FALL: f64 = 9.81;
 
-/// What all this is, of open chains and of closed ones.
+/// The distribution of states in words, of open chains and of closed chains.
 pub const DISTRIBUTION: [&str; 2] = [
-    "States are even: angles in ±π, or between known limits, orientations all as likely, shifts in\n\
-     ± the size about the start; elastic hinges in ±0.3 rad and ±0.1 of the size about it; rates in\n\
-     ± the pace, those of shifts by the size. Both precisions get the same numbers, rounded to f32.",
-    "States are even about the start: angles in ±0.5 rad, shifts in ±0.1 of the size, rates in ± the\n\
-     pace, those of shifts by that part of the size; then closed in f64. Both precisions get the same\n\
-     numbers, rounded to f32.",
+    "States are distributed uniformly: angles in ±π or between known limits, all orientations,\n\
+     translations in ± the length about the start; elastic hinges in ±0.3 rad and ±0.1 of the length\n\
+     about the start; rates in ± the rate, times the length for translations. Both precisions get the\n\
+     same states, rounded to f32.",
+    "States are distributed uniformly about the start: angles in ±0.5 rad, translations in ±0.1 of the\n\
+     length, rates in ± the rate, times 0.1 of the length for translations; then closed in f64. Both\n\
+     precisions get the same states, rounded to f32.",
 ];
 
-/// A state is drawn this often before it is given up: closed chains cannot be closed from anywhere.
+/// The largest number of attempts to draw a state: not every state of a closed chain can be closed.
 const ATTEMPTS: usize = 1000;
 
-/// A state and inputs at once.
+/// A state with its inputs.
 #[derive(Clone, Debug)]
 pub struct Sample {
     pub q: Vec<f64>,
@@ -47,32 +48,32 @@ impl Sample {
         state.rates_mut().copy_from_slice(&self.v);
     }
 
-    /// The same with numbers that single precision has.
+    /// Returns the sample rounded to single precision.
     pub fn rounded(&self) -> Self {
         let round = |numbers: &[f64]| numbers.iter().map(|&number| single(number)).collect();
         Self { q: round(&self.q), v: round(&self.v), inputs: round(&self.inputs) }
     }
 }
 
-/// The number of single precision next to another.
+/// Returns a number rounded to single precision.
 pub fn single(number: f64) -> f64 {
     f64::from(number as f32)
 }
 
-/// Where a chain starts.
+/// The start of a chain.
 #[derive(Clone, Debug)]
 pub struct Start {
     pub q: Vec<f64>,
     pub v: Vec<f64>,
-    /// Whether it had to be drawn, since the chain cannot be closed from that of the description.
+    /// Whether the start is random, since the chain cannot be closed from that of the description.
     pub drawn: bool,
 }
 
 impl Start {
-    /// That of the description, closed; or else with its angles and orientations drawn.
+    /// Returns the start of the description, closed, or a start with random angles and orientations.
     ///
     /// # Errors
-    /// If the chain cannot be closed from there either.
+    /// If the chain cannot be closed from a random start either.
     pub fn of<C: Subject<Scalar = f64>>(
         chain: &C,
         description: &Description,
@@ -126,10 +127,10 @@ impl<'a> Sampler<'a> {
         Self { description, start, scales, random_inputs, random, given_up: 0 }
     }
 
-    /// A random state that is closed.
+    /// Returns a random state, closed if the chain is closed.
     ///
     /// # Errors
-    /// If none can be found.
+    /// If no such state is found.
     pub fn draw<C: Subject<Scalar = f64>>(&mut self, chain: &C) -> Result<Sample, Error> {
         self.closed(chain, |sampler| {
             let inputs = sampler.inputs(true);
@@ -137,10 +138,10 @@ impl<'a> Sampler<'a> {
         })
     }
 
-    /// The start, with what the chain is given during a motion: motions that are told rest.
+    /// Returns the start with the inputs during a motion: prescribed motions are at rest.
     ///
     /// # Errors
-    /// If it cannot be closed.
+    /// If the chain cannot be closed.
     pub fn begin<C: Subject<Scalar = f64>>(&mut self, chain: &C) -> Result<Sample, Error> {
         self.closed(chain, |sampler| {
             let (q, v) = (sampler.start.q.clone(), sampler.start.v.clone());
@@ -183,7 +184,7 @@ impl<'a> Sampler<'a> {
         sample
     }
 
-    /// All numbers of the inputs: zero, or random. Without `moving` the motions told are at rest.
+    /// Returns all numbers of the inputs, zero or random. Without `moving` prescribed motions are at rest.
     fn inputs(&mut self, moving: bool) -> Vec<f64> {
         let description = self.description;
         if !self.random_inputs {
@@ -198,13 +199,13 @@ impl<'a> Sampler<'a> {
         numbers
     }
 
-    fn input(&mut self, what: &Given, moving: bool, numbers: &mut Vec<f64>) {
+    fn input(&mut self, what: &InputKind, moving: bool, numbers: &mut Vec<f64>) {
         let Scales { rate, force, moment, .. } = self.scales;
         match what {
-            Given::Gravity(count) => numbers.extend((0..*count).map(|_| self.within(FALL))),
-            Given::Efforts(turns) => numbers
+            InputKind::Gravity(count) => numbers.extend((0..*count).map(|_| self.within(FALL))),
+            InputKind::Efforts(turns) => numbers
                 .extend(turns.iter().map(|&turns| self.within(if turns { moment } else { force }))),
-            Given::Motion(hinge) => {
+            InputKind::Motion(hinge) => {
                 for group in &hinge.groups {
                     let zero = zero_position(group);
                     self.coordinates(hinge, group, &zero, numbers);
@@ -240,13 +241,13 @@ impl<'a> Sampler<'a> {
         }
     }
 
-    /// Rates, or their derivatives.
+    /// Adds rates, or their derivatives.
     fn rates(&mut self, hinge: &Hinge, group: &Group, bound: f64, v: &mut Vec<f64>) {
         let bound = if group.turns { bound } else { bound * self.way(hinge) };
         v.extend(group.rates.iter().map(|_| self.within(bound)));
     }
 
-    /// How far a hinge shifts.
+    /// Returns the largest translation of a hinge.
     fn way(&self, hinge: &Hinge) -> f64 {
         let near = self.description.closed || hinge.elastic;
         self.scales.length * if near { NEAR } else { 1.0 }
@@ -256,7 +257,7 @@ impl<'a> Sampler<'a> {
         self.random.between(-bound, bound)
     }
 
-    /// A turn by less than a right angle, of nearly this rotation vector.
+    /// Returns a rotation by less than a right angle.
     fn turn_near(&mut self) -> [f64; 4] {
         let [x, y, z] = [(); 3].map(|()| self.within(CLOSED / 2.0));
         let size = (1.0 + x * x + y * y + z * z).sqrt();
@@ -264,7 +265,7 @@ impl<'a> Sampler<'a> {
     }
 }
 
-/// Any turn, all as likely (Shoemake 1992).
+/// Returns a uniformly distributed rotation (Shoemake 1992).
 fn turn(random: &mut Random) -> [f64; 4] {
     let [part, first, second] = [1.0, TAU, TAU].map(|high| random.between(0.0, high));
     let (small, large) = (part.sqrt(), (1.0 - part).sqrt());
@@ -273,7 +274,7 @@ fn turn(random: &mut Random) -> [f64; 4] {
 
 const ONE: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 
-/// Of two quaternions.
+/// Returns the product of two quaternions.
 pub fn product([a, b, c, d]: [f64; 4], [w, x, y, z]: [f64; 4]) -> [f64; 4] {
     [
         a * w - b * x - c * y - d * z,
@@ -283,21 +284,21 @@ pub fn product([a, b, c, d]: [f64; 4], [w, x, y, z]: [f64; 4]) -> [f64; 4] {
     ]
 }
 
-/// The coordinates of a group at rest.
+/// Returns the coordinates of a group in the zero position.
 fn zero_position(group: &Group) -> Vec<f64> {
     if group.quaternion { ONE.to_vec() } else { vec![0.0; group.coordinates()] }
 }
 
 impl Description {
-    /// All numbers of inputs that are zero, with motions told at rest in the zero position.
+    /// Returns inputs that are zero, with prescribed motions at rest in the zero position.
     pub fn no_inputs(&self) -> Vec<f64> {
-        let numbers = |what: &Given| match what {
-            Given::Gravity(count) => vec![0.0; *count],
-            Given::Efforts(turns) => vec![0.0; turns.len()],
-            Given::Motion(hinge) => {
-                let freedoms: usize = hinge.groups.iter().map(|group| group.rates.len()).sum();
+        let numbers = |what: &InputKind| match what {
+            InputKind::Gravity(count) => vec![0.0; *count],
+            InputKind::Efforts(turns) => vec![0.0; turns.len()],
+            InputKind::Motion(hinge) => {
+                let rates: usize = hinge.groups.iter().map(|group| group.rates.len()).sum();
                 let zero = hinge.groups.iter().flat_map(zero_position);
-                zero.chain(vec![0.0; 2 * freedoms]).collect()
+                zero.chain(vec![0.0; 2 * rates]).collect()
             }
         };
         let each = |input: &crate::description::Input| numbers(&input.what).repeat(input.times);

@@ -1,4 +1,4 @@
-//! How large and how fast a chain is, so that random states suit it.
+//! The characteristic length, rate and loads of a chain, from which random states are drawn.
 
 use mstmm::{ChainState, Error};
 use serde::Serialize;
@@ -9,27 +9,27 @@ use crate::sample::{Sampler, Start};
 use crate::statistics::{Spread, distance, largest, length};
 use crate::subject::Subject;
 
-/// So many random positions at rest tell how fast a chain moves by itself.
+/// The number of random positions at rest from which the characteristic rate is computed.
 const TRIED: usize = 64;
 
-/// What random numbers are measured by.
+/// The scales of random states and inputs.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Scales {
-    /// The largest way at the start from the first connection point to another, in m; 1 m if there
-    /// is none.
+    /// The largest distance at the start from the first connection point to another, in m; 1 m if
+    /// it is zero.
     pub length: f64,
-    /// The root of the largest angular acceleration, or acceleration by length, in the median of
-    /// random positions at rest, and no less than what turns at the start, in rad/s; 1 rad/s if
-    /// that is none.
+    /// The larger of two rates in rad/s, or 1 rad/s if both are zero: the largest rate at the start,
+    /// and √α, where α is the median over random positions at rest of the largest angular acceleration
+    /// or acceleration divided by the length.
     pub rate: f64,
     /// The largest force at a connection point at the start, in N; 1 N if there is none.
     pub force: f64,
-    /// The largest moment in N m; force by length if there is none.
+    /// The largest moment in N m; force times length if there is none.
     pub moment: f64,
 }
 
 impl Scales {
-    /// Of a chain.
+    /// Returns the scales of a chain.
     pub fn of<C: Subject<Scalar = f64>>(
         chain: &C,
         description: &Description,
@@ -41,7 +41,7 @@ impl Scales {
         state.coordinates_mut().copy_from_slice(&start.q);
         state.rates_mut().copy_from_slice(&start.v);
         let found = evaluate(chain, &state, &inputs)?;
-        // What is this much smaller is the rounding of what should be zero.
+        // Values below this are rounding errors of zero.
         let or = |found: f64, otherwise: f64| {
             if found > NOTHING * otherwise && found.is_finite() { found } else { otherwise }
         };
@@ -64,13 +64,13 @@ impl Scales {
         for _ in 0..TRIED {
             let sample = sampler.draw(chain)?;
             sample.write(&mut state);
-            // No inputs: motions told at random would make it fast.
+            // No inputs: random prescribed motions would increase the rate.
             if let Ok(found) = evaluate(chain, &state, &inputs) {
                 at_rest.push(by_size(&found.accelerations).sqrt());
             }
         }
         let by_itself = Spread::of(at_rest).map_or(0.0, |spread| spread.median);
-        // The root of a rounding error.
+        // Accelerations are rounding errors below `NOTHING`, so rates are below its root.
         let rate =
             if by_itself.max(at_start) > NOTHING.sqrt() { by_itself.max(at_start) } else { 1.0 };
         Ok(Self { rate, ..still })

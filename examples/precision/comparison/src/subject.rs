@@ -8,12 +8,12 @@ pub trait Number: Scalar<Real = Self, Mask = bool> + Into<f64> {}
 impl Number for f32 {}
 impl Number for f64 {}
 
-/// A generated chain with what its public traits do not hand out; the command writes it for a chain.
+/// A generated chain with access that its public traits do not provide; the command generates it.
 pub trait Subject: GeneratedChain<Scalar: Number> + Default + 'static {
     /// Its connection points.
     type Point: Reading;
 
-    /// What is given at every step, out of all its numbers.
+    /// Returns the inputs from all their numbers.
     fn inputs(given: &[f64]) -> Self::Inputs;
 
     /// The connection points among the results.
@@ -25,11 +25,11 @@ pub trait Subject: GeneratedChain<Scalar: Number> + Default + 'static {
 
 /// A connection point in any number of dimensions.
 pub trait Reading {
-    /// In m, as far as the chain has directions.
+    /// The position in m, in the directions that the chain has.
     fn position(&self) -> [f64; 3];
-    /// In N.
+    /// The force in N.
     fn force(&self) -> [f64; 3];
-    /// In N m.
+    /// The moment in N m.
     fn moment(&self) -> [f64; 3];
 }
 
@@ -75,7 +75,7 @@ impl<T: Number> Reading for LinePoint<T> {
     }
 }
 
-/// Writes the coordinates, rates and time of one state into another, rounded to its numbers.
+/// Writes the coordinates, rates and time of one state into another, rounded to its precision.
 pub fn convert<A, B>(from: &A, to: &mut B)
 where
     A: ChainState<Scalar: Number>,
@@ -89,7 +89,7 @@ where
     to.set_time(B::Scalar::constant(from.time().into()));
 }
 
-/// A list in double precision.
+/// Returns a list in double precision.
 pub fn doubles<T: Number>(numbers: &[T]) -> Vec<f64> {
     numbers.iter().map(|&number| number.into()).collect()
 }

@@ -9,7 +9,7 @@ use mstmm_codegen::compile::{Compiled, compile};
 use mstmm_codegen::ids::{InputId, ParameterId};
 use mstmm_codegen::model::{Chain, HingeKind, InputKind, Layout};
 use mstmm_codegen::program::Argument;
-use mstmm_reference::{Dimension, Ends, Joining, Random, Recipe};
+use mstmm_reference::{Dimension, Ends, HingeChoice, Random, Recipe};
 use std::collections::HashMap;
 
 /// A chain with its functions.
@@ -55,7 +55,7 @@ pub fn recipe(seed: u64, random: &mut Random) -> Recipe {
     };
     let number = seed as usize / 4;
     let ends = if seed % 4 == 3 { ENDS[3 + number % 4] } else { ENDS[number % 3] };
-    let rich = Recipe::rich(dimension, 2 + random.below(2), ends, &Joining::ALL);
+    let rich = Recipe::rich(dimension, 2 + random.below(2), ends, &HingeChoice::ALL);
     Recipe { loads: 0.4, springs: 0.3, ..rich }
 }
 

@@ -1,6 +1,6 @@
-//! The internal loads reported at the connection points, weighed against the bodies' motions.
+//! The internal loads at the connection points, compared with the motions of the bodies.
 
-use crate::outside::wrench_on;
+use crate::loads::wrench_on;
 use crate::samples::{
     Case, assert_close, central_inertia, gravity, matrix, plain_cases, rich_cases,
 };
@@ -9,7 +9,7 @@ use mstmm_reference::{
 };
 use nalgebra::{Matrix3, Vector3};
 
-/// Returns the acceleration of a body's centre of mass, reckoned from its input point.
+/// Returns the acceleration of a body's centre of mass, computed from its input point.
 fn com_acceleration(body: &Body, input: &Point) -> Vector3<f64> {
     let arm = matrix(&input.rotation) * Vector3::from(body.com);
     let spin = Vector3::from(input.angular_velocity);
@@ -18,7 +18,7 @@ fn com_acceleration(body: &Body, input: &Point) -> Vector3<f64> {
         + spin.cross(&spin.cross(&arm))
 }
 
-/// Returns what of a body's inertia counts, about its centre of mass.
+/// Returns the relevant part of a body's inertia, about its centre of mass.
 fn counting_inertia(case: &Case, body: &Body) -> Matrix3<f64> {
     match case.chain.dimension {
         Dimension::Space => central_inertia(body),
@@ -29,8 +29,8 @@ fn counting_inertia(case: &Case, body: &Body) -> Matrix3<f64> {
     }
 }
 
-/// Every body obeys Newton and Euler under its weight, the loads from outside and those at its two
-/// ends, about a point that has nothing to do with it: the inertial origin.
+/// Every body fulfils Newton's and Euler's equations about the inertial origin under its weight, the
+/// external loads and the loads at its two ends.
 #[test]
 fn every_body_is_in_balance() {
     for case in plain_cases().into_iter().chain(rich_cases()) {
@@ -67,13 +67,13 @@ fn every_body_is_in_balance() {
     }
 }
 
-/// Along a line, moments are of no interest.
+/// Returns whether the chain is a line chain, in which moments are ignored.
 fn is_line(case: &Case) -> bool {
     case.chain.dimension == Dimension::Line
 }
 
-/// A hinge along which nothing acts passes on the effort of its motor, or of its drive, along every
-/// one of its rates; and both its points carry one and the same wrench.
+/// A hinge without springs, dampers and so on transmits the effort of its motor or drive along each
+/// of its rates, and both its points carry the same wrench.
 #[test]
 fn hinges_pass_on_their_efforts() {
     let open = |case: &Case| !case.chain.closed();
@@ -83,7 +83,7 @@ fn hinges_pass_on_their_efforts() {
             let Element::Hinge(hinge) = element else { return None };
             Some((k, hinge))
         });
-        let (mut rate, mut motion) = (case.chain.base_freedoms(), 0);
+        let (mut rate, mut motion) = (case.chain.base_dof_count(), 0);
         for ((k, hinge), efforts) in hinges.zip(&solution.efforts) {
             let (inboard, outboard) = (&solution.points[k], &solution.points[k + 1]);
             let between = Vector3::from(outboard.position) - Vector3::from(inboard.position);
@@ -106,13 +106,13 @@ fn hinges_pass_on_their_efforts() {
                 let tolerance = 1e-11 * (1.0 + force.norm() + moment.norm());
                 assert_close(passed_on, *effort, tolerance, &case.chain.name);
             }
-            rate += hinge.freedoms();
+            rate += hinge.dof_count();
             motion += usize::from(hinge.prescribed);
         }
     }
 }
 
-/// Solves the case with one rate that is one and all others zero.
+/// Solves the case with one rate equal to 1 and all others 0.
 fn only(case: &Case, prescribed: bool, rate: usize, place: [usize; 2]) -> Solution {
     let mut state = State { v: vec![0.0; case.state.v.len()], ..case.state.clone() };
     let mut drives = case.drives.clone();
@@ -127,7 +127,7 @@ fn only(case: &Case, prescribed: bool, rate: usize, place: [usize; 2]) -> Soluti
     case.chain.solve_driven(&state, &drives)
 }
 
-/// Ends that are free carry nothing, ground does not move, and other ends move as they are told.
+/// Free ends carry no load, the ground does not move, and moving ends move as prescribed.
 #[test]
 fn ends_are_as_described() {
     for case in plain_cases().into_iter().chain(rich_cases()) {
@@ -165,7 +165,7 @@ fn ends_are_as_described() {
     }
 }
 
-/// Nothing inside a floating chain moves its common centre of mass off its free fall.
+/// The common centre of mass of a floating chain falls freely, whatever acts inside the chain.
 #[test]
 fn floating_chains_fall_freely() {
     let rich = rich_cases()

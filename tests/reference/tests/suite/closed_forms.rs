@@ -6,8 +6,8 @@ use mstmm_reference::{
 };
 use nalgebra::Vector3;
 
-/// A cube on a pin about z, turned by an angle from the x axis, falls with m g l cos(angle) / I;
-/// its hinge carries what the circular motion and the weight leave over.
+/// A cube on a pin about z, at an angle from the x axis, has the angular acceleration
+/// m g l cos(angle) / I; its hinge carries the centripetal force and the rest of the weight.
 #[test]
 fn pin_pendulum() {
     let pin = hinge("j1", HingeKind::Pin { axis: [0.0, 0.0, 3.0] });
@@ -61,7 +61,7 @@ fn tumbling_body() {
     assert!(loads.flatten().all(|load| load == 0.0), "free ends carry nothing");
 }
 
-/// The axis of a free symmetric top goes round a cone with a known period, while the top spins.
+/// The axis of a free symmetric top moves on a cone with a known period.
 #[test]
 fn symmetric_top() {
     let (across, along) = (0.5, 0.8);
@@ -80,7 +80,7 @@ fn symmetric_top() {
         v: vec![0.0, 0.0, 0.0, wobble, 0.0, spin],
     };
     simulate(&chain, &start, &[0.0; 6], &[1.0, 4.0, 10.0], |sample| {
-        // Seen from the body, the angular velocity turns with (along - across) / across * spin.
+        // In the body frame, the angular velocity rotates at (along - across) / across * spin.
         let phase = (along - across) / across * spin * sample.time;
         let expected = [wobble * phase.cos(), wobble * phase.sin(), spin];
         for (found, expected) in sample.state.v[3..].iter().zip(expected) {

@@ -1,4 +1,4 @@
-//! Hinges of several freedoms, held against chains of simpler hinges with next to no mass between.
+//! Hinges with several degrees of freedom, compared with chains of simpler hinges and tiny masses.
 
 use crate::samples::{assert_close, cube, disc, matrix, pin_about_z, rich_cases};
 use mstmm_reference::{
@@ -7,7 +7,7 @@ use mstmm_reference::{
 };
 use nalgebra::Vector3;
 
-/// The mass of a body between simpler hinges, against about one of others.
+/// The mass of a body between simpler hinges; other bodies have about 1.
 const NEXT_TO_NOTHING: f64 = 1e-8;
 const TOLERANCE: f64 = 3e-6;
 
@@ -15,7 +15,7 @@ const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// The simpler hinges that a hinge is made of, each with the number of its coordinate there.
+/// The simpler hinges that replace a hinge, each with the index of its coordinate there.
 type Pieces = Vec<(HingeKind, usize)>;
 
 fn compounds() -> Vec<(HingeKind, Pieces)> {
@@ -39,7 +39,7 @@ fn compounds() -> Vec<(HingeKind, Pieces)> {
     ]
 }
 
-/// Gives a hinge something of everything, different for every coordinate.
+/// Returns a hinge with springs, dampers, rotors and so on, different for every coordinate.
 fn with_everything(kind: &HingeKind) -> Hinge {
     let list =
         |first: f64, count: usize| (0..count).map(|k| first * (1.0 + 0.3 * k as f64)).collect();
@@ -63,7 +63,7 @@ fn with_everything(kind: &HingeKind) -> Hinge {
     hinge
 }
 
-/// Returns the part of a group that belongs to one of its strains, or all for a ball.
+/// Returns the part of a group for one of its strains, or all of it for a ball.
 fn part(group: &Group, k: usize, whole: bool) -> Group {
     let pick = |list: &Vec<f64>| if whole { list.clone() } else { vec![list[k]] };
     Group {
@@ -75,7 +75,7 @@ fn part(group: &Group, k: usize, whole: bool) -> Group {
     }
 }
 
-/// Returns the hinge in pieces, with what acts along them.
+/// Returns the simpler hinges, with everything that acts along them.
 fn in_pieces(hinge: &Hinge, pieces: &Pieces) -> Vec<Element> {
     let mut elements = Vec::new();
     for (number, (kind, coordinate)) in pieces.iter().enumerate() {
@@ -127,9 +127,9 @@ fn compounds_move_like_their_pieces() {
         for seed in 0..5 {
             let mut random = Random::new(10 * number as u64 + seed);
             let hinge = with_everything(&kind);
-            // Every strain rate once, in the order of the strains; a ball takes three.
+            // Every strain rate once, in the order of the strains; a ball has three.
             let strain_rates: Vec<f64> =
-                (0..kind.freedoms()).map(|_| random.between(-2.0, 2.0)).collect();
+                (0..kind.dof_count()).map(|_| random.between(-2.0, 2.0)).collect();
             let mut q: Vec<f64> =
                 (0..kind.coordinates()).map(|_| random.between(-0.6, 0.6)).collect();
             if kind.has_quaternion() {
@@ -147,15 +147,15 @@ fn compounds_move_like_their_pieces() {
             let mut state = State { q: vec![0.4], v: vec![-0.7] };
             for (piece, first) in &pieces {
                 state.q.extend(&q[*first..first + piece.coordinates()]);
-                state.v.extend(&strain_rates[*first..first + piece.freedoms()]);
+                state.v.extend(&strain_rates[*first..first + piece.dof_count()]);
             }
-            let expected = apart.solve(&state, &vec![0.0; apart.freedoms()]);
+            let expected = apart.solve(&state, &vec![0.0; apart.dof_count()]);
 
             let last = apart.elements.len() - 1;
             let sides = (&expected.points[2], &expected.points[last]);
             let v = rates(&kind, sides.0, sides.1, &strain_rates);
             let state = State { q: [vec![0.4], q].concat(), v: [vec![-0.7], v].concat() };
-            let found = whole.solve(&state, &vec![0.0; whole.freedoms()]);
+            let found = whole.solve(&state, &vec![0.0; whole.dof_count()]);
             compare(&format!("{kind:?} {seed}"), &found, &expected);
         }
     }
@@ -187,7 +187,7 @@ fn compare(name: &str, found: &Solution, expected: &Solution) {
     assert_close(found.potential_energy, expected.potential_energy, TOLERANCE, name);
 }
 
-/// A floating hinge at the end of a closed chain forbids nothing: the rest moves as without it.
+/// A floating hinge at the end of a closed chain constrains nothing: the rest moves as without it.
 #[test]
 fn closing_by_a_floating_hinge_changes_nothing() {
     let cases = rich_cases();
@@ -205,7 +205,7 @@ fn closing_by_a_floating_hinge_changes_nothing() {
         drives.efforts.extend([0.0; 6]);
         drives.finish.position = end.position;
         drives.finish.velocity = end.velocity;
-        // The frame need not turn along: the hinge lets it.
+        // The frame need not rotate with the body: the hinge allows it.
         let mut state = case.state.clone();
         let turn = nalgebra::Rotation3::from_matrix_unchecked(matrix(&end.rotation).transpose());
         let quaternion = nalgebra::UnitQuaternion::from_rotation_matrix(&turn);

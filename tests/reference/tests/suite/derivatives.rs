@@ -1,23 +1,23 @@
-//! The reported accelerations, held against differences of reported velocities, and the reported
-//! efforts against differences of the reported energies.
+//! Accelerations compared with differences of velocities, and efforts compared with differences of
+//! energies.
 //!
-//! This ties together what is easily wrong on its own: the conventions of the hinge rates, the
-//! accelerations in these rates, the accelerations of the connection points, and all that acts.
+//! These tests connect the conventions of the hinge rates, the accelerations in these rates, the
+//! accelerations of the connection points, and all efforts and loads.
 
-use crate::outside::power_on;
+use crate::loads::power_on;
 use crate::samples::{Case, assert_close, gravity, matrix, plain_cases, rich_cases};
 use mstmm_reference::{Element, End, Gravity, Group, Hinge, Point, Solution};
 use nalgebra::Vector3;
 
 /// The time in s between two solutions.
 const STEP: f64 = 2e-5;
-/// What slopes by [`slope`] can be trusted to, fast chains included.
+/// The accuracy of [`slope`], also for fast chains.
 const TOLERANCE: f64 = 2e-7;
 
-/// Moments near the present one.
+/// Times near the present time.
 const MOMENTS: [f64; 4] = [-2.0 * STEP, -STEP, STEP, 2.0 * STEP];
 
-/// Returns the slope at the present moment, given values at [`MOMENTS`]: two central differences,
+/// Returns the derivative at the present time from values at [`MOMENTS`]: two central differences,
 /// extrapolated to a step of zero.
 fn slope([before_2, before_1, after_1, after_2]: [f64; 4]) -> f64 {
     (8.0 * (after_1 - before_1) - (after_2 - before_2)) / (12.0 * STEP)
@@ -33,7 +33,7 @@ fn around(case: &Case, now: &Solution) -> [Case; 4] {
         let drives = case.drives.moved(&case.chain, t);
         let mut state = case.chain.moved(&case.state, &now.accelerations, t);
         if case.chain.closed() {
-            // What is lacking is of third order.
+            // The error is of third order.
             state = case.chain.close(&state, &drives).expect("a state that almost closes");
         }
         Case { chain: case.chain.clone(), state, drives }
@@ -62,8 +62,8 @@ fn points_accelerate_as_their_velocities_change() {
     }
 }
 
-/// Motors, drives, moving ends, loads, gravity that is an input, dampers and friction: nothing else
-/// changes the energy.
+/// Only motors, drives, moving ends, loads, gravity as an input, dampers and friction change the
+/// energy.
 #[test]
 fn energy_changes_by_the_power_of_all_that_acts() {
     for case in cases() {
@@ -76,25 +76,25 @@ fn energy_changes_by_the_power_of_all_that_acts() {
         let rates = strain_rates(&case, &around);
         let power = power_of_efforts(&case, &now) - dissipation(&case, &rates)
             + power_at_ends(&case, &now)
-            + power_from_outside(&case, &now);
+            + power_of_loads(&case, &now);
         let tolerance = TOLERANCE * (1.0 + now.kinetic_energy);
         assert_close(slope(energies), power, tolerance, &case.chain.name);
     }
 }
 
-/// Returns the rates of a hinge, whether they belong to the state or not, for all hinges.
+/// Returns the rates of all hinges, also of prescribed ones.
 fn hinge_rates(case: &Case) -> Vec<Vec<f64>> {
-    let mut free = case.state.v[case.chain.base_freedoms()..].iter().copied();
+    let mut free = case.state.v[case.chain.base_dof_count()..].iter().copied();
     let mut prescribed = case.drives.motions.iter();
     let of_hinge = |hinge: &Hinge| match hinge.prescribed {
         true => prescribed.next().unwrap().v.clone(),
-        false => free.by_ref().take(hinge.kind.freedoms()).collect(),
+        false => free.by_ref().take(hinge.kind.dof_count()).collect(),
     };
     case.chain.hinges().map(of_hinge).collect()
 }
 
-/// Returns the strain rates of all hinges: the slopes of coordinates, but angular velocities where
-/// these are a quaternion.
+/// Returns the strain rates of all hinges: derivatives of coordinates, and angular velocities instead
+/// of the derivatives of quaternions.
 fn strain_rates(case: &Case, around: &[Case; 4]) -> Vec<Vec<f64>> {
     let of_hinge = |(number, (hinge, v)): (usize, (&Hinge, Vec<f64>))| {
         let q = around.each_ref().map(|moment| coordinates(moment, number));
@@ -115,7 +115,7 @@ fn power_of_efforts(case: &Case, now: &Solution) -> f64 {
     now.efforts.concat().iter().zip(&rates).map(|(effort, rate)| effort * rate).sum()
 }
 
-/// Returns the power that dampers, friction and limits take away.
+/// Returns the power that dampers, friction and limits dissipate.
 fn dissipation(case: &Case, strain_rates: &[Vec<f64>]) -> f64 {
     let entry = |list: &[f64], k: usize| list.get(k).or(list.first()).copied().unwrap_or(0.0);
     let mut total = 0.0;
@@ -169,7 +169,7 @@ fn coordinates(case: &Case, number: usize) -> Vec<f64> {
     case.state.q[first..first + hinge.coordinates()].to_vec()
 }
 
-/// Returns the power that the frames at the ends put into the chain.
+/// Returns the power that the frames at the ends supply to the chain.
 fn power_at_ends(case: &Case, now: &Solution) -> f64 {
     let dot = |a: [f64; 3], b: [f64; 3]| Vector3::from(a).dot(&Vector3::from(b));
     let into_next = |point: &Point| {
@@ -185,8 +185,8 @@ fn power_at_ends(case: &Case, now: &Solution) -> f64 {
     power
 }
 
-/// Returns the power of loads, dampers to the ground, and gravity where it has no potential.
-fn power_from_outside(case: &Case, now: &Solution) -> f64 {
+/// Returns the power of loads, dampers to the ground, and gravity if it has no potential.
+fn power_of_loads(case: &Case, now: &Solution) -> f64 {
     let mut power = 0.0;
     for (element, input) in case.chain.elements.iter().zip(&now.points) {
         let Element::Body(body) = element else { continue };

@@ -4,9 +4,9 @@ use crate::samples::{
     PLAIN_ENDS, central_inertia, cube, hinge, pin_about_z, plain_cases, rich_cases,
 };
 use mstmm_reference::{
-    About, Axes, Axis, Body, Chain, Dimension, Drives, Element, End, Frame, Gravity, Group, Hinge,
-    HingeKind, Joining, Limits, Load, Random, Recipe, Source, Spot, Spring, State, random_chain,
-    random_mechanism, random_motion, random_state,
+    About, Axes, Axis, Body, BodyPoint, Chain, Dimension, Drives, Element, End, Frame, Gravity,
+    Group, Hinge, HingeChoice, HingeKind, Limits, Load, Random, Recipe, Source, Spring, State,
+    random_chain, random_mechanism, random_motion, random_state,
 };
 
 #[test]
@@ -70,7 +70,7 @@ fn text_of_a_chain_held_at_its_finish() {
     assert!(text.ends_with("    B1 b1 -> weld w1 -> ground;\n}\n"), "{text}");
 }
 
-/// Returns what is said of one hinge.
+/// Returns the text of one hinge's block.
 fn section(hinge: Hinge) -> String {
     let name = hinge.name.clone();
     let chain = Chain::new("One", [0.0; 3], vec![Element::Hinge(hinge), cube("b1")]);
@@ -177,7 +177,7 @@ fn text_of_a_chain_in_the_plane() {
     chain.loads.push(Load {
         name: "push".to_owned(),
         body: "bar".to_owned(),
-        at: Spot::Named { name: "tip".to_owned(), position: [0.75, 0.0, 0.0] },
+        at: BodyPoint::Named { name: "tip".to_owned(), position: [0.75, 0.0, 0.0] },
         force: Source::Constant([1.0, -2.0, 0.0]),
         torque: Source::Input,
         axes: Axes::Body,
@@ -185,7 +185,7 @@ fn text_of_a_chain_in_the_plane() {
     chain.springs.push(Spring {
         name: "s1".to_owned(),
         body: "bar".to_owned(),
-        at: Spot::Output,
+        at: BodyPoint::Output,
         to: [0.0, 3.0, 0.0],
         stiffness: 10.0,
         damping: 0.0,
@@ -247,7 +247,7 @@ pub line chain Track {
 fn seeds_repeat() {
     let make = || {
         let mut random = Random::new(7);
-        let kinds = [Joining::Weld, Joining::Pin, Joining::Ball];
+        let kinds = [HingeChoice::Weld, HingeChoice::Pin, HingeChoice::Ball];
         let chains = PLAIN_ENDS.map(|ends| random_chain(&mut random, "Again", 4, ends, &kinds));
         let states: Vec<State> = chains.iter().map(|c| random_state(&mut random, c)).collect();
         let rich: Vec<(Chain, State, Drives)> = (0..5)
@@ -263,7 +263,7 @@ fn seeds_repeat() {
     assert_eq!(make(), make());
 }
 
-/// Moments of inertia are positive, and none is greater than the other two together.
+/// Moments of inertia are positive, and none is larger than the sum of the other two.
 #[test]
 fn random_bodies_are_possible() {
     for case in plain_cases() {
@@ -275,7 +275,7 @@ fn random_bodies_are_possible() {
     }
 }
 
-/// The special cases that random chains are meant to have do occur.
+/// Random chains have the special cases that they are meant to have.
 #[test]
 fn random_chains_have_special_data() {
     let cases = plain_cases();
@@ -296,7 +296,7 @@ fn random_chains_have_special_data() {
     assert!(cases.iter().any(|case| offset_ground(&case.chain)));
 }
 
-/// Random chains with everything do have everything.
+/// Random chains in which everything may occur do have everything.
 #[test]
 fn rich_chains_are_rich() {
     let cases = rich_cases();
@@ -318,7 +318,7 @@ fn rich_chains_are_rich() {
     assert!(some_group(&|group| matches!(group.motor, Source::Constant(_))));
     let loads = || cases.iter().flat_map(|case| &case.chain.loads);
     assert!(loads().any(|load| load.axes == Axes::Body && load.force == Source::Input));
-    assert!(loads().any(|load| matches!(load.at, Spot::Named { .. })));
+    assert!(loads().any(|load| matches!(load.at, BodyPoint::Named { .. })));
     let springs = || cases.iter().flat_map(|case| &case.chain.springs);
     assert!(springs().any(|spring| spring.length == 0.0));
     assert!(springs().any(|spring| spring.length > 0.0 && spring.damping > 0.0));

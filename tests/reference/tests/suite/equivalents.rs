@@ -1,16 +1,16 @@
-//! One mechanism described in two ways moves in one way.
+//! Two descriptions of one mechanism give the same motion.
 
 use crate::samples::{Case, assert_close, case, central_inertia_of, rich_cases};
 use mstmm_reference::{
-    About, Chain, Dimension, Element, End, Ends, Frame, FrameMotion, Hinge, HingeKind, HingeMotion,
-    Joining, Random, Recipe, Solution, Source,
+    About, Chain, Dimension, Element, End, Ends, Frame, FrameMotion, Hinge, HingeChoice, HingeKind,
+    HingeMotion, Random, Recipe, Solution, Source,
 };
 
-/// Returns where the entries of a hinge in the state are: the coordinates, then the rates.
+/// Returns the ranges of a hinge's entries in the state: the coordinates, then the rates.
 fn entries(chain: &Chain, name: &str) -> [std::ops::Range<usize>; 2] {
-    let (mut q, mut v) = (chain.base_coordinates(), chain.base_freedoms());
+    let (mut q, mut v) = (chain.base_coordinates(), chain.base_dof_count());
     for hinge in chain.hinges() {
-        let own = [q..q + hinge.coordinates(), v..v + hinge.freedoms()];
+        let own = [q..q + hinge.coordinates(), v..v + hinge.dof_count()];
         if hinge.name == name {
             return own;
         }
@@ -19,7 +19,7 @@ fn entries(chain: &Chain, name: &str) -> [std::ops::Range<usize>; 2] {
     panic!("there is no hinge {name}")
 }
 
-/// Returns the case with one more hinge prescribed, to move as it does freely.
+/// Returns the case with one more hinge prescribed, with its free motion.
 fn prescribe(case: &Case, free: &Solution, name: &str) -> Case {
     let [q, v] = entries(&case.chain, name);
     let mut prescribed =
@@ -46,13 +46,12 @@ fn prescribe(case: &Case, free: &Solution, name: &str) -> Case {
     prescribed
 }
 
-/// A hinge made to move as it moves freely needs the effort that its motor gave, and nothing else
-/// changes.
+/// A hinge with its free motion prescribed needs the effort of its motor, and nothing else changes.
 #[test]
 fn prescribed_motions_need_the_efforts_of_free_ones() {
     for case in rich_cases() {
         let free = case.solve();
-        let candidates = case.chain.hinges().enumerate().filter(|(_, hinge)| hinge.freedoms() > 0);
+        let candidates = case.chain.hinges().enumerate().filter(|(_, hinge)| hinge.dof_count() > 0);
         for (number, hinge) in candidates {
             let driven = prescribe(&case, &free, &hinge.name).solve();
             let own = entries(&case.chain, &hinge.name)[1].clone();
@@ -78,7 +77,7 @@ fn prescribed_motions_need_the_efforts_of_free_ones() {
 fn moving_frames_are_prescribed_floating_hinges() {
     for seed in 0..20 {
         let mut random = Random::new(seed);
-        let recipe = Recipe::rich(Dimension::Space, 3, Ends::MovingFree, &Joining::ALL);
+        let recipe = Recipe::rich(Dimension::Space, 3, Ends::MovingFree, &HingeChoice::ALL);
         let mut moving = case(&mut random, &format!("Moving{seed}"), &recipe);
         let Element::Hinge(first) = &moving.chain.elements[0] else { unreachable!() };
         let name = first.name.clone();
@@ -124,7 +123,7 @@ fn moving_frames_are_prescribed_floating_hinges() {
     }
 }
 
-/// A chain of the plane or of a line moves like the same chain in space.
+/// A plane or line chain moves like the same chain in space.
 #[test]
 fn lower_dimensions_move_as_in_space() {
     let elastic_in_plane =
@@ -137,7 +136,7 @@ fn lower_dimensions_move_as_in_space() {
     for case in rich_cases().into_iter().filter(comparable) {
         let mut chain = case.chain.in_space();
         for element in &mut chain.elements {
-            // Nothing turns about x and y, and along a line not at all, but inertia has to be.
+            // No rotation uses these moments, but every body needs an inertia.
             if let Element::Body(body) = element {
                 body.about = About::Com;
                 let of_flat = central_inertia_of(&case, &body.name);

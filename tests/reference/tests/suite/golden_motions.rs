@@ -7,7 +7,7 @@ use crate::samples::{assert_close, matrix, three_cubes};
 use mstmm_reference::{HingeKind, State, simulate};
 use std::f64::consts::TAU;
 
-/// The accuracy the reference is to have at all of [`TIMES`].
+/// The required accuracy of the reference at all of [`TIMES`].
 const TOLERANCE: f64 = 1e-9;
 
 const TIMES: [f64; 5] = [0.5, 1.0, 2.0, 3.0, 5.0];
@@ -118,7 +118,7 @@ fn cubes_on_pins() {
     let chain = three_cubes(&HingeKind::Pin { axis: [0.0, 0.0, 1.0] });
     let start = State { q: vec![0.0; 3], v: vec![0.0, 1.0, 0.0] };
     let solution = chain.solve(&start, &[0.0; 3]);
-    // The last recorded value is off by some 4e-13: in full it is -117.6 / 97.
+    // The last recorded value has an error of 4e-13: the exact value is -117.6 / 97.
     for (found, expected) in solution.accelerations.iter().zip(PIN_ACCELERATIONS) {
         assert_close(*found, expected, 1e-12, "acceleration at the start");
     }

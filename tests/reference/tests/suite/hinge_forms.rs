@@ -5,7 +5,7 @@ use mstmm_reference::{
     About, Body, Chain, Dimension, Drives, Element, End, Frame, Hinge, HingeKind, Source, State,
 };
 
-/// A load on a vertical screw sinks and turns: (J + m p²) θ'' = τ - m g p.
+/// A load on a vertical screw sinks and rotates: (J + m p²) θ'' = τ - m g p.
 #[test]
 fn screw_under_gravity() {
     let (pitch, inertia, mass, gravity) = (0.2, 0.3, 2.0, 9.8);
@@ -18,13 +18,13 @@ fn screw_under_gravity() {
     assert_close(solution.accelerations[0], expected, 1e-14, "acceleration");
     assert_close(solution.kinetic_energy, 0.5 * reduced * rate * rate, 1e-14, "kinetic");
     assert_close(solution.potential_energy, mass * gravity * pitch * angle, 1e-14, "potential");
-    // The thread carries the weight but for what accelerates, and its moment is what is left.
+    // The thread carries the weight minus the inertia force, and the moment that does not accelerate.
     let force = mass * (gravity + pitch * expected);
     assert_close(solution.points[1].force[2], force, 1e-13, "force");
     assert_close(solution.points[1].moment[2], -inertia * expected, 1e-13, "moment");
 }
 
-/// A slider takes the part of gravity along its axis, and its motor's force.
+/// A slider accelerates by the component of gravity along its axis and the force of its motor.
 #[test]
 fn slider_on_a_slope() {
     let mass = 2.5;
@@ -34,7 +34,7 @@ fn slider_on_a_slope() {
     assert_close(solution.accelerations[0], 9.8 * 0.8 + 5.0 / mass, 1e-14, "acceleration");
     assert_close(solution.points[2].position[0], 0.3, 1e-15, "position");
     assert_close(solution.potential_energy, -mass * 9.8 * 0.4, 1e-14, "potential");
-    // The slope carries the rest of the weight; about the origin that has shifted, a moment.
+    // The slope carries the rest of the weight, with a moment about the displaced origin.
     let across = mass * 9.8 * 0.6;
     let [at_ground, at_body] = [&solution.points[0], &solution.points[1]];
     let normal = [0.8, 0.0, 0.6];
@@ -46,7 +46,7 @@ fn slider_on_a_slope() {
     assert_close(at_ground.moment[1], across * 0.5, 1e-13, "moment at the ground");
 }
 
-/// A mass on a spring, a damper, friction and a stop: every force at once.
+/// A mass with a spring, a damper, friction and a limit: all forces at once.
 #[test]
 fn slider_with_everything_passive() {
     let mut slider = Hinge::new("j1", HingeKind::Slider { axis: [1.0, 0.0, 0.0] });
@@ -75,7 +75,7 @@ fn slider_with_everything_passive() {
     }
 }
 
-/// Two discs on one axis, a rotor between them that turns with the second hinge.
+/// Two discs on one axis, and a rotor between them that rotates with the second hinge.
 #[test]
 fn rotor_between_discs() {
     let (first, second, rotor) = (0.6, 0.2, 0.35);
@@ -103,7 +103,7 @@ fn rotor_between_discs() {
     assert_close(solution.kinetic_energy, turning, 1e-14, "kinetic");
 }
 
-/// A frame that turns steadily drags a pendulum along, whose pivot accelerates.
+/// A pendulum on a frame that rotates at a constant rate, so that its pivot accelerates.
 #[test]
 fn pendulum_on_a_moving_frame() {
     let chain = Chain {
@@ -124,7 +124,7 @@ fn pendulum_on_a_moving_frame() {
     assert_eq!(solution.points[0].angular_acceleration, [0.0, 0.0, 0.7]);
 }
 
-/// What drives a pendulum steadily holds against gravity and turns the rotor.
+/// The drive of a pendulum with a prescribed motion balances gravity and accelerates the rotor.
 #[test]
 fn prescribed_pendulum() {
     let mut pin = Hinge::new("j1", HingeKind::Pin { axis: [0.0, 0.0, 1.0] });
@@ -147,7 +147,7 @@ fn prescribed_pendulum() {
     assert_close(solution.points[1].angular_acceleration[2], acceleration, 1e-15, "carried out");
 }
 
-/// A parallelogram of two cranks and a coupler, which does not turn, moves like one pendulum.
+/// A parallelogram of two cranks and a coupler, which does not rotate, moves like one pendulum.
 #[test]
 fn parallelogram() {
     let (crank, coupler, gravity) = (0.8, 1.5, 9.8);
@@ -194,7 +194,7 @@ fn parallelogram() {
     }
 }
 
-/// Two masses on one line with a spring between: they swing about their common centre.
+/// Two masses on a line with a spring between them oscillate about their common centre.
 #[test]
 fn two_masses_on_a_line() {
     let (first, second, stiffness) = (2.0, 3.0, 10.0);

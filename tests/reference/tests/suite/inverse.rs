@@ -1,10 +1,10 @@
-//! Inverse dynamics, held against forward dynamics, energies and the power of all that acts.
+//! Inverse dynamics, compared with forward dynamics, energies and the power of all efforts and loads.
 
 use crate::samples::{Case, assert_close, plain_cases, rich_cases};
 use mstmm_reference::{Drives, Element, End, Gravity, Group, Hinge, State};
 
-/// Of the greatest effort: the rounding of a dense system of up to 66 unknowns, 7e-13 at most in the
-/// chains tried.
+/// The tolerance relative to the largest effort: the rounding error of a dense system of up to 66
+/// unknowns, at most 7e-13 in the chains tried.
 const TOLERANCE: f64 = 1e-11;
 
 fn cases() -> impl Iterator<Item = Case> {
@@ -19,23 +19,23 @@ fn times(matrix: &[Vec<f64>], vector: &[f64]) -> Vec<f64> {
     matrix.iter().map(|row| dot(row, vector)).collect()
 }
 
-/// Returns the efforts of all free rates in forward dynamics: those of motors, nothing at a base.
+/// Returns the efforts of all free rates in forward dynamics: of motors, and zero at a floating base.
 fn forward_efforts(case: &Case, efforts: &[Vec<f64>]) -> Vec<f64> {
     let own = case.chain.hinges().zip(efforts).filter(|(hinge, _)| !hinge.prescribed);
-    let base = vec![0.0; case.chain.base_freedoms()];
+    let base = vec![0.0; case.chain.base_dof_count()];
     base.into_iter().chain(own.flat_map(|(_, efforts)| efforts.iter().copied())).collect()
 }
 
-/// Returns whether a hinge or an end of the chain moves as it is told.
-fn is_told(case: &Case) -> bool {
+/// Returns whether the motion of a hinge or of an end of the chain is prescribed.
+fn is_prescribed(case: &Case) -> bool {
     let moving = |end: &End| matches!(end, End::Moving { .. });
     moving(&case.chain.start)
         || moving(&case.chain.finish)
         || case.chain.hinges().any(|hinge| hinge.prescribed)
 }
 
-/// `M v̇ + bias` are the efforts of the motors in an open chain. In a closed one the reactions of the
-/// closure are missing, which do no work on rates that close it.
+/// `M v̇ + bias` are the efforts of the motors in an open chain. In a closed chain the reactions of
+/// the loop constraint are missing, which do no work on rates that fulfil it.
 #[test]
 fn inverse_dynamics_undo_forward_dynamics() {
     let (mut open, mut closed) = (0, 0);
@@ -55,7 +55,7 @@ fn inverse_dynamics_undo_forward_dynamics() {
             for missing in missing {
                 assert_close(missing, 0.0, TOLERANCE * scale, &chain.name);
             }
-        } else if !is_told(&case) {
+        } else if !is_prescribed(&case) {
             closed += 1;
             let size: f64 = state.v.iter().map(|v| v.abs()).sum();
             assert_close(
@@ -69,7 +69,7 @@ fn inverse_dynamics_undo_forward_dynamics() {
     assert!(open > 100 && closed > 10, "{open} open chains, {closed} closed ones");
 }
 
-/// The kinetic energy is `½ vᵀ M v` where no rates are told, and `M` is symmetric.
+/// The kinetic energy is `½ vᵀ M v` if no rates are prescribed, and `M` is symmetric.
 #[test]
 fn mass_matrices_give_kinetic_energies() {
     for case in cases() {
@@ -82,7 +82,7 @@ fn mass_matrices_give_kinetic_energies() {
             }
         }
         let energy = 0.5 * dot(&times(&mass, &state.v), &state.v);
-        if !is_told(&case) {
+        if !is_prescribed(&case) {
             assert_close(energy, case.solve().kinetic_energy, TOLERANCE * scale, &chain.name);
         }
     }
@@ -91,12 +91,12 @@ fn mass_matrices_give_kinetic_energies() {
 /// The time in s between two energies.
 const STEP: f64 = 2e-5;
 
-/// Drives that keep all rates as they are put in what the energy gains, where nothing else takes or
-/// gives any: gravity, springs, limits and rotors alone.
+/// The power of the drives that keep all rates constant is the derivative of the energy, if only
+/// gravity, springs, limits and rotors act.
 #[test]
 fn bias_efforts_balance_the_power() {
     let mut tried = 0;
-    for mut case in cases().filter(|case| !case.chain.closed() && !is_told(case)) {
+    for mut case in cases().filter(|case| !case.chain.closed() && !is_prescribed(case)) {
         conserve(&mut case);
         tried += 1;
         let Case { chain, state, drives } = &case;
@@ -110,14 +110,14 @@ fn bias_efforts_balance_the_power() {
         let slope = (8.0 * (energy(STEP) - energy(-STEP))
             - (energy(2.0 * STEP) - energy(-2.0 * STEP)))
             / (12.0 * STEP);
-        // The rounding of energies over the step, and the third order that `moved` lacks.
+        // The rounding error of energies over the step, and the third-order error of `moved`.
         let tolerance = 2e-7 * (1.0 + case.solve().kinetic_energy);
         assert_close(power, slope, tolerance, &case.chain.name);
     }
     assert!(tried > 60, "{tried} chains");
 }
 
-/// Takes from a chain all that changes its energy but its drives.
+/// Removes everything that changes the energy of a chain except its drives.
 fn conserve(case: &mut Case) {
     let chain = &mut case.chain;
     chain.loads.clear();

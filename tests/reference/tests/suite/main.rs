@@ -1,5 +1,5 @@
-//! Checks of the reference against what is known without it: closed forms, balances, conserved
-//! quantities and recorded motions.
+//! Tests of the reference solver against closed forms, balances, conserved quantities and recorded
+//! motions.
 
 mod balances;
 mod closed_forms;
@@ -10,6 +10,6 @@ mod equivalents;
 mod golden_motions;
 mod hinge_forms;
 mod inverse;
+mod loads;
 mod motions;
-mod outside;
 mod samples;

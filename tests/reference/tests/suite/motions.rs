@@ -1,30 +1,29 @@
-//! Simulated motions: what they conserve, and that they are the motions of the chain.
+//! Simulated motions: conserved quantities, and consistency with the equations of motion.
 
 use crate::samples::{
     Case, assert_close, central_inertia, cube, flat_case, hinge, matrix, plain_cases,
 };
 use mstmm_reference::{
-    Chain, Dimension, Drives, Element, Ends, Gravity, HingeKind, Joining, Random, Recipe, Sample,
-    Source, State, random_mechanism, random_motion, simulate,
+    Chain, Dimension, Drives, Element, Ends, Gravity, HingeChoice, HingeKind, Random, Recipe,
+    Sample, Source, State, random_mechanism, random_motion, simulate,
 };
 use nalgebra::Vector3;
 
 const TIMES: [f64; 3] = [0.0, 0.3, 0.7];
 
-/// Returns random chains short enough to be simulated quickly by a build without optimisation:
-/// plain ones, and others with hinges of all kinds, closed ones among them, and with springs and
-/// rotors, but with nothing that takes energy away.
+/// Returns random chains short enough to be simulated quickly without optimisation: plain chains,
+/// and open and closed chains with hinges of all kinds, springs and rotors, but without dissipation.
 fn short_cases() -> Vec<Case> {
     let plain = plain_cases().into_iter().filter(|case| case.chain.bodies().count() <= 3);
     let mut cases: Vec<Case> = plain.take(24).collect();
     for dimension in [Dimension::Space, Dimension::Plane, Dimension::Line] {
         for ends in [Ends::HeldFree, Ends::FreeFree, Ends::FreeHeld, Ends::HeldHeld] {
             for seed in 0..3 {
-                cases.push(conservative_case(seed, dimension, ends, &Joining::ALL));
+                cases.push(conservative_case(seed, dimension, ends, &HingeChoice::ALL));
             }
         }
     }
-    let elastic = [Joining::Elastic];
+    let elastic = [HingeChoice::Elastic];
     let pair = |seed| conservative_case(seed, Dimension::Space, Ends::FreeFree, &elastic);
     cases.extend((1..4).map(pair));
     cases.extend((0..3).map(|seed| {
@@ -36,7 +35,7 @@ fn short_cases() -> Vec<Case> {
     cases
 }
 
-fn conservative_case(seed: u64, dimension: Dimension, ends: Ends, kinds: &[Joining]) -> Case {
+fn conservative_case(seed: u64, dimension: Dimension, ends: Ends, kinds: &[HingeChoice]) -> Case {
     let mut random = Random::new(seed);
     let recipe =
         Recipe { prescribed: 0.0, ..Recipe::rich(dimension, 1 + seed as usize, ends, kinds) };
@@ -47,7 +46,7 @@ fn conservative_case(seed: u64, dimension: Dimension, ends: Ends, kinds: &[Joini
     Case { chain, state, drives }
 }
 
-/// Takes away what takes energy away or brings it in, but for motors by input.
+/// Removes everything that changes the energy of a chain except input motors.
 fn conserve(chain: &mut Chain) {
     if chain.gravity == Gravity::Input {
         chain.gravity = [0.0; 3].into();
@@ -55,7 +54,7 @@ fn conserve(chain: &mut Chain) {
     chain.loads.clear();
     for spring in &mut chain.springs {
         spring.damping = 0.0;
-        // A motion along a line can pass the point on the ground, where the force would jump.
+        // A motion along a line can pass through the point on the ground, where the force would jump.
         spring.length = 0.0;
     }
     for element in &mut chain.elements {
@@ -69,16 +68,16 @@ fn conserve(chain: &mut Chain) {
             }
         }
         if hinge.kind == HingeKind::Elastic {
-            // The second angle must not come near a right one.
+            // The second angle must not come near a right angle.
             hinge.turning.stiffness = vec![60.0, 80.0, 70.0];
             hinge.rest = Vec::new();
         }
     }
 }
 
-/// Returns what can be expected of a motion: less where it is violent.
+/// Returns the tolerance of a motion: larger for fast motions.
 fn slack(chain: &Chain, state: &State) -> f64 {
-    let solution = chain.solve(state, &vec![0.0; chain.freedoms()]);
+    let solution = chain.solve(state, &vec![0.0; chain.dof_count()]);
     1e-10 * (1.0 + solution.kinetic_energy + solution.potential_energy.abs())
 }
 
@@ -100,7 +99,7 @@ fn energy_is_kept() {
     }
 }
 
-/// The state measured on the bodies places them where they are, so the hinges have held.
+/// The state computed from the bodies gives their poses again, so the hinge constraints are fulfilled.
 #[test]
 fn measured_states_describe_the_bodies() {
     for case in &short_cases() {
@@ -121,7 +120,7 @@ fn measured_states_describe_the_bodies() {
     }
 }
 
-/// The rates change by the accelerations that `solve` gives.
+/// The derivatives of the rates are the accelerations of `solve`.
 #[test]
 fn rates_change_as_solved() {
     let step = 1e-4;
@@ -173,7 +172,7 @@ fn momenta(chain: &Chain, sample: &Sample) -> [Vector3<f64>; 2] {
     total
 }
 
-/// A pin that goes round many times reports all of its turns.
+/// The angle of a pin counts all its turns.
 #[test]
 fn pins_count_their_turns() {
     let pin = hinge("j1", HingeKind::Pin { axis: [-1.0, 0.0, 0.0] });

@@ -1,16 +1,16 @@
-//! Chains the tests share, and what they compute with.
+//! Chains and helpers that the tests share.
 
 use mstmm_reference::{
-    About, Body, Chain, Dimension, Drives, Element, Ends, Frame, Gravity, Hinge, HingeKind,
-    Joining, Random, Recipe, Solution, State, random_chain, random_efforts, random_mechanism,
+    About, Body, Chain, Dimension, Drives, Element, Ends, Frame, Gravity, Hinge, HingeChoice,
+    HingeKind, Random, Recipe, Solution, State, random_chain, random_efforts, random_mechanism,
     random_motion, random_state,
 };
 use nalgebra::{Matrix3, Vector3};
 
-/// The ends of chains that are not closed and do not move as they are told.
+/// The ends of chains that are not closed and have no prescribed motions.
 pub(crate) const PLAIN_ENDS: [Ends; 3] = [Ends::HeldFree, Ends::FreeFree, Ends::FreeHeld];
 
-/// A chain with something to compute about it.
+/// A chain with a state and inputs.
 pub(crate) struct Case {
     pub(crate) chain: Chain,
     pub(crate) state: State,
@@ -25,8 +25,8 @@ impl Case {
 
 /// Returns random chains of pins, balls and welds with nothing but motors.
 pub(crate) fn plain_cases() -> Vec<Case> {
-    use Joining::{Ball, Pin, Weld};
-    let kinds: [&[Joining]; 4] = [&[Pin], &[Ball], &[Weld, Pin], &[Weld, Pin, Ball]];
+    use HingeChoice::{Ball, Pin, Weld};
+    let kinds: [&[HingeChoice]; 4] = [&[Pin], &[Ball], &[Weld, Pin], &[Weld, Pin, Ball]];
     let mut cases = Vec::new();
     for seed in 0..40 {
         let mut random = Random::new(seed);
@@ -43,7 +43,7 @@ pub(crate) fn plain_cases() -> Vec<Case> {
     cases
 }
 
-/// Returns random chains with all hinges, ends and dimensions, and with all that can act.
+/// Returns random chains with all hinges, ends, dimensions, efforts and loads.
 pub(crate) fn rich_cases() -> Vec<Case> {
     let mut cases = Vec::new();
     for dimension in [Dimension::Space, Dimension::Plane, Dimension::Line] {
@@ -51,7 +51,7 @@ pub(crate) fn rich_cases() -> Vec<Case> {
             for seed in 0..if dimension == Dimension::Space { 12 } else { 5 } {
                 let mut random = Random::new(seed);
                 let bodies = 1 + random.below(5);
-                let recipe = Recipe::rich(dimension, bodies, ends, &Joining::ALL);
+                let recipe = Recipe::rich(dimension, bodies, ends, &HingeChoice::ALL);
                 cases.push(case(&mut random, &format!("{dimension:?}{ends:?}{seed}"), &recipe));
             }
         }
@@ -63,7 +63,7 @@ pub(crate) fn rich_cases() -> Vec<Case> {
 /// Returns a loop in space whose pins are all parallel, so its hinges are redundant.
 pub(crate) fn flat_case(seed: u64) -> Case {
     let mut random = Random::new(seed);
-    let kinds = [Joining::Pin, Joining::Pin, Joining::Slider];
+    let kinds = [HingeChoice::Pin, HingeChoice::Pin, HingeChoice::Slider];
     let recipe = Recipe::rich(Dimension::Space, 3, Ends::HeldHeld, &kinds);
     let recipe = Recipe { flat: true, prescribed: 0.0, ..recipe };
     case(&mut random, &format!("Flat{seed}"), &recipe)
@@ -84,7 +84,7 @@ pub(crate) fn gravity(case: &Case) -> Vector3<f64> {
     }
 }
 
-/// Returns a unit cube of 1 kg, entered and left in the middles of two opposite faces.
+/// Returns a unit cube of 1 kg, with input and output in the middles of two opposite faces.
 pub(crate) fn cube(name: &str) -> Element {
     Element::Body(Body {
         name: name.to_owned(),
@@ -140,7 +140,7 @@ pub(crate) fn central_inertia(body: &Body) -> Matrix3<f64> {
     }
 }
 
-/// Checks that two numbers agree to `tolerance`, relative where they are greater than one.
+/// Checks that two numbers agree to `tolerance`, relative if they are larger than 1.
 #[track_caller]
 pub(crate) fn assert_close(found: f64, expected: f64, tolerance: f64, what: &str) {
     let error = (found - expected).abs() / expected.abs().max(1.0);

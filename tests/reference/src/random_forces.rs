@@ -1,22 +1,22 @@
-//! What acts on and in a random chain: motors, springs, dampers, friction, limits, rotors, loads.
+//! Random motors, springs, dampers, friction, limits, rotors and loads of a chain.
 
 use crate::chain::{Chain, Dimension, Element, Gravity};
 use crate::hinge::{Group, Hinge, HingeKind, Limits, Source};
-use crate::load::{Axes, Load, Spot, Spring};
+use crate::load::{Axes, BodyPoint, Load, Spring};
 use crate::random::{Random, round_to};
 use crate::random_chain::{flattened, random_offset};
 use crate::random_state::random_coordinates;
 use crate::recipe::Recipe;
 
-/// Gives a hinge motors, by input in all its groups or some by constants.
+/// Adds motors to a hinge: inputs in all its groups, or constants in some.
 pub(crate) fn add_motors(random: &mut Random, hinge: &mut Hinge, recipe: &Recipe) {
     let sizes = [hinge.kind.linear().len(), hinge.kind.turning().len()];
-    if hinge.kind.freedoms() == 0 || !random.chance(recipe.motors) {
+    if hinge.kind.dof_count() == 0 || !random.chance(recipe.motors) {
         return;
     }
     for (group, size) in [&mut hinge.linear, &mut hinge.turning].into_iter().zip(sizes) {
         if size > 0 {
-            // Nothing is drawn where there is no choice, so plain chains stay what they are.
+            // No random number is drawn if there is no choice, so that plain chains do not change.
             let constant = recipe.constant_motors > 0.0 && random.chance(recipe.constant_motors);
             group.motor = if constant {
                 Source::Constant((0..size).map(|_| random.rounded(-5.0, 5.0, 1)).collect())
@@ -27,13 +27,13 @@ pub(crate) fn add_motors(random: &mut Random, hinge: &mut Hinge, recipe: &Recipe
     }
 }
 
-/// Gives a chain all else that acts by a recipe.
-pub(crate) fn add_acting(random: &mut Random, chain: &mut Chain, recipe: &Recipe) {
+/// Adds everything else that acts in a chain, by a recipe.
+pub(crate) fn add_forces(random: &mut Random, chain: &mut Chain, recipe: &Recipe) {
     let dimension = chain.dimension;
     let mut points = 0;
     for element in &mut chain.elements {
         match element {
-            Element::Hinge(hinge) if hinge.kind.freedoms() > 0 => {
+            Element::Hinge(hinge) if hinge.kind.dof_count() > 0 => {
                 add_passive(random, hinge, recipe);
                 if recipe.prescribed > 0.0 && random.chance(recipe.prescribed) {
                     hinge.prescribed = true;
@@ -45,12 +45,12 @@ pub(crate) fn add_acting(random: &mut Random, chain: &mut Chain, recipe: &Recipe
             Element::Body(body) => {
                 if recipe.loads > 0.0 && random.chance(recipe.loads) {
                     let name = format!("l{}", chain.loads.len() + 1);
-                    let at = random_spot(random, dimension, &mut points);
+                    let at = random_point(random, dimension, &mut points);
                     chain.loads.push(random_load(random, name, &body.name, at, dimension));
                 }
                 if recipe.springs > 0.0 && random.chance(recipe.springs) {
                     let name = format!("s{}", chain.springs.len() + 1);
-                    let at = random_spot(random, dimension, &mut points);
+                    let at = random_point(random, dimension, &mut points);
                     chain.springs.push(random_spring(random, name, &body.name, at, dimension));
                 }
             }
@@ -61,7 +61,7 @@ pub(crate) fn add_acting(random: &mut Random, chain: &mut Chain, recipe: &Recipe
     }
 }
 
-/// Gives a hinge springs, dampers and so on.
+/// Adds springs, dampers and so on to a hinge.
 fn add_passive(random: &mut Random, hinge: &mut Hinge, recipe: &Recipe) {
     let sizes = [hinge.kind.linear().len(), hinge.kind.turning().len()];
     let quaternion = hinge.kind.has_quaternion();
@@ -96,7 +96,7 @@ fn add_to_group(random: &mut Random, group: &mut Group, size: usize) {
     }
 }
 
-/// Makes one number for all of a group, or one for each.
+/// Returns one random number for a whole group, or one for each member.
 fn random_list(random: &mut Random, size: usize, [low, high]: [f64; 2]) -> Vec<f64> {
     let length = if random.chance(0.5) { 1 } else { size };
     (0..length).map(|_| random.rounded(low, high, 2)).collect()
@@ -112,22 +112,22 @@ fn random_limits(random: &mut Random, quaternion: bool) -> Limits {
     Limits { range, stiffness: random.rounded(5.0, 60.0, 1), damping }
 }
 
-/// Makes coordinates of rest: short decimals.
+/// Returns random coordinates of rest, short decimals.
 fn random_rest(random: &mut Random, kind: &HingeKind) -> Vec<f64> {
     let coordinates = random_coordinates(random, kind);
     coordinates.iter().map(|q| round_to(0.5 * q, 2)).collect()
 }
 
-fn random_spot(random: &mut Random, dimension: Dimension, points: &mut usize) -> Spot {
+fn random_point(random: &mut Random, dimension: Dimension, points: &mut usize) -> BodyPoint {
     match random.below(5) {
-        0 => Spot::Com,
-        1 => Spot::Input,
-        2 => Spot::Output,
-        3 => Spot::At(random_offset(random, 1.0, dimension)),
+        0 => BodyPoint::Com,
+        1 => BodyPoint::Input,
+        2 => BodyPoint::Output,
+        3 => BodyPoint::At(random_offset(random, 1.0, dimension)),
         _ => {
             *points += 1;
             let position = random_offset(random, 1.0, dimension);
-            Spot::Named { name: format!("p{points}"), position }
+            BodyPoint::Named { name: format!("p{points}"), position }
         }
     }
 }
@@ -136,7 +136,7 @@ fn random_load(
     random: &mut Random,
     name: String,
     body: &str,
-    at: Spot,
+    at: BodyPoint,
     dimension: Dimension,
 ) -> Load {
     let turning = |[_, _, z]: [f64; 3]| match dimension {
@@ -154,7 +154,7 @@ fn random_load(
     };
     let (force, torque) = (source(true), source(false));
     let which = if dimension == Dimension::Line { 0 } else { random.below(3) };
-    // Along a line there is nothing to choose.
+    // Loads of line chains have no choice of axes.
     let axes = match dimension {
         Dimension::Line => Axes::Inertial,
         _ => *random.choose(&[Axes::Inertial, Axes::Body]),
@@ -173,7 +173,7 @@ fn random_spring(
     random: &mut Random,
     name: String,
     body: &str,
-    at: Spot,
+    at: BodyPoint,
     dimension: Dimension,
 ) -> Spring {
     Spring {

@@ -1,4 +1,4 @@
-//! Loads and springs on a body, written down a second time for the tests.
+//! Loads and springs on a body, implemented a second time for the tests.
 
 use crate::samples::{Case, matrix};
 use mstmm_reference::{Axes, Body, Point, Source};
@@ -18,14 +18,14 @@ pub(crate) fn wrench_on(case: &Case, body: &Body, input: &Point) -> [Vector3<f64
 /// Returns the power of all loads on a body and of the dampers of its springs.
 pub(crate) fn power_on(case: &Case, body: &Body, input: &Point) -> f64 {
     let spin = Vector3::from(input.angular_velocity);
-    let power = |acting: Acting| {
+    let power = |acting: BodyLoad| {
         acting.force_without_potential.dot(&acting.velocity) + acting.couple.dot(&spin)
     };
     acting_on(case, body, input).into_iter().map(power).sum()
 }
 
 /// A load or a spring.
-struct Acting {
+struct BodyLoad {
     position: Vector3<f64>,
     velocity: Vector3<f64>,
     force: Vector3<f64>,
@@ -33,7 +33,7 @@ struct Acting {
     couple: Vector3<f64>,
 }
 
-fn acting_on(case: &Case, body: &Body, input: &Point) -> Vec<Acting> {
+fn acting_on(case: &Case, body: &Body, input: &Point) -> Vec<BodyLoad> {
     let rotation = matrix(&input.rotation);
     let spin = Vector3::from(input.angular_velocity);
     let mut all = Vec::new();
@@ -54,7 +54,13 @@ fn acting_on(case: &Case, body: &Body, input: &Point) -> Vec<Acting> {
             let (position, velocity) = motion(load.at.position(body));
             let (force, couple) =
                 (vector(&load.force, given.force), vector(&load.torque, given.torque));
-            all.push(Acting { position, velocity, force, force_without_potential: force, couple });
+            all.push(BodyLoad {
+                position,
+                velocity,
+                force,
+                force_without_potential: force,
+                couple,
+            });
         }
     }
     for spring in case.chain.springs.iter().filter(|spring| spring.body == body.name) {
@@ -64,7 +70,7 @@ fn acting_on(case: &Case, body: &Body, input: &Point) -> Vec<Acting> {
         let pull = direction * (spring.stiffness * (from_ground.norm() - spring.length));
         let damping = direction * (spring.damping * direction.dot(&velocity));
         let (force, couple) = (-pull - damping, Vector3::zeros());
-        all.push(Acting { position, velocity, force, force_without_potential: -damping, couple });
+        all.push(BodyLoad { position, velocity, force, force_without_potential: -damping, couple });
     }
     all
 }

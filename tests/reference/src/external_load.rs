@@ -1,17 +1,17 @@
-//! Loads from outside and springs to the ground, on the bodies they act on.
+//! External loads and springs to the ground, with the bodies they act on.
 
 use crate::chain::{Body, Chain};
 use crate::drives::{Drives, LoadInput};
 use crate::hinge::Source;
-use crate::load::{Axes, Load, Spot, Spring};
+use crate::load::{Axes, BodyPoint, Load, Spring};
 use crate::mechanism::Motion;
 use crate::rotation::Vec3;
 
-/// Something outside of the chain that acts on a body.
-pub(crate) struct Outside {
+/// An external load on a body.
+pub(crate) struct ExternalLoad {
     /// The body it acts on.
     pub(crate) body: usize,
-    /// From the centre of mass to the point it acts at, body axes.
+    /// The vector from the centre of mass to the point of action, body axes.
     point: Vec3,
     kind: Kind,
 }
@@ -21,20 +21,20 @@ enum Kind {
     Spring { to: Vec3, stiffness: f64, damping: f64, length: f64 },
 }
 
-impl Outside {
-    /// Reads everything that acts on a chain from outside.
+impl ExternalLoad {
+    /// Returns all external loads on a chain.
     ///
     /// # Panics
     ///
-    /// Panics when the body it is to act on does not exist.
-    pub(crate) fn all(chain: &Chain, drives: &Drives) -> Vec<Outside> {
+    /// Panics if the body of a load does not exist.
+    pub(crate) fn all(chain: &Chain, drives: &Drives) -> Vec<ExternalLoad> {
         let loads = chain.loads.iter().zip(&drives.loads);
-        let loads = loads.map(|(load, input)| Outside::load(chain, load, input));
-        let springs = chain.springs.iter().map(|spring| Outside::spring(chain, spring));
+        let loads = loads.map(|(load, input)| ExternalLoad::load(chain, load, input));
+        let springs = chain.springs.iter().map(|spring| ExternalLoad::spring(chain, spring));
         loads.chain(springs).collect()
     }
 
-    fn load(chain: &Chain, load: &Load, input: &LoadInput) -> Outside {
+    fn load(chain: &Chain, load: &Load, input: &LoadInput) -> ExternalLoad {
         let vector = |source: &Source<[f64; 3]>, input: [f64; 3]| match source {
             Source::None => Vec3::zeros(),
             Source::Constant(constant) => Vec3::from(*constant),
@@ -43,21 +43,21 @@ impl Outside {
         let force = vector(&load.force, input.force);
         let torque = vector(&load.torque, input.torque);
         let kind = Kind::Load { force, torque, axes: load.axes };
-        Outside::new(chain, &load.body, &load.at, kind)
+        ExternalLoad::new(chain, &load.body, &load.at, kind)
     }
 
-    fn spring(chain: &Chain, spring: &Spring) -> Outside {
+    fn spring(chain: &Chain, spring: &Spring) -> ExternalLoad {
         let Spring { to, stiffness, damping, length, .. } = *spring;
         let kind = Kind::Spring { to: Vec3::from(to), stiffness, damping, length };
-        Outside::new(chain, &spring.body, &spring.at, kind)
+        ExternalLoad::new(chain, &spring.body, &spring.at, kind)
     }
 
-    fn new(chain: &Chain, name: &str, at: &Spot, kind: Kind) -> Outside {
+    fn new(chain: &Chain, name: &str, at: &BodyPoint, kind: Kind) -> ExternalLoad {
         let found = chain.bodies().enumerate().find(|(_, body)| body.name == name);
         let (body, description) =
             found.unwrap_or_else(|| panic!("chain {}: there is no body {name}", chain.name));
         let point = Vec3::from(at.position(description)) - Vec3::from(description.com);
-        Outside { body, point, kind }
+        ExternalLoad { body, point, kind }
     }
 
     /// Returns the force, and the moment about the centre of mass of the body, in inertial axes.
@@ -111,14 +111,14 @@ fn spring_force(end: &Vec3, velocity: &Vec3, [stiffness, damping, length]: [f64;
     -direction * (stiffness * (now - length) + damping * direction.dot(velocity))
 }
 
-impl Spot {
-    /// Returns the place in m, in the body frame.
+impl BodyPoint {
+    /// Returns the position in m, in the body frame.
     pub fn position(&self, body: &Body) -> [f64; 3] {
         match self {
-            Spot::Com => body.com,
-            Spot::Input => [0.0; 3],
-            Spot::Output => body.output.position,
-            Spot::At(position) | Spot::Named { position, .. } => *position,
+            BodyPoint::Com => body.com,
+            BodyPoint::Input => [0.0; 3],
+            BodyPoint::Output => body.output.position,
+            BodyPoint::At(position) | BodyPoint::Named { position, .. } => *position,
         }
     }
 }
