@@ -16,8 +16,8 @@ mod support;
 
 use mstmm::{ChainState, Error};
 use mstmm_reference::{
-    Chain, Dimension, Drives, End, Ends, Gravity, HingeKind, HingeMotion, HingeChoice, Random, Recipe,
-    Solution, Source, random_mechanism, random_motion,
+    Chain, Dimension, Drives, End, Ends, Gravity, HingeChoice, HingeKind, HingeMotion, Random,
+    Recipe, Solution, Source, random_mechanism, random_motion,
 };
 use random::chains;
 use random::face::{Answer, Printed};

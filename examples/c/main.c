@@ -3,12 +3,12 @@
 
 #include "mstmm_arm.h"
 
-/* Where the joints are to be, in rad, and how stiffly and with what damping they are held there. */
+/* The target angles of the joints in rad, and the gains of the controller. */
 static const mstmm_real TARGET[MSTMM_ARM_MOTORS] = {0.5f, -0.5f, 1.25f};
 static const mstmm_real STIFFNESS[MSTMM_ARM_MOTORS] = {200.0f, 400.0f, 200.0f}; /* N m/rad */
 static const mstmm_real DAMPING[MSTMM_ARM_MOTORS] = {40.0f, 60.0f, 20.0f};      /* N m s/rad */
 
-/* Of a fixed size: where they lie is the program's choice, here beside the code's other data. */
+/* All have a fixed size, so the program may put them anywhere; here they are static. */
 static mstmm_arm arm;
 static mstmm_arm_state state;
 static mstmm_arm_inputs inputs;

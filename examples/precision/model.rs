@@ -29,7 +29,9 @@ pub fn describe(chain: &Chain, random_inputs: bool) -> comparison::Description {
             InputKind::Gravity => comparison::InputKind::Gravity(count),
             InputKind::Force(_) => comparison::InputKind::Efforts(vec![false; count]),
             InputKind::Torque(_) => comparison::InputKind::Efforts(vec![true; count]),
-            InputKind::Efforts(index) => comparison::InputKind::Efforts(driven(&chain.hinges[index])),
+            InputKind::Efforts(index) => {
+                comparison::InputKind::Efforts(driven(&chain.hinges[index]))
+            }
             InputKind::Motion(index) => comparison::InputKind::Motion(hinge(index)),
         };
         comparison::Input { times: times(chain, input.what).unwrap_or(1), what }

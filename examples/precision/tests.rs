@@ -103,7 +103,8 @@ fn every_kind_of_chain_in_a_file_of_rust_is_compared() {
     assert!(several.ends_with("choose a chain with `--chain`: Rope, Loop"), "{several}");
 
     let rope = compare(&["--chain", "Rope", "--inputs", "random"]).expect("a comparison");
-    for line in ["Rope: f32 compared with f64, 20 random states, seed 1, inputs random", "Verdict"] {
+    for line in ["Rope: f32 compared with f64, 20 random states, seed 1, inputs random", "Verdict"]
+    {
         assert!(rope.lines().any(|found| found == line), "{rope}");
     }
     let report = json(&compare(&["--chain", "Loop", "--json"]).expect("a comparison"));

@@ -4,16 +4,15 @@
  *     ground -> pin waist -> column -> pin shoulder -> upper arm
  *            -> pin elbow -> forearm -> ball hook -> payload
  *
- * The library has no memory of its own, allocates none, and calls nothing but the like of memcpy.
- * Every function may be called from an interrupt or a thread, if no other call writes to what it
- * is given.
+ * The library has no static memory, does not allocate, and calls only functions like memcpy. Every
+ * function may be called from an interrupt or a thread if no other call writes to its arguments.
  *
  * Units are SI: m, kg, s, rad, N. Frames are right-handed. The inertial frame has its origin at the
- * waist and z upward; where nothing else is said, vectors are along its axes.
+ * waist and z upward; vectors have inertial components unless stated otherwise.
  *
- * Pointers must be null, which is answered with MSTMM_NULL_POINTER, or lead to a struct of their
- * type; no two pointers of one call may lead to the same memory. What fails leaves parameters,
- * state and results as they were.
+ * A pointer must point to a struct of its type or be null, which returns MSTMM_NULL_POINTER; two
+ * pointers of one call must not point to the same memory. A call that fails leaves parameters, state
+ * and results unchanged.
  *
  * C11, or C++11.
  */
@@ -27,10 +26,10 @@
 extern "C" {
 #endif
 
-/* The numbers that everything is computed in. */
+/* The scalar of all computations. */
 typedef float mstmm_real;
 
-/* How many there are of each. */
+/* The number of each. */
 enum {
     MSTMM_ARM_COORDINATES = 7,
     MSTMM_ARM_RATES = 6,
@@ -38,8 +37,8 @@ enum {
     MSTMM_ARM_POINTS = 9
 };
 
-/* The hinges. Each number is also the place of a hinge among the torques, and that of its first
- * coordinate and of its first rate. */
+/* The hinges. Each number is also the index of the hinge's torque, of its first coordinate and of its
+ * first rate. */
 enum {
     MSTMM_ARM_WAIST,    /* pin about z, upward */
     MSTMM_ARM_SHOULDER, /* pin about y; a positive angle lowers the upper arm */
@@ -48,7 +47,7 @@ enum {
 };
 
 /* The connection points: the ground, which is the input of the waist, then the output of each
- * hinge and body. The input of one is the output of the one before it. */
+ * hinge and body. The input of an element is the output of the previous element. */
 enum {
     MSTMM_ARM_AT_GROUND,
     MSTMM_ARM_AT_WAIST,
@@ -61,32 +60,32 @@ enum {
     MSTMM_ARM_AT_PAYLOAD /* its lower end, the tip */
 };
 
-/* How a call went. */
+/* The codes of a status. */
 enum {
     MSTMM_OK,
     MSTMM_NULL_POINTER,
-    MSTMM_NOT_FINITE, /* a number of the state or of the inputs, or what would come of them */
-    MSTMM_SINGULAR,   /* nothing beyond a hinge has inertia in this state */
+    MSTMM_NOT_FINITE, /* a number of the state, the inputs or the results is not finite */
+    MSTMM_SINGULAR,   /* the bodies outboard of a hinge have no inertia in this state */
     MSTMM_PARAMETER,  /* a parameter cannot have this value */
-    MSTMM_OTHER       /* nothing that this arm can come to */
+    MSTMM_OTHER       /* any other error; does not occur for this arm */
 };
 
 typedef struct mstmm_status {
-    int32_t code;  /* MSTMM_OK or what went wrong */
-    int32_t hinge; /* which one, with MSTMM_SINGULAR; -1 otherwise */
+    int32_t code;  /* MSTMM_OK or an error */
+    int32_t hinge; /* the hinge of MSTMM_SINGULAR; -1 otherwise */
 } mstmm_status;
 
-/* The arm with its parameters, and its integrator. What is in it is the library's; it may be
- * copied by assignment. */
+/* The arm with its parameters and its integrator. The contents are private; it may be copied by
+ * assignment. */
 typedef struct mstmm_arm {
     mstmm_real numbers[59];
 } mstmm_arm;
 
 typedef struct mstmm_arm_state {
-    /* Angles of the pins in rad; of the hook, the unit quaternion w, x, y, z that turns components
-     * in the payload's frame into those in the forearm's. */
+    /* Angles of the pins in rad; of the hook, the unit quaternion w, x, y, z of the rotation from
+     * components in the payload's frame to components in the forearm's frame. */
     mstmm_real q[MSTMM_ARM_COORDINATES];
-    /* Rates of the pins in rad/s; of the hook, the angular velocity of the payload against the
+    /* Rates of the pins in rad/s; of the hook, the angular velocity of the payload relative to the
      * forearm, in the payload's frame. */
     mstmm_real v[MSTMM_ARM_RATES];
     /* Time in s. */
@@ -94,23 +93,23 @@ typedef struct mstmm_arm_state {
 } mstmm_arm_state;
 
 typedef struct mstmm_arm_inputs {
-    /* Torques of the motors in N m: a positive one drives its rate up. */
+    /* Torques of the motors in N m: a positive torque increases its rate. */
     mstmm_real torque[MSTMM_ARM_MOTORS];
 } mstmm_arm_inputs;
 
 /* A connection point and the frame that moves with it. */
 typedef struct mstmm_point {
     mstmm_real position[3];             /* m */
-    mstmm_real orientation[3][3];       /* rows of the rotation matrix; turns components in the
-                                         * point's frame into inertial ones */
+    mstmm_real orientation[3][3];       /* rows of the rotation matrix from components in the
+                                         * point's frame to inertial components */
     mstmm_real velocity[3];             /* m/s */
     mstmm_real angular_velocity[3];     /* rad/s */
-    mstmm_real acceleration[3];         /* m/s^2, the true one: at rest there is none */
+    mstmm_real acceleration[3];         /* m/s^2, relative to the inertial frame: zero at rest */
     mstmm_real angular_acceleration[3]; /* rad/s^2 */
-    mstmm_real moment[3];               /* N m, on the part before the point; the one on the part
-                                         * behind it is the opposite */
-    mstmm_real force[3];                /* N, on the part behind the point; the one on the part
-                                         * before it is the opposite */
+    mstmm_real moment[3];               /* N m, acts on the part inboard of the point; its opposite
+                                         * acts on the part outboard of the point */
+    mstmm_real force[3];                /* N, acts on the part outboard of the point; its opposite
+                                         * acts on the part inboard of the point */
 } mstmm_point;
 
 typedef struct mstmm_arm_results {
@@ -120,53 +119,51 @@ typedef struct mstmm_arm_results {
     mstmm_point points[MSTMM_ARM_POINTS];
 } mstmm_arm_results;
 
-/* Makes an arm with a payload of 2 kg, to be stepped by `step` seconds; a negative step goes back
- * in time. Must come first: nothing else may be called with an arm that was not made.
+/* Initialises an arm with a payload of 2 kg and a step of `step` seconds; a negative step goes back
+ * in time. Must be called before any other function with this arm.
  *
  * MSTMM_NOT_FINITE if the step is NaN or infinite. */
 mstmm_status mstmm_arm_init(mstmm_arm *arm, mstmm_real step);
 
-/* Writes where the arm starts: at rest at time zero, the upper arm raised by 45 degrees, the
+/* Writes the start of the arm: at rest at time zero, the upper arm raised by 45 degrees, the
  * forearm lowered by 45 degrees, the payload hanging straight down. */
 mstmm_status mstmm_arm_initial_state(const mstmm_arm *arm, mstmm_arm_state *state);
 
-/* Sets the payload's mass in kg; its inertia about its centre of mass stays.
+/* Sets the payload's mass in kg; its inertia about its centre of mass does not change.
  *
  * MSTMM_PARAMETER if the mass is not positive or not finite. */
 mstmm_status mstmm_arm_set_payload_mass(mstmm_arm *arm, mstmm_real mass);
 
-/* Sets the payload's moment of inertia about its own z in kg m^2, which is 0.01 at first. Where it
- * drowns in the rounding of the others the payload is a thin rod, and then the hook is
- * MSTMM_SINGULAR: nothing says how the rod turns about itself.
+/* Sets the payload's moment of inertia about its z axis in kg m^2, initially 0.01. If it is below the
+ * rounding error of the other moments, the payload is a thin rod, and the hook is MSTMM_SINGULAR: the
+ * rotation of a thin rod about its axis is not determined.
  *
  * MSTMM_PARAMETER if the moment is not positive or not finite. */
 mstmm_status mstmm_arm_set_payload_spin(mstmm_arm *arm, mstmm_real moment);
 
-/* Takes the state one step further by the classical Runge-Kutta method of order four, with the same
- * torques during the whole step. The quaternion comes out of unit length. Always takes the same
- * number of operations.
+/* Takes one step by the classical Runge-Kutta method of order four, with constant torques. The
+ * quaternion has unit length afterwards. The number of operations is always the same.
  *
- * MSTMM_NOT_FINITE, MSTMM_SINGULAR; the state is left as it was. */
+ * MSTMM_NOT_FINITE, MSTMM_SINGULAR; the state is then unchanged. */
 mstmm_status mstmm_arm_step(mstmm_arm *arm, mstmm_arm_state *state, const mstmm_arm_inputs *inputs);
 
-/* Computes accelerations, energies, and motion and load at every connection point, in this state
- * and with these torques. The quaternion must be of unit length up to rounding.
+/* Computes accelerations, energies, and the motions and loads at all connection points, in this state
+ * and with these torques. The quaternion must have unit length up to rounding.
  *
- * MSTMM_NOT_FINITE, MSTMM_SINGULAR; the results are left as they were. */
+ * MSTMM_NOT_FINITE, MSTMM_SINGULAR; the results are then unchanged. */
 mstmm_status mstmm_arm_solve(const mstmm_arm *arm, const mstmm_arm_state *state,
                              const mstmm_arm_inputs *inputs, mstmm_arm_results *results);
 
-/* sizeof(mstmm_arm) as the library has it: to ask once, whether header and library belong
- * together. */
+/* Returns sizeof(mstmm_arm) of the library, to check that header and library match. */
 uint32_t mstmm_arm_size(void);
 
-/* The name of a code, such as "MSTMM_SINGULAR"; "" if there is none of this number. */
+/* Returns the name of a code, such as "MSTMM_SINGULAR"; "" for an unknown code. */
 const char *mstmm_code_name(int32_t code);
 
-/* The name of a hinge, such as "elbow"; "" if there is none of this number. */
+/* Returns the name of a hinge, such as "elbow"; "" for an unknown hinge. */
 const char *mstmm_arm_hinge_name(int32_t hinge);
 
-/* The library states the same sizes. */
+/* The library checks the same sizes. */
 static_assert(sizeof(mstmm_status) == 8, "mstmm_status");
 static_assert(sizeof(mstmm_arm) == 59 * sizeof(mstmm_real), "mstmm_arm");
 static_assert(sizeof(mstmm_arm_state) == 14 * sizeof(mstmm_real), "mstmm_arm_state");

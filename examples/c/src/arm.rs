@@ -1,12 +1,12 @@
-//! The structs of the header, and what is done with them, in safe Rust.
+//! The structs of the header and their methods, in safe Rust.
 
 use mstmm::{Error, Rk4};
 
 use crate::{Chain, ChainInputs, ChainState, ChainWorkspace, Real};
 
-/// The chain and its integrator: `mstmm_arm` of the header, for which it is so many numbers.
+/// The chain and its integrator: `mstmm_arm` of the header, there an array of numbers.
 ///
-/// It holds nothing but floating-point numbers, so whatever lies in its memory is a value of it.
+/// It consists of floating-point numbers only, so every bit pattern in its memory is a valid value.
 #[repr(C)]
 pub struct Arm {
     chain: Chain<Real>,
@@ -31,7 +31,7 @@ pub struct State {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Inputs {
-    /// Of the motors, in N m.
+    /// Torques of the motors in N m.
     pub torque: [Real; 3],
 }
 
@@ -41,7 +41,7 @@ pub struct Inputs {
 pub struct Point {
     /// In m.
     pub position: [Real; 3],
-    /// The rotation matrix by rows; turns components in the point's frame into inertial ones.
+    /// The rotation matrix by rows, from components in the point's frame to inertial components.
     pub orientation: [[Real; 3]; 3],
     /// In m/s.
     pub velocity: [Real; 3],
@@ -61,7 +61,7 @@ pub struct Point {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Results {
-    /// Of the rates, in rad/s².
+    /// Derivatives of the rates in rad/s².
     pub accelerations: [Real; 6],
     /// In J.
     pub kinetic_energy: Real,
@@ -72,12 +72,12 @@ pub struct Results {
 }
 
 impl Arm {
-    /// The arm as described, which is to move in steps of so many seconds.
+    /// Returns the arm of the description with a step in s.
     pub(crate) fn new(step: Real) -> Self {
         Self { chain: Chain::new(), rk4: Rk4::new(step) }
     }
 
-    /// Where the description starts.
+    /// Returns the start of the description.
     pub(crate) fn initial_state(&self) -> State {
         self.chain.initial_state().into()
     }
@@ -92,7 +92,7 @@ impl Arm {
         self.chain.set_payload_spin(moment)
     }
 
-    /// One step, with the same torques all along.
+    /// Takes one step with constant torques.
     pub(crate) fn step(&mut self, state: &mut State, inputs: Inputs) -> Result<(), Error> {
         let mut moved = ChainState::from(*state);
         self.rk4.step(&self.chain, &mut moved, |_, _| inputs.into())?;
@@ -100,7 +100,7 @@ impl Arm {
         Ok(())
     }
 
-    /// Everything at every connection point.
+    /// Computes all results.
     pub(crate) fn solve(&self, state: State, inputs: Inputs) -> Result<Results, Error> {
         let mut at = self.chain.workspace();
         self.chain.solve_into(&state.into(), &inputs.into(), &mut at)?;
@@ -152,8 +152,8 @@ impl From<mstmm::Point<Real>> for Point {
     }
 }
 
-// The sizes that the header states, as lengths of arrays, so that the compiler says what a wrong one
-// must be. What lies where in the structs is compared by the test.
+// The sizes in the header, as lengths of arrays, so that the compiler reports the right size. A test
+// compares the offsets of fields.
 const REAL: usize = size_of::<Real>();
 const _: [(); 59 * REAL] = [(); size_of::<Arm>()];
 const _: [(); REAL] = [(); align_of::<Arm>()];

@@ -1,4 +1,4 @@
-//! The chain itself: what to change for another one, beside the numbers in the header.
+//! The chain; for another chain change this file and the numbers in the header.
 
 use mstmm::mstmm_chain;
 

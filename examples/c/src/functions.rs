@@ -1,7 +1,7 @@
-//! The functions of the header, which says what they do.
+//! The functions of the header, which documents them.
 //!
-//! A pointer comes as a reference that may be missing, which is a pointer that may be null: no
-//! function needs a line of unsafe code. That pointers lead to their structs is up to the caller.
+//! A pointer that may be null is an `Option` of a reference, so no function needs unsafe code. The
+//! caller must pass pointers to the right structs.
 #![expect(unsafe_code, reason = "names that a linker sees")]
 
 use core::ffi::c_char;
@@ -22,7 +22,7 @@ pub extern "C" fn mstmm_arm_init(arm: Option<&mut MaybeUninit<Arm>>, step: Real)
     Status::OK
 }
 
-/// Where the arm starts.
+/// Writes the start of the arm.
 // SAFETY: nothing else has this name.
 #[unsafe(no_mangle)]
 pub extern "C" fn mstmm_arm_initial_state(
@@ -50,7 +50,7 @@ pub extern "C" fn mstmm_arm_set_payload_spin(arm: Option<&mut Arm>, moment: Real
     arm.set_payload_spin(moment).into()
 }
 
-/// Takes the state one step further.
+/// Takes one step.
 // SAFETY: nothing else has this name.
 #[unsafe(no_mangle)]
 pub extern "C" fn mstmm_arm_step(
@@ -64,7 +64,7 @@ pub extern "C" fn mstmm_arm_step(
     arm.step(state, *inputs).into()
 }
 
-/// Everything at every connection point.
+/// Computes all results.
 // SAFETY: nothing else has this name.
 #[unsafe(no_mangle)]
 pub extern "C" fn mstmm_arm_solve(
@@ -80,21 +80,21 @@ pub extern "C" fn mstmm_arm_solve(
     arm.solve(*state, *inputs).map(|solved| _ = results.write(solved)).into()
 }
 
-/// The size of an arm in bytes, as the library has it.
+/// Returns the size of an arm in bytes.
 // SAFETY: nothing else has this name.
 #[unsafe(no_mangle)]
 pub extern "C" fn mstmm_arm_size() -> u32 {
     size_of::<Arm>() as u32
 }
 
-/// The name of a code.
+/// Returns the name of a code.
 // SAFETY: nothing else has this name.
 #[unsafe(no_mangle)]
 pub extern "C" fn mstmm_code_name(code: i32) -> *const c_char {
     status::code_name(code).as_ptr()
 }
 
-/// The name of a hinge.
+/// Returns the name of a hinge.
 // SAFETY: nothing else has this name.
 #[unsafe(no_mangle)]
 pub extern "C" fn mstmm_arm_hinge_name(hinge: i32) -> *const c_char {

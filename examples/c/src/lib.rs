@@ -1,5 +1,4 @@
-//! An arm behind the C header `include/mstmm_arm.h`; the `README.md` says how it gets into
-//! firmware.
+//! An arm with the C header `include/mstmm_arm.h`; see `README.md` for its use in firmware.
 #![no_std]
 
 mod arm;
@@ -12,14 +11,14 @@ pub use chain::{Chain, ChainInputs, ChainState, ChainWorkspace};
 pub use functions::*;
 pub use status::Status;
 
-/// The numbers that everything is computed in: `mstmm_real` of the header.
+/// The scalar of all computations: `mstmm_real` of the header.
 pub type Real = f32;
 
-// On a computer `std` brings the panic handler that a static library must have.
+// On a computer `std` provides the panic handler that a static library must have.
 #[cfg(not(target_os = "none"))]
 extern crate std;
 
-/// The one of firmware. Nothing here panics, so a linker leaves it out.
+/// The panic handler of firmware. Nothing here panics, so the linker removes it.
 #[cfg(target_os = "none")]
 #[panic_handler]
 fn halt(_: &core::panic::PanicInfo) -> ! {

@@ -1,16 +1,16 @@
-//! What a function of the header answers.
+//! The status that the functions of the header return.
 
 use core::ffi::CStr;
 
 use mstmm::Error;
 
-/// How a call went: `mstmm_status` of the header.
+/// The status of a call: `mstmm_status` of the header.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Status {
     /// One of the header's `MSTMM_…`.
     pub code: i32,
-    /// Where on the chain; -1 where that is no question.
+    /// The index of the hinge, or -1 if the error has none.
     pub hinge: i32,
 }
 
@@ -46,7 +46,7 @@ impl From<Result<(), Error>> for Status {
                 Self::singular(HINGES.iter().position(of_name).map_or(-1, |index| index as i32))
             }
             Err(Error::InvalidParameter { .. }) => Self::PARAMETER,
-            // None that an open chain and a method with fixed steps have.
+            // Open chains with fixed steps have no other errors.
             Err(_) => Self::OTHER,
         }
     }
@@ -65,12 +65,12 @@ const CODES: [&CStr; 6] = [
 /// The hinges, in the order of the chain.
 const HINGES: [&CStr; 4] = [c"waist", c"shoulder", c"elbow", c"hook"];
 
-/// The name of a code; empty if there is none of this number.
+/// Returns the name of a code; empty for an unknown code.
 pub(crate) fn code_name(code: i32) -> &'static CStr {
     name(&CODES, code)
 }
 
-/// The name of a hinge; empty if there is none of this number.
+/// Returns the name of a hinge; empty for an unknown hinge.
 pub(crate) fn hinge_name(hinge: i32) -> &'static CStr {
     name(&HINGES, hinge)
 }

@@ -1,5 +1,5 @@
-//! C programs on the header and the static library: they compute what Rust computes, bit for bit,
-//! and find in memory what Rust has there.
+//! Tests of C programs with the header and the static library: the same bits and the same memory
+//! layout as in Rust.
 
 use std::io::Write;
 use std::mem::offset_of;
@@ -13,7 +13,7 @@ use mstmm_arm::{Arm, Chain, ChainInputs, Inputs, Point, Real, Results, State, St
 const PACKAGE: &str = env!("CARGO_MANIFEST_DIR");
 const FLAGS: &str = "-std=c11 -O2 -Wall -Wextra -Wpedantic -Werror -ffp-contract=off -Iinclude";
 
-/// The library as firmware would have it; `cargo test` builds none that C can use.
+/// The static library as firmware uses it; `cargo test` builds no static library.
 static LIBRARY: LazyLock<PathBuf> = LazyLock::new(|| {
     let target =
         Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("it lies in the target folder");
@@ -29,11 +29,11 @@ fn succeed(command: &mut Command) -> Output {
     output
 }
 
-/// What a C program prints. Nothing, said aloud, where there is no C compiler.
+/// Returns the output of a C program, or none, with a note, if there is no C compiler.
 fn run(source: &str) -> Option<String> {
     let compiler = std::env::var("CC").unwrap_or("cc".to_owned());
     if Command::new(&compiler).arg("--version").output().is_err() {
-        // Past the test harness, which keeps to itself what successful tests print.
+        // Written directly, since the test harness hides the output of successful tests.
         let _ =
             writeln!(std::io::stderr(), "{source}: skipped, there is no C compiler `{compiler}`");
         return None;
@@ -49,7 +49,7 @@ fn run(source: &str) -> Option<String> {
     Some(String::from_utf8(output.stdout).expect("it prints text"))
 }
 
-/// What `main.c` prints, computed without any of the functions for C.
+/// Returns the numbers that `main.c` prints, computed without the functions for C.
 fn main_in_rust() -> Result<Vec<Real>, Error> {
     let (target, stiffness, damping) =
         ([0.5, -0.5, 1.25], [200.0, 400.0, 200.0], [40.0, 60.0, 20.0]);

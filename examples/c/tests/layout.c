@@ -1,4 +1,4 @@
-/* What lies where in the structs of the header, to be compared with the library's. */
+/* Prints sizes and offsets of the structs of the header, to be compared with the library's. */
 #include <stddef.h>
 #include <stdio.h>
 

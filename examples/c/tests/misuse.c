@@ -1,4 +1,4 @@
-/* What the library answers to calls that cannot be done, and that they change nothing. */
+/* Tests that invalid calls return the right code and change nothing. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -22,7 +22,7 @@ static mstmm_arm_state state, state_before;
 static mstmm_arm_inputs inputs;
 static mstmm_arm_results at, at_before;
 
-/* Whether a call was answered with this code, and all is as it was. */
+/* Tests that a call returned this code and changed nothing. */
 static int refused(mstmm_status status, int32_t code, int32_t hinge)
 {
     return status.code == code && status.hinge == hinge && !memcmp(&arm, &arm_before, sizeof arm) &&
@@ -59,7 +59,7 @@ static void null_pointers(void)
     CHECK(refused(mstmm_arm_solve(&arm, &state, &inputs, NULL), code, -1));
 }
 
-/* An arm holds what its last try led to, which is its own business. */
+/* The private contents of the arm may change. */
 static int step_refused(int32_t code, int32_t hinge)
 {
     mstmm_status status = mstmm_arm_step(&arm, &state, &inputs);
@@ -87,7 +87,7 @@ static void numbers(void)
             *places[place] = kept;
         }
     }
-    /* Finite, but not what comes of it. */
+    /* Finite, with results that are not finite. */
     state.v[MSTMM_ARM_WAIST] = 1e30f;
     remember();
     CHECK(step_refused(MSTMM_NOT_FINITE, -1));
@@ -101,7 +101,7 @@ static void parameters(void)
     CHECK(refused(mstmm_arm_set_payload_mass(&arm, -1.0f), MSTMM_PARAMETER, -1));
     CHECK(refused(mstmm_arm_set_payload_spin(&arm, -0.01f), MSTMM_PARAMETER, -1));
 
-    /* A thin rod, or as good as one: nothing says how it turns about itself. */
+    /* A thin rod up to rounding: its rotation about its axis is not determined. */
     const mstmm_real thin[] = {1e-9f, 0.0f};
     for (int rod = 0; rod < 2; ++rod) {
         CHECK(done(mstmm_arm_set_payload_spin(&arm, thin[rod])));
@@ -114,7 +114,7 @@ static void parameters(void)
     CHECK(state.t == 1e-3f);
 }
 
-/* An arm is moved by assignment, and goes on the same there. */
+/* A copy of an arm continues in the same way. */
 static void copies(void)
 {
     mstmm_arm other = arm;

@@ -1,4 +1,4 @@
-//! Where the linker finds the script of the start-up code and the memory map that it asks for.
+//! Passes the start-up code's linker script and the memory map to the linker.
 
 fn main() {
     println!("cargo:rustc-link-arg-bins=-Tlink.x");

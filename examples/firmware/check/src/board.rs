@@ -10,16 +10,16 @@ use anyhow::{Context, Result, bail, ensure};
 /// The emulator of both boards.
 pub const EMULATOR: &str = "qemu-system-arm";
 
-/// Where instructions are counted, one takes 2⁸ ns of the emulated time.
+/// The shift for counting: an instruction takes 2⁸ ns of emulated time.
 const COUNTING: u32 = 8;
 
-/// Where time is to pass as on a board, one takes 2⁵ ns.
+/// The shift for realistic timing: an instruction takes 2⁵ ns.
 const LIFELIKE: u32 = 5;
 
 /// The system timer of both boards ticks at 25 MHz.
 const NANOSECONDS_PER_TICK: u32 = 40;
 
-/// Longer than any image takes, which is a minute on a slow machine: one that does not end hangs.
+/// The timeout of an image; on a slow machine an image runs for a minute.
 const PATIENCE: Duration = Duration::from_secs(600);
 
 /// A processor that the firmware is built for.
@@ -27,14 +27,14 @@ const PATIENCE: Duration = Duration::from_secs(600);
 pub enum Processor {
     /// With a floating-point unit for single precision, on the board MPS2 AN386.
     CortexM4,
-    /// With one for both precisions, on the board MPS2 AN500.
+    /// With a floating-point unit for both precisions, on the board MPS2 AN500.
     CortexM7,
 }
 
 impl Processor {
     pub const ALL: [Self; 2] = [Self::CortexM4, Self::CortexM7];
 
-    /// The compiler's name for it.
+    /// Returns the compiler's name of the processor.
     pub fn name(self) -> &'static str {
         match self {
             Self::CortexM4 => "cortex-m4",
@@ -49,25 +49,25 @@ impl Processor {
         }
     }
 
-    /// Whether it computes in double precision itself.
+    /// Returns whether the processor has double precision in hardware.
     pub fn has_double(self) -> bool {
         self == Self::CortexM7
     }
 }
 
-/// What a board told.
+/// The results of a run on a board.
 #[derive(Clone, Debug)]
 pub struct Run {
     /// Instructions of a step, over the random states.
     pub fewest: u32,
     pub most: u32,
-    /// The same over states that are out of bounds or no numbers.
+    /// The same for states that are out of bounds or NaN.
     pub most_of_bad: u32,
-    /// The deepest that a step went, in bytes.
+    /// The largest stack depth of a step, in bytes.
     pub stack: u32,
     /// The bits of the coordinates and rates at the end of the motion.
     pub end: Vec<u64>,
-    /// Of the bits of all states of the motion.
+    /// The hash of the bits of all states of the motion.
     pub hash: u64,
 }
 
@@ -78,12 +78,12 @@ pub fn emulator() -> Option<String> {
     output.status.success().then_some(version)
 }
 
-/// What the arm in a timer's interrupt told.
+/// The results of the arm in a timer's interrupt.
 #[derive(Clone, Debug)]
 pub struct InterruptRun {
     /// The bits of the coordinates and rates at the end.
     pub end: Vec<u64>,
-    /// From the timer's call to the end of the longest step, and from call to call, in ticks.
+    /// The time from the timer's call to the end of the longest step, and the timer's period, in ticks.
     pub longest: u64,
     pub period: u64,
 }
@@ -93,18 +93,18 @@ pub fn run(processor: Processor, image: &Path) -> Result<Run> {
     Report::of(processor, image, COUNTING)?.run()
 }
 
-/// Lets the timer's interrupt call.
+/// Runs the image in which the timer's interrupt steps the arm.
 pub fn run_interrupt(processor: Processor, image: &Path) -> Result<InterruptRun> {
     let report = Report::of(processor, image, LIFELIKE)?;
     let [longest, period] = report.words("longest")?[..] else { bail!("longest are two numbers") };
     Ok(InterruptRun { end: report.end()?, longest, period })
 }
 
-/// Lines of a name and words in hexadecimal.
+/// The output of an image: lines with a name and words in hexadecimal.
 struct Report(String);
 
 impl Report {
-    /// Runs an image to its end, an instruction taking 2 to so many ns.
+    /// Runs an image to its end; an instruction takes 2 to the power of `shift` ns.
     fn of(processor: Processor, image: &Path, shift: u32) -> Result<Self> {
         let emulator = Command::new(EMULATOR)
             .args(["-machine", processor.board(), "-nographic", "-monitor", "none"])
@@ -151,7 +151,7 @@ impl Report {
     }
 }
 
-/// What a program told, if it ends in time; it must be short enough for a pipe to hold.
+/// Returns the output of a program if it ends in time; the output must fit into a pipe.
 fn output(mut program: Child, patience: Duration) -> Result<Output> {
     let start = Instant::now();
     while program.try_wait()?.is_none() {
@@ -164,8 +164,8 @@ fn output(mut program: Child, patience: Duration) -> Result<Output> {
     Ok(program.wait_with_output()?)
 }
 
-/// The instructions that take so many ticks: 6.4 are one, so that a tick more or less, where a
-/// count starts or ends between two of them, changes nothing.
+/// Returns the number of instructions for a number of ticks. An instruction takes 6.4 ticks, so an
+/// error of one tick does not change the count.
 fn instructions(ticks: u64) -> u32 {
     let nanoseconds = ticks * u64::from(NANOSECONDS_PER_TICK);
     let one = 1 << COUNTING;

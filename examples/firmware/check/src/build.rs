@@ -1,4 +1,4 @@
-//! Images, as cargo makes them.
+//! Building of images by cargo.
 
 use std::env;
 use std::path::PathBuf;
@@ -11,24 +11,24 @@ use crate::case::Case;
 
 const TARGET: &str = "thumbv7em-none-eabihf";
 
-/// What an image refers to if a panic is left in it.
+/// The linker's message for an image with a reachable panic.
 const PANIC: &str = "undefined symbol: this_firmware_can_panic";
 
-/// A cargo that has the target, where the usual one has not; `tools` makes it.
+/// A cargo with the target, if the usual cargo does not have it; `tools` makes it.
 const OTHER_CARGO: &str = "FIRMWARE_CARGO";
 
 fn cargo() -> String {
     env::var(OTHER_CARGO).unwrap_or_else(|_| "cargo".into())
 }
 
-/// Where the images of a processor are built: beside what else is built here.
+/// Returns the target folder for the images of a processor.
 fn folder(processor: Processor) -> PathBuf {
     let target = env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
     let here = || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../target");
     target.unwrap_or_else(here).join(processor.name())
 }
 
-/// Cargo, told to build an image for a processor.
+/// Returns the cargo command that builds an image for a processor.
 fn building(name: &str, processor: Processor) -> Command {
     let mut command = Command::new(cargo());
     command
@@ -37,26 +37,26 @@ fn building(name: &str, processor: Processor) -> Command {
         .arg(folder(processor))
         .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
         .env("RUSTFLAGS", format!("-C target-cpu={}", processor.name()))
-        // Cargo tells what it starts of itself, which is not meant for another cargo.
+        // Variables that cargo sets for its children do not apply to another cargo.
         .env_remove("CARGO_ENCODED_RUSTFLAGS");
     command
 }
 
-/// The path of an image, built anew.
+/// Builds an image and returns its path.
 pub fn image(name: &str, processor: Processor) -> Result<PathBuf> {
     let status = building(name, processor).status().context("cargo does not start")?;
     ensure!(status.success(), "{name} cannot be built for the {}", processor.name());
     Ok(folder(processor).join(TARGET).join("release").join(name))
 }
 
-/// Whether the linker refuses a step with an index that may be out of bounds, for that reason.
+/// Returns whether the linker rejects a step with an index that may be out of bounds, because of the panic.
 pub fn control_is_refused() -> Result<bool> {
     let mut command = building(Case::ALL[0].name(), Processor::CortexM4);
     let output = command.args(["--features", "control"]).output()?;
     Ok(!output.status.success() && String::from_utf8_lossy(&output.stderr).contains(PANIC))
 }
 
-/// What builds the images, with the version of its compiler.
+/// Returns the compiler that builds the images, with its version.
 pub fn compiler() -> Result<String> {
     let output = Command::new(cargo()).arg("--version").output()?;
     Ok(String::from_utf8_lossy(&output.stdout).trim().into())

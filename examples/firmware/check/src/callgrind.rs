@@ -10,7 +10,7 @@ use object::{Object, ObjectSymbol};
 
 use crate::case::Case;
 
-/// The argument with which this program takes steps and does nothing else.
+/// The argument with which this program only takes steps.
 pub const STEPS: &str = "--steps";
 
 /// Fewest and most instructions of a step over random states.
@@ -26,14 +26,14 @@ impl fmt::Display for Counts {
     }
 }
 
-/// Valgrind and its version, if there is one.
+/// Returns valgrind's version, if it is installed.
 pub fn version() -> Option<String> {
     let output = Command::new("valgrind").arg("--version").output().ok()?;
     output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().into())
 }
 
-/// Counts each step that this program takes when it is started for that: what callgrind writes after
-/// each of them holds the instructions of that one alone.
+/// Counts the instructions of each step of this program: callgrind writes the count of one step at a
+/// time.
 pub fn steps(case: Case) -> Result<Counts> {
     let folder = tempfile::tempdir()?;
     let program = std::env::current_exe()?;
@@ -48,7 +48,7 @@ pub fn steps(case: Case) -> Result<Counts> {
 
     let mut counts = Vec::new();
     for file in fs::read_dir(folder.path())? {
-        // What is left at the end of the program holds no step.
+        // The file at the end of the program contains no step.
         counts.extend(total(&file?.path())?.filter(|&count| count > 0));
     }
     let found = || format!("callgrind saw no step of {case}");
@@ -58,8 +58,7 @@ pub fn steps(case: Case) -> Result<Counts> {
     })
 }
 
-/// The symbols of a program that have a word in their names: after which to write, callgrind wants
-/// to know in full.
+/// Returns the symbols of a program with a word in their names: callgrind needs full names.
 fn symbols(program: &Path, word: &str) -> Result<Vec<String>> {
     let bytes = fs::read(program)?;
     let file = object::File::parse(&*bytes)?;
@@ -67,7 +66,7 @@ fn symbols(program: &Path, word: &str) -> Result<Vec<String>> {
     Ok(names.filter(|name| name.contains(word)).collect())
 }
 
-/// The instructions that a file of callgrind sums up, if it does.
+/// Returns the number of instructions in a file of callgrind, if it has a summary.
 fn total(path: &Path) -> Result<impl Iterator<Item = u64> + use<>> {
     let text = fs::read_to_string(path)?;
     let summary = text.lines().find_map(|line| line.strip_prefix("summary: "));

@@ -1,4 +1,4 @@
-//! What is stepped: two chains, each in single and in double precision.
+//! The cases: two chains, each in single and in double precision.
 
 use std::fmt;
 
@@ -17,23 +17,23 @@ enum Chain {
     Arm,
 }
 
-/// What numbers a chain is computed with.
+/// The precision of a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Precision {
     Single,
     Double,
 }
 
-/// What the budgets of a step allow.
+/// The budgets of a step.
 pub struct Budget {
     pub instructions: u32,
-    /// In bytes.
+    /// The largest stack depth in bytes.
     pub stack: u32,
-    /// Code with all that a step calls, in bytes, where there is a limit.
+    /// The largest size of a step's code with everything that it calls, in bytes, if limited.
     pub code: Option<u64>,
 }
 
-/// Something to be done with the type that a case stands for.
+/// A function of the type of a case.
 pub trait Visitor {
     type Result;
     fn visit<M: Model>(self) -> Self::Result;
@@ -47,7 +47,7 @@ impl Case {
         Self { chain: Chain::Arm, precision: Precision::Double },
     ];
 
-    /// Of the image.
+    /// Returns the name of the image.
     pub fn name(self) -> &'static str {
         match (self.chain, self.precision) {
             (Chain::Ball, Precision::Single) => "ball_f32",
@@ -57,12 +57,12 @@ impl Case {
         }
     }
 
-    /// The case of an image.
+    /// Returns the case of an image.
     pub fn of_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|case| case.name() == name)
     }
 
-    /// What a step may take on a processor that computes in this precision.
+    /// Returns the budget of a step on a processor with this precision in hardware.
     pub fn budget(self) -> Option<Budget> {
         match (self.chain, self.precision) {
             (Chain::Ball, Precision::Single) => {
@@ -75,7 +75,7 @@ impl Case {
         }
     }
 
-    /// Does something with its type.
+    /// Calls a function with the type of the case.
     pub fn visit<V: Visitor>(self, visitor: V) -> V::Result {
         match (self.chain, self.precision) {
             (Chain::Ball, Precision::Single) => visitor.visit::<BallPendulum<f32>>(),

@@ -1,4 +1,4 @@
-//! What must hold, and what does not.
+//! The requirements, and the violations found.
 
 use std::fs;
 
@@ -9,32 +9,32 @@ use crate::case::{Case, Precision};
 use crate::host::Motion;
 use crate::table::{self, Row, Table};
 
-/// In the names of functions that a step has no use for.
+/// Parts of the names of functions that allocate.
 const PANICS: [&str; 2] = ["panic", "unwind"];
 const ALLOCATIONS: [&str; 4] = ["__rust_alloc", "__rust_dealloc", "malloc", "alloc::"];
 
-/// The most bytes of data in an image, which has a few: an allocator that the compiler put into its
-/// callers has no name any more, but memory to give away.
+/// The largest number of bytes of data in an image: an allocator that is inlined has no name, but needs
+/// memory.
 const MOST_DATA: u64 = 64;
 
-/// In the names of functions that compute in double precision by whole numbers.
+/// Parts of the names of functions that emulate double precision by integers.
 const SOFT_DOUBLES: [&str; 3] = ["__aeabi_d", "__aeabi_f2d", "df3"];
 
-/// Everything that does not hold, in the order in which it was found.
+/// All violations, in the order in which they were found.
 #[derive(Default)]
 pub struct Findings {
     wrong: Vec<String>,
 }
 
 impl Findings {
-    /// Notes what is wrong where something does not hold.
+    /// Adds a violation if a condition does not hold.
     pub fn require(&mut self, holds: bool, otherwise: impl FnOnce() -> String) {
         if !holds {
             self.wrong.push(otherwise());
         }
     }
 
-    /// An image beside this machine.
+    /// Compares an image with this machine.
     pub fn of_image(&mut self, row: &Row, host: &Motion) {
         let Row { case, processor, image, run } = row;
         let name = format!("{case} on the {}", processor.name());
@@ -49,7 +49,7 @@ impl Findings {
             format!("{name}: {} bytes of data, more than {MOST_DATA}", image.ram)
         });
         let doubles = image.named(&SOFT_DOUBLES);
-        // Where they have to be there, finding them shows that they would be found.
+        // Images that need these functions show that the search finds them.
         self.require(doubles.is_empty() != by_whole_numbers, || {
             format!("{name}: routines for double precision: {doubles:?}")
         });
@@ -74,8 +74,8 @@ impl Findings {
         self.require(run.stack <= image.stack, || {
             format!("{name}: {} bytes of stack, more than the bound {}", run.stack, image.stack)
         });
-        // What computes by whole numbers takes as long as its numbers want: that this is seen shows
-        // that it would be seen elsewhere.
+        // The cost of emulated arithmetic depends on its values: this difference shows that the
+        // count would detect such a dependence elsewhere.
         self.require((run.fewest == run.most) != by_whole_numbers, || {
             format!("{name}: {} to {} instructions", run.fewest, run.most)
         });
@@ -84,7 +84,7 @@ impl Findings {
         });
     }
 
-    /// The arm in an interrupt beside the same steps on this machine.
+    /// Compares the arm in an interrupt with the same steps on this machine.
     pub fn of_interrupt(&mut self, processor: Processor, run: &InterruptRun, end: &[u64]) {
         let name = format!("interrupt on the {}", processor.name());
         self.require(run.end == end, || format!("{name}: other bits than on this machine"));
@@ -93,14 +93,14 @@ impl Findings {
         });
     }
 
-    /// The figures that are kept: their bits must still be the same.
+    /// Compares the hashes with those in the stored figures.
     pub fn of_table(&mut self, table: &Table, bless: bool) -> Result<()> {
         let path = Table::path();
         if bless {
             println!("wrote {}", path.display());
             return Ok(fs::write(path, table.to_string())?);
         }
-        let kept = fs::read_to_string(&path).context("the figures that are kept cannot be read")?;
+        let kept = fs::read_to_string(&path).context("the stored figures cannot be read")?;
         for (case, motion) in &table.motions {
             self.of_motion(&kept, *case, motion);
         }
@@ -119,12 +119,12 @@ impl Findings {
         });
     }
 
-    /// Fails with all that is wrong.
+    /// Fails with all violations.
     pub fn conclude(self) -> Result<()> {
         if !self.wrong.is_empty() {
             bail!("\n{}", self.wrong.join("\n"));
         }
-        println!("\nAll of it holds.");
+        println!("\nAll requirements are met.");
         Ok(())
     }
 }

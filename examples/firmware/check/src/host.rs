@@ -7,12 +7,12 @@ use mstmm::ChainState;
 
 use crate::case::{Case, Visitor};
 
-/// Where a motion leads.
+/// The end of a motion.
 #[derive(Clone, Debug)]
 pub struct Motion {
     /// The bits of the coordinates and rates at its end.
     pub end: Vec<u64>,
-    /// Of the bits of all its states.
+    /// The hash of the bits of all its states.
     pub hash: u64,
     shown: String,
 }
@@ -23,12 +23,12 @@ impl fmt::Display for Motion {
     }
 }
 
-/// The motion from the start of the description.
+/// Simulates the motion from the start of the description.
 pub fn simulate(case: Case) -> Motion {
     case.visit(Simulation { steps: MOTION_STEPS })
 }
 
-/// The arm in single precision after as many steps as the timer of `interrupt` calls for.
+/// Returns the arm in single precision after the number of steps of the image `interrupt`.
 pub fn arm_of_interrupt() -> Vec<u64> {
     Simulation { steps: INTERRUPT_STEPS as usize }.visit::<Arm<f32>>().end
 }

@@ -1,4 +1,4 @@
-//! What can be read off an image without running it.
+//! Static analysis of an image.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -10,27 +10,27 @@ use rustc_demangle::demangle;
 
 use crate::thumb::{self, Function};
 
-/// The function whose cost is told: `image::step`.
+/// The function that is analysed: `image::step`.
 const STEP: &str = "image::step";
 
-/// What an image holds, and what its step can do.
+/// The sizes of an image, and the stack and loops of its step.
 #[derive(Clone, Debug, Default)]
 pub struct Image {
-    /// Bytes to be written to the flash, and bytes of data in the memory.
+    /// Bytes in the flash, and bytes of data in RAM.
     pub flash: u64,
     pub ram: u64,
-    /// Bytes of the step with all that it calls.
+    /// Bytes of code of the step with everything that it calls.
     pub code: u64,
-    /// Bytes that the step and all that it calls can ever have on the stack at once.
+    /// The largest stack depth of the step with everything that it calls, in bytes.
     pub stack: u32,
-    /// How many loops there are in the functions of a step.
+    /// The number of loops in each function of a step.
     pub loops: BTreeMap<String, usize>,
     /// All functions of the image.
     pub functions: BTreeSet<String>,
 }
 
 impl Image {
-    /// Which functions of the image have one of these words in their names.
+    /// Returns the functions of the image with one of these words in their names.
     pub fn named(&self, words: &[&str]) -> Vec<&str> {
         let has_any = |name: &&String| words.iter().any(|word| name.contains(word));
         self.functions.iter().filter(has_any).map(String::as_str).collect()
@@ -68,9 +68,9 @@ struct Symbol {
 /// The code of an image.
 struct Code<'data> {
     symbols: BTreeMap<u32, Symbol>,
-    /// Several where functions with the same instructions became one.
+    /// Several if functions with the same instructions were merged.
     names: BTreeSet<String>,
-    /// Where code and where data begins: the mapping symbols of the ELF for the Arm architecture.
+    /// The starts of code and of data: the mapping symbols of the ELF for the Arm architecture.
     kinds: BTreeMap<u32, bool>,
     start: u32,
     bytes: &'data [u8],
@@ -86,7 +86,7 @@ impl<'data> Code<'data> {
             if name.starts_with("$t") || name.starts_with("$d") {
                 kinds.insert(address, name.starts_with("$t"));
             } else if symbol.kind() == SymbolKind::Text {
-                // The last bit of an address says that this is Thumb code.
+                // The last bit of an address marks Thumb code.
                 let (name, size) = (format!("{:#}", demangle(name)), symbol.size() as u32);
                 names.insert(name.clone());
                 let known = symbols.entry(address & !1).or_insert(Symbol { name, size });
@@ -96,7 +96,7 @@ impl<'data> Code<'data> {
         Ok(Self { symbols, names, kinds, start: text.address() as u32, bytes: text.data()? })
     }
 
-    /// Where the step begins.
+    /// Returns the address of the step.
     fn step(&self) -> Result<u32> {
         let steps = self.symbols.iter().filter(|(_, symbol)| symbol.name.starts_with(STEP));
         let [(&step, _)] = steps.collect::<Vec<_>>()[..] else {
@@ -105,7 +105,7 @@ impl<'data> Code<'data> {
         Ok(step)
     }
 
-    /// The function at an address and all that it calls, one through another.
+    /// Returns the function at an address and all functions that it calls, directly or indirectly.
     fn reached(&self, from: u32) -> Result<BTreeMap<u32, Function>> {
         let (mut reached, mut waiting) = (BTreeMap::new(), vec![from]);
         while let Some(address) = waiting.pop() {
@@ -114,10 +114,10 @@ impl<'data> Code<'data> {
             }
             let symbol = self.symbols.get(&address);
             let symbol = symbol.with_context(|| format!("no function begins at {address:#x}"))?;
-            ensure!(symbol.size > 0, "where {} ends is not told", symbol.name);
+            ensure!(symbol.size > 0, "the end of {} is unknown", symbol.name);
             let function = thumb::function(&self.parts(address, symbol.size)?);
             if let Some(place) = function.unknown.first() {
-                bail!("what {} does at {place:#x} cannot be told", symbol.name);
+                bail!("the effect of {} at {place:#x} is unknown", symbol.name);
             }
             waiting.extend(&function.calls);
             reached.insert(address, function);
@@ -125,7 +125,7 @@ impl<'data> Code<'data> {
         Ok(reached)
     }
 
-    /// The pieces of a function that are code.
+    /// Returns the parts of a function that are code.
     fn parts(&self, address: u32, size: u32) -> Result<Vec<(u32, &'data [u8])>> {
         let end = address + size;
         let last_before = self.kinds.range(..=address).next_back();
@@ -143,7 +143,7 @@ impl<'data> Code<'data> {
     }
 }
 
-/// The most bytes on the stack from a function on: its own and those of the deepest that it calls.
+/// Returns the largest stack depth of a function: its frame and that of the deepest function it calls.
 fn deepest(at: u32, functions: &BTreeMap<u32, Function>, way: &mut Vec<u32>) -> Result<u32> {
     ensure!(!way.contains(&at), "the function at {at:#x} calls itself");
     way.push(at);

@@ -1,5 +1,5 @@
-//! Builds the firmware for two processors, looks through the images, runs them on emulated boards
-//! and beside this machine, and holds the steps to their budgets.
+//! Builds the firmware for two processors, analyses the images, runs them on emulated boards and on this
+//! machine, and compares the steps with their budgets.
 
 mod board;
 mod build;
@@ -25,11 +25,11 @@ fn main() -> Result<()> {
         [] => check(false),
         ["--bless"] => check(true),
         [callgrind::STEPS, name] => steps::take(Case::of_name(name).context("no such case")?),
-        _ => bail!("unknown arguments; there is --bless, which keeps the figures"),
+        _ => bail!("unknown arguments; the only option is --bless, which stores the figures"),
     }
 }
 
-/// All of it; the figures are kept, or compared with those that were.
+/// Runs all checks; stores the figures, or compares them with the stored figures.
 fn check(bless: bool) -> Result<()> {
     let mut findings = Findings::default();
     let mut table = Table::default();
@@ -41,7 +41,7 @@ fn check(bless: bool) -> Result<()> {
     let valgrind = callgrind::version();
     ensure!(
         !bless || emulator.is_some() && valgrind.is_some(),
-        "the figures to keep come from {} and valgrind: one is missing",
+        "the figures need {} and valgrind: one of them is missing",
         board::EMULATOR
     );
     for case in Case::ALL {
@@ -60,7 +60,7 @@ fn check(bless: bool) -> Result<()> {
             let counts = callgrind::steps(case)?;
             println!("  this machine: {counts}");
             findings.require(counts.fewest == counts.most, || {
-                format!("{case} on this machine: instructions hang on the state, {counts}")
+                format!("{case} on this machine: instructions depend on the state, {counts}")
             });
             table.host.push((case, counts));
         }
@@ -75,12 +75,12 @@ fn check(bless: bool) -> Result<()> {
         }
     } else {
         println!(
-            "skipped: bits and instructions on the boards, for there is no {}",
+            "skipped: bits and instructions on the boards, since there is no {}",
             board::EMULATOR
         );
     }
     if valgrind.is_none() {
-        println!("skipped: instructions on this machine, for there is no valgrind");
+        println!("skipped: instructions on this machine, since there is no valgrind");
     }
     table.tools.extend([build::compiler()?].into_iter().chain(emulator).chain(valgrind));
     findings.of_table(&table, bless)?;

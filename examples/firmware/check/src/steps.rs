@@ -8,10 +8,10 @@ use mstmm::{Error, Rk4};
 
 use crate::case::{Case, Visitor};
 
-/// So many: each is slow under callgrind.
+/// The number of steps: each is slow under callgrind.
 const STATES: usize = 200;
 
-/// What this program does beneath callgrind.
+/// Takes steps, for this program under callgrind.
 pub fn take(case: Case) -> Result<()> {
     case.visit(Steps).map_err(|error| anyhow!("{error}"))
 }
@@ -31,7 +31,7 @@ impl Visitor for Steps {
     }
 }
 
-/// On its own, to be found by its name.
+/// Takes one step; a separate function, so that callgrind finds its name.
 #[inline(never)]
 fn counted_step<M: Model>(
     model: &M,

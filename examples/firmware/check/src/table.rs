@@ -1,4 +1,4 @@
-//! The figures, as they are printed and kept.
+//! The figures, as printed and stored.
 
 use std::fmt;
 use std::path::PathBuf;
@@ -9,12 +9,12 @@ use crate::case::Case;
 use crate::host::Motion;
 use crate::image::Image;
 
-/// An image and what became of it.
+/// An image and its results.
 pub struct Row {
     pub case: Case,
     pub processor: Processor,
     pub image: Image,
-    /// Where there is an emulator.
+    /// The results of the emulator, if there is one.
     pub run: Option<Run>,
 }
 
@@ -28,13 +28,13 @@ pub struct Table {
 }
 
 impl Table {
-    /// Where the figures are kept.
+    /// The file of the stored figures.
     pub fn path() -> PathBuf {
         PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../FIGURES.md")
     }
 }
 
-/// Of a motion, as it is kept.
+/// Returns the line of a motion in the stored figures.
 pub fn bits(case: Case, motion: &Motion) -> String {
     format!("| `{case}` | `{:016x}` |", motion.hash)
 }
@@ -59,8 +59,8 @@ impl fmt::Display for Row {
 
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "# What a step costs\n")?;
-        writeln!(f, "Written by `./run --bless`, which `README.md` tells about. Made with")?;
+        writeln!(f, "# Cost of a step\n")?;
+        writeln!(f, "Written by `./run --bless`; see `README.md`. Measured with")?;
         writeln!(f, "{}.\n", self.tools.join(", "))?;
         heading(f, &BOARD_COLUMNS)?;
         for row in &self.rows {
@@ -93,7 +93,7 @@ const BOARD_COLUMNS: [&str; 10] = [
     "loops of a step",
 ];
 
-/// The names of columns, of which all but the first are aligned to the right.
+/// Writes the names of columns; all but the first are aligned to the right.
 fn heading(f: &mut fmt::Formatter<'_>, names: &[&str]) -> fmt::Result {
     writeln!(f, "| {} |", names.join(" | "))?;
     writeln!(f, "|---{}|", "|---:".repeat(names.len() - 1))

@@ -1,45 +1,45 @@
-//! As much of the Thumb-2 instruction set as tells where a function goes and what it puts on the
-//! stack (Armv7-M Architecture Reference Manual, DDI 0403, chapter A5).
+//! A decoder for the Thumb-2 instructions that branch or use the stack (Armv7-M Architecture Reference
+//! Manual, DDI 0403, chapter A5).
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What matters here of an instruction.
+/// The effect of an instruction on control flow and stack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Instruction {
-    /// Any that goes on to the next one.
+    /// Continues with the next instruction.
     Other,
-    /// Puts so many bytes on the stack.
+    /// Pushes this number of bytes on the stack.
     Push(u32),
     /// Calls the function at an address.
     Call(u32),
-    /// Goes to an address, or on if a condition does not hold.
+    /// Branches to an address, or continues if a condition does not hold.
     Branch { to: u32, conditional: bool },
-    /// The next ones, so many, are executed under a condition.
+    /// Makes this number of following instructions conditional.
     IfThen(u32),
-    /// Goes back to the caller, or nowhere.
+    /// Returns to the caller, or stops.
     End,
-    /// Goes to an address, or moves the stack by a number, that is known at run time alone.
+    /// Branches to an address, or moves the stack pointer by a number, known only at run time.
     Unknown,
 }
 
-/// A function as its instructions tell.
+/// The effects of a function's instructions.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Function {
-    /// All that it ever puts on the stack, in bytes: at least as much as is there at any time.
+    /// The sum of all bytes that it pushes: an upper bound of its stack depth.
     pub frame: u32,
-    /// Which functions it calls, or goes over to at its end, by address.
+    /// The addresses of the functions that it calls, or branches to at its end.
     pub calls: BTreeSet<u32>,
-    /// How many places can be reached again from themselves.
+    /// The number of instructions that can be reached again from themselves.
     pub loops: usize,
-    /// Where what it does cannot be told, by address: also where it runs on beyond its end, and
-    /// where it puts something on the stack again and again.
+    /// The addresses of instructions with an unknown effect; also where execution continues beyond
+    /// the end, and where a loop pushes on the stack.
     pub unknown: BTreeSet<u32>,
 }
 
-/// Where an instruction leads within its function.
+/// The successors of an instruction within its function.
 type Edges = BTreeMap<u32, Vec<u32>>;
 
-/// Reads a function from its parts: code without the data in between, with the address of each.
+/// Analyses a function from its parts: code without the data in between, with the address of each.
 pub fn function(parts: &[(u32, &[u8])]) -> Function {
     let inside = |to: u32| {
         parts.iter().any(|(start, code)| (*start..*start + code.len() as u32).contains(&to))
@@ -55,7 +55,7 @@ pub fn function(parts: &[(u32, &[u8])]) -> Function {
             let goes_on = match instruction {
                 Instruction::Branch { conditional, .. } => conditional || !always,
                 Instruction::End => !always,
-                // At the very end is a call that never comes back.
+                // A call at the very end does not return.
                 Instruction::Call(_) => inside(next),
                 _ => true,
             };
@@ -90,7 +90,7 @@ pub fn function(parts: &[(u32, &[u8])]) -> Function {
     function
 }
 
-/// How many instructions a walk in depth comes back to while it is still beyond them.
+/// Returns the number of back edges in a depth-first search.
 fn loops(edges: &Edges, entry: u32) -> usize {
     let none = Vec::new();
     let onward = |at: u32| edges.get(&at).unwrap_or(&none).iter();
@@ -114,7 +114,7 @@ fn loops(edges: &Edges, entry: u32) -> usize {
     heads.len()
 }
 
-/// All that some way from an instruction leads to.
+/// Returns all instructions reachable from an instruction.
 fn reached(edges: &Edges, from: u32) -> BTreeSet<u32> {
     let (mut reached, mut waiting) = (BTreeSet::new(), vec![from]);
     while let Some(at) = waiting.pop() {
@@ -124,7 +124,8 @@ fn reached(edges: &Edges, from: u32) -> BTreeSet<u32> {
     reached
 }
 
-/// The instruction at the start of `code`, which lies at an address, and its length in bytes.
+/// Decodes the instruction at the start of `code`, which is at an address, and returns its length in
+/// bytes.
 fn decode(code: &[u8], at: u32) -> Option<(Instruction, u32)> {
     let half = |index: usize| {
         let bytes = code.get(2 * index..2 * index + 2)?;
@@ -142,7 +143,7 @@ fn decode(code: &[u8], at: u32) -> Option<(Instruction, u32)> {
 /// Section A5.2.
 fn narrow(code: u32, at: u32) -> Instruction {
     use Instruction::*;
-    // A branch counts from the instruction after the next.
+    // A branch offset is relative to the instruction after the next.
     let target = |offset: i32| at.wrapping_add(4).wrapping_add_signed(offset);
     let low = code & 0xff;
     match code >> 8 {
@@ -157,7 +158,7 @@ fn narrow(code: u32, at: u32) -> Instruction {
         // POP with the program counter.
         0xbd => End,
         0xbf if low & 0xf != 0 => IfThen(4 - low.trailing_zeros()),
-        // UDF, permanently undefined, and SVC, whose handler puts what it wants on the stack.
+        // UDF, permanently undefined, and SVC, whose handler may use any amount of stack.
         0xde => End,
         0xdf => Unknown,
         0xd0..=0xdd => Branch { to: target(signed(low, 8) * 2), conditional: true },
@@ -202,14 +203,14 @@ fn wide(first: u32, second: u32, at: u32) -> Instruction {
             let sign = first >> 10 & 1;
             let [j1, j2] = [second >> 13 & 1, second >> 11 & 1];
             let low = (second & 0x7ff) << 1;
-            // Encoding T4 of B and T1 of BL: two more bits of the offset, turned by the sign.
+            // Encoding T4 of B and T1 of BL: two more bits of the offset, inverted by the sign.
             let [i1, i2] = [j1, j2].map(|bit| !(bit ^ sign) & 1);
             let far = sign << 24 | i1 << 23 | i2 << 22 | (first & 0x3ff) << 12 | low;
             let near = sign << 20 | j2 << 19 | j1 << 18 | (first & 0x3f) << 12 | low;
             match (second >> 14 & 1, second >> 12 & 1) {
                 (1, 1) => Call(target(signed(far, 25))),
                 (0, 1) => Branch { to: target(signed(far, 25)), conditional: false },
-                // Conditions 14 and 15 are other instructions, of which none goes anywhere.
+                // Conditions 14 and 15 encode other instructions, none of which branches.
                 (0, 0) if (first >> 6) & 0xf < 14 => {
                     Branch { to: target(signed(near, 21)), conditional: true }
                 }
@@ -220,17 +221,17 @@ fn wide(first: u32, second: u32, at: u32) -> Instruction {
     }
 }
 
-/// A number of so many bits with its sign.
+/// Sign-extends a number of the given number of bits.
 fn signed(number: u32, bits: u32) -> i32 {
     (number << (32 - bits)) as i32 >> (32 - bits)
 }
 
-/// The twelve bits of a plain constant.
+/// Returns the twelve bits of a plain constant.
 fn immediate(first: u32, second: u32) -> u32 {
     (first >> 10 & 1) << 11 | (second >> 12 & 7) << 8 | second & 0xff
 }
 
-/// The number that the twelve bits of a modified constant stand for (ThumbExpandImm, A5.3.2).
+/// Returns the value of a modified constant of twelve bits (ThumbExpandImm, A5.3.2).
 fn expanded(first: u32, second: u32) -> u32 {
     let bits = immediate(first, second);
     let low = bits & 0xff;

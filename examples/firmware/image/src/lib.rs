@@ -1,7 +1,7 @@
-//! Firmware that steps a chain, measures the steps, and tells the host through the debugger.
+//! Firmware that steps a chain, measures the steps, and reports to the host through the debugger.
 //!
-//! It is linked against no panic: the [handler](panic) calls what does not exist, so an image whose
-//! steps could panic has no image.
+//! The [panic handler](panic) calls a function that does not exist, so an image whose steps can panic
+//! does not link.
 #![no_std]
 
 mod board;
@@ -17,7 +17,7 @@ use mstmm::{ChainState, Error, Rk4};
 pub use board::{Board, TIMER_LIMIT};
 pub use report::Report;
 
-/// What a timer's interrupt would call, on its own so that it can be found in the image.
+/// Takes one step as a timer's interrupt would; a separate function, so that it is found in the image.
 #[inline(never)]
 pub fn step<M: Model>(model: &M, rk4: &mut Rk4<M>, state: &mut M::State) -> Result<(), Error> {
     #[cfg(feature = "control")]
@@ -25,14 +25,14 @@ pub fn step<M: Model>(model: &M, rk4: &mut Rk4<M>, state: &mut M::State) -> Resu
     model.step(rk4, state)
 }
 
-/// An index that the compiler cannot know to be right: the linker must refuse this step.
+/// An index that the compiler cannot check: the linker must reject this step.
 #[cfg(feature = "control")]
 fn can_panic() -> u8 {
     let numbers = core::hint::black_box([1, 2, 3]);
     numbers[core::hint::black_box(1)]
 }
 
-/// Measures steps from random states, then tells where a motion leads and what all its bits are.
+/// Measures steps from random states, then reports the end of a motion and the hash of all its bits.
 pub fn run<M: Model>() -> ! {
     let mut report = Report::new();
     match measure::<M>(&mut report).and_then(|()| simulate::<M>(&mut report)) {
@@ -41,7 +41,7 @@ pub fn run<M: Model>() -> ! {
     }
 }
 
-/// Instructions and stack of a step.
+/// Measures instructions and stack of a step.
 fn measure<M: Model>(report: &mut Report) -> Result<(), Error> {
     let Some(mut board) = Board::take() else { report.failure("the board is taken") };
     let (model, mut rk4, mut random) = (M::new(), M::integrator(), Random::new(SEED));
@@ -56,7 +56,7 @@ fn measure<M: Model>(report: &mut Report) -> Result<(), Error> {
         result?;
         deepest = deepest.max(stack);
     }
-    // Many of these are refused: how long that takes is what counts.
+    // Many of these steps return an error; their time is measured as well.
     let mut longest = 0;
     model.for_each_bad_state(|mut state| {
         let (ticks, _) = board.ticks(|| step(&model, &mut rk4, &mut state));
@@ -69,7 +69,7 @@ fn measure<M: Model>(report: &mut Report) -> Result<(), Error> {
     Ok(())
 }
 
-/// The motion from the start of the description.
+/// Simulates the motion from the start of the description.
 fn simulate<M: Model>(report: &mut Report) -> Result<(), Error> {
     let (model, mut rk4) = (M::new(), M::integrator());
     let (mut state, mut hash) = (model.start(), Hash::default());
@@ -83,7 +83,7 @@ fn simulate<M: Model>(report: &mut Report) -> Result<(), Error> {
     Ok(())
 }
 
-/// Refers to a function that is nowhere: what may panic does not link.
+/// Calls a function that does not exist: code that may panic does not link.
 #[panic_handler]
 fn panic(_: &PanicInfo) -> ! {
     // SAFETY: there is no such function, so nothing calls it.

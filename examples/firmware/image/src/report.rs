@@ -1,5 +1,4 @@
-//! Lines to the host, in hexadecimal: formatting of `core` could panic, and would be most of the
-//! image.
+//! Lines to the host in hexadecimal: the formatting of `core` may panic, and would be most of the image.
 
 use cortex_m_semihosting::debug::{self, EXIT_FAILURE, EXIT_SUCCESS};
 use cortex_m_semihosting::hio::{self, HostStream};
@@ -17,39 +16,39 @@ impl Default for Report {
 }
 
 impl Report {
-    /// Without a host nothing is told.
+    /// Returns the host's output; without a host nothing is written.
     pub fn new() -> Self {
         Self { host: hio::hstdout().ok() }
     }
 
-    /// A name and some words.
+    /// Writes a name and some words.
     pub fn line(&mut self, name: &str, words: &[u32]) {
         self.text(name);
         words.iter().for_each(|&word| self.word(word.into(), 8));
         self.text("\n");
     }
 
-    /// A name and 64 bits.
+    /// Writes a name and 64 bits.
     pub fn bits(&mut self, name: &str, bits: u64) {
         self.text(name);
         self.word(bits, 16);
         self.text("\n");
     }
 
-    /// A name and the bits of some numbers.
+    /// Writes a name and the bits of some numbers.
     pub fn numbers<T: Number>(&mut self, name: &str, numbers: &[T]) {
         self.text(name);
         numbers.iter().for_each(|number| self.word(number.bits(), 2 * size_of::<T>()));
         self.text("\n");
     }
 
-    /// Ends the emulation well.
+    /// Ends the emulation successfully.
     pub fn success(&mut self) -> ! {
         debug::exit(EXIT_SUCCESS);
         halt()
     }
 
-    /// Ends the emulation with what went wrong.
+    /// Ends the emulation with an error.
     pub fn failure(&mut self, reason: &str) -> ! {
         self.text("failure ");
         self.text(reason);
@@ -62,7 +61,7 @@ impl Report {
         self.bytes(text.as_bytes());
     }
 
-    /// A blank and so many hexadecimal digits, the last ones of `word`.
+    /// Writes a blank and the last `digits` hexadecimal digits of `word`.
     #[inline(never)]
     fn word(&mut self, word: u64, digits: usize) {
         self.text(" ");
@@ -72,17 +71,17 @@ impl Report {
         }
     }
 
-    // Not inlined, nor is `word`: it is short, and there are many calls.
+    // Neither this function nor `word` is inlined: there are many calls.
     #[inline(never)]
     fn bytes(&mut self, bytes: &[u8]) {
         if let Some(host) = &mut self.host {
-            // There is no one to tell that the host does not listen.
+            // An error of the host cannot be reported.
             let _ = host.write_all(bytes);
         }
     }
 }
 
-/// A real processor goes on after it told the debugger to stop it.
+/// Loops forever: a real processor continues after a request to the debugger to stop.
 fn halt() -> ! {
     loop {
         cortex_m::asm::wfi();

@@ -18,11 +18,11 @@ panda! {
     }
 }
 
-/// Of springs and dampers that the controller puts in the joints, in N m/rad and N m s/rad.
+/// Stiffness and damping of the controller, in N m/rad and N m s/rad.
 const STIFFNESS: [f64; 7] = [60.0, 60.0, 60.0, 60.0, 25.0, 15.0, 5.0];
 const DAMPING: [f64; 7] = [5.0, 5.0, 5.0, 5.0, 1.0, 0.5, 0.1];
 
-/// The pose that they pull to, in rad.
+/// The target of the controller in rad.
 const TARGET: [f64; 7] = [0.5, 0.3, -0.4, -1.5, 0.2, 1.8, 0.6];
 
 impl<T: Number> Model for Arm<T> {

@@ -14,30 +14,30 @@ use mstmm::{Chain, ChainState, Error, Rk4, Scalar};
 /// The seed of all random states.
 pub const SEED: u64 = 0x6d73_746d_6d20_3037;
 
-/// From how many random states a step is measured.
+/// The number of random states from which a step is measured.
 pub const RANDOM_STATES: usize = 1000;
 
-/// How many steps are compared bit by bit.
+/// The number of steps that are compared bit by bit.
 pub const MOTION_STEPS: usize = 10_000;
 
-/// After how many steps in a timer's interrupt the state is compared.
+/// The number of steps in a timer's interrupt after which the state is compared.
 pub const INTERRUPT_STEPS: u32 = 1000;
 
-/// A chain and how it is stepped.
+/// A chain with its controller and step.
 pub trait Model: Chain<Scalar: Number> + Sized {
-    /// Of a step, in s.
+    /// The step in s.
     const STEP: f64;
 
     /// The chain as described.
     fn new() -> Self;
 
-    /// Where the motion starts.
+    /// Returns the start of the motion.
     fn start(&self) -> Self::State;
 
-    /// What acts on the chain in a state.
+    /// Returns the inputs of the chain in a state.
     fn inputs(&self, state: &Self::State) -> Self::Inputs;
 
-    /// Any state: angles all around, orientations everywhere, rates up to 2 rad/s.
+    /// Returns a random state: any angles and orientations, rates up to 2 rad/s.
     fn random_state(&self, random: &mut Random) -> Self::State {
         let mut state = Self::State::default();
         let pi = <Self::Scalar as Scalar>::constant(core::f64::consts::PI);
@@ -51,8 +51,8 @@ pub trait Model: Chain<Scalar: Number> + Sized {
         state
     }
 
-    /// Does something with where the motion starts, but for one number: each of them is each
-    /// [bad](Number::BAD) one.
+    /// Calls a function with the start of the motion, with each of its numbers in turn replaced by each
+    /// [bad](Number::BAD) number.
     fn for_each_bad_state(&self, mut work: impl FnMut(Self::State)) {
         let start = self.start();
         let coordinates = start.coordinates().len();
@@ -69,12 +69,12 @@ pub trait Model: Chain<Scalar: Number> + Sized {
         }
     }
 
-    /// An integrator for the chain.
+    /// Returns an integrator for the chain.
     fn integrator() -> Rk4<Self> {
         Rk4::new(<Self::Scalar as Scalar>::constant(Self::STEP))
     }
 
-    /// What a timer's interrupt does: one step of the classical Runge–Kutta method.
+    /// Takes one step of the classical Runge–Kutta method, as a timer's interrupt does.
     fn step(&self, rk4: &mut Rk4<Self>, state: &mut Self::State) -> Result<(), Error> {
         rk4.step(self, state, |_, state| self.inputs(state))
     }

@@ -1,13 +1,13 @@
-//! Numbers whose bits can be compared, and states at random.
+//! Scalars with comparable bits, and random numbers.
 
 use mstmm::{ChainState, Scalar};
 
-/// A number of one lane.
+/// A scalar of one lane.
 pub trait Number: Scalar<Real = Self, Mask = bool> + From<i16> {
-    /// What a state should not hold, or hardly ever does: no step may take longer for it.
+    /// Numbers that a state should not contain, or rarely contains; a step must not take longer for them.
     const BAD: [Self; 7];
 
-    /// What it is made of.
+    /// Returns its bits.
     fn bits(self) -> u64;
 }
 
@@ -34,7 +34,7 @@ macro_rules! number {
 number!(f32);
 number!(f64);
 
-/// One number that stands for the bits of many (FNV-1a, a word at a time).
+/// A hash of the bits of many numbers (FNV-1a, a word at a time).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hash(u64);
 
@@ -45,7 +45,7 @@ impl Default for Hash {
 }
 
 impl Hash {
-    /// Takes in all coordinates, all rates and the time.
+    /// Adds all coordinates, all rates and the time to the hash.
     pub fn add_state<S: ChainState<Scalar: Number>>(&mut self, state: &S) {
         let numbers =
             state.coordinates().iter().chain(state.rates()).copied().chain([state.time()]);
@@ -53,18 +53,18 @@ impl Hash {
             .fold(self.0, |hash, number| (hash ^ number.bits()).wrapping_mul(0x0100_0000_01b3));
     }
 
-    /// The number.
+    /// Returns the hash.
     pub fn value(self) -> u64 {
         self.0
     }
 }
 
-/// The same numbers on every machine, from whole numbers alone (SplitMix64).
+/// Random numbers from integer operations, the same on every machine (SplitMix64).
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {
-    /// All that follows hangs on `seed` alone.
+    /// Returns a generator with the given seed.
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
@@ -76,7 +76,7 @@ impl Random {
         mixed ^ (mixed >> 31)
     }
 
-    /// Evenly spread, in steps of 2⁻¹⁵.
+    /// Returns a uniformly distributed multiple of 2⁻¹⁵.
     pub fn between_minus_one_and_one<T: Number>(&mut self) -> T {
         T::from((self.bits() >> 48) as i16) * T::constant(1.0 / 32768.0)
     }

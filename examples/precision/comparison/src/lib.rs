@@ -25,7 +25,7 @@ mod verdict;
 
 pub use std::process::ExitCode;
 
-pub use description::{Description, InputKind, Group, Hinge, Input, Part, Settings, Task};
+pub use description::{Description, Group, Hinge, Input, InputKind, Part, Settings, Task};
 pub use subject::{Number, Reading, Subject};
 
 use evaluation::Errors;

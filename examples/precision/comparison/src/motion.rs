@@ -4,7 +4,7 @@
 use mstmm::{Energy, Error};
 use serde::Serialize;
 
-use crate::course::{MotionError, COARSEST, Course, Instant, Plan, course};
+use crate::course::{COARSEST, Course, Instant, MotionError, Plan, course};
 use crate::description::{Description, Settings};
 use crate::sample::{Sampler, Start, single};
 use crate::scales::Scales;

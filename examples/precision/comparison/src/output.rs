@@ -88,7 +88,9 @@ impl Text {
             }
         }
         if let Some(name) = &errors.worst_acceleration {
-            self.line(format_args!("The acceleration with the largest relative error is that of {name}."));
+            self.line(format_args!(
+                "The acceleration with the largest relative error is that of {name}."
+            ));
         }
         for (count, what) in [
             (errors.not_closed, "could not be closed and were replaced"),

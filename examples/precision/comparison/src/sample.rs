@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use mstmm::{ChainState, Error};
 use mstmm_reference::Random;
 
-use crate::description::{Description, InputKind, Group, Hinge, Settings};
+use crate::description::{Description, Group, Hinge, InputKind, Settings};
 use crate::scales::Scales;
 use crate::subject::{Subject, doubles};
 

@@ -26,9 +26,11 @@ pub fn verdict(errors: &Errors, motion: Option<&Motion>, description: &Descripti
     .collect();
     said.push(match said.is_empty() {
         true => "No state could be compared.".to_owned(),
-        false => "Digits are −log₁₀ of the error relative to the largest value of a state; f32 itself \
+        false => {
+            "Digits are −log₁₀ of the error relative to the largest value of a state; f32 itself \
                   has 7.2, −log₁₀ of half a unit in the last place."
-            .to_owned(),
+                .to_owned()
+        }
     });
     if errors.refused > 0 {
         said.push(format!(

@@ -1,4 +1,4 @@
-//! Instructions as the manual and assemblers write them.
+//! Tests of the decoder with instructions in assembler notation.
 
 use super::*;
 
@@ -44,7 +44,7 @@ fn a_loop_is_seen_and_a_jump_back_that_is_none_is_not() {
 }
 
 #[test]
-fn what_cannot_be_told_is_not_passed_over() {
+fn unknown_effects_are_reported() {
     let unknown = [
         // blx r3; svc #0; tbb [pc, r0]
         &[0x4798][..],

@@ -1,5 +1,5 @@
-//! The arm in the interrupt of a timer, a thousand times a second, as a product would have it: the
-//! interrupt owns the model, and the main loop sees copies of what it needs.
+//! The arm in a timer's interrupt, 1000 times a second, as in a product: the interrupt owns the model, and
+//! the main loop has copies of the values it needs.
 #![no_std]
 #![no_main]
 
@@ -12,18 +12,18 @@ use image::{Report, TIMER_LIMIT, entry, exception};
 use models::{Arm, ArmState, INTERRUPT_STEPS, Model};
 use mstmm::Rk4;
 
-/// Of the board.
+/// The clock frequency of the board in Hz.
 const CLOCK_HZ: u32 = 25_000_000;
 const STEPS_PER_SECOND: u32 = 1000;
 const RELOAD: u32 = CLOCK_HZ / STEPS_PER_SECOND - 1;
 
-/// What the interrupt tells the main loop.
+/// The values that the interrupt passes to the main loop.
 static STATE: Mutex<Cell<Option<ArmState<f32>>>> = Mutex::new(Cell::new(None));
 static TAKEN: AtomicU32 = AtomicU32::new(0);
 static FAILED: AtomicBool = AtomicBool::new(false);
 static LONGEST: AtomicU32 = AtomicU32::new(0);
 
-/// What the interrupt keeps from one time to the next.
+/// The state of the interrupt between two calls.
 struct Simulation {
     arm: Arm<f32>,
     rk4: Rk4<Arm<f32>>,
@@ -45,14 +45,14 @@ fn SysTick() {
         return;
     }
     let Simulation { arm, rk4, state } = SIMULATION.get_or_insert_with(Simulation::new);
-    // A step that fails leaves the state as it was: here a product would go to its safe state.
+    // A step that fails leaves the state unchanged: here a product would go to its safe state.
     if image::step(arm, rk4, state).is_err() {
         FAILED.store(true, Ordering::Relaxed);
     }
     let copy = state.clone();
     free(|token| STATE.borrow(token).set(Some(copy)));
     TAKEN.store(TAKEN.load(Ordering::Relaxed) + 1, Ordering::Release);
-    // The timer counts down and began anew when it called: this is how late it is now.
+    // The timer counts down and restarted at the call: this is the time since the call.
     let passed = RELOAD - cortex_m::peripheral::SYST::get_current();
     LONGEST.store(LONGEST.load(Ordering::Relaxed).max(passed), Ordering::Relaxed);
 }
