@@ -1,8 +1,8 @@
-// The Franka Emika Panda without its hand, joints 1 to 7, from its public URDF; right angles written as
-// such. `include!` this file where `mstmm_chain!` is in scope.
+// The Franka Emika Panda without its hand, joints 1 to 7, from its public URDF, with exact right angles.
+// `include!` this file where `mstmm_chain!` is in scope.
 
-/// Makes a chain of the arm, with a motor in every joint, and of what is given besides: parameters and
-/// further `bodies`, the rest of the `route` from the flange, further properties of `hinges`.
+/// Makes a chain of the arm with a motor in every joint. Optional arguments add parameters and `bodies`, the
+/// rest of the `route` from the flange, and properties of `hinges`.
 macro_rules! panda {
     (
         $(#[$doc:meta])*

@@ -71,7 +71,7 @@ fn welds_alone_carry_the_weight() -> Result<(), Error> {
     Ok(())
 }
 
-/// Without gravity, which is what is left away, a stone flies straight on and keeps its spin.
+/// Without the setting `gravity`, a stone moves straight and keeps its spin.
 #[test]
 fn a_single_stone_flies_straight() -> Result<(), Error> {
     for_both! { chain in [Stone, StoneByTransfer] {
@@ -103,7 +103,7 @@ fn a_single_stone_flies_straight() -> Result<(), Error> {
     Ok(())
 }
 
-/// The chain sees constants of the function it stands in, and they count like numbers.
+/// A chain can use constants of the function that contains it.
 #[test]
 fn a_chain_in_a_function_uses_its_constants() -> Result<(), Error> {
     const MASS: f64 = 1.5;

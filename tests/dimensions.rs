@@ -181,7 +181,7 @@ fn modal(time: f64, rest: f64) -> [f64; 5] {
     })
 }
 
-/// The exact solution from a program in Python of its own: time, then the positions of `Literal`
+/// The exact solution from a separate program in Python: time, then the positions of `Literal`
 /// and of `AtRest`.
 const EXACT: [(f64, [f64; 5], [f64; 5]); 2] = [
     (

@@ -119,8 +119,8 @@ fn a_parameter_that_leaves_nothing_finite_is_refused() {
     chain.set_slant(-3.0).expect("the axis the other way round");
 }
 
-/// The centre of mass of a body must not be reckoned from a point that is close to its input: that
-/// would be six digits less here.
+/// The centre of mass of a body must not be computed from a point close to its input, which would lose
+/// six digits here.
 #[test]
 fn a_force_is_right_to_rounding_wherever_the_output_lies() {
     let chain = Overhang::<f64>::new();

@@ -109,7 +109,7 @@ fn error(computed: &[f64], truth: &[f64]) -> f64 {
 }
 
 /// Rounding in each of a thousand bodies, some hundred operations each, adds up to √1e5 units in the
-/// last place; what is in front of long chains has a condition of some tens besides.
+/// last place; the parts in front of long chains add a condition number of some tens.
 const DOUBLE: f64 = 1e-11;
 const SINGLE: f64 = 1e-3;
 

@@ -53,17 +53,18 @@ fn chain(seed: u64) -> Chain {
     chains.into_iter().find(moves).expect("one of many chains")
 }
 
-/// Whether a chain has more freedoms than its closure takes: the language refuses what cannot move.
+/// Whether a chain has more degrees of freedom than loop constraints: the language rejects chains that
+/// cannot move.
 fn moves(chain: &Chain) -> bool {
     let driven = chain.hinges().any(|hinge| hinge.prescribed)
         || [&chain.start, &chain.finish].iter().any(|end| matches!(end, End::Moving { .. }));
-    let freedoms: usize = chain.hinges().map(|hinge| hinge.dof_count()).sum();
+    let dof_count: usize = chain.hinges().map(|hinge| hinge.dof_count()).sum();
     let directions = match chain.dimension {
         Dimension::Space => 6,
         Dimension::Plane => 3,
         Dimension::Line => 1,
     };
-    !chain.closed() || driven || freedoms > directions || chain.name == format!("Random{FLAT}")
+    !chain.closed() || driven || dof_count > directions || chain.name == format!("Random{FLAT}")
 }
 
 /// A seed whose chain is closed, and lies in a plane: its hinges are redundant in space.

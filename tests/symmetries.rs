@@ -19,7 +19,7 @@ const AT_ONCE: f64 = 1e-11;
 /// part by less than a hundred times.
 const LATER: f64 = 1e-8;
 
-/// All that can be said of a point, as it looks when the world is turned by `turn`.
+/// Returns all results at a point after a rotation of the world by `turn`.
 fn entries(point: &Point<f64>, turn: &Rotation3<f64>, shift: &Vector3<f64>) -> Vec<f64> {
     let mut entries: Vec<f64> = Vec::new();
     entries.extend((turn * point.position() + shift).iter());

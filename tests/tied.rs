@@ -1,5 +1,5 @@
 //! Spatial chains that are tied to the ground at their end: a gate between two balls, a chain with
-//! five freedoms, ends that hold nothing and ends that hold by springs.
+//! five degrees of freedom, ends that constrain nothing and ends that are held by springs.
 
 mod support;
 

@@ -1,6 +1,6 @@
-//! What chains cost: accelerations in both precisions, z and everything at every connection point, and steps.
+//! Benchmarks of accelerations in both precisions, of z and of all results, and of steps.
 //!
-//! Each evaluation is of another state, so that no branch can be foreseen.
+//! Each evaluation is at another state, so that no branch can be predicted.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -16,8 +16,8 @@ use mstmm_benches::{
 
 type Group<'a> = BenchmarkGroup<'a, WallTime>;
 
-/// The states of a chain have so many numbers together, which a cache holds, but there are no more
-/// states than this.
+/// The number of values in all states of a chain, which fit into a cache, and the largest number of
+/// states.
 const NUMBERS: usize = 1 << 16;
 const MOST_STATES: usize = 1024;
 
@@ -49,7 +49,7 @@ macro_rules! groups {
             let mut group = criterion.benchmark_group("everything");
             $(everything::<$chain<f64>>(&mut group);)*
             group.finish();
-            let mut group = criterion.benchmark_group("everything, read at all points");
+            let mut group = criterion.benchmark_group("all results, read at all points");
             $(everything_read::<$chain<f64>>(&mut group);)*
             group.finish();
             let mut group = criterion.benchmark_group("RK4 step");
@@ -61,7 +61,7 @@ macro_rules! groups {
 }
 with_cases!(groups);
 
-/// In lanes; times are those of one state.
+/// Benchmarks in lanes; times are per state.
 fn lanes(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("accelerations, f64x8, a state");
     accelerations::<Balls3<f64x8>>(&mut group);

@@ -1,4 +1,4 @@
-//! What a body costs in chains of ten to ten thousand: the generated code is the same loop for all.
+//! The cost per body in chains of 10 to 10 000 bodies, with the same loop in the generated code.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -9,11 +9,11 @@ use criterion::{BenchmarkId, Criterion, Throughput};
 use mstmm::{ChainState, mstmm_chain};
 use mstmm_benches::{numbers_of_state, random_states, state_from};
 
-/// Long chains keep their numbers on the stack.
+/// The stack size: long chains keep their values on the stack.
 const STACK: usize = 1 << 28;
 
-/// A chain of ten is timed in a tenth as many states as this, longer ones in fewer: the angles of all
-/// together are too many to be learnt.
+/// The number of bodies in all states of a chain: a chain of ten has a tenth as many states. There are
+/// too many angles for branch prediction.
 const STATES: usize = 10_000;
 
 macro_rules! lengths {
@@ -52,7 +52,7 @@ macro_rules! lengths {
     };
 }
 
-/// Times a chain in several states.
+/// Times a chain at several states.
 macro_rules! time {
     ($group:ident, $chain:ident, $count:literal) => {
         let chain = $chain::<f64>::new();

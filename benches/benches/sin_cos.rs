@@ -1,4 +1,4 @@
-//! Sines and cosines of angles side by side, as chains ask for them, and those of `std` one by one.
+//! Sines and cosines of several angles at a time, as in chains, compared with those of `std`.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -10,7 +10,7 @@ use criterion::{
 use mstmm::Scalar;
 use mstmm_benches::random_angles;
 
-/// More than a processor's branch prediction learns.
+/// The number of angles, too many for branch prediction.
 const ANGLES: usize = 1 << 13;
 
 criterion_group! {

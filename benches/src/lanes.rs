@@ -1,17 +1,17 @@
-//! Numbers by how many lanes they have.
+//! Scalars of one lane or of several lanes.
 
 use mstmm::Scalar;
 use mstmm::wide::{f32x16, f64x8};
 
-/// A number that chains are timed in, of one lane or of several.
+/// A scalar that chains are timed in, of one lane or of several lanes.
 pub trait Lanes: Scalar {
-    /// How many there are.
+    /// The number of lanes.
     const COUNT: usize;
 
-    /// From the number of each lane.
+    /// Returns the scalar with the given value in each lane.
     fn from_lanes(lane: impl FnMut(usize) -> f64) -> Self;
 
-    /// The number of a lane.
+    /// Returns the value of a lane.
     fn lane(self, index: usize) -> f64;
 }
 

@@ -1,4 +1,4 @@
-//! The chains that are timed, the states they are timed in, and what both have in common.
+//! The chains that are timed, their states, and common items.
 //!
 //! The letters are those of `benches/README.md`: A rods on parallel pins, B cubes on balls, C cubes on
 //! crossed pins, D an arm.
@@ -17,12 +17,12 @@ pub use states::{
     numbers_of_state, random_angles, random_states, samples, samples_from, state_from,
 };
 
-/// A chain that is timed: every hinge of it has a motor.
+/// A chain that is timed. Every hinge has a motor.
 pub trait Case: GeneratedChain<Scalar: Lanes, Inputs: Clone> + Default {
     /// Its letter and the number of its hinges.
     const NAME: &'static str;
 
-    /// The accelerations alone, into the rates of `rate`.
+    /// Computes only the accelerations, into the rates of `rate`.
     ///
     /// # Errors
     /// Those of [`mstmm::Chain::derivative_into`].
@@ -33,16 +33,16 @@ pub trait Case: GeneratedChain<Scalar: Lanes, Inputs: Clone> + Default {
         rate: &mut Self::State,
     ) -> Result<(), Error>;
 
-    /// The accelerations among the results of [`GeneratedChain::solve_into`].
+    /// Returns the accelerations in the results of [`GeneratedChain::solve_into`].
     fn accelerations_at(at: &Self::Workspace) -> &[Self::Scalar];
 
-    /// All connection points of such results, with all their vectors in inertial axes.
+    /// Reads all vectors of all connection points of such results, in inertial axes.
     fn points_at(at: &Self::Workspace) -> impl Copy;
 
-    /// The motors' torques, in the order of the rates.
+    /// Returns the inputs with the motors' torques, in the order of the rates.
     fn set_torques(inputs: &mut Self::Inputs, torques: &[Self::Scalar]);
 
-    /// A state and inputs from [numbers](random_states).
+    /// Returns a state and inputs from [numbers](random_states).
     fn sample(&self, numbers: impl Iterator<Item = Self::Scalar>) -> (Self::State, Self::Inputs) {
         let (state, torques) = state_from(numbers);
         let mut inputs = self.no_inputs();

@@ -13,14 +13,14 @@ const SEED: u64 = 0x6d73_746d_6d20_3031;
 const LARGEST_RATE: f64 = 2.0;
 const LARGEST_TORQUE: f64 = 5.0;
 
-/// So many states of a case with their inputs.
+/// Returns a number of states of a case with their inputs.
 pub fn samples<C: Case>(chain: &C, count: usize) -> Vec<(C::State, C::Inputs)> {
     let numbers = random_states::<C::State>(count);
     samples_from(chain, &numbers)
 }
 
-/// The same from [numbers](random_states), with as many states side by side as a number has lanes.
-/// Where the last of them are too few, the last one fills the other lanes.
+/// Returns the states in [numbers](random_states), one per lane. If the last states are fewer than the
+/// lanes, the last state fills the other lanes.
 pub fn samples_from<C: Case>(chain: &C, numbers: &[f64]) -> Vec<(C::State, C::Inputs)> {
     let of_state = numbers_of_state::<C::State>();
     let states: Vec<&[f64]> = numbers.chunks_exact(of_state).collect();
@@ -32,23 +32,23 @@ pub fn samples_from<C: Case>(chain: &C, numbers: &[f64]) -> Vec<(C::State, C::In
     states.chunks(C::Scalar::COUNT).map(side_by_side).collect()
 }
 
-/// How many numbers are in a state: coordinates, rates and torques.
+/// Returns the number of values of a state: coordinates, rates and torques.
 pub fn numbers_of_state<S: ChainState + Default>() -> usize {
     let state = S::default();
     state.coordinates().len() + 2 * state.rates().len()
 }
 
-/// So many states, one after the other: coordinates, rates and torques of all hinges, which are
-/// pins alone or balls alone.
+/// Returns a number of states, one after the other: coordinates, rates and torques of all hinges, which
+/// are either pins or balls.
 ///
-/// Angles go all around and orientations everywhere, so that no branch can be foreseen.
+/// Angles and orientations are uniformly distributed, so that no branch can be predicted.
 pub fn random_states<S: ChainState + Default>(count: usize) -> Vec<f64> {
     let state = S::default();
     let (coordinates, rates) = (state.coordinates().len(), state.rates().len());
     let mut random = Random(SEED);
     let mut numbers = Vec::with_capacity(count * numbers_of_state::<S>());
     for _ in 0..count {
-        // Of a ball the orientation takes four numbers, its rate three.
+        // The orientation of a ball has four numbers, its rate three.
         if coordinates == rates {
             numbers.extend((0..coordinates).map(|_| random.within(PI)));
         } else {
@@ -60,13 +60,13 @@ pub fn random_states<S: ChainState + Default>(count: usize) -> Vec<f64> {
     numbers
 }
 
-/// So many angles, all around.
+/// Returns a number of random angles in ±π.
 pub fn random_angles(count: usize) -> Vec<f64> {
     let mut random = Random(SEED);
     (0..count).map(|_| random.within(PI)).collect()
 }
 
-/// A state from such numbers, and the torques that are left.
+/// Returns a state from such numbers, and the torques.
 pub fn state_from<S: ChainState + Default>(
     mut numbers: impl Iterator<Item = S::Scalar>,
 ) -> (S, Vec<S::Scalar>) {
@@ -83,7 +83,7 @@ pub fn state_from<S: ChainState + Default>(
     (state, numbers.collect())
 }
 
-/// Numbers by SplitMix64 (Steele, Lea and Flood 2014).
+/// Random numbers by SplitMix64 (Steele, Lea and Flood 2014).
 struct Random(u64);
 
 impl Random {
@@ -94,13 +94,13 @@ impl Random {
         mixed ^ (mixed >> 31)
     }
 
-    /// Evenly between −`bound` and `bound`.
+    /// Returns a number uniformly distributed in ±`bound`.
     fn within(&mut self, bound: f64) -> f64 {
         let unit = (self.bits() >> 11) as f64 / (1_u64 << 53) as f64;
         bound * (2.0 * unit - 1.0)
     }
 
-    /// A unit quaternion, all of them alike: a point of the ball, brought to its surface.
+    /// Returns a uniformly distributed unit quaternion: a point in the ball, projected onto its surface.
     fn orientation(&mut self) -> [f64; 4] {
         loop {
             let point = [(); 4].map(|()| self.within(1.0));

@@ -13,7 +13,7 @@ pub fn print(outcome: &Outcome, json: bool) -> Result<(), Box<dyn Error>> {
     }
     let Outcome { settings, seed, .. } = outcome;
     println!(
-        "{} Pandas with random payloads of 0.1 to 3 kg, whose controller reckons with 1.5 kg;\n\
+        "{} Pandas with random payloads of 0.1 to 3 kg, whose controller assumes 1.5 kg;\n\
          each {:.3} s in {} steps of the classical Runge-Kutta method; seed {seed}\n",
         outcome.arms,
         settings.time(),

@@ -78,14 +78,14 @@ fn value(chain: &Chain, input: &Input) -> TokenStream {
         return numbers(0, input.range.len(), true);
     };
     let kind = &chain.hinges[hinge].kind;
-    let (coordinates, freedoms) = (kind.coordinates(), kind.dof_count());
+    let (coordinates, dof_count) = (kind.coordinates(), kind.dof_count());
     let Some(view) = &kind.spec().view else { return TokenStream::new() };
     let name = format_ident!("{}", view.name);
     let groups = view.groups.iter().map(|group| match group {
         ViewArgument::Coordinates(range) => numbers(range.start, range.len(), false),
         ViewArgument::Rates(range) => numbers(coordinates + range.start, range.len(), false),
     });
-    let acceleration = numbers(coordinates + freedoms, freedoms, true);
+    let acceleration = numbers(coordinates + dof_count, dof_count, true);
     quote! {
         ::mstmm::HingeMotion {
             state: ::mstmm::#name::new(#(#groups),*),

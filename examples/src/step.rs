@@ -1,5 +1,5 @@
-//! Steps as a real-time loop would call them, compiled on their own so that their assembly can be
-//! looked through: `.ci/run` sees to it that no way through them leads to a panic.
+//! Steps as a real-time loop calls them, compiled separately: `.ci/run` searches their assembly for
+//! panics and allocations.
 
 use mstmm::prelude::*;
 use mstmm::{Dopri5, Error};
@@ -72,7 +72,7 @@ pub fn pendulum(
     rk4.step(chain, state, |_, _| chain.no_inputs())
 }
 
-/// Everything at every connection point of the pendulum.
+/// All results at all connection points of the pendulum.
 #[inline(never)]
 pub fn pendulum_loads(
     chain: &BallPendulum<f64>,
@@ -93,7 +93,7 @@ pub fn satellite(
     dopri5.step(chain, state, |_, _| SatelliteInputs { joint: torque }).map(|_| ())
 }
 
-/// One step of the rope, its springs too stiff for an explicit one.
+/// One step of the rope, whose springs are too stiff for an explicit method.
 #[inline(never)]
 pub fn rope(
     chain: &Rope<f64>,
@@ -103,7 +103,7 @@ pub fn rope(
     euler.step(chain, state, |_, _| chain.no_inputs())
 }
 
-/// Everything at every connection point of the rope.
+/// All results at all connection points of the rope.
 #[inline(never)]
 pub fn rope_loads(
     chain: &Rope<f64>,
@@ -113,13 +113,13 @@ pub fn rope_loads(
     chain.solve_into(state, &chain.no_inputs(), at)
 }
 
-/// A knot in the rope.
+/// Sets a knot in the rope.
 #[inline(never)]
 pub fn rope_knot(chain: &mut Rope<f64>, at: usize, mass: f64) -> Result<(), Error> {
     chain.set_knot(|index| if index == at { mass } else { 0.0 })
 }
 
-/// One step of the four-bar, and back onto its closure.
+/// One step of the four-bar, with a projection onto its loop constraint.
 #[inline(never)]
 pub fn four_bar(
     chain: &FourBar<f32>,
@@ -130,13 +130,13 @@ pub fn four_bar(
     rk4.step(chain, state, |_, _| FourBarInputs { drive: torque })
 }
 
-/// The four-bar closed from a rough start.
+/// Closes the four-bar from an approximate start.
 #[inline(never)]
 pub fn four_bar_closed(chain: &FourBar<f64>, state: &mut FourBarState<f64>) -> Result<(), Error> {
     chain.assemble(state, &chain.no_inputs())
 }
 
-/// A new payload.
+/// Sets a new payload.
 #[inline(never)]
 pub fn satellite_payload(chain: &mut Satellite<f64>, payload: f64) -> Result<(), Error> {
     chain.set_payload(payload)

@@ -1,4 +1,4 @@
-//! Any text inside `mstmm_chain!`.
+//! A fuzz target: any text inside `mstmm_chain!`.
 
 #![no_main]
 
@@ -10,7 +10,7 @@ use libfuzzer_sys::{Corpus, fuzz_target};
 fuzz_target!(|text: &str| -> Corpus {
     match property::check(text) {
         Some(_) => Corpus::Keep,
-        // No text of Rust.
+        // The text is not a sequence of Rust tokens.
         None => Corpus::Reject,
     }
 });

@@ -1,4 +1,4 @@
-//! Driven chains, a controller that fails when it is told to, and all integrators behind one face.
+//! Driven chains, a controller that fails on request, and a common interface to all integrators.
 
 use mstmm::prelude::*;
 use mstmm::{Error, GeneratedChain, Scalar};

@@ -182,7 +182,7 @@ mstmm_chain! {
         load engine { on = first; force = input; }
     }
 
-    /// A hinge and an end that move as they are told.
+    /// A hinge and an end with prescribed motions.
     pub chain Told {
         gravity = [0, -9.8, 0] m/s^2;
         param payload = 0 kg;

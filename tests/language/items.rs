@@ -24,7 +24,7 @@ mod two {
     }
 
     mstmm::mstmm_chain! {
-        // Of its own type of body, under a name that others have too.
+        // With a separate type of body, under a name that other chains use, too.
         pub(crate) chain Crate {
             body Rod { mass = 2 kg; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; }
             ground -> pin axle -> Rod rod;

@@ -63,8 +63,8 @@ fn names_mean_nothing() {
     crate::assert_close(a_at.none().effort(), [3.0, 2.0, 1.0]);
 }
 
-// Parameters and hinges that would be called like what the generated code has of its own, or like each other
-// once their names are in lower case and in normal form.
+// Parameters and hinges whose names would collide with those of the generated code, or with each other in
+// lower case and in normal form.
 mstmm_chain! {
     plane chain PlainRepeat {
         param damping1 = 0.5;

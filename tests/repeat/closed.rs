@@ -51,7 +51,7 @@ twins! {
         a2 = [x[43], x[44], x[45]].into();
     };
 
-    // Bodies behind the repeated part hang on the moving end.
+    // Bodies outboard of the repeated part are attached to the moving end.
     welded_to_the_end: Welded WeldedByTransfer {
         ground -> repeat 2 { ball a -> Bar b } -> repeat 3 { pin c -> Bar d } -> ball e -> Bar f
             -> weld g -> Bar h -> weld i -> moving hook;

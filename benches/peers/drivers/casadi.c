@@ -2,8 +2,8 @@
 //
 //     contender STATES RESULTS MILLISECONDS
 //
-// WIDE: eight states at a time. VECTOR_TRIGONOMETRY: all angles of a state side by side. RK4: a step of
-// the classical Runge–Kutta method.
+// WIDE: eight states at a time. VECTOR_TRIGONOMETRY: vector functions for all angles of a state. RK4: a
+// step of the classical Runge–Kutta method.
 #ifdef WIDE
 #define LANES 8
 typedef double real __attribute__((ext_vector_type(8)));
@@ -18,7 +18,7 @@ typedef double real;
 #include "core.h"
 
 #if defined(WIDE) || defined(VECTOR_TRIGONOMETRY)
-// glibc's vector functions, by their names in its ABI; exact to 4 units in the last place.
+// glibc's vector functions, by their ABI names; accurate to 4 units in the last place.
 #ifdef __AVX512F__
 typedef double vector __attribute__((ext_vector_type(8)));
 #define SINE _ZGVeN8v_sin
@@ -36,7 +36,7 @@ enum { WIDTH = sizeof(vector) / sizeof(double) };
 #if PINS > 0
 static inline void sines_and_cosines(const real *angles, real *sines, real *cosines) {
 #if defined(WIDE) || defined(VECTOR_TRIGONOMETRY)
-    // Of all lanes, or of all angles: as they lie in memory, the last ones beyond the end.
+    // For all lanes, or for all angles, in the order of memory; the last vector may read beyond the end.
     enum { COUNT = PINS * LANES };
     for (int i = 0; i < COUNT; i += WIDTH) {
         vector angle = 0.0;
@@ -78,7 +78,7 @@ static inline void coordinate_rates(const real *q, const real *v, real *rates) {
 #endif
 }
 
-// Coordinates and rates are one array here. The result is the rates; the coordinates are computed too.
+// Coordinates and rates are one array here. The result is the rates; the coordinates are computed, too.
 static void evaluate(const double *state, double *result) {
     enum { ALL = COORDINATES + RATES };
     static const double weights[] = {1, 2, 2, 1}, ways[] = {0.5, 0.5, 1};
@@ -100,7 +100,7 @@ static void evaluate(const double *state, double *result) {
     }
 #endif
     memcpy(result, at + COORDINATES, sizeof(real) * RATES);
-    // Nobody asks for the coordinates here, but they are part of a step.
+    // The coordinates are not used here, but they are part of a step.
     __asm__ volatile("" : : "r"(at) : "memory");
 }
 #else

@@ -1,7 +1,7 @@
-// What all contenders in C and C++ have in common: they read states, evaluate each once, write what
-// comes out, and then time batches of evaluations. The README says how.
+// The common part of all contenders in C and C++: they read states, evaluate each state once, write the
+// results, and then time batches of evaluations. See the README.
 //
-// A contender includes this, defines what is declared first, and calls `contend`.
+// A contender includes this file, defines the items declared first, and calls `contend`.
 #pragma once
 
 #ifndef _GNU_SOURCE
@@ -13,12 +13,12 @@
 #include <string.h>
 #include <time.h>
 
-// How many states are evaluated at once; of so many the numbers lie side by side.
+// The number of states that are evaluated at once, with interleaved numbers.
 #ifndef LANES
 #define LANES 1
 #endif
 
-// Numbers of a state and numbers that come out.
+// The numbers of values of a state and of results.
 static size_t state_numbers, result_numbers;
 // Evaluates `LANES` states; may be a macro.
 #ifndef EVALUATE
@@ -37,7 +37,7 @@ static uint64_t now(void) {
     return (uint64_t)time.tv_sec * 1000000000u + (uint64_t)time.tv_nsec;
 }
 
-// Memory for so many numbers, whole cache lines of it.
+// Allocates memory for a number of values, in whole cache lines.
 static double *numbers(size_t count) {
     double *place = (double *)aligned_alloc(64, (count * sizeof(double) + 63) / 64 * 64);
     if (!place) fail("out of memory");
@@ -80,26 +80,26 @@ static void write_results(const char *path, struct states states, double *result
     fclose(file);
 }
 
-// Evaluates so many groups of states from `*group` on, around and around: ns.
+// Evaluates a number of groups of states, cyclically from `*group`, and returns the time in ns.
 static uint64_t batch(struct states states, size_t *group, size_t count, double *result) {
     uint64_t start = now();
     for (size_t i = 0; i < count; i++) {
         EVALUATE(states.all + *group * state_numbers * LANES, result);
-        // The result is needed, and the next one is not known from it.
+        // Forces the compiler to compute the result, and hides it from the next evaluation.
         __asm__ volatile("" : : "r"(result) : "memory");
         *group = *group + 1 == states.groups ? 0 : *group + 1;
     }
     return now() - start;
 }
 
-// `states`, `results` and `milliseconds` are the last arguments of every contender; `-` is for no results.
+// `states`, `results` and `milliseconds` are the last arguments of every contender; `-` means no results.
 static int contend(char **arguments) {
     struct states states = read_states(arguments[0]);
     double *result = numbers(result_numbers * LANES);
     if (strcmp(arguments[1], "-")) write_results(arguments[1], states, result);
     uint64_t budget = (uint64_t)atoll(arguments[2]) * 1000000u;
 
-    // Before anything is timed the processor comes up to speed.
+    // Warms up the processor before timing.
     size_t group = 0, count = 1;
     for (uint64_t start = now(); now() - start < 5000000u;) batch(states, &group, 1, result);
     while (batch(states, &group, count, result) < 200000u) count *= 2;

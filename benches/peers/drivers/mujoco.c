@@ -24,7 +24,7 @@ static void accelerations(const double *state, double *result) {
     mju_copy(result, data->qacc, model->nv);
 }
 
-// With the wrench in every hinge, in `data->cfrc_int`.
+// Also computes the wrench in every hinge, in `data->cfrc_int`.
 static void all(const double *state, double *result) {
     accelerations(state, result);
     mj_rnePostConstraint(model, data);

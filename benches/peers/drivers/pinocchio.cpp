@@ -2,7 +2,7 @@
 //
 //     contender MODEL WHAT STATES RESULTS MILLISECONDS
 //
-// MODEL is the text that `models.py` writes; WHAT is `accelerations`, `all` or `rk4`.
+// MODEL is a text file written by `models.py`; WHAT is `accelerations`, `all` or `rk4`.
 #include <fstream>
 #include <string>
 
@@ -52,7 +52,7 @@ static void read_model(const char *path) {
     }
 }
 
-// The coordinates, quaternions as Pinocchio has them.
+// The coordinates, with quaternions in Pinocchio's order.
 static Vector coordinates;
 
 static void take_coordinates(const double *state) {
@@ -73,7 +73,7 @@ static void accelerations(const double *state, double *result) {
     Eigen::Map<Vector>(result, model.nv) = data->ddq;
 }
 
-// With the wrench in every hinge, which `rnea` leaves in `data->f`.
+// Also computes the wrench in every hinge, which `rnea` stores in `data->f`.
 static void all(const double *state, double *result) {
     accelerations(state, result);
     Given v(state + model.nq, model.nv);

@@ -14,16 +14,16 @@ from .cases import CASES, Case
 from .measure import measure
 
 STEP = 1e-3
-"""Of the integrators, in s: the contenders have it too."""
+"""The step of the integrators in s, the same as in the contenders."""
 
 OWN_ERROR = 1e-9
-"""With more the project's own code is broken, and its speed means nothing."""
+"""The largest error of this library's code; with a larger error, the run fails."""
 
 OWN_ERROR_SINGLE = 1e-2
-"""The same in single precision, at the worst of all states."""
+"""The largest error in single precision, over all states."""
 
 LONGER = {"B3", "D7"}
-"""Where not only accelerations are timed."""
+"""The cases in which not only accelerations are timed."""
 
 
 def main() -> None:
@@ -69,11 +69,11 @@ def parse() -> argparse.Namespace:
         help="of accelerations,all,rk4",
     )
     parser.add_argument(
-        "--all", action="store_true", help="all and rk4 for all cases, not for B3 and D7 alone"
+        "--all", action="store_true", help="all and rk4 for all cases, not only for B3 and D7"
     )
     parser.add_argument("--quick", action="store_true", help="fewer and shorter rounds")
     parser.add_argument("--rounds", type=int)
-    parser.add_argument("--milliseconds", type=int, help="for which a contender is timed in a round")
+    parser.add_argument("--milliseconds", type=int, help="time of a contender in a round")
     parser.add_argument("--core", type=int, default=max(os.sched_getaffinity(0)), help="to run on")
     options = parser.parse_args()
     options.rounds = options.rounds or (5 if options.quick else 15)
@@ -84,14 +84,14 @@ def parse() -> argparse.Namespace:
 
 
 def own_contenders(native: Path, any_processor: Path, case: Case, what: str) -> list[Contender]:
-    """The first one is what the others are compared with."""
+    """Returns the contenders; the others are compared with the first one."""
     contenders = [
         Contender("mstmm, native", (str(native), what, case.name), own=True),
         Contender("mstmm, any processor", (str(any_processor), what, case.name), own=True),
     ]
     if what == "all":
         contenders.append(Contender("mstmm, native, z alone", (str(native), "z", case.name), own=True))
-    # What a contender can do is in its usage.
+    # The usage text of a contender lists what it computes.
     usage = subprocess.run([native], capture_output=True, text=True).stderr
     if what == "accelerations" and "lanes" in usage:
         double, single = ((str(native), mode, case.name) for mode in ("lanes", "lanes32"))
@@ -101,7 +101,7 @@ def own_contenders(native: Path, any_processor: Path, case: Case, what: str) -> 
 
 
 def expectation(own: Path, case: Case, what: str, work: Path) -> tuple[Path, np.ndarray]:
-    """The states, and what must come out for each."""
+    """Returns the states, and the expected results of each."""
     path = work / f"{case.name}.states"
     subprocess.run([own, "states", case.name, str(case.states), path], check=True)
     states = np.fromfile(path).reshape(case.states, case.coordinates + 2 * case.rates)

@@ -1,4 +1,4 @@
-"""Vectors and matrices of numbers whose zeros and ones leave nothing to compute.
+"""Vectors and matrices that generate no operations for zeros and ones.
 
 A number is a float, an expression or an array. Floats are those of the mechanism: a sum or a product
 with a float zero in it is not formed, nor is a product with a float one.
@@ -66,7 +66,7 @@ def square(entry: Callable[[int, int], Number]) -> Matrix:
 
 
 def symmetric(entry: Callable[[int, int], Number]) -> Matrix:
-    """From its upper half, so that both halves are the same numbers."""
+    """Returns the symmetric matrix of an upper half, with the same entries in both halves."""
     upper = {(i, j): entry(i, j) for i in range(3) for j in range(i, 3)}
     return square(lambda i, j: upper[min(i, j), max(i, j)])
 
@@ -76,13 +76,13 @@ def transposed(m: Matrix) -> Matrix:
 
 
 def turned(rotation: Matrix, m: Matrix, shape: Callable[[Callable[[int, int], Number]], Matrix]) -> Matrix:
-    """R m Rᵀ; the shape says whether it is symmetric."""
+    """Returns R m Rᵀ."""
     half = [times(rotation, row) for row in m]
     return shape(lambda i, j: dot(rotation[i], [row[j] for row in half]))
 
 
 def skew(v: Vector) -> Matrix:
-    """Times another vector, the cross product with it."""
+    """Returns the matrix of the cross product with a vector."""
     x, y, z = v
     return [[0.0, neg(z), y], [z, 0.0, neg(x)], [neg(y), x, 0.0]]
 

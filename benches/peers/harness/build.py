@@ -1,4 +1,4 @@
-"""Makes the contenders."""
+"""Builds the contenders."""
 
 import hashlib
 import os
@@ -22,7 +22,7 @@ PINOCCHIO = [
     "-std=c++17",
     *NATIVE,
     "-ffp-contract=fast",
-    # Limits of Boost's lists of types, for the variant of all joints.
+    # Boost's limits for lists of types, for the variant of all joints.
     "-DBOOST_MPL_LIMIT_LIST_SIZE=30",
     "-DBOOST_MPL_LIMIT_VECTOR_SIZE=30",
     "-DBOOST_FUSION_INVOKE_MAX_ARITY=12",
@@ -34,23 +34,23 @@ PINOCCHIO = [
 class Contender:
     name: str
     command: tuple[str, ...]
-    """Before the files of states and results and the milliseconds."""
+    """The arguments before the files of states and results and the milliseconds."""
     own: bool = False
     wide: bool = False
     """Whether several states are evaluated at once."""
     single: bool = False
-    """Whether in single precision."""
+    """Whether it computes in single precision."""
 
 
 @dataclass(frozen=True)
 class Builder:
-    """What is made lies in `work`, each with a stamp of what it was made of."""
+    """Builds in the folder `work`, with a stamp of the sources for each file."""
 
     work: Path
     clang: str
 
     def own(self, native: bool) -> Path:
-        """The project's own contender, for this processor or for any of its architecture."""
+        """Builds the contender of this library, for this processor or for any processor."""
         folder = self.work / ("own-native" if native else "own")
         command = ["cargo", "build", "--release", "--package", "mstmm-benches", "--bin", "contender"]
         environment = dict(os.environ)
@@ -65,7 +65,7 @@ class Builder:
         return folder / "release/contender"
 
     def casadi(self, case: Case, what: str) -> list[Contender]:
-        """Every way to compile CasADi's code."""
+        """Builds all variants of CasADi's code."""
         wrenches = what == "all"
         folder = self.work / "casadi" / case.name / ("wrenches" if wrenches else "accelerations")
         folder.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""C of the recursion for one case, by CasADi."""
+"""C code of the recursion for one case, by CasADi."""
 
 import re
 from pathlib import Path
@@ -10,7 +10,7 @@ from .recursion import accelerations
 
 
 def generate(case: Case, wrenches: bool, path: Path) -> None:
-    """Writes `core.h`: all constants folded, common subexpressions found, zeros gone.
+    """Writes `core.h` with folded constants, common subexpressions and no operations on zeros.
 
     CasADi's own simplification is off. The recursion forms no operation with a zero or a one anyway,
     and CasADi would turn the products with a reciprocal into as many divisions.
@@ -49,12 +49,12 @@ def generate(case: Case, wrenches: bool, path: Path) -> None:
 
 
 def plain_function(code: str, inputs: list[str]) -> str:
-    """CasADi's function with its arguments by name, and without questions whether they are there."""
+    """Returns CasADi's function with named arguments and without tests for null pointers."""
     body = re.search(r"static int casadi_f0\(.*?\) \{\n(.*?)  return 0;\n\}", code, re.DOTALL)
-    assert body, "CasADi writes other code than it did"
+    assert body, "the form of CasADi's code has changed"
     text = body[1].replace("casadi_real ", "real ")
     text = re.sub(r"arg\[(\d+)\]\? arg\[\1\]\[(\d+)\] : 0", lambda m: f"{inputs[int(m[1])]}[{m[2]}]", text)
     text = re.sub(r"if \(res\[0\]!=0\) res\[0\]\[(\d+)\]", r"result[\1]", text)
-    assert "arg[" not in text and "res[" not in text, "CasADi writes other code than it did"
+    assert "arg[" not in text and "res[" not in text, "the form of CasADi's code has changed"
     arguments = [f"const real *restrict {name}" for name in inputs] + ["real *restrict result"]
     return f"static inline void core({', '.join(arguments)}) {{\n{text}}}\n"

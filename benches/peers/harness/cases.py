@@ -1,4 +1,4 @@
-"""The mechanisms that are timed, as numbers that every tool can be built from."""
+"""The mechanisms that are timed, as data for all tools."""
 
 from dataclasses import dataclass
 
@@ -7,30 +7,30 @@ Matrix = tuple[Vector, Vector, Vector]
 
 ZERO: Vector = (0.0, 0.0, 0.0)
 ONE: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-# Quarter turns about x, exactly: the URDF has them to sixteen digits.
+# Exact rotations by 90° about x: the URDF has them to sixteen digits.
 UP: Matrix = ((1.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
 DOWN: Matrix = ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, -1.0, 0.0))
 
 
 @dataclass(frozen=True)
 class Body:
-    """A body and the hinge that it hangs on; both frames have their origin at the hinge."""
+    """A body and its inboard hinge; both frames have their origin at the hinge."""
 
     hinge: str
     """`x`, `y` or `z`: a pin about this axis; `ball`."""
     position: Vector
-    """Of the hinge, in the frame of the body before."""
+    """The position of the hinge, in the frame of the inboard body."""
     rotation: Matrix
-    """Of the hinge's inboard side: turns its components into those of the body before."""
+    """The rotation matrix from the hinge's inboard frame to the frame of the inboard body."""
     mass: float
     com: Vector
     inertia: Matrix
-    """About the centre of mass."""
+    """The inertia about the centre of mass."""
 
 
 @dataclass(frozen=True)
 class Case:
-    """A chain that hangs on the ground."""
+    """A chain with its first hinge on the ground."""
 
     name: str
     gravity: Vector
@@ -46,12 +46,12 @@ class Case:
 
     @property
     def balls(self) -> bool:
-        """A case has pins alone or balls alone."""
+        """A case has either only pins or only balls."""
         return self.bodies[0].hinge == "ball"
 
     @property
     def states(self) -> int:
-        """In how many states it is timed: no branch can learn this many angles."""
+        """The number of states: too many angles for branch prediction."""
         return 4096 if self.rates <= 30 else 256 if self.rates <= 300 else 64
 
 
@@ -127,7 +127,7 @@ def panda() -> Case:
     return Case("D7", (0.0, 0.0, -9.81), tuple(bodies))
 
 
-# Only its moment about z plays a part; the rest makes it a body.
+# Only the moment about z is used; the others make the inertia physical.
 ROD = diagonal(0.01, 1 / 12, 1 / 12)
 CUBE = diagonal(1 / 6, 1 / 6, 1 / 6)
 

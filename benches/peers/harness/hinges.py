@@ -1,14 +1,14 @@
-"""Pins and balls: how they turn, and what they leave of a wrench.
+"""Pins and balls: their rotations, and the wrench that they transmit.
 
-What a body and all beyond it ask of its hinge is the wrench
+The bodies outboard of a hinge need the wrench
 
     moment = A α + B a + moment0        A and M symmetric
     force  = Bᵀ α + M a + force0
 
-for an angular acceleration α and an acceleration a at the hinge, in the frame of the body. Let go, a
-hinge moves so that it transmits its motor's torque and no other moment about its axes. What is left is
-the wrench for the motion that the body before alone would give: about the hinge's axes it is exactly
-the torque, so after a ball A and B are zero, and after a pin a row of both.
+for an angular acceleration α and an acceleration a at the hinge, in the frame of the body. A free hinge
+transmits only its motor's torque about its axes. Its elimination gives the wrench as a function of the
+inboard body's motion. About the hinge's axes this wrench is exactly the torque, so A and B are zero
+after a ball, and a row of both is zero after a pin.
 """
 
 from collections.abc import Sequence
@@ -43,7 +43,7 @@ class Wrench:
 
 
 class Pin:
-    """A turn about an axis of the frame, k; i and j are the axes that it turns."""
+    """A rotation about an axis k of the frame; i and j are the other axes."""
 
     def __init__(self, axis: int, sine: Number, cosine: Number, rate: Number, torque: Number):
         self.k, self.i, self.j = axis, (axis + 1) % 3, (axis + 2) % 3
@@ -52,7 +52,7 @@ class Pin:
         self.rate, self.torque = ([x if i == axis else 0.0 for i in range(3)] for x in (rate, torque))
 
     def outwards(self, v: Vector) -> Vector:
-        """Inboard components into outboard ones."""
+        """Returns outboard components of a vector in inboard components."""
         return self._turned(v, self.sine)
 
     def inwards(self, v: Vector) -> Vector:
@@ -69,7 +69,7 @@ class Pin:
         return Wrench(a, b, m, self.inwards(w.moment), self.inwards(w.force))
 
     def _matrix(self, m: Matrix, is_symmetric: bool) -> Matrix:
-        """R m Rᵀ. That part of the block of i and j which a turn changes is turned by twice the angle."""
+        """Returns R m Rᵀ; the block of i and j is rotated by the double angle."""
         i, j, k = self.i, self.j, self.k
         difference, both = sub(m[i][i], m[j][j]), add(m[i][j], m[j][i])
         on = add(mul(self.square, difference), mul(self.product, both))
@@ -85,8 +85,8 @@ class Pin:
         result[j][i] = result[i][j] if is_symmetric else add(m[j][i], off)
         return result
 
-    def release(self, w: Wrench, drift: Vector) -> Wrench:
-        """What is left of a wrench; `drift` is the angular acceleration by rates alone."""
+    def eliminate(self, w: Wrench, bias: Vector) -> Wrench:
+        """Eliminates the hinge from a wrench; `bias` is the angular acceleration due to the rates."""
         k, torque = self.k, self.torque[self.k]
         column = [row[k] for row in w.a] + w.b[k]
         inverse = 1.0 / column[k]
@@ -100,14 +100,14 @@ class Pin:
         a = symmetric(lambda i, j: entry(w.a, i, j))
         b = square(lambda i, j: entry(w.b, i, j + 3))
         m = symmetric(lambda i, j: entry(w.m, i + 3, j + 3))
-        moment = [add(w.moment[i], mul(self.gain[i], left), dot(a[i], drift)) for i in range(3)]
+        moment = [add(w.moment[i], mul(self.gain[i], left), dot(a[i], bias)) for i in range(3)]
         moment[k] = torque
-        by_drift = times(transposed(b), drift)
-        force = [add(w.force[i], mul(self.gain[i + 3], left), by_drift[i]) for i in range(3)]
+        by_bias = times(transposed(b), bias)
+        force = [add(w.force[i], mul(self.gain[i + 3], left), by_bias[i]) for i in range(3)]
         return Wrench(a, b, m, moment, force)
 
     def accelerate(self, alpha: Vector, a: Vector) -> tuple[Vector, Vector]:
-        """The hinge's own acceleration and the body's angular one, from α and a without the former."""
+        """Returns the hinge's acceleration and the body's angular acceleration, from α and a without it."""
         k, both = self.k, alpha + a
         others = (mul(self.gain[i], both[i]) for i in range(6) if i != k)
         new = sub(self.own, add(*others))
@@ -115,7 +115,7 @@ class Pin:
 
 
 class Ball:
-    """A turn by a unit quaternion."""
+    """A rotation by a unit quaternion."""
 
     def __init__(self, quaternion: Sequence[Number], rate: Vector, torque: Vector):
         w, x, y, z = quaternion
@@ -141,8 +141,8 @@ class Ball:
         m = turned(self.rotation, w.m, symmetric)
         return Wrench(w.a, w.b, m, self.inwards(w.moment), self.inwards(w.force))
 
-    def release(self, w: Wrench, _drift: Vector) -> Wrench:
-        """By A = L D Lᵀ: with y = L⁻¹ (torque − moment0 − B a) it turns with L⁻ᵀ D⁻¹ y."""
+    def eliminate(self, w: Wrench, _bias: Vector) -> Wrench:
+        """Eliminates by A = L D Lᵀ: its acceleration is L⁻ᵀ D⁻¹ y with y = L⁻¹ (torque − moment0 − B a)."""
         self.lower, inverse = factors(w.a)
         left = by_lower(self.lower, [sub(self.torque[i], w.moment[i]) for i in range(3)])
         columns = [by_lower(self.lower, column) for column in transposed(w.b)]

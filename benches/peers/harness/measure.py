@@ -1,4 +1,4 @@
-"""Runs contenders in turns and holds what they compute against the reference."""
+"""Runs contenders in rounds and compares their results with the reference."""
 
 import json
 import os
@@ -13,20 +13,20 @@ import numpy as np
 from .build import Contender
 
 MEMORY = 8 << 30
-"""What a contender may take, in bytes: one that needs more is not to take the machine with it."""
+"""The memory limit of a contender in bytes, which protects the machine."""
 
 
 @dataclass
 class Measured:
     contender: Contender
     rounds: list[float] = field(default_factory=list)
-    """ns an evaluation: the median of each round's batches."""
+    """ns per evaluation: the median of each round's batches."""
     fastest: float = float("inf")
-    """ns an evaluation, of all batches."""
+    """ns per evaluation, of all batches."""
     error: float = float("nan")
-    """Of an acceleration, of the largest in its state; the largest of all states."""
+    """The error of an acceleration relative to the largest in its state; the largest over all states."""
     typical_error: float = float("nan")
-    """The median of all states."""
+    """The median error over all states."""
     failure: str = ""
 
     @property
@@ -34,7 +34,7 @@ class Measured:
         return statistics.median(self.rounds) if self.rounds else float("nan")
 
     def ratio(self, other: "Measured") -> float:
-        """What this one takes of the time of the other, in the same rounds."""
+        """Returns the ratio of this contender's time to that of another, in the same rounds."""
         if not self.rounds or not other.rounds:
             return float("nan")
         return statistics.median(a / b for a, b in zip(self.rounds, other.rounds, strict=True))
@@ -48,7 +48,7 @@ def measure(
     milliseconds: int,
     core: int,
 ) -> list[Measured]:
-    """Each contender once a round, so that what else the machine does falls on all of them."""
+    """Runs each contender once per round, so that disturbances affect all of them."""
     all_measured = [Measured(contender) for contender in contenders]
     results = states.with_suffix(".results")
     for index in range(rounds):
@@ -79,9 +79,9 @@ def confine(core: int) -> None:
 
 
 def compare(measured: Measured, results: np.ndarray, reference: np.ndarray) -> None:
-    """What comes out begins with the accelerations of each state."""
+    """Sets the errors; the results begin with the accelerations of each state."""
     rows = results.reshape(reference.shape[0], -1)[:, : reference.shape[1]]
     errors = np.abs(rows - reference).max(axis=1) / np.abs(reference).max(axis=1)
-    # What is not a number is as wrong as can be.
+    # NaN is an infinite error.
     errors = np.where(np.isnan(errors), np.inf, errors)
     measured.error, measured.typical_error = float(errors.max()), float(np.median(errors))

@@ -8,7 +8,7 @@ from .cases import Body, Case
 
 
 def for_pinocchio(case: Case) -> str:
-    """What `pinocchio.cpp` reads: gravity, then a line for each body."""
+    """Returns the input of `pinocchio.cpp`: gravity, then a line for each body."""
 
     def line(body: Body) -> str:
         entries = [*body.position, *(x for row in body.rotation for x in row), body.mass, *body.com]
@@ -20,12 +20,12 @@ def for_pinocchio(case: Case) -> str:
 
 
 def for_mujoco(case: Case, path: Path) -> None:
-    """A compiled model; MJCF cannot be nested a thousand times."""
+    """Writes a compiled model, since MJCF cannot be nested a thousand levels deep."""
     spec = mujoco.MjSpec()
     spec.option.timestep = 1e-3
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_RK4
     spec.option.gravity = case.gravity
-    # Nothing touches, and nothing is limited.
+    # No contacts and no limits.
     flags = mujoco.mjtDisableBit
     spec.option.disableflags = flags.mjDSBL_CONSTRAINT | flags.mjDSBL_CONTACT
     before = spec.worldbody

@@ -1,8 +1,8 @@
-"""Articulated bodies, written as well as one would write them by hand for one mechanism.
+"""The articulated-body algorithm, optimised as by hand for one mechanism.
 
-The same lines make CasADi's expressions and, with arrays of long doubles, the accelerations that all
-contenders are held against. Everything of a body is in its own frame, about its hinge. Weight is left
-away: the ground falls upwards instead.
+The same lines generate CasADi's expressions and, with arrays of long doubles, the reference
+accelerations of all contenders. All quantities of a body are in its frame, about its hinge. Gravity is
+an upward acceleration of the ground.
 """
 
 from __future__ import annotations
@@ -33,24 +33,24 @@ from .hinges import Ball, Pin, Wrench
 
 
 class Link:
-    """A body and its hinge on their way through the three sweeps."""
+    """A body and its hinge during the three sweeps."""
 
     def __init__(self, body: Body, hinge: Pin | Ball, before: Link | None, number: Callable[[float], Number]):
-        """Outwards: rates, and what they alone ask for."""
+        """Outward sweep: rates, and the bias terms."""
         self.hinge, self.before = hinge, before
         # Set by the last sweep.
         self.alpha: Vector
         self.a: Vector
         self.arm = [number(x) if x else 0.0 for x in body.position]
-        # Of the hinge's inboard side; its entries are zeros and ones.
+        # The rotation of the hinge's inboard side; its entries are zeros and ones.
         self.fixed = [list(row) for row in body.rotation]
         carried = self.outwards(before.omega if before else [0.0] * 3)
         self.omega: Vector = plus(carried, hinge.rate)
-        self.drift = cross(carried, hinge.rate)
+        self.bias = cross(carried, hinge.rate)
 
         x, y, z = self.omega
         xx, yy, zz, xy, xz, yz = (mul(p, q) for p, q in ((x, x), (y, y), (z, z), (x, y), (x, z), (y, z)))
-        # Times the way from the hinge to a point: its acceleration.
+        # The matrix from a point's position relative to the hinge to its centripetal acceleration.
         self.centripetal = [
             [neg(add(yy, zz)), xy, xz],
             [xy, neg(add(xx, zz)), yz],
@@ -86,18 +86,18 @@ class Link:
         self.wrench = Wrench(j, skew(moments), m, gyroscopic, times(self.centripetal, moments))
 
     def outwards(self, v: Vector) -> Vector:
-        """Components of the body before into those of this one."""
+        """Returns components in this body's frame of a vector in the inboard body's frame."""
         return self.hinge.outwards(times(transposed(self.fixed), v))
 
-    def release(self) -> None:
-        """Inwards: lets the hinge move, and hands what is left of the wrench to the body before."""
-        self.released = self.hinge.release(self.wrench, self.drift)
+    def eliminate(self) -> None:
+        """Inward sweep: eliminates the hinge, and adds the transmitted wrench to the inboard body."""
+        self.released = self.hinge.eliminate(self.wrench, self.bias)
         if not self.before:
             return
         w, fixed = self.hinge.wrench_inwards(self.released), self.fixed
         a, m = turned(fixed, w.a, symmetric), turned(fixed, w.m, symmetric)
         b = turned(fixed, w.b, square)
-        # From this hinge to that of the body before.
+        # From this hinge to the inboard body's hinge.
         force = plus(times(fixed, w.force), times(m, self.arm_drift))
         moment = plus(times(fixed, w.moment), times(b, self.arm_drift), cross(self.arm, force))
         moved_b = [plus(*rows) for rows in zip(b, columns(cross(self.arm, row) for row in m), strict=True)]
@@ -113,16 +113,16 @@ class Link:
         )
 
     def accelerate(self, ground: Vector) -> Vector:
-        """Outwards: the hinge's acceleration; leaves those of the body."""
+        """Outward sweep: returns the hinge's acceleration and sets those of the body."""
         before_alpha, before_a = (self.before.alpha, self.before.a) if self.before else ([0.0] * 3, ground)
         a = self.outwards(plus(before_a, cross(before_alpha, self.arm), self.arm_drift))
         self.carried = self.outwards(before_alpha)
-        own, self.alpha = self.hinge.accelerate(plus(self.carried, self.drift), a)
+        own, self.alpha = self.hinge.accelerate(plus(self.carried, self.bias), a)
         self.a = a
         return own
 
     def reaction(self) -> Vector:
-        """Moment and force in the hinge."""
+        """Returns moment and force in the hinge."""
         w = self.released
         moment = plus(times(w.a, self.carried), times(w.b, self.a), w.moment)
         return moment + plus(times(transposed(w.b), self.carried), times(w.m, self.a), w.force)
@@ -133,7 +133,7 @@ def columns(vectors: Iterable[Vector]) -> Matrix:
 
 
 def about_hinge(body: Body, moments: Vector, com: Vector, number: Callable[[float], Number]) -> Matrix:
-    """The tensor of inertia."""
+    """Returns the inertia tensor."""
     whole = dot(moments, com)
 
     def entry(i: int, j: int) -> Number:
@@ -151,8 +151,8 @@ def accelerations(
     number: Callable[[float], Number] = float,
     wrenches: bool = False,
 ) -> list[Number]:
-    """Of all hinges, from sine and cosine of each pin or the quaternion of each ball; and then, if asked
-    for, moment and force in every hinge. Numbers of the mechanism become what `number` makes of them.
+    """Returns the accelerations of all hinges, from sine and cosine of each pin or the quaternion of each
+    ball, and with `wrenches` moment and force in every hinge. `number` converts constants.
     """
     links: list[Link] = []
     place = 0
@@ -166,7 +166,7 @@ def accelerations(
             place += 1
         links.append(Link(body, hinge, links[-1] if links else None, number))
     for link in reversed(links):
-        link.release()
+        link.eliminate()
     ground = [number(-x) if x else 0.0 for x in case.gravity]
     result = [x for link in links for x in link.accelerate(ground)]
     return result + ([x for link in links for x in link.reaction()] if wrenches else [])

@@ -1,4 +1,4 @@
-"""Accelerations in long doubles, which all contenders are held against, and a check of these."""
+"""Reference accelerations in long doubles, and a check of the reference."""
 
 from typing import Any
 
@@ -16,26 +16,26 @@ def parts(case: Case, states: Array) -> tuple[Array, Array, Array]:
     columns = states.astype(Long).T
     q, v, torques = np.split(columns, [case.coordinates, case.coordinates + case.rates])
     if case.balls:
-        # They have unit length up to the rounding of shorter numbers.
+        # They have unit length up to rounding in double precision.
         quaternions = q.reshape(-1, 4, q.shape[1])
         q = (quaternions / np.sqrt((quaternions**2).sum(axis=1, keepdims=True))).reshape(q.shape)
     return q, v, torques
 
 
 def of(case: Case, q: Array, v: Array, torques: Array) -> Array:
-    """Accelerations of all hinges."""
+    """Returns the accelerations of all hinges."""
     hinges = q.reshape(-1, 4, q.shape[1]) if case.balls else np.stack([np.sin(q), np.cos(q)], axis=1)
     return np.array(accelerations(case, list(hinges), list(v), list(torques), number=Long))
 
 
 def after_step(case: Case, q: Array, v: Array, torques: Array, step: float) -> Array:
-    """The rates after a step of the classical Runge–Kutta method."""
+    """Returns the rates after a step of the classical Runge–Kutta method."""
     h = Long(step)
     sums = [np.zeros_like(q), np.zeros_like(v)]
     rates = coordinate_rates(case, q, v), of(case, q, v, torques)
     for weight, way in ((1, h / 2), (2, h / 2), (2, h), (1, h)):
         sums = [total + weight * rate for total, rate in zip(sums, rates, strict=True)]
-        # As the contenders do, which bring quaternions to unit length only after the step.
+        # Like the contenders, which normalise quaternions only after the step.
         at_q, at_v = q + way * rates[0], v + way * rates[1]
         rates = coordinate_rates(case, at_q, at_v), of(case, at_q, at_v, torques)
     return v + h / 6 * sums[1]
@@ -51,7 +51,7 @@ def coordinate_rates(case: Case, q: Array, v: Array) -> Array:
 
 
 def check(case: Case, q: Array, v: Array, accelerations: Array, torques: Array) -> None:
-    """Accelerations that were off by a part in 10¹⁴ would be seen in the torques."""
+    """Checks by the torques that the relative error of the accelerations is below 10⁻¹⁴."""
     change = 1e-9
     left = torque_error(case, q, v, accelerations, torques)
     seen = torque_error(case, q, v, accelerations * (1 + change), torques)
@@ -59,11 +59,11 @@ def check(case: Case, q: Array, v: Array, accelerations: Array, torques: Array) 
 
 
 def torque_error(case: Case, q: Array, v: Array, a: Array, torques: Array) -> float:
-    """By how much the torques that these accelerations take differ from those given, of the largest
-    moment in any hinge.
+    """Returns the error of the torques for these accelerations, relative to the largest moment in any
+    hinge.
 
-    Newton's and Euler's equations of each body in the inertial frame: they have nothing in common
-    with the recursion.
+    Uses Newton's and Euler's equations of each body in the inertial frame, independently of the
+    recursion.
     """
     count = q.shape[1]
     turn = np.broadcast_to(np.eye(3, dtype=Long)[:, :, None], (3, 3, count))
@@ -83,10 +83,10 @@ def torque_error(case: Case, q: Array, v: Array, a: Array, torques: Array) -> fl
             axis = np.array([float(name == body.hinge) for name in "xyz"], Long)[:, None]
             turn = product(turn, about(axis, q[place_q]))
             axes, size = rotated(turn, axis)[:, None], 1
-        freedoms = slice(place_v, place_v + axes.shape[1])
-        place_q, place_v = place_q + size, freedoms.stop
-        own_omega = np.einsum("ijn,jn->in", axes, v[freedoms])
-        own_alpha = np.einsum("ijn,jn->in", axes, a[freedoms])
+        rates = slice(place_v, place_v + axes.shape[1])
+        place_q, place_v = place_q + size, rates.stop
+        own_omega = np.einsum("ijn,jn->in", axes, v[rates])
+        own_alpha = np.einsum("ijn,jn->in", axes, a[rates])
         alpha = alpha + own_alpha + np.cross(omega, own_omega, axis=0)
         omega = omega + own_omega
         com = rotated(turn, np.array(body.com, Long)[:, None])
@@ -105,7 +105,7 @@ def torque_error(case: Case, q: Array, v: Array, a: Array, torques: Array) -> fl
         moment = moment + own_moment + np.cross(com, own_force, axis=0)
         taken.insert(0, np.einsum("ijn,in->jn", axes, moment))
         largest = np.maximum(largest, np.abs(moment).max(axis=0))
-        # About the hinge of the body before, from here on.
+        # From here on about the inboard body's hinge.
         moment = moment + np.cross(arm, force, axis=0)
     return float((np.abs(np.concatenate(taken) - torques) / largest).max())
 
@@ -121,12 +121,12 @@ def product(a: Array, b: Array) -> Array:
 
 
 def about(axis: Array, angle: Array) -> Array:
-    """The rotation about an axis of the frame, as a quaternion of half the angle has it."""
+    """Returns the rotation about an axis of the frame, from the quaternion of half the angle."""
     return rotation(np.concatenate([np.cos(angle / 2)[None], axis * np.sin(angle / 2)]))
 
 
 def rotation(quaternion: Array) -> Array:
-    """Of a unit quaternion, by w² + x² − y² − z² and so on."""
+    """Returns the rotation of a unit quaternion, by w² + x² − y² − z² and so on."""
     w, x, y, z = quaternion
     return np.array(
         [

@@ -1,4 +1,4 @@
-"""Tables and JSON of what was measured."""
+"""Tables and JSON of the measurements."""
 
 import json
 import math
@@ -11,7 +11,7 @@ from typing import Any
 from .measure import Measured
 
 WRONG = 1e-6
-"""From this error on accelerations are called wrong."""
+"""Accelerations with a larger error are called wrong."""
 
 TITLES = {
     "accelerations": "accelerations",
@@ -55,22 +55,22 @@ class Table:
         return [*lines, ""]
 
     def summary(self, wide: bool) -> str | None:
-        """The project's fastest beside the fastest of the others that is right, one state at a time or
-        several.
+        """Compares the fastest code of this library with the fastest correct alternative, for one state at
+        a time or for several.
         """
         rows = [row for row in self.rows if row.contender.wide == wide and row.error <= WRONG]
         own = [row for row in rows if row.contender.own and not row.contender.single]
         others = [row for row in rows if not row.contender.own]
         if not own or not others:
             return None
-        best, rival = (min(rows, key=lambda row: row.nanoseconds) for rows in (own, others))
+        best, alternative = (min(rows, key=lambda row: row.nanoseconds) for rows in (own, others))
         cells = [
             f"{self.case}, {TITLES[self.what]}",
             f"`{best.contender.name}`",
             digits(best.nanoseconds),
-            rival.contender.name,
-            digits(rival.nanoseconds),
-            f"{best.ratio(rival):.2f}",
+            alternative.contender.name,
+            digits(alternative.nanoseconds),
+            f"{best.ratio(alternative):.2f}",
         ]
         return f"| {' | '.join(cells)} |"
 
@@ -96,12 +96,12 @@ class Table:
 
 
 def digits(nanoseconds: float) -> str:
-    """Three digits."""
+    """Returns a time with three digits."""
     return f"{nanoseconds:.1f}" if nanoseconds < 100 else f"{float(f'{nanoseconds:.3g}'):.0f}"
 
 
 def machine(clang: str) -> list[str]:
-    """What the figures are of."""
+    """Returns the machine and the versions of all tools."""
     lines = Path("/proc/cpuinfo").read_text().splitlines()
     models = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
     compilers = [first_line("rustc", "--version"), first_line(clang, "--version")]
@@ -119,7 +119,7 @@ def write(work: Path, clang: str, tables: list[Table]) -> str:
     lines = [
         ", ".join(about) + ".",
         "",
-        "| | | ns | fastest rival | ns | ratio |",
+        "| | | ns | fastest alternative | ns | ratio |",
         "|---|---|---:|---|---:|---:|",
         *(line for line in summaries if line),
         "",

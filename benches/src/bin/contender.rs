@@ -1,4 +1,4 @@
-//! Generated code as a contender of `benches/peers`, whose README says what it reads and writes.
+//! Generated code as a contender of `benches/peers`, whose README describes its input and output.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -18,10 +18,10 @@ contender accelerations|z|all|rk4|lanes|lanes32 CASE STATES_IN RESULTS_OUT MILLI
 /// The step of the integration in s.
 const STEP: f64 = 1e-3;
 
-/// Before anything is timed the processor comes up to speed.
+/// The warm-up time of the processor before timing.
 const WARM_UP: Duration = Duration::from_millis(5);
 
-/// Evaluations are timed so many at a time that they take at least so long.
+/// The shortest time of a batch of evaluations.
 const BATCH: Duration = Duration::from_micros(200);
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -61,7 +61,7 @@ fn run<C: Case>(arguments: &[&str]) -> Result<(), Box<dyn Error>> {
                 "rk4" => rk4(&chain, &samples, budget)?,
                 _ => return Err(USAGE.into()),
             };
-            // What fills the last lanes is no state.
+            // The padding of the last lanes is not a state.
             let states = numbers.len() / numbers_of_state::<C::State>();
             run.results.truncate(states * C::State::default().rates().len());
             if results != "-" {
@@ -74,7 +74,7 @@ fn run<C: Case>(arguments: &[&str]) -> Result<(), Box<dyn Error>> {
     }
 }
 
-/// What came out for each state, and how long it took.
+/// The results for each state, and the times.
 struct Run {
     results: Vec<f64>,
     times: Times,
@@ -116,7 +116,7 @@ fn all<C: Case>(
     Ok(Run { results, times })
 }
 
-/// A step from each of the states, the torques being held.
+/// Takes a step from each of the states, with constant torques.
 fn rk4<C: Case>(
     chain: &C,
     samples: &[(C::State, C::Inputs)],
@@ -144,14 +144,14 @@ fn push_lanes<T: Lanes>(results: &mut Vec<f64>, numbers: &[T]) {
     }
 }
 
-/// Batches of the same number of evaluations, each of one state.
+/// Batches with the same number of evaluations, each of one state.
 struct Times {
     evaluations: usize,
     nanoseconds: Vec<u128>,
 }
 
 impl Times {
-    /// Times `evaluate` for all samples, again and again, for about so long; so many states are in a
+    /// Times `evaluate` for all samples repeatedly, for about the given time, with a number of states per
     /// sample.
     fn of<S>(budget: Duration, samples: &[S], states: usize, mut evaluate: impl FnMut(&S)) -> Self {
         let mut samples = samples.iter().cycle();
@@ -182,7 +182,7 @@ impl Times {
     }
 }
 
-/// Numbers as they lie in files.
+/// Converts numbers from and to the format of files.
 fn to_bytes(numbers: &[f64]) -> Vec<u8> {
     numbers.iter().flat_map(|number| number.to_le_bytes()).collect()
 }

@@ -1,4 +1,4 @@
-//! So many evaluations and nothing else, for `benches/instructions`, which counts what they take.
+//! Evaluates a chain a number of times, for `benches/instructions`, which counts the instructions.
 
 use std::env;
 use std::error::Error;
@@ -12,7 +12,7 @@ use mstmm_benches::{
 
 const USAGE: &str = "evaluate accelerations|z|all|rk4 CASE COUNT";
 
-/// So many states are gone through again and again.
+/// The number of states, which are evaluated cyclically.
 const STATES: usize = 16;
 
 fn main() -> Result<(), Box<dyn Error>> {

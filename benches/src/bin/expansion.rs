@@ -1,5 +1,5 @@
-//! How long the macro takes to expand, built as cargo builds macros unless told otherwise: run it
-//! without `--release`. `benches/compile-time/run` does.
+//! Times the expansion of the macro, built as cargo builds macros by default: run it without
+//! `--release`, as `benches/compile-time/run` does.
 
 use std::error::Error;
 use std::fmt::Write;
@@ -21,7 +21,7 @@ panda! {
     pub chain Panda {}
 }
 
-/// How many bodies a long chain has, no two of them alike.
+/// The number of bodies of the long chain, all different.
 const BODIES: usize = 32;
 
 const RUNS: usize = 11;

@@ -1,4 +1,4 @@
-//! The chains, as their users would write them: short ones in full, long ones by `repeat`.
+//! The chains, as users write them: short chains in full, long chains with `repeat`.
 
 mod balls;
 mod panda;
@@ -13,7 +13,7 @@ pub use panda::Panda;
 pub use pins::{Pins7, Pins30};
 pub use rods::{Rods3, Rods10, Rods100, Rods1000};
 
-/// Makes a generated chain a [`Case`](crate::Case) from its name and the way to its inputs.
+/// Implements [`Case`](crate::Case) for a generated chain, from its name and its inputs.
 macro_rules! case {
     ($chain:ident, $name:literal, |$inputs:ident, $torques:ident| $set:expr) => {
         impl<T: $crate::Lanes> $crate::Case for $chain<T> {
@@ -44,7 +44,7 @@ macro_rules! case {
 }
 use case;
 
-/// Torques of hinges with a name each: `each_hinge!(inputs, torques: a b c)`.
+/// Sets the torques of hinges by name: `each_hinge!(inputs, torques: a b c)`.
 macro_rules! each_hinge {
     ($inputs:ident, $torques:ident: $($hinge:ident)*) => {{
         let hinges = [$(&mut $inputs.$hinge),*];
@@ -55,7 +55,7 @@ macro_rules! each_hinge {
 }
 use each_hinge;
 
-/// The same of hinges that take a vector each.
+/// Sets the torques of hinges with vectors.
 macro_rules! each_vector {
     ($inputs:ident, $torques:ident: $($hinge:ident)*) => {{
         let hinges = [$(&mut $inputs.$hinge),*];

@@ -1,4 +1,4 @@
-//! C: the same cubes on pins, neighbouring ones perpendicular.
+//! C: the same cubes on pins; neighbouring pins are perpendicular.
 
 use super::{case, each_hinge, mstmm_chain};
 

@@ -1,4 +1,4 @@
-//! A: unit rods on parallel pins. All of it stays in a plane, so it is written as a plane chain.
+//! A: unit rods on parallel pins, written as plane chains.
 
 use super::{case, each_hinge, mstmm_chain};
 

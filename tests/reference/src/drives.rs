@@ -64,7 +64,7 @@ impl Drives {
     /// their zero positions, and moving frames at rest at the inertial frame.
     pub fn none(chain: &Chain) -> Drives {
         let prescribed = chain.hinges().filter(|hinge| hinge.prescribed);
-        let at_rest = |freedoms: usize| vec![0.0; freedoms];
+        let at_rest = |dof_count: usize| vec![0.0; dof_count];
         Drives {
             efforts: at_rest(chain.dof_count()),
             motions: prescribed

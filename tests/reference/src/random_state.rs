@@ -147,11 +147,11 @@ fn random_drives(random: &mut Random, chain: &Chain) -> Drives {
     let mut drives = Drives { efforts: random_efforts(random, chain), ..Drives::none(chain) };
     let prescribed = chain.hinges().filter(|hinge| hinge.prescribed);
     for (hinge, motion) in prescribed.zip(&mut drives.motions) {
-        let freedoms = hinge.kind.dof_count();
+        let dof_count = hinge.kind.dof_count();
         *motion = HingeMotion {
             q: random_coordinates(random, &hinge.kind),
-            v: (0..freedoms).map(|_| random.between(-1.5, 1.5)).collect(),
-            a: (0..freedoms).map(|_| random.between(-3.0, 3.0)).collect(),
+            v: (0..dof_count).map(|_| random.between(-1.5, 1.5)).collect(),
+            a: (0..dof_count).map(|_| random.between(-3.0, 3.0)).collect(),
         };
     }
     let ends = [(&chain.start, &mut drives.start), (&chain.finish, &mut drives.finish)];

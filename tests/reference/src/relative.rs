@@ -156,7 +156,7 @@ impl Relative {
         let along = self.directions.transpose() * twist;
         let squares = self.directions.transpose() * &self.directions;
         let rates = squares.lu().solve(&along);
-        rates.expect("the freedoms of a hinge are independent").as_slice().to_vec()
+        rates.expect("the rates of a hinge are independent").as_slice().to_vec()
     }
 }
 

@@ -1,5 +1,5 @@
-//! The same chains with z alone of what connection points have.
-#![allow(clippy::duplicate_mod)] // The same words, for another macro.
+//! The same chains with `results = z`.
+#![allow(clippy::duplicate_mod)] // The same text, for another macro.
 
 #[path = "../balls.rs"]
 mod balls;
@@ -17,7 +17,7 @@ pub use rods::{Rods3, Rods10, Rods100, Rods1000};
 
 use super::{case, each_hinge, each_vector};
 
-/// Chains with a setting more.
+/// Adds the setting to a chain.
 macro_rules! mstmm_chain {
     ($($(#[$doc:meta])* pub $($word:ident)+ { $($items:tt)* })*) => {
         ::mstmm::mstmm_chain! {
