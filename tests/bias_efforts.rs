@@ -94,7 +94,7 @@ holds! {
     motors_that_supply_them_hold_all_rates_in_single_precision f32;
 }
 
-/// What prescribed hinges take is what they transmit; the others need their bias.
+/// Prescribed hinges report the efforts that they transmit; the other hinges need their bias efforts.
 #[test]
 fn a_prescribed_hinge_is_no_rate() {
     let told = Told::<f64>::new();
@@ -108,8 +108,8 @@ fn a_prescribed_hinge_is_no_rate() {
     assert!(told.accelerations(&state, &inputs).expect("a regular chain").amax() < 1e-12);
 }
 
-/// The closing hinge is open: its own rate needs what its spring and its damper do, the others what the chain
-/// without it needs.
+/// The closing hinge is open: its rate needs the efforts of its spring and damper, the others the bias efforts
+/// of the chain without it.
 #[test]
 fn a_closed_chain_is_the_tree_of_its_hinges() {
     let four_bar = FourBar::<f64>::new();
@@ -119,7 +119,7 @@ fn a_closed_chain_is_the_tree_of_its_hinges() {
     state.d_mut().set_rate(0.5);
     let efforts = four_bar.bias_efforts(&state, &four_bar.no_inputs()).expect("finite numbers");
     assert!((efforts[3] - (2.0 * (0.1 - 0.3) + 0.1 * 0.5)).abs() < 1e-15);
-    // At rest the weights alone act on the crank, by their levers.
+    // At rest only the weights act on the crank, with their lever arms.
     let (crank, rod) = (0.4_f64.cos(), 0.4_f64.cos());
     let levers = 0.1 * crank + (0.2 * crank + 0.4 * rod) + (0.2 * crank + 0.8 * rod + 0.4 * rod);
     assert!((efforts[0] - 9.8 * levers).abs() < 1e-14, "{}", efforts[0]);

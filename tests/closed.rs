@@ -1,5 +1,5 @@
 //! Closed chains: a loop in the plane and in space, parallelograms and a gate in closed form,
-//! singular poses, assembly, long runs, what ties a chain to the ground at its end.
+//! singular poses, assembly, long simulations.
 
 mod support;
 
@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use support::{difference, worst};
 
 mstmm_chain! {
-    /// A loop of four pins, none of whose bars are of the same length; at first it does not close.
+    /// A loop of four pins with bars of different lengths; it does not close at first.
     plane chain FourBar {
         gravity = [0, -9.8] m/s^2;
         body Crank {
@@ -53,7 +53,7 @@ mstmm_chain! {
     }
 }
 
-/// Where the ends of the closing hinge lie apart, in m.
+/// The distance between the two sides of the closing hinge, in m.
 fn gap(at: &FourBarWorkspace<f64>) -> f64 {
     (at.d().input().position() - Vector2::new(0.9, 0.0)).norm()
 }
@@ -68,9 +68,9 @@ fn closed<C: GeneratedChain<Scalar = f64>>(chain: &C) -> C::State {
     state
 }
 
-/// The loop in space is three times redundant, and still it moves as the one in the plane does: the
-/// accelerations agree to rounding times the condition of the loop, some hundreds, and so does the
-/// motion of two seconds, over which differences grow some hundredfold.
+/// The loop in space has three redundant constraints and moves like the loop in the plane: the
+/// accelerations agree to rounding times the condition number of the loop, some hundreds, and so does
+/// the motion of two seconds, over which differences grow some hundredfold.
 #[test]
 fn a_loop_in_space_moves_as_in_the_plane() {
     let (plane, space) = (FourBar::<f64>::new(), FourBarInSpace::<f64>::new());
@@ -97,7 +97,7 @@ fn a_loop_in_space_moves_as_in_the_plane() {
     assert!(first < 1e-10 && motion < 1e-10 && second < 1e-12);
 }
 
-/// What the redundant directions leave open are forces across the plane and moments in it.
+/// The redundant directions leave forces normal to the plane and moments in the plane undetermined.
 #[test]
 fn what_is_undetermined_is_out_of_the_plane() {
     let chain = FourBarInSpace::<f64>::new();
@@ -160,8 +160,8 @@ fn what_does_not_reach_is_not_assembled() {
     assert_eq!((refused, state), (Err(Error::NotAssembled), chain.initial_state()));
 }
 
-/// What drifts is the method, of order four: half the step leaves near a sixteenth. What is closed
-/// after every step stays closed.
+/// The energy drift is the error of the method of order four: with half the step, about a sixteenth
+/// remains. The loop stays closed, since every step projects onto its constraint.
 #[test]
 fn energy_and_closure_last() {
     fn run<C: GeneratedChain<Scalar = f64>>(chain: &C, step: f64) -> (f64, C::State) {
@@ -216,7 +216,7 @@ macro_rules! parallelogram {
 parallelogram! { Parallelogram { torque = input; } }
 parallelogram! { ParallelogramTold { motion = input; } }
 
-/// The torque at the crank that its angle θ, rate and acceleration take:
+/// The torque at the crank for its angle θ, rate and acceleration:
 /// J θ̈ + c θ̇ + τ_d + G cos θ − k (d − d₀), where d = −θ − π.
 fn crank_torque([angle, rate, acceleration]: [f64; 3], closing_torque: f64) -> f64 {
     let rocker = 0.05 + 1.5 * 0.3 * 0.3;
@@ -238,7 +238,7 @@ fn everything_acts_at_a_closing_hinge() {
     let mut largest = 0.0;
     for seed in 0..100 {
         let mut random = Random::new(seed);
-        // A tenth of a radian from flat its closure is ten times worse determined.
+        // A tenth of a radian from the flat pose, the constraint is ten times worse conditioned.
         let angle = random.between(0.2, PI - 0.2);
         let (rate, acceleration) = (random.between(-3.0, 3.0), random.between(-9.0, 9.0));
         let d = random.between(-5.0, 5.0);
@@ -265,8 +265,8 @@ fn everything_acts_at_a_closing_hinge() {
     println!("off by {largest:.1e}");
 }
 
-/// Folded flat, all hinges lie in a line and two motions begin. What is said must be finite and a
-/// motion that is allowed; the chain must pass.
+/// In the flat pose, all hinges lie in a line and two motions branch. The results must be finite and
+/// an allowed motion, and the chain must pass through this pose.
 #[test]
 fn folded_flat_nothing_is_nan() {
     let chain = Parallelogram::<f64>::new();
@@ -280,7 +280,7 @@ fn folded_flat_nothing_is_nan() {
         chain.solve_into(&state, &inputs, &mut at).expect("accelerations that are allowed");
         assert_eq!(at.closure().redundant(), 1);
         assert!(at.accelerations().iter().all(|a| a.is_finite()), "{}", at.accelerations());
-        // What lies in the line is undetermined: the least of it is some hundred N, as the weights.
+        // Forces along the line are undetermined: their least norm is some hundred N, like the weights.
         assert!(at.points().iter().all(|p| p.force().norm() < 1e3 && p.moment().abs() < 1e3));
         let mut rk4 = Rk4::new(1e-3);
         for _ in 0..1000 {
@@ -292,8 +292,8 @@ fn folded_flat_nothing_is_nan() {
     }
 }
 
-/// Single precision keeps its six digits, less what a second of motion and the loop's condition
-/// take.
+/// Single precision keeps its six digits, minus those lost by a second of motion and by the condition
+/// number of the loop.
 #[test]
 fn single_precision_closes_too() {
     let (double, single) = (FourBar::<f64>::new(), FourBar::<f32>::new());

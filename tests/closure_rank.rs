@@ -1,5 +1,5 @@
-//! The rank of a closure belongs to the linkage: it is found where parameters and Rust constants decide the
-//! geometry, where motions are prescribed, and an error names the closing hinge where it turns out wrong.
+//! The rank of a loop constraint is a property of the linkage. It is found also if parameters or Rust constants
+//! define the geometry and if motions are prescribed; an error names the closing hinge if the rank changes.
 
 use mstmm::prelude::*;
 use mstmm::{ChainState, GeneratedChain, HingeMotion, PinState, Scalar};
@@ -181,8 +181,8 @@ fn parameters_and_constants_give_what_numbers_give_in_single_precision() {
     same_as_written!(f32);
 }
 
-/// Through flat positions and back, with stages that are off the closure by a thousandth: a linkage that
-/// were rigid there would lose its energy at once.
+/// A motion through flat poses and back, with stages that violate the constraint by a thousandth: a linkage
+/// that became rigid there would lose its energy at once.
 #[test]
 fn a_linkage_with_parameters_keeps_its_energy() {
     let mut chain = parametric::Bennett::<f64>::new();
@@ -204,7 +204,7 @@ fn a_linkage_with_parameters_keeps_its_energy() {
 }
 
 mstmm_chain! {
-    /// Four pins in a plane, the second of which a parameter tilts out of it: then nothing moves. At first
+    /// Four pins in a plane. A parameter tilts the second out of the plane: then the linkage is rigid. At first
     /// crank and coupler are in line.
     chain Tilted {
         param tilt = 0;
@@ -250,8 +250,8 @@ fn a_parameter_may_change_the_rank() {
     assert_eq!(solve(&chain), (free, 3));
 }
 
-/// An arm that turns about two axes, shifts along its own and is held at its base's point. Without a length it
-/// may turn as it likes, by two independent directions of three; stretched, it may not turn at all.
+/// An arm that rotates about two axes, translates along its own axis and is held at the point of its base.
+/// Without a length it rotates freely, with two independent constraints of three; extended, it cannot rotate.
 macro_rules! polar {
     ($name:ident, $method:ident, [$($parameter:tt)*], $rest:expr) => {
         mstmm_chain! {

@@ -1,4 +1,4 @@
-//! Controllers that fail inside an integrator: their error reaches the caller as it is, and state and
+//! Controllers that fail inside an integrator: their error reaches the caller unchanged, and state and
 //! integrator are as before the step.
 
 mod controllers {

@@ -1,4 +1,4 @@
-//! The smallest and the oddest chains that can be written.
+//! The smallest chains, and unusual chains.
 
 mod support;
 
@@ -47,7 +47,7 @@ macro_rules! for_both {
     }};
 }
 
-/// Nothing can move, so the welds carry the weight of what stands on them.
+/// Nothing can move, so the welds carry the weight of the bodies on top of them.
 #[test]
 fn welds_alone_carry_the_weight() -> Result<(), Error> {
     for_both! { chain in [Statue, StatueByTransfer] {
@@ -127,7 +127,7 @@ fn a_chain_in_a_function_uses_its_constants() -> Result<(), Error> {
     Ok(())
 }
 
-/// Everything there is, in single precision.
+/// All features in single precision.
 #[test]
 fn small_chains_run_in_single_precision() -> Result<(), Error> {
     fn run<T: Scalar<Real = T, Mask = bool> + PartialOrd>() -> Result<(), Error> {

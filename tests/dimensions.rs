@@ -1,5 +1,5 @@
-//! One system, written in a space, in a plane and on a line, moves alike; a line of masses and
-//! springs, [P, Section 4.4], against its modes.
+//! One system, written in space, in a plane and on a line, has the same motion; a line of masses and
+//! springs, [P, Section 4.4], compared with its modes.
 
 mod support;
 

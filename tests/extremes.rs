@@ -1,5 +1,5 @@
-//! Mechanisms at the edge: numbers that the dynamics does not even read, masses far apart, bodies
-//! that hardly resist a turn, parameters that leave nothing finite.
+//! Extreme mechanisms: numbers that the dynamics does not read, very different masses, bodies with
+//! almost no inertia, parameters that make results infinite.
 
 mod support;
 
@@ -8,7 +8,7 @@ use mstmm::{Error, GeneratedChain};
 use mstmm_reference::Random;
 
 mstmm_chain! {
-    /// Where it is, and how far the first pin is turned, does not matter to the motion.
+    /// A chain whose motion does not depend on its position and on the angle of its first pin.
     chain Drifter {
         body Hub { mass = 3 kg; com = [0.1, 0, 0] m; output = [1, 0, 0] m;
             inertia = diag(0.3, 0.4, 0.5) kg*m^2 about com; }
@@ -82,7 +82,7 @@ fn numbers_that_the_motion_does_not_depend_on_must_be_finite_too() {
     refuses_every_nan(&Turntable::<f64>::new());
 }
 
-/// What rounding leaves of a hundred kilograms must not pass for the inertia of a gram.
+/// The rounding error of a hundred kilograms must not count as the inertia of a gram.
 #[test]
 fn a_loose_thread_under_a_heavy_weight_has_no_answer() {
     let mut chain = Thread::<f64>::new();

@@ -50,10 +50,10 @@ both! { ArmB ArmBByTransfer [Pin, Pin, Pin] {
     hinge second { start_rate = 1 rad/s; }
 } }
 
-/// What a motion is compared in.
+/// The quantities of a motion that are compared.
 type Measure = fn(&Answer, &[f64], &[f64]) -> Vec<f64>;
 
-/// When the goldens of a motion are given, in s.
+/// The times of the goldens of a motion, in s.
 const TIMES: [f64; 5] = [0.5, 1.0, 2.0, 3.0, 5.0];
 
 /// Bryan angles and inertial angular velocities of the three bodies of section 4.1.

@@ -1,5 +1,4 @@
-//! Closed chains in which a body has inertia about all of its axes only by what holds it where the
-//! chain closes.
+//! Closed chains in which the closing hinge constrains the axes about which a body has no inertia.
 
 mod support;
 
@@ -58,7 +57,7 @@ fn a_thin_rod_is_held_by_its_end() {
     assert!(off < 1e-12, "{accelerations} {off:e}");
 }
 
-/// What is thin is the limit of what is thick, and both methods agree.
+/// A thin rod is the limit of a thick rod, and both methods agree.
 #[test]
 fn thin_is_the_limit_of_thick() {
     let thin = Thin::<f64>::new();

@@ -1,5 +1,5 @@
-//! Hinges of all kinds against closed forms, written out by hand for one body: what moves, what
-//! springs, dampers, friction, limits and rotors do, and that nothing else takes energy.
+//! Hinges of all kinds compared with closed forms for one body: motions, springs, dampers, friction,
+//! limits and rotors, and that nothing else changes the energy.
 
 mod support;
 
@@ -73,7 +73,7 @@ mstmm_chain! {
     }
 }
 
-/// What the hinges above have along one coordinate, less what their motors do.
+/// The efforts along one coordinate in the hinges above, without motors.
 fn passive(q: f64, v: f64, rest: f64) -> f64 {
     let beyond = if q > 1.0 {
         -20.0 * (q - 1.0) - 0.7 * v
@@ -86,7 +86,7 @@ fn passive(q: f64, v: f64, rest: f64) -> f64 {
 }
 
 /// Screw: (J + m p² + I) θ̈ = τ − p m g; slider: (m + I) ẍ = f − m g; pin: (J + I) θ̈ = τ. The
-/// torque that comes out of the hinge is τ − I θ̈: what drives the rotor does not reach the body.
+/// torque that the hinge transmits is τ − I θ̈, since the rest accelerates the rotor.
 #[test]
 fn along_and_about_one_axis() {
     let (screwed, slid) = (Screwed::<f64>::new(), Slid::<f64>::new());
@@ -164,7 +164,7 @@ const ARM: Lump =
     Lump { mass: 1.5, com: [0.2, -0.1, 0.3], inertia: [0.1, 0.12, 0.09, 0.01, 0.02, -0.01] };
 
 /// Ω = a α̇ + b' β̇ with b' = Rot(a, α) b, so Ω̇ = a α̈ + b' β̈ + (a × b') α̇ β̇. The arm is in
-/// balance, and its moments about both axes are the motors' less what the rotors take.
+/// balance, and its moments about both axes are the motor torques minus those of the rotors.
 #[test]
 fn a_universal_hinge_turns_about_both_axes() {
     let chain = Cross::<f64>::new();

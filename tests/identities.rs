@@ -1,6 +1,6 @@
-//! Laws that hold for any mechanism, asked of generated chains with motors, held and floating and
-//! held at their end, by both methods: power, momentum, the balance of every body, the shape of
-//! the state vector at hinges and ends.
+//! Laws that hold for any mechanism, tested on generated chains with motors, held at the start, at the end
+//! and floating, by both methods: power, momentum, the balance of every body, and the state vectors at
+//! hinges and ends.
 
 mod support;
 
@@ -76,7 +76,7 @@ of_three_bodies! { Hanging HangingByTransfer [Pin, Pin, Ball] {
     hinge elbow, wrist, base { torque = input; }
 } }
 
-/// What the tests ask of each chain beyond the common face.
+/// The interface of a chain in these tests, in addition to the common interface.
 trait Driven: Mechanism {
     /// The index of the first body's input among the points.
     const FIRST: usize;
@@ -184,7 +184,7 @@ fn every_body_is_in_balance_with_what_is_reported_at_its_ends() {
     in_all_chains!(check);
 }
 
-/// Both sides of a hinge are at one place and pass on the same; a free end passes on nothing.
+/// Both sides of a pin or ball have the same position and transmit the same wrench; a free end transmits none.
 #[test]
 fn hinges_pass_on_everything_and_free_ends_nothing() {
     fn check<C: Driven>(name: &str) {
@@ -219,7 +219,7 @@ fn hinges_pass_on_everything_and_free_ends_nothing() {
     in_all_chains!(check);
 }
 
-/// The torque on the outboard body is −m; along what is free it is the motor's.
+/// The torque on the outboard body is −m; along free axes it is the motor's torque.
 #[test]
 fn moments_along_free_directions_are_the_efforts() {
     let chain = Held::<f64>::new();
@@ -285,7 +285,7 @@ fn a_floating_chain_falls_as_a_whole() {
     check::<AdriftByTransfer<f64>>("AdriftByTransfer");
 }
 
-/// Motors act between bodies, so without gravity they change neither momentum of the whole.
+/// Motors act between bodies, so without gravity they change neither the momentum nor the angular momentum.
 macro_rules! keeps_its_momenta {
     ($chain:ident) => {
         for seed in 0..5 {

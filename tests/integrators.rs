@@ -1,5 +1,5 @@
-//! All integrators on generated chains: their orders on quaternions with springs, on loops and on
-//! hinges that move as told, what becomes of energy, and springs too stiff for the step.
+//! All integrators on generated chains: their orders with quaternions and springs, with loops and with
+//! prescribed hinges, the energy, and springs too stiff for the step.
 
 mod support;
 
@@ -51,7 +51,7 @@ mstmm_chain! {
         hinge c { start = -120 deg; }
         hinge d { start = 100 deg; stiffness = 3; damping = 0.2; }
     }
-    /// A pendulum on a hinge that moves as told.
+    /// A pendulum on a hinge with a prescribed motion.
     chain Shaken {
         gravity = [0, -9.8, 0] m/s^2;
         body Link {
@@ -109,7 +109,7 @@ fn slope(samples: &[(f64, f64)]) -> f64 {
     along / logs.iter().map(|l| (l.0 - mean.0).powi(2)).sum::<f64>()
 }
 
-/// Steps so short that the leading term of the error stands alone, and errors still above rounding.
+/// Steps so short that the leading term of the error dominates, with errors still above rounding.
 #[test]
 fn methods_have_their_orders() {
     macro_rules! check {
@@ -168,7 +168,7 @@ mstmm::mstmm_chain! {
     }
 }
 
-/// A method by its constructor, over so many steps: the energy that is left, and the largest swing.
+/// The final energy and the largest change of energy of a method over a number of steps.
 macro_rules! energies {
     ($method:expr, $steps:expr) => {{
         let chain = Oscillator::<f64>::new();

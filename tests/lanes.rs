@@ -1,6 +1,5 @@
-//! Chains in lanes of SIMD registers: every lane has exactly the bits that the same chain has alone, in
-//! the same state with the same parameters and inputs; and where a single decision is taken for all
-//! lanes, the worst one takes it.
+//! Chains in SIMD lanes: every lane has exactly the bits of the same chain alone, with the same state,
+//! parameters and inputs. A decision for all lanes is that of the worst lane.
 
 mod lanes {
     mod bits;

@@ -1,4 +1,4 @@
-//! Every feature of the language compiles and means what it says, as seen through public items.
+//! Every feature of the language compiles and has its documented meaning, tested by public items.
 
 // Expansions must be quiet under whatever a crate forbids. The examples in the documentation of
 // `mstmm_chain!` are held to `missing_docs`, which is silent in tests.

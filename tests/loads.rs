@@ -16,7 +16,7 @@ const STATES: u64 = 50;
 const TOLERANCE: f64 = 1e-13;
 
 mstmm_chain! {
-    /// A free block, pushed in all ways there are.
+    /// A free block with all kinds of loads.
     chain Pushed {
         gravity = input;
         body Block {
@@ -89,7 +89,7 @@ fn loads_act_at_their_points_along_their_axes() {
         let off = [
             difference(at.accelerations().as_slice(), &expected),
             difference(fast.as_slice(), &expected),
-            // Free ends carry nothing, whatever acts between them.
+            // Free ends carry no load, whatever acts between them.
             ends(&at.points()) / total.norm(),
             difference(&[at.potential_energy()], &[0.0]),
         ]
@@ -107,7 +107,7 @@ fn ends(points: &[Point<f64>]) -> f64 {
 }
 
 mstmm_chain! {
-    /// Held fast, so that all that acts has to pass the hinge.
+    /// A welded block, so that the hinge transmits all loads.
     chain Held {
         gravity = [0, 0, -10] m/s^2;
         body Arm {
@@ -119,7 +119,7 @@ mstmm_chain! {
     }
 }
 
-/// A load shows before the body it acts on and not behind it, [P, Eqs. (14), (15)].
+/// A load changes the wrench inboard of its body and not outboard of it, [P, Eqs. (14), (15)].
 #[test]
 fn a_load_shows_in_z_before_its_body() {
     let chain = Held::<f64>::new();
@@ -137,7 +137,7 @@ fn a_load_shows_in_z_before_its_body() {
 }
 
 mstmm_chain! {
-    /// A mass without size on a spring without length, which pulls alike in all directions.
+    /// A point mass on a spring without length, which is isotropic.
     chain Mass {
         body Drop { mass = 2 kg; com = [0, 0, 0] m; inertia = diag(1, 1, 1) kg*m^2 about com; }
         Drop drop;

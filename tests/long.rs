@@ -9,8 +9,8 @@ use mstmm::{ChainState, GeneratedChain, PinState, Rk4, Scalar, mstmm_chain};
 use mstmm_reference::Random;
 use std::time::Instant;
 
-/// Runs a test with a stack that holds states and workspaces of long chains several times over, as
-/// unoptimised code does.
+/// Runs a test with a stack for several copies of the states and workspaces of long chains, which
+/// unoptimised code needs.
 fn with_room(test: impl FnOnce() + Send + 'static) {
     let thread = std::thread::Builder::new().stack_size(256 << 20);
     let running = thread.spawn(test).expect("a thread");
@@ -170,7 +170,7 @@ fn a_thousand_universals() {
     compare!(Universals true UniversalsByTransfer false);
 }
 
-/// How long it takes is printed, not judged.
+/// Prints the time, without a limit.
 #[test]
 fn ten_thousand_pins_run() {
     with_room(|| {

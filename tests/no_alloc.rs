@@ -1,10 +1,9 @@
 //! Nothing is allocated, neither by generated code nor by the integrators.
 //!
-//! An allocator that counts would need `unsafe`, which this workspace forbids. So this test stands
-//! on two legs that do not. This very crate is `no_std` and does not name `alloc`: what the macro
-//! writes here has nothing to allocate with. And nothing that the runtime hands over needs to be
-//! dropped, so nothing in it owns memory on a heap. That nalgebra comes without `std` and `alloc`
-//! is asked of cargo.
+//! A counting allocator would need `unsafe`, which this workspace forbids. So the test uses two other
+//! facts. This crate is `no_std` and does not use `alloc`, so generated code cannot allocate. No value of
+//! the runtime needs to be dropped, so no value owns heap memory. Cargo reports that nalgebra is used
+//! without `std` and `alloc`.
 #![no_std]
 
 extern crate std;

@@ -1,5 +1,5 @@
-//! Overconstrained linkages: closed chains of pins that move although as many constraints as
-//! rates, or more, close them, compared with an independent reference in twice the precision.
+//! Overconstrained linkages: closed chains of pins that move although they have at least as many constraints
+//! as rates, compared with an independent reference in twice the precision.
 
 #[path = "support/double_double_scalar.rs"]
 mod double_double;

@@ -1,4 +1,4 @@
-//! Generated chains beside the paper's printed matrices: sections 4.1 and 4.2 on their way, at every
+//! Generated chains compared with the paper's printed matrices: sections 4.1 and 4.2 in motion, at every
 //! connection point.
 
 use mstmm::BodyResult;

@@ -1,5 +1,5 @@
-//! Centres of mass and named points of bodies, read from a workspace: their motion is that of points fixed
-//! in the bodies, and the laws of mechanics hold of it.
+//! Centres of mass and named points of bodies, read from a workspace: they move like points fixed in the
+//! bodies, and fulfil the laws of mechanics.
 
 mod support;
 
@@ -115,7 +115,7 @@ fn motions_are_differences_along_a_trajectory() {
     for_each_pair!(check);
 }
 
-/// What `f32` says is what `f64` says, up to its precision; and the methods agree.
+/// Results in `f32` and `f64` agree up to single precision, and both methods agree.
 #[test]
 fn precisions_and_methods_agree() {
     fn check<A, B>(tolerance: f64, number: fn(B::Scalar) -> f64)
@@ -159,7 +159,8 @@ fn precisions_and_methods_agree() {
     for_each_pair!(check);
 }
 
-/// Repeated parts say what the same parts say written out, with numbers of every time.
+/// Repeated parts and the same parts written out have the same results, with different parameters in each
+/// repetition.
 #[test]
 fn repeated_parts_have_points_by_index() {
     fn check<A: Read<Scalar = f64>, B: Read<Scalar = f64>>() {
@@ -185,7 +186,7 @@ fn repeated_parts_have_points_by_index() {
     check::<CarsByTransfer<f64>, TrainByTransfer<f64>>();
 }
 
-/// A point where the output is moves as the output does, which the sweeps have found.
+/// A point at the output moves like the output, whose motion is computed by the sweeps.
 #[test]
 fn a_point_at_the_output_moves_as_the_output() {
     macro_rules! check {
@@ -212,7 +213,7 @@ fn a_point_at_the_output_moves_as_the_output() {
     check!(Arm ArmByTransfer);
 }
 
-/// Newton's law for the whole: what the ground holds is what accelerates all centres of mass.
+/// Newton's law for the whole chain: the force of the ground accelerates all centres of mass.
 #[test]
 fn forces_accelerate_centres_of_mass() {
     macro_rules! check {
@@ -295,7 +296,7 @@ fn points_are_those_of_the_last_solution() {
     check!(ManyByTransfer, rod(1).expect("there are three"));
 }
 
-/// Of fewer results what can be read is what everything has.
+/// Chains with fewer results have the same values as chains with all results.
 #[test]
 fn fewer_results_have_fewer_motions() {
     let (all, poses, watched) = (Everything::<f64>::new(), Poses::new(), Watched::new());

@@ -1,10 +1,10 @@
 //! Thirty hinges through the macro: accuracy does not fall with length, in either method and
 //! either precision. A plain product of so many transfer matrices has no correct digit left.
 //!
-//! What can be claimed: the two methods eliminate different unknowns in opposite directions, and
-//! the independent solver factorises one dense system of 330 or 360 unknowns. Their rounding errors
-//! have nothing in common, so where all three agree to 1e-12 each is as good as that. That the same
-//! equations keep 1e-12 against twice the precision is tested beside them.
+//! The two methods eliminate different unknowns in opposite directions, and the independent solver
+//! factorises one dense system of 330 or 360 unknowns. Their rounding errors are independent, so if all
+//! three agree to 1e-12, each has this accuracy. The tests of the equations compare them with twice the
+//! precision.
 
 mod support;
 
@@ -15,7 +15,7 @@ use support::mechanism::random_quaternion;
 
 const BODIES: usize = 30;
 
-/// Thirty cubes on hinges of two kinds by turns.
+/// Thirty cubes on alternating hinges of two kinds.
 macro_rules! thirty {
     ($name:ident $method:ident [$($odd:tt)*] [$($even:tt)*]) => {
         mstmm::mstmm_chain! { chain $name {
@@ -88,8 +88,8 @@ fn reference(kind: impl Fn(usize) -> HingeKind) -> Chain {
     Chain::new("Thirty", [0.0, -9.8, 0.0], elements)
 }
 
-/// Poses and rates that `f32` holds exactly but for quaternions, which cannot be of unit length in
-/// every precision: theirs is a rounding error of the input.
+/// Poses and rates that are exact in `f32`, except quaternions, which cannot have unit length in every
+/// precision: their rounding is an error of the input.
 fn random_state(random: &mut Random, reference: &Chain) -> State {
     let mut q = Vec::new();
     let mut short = |limit: f64| f64::from(random.between(-limit, limit) as f32);

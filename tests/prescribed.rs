@@ -1,6 +1,6 @@
-//! Prescribed motion: what a drive is said to supply, given to a motor, moves the hinge as told,
-//! for every kind of hinge. Moving ends are the same as bodies that move as told; accelerating is
-//! the same as gravity, turning as what turning brings.
+//! Prescribed motions: a motor with the reported effort of the drive moves the hinge as prescribed, for every
+//! kind of hinge. Moving ends are equivalent to bodies with prescribed motions, and accelerating frames to
+//! gravity.
 
 mod support;
 
@@ -21,7 +21,7 @@ const STATES: u64 = 30;
 /// roundings on the way leave 10² · 10² · 10⁻¹⁶ relative to the largest term.
 const TOLERANCE: f64 = 1e-12;
 
-/// Any motion of a hinge with so many single coordinates, and perhaps a quaternion after them.
+/// A random motion of a hinge with a number of single coordinates and possibly a quaternion after them.
 fn random_motion(random: &mut Random, singles: usize, quaternion: bool) -> Motion {
     let mut q: Vec<f64> = (0..singles).map(|_| random.between(-0.8, 0.8)).collect();
     if quaternion {
@@ -51,8 +51,8 @@ fn apart<P: ComparedPoint>(a: &[P], b: &[P]) -> f64 {
     [0, 1].into_iter().map(|k| difference(&a[k], &b[k])).fold(0.0, worst)
 }
 
-/// A hinge that moves as told, and the same hinge with a motor, between two others; both carry
-/// springs, dampers, friction and rotors.
+/// A hinge with a prescribed motion, and the same hinge with a motor, between two others; both have springs,
+/// dampers, friction and rotors.
 macro_rules! twins {
     ($(
         $test:ident, $told:ident $driven:ident, $dimension:ident
@@ -195,7 +195,7 @@ twins! {
     } motors { force = input; } slider(1, false);
 }
 
-/// A chain on a moving end, and the same chain on a body that a hinge moves as told.
+/// A chain on a moving end, and the same chain on a body whose hinge has a prescribed motion.
 macro_rules! carried {
     ($(
         $test:ident, $on_end:ident $on_body:ident, $dimension:ident [$carrier:ident]
@@ -301,8 +301,8 @@ mstmm_chain! {
     }
 }
 
-/// A frame that accelerates and does not turn, without gravity, is one at rest with gravity the
-/// other way: the same motion against it and the same forces.
+/// A frame that accelerates without rotation and without gravity is equivalent to a frame at rest with
+/// opposite gravity: the same relative motion and the same forces.
 #[test]
 fn accelerating_is_gravity() {
     let (lifted, heavy) = (Lifted::<f64>::new(), Heavy::<f64>::new());

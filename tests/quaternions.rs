@@ -1,5 +1,5 @@
-//! Quaternions that are no rotations are refused wherever a state or a prescribed motion comes from
-//! outside; the states of an integrator's stages may have any length near one.
+//! Quaternions that are not rotations are rejected in every state and prescribed motion given by the caller;
+//! those of an integrator's stages may have any length near one.
 
 mod support;
 

@@ -1,9 +1,8 @@
-//! A seeded set of random chains of everything the language has, compiled through the macro,
-//! against the independent solver: accelerations, efforts, every quantity at every connection
-//! point, energies, in both methods.
+//! Random chains with all features of the language, compiled by the macro and compared with the independent
+//! solver: accelerations, efforts, every quantity at every connection point, energies, in both methods.
 //!
-//! `random/chains.rs` holds the chains as they are printed from the seeds; a test keeps it so, and
-//! `MSTMM_BLESS=1 cargo test --test random` writes it anew.
+//! `random/chains.rs` contains the chains printed from the seeds; a test compares it, and
+//! `MSTMM_BLESS=1 cargo test --test random` rewrites it.
 
 mod random {
     // Kept as printed.
@@ -31,7 +30,7 @@ const MOTIONS: u64 = 20;
 /// system of up to 54 unknowns.
 const TOLERANCE: f64 = 1e-10;
 
-/// The chain of a seed: up to four bodies, all ends and dimensions, a chance of everything.
+/// The chain of a seed: up to four bodies, all ends and dimensions; everything may occur.
 fn chain(seed: u64) -> Chain {
     let ends = Ends::ALL[seed as usize % Ends::ALL.len()];
     let dimension = match seed {

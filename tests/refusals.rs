@@ -1,5 +1,5 @@
-//! What cannot be computed is refused with its reason, and leaves no results and all else as it was: parameters,
-//! mechanisms without an answer, numbers that are not finite.
+//! Calls that fail report the reason, return no results and change nothing: invalid parameters, singular
+//! mechanisms, numbers that are not finite.
 
 mod support;
 
@@ -202,7 +202,7 @@ fn a_thin_rod_on_the_way_has_no_answer_by_transfer() {
     is_loose! { AxleByTransfer }
 }
 
-/// A rod of a ten-millionth of the inertia about its axis turns fast, but has an answer.
+/// A rod with a ten-millionth of the inertia about its axis rotates fast, but has a solution.
 #[test]
 fn a_wire_has_an_answer() {
     let (mut riccati, mut transfer) = (Deep::<f64>::new(), DeepByTransfer::<f64>::new());
@@ -317,7 +317,7 @@ fn what_is_not_finite_is_refused_by_transfer() {
     refuses_what_is_not_finite! { DrivenByTransfer }
 }
 
-/// A state so large that sums overflow says nothing of a hinge.
+/// A state so large that sums overflow is not a singular hinge.
 #[test]
 fn what_overflows_is_not_singular() {
     let chain = Driven::<f64>::new();

@@ -1,4 +1,4 @@
-//! The setting `results`: what is asked for comes out as if everything were, and nothing else is there.
+//! The setting `results`: the selected results equal those of a chain with all results, and no others exist.
 
 mod support;
 

@@ -1,5 +1,5 @@
-//! An inertia that rounding loses next to much larger ones: `f32` with masses 10⁶ apart says so, and
-//! names what helps.
+//! An inertia that is lost by rounding next to much larger ones: `f32` with mass ratios of 10⁶ reports an
+//! error, and suggests a remedy.
 
 use mstmm::prelude::*;
 use mstmm::{Error, GeneratedChain};
@@ -73,7 +73,7 @@ fn masses_far_apart_are_named_in_single_precision() {
             for part in ["`a`", "rounding", "`f64`", "masses closer together"] {
                 assert!(text.contains(part), "{text}");
             }
-            // What the text advises helps: the other number, or masses closer together.
+            // The suggested remedies help: double precision, or masses closer together.
             assert_eq!(outcome(&$chain::<f64>::new()), Ok(()), stringify!($chain));
             chain.set_light(1.0).expect("a mass");
             assert_eq!(outcome(&chain), Ok(()), stringify!($chain));
@@ -94,7 +94,7 @@ fn masses_further_apart_are_named_in_double_precision() {
     check! { Line Space Repeated LineByTransfer SpaceByTransfer RepeatedByTransfer }
 }
 
-/// A step says the same, and leaves the state.
+/// A step returns the same error and leaves the state unchanged.
 #[test]
 fn a_step_says_so_too() {
     let chain = Space::<f32>::new();

@@ -189,7 +189,7 @@ fn a_torque_that_depends_on_time_makes_the_motion_asked_for() -> Result<(), Erro
     Ok(())
 }
 
-/// What holds the arm against gravity, by the lever arms of its two centres of mass.
+/// The torques that hold the arm against gravity, from the lever arms of its two centres of mass.
 fn against_gravity(state: &ArmState<f64>) -> ArmInputs<f64> {
     let (first, second) =
         (state.shoulder().angle(), state.shoulder().angle() + state.elbow().angle());
@@ -237,7 +237,7 @@ fn a_controller_brings_the_arm_to_its_set_point() -> Result<(), Error> {
     Ok(())
 }
 
-/// How half a second went.
+/// The result of half a second.
 struct Outcome<T> {
     energies: [T; 2],
     tip: Vector3<T>,

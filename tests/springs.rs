@@ -1,5 +1,5 @@
-//! Springs, limits and rotors of every kind of hinge keep energy; dampers and friction take what
-//! their rates say. Exact, by dual numbers.
+//! Springs, limits and rotors of every kind of hinge conserve energy; dampers and friction dissipate the
+//! power given by their rates. Exact, by dual numbers.
 
 mod support;
 

@@ -1,5 +1,5 @@
-//! One mechanism described in different ways moves the same way: at another place and turned, with
-//! a body made of two halves, written from the other end.
+//! Different descriptions of one mechanism have the same motion: translated and rotated, with a body made of
+//! two halves, written from the other end.
 
 mod support;
 
@@ -178,7 +178,7 @@ backwards! {
     HereByTransfer BackwardsByTransfer reversed_by_transfer;
 }
 
-/// The same point with force and moment as the other neighbour feels them.
+/// The same point with the force and moment on the other neighbour.
 fn from_the_other_side(point: &Point<f64>) -> Point<f64> {
     let z = StateVector::new(
         point.acceleration().into(),
@@ -270,7 +270,7 @@ fn two_halves_welded_move_like_the_whole() {
     move_alike::<WholeByTransfer<f64>, HalvesByTransfer<f64>>("transfer", same, seen);
 }
 
-/// What the seam passes on is what each half alone needs to move as it does.
+/// The weld between the halves transmits the wrench that each half needs for its motion.
 #[test]
 fn the_points_of_a_weld_report_the_load_inside() {
     fn check<C: Mechanism>()

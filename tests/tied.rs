@@ -1,4 +1,4 @@
-//! Spatial chains that are tied to the ground at their end: a gate between two balls, a chain with
+//! Closed spatial chains: a gate between two balls, a chain with
 //! five degrees of freedom, ends that constrain nothing and ends that are held by springs.
 
 mod support;
@@ -25,8 +25,8 @@ mstmm_chain! {
     }
 }
 
-/// It turns about the line of both balls like a pendulum, and how hard they pull along that line at
-/// each other nobody knows.
+/// The gate rotates about the line through both balls like a pendulum; the force along this line is
+/// undetermined.
 #[test]
 fn a_gate_swings_about_its_balls() {
     let chain = Gate::<f64>::new();

@@ -1,10 +1,10 @@
-//! Mistakes in descriptions: each is reported in the words and at the place that `ui` shows, and
-//! nothing else is. That every message is shown here or in the tests of the compiler's model is what
-//! `mstmm-macros/codegen/tests/messages.rs` checks.
+//! Error messages of descriptions: the folder `ui` has the message and the place of each error, and nothing
+//! else is reported. `mstmm-macros/codegen/tests/messages.rs` checks that every message occurs here or in
+//! the tests of the compiler's model.
 //!
-//! Cases are macro calls alone, so that every message is the macro's own, sorted into folders by
-//! what they are about. `TRYBUILD=overwrite cargo test --test ui` writes their messages anew; how
-//! rustc sets them depends on its version.
+//! Cases contain only macro calls, so that every message is the macro's, in folders by topic.
+//! `TRYBUILD=overwrite cargo test --test ui` rewrites the messages; their layout depends on the version of
+//! rustc.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,5 @@
-//! What a chain cannot be written as, and the ways round that messages name: springs between bodies,
-//! loops over a body and branches by pairs of loads, computed at each step.
+//! Alternatives that error messages suggest for mechanisms that are not chains: springs between bodies, loops
+//! over a body and branches, by pairs of loads that are computed at each step.
 
 use mstmm::nalgebra::Vector2;
 use mstmm::prelude::*;

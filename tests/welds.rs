@@ -1,5 +1,5 @@
-//! Welded bodies move as one body with the sum of their inertias, and what the weld passes on is
-//! what Newton's law asks for each part.
+//! Welded bodies move as one body with the sum of their inertias, and the weld transmits the wrench that
+//! Newton's law requires for each part.
 
 mod support;
 
@@ -134,7 +134,7 @@ fn welded_bodies_move_as_one_and_each_part_is_in_balance() {
     compare("transfer", &WeldedByTransfer::<f64>::new(), &MergedByTransfer::<f64>::new());
 }
 
-/// Beyond the last weld lies nothing but what hangs there: its force is m (a − g) of that.
+/// The last weld carries only the last part: its force is m (a − g) of this part.
 #[test]
 fn a_weld_passes_on_what_moves_the_rest() {
     let chain = Welded::<f64>::new();
