@@ -6,9 +6,9 @@ use crate::{BodyPoint, ConnectionPoint, Point};
 
 /// The results at one body: its input, its output and its centre of mass.
 ///
-/// `P` is the type of connection points, [`Point`] in space. `W` says which points the description of
-/// the body has. Named points are methods of a type that is generated for the body, which dereferences
-/// to this one.
+/// `P` is the type of connection points, [`Point`] in space. `W` lists the optional points that the description of
+/// the body has. Named points are methods of a type generated for the body, which dereferences to this type.
+#[doc(alias("link", "frame", "site"))]
 #[derive(Clone, Copy, Debug)]
 pub struct BodyResult<T, P: ConnectionPoint = Point<T>, W = OptionalPoints<true, true>> {
     input: P,
@@ -21,22 +21,23 @@ impl<T, P, W> BodyResult<T, P, W>
 where
     P: ConnectionPoint<Scalar = T, Vector: Copy> + Copy,
 {
-    /// Makes the result from the connection points and the centre of mass in the body frame, m;
-    /// generated code calls this.
+    /// Makes the result from the connection points and the centre of mass in m, body frame; for generated code.
     #[inline]
     pub fn new(input: P, output: P, com: P::Vector) -> Self {
         Self { input, output, com, written: PhantomData }
     }
 
-    /// Returns the body's input end. The force on the body there is +q, the torque −m.
+    /// Returns the input of the body. There [`force`](Point::force) acts on the body, and minus
+    /// [`moment`](Point::moment).
     #[inline]
     pub fn input(&self) -> P {
         self.input
     }
 
-    /// Returns the body's output end. The force on the body there is −q, the torque +m.
+    /// Returns the output of the body. There minus [`force`](Point::force) acts on the body, and
+    /// [`moment`](Point::moment).
     ///
-    /// It exists only where the description of the body has an `output`.
+    /// It exists only if the description of the body has an `output`.
     #[inline]
     pub fn output(&self) -> P
     where
@@ -47,7 +48,8 @@ where
 
     /// Returns the motion of the centre of mass.
     ///
-    /// In a line chain it exists only where the description of the body has a `com`.
+    /// In a line chain it exists only if the description of the body has a `com`.
+    #[doc(alias("centre of mass", "center of mass", "CoM"))]
     #[inline]
     pub fn com(&self) -> BodyPoint<P>
     where
@@ -57,7 +59,7 @@ where
     }
 }
 
-/// Which points the description of a body has, of those that it may omit.
+/// The optional points that the description of a body has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OptionalPoints<const OUTPUT: bool, const COM: bool>;
 

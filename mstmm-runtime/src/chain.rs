@@ -1,4 +1,4 @@
-//! What an integrator needs to know of a chain.
+//! The traits of chains and their states: what integrators and generic code use.
 
 use crate::{Energy, Error, Scalar};
 
@@ -39,29 +39,28 @@ pub trait ChainState: Clone {
 ///
 /// `mstmm_chain!` implements it for the chains it generates.
 pub trait Chain {
-    /// The numbers the chain is computed with.
+    /// The scalar type of the chain.
     type Scalar: Scalar;
 
-    /// The state of the chain. Integrators fill their buffers with default states, whose values do
-    /// not matter.
+    /// The state of the chain. Integrators allocate their buffers as default states.
     type State: ChainState<Scalar = Self::Scalar> + Default;
 
-    /// What acts on the chain from outside during a step: torques, forces, prescribed motions.
+    /// The inputs of the chain: efforts of motors, external forces and torques, prescribed motions.
     type Inputs;
 
-    /// The time derivative of `state`: afterwards `rate.coordinates()` is q̇ and `rate.rates()` is v̇. The time
-    /// of `rate` means nothing.
+    /// Computes the time derivative of `state`: q̇ into `rate.coordinates()`, v̇ into `rate.rates()`.
     ///
-    /// The quaternions of `state` may have any length near one, as those of an integrator's stages
-    /// have. They are used unchanged and are not checked: for a quaternion of length n whose
-    /// rotation matrix is R, the matrix (1 − n²) 1 + n² R is used instead of R, which is R up to
-    /// terms of the order of n² − 1, and q̇ is n times that of the unit quaternion. A state or
-    /// inputs that come from outside are checked by [`check_state`](Chain::check_state) and
-    /// [`check_inputs`](Chain::check_inputs).
+    /// The time of `rate` is unspecified.
+    ///
+    /// Quaternions of `state` may have any length near one, as in the stages of an integrator. They are used
+    /// unchanged and without checks. For a quaternion of length n with the rotation matrix R, the matrix
+    /// (1 − n²) 1 + n² R is used, which is R up to terms of the order of n² − 1, and q̇ is n times that of the unit
+    /// quaternion. [`check_state`](Chain::check_state) and [`check_inputs`](Chain::check_inputs) check states and
+    /// inputs that come from outside.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] if the state or the inputs are not finite, [`Error::Singular`] if no
-    /// inertia is left beyond a hinge. `rate` means nothing then.
+    /// [`Error::NotFinite`] if the state or the inputs are not finite. [`Error::Singular`] if the bodies outboard of
+    /// a hinge have no inertia along one of its axes. `rate` is unspecified after an error.
     fn derivative_into(
         &self,
         state: &Self::State,
@@ -69,15 +68,15 @@ pub trait Chain {
         rate: &mut Self::State,
     ) -> Result<(), Error>;
 
-    /// The rate of a linearly implicit step of Euler's method of `step` seconds: afterwards
-    /// `rate.rates()` is the v̇ of (M + h C + h² K) v̇ = τ − h K v, where M v̇ = τ are the equations of
-    /// motion, h is the step, and K and C are stiffness and damping of the springs, dampers,
-    /// friction and limits in hinges: −∂τ/∂q ∂q̇/∂v and −∂τ/∂v of those alone, where strains are
-    /// coordinates. Of the strains s of elastic hinges, and of the turns of balls and floating hinges,
-    /// K is Jᵀ k J and C is Jᵀ c J with ṡ = J v: what is left out vanishes at rest. `rate.coordinates()` is q̇
-    /// of `state`.
+    /// Computes the rate of one step of the linearly implicit Euler method, for a step of `step` seconds.
     ///
-    /// With K and C zero it is [`derivative_into`](Chain::derivative_into), which is the default.
+    /// `rate.rates()` is the v̇ of (M + h C + h² K) v̇ = τ − h K v. Here M v̇ = τ are the equations of motion and h is
+    /// the step. K = −∂τ/∂q ∂q̇/∂v and C = −∂τ/∂v are stiffness and damping of the springs, dampers, friction and
+    /// limits in hinges, if their strains are coordinates. For elastic hinges and for the rotations of ball and
+    /// floating hinges, whose strains s have the rates ṡ = J v, K is Jᵀ k J and C is Jᵀ c J; the omitted terms are
+    /// zero at rest. `rate.coordinates()` is q̇ of `state`.
+    ///
+    /// If K and C are zero, the result is that of [`derivative_into`](Chain::derivative_into), which is the default.
     ///
     /// # Errors
     /// As [`derivative_into`](Chain::derivative_into).
@@ -92,22 +91,19 @@ pub trait Chain {
         self.derivative_into(state, inputs, rate)
     }
 
-    /// The rates of the coordinates alone, which follow from coordinates and rates without any
-    /// dynamics: afterwards `rate.coordinates()` is q̇, and all else in `rate` is as it was.
+    /// Computes q̇ into `rate.coordinates()` and leaves the rest of `rate` unchanged.
     ///
-    /// It is linear in the rates. What is not finite gives what is not finite.
+    /// q̇ depends on coordinates and rates only, and is linear in the rates. Values that are not finite are passed on.
+    #[doc(alias("MapVelocityToQDot", "qdot"))]
     fn configuration_rate_into(&self, state: &Self::State, rate: &mut Self::State);
 
-    /// Checks what a state that comes from outside must fulfil beyond finite numbers: the length of
-    /// each quaternion is between 0.9 and 1.1. A quaternion that is not finite passes; it gives
-    /// [`Error::NotFinite`] where it is used. Of lanes all must pass.
+    /// Checks that the length of each quaternion of a state is between 0.9 and 1.1, in all lanes.
     ///
-    /// Accelerations are those of the rotation up to terms of the order of n² − 1 for a length n, see
-    /// [`derivative_into`](Chain::derivative_into). For a state whose quaternions are further from
-    /// unit length than rounding, call [`normalize`](Chain::normalize) first.
+    /// A quaternion that is not finite passes; its use gives [`Error::NotFinite`]. Accelerations are those of the
+    /// rotation up to terms of the order of n² − 1 for a length n, see [`derivative_into`](Chain::derivative_into).
+    /// If lengths differ from one by more than rounding, call [`normalize`](Chain::normalize) first.
     ///
-    /// Integrators check the state that they are given once in a call of `step` or `advance_to`. The
-    /// default checks nothing.
+    /// Integrators check the given state once in each call. The default checks nothing.
     ///
     /// # Errors
     /// [`Error::InvalidQuaternion`].
@@ -116,10 +112,9 @@ pub trait Chain {
         Ok(())
     }
 
-    /// Checks the quaternions of prescribed motions in the same way as
-    /// [`check_state`](Chain::check_state).
+    /// Checks the quaternions of prescribed motions as [`check_state`](Chain::check_state) does.
     ///
-    /// Integrators check all inputs that they ask for. The default checks nothing.
+    /// Integrators check all inputs that they evaluate. The default checks nothing.
     ///
     /// # Errors
     /// [`Error::InvalidQuaternion`].
@@ -128,18 +123,21 @@ pub trait Chain {
         Ok(())
     }
 
-    /// Brings quaternions back to unit length, from which a step moves them by no more than its
-    /// error.
+    /// Scales the quaternions of a state to unit length.
+    ///
+    /// A step changes their length by no more than the error of the step.
     fn normalize(&self, state: &mut Self::State);
 
-    /// Brings a chain that is held at both ends back onto its closure, in positions and in
-    /// velocities, by one correction: a step moves it off by no more than its error, of which about
-    /// the square is left. Integrators ask for it after every step; `inputs` are asked at its end,
-    /// by chains that need them. Other chains are closed always.
+    /// Projects a state onto the loop constraints of a closed chain, in coordinates and rates.
+    ///
+    /// It takes one Newton correction. A step violates the constraints by no more than its error; about the square of
+    /// that is left. Integrators call it after every step. `inputs` is evaluated once, only by chains that need
+    /// inputs for the constraints. Open chains do nothing.
     ///
     /// # Errors
-    /// That of `inputs`, unchanged; `state` is left as it was. [`Error::ClosureRank`] if directions that
-    /// count as redundant are independent in this pose; `state` is then unspecified.
+    /// The error of `inputs`, unchanged; `state` is then unchanged. [`Error::ClosureRank`] if directions that count as
+    /// redundant are independent in this pose; `state` is then unspecified.
+    #[doc(alias("close", "loop constraints", "constraint stabilization", "drift"))]
     fn project<E: From<Error>>(
         &self,
         state: &mut Self::State,
@@ -150,42 +148,44 @@ pub trait Chain {
     }
 }
 
-/// A chain made by `mstmm_chain!`: what every one of them can do, for code that works with any.
+/// The interface that all chains of `mstmm_chain!` share, for code that is generic over them.
 ///
-/// The methods are those of the generated type itself, which documents them.
+/// Each generated type has methods of the same names, with their documentation.
 ///
 /// # Orders
 ///
-/// Coordinates [`q`](ChainState::coordinates), rates [`v`](ChainState::rates) and accelerations lie hinge by hinge
-/// in the order of the route. The body of a chain that floats comes first, and hinges whose motion is
-/// prescribed have no place. A repeated part lies repetition by repetition: all its hinges in the order
-/// of the route for the first repetition, then all of them for the second, and so on. So `repeat 2 { pin
-/// a -> Rod b -> slider c -> Rod d }` has the rates a₀, c₀, a₁, c₁. The documentation of a state's type
-/// has a table with the places of all its hinges.
+/// Coordinates [`q`](ChainState::coordinates), rates [`v`](ChainState::rates) and accelerations are in the order of the
+/// route, hinge by hinge. The floating base of a chain that is not held comes first. Hinges with a prescribed motion
+/// have no entries. A repeated part is in the order of its repetitions: all hinges of the first repetition in the order
+/// of the route, then all hinges of the second one, and so on. So `repeat 2 { pin a -> Rod b -> slider c -> Rod d }` has
+/// the rates a₀, c₀, a₁, c₁. The documentation of a state's type has a table of the indices of all hinges.
 ///
-/// The connection points that a workspace's `points()` returns are in the order of the route, too: the
-/// input of the first element, then the output of every element, repetition by repetition where a part
-/// is repeated. The input of an element is the output of the one before it.
+/// The connection points that `points()` of a workspace returns are in the order of the route, too: the input of the
+/// first element, then the output of every element, repetition by repetition in a repeated part. The input of an
+/// element is the output of the element inboard of it.
 pub trait GeneratedChain: Chain {
-    /// Where results are written.
+    /// The results of [`solve_into`](Self::solve_into).
     type Workspace;
 
-    /// The state that the description starts from, at time zero.
+    /// Returns the state at the start that the description gives, at time zero.
     fn initial_state(&self) -> Self::State;
 
-    /// Inputs that are all zero.
+    /// Returns inputs that are all zero.
     fn no_inputs(&self) -> Self::Inputs;
 
-    /// Room for the results of [`solve_into`](Self::solve_into).
+    /// Returns an empty workspace for [`solve_into`](Self::solve_into).
+    #[doc(alias("data", "mjData", "context"))]
     fn workspace(&self) -> Self::Workspace;
 
-    /// Accelerations, efforts and what the chain's setting `results` asks for, written into `at`: without the setting
-    /// energies and, at every connection point, pose, velocity and the state vector `z`.
+    /// Computes accelerations, efforts and the results that the chain's setting `results` lists, into `at`.
+    ///
+    /// Without the setting these are the energies and, at every connection point, pose, velocity and the state vector
+    /// `z`.
     ///
     /// # Errors
-    /// As [`Chain::derivative_into`], and those of [`Chain::check_state`] and
-    /// [`Chain::check_inputs`]; `at` is then as [`workspace`](Self::workspace) makes it: results of earlier calls
-    /// are gone.
+    /// Those of [`Chain::derivative_into`], [`Chain::check_state`] and [`Chain::check_inputs`]. `at` is then an empty
+    /// workspace, without the results of earlier calls.
+    #[doc(alias("forward dynamics", "aba", "constraint forces", "mj_forward"))]
     fn solve_into(
         &self,
         state: &Self::State,
@@ -193,22 +193,23 @@ pub trait GeneratedChain: Chain {
         at: &mut Self::Workspace,
     ) -> Result<(), Error>;
 
-    /// Closes a chain that is held at both ends: moves `state` to coordinates and rates nearby that
-    /// fulfil the closure, with prescribed motions as `inputs` say. Other chains are closed always.
+    /// Assembles a closed chain: moves `state` to nearby coordinates and rates that satisfy the loop constraints.
     ///
-    /// Coordinates are found by Newton's method. Of all small motions that close the gap to first
-    /// order, each correction is the one with the least kinetic energy, and so is each change of the
-    /// rates among those that make both sides of the closing hinge move alike.
+    /// Prescribed motions are those of `inputs`. Open chains do nothing. Coordinates are found by Newton's method. Of
+    /// all small motions that satisfy the linearised constraints, each correction is the one with the least kinetic
+    /// energy. Of all changes of the rates that satisfy the constraints of the velocities, the one with the least
+    /// kinetic energy is taken.
     ///
     /// # Errors
-    /// [`Error::NotAssembled`] if the corrections do not converge, [`Error::ClosureRank`] if they lead to a
-    /// pose in which the closure has a higher rank than was found, and those of
-    /// [`Chain::check_state`] and [`Chain::check_inputs`]; `state` is left as it was.
+    /// [`Error::NotAssembled`] if the corrections do not converge, [`Error::ClosureRank`] if the loop constraints have
+    /// a higher rank at the result than around the start of the description, and those of [`Chain::check_state`] and
+    /// [`Chain::check_inputs`]. `state` is then unchanged.
+    #[doc(alias("inverse kinematics", "initial conditions"))]
     fn assemble(&self, state: &mut Self::State, inputs: &Self::Inputs) -> Result<(), Error> {
         self.check_state(state)?;
         self.check_inputs(inputs)
     }
 
-    /// Kinetic and potential energy.
+    /// Returns kinetic and potential energy.
     fn energy(&self, state: &Self::State) -> Energy<Self::Scalar>;
 }

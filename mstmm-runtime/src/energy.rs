@@ -5,16 +5,17 @@ use crate::Scalar;
 /// Kinetic and potential energy in J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy<T> {
-    /// Of all bodies, from the velocities of their centres of mass and their angular velocities,
-    /// and of the rotors in hinges.
+    /// Kinetic energy in J of all bodies and of the rotors in hinges.
     pub kinetic: T,
-    /// Of gravity, springs and limits; zero with every centre of mass at the inertial origin and
-    /// every spring at rest.
+    /// Potential energy in J of gravity, springs and limits. It is zero if all centres of mass are at the inertial origin
+    /// and all springs are at rest.
+    #[doc(alias = "potential energy")]
     pub potential: T,
 }
 
 impl<T: Scalar> Energy<T> {
-    /// The sum of both.
+    /// Returns the sum of kinetic and potential energy.
+    #[doc(alias = "mechanical energy")]
     #[inline]
     pub fn total(&self) -> T {
         self.kinetic + self.potential

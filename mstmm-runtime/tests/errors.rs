@@ -1,28 +1,33 @@
-//! What errors say.
+//! The texts of errors.
 
 use mstmm_runtime::Error;
 
 #[test]
-fn errors_speak_plainly() {
-    let told = |error: Error| error.to_string();
+fn errors_have_these_texts() {
+    let text = |error: Error| error.to_string();
     assert_eq!(
-        told(Error::Singular { hinge: "elbow" }),
-        "no inertia is left beyond hinge `elbow` in a direction in which it is free: nothing there \
-         has any in this state, or rounding has lost it next to much larger inertias; if so, use \
-         `f64`, or masses closer together"
+        text(Error::Singular { hinge: "elbow" }),
+        "the bodies outboard of hinge `elbow` have no inertia along one of its axes in this state, or \
+         rounding has lost it next to much larger inertias: if so, use `f64`, or masses that differ less"
     );
-    assert_eq!(told(Error::NotFinite), "a coordinate, rate, input or time is not a finite number");
     assert_eq!(
-        told(Error::InvalidQuaternion { hinge: "wrist" }),
+        text(Error::NotFinite),
+        "a coordinate, rate, input or time is not finite, or too large"
+    );
+    assert_eq!(
+        text(Error::InvalidQuaternion { hinge: "wrist" }),
         "the quaternion of `wrist` is not a rotation: its length must be between 0.9 and 1.1"
     );
     let refused = Error::InvalidParameter { name: "payload", reason: "must not be negative" };
-    assert_eq!(told(refused), "`payload` must not be negative");
+    assert_eq!(text(refused), "`payload` must not be negative");
     assert_eq!(
-        told(Error::StepTooSmall),
-        "the tolerance cannot be reached: the step became too small"
+        text(Error::StepTooSmall),
+        "the tolerance cannot be met, even with the smallest step: use a larger tolerance or `f64`"
     );
-    assert_eq!(told(Error::OutsideStep), "the time lies outside the last step");
-    assert_eq!(told(Error::NotAssembled), "the chain cannot be closed from this start");
+    assert_eq!(text(Error::OutsideStep), "the time is outside the last step");
+    assert_eq!(
+        text(Error::NotAssembled),
+        "the chain cannot be closed from this state: start closer to a pose in which it is closed"
+    );
     let _: &dyn core::error::Error = &refused;
 }

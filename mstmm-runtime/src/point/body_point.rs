@@ -7,10 +7,10 @@ use crate::Scalar;
 
 /// A point fixed in a body: its centre of mass, or a named point.
 ///
-/// Vectors are in the inertial frame. Each method computes its value from the results at the body's
-/// input when it is called, and needs those results: a velocity also the pose, an acceleration all three
-/// of `poses`, `velocities` and `z`. In a line chain a velocity and an acceleration need only their own
-/// results.
+/// Vectors are in the inertial frame. Each method computes its value from the results at the input of the body when it
+/// is called. A velocity needs the results `poses` and `velocities`; an acceleration needs `poses`, `velocities` and
+/// `z`. In a line chain a velocity needs only `velocities` and an acceleration only `z`.
+#[doc(alias("site", "frame", "marker"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyPoint<P: ConnectionPoint> {
     input: P,
@@ -18,7 +18,7 @@ pub struct BodyPoint<P: ConnectionPoint> {
 }
 
 impl<P: ConnectionPoint> BodyPoint<P> {
-    /// The point at `place`, m, in the frame of the body with this input.
+    /// Makes the point at `place`, in m in the body frame, of the body with this input.
     #[inline]
     pub fn new(input: P, place: P::Vector) -> Self {
         Self { input, place }
@@ -26,7 +26,7 @@ impl<P: ConnectionPoint> BodyPoint<P> {
 }
 
 impl<T: Scalar, R> BodyPoint<Point<T, R>> {
-    /// The way from the input to the point, inertial components.
+    /// Returns the vector from the input to the point, inertial frame.
     #[inline]
     fn arm(&self) -> [T; 3] {
         let [x, y, z] = self.place;
@@ -34,7 +34,7 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
         self.input.rotation.map(along)
     }
 
-    /// The position r = r_I + A r′ in m, from the inertial frame's origin.
+    /// Returns the position r = r_I + A r′ in m from the inertial origin.
     #[inline]
     pub fn position(&self) -> Vector3<T>
     where
@@ -43,7 +43,7 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
         self.input.position() + Vector3::from(self.arm())
     }
 
-    /// The rotation A that turns components in the body's frame into inertial components.
+    /// Returns the rotation A that takes components in the body frame to inertial components.
     #[inline]
     pub fn orientation(&self) -> Rotation3<T>
     where
@@ -52,17 +52,17 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
         self.input.orientation()
     }
 
-    /// The velocity ṙ = ṙ_I + Ω × A r′ in m/s.
+    /// Returns the velocity ṙ = ṙ_I + Ω × A r′ in m/s.
     #[inline]
     pub fn velocity(&self) -> Vector3<T>
     where
         R: HasPoses + HasVelocities,
     {
-        let turning = cross(self.input.angular_velocity, self.arm());
-        self.input.velocity() + Vector3::from(turning)
+        let relative = cross(self.input.angular_velocity, self.arm());
+        self.input.velocity() + Vector3::from(relative)
     }
 
-    /// The body's angular velocity Ω in rad/s.
+    /// Returns the body's angular velocity Ω in rad/s.
     #[inline]
     pub fn angular_velocity(&self) -> Vector3<T>
     where
@@ -71,8 +71,7 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
         self.input.angular_velocity()
     }
 
-    /// The acceleration r̈ = r̈_I + Ω̇ × A r′ + Ω × (Ω × A r′) in m/s². It is the true one: a body at rest
-    /// under gravity has none.
+    /// Returns the acceleration r̈ = r̈_I + Ω̇ × A r′ + Ω × (Ω × A r′) in m/s²: the second time derivative of the position.
     #[inline]
     pub fn acceleration(&self) -> Vector3<T>
     where
@@ -84,7 +83,7 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
         self.input.acceleration() + Vector3::from(tangential) + Vector3::from(centripetal)
     }
 
-    /// The body's angular acceleration Ω̇ in rad/s².
+    /// Returns the body's angular acceleration Ω̇ in rad/s².
     #[inline]
     pub fn angular_acceleration(&self) -> Vector3<T>
     where
@@ -95,14 +94,14 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
 }
 
 impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
-    /// The way from the input to the point, inertial components.
+    /// Returns the vector from the input to the point, inertial frame.
     #[inline]
     fn arm(&self) -> Vector2<T> {
         let ([cosine, sine], [x, y]) = (self.input.cos_sin, self.place);
         Vector2::new(cosine.mul_add(x, -(sine * y)), sine.mul_add(x, cosine * y))
     }
 
-    /// The position r = r_I + A r′ in m, from the inertial frame's origin.
+    /// Returns the position r = r_I + A r′ in m from the inertial origin.
     #[inline]
     pub fn position(&self) -> Vector2<T>
     where
@@ -111,7 +110,7 @@ impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
         self.input.position() + self.arm()
     }
 
-    /// The rotation A that turns components in the body's frame into inertial components.
+    /// Returns the rotation A that takes components in the body frame to inertial components.
     #[inline]
     pub fn orientation(&self) -> Rotation2<T>
     where
@@ -120,8 +119,7 @@ impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
         self.input.orientation()
     }
 
-    /// Cosine and sine of the angle by which the body's frame is turned against the inertial one,
-    /// counter-clockwise.
+    /// Returns cosine and sine of the counter-clockwise angle from the inertial frame to the body frame.
     #[inline]
     pub fn cos_sin(&self) -> (T, T)
     where
@@ -130,7 +128,7 @@ impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
         self.input.cos_sin()
     }
 
-    /// The velocity ṙ = ṙ_I + Ω × A r′ in m/s.
+    /// Returns the velocity ṙ = ṙ_I + Ω × A r′ in m/s.
     #[inline]
     pub fn velocity(&self) -> Vector2<T>
     where
@@ -139,7 +137,7 @@ impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
         self.input.velocity() + across(self.arm()) * self.input.angular_velocity
     }
 
-    /// The body's angular velocity Ω_z in rad/s.
+    /// Returns the body's angular velocity Ω_z in rad/s.
     #[inline]
     pub fn angular_velocity(&self) -> T
     where
@@ -148,8 +146,7 @@ impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
         self.input.angular_velocity()
     }
 
-    /// The acceleration r̈ = r̈_I + Ω̇ × A r′ − Ω² A r′ in m/s². It is the true one: a body at rest under
-    /// gravity has none.
+    /// Returns the acceleration r̈ = r̈_I + Ω̇ × A r′ − Ω² A r′ in m/s²: the second time derivative of the position.
     #[inline]
     pub fn acceleration(&self) -> Vector2<T>
     where
@@ -160,7 +157,7 @@ impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
         self.input.acceleration() + tangential - arm * (omega * omega)
     }
 
-    /// The body's angular acceleration Ω̇_z in rad/s².
+    /// Returns the body's angular acceleration Ω̇_z in rad/s².
     #[inline]
     pub fn angular_acceleration(&self) -> T
     where
@@ -171,7 +168,7 @@ impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
 }
 
 impl<T: Scalar, R> BodyPoint<LinePoint<T, R>> {
-    /// The position x in m, from the inertial frame's origin.
+    /// Returns the position x in m, from the inertial frame's origin.
     #[inline]
     pub fn position(&self) -> T
     where
@@ -181,7 +178,7 @@ impl<T: Scalar, R> BodyPoint<LinePoint<T, R>> {
         self.input.position() + place
     }
 
-    /// The velocity ẋ in m/s, that of all points of the body.
+    /// Returns the velocity ẋ in m/s, that of all points of the body.
     #[inline]
     pub fn velocity(&self) -> T
     where
@@ -190,7 +187,7 @@ impl<T: Scalar, R> BodyPoint<LinePoint<T, R>> {
         self.input.velocity()
     }
 
-    /// The acceleration ẍ in m/s², that of all points of the body.
+    /// Returns the acceleration ẍ in m/s², that of all points of the body.
     #[inline]
     pub fn acceleration(&self) -> T
     where
@@ -200,13 +197,13 @@ impl<T: Scalar, R> BodyPoint<LinePoint<T, R>> {
     }
 }
 
-/// The cross product.
+/// Returns the cross product.
 #[inline]
 fn cross<T: Scalar>([a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> [T; 3] {
     [b.mul_add(z, -(c * y)), c.mul_add(x, -(a * z)), a.mul_add(y, -(b * x))]
 }
 
-/// The cross product of the unit vector along z and a vector in the plane.
+/// Returns the cross product of the unit vector along z and a vector in the plane.
 #[inline]
 fn across<T: Scalar>(vector: Vector2<T>) -> Vector2<T> {
     let [x, y] = vector.into();

@@ -9,10 +9,12 @@ use super::results::{AllResults, HasPoses, HasVelocities, HasZ, Results, show};
 use super::slots::{PointSlots, difference, vector_at};
 use crate::Scalar;
 
-/// The method's state vector `[P, Eq. (7)]`, z = [ẍ, q_x, 1] at a connection point of a line chain.
+/// The state vector z at a connection point of a line chain: acceleration and internal force along x.
 ///
-/// These are the entries of [`StateVector`](crate::StateVector) that motion along x leaves, with
-/// the same signs: on a **body**, the force at its input end is +q and at its output end −q.
+/// It has the entries of [`StateVector`](crate::StateVector) that a motion along x leaves, with the same signs: a body
+/// feels +force at its input and −force at its output.
+///
+/// This is the vector z = [ẍ, q_x, 1] of `[P, Eq. (7)]`, where q is the force.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LineStateVector<T> {
     acceleration: T,
@@ -20,35 +22,39 @@ pub struct LineStateVector<T> {
 }
 
 impl<T: Scalar> LineStateVector<T> {
-    /// Puts z together: m/s² and N, along x.
+    /// Makes z from its components along x: m/s² and N.
     #[inline]
     pub fn new(acceleration: T, force: T) -> Self {
         Self { acceleration, force }
     }
 
-    /// The acceleration ẍ of the point in m/s². It is the true one: a body at rest under gravity
-    /// has none.
+    /// Returns the acceleration ẍ of the point in m/s².
+    ///
+    /// It is the second time derivative of the position, so that of a body at rest is zero. An accelerometer measures it
+    /// minus the acceleration of gravity.
     #[inline]
     pub fn acceleration(&self) -> T {
         self.acceleration
     }
 
-    /// The internal force q_x in N: +q pulls the outboard element, −q the inboard one.
+    /// Returns the internal force along x in N, which acts on the outboard element.
+    ///
+    /// Its negative acts on the inboard element.
     #[inline]
     pub fn force(&self) -> T {
         self.force
     }
 
-    /// All three entries of z in the paper's order, the last one being 1.
+    /// Returns the three entries of z in the paper's order; the last one is 1.
     #[inline]
     pub fn to_vector(&self) -> SVector<T, 3> {
         SVector::from([self.acceleration, self.force, T::constant(1.0)])
     }
 }
 
-/// Everything known of a connection point of a line chain: where it is, how it moves, and what
-/// passes through it, all along x. `R` says what the chain computes of
-/// it: all that the methods read, unless its setting `results` leaves something out.
+/// The results at a connection point of a line chain, all along x: position, velocity, acceleration, internal force.
+///
+/// `R` lists the results that the chain computes, which its setting `results` selects.
 #[derive(Clone, Copy, PartialEq)]
 pub struct LinePoint<T, R = AllResults> {
     position: T,
@@ -58,7 +64,7 @@ pub struct LinePoint<T, R = AllResults> {
 }
 
 impl<T: Scalar> LinePoint<T> {
-    /// Puts a point together from its position (m), velocity (m/s) and z.
+    /// Makes a point from its position (m), velocity (m/s) and z.
     #[inline]
     pub fn new(position: T, velocity: T, z: LineStateVector<T>) -> Self {
         Self { position, velocity, z, results: PhantomData }
@@ -66,7 +72,7 @@ impl<T: Scalar> LinePoint<T> {
 }
 
 impl<T: Scalar, R> LinePoint<T, R> {
-    /// The position x in m, from the inertial frame's origin.
+    /// Returns the position x in m from the inertial origin.
     #[inline]
     pub fn position(&self) -> T
     where
@@ -75,7 +81,7 @@ impl<T: Scalar, R> LinePoint<T, R> {
         self.position
     }
 
-    /// The velocity ẋ in m/s.
+    /// Returns the velocity ẋ in m/s.
     #[inline]
     pub fn velocity(&self) -> T
     where
@@ -84,7 +90,7 @@ impl<T: Scalar, R> LinePoint<T, R> {
         self.velocity
     }
 
-    /// The method's state vector; its documentation tells the sign of the force.
+    /// Returns the state vector z; its documentation defines the sign of the force.
     #[inline]
     pub fn z(&self) -> &LineStateVector<T>
     where
@@ -93,7 +99,7 @@ impl<T: Scalar, R> LinePoint<T, R> {
         &self.z
     }
 
-    /// The acceleration ẍ in m/s².
+    /// Returns the acceleration ẍ in m/s²: the second time derivative of the position.
     #[inline]
     pub fn acceleration(&self) -> T
     where
@@ -102,8 +108,9 @@ impl<T: Scalar, R> LinePoint<T, R> {
         self.z.acceleration()
     }
 
-    /// The internal force q_x in N. On a body it acts as +q at the input end and −q at the output
-    /// end.
+    /// Returns the internal force along x in N.
+    ///
+    /// It acts on a body at the body's input; its negative acts at the body's output.
     #[inline]
     pub fn force(&self) -> T
     where
@@ -113,7 +120,7 @@ impl<T: Scalar, R> LinePoint<T, R> {
     }
 }
 
-/// A point at rest at the origin, with nothing passing through it.
+/// A point at rest at the inertial origin, without force.
 impl<T: Default> Default for LinePoint<T> {
     fn default() -> Self {
         Self::resting()
@@ -127,7 +134,7 @@ impl<T: Default, R> LinePoint<T, R> {
     }
 }
 
-/// Shows what the chain computes.
+/// Formats the results that the chain computes.
 impl<T: fmt::Debug, const POSES: bool, const VELOCITIES: bool, const Z: bool> fmt::Debug
     for LinePoint<T, Results<POSES, VELOCITIES, Z>>
 {

@@ -18,9 +18,9 @@ pub use space::{Point, StateVector};
 /// A connection point of any kind of chain: [`Point`] in space, [`PlanePoint`] in the plane,
 /// [`LinePoint`] along a line.
 pub trait ConnectionPoint {
-    /// The numbers the point's motion and loads are kept in.
+    /// The scalar type of the point's motion and loads.
     type Scalar;
-    /// The components of a vector, as many as the chain has dimensions.
+    /// An array of the components of a vector, one per dimension of the chain.
     type Vector;
 }
 

@@ -9,12 +9,12 @@ use super::results::{AllResults, HasPoses, HasVelocities, HasZ, Results, show};
 use super::slots::{PointSlots, difference, vector_at};
 use crate::Scalar;
 
-/// The method's state vector `[P, Eq. (6)]`, z = [ẍ, ÿ, Ω̇_z, m_z, q_x, q_y, 1] at a connection point of a plane
-/// chain, in the inertial frame.
+/// The state vector z at a connection point of a plane chain, inertial frame.
 ///
-/// These are the entries of [`StateVector`](crate::StateVector) that motion in the plane x, y
-/// leaves, with the same signs: on a **body**, the force at its input end is +q and at its output
-/// end −q; the torque about z at its input end is −m and at its output end +m.
+/// It has the entries of [`StateVector`](crate::StateVector) that a motion in the plane x, y leaves, with the same signs:
+/// a body feels +force and −moment at its input, −force and +moment at its output.
+///
+/// This is the vector z = [ẍ, ÿ, Ω̇_z, m_z, q_x, q_y, 1] of `[P, Eq. (6)]`, where m is the moment and q the force.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PlaneStateVector<T> {
     acceleration: [T; 2],
@@ -24,39 +24,44 @@ pub struct PlaneStateVector<T> {
 }
 
 impl<T: Scalar> PlaneStateVector<T> {
-    /// Puts z together from components in the inertial frame: m/s², rad/s², N·m and N.
+    /// Makes z from components in the inertial frame: m/s², rad/s², N·m and N.
     #[inline]
     pub fn new(acceleration: [T; 2], angular_acceleration: T, moment: T, force: [T; 2]) -> Self {
         Self { acceleration, angular_acceleration, moment, force }
     }
 
-    /// The acceleration ẍ, ÿ of the point in m/s², inertial frame. It is the true one: a body at
-    /// rest under gravity has none.
+    /// Returns the acceleration ẍ, ÿ of the point in m/s², inertial frame.
+    ///
+    /// It is the second time derivative of the position, so that of a body at rest is zero. An accelerometer measures it
+    /// minus the acceleration of gravity.
     #[inline]
     pub fn acceleration(&self) -> Vector2<T> {
         Vector2::from(self.acceleration)
     }
 
-    /// The angular acceleration Ω̇_z of the frame at the point in rad/s².
+    /// Returns the angular acceleration Ω̇_z of the frame at the point in rad/s².
     #[inline]
     pub fn angular_acceleration(&self) -> T {
         self.angular_acceleration
     }
 
-    /// The internal moment m_z in N·m: −m turns the outboard element, +m the inboard one.
+    /// Returns the internal moment about z in N·m, which acts on the inboard element.
+    ///
+    /// Its negative acts on the outboard element.
     #[inline]
     pub fn moment(&self) -> T {
         self.moment
     }
 
-    /// The internal force q in N, inertial frame: +q pulls the outboard element, −q the inboard
-    /// one.
+    /// Returns the internal force in N, inertial frame, which acts on the outboard element.
+    ///
+    /// Its negative acts on the inboard element.
     #[inline]
     pub fn force(&self) -> Vector2<T> {
         Vector2::from(self.force)
     }
 
-    /// All seven entries of z in the paper's order, the last one being 1.
+    /// Returns the seven entries of z in the paper's order; the last one is 1.
     #[inline]
     pub fn to_vector(&self) -> SVector<T, 7> {
         let ([a0, a1], [q0, q1]) = (self.acceleration, self.force);
@@ -65,12 +70,10 @@ impl<T: Scalar> PlaneStateVector<T> {
     }
 }
 
-/// Everything known of a connection point of a plane chain: where it is, how it moves, and what
-/// passes through it.
+/// The results at a connection point of a plane chain: pose, velocity, acceleration, internal force and moment.
 ///
-/// Vectors are in the inertial frame. The orientation is that of the frame at the point, which
-/// turns with the element the point belongs to. `R` says what the chain computes of it: all that the
-/// methods read, unless its setting `results` leaves something out.
+/// Vectors are in the inertial frame. The frame at the point is fixed in the element to which the point belongs. `R`
+/// lists the results that the chain computes, which its setting `results` selects.
 #[derive(Clone, Copy, PartialEq)]
 pub struct PlanePoint<T, R = AllResults> {
     position: [T; 2],
@@ -82,11 +85,10 @@ pub struct PlanePoint<T, R = AllResults> {
 }
 
 impl<T: Scalar> PlanePoint<T> {
-    /// Puts a point together.
+    /// Makes a point from its results.
     ///
-    /// `cos_sin` are cosine and sine of the angle by which the point's frame is turned against the
-    /// inertial one, counter-clockwise. Position (m) and velocity (m/s) are in the inertial frame,
-    /// the angular velocity is in rad/s.
+    /// `cos_sin` are cosine and sine of the counter-clockwise angle from the inertial frame to the point's frame.
+    /// Position (m) and velocity (m/s) are in the inertial frame, the angular velocity is in rad/s.
     #[inline]
     pub fn new(
         position: [T; 2],
@@ -100,7 +102,7 @@ impl<T: Scalar> PlanePoint<T> {
 }
 
 impl<T: Scalar, R> PlanePoint<T, R> {
-    /// The position r in m, from the inertial frame's origin, in inertial components.
+    /// Returns the position r in m from the inertial origin, inertial frame.
     #[inline]
     pub fn position(&self) -> Vector2<T>
     where
@@ -109,9 +111,9 @@ impl<T: Scalar, R> PlanePoint<T, R> {
         Vector2::from(self.position)
     }
 
-    /// The rotation that turns components in the point's frame into inertial components.
+    /// Returns the rotation that takes components in the point's frame to inertial components.
     ///
-    /// With nalgebra's feature `std` or `libm` its `angle()` is the angle in rad, between −π and π.
+    /// With nalgebra's feature `std` or `libm`, its `angle()` is the angle in rad, between −π and π.
     #[inline]
     pub fn orientation(&self) -> Rotation2<T>
     where
@@ -121,8 +123,7 @@ impl<T: Scalar, R> PlanePoint<T, R> {
         Rotation2::from_matrix_unchecked(Matrix2::new(cosine, -sine, sine, cosine))
     }
 
-    /// Cosine and sine of the angle by which the point's frame is turned against the inertial one,
-    /// counter-clockwise.
+    /// Returns cosine and sine of the counter-clockwise angle from the inertial frame to the point's frame.
     #[inline]
     pub fn cos_sin(&self) -> (T, T)
     where
@@ -132,7 +133,7 @@ impl<T: Scalar, R> PlanePoint<T, R> {
         (cosine, sine)
     }
 
-    /// The velocity ṙ in m/s, inertial frame.
+    /// Returns the velocity ṙ in m/s, inertial frame.
     #[inline]
     pub fn velocity(&self) -> Vector2<T>
     where
@@ -141,7 +142,7 @@ impl<T: Scalar, R> PlanePoint<T, R> {
         Vector2::from(self.velocity)
     }
 
-    /// The angular velocity Ω_z of the frame at the point in rad/s.
+    /// Returns the angular velocity Ω_z of the frame at the point in rad/s.
     #[inline]
     pub fn angular_velocity(&self) -> T
     where
@@ -150,7 +151,7 @@ impl<T: Scalar, R> PlanePoint<T, R> {
         self.angular_velocity
     }
 
-    /// The method's state vector; its documentation tells the signs of force and moment.
+    /// Returns the state vector z; its documentation defines the signs of force and moment.
     #[inline]
     pub fn z(&self) -> &PlaneStateVector<T>
     where
@@ -159,7 +160,7 @@ impl<T: Scalar, R> PlanePoint<T, R> {
         &self.z
     }
 
-    /// The acceleration ẍ, ÿ in m/s², inertial frame.
+    /// Returns the acceleration ẍ, ÿ in m/s², inertial frame: the second time derivative of the position.
     #[inline]
     pub fn acceleration(&self) -> Vector2<T>
     where
@@ -168,7 +169,7 @@ impl<T: Scalar, R> PlanePoint<T, R> {
         self.z.acceleration()
     }
 
-    /// The angular acceleration Ω̇_z in rad/s².
+    /// Returns the angular acceleration Ω̇_z in rad/s².
     #[inline]
     pub fn angular_acceleration(&self) -> T
     where
@@ -177,8 +178,9 @@ impl<T: Scalar, R> PlanePoint<T, R> {
         self.z.angular_acceleration()
     }
 
-    /// The internal moment m_z in N·m. On a body it acts as −m at the input end and +m at the
-    /// output end.
+    /// Returns the internal moment about z in N·m.
+    ///
+    /// It acts on a body at the body's output; its negative acts at the body's input.
     #[inline]
     pub fn moment(&self) -> T
     where
@@ -187,8 +189,9 @@ impl<T: Scalar, R> PlanePoint<T, R> {
         self.z.moment()
     }
 
-    /// The internal force q in N, inertial frame. On a body it acts as +q at the input end and −q
-    /// at the output end.
+    /// Returns the internal force in N, inertial frame.
+    ///
+    /// It acts on a body at the body's input; its negative acts at the body's output.
     #[inline]
     pub fn force(&self) -> Vector2<T>
     where
@@ -198,7 +201,7 @@ impl<T: Scalar, R> PlanePoint<T, R> {
     }
 }
 
-/// A point at rest at the origin, its frame the inertial one, with nothing passing through it.
+/// A point at rest at the inertial origin, with the inertial frame, without force and moment.
 impl<T: Scalar> Default for PlanePoint<T> {
     fn default() -> Self {
         Self::resting()
@@ -219,7 +222,7 @@ impl<T: Scalar, R> PlanePoint<T, R> {
     }
 }
 
-/// Shows what the chain computes.
+/// Formats the results that the chain computes.
 impl<T: fmt::Debug, const POSES: bool, const VELOCITIES: bool, const Z: bool> fmt::Debug
     for PlanePoint<T, Results<POSES, VELOCITIES, Z>>
 {
@@ -280,7 +283,7 @@ impl<T: Scalar, R> PlanePoint<T, R> {
     }
 }
 
-/// A vector in inertial axes, from its place and that of the axes that it is seen in.
+/// Returns a vector in inertial components, from its slot and the slot of its axes.
 #[inline(always)]
 fn to_inertial<T: Scalar>(values: &[T], (axes, vector): ([u32; 1], u32)) -> [T; 2] {
     let vector = vector_at(values, vector);
@@ -290,13 +293,13 @@ fn to_inertial<T: Scalar>(values: &[T], (axes, vector): ([u32; 1], u32)) -> [T; 
     }
 }
 
-/// Cosine and sine of an angle; nothing of zero.
+/// Returns cosine and sine of an angle, or `None` for zero.
 #[inline(always)]
 fn cos_sin<T: Scalar>(values: &[T], [slot]: [u32; 1]) -> Option<[T; 2]> {
     if slot == 0 { None } else { Some(vector_at(values, slot)) }
 }
 
-/// A vector turned by an angle.
+/// Returns a vector rotated by an angle.
 #[inline(always)]
 fn rotated<T: Scalar>([cosine, sine]: [T; 2], [x, y]: [T; 2]) -> [T; 2] {
     [cosine.mul_add(x, -(sine * y)), sine.mul_add(x, cosine * y)]

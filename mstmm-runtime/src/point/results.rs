@@ -1,11 +1,11 @@
-//! Which results the connection points of a chain have.
+//! Markers for the results that the connection points of a chain have.
 
 use core::fmt;
 
-/// Which results the connection points of a chain have: poses, velocities and the state vector z.
+/// The results that the connection points of a chain have: poses, velocities, the state vector z.
 ///
-/// A chain's setting `results` says so; unless it does they have all of them, [`AllResults`]. What was left
-/// out is not computed, and a method that reads it does not compile.
+/// The setting `results` of a chain lists them; without it they are [`AllResults`]. Results that are not listed are not
+/// computed, and methods that read them do not compile.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Results<const POSES: bool, const VELOCITIES: bool, const Z: bool>;
 
@@ -14,9 +14,9 @@ pub type AllResults = Results<true, true, true>;
 
 /// Results with positions and orientations.
 #[diagnostic::on_unimplemented(
-    message = "the chain's setting `results` leaves poses out",
+    message = "the chain's setting `results` omits poses",
     label = "needs positions and orientations",
-    note = "add `poses` to the setting `results`, or leave it out to have everything"
+    note = "add `poses` to the setting `results`, or omit the setting to compute all results"
 )]
 pub trait HasPoses {}
 
@@ -24,26 +24,25 @@ impl<const VELOCITIES: bool, const Z: bool> HasPoses for Results<true, VELOCITIE
 
 /// Results with velocities and angular velocities.
 #[diagnostic::on_unimplemented(
-    message = "the chain's setting `results` leaves velocities out",
+    message = "the chain's setting `results` omits velocities",
     label = "needs velocities and angular velocities",
-    note = "add `velocities` to the setting `results`, or leave it out to have everything"
+    note = "add `velocities` to the setting `results`, or omit the setting to compute all results"
 )]
 pub trait HasVelocities {}
 
 impl<const POSES: bool, const Z: bool> HasVelocities for Results<POSES, true, Z> {}
 
-/// Results with the method's state vector z: accelerations, angular accelerations, internal moments and
-/// forces.
+/// Results with the state vector z: accelerations, angular accelerations, internal moments and forces.
 #[diagnostic::on_unimplemented(
-    message = "the chain's setting `results` leaves the state vector z out",
+    message = "the chain's setting `results` omits the state vector z",
     label = "needs accelerations, moments and forces",
-    note = "add `z` to the setting `results`, or leave it out to have everything"
+    note = "add `z` to the setting `results`, or omit the setting to compute all results"
 )]
 pub trait HasZ {}
 
 impl<const POSES: bool, const VELOCITIES: bool> HasZ for Results<POSES, VELOCITIES, true> {}
 
-/// Shows the fields that a point has.
+/// Formats the fields that a point has.
 pub(super) fn show(
     to: &mut fmt::Formatter<'_>,
     name: &str,

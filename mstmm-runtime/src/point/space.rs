@@ -9,16 +9,15 @@ use super::results::{AllResults, HasPoses, HasVelocities, HasZ, Results, show};
 use super::slots::{PointSlots, difference, vector_at};
 use crate::Scalar;
 
-/// The method's state vector z = [r̈, Ω̇, m, q, 1] at a connection point, in the inertial frame.
+/// The state vector z at a connection point: acceleration, angular acceleration, internal moment, internal force.
 ///
-/// It holds acceleration and angular acceleration of the point and the internal moment and force
-/// that pass through it. The signs are those of `[P, Section 2.1]`: on a **body**, the force at its
-/// input end is +q and at its output end −q; the torque at its input end is −m and at its output
-/// end +m. So what the inboard element receives at the point is the force −q and the torque +m, and
-/// the outboard element the force +q and the torque −m.
+/// All components are in the inertial frame. The internal force and moment are those of a cut at the point, with the
+/// signs of `[P, Section 2.1]`: [`force`](Self::force) acts on the outboard element and its negative on the inboard
+/// element; [`moment`](Self::moment) acts on the inboard element and its negative on the outboard element. So a body
+/// feels +force and −moment at its input, −force and +moment at its output.
 ///
-/// In the paper's words, `[P, Eq. (3)]`; here the internal force is called `force` and the moment
-/// `moment`, since q are coordinates.
+/// This is the vector z = [r̈, Ω̇, m, q, 1] of `[P, Eq. (3)]`, where m is the moment and q the force.
+#[doc(alias("wrench", "constraint forces", "reaction", "contact force"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StateVector<T> {
     acceleration: [T; 3],
@@ -28,7 +27,7 @@ pub struct StateVector<T> {
 }
 
 impl<T: Scalar> StateVector<T> {
-    /// Puts z together from components in the inertial frame: m/s², rad/s², N·m and N.
+    /// Makes z from components in the inertial frame: m/s², rad/s², N·m and N.
     #[inline]
     pub fn new(
         acceleration: [T; 3],
@@ -39,34 +38,38 @@ impl<T: Scalar> StateVector<T> {
         Self { acceleration, angular_acceleration, moment, force }
     }
 
-    /// The acceleration r̈ of the point in m/s², inertial frame. It is the true one: a body at rest
-    /// under gravity has none.
+    /// Returns the acceleration r̈ of the point in m/s², inertial frame.
+    ///
+    /// It is the second time derivative of the position, so that of a body at rest is zero. An accelerometer measures it
+    /// minus the acceleration of gravity.
     #[inline]
     pub fn acceleration(&self) -> Vector3<T> {
         Vector3::from(self.acceleration)
     }
 
-    /// The angular acceleration Ω̇ of the frame at the point in rad/s², inertial frame.
+    /// Returns the angular acceleration Ω̇ of the frame at the point in rad/s², inertial frame.
     #[inline]
     pub fn angular_acceleration(&self) -> Vector3<T> {
         Vector3::from(self.angular_acceleration)
     }
 
-    /// The internal moment m in N·m, inertial frame: −m turns the outboard element, +m the inboard
-    /// one.
+    /// Returns the internal moment in N·m, inertial frame, which acts on the inboard element.
+    ///
+    /// Its negative acts on the outboard element.
     #[inline]
     pub fn moment(&self) -> Vector3<T> {
         Vector3::from(self.moment)
     }
 
-    /// The internal force q in N, inertial frame: +q pulls the outboard element, −q the inboard
-    /// one.
+    /// Returns the internal force in N, inertial frame, which acts on the outboard element.
+    ///
+    /// Its negative acts on the inboard element.
     #[inline]
     pub fn force(&self) -> Vector3<T> {
         Vector3::from(self.force)
     }
 
-    /// All thirteen entries of z in the paper's order, the last one being 1.
+    /// Returns the thirteen entries of z in the paper's order; the last one is 1.
     #[inline]
     pub fn to_vector(&self) -> SVector<T, 13> {
         let ([a0, a1, a2], [w0, w1, w2]) = (self.acceleration, self.angular_acceleration);
@@ -75,11 +78,11 @@ impl<T: Scalar> StateVector<T> {
     }
 }
 
-/// Everything known of a connection point: where it is, how it moves, and what passes through it.
+/// The results at a connection point in space: pose, velocity, acceleration, internal force and moment.
 ///
-/// Vectors are in the inertial frame. The orientation is that of the frame at the point, which
-/// turns with the element the point belongs to. `R` says what the chain computes of it: all that the
-/// methods read, unless its setting `results` leaves something out.
+/// Vectors are in the inertial frame. The frame at the point is fixed in the element to which the point belongs. `R`
+/// lists the results that the chain computes, which its setting `results` selects.
+#[doc(alias("frame", "site", "marker", "link state"))]
 #[derive(Clone, Copy, PartialEq)]
 pub struct Point<T, R = AllResults> {
     position: [T; 3],
@@ -91,11 +94,10 @@ pub struct Point<T, R = AllResults> {
 }
 
 impl<T: Scalar> Point<T> {
-    /// Puts a point together.
+    /// Makes a point from its results.
     ///
-    /// `rotation` holds the rows of the matrix A that turns components in the point's frame into
-    /// inertial ones. Position (m), velocity (m/s) and angular velocity (rad/s) are in the inertial
-    /// frame.
+    /// `rotation` has the rows of the matrix A that takes components in the point's frame to inertial components.
+    /// Position (m), velocity (m/s) and angular velocity (rad/s) are in the inertial frame.
     #[inline]
     pub fn new(
         position: [T; 3],
@@ -109,7 +111,7 @@ impl<T: Scalar> Point<T> {
 }
 
 impl<T: Scalar, R> Point<T, R> {
-    /// The position r in m, from the inertial frame's origin, in inertial components.
+    /// Returns the position r in m from the inertial origin, inertial frame.
     #[inline]
     pub fn position(&self) -> Vector3<T>
     where
@@ -118,7 +120,7 @@ impl<T: Scalar, R> Point<T, R> {
         Vector3::from(self.position)
     }
 
-    /// The rotation A that turns components in the point's frame into inertial components.
+    /// Returns the rotation A that takes components in the point's frame to inertial components.
     #[inline]
     pub fn orientation(&self) -> Rotation3<T>
     where
@@ -128,7 +130,7 @@ impl<T: Scalar, R> Point<T, R> {
         Rotation3::from_matrix_unchecked(Matrix3::new(xx, xy, xz, yx, yy, yz, zx, zy, zz))
     }
 
-    /// The velocity ṙ in m/s, inertial frame.
+    /// Returns the velocity ṙ in m/s, inertial frame.
     #[inline]
     pub fn velocity(&self) -> Vector3<T>
     where
@@ -137,7 +139,7 @@ impl<T: Scalar, R> Point<T, R> {
         Vector3::from(self.velocity)
     }
 
-    /// The angular velocity Ω of the frame at the point in rad/s, inertial frame.
+    /// Returns the angular velocity Ω of the frame at the point in rad/s, inertial frame.
     #[inline]
     pub fn angular_velocity(&self) -> Vector3<T>
     where
@@ -146,7 +148,7 @@ impl<T: Scalar, R> Point<T, R> {
         Vector3::from(self.angular_velocity)
     }
 
-    /// The method's state vector; its documentation tells the signs of force and moment.
+    /// Returns the state vector z; its documentation defines the signs of force and moment.
     #[inline]
     pub fn z(&self) -> &StateVector<T>
     where
@@ -155,7 +157,7 @@ impl<T: Scalar, R> Point<T, R> {
         &self.z
     }
 
-    /// The acceleration r̈ in m/s², inertial frame.
+    /// Returns the acceleration r̈ in m/s², inertial frame: the second time derivative of the position.
     #[inline]
     pub fn acceleration(&self) -> Vector3<T>
     where
@@ -164,7 +166,7 @@ impl<T: Scalar, R> Point<T, R> {
         self.z.acceleration()
     }
 
-    /// The angular acceleration Ω̇ in rad/s², inertial frame.
+    /// Returns the angular acceleration Ω̇ in rad/s², inertial frame.
     #[inline]
     pub fn angular_acceleration(&self) -> Vector3<T>
     where
@@ -173,8 +175,9 @@ impl<T: Scalar, R> Point<T, R> {
         self.z.angular_acceleration()
     }
 
-    /// The internal moment m in N·m, inertial frame. On a body it acts as −m at the input end and
-    /// +m at the output end.
+    /// Returns the internal moment in N·m, inertial frame.
+    ///
+    /// It acts on a body at the body's output; its negative acts at the body's input.
     #[inline]
     pub fn moment(&self) -> Vector3<T>
     where
@@ -183,8 +186,9 @@ impl<T: Scalar, R> Point<T, R> {
         self.z.moment()
     }
 
-    /// The internal force q in N, inertial frame. On a body it acts as +q at the input end and −q
-    /// at the output end.
+    /// Returns the internal force in N, inertial frame.
+    ///
+    /// It acts on a body at the body's input; its negative acts at the body's output.
     #[inline]
     pub fn force(&self) -> Vector3<T>
     where
@@ -194,7 +198,7 @@ impl<T: Scalar, R> Point<T, R> {
     }
 }
 
-/// A point at rest at the origin, its frame the inertial one, with nothing passing through it.
+/// A point at rest at the inertial origin, with the inertial frame, without force and moment.
 impl<T: Scalar> Default for Point<T> {
     fn default() -> Self {
         Self::resting()
@@ -215,7 +219,7 @@ impl<T: Scalar, R> Point<T, R> {
     }
 }
 
-/// Shows what the chain computes.
+/// Formats the results that the chain computes.
 impl<T: fmt::Debug, const POSES: bool, const VELOCITIES: bool, const Z: bool> fmt::Debug
     for Point<T, Results<POSES, VELOCITIES, Z>>
 {
@@ -268,7 +272,7 @@ impl<T: Scalar, R> Point<T, R> {
     }
 }
 
-/// A vector in inertial axes, from its place and those of the axes that it is seen in.
+/// Returns a vector in inertial components, from its slot and the slots of its axes.
 #[inline(always)]
 fn to_inertial<T: Scalar>(values: &[T], (axes, vector): ([u32; 3], u32)) -> [T; 3] {
     let vector = vector_at(values, vector);
@@ -278,7 +282,7 @@ fn to_inertial<T: Scalar>(values: &[T], (axes, vector): ([u32; 3], u32)) -> [T; 
     }
 }
 
-/// The columns of a matrix; nothing of the identity.
+/// Returns the columns of a rotation matrix, or `None` for the identity.
 #[inline(always)]
 fn columns<T: Scalar>(values: &[T], [x, y, z]: [u32; 3]) -> Option<[[T; 3]; 3]> {
     if let (0, 0, 0) = (x, y, z) {
@@ -287,7 +291,7 @@ fn columns<T: Scalar>(values: &[T], [x, y, z]: [u32; 3]) -> Option<[[T; 3]; 3]> 
     Some([vector_at(values, x), vector_at(values, y), vector_at(values, z)])
 }
 
-/// A vector in the axes that the matrix with these columns leads to.
+/// Returns the product of the matrix with these columns and a vector.
 #[inline(always)]
 fn rotated<T: Scalar>([x, y, z]: [[T; 3]; 3], [a, b, c]: [T; 3]) -> [T; 3] {
     let ([xx, yx, zx], [xy, yy, zy], [xz, yz, zz]) = (x, y, z);
